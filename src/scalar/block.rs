@@ -1,0 +1,511 @@
+//! Block-floating integers: the [`Real`] of the fixed-point types.
+//!
+//! A block is `mantissa * 2^exponent`. Its mantissa is twice as wide as the scalar, so that the product of two
+//! scalars, and sums of such products, are exact. Only when a product would need more than the double width is an
+//! operand reduced to half the width, rounded to nearest: a relative error of at most 2^-32 (2^-64 for the wide block).
+//! Blocks need no scaling by their user and never overflow: the exponent has 32 bits.
+//!
+//! Square root and quotient are made here from integers, normalised by leading zeros. The macro makes the same
+//! code for three widths; the smallest is small enough to be tested on every operand.
+
+use super::{Real, sealed::Sealed};
+use core::cmp::Ordering;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// Defines one block type.
+///
+/// `$mantissa`/`$unsigned` are the double width, `$bits` their bits; a reduced factor has `$bits / 2 - 1` bits.
+macro_rules! block {
+    ($(#[$doc:meta])* $vis:vis $Block:ident, $mantissa:ty, $unsigned:ty, $bits:literal) => {
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, Default)]
+        $vis struct $Block {
+            mantissa: $mantissa,
+            exponent: i32,
+        }
+
+        impl $Block {
+            /// Bits of a factor that is multiplied without loss.
+            const HALF: u32 = $bits / 2 - 1;
+
+            /// `mantissa * 2^exponent`, exactly; the mantissa's magnitude must not exceed `2^($bits - 2)`.
+            #[inline(always)]
+            pub const fn new(mantissa: $mantissa, exponent: i32) -> Self {
+                Self { mantissa, exponent }
+            }
+
+            /// The integer part of the block.
+            #[inline(always)]
+            pub const fn mantissa(self) -> $mantissa {
+                self.mantissa
+            }
+
+            /// The power of two that the mantissa is multiplied by.
+            #[inline(always)]
+            pub const fn exponent(self) -> i32 {
+                self.exponent
+            }
+
+            /// Rounded to at most `HALF` bits (or exactly `2^HALF`).
+            #[inline]
+            fn reduced(self) -> Self {
+                let bits = $bits - self.mantissa.unsigned_abs().leading_zeros();
+                if bits <= Self::HALF {
+                    return self;
+                }
+                let drop = bits - Self::HALF;
+                Self::new(shift_right_rounded!(self.mantissa, drop), self.exponent.wrapping_add(drop as i32))
+            }
+
+            /// The value as an integer of the unit `2^unit`, rounded to nearest (half away from minus infinity);
+            /// `None` if that does not fit `$bits - 1` bits.
+            #[inline]
+            pub fn to_units(self, unit: i32) -> Option<$mantissa> {
+                if self.mantissa == 0 {
+                    return Some(0);
+                }
+                let up = self.exponent.wrapping_sub(unit);
+                if up >= 0 {
+                    let room = self.mantissa.unsigned_abs().leading_zeros() as i32 - 1;
+                    if up > room { None } else { Some(self.mantissa << up) }
+                } else {
+                    let down = up.unsigned_abs();
+                    if down >= $bits { Some(0) } else { Some(shift_right_rounded!(self.mantissa, down)) }
+                }
+            }
+
+            /// Magnitude shifted left until its top bit is set, and the exponent that belongs to it.
+            #[inline]
+            fn normalized(self) -> ($unsigned, i32) {
+                let magnitude = self.mantissa.unsigned_abs();
+                let shift = magnitude.leading_zeros();
+                (magnitude << shift, self.exponent.wrapping_sub(shift as i32))
+            }
+
+            /// The square root of `n`, rounded down; `n` must have one of its two top bits set.
+            ///
+            /// Zimmermann's recursion (*Karatsuba Square Root*, 1999) unrolled into Newton steps on prefixes of
+            /// `n`: each step doubles the bits of the root of a prefix and is at most one too large.
+            #[inline]
+            fn integer_square_root(n: $unsigned) -> $unsigned {
+                const QUARTER: u32 = $bits / 4;
+                // Root of the top half of the bits, from the next smaller integer.
+                let top = n >> ($bits / 2);
+                let root = root_of_half!($bits, top);
+                // One Newton step on the whole.
+                let mut root: $unsigned = (root << (QUARTER - 1)) + (n >> (QUARTER + 1)) / root;
+                // The step never falls short; it can be one too large, and then at the top of the range its square overflows.
+                if root >> ($bits / 2) != 0 || root * root > n {
+                    root -= 1;
+                }
+                root
+            }
+
+            /// `floor(high * 2^$bits / divisor)` for a divisor whose top bit is set and `high < divisor`: schoolbook
+            /// division by two digits of half the width (Knuth, *The Art of Computer Programming* 2, 4.3.1, D).
+            #[inline]
+            fn divide_wide(high: $unsigned, divisor: $unsigned) -> $unsigned {
+                const DIGIT: u32 = $bits / 2;
+                const MASK: $unsigned = (1 << DIGIT) - 1;
+                let (top, low) = (divisor >> DIGIT, divisor & MASK);
+                let digit = |remainder: $unsigned| -> ($unsigned, $unsigned) {
+                    let mut quotient = remainder / top;
+                    let mut rest = remainder % top;
+                    // At most two corrections, since the divisor is normalised.
+                    while quotient >> DIGIT != 0 || quotient * low > (rest << DIGIT) {
+                        quotient -= 1;
+                        rest += top;
+                        if rest >> DIGIT != 0 {
+                            break;
+                        }
+                    }
+                    (quotient, (remainder << DIGIT).wrapping_sub(quotient.wrapping_mul(divisor)))
+                };
+                let (first, rest) = digit(high);
+                let (second, _) = digit(rest);
+                (first << DIGIT) + second
+            }
+        }
+
+        impl Sealed for $Block {}
+
+        impl PartialEq for $Block {
+            #[inline]
+            fn eq(&self, other: &Self) -> bool {
+                self.partial_cmp(other) == Some(Ordering::Equal)
+            }
+        }
+
+        impl PartialOrd for $Block {
+            #[inline]
+            fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+                let (a, b) = (self.mantissa.signum(), other.mantissa.signum());
+                if a != b || a == 0 {
+                    return Some(a.cmp(&b));
+                }
+                // Same sign: compare exactly by the normalised magnitudes.
+                let ((m, e), (n, f)) = (self.normalized(), other.normalized());
+                let order = e.cmp(&f).then(m.cmp(&n));
+                Some(if a > 0 { order } else { order.reverse() })
+            }
+        }
+
+        impl Neg for $Block {
+            type Output = Self;
+            #[inline(always)]
+            fn neg(self) -> Self {
+                Self::new(-self.mantissa, self.exponent)
+            }
+        }
+
+        impl Add for $Block {
+            type Output = Self;
+            #[inline]
+            fn add(self, other: Self) -> Self {
+                if self.mantissa == 0 {
+                    return other;
+                }
+                if other.mantissa == 0 {
+                    return self;
+                }
+                let (mut high, mut low) = if self.exponent >= other.exponent { (self, other) } else { (other, self) };
+                let difference = high.exponent.wrapping_sub(low.exponent) as u32;
+                // First use the free bits of the one with the greater exponent, then drop bits of the other.
+                let room = high.mantissa.unsigned_abs().leading_zeros().saturating_sub(2);
+                let up = if difference < room { difference } else { room };
+                high.mantissa <<= up;
+                high.exponent = high.exponent.wrapping_sub(up as i32);
+                let down = difference - up;
+                if down >= $bits {
+                    return high;
+                }
+                if down > 0 {
+                    low.mantissa = shift_right_rounded!(low.mantissa, down);
+                }
+                // Two magnitudes of at most 2^(bits - 2) can meet the sign bit only if both are that power of two.
+                match high.mantissa.checked_add(low.mantissa) {
+                    Some(sum) if sum.unsigned_abs() <= 1 << ($bits - 2) => Self::new(sum, high.exponent),
+                    Some(sum) => Self::new(shift_right_rounded!(sum, 1), high.exponent.wrapping_add(1)),
+                    None => Self::new((high.mantissa >> 1) + (low.mantissa >> 1), high.exponent.wrapping_add(1)),
+                }
+            }
+        }
+
+        impl Sub for $Block {
+            type Output = Self;
+            #[inline]
+            fn sub(self, other: Self) -> Self {
+                self + -other
+            }
+        }
+
+        impl Mul for $Block {
+            type Output = Self;
+            #[inline]
+            fn mul(self, other: Self) -> Self {
+                let (a, b) = (self.reduced(), other.reduced());
+                Self::new(a.mantissa * b.mantissa, a.exponent.wrapping_add(b.exponent))
+            }
+        }
+
+        impl Div for $Block {
+            type Output = Self;
+            /// The quotient to nearly the double width; zero for a division by zero.
+            #[inline]
+            fn div(self, other: Self) -> Self {
+                if self.mantissa == 0 || other.mantissa == 0 {
+                    return Self::ZERO;
+                }
+                let ((n, e), (d, f)) = (self.normalized(), other.normalized());
+                // n / 2 < d, since both have their top bit set: the quotient fits.
+                let quotient = Self::divide_wide(n >> 1, d);
+                let mantissa = (quotient >> 2) as $mantissa + ((quotient >> 1) & 1) as $mantissa;
+                let negative = (self.mantissa < 0) != (other.mantissa < 0);
+                Self::new(
+                    if negative { -mantissa } else { mantissa },
+                    e.wrapping_sub(f).wrapping_add(3).wrapping_sub($bits),
+                )
+            }
+        }
+
+        impl Real for $Block {
+            const ZERO: Self = Self::new(0, 0);
+            const ONE: Self = Self::new(1, 0);
+
+            #[inline]
+            fn from_int(n: i32) -> Self {
+                Self::new(n as $mantissa, 0)
+            }
+
+            #[inline]
+            fn sqrt(self) -> Self {
+                if self.mantissa <= 0 {
+                    return Self::ZERO;
+                }
+                let (mut n, mut exponent) = self.normalized();
+                if exponent & 1 != 0 {
+                    n >>= 1;
+                    exponent = exponent.wrapping_add(1);
+                }
+                let root = Self::integer_square_root(n);
+                // Rounded to nearest: n - root^2 > root means that root + 1/2 is still below.
+                let root = root + ((n - root * root > root) as $unsigned);
+                Self::new(root as $mantissa, exponent >> 1)
+            }
+
+            #[inline]
+            fn sum_of_products<const N: usize>(terms: [[Self; 2]; N]) -> Self {
+                sum_of_products!($bits, $Block, terms)
+            }
+
+            #[inline]
+            fn abs(self) -> Self {
+                Self::new(self.mantissa.abs(), self.exponent)
+            }
+
+            #[inline]
+            fn times_power_of_two(self, n: i32) -> Self {
+                Self::new(self.mantissa, self.exponent.wrapping_add(n))
+            }
+
+            #[inline(always)]
+            fn is_negative(self) -> bool {
+                self.mantissa < 0
+            }
+
+            #[inline(always)]
+            fn is_zero(self) -> bool {
+                self.mantissa == 0
+            }
+        }
+    };
+}
+
+/// Arithmetic shift right by 1 or more bits (fewer than the width), rounded to nearest.
+macro_rules! shift_right_rounded {
+    ($value:expr, $shift:expr) => {{
+        let (value, shift) = ($value, $shift);
+        // Add the last bit that is dropped: no overflow, unlike adding half a unit before the shift.
+        (value >> shift) + ((value >> (shift - 1)) & 1)
+    }};
+}
+
+/// The root of the top half of a radicand, in the type of the radicand.
+macro_rules! root_of_half {
+    (128, $top:expr) => {
+        Block64::integer_square_root($top as u64) as u128
+    };
+    (64, $top:expr) => {
+        root_of_32($top as u32) as u64
+    };
+    (16, $top:expr) => {
+        ROOT_OF_BYTE[$top as usize] as u16
+    };
+}
+
+/// Sum of products with an exact accumulator where the machine has a wider integer.
+macro_rules! sum_of_products {
+    (64, $Block:ident, $terms:expr) => {{
+        // 62-bit mantissas multiply exactly in 128 bits; align to the largest product and leave room for the sum.
+        let mut sum = Block128::ZERO;
+        for [a, b] in $terms {
+            let product = Block128::new(a.mantissa as i128 * b.mantissa as i128, a.exponent.wrapping_add(b.exponent));
+            sum = sum + product;
+        }
+        let bits = 128 - sum.mantissa.unsigned_abs().leading_zeros();
+        if bits <= 62 {
+            $Block::new(sum.mantissa as i64, sum.exponent)
+        } else {
+            let drop = bits - 62;
+            $Block::new(shift_right_rounded!(sum.mantissa, drop) as i64, sum.exponent.wrapping_add(drop as i32))
+        }
+    }};
+    ($bits:literal, $Block:ident, $terms:expr) => {{
+        let mut sum = $Block::ZERO;
+        for [a, b] in $terms {
+            sum = sum + a * b;
+        }
+        sum
+    }};
+}
+
+block! {
+    /// The [`Real`] of the 32-bit fixed types: a 64-bit integer with an exponent.
+    pub Block64, i64, u64, 64
+}
+block! {
+    /// The [`Real`] of the 64-bit fixed types: a 128-bit integer with an exponent.
+    pub Block128, i128, u128, 128
+}
+#[cfg(test)]
+block! {
+    /// The same code on 16 bits, where every operand can be tried.
+    Block16, i16, u16, 16
+}
+
+/// Square roots, rounded down, of a byte with one of its two top bits set (others: zero).
+const ROOT_OF_BYTE: [u8; 256] = {
+    let mut table = [0; 256];
+    let mut n = 0x40;
+    while n < 256 {
+        let mut root = 15;
+        while root * root > n {
+            root -= 1;
+        }
+        table[n] = root as u8;
+        n += 1;
+    }
+    table
+};
+
+/// The square root of a 32-bit integer with one of its two top bits set, rounded down: a table for the first four
+/// bits, then two Newton steps on prefixes.
+fn root_of_32(n: u32) -> u32 {
+    let root = ROOT_OF_BYTE[(n >> 24) as usize] as u32;
+    let root = floor_root((root << 3) + (n >> 21) / root, n >> 16);
+    floor_root((root << 7) + (n >> 9) / root, n)
+}
+
+/// One less where a Newton step came out one too large (`root` has at most half as many bits as a `u32`, or one more).
+fn floor_root(root: u32, n: u32) -> u32 {
+    if root as u64 * root as u64 > n as u64 { root - 1 } else { root }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn floor_sqrt(n: u128) -> u128 {
+        let mut root = (n as f64).sqrt() as u128;
+        while root.checked_mul(root).is_none_or(|square| square > n) {
+            root -= 1;
+        }
+        while (root + 1).checked_mul(root + 1).is_some_and(|square| square <= n) {
+            root += 1;
+        }
+        root
+    }
+
+    /// A small multiplicative generator: the tests need spread, not statistics.
+    fn random_words() -> impl Iterator<Item = u128> {
+        let mut state = 0x2545_f491_4f6c_dd1d_u64;
+        core::iter::repeat_with(move || {
+            let mut word = 0;
+            for _ in 0..2 {
+                state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+                let mut x = state ^ (state >> 31);
+                x = x.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+                word = (word << 64) | (x ^ (x >> 29)) as u128;
+            }
+            word
+        })
+    }
+
+    #[test]
+    fn square_root_of_16_bits_is_right_for_every_radicand() {
+        for n in 0x4000..=u16::MAX {
+            assert_eq!(Block16::integer_square_root(n) as u128, floor_sqrt(n as u128), "{n}");
+        }
+    }
+
+    #[test]
+    fn square_root_of_32_bits_is_right_for_every_radicand_near_a_square() {
+        for root in 0x8000_u64..=0xffff {
+            for n in [root * root - 1, root * root, root * root + 1, root * root + 2 * root] {
+                if (0x4000_0000..=u32::MAX as u64).contains(&n) {
+                    assert_eq!(root_of_32(n as u32) as u128, floor_sqrt(n as u128), "{n}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn square_root_of_64_and_128_bits_is_right_near_squares() {
+        for word in random_words().take(200_000) {
+            let root = (word as u64) | 1 << 63;
+            let square = root as u128 * root as u128;
+            for n in [square - 1, square, square + 2 * root as u128] {
+                assert_eq!(Block128::integer_square_root(n), if n < square { root - 1 } else { root } as u128);
+            }
+            let root = (word as u32) as u64 | 1 << 31;
+            for n in [root * root - 1, root * root, root * root + 2 * root] {
+                if n >> 62 != 0 {
+                    assert_eq!(Block64::integer_square_root(n), if n < root * root { root - 1 } else { root });
+                }
+            }
+        }
+        for n in [1 << 62, u64::MAX, u64::MAX - 1, 0xffff_fffe_0000_0001, 0xffff_fffe_0000_0000] {
+            assert_eq!(Block64::integer_square_root(n) as u128, floor_sqrt(n as u128), "{n}");
+        }
+        for n in [1 << 126, u128::MAX, u128::MAX - 1] {
+            let root = Block128::integer_square_root(n);
+            assert!(root * root <= n && (root + 1).checked_mul(root + 1).is_none_or(|square| square > n), "{n}");
+        }
+    }
+
+    #[test]
+    fn quotient_of_16_bits_is_right_for_every_pair() {
+        for divisor in 0x8000..=u16::MAX {
+            // Every high part would be 2^30 pairs: a stride coprime to the width visits them all in turn.
+            for high in (0..divisor).step_by(61).chain(divisor.saturating_sub(3)..divisor) {
+                let exact = ((high as u32) << 16) / divisor as u32;
+                assert_eq!(Block16::divide_wide(high, divisor) as u32, exact, "{high} {divisor}");
+            }
+        }
+    }
+
+    #[test]
+    fn quotient_of_64_bits_is_right() {
+        for word in random_words().take(500_000) {
+            let divisor = (word as u64) | 1 << 63;
+            let high = ((word >> 64) as u64) % divisor;
+            assert_eq!(Block64::divide_wide(high, divisor) as u128, ((high as u128) << 64) / divisor as u128);
+        }
+        for divisor in [1 << 63, u64::MAX, (1 << 63) | 1, (1 << 63) + (1 << 32) - 1] {
+            for high in [0, 1, divisor - 1, divisor >> 1] {
+                assert_eq!(Block64::divide_wide(high, divisor) as u128, ((high as u128) << 64) / divisor as u128);
+            }
+        }
+    }
+
+    #[test]
+    fn quotient_of_128_bits_times_divisor_comes_back() {
+        for (a, b) in random_words().zip(random_words().skip(1)).take(100_000) {
+            let divisor = a | 1 << 127;
+            let high = b % divisor;
+            let quotient = Block128::divide_wide(high, divisor);
+            // high * 2^128 - quotient * divisor must lie in 0..divisor; only the low word of it can be non-zero.
+            let (ql, qh, dl, dh) = (quotient as u64 as u128, quotient >> 64, divisor as u64 as u128, divisor >> 64);
+            let cross = (ql * dl >> 64) + (ql * dh) % (1 << 64) + (qh * dl) % (1 << 64);
+            let product_high = qh * dh + (ql * dh >> 64) + (qh * dl >> 64) + (cross >> 64);
+            let product_low = quotient.wrapping_mul(divisor);
+            let remainder = product_low.wrapping_neg();
+            assert_eq!(high.wrapping_sub(product_high).wrapping_sub((product_low != 0) as u128), 0);
+            assert!(remainder < divisor);
+        }
+    }
+
+    #[test]
+    fn sums_and_products_of_small_blocks_are_exact_or_rounded_once() {
+        let values = || (-129..=129).flat_map(|m| [-9, -3, 0, 2, 7].map(|e| (m, e)));
+        let exact = |m: i16, e: i32| f64::from(m) * f64::from(e).exp2();
+        for (m, e) in values() {
+            for (n, f) in values() {
+                let (a, b) = (Block16::new(m, e), Block16::new(n, f));
+                let (x, y) = (exact(m, e), exact(n, f));
+                let value = |block: Block16| exact(block.mantissa, block.exponent);
+                let sum = value(a + b);
+                let bound = x.abs().max(y.abs()) * 2.0_f64.powi(-13);
+                assert!((sum - (x + y)).abs() <= bound, "{m} {e} + {n} {f} = {sum}");
+                let product = value(a * b);
+                assert!((product - x * y).abs() <= (x * y).abs() * 2.0_f64.powi(-6), "{m} {e} * {n} {f} = {product}");
+                assert_eq!(a < b, x < y);
+                assert_eq!(a == b, x == y);
+                if n != 0 {
+                    let quotient = value(a / b);
+                    assert!((quotient - x / y).abs() <= (x / y).abs() * 2.0_f64.powi(-13), "{m} {e} / {n} {f}");
+                }
+            }
+        }
+    }
+}

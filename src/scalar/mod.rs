@@ -1,0 +1,230 @@
+//! Floor 1: what a number must do here.
+//!
+//! A [`Scalar`] *stores*: coordinates, sizes, distances. A [`Real`] *computes*: it is the number in which the
+//! solvers work, and it never overflows inside the [`Budget`]. For floats the two are the same type. For fixed
+//! point the [`Real`] is a block-floating number of twice the width ([`block`]), so that products are exact and
+//! nothing is rounded before a difference is taken.
+//!
+//! Everything in which number types differ stands in this folder and nowhere else:
+//!
+//! | room | what it holds |
+//! |---|---|
+//! | `float` | `f32` and `f64`: error-free products and sums, stepping closer, binary scale |
+//! | `fixed` | `FixedI32<F>` and `FixedI64<F>`, for every `F` |
+//! | [`block`] | integer mantissa and exponent; square root and quotient of integers |
+//! | `elementary` | angle, sine, power, in integers for the fixed types |
+//! | `square_root` | the one hardware instruction that `core` does not give |
+
+use core::fmt::Debug;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+pub mod block;
+#[cfg(feature = "fixed")]
+mod elementary;
+#[cfg(feature = "fixed")]
+mod fixed;
+mod float;
+mod square_root;
+
+#[cfg(feature = "fixed")]
+pub use fixed::{DISTANCE_BITS, SIZE_BITS};
+
+/// Keeps [`Scalar`] and its companions closed: their contracts bind several impls together.
+mod sealed {
+    pub trait Sealed {}
+}
+
+/// The largest and smallest values that a number type takes at construction.
+///
+/// Inside the budget no query overflows, in debug or release; outside it, constructors return an error.
+///
+/// # Floats
+///
+/// | type | coordinate | size | slope | distance |
+/// |---|---|---|---|---|
+/// | `f32` | 2^126 | smallest subnormal to 2^126 | 2^-30 to 2^30 | 2^128 - 2^104 (largest finite) |
+/// | `f64` | 2^1022 | smallest subnormal to 2^1022 | 2^-200 to 2^200 | largest finite |
+///
+/// The coordinate is a quarter of the largest finite float, so that the difference of two points is finite.
+///
+/// # Fixed point
+///
+/// | type | coordinate and size | distance | unit |
+/// |---|---|---|---|
+/// | `FixedI32<F>` | 2^(30-F) | 2^(31-F) less 2 units | 2^-F |
+/// | `FixedI64<F>` | 2^(62-F) | 2^(63-F) less 2 units | 2^-F |
+///
+/// | e.g. | coordinate and size | distance | unit |
+/// |---|---|---|---|
+/// | `I8F24` | 64 | 127.99999 | 6.0e-8 |
+/// | `I16F16` | 16384 | 32767.99997 | 1.5e-5 |
+/// | `I20F12` | 262144 | 524287.9995 | 2.4e-4 |
+/// | `I32F32` | 1.07e9 | 2.147e9 | 2.3e-10 |
+///
+/// The coordinate is half of the type's range, so that the difference of two coordinates is a value of the type;
+/// the raw numbers stay below 2^31, so that a coordinate times a direction (30 fraction bits), summed over
+/// three axes, stays below 2^62 and is exact in 64 bits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Budget<S> {
+    /// Largest magnitude of a coordinate.
+    pub coordinate: S,
+    /// Largest radius or height.
+    pub size: S,
+    /// Smallest radius (and smallest height where a height of zero is no solid).
+    pub smallest_size: S,
+    /// Largest slope of a cone, radius over height.
+    pub slope: S,
+    /// Smallest slope of a cone.
+    pub smallest_slope: S,
+    /// Largest `t`; what lies farther is outside every range.
+    pub distance: S,
+}
+
+/// A number that stores coordinates, sizes and distances.
+///
+/// Implemented for `f32`, `f64`, `FixedI32<F>` and `FixedI64<F>` for every `F` that `fixed` allows. Sealed.
+pub trait Scalar:
+    Copy + Debug + Default + PartialEq + PartialOrd + Neg<Output = Self> + Send + Sync + 'static + sealed::Sealed
+{
+    /// A component of a unit vector, or a colour: the float itself, Q2.30 for 32-bit and Q2.62 for 64-bit fixed types.
+    type Unit: UnitScalar;
+    /// The number in which solvers compute.
+    type Real: Real;
+
+    /// Zero.
+    const ZERO: Self;
+    /// Beyond every range: `f32::INFINITY`, or the largest raw value of a fixed type.
+    const INFINITY: Self;
+    /// What constructors accept.
+    const BUDGET: Budget<Self>;
+
+    /// False for NaN and for [`Scalar::INFINITY`] of either sign.
+    fn is_finite(self) -> bool;
+    /// The exact value, to compute with.
+    fn real(self) -> Self::Real;
+    /// Rounded to nearest; beyond the type's range, [`Scalar::INFINITY`] with the sign.
+    fn round(value: Self::Real) -> Self;
+    /// The exact value of a unit component.
+    fn unit_real(value: Self::Unit) -> Self::Real;
+    /// Rounded to nearest, saturated at the limits of the unit type.
+    fn unit_round(value: Self::Real) -> Self::Unit;
+    /// `self + other`, saturated to [`Scalar::INFINITY`].
+    fn plus(self, other: Self) -> Self;
+    /// `self - other`, saturated to [`Scalar::INFINITY`].
+    fn minus(self, other: Self) -> Self;
+    /// The magnitude.
+    fn magnitude(self) -> Self;
+
+    /// `o . d`; exact for fixed types.
+    fn dot(o: [Self; 3], d: [Self::Unit; 3]) -> Self::Real;
+    /// `o x d`, the moment of the line about the origin; exact for fixed types.
+    fn cross(o: [Self; 3], d: [Self::Unit; 3]) -> [Self::Real; 3];
+    /// `d . e` of two directions; exact for fixed types.
+    fn unit_dot(d: [Self::Unit; 3], e: [Self::Unit; 3]) -> Self::Real;
+    /// `o + t d`, rounded once (floats: but for an error of the second order).
+    fn advance(o: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3];
+    /// The vector's direction and its length; `None` for the zero vector and for a vector with a component
+    /// that is not finite. Right for every length, from the smallest to the largest.
+    fn normalize(v: [Self::Real; 3]) -> Option<([Self::Unit; 3], Self::Real)>;
+
+    /// How far to walk along a ray before solving, when its origin is so far away that products of its
+    /// coordinates would round away what matters; `None` where that cannot happen.
+    ///
+    /// `k` is `o . d`, `reach` the radius of a sphere about the origin that holds the solid (or its
+    /// characteristic size if it is unbounded).
+    fn step_closer(k: Self::Real, reach: Self) -> Option<Self>;
+    /// The exponent `e` for which `2^-e` brings the largest of the given magnitudes near 1; always zero for fixed types, whose
+    /// [`Real`] carries its own exponent.
+    fn binary_exponent(largest: Self) -> i32;
+    /// `self * 2^e`, where `e` comes from [`Scalar::binary_exponent`].
+    fn scaled(self, e: i32) -> Self;
+
+    /// The angle of the point (x, y) seen from the origin, in turns from the x axis, in `[0, 1)`. Zero at the origin.
+    fn turns(y: Self::Real, x: Self::Real) -> Self::Unit;
+    /// Sine and cosine of an angle in turns.
+    fn sine_cosine(turns: Self::Unit) -> (Self::Unit, Self::Unit);
+    /// `base^exponent` for a base in `[0, 1]` and an exponent of at least zero.
+    fn power(base: Self::Unit, exponent: Self) -> Self::Unit;
+
+    /// A decimal number such as `-12.5` or `1.5e-3`, correctly rounded to nearest, ties to even.
+    ///
+    /// `None` if the text is no number or its magnitude is beyond the type's range.
+    fn parse(text: &str) -> Option<Self>;
+    /// The nearest value to an `f64`, for tools on the host; `None` if it is not finite or beyond the range.
+    fn from_f64(value: f64) -> Option<Self>;
+    /// The value as an `f64`, for tools on the host; rounded for 64-bit fixed types.
+    fn to_f64(self) -> f64;
+}
+
+/// A component of a unit vector or a colour channel. Sealed.
+pub trait UnitScalar:
+    Copy + Debug + Default + PartialEq + PartialOrd + Neg<Output = Self> + Send + Sync + 'static + sealed::Sealed
+{
+    /// Zero.
+    const ZERO: Self;
+    /// One.
+    const ONE: Self;
+
+    /// `self + other`, saturated (fixed: at nearly 2).
+    fn plus(self, other: Self) -> Self;
+    /// `self - other`, saturated.
+    fn minus(self, other: Self) -> Self;
+    /// `self * other`, rounded to nearest.
+    fn times(self, other: Self) -> Self;
+    /// The nearest of `0, 1 / levels, 2 / levels, ... 1`, as its index; values outside are clamped.
+    fn level(self, levels: u16) -> u16;
+    /// The nearest value to an `f64`, saturated; NaN gives zero.
+    fn from_f64(value: f64) -> Self;
+    /// The value as an `f64`.
+    fn to_f64(self) -> f64;
+}
+
+/// The number in which solvers compute: a float, or a block-floating integer. Sealed.
+///
+/// No operation overflows for operands that come from values inside the [`Budget`]. For fixed types sums,
+/// differences and products of stored values are exact as long as their bits fit the double width.
+pub trait Real:
+    Copy
+    + Debug
+    + PartialEq
+    + PartialOrd
+    + Neg<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + sealed::Sealed
+{
+    /// Zero.
+    const ZERO: Self;
+    /// One.
+    const ONE: Self;
+
+    /// A small integer.
+    fn from_int(n: i32) -> Self;
+    /// The square root; zero for a negative number.
+    fn sqrt(self) -> Self;
+    /// The sum of products, with the products and the sum held to twice the working precision, so that
+    /// cancellation costs nothing ("Dot2": Ogita, Rump, Oishi, *Accurate Sum and Dot Product*, 2005).
+    fn sum_of_products<const N: usize>(terms: [[Self; 2]; N]) -> Self;
+    /// The magnitude.
+    fn abs(self) -> Self;
+    /// `self * 2^n`, exactly.
+    fn times_power_of_two(self, n: i32) -> Self;
+    /// True below zero.
+    fn is_negative(self) -> bool;
+    /// True at zero.
+    fn is_zero(self) -> bool;
+}
+
+/// Largest of some magnitudes.
+pub(crate) fn largest<S: Scalar, const N: usize>(values: [S; N]) -> S {
+    let mut largest = S::ZERO;
+    for value in values {
+        let magnitude = value.magnitude();
+        if magnitude > largest {
+            largest = magnitude;
+        }
+    }
+    largest
+}
