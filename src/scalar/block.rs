@@ -16,7 +16,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 ///
 /// `$mantissa`/`$unsigned` are the double width, `$bits` their bits; a reduced factor has `$bits / 2 - 1` bits.
 macro_rules! block {
-    ($(#[$doc:meta])* $vis:vis $Block:ident, $mantissa:ty, $unsigned:ty, $bits:literal) => {
+    ($(#[$doc:meta])* $vis:vis $Block:ident, $mantissa:ty, $unsigned:ty, $bits:tt) => {
         $(#[$doc])*
         #[derive(Clone, Copy, Debug, Default)]
         $vis struct $Block {
@@ -320,7 +320,7 @@ macro_rules! sum_of_products {
             $Block::new(shift_right_rounded!(sum.mantissa, drop) as i64, sum.exponent.wrapping_add(drop as i32))
         }
     }};
-    ($bits:literal, $Block:ident, $terms:expr) => {{
+    ($bits:tt, $Block:ident, $terms:expr) => {{
         let mut sum = $Block::ZERO;
         for [a, b] in $terms {
             sum = sum + a * b;

@@ -1,0 +1,215 @@
+//! `FixedI32<F>` and `FixedI64<F>` as scalars, for every number of fraction bits.
+//!
+//! A coordinate keeps the fraction bits of its type; a direction has 30 (or 62), since a direction rounded to the
+//! coordinate's bits throws away everything that follows. Products of the two are exact in the double width.
+
+use super::block::{Block64, Block128};
+use super::{Budget, Real, Scalar, UnitScalar, elementary, sealed::Sealed};
+use fixed::types::extra::{LeEqU32, LeEqU64, U30, U62};
+use fixed::{FixedI32, FixedI64};
+
+/// Coordinates and sizes of an N-bit fixed type stay at or below `2^(N - SIZE_BITS)` units.
+pub const SIZE_BITS: u32 = 2;
+/// Distances of an N-bit fixed type stay below `2^(N - DISTANCE_BITS)` units.
+pub const DISTANCE_BITS: u32 = 1;
+
+/// Defines the implementations for one width.
+macro_rules! fixed {
+    (
+        $Fixed:ident, $LeEq:ident, $UnitBits:ident, $Block:ident, $raw:ty, $wide:ty, $unsigned:ty,
+        $bits:literal, $unit_bits:literal
+    ) => {
+        impl<F: $LeEq + Send + Sync + 'static> Sealed for $Fixed<F> {}
+
+        impl<F: $LeEq + Send + Sync + 'static> Scalar for $Fixed<F> {
+            type Unit = $Fixed<$UnitBits>;
+            type Real = $Block;
+
+            const ZERO: Self = Self::from_bits(0);
+            const INFINITY: Self = Self::from_bits(<$raw>::MAX);
+            const BUDGET: Budget<Self> = Budget {
+                coordinate: Self::from_bits(1 << ($bits - SIZE_BITS)),
+                size: Self::from_bits(1 << ($bits - SIZE_BITS)),
+                smallest_size: Self::from_bits(1),
+                slope: Self::from_bits(1 << ($bits - SIZE_BITS)),
+                smallest_slope: Self::from_bits(1),
+                distance: Self::from_bits(<$raw>::MAX - 1),
+            };
+
+            #[inline(always)]
+            fn is_finite(self) -> bool {
+                self.magnitude().to_bits() < <$raw>::MAX
+            }
+            #[inline(always)]
+            fn real(self) -> $Block {
+                $Block::new(self.to_bits() as $wide, -(F::I32))
+            }
+            #[inline]
+            fn round(value: $Block) -> Self {
+                match value.to_units(-(F::I32)) {
+                    Some(raw) if raw.unsigned_abs() < <$raw>::MAX as $unsigned => Self::from_bits(raw as $raw),
+                    _ if value.is_negative() => Self::from_bits(-<$raw>::MAX),
+                    _ => Self::INFINITY,
+                }
+            }
+            #[inline(always)]
+            fn unit_real(value: Self::Unit) -> $Block {
+                $Block::new(value.to_bits() as $wide, -$unit_bits)
+            }
+            #[inline]
+            fn unit_round(value: $Block) -> Self::Unit {
+                match value.to_units(-$unit_bits) {
+                    Some(raw) if raw.unsigned_abs() < <$raw>::MAX as $unsigned => $Fixed::from_bits(raw as $raw),
+                    _ if value.is_negative() => $Fixed::from_bits(-<$raw>::MAX),
+                    _ => $Fixed::from_bits(<$raw>::MAX),
+                }
+            }
+            #[inline(always)]
+            fn plus(self, other: Self) -> Self {
+                self.saturating_add(other)
+            }
+            #[inline(always)]
+            fn minus(self, other: Self) -> Self {
+                self.saturating_sub(other)
+            }
+            #[inline(always)]
+            fn magnitude(self) -> Self {
+                self.saturating_abs()
+            }
+            #[inline(always)]
+            fn dot(o: [Self; 3], d: [Self::Unit; 3]) -> $Block {
+                // Cauchy-Schwarz: the sum stays below 2^(2 bits - 2), though a coordinate may use all its bits.
+                let product = |i: usize| o[i].to_bits() as $wide * d[i].to_bits() as $wide;
+                $Block::new(product(0) + product(1) + product(2), -(F::I32) - $unit_bits)
+            }
+            #[inline(always)]
+            fn cross(o: [Self; 3], d: [Self::Unit; 3]) -> [$Block; 3] {
+                let product = |i: usize, j: usize| o[i].to_bits() as $wide * d[j].to_bits() as $wide;
+                [(1, 2), (2, 0), (0, 1)]
+                    .map(|(i, j)| $Block::new(product(i, j) - product(j, i), -(F::I32) - $unit_bits))
+            }
+            #[inline(always)]
+            fn unit_dot(d: [Self::Unit; 3], e: [Self::Unit; 3]) -> $Block {
+                $Fixed::<$UnitBits>::dot(d, e)
+            }
+            #[inline]
+            fn advance(o: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3] {
+                [0, 1, 2].map(|i| {
+                    let start = (o[i].to_bits() as $wide) << $unit_bits;
+                    let sum = $Block::new(start, -$unit_bits - F::I32)
+                        + $Block::new(t.to_bits() as $wide * d[i].to_bits() as $wide, -$unit_bits - F::I32);
+                    <Self as Scalar>::round(sum)
+                })
+            }
+            #[inline]
+            fn normalize(v: [$Block; 3]) -> Option<([Self::Unit; 3], $Block)> {
+                let [x, y, z] = v;
+                let length = $Block::sum_of_products([[x, x], [y, y], [z, z]]).sqrt();
+                if length.is_zero() {
+                    return None;
+                }
+                Some((v.map(|component| Self::unit_round(component / length)), length))
+            }
+            #[inline(always)]
+            fn step_closer(_: $Block, _: Self) -> Option<Self> {
+                None
+            }
+            #[inline(always)]
+            fn binary_exponent(_: Self) -> i32 {
+                0
+            }
+            #[inline(always)]
+            fn scaled(self, _: i32) -> Self {
+                self
+            }
+
+            fn turns(y: $Block, x: $Block) -> Self::Unit {
+                // Both in units of the larger one's last place of 60 bits.
+                let top = |block: $Block| {
+                    block.exponent().wrapping_add((2 * $bits - block.mantissa().unsigned_abs().leading_zeros()) as i32)
+                };
+                let unit = match (x.is_zero(), y.is_zero()) {
+                    (true, true) => return Self::Unit::ZERO,
+                    (true, false) => top(y),
+                    (false, true) => top(x),
+                    (false, false) => top(x).max(top(y)),
+                } - 60;
+                let component = |block: $Block| block.to_units(unit).map_or(0, |raw| raw as i64);
+                let angle = elementary::angle(component(y), component(x), $bits);
+                // From 64 fraction bits to those of the unit type; a whole turn wraps to zero.
+                let rounded = (angle >> (63 - $unit_bits)).wrapping_add(1) >> 1;
+                $Fixed::from_bits((rounded & ((1 << $unit_bits) - 1)) as $raw)
+            }
+            fn sine_cosine(turns: Self::Unit) -> (Self::Unit, Self::Unit) {
+                let angle = (turns.to_bits() as i64 as u64) << (64 - $unit_bits);
+                let (sine, cosine) = elementary::sine_cosine(angle, $bits - 2);
+                let narrow = |value: i64| $Block::new(value as $wide, -62);
+                (Self::unit_round(narrow(sine)), Self::unit_round(narrow(cosine)))
+            }
+            fn power(base: Self::Unit, exponent: Self) -> Self::Unit {
+                if exponent <= Self::ZERO {
+                    return Self::Unit::ONE;
+                }
+                let base = (base.to_bits().max(0) as u64) << (62 - $unit_bits);
+                let value = elementary::power(base, exponent.to_bits() as u64, F::U32);
+                Self::unit_round($Block::new(value as $wide, -62))
+            }
+
+            fn parse(text: &str) -> Option<Self> {
+                if !super::is_decimal(text) {
+                    return None;
+                }
+                text.parse().ok().filter(|value: &Self| value.is_finite())
+            }
+            fn from_f64(value: f64) -> Option<Self> {
+                if !value.is_finite() {
+                    return None;
+                }
+                Self::checked_from_num(value).filter(|value| value.is_finite())
+            }
+            fn to_f64(self) -> f64 {
+                self.to_num()
+            }
+        }
+
+        impl UnitScalar for $Fixed<$UnitBits> {
+            const ZERO: Self = Self::from_bits(0);
+            const ONE: Self = Self::from_bits(1 << $unit_bits);
+
+            #[inline(always)]
+            fn plus(self, other: Self) -> Self {
+                self.saturating_add(other)
+            }
+            #[inline(always)]
+            fn minus(self, other: Self) -> Self {
+                self.saturating_sub(other)
+            }
+            #[inline]
+            fn times(self, other: Self) -> Self {
+                let product = self.to_bits() as $wide * other.to_bits() as $wide;
+                let rounded = (product >> $unit_bits) + ((product >> ($unit_bits - 1)) & 1);
+                Self::from_bits(if rounded > <$raw>::MAX as $wide {
+                    <$raw>::MAX
+                } else if rounded < -(<$raw>::MAX as $wide) {
+                    -<$raw>::MAX
+                } else {
+                    rounded as $raw
+                })
+            }
+            #[inline]
+            fn level(self, levels: u16) -> u16 {
+                let clamped = self.clamp(<Self as UnitScalar>::ZERO, <Self as UnitScalar>::ONE).to_bits() as $wide;
+                ((clamped * levels as $wide + (1 << ($unit_bits - 1))) >> $unit_bits) as u16
+            }
+            fn from_f64(value: f64) -> Self {
+                if value.is_nan() { Self::from_bits(0) } else { Self::saturating_from_num(value) }
+            }
+            fn to_f64(self) -> f64 {
+                self.to_num()
+            }
+        }
+    };
+}
+
+fixed!(FixedI32, LeEqU32, U30, Block64, i32, i64, u64, 32, 30);
+fixed!(FixedI64, LeEqU64, U62, Block128, i64, i128, u128, 64, 62);

@@ -1,0 +1,274 @@
+//! `f32` and `f64` as scalars: plain arithmetic, and the error-free sums and products that keep hard cases right.
+
+use super::square_root::square_root_f32;
+use super::{Budget, Real, Scalar, UnitScalar, largest, sealed::Sealed};
+
+/// Defines the float implementations. `$half` are the mantissa bits that a split moves to the low part.
+macro_rules! float {
+    (
+        $Float:ident, $exact:ident, $bits:ty, $half:literal, $mantissa:literal, $bias:literal, $largest_exponent:literal,
+        $slope:literal, sqrt: $sqrt:path, atan2: $atan2:path, sincos: $sincos:path, pow: $pow:path
+    ) => {
+        impl Sealed for $Float {}
+
+        mod $exact {
+            /// `a = high + low`, each with at most half of the bits, so that products of halves are exact.
+            /// Rounded in the integer representation: unlike Veltkamp's split it cannot overflow inside the budget.
+            #[inline(always)]
+            fn split(a: $Float) -> ($Float, $Float) {
+                let high = $Float::from_bits((a.to_bits() + (1 << ($half - 1))) & (<$bits>::MAX << $half));
+                (high, a - high)
+            }
+
+            /// `a * b = p + e` exactly (Dekker, *A floating-point technique for extending the available precision*, 1971).
+            #[inline(always)]
+            pub(super) fn two_product(a: $Float, b: $Float) -> ($Float, $Float) {
+                let p = a * b;
+                let ((ah, al), (bh, bl)) = (split(a), split(b));
+                (p, (((ah * bh - p) + ah * bl) + al * bh) + al * bl)
+            }
+
+            /// `a + b = s + e` exactly (Knuth, *The Art of Computer Programming* 2, 4.2.2, Theorem B).
+            #[inline(always)]
+            pub(super) fn two_sum(a: $Float, b: $Float) -> ($Float, $Float) {
+                let s = a + b;
+                let b_part = s - a;
+                (s, (a - (s - b_part)) + (b - b_part))
+            }
+
+            /// `2^e` for an exponent of a normal number.
+            #[inline(always)]
+            pub(super) fn power_of_two(e: i32) -> $Float {
+                $Float::from_bits(((e + $bias) as $bits) << $mantissa)
+            }
+
+            /// `x * 2^e` for any exponent; rounds only where the result is subnormal.
+            #[inline]
+            pub(super) fn scale(mut x: $Float, mut e: i32) -> $Float {
+                if e > $bias {
+                    x *= power_of_two($bias);
+                    e = (e - $bias).min($bias);
+                } else if e < 1 - $bias {
+                    x *= power_of_two(1 - $bias);
+                    e = (e - (1 - $bias)).max(1 - $bias);
+                }
+                x * power_of_two(e)
+            }
+        }
+
+        impl Scalar for $Float {
+            type Unit = $Float;
+            type Real = $Float;
+
+            const ZERO: Self = 0.0;
+            const INFINITY: Self = $Float::INFINITY;
+            const BUDGET: Budget<Self> = Budget {
+                coordinate: $Float::from_bits((($largest_exponent + $bias) as $bits) << $mantissa),
+                size: $Float::from_bits((($largest_exponent + $bias) as $bits) << $mantissa),
+                smallest_size: $Float::from_bits(1),
+                slope: $Float::from_bits((($slope + $bias) as $bits) << $mantissa),
+                smallest_slope: $Float::from_bits((($bias - $slope) as $bits) << $mantissa),
+                distance: $Float::MAX,
+            };
+
+            #[inline(always)]
+            fn is_finite(self) -> bool {
+                $Float::is_finite(self)
+            }
+            #[inline(always)]
+            fn real(self) -> Self {
+                self
+            }
+            #[inline(always)]
+            fn round(value: Self) -> Self {
+                value
+            }
+            #[inline(always)]
+            fn unit_real(value: Self) -> Self {
+                value
+            }
+            #[inline(always)]
+            fn unit_round(value: Self) -> Self {
+                value
+            }
+            #[inline(always)]
+            fn plus(self, other: Self) -> Self {
+                self + other
+            }
+            #[inline(always)]
+            fn minus(self, other: Self) -> Self {
+                self - other
+            }
+            #[inline(always)]
+            fn magnitude(self) -> Self {
+                $Float::abs(self)
+            }
+            #[inline(always)]
+            fn dot(o: [Self; 3], d: [Self; 3]) -> Self {
+                o[0] * d[0] + o[1] * d[1] + o[2] * d[2]
+            }
+            #[inline(always)]
+            fn cross(o: [Self; 3], d: [Self; 3]) -> [Self; 3] {
+                [o[1] * d[2] - o[2] * d[1], o[2] * d[0] - o[0] * d[2], o[0] * d[1] - o[1] * d[0]]
+            }
+            #[inline(always)]
+            fn unit_dot(d: [Self; 3], e: [Self; 3]) -> Self {
+                Self::dot(d, e)
+            }
+            #[inline]
+            fn advance(o: [Self; 3], d: [Self; 3], t: Self) -> [Self; 3] {
+                let step = |o: Self, d: Self| {
+                    let (p, e) = $exact::two_product(t, d);
+                    let (s, f) = $exact::two_sum(o, p);
+                    let correction = e + f;
+                    // At the end of the float range the error terms overflow; the plain sum stands.
+                    if Scalar::is_finite(correction) { s + correction } else { s }
+                };
+                [step(o[0], d[0]), step(o[1], d[1]), step(o[2], d[2])]
+            }
+            #[inline]
+            fn normalize(v: [Self; 3]) -> Option<([Self; 3], Self)> {
+                let longest = largest(v);
+                if !(longest > 0.0 && v.iter().all(|c| Scalar::is_finite(*c))) {
+                    return None;
+                }
+                // A power of two near the longest component keeps every square in range and changes no bit.
+                let e = Self::binary_exponent(longest);
+                let [x, y, z] = v.map(|c| $exact::scale(c, -e));
+                let length = (x * x + y * y + z * z).sqrt();
+                Some(([x / length, y / length, z / length], $exact::scale(length, e)))
+            }
+            #[inline(always)]
+            fn step_closer(k: Self, reach: Self) -> Option<Self> {
+                // From within a few radii the rounding of the coordinates is of the order of the rounding of t itself.
+                if $Float::abs(k) > 4.0 * reach { Some(-k) } else { None }
+            }
+            #[inline(always)]
+            fn binary_exponent(largest: Self) -> i32 {
+                let e = (largest.to_bits() >> $mantissa) as i32 - $bias;
+                // Zero and subnormal numbers all have the lowest field.
+                e.max(1 - $bias)
+            }
+            #[inline]
+            fn scaled(self, e: i32) -> Self {
+                $exact::scale(self, e)
+            }
+
+            fn turns(y: Self, x: Self) -> Self {
+                const TURNS_PER_RADIAN: $Float = 1.0 / core::$Float::consts::TAU;
+                let turns = $atan2(y, x) * TURNS_PER_RADIAN;
+                if turns < 0.0 {
+                    let turns = turns + 1.0;
+                    // A tiny negative angle rounds up to a whole turn.
+                    if turns < 1.0 { turns } else { 0.0 }
+                } else {
+                    // Adding zero turns -0 into 0.
+                    turns + 0.0
+                }
+            }
+            fn sine_cosine(turns: Self) -> (Self, Self) {
+                $sincos(turns * core::$Float::consts::TAU)
+            }
+            fn power(base: Self, exponent: Self) -> Self {
+                $pow(base, exponent)
+            }
+
+            fn parse(text: &str) -> Option<Self> {
+                if !super::is_decimal(text) {
+                    return None;
+                }
+                text.parse().ok().filter(|value: &Self| Scalar::is_finite(*value))
+            }
+            #[allow(clippy::unnecessary_cast)]
+            fn from_f64(value: f64) -> Option<Self> {
+                let value = value as $Float;
+                Scalar::is_finite(value).then_some(value)
+            }
+            #[allow(clippy::unnecessary_cast)]
+            fn to_f64(self) -> f64 {
+                self as f64
+            }
+        }
+
+        impl UnitScalar for $Float {
+            const ZERO: Self = 0.0;
+            const ONE: Self = 1.0;
+
+            #[inline(always)]
+            fn plus(self, other: Self) -> Self {
+                self + other
+            }
+            #[inline(always)]
+            fn minus(self, other: Self) -> Self {
+                self - other
+            }
+            #[inline(always)]
+            fn times(self, other: Self) -> Self {
+                self * other
+            }
+            #[inline]
+            fn level(self, levels: u16) -> u16 {
+                // A float-to-integer cast saturates, and takes NaN to zero.
+                ((self * levels as $Float + 0.5) as u16).min(levels)
+            }
+            #[allow(clippy::unnecessary_cast)]
+            fn from_f64(value: f64) -> Self {
+                if value.is_nan() { 0.0 } else { value as $Float }
+            }
+            #[allow(clippy::unnecessary_cast)]
+            fn to_f64(self) -> f64 {
+                self as f64
+            }
+        }
+
+        impl Real for $Float {
+            const ZERO: Self = 0.0;
+            const ONE: Self = 1.0;
+
+            #[inline(always)]
+            fn from_int(n: i32) -> Self {
+                n as $Float
+            }
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                if self > 0.0 { $sqrt(self) } else { 0.0 }
+            }
+            #[inline]
+            fn sum_of_products<const N: usize>(terms: [[Self; 2]; N]) -> Self {
+                let (mut sum, mut error) = (0.0, 0.0);
+                for [a, b] in terms {
+                    let (p, e) = $exact::two_product(a, b);
+                    let (s, f) = $exact::two_sum(sum, p);
+                    sum = s;
+                    error += e + f;
+                }
+                sum + error
+            }
+            #[inline(always)]
+            fn abs(self) -> Self {
+                $Float::abs(self)
+            }
+            #[inline]
+            fn times_power_of_two(self, n: i32) -> Self {
+                $exact::scale(self, n)
+            }
+            #[inline(always)]
+            fn is_negative(self) -> bool {
+                self < 0.0
+            }
+            #[inline(always)]
+            fn is_zero(self) -> bool {
+                self == 0.0
+            }
+        }
+    };
+}
+
+float!(
+    f32, exact_f32, u32, 12, 23, 127, 126, 30,
+    sqrt: square_root_f32, atan2: libm::atan2f, sincos: libm::sincosf, pow: libm::powf
+);
+float!(
+    f64, exact_f64, u64, 27, 52, 1023, 1022, 200,
+    sqrt: libm::sqrt, atan2: libm::atan2, sincos: libm::sincos, pow: libm::pow
+);

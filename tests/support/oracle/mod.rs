@@ -1,0 +1,29 @@
+//! The exact oracle: where a line meets a solid, in exact arithmetic.
+//!
+//! It knows nothing of the crate under test. It is given machine numbers, each of which is a dyadic rational, and it
+//! answers with quadratic surds; no decision is made in floating point. Solids stand in the canonical pose: axis +y,
+//! base at the origin, cone apex at the origin. Any other pose is for the caller to undo, exactly.
+//!
+//! - [`dyadic`]: the numbers given, `mantissa * 2^exponent`.
+//! - [`algebraic`]: the numbers answered, `(p + s * sqrt(D)) / q`.
+//! - [`solids`]: what the solids are, and which points belong to them.
+//! - [`solve`]: where a line meets them.
+//! - [`expected`]: what of that a ray with a range of `t` must report.
+//! - [`normal`]: which way the surface faces there.
+
+// Every test file compiles this module for itself and uses only a part of it.
+#![allow(dead_code, unused_imports)]
+
+pub mod algebraic;
+pub mod dyadic;
+pub mod expected;
+pub mod normal;
+pub mod solids;
+pub mod solve;
+
+pub use algebraic::Root;
+pub use dyadic::{Dyadic, exact_f32, exact_f64, exact_fixed};
+pub use expected::{ExpectedCrossing, ExpectedHit, InRange, hits_in_range};
+pub use normal::{gradient, normal};
+pub use solids::{ConeExtent, CylinderExtent, Line, Membership, Part, Solid, contains, margin};
+pub use solve::{Answer, Approach, Crossing, End, Span, solve};

@@ -1,0 +1,79 @@
+//! Which way a surface faces: outwards, or away from the axis where nothing is enclosed.
+
+use super::algebraic::Root;
+use super::dyadic::{Dyadic, sign_of};
+use super::solids::{Line, Part, Solid, dot, triangle_normal};
+
+/// The precision of the components of a gradient, in bits.
+const GRADIENT_BITS: usize = 120;
+
+fn upwards(sign: i64) -> [Dyadic; 3] {
+    [Dyadic::zero(), Dyadic::from(sign), Dyadic::zero()]
+}
+
+/// An outward normal of the part at the point where the line is at `t`, of some length, each component to 120 bits.
+///
+/// At the apex of a cone it is the axis, pointing away from the body; the apex of a double cone takes that of its upper
+/// nappe, (0, -1, 0).
+///
+/// # Panics
+///
+/// If the solid has no such part, or a triangle no area.
+pub fn gradient(solid: &Solid, part: Part, t: &Root, line: &Line) -> [Dyadic; 3] {
+    let coordinate = |axis| line.coordinate_at(t, axis).approximation(GRADIENT_BITS);
+    match (solid, part) {
+        (Solid::Sphere { .. }, Part::Side) => [coordinate(0), coordinate(1), coordinate(2)],
+        (Solid::Capsule { .. }, Part::Base) => [coordinate(0), coordinate(1), coordinate(2)],
+        (Solid::Capsule { height, .. }, Part::Top) => {
+            let above = &line.origin[1] - height;
+            let y = t.mul_add(&line.direction[1], &above);
+            [coordinate(0), y.approximation(GRADIENT_BITS), coordinate(2)]
+        }
+        (Solid::Plane | Solid::Disc { .. }, Part::Side) => upwards(1),
+        (Solid::Triangle { vertices }, Part::Side) => triangle_normal(vertices),
+        (_, Part::Base) => upwards(-1),
+        (_, Part::Top) => upwards(1),
+        (_, Part::Side) => {
+            // The gradient of weight^2 (x^2 + z^2) - (offset + growth y)^2.
+            let lateral = solid.lateral().expect("every other side is lateral");
+            let weight = lateral.weight.squared();
+            let reach = t
+                .mul_add(
+                    &(&lateral.growth * &line.direction[1]),
+                    &(&lateral.offset + &(&lateral.growth * &line.origin[1])),
+                )
+                .approximation(GRADIENT_BITS);
+            if reach.is_zero() {
+                return upwards(-i64::from(lateral.growth.signum()));
+            }
+            [
+                &weight * &coordinate(0),
+                &-&lateral.growth * &reach,
+                &weight * &coordinate(2),
+            ]
+        }
+    }
+}
+
+/// The outward unit normal, each component to about 100 bits.
+///
+/// # Panics
+///
+/// If the solid has no such part, or a triangle no area.
+pub fn normal(solid: &Solid, part: Part, t: &Root, line: &Line) -> [Dyadic; 3] {
+    let gradient = gradient(solid, part, t, line);
+    let square = dot(&gradient, &gradient);
+    gradient.map(|component| {
+        // component / sqrt(square), as the signed root of component^2 / square.
+        let ratio = component.squared();
+        Root::new(
+            dashu::integer::IBig::ZERO,
+            sign_of(&component.mantissa),
+            &ratio.mantissa * &square.mantissa,
+            square.mantissa.clone(),
+            // Both squares have even exponents, which halve.
+            (ratio.exponent - square.exponent) / 2,
+        )
+        .approximation(GRADIENT_BITS)
+    })
+}

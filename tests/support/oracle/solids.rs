@@ -1,0 +1,329 @@
+//! The solids in their canonical pose, straight from their definitions, and which points belong to them.
+
+use super::algebraic::Root;
+use super::dyadic::{Dyadic, sign_of};
+
+/// How far a cylinder reaches; `x^2 + z^2 = radius^2` throughout.
+#[derive(Clone, Debug, PartialEq)]
+pub enum CylinderExtent {
+    /// All y; the solid.
+    Infinite,
+    /// The tube over `0 <= y <= height`, without caps.
+    Open(Dyadic),
+    /// The solid over `0 <= y <= height`, with flat caps.
+    Capped(Dyadic),
+}
+
+/// How far a cone reaches; `x^2 + z^2 = (slope * y)^2` throughout, apex at the origin.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ConeExtent {
+    /// All y; the solid of two nappes.
+    Double,
+    /// `y >= 0`; the solid.
+    Nappe,
+    /// The lateral surface over `0 <= y <= height`.
+    Open(Dyadic),
+    /// The solid over `0 <= y <= height`, with a flat cap at the height.
+    Capped(Dyadic),
+}
+
+/// A solid or a surface, axis +y. Sizes are positive but where said otherwise.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Solid {
+    /// The ball around the origin.
+    Sphere {
+        /// Its radius.
+        radius: Dyadic,
+    },
+    /// A cylinder around the y axis.
+    Cylinder {
+        /// Its radius.
+        radius: Dyadic,
+        /// Which part of it.
+        extent: CylinderExtent,
+    },
+    /// A cone around the y axis that opens to +y, apex at the origin.
+    Cone {
+        /// Radius per height.
+        slope: Dyadic,
+        /// Which part of it.
+        extent: ConeExtent,
+    },
+    /// A cone cut off: its radius runs linearly from `y = 0` to `y = height`.
+    Frustum {
+        /// The radius at `y = 0`; may be zero where the other is not.
+        base_radius: Dyadic,
+        /// The radius at `y = height`; may be zero where the other is not.
+        top_radius: Dyadic,
+        /// Its height.
+        height: Dyadic,
+        /// Whether it is the solid with flat caps or the lateral surface alone.
+        capped: bool,
+    },
+    /// All points within the radius of the segment from the origin to `(0, height, 0)`.
+    Capsule {
+        /// Its radius.
+        radius: Dyadic,
+        /// The length of the segment; may be zero.
+        height: Dyadic,
+    },
+    /// The plane `y = 0`, facing +y.
+    Plane,
+    /// The disc around the origin in the plane `y = 0`, facing +y.
+    Disc {
+        /// Its radius.
+        radius: Dyadic,
+    },
+    /// A triangle with its edges, facing `(v1 - v0) x (v2 - v0)`, which must not be zero.
+    Triangle {
+        /// Its corners.
+        vertices: [[Dyadic; 3]; 3],
+    },
+}
+
+/// A part of a surface. The side owns every rim and seam that it shares.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// The curved side; all of a sphere, plane, disc or triangle.
+    Side,
+    /// The cap at `y = 0`; of a capsule the hemisphere with `y < 0`.
+    Base,
+    /// The cap at `y = height`; of a capsule the hemisphere with `y > height`.
+    Top,
+}
+
+/// Where a point lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Membership {
+    /// Strictly within the solid.
+    Inside,
+    /// On its boundary, or on the surface.
+    OnSurface,
+    /// Elsewhere. A surface that encloses nothing has no inside.
+    Outside,
+}
+
+/// The line `origin + t * direction`; the direction is not zero and need not be unit.
+#[derive(Clone, Debug)]
+pub struct Line {
+    /// The point at `t = 0`.
+    pub origin: [Dyadic; 3],
+    /// The derivative of the point by `t`.
+    pub direction: [Dyadic; 3],
+}
+
+impl Line {
+    /// The line through the origin given along the direction given.
+    ///
+    /// # Panics
+    ///
+    /// If the direction is zero.
+    pub fn new(origin: [Dyadic; 3], direction: [Dyadic; 3]) -> Self {
+        assert!(
+            direction.iter().any(|component| !component.is_zero()),
+            "a line has a direction"
+        );
+        Self { origin, direction }
+    }
+
+    /// A coordinate (0, 1 or 2 for x, y or z) of the point at a parameter.
+    pub fn coordinate_at(&self, t: &Root, axis: usize) -> Root {
+        t.mul_add(&self.direction[axis], &self.origin[axis])
+    }
+
+    /// The point at a dyadic parameter.
+    pub fn point_at(&self, t: &Dyadic) -> [Dyadic; 3] {
+        std::array::from_fn(|axis| &self.origin[axis] + &(t * &self.direction[axis]))
+    }
+}
+
+/// The surface `weight * sqrt(x^2 + z^2) = offset + growth * y`, which every straight-sided solid of revolution has.
+pub(super) struct Lateral {
+    pub weight: Dyadic,
+    pub offset: Dyadic,
+    pub growth: Dyadic,
+}
+
+impl Solid {
+    /// The curved side, where it is a cylinder's or a cone's.
+    pub(super) fn lateral(&self) -> Option<Lateral> {
+        let (weight, offset, growth) = match self {
+            Solid::Cylinder { radius, .. } | Solid::Capsule { radius, .. } => {
+                (Dyadic::from(1), radius.clone(), Dyadic::zero())
+            }
+            Solid::Cone { slope, .. } => (Dyadic::from(1), Dyadic::zero(), slope.clone()),
+            Solid::Frustum {
+                base_radius,
+                top_radius,
+                height,
+                ..
+            } => (
+                height.clone(),
+                base_radius * height,
+                top_radius - base_radius,
+            ),
+            _ => return None,
+        };
+        Some(Lateral {
+            weight,
+            offset,
+            growth,
+        })
+    }
+}
+
+/// The difference of two vectors.
+pub(super) fn subtract(left: &[Dyadic; 3], right: &[Dyadic; 3]) -> [Dyadic; 3] {
+    std::array::from_fn(|axis| &left[axis] - &right[axis])
+}
+
+/// The inner product.
+pub(super) fn dot(left: &[Dyadic; 3], right: &[Dyadic; 3]) -> Dyadic {
+    let [x, y, z]: [Dyadic; 3] = std::array::from_fn(|axis| &left[axis] * &right[axis]);
+    &(&x + &y) + &z
+}
+
+/// The cross product.
+pub(super) fn cross(left: &[Dyadic; 3], right: &[Dyadic; 3]) -> [Dyadic; 3] {
+    std::array::from_fn(|axis| {
+        let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+        &(&left[next] * &right[last]) - &(&left[last] * &right[next])
+    })
+}
+
+/// The normal of a triangle, as long as twice its area.
+///
+/// # Panics
+///
+/// If the triangle has no area.
+pub(super) fn triangle_normal(vertices: &[[Dyadic; 3]; 3]) -> [Dyadic; 3] {
+    let normal = cross(
+        &subtract(&vertices[1], &vertices[0]),
+        &subtract(&vertices[2], &vertices[0]),
+    );
+    assert!(
+        normal.iter().any(|component| !component.is_zero()),
+        "a triangle has an area"
+    );
+    normal
+}
+
+/// The intersection of closed sets of which the point satisfies `margin >= 0` each.
+fn within(margins: &[Dyadic]) -> Membership {
+    match margins.iter().map(Dyadic::signum).min() {
+        Some(1) | None => Membership::Inside,
+        Some(0) => Membership::OnSurface,
+        _ => Membership::Outside,
+    }
+}
+
+/// The surface `wall = 0` where the point also satisfies `margin >= 0` each.
+fn on(wall: &Dyadic, margins: &[Dyadic]) -> Membership {
+    if wall.is_zero() && within(margins) != Membership::Outside {
+        Membership::OnSurface
+    } else {
+        Membership::Outside
+    }
+}
+
+/// Where the point lies. Surfaces without volume, the open tube and cone among them, have no inside.
+pub fn contains(solid: &Solid, point: &[Dyadic; 3]) -> Membership {
+    let [x, y, z] = point;
+    let from_axis = &x.squared() + &z.squared();
+    match solid {
+        Solid::Sphere { radius } => within(&[&radius.squared() - &(&from_axis + &y.squared())]),
+        Solid::Cylinder { radius, extent } => {
+            let wall = &radius.squared() - &from_axis;
+            match extent {
+                CylinderExtent::Infinite => within(&[wall]),
+                CylinderExtent::Open(height) => on(&wall, &[y.clone(), height - y]),
+                CylinderExtent::Capped(height) => within(&[wall, y.clone(), height - y]),
+            }
+        }
+        Solid::Cone { slope, extent } => {
+            let wall = &(slope * y).squared() - &from_axis;
+            match extent {
+                ConeExtent::Double => within(&[wall]),
+                ConeExtent::Nappe => within(&[wall, y.clone()]),
+                ConeExtent::Open(height) => on(&wall, &[y.clone(), height - y]),
+                ConeExtent::Capped(height) => within(&[wall, y.clone(), height - y]),
+            }
+        }
+        Solid::Frustum {
+            base_radius,
+            top_radius,
+            height,
+            capped,
+        } => {
+            // The radius there, times the height, so that nothing is divided.
+            let reach = &(base_radius * &(height - y)) + &(top_radius * y);
+            let wall = &reach.squared() - &(&height.squared() * &from_axis);
+            let margins = [y.clone(), height - y];
+            if *capped {
+                let [above_base, below_top] = margins;
+                within(&[wall, above_base, below_top])
+            } else {
+                on(&wall, &margins)
+            }
+        }
+        Solid::Capsule { radius, height } => {
+            let along = if y.signum() < 0 {
+                y.clone()
+            } else if y > height {
+                y - height
+            } else {
+                Dyadic::zero()
+            };
+            within(&[&radius.squared() - &(&from_axis + &along.squared())])
+        }
+        Solid::Plane => on(y, &[]),
+        Solid::Disc { radius } => on(y, &[&radius.squared() - &from_axis]),
+        Solid::Triangle { vertices } => {
+            let normal = triangle_normal(vertices);
+            let margins: [Dyadic; 3] = std::array::from_fn(|start| {
+                let end = (start + 1) % 3;
+                let edge = subtract(&vertices[end], &vertices[start]);
+                dot(&cross(&normal, &edge), &subtract(point, &vertices[start]))
+            });
+            on(&dot(&normal, &subtract(point, &vertices[0])), &margins)
+        }
+    }
+}
+
+/// How near grazing a line is: 0 through the middle, 1 tangent, more for a miss; none where it says nothing.
+///
+/// For a sphere the distance of the line from the centre over the radius; for a cylinder and a capsule that of the line
+/// from the axis; for a cone the same measured in the cone's own metric, and none for a line that runs within a nappe.
+pub fn margin(solid: &Solid, line: &Line) -> Option<f64> {
+    let moment = cross(&line.origin, &line.direction);
+    let [x, _, z] = &line.direction;
+    let from_axis = &x.squared() + &z.squared();
+    let (square, full) = match solid {
+        Solid::Sphere { radius } => (
+            dot(&moment, &moment),
+            &dot(&line.direction, &line.direction) * &radius.squared(),
+        ),
+        Solid::Cylinder { radius, .. } | Solid::Capsule { radius, .. } => {
+            if from_axis.is_zero() {
+                let [x, _, z] = &line.origin;
+                (&x.squared() + &z.squared(), radius.squared())
+            } else {
+                (moment[1].squared(), &from_axis * &radius.squared())
+            }
+        }
+        Solid::Cone { slope, .. } => (
+            moment[1].squared(),
+            &slope.squared() * &(&moment[0].squared() + &moment[2].squared()),
+        ),
+        _ => return None,
+    };
+    if sign_of(&full.mantissa) == 0 {
+        return None;
+    }
+    let ratio = Root::quotient(
+        square.mantissa,
+        full.mantissa,
+        square.exponent - full.exponent,
+    );
+    Some(ratio.to_f64().sqrt())
+}
