@@ -7,7 +7,7 @@
 //! - [`dyadic`]: the numbers given, `mantissa * 2^exponent`.
 //! - [`algebraic`]: the numbers answered, `(p + s * sqrt(D)) / q`.
 //! - [`solids`]: what the solids are, and which points belong to them.
-//! - [`solve`]: where a line meets them.
+//! - [`solve`]: where a line meets them; of which [`quadric`] and [`flat`] do the equations.
 //! - [`expected`]: what of that a ray with a range of `t` must report.
 //! - [`normal`]: which way the surface faces there.
 
@@ -17,7 +17,9 @@
 pub mod algebraic;
 pub mod dyadic;
 pub mod expected;
+mod flat;
 pub mod normal;
+mod quadric;
 pub mod solids;
 pub mod solve;
 

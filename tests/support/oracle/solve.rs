@@ -1,14 +1,15 @@
-//! Where a line meets a solid, from `f(origin + t * direction) <= 0` in integers.
-//!
-//! The given numbers are brought to common powers of two first: one for lengths, one for directions. Then the
-//! coefficients are integers, and the textbook `k^2 - a c` is exact.
+//! Where a line meets a solid or a surface, by the rules of closed sets, seams and ends.
 
 use std::cmp::Ordering;
 
 use dashu::integer::IBig;
 
 use super::algebraic::Root;
-use super::dyadic::{Dyadic, common_exponent, sign_of};
+use super::dyadic::{Dyadic, sign_of};
+use super::flat::{disc, plane, triangle};
+use super::quadric::{
+    EVERYWHERE, IntegerLine, Interval, LateralLine, Overlap, Quadratic, sphere_overlap,
+};
 use super::solids::{ConeExtent, CylinderExtent, Lateral, Line, Part, Solid, triangle_normal};
 
 /// An end of a span.
@@ -75,243 +76,6 @@ pub enum Answer {
     },
 }
 
-/// A closed interval of `t`; `None` where it has no end.
-#[derive(Clone)]
-struct Interval {
-    enter: Option<Root>,
-    exit: Option<Root>,
-}
-
-const EVERYWHERE: Interval = Interval {
-    enter: None,
-    exit: None,
-};
-
-impl Interval {
-    fn between(enter: Root, exit: Root) -> Self {
-        Self {
-            enter: Some(enter),
-            exit: Some(exit),
-        }
-    }
-
-    fn from(enter: Root) -> Self {
-        Self {
-            enter: Some(enter),
-            exit: None,
-        }
-    }
-
-    fn until(exit: Root) -> Self {
-        Self {
-            enter: None,
-            exit: Some(exit),
-        }
-    }
-}
-
-/// The piece of a line within a convex region.
-enum Overlap {
-    Nothing,
-    /// Within the region, and not all of it on the surface.
-    Within(Interval),
-    /// All of it on the surface.
-    InSurface(Interval),
-}
-
-/// A line in units of powers of two: `t = t' * 2^exponent` for the `t'` that its integers give.
-struct IntegerLine {
-    origin: [IBig; 3],
-    direction: [IBig; 3],
-    length_unit: isize,
-    exponent: isize,
-}
-
-impl IntegerLine {
-    fn new(line: &Line, lengths: &[&Dyadic]) -> Self {
-        let length_unit = common_exponent(line.origin.iter().chain(lengths.iter().copied()));
-        let direction_unit = common_exponent(&line.direction);
-        Self {
-            origin: std::array::from_fn(|axis| line.origin[axis].in_units_of(length_unit)),
-            direction: std::array::from_fn(|axis| line.direction[axis].in_units_of(direction_unit)),
-            length_unit,
-            exponent: length_unit - direction_unit,
-        }
-    }
-
-    fn length(&self, length: &Dyadic) -> IBig {
-        length.in_units_of(self.length_unit)
-    }
-
-    fn ratio(&self, numerator: IBig, denominator: &IBig) -> Root {
-        Root::quotient(numerator, denominator.clone(), self.exponent)
-    }
-
-    /// Where the line is at the height; its `y` must change.
-    fn at_height(&self, height: &IBig) -> Root {
-        self.ratio(height - &self.origin[1], &self.direction[1])
-    }
-}
-
-/// `a t^2 + 2 k t + c`.
-struct Quadratic {
-    a: IBig,
-    k: IBig,
-    c: IBig,
-}
-
-impl Quadratic {
-    fn discriminant(&self) -> IBig {
-        self.k.sqr().as_ibig() - &self.a * &self.c
-    }
-
-    /// The roots, the lower one first; none where they are not real. `a` must not be zero.
-    fn roots(&self, exponent: isize) -> Option<(Root, Root)> {
-        let discriminant = self.discriminant();
-        if sign_of(&discriminant) < 0 {
-            return None;
-        }
-        let lower_sign = -sign_of(&self.a);
-        let root =
-            |sign, discriminant| Root::new(-&self.k, sign, discriminant, self.a.clone(), exponent);
-        Some((
-            root(lower_sign, discriminant.clone()),
-            root(-lower_sign, discriminant),
-        ))
-    }
-}
-
-/// The ball of the radius around `(0, height, 0)`.
-fn sphere_overlap(line: &IntegerLine, radius: &IBig, height: &IBig) -> Option<Interval> {
-    let [x, y, z] = &line.origin;
-    let [dx, dy, dz] = &line.direction;
-    let y = &(y - height);
-    let quadratic = Quadratic {
-        a: dx * dx + dy * dy + dz * dz,
-        k: x * dx + y * dy + z * dz,
-        c: x * x + y * y + z * z - radius * radius,
-    };
-    let (enter, exit) = quadratic.roots(line.exponent)?;
-    Some(Interval::between(enter, exit))
-}
-
-/// A line against a curved side: the quadratic of `(weight^2)(x^2 + z^2) - reach^2`, and the reach along the line,
-/// `weight` times the radius, as `reach + t * reach_slope`.
-struct LateralLine {
-    quadratic: Quadratic,
-    reach: IBig,
-    reach_slope: IBig,
-    exponent: isize,
-}
-
-impl LateralLine {
-    fn new(line: &IntegerLine, lateral: &Lateral) -> Self {
-        let offset = lateral.offset.scaled(-line.length_unit);
-        let unit = common_exponent([&lateral.weight, &offset, &lateral.growth]);
-        let weight = lateral.weight.in_units_of(unit);
-        let growth = lateral.growth.in_units_of(unit);
-        let [x, y, z] = &line.origin;
-        let [dx, dy, dz] = &line.direction;
-        let square = weight.sqr();
-        let square = square.as_ibig();
-        let reach = offset.in_units_of(unit) + &growth * y;
-        let reach_slope = growth * dy;
-        Self {
-            quadratic: Quadratic {
-                a: square * (dx * dx + dz * dz) - &reach_slope * &reach_slope,
-                k: square * (x * dx + z * dz) - &reach * &reach_slope,
-                c: square * (x * x + z * z) - &reach * &reach,
-            },
-            reach,
-            reach_slope,
-            exponent: line.exponent,
-        }
-    }
-
-    /// Of a line parallel to a generator: where `2 k t + c` vanishes. `k` must not be zero.
-    fn single_root(&self) -> Root {
-        Root::quotient(-&self.quadratic.c, &self.quadratic.k << 1, self.exponent)
-    }
-
-    /// Where `f <= 0` and the reach is not negative: an infinite cylinder, or one nappe.
-    fn one_nappe(&self) -> Overlap {
-        let Quadratic { a, k, c } = &self.quadratic;
-        let widening = sign_of(&self.reach_slope);
-        match sign_of(a) {
-            1 => {
-                // Between the roots the reach keeps its sign, and it vanishes there at the apex only; so its sign
-                // midway, at -k/a, tells the nappe.
-                if sign_of(&(&self.reach * a - &self.reach_slope * k)) < 0 {
-                    return Overlap::Nothing;
-                }
-                match self.quadratic.roots(self.exponent) {
-                    None => Overlap::Nothing,
-                    Some((enter, exit)) => Overlap::Within(Interval::between(enter, exit)),
-                }
-            }
-            -1 => {
-                // Steeper than the side: outside there is one bounded gap, with a nappe at either end of it.
-                let (lower, upper) = self
-                    .quadratic
-                    .roots(self.exponent)
-                    .expect("a line that runs within a nappe meets it");
-                Overlap::Within(if widening > 0 {
-                    Interval::from(upper)
-                } else {
-                    Interval::until(lower)
-                })
-            }
-            _ => match (sign_of(k), widening) {
-                (0, 0) => match sign_of(c) {
-                    -1 => Overlap::Within(EVERYWHERE),
-                    0 => Overlap::InSurface(EVERYWHERE),
-                    _ => Overlap::Nothing,
-                },
-                (0, _) if !c.is_zero() => Overlap::Nothing,
-                (0, _) => {
-                    let apex =
-                        Root::quotient(-&self.reach, self.reach_slope.clone(), self.exponent);
-                    Overlap::InSurface(if widening > 0 {
-                        Interval::from(apex)
-                    } else {
-                        Interval::until(apex)
-                    })
-                }
-                (-1, 1) => Overlap::Within(Interval::from(self.single_root())),
-                (1, -1) => Overlap::Within(Interval::until(self.single_root())),
-                _ => Overlap::Nothing,
-            },
-        }
-    }
-
-    /// Where `f <= 0`.
-    fn both_nappes(&self) -> Answer {
-        let Quadratic { a, k, c } = &self.quadratic;
-        let intervals = match sign_of(a) {
-            1 => self
-                .quadratic
-                .roots(self.exponent)
-                .map(|(enter, exit)| Interval::between(enter, exit))
-                .into_iter()
-                .collect(),
-            -1 => {
-                let (lower, upper) = self
-                    .quadratic
-                    .roots(self.exponent)
-                    .expect("a line that runs within a nappe meets it");
-                vec![Interval::until(lower), Interval::from(upper)]
-            }
-            _ => match sign_of(k) {
-                -1 => vec![Interval::from(self.single_root())],
-                1 => vec![Interval::until(self.single_root())],
-                _ if c.is_zero() => return coincident(EVERYWHERE),
-                _ => vec![],
-            },
-        };
-        Answer::Spans(intervals.into_iter().map(all_side).collect())
-    }
-}
-
 /// The piece of a line with `0 <= y <= height`.
 enum Slab {
     Nothing,
@@ -352,6 +116,33 @@ impl Slab {
     }
 }
 
+/// A line against both nappes of a cone, where `f <= 0`.
+fn both_nappes(side: &LateralLine) -> Answer {
+    let Quadratic { a, k, c } = &side.quadratic;
+    let intervals = match sign_of(a) {
+        1 => side
+            .quadratic
+            .roots(side.exponent)
+            .map(|(enter, exit)| Interval::between(enter, exit))
+            .into_iter()
+            .collect(),
+        -1 => {
+            let (lower, upper) = side
+                .quadratic
+                .roots(side.exponent)
+                .expect("a line that runs within a nappe meets it");
+            vec![Interval::until(lower), Interval::from(upper)]
+        }
+        _ => match sign_of(k) {
+            -1 => vec![Interval::from(side.single_root())],
+            1 => vec![Interval::until(side.single_root())],
+            _ if c.is_zero() => return coincident(EVERYWHERE),
+            _ => vec![],
+        },
+    };
+    Answer::Spans(intervals.into_iter().map(all_side).collect())
+}
+
 fn side_end(t: Root) -> End {
     End {
         t,
@@ -366,7 +157,7 @@ fn all_side(interval: Interval) -> Span {
     }
 }
 
-fn coincident(interval: Interval) -> Answer {
+pub(super) fn coincident(interval: Interval) -> Answer {
     Answer::Coincident {
         from: interval.enter,
         to: interval.exit,
@@ -523,119 +314,6 @@ fn capsule(line: &IntegerLine, lateral: &Lateral, radius: &IBig, height: &IBig) 
     )
 }
 
-/// One crossing of a plane by a line whose inner product with its normal has the sign given.
-fn plane_crossing(t: Root, along_normal: i8) -> Answer {
-    Answer::Crossings(vec![Crossing {
-        t,
-        side: if along_normal < 0 {
-            Approach::FromOutside
-        } else {
-            Approach::FromInside
-        },
-        part: Part::Side,
-    }])
-}
-
-fn plane(line: &IntegerLine) -> Answer {
-    match sign_of(&line.direction[1]) {
-        0 if line.origin[1].is_zero() => coincident(EVERYWHERE),
-        0 => Answer::Crossings(vec![]),
-        climb => plane_crossing(line.at_height(&IBig::ZERO), climb),
-    }
-}
-
-fn disc(line: &IntegerLine, radius: &IBig) -> Answer {
-    let [x, y, z] = &line.origin;
-    let [dx, dy, dz] = &line.direction;
-    let climb = sign_of(dy);
-    if climb != 0 {
-        // The point of the plane, times dy.
-        let (px, pz) = (x * dy - y * dx, z * dy - y * dz);
-        return if &px * &px + &pz * &pz <= (radius * dy).sqr().into() {
-            plane_crossing(line.at_height(&IBig::ZERO), climb)
-        } else {
-            Answer::Crossings(vec![])
-        };
-    }
-    let chord = if y.is_zero() {
-        sphere_overlap(line, radius, &IBig::ZERO)
-    } else {
-        None
-    };
-    chord.map_or(Answer::Crossings(vec![]), coincident)
-}
-
-fn integer_subtract(left: &[IBig; 3], right: &[IBig; 3]) -> [IBig; 3] {
-    std::array::from_fn(|axis| &left[axis] - &right[axis])
-}
-
-fn integer_dot(left: &[IBig; 3], right: &[IBig; 3]) -> IBig {
-    &left[0] * &right[0] + &left[1] * &right[1] + &left[2] * &right[2]
-}
-
-fn integer_cross(left: &[IBig; 3], right: &[IBig; 3]) -> [IBig; 3] {
-    std::array::from_fn(|axis| {
-        let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
-        &left[next] * &right[last] - &left[last] * &right[next]
-    })
-}
-
-fn triangle(line: &IntegerLine, vertices: &[[IBig; 3]; 3]) -> Answer {
-    let [first, second, third] = vertices;
-    let normal = integer_cross(
-        &integer_subtract(second, first),
-        &integer_subtract(third, first),
-    );
-    let spokes: [[IBig; 3]; 3] =
-        std::array::from_fn(|corner| integer_subtract(&vertices[corner], &line.origin));
-    let along = integer_dot(&normal, &line.direction);
-    let above = integer_dot(&normal, &spokes[0]);
-    let direction_sign = sign_of(&along);
-    if direction_sign != 0 {
-        // The line passes on the inner side of each edge, or through it.
-        let inside = (0..3).all(|start| {
-            let turn = integer_cross(&spokes[start], &spokes[(start + 1) % 3]);
-            sign_of(&integer_dot(&line.direction, &turn)) * direction_sign >= 0
-        });
-        return if inside {
-            plane_crossing(line.ratio(above, &along), direction_sign)
-        } else {
-            Answer::Crossings(vec![])
-        };
-    }
-    if !above.is_zero() {
-        return Answer::Crossings(vec![]);
-    }
-    let mut overlap = EVERYWHERE;
-    for start in 0..3 {
-        let edge = integer_subtract(&vertices[(start + 1) % 3], &vertices[start]);
-        let inward = integer_cross(&normal, &edge);
-        // Within means distance <= t * speed.
-        let distance = integer_dot(&inward, &spokes[start]);
-        let speed = integer_dot(&inward, &line.direction);
-        let pace = sign_of(&speed);
-        if pace == 0 {
-            if sign_of(&distance) > 0 {
-                return Answer::Crossings(vec![]);
-            }
-            continue;
-        }
-        let bound = line.ratio(distance, &speed);
-        if pace > 0 {
-            if overlap.enter.as_ref().is_none_or(|enter| bound > *enter) {
-                overlap.enter = Some(bound);
-            }
-        } else if overlap.exit.as_ref().is_none_or(|exit| bound < *exit) {
-            overlap.exit = Some(bound);
-        }
-    }
-    if overlap.enter > overlap.exit {
-        Answer::Crossings(vec![])
-    } else {
-        coincident(overlap)
-    }
-}
-
 /// Where the line meets the solid or the surface, exactly.
 ///
 /// Closed and infinite solids answer with spans, open and flat surfaces with crossings; a line that lies in an open, flat
@@ -668,7 +346,7 @@ pub fn solve(solid: &Solid, line: &Line) -> Answer {
             ..
         } => {
             let lateral = solid.lateral().expect("a cone has a side");
-            LateralLine::new(&IntegerLine::new(line, &[]), &lateral).both_nappes()
+            both_nappes(&LateralLine::new(&IntegerLine::new(line, &[]), &lateral))
         }
         Solid::Cylinder {
             extent: CylinderExtent::Capped(height),

@@ -1,0 +1,127 @@
+//! Floor 3: hits and hit lists.
+
+use crate::ray::Range;
+use crate::scalar::Scalar;
+use core::ops::Deref;
+
+/// The most crossings that a line can have with any primitive: two intervals of a double cone.
+pub const MOST_HITS: usize = 4;
+
+/// A part of a primitive's surface, so that each can have a material of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Part {
+    /// The curved side; the whole of a sphere, plane, disc or triangle. Owns its rims, its seams and the apex.
+    Side,
+    /// The cap or hemisphere at the lower end of the axis.
+    Base,
+    /// The cap or hemisphere at the upper end of the axis.
+    Top,
+}
+
+/// How a ray crosses a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Crossing {
+    /// From the outside: into a solid, or through an open surface from its front.
+    Enter,
+    /// From the inside: out of a solid, or through an open surface from its back.
+    Exit,
+    /// The line touches the surface in one point and stays on its side.
+    Touch,
+}
+
+/// Where a ray meets a surface. Point, normal and the rest are computed when asked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Hit<S> {
+    /// Distance along the ray.
+    pub t: S,
+    /// The part of the surface.
+    pub part: Part,
+    /// From which side.
+    pub crossing: Crossing,
+}
+
+/// All hits of a ray with a primitive, sorted by `t`; a slice of [`Hit`].
+///
+/// The list holds the most that any primitive can produce: nothing is ever dropped.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Hits<S> {
+    list: heapless::Vec<Hit<S>, MOST_HITS>,
+    starts_inside: bool,
+    coincident: Option<Range<S>>,
+}
+
+impl<S: Scalar> Hits<S> {
+    /// A miss.
+    pub(crate) const fn none() -> Self {
+        Self { list: heapless::Vec::new(), starts_inside: false, coincident: None }
+    }
+
+    /// A line that lies in the surface over `overlap`.
+    pub(crate) const fn lying_in(overlap: Range<S>) -> Self {
+        Self { list: heapless::Vec::new(), starts_inside: false, coincident: Some(overlap) }
+    }
+
+    /// Adds a hit behind all others.
+    #[inline]
+    pub(crate) fn push(&mut self, hit: Hit<S>) {
+        // Cannot be full: no primitive has more ends than the capacity.
+        let pushed = self.list.push(hit);
+        debug_assert!(pushed.is_ok());
+    }
+
+    /// Notes that the start of the range lies inside.
+    #[inline]
+    pub(crate) const fn start_inside(&mut self) {
+        self.starts_inside = true;
+    }
+
+    /// True if the start of the ray's range lies inside the solid, so that the first hit is an exit without an enter.
+    /// A start exactly on the surface reports the hit at that `t` instead. Always false for open surfaces.
+    #[inline]
+    pub const fn starts_inside(&self) -> bool {
+        self.starts_inside
+    }
+
+    /// The piece of the range over which the ray lies in an open or infinite surface: neither a hit nor a miss.
+    #[inline]
+    pub const fn coincident(&self) -> Option<Range<S>> {
+        self.coincident
+    }
+
+    /// Keeps the hits for which `keep` holds.
+    pub(crate) fn retain(&mut self, keep: impl FnMut(&Hit<S>) -> bool) {
+        self.list.retain(keep);
+    }
+}
+
+impl<S> Deref for Hits<S> {
+    type Target = [Hit<S>];
+    #[inline]
+    fn deref(&self) -> &[Hit<S>] {
+        &self.list
+    }
+}
+
+impl<S> IntoIterator for Hits<S> {
+    type Item = Hit<S>;
+    type IntoIter = heapless::vec::IntoIter<Hit<S>, MOST_HITS, usize>;
+    fn into_iter(self) -> Self::IntoIter {
+        self.list.into_iter()
+    }
+}
+
+impl<'a, S> IntoIterator for &'a Hits<S> {
+    type Item = &'a Hit<S>;
+    type IntoIter = core::slice::Iter<'a, Hit<S>>;
+    fn into_iter(self) -> Self::IntoIter {
+        self.list.iter()
+    }
+}

@@ -1,0 +1,263 @@
+//! Floor 2: points, vectors and directions.
+
+use crate::scalar::{Real, Scalar, UnitScalar};
+use core::ops::{Add, Neg, Sub};
+
+/// A point or a vector of any length.
+///
+/// Sums and differences of fixed-point vectors saturate; no operation overflows.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Vec3<S> {
+    /// Along the x axis.
+    pub x: S,
+    /// Along the y axis, the axis of every canonical solid.
+    pub y: S,
+    /// Along the z axis.
+    pub z: S,
+}
+
+impl<S: Scalar> Vec3<S> {
+    /// The origin.
+    pub const ZERO: Self = Self { x: S::ZERO, y: S::ZERO, z: S::ZERO };
+
+    /// The vector with these components.
+    #[inline(always)]
+    pub const fn new(x: S, y: S, z: S) -> Self {
+        Self { x, y, z }
+    }
+
+    /// From `f64` components, each rounded to nearest; `None` if one is not finite or beyond the number type.
+    ///
+    /// ```
+    /// # use raylet::Vec3;
+    /// assert_eq!(Vec3::<f32>::from_f64([1.0, 2.5, -3.0]), Some(Vec3::new(1.0, 2.5, -3.0)));
+    /// ```
+    pub fn from_f64(components: [f64; 3]) -> Option<Self> {
+        let [x, y, z] = components;
+        Some(Self::new(S::from_f64(x)?, S::from_f64(y)?, S::from_f64(z)?))
+    }
+
+    /// The components as `f64`.
+    pub fn to_f64(self) -> [f64; 3] {
+        self.to_array().map(S::to_f64)
+    }
+
+    /// The components in order.
+    #[inline(always)]
+    pub const fn to_array(self) -> [S; 3] {
+        [self.x, self.y, self.z]
+    }
+
+    /// The components, to compute with.
+    #[inline(always)]
+    pub fn real(self) -> [S::Real; 3] {
+        self.to_array().map(S::real)
+    }
+
+    /// Rounds each component to nearest.
+    #[inline(always)]
+    pub fn round(v: [S::Real; 3]) -> Self {
+        v.map(S::round).into()
+    }
+
+    /// True if every component is inside the number type's [`Budget`](crate::scalar::Budget).
+    #[inline]
+    pub fn is_within_budget(self) -> bool {
+        // A NaN is not within anything.
+        self.to_array().iter().all(|c| c.magnitude() <= S::BUDGET.coordinate)
+    }
+
+    /// The component along a direction.
+    #[inline(always)]
+    pub fn dot(self, direction: UnitVec3<S>) -> S::Real {
+        S::dot(self.to_array(), direction.to_array())
+    }
+
+    /// The length of the vector, rounded to the scalar.
+    pub fn length(self) -> S {
+        S::normalize(self.real()).map_or(S::ZERO, |(_, length)| S::round(length))
+    }
+
+    /// The unit vector that points this way; see [`UnitVec3::new`].
+    #[inline]
+    pub fn normalized(self) -> Option<UnitVec3<S>> {
+        UnitVec3::new(self)
+    }
+}
+
+impl<S> From<[S; 3]> for Vec3<S> {
+    #[inline(always)]
+    fn from([x, y, z]: [S; 3]) -> Self {
+        Self { x, y, z }
+    }
+}
+
+impl<S: Scalar> Add for Vec3<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self::new(self.x.plus(other.x), self.y.plus(other.y), self.z.plus(other.z))
+    }
+}
+
+impl<S: Scalar> Sub for Vec3<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self::new(self.x.minus(other.x), self.y.minus(other.y), self.z.minus(other.z))
+    }
+}
+
+impl<S: Scalar> Neg for Vec3<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self::new(-self.x, -self.y, -self.z)
+    }
+}
+
+/// A direction: a vector of length 1, by type.
+///
+/// Its components have more fraction bits than a fixed-point coordinate (30 of 32, 62 of 64). A stored unit vector is
+/// unit only to its last bit; `t` is the parameter of the direction *as stored*.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format), defmt(transparent))]
+pub struct UnitVec3<S: Scalar> {
+    components: [S::Unit; 3],
+}
+
+impl<S: Scalar> UnitVec3<S> {
+    /// Along the x axis.
+    pub const X: Self = Self { components: [S::Unit::ONE, S::Unit::ZERO, S::Unit::ZERO] };
+    /// Along the y axis.
+    pub const Y: Self = Self { components: [S::Unit::ZERO, S::Unit::ONE, S::Unit::ZERO] };
+    /// Along the z axis.
+    pub const Z: Self = Self { components: [S::Unit::ZERO, S::Unit::ZERO, S::Unit::ONE] };
+
+    /// The direction of a vector of any non-zero length, within 2 units in the last place of its components;
+    /// `None` for the zero vector and for one that is not finite.
+    ///
+    /// ```
+    /// # use raylet::{UnitVec3, Vec3};
+    /// let tiny = UnitVec3::new(Vec3::new(3e-20_f32, 0.0, 4e-20)).unwrap();
+    /// let huge = UnitVec3::new(Vec3::new(3e20_f32, 0.0, 4e20)).unwrap();
+    /// assert_eq!((tiny.x(), tiny.z()), (0.6, 0.8));
+    /// assert_eq!((huge.x(), huge.z()), (0.6, 0.8));
+    /// assert_eq!(UnitVec3::<f32>::new(Vec3::ZERO), None);
+    /// ```
+    #[inline]
+    pub fn new(v: Vec3<S>) -> Option<Self> {
+        if !v.to_array().iter().all(|c| c.is_finite()) {
+            return None;
+        }
+        Self::from_real(v.real())
+    }
+
+    /// The direction of a vector that is still in the computing number.
+    #[inline]
+    pub fn from_real(v: [S::Real; 3]) -> Option<Self> {
+        S::normalize(v).map(|(components, _)| Self { components })
+    }
+
+    /// The direction with these stored components, if their length is 1 within 2^-20; for tables and for tests that
+    /// need every bit as given. Anything else should go through [`UnitVec3::new`].
+    ///
+    /// ```
+    /// # use raylet::UnitVec3;
+    /// assert!(UnitVec3::<f32>::from_components([0.6, 0.0, 0.8]).is_some());
+    /// assert!(UnitVec3::<f32>::from_components([0.6, 0.0, 0.9]).is_none());
+    /// ```
+    pub fn from_components(components: [S::Unit; 3]) -> Option<Self> {
+        let error = (S::unit_dot(components, components) - S::Real::ONE).abs();
+        // Not `<`'s negation: a NaN must fail.
+        (error < S::Real::ONE.times_power_of_two(-19)).then_some(Self { components })
+    }
+
+    /// Components that the caller derived from unit vectors by a rotation.
+    #[inline(always)]
+    pub(crate) const fn rotated(components: [S::Unit; 3]) -> Self {
+        Self { components }
+    }
+
+    /// Component along the x axis.
+    #[inline(always)]
+    pub const fn x(self) -> S::Unit {
+        self.components[0]
+    }
+
+    /// Component along the y axis.
+    #[inline(always)]
+    pub const fn y(self) -> S::Unit {
+        self.components[1]
+    }
+
+    /// Component along the z axis.
+    #[inline(always)]
+    pub const fn z(self) -> S::Unit {
+        self.components[2]
+    }
+
+    /// The components in order.
+    #[inline(always)]
+    pub const fn to_array(self) -> [S::Unit; 3] {
+        self.components
+    }
+
+    /// The components as `f64`.
+    pub fn to_f64(self) -> [f64; 3] {
+        self.components.map(UnitScalar::to_f64)
+    }
+
+    /// The components, to compute with.
+    #[inline(always)]
+    pub fn real(self) -> [S::Real; 3] {
+        self.components.map(S::unit_real)
+    }
+
+    /// The cosine of the angle between two directions.
+    #[inline(always)]
+    pub fn dot(self, other: Self) -> S::Real {
+        S::unit_dot(self.components, other.components)
+    }
+
+    /// The cross product, whose length is the sine of the angle between the two.
+    #[inline]
+    pub fn cross(self, other: Self) -> [S::Real; 3] {
+        cross(self.real(), other.real())
+    }
+
+    /// A direction perpendicular to this one, and a third perpendicular to both: (u, v) with `u x v = self`.
+    ///
+    /// Duff et al., *Building an Orthonormal Basis, Revisited* (2017), is branchless but divides; here the smallest
+    /// component chooses the axis, so that the cross product is never shorter than 0.8.
+    pub fn perpendicular(self) -> (Self, Self) {
+        let [x, y, z] = self.real().map(Real::abs);
+        let helper = if x <= y && x <= z {
+            Self::X
+        } else if y <= z {
+            Self::Y
+        } else {
+            Self::Z
+        };
+        let u = Self::from_real(helper.cross(self)).unwrap_or(Self::X);
+        let v = Self::from_real(self.cross(u)).unwrap_or(Self::Z);
+        (u, v)
+    }
+}
+
+impl<S: Scalar> Neg for UnitVec3<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self { components: self.components.map(Neg::neg) }
+    }
+}
+
+/// The cross product of two vectors in the computing number, each component as an accurate difference of products.
+#[inline]
+pub(crate) fn cross<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
+    let minor = |i: usize, j: usize| R::sum_of_products([[a[i], b[j]], [-a[j], b[i]]]);
+    [minor(1, 2), minor(2, 0), minor(0, 1)]
+}
