@@ -17,7 +17,7 @@ pub(crate) fn meet<S: Scalar, T: Tier<S>, G: Geometry<S>>(geometry: &G, local: &
 /// The ray as an unplaced geometry sees it.
 #[inline]
 pub(crate) fn unplaced<S: Scalar, G: Geometry<S>>(geometry: &G, ray: &Ray<S>) -> Local<S> {
-    Local::in_world(ray, geometry.anchor().to_array(), geometry.reach())
+    Local::in_world(ray, geometry.reach(), |origin| geometry.is_far(origin))
 }
 
 #[inline]

@@ -34,8 +34,8 @@ macro_rules! primitives {
         )+
 
         impl<S: Scalar> Geometry<S> for Primitive<S> {
-            fn anchor(&self) -> Vec3<S> {
-                match self { $(Self::$Variant(p) => p.anchor(),)+ }
+            fn is_far(&self, origin: Vec3<S>) -> bool {
+                match self { $(Self::$Variant(p) => p.is_far(origin),)+ }
             }
             fn reach(&self) -> S {
                 match self { $(Self::$Variant(p) => p.reach(),)+ }
@@ -181,8 +181,12 @@ impl<S: Scalar> Shape<S> {
     fn localize(&self, ray: &Ray<S>) -> Option<Local<S>> {
         match &self.placement {
             Placement::World => Some(query::unplaced(&self.primitive, ray)),
-            Placement::Frame(frame) => frame.localize(ray, self.primitive.reach()),
-            Placement::Affine(affine) => affine.localize(ray, self.primitive.reach()),
+            Placement::Frame(frame) => {
+                frame.localize(ray, self.primitive.reach(), |origin| self.primitive.is_far(origin))
+            }
+            Placement::Affine(affine) => {
+                affine.localize(ray, self.primitive.reach(), |origin| self.primitive.is_far(origin))
+            }
         }
     }
 

@@ -45,17 +45,32 @@ fn measure<S: Exact>(subject: &Subject<S>, workload: Workload, rays: usize, seed
 
 fn table<S: Exact>(rays: usize) {
     println!("\n{}", S::name());
-    println!("{:18} {:22} {:>7} {:>9} {:>9} {:>10} {:>6} {:>6} {:>6}", "primitive", "workload", "hits", "median", "99.9%", "worst", "lost", "phantm", "part");
+    println!(
+        "{:18} {:22} {:>7} {:>9} {:>9} {:>10} {:>6} {:>6} {:>6}",
+        "primitive", "workload", "hits", "median", "99.9%", "worst", "lost", "phantm", "part"
+    );
     for name in SUBJECTS {
         let subject = Subject::<S>::new(name);
         for (index, workload) in WORKLOADS.into_iter().enumerate() {
             let Some(row) = measure(&subject, workload, rays, 1000 + index as u64) else { continue };
             let at = |fraction: f64| {
-                if row.errors.is_empty() { f64::NAN } else { row.errors[((row.errors.len() - 1) as f64 * fraction) as usize] }
+                if row.errors.is_empty() {
+                    f64::NAN
+                } else {
+                    row.errors[((row.errors.len() - 1) as f64 * fraction) as usize]
+                }
             };
             println!(
                 "{:18} {:22} {:7} {:9.3} {:9.2} {:10.2} {:6} {:6} {:6}",
-                name, workload.name(), row.errors.len(), at(0.5), at(0.999), at(1.0), row.lost, row.phantom, row.wrong_part
+                name,
+                workload.name(),
+                row.errors.len(),
+                at(0.5),
+                at(0.999),
+                at(1.0),
+                row.lost,
+                row.phantom,
+                row.wrong_part
             );
         }
     }

@@ -54,12 +54,12 @@ pub(crate) use crate::line::Line;
 
 /// What every primitive knows of itself, in its own frame.
 pub(crate) trait Geometry<S: Scalar>: Copy {
-    /// A point of the primitive about which `reach` is measured.
-    fn anchor(&self) -> Vec3<S> {
-        Vec3::ZERO
-    }
-    /// A distance from the anchor within which the primitive lies; its characteristic size if it is unbounded.
+    /// A distance from the origin within which the primitive lies; its characteristic size if it is unbounded.
     fn reach(&self) -> S;
+    /// True if a point that is several reaches from the origin is far from the surface too; for what is unbounded.
+    fn is_far(&self, _: Vec3<S>) -> bool {
+        true
+    }
     /// The primitive with all lengths multiplied by `2^e`, for an exponent from [`Scalar::binary_exponent`].
     #[must_use]
     fn scaled(&self, e: i32) -> Self;

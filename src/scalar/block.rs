@@ -254,7 +254,7 @@ macro_rules! block {
             }
 
             #[inline]
-            fn sum_of_products<const N: usize>(terms: [[Self; 2]; N]) -> Self {
+            fn sum_with_rest<const N: usize>(terms: [[Self; 2]; N]) -> [Self; 2] {
                 sum_of_products!($bits, $Block, terms)
             }
 
@@ -314,10 +314,13 @@ macro_rules! sum_of_products {
         }
         let bits = 128 - sum.mantissa.unsigned_abs().leading_zeros();
         if bits <= 62 {
-            $Block::new(sum.mantissa as i64, sum.exponent)
+            [$Block::new(sum.mantissa as i64, sum.exponent), $Block::ZERO]
         } else {
             let drop = bits - 62;
-            $Block::new(shift_right_rounded!(sum.mantissa, drop) as i64, sum.exponent.wrapping_add(drop as i32))
+            let rounded = shift_right_rounded!(sum.mantissa, drop);
+            // What is dropped has at most as many bits as the shift.
+            let rest = Block128::new(sum.mantissa - (rounded << drop), sum.exponent).narrow();
+            [$Block::new(rounded as i64, sum.exponent.wrapping_add(drop as i32)), rest]
         }
     }};
     ($bits:tt, $Block:ident, $terms:expr) => {{
@@ -325,7 +328,8 @@ macro_rules! sum_of_products {
         for [a, b] in $terms {
             sum = sum + a * b;
         }
-        sum
+        // No wider integer holds a rest.
+        [sum, $Block::ZERO]
     }};
 }
 
@@ -337,6 +341,19 @@ block! {
     /// The [`Real`] of the 64-bit fixed types: a 128-bit integer with an exponent.
     pub Block128, i128, u128, 128
 }
+
+impl Block128 {
+    /// The value with a mantissa of 62 bits.
+    fn narrow(self) -> Block64 {
+        let bits = 128 - self.mantissa.unsigned_abs().leading_zeros();
+        if bits <= 62 {
+            return Block64::new(self.mantissa as i64, self.exponent);
+        }
+        let drop = bits - 62;
+        Block64::new(shift_right_rounded!(self.mantissa, drop) as i64, self.exponent.wrapping_add(drop as i32))
+    }
+}
+
 #[cfg(test)]
 block! {
     /// The same code on 16 bits, where every operand can be tried.

@@ -27,6 +27,7 @@ macro_rules! fixed {
 
             const ZERO: Self = Self::from_bits(0);
             const INFINITY: Self = Self::from_bits(<$raw>::MAX);
+            const FAR: Self = Self::from_bits(1 << ($bits - 10));
             const BUDGET: Budget<Self> = Budget {
                 coordinate: Self::from_bits(1 << ($bits - SIZE_BITS)),
                 size: Self::from_bits(1 << ($bits - SIZE_BITS)),
@@ -112,6 +113,10 @@ macro_rules! fixed {
                         + $Block::new(t.to_bits() as $wide * d[i].to_bits() as $wide, -$unit_bits - F::I32);
                     <Self as Scalar>::round(sum)
                 })
+            }
+            #[inline]
+            fn walk(o: [Self; 3], base: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3] {
+                Self::approach(o, base, d, t)
             }
             #[inline]
             fn normalize(v: [$Block; 3]) -> Option<([Self::Unit; 3], $Block)> {
