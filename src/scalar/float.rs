@@ -165,7 +165,7 @@ macro_rules! float {
             #[inline(always)]
             fn step_closer(k: Self, reach: Self) -> Option<Self> {
                 // From within a few radii the rounding of the coordinates is of the order of the rounding of t itself.
-                if $Float::abs(k) > 4.0 * reach { Some(-$exact::split(k).0) } else { None }
+                if $Float::abs(k) > 2.0 * reach { Some(-$exact::split(k).0) } else { None }
             }
             #[inline(always)]
             fn binary_exponent(largest: Self) -> i32 {
