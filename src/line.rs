@@ -80,4 +80,10 @@ impl<S: Scalar> Local<S> {
             Some(stretch) => self.start.plus(S::round(t.scaled(self.exponent).real() / stretch)),
         }
     }
+
+    /// True if the ray's range is the line's `t >= 0`, or a beginning of it, and it departs from nowhere.
+    #[inline]
+    pub(crate) fn is_forward(&self, ray: &Ray<S>) -> bool {
+        self.start == S::ZERO && ray.range().start() == S::ZERO && self.line.departure.is_none()
+    }
 }

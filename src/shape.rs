@@ -46,6 +46,9 @@ macro_rules! primitives {
             fn meet<T: Tier<S>>(&self, line: &Line<S>) -> Meeting<S> {
                 match self { $(Self::$Variant(p) => p.meet::<T>(line),)+ }
             }
+            fn verdict<T: Tier<S>>(&self, line: &Line<S>) -> Option<bool> {
+                match self { $(Self::$Variant(p) => p.verdict::<T>(line),)+ }
+            }
             fn contains(&self, point: Vec3<S>) -> bool {
                 match self { $(Self::$Variant(p) => Geometry::contains(p, point),)+ }
             }
@@ -226,7 +229,8 @@ impl<S: Scalar> Shape<S> {
 
     /// True if there is any visible hit, in a chosen accuracy tier.
     pub fn occludes_at<T: Tier<S>>(&self, ray: &Ray<S>) -> bool {
-        self.nearest_at::<T>(ray).is_some()
+        self.localize(ray)
+            .is_some_and(|local| query::occludes::<S, T, _>(&self.primitive, ray, &local, |c| self.visible.sees(c)))
     }
 
     /// True if the point belongs to the shape: inside or on a solid, on an open surface.

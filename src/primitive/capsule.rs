@@ -1,6 +1,6 @@
 //! The capsule: a cylinder with round ends, all points within `r` of the segment from the origin to (0, height, 0).
 
-use super::cylinder::tube;
+use super::cylinder::{leaves_slab, tube};
 use super::sphere::ball;
 use super::{
     Geometry, Line, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates,
@@ -121,6 +121,11 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
             && enter.part != Part::Side
             && ball::<S, T>(&self.seen_from::<T>(line, enter.part), self.radius).is_some_and(|span| span.touch);
         Meeting::One(Span { enter, exit, touch: touch || round_touch })
+    }
+
+    /// Above the top ball and rising, or below the base ball and descending: no.
+    fn verdict<T: Tier<S>>(&self, line: &Line<S>) -> Option<bool> {
+        leaves_slab::<S, T>(line, -self.radius, self.height.plus(self.radius)).then_some(false)
     }
 
     fn contains(&self, point: Vec3<S>) -> bool {

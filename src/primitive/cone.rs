@@ -9,7 +9,7 @@
 //!
 //! which for a slope is `D = m^2 (wx^2 + wz^2) - wy^2`: Lagrange's identity in the metric (1, -1, 1) of the cone.
 
-use super::cylinder::{capped, open_side};
+use super::cylinder::{capped, leaves_slab, open_side};
 use super::{
     Geometry, Line, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates,
 };
@@ -423,6 +423,12 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
             Some((_, leaving)) => meeting.departed(leaving, true),
             None => meeting,
         }
+    }
+
+    /// Above the top and rising, or below the base and descending: no.
+    fn verdict<T: Tier<S>>(&self, line: &Line<S>) -> Option<bool> {
+        let height = self.height()?;
+        leaves_slab::<S, T>(line, S::ZERO, height).then_some(false)
     }
 
     fn contains(&self, point: Vec3<S>) -> bool {

@@ -158,6 +158,13 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
         }
     }
 
+    /// Above the top and rising, or below the base and descending: no.
+    #[inline]
+    fn verdict<T: Tier<S>>(&self, line: &Line<S>) -> Option<bool> {
+        let height = self.height()?;
+        leaves_slab::<S, T>(line, S::ZERO, height).then_some(false)
+    }
+
     fn contains(&self, point: Vec3<S>) -> bool {
         let [x, _, z] = point.real();
         let r = self.radius.real();
@@ -204,6 +211,13 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
             Part::Base | Part::Top => coordinates::planar_tangents(),
         }
     }
+}
+
+/// True if the half-line starts above or below and never comes back.
+#[inline]
+pub(super) fn leaves_slab<S: Scalar, T: Tier<S>>(line: &Line<S>, low: S, high: S) -> bool {
+    let ([_, y, _], dy) = (line.origin, T::unit(line.direction[1]));
+    y > high && !dy.is_negative() || y < low && (dy.is_negative() || dy.is_zero())
 }
 
 /// The ends of `side` that lie between the rims of an open surface; the rims belong to it.

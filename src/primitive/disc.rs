@@ -1,7 +1,7 @@
 //! The disc in the plane `y = 0`.
 
 use super::cylinder::careful;
-use super::plane::crossing;
+use super::plane::{crossing, moves_away};
 use super::{Geometry, Line, SizeError, checked_size, queries, surface_coordinates as coordinates};
 use crate::hit::Part;
 use crate::quadric::{Inside, Quadric};
@@ -72,6 +72,11 @@ impl<S: Scalar> Geometry<S> for Disc<S> {
                 if outside.is_negative() || outside.is_zero() { meeting } else { Meeting::Miss }
             }
         }
+    }
+
+    /// Moving away from its plane: no.
+    fn verdict<T: Tier<S>>(&self, line: &Line<S>) -> Option<bool> {
+        moves_away::<S, T>(line).then_some(false)
     }
 
     fn contains(&self, point: Vec3<S>) -> bool {

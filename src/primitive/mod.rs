@@ -65,6 +65,11 @@ pub(crate) trait Geometry<S: Scalar>: Copy {
     fn scaled(&self, e: i32) -> Self;
     /// Where the line meets it.
     fn meet<T: Tier<S>>(&self, line: &Line<S>) -> Meeting<S>;
+    /// Whether the half-line `t >= 0` hits it, where the signs of the coefficients say so without a root or a division;
+    /// the line departs from nowhere. What is said here must agree with [`Geometry::meet`].
+    fn verdict<T: Tier<S>>(&self, _: &Line<S>) -> Option<bool> {
+        None
+    }
     /// True if the point belongs to the closed set.
     fn contains(&self, point: Vec3<S>) -> bool;
     /// The smallest box, as its lower and upper corner; infinite where the primitive is.
@@ -143,7 +148,7 @@ macro_rules! queries {
             }
             /// True if there is any hit, in a chosen accuracy tier.
             pub fn occludes_at<T: Tier<S>>(&self, ray: &crate::Ray<S>) -> bool {
-                crate::query::occludes::<S, T, _>(self, ray)
+                crate::query::occludes::<S, T, _>(self, ray, &crate::query::unplaced(self, ray), |_| true)
             }
             /// True if the point belongs to the primitive: inside or on a solid, on an open surface.
             pub fn contains(&self, point: Vec3<S>) -> bool {

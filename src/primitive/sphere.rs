@@ -106,6 +106,30 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
         Meeting::solid(ball::<S, T>(line, self.radius))
     }
 
+    /// From outside and moving away: no. From outside and moving closer: as the discriminant says. From inside: yes.
+    #[inline]
+    fn verdict<T: Tier<S>>(&self, line: &Line<S>) -> Option<bool> {
+        let (o, d, r) = (line.origin, line.direction, T::real(self.radius));
+        let [x, y, z] = o.map(T::real);
+        let (square, rr) = (x * x + y * y + z * z, r * r);
+        let c = square - rr;
+        // So close to the surface the sign of c is rounding, and t may round to zero.
+        if c.abs() < (square + rr).times_power_of_two(-12) {
+            return None;
+        }
+        if c.is_negative() {
+            return Some(true);
+        }
+        if !T::dot(o, d).is_negative() {
+            return Some(false);
+        }
+        let [wx, wy, wz] = T::cross(o, d);
+        let (positive, negative) = (T::squared_length(d) * rr, wx * wx + wy * wy + wz * wz);
+        let discriminant = positive - negative;
+        // Grazing: the solver looks closer.
+        (discriminant.abs() > positive.times_power_of_two(-3)).then(|| !discriminant.is_negative())
+    }
+
     fn contains(&self, point: Vec3<S>) -> bool {
         let [x, y, z] = point.real();
         let r = self.radius.real();
