@@ -11,6 +11,8 @@ compile_error!(
 pub mod affine;
 pub mod frame;
 pub mod hit;
+#[cfg(any(feature = "mint", feature = "serde"))]
+mod interchange;
 mod line;
 pub mod primitive;
 mod quadric;

@@ -170,8 +170,8 @@ impl<S: Scalar> Triangle<S> {
         vertices: [[T::Real; 3]; 3],
     ) -> Meeting<S> {
         let mut inside = Span::everywhere();
-        for i in 0..3 {
-            let (p, q) = (vertices[i], vertices[(i + 1) % 3]);
+        let [a, b, c] = vertices;
+        for (p, q) in [(a, b), (b, c), (c, a)] {
             // Points x with e . (x - p) >= 0 are on the inner side.
             let inward = cross(normal, difference_of(q, p));
             let (at_origin, slope) = (-dot(inward, p), dot(inward, direction));

@@ -93,7 +93,7 @@ macro_rules! block {
                 let top = n >> ($bits / 2);
                 let root = root_of_half!($bits, top);
                 // One Newton step on the whole.
-                let mut root: $unsigned = (root << (QUARTER - 1)) + (n >> (QUARTER + 1)) / root;
+                let mut root: $unsigned = (root << (QUARTER - 1)) + quotient!((n >> (QUARTER + 1)), root);
                 // The step never falls short; it can be one too large, and then at the top of the range its square overflows.
                 if root >> ($bits / 2) != 0 || root * root > n {
                     root -= 1;
@@ -109,8 +109,8 @@ macro_rules! block {
                 const MASK: $unsigned = (1 << DIGIT) - 1;
                 let (top, low) = (divisor >> DIGIT, divisor & MASK);
                 let digit = |remainder: $unsigned| -> ($unsigned, $unsigned) {
-                    let mut quotient = remainder / top;
-                    let mut rest = remainder % top;
+                    let mut quotient = quotient!(remainder, top);
+                    let mut rest = remainder.wrapping_sub(quotient.wrapping_mul(top));
                     // At most two corrections, since the divisor is normalised.
                     while quotient >> DIGIT != 0 || quotient * low > (rest << DIGIT) {
                         quotient -= 1;
@@ -281,6 +281,13 @@ macro_rules! block {
     };
 }
 
+/// The quotient of integers whose divisor is never zero, without the panic path of `/`.
+macro_rules! quotient {
+    ($numerator:expr, $divisor:expr) => {
+        $numerator.checked_div($divisor).unwrap_or(0)
+    };
+}
+
 /// Arithmetic shift right by 1 or more bits (fewer than the width), rounded to nearest.
 macro_rules! shift_right_rounded {
     ($value:expr, $shift:expr) => {{
@@ -379,8 +386,8 @@ const ROOT_OF_BYTE: [u8; 256] = {
 /// bits, then two Newton steps on prefixes.
 fn root_of_32(n: u32) -> u32 {
     let root = ROOT_OF_BYTE[(n >> 24) as usize] as u32;
-    let root = floor_root((root << 3) + (n >> 21) / root, n >> 16);
-    floor_root((root << 7) + (n >> 9) / root, n)
+    let root = floor_root((root << 3) + quotient!((n >> 21), root), n >> 16);
+    floor_root((root << 7) + quotient!((n >> 9), root), n)
 }
 
 /// One less where a Newton step came out one too large (`root` has at most half as many bits as a `u32`, or one more).

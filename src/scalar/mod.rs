@@ -23,7 +23,9 @@ pub mod block;
 mod elementary;
 #[cfg(feature = "fixed")]
 mod fixed;
+#[cfg(feature = "libm")]
 mod float;
+#[cfg(feature = "libm")]
 mod square_root;
 
 #[cfg(feature = "fixed")]
