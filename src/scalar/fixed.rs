@@ -89,9 +89,9 @@ macro_rules! fixed {
             }
             #[inline(always)]
             fn cross(o: [Self; 3], d: [Self::Unit; 3]) -> [$Block; 3] {
-                let product = |i: usize, j: usize| o[i].to_bits() as $wide * d[j].to_bits() as $wide;
-                [(1, 2), (2, 0), (0, 1)]
-                    .map(|(i, j)| $Block::new(product(i, j) - product(j, i), -(F::I32) - $unit_bits))
+                let ([x, y, z], [dx, dy, dz]) = (o.map(|c| c.to_bits() as $wide), d.map(|c| c.to_bits() as $wide));
+                let block = |minor: $wide| $Block::new(minor, -(F::I32) - $unit_bits);
+                [block(y * dz - z * dy), block(z * dx - x * dz), block(x * dy - y * dx)]
             }
             #[inline(always)]
             fn unit_dot(d: [Self::Unit; 3], e: [Self::Unit; 3]) -> $Block {
