@@ -89,6 +89,19 @@ impl<S: Scalar> Meeting<S> {
         span.map_or(Self::Miss, Self::One)
     }
 
+    /// The ends of a line that runs in the side lie on its rims or seams, which the side owns (rule 5).
+    #[cold]
+    pub(crate) fn along_the_side(self) -> Self {
+        match self {
+            Self::One(span) => Self::One(Span {
+                enter: End::new(span.enter.t, Part::Side),
+                exit: End::new(span.exit.t, Part::Side),
+                touch: span.touch,
+            }),
+            other => other,
+        }
+    }
+
     /// Replaces each `t`; the order of ends must not change.
     #[inline]
     pub(crate) fn map_t(self, f: impl Fn(S) -> S) -> Self {

@@ -328,7 +328,9 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         let (low, high) = self.planes();
         let side = match (self.one_nappe::<T>(line), self.extent) {
             (NappeMeeting::In(span), _) => span,
-            (NappeMeeting::Generator, Extent::Capped(_)) => self.generator::<T>(line),
+            (NappeMeeting::Generator, Extent::Capped(_)) => {
+                return capped::<S, T>(line, self.generator::<T>(line), low, high).along_the_side();
+            }
             (NappeMeeting::Generator, _) => {
                 let [_, y, _] = line.origin;
                 let [_, dy, _] = line.direction;
