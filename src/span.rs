@@ -55,8 +55,12 @@ impl<S: Scalar> Span<S> {
         if enter.t > exit.t {
             return None;
         }
-        let corner = enter.t == exit.t && (enter.part != exit.part);
-        Some(Self { enter, exit, touch: self.touch || corner })
+        if enter.t == exit.t && enter.part != exit.part {
+            // Across a rim, which is the side's.
+            let rim = End::new(enter.t, Part::Side);
+            return Some(Self { enter: rim, exit: rim, touch: true });
+        }
+        Some(Self { enter, exit, touch: self.touch })
     }
 
     /// The interval as a range, cut off at what the number type can represent.
