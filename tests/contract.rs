@@ -60,7 +60,9 @@ fn assert_like_exact<S: Exact>(case: &Case<S>, rays: impl Iterator<Item = (Ray<S
         assert_eq!(case.shape().nearest(&ray), hits.first().copied(), "{}: {ray:?}", case.name);
         assert_eq!(case.shape().occludes(&ray), !hits.is_empty(), "{}: {ray:?}", case.name);
     }
-    assert!(ties * 20 <= all, "{} in {}: {ties} of {all} rays are excused", case.name, S::name());
+    let random = all == 4000;
+    // Edge rays are full of exact ties along rounded diagonals; random rays are not.
+    assert!(ties * if random { 100 } else { 8 } <= all, "{} in {}: {ties} of {all} excused", case.name, S::name());
 }
 
 fn random_rays<S: Exact>(seed: u64, count: usize) -> impl Iterator<Item = (Ray<S>, bool)> {
@@ -75,14 +77,14 @@ fn crossings<S: Exact>(case: &Case<S>, ray: &Ray<S>) -> Vec<Crossing> {
 fn rule_01_a_bounded_solid_is_closed_and_crossings_pair_up<S: Exact>() {
     for case in cases_of::<S>(Kind::Bounded) {
         let edges = edge_rays(&case);
-        for (ray, _) in edges.iter().copied().chain(random_rays(1, 3000)) {
+        for (ray, _) in edges.iter().copied().chain(random_rays(1, 20000)) {
             let ray = ray.with_range(Range::line());
             let list = crossings(&case, &ray);
             let paired = matches!(list.as_slice(), [] | [Crossing::Touch] | [Crossing::Enter, Crossing::Exit]);
             assert!(paired, "{} in {}: {list:?} for {ray:?}", case.name, S::name());
         }
         assert_like_exact(&case, edges.into_iter());
-        assert_like_exact(&case, random_rays(2, 300));
+        assert_like_exact(&case, random_rays(2, 4000));
     }
 }
 
@@ -118,7 +120,7 @@ fn rule_01_no_ray_slips_between_a_cap_and_the_side<S: Exact>() {
 fn rule_02_open_surfaces_and_unbounded_solids_report_the_ends_that_they_have<S: Exact>() {
     for case in cases_of::<S>(Kind::Open).into_iter().chain(cases_of(Kind::Unbounded)) {
         assert_like_exact(&case, edge_rays(&case).into_iter());
-        assert_like_exact(&case, random_rays::<S>(4, 400).map(|(ray, _)| (ray.with_range(Range::line()), false)));
+        assert_like_exact(&case, random_rays::<S>(4, 4000).map(|(ray, _)| (ray.with_range(Range::line()), false)));
         for (ray, _) in edge_rays(&case) {
             if case.kind == Kind::Open {
                 assert!(!case.shape().hits(&ray).starts_inside(), "{}: an open surface has no inside", case.name);
@@ -142,7 +144,7 @@ fn rule_02_open_surfaces_and_unbounded_solids_report_the_ends_that_they_have<S: 
 fn rule_03_a_closed_range_drops_the_ends_outside_and_knows_a_start_inside<S: Exact>() {
     let mut random = Random(5);
     for case in cases::<S>() {
-        let rays = random_rays::<S>(6, 300).chain(edge_rays(&case).into_iter().step_by(5));
+        let rays = random_rays::<S>(6, 2000).chain(edge_rays(&case).into_iter().step_by(5));
         for (ray, _) in rays {
             let whole = case.shape().hits(&ray.with_range(Range::line()));
             // Ends at random, and exactly at hits: the range is closed.
@@ -193,7 +195,7 @@ fn rule_03_a_distance_that_the_type_cannot_hold_is_outside_every_range<S: Exact>
     let plane = Plane::new();
     assert!(plane.hits(&ray(most, -(2.0_f64.powi(-29)))).is_empty(), "{}", S::name());
     assert!(plane.nearest(&ray(most, -(2.0_f64.powi(-29)))).is_none());
-    assert_eq!(plane.hits(&ray(n(0.25), -(2.0_f64.powi(-3)))).len(), 1);
+    assert_eq!(plane.hits(&ray(n(0.25), -(2.0_f64.powi(-11)))).len(), 1);
     // A cylinder, left at an end that cannot be held: inside all the same.
     let tube = Cylinder::infinite(most).expect("the radius is at the budget");
     let up = [2.0_f64.powi(-29), 1.0, 0.0].map(<S::Unit as UnitScalar>::from_f64);
@@ -208,7 +210,7 @@ fn rule_04_t_is_the_parameter_of_the_direction_as_stored<S: Exact>() {
     for case in cases_of::<S>(Kind::Bounded) {
         for scale in [1.0 - 2.0_f64.powi(-22), 1.0 + 2.0_f64.powi(-22)] {
             let mut worst = 0.0_f64;
-            for _ in 0..150 {
+            for _ in 0..1000 {
                 let ray = random_ray::<S>(&mut random);
                 let off = ray.direction().to_f64().map(|c| <S::Unit as UnitScalar>::from_f64(c * scale));
                 let stored = UnitVec3::from_components(off).expect("unit within 2^-20");
@@ -390,7 +392,7 @@ fn rule_06_degenerate_rays_have_the_exact_answer<S: Exact>() {
 fn rule_07_normals_point_outwards_and_the_flipped_one_towards_the_ray<S: Exact>() {
     for case in cases::<S>() {
         let shape = case.shape();
-        for (ray, _) in random_rays::<S>(9, 1500) {
+        for (ray, _) in random_rays::<S>(9, 5000) {
             for hit in &shape.hits(&ray) {
                 let normal = shape.surface(&ray, hit).normal();
                 let [x, y, z] = normal.to_f64();
@@ -450,7 +452,7 @@ fn rule_08_a_ray_leaving_outwards_never_meets_a_convex_solid_again<S: Exact>() {
         if !case.is_convex() {
             continue;
         }
-        some_hits(&case, &mut Random(10), 4000, |shape, ray, hit, random| {
+        some_hits(&case, &mut Random(10), 20000, |shape, ray, hit, random| {
             let surface = shape.surface(ray, hit);
             let (any, cosine) = off(surface.normal(), random);
             let any = if cosine < 0.0 { -any } else { any };
@@ -466,7 +468,7 @@ fn rule_08_a_ray_leaving_outwards_never_meets_a_convex_solid_again<S: Exact>() {
 fn rule_08_a_ray_leaving_inwards_always_meets_the_far_end<S: Exact>() {
     for case in cases_of::<S>(Kind::Bounded) {
         let mut checked = 0;
-        some_hits(&case, &mut Random(11), 4000, |shape, ray, hit, random| {
+        some_hits(&case, &mut Random(11), 20000, |shape, ray, hit, random| {
             let surface = shape.surface(ray, hit);
             let (any, cosine) = off(surface.normal(), random);
             let (any, cosine) = if cosine > 0.0 { (-any, -cosine) } else { (any, cosine) };
@@ -515,7 +517,7 @@ fn rule_08_a_departing_ray_crosses_an_open_surface_only_elsewhere<S: Exact>() {
     let mut cases = cases_of::<S>(Kind::Open);
     cases.extend(cases_of(Kind::Unbounded));
     for case in cases {
-        some_hits(&case, &mut Random(12), 1500, |shape, ray, hit, random| {
+        some_hits(&case, &mut Random(12), 4000, |shape, ray, hit, random| {
             if !matches!(shape.placement(), raylet::Placement::World) {
                 return;
             }

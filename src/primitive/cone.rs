@@ -244,7 +244,9 @@ impl<S: Scalar> Cone<S> {
             Inside::From(t) => test.rising.then(|| half_line(true, t)),
             Inside::Until(t) => (!test.rising).then(|| half_line(false, t)),
             // Only a line along a generator has f = 0 everywhere; its own apex ends it.
-            Inside::InSurface | Inside::Everywhere => return NappeMeeting::Generator,
+            Inside::InSurface => return NappeMeeting::Generator,
+            // Only a line along the axis of a frustum of equal radii has f < 0 everywhere.
+            Inside::Everywhere => Some(Span::everywhere()),
         };
         span.map_or(NappeMeeting::Miss, NappeMeeting::In)
     }
