@@ -9,6 +9,7 @@ compile_error!(
 );
 
 pub mod affine;
+pub mod errata;
 pub mod frame;
 pub mod hit;
 mod line;

@@ -205,31 +205,28 @@ fn rule_03_a_distance_that_the_type_cannot_hold_is_outside_every_range<S: Exact>
 }
 
 fn rule_04_t_is_the_parameter_of_the_direction_as_stored<S: Exact>() {
-    // Longer and shorter than one by 2^-22: t is that of the bits, not that of the unit vector which they nearly are.
+    // Longer and shorter than one by nearly 2^-20, as much as is let in: t is that of the bits, not that of the unit
+    // vector which they nearly are. With a = 1 the median would be 6 units in `f32`, and 2^6 and more elsewhere.
     let mut random = Random(7);
     for case in cases_of::<S>(Kind::Bounded) {
-        for scale in [1.0 - 2.0_f64.powi(-22), 1.0 + 2.0_f64.powi(-22)] {
-            let mut worst = 0.0_f64;
-            for _ in 0..1000 {
+        for scale in [1.0 - 0.8 * 2.0_f64.powi(-20), 1.0 + 0.8 * 2.0_f64.powi(-20)] {
+            let mut errors = vec![];
+            for _ in 0..400 {
                 let ray = random_ray::<S>(&mut random);
                 let off = ray.direction().to_f64().map(|c| <S::Unit as UnitScalar>::from_f64(c * scale));
                 let stored = UnitVec3::from_components(off).expect("unit within 2^-20");
                 let ray = Ray::new(ray.origin(), stored).expect("origin");
-                match compare(&case, &ray, &case.shape().hits(&ray), tie::<S>()) {
-                    Verdict::Same(error) => {
-                        let hits = case.shape().hits(&ray);
-                        // The chord says how near grazing the ray is.
-                        if hits.len() == 2 && hits[1].t.to_f64() - hits[0].t.to_f64() > 0.5 {
-                            worst = worst.max(error);
-                        }
-                    }
-                    Verdict::Tie => {}
+                let hits = case.shape().hits(&ray);
+                match compare(&case, &ray, &hits, tie::<S>()) {
+                    Verdict::Same(error) if !hits.is_empty() => errors.push(error),
+                    Verdict::Same(_) | Verdict::Tie => {}
                     Verdict::Wrong(message) => panic!("{message}"),
                 }
             }
-            // An ulp of t = 8 is 2^-21 in f32; a = 1 would be wrong by 8 * 2^-22, and by 2^6 units and more elsewhere.
-            let bound = if S::name().starts_with('I') { 1.0 } else { 16.0 };
-            assert!(worst <= bound, "{} in {}: {worst} units", case.name, S::name());
+            errors.sort_by(f64::total_cmp);
+            // The worse of the two ends; one alone has 0.25 in fixed point and about 0.4 in floats.
+            let (median, bound) = (errors[errors.len() / 2], if S::name().starts_with('I') { 0.5 } else { 1.5 });
+            assert!(errors.len() > 100 && median <= bound, "{} in {}: {median} units", case.name, S::name());
         }
     }
 }
