@@ -76,6 +76,7 @@ compile_error!(
 );
 
 pub mod affine;
+pub mod errata;
 pub mod frame;
 pub mod hit;
 #[cfg(any(feature = "mint", feature = "serde"))]

@@ -6,7 +6,7 @@ use super::{
     Geometry, Line, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates,
 };
 use crate::hit::Part;
-use crate::quadric::Inside;
+use crate::quadric::{Inside, slab};
 use crate::ray::Leaving;
 use crate::scalar::{Real, Scalar};
 use crate::span::{End, Meeting, Span};
@@ -107,7 +107,13 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
         // it does not come back to the side: each end of the tube has one true end, or there is none at all.
         let (low, high, touch) = match tube::<S, T>(line, self.radius) {
             Inside::Between(span) => (span.enter.t, span.exit.t, span.touch),
-            Inside::InSurface | Inside::Everywhere => (-S::INFINITY, S::INFINITY, false),
+            Inside::Everywhere => (-S::INFINITY, S::INFINITY, false),
+            // From seam to seam, where the balls touch the line; without a side they touch it at one point.
+            Inside::InSurface => {
+                let between = slab::<S, T>(line.origin[1], line.direction[1], Some(S::ZERO), Some(self.height));
+                let touch = self.height == S::ZERO;
+                return Meeting::solid(between.map(|span| Span { touch, ..span })).along_the_side();
+            }
             _ => return Meeting::Miss,
         };
         let (Some(enter), Some(exit)) = (self.end::<T>(line, low, true), self.end::<T>(line, high, false)) else {

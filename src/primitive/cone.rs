@@ -303,7 +303,9 @@ impl<S: Scalar> Cone<S> {
             Inside::From(t) => test.rising.then(|| half_line(true, t)),
             Inside::Until(t) => (!test.rising).then(|| half_line(false, t)),
             // Only a line along a generator has f = 0 everywhere; its own apex ends it.
-            Inside::InSurface | Inside::Everywhere => return NappeMeeting::Generator,
+            Inside::InSurface => return NappeMeeting::Generator,
+            // Only a line along the axis of a frustum of equal radii has f < 0 everywhere.
+            Inside::Everywhere => Some(Span::everywhere()),
         };
         span.map_or(NappeMeeting::Miss, NappeMeeting::In)
     }
@@ -399,7 +401,9 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         let (low, high) = self.planes();
         let side = match (self.one_nappe::<T>(line), self.extent) {
             (NappeMeeting::In(span), _) => span,
-            (NappeMeeting::Generator, Extent::Capped(_)) => self.generator::<T>(line),
+            (NappeMeeting::Generator, Extent::Capped(_)) => {
+                return capped::<S, T>(line, self.generator::<T>(line), low, high).along_the_side();
+            }
             (NappeMeeting::Generator, _) => {
                 let [_, y, _] = line.origin;
                 let [_, dy, _] = line.direction;

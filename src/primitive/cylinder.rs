@@ -136,11 +136,14 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
     fn meet<T: Tier<S>>(&self, line: &Line<S>) -> Meeting<S> {
         let side = match tube::<S, T>(line, self.radius) {
             Inside::Between(span) => span,
-            // A line in the wall lies in the surface; in the closed solid it counts as inside.
+            // A line in the wall lies in the surface; in the closed solid it runs from rim to rim.
             Inside::InSurface => match self.extent {
                 Extent::Infinite => return Meeting::LiesIn(Span::everywhere()),
                 Extent::Open(height) => return lies_in_wall::<S, T>(line, height),
-                Extent::Capped(_) => Span::everywhere(),
+                Extent::Capped(height) => {
+                    let through = capped::<S, T>(line, Span::everywhere(), Some(S::ZERO), Some(height));
+                    return through.along_the_side();
+                }
             },
             Inside::Everywhere => Span::everywhere(),
             // A departing ray parallel to the axis runs in the wall.

@@ -16,8 +16,9 @@
 //!
 //! | ray | answer |
 //! |---|---|
-//! | parallel to a cylinder's axis, inside or exactly in the wall | enters and leaves through the caps (rule 1: the set is closed) |
-//! | the same for an open or infinite cylinder, inside | no hit |
+//! | parallel to a cylinder's axis, inside | enters and leaves through the caps |
+//! | the same, exactly in the wall | from rim to rim (rule 1: the set is closed), which belong to the side |
+//! | parallel to the axis of an open or infinite cylinder, inside | no hit |
 //! | the same, in the wall | [`coincident`](crate::Hits::coincident) |
 //! | parallel to a cone's generator | one root, `-c/(2k)`, not none |
 //! | along a cone's generator | `coincident` for an open or infinite cone; apex to cap for a capped one |

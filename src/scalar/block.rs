@@ -25,7 +25,7 @@ macro_rules! block {
         }
 
         impl $Block {
-            /// Bits of a factor that is multiplied without loss.
+            /// Bits of a factor that is multiplied without loss, however long the other one is.
             const HALF: u32 = $bits / 2 - 1;
 
             /// `mantissa * 2^exponent`, exactly; the mantissa's magnitude must not exceed `2^($bits - 2)`.
@@ -46,14 +46,19 @@ macro_rules! block {
                 self.exponent
             }
 
-            /// Rounded to at most `HALF` bits (or exactly `2^HALF`).
-            #[inline]
-            fn reduced(self) -> Self {
-                let bits = $bits - self.mantissa.unsigned_abs().leading_zeros();
-                if bits <= Self::HALF {
+            /// Bits of the magnitude.
+            #[inline(always)]
+            fn bits(self) -> u32 {
+                $bits - self.mantissa.unsigned_abs().leading_zeros()
+            }
+
+            /// The mantissa rounded from `bits` to `room` bits (or exactly `2^room`).
+            #[inline(always)]
+            fn reduced(self, bits: u32, room: u32) -> Self {
+                if bits <= room {
                     return self;
                 }
-                let drop = bits - Self::HALF;
+                let drop = bits - room;
                 Self::new(shift_right_rounded!(self.mantissa, drop), self.exponent.wrapping_add(drop as i32))
             }
 
@@ -203,7 +208,19 @@ macro_rules! block {
             type Output = Self;
             #[inline]
             fn mul(self, other: Self) -> Self {
-                let (a, b) = (self.reduced(), other.reduced());
+                const ROOM: u32 = $bits - 2;
+                let (mut a, mut b) = (self, other);
+                let (p, q) = (a.bits(), b.bits());
+                if p + q > ROOM {
+                    // What the shorter factor leaves free belongs to the longer one.
+                    (a, b) = if p <= Self::HALF {
+                        (a, b.reduced(q, ROOM - p))
+                    } else if q <= Self::HALF {
+                        (a.reduced(p, ROOM - q), b)
+                    } else {
+                        (a.reduced(p, Self::HALF), b.reduced(q, Self::HALF))
+                    };
+                }
                 Self::new(a.mantissa * b.mantissa, a.exponent.wrapping_add(b.exponent))
             }
         }
