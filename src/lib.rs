@@ -7,12 +7,27 @@ extern crate std;
 compile_error!(
     "raylet needs a float backend: enable the feature `libm` (on by default), or `std`, which brings it along"
 );
+
+pub mod affine;
+pub mod frame;
 pub mod hit;
+mod line;
+pub mod primitive;
+mod quadric;
+mod query;
 pub mod ray;
 pub mod scalar;
+pub mod shape;
+mod span;
+pub mod tier;
 pub mod vector;
 
+pub use affine::Affine;
+pub use frame::{Frame, FrameError};
 pub use hit::{Crossing, Hit, Hits, Part};
+pub use primitive::{Capsule, Cone, Cylinder, Disc, Plane, SizeError, Sphere, Triangle};
 pub use ray::{Departure, Leaving, Range, Ray, RayError};
 pub use scalar::Scalar;
+pub use shape::{Bounds, Placement, Primitive, Shape, Surface, Visible};
+pub use tier::{Stable, Tier};
 pub use vector::{UnitVec3, Vec3};

@@ -25,7 +25,11 @@ impl<S: Scalar> Range<S> {
     /// [`RayError::Range`] if an end is not finite or `start > end`.
     #[inline]
     pub fn new(start: S, end: S) -> Result<Self, RayError> {
-        if start.is_finite() && end.is_finite() && start <= end { Ok(Self { start, end }) } else { Err(RayError::Range) }
+        if start.is_finite() && end.is_finite() && start <= end {
+            Ok(Self { start, end })
+        } else {
+            Err(RayError::Range)
+        }
     }
 
     /// The whole line, in both directions.

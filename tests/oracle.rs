@@ -10,9 +10,8 @@ use std::cmp::Ordering;
 use dashu::integer::IBig;
 use dashu::rational::RBig;
 use oracle::{
-    Answer, Approach, ConeExtent, CylinderExtent, Dyadic, ExpectedCrossing, Line, Membership, Part,
-    Root, Solid, contains, exact_f32, exact_f64, exact_fixed, gradient, hits_in_range, margin,
-    normal, solve,
+    Answer, Approach, ConeExtent, CylinderExtent, Dyadic, ExpectedCrossing, Line, Membership, Part, Root, Solid,
+    contains, exact_f32, exact_f64, exact_fixed, gradient, hits_in_range, margin, normal, solve,
 };
 
 /// SplitMix64.
@@ -67,16 +66,11 @@ fn line(origin: [f64; 3], direction: [f64; 3]) -> Line {
 }
 
 fn sphere(radius: f64) -> Solid {
-    Solid::Sphere {
-        radius: number(radius),
-    }
+    Solid::Sphere { radius: number(radius) }
 }
 
 fn cylinder(radius: f64, extent: CylinderExtent) -> Solid {
-    Solid::Cylinder {
-        radius: number(radius),
-        extent,
-    }
+    Solid::Cylinder { radius: number(radius), extent }
 }
 
 fn capped_cylinder(radius: f64, height: f64) -> Solid {
@@ -84,32 +78,19 @@ fn capped_cylinder(radius: f64, height: f64) -> Solid {
 }
 
 fn cone(slope: f64, extent: ConeExtent) -> Solid {
-    Solid::Cone {
-        slope: number(slope),
-        extent,
-    }
+    Solid::Cone { slope: number(slope), extent }
 }
 
 fn frustum(base_radius: f64, top_radius: f64, height: f64, capped: bool) -> Solid {
-    Solid::Frustum {
-        base_radius: number(base_radius),
-        top_radius: number(top_radius),
-        height: number(height),
-        capped,
-    }
+    Solid::Frustum { base_radius: number(base_radius), top_radius: number(top_radius), height: number(height), capped }
 }
 
 fn capsule(radius: f64, height: f64) -> Solid {
-    Solid::Capsule {
-        radius: number(radius),
-        height: number(height),
-    }
+    Solid::Capsule { radius: number(radius), height: number(height) }
 }
 
 fn triangle(vertices: [[f64; 3]; 3]) -> Solid {
-    Solid::Triangle {
-        vertices: vertices.map(|vertex| vertex.map(number)),
-    }
+    Solid::Triangle { vertices: vertices.map(|vertex| vertex.map(number)) }
 }
 
 /// Solids whose answers are spans.
@@ -140,28 +121,13 @@ fn solids() -> Vec<Solid> {
 fn open_and_capped() -> Vec<(Solid, Solid)> {
     let mut pairs = vec![];
     for (radius, height) in [(1.0, 2.0), (2.5, 0.5)] {
-        pairs.push((
-            cylinder(radius, CylinderExtent::Open(number(height))),
-            capped_cylinder(radius, height),
-        ));
+        pairs.push((cylinder(radius, CylinderExtent::Open(number(height))), capped_cylinder(radius, height)));
     }
     for (slope, height) in [(1.0, 2.0), (0.5, 2.0), (2.0, 1.0)] {
-        pairs.push((
-            cone(slope, ConeExtent::Open(number(height))),
-            cone(slope, ConeExtent::Capped(number(height))),
-        ));
+        pairs.push((cone(slope, ConeExtent::Open(number(height))), cone(slope, ConeExtent::Capped(number(height)))));
     }
-    for (base, top, height) in [
-        (2.0, 1.0, 2.0),
-        (1.0, 2.0, 1.0),
-        (1.0, 1.0, 1.5),
-        (0.0, 1.0, 1.0),
-        (2.0, 0.0, 2.0),
-    ] {
-        pairs.push((
-            frustum(base, top, height, false),
-            frustum(base, top, height, true),
-        ));
+    for (base, top, height) in [(2.0, 1.0, 2.0), (1.0, 2.0, 1.0), (1.0, 1.0, 1.5), (0.0, 1.0, 1.0), (2.0, 0.0, 2.0)] {
+        pairs.push((frustum(base, top, height, false), frustum(base, top, height, true)));
     }
     pairs
 }
@@ -178,18 +144,11 @@ impl Surd {
     fn coordinate(line: &Line, t: &Root, axis: usize) -> Self {
         let (first, second, radicand) = t.parts();
         let factor = line.direction[axis].to_rational();
-        Self {
-            first: line.origin[axis].to_rational() + first * &factor,
-            second: second * factor,
-            radicand,
-        }
+        Self { first: line.origin[axis].to_rational() + first * &factor, second: second * factor, radicand }
     }
 
     fn plus(&self, rational: RBig) -> Self {
-        Self {
-            first: &self.first + rational,
-            ..self.clone()
-        }
+        Self { first: &self.first + rational, ..self.clone() }
     }
 
     fn squared(&self) -> Self {
@@ -209,11 +168,7 @@ impl Surd {
     }
 
     fn times(&self, factor: &RBig) -> Self {
-        Self {
-            first: &self.first * factor,
-            second: &self.second * factor,
-            radicand: self.radicand.clone(),
-        }
+        Self { first: &self.first * factor, second: &self.second * factor, radicand: self.radicand.clone() }
     }
 
     fn sign(&self) -> i32 {
@@ -236,16 +191,12 @@ fn is_on_part(solid: &Solid, part: Part, line: &Line, t: &Root) -> bool {
     let within = |height: &Dyadic| y.sign() >= 0 && level(height).sign() <= 0;
     // The wall's equation, and the cap's radius squared less the point's distance from the axis squared.
     match solid {
-        Solid::Sphere { radius } => {
-            part == Part::Side && from_axis.sum(&y.squared()).plus(-square(radius)).sign() == 0
-        }
+        Solid::Sphere { radius } => part == Part::Side && from_axis.sum(&y.squared()).plus(-square(radius)).sign() == 0,
         Solid::Cylinder { radius, extent } => {
             let wall = from_axis.plus(-square(radius)).sign();
             match (part, extent) {
                 (Part::Side, CylinderExtent::Infinite) => wall == 0,
-                (Part::Side, CylinderExtent::Open(h) | CylinderExtent::Capped(h)) => {
-                    wall == 0 && within(h)
-                }
+                (Part::Side, CylinderExtent::Open(h) | CylinderExtent::Capped(h)) => wall == 0 && within(h),
                 (Part::Base, CylinderExtent::Capped(_)) => y.sign() == 0 && wall < 0,
                 (Part::Top, CylinderExtent::Capped(h)) => level(h).sign() == 0 && wall < 0,
                 _ => false,
@@ -261,17 +212,10 @@ fn is_on_part(solid: &Solid, part: Part, line: &Line, t: &Root) -> bool {
                 _ => false,
             }
         }
-        Solid::Frustum {
-            base_radius,
-            top_radius,
-            height,
-            capped,
-        } => {
+        Solid::Frustum { base_radius, top_radius, height, capped } => {
             let slope = (top_radius - base_radius).to_rational() / height.to_rational();
             let reach = y.times(&slope).plus(base_radius.to_rational());
-            let wall = from_axis
-                .sum(&reach.squared().times(&RBig::from(-1)))
-                .sign();
+            let wall = from_axis.sum(&reach.squared().times(&RBig::from(-1))).sign();
             match part {
                 Part::Side => wall == 0 && within(height),
                 Part::Base => *capped && y.sign() == 0 && wall < 0,
@@ -290,15 +234,13 @@ fn is_on_part(solid: &Solid, part: Part, line: &Line, t: &Root) -> bool {
         Solid::Disc { radius } => y.sign() == 0 && from_axis.plus(-square(radius)).sign() <= 0,
         Solid::Triangle { vertices } => {
             // Barycentric: the point on either side of each edge, by the coordinates that are left when one is dropped.
-            let v = vertices
-                .each_ref()
-                .map(|vertex| vertex.each_ref().map(Dyadic::to_rational));
+            let v = vertices.each_ref().map(|vertex| vertex.each_ref().map(Dyadic::to_rational));
             let p = [x, y, z];
             let mut projections = 0;
             for drop in 0..3 {
                 let (i, j) = ((drop + 1) % 3, (drop + 2) % 3);
-                let area = (&v[1][i] - &v[0][i]) * (&v[2][j] - &v[0][j])
-                    - (&v[2][i] - &v[0][i]) * (&v[1][j] - &v[0][j]);
+                let area =
+                    (&v[1][i] - &v[0][i]) * (&v[2][j] - &v[0][j]) - (&v[2][i] - &v[0][i]) * (&v[1][j] - &v[0][j]);
                 let orientation = area.partial_cmp(&RBig::ZERO).unwrap() as i32;
                 if orientation == 0 {
                     continue;
@@ -319,8 +261,8 @@ fn is_on_part(solid: &Solid, part: Part, line: &Line, t: &Root) -> bool {
             let volume = (0..3)
                 .map(|axis| {
                     let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
-                    let area = (&v[1][i] - &v[0][i]) * (&v[2][j] - &v[0][j])
-                        - (&v[2][i] - &v[0][i]) * (&v[1][j] - &v[0][j]);
+                    let area =
+                        (&v[1][i] - &v[0][i]) * (&v[2][j] - &v[0][j]) - (&v[2][i] - &v[0][i]) * (&v[1][j] - &v[0][j]);
                     p[axis].plus(-v[0][axis].clone()).times(&area)
                 })
                 .reduce(|sum, next| sum.sum(&next))
@@ -349,15 +291,8 @@ fn ends(answer: &Answer) -> Vec<(Root, Part)> {
             .flatten()
             .map(|end| (end.t.clone(), end.part))
             .collect(),
-        Answer::Crossings(crossings) => crossings
-            .iter()
-            .map(|crossing| (crossing.t.clone(), crossing.part))
-            .collect(),
-        Answer::Coincident { from, to } => [from, to]
-            .into_iter()
-            .flatten()
-            .map(|t| (t.clone(), Part::Side))
-            .collect(),
+        Answer::Crossings(crossings) => crossings.iter().map(|crossing| (crossing.t.clone(), crossing.part)).collect(),
+        Answer::Coincident { from, to } => [from, to].into_iter().flatten().map(|t| (t.clone(), Part::Side)).collect(),
     }
 }
 
@@ -382,8 +317,7 @@ fn spans_are_the_parameters_of_the_points_that_belong_to_the_solid() {
                 let membership = contains(&solid, &line.point_at(&t));
                 let expected = match &answer {
                     Answer::Spans(spans) => spans.iter().any(|span| {
-                        let t_of =
-                            |end: &Option<oracle::End>| end.as_ref().map(|end| end.t.clone());
+                        let t_of = |end: &Option<oracle::End>| end.as_ref().map(|end| end.t.clone());
                         reaches(t_of(&span.enter).as_ref(), t_of(&span.exit).as_ref(), &t)
                     }),
                     Answer::Coincident { from, to } => reaches(from.as_ref(), to.as_ref(), &t),
@@ -395,11 +329,7 @@ fn spans_are_the_parameters_of_the_points_that_belong_to_the_solid() {
                     "{solid:?}\n{line:?}\nat {t:?}: {membership:?}, but {answer:?}"
                 );
                 if membership == Membership::Inside {
-                    assert!(
-                        parameters(&answer)
-                            .iter()
-                            .all(|end| end.cmp_dyadic(&t) != Ordering::Equal)
-                    );
+                    assert!(parameters(&answer).iter().all(|end| end.cmp_dyadic(&t) != Ordering::Equal));
                     assert!(!matches!(answer, Answer::Coincident { .. }));
                 }
             }
@@ -408,26 +338,14 @@ fn spans_are_the_parameters_of_the_points_that_belong_to_the_solid() {
                     touches += spans.iter().filter(|span| span.is_touch()).count();
                     pairs += spans.len();
                     assert!(parameters(&answer).is_sorted());
-                    assert!(
-                        spans.len() < 2
-                            || matches!(
-                                &solid,
-                                Solid::Cone {
-                                    extent: ConeExtent::Double,
-                                    ..
-                                }
-                            )
-                    );
+                    assert!(spans.len() < 2 || matches!(&solid, Solid::Cone { extent: ConeExtent::Double, .. }));
                 }
                 _ => coincidences += 1,
             }
         }
     }
     // The grid must be coarse enough to bring these about.
-    assert!(
-        touches > 50 && pairs > 1000 && coincidences > 5,
-        "{touches} {pairs} {coincidences}"
-    );
+    assert!(touches > 50 && pairs > 1000 && coincidences > 5, "{touches} {pairs} {coincidences}");
 }
 
 #[test]
@@ -438,9 +356,7 @@ fn ends_lie_on_the_part_that_they_name() {
         let line = random.line();
         let flat = [
             Solid::Plane,
-            Solid::Disc {
-                radius: number(2.0),
-            },
+            Solid::Disc { radius: number(2.0) },
             triangle([[-2.0, 0.0, -1.0], [2.0, 0.0, -1.0], [0.0, 0.0, 2.0]]),
             triangle([[2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 2.0]]),
         ];
@@ -448,10 +364,7 @@ fn ends_lie_on_the_part_that_they_name() {
         for solid in solids().into_iter().chain(flat).chain(open) {
             for (t, part) in ends(&solve(&solid, &line)) {
                 found[part as usize] += 1;
-                assert!(
-                    is_on_part(&solid, part, &line, &t),
-                    "{solid:?}\n{line:?}\n{part:?} at {t:?}"
-                );
+                assert!(is_on_part(&solid, part, &line, &t), "{solid:?}\n{line:?}\n{part:?} at {t:?}");
             }
         }
     }
@@ -467,11 +380,8 @@ fn an_open_side_is_met_where_the_capped_solid_is_met_on_its_side() {
         for (open, capped) in open_and_capped() {
             let answer = solve(&open, &line);
             let solid = solve(&capped, &line);
-            let mut of_side: Vec<Root> = ends(&solid)
-                .into_iter()
-                .filter(|(_, part)| *part == Part::Side)
-                .map(|(t, _)| t)
-                .collect();
+            let mut of_side: Vec<Root> =
+                ends(&solid).into_iter().filter(|(_, part)| *part == Part::Side).map(|(t, _)| t).collect();
             if let Answer::Coincident { from, to } = &answer {
                 coincidences += 1;
                 assert_eq!(of_side, [from.clone().unwrap(), to.clone().unwrap()]);
@@ -490,15 +400,9 @@ fn side_of_continued(open: &Solid, [x, y, z]: &[Dyadic; 3]) -> i8 {
     let (weight, reach) = match open {
         Solid::Cylinder { radius, .. } => (Dyadic::from(1), radius.clone()),
         Solid::Cone { slope, .. } => (Dyadic::from(1), slope * y),
-        Solid::Frustum {
-            base_radius,
-            top_radius,
-            height,
-            ..
-        } => (
-            height.clone(),
-            &(base_radius * &(height - y)) + &(top_radius * y),
-        ),
+        Solid::Frustum { base_radius, top_radius, height, .. } => {
+            (height.clone(), &(base_radius * &(height - y)) + &(top_radius * y))
+        }
         _ => panic!("{open:?} is not an open side"),
     };
     if reach.signum() < 0 {
@@ -528,11 +432,7 @@ fn crossings_go_the_way_they_say() {
                     Approach::Touch => (-1, -1),
                 };
                 found[crossing.side as usize] += 1;
-                assert_eq!(
-                    (before, after),
-                    expected,
-                    "{open:?}\n{line:?}\n{crossing:?}"
-                );
+                assert_eq!((before, after), expected, "{open:?}\n{line:?}\n{crossing:?}");
             }
         }
     }
@@ -543,20 +443,9 @@ fn crossings_go_the_way_they_say() {
 fn flat_surfaces_are_met_where_their_points_are() {
     let surfaces = [
         (Solid::Plane, [0.0, 1.0, 0.0]),
-        (
-            Solid::Disc {
-                radius: number(2.0),
-            },
-            [0.0, 1.0, 0.0],
-        ),
-        (
-            triangle([[-2.0, 0.0, -1.0], [2.0, 0.0, -1.0], [0.0, 0.0, 2.0]]),
-            [0.0, -1.0, 0.0],
-        ),
-        (
-            triangle([[2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 2.0]]),
-            [1.0, 1.0, 1.0],
-        ),
+        (Solid::Disc { radius: number(2.0) }, [0.0, 1.0, 0.0]),
+        (triangle([[-2.0, 0.0, -1.0], [2.0, 0.0, -1.0], [0.0, 0.0, 2.0]]), [0.0, -1.0, 0.0]),
+        (triangle([[2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 2.0]]), [1.0, 1.0, 1.0]),
     ];
     let mut random = Random(5);
     let (mut crossings, mut coincidences) = (0, 0);
@@ -564,20 +453,14 @@ fn flat_surfaces_are_met_where_their_points_are() {
         let line = random.line();
         for (surface, facing) in &surfaces {
             let facing = facing.map(number);
-            let along: Dyadic = (0..3)
-                .map(|axis| &facing[axis] * &line.direction[axis])
-                .reduce(|sum, next| &sum + &next)
-                .unwrap();
+            let along: Dyadic =
+                (0..3).map(|axis| &facing[axis] * &line.direction[axis]).reduce(|sum, next| &sum + &next).unwrap();
             let answer = solve(surface, &line);
             match &answer {
                 Answer::Crossings(found) => {
                     crossings += found.len();
                     for crossing in found {
-                        let expected = if along.signum() < 0 {
-                            Approach::FromOutside
-                        } else {
-                            Approach::FromInside
-                        };
+                        let expected = if along.signum() < 0 { Approach::FromOutside } else { Approach::FromInside };
                         assert_eq!(crossing.side, expected);
                         assert_ne!(along.signum(), 0);
                     }
@@ -590,22 +473,14 @@ fn flat_surfaces_are_met_where_their_points_are() {
                 let t = Dyadic::new(step, -2);
                 let reported = match &answer {
                     Answer::Coincident { from, to } => reaches(from.as_ref(), to.as_ref(), &t),
-                    _ => parameters(&answer)
-                        .iter()
-                        .any(|at| at.cmp_dyadic(&t) == Ordering::Equal),
+                    _ => parameters(&answer).iter().any(|at| at.cmp_dyadic(&t) == Ordering::Equal),
                 };
                 let belongs = contains(surface, &line.point_at(&t)) == Membership::OnSurface;
-                assert_eq!(
-                    belongs, reported,
-                    "{surface:?}\n{line:?}\nat {t:?}: {answer:?}"
-                );
+                assert_eq!(belongs, reported, "{surface:?}\n{line:?}\nat {t:?}: {answer:?}");
             }
         }
     }
-    assert!(
-        crossings > 5000 && coincidences > 500,
-        "{crossings} {coincidences}"
-    );
+    assert!(crossings > 5000 && coincidences > 500, "{crossings} {coincidences}");
 }
 
 #[test]
@@ -614,24 +489,13 @@ fn lines_and_solids_scale_together() {
     let mut random = Random(6);
     for _ in 0..300 {
         let line = random.line();
-        let scaled = Line::new(
-            line.origin.each_ref().map(|x| x.scaled(-90)),
-            line.direction.each_ref().map(|x| x.scaled(70)),
-        );
+        let scaled =
+            Line::new(line.origin.each_ref().map(|x| x.scaled(-90)), line.direction.each_ref().map(|x| x.scaled(70)));
         let back = Dyadic::power_of_two(160);
         for (solid, small) in [
-            (
-                capsule(1.5, 2.0),
-                capsule(1.5 * 2f64.powi(-90), 2f64.powi(-89)),
-            ),
-            (
-                frustum(2.0, 1.0, 2.0, true),
-                frustum(2f64.powi(-89), 2f64.powi(-90), 2f64.powi(-89), true),
-            ),
-            (
-                cone(0.5, ConeExtent::Capped(number(2.0))),
-                cone(0.5, ConeExtent::Capped(number(2f64.powi(-89)))),
-            ),
+            (capsule(1.5, 2.0), capsule(1.5 * 2f64.powi(-90), 2f64.powi(-89))),
+            (frustum(2.0, 1.0, 2.0, true), frustum(2f64.powi(-89), 2f64.powi(-90), 2f64.powi(-89), true)),
+            (cone(0.5, ConeExtent::Capped(number(2.0))), cone(0.5, ConeExtent::Capped(number(2f64.powi(-89))))),
         ] {
             let expected = ends(&solve(&solid, &line));
             let found = ends(&solve(&small, &scaled));
@@ -661,11 +525,7 @@ fn normals_are_unit_and_face_outwards() {
                 .filter_map(|(end, entering)| Some((end.as_ref()?, entering)))
             {
                 let facing = normal(&solid, end.part, &end.t, &line);
-                let square = facing
-                    .iter()
-                    .map(Dyadic::squared)
-                    .reduce(|sum, next| &sum + &next)
-                    .unwrap();
+                let square = facing.iter().map(Dyadic::squared).reduce(|sum, next| &sum + &next).unwrap();
                 let excess = (&square - &Dyadic::from(1)).magnitude();
                 assert!(excess < Dyadic::power_of_two(-110), "{facing:?}");
                 let longer = gradient(&solid, end.part, &end.t, &line);
@@ -673,28 +533,15 @@ fn normals_are_unit_and_face_outwards() {
                 // A little along the normal from the point is outside, whatever part shares the point.
                 let point: [Dyadic; 3] =
                     std::array::from_fn(|axis| line.coordinate_at(&end.t, axis).approximation(200));
-                let beyond: [Dyadic; 3] =
-                    std::array::from_fn(|axis| &point[axis] + &(&little * &facing[axis]));
+                let beyond: [Dyadic; 3] = std::array::from_fn(|axis| &point[axis] + &(&little * &facing[axis]));
                 // But at the apex of a double cone, where the axis leads into the other nappe.
-                let double = matches!(
-                    &solid,
-                    Solid::Cone {
-                        extent: ConeExtent::Double,
-                        ..
-                    }
-                );
+                let double = matches!(&solid, Solid::Cone { extent: ConeExtent::Double, .. });
                 if double && line.coordinate_at(&end.t, 1).signum() == 0 {
                     continue;
                 }
-                assert_eq!(
-                    contains(&solid, &beyond),
-                    Membership::Outside,
-                    "{solid:?}\n{line:?}\n{end:?}"
-                );
-                let along = (0..3)
-                    .map(|axis| &facing[axis] * &line.direction[axis])
-                    .reduce(|sum, next| &sum + &next)
-                    .unwrap();
+                assert_eq!(contains(&solid, &beyond), Membership::Outside, "{solid:?}\n{line:?}\n{end:?}");
+                let along =
+                    (0..3).map(|axis| &facing[axis] * &line.direction[axis]).reduce(|sum, next| &sum + &next).unwrap();
                 // At a rim the line may come in by way of the cap, against the side's normal.
                 let smooth = matches!(solid, Solid::Sphere { .. } | Solid::Capsule { .. });
                 if smooth && along.magnitude() > Dyadic::power_of_two(-100) {
@@ -718,10 +565,7 @@ fn normals_are_unit_and_face_outwards() {
 fn normals_of_known_points() {
     let close = |found: &[Dyadic; 3], expected: [f64; 3]| {
         for axis in 0..3 {
-            assert!(
-                (found[axis].to_f64() - expected[axis]).abs() < 1e-15,
-                "{found:?} {expected:?}"
-            );
+            assert!((found[axis].to_f64() - expected[axis]).abs() < 1e-15, "{found:?} {expected:?}");
         }
     };
     let across = line([3.0, 1.0, 0.0], [-1.0, 0.0, 0.0]);
@@ -730,67 +574,23 @@ fn normals_of_known_points() {
         let (t, part) = ends(&solve(solid, line)).remove(0);
         normal(solid, part, &t, line)
     };
-    close(
-        &first(&cone(1.0, ConeExtent::Nappe), &across),
-        [half, -half, 0.0],
-    );
-    close(
-        &first(
-            &cone(1.0, ConeExtent::Double),
-            &line([3.0, -1.0, 0.0], [-1.0, 0.0, 0.0]),
-        ),
-        [half, half, 0.0],
-    );
-    close(
-        &first(&frustum(2.0, 0.0, 2.0, true), &across),
-        [half, half, 0.0],
-    );
-    close(
-        &first(&frustum(0.0, 4.0, 2.0, true), &across),
-        [0.2f64.sqrt(), -0.8f64.sqrt(), 0.0],
-    );
-    close(
-        &first(
-            &cylinder(1.0, CylinderExtent::Infinite),
-            &line([0.6, 1.0, 5.0], [0.0, 0.0, -1.0]),
-        ),
-        [0.6, 0.0, 0.8],
-    );
+    close(&first(&cone(1.0, ConeExtent::Nappe), &across), [half, -half, 0.0]);
+    close(&first(&cone(1.0, ConeExtent::Double), &line([3.0, -1.0, 0.0], [-1.0, 0.0, 0.0])), [half, half, 0.0]);
+    close(&first(&frustum(2.0, 0.0, 2.0, true), &across), [half, half, 0.0]);
+    close(&first(&frustum(0.0, 4.0, 2.0, true), &across), [0.2f64.sqrt(), -0.8f64.sqrt(), 0.0]);
+    close(&first(&cylinder(1.0, CylinderExtent::Infinite), &line([0.6, 1.0, 5.0], [0.0, 0.0, -1.0])), [0.6, 0.0, 0.8]);
     let above = line([0.25, 9.0, 0.0], [0.0, -1.0, 0.0]);
     close(&first(&capped_cylinder(1.0, 2.0), &above), [0.0, 1.0, 0.0]);
-    close(
-        &first(
-            &capped_cylinder(1.0, 2.0),
-            &line([0.25, -9.0, 0.0], [0.0, 1.0, 0.0]),
-        ),
-        [0.0, -1.0, 0.0],
-    );
+    close(&first(&capped_cylinder(1.0, 2.0), &line([0.25, -9.0, 0.0], [0.0, 1.0, 0.0])), [0.0, -1.0, 0.0]);
     // Apexes face along the axis, away from the body.
     let through = line([-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]);
-    close(
-        &first(&cone(1.0, ConeExtent::Nappe), &through),
-        [0.0, -1.0, 0.0],
-    );
-    close(
-        &first(
-            &frustum(1.0, 0.0, 2.0, true),
-            &line([-1.0, 2.0, 0.0], [1.0, 0.0, 0.0]),
-        ),
-        [0.0, 1.0, 0.0],
-    );
-    close(
-        &first(
-            &capsule(1.0, 2.0),
-            &line([0.0, 9.0, 0.75], [0.0, -1.0, 0.0]),
-        ),
-        [0.0, (1.0f64 - 0.5625).sqrt(), 0.75],
-    );
+    close(&first(&cone(1.0, ConeExtent::Nappe), &through), [0.0, -1.0, 0.0]);
+    close(&first(&frustum(1.0, 0.0, 2.0, true), &line([-1.0, 2.0, 0.0], [1.0, 0.0, 0.0])), [0.0, 1.0, 0.0]);
+    close(&first(&capsule(1.0, 2.0), &line([0.0, 9.0, 0.75], [0.0, -1.0, 0.0])), [0.0, (1.0f64 - 0.5625).sqrt(), 0.75]);
 }
 
 fn random_root(random: &mut Random) -> Root {
-    let rational = |random: &mut Random, bound| {
-        RBig::from(random.within(bound)) / RBig::from(random.below(4) + 1)
-    };
+    let rational = |random: &mut Random, bound| RBig::from(random.within(bound)) / RBig::from(random.below(4) + 1);
     let square_class = RBig::from([0, 1, 2, 3, 8][random.below(5) as usize]);
     let factor = rational(random, 3);
     let q = loop {
@@ -809,8 +609,7 @@ fn roots_compare_as_their_enclosures_do() {
     let mut found = [0; 3];
     for _ in 0..40_000 {
         let (left, right) = (random_root(&mut random), random_root(&mut random));
-        let ((left_low, left_high), (right_low, right_high)) =
-            (left.enclosure(400), right.enclosure(400));
+        let ((left_low, left_high), (right_low, right_high)) = (left.enclosure(400), right.enclosure(400));
         // Numbers of this size are equal, or much further apart than their enclosures are wide.
         let expected = if left_high < right_low {
             Ordering::Less
@@ -841,12 +640,7 @@ fn roots_that_differ_by_almost_nothing_are_told_apart() {
         let tripled = Root::from_rationals(&RBig::from(1), 1, &RBig::from(18), &RBig::from(3));
         let shifted = root_two.mul_add(&Dyadic::from(3), &Dyadic::from(1));
         assert_eq!(tripled.mul_add(&Dyadic::from(3), &Dyadic::zero()), shifted);
-        let other = Root::from_rationals(
-            &RBig::from(1),
-            1,
-            &(square.to_rational() * RBig::from(9)),
-            &RBig::from(3),
-        );
+        let other = Root::from_rationals(&RBig::from(1), 1, &(square.to_rational() * RBig::from(9)), &RBig::from(3));
         assert_eq!(other.cmp(&tripled), Ordering::Less);
     }
 }
@@ -857,21 +651,11 @@ fn enclosures_hold_the_number_and_are_as_narrow_as_asked() {
     for round in 0..20_000 {
         let root = random_root(&mut random);
         // Cancellation: less a number close to itself.
-        let root = if round % 2 == 0 {
-            root
-        } else {
-            root.mul_add(&Dyadic::from(1), &-&root.approximation(30))
-        };
+        let root = if round % 2 == 0 { root } else { root.mul_add(&Dyadic::from(1), &-&root.approximation(30)) };
         for bits in [1, 24, 120] {
             let (low, high) = root.enclosure(bits);
-            assert!(
-                root.cmp_dyadic(&low) != Ordering::Less
-                    && root.cmp_dyadic(&high) != Ordering::Greater
-            );
-            let widest = low
-                .magnitude()
-                .min(high.magnitude())
-                .scaled(-(bits as isize));
+            assert!(root.cmp_dyadic(&low) != Ordering::Less && root.cmp_dyadic(&high) != Ordering::Greater);
+            let widest = low.magnitude().min(high.magnitude()).scaled(-(bits as isize));
             assert!(&high - &low <= widest, "{root:?} {bits} {low:?} {high:?}");
         }
     }
@@ -893,11 +677,7 @@ fn multiples_round_to_nearest_and_ties_to_even() {
         (2.51, 3),
         (-2.49, -2),
     ] {
-        assert_eq!(
-            Root::from(&number(value)).nearest_multiple(&one),
-            IBig::from(expected),
-            "{value}"
-        );
+        assert_eq!(Root::from(&number(value)).nearest_multiple(&one), IBig::from(expected), "{value}");
     }
     let mut random = Random(10);
     for _ in 0..20_000 {
@@ -937,8 +717,7 @@ fn units_in_the_last_place_are_the_spacing_of_floats() {
     let root = Root::from_rationals(&RBig::ZERO, 1, &RBig::from(2), &RBig::ONE);
     assert_eq!(root.ulp_f32(), Dyadic::power_of_two(-23));
     let nearest = exact_f32(std::f32::consts::SQRT_2);
-    let expected =
-        (f64::from(std::f32::consts::SQRT_2) - std::f64::consts::SQRT_2).abs() * 2f64.powi(23);
+    let expected = (f64::from(std::f32::consts::SQRT_2) - std::f64::consts::SQRT_2).abs() * 2f64.powi(23);
     assert!((root.error_in(&nearest, &root.ulp_f32()) - expected).abs() < 1e-8);
     assert_eq!(Root::from(&Dyadic::zero()).ulp_f64(), exact_f64(5e-324));
 }
@@ -960,10 +739,7 @@ fn machine_numbers_convert_exactly() {
         assert_eq!(exact_fixed(raw.into(), 16).to_f64(), raw as f64 / 65536.0);
     }
     assert_eq!(exact_f32(f32::from_bits(1)), Dyadic::power_of_two(-149));
-    assert_eq!(
-        exact_fixed(-3, 1).to_rational(),
-        RBig::from(-3) / RBig::from(2)
-    );
+    assert_eq!(exact_fixed(-3, 1).to_rational(), RBig::from(-3) / RBig::from(2));
     assert_eq!(exact_fixed(i128::MIN, 127), Dyadic::from(-1));
 }
 
@@ -975,19 +751,13 @@ fn expect(solid: &Solid, line: &Line, expected: &[(f64, Part)]) {
     assert_eq!(found.len(), expected.len(), "{answer:?}");
     for ((t, part), (expected_t, expected_part)) in found.iter().zip(expected) {
         let t = t.to_f64();
-        assert!(
-            (t - expected_t).abs() <= expected_t.abs() * 3e-16,
-            "{t:.20} {expected_t:.20}"
-        );
+        assert!((t - expected_t).abs() <= expected_t.abs() * 3e-16, "{t:.20} {expected_t:.20}");
         assert_eq!(part, expected_part);
     }
 }
 
 #[test]
-#[allow(
-    clippy::excessive_precision,
-    reason = "the digits are those of the list of hard cases"
-)]
+#[allow(clippy::excessive_precision, reason = "the digits are those of the list of hard cases")]
 fn hard_cases_have_their_known_answers() {
     use Part::{Base, Side, Top};
     // Numbered as in the list of hard cases; those of decimal or other poses are scaled and moved into this one.
@@ -1001,11 +771,7 @@ fn hard_cases_have_their_known_answers() {
         &line([-400e3, 95.0, 0.0], [1e3, 0.0, 0.0]),
         &[(399.96877501000801, Side), (400.03122498999199, Side)],
     );
-    expect(
-        &sphere(6.4e6),
-        &line([0.0, 0.0, 6.4e6 + 1.0], [0.0, 0.0, -1.0]),
-        &[(1.0, Side), (12_800_001.0, Side)],
-    );
+    expect(&sphere(6.4e6), &line([0.0, 0.0, 6.4e6 + 1.0], [0.0, 0.0, -1.0]), &[(1.0, Side), (12_800_001.0, Side)]);
     // 4
     let grazing = line([-0.5, -0.5, 0.0], [1.0, 0.0, 0.0]);
     expect(&sphere(0.5), &grazing, &[(0.5, Side), (0.5, Side)]);
@@ -1015,33 +781,17 @@ fn hard_cases_have_their_known_answers() {
     let past = solve(&sphere(0.5), &line([0.125, -0.5, 0.0], [1.0, 0.0, 0.0]));
     assert!(hits_in_range(&past, &Dyadic::zero(), None).hits.is_empty());
     // 5
-    expect(
-        &capped_cylinder(1e20, 1.0),
-        &line([-2e20, 0.5, 0.0], [1e20, 0.0, 0.0]),
-        &[(1.0, Side), (3.0, Side)],
-    );
+    expect(&capped_cylinder(1e20, 1.0), &line([-2e20, 0.5, 0.0], [1e20, 0.0, 0.0]), &[(1.0, Side), (3.0, Side)]);
     // 6
-    expect(
-        &capped_cylinder(1.0, 2.0),
-        &line([0.5, 1.0, 0.0], [2f64.powi(-24), 1.0, 0.0]),
-        &[(-1.0, Base), (1.0, Top)],
-    );
+    expect(&capped_cylinder(1.0, 2.0), &line([0.5, 1.0, 0.0], [2f64.powi(-24), 1.0, 0.0]), &[(-1.0, Base), (1.0, Top)]);
     // 7
     let near_parallel = line([10001.0, 1e6, 0.0], [-10.0, -2e6, 0.0]);
     // The list prints .449867752; that is what the inputs rounded to `f32` give. The decimals themselves give this.
     let near = ends(&solve(&capsule(1e4, 1e5), &near_parallel)).remove(0);
     assert!((near.0.to_f64() - 0.44986774899900603).abs() < 1e-15 && near.1 == Top);
     // 8
-    expect(
-        &capped_cylinder(1.0, 2.0),
-        &line([1.0, 1.0, 0.0], [0.0, 1.0, 0.0]),
-        &[(-1.0, Side), (1.0, Side)],
-    );
-    expect(
-        &capped_cylinder(1.0, 2.0),
-        &line([1.0f64.next_up(), 1.0, 0.0], [0.0, 1.0, 0.0]),
-        &[],
-    );
+    expect(&capped_cylinder(1.0, 2.0), &line([1.0, 1.0, 0.0], [0.0, 1.0, 0.0]), &[(-1.0, Side), (1.0, Side)]);
+    expect(&capped_cylinder(1.0, 2.0), &line([1.0f64.next_up(), 1.0, 0.0], [0.0, 1.0, 0.0]), &[]);
     expect(
         &capped_cylinder(1.0, 2.0),
         &line([1.0f64.next_down(), 1.0, 0.0], [0.0, 1.0, 0.0]),
@@ -1054,17 +804,9 @@ fn hard_cases_have_their_known_answers() {
         &[(1.1339745962155614, Side), (2.8660254037844384, Side)],
     );
     // 10
-    expect(
-        &capped_cylinder(1.0, 2.0),
-        &line([2.0, 3.0, 0.0], [-1.0, -1.0, 0.0]),
-        &[(1.0, Side), (3.0, Side)],
-    );
+    expect(&capped_cylinder(1.0, 2.0), &line([2.0, 3.0, 0.0], [-1.0, -1.0, 0.0]), &[(1.0, Side), (3.0, Side)]);
     // 11
-    expect(
-        &capsule(1.0, 2.0),
-        &line([2.0, 2.0, 0.0], [-1.0, 0.0, 0.0]),
-        &[(1.0, Side), (3.0, Side)],
-    );
+    expect(&capsule(1.0, 2.0), &line([2.0, 2.0, 0.0], [-1.0, 0.0, 0.0]), &[(1.0, Side), (3.0, Side)]);
     // 12: the axis scaled by a third, and t by the root of 13.
     let length = 13f64.sqrt();
     for (radial, axial, expected) in [
@@ -1073,26 +815,15 @@ fn hard_cases_have_their_known_answers() {
         (1.0, 1.0, -2.704163456597992),
         (3.0, 1.0, -4.5069390943299866),
     ] {
-        let answer = solve(
-            &cone(2.0, ConeExtent::Double),
-            &line([radial, axial, 0.0], [2.0, 1.0, 0.0]),
-        );
+        let answer = solve(&cone(2.0, ConeExtent::Double), &line([radial, axial, 0.0], [2.0, 1.0, 0.0]));
         let found = ends(&answer);
         assert_eq!(found.len(), 1);
         assert!((found[0].0.to_f64() * length - expected).abs() < 1e-14);
     }
     // 13
     let nappe = cone(1.0, ConeExtent::Nappe);
-    expect(
-        &nappe,
-        &line([0.0, 0.0, 1.0], [0.0, 0.0, -1.0]),
-        &[(1.0, Side), (1.0, Side)],
-    );
-    expect(
-        &nappe,
-        &line([1.0, 0.0, 0.0], [-1.0, 1.0, 0.0]),
-        &[(0.5, Side)],
-    );
+    expect(&nappe, &line([0.0, 0.0, 1.0], [0.0, 0.0, -1.0]), &[(1.0, Side), (1.0, Side)]);
+    expect(&nappe, &line([1.0, 0.0, 0.0], [-1.0, 1.0, 0.0]), &[(0.5, Side)]);
     let downwards = line([1.0, 0.0, 0.0], [-1.0, -1.0, 0.0]);
     expect(&nappe, &downwards, &[]);
     expect(&cone(1.0, ConeExtent::Double), &downwards, &[(0.5, Side)]);
@@ -1108,17 +839,10 @@ fn hard_cases_have_their_known_answers() {
     expect(
         &sphere(1.0),
         &line([25001.0 / 25000.0, 0.0, 0.0], [-1.0, 0.0, 0.0]),
-        &[
-            (25001.0 / 25000.0 - 1.0, Side),
-            (25001.0 / 25000.0 + 1.0, Side),
-        ],
+        &[(25001.0 / 25000.0 - 1.0, Side), (25001.0 / 25000.0 + 1.0, Side)],
     );
     // Through the apex within both nappes; along the axis.
-    expect(
-        &cone(1.0, ConeExtent::Double),
-        &line([0.0, -1.0, 0.0], [0.0, 1.0, 0.0]),
-        &[(1.0, Side), (1.0, Side)],
-    );
+    expect(&cone(1.0, ConeExtent::Double), &line([0.0, -1.0, 0.0], [0.0, 1.0, 0.0]), &[(1.0, Side), (1.0, Side)]);
     expect(
         &cone(1.0, ConeExtent::Capped(number(3.0))),
         &line([0.0, -1.0, 0.0], [0.0, 1.0, 0.0]),
@@ -1128,21 +852,11 @@ fn hard_cases_have_their_known_answers() {
     let slanted = line([-1.0, -1.0, 0.0], [1.0, 1.0, 0.0]);
     for (solid, from, to) in [
         (cylinder(1.0, CylinderExtent::Infinite), None, None),
-        (
-            cylinder(1.0, CylinderExtent::Open(number(2.0))),
-            Some(0.0),
-            Some(2.0),
-        ),
+        (cylinder(1.0, CylinderExtent::Open(number(2.0))), Some(0.0), Some(2.0)),
     ] {
         let answer = solve(&solid, &line([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]));
         let bound = |t: Option<f64>| t.map(|t| Root::from(&number(t)));
-        assert_eq!(
-            answer,
-            Answer::Coincident {
-                from: bound(from),
-                to: bound(to)
-            }
-        );
+        assert_eq!(answer, Answer::Coincident { from: bound(from), to: bound(to) });
     }
     for (extent, from, to) in [
         (ConeExtent::Double, None, None),
@@ -1150,13 +864,7 @@ fn hard_cases_have_their_known_answers() {
         (ConeExtent::Open(number(2.0)), Some(1.0), Some(3.0)),
     ] {
         let bound = |t: Option<f64>| t.map(|t| Root::from(&number(t)));
-        assert_eq!(
-            solve(&cone(1.0, extent), &slanted),
-            Answer::Coincident {
-                from: bound(from),
-                to: bound(to)
-            }
-        );
+        assert_eq!(solve(&cone(1.0, extent), &slanted), Answer::Coincident { from: bound(from), to: bound(to) });
     }
     // A triangle's corner touched by a line in its plane.
     let corner = solve(
@@ -1164,13 +872,7 @@ fn hard_cases_have_their_known_answers() {
         &line([-1.0, 0.0, 1.0], [1.0, 0.0, -1.0]),
     );
     let one = Some(Root::from(&number(1.0)));
-    assert_eq!(
-        corner,
-        Answer::Coincident {
-            from: one.clone(),
-            to: one
-        }
-    );
+    assert_eq!(corner, Answer::Coincident { from: one.clone(), to: one });
 }
 
 #[test]
@@ -1189,35 +891,20 @@ fn ranges_are_closed_and_drop_what_lies_outside() {
     assert_eq!(kinds(3.0f64.next_up(), None), (vec![], false));
     assert_eq!(kinds(0.0, Some(3.0f64.next_down())), (vec![Enter], false));
     assert_eq!(kinds(2.0, Some(2.5)), (vec![], true));
-    let wall = solve(
-        &cylinder(1.0, CylinderExtent::Open(number(2.0))),
-        &line([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]),
-    );
+    let wall = solve(&cylinder(1.0, CylinderExtent::Open(number(2.0))), &line([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]));
     assert!(hits_in_range(&wall, &number(2.0), None).coincident);
     assert!(!hits_in_range(&wall, &number(2.5), None).coincident);
-    let axis = solve(
-        &cylinder(1.0, CylinderExtent::Infinite),
-        &line([0.0; 3], [0.0, 1.0, 0.0]),
-    );
+    let axis = solve(&cylinder(1.0, CylinderExtent::Infinite), &line([0.0; 3], [0.0, 1.0, 0.0]));
     assert!(hits_in_range(&axis, &Dyadic::zero(), None).starts_inside);
 }
 
 #[test]
 fn margins_tell_how_near_grazing_a_line_is() {
     let across = line([-9.0, 1.0, 0.5], [2.0, 0.0, 0.0]);
-    assert_eq!(
-        margin(&sphere(1.25f64), &line([-9.0, 0.0, 1.25], [2.0, 0.0, 0.0])),
-        Some(1.0)
-    );
+    assert_eq!(margin(&sphere(1.25f64), &line([-9.0, 0.0, 1.25], [2.0, 0.0, 0.0])), Some(1.0));
     assert_eq!(margin(&capped_cylinder(1.0, 2.0), &across), Some(0.5));
     assert_eq!(margin(&cone(1.0, ConeExtent::Nappe), &across), Some(0.5));
-    assert_eq!(
-        margin(
-            &capped_cylinder(2.0, 2.0),
-            &line([1.0, 0.0, 0.0], [0.0, 1.0, 0.0])
-        ),
-        Some(0.5)
-    );
+    assert_eq!(margin(&capped_cylinder(2.0, 2.0), &line([1.0, 0.0, 0.0], [0.0, 1.0, 0.0])), Some(0.5));
     assert_eq!(margin(&Solid::Plane, &across), None);
 }
 
@@ -1228,46 +915,31 @@ fn cost_of_a_solve() {
     let mut random = Random(13);
     let lines: Vec<Line> = (0..20_000)
         .map(|_| {
-            let mut coordinate =
-                |scale: f32| exact_f32((random.next() as i32 as f32) * 2f32.powi(-31) * scale);
+            let mut coordinate = |scale: f32| exact_f32((random.next() as i32 as f32) * 2f32.powi(-31) * scale);
             let origin: [Dyadic; 3] = std::array::from_fn(|_| coordinate(20.0));
             let target: [Dyadic; 3] = std::array::from_fn(|_| coordinate(1.5));
-            let direction: [Dyadic; 3] = std::array::from_fn(|axis| {
-                exact_f32((target[axis].to_f64() - origin[axis].to_f64()) as f32 / 17.0)
-            });
+            let direction: [Dyadic; 3] =
+                std::array::from_fn(|axis| exact_f32((target[axis].to_f64() - origin[axis].to_f64()) as f32 / 17.0));
             Line::new(origin, direction)
         })
         .collect();
     let open = open_and_capped().into_iter().map(|(open, _)| open);
     let flat = [
         Solid::Plane,
-        Solid::Disc {
-            radius: number(2.0),
-        },
+        Solid::Disc { radius: number(2.0) },
         triangle([[2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 2.0]]),
     ];
     for solid in solids().into_iter().chain(open).chain(flat) {
         let start = std::time::Instant::now();
         let mut hits = 0;
         for line in &lines {
-            hits += hits_in_range(&solve(&solid, line), &Dyadic::zero(), None)
-                .hits
-                .len();
+            hits += hits_in_range(&solve(&solid, line), &Dyadic::zero(), None).hits.len();
         }
         let cost = start.elapsed().as_secs_f64() * 1e6 / lines.len() as f64;
         println!("{cost:6.2} us, {hits} hits: {solid:?}");
     }
-    let answers: Vec<Root> = lines
-        .iter()
-        .flat_map(|line| parameters(&solve(&sphere(1.5), line)))
-        .collect();
+    let answers: Vec<Root> = lines.iter().flat_map(|line| parameters(&solve(&sphere(1.5), line))).collect();
     let start = std::time::Instant::now();
-    let total: f64 = answers
-        .iter()
-        .map(|t| t.error_in(&exact_f32(17.0), &t.ulp_f32()))
-        .sum();
-    println!(
-        "{:6.2} us an error in ulp ({total:e})",
-        start.elapsed().as_secs_f64() * 1e6 / answers.len() as f64
-    );
+    let total: f64 = answers.iter().map(|t| t.error_in(&exact_f32(17.0), &t.ulp_f32())).sum();
+    println!("{:6.2} us an error in ulp ({total:e})", start.elapsed().as_secs_f64() * 1e6 / answers.len() as f64);
 }

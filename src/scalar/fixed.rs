@@ -73,6 +73,10 @@ macro_rules! fixed {
                 self.saturating_sub(other)
             }
             #[inline(always)]
+            fn next_up(self) -> Self {
+                self.saturating_add(Self::from_bits(1))
+            }
+            #[inline(always)]
             fn magnitude(self) -> Self {
                 self.saturating_abs()
             }
@@ -91,6 +95,14 @@ macro_rules! fixed {
             #[inline(always)]
             fn unit_dot(d: [Self::Unit; 3], e: [Self::Unit; 3]) -> $Block {
                 $Fixed::<$UnitBits>::dot(d, e)
+            }
+            #[inline]
+            fn approach(o: [Self; 3], base: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3] {
+                [0, 1, 2].map(|i| {
+                    let from_base = $Block::new(o[i].to_bits() as $wide - base[i].to_bits() as $wide, -(F::I32));
+                    let step = $Block::new(t.to_bits() as $wide * d[i].to_bits() as $wide, -$unit_bits - F::I32);
+                    <Self as Scalar>::round(from_base + step)
+                })
             }
             #[inline]
             fn advance(o: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3] {
@@ -123,6 +135,12 @@ macro_rules! fixed {
                 self
             }
 
+            fn fraction(self) -> Self::Unit {
+                // Keep the fraction bits and move them to the unit type's place.
+                let rest = (self.to_bits() as $wide) & (((1 as $wide) << F::U32) - 1);
+                let shift = $unit_bits - F::I32;
+                $Fixed::from_bits(if shift >= 0 { rest << shift } else { rest >> -shift } as $raw)
+            }
             fn turns(y: $Block, x: $Block) -> Self::Unit {
                 // Both in units of the larger one's last place of 60 bits.
                 let top = |block: $Block| {

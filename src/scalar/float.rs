@@ -100,6 +100,10 @@ macro_rules! float {
                 self - other
             }
             #[inline(always)]
+            fn next_up(self) -> Self {
+                $Float::next_up(self)
+            }
+            #[inline(always)]
             fn magnitude(self) -> Self {
                 $Float::abs(self)
             }
@@ -125,6 +129,16 @@ macro_rules! float {
                     if Scalar::is_finite(correction) { s + correction } else { s }
                 };
                 [step(o[0], d[0]), step(o[1], d[1]), step(o[2], d[2])]
+            }
+            #[inline]
+            fn approach(o: [Self; 3], base: [Self; 3], d: [Self; 3], t: Self) -> [Self; 3] {
+                [0, 1, 2].map(|i| {
+                    let (from_base, e) = $exact::two_sum(o[i], -base[i]);
+                    let (p, f) = $exact::two_product(t, d[i]);
+                    let (s, g) = $exact::two_sum(from_base, p);
+                    let correction = e + f + g;
+                    if Scalar::is_finite(correction) { s + correction } else { s }
+                })
             }
             #[inline]
             fn normalize(v: [Self; 3]) -> Option<([Self; 3], Self)> {
@@ -154,6 +168,12 @@ macro_rules! float {
                 $exact::scale(self, e)
             }
 
+            fn fraction(self) -> Self {
+                // % is exact. A tiny negative value rounds up to one.
+                let rest = self % 1.0;
+                let rest = if rest < 0.0 { rest + 1.0 } else { rest };
+                if rest < 1.0 { rest } else { 0.0 }
+            }
             fn turns(y: Self, x: Self) -> Self {
                 const TURNS_PER_RADIAN: $Float = 1.0 / core::$Float::consts::TAU;
                 let turns = $atan2(y, x) * TURNS_PER_RADIAN;

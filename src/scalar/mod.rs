@@ -112,6 +112,8 @@ pub trait Scalar:
     fn plus(self, other: Self) -> Self;
     /// `self - other`, saturated to [`Scalar::INFINITY`].
     fn minus(self, other: Self) -> Self;
+    /// The next larger value, for bounds that must not be too small.
+    fn next_up(self) -> Self;
     /// The magnitude.
     fn magnitude(self) -> Self;
 
@@ -123,6 +125,8 @@ pub trait Scalar:
     fn unit_dot(d: [Self::Unit; 3], e: [Self::Unit; 3]) -> Self::Real;
     /// `o + t d`, rounded once (floats: but for an error of the second order).
     fn advance(o: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3];
+    /// `o - base + t d`, rounded once (floats: but for an error of the second order).
+    fn approach(o: [Self; 3], base: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3];
     /// The vector's direction and its length; `None` for the zero vector and for a vector with a component
     /// that is not finite. Right for every length, from the smallest to the largest.
     fn normalize(v: [Self::Real; 3]) -> Option<([Self::Unit; 3], Self::Real)>;
@@ -139,6 +143,8 @@ pub trait Scalar:
     /// `self * 2^e`, where `e` comes from [`Scalar::binary_exponent`].
     fn scaled(self, e: i32) -> Self;
 
+    /// The value less the largest integer below it, in `[0, 1)`.
+    fn fraction(self) -> Self::Unit;
     /// The angle of the point (x, y) seen from the origin, in turns from the x axis, in `[0, 1)`. Zero at the origin.
     fn turns(y: Self::Real, x: Self::Real) -> Self::Unit;
     /// Sine and cosine of an angle in turns.

@@ -55,21 +55,12 @@ fn sign_with_two_radicals(p: &IBig, (s1, d1): (i8, &IBig), (s2, d2): (i8, &IBig)
     let rational = &square + d1 - d2;
     let radicand = (square * d1) << 2;
     let difference = sign_with_one_radical(&rational, s1 * sign_of(p), &radicand);
-    if difference >= 0 {
-        first * difference
-    } else {
-        second
-    }
+    if difference >= 0 { first * difference } else { second }
 }
 
 /// `numerator / denominator * 2^exponent`, rounded towards zero to a little more than `bits` bits, and whether that is
 /// not exact.
-fn quotient(
-    numerator: &UBig,
-    denominator: &UBig,
-    exponent: isize,
-    bits: usize,
-) -> (UBig, isize, bool) {
+fn quotient(numerator: &UBig, denominator: &UBig, exponent: isize, bits: usize) -> (UBig, isize, bool) {
     let wanted = bits as isize + 2;
     let shift = (wanted + denominator.bit_len() as isize - numerator.bit_len() as isize).max(0);
     let (quotient, remainder) = {
@@ -90,11 +81,7 @@ impl Root {
             sign_of(&d) >= 0 && !q.is_zero() && (-1..=1).contains(&s),
             "({p} + {s} sqrt({d})) / {q} is not a real number"
         );
-        let (p, s, q) = if sign_of(&q) < 0 {
-            (-p, -s, -q)
-        } else {
-            (p, s, q)
-        };
+        let (p, s, q) = if sign_of(&q) < 0 { (-p, -s, -q) } else { (p, s, q) };
         let s = if d.is_zero() { 0 } else { s };
         let d = if s == 0 { IBig::ZERO } else { d };
         Self { p, s, d, q, e }
@@ -131,11 +118,7 @@ impl Root {
 
     /// A rational.
     pub fn from_rational(value: &RBig) -> Self {
-        Self::quotient(
-            value.numerator().clone(),
-            value.denominator().as_ibig().clone(),
-            0,
-        )
+        Self::quotient(value.numerator().clone(), value.denominator().as_ibig().clone(), 0)
     }
 
     /// `sqrt(value)`.
@@ -145,13 +128,7 @@ impl Root {
     /// If the value is negative.
     pub fn square_root_of(value: &Dyadic) -> Self {
         let odd = value.exponent.rem_euclid(2);
-        Self::new(
-            IBig::ZERO,
-            1,
-            shifted(&value.mantissa, odd),
-            IBig::ONE,
-            (value.exponent - odd) / 2,
-        )
+        Self::new(IBig::ZERO, 1, shifted(&value.mantissa, odd), IBig::ONE, (value.exponent - odd) / 2)
     }
 
     /// The rational and the irrational part: the number is `first + second * sqrt(third)`.
@@ -172,11 +149,7 @@ impl Root {
 
     /// The number without its sign.
     pub fn magnitude(&self) -> Self {
-        if self.signum() < 0 {
-            -self
-        } else {
-            self.clone()
-        }
+        if self.signum() < 0 { -self } else { self.clone() }
     }
 
     /// `self * factor + addend`, such as a coordinate of the point at this parameter of a line.
@@ -230,12 +203,8 @@ impl Root {
             if magnitude.is_zero() || sign_of(&self.p) == self.s {
                 let e = self.e - shift as isize;
                 let (low, low_exponent, _) = quotient(&(&rational + root), &q, e, bits + 1);
-                let (high, high_exponent, inexact) =
-                    quotient(&(rational + root_above), &q, e, bits + 1);
-                (
-                    (low, low_exponent),
-                    (high + u8::from(inexact), high_exponent),
-                )
+                let (high, high_exponent, inexact) = quotient(&(rational + root_above), &q, e, bits + 1);
+                ((low, low_exponent), (high + u8::from(inexact), high_exponent))
             } else {
                 // p + s sqrt(D) cancels; (p^2 - D) / (p - s sqrt(D)) is the same number and does not.
                 let numerator = (self.p.sqr().as_ibig() - &self.d).unsigned_abs() << shift;
@@ -243,19 +212,12 @@ impl Root {
                 let above = (rational + root_above) * q;
                 let (low, low_exponent, _) = quotient(&numerator, &above, self.e, bits + 1);
                 let (high, high_exponent, inexact) = quotient(&numerator, &below, self.e, bits + 1);
-                (
-                    (low, low_exponent),
-                    (high + u8::from(inexact), high_exponent),
-                )
+                ((low, low_exponent), (high + u8::from(inexact), high_exponent))
             }
         };
         let low = Dyadic::new(IBig::from(low.0), low.1);
         let high = Dyadic::new(IBig::from(high.0), high.1);
-        if sign > 0 {
-            (low, high)
-        } else {
-            (-&high, -&low)
-        }
+        if sign > 0 { (low, high) } else { (-&high, -&low) }
     }
 
     /// A dyadic within `2^-bits` times the number of the number.
@@ -278,9 +240,7 @@ impl Root {
         }
         let leading = |value: &Dyadic| value.exponent + value.mantissa.bit_len() as isize - 1;
         let above = leading(&high);
-        if leading(&low) == above
-            || magnitude.cmp_dyadic(&Dyadic::power_of_two(above)) != Ordering::Less
-        {
+        if leading(&low) == above || magnitude.cmp_dyadic(&Dyadic::power_of_two(above)) != Ordering::Less {
             Some(above)
         } else {
             Some(above - 1)
@@ -309,15 +269,10 @@ impl Root {
     /// If the unit is not positive.
     pub fn nearest_multiple(&self, unit: &Dyadic) -> IBig {
         let in_units = self.divided_by(unit);
-        let magnitude_bits = in_units
-            .binary_exponent()
-            .unwrap_or(0)
-            .max(0)
-            .unsigned_abs();
+        let magnitude_bits = in_units.binary_exponent().unwrap_or(0).max(0).unsigned_abs();
         let near = in_units.approximation(magnitude_bits + 8);
         // The approximation is off by far less than one, so the answer is its floor or the integer above.
-        let floor =
-            shifted(&near.mantissa, near.exponent.min(0)) << near.exponent.max(0).unsigned_abs();
+        let floor = shifted(&near.mantissa, near.exponent.min(0)) << near.exponent.max(0).unsigned_abs();
         let floor = if in_units.cmp_dyadic(&Dyadic::new(floor.clone(), 0)) == Ordering::Less {
             floor - IBig::ONE
         } else if in_units.cmp_dyadic(&Dyadic::new(&floor + IBig::ONE, 0)) != Ordering::Less {
@@ -347,11 +302,7 @@ impl Root {
     /// `self / unit`, for a positive unit.
     fn divided_by(&self, unit: &Dyadic) -> Self {
         assert!(unit.signum() > 0, "{unit:?} is not a unit");
-        Self {
-            q: &self.q * &unit.mantissa,
-            e: self.e - unit.exponent,
-            ..self.clone()
-        }
+        Self { q: &self.q * &unit.mantissa, e: self.e - unit.exponent, ..self.clone() }
     }
 }
 
@@ -365,11 +316,7 @@ impl Neg for &Root {
     type Output = Root;
 
     fn neg(self) -> Root {
-        Root {
-            p: -&self.p,
-            s: -self.s,
-            ..self.clone()
-        }
+        Root { p: -&self.p, s: -self.s, ..self.clone() }
     }
 }
 
@@ -385,11 +332,7 @@ impl Ord for Root {
         let right_factor = shifted(&self.q, other.e - e);
         let rational = &self.p * &left_factor - &other.p * &right_factor;
         let radicand = |root: &Self, factor: &IBig| {
-            if root.s == 0 {
-                IBig::ZERO
-            } else {
-                &root.d * factor.sqr()
-            }
+            if root.s == 0 { IBig::ZERO } else { &root.d * factor.sqr() }
         };
         sign_with_two_radicals(
             &rational,

@@ -34,20 +34,13 @@ pub fn sign_of(value: &IBig) -> i8 {
 
 /// `value * 2^bits`, rounded down where `bits` is negative.
 pub fn shifted(value: &IBig, bits: isize) -> IBig {
-    if bits >= 0 {
-        value << bits.unsigned_abs()
-    } else {
-        value >> bits.unsigned_abs()
-    }
+    if bits >= 0 { value << bits.unsigned_abs() } else { value >> bits.unsigned_abs() }
 }
 
 impl Dyadic {
     /// `mantissa * 2^exponent`.
     pub fn new(mantissa: impl Into<IBig>, exponent: isize) -> Self {
-        Self {
-            mantissa: mantissa.into(),
-            exponent,
-        }
+        Self { mantissa: mantissa.into(), exponent }
     }
 
     /// Zero.
@@ -77,11 +70,7 @@ impl Dyadic {
 
     /// The number without its sign.
     pub fn magnitude(&self) -> Self {
-        if self.signum() < 0 {
-            -self
-        } else {
-            self.clone()
-        }
+        if self.signum() < 0 { -self } else { self.clone() }
     }
 
     /// The number times `2^bits`.
@@ -107,10 +96,7 @@ impl Dyadic {
         if self.exponent >= 0 {
             RBig::from(shifted(&self.mantissa, self.exponent))
         } else {
-            RBig::from_parts(
-                self.mantissa.clone(),
-                UBig::ONE << self.exponent.unsigned_abs(),
-            )
+            RBig::from_parts(self.mantissa.clone(), UBig::ONE << self.exponent.unsigned_abs())
         }
     }
 
@@ -134,12 +120,7 @@ impl Dyadic {
 
 /// The greatest exponent, of those occurring, that measures all the numbers in whole units.
 pub fn common_exponent<'a>(numbers: impl IntoIterator<Item = &'a Dyadic>) -> isize {
-    numbers
-        .into_iter()
-        .filter(|number| !number.is_zero())
-        .map(|number| number.exponent)
-        .min()
-        .unwrap_or(0)
+    numbers.into_iter().filter(|number| !number.is_zero()).map(|number| number.exponent).min().unwrap_or(0)
 }
 
 fn decoded(negative: bool, magnitude: u64, exponent: isize) -> Dyadic {
@@ -162,11 +143,7 @@ pub fn exact_f32(value: f32) -> Dyadic {
     let bits = value.to_bits();
     let field = (bits >> 23) & 0xff;
     let fraction = u64::from(bits & 0x7f_ffff);
-    let (magnitude, field) = if field == 0 {
-        (fraction, 1)
-    } else {
-        (fraction | 1 << 23, field)
-    };
+    let (magnitude, field) = if field == 0 { (fraction, 1) } else { (fraction | 1 << 23, field) };
     decoded(bits >> 31 == 1, magnitude, field as isize - 150)
 }
 
@@ -180,11 +157,7 @@ pub fn exact_f64(value: f64) -> Dyadic {
     let bits = value.to_bits();
     let field = (bits >> 52) & 0x7ff;
     let fraction = bits & 0xf_ffff_ffff_ffff;
-    let (magnitude, field) = if field == 0 {
-        (fraction, 1)
-    } else {
-        (fraction | 1 << 52, field)
-    };
+    let (magnitude, field) = if field == 0 { (fraction, 1) } else { (fraction | 1 << 52, field) };
     decoded(bits >> 63 == 1, magnitude, field as isize - 1075)
 }
 
@@ -205,11 +178,7 @@ impl From<i64> for Dyadic {
 
 fn aligned(left: &Dyadic, right: &Dyadic) -> (IBig, IBig, isize) {
     let exponent = common_exponent([left, right]);
-    (
-        left.in_units_of(exponent),
-        right.in_units_of(exponent),
-        exponent,
-    )
+    (left.in_units_of(exponent), right.in_units_of(exponent), exponent)
 }
 
 impl Add for &Dyadic {
@@ -234,10 +203,7 @@ impl Mul for &Dyadic {
     type Output = Dyadic;
 
     fn mul(self, other: &Dyadic) -> Dyadic {
-        Dyadic::new(
-            &self.mantissa * &other.mantissa,
-            self.exponent + other.exponent,
-        )
+        Dyadic::new(&self.mantissa * &other.mantissa, self.exponent + other.exponent)
     }
 }
 

@@ -44,18 +44,10 @@ pub struct InRange {
 pub fn hits_in_range(answer: &Answer, lo: &Dyadic, hi: Option<&Dyadic>) -> InRange {
     let before = |t: &Root| t.cmp_dyadic(lo) == Ordering::Less;
     let beyond = |t: &Root| hi.is_some_and(|hi| t.cmp_dyadic(hi) == Ordering::Greater);
-    let mut result = InRange {
-        hits: vec![],
-        starts_inside: false,
-        coincident: false,
-    };
+    let mut result = InRange { hits: vec![], starts_inside: false, coincident: false };
     let mut report = |t: &Root, part, crossing| {
         if !before(t) && !beyond(t) {
-            result.hits.push(ExpectedHit {
-                t: t.clone(),
-                part,
-                crossing,
-            });
+            result.hits.push(ExpectedHit { t: t.clone(), part, crossing });
         }
     };
     match answer {

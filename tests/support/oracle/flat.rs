@@ -12,11 +12,7 @@ use super::solve::{Answer, Approach, Crossing, coincident};
 fn plane_crossing(t: Root, along_normal: i8) -> Answer {
     Answer::Crossings(vec![Crossing {
         t,
-        side: if along_normal < 0 {
-            Approach::FromOutside
-        } else {
-            Approach::FromInside
-        },
+        side: if along_normal < 0 { Approach::FromOutside } else { Approach::FromInside },
         part: Part::Side,
     }])
 }
@@ -42,11 +38,7 @@ pub(super) fn disc(line: &IntegerLine, radius: &IBig) -> Answer {
             Answer::Crossings(vec![])
         };
     }
-    let chord = if y.is_zero() {
-        sphere_overlap(line, radius, &IBig::ZERO)
-    } else {
-        None
-    };
+    let chord = if y.is_zero() { sphere_overlap(line, radius, &IBig::ZERO) } else { None };
     chord.map_or(Answer::Crossings(vec![]), coincident)
 }
 
@@ -67,12 +59,8 @@ fn integer_cross(left: &[IBig; 3], right: &[IBig; 3]) -> [IBig; 3] {
 
 pub(super) fn triangle(line: &IntegerLine, vertices: &[[IBig; 3]; 3]) -> Answer {
     let [first, second, third] = vertices;
-    let normal = integer_cross(
-        &integer_subtract(second, first),
-        &integer_subtract(third, first),
-    );
-    let spokes: [[IBig; 3]; 3] =
-        std::array::from_fn(|corner| integer_subtract(&vertices[corner], &line.origin));
+    let normal = integer_cross(&integer_subtract(second, first), &integer_subtract(third, first));
+    let spokes: [[IBig; 3]; 3] = std::array::from_fn(|corner| integer_subtract(&vertices[corner], &line.origin));
     let along = integer_dot(&normal, &line.direction);
     let above = integer_dot(&normal, &spokes[0]);
     let direction_sign = sign_of(&along);
@@ -114,9 +102,5 @@ pub(super) fn triangle(line: &IntegerLine, vertices: &[[IBig; 3]; 3]) -> Answer 
             overlap.exit = Some(bound);
         }
     }
-    if overlap.enter > overlap.exit {
-        Answer::Crossings(vec![])
-    } else {
-        coincident(overlap)
-    }
+    if overlap.enter > overlap.exit { Answer::Crossings(vec![]) } else { coincident(overlap) }
 }

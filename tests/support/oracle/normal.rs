@@ -46,11 +46,7 @@ pub fn gradient(solid: &Solid, part: Part, t: &Root, line: &Line) -> [Dyadic; 3]
             if reach.is_zero() {
                 return upwards(-i64::from(lateral.growth.signum()));
             }
-            [
-                &weight * &coordinate(0),
-                &-&lateral.growth * &reach,
-                &weight * &coordinate(2),
-            ]
+            [&weight * &coordinate(0), &-&lateral.growth * &reach, &weight * &coordinate(2)]
         }
     }
 }

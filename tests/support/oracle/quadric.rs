@@ -16,31 +16,19 @@ pub(super) struct Interval {
     pub(super) exit: Option<Root>,
 }
 
-pub(super) const EVERYWHERE: Interval = Interval {
-    enter: None,
-    exit: None,
-};
+pub(super) const EVERYWHERE: Interval = Interval { enter: None, exit: None };
 
 impl Interval {
     pub(super) fn between(enter: Root, exit: Root) -> Self {
-        Self {
-            enter: Some(enter),
-            exit: Some(exit),
-        }
+        Self { enter: Some(enter), exit: Some(exit) }
     }
 
     pub(super) fn from(enter: Root) -> Self {
-        Self {
-            enter: Some(enter),
-            exit: None,
-        }
+        Self { enter: Some(enter), exit: None }
     }
 
     pub(super) fn until(exit: Root) -> Self {
-        Self {
-            enter: None,
-            exit: Some(exit),
-        }
+        Self { enter: None, exit: Some(exit) }
     }
 }
 
@@ -106,12 +94,8 @@ impl Quadratic {
             return None;
         }
         let lower_sign = -sign_of(&self.a);
-        let root =
-            |sign, discriminant| Root::new(-&self.k, sign, discriminant, self.a.clone(), exponent);
-        Some((
-            root(lower_sign, discriminant.clone()),
-            root(-lower_sign, discriminant),
-        ))
+        let root = |sign, discriminant| Root::new(-&self.k, sign, discriminant, self.a.clone(), exponent);
+        Some((root(lower_sign, discriminant.clone()), root(-lower_sign, discriminant)))
     }
 }
 
@@ -185,15 +169,9 @@ impl LateralLine {
             }
             -1 => {
                 // Steeper than the side: outside there is one bounded gap, with a nappe at either end of it.
-                let (lower, upper) = self
-                    .quadratic
-                    .roots(self.exponent)
-                    .expect("a line that runs within a nappe meets it");
-                Overlap::Within(if widening > 0 {
-                    Interval::from(upper)
-                } else {
-                    Interval::until(lower)
-                })
+                let (lower, upper) =
+                    self.quadratic.roots(self.exponent).expect("a line that runs within a nappe meets it");
+                Overlap::Within(if widening > 0 { Interval::from(upper) } else { Interval::until(lower) })
             }
             _ => match (sign_of(k), widening) {
                 (0, 0) => match sign_of(c) {
@@ -203,13 +181,8 @@ impl LateralLine {
                 },
                 (0, _) if !c.is_zero() => Overlap::Nothing,
                 (0, _) => {
-                    let apex =
-                        Root::quotient(-&self.reach, self.reach_slope.clone(), self.exponent);
-                    Overlap::InSurface(if widening > 0 {
-                        Interval::from(apex)
-                    } else {
-                        Interval::until(apex)
-                    })
+                    let apex = Root::quotient(-&self.reach, self.reach_slope.clone(), self.exponent);
+                    Overlap::InSurface(if widening > 0 { Interval::from(apex) } else { Interval::until(apex) })
                 }
                 (-1, 1) => Overlap::Within(Interval::from(self.single_root())),
                 (1, -1) => Overlap::Within(Interval::until(self.single_root())),

@@ -119,10 +119,7 @@ impl Line {
     ///
     /// If the direction is zero.
     pub fn new(origin: [Dyadic; 3], direction: [Dyadic; 3]) -> Self {
-        assert!(
-            direction.iter().any(|component| !component.is_zero()),
-            "a line has a direction"
-        );
+        assert!(direction.iter().any(|component| !component.is_zero()), "a line has a direction");
         Self { origin, direction }
     }
 
@@ -152,23 +149,12 @@ impl Solid {
                 (Dyadic::from(1), radius.clone(), Dyadic::zero())
             }
             Solid::Cone { slope, .. } => (Dyadic::from(1), Dyadic::zero(), slope.clone()),
-            Solid::Frustum {
-                base_radius,
-                top_radius,
-                height,
-                ..
-            } => (
-                height.clone(),
-                base_radius * height,
-                top_radius - base_radius,
-            ),
+            Solid::Frustum { base_radius, top_radius, height, .. } => {
+                (height.clone(), base_radius * height, top_radius - base_radius)
+            }
             _ => return None,
         };
-        Some(Lateral {
-            weight,
-            offset,
-            growth,
-        })
+        Some(Lateral { weight, offset, growth })
     }
 }
 
@@ -197,14 +183,8 @@ pub(super) fn cross(left: &[Dyadic; 3], right: &[Dyadic; 3]) -> [Dyadic; 3] {
 ///
 /// If the triangle has no area.
 pub(super) fn triangle_normal(vertices: &[[Dyadic; 3]; 3]) -> [Dyadic; 3] {
-    let normal = cross(
-        &subtract(&vertices[1], &vertices[0]),
-        &subtract(&vertices[2], &vertices[0]),
-    );
-    assert!(
-        normal.iter().any(|component| !component.is_zero()),
-        "a triangle has an area"
-    );
+    let normal = cross(&subtract(&vertices[1], &vertices[0]), &subtract(&vertices[2], &vertices[0]));
+    assert!(normal.iter().any(|component| !component.is_zero()), "a triangle has an area");
     normal
 }
 
@@ -219,11 +199,7 @@ fn within(margins: &[Dyadic]) -> Membership {
 
 /// The surface `wall = 0` where the point also satisfies `margin >= 0` each.
 fn on(wall: &Dyadic, margins: &[Dyadic]) -> Membership {
-    if wall.is_zero() && within(margins) != Membership::Outside {
-        Membership::OnSurface
-    } else {
-        Membership::Outside
-    }
+    if wall.is_zero() && within(margins) != Membership::Outside { Membership::OnSurface } else { Membership::Outside }
 }
 
 /// Where the point lies. Surfaces without volume, the open tube and cone among them, have no inside.
@@ -249,12 +225,7 @@ pub fn contains(solid: &Solid, point: &[Dyadic; 3]) -> Membership {
                 ConeExtent::Capped(height) => within(&[wall, y.clone(), height - y]),
             }
         }
-        Solid::Frustum {
-            base_radius,
-            top_radius,
-            height,
-            capped,
-        } => {
+        Solid::Frustum { base_radius, top_radius, height, capped } => {
             // The radius there, times the height, so that nothing is divided.
             let reach = &(base_radius * &(height - y)) + &(top_radius * y);
             let wall = &reach.squared() - &(&height.squared() * &from_axis);
@@ -293,16 +264,13 @@ pub fn contains(solid: &Solid, point: &[Dyadic; 3]) -> Membership {
 /// How near grazing a line is: 0 through the middle, 1 tangent, more for a miss; none where it says nothing.
 ///
 /// For a sphere the distance of the line from the centre over the radius; for a cylinder and a capsule that of the line
-/// from the axis; for a cone the same measured in the cone's own metric, and none for a line that runs within a nappe.
+/// from the axis; for a cone `|w_y| / (slope * |(w_x, w_z)|)` of the moment `w`, and none where that has no denominator.
 pub fn margin(solid: &Solid, line: &Line) -> Option<f64> {
     let moment = cross(&line.origin, &line.direction);
     let [x, _, z] = &line.direction;
     let from_axis = &x.squared() + &z.squared();
     let (square, full) = match solid {
-        Solid::Sphere { radius } => (
-            dot(&moment, &moment),
-            &dot(&line.direction, &line.direction) * &radius.squared(),
-        ),
+        Solid::Sphere { radius } => (dot(&moment, &moment), &dot(&line.direction, &line.direction) * &radius.squared()),
         Solid::Cylinder { radius, .. } | Solid::Capsule { radius, .. } => {
             if from_axis.is_zero() {
                 let [x, _, z] = &line.origin;
@@ -311,19 +279,14 @@ pub fn margin(solid: &Solid, line: &Line) -> Option<f64> {
                 (moment[1].squared(), &from_axis * &radius.squared())
             }
         }
-        Solid::Cone { slope, .. } => (
-            moment[1].squared(),
-            &slope.squared() * &(&moment[0].squared() + &moment[2].squared()),
-        ),
+        Solid::Cone { slope, .. } => {
+            (moment[1].squared(), &slope.squared() * &(&moment[0].squared() + &moment[2].squared()))
+        }
         _ => return None,
     };
     if sign_of(&full.mantissa) == 0 {
         return None;
     }
-    let ratio = Root::quotient(
-        square.mantissa,
-        full.mantissa,
-        square.exponent - full.exponent,
-    );
+    let ratio = Root::quotient(square.mantissa, full.mantissa, square.exponent - full.exponent);
     Some(ratio.to_f64().sqrt())
 }

@@ -7,9 +7,7 @@ use dashu::integer::IBig;
 use super::algebraic::Root;
 use super::dyadic::{Dyadic, sign_of};
 use super::flat::{disc, plane, triangle};
-use super::quadric::{
-    EVERYWHERE, IntegerLine, Interval, LateralLine, Overlap, Quadratic, sphere_overlap,
-};
+use super::quadric::{EVERYWHERE, IntegerLine, Interval, LateralLine, Overlap, Quadratic, sphere_overlap};
 use super::solids::{ConeExtent, CylinderExtent, Lateral, Line, Part, Solid, triangle_normal};
 
 /// An end of a span.
@@ -88,31 +86,11 @@ impl Slab {
         let [_, y, _] = &line.origin;
         let climb = sign_of(&line.direction[1]);
         if climb == 0 {
-            return if sign_of(y) < 0 || y > height {
-                Self::Nothing
-            } else {
-                Self::Everywhere
-            };
+            return if sign_of(y) < 0 || y > height { Self::Nothing } else { Self::Everywhere };
         }
-        let base = End {
-            t: line.at_height(&IBig::ZERO),
-            part: Part::Base,
-        };
-        let top = End {
-            t: line.at_height(height),
-            part: Part::Top,
-        };
-        if climb > 0 {
-            Self::Between {
-                enter: base,
-                exit: top,
-            }
-        } else {
-            Self::Between {
-                enter: top,
-                exit: base,
-            }
-        }
+        let base = End { t: line.at_height(&IBig::ZERO), part: Part::Base };
+        let top = End { t: line.at_height(height), part: Part::Top };
+        if climb > 0 { Self::Between { enter: base, exit: top } } else { Self::Between { enter: top, exit: base } }
     }
 }
 
@@ -127,10 +105,7 @@ fn both_nappes(side: &LateralLine) -> Answer {
             .into_iter()
             .collect(),
         -1 => {
-            let (lower, upper) = side
-                .quadratic
-                .roots(side.exponent)
-                .expect("a line that runs within a nappe meets it");
+            let (lower, upper) = side.quadratic.roots(side.exponent).expect("a line that runs within a nappe meets it");
             vec![Interval::until(lower), Interval::from(upper)]
         }
         _ => match sign_of(k) {
@@ -144,24 +119,15 @@ fn both_nappes(side: &LateralLine) -> Answer {
 }
 
 fn side_end(t: Root) -> End {
-    End {
-        t,
-        part: Part::Side,
-    }
+    End { t, part: Part::Side }
 }
 
 fn all_side(interval: Interval) -> Span {
-    Span {
-        enter: interval.enter.map(side_end),
-        exit: interval.exit.map(side_end),
-    }
+    Span { enter: interval.enter.map(side_end), exit: interval.exit.map(side_end) }
 }
 
 pub(super) fn coincident(interval: Interval) -> Answer {
-    Answer::Coincident {
-        from: interval.enter,
-        to: interval.exit,
-    }
+    Answer::Coincident { from: interval.enter, to: interval.exit }
 }
 
 /// The interval within the slab; ends that the interval and the slab share are the interval's, and so the side's.
@@ -200,10 +166,7 @@ fn solid_with_flat_caps(overlap: Overlap, slab: Slab) -> Answer {
         // Every point of it is on the side, its ends on the rims among them.
         Overlap::InSurface(interval) => clip(interval, slab).map(|span| {
             let side = |end: End| side_end(end.t);
-            Span {
-                enter: span.enter.map(side),
-                exit: span.exit.map(side),
-            }
+            Span { enter: span.enter.map(side), exit: span.exit.map(side) }
         }),
     };
     Answer::Spans(span.into_iter().collect())
@@ -214,10 +177,7 @@ fn open_side(overlap: Overlap, slab: Slab) -> Answer {
         Overlap::Nothing => Answer::Crossings(vec![]),
         Overlap::InSurface(interval) => match clip(interval, slab) {
             None => Answer::Crossings(vec![]),
-            Some(span) => Answer::Coincident {
-                from: span.enter.map(|end| end.t),
-                to: span.exit.map(|end| end.t),
-            },
+            Some(span) => Answer::Coincident { from: span.enter.map(|end| end.t), to: span.exit.map(|end| end.t) },
         },
         Overlap::Within(interval) => {
             let reached = |t: &Root| match &slab {
@@ -226,11 +186,7 @@ fn open_side(overlap: Overlap, slab: Slab) -> Answer {
                 Slab::Between { enter, exit } => enter.t <= *t && *t <= exit.t,
             };
             let touches = interval.enter.is_some() && interval.enter == interval.exit;
-            let crossing = |t, side| Crossing {
-                t,
-                side,
-                part: Part::Side,
-            };
+            let crossing = |t, side| Crossing { t, side, part: Part::Side };
             let crossings = if touches {
                 vec![interval.enter.map(|t| crossing(t, Approach::Touch))]
             } else {
@@ -239,13 +195,7 @@ fn open_side(overlap: Overlap, slab: Slab) -> Answer {
                     interval.exit.map(|t| crossing(t, Approach::FromInside)),
                 ]
             };
-            Answer::Crossings(
-                crossings
-                    .into_iter()
-                    .flatten()
-                    .filter(|crossing| reached(&crossing.t))
-                    .collect(),
-            )
+            Answer::Crossings(crossings.into_iter().flatten().filter(|crossing| reached(&crossing.t)).collect())
         }
     }
 }
@@ -266,22 +216,13 @@ fn capsule(line: &IntegerLine, lateral: &Lateral, radius: &IBig, height: &IBig) 
         .filter_map(|centre| sphere_overlap(line, radius, centre))
         .filter_map(|ball| Some((ball.enter?, ball.exit?, false)))
         .collect();
-    let body = solid_with_flat_caps(
-        LateralLine::new(line, lateral).one_nappe(),
-        Slab::new(line, height),
-    );
+    let body = solid_with_flat_caps(LateralLine::new(line, lateral).one_nappe(), Slab::new(line, height));
     if let Answer::Spans(spans) = body {
-        ends.extend(
-            spans
-                .into_iter()
-                .filter_map(|span| Some((span.enter?.t, span.exit?.t, true))),
-        );
+        ends.extend(spans.into_iter().filter_map(|span| Some((span.enter?.t, span.exit?.t, true))));
     }
     let part_at = |t: &Root| {
-        let y = t.mul_add(
-            &Dyadic::new(line.direction[1].clone(), -line.exponent),
-            &Dyadic::new(line.origin[1].clone(), 0),
-        );
+        let y =
+            t.mul_add(&Dyadic::new(line.direction[1].clone(), -line.exponent), &Dyadic::new(line.origin[1].clone(), 0));
         if y.signum() < 0 {
             Part::Base
         } else if y.cmp_dyadic(&Dyadic::new(height.clone(), 0)) == Ordering::Greater {
@@ -305,10 +246,7 @@ fn capsule(line: &IntegerLine, lateral: &Lateral, radius: &IBig, height: &IBig) 
     Answer::Spans(
         enter
             .zip(exit)
-            .map(|(enter, exit)| Span {
-                enter: Some(end(enter)),
-                exit: Some(end(exit)),
-            })
+            .map(|(enter, exit)| Span { enter: Some(end(enter)), exit: Some(end(exit)) })
             .into_iter()
             .collect(),
     )
@@ -333,51 +271,23 @@ pub fn solve(solid: &Solid, line: &Line) -> Answer {
             let ball = sphere_overlap(&integers, &integers.length(radius), &IBig::ZERO);
             Answer::Spans(ball.map(all_side).into_iter().collect())
         }
-        Solid::Cylinder {
-            extent: CylinderExtent::Infinite,
-            ..
+        Solid::Cylinder { extent: CylinderExtent::Infinite, .. } | Solid::Cone { extent: ConeExtent::Nappe, .. } => {
+            unbounded(one_nappe(&IntegerLine::new(line, &[])))
         }
-        | Solid::Cone {
-            extent: ConeExtent::Nappe,
-            ..
-        } => unbounded(one_nappe(&IntegerLine::new(line, &[]))),
-        Solid::Cone {
-            extent: ConeExtent::Double,
-            ..
-        } => {
+        Solid::Cone { extent: ConeExtent::Double, .. } => {
             let lateral = solid.lateral().expect("a cone has a side");
             both_nappes(&LateralLine::new(&IntegerLine::new(line, &[]), &lateral))
         }
-        Solid::Cylinder {
-            extent: CylinderExtent::Capped(height),
-            ..
-        }
-        | Solid::Cone {
-            extent: ConeExtent::Capped(height),
-            ..
-        }
-        | Solid::Frustum {
-            height,
-            capped: true,
-            ..
-        } => {
+        Solid::Cylinder { extent: CylinderExtent::Capped(height), .. }
+        | Solid::Cone { extent: ConeExtent::Capped(height), .. }
+        | Solid::Frustum { height, capped: true, .. } => {
             let integers = IntegerLine::new(line, &[height]);
             let slab = Slab::new(&integers, &integers.length(height));
             solid_with_flat_caps(one_nappe(&integers), slab)
         }
-        Solid::Cylinder {
-            extent: CylinderExtent::Open(height),
-            ..
-        }
-        | Solid::Cone {
-            extent: ConeExtent::Open(height),
-            ..
-        }
-        | Solid::Frustum {
-            height,
-            capped: false,
-            ..
-        } => {
+        Solid::Cylinder { extent: CylinderExtent::Open(height), .. }
+        | Solid::Cone { extent: ConeExtent::Open(height), .. }
+        | Solid::Frustum { height, capped: false, .. } => {
             let integers = IntegerLine::new(line, &[height]);
             let slab = Slab::new(&integers, &integers.length(height));
             open_side(one_nappe(&integers), slab)
@@ -385,12 +295,7 @@ pub fn solve(solid: &Solid, line: &Line) -> Answer {
         Solid::Capsule { radius, height } => {
             let integers = IntegerLine::new(line, &[radius, height]);
             let lateral = solid.lateral().expect("a capsule has a side");
-            capsule(
-                &integers,
-                &lateral,
-                &integers.length(radius),
-                &integers.length(height),
-            )
+            capsule(&integers, &lateral, &integers.length(radius), &integers.length(height))
         }
         Solid::Plane => plane(&IntegerLine::new(line, &[])),
         Solid::Disc { radius } => {
@@ -402,9 +307,7 @@ pub fn solve(solid: &Solid, line: &Line) -> Answer {
             triangle_normal(vertices);
             let lengths: Vec<&Dyadic> = vertices.iter().flatten().collect();
             let integers = IntegerLine::new(line, &lengths);
-            let corners = vertices
-                .each_ref()
-                .map(|vertex| vertex.each_ref().map(|x| integers.length(x)));
+            let corners = vertices.each_ref().map(|vertex| vertex.each_ref().map(|x| integers.length(x)));
             triangle(&integers, &corners)
         }
     }

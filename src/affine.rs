@@ -1,0 +1,228 @@
+//! Floor 3: placement by any invertible matrix: ellipsoids, elliptic cylinders and cones.
+//!
+//! Only the inverse is kept, one row at a time: a fixed-point row has its own power of two, so that a scale of 1000
+//! along one axis and of 1/1000 along another both keep all their bits.
+
+use crate::frame::{Frame, FrameError};
+use crate::line::Local;
+use crate::ray::Ray;
+use crate::scalar::{Real, Scalar};
+use crate::vector::{UnitVec3, Vec3, cross};
+
+/// One row of the inverse: components below 1 and a power of two.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+struct Row<U> {
+    components: [U; 3],
+    exponent: i32,
+}
+
+/// Any invertible placement. `t` is corrected by the length of the transformed direction, normals by the inverse
+/// transpose.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Affine<S: Scalar> {
+    position: Vec3<S>,
+    inverse: [Row<S::Unit>; 3],
+    /// The greatest length that a local unit vector can have in the world, or more.
+    spread: S,
+}
+
+impl<S: Scalar> Affine<S> {
+    /// From the images of the local axes and of the local origin.
+    ///
+    /// # Errors
+    ///
+    /// [`FrameError::Position`] if a coordinate is not finite or beyond the budget; [`FrameError::Singular`] if the
+    /// axes lie in a plane, or so nearly that the inverse is beyond the number type.
+    ///
+    /// ```
+    /// # use raylet::{Affine, Ray, Shape, Sphere, UnitVec3, Vec3};
+    /// // An ellipsoid with half-axes 2, 1 and 0.5.
+    /// let stretch = Affine::new(
+    ///     [Vec3::new(2.0_f32, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0), Vec3::new(0.0, 0.0, 0.5)],
+    ///     Vec3::ZERO,
+    /// )?;
+    /// let egg = Shape::new(Sphere::new(1.0)?).placed(stretch);
+    /// let ray = Ray::new(Vec3::new(-10.0, 0.0, 0.0), UnitVec3::X)?;
+    /// assert_eq!(egg.nearest(&ray).map(|hit| hit.t), Some(8.0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn new(axes: [Vec3<S>; 3], position: Vec3<S>) -> Result<Self, FrameError> {
+        if !(position.is_within_budget() && axes.iter().all(|axis| axis.is_within_budget())) {
+            return Err(FrameError::Position);
+        }
+        // Scaled to unit length first: a determinant of tiny axes must not vanish.
+        let mut units = [UnitVec3::<S>::X.real(); 3];
+        let mut lengths = [S::Real::ONE; 3];
+        for i in 0..3 {
+            let (unit, length) = S::normalize(axes[i].real()).ok_or(FrameError::Singular)?;
+            units[i] = unit.map(S::unit_real);
+            lengths[i] = length;
+        }
+        let [x, y, z] = units;
+        let normals = [cross(y, z), cross(z, x), cross(x, y)];
+        let volume = S::Real::sum_of_products([[x[0], normals[0][0]], [x[1], normals[0][1]], [x[2], normals[0][2]]]);
+        // Within the rounding of unit components nothing can be said of the plane that the axes span.
+        if volume.abs() < S::Real::ONE.times_power_of_two(-16) {
+            return Err(FrameError::Singular);
+        }
+        let mut rows = [UnitVec3::<S>::X.real(); 3];
+        for i in 0..3 {
+            rows[i] = normals[i].map(|component| component / volume / lengths[i]);
+        }
+        Self::from_inverse(position, rows, lengths)
+    }
+
+    /// A frame stretched along its own axes by the factors `scale` (all positive).
+    ///
+    /// # Errors
+    ///
+    /// [`FrameError::Singular`] if a factor is zero, negative, not finite or beyond the budget.
+    pub fn stretched(frame: Frame<S>, scale: Vec3<S>) -> Result<Self, FrameError> {
+        let factors = scale.to_array();
+        if !factors.iter().all(|factor| *factor > S::ZERO && *factor <= S::BUDGET.size) {
+            return Err(FrameError::Singular);
+        }
+        let axes = [frame.right(), frame.up(), frame.forward()];
+        let mut rows = [UnitVec3::<S>::X.real(); 3];
+        for i in 0..3 {
+            rows[i] = axes[i].real().map(|component| component / factors[i].real());
+        }
+        Self::from_inverse(frame.position(), rows, factors.map(S::real))
+    }
+
+    fn from_inverse(position: Vec3<S>, rows: [[S::Real; 3]; 3], lengths: [S::Real; 3]) -> Result<Self, FrameError> {
+        let mut inverse = [Row { components: UnitVec3::<S>::X.to_array(), exponent: 0 }; 3];
+        for i in 0..3 {
+            inverse[i] = Self::row(rows[i]).ok_or(FrameError::Singular)?;
+        }
+        let spread = S::round(lengths[0] + lengths[1] + lengths[2]);
+        Ok(Self { position, inverse, spread })
+    }
+
+    /// The row as components below 1 and a power of two; `None` for a row that is zero or not finite.
+    fn row(v: [S::Real; 3]) -> Option<Row<S::Unit>> {
+        let mut largest = v[0].abs();
+        for component in [v[1].abs(), v[2].abs()] {
+            if component > largest {
+                largest = component;
+            }
+        }
+        let (one, half) = (S::Real::ONE, S::Real::ONE.times_power_of_two(-1));
+        let mut exponent = 0;
+        // No scale inside the budget needs more steps; a NaN or an infinity never comes down.
+        while largest >= one && exponent < 2048 {
+            largest = largest.times_power_of_two(-1);
+            exponent += 1;
+        }
+        while largest < half && exponent > -2048 {
+            largest = largest.times_power_of_two(1);
+            exponent -= 1;
+        }
+        if !(largest >= half && largest < one) {
+            return None;
+        }
+        Some(Row { components: v.map(|c| S::unit_round(c.times_power_of_two(-exponent))), exponent })
+    }
+
+    /// Where the local origin lies.
+    pub const fn position(&self) -> Vec3<S> {
+        self.position
+    }
+
+    /// The greatest length that a local unit vector can have in the world, or more.
+    pub(crate) const fn spread(&self) -> S {
+        self.spread
+    }
+
+    /// The inverse applied to a vector that starts at the position.
+    #[inline]
+    fn vector_to_local(&self, v: [S; 3]) -> [S::Real; 3] {
+        self.inverse.map(|row| S::dot(v, row.components).times_power_of_two(row.exponent))
+    }
+
+    /// The rows of the inverse, in the computing number.
+    fn rows(&self) -> [[S::Real; 3]; 3] {
+        self.inverse.map(|row| row.components.map(|c| S::unit_real(c).times_power_of_two(row.exponent)))
+    }
+
+    /// A world point in local coordinates.
+    pub fn point_to_local(&self, point: Vec3<S>) -> Vec3<S> {
+        let ([x, y, z], [px, py, pz]) = (point.real(), self.position.real());
+        Vec3::round(self.rows().map(|[a, b, c]| S::Real::sum_of_products([[x - px, a], [y - py, b], [z - pz, c]])))
+    }
+
+    /// The local coordinates of the ray's point at `t`.
+    pub(crate) fn ray_point_to_local(&self, ray: &Ray<S>, t: S) -> Vec3<S> {
+        let from_position =
+            S::approach(ray.origin().to_array(), self.position.to_array(), ray.direction().to_array(), t);
+        Vec3::round(self.vector_to_local(from_position))
+    }
+
+    /// A local normal in the world: the inverse transpose, normalised.
+    pub(crate) fn normal_to_world(&self, normal: UnitVec3<S>) -> UnitVec3<S> {
+        let (n, rows) = (normal.real(), self.rows());
+        let component =
+            |i: usize| S::Real::sum_of_products([[n[0], rows[0][i]], [n[1], rows[1][i]], [n[2], rows[2][i]]]);
+        UnitVec3::from_real([component(0), component(1), component(2)]).unwrap_or(normal)
+    }
+
+    /// The image of a local vector: the adjugate of the inverse, up to a positive factor (the determinant).
+    fn image(&self, v: [S::Real; 3]) -> [S::Real; 3] {
+        let [x, y, z] = self.rows();
+        let columns = [cross(y, z), cross(z, x), cross(x, y)];
+        let determinant =
+            S::Real::sum_of_products([[x[0], columns[0][0]], [x[1], columns[0][1]], [x[2], columns[0][2]]]);
+        let component =
+            |i: usize| S::Real::sum_of_products([[v[0], columns[0][i]], [v[1], columns[1][i]], [v[2], columns[2][i]]]);
+        [component(0), component(1), component(2)].map(|c| c / determinant)
+    }
+
+    /// A local point in the world.
+    pub(crate) fn point_to_world(&self, point: Vec3<S>) -> Vec3<S> {
+        let (v, p) = (self.image(point.real()), self.position.real());
+        Vec3::round([v[0] + p[0], v[1] + p[1], v[2] + p[2]])
+    }
+
+    /// A local tangent in the world, normalised.
+    pub(crate) fn tangent_to_world(&self, tangent: UnitVec3<S>) -> UnitVec3<S> {
+        UnitVec3::from_real(self.image(tangent.real())).unwrap_or(tangent)
+    }
+
+    /// The half-extents in the world of a local box of half-extents `half`, and the image of its centre.
+    pub(crate) fn box_to_world(&self, centre: [S::Real; 3], half: [S::Real; 3]) -> ([S::Real; 3], [S::Real; 3]) {
+        let zero = S::Real::ZERO;
+        let columns =
+            [self.image([half[0], zero, zero]), self.image([zero, half[1], zero]), self.image([zero, zero, half[2]])];
+        let (moved, position) = (self.image(centre), self.position.real());
+        let middle = [0, 1, 2].map(|i| moved[i] + position[i]);
+        (middle, [0, 1, 2].map(|i| columns[0][i].abs() + columns[1][i].abs() + columns[2][i].abs()))
+    }
+
+    /// The ray in local coordinates; `None` if even its closest point is farther than the number type reaches.
+    pub(crate) fn localize(&self, ray: &Ray<S>, reach: S) -> Option<Local<S>> {
+        let direction = ray.direction().to_array();
+        let stretched = self.inverse.map(|row| S::unit_dot(direction, row.components).times_power_of_two(row.exponent));
+        let (local_direction, stretch) = S::normalize(stretched)?;
+        let from_position = (ray.origin() - self.position).to_array();
+        let origin = self.vector_to_local(from_position).map(S::round);
+        let in_type = from_position.iter().chain(&origin).all(|c| c.is_finite());
+        let step = if in_type {
+            let world_reach = S::round(reach.real() * self.spread.real());
+            S::step_closer(S::dot(from_position, direction), world_reach)
+        } else {
+            let (o, p, d) = (ray.origin().real(), self.position.real(), ray.direction().real());
+            Some(S::round(-S::Real::sum_of_products([[o[0] - p[0], d[0]], [o[1] - p[1], d[1]], [o[2] - p[2], d[2]]])))
+        };
+        let Some(step) = step else {
+            return Some(Local::new(ray, origin, local_direction, S::ZERO, Some(stretch), reach));
+        };
+        let close = S::approach(ray.origin().to_array(), self.position.to_array(), direction, step);
+        let origin = self.vector_to_local(close).map(S::round);
+        if !close.iter().chain(&origin).all(|c| c.is_finite()) || !step.is_finite() {
+            return None;
+        }
+        Some(Local::new(ray, origin, local_direction, step, Some(stretch), reach))
+    }
+}

@@ -1,0 +1,227 @@
+//! Floor 3: placement by rotation and translation.
+
+use crate::line::Local;
+use crate::ray::Ray;
+use crate::scalar::{Real, Scalar};
+use crate::vector::{UnitVec3, Vec3};
+use core::fmt;
+
+/// A position and three perpendicular axes: the exact-minded way to place a primitive.
+///
+/// Orthonormal by construction, so that lengths, and with them `t`, are the same inside and outside.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Frame<S: Scalar> {
+    position: Vec3<S>,
+    /// The frame's x, y and z axes in world coordinates.
+    axes: [UnitVec3<S>; 3],
+}
+
+impl<S: Scalar> Frame<S> {
+    /// Moved to `position`, not turned.
+    ///
+    /// # Errors
+    ///
+    /// [`FrameError::Position`] if a coordinate is not finite or beyond the budget.
+    pub fn at(position: Vec3<S>) -> Result<Self, FrameError> {
+        Self::from_axes(position, [UnitVec3::X, UnitVec3::Y, UnitVec3::Z])
+    }
+
+    /// From the base and the axis of a solid: its y axis is `axis`, the other two are any that are perpendicular.
+    ///
+    /// # Errors
+    ///
+    /// [`FrameError::Position`] as for [`Frame::at`].
+    pub fn from_base_and_axis(base: Vec3<S>, axis: UnitVec3<S>) -> Result<Self, FrameError> {
+        if axis == UnitVec3::Y {
+            return Self::at(base);
+        }
+        // (z, x) with z x x = y.
+        let (z, x) = axis.perpendicular();
+        Self::from_axes(base, [x, axis, z])
+    }
+
+    /// From two end points: the base at `from`, the axis towards `to`; and the distance between them, the height of
+    /// the solid.
+    ///
+    /// # Errors
+    ///
+    /// [`FrameError::Position`] if a point is beyond the budget, [`FrameError::Axes`] if they coincide.
+    ///
+    /// ```
+    /// # use raylet::{Cylinder, Frame, Shape, Vec3};
+    /// let (frame, height) = Frame::between(Vec3::new(1.0_f32, 0.0, 0.0), Vec3::new(1.0, 0.0, 5.0))?;
+    /// let rod = Shape::new(Cylinder::capped(0.25, height)?).placed(frame);
+    /// assert_eq!(height, 5.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn between(from: Vec3<S>, to: Vec3<S>) -> Result<(Self, S), FrameError> {
+        if !(from.is_within_budget() && to.is_within_budget()) {
+            return Err(FrameError::Position);
+        }
+        let ([fx, fy, fz], [tx, ty, tz]) = (from.real(), to.real());
+        let (axis, height) = S::normalize([tx - fx, ty - fy, tz - fz]).ok_or(FrameError::Axes)?;
+        Ok((Self::from_base_and_axis(from, UnitVec3::rotated(axis))?, S::round(height)))
+    }
+
+    /// From a position, the direction of the z axis (`forward`) and a direction that `up` shall lean to: the y axis
+    /// is the part of `up` that is perpendicular to `forward`, and x = y x z is to the right.
+    ///
+    /// # Errors
+    ///
+    /// [`FrameError::Position`] as for [`Frame::at`]; [`FrameError::Axes`] if `up` is parallel to `forward`.
+    pub fn looking(position: Vec3<S>, forward: UnitVec3<S>, up: UnitVec3<S>) -> Result<Self, FrameError> {
+        let right = UnitVec3::from_real(up.cross(forward)).ok_or(FrameError::Axes)?;
+        let up = UnitVec3::from_real(forward.cross(right)).ok_or(FrameError::Axes)?;
+        Self::from_axes(position, [right, up, forward])
+    }
+
+    /// From a position and the three axes as people have them in hand; made perpendicular starting with `up`, the
+    /// axis of the solids.
+    ///
+    /// # Errors
+    ///
+    /// [`FrameError::Position`] as for [`Frame::at`]; [`FrameError::Axes`] if the three are not a right-handed
+    /// frame within 2^-10.
+    pub fn from_right_up_forward(
+        position: Vec3<S>,
+        right: UnitVec3<S>,
+        up: UnitVec3<S>,
+        forward: UnitVec3<S>,
+    ) -> Result<Self, FrameError> {
+        let z = UnitVec3::from_real(right.cross(up)).ok_or(FrameError::Axes)?;
+        let x = UnitVec3::from_real(up.cross(z)).ok_or(FrameError::Axes)?;
+        let close = S::Real::ONE - S::Real::ONE.times_power_of_two(-10);
+        if x.dot(right) < close || z.dot(forward) < close {
+            return Err(FrameError::Axes);
+        }
+        Self::from_axes(position, [x, up, z])
+    }
+
+    fn from_axes(position: Vec3<S>, axes: [UnitVec3<S>; 3]) -> Result<Self, FrameError> {
+        if position.is_within_budget() { Ok(Self { position, axes }) } else { Err(FrameError::Position) }
+    }
+
+    /// Where the frame's origin lies.
+    #[inline]
+    pub const fn position(&self) -> Vec3<S> {
+        self.position
+    }
+
+    /// The direction of the x axis.
+    #[inline]
+    pub const fn right(&self) -> UnitVec3<S> {
+        self.axes[0]
+    }
+
+    /// The direction of the y axis, the axis of the solids.
+    #[inline]
+    pub const fn up(&self) -> UnitVec3<S> {
+        self.axes[1]
+    }
+
+    /// The direction of the z axis.
+    #[inline]
+    pub const fn forward(&self) -> UnitVec3<S> {
+        self.axes[2]
+    }
+
+    /// A world point in the frame's coordinates.
+    pub fn point_to_local(&self, point: Vec3<S>) -> Vec3<S> {
+        let ([x, y, z], [px, py, pz]) = (point.real(), self.position.real());
+        Vec3::round(self.axes.map(|axis| {
+            let [ax, ay, az] = axis.real();
+            S::Real::sum_of_products([[x - px, ax], [y - py, ay], [z - pz, az]])
+        }))
+    }
+
+    /// A direction of the frame in world coordinates.
+    pub fn direction_to_world(&self, direction: UnitVec3<S>) -> UnitVec3<S> {
+        let d = direction.real();
+        let a = self.axes.map(UnitVec3::real);
+        let component = |i: usize| d[0] * a[0][i] + d[1] * a[1][i] + d[2] * a[2][i];
+        UnitVec3::from_real([component(0), component(1), component(2)]).unwrap_or(direction)
+    }
+
+    /// A point of the frame in world coordinates.
+    pub fn point_to_world(&self, point: Vec3<S>) -> Vec3<S> {
+        let (v, p) = (point.real(), self.position.real());
+        let a = self.axes.map(UnitVec3::real);
+        let component = |i: usize| {
+            S::Real::sum_of_products([[v[0], a[0][i]], [v[1], a[1][i]], [v[2], a[2][i]], [p[i], S::Real::ONE]])
+        };
+        Vec3::round([component(0), component(1), component(2)])
+    }
+
+    /// The half-extents in the world of a local box of half-extents `half`, and the image of its centre.
+    pub(crate) fn box_to_world(&self, centre: [S::Real; 3], half: [S::Real; 3]) -> ([S::Real; 3], [S::Real; 3]) {
+        let a = self.axes.map(UnitVec3::real);
+        let p = self.position.real();
+        let middle = [0, 1, 2].map(|i| p[i] + centre[0] * a[0][i] + centre[1] * a[1][i] + centre[2] * a[2][i]);
+        let extent = [0, 1, 2].map(|i| half[0] * a[0][i].abs() + half[1] * a[1][i].abs() + half[2] * a[2][i].abs());
+        (middle, extent)
+    }
+
+    /// The frame's coordinates of the ray's point at `t`, rounded once before the rotation: as accurate far from the
+    /// world's origin as near it.
+    pub(crate) fn ray_point_to_local(&self, ray: &Ray<S>, t: S) -> Vec3<S> {
+        let from_position =
+            S::approach(ray.origin().to_array(), self.position.to_array(), ray.direction().to_array(), t);
+        Vec3::round(self.axes.map(|axis| S::dot(from_position, axis.to_array())))
+    }
+
+    /// The ray as seen from the frame; `None` if even its closest point is farther than the number type reaches.
+    #[inline]
+    pub(crate) fn localize(&self, ray: &Ray<S>, reach: S) -> Option<Local<S>> {
+        let direction = ray.direction().to_array();
+        let mut from_position = (ray.origin() - self.position).to_array();
+        let mut start = S::ZERO;
+        let step = if from_position.iter().all(|c| c.is_finite()) {
+            S::step_closer(S::dot(from_position, direction), reach)
+        } else {
+            Some(self.closest_approach(ray))
+        };
+        if let Some(step) = step {
+            from_position = S::approach(ray.origin().to_array(), self.position.to_array(), direction, step);
+            start = step;
+            if !(step.is_finite() && from_position.iter().all(|c| c.is_finite())) {
+                return None;
+            }
+        }
+        let axes = self.axes.map(UnitVec3::to_array);
+        let origin = axes.map(|axis| S::round(S::dot(from_position, axis)));
+        let local = axes.map(|axis| S::unit_round(S::unit_dot(direction, axis)));
+        Some(Local::new(ray, origin, local, start, None, reach))
+    }
+
+    /// The `t` of the point nearest to the position, for coordinates whose difference the type cannot hold.
+    #[cold]
+    fn closest_approach(&self, ray: &Ray<S>) -> S {
+        let (o, p, d) = (ray.origin().real(), self.position.real(), ray.direction().real());
+        S::round(-S::Real::sum_of_products([[o[0] - p[0], d[0]], [o[1] - p[1], d[1]], [o[2] - p[2], d[2]]]))
+    }
+}
+
+/// Why a frame or an affine placement cannot be built.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum FrameError {
+    /// A coordinate is not finite or beyond the budget.
+    Position,
+    /// The axes do not span a right-handed frame: points coincide, or directions are parallel.
+    Axes,
+    /// The matrix has no inverse that the number type could hold.
+    Singular,
+}
+
+impl fmt::Display for FrameError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Position => "the position is not finite or beyond the number type's budget: move it closer",
+            Self::Axes => "the axes do not span a right-handed frame: give points that differ and directions that are not parallel",
+            Self::Singular => "the matrix is singular: every axis needs a length, and no two may be parallel",
+        })
+    }
+}
+
+impl core::error::Error for FrameError {}

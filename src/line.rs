@@ -1,0 +1,86 @@
+//! Floor 3: a ray as a primitive sees it.
+//!
+//! A placement turns a ray into a [`Line`] in the primitive's own frame and keeps, in [`Local`], what leads back to
+//! the ray's `t`. On the way the origin is moved close to the solid where the number type would otherwise lose the
+//! solid in the rounding of far coordinates, and everything is brought near 1 by a power of two, so that no square
+//! overflows. Both are exact, or rounded once.
+
+use crate::hit::Part;
+use crate::ray::{Leaving, Ray};
+use crate::scalar::{Scalar, largest};
+
+/// An infinite line in the frame of a primitive, and the part that it departs from at `t = 0`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Line<S: Scalar> {
+    pub(crate) origin: [S; 3],
+    pub(crate) direction: [S::Unit; 3],
+    pub(crate) departure: Option<(Part, Leaving)>,
+}
+
+impl<S: Scalar> Line<S> {
+    /// The line's departure, if it departs from this part.
+    #[inline]
+    pub(crate) fn departs_from(&self, part: Part) -> Option<Leaving> {
+        self.departure.and_then(|(from, leaving)| (from == part).then_some(leaving))
+    }
+}
+
+/// A [`Line`] and the way from its `t` back to that of the ray: `t = start + t_line * 2^exponent / stretch`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Local<S: Scalar> {
+    pub(crate) line: Line<S>,
+    pub(crate) exponent: i32,
+    start: S,
+    stretch: Option<S::Real>,
+}
+
+impl<S: Scalar> Local<S> {
+    /// The ray in a frame that is the world's. `anchor` is a point of the solid and `reach` the distance from there
+    /// within which it lies.
+    #[inline]
+    pub(crate) fn in_world(ray: &Ray<S>, anchor: [S; 3], reach: S) -> Self {
+        let (mut origin, direction) = (ray.origin().to_array(), ray.direction().to_array());
+        let mut start = S::ZERO;
+        let from_anchor = [0, 1, 2].map(|i| origin[i].minus(anchor[i]));
+        if let Some(step) = S::step_closer(S::dot(from_anchor, direction), reach) {
+            origin = S::advance(origin, direction, step);
+            start = step;
+        }
+        Self::new(ray, origin, direction, start, None, largest([anchor[0], anchor[1], anchor[2], reach]))
+    }
+
+    /// From the origin and direction in the primitive's frame. `start` is the `t` to which the origin has been moved,
+    /// `stretch` the length by which the direction was divided.
+    #[inline]
+    pub(crate) fn new(
+        ray: &Ray<S>,
+        origin: [S; 3],
+        direction: [S::Unit; 3],
+        start: S,
+        stretch: Option<S::Real>,
+        size: S,
+    ) -> Self {
+        let exponent = S::binary_exponent(largest([origin[0], origin[1], origin[2], size]));
+        let departure = ray.departure().map(|departure| (departure.part, departure.leaving));
+        let origin = origin.map(|component| component.scaled(-exponent));
+        Self { line: Line { origin, direction, departure }, exponent, start, stretch }
+    }
+
+    /// The ray's `t` for a `t` on the line.
+    #[inline]
+    pub(crate) fn to_ray(self, t: S) -> S {
+        if !t.is_finite() {
+            return t;
+        }
+        match self.stretch {
+            None => self.start.plus(t.scaled(self.exponent)),
+            Some(stretch) => self.start.plus(S::round(t.scaled(self.exponent).real() / stretch)),
+        }
+    }
+
+    /// True if a line's zero is the ray's zero, so that signs of `t` agree.
+    #[inline]
+    pub(crate) fn starts_at_origin(&self) -> bool {
+        self.start == S::ZERO
+    }
+}

@@ -1,0 +1,212 @@
+//! The capsule: a cylinder with round ends, all points within `r` of the segment from the origin to (0, height, 0).
+
+use super::cylinder::tube;
+use super::sphere::ball;
+use super::{
+    Geometry, Line, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates,
+};
+use crate::hit::Part;
+use crate::quadric::Inside;
+use crate::ray::Leaving;
+use crate::scalar::{Real, Scalar};
+use crate::span::{End, Meeting, Span};
+use crate::tier::Tier;
+use crate::vector::{UnitVec3, Vec3};
+
+/// A cylinder with hemispherical caps; its height excludes them. Also: a sphere swept along a segment.
+///
+/// ```
+/// use raylet::{Capsule, Part, Ray, UnitVec3, Vec3};
+/// let pill = Capsule::new(1.0_f32, 2.0)?;
+/// let ray = Ray::new(Vec3::new(0.0, 5.0, 0.0), -UnitVec3::Y)?;
+/// let hits = pill.hits(&ray);
+/// assert_eq!((hits[0].t, hits[0].part), (2.0, Part::Top));
+/// assert_eq!((hits[1].t, hits[1].part), (6.0, Part::Base));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Capsule<S> {
+    radius: S,
+    height: S,
+}
+
+impl<S: Scalar> Capsule<S> {
+    /// A capsule of this radius whose straight side has this height; zero makes it a sphere.
+    ///
+    /// # Errors
+    ///
+    /// [`SizeError`] if the radius is not positive, the height is negative, or one is not finite or beyond the budget.
+    pub fn new(radius: S, height: S) -> Result<Self, SizeError> {
+        Ok(Self {
+            radius: checked_size(radius, SizeError::Radius)?,
+            height: checked_size_or_zero(height, SizeError::Height)?,
+        })
+    }
+
+    /// The radius of the side and of the ends.
+    pub const fn radius(&self) -> S {
+        self.radius
+    }
+
+    /// The height of the straight side.
+    pub const fn height(&self) -> S {
+        self.height
+    }
+
+    /// The line as the ball at the given end sees it.
+    fn seen_from<T: Tier<S>>(&self, line: &Line<S>, part: Part) -> Line<S> {
+        let [x, y, z] = line.origin;
+        let y = if part == Part::Top { y.minus(self.height) } else { y };
+        Line { origin: [x, y, z], ..*line }
+    }
+
+    /// The true end for one of the infinite tube: on the side between the seams, which it owns, and on the ball
+    /// beyond them.
+    fn end<T: Tier<S>>(&self, line: &Line<S>, tube: S, entering: bool) -> Option<End<S>> {
+        let rising = line.direction[1] > <S::Unit as crate::scalar::UnitScalar>::ZERO;
+        let part = if tube.is_finite() {
+            let [_, y, _] = S::advance(line.origin, line.direction, tube);
+            if y < S::ZERO {
+                Part::Base
+            } else if y > self.height {
+                Part::Top
+            } else {
+                return Some(End::new(tube, Part::Side));
+            }
+        } else if rising == entering {
+            Part::Base
+        } else {
+            Part::Top
+        };
+        let span = ball::<S, T>(&self.seen_from::<T>(line, part), self.radius)?;
+        Some(End::new(if entering { span.enter.t } else { span.exit.t }, part))
+    }
+
+    /// The point of the axis's segment nearest to a point of the part.
+    fn centre(&self, part: Part) -> Vec3<S> {
+        if part == Part::Top { Vec3::new(S::ZERO, self.height, S::ZERO) } else { Vec3::ZERO }
+    }
+}
+
+impl<S: Scalar> Geometry<S> for Capsule<S> {
+    fn reach(&self) -> S {
+        self.radius.plus(self.height)
+    }
+
+    fn scaled(&self, e: i32) -> Self {
+        Self { radius: self.radius.scaled(e), height: self.height.scaled(e) }
+    }
+
+    #[inline]
+    fn meet<T: Tier<S>>(&self, line: &Line<S>) -> Meeting<S> {
+        if let Some((part, leaving)) = line.departure {
+            return self.meet_departing::<T>(line, part, leaving);
+        }
+        // The balls lie in the infinite tube, and where a line runs in the tube beyond a ball without meeting it,
+        // it does not come back to the side: each end of the tube has one true end, or there is none at all.
+        let (low, high, touch) = match tube::<S, T>(line, self.radius) {
+            Inside::Between(span) => (span.enter.t, span.exit.t, span.touch),
+            Inside::InSurface | Inside::Everywhere => (-S::INFINITY, S::INFINITY, false),
+            _ => return Meeting::Miss,
+        };
+        let (Some(enter), Some(exit)) = (self.end::<T>(line, low, true), self.end::<T>(line, high, false)) else {
+            return Meeting::Miss;
+        };
+        if enter.t > exit.t {
+            return Meeting::Miss;
+        }
+        // Both ends on one ball coincide only where the ball is touched.
+        let round_touch = enter.part == exit.part
+            && enter.part != Part::Side
+            && ball::<S, T>(&self.seen_from::<T>(line, enter.part), self.radius).is_some_and(|span| span.touch);
+        Meeting::One(Span { enter, exit, touch: touch || round_touch })
+    }
+
+    fn contains(&self, point: Vec3<S>) -> bool {
+        let [x, y, z] = point.real();
+        let r = self.radius.real();
+        let y = if point.y < S::ZERO {
+            y
+        } else if point.y > self.height {
+            y - self.height.real()
+        } else {
+            S::Real::ZERO
+        };
+        let c = S::Real::sum_of_products([[x, x], [y, y], [-r, r], [z, z]]);
+        c.is_negative() || c.is_zero()
+    }
+
+    fn bounds(&self) -> (Vec3<S>, Vec3<S>) {
+        let r = self.radius;
+        (Vec3::new(-r, -r, -r), Vec3::new(r, self.height.plus(r), r))
+    }
+
+    fn on_surface(&self, point: Vec3<S>, part: Part) -> Vec3<S> {
+        let r = self.radius.real();
+        if part == Part::Side {
+            return coordinates::at_radius(point, r);
+        }
+        Vec3::round(self.normal(point, part).real().map(|component| component * r)) + self.centre(part)
+    }
+
+    fn normal(&self, point: Vec3<S>, part: Part) -> UnitVec3<S> {
+        match part {
+            Part::Side => coordinates::outwards(point),
+            Part::Base => UnitVec3::new(point).unwrap_or(-UnitVec3::Y),
+            Part::Top => UnitVec3::new(point - self.centre(part)).unwrap_or(UnitVec3::Y),
+        }
+    }
+
+    /// `v` is the length of the outline from the lowest point, as a fraction of the whole.
+    fn uv(&self, point: Vec3<S>, part: Part) -> (S::Unit, S::Unit) {
+        let height = self.height.real();
+        // An arc of a quarter turn: r pi / 2, with pi / 2 = 11 / 7 within 1/2000; texture needs no more, but ends must meet.
+        let quarter = self.radius.real() * (S::Real::from_int(11) / S::Real::from_int(7));
+        let along = match part {
+            Part::Base => S::unit_real(super::sphere::latitude(point)) * quarter.times_power_of_two(1),
+            Part::Side => quarter + point.y.real(),
+            Part::Top => {
+                height
+                    + S::unit_real(super::sphere::latitude(point - self.centre(part))) * quarter.times_power_of_two(1)
+            }
+        };
+        (coordinates::azimuth(point), coordinates::fraction::<S>(along, height + quarter.times_power_of_two(1)))
+    }
+
+    fn tangents(&self, point: Vec3<S>, part: Part) -> (UnitVec3<S>, UnitVec3<S>) {
+        let u = coordinates::around(point);
+        let v = UnitVec3::from_real(self.normal(point, part).cross(u)).unwrap_or(UnitVec3::Y);
+        (u, v)
+    }
+}
+
+impl<S: Scalar> Capsule<S> {
+    /// Rule 8: outwards nothing; inwards the far end, and `c = 0` on the quadric that the ray left.
+    #[cold]
+    fn meet_departing<T: Tier<S>>(&self, line: &Line<S>, part: Part, leaving: Leaving) -> Meeting<S> {
+        if leaving == Leaving::Outwards {
+            return Meeting::Miss;
+        }
+        let far = match tube::<S, T>(line, self.radius) {
+            Inside::Between(span) => span.exit.t,
+            Inside::Nowhere => S::ZERO,
+            _ => S::INFINITY,
+        };
+        let far = if far < S::ZERO { S::ZERO } else { far };
+        let arriving = Line { departure: None, ..*line };
+        let mut exit = self.end::<T>(&arriving, far, false).unwrap_or(End::new(S::ZERO, part));
+        if exit.part == part && part != Part::Side {
+            // Across the ball that it left: the other root.
+            let ball_line = self.seen_from::<T>(line, part);
+            let (a, k) = (T::squared_length(line.direction), T::dot(ball_line.origin, line.direction));
+            exit.t = T::ratio(k.abs().times_power_of_two(1), a);
+        }
+        if exit.t < S::ZERO {
+            exit.t = S::ZERO;
+        }
+        Meeting::One(Span::new(End::none(-S::INFINITY), exit))
+    }
+}
+
+queries!(Capsule);

@@ -1,0 +1,454 @@
+//! The cone about the y axis.
+//!
+//! One outline serves all cones: at height `y` the radius is `(g0 + g1 y) / h`. A cone given by its slope `m` has
+//! `g0 = 0`, `g1 = m`, `h = 1`; a frustum given by two radii and a height has `g0 = r0 h`, `g1 = r1 - r0`, so that no slope is
+//! rounded. With `g = g0 + g1 oy` and `g' = g1 dy` the quadric is `h^2 (x^2 + z^2) - (g0 + g1 y)^2`, and
+//!
+//! - `a = h^2 (dx^2 + dz^2) - g'^2`, `k = h^2 (ox dx + oz dz) - g g'`, `c = h^2 (ox^2 + oz^2) - g^2`
+//! - `D = h^2 [ (g1 wz - g0 dx)^2 + (g1 wx + g0 dz)^2 - (h wy)^2 ]`, `w = o x d`
+//!
+//! which for a slope is `D = m^2 (wx^2 + wz^2) - wy^2`: Lagrange's identity in the metric (1, -1, 1) of the cone.
+
+use super::cylinder::{capped, open_side};
+use super::{
+    Geometry, Line, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates,
+};
+use crate::hit::Part;
+use crate::quadric::{Inside, Quadric, slab};
+use crate::scalar::{Real, Scalar};
+use crate::span::{End, Meeting, Span};
+use crate::tier::Tier;
+use crate::vector::{UnitVec3, Vec3};
+
+/// The outline: how the radius grows.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+enum Outline<S> {
+    /// From the apex at the origin: radius over height.
+    Slope(S),
+    /// From the base radius to the top radius over the height.
+    Radii(S, S, S),
+}
+
+/// How far a cone reaches, and whether it is closed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+enum Extent<S> {
+    Double,
+    Nappe,
+    Open(S),
+    Capped(S),
+}
+
+/// A cone about the y axis: double, one nappe, or cut off at a height, open or with flat caps.
+///
+/// ```
+/// use raylet::{Cone, Crossing, Part, Ray, UnitVec3, Vec3};
+/// let cone = Cone::capped(1.0_f32, 1.0)?;
+/// // Through the apex, along the axis.
+/// let ray = Ray::new(Vec3::new(0.0, -2.0, 0.0), UnitVec3::Y)?;
+/// let hits = cone.hits(&ray);
+/// assert_eq!((hits[0].t, hits[0].part, hits[0].crossing), (2.0, Part::Side, Crossing::Enter));
+/// assert_eq!((hits[1].t, hits[1].part, hits[1].crossing), (3.0, Part::Top, Crossing::Exit));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Cone<S> {
+    outline: Outline<S>,
+    extent: Extent<S>,
+}
+
+impl<S: Scalar> Cone<S> {
+    /// Two nappes without ends: `x^2 + z^2 = slope^2 y^2`.
+    ///
+    /// # Errors
+    ///
+    /// [`SizeError::Slope`] if the slope is not positive, not finite or beyond the budget.
+    pub fn double(slope: S) -> Result<Self, SizeError> {
+        Ok(Self { outline: checked_slope(slope)?, extent: Extent::Double })
+    }
+
+    /// The nappe above the apex, without end.
+    ///
+    /// # Errors
+    ///
+    /// [`SizeError::Slope`] if the slope is not positive, not finite or beyond the budget.
+    pub fn nappe(slope: S) -> Result<Self, SizeError> {
+        Ok(Self { outline: checked_slope(slope)?, extent: Extent::Nappe })
+    }
+
+    /// The side from the apex up to `y = height`, without a cap: an open surface.
+    ///
+    /// # Errors
+    ///
+    /// [`SizeError`] if the slope or the height is not positive, not finite or beyond the budget.
+    pub fn open(slope: S, height: S) -> Result<Self, SizeError> {
+        Ok(Self { outline: checked_slope(slope)?, extent: Extent::Open(checked_size(height, SizeError::Height)?) })
+    }
+
+    /// A closed cone from the apex up to a flat cap at `y = height`, whose radius is exactly `slope * height`.
+    ///
+    /// # Errors
+    ///
+    /// [`SizeError`] if the slope or the height is not positive, not finite or beyond the budget.
+    pub fn capped(slope: S, height: S) -> Result<Self, SizeError> {
+        Ok(Self { outline: checked_slope(slope)?, extent: Extent::Capped(checked_size(height, SizeError::Height)?) })
+    }
+
+    /// The side of a truncated cone: radius `base_radius` at `y = 0` and `top_radius` at `y = height`; an open surface.
+    /// One radius may be zero, and they may be equal.
+    ///
+    /// # Errors
+    ///
+    /// [`SizeError`] if the height is not positive, a radius is negative, both are zero, or a size is not finite or
+    /// beyond the budget.
+    pub fn frustum_open(base_radius: S, top_radius: S, height: S) -> Result<Self, SizeError> {
+        Ok(Self { outline: checked_radii(base_radius, top_radius, height)?, extent: Extent::Open(height) })
+    }
+
+    /// A closed truncated cone; sizes as for [`Cone::frustum_open`].
+    ///
+    /// # Errors
+    ///
+    /// As for [`Cone::frustum_open`].
+    pub fn frustum(base_radius: S, top_radius: S, height: S) -> Result<Self, SizeError> {
+        Ok(Self { outline: checked_radii(base_radius, top_radius, height)?, extent: Extent::Capped(height) })
+    }
+
+    /// The height; `None` for an infinite cone.
+    pub const fn height(&self) -> Option<S> {
+        match self.extent {
+            Extent::Double | Extent::Nappe => None,
+            Extent::Open(height) | Extent::Capped(height) => Some(height),
+        }
+    }
+
+    /// The radius at `y = 0`; zero if the apex is there.
+    pub const fn base_radius(&self) -> S {
+        match self.outline {
+            Outline::Slope(_) => S::ZERO,
+            Outline::Radii(base, _, _) => base,
+        }
+    }
+
+    /// The radius at the height, rounded; `None` for an infinite cone.
+    pub fn top_radius(&self) -> Option<S> {
+        match self.outline {
+            Outline::Slope(slope) => self.height().map(|height| S::round(slope.real() * height.real())),
+            Outline::Radii(_, top, _) => Some(top),
+        }
+    }
+}
+
+fn checked_slope<S: Scalar>(slope: S) -> Result<Outline<S>, SizeError> {
+    // A NaN compares false.
+    if slope >= S::BUDGET.smallest_slope && slope <= S::BUDGET.slope {
+        Ok(Outline::Slope(slope))
+    } else {
+        Err(SizeError::Slope)
+    }
+}
+
+fn checked_radii<S: Scalar>(base: S, top: S, height: S) -> Result<Outline<S>, SizeError> {
+    let base = checked_size_or_zero(base, SizeError::Radius)?;
+    let top = checked_size_or_zero(top, SizeError::Radius)?;
+    if base == S::ZERO && top == S::ZERO {
+        return Err(SizeError::Radius);
+    }
+    Ok(Outline::Radii(base, top, checked_size(height, SizeError::Height)?))
+}
+
+/// The outline in the computing number: the radius at `y` is `(g0 + g1 y) / h`.
+#[derive(Clone, Copy)]
+struct Profile<R> {
+    g0: R,
+    g1: R,
+    h: R,
+}
+
+impl<R: Real> Profile<R> {
+    fn of<S: Scalar>(outline: Outline<S>, real: impl Fn(S) -> R) -> Self {
+        match outline {
+            Outline::Slope(slope) => Self { g0: R::ZERO, g1: real(slope), h: R::ONE },
+            Outline::Radii(base, top, height) => {
+                Self { g0: real(base) * real(height), g1: real(top) - real(base), h: real(height) }
+            }
+        }
+    }
+
+    /// `g0 + g1 y`
+    fn at(self, y: R) -> R {
+        self.g0 + self.g1 * y
+    }
+
+    /// `h^2 (x^2 + z^2) - (g0 + g1 y)^2`, held to twice the precision: near a generator (a direction, `g0 = 0`) and near
+    /// the surface (a point) the two squares cancel.
+    #[cold]
+    fn quadratic_form(self, x: R, y: R, z: R, g0: R) -> R {
+        // Each factor as a rounded value and what the rounding left over.
+        let product = |a: R, b: R| {
+            let p = a * b;
+            (p, R::sum_of_products([[a, b], [-p, R::ONE]]))
+        };
+        let ((x, ex), (z, ez)) = (product(self.h, x), product(self.h, z));
+        let g = g0 + self.g1 * y;
+        let eg = R::sum_of_products([[self.g1, y], [g0, R::ONE], [-g, R::ONE]]);
+        let twice = |a: R| a.times_power_of_two(1);
+        R::sum_of_products([[x, x], [-g, g], [z, z], [twice(ex), x], [twice(-eg), g], [twice(ez), z]])
+    }
+}
+
+impl<S: Scalar> Cone<S> {
+    /// Where the line is inside both nappes, and the sign of the nappe for a finite interval: see [`NappeTest`].
+    #[inline]
+    fn both_nappes<T: Tier<S>>(&self, line: &Line<S>) -> (Inside<S>, NappeTest) {
+        let profile = Profile::<T::Real>::of(self.outline, T::real);
+        let Profile { g0, g1, h } = profile;
+        let ([x, y, z], [dx, dy, dz]) = (line.origin.map(T::real), line.direction.map(T::unit));
+        let (g, slope) = (profile.at(y), g1 * dy);
+        let (round, straight) = (h * h * (dx * dx + dz * dz), slope * slope);
+        let mut a = round - straight;
+        // Less than a sixteenth left of either square: the ray runs close to a generator.
+        if a.abs() < straight.times_power_of_two(-4) {
+            a = profile.quadratic_form(dx, dy, dz, T::Real::ZERO);
+        }
+        let k = h * h * (x * dx + z * dz) - g * slope;
+        let inside = if let Some(leaving) = line.departs_from(Part::Side) {
+            Quadric { a, k, discriminant: k * k }.solve_departing::<S, T>(leaving)
+        } else {
+            let [wx, wy, wz] = T::cross(line.origin, line.direction);
+            let (p, q, r) = (g1 * wz - g0 * dx, g1 * wx + g0 * dz, h * wy);
+            let discriminant = h * h * (p * p + q * q - r * r);
+            Quadric { a, k, discriminant }.solve::<S, T>(|| profile.quadratic_form(x, y, z, g0))
+        };
+        // At the vertex t = -k/a the outline is g - g' k/a, which has the sign of the nappe that a finite interval lies in.
+        let vertex = g * a - slope * k;
+        (inside, NappeTest { rising: !slope.is_negative(), upper: !vertex.is_negative() })
+    }
+
+    /// The interval in the nappe where the outline is positive.
+    #[inline]
+    fn one_nappe<T: Tier<S>>(&self, line: &Line<S>) -> NappeMeeting<S> {
+        let (inside, test) = self.both_nappes::<T>(line);
+        let half_line = |from: bool, t: S| {
+            let end = End::new(t, Part::Side);
+            if from { Span::new(end, End::none(S::INFINITY)) } else { Span::new(End::none(-S::INFINITY), end) }
+        };
+        let span = match inside {
+            Inside::Nowhere => None,
+            Inside::Between(span) => test.upper.then_some(span),
+            // Steeper than the side: one half-line in each nappe; the outline grows with t if it rises.
+            Inside::Beyond(first, second) => Some(half_line(test.rising, if test.rising { second } else { first })),
+            // Parallel to a generator: one half-line, in the nappe into which it leads.
+            Inside::From(t) => test.rising.then(|| half_line(true, t)),
+            Inside::Until(t) => (!test.rising).then(|| half_line(false, t)),
+            // Only a line along a generator has f = 0 everywhere; its own apex ends it.
+            Inside::InSurface | Inside::Everywhere => return NappeMeeting::Generator,
+        };
+        span.map_or(NappeMeeting::Miss, NappeMeeting::In)
+    }
+
+    /// The piece of a generator line that lies in the nappe: from the apex on.
+    fn generator<T: Tier<S>>(&self, line: &Line<S>) -> Span<S> {
+        let profile = Profile::<T::Real>::of(self.outline, T::real);
+        let ([_, y, _], [_, dy, _]) = (line.origin.map(T::real), line.direction.map(T::unit));
+        let slope = profile.g1 * dy;
+        if slope.is_zero() {
+            return Span::everywhere();
+        }
+        let apex = End::new(T::ratio(-profile.at(y), slope), Part::Side);
+        if slope.is_negative() {
+            Span::new(End::none(-S::INFINITY), apex)
+        } else {
+            Span::new(apex, End::none(S::INFINITY))
+        }
+    }
+
+    /// The planes that cut it off; there is none where the radius is zero, for the apex ends it there.
+    fn planes(&self) -> (Option<S>, Option<S>) {
+        let low = (self.base_radius() != S::ZERO).then_some(S::ZERO);
+        let high = match self.outline {
+            Outline::Radii(_, top, _) if top == S::ZERO => None,
+            _ => self.height(),
+        };
+        (low, high)
+    }
+
+    /// The slope of the outline, radius over height; negative where it narrows upwards.
+    fn outline_slope(&self) -> S::Real {
+        match self.outline {
+            Outline::Slope(slope) => slope.real(),
+            Outline::Radii(base, top, height) => (top.real() - base.real()) / height.real(),
+        }
+    }
+}
+
+/// Which nappe a line's interval lies in.
+struct NappeTest {
+    rising: bool,
+    upper: bool,
+}
+
+/// How a line meets one nappe.
+enum NappeMeeting<S> {
+    Miss,
+    In(Span<S>),
+    Generator,
+}
+
+impl<S: Scalar> Geometry<S> for Cone<S> {
+    fn reach(&self) -> S {
+        match (self.outline, self.height()) {
+            (Outline::Radii(base, top, height), _) => base.plus(top).plus(height),
+            (Outline::Slope(slope), Some(height)) => S::round(slope.real() * height.real()).plus(height),
+            // The apex is all there is to be near to; any distance from it is far.
+            (Outline::Slope(_), None) => S::BUDGET.smallest_size,
+        }
+    }
+
+    fn scaled(&self, e: i32) -> Self {
+        let outline = match self.outline {
+            Outline::Slope(slope) => Outline::Slope(slope),
+            Outline::Radii(base, top, height) => Outline::Radii(base.scaled(e), top.scaled(e), height.scaled(e)),
+        };
+        let extent = match self.extent {
+            Extent::Double => Extent::Double,
+            Extent::Nappe => Extent::Nappe,
+            Extent::Open(height) => Extent::Open(height.scaled(e)),
+            Extent::Capped(height) => Extent::Capped(height.scaled(e)),
+        };
+        Self { outline, extent }
+    }
+
+    fn meet<T: Tier<S>>(&self, line: &Line<S>) -> Meeting<S> {
+        if let Extent::Double = self.extent {
+            return self.meet_double::<T>(line);
+        }
+        let (low, high) = self.planes();
+        let side = match (self.one_nappe::<T>(line), self.extent) {
+            (NappeMeeting::In(span), _) => span,
+            (NappeMeeting::Generator, Extent::Capped(_)) => self.generator::<T>(line),
+            (NappeMeeting::Generator, _) => {
+                let [_, y, _] = line.origin;
+                let [_, dy, _] = line.direction;
+                let between = slab::<S, T>(y, dy, low, high);
+                return between
+                    .and_then(|between| self.generator::<T>(line).intersection(between))
+                    .map_or(Meeting::Miss, Meeting::LiesIn);
+            }
+            // A ray that departs inwards has a far end, even if its start is just outside.
+            (NappeMeeting::Miss, Extent::Capped(_)) if line.departure.is_some() => {
+                Span::new(End::none(-S::INFINITY), End::new(S::ZERO, Part::Side))
+            }
+            (NappeMeeting::Miss, _) => return Meeting::Miss,
+        };
+        let meeting = match self.extent {
+            Extent::Open(height) => open_side::<S, T>(line, side, S::ZERO, height),
+            Extent::Capped(_) => return capped::<S, T>(line, side, low, high),
+            Extent::Nappe | Extent::Double => Meeting::One(side),
+        };
+        match line.departure {
+            Some((_, leaving)) => meeting.departed(leaving, true),
+            None => meeting,
+        }
+    }
+
+    fn contains(&self, point: Vec3<S>) -> bool {
+        let profile = Profile::<S::Real>::of(self.outline, S::real);
+        let [x, y, z] = point.real();
+        let upper = matches!(self.extent, Extent::Double) || !profile.at(y).is_negative();
+        let between = self.height().is_none_or(|height| S::ZERO <= point.y && point.y <= height);
+        if !(upper && between) {
+            return false;
+        }
+        let c = profile.quadratic_form(x, y, z, profile.g0);
+        c.is_zero() || c.is_negative() && !matches!(self.extent, Extent::Open(_))
+    }
+
+    fn bounds(&self) -> (Vec3<S>, Vec3<S>) {
+        let infinite = Vec3::new(S::INFINITY, S::INFINITY, S::INFINITY);
+        match (self.height(), self.top_radius()) {
+            (Some(height), Some(top)) => {
+                let base = self.base_radius();
+                let r = if top > base { top } else { base };
+                // The radius of a slope's cap is rounded: up to be sure.
+                let r = if let Outline::Slope(_) = self.outline { r.next_up() } else { r };
+                (Vec3::new(-r, S::ZERO, -r), Vec3::new(r, height, r))
+            }
+            _ if matches!(self.extent, Extent::Nappe) => (Vec3::new(-S::INFINITY, S::ZERO, -S::INFINITY), infinite),
+            _ => (-infinite, infinite),
+        }
+    }
+
+    fn on_surface(&self, point: Vec3<S>, part: Part) -> Vec3<S> {
+        match (part, self.height()) {
+            (Part::Base, _) => Vec3 { y: S::ZERO, ..point },
+            (Part::Top, Some(height)) => Vec3 { y: height, ..point },
+            _ => {
+                let profile = Profile::<S::Real>::of(self.outline, S::real);
+                coordinates::at_radius(point, (profile.at(point.y.real()) / profile.h).abs())
+            }
+        }
+    }
+
+    /// On the side `(x / rho, -m, z / rho)`, normalised (on the lower nappe of a double cone `+m`); at the apex the axis,
+    /// pointing away from the body.
+    fn normal(&self, point: Vec3<S>, part: Part) -> UnitVec3<S> {
+        match part {
+            Part::Base => return -UnitVec3::Y,
+            Part::Top => return UnitVec3::Y,
+            Part::Side => {}
+        }
+        let slope = self.outline_slope();
+        let profile = Profile::<S::Real>::of(self.outline, S::real);
+        let lower = profile.at(point.y.real()).is_negative();
+        let slope = if lower { -slope } else { slope };
+        if point.x == S::ZERO && point.z == S::ZERO {
+            return if slope.is_negative() { UnitVec3::Y } else { -UnitVec3::Y };
+        }
+        let [x, _, z] = coordinates::outwards(point).real();
+        UnitVec3::from_real([x, -slope, z]).unwrap_or(UnitVec3::Y)
+    }
+
+    fn uv(&self, point: Vec3<S>, part: Part) -> (S::Unit, S::Unit) {
+        let u = coordinates::azimuth(point);
+        match (part, self.height()) {
+            (Part::Side, Some(height)) => (u, coordinates::fraction::<S>(point.y.real(), height.real())),
+            (Part::Side, None) => (u, coordinates::repeating(point.y)),
+            (Part::Base, _) => coordinates::planar(point, self.base_radius().real()),
+            (Part::Top, _) => coordinates::planar(point, self.top_radius().unwrap_or(S::ZERO).real()),
+        }
+    }
+
+    fn tangents(&self, point: Vec3<S>, part: Part) -> (UnitVec3<S>, UnitVec3<S>) {
+        if part != Part::Side {
+            return coordinates::planar_tangents();
+        }
+        let u = coordinates::around(point);
+        let v = UnitVec3::from_real(self.normal(point, part).cross(u)).unwrap_or(UnitVec3::Y);
+        (u, v)
+    }
+}
+
+impl<S: Scalar> Cone<S> {
+    fn meet_double<T: Tier<S>>(&self, line: &Line<S>) -> Meeting<S> {
+        let (inside, _) = self.both_nappes::<T>(line);
+        let until = |t: S| Span::new(End::none(-S::INFINITY), End::new(t, Part::Side));
+        let from = |t: S| Span::new(End::new(t, Part::Side), End::none(S::INFINITY));
+        let meeting = match inside {
+            Inside::Nowhere => Meeting::Miss,
+            Inside::Between(span) => Meeting::One(span),
+            Inside::Beyond(first, second) => Meeting::Two(until(first), from(second)),
+            Inside::Until(t) => Meeting::One(until(t)),
+            Inside::From(t) => Meeting::One(from(t)),
+            Inside::Everywhere | Inside::InSurface => Meeting::LiesIn(Span::everywhere()),
+        };
+        match line.departure {
+            Some((_, leaving)) => meeting.departed(leaving, false),
+            None => meeting,
+        }
+    }
+}
+
+queries!(Cone);

@@ -1,0 +1,239 @@
+//! The cylinder about the y axis: `x^2 + z^2 = r^2`.
+
+use super::{Geometry, Line, SizeError, checked_size, queries, surface_coordinates as coordinates};
+use crate::hit::Part;
+use crate::quadric::{Inside, Quadric, slab};
+use crate::scalar::{Real, Scalar};
+use crate::span::{End, Meeting, Span};
+use crate::tier::Tier;
+use crate::vector::{UnitVec3, Vec3};
+
+/// How far a cylinder reaches along its axis, and whether it is closed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+enum Extent<S> {
+    Infinite,
+    Open(S),
+    Capped(S),
+}
+
+/// A cylinder about the y axis: infinite, a tube without caps, or closed by flat caps at `y = 0` and `y = height`.
+///
+/// ```
+/// use raylet::{Crossing, Cylinder, Part, Ray, UnitVec3, Vec3};
+/// let can = Cylinder::capped(1.0_f32, 2.0)?;
+/// let ray = Ray::new(Vec3::new(0.5, 5.0, 0.0), -UnitVec3::Y)?;
+/// let hits = can.hits(&ray);
+/// assert_eq!((hits[0].t, hits[0].part, hits[0].crossing), (3.0, Part::Top, Crossing::Enter));
+/// assert_eq!((hits[1].t, hits[1].part, hits[1].crossing), (5.0, Part::Base, Crossing::Exit));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Cylinder<S> {
+    radius: S,
+    extent: Extent<S>,
+}
+
+impl<S: Scalar> Cylinder<S> {
+    /// Without ends.
+    ///
+    /// # Errors
+    ///
+    /// [`SizeError::Radius`] if the radius is not positive, not finite or beyond the budget.
+    pub fn infinite(radius: S) -> Result<Self, SizeError> {
+        Ok(Self { radius: checked_size(radius, SizeError::Radius)?, extent: Extent::Infinite })
+    }
+
+    /// A tube without caps, `0 <= y <= height`: an open surface.
+    ///
+    /// # Errors
+    ///
+    /// [`SizeError`] if a size is not positive, not finite or beyond the budget.
+    pub fn open(radius: S, height: S) -> Result<Self, SizeError> {
+        let extent = Extent::Open(checked_size(height, SizeError::Height)?);
+        Ok(Self { radius: checked_size(radius, SizeError::Radius)?, extent })
+    }
+
+    /// A closed solid with flat caps, `0 <= y <= height`.
+    ///
+    /// # Errors
+    ///
+    /// [`SizeError`] if a size is not positive, not finite or beyond the budget.
+    pub fn capped(radius: S, height: S) -> Result<Self, SizeError> {
+        let extent = Extent::Capped(checked_size(height, SizeError::Height)?);
+        Ok(Self { radius: checked_size(radius, SizeError::Radius)?, extent })
+    }
+
+    /// The radius.
+    pub const fn radius(&self) -> S {
+        self.radius
+    }
+
+    /// The height; `None` for an infinite cylinder.
+    pub const fn height(&self) -> Option<S> {
+        match self.extent {
+            Extent::Infinite => None,
+            Extent::Open(height) | Extent::Capped(height) => Some(height),
+        }
+    }
+}
+
+/// Where a line is inside the infinite cylinder. `D = a r^2 - w_y^2` with `a = dx^2 + dz^2`.
+#[inline]
+pub(super) fn tube<S: Scalar, T: Tier<S>>(line: &Line<S>, radius: S) -> Inside<S> {
+    let ([ox, _, oz], [dx, _, dz]) = (line.origin, line.direction);
+    let zero = T::Real::ZERO;
+    let (x, z, dx, dz) = (T::real(ox), T::real(oz), T::unit(dx), T::unit(dz));
+    let a = dx * dx + dz * dz;
+    let k = x * dx + z * dz;
+    if let Some(leaving) = line.departs_from(Part::Side) {
+        return Quadric { a, k, discriminant: zero }.solve_departing::<S, T>(leaving);
+    }
+    let r = T::real(radius);
+    let wy = z * dx - x * dz;
+    let discriminant = a * (r * r) - wy * wy;
+    Quadric { a, k, discriminant }.solve::<S, T>(|| T::Real::sum_of_products([[x, x], [-r, r], [z, z]]))
+}
+
+impl<S: Scalar> Geometry<S> for Cylinder<S> {
+    fn reach(&self) -> S {
+        self.height().map_or(self.radius, |height| self.radius.plus(height))
+    }
+
+    fn scaled(&self, e: i32) -> Self {
+        let extent = match self.extent {
+            Extent::Infinite => Extent::Infinite,
+            Extent::Open(height) => Extent::Open(height.scaled(e)),
+            Extent::Capped(height) => Extent::Capped(height.scaled(e)),
+        };
+        Self { radius: self.radius.scaled(e), extent }
+    }
+
+    #[inline]
+    fn meet<T: Tier<S>>(&self, line: &Line<S>) -> Meeting<S> {
+        let side = match tube::<S, T>(line, self.radius) {
+            Inside::Between(span) => span,
+            // A line in the wall lies in the surface; in the closed solid it counts as inside.
+            Inside::InSurface => match self.extent {
+                Extent::Infinite => return Meeting::LiesIn(Span::everywhere()),
+                Extent::Open(height) => return lies_in_wall::<S, T>(line, height),
+                Extent::Capped(_) => Span::everywhere(),
+            },
+            Inside::Everywhere => Span::everywhere(),
+            // A departing ray parallel to the axis runs in the wall.
+            Inside::From(_) | Inside::Until(_) => Span::everywhere(),
+            Inside::Nowhere | Inside::Beyond(..) => return Meeting::Miss,
+        };
+        let meeting = match self.extent {
+            Extent::Infinite => Meeting::One(side),
+            Extent::Open(height) => open_side::<S, T>(line, side, S::ZERO, height),
+            Extent::Capped(height) => return capped::<S, T>(line, side, Some(S::ZERO), Some(height)),
+        };
+        match line.departure {
+            Some((_, leaving)) => meeting.departed(leaving, true),
+            None => meeting,
+        }
+    }
+
+    fn contains(&self, point: Vec3<S>) -> bool {
+        let [x, _, z] = point.real();
+        let r = self.radius.real();
+        let c = S::Real::sum_of_products([[x, x], [-r, r], [z, z]]);
+        let between = self.height().is_none_or(|height| S::ZERO <= point.y && point.y <= height);
+        between && (c.is_zero() || c.is_negative() && !matches!(self.extent, Extent::Open(_)))
+    }
+
+    fn bounds(&self) -> (Vec3<S>, Vec3<S>) {
+        let r = self.radius;
+        let (low, high) = self.height().map_or((-S::INFINITY, S::INFINITY), |height| (S::ZERO, height));
+        (Vec3::new(-r, low, -r), Vec3::new(r, high, r))
+    }
+
+    fn on_surface(&self, point: Vec3<S>, part: Part) -> Vec3<S> {
+        match (part, self.height()) {
+            (Part::Base, Some(_)) => Vec3 { y: S::ZERO, ..point },
+            (Part::Top, Some(height)) => Vec3 { y: height, ..point },
+            _ => coordinates::at_radius(point, self.radius.real()),
+        }
+    }
+
+    fn normal(&self, point: Vec3<S>, part: Part) -> UnitVec3<S> {
+        match part {
+            Part::Base => -UnitVec3::Y,
+            Part::Top => UnitVec3::Y,
+            Part::Side => coordinates::outwards(point),
+        }
+    }
+
+    fn uv(&self, point: Vec3<S>, part: Part) -> (S::Unit, S::Unit) {
+        match (part, self.height()) {
+            (Part::Side, Some(height)) => {
+                (coordinates::azimuth(point), coordinates::fraction::<S>(point.y.real(), height.real()))
+            }
+            (Part::Side, None) => (coordinates::azimuth(point), coordinates::repeating(point.y)),
+            _ => coordinates::planar(point, self.radius.real()),
+        }
+    }
+
+    fn tangents(&self, point: Vec3<S>, part: Part) -> (UnitVec3<S>, UnitVec3<S>) {
+        match part {
+            Part::Side => (coordinates::around(point), UnitVec3::Y),
+            Part::Base | Part::Top => coordinates::planar_tangents(),
+        }
+    }
+}
+
+/// The ends of `side` that lie between the rims of an open surface; the rims belong to it.
+pub(super) fn open_side<S: Scalar, T: Tier<S>>(line: &Line<S>, side: Span<S>, low: S, high: S) -> Meeting<S> {
+    let [_, y, _] = line.origin;
+    let [_, dy, _] = line.direction;
+    let Some(between) = slab::<S, T>(y, dy, Some(low), Some(high)) else {
+        return Meeting::Miss;
+    };
+    let on_surface = |end: End<S>| between.enter.t <= end.t && end.t <= between.exit.t;
+    let (enter, exit) = (on_surface(side.enter), on_surface(side.exit));
+    if !enter && !exit {
+        return Meeting::Miss;
+    }
+    Meeting::Surface(Span {
+        enter: if enter { side.enter } else { End::none(-S::INFINITY) },
+        exit: if exit { side.exit } else { End::none(S::INFINITY) },
+        touch: side.touch,
+    })
+}
+
+/// The piece of a line in the wall that lies between the rims.
+fn lies_in_wall<S: Scalar, T: Tier<S>>(line: &Line<S>, height: S) -> Meeting<S> {
+    let ([_, y, _], [_, dy, _]) = (line.origin, line.direction);
+    slab::<S, T>(y, dy, Some(S::ZERO), Some(height)).map_or(Meeting::Miss, Meeting::LiesIn)
+}
+
+/// A convex side closed by planes: rule 1, with the departure of rule 8. A missing plane is infinitely far.
+pub(super) fn capped<S: Scalar, T: Tier<S>>(
+    line: &Line<S>,
+    side: Span<S>,
+    low: Option<S>,
+    high: Option<S>,
+) -> Meeting<S> {
+    let ([_, y, _], [_, dy, _]) = (line.origin, line.direction);
+    let Some((part, leaving)) = line.departure else {
+        return Meeting::solid(slab::<S, T>(y, dy, low, high).and_then(|caps| side.intersection(caps)));
+    };
+    if leaving == crate::ray::Leaving::Outwards {
+        return Meeting::Miss;
+    }
+    // Inwards: the far end is met, whatever the rounding of the start says. A start on a cap is exactly on its
+    // plane, so that the plane's own end is not the far one.
+    let (low, high) = match part {
+        Part::Base => (None, high),
+        Part::Top => (low, None),
+        Part::Side => (low, high),
+    };
+    let caps = slab::<S, T>(y, dy, low, high).unwrap_or(Span::everywhere());
+    let exit = if caps.exit.t < side.exit.t { caps.exit } else { side.exit };
+    let exit = if exit.t < S::ZERO { End::new(S::ZERO, exit.part) } else { exit };
+    Meeting::One(Span::new(End::none(-S::INFINITY), exit))
+}
+
+queries!(Cylinder);

@@ -1,0 +1,97 @@
+//! The plane `y = 0`.
+
+use super::{Geometry, Line, queries, surface_coordinates as coordinates};
+use crate::hit::Part;
+use crate::scalar::{Real, Scalar};
+use crate::span::{End, Meeting, Span};
+use crate::tier::Tier;
+use crate::vector::{UnitVec3, Vec3};
+use core::marker::PhantomData;
+
+/// The plane `y = 0`, an open surface whose front is +y.
+///
+/// ```
+/// use raylet::{Crossing, Plane, Ray, UnitVec3, Vec3};
+/// let ray = Ray::new(Vec3::new(0.0_f32, 2.0, 0.0), -UnitVec3::Y)?;
+/// let hit = Plane::new().nearest(&ray);
+/// assert_eq!(hit.map(|hit| (hit.t, hit.crossing)), Some((2.0, Crossing::Enter)));
+/// # Ok::<(), raylet::RayError>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Plane<S> {
+    scalar: PhantomData<S>,
+}
+
+impl<S: Scalar> Plane<S> {
+    /// The plane `y = 0`.
+    pub const fn new() -> Self {
+        Self { scalar: PhantomData }
+    }
+}
+
+/// Where a line crosses `y = 0`: at `t = -oy / dy`, from the front if it descends.
+#[inline]
+pub(super) fn crossing<S: Scalar, T: Tier<S>>(line: &Line<S>) -> Meeting<S> {
+    if line.departure.is_some() {
+        // Rule 8: a straight line leaves a plane for good.
+        return Meeting::Miss;
+    }
+    let ([_, y, _], [_, dy, _]) = (line.origin.map(T::real), line.direction.map(T::unit));
+    if dy.is_zero() {
+        return if y.is_zero() { Meeting::LiesIn(Span::everywhere()) } else { Meeting::Miss };
+    }
+    surface_hit(T::ratio(-y, dy), dy.is_negative())
+}
+
+/// The one crossing of a flat surface, from its front or its back.
+#[inline]
+pub(super) fn surface_hit<S: Scalar>(t: S, from_front: bool) -> Meeting<S> {
+    let end = End::new(t, Part::Side);
+    Meeting::Surface(if from_front {
+        Span::new(end, End::none(S::INFINITY))
+    } else {
+        Span::new(End::none(-S::INFINITY), end)
+    })
+}
+
+impl<S: Scalar> Geometry<S> for Plane<S> {
+    fn reach(&self) -> S {
+        S::ZERO
+    }
+
+    fn scaled(&self, _: i32) -> Self {
+        *self
+    }
+
+    #[inline]
+    fn meet<T: Tier<S>>(&self, line: &Line<S>) -> Meeting<S> {
+        crossing::<S, T>(line)
+    }
+
+    fn contains(&self, point: Vec3<S>) -> bool {
+        point.y == S::ZERO
+    }
+
+    fn bounds(&self) -> (Vec3<S>, Vec3<S>) {
+        (Vec3::new(-S::INFINITY, S::ZERO, -S::INFINITY), Vec3::new(S::INFINITY, S::ZERO, S::INFINITY))
+    }
+
+    fn on_surface(&self, point: Vec3<S>, _: Part) -> Vec3<S> {
+        Vec3 { y: S::ZERO, ..point }
+    }
+
+    fn normal(&self, _: Vec3<S>, _: Part) -> UnitVec3<S> {
+        UnitVec3::Y
+    }
+
+    fn uv(&self, point: Vec3<S>, _: Part) -> (S::Unit, S::Unit) {
+        (coordinates::repeating(point.x), coordinates::repeating(point.z))
+    }
+
+    fn tangents(&self, _: Vec3<S>, _: Part) -> (UnitVec3<S>, UnitVec3<S>) {
+        coordinates::planar_tangents()
+    }
+}
+
+queries!(Plane);

@@ -1,0 +1,60 @@
+//! Surface coordinates and directions that several primitives share.
+//!
+//! `u` runs once around the axis, from the x axis, counter-clockwise as seen from +y; `v` runs up. So `u`, `v` and the
+//! outward normal are right-handed. Flat caps are mapped straight: (x, z) from `[-r, r]` to `[0, 1]`.
+
+use crate::scalar::{Real, Scalar, UnitScalar};
+use crate::vector::{UnitVec3, Vec3};
+
+/// The angle about the y axis, in turns; zero on the axis.
+pub(super) fn azimuth<S: Scalar>(point: Vec3<S>) -> S::Unit {
+    S::turns(-point.z.real(), point.x.real())
+}
+
+/// `part / whole` clamped to `[0, 1]`; zero if the whole is.
+pub(super) fn fraction<S: Scalar>(part: S::Real, whole: S::Real) -> S::Unit {
+    if whole.is_zero() {
+        return S::Unit::ZERO;
+    }
+    let fraction = S::unit_round(part / whole);
+    if fraction < S::Unit::ZERO {
+        S::Unit::ZERO
+    } else if fraction > S::Unit::ONE {
+        S::Unit::ONE
+    } else {
+        fraction
+    }
+}
+
+/// (x, z) of a cap of this radius.
+pub(super) fn planar<S: Scalar>(point: Vec3<S>, radius: S::Real) -> (S::Unit, S::Unit) {
+    let width = radius.times_power_of_two(1);
+    (fraction::<S>(point.x.real() + radius, width), fraction::<S>(point.z.real() + radius, width))
+}
+
+/// The fractional part, for surfaces without an end: the coordinate repeats every unit of length.
+pub(super) fn repeating<S: Scalar>(value: S) -> S::Unit {
+    // An angle of that many turns, without its whole turns; exact for every number type.
+    S::fraction(value)
+}
+
+/// The directions in which the planar coordinates grow.
+pub(super) fn planar_tangents<S: Scalar>() -> (UnitVec3<S>, UnitVec3<S>) {
+    (UnitVec3::X, UnitVec3::Z)
+}
+
+/// The direction around the y axis, counter-clockwise as seen from +y; the z axis's opposite on the axis itself.
+pub(super) fn around<S: Scalar>(point: Vec3<S>) -> UnitVec3<S> {
+    UnitVec3::from_real([point.z.real(), S::Real::ZERO, -point.x.real()]).unwrap_or(-UnitVec3::Z)
+}
+
+/// The direction away from the y axis; the x axis on the axis itself.
+pub(super) fn outwards<S: Scalar>(point: Vec3<S>) -> UnitVec3<S> {
+    UnitVec3::from_real([point.x.real(), S::Real::ZERO, point.z.real()]).unwrap_or(UnitVec3::X)
+}
+
+/// The point moved to the given distance from the y axis.
+pub(super) fn at_radius<S: Scalar>(point: Vec3<S>, radius: S::Real) -> Vec3<S> {
+    let [x, _, z] = outwards(point).real();
+    Vec3::new(S::round(x * radius), point.y, S::round(z * radius))
+}

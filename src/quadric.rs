@@ -1,0 +1,145 @@
+//! Floor 4: the one quadratic solver.
+//!
+//! Along the line `o + t d` a quadric's equation becomes `f(t) = a t^2 + 2 k t + c`, with `f <= 0` inside. The
+//! primitives give `a`, `k` and the discriminant `D = k^2 - a c`, which they never compute as that difference: `a`, `k`
+//! and `c` are rounded, and far away or near grazing the difference holds nothing but their rounding. They use the ray's
+//! moment `w = o x d` instead; each says how.
+
+use crate::hit::Part;
+use crate::ray::Leaving;
+use crate::scalar::{Real, Scalar};
+use crate::span::{End, Span};
+use crate::tier::Tier;
+
+/// The coefficients of `a t^2 + 2 k t + c` without `c`, and the discriminant `k^2 - a c`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Quadric<R> {
+    pub(crate) a: R,
+    pub(crate) k: R,
+    pub(crate) discriminant: R,
+}
+
+/// Where along a line a quadric's `f` is zero or below.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Inside<S> {
+    /// Nowhere.
+    Nowhere,
+    /// Between two roots, or at one.
+    Between(Span<S>),
+    /// Up to the first root and from the second on.
+    Beyond(S, S),
+    /// Up to the only root.
+    Until(S),
+    /// From the only root on.
+    From(S),
+    /// Everywhere.
+    Everywhere,
+    /// `f` is zero everywhere: the line lies in the surface.
+    InSurface,
+}
+
+impl<R: Real> Quadric<R> {
+    /// Solves for `f <= 0`; `c` is asked for only where it decides something.
+    #[inline]
+    pub(crate) fn solve<S: Scalar, T: Tier<S, Real = R>>(self, c: impl FnOnce() -> R) -> Inside<S> {
+        let Self { a, k, discriminant } = self;
+        if a.is_zero() {
+            return Self::solve_linear::<S, T>(k, c());
+        }
+        if discriminant.is_negative() && !a.is_negative() {
+            return Inside::Nowhere;
+        }
+        // With a < 0 the discriminant cannot be negative but by rounding: the square root is then zero.
+        let root = discriminant.sqrt();
+        if root.is_zero() {
+            let t = T::ratio(-k, a);
+            let end = End::new(t, Part::Side);
+            return if a.is_negative() {
+                Inside::Beyond(t, t)
+            } else {
+                Inside::Between(Span { enter: end, exit: end, touch: true })
+            };
+        }
+        // -k - root and -k + root: where k and the root have nearly the same size one of them cancels, and
+        // c / q takes its place (Press et al., Numerical Recipes, 5.6).
+        let magnitude = k.abs();
+        let cancels = magnitude < root.times_power_of_two(1) && root < magnitude.times_power_of_two(1);
+        let (low, high) = if !cancels {
+            (T::ratio(-k - root, a), T::ratio(-k + root, a))
+        } else if k.is_negative() {
+            let q = root - k;
+            (T::ratio(c(), q), T::ratio(q, a))
+        } else {
+            let q = -k - root;
+            (T::ratio(q, a), T::ratio(c(), q))
+        };
+        // Equal after rounding can come out in the wrong order.
+        let (low, high) = if a.is_negative() { (high, low) } else { (low, high) };
+        let (low, high) = if low <= high { (low, high) } else { (high, low) };
+        if a.is_negative() {
+            Inside::Beyond(low, high)
+        } else {
+            Inside::Between(Span::new(End::new(low, Part::Side), End::new(high, Part::Side)))
+        }
+    }
+
+    /// `2 k t + c <= 0`: a line parallel to an asymptote has one root, not none.
+    #[cold]
+    fn solve_linear<S: Scalar, T: Tier<S, Real = R>>(k: R, c: R) -> Inside<S> {
+        if k.is_zero() {
+            return if c.is_zero() {
+                Inside::InSurface
+            } else if c.is_negative() {
+                Inside::Everywhere
+            } else {
+                Inside::Nowhere
+            };
+        }
+        let t = T::ratio(-c, k.times_power_of_two(1));
+        if k.is_negative() { Inside::From(t) } else { Inside::Until(t) }
+    }
+
+    /// Solves for a ray that departs from this quadric: `c` is exactly zero, and the other root is `-2k/a`.
+    ///
+    /// The side to which it leaves gives the sign of `k`, whatever its rounding.
+    pub(crate) fn solve_departing<S: Scalar, T: Tier<S, Real = R>>(self, leaving: Leaving) -> Inside<S> {
+        let a = self.a;
+        let k = match leaving {
+            Leaving::Inwards => -self.k.abs(),
+            Leaving::Outwards => self.k.abs(),
+        };
+        if a.is_zero() {
+            return match leaving {
+                Leaving::Inwards => Inside::From(S::ZERO),
+                Leaving::Outwards => Inside::Until(S::ZERO),
+            };
+        }
+        let other = if k.is_zero() { S::ZERO } else { T::ratio(k.times_power_of_two(1), -a) };
+        let (low, high) = if other < S::ZERO { (other, S::ZERO) } else { (S::ZERO, other) };
+        if a.is_negative() {
+            Inside::Beyond(low, high)
+        } else {
+            Inside::Between(Span::new(End::new(low, Part::Side), End::new(high, Part::Side)))
+        }
+    }
+}
+
+/// Where along a line `low <= y <= high`; a missing bound is infinitely far away. The ends bear the parts of the
+/// two planes. The planes themselves belong to the slab, so that a line in one of them lies inside.
+#[inline]
+pub(crate) fn slab<S: Scalar, T: Tier<S>>(y: S, dy: S::Unit, low: Option<S>, high: Option<S>) -> Option<Span<S>> {
+    let slope = T::unit(dy);
+    if slope.is_zero() {
+        let outside = low.is_some_and(|low| y < low) || high.is_some_and(|high| y > high);
+        return (!outside).then(Span::everywhere);
+    }
+    // t = (bound - oy) / dy; the articles that this crate grew from print -(oy + bound) / dy.
+    let end = |bound: Option<S>, part: Part, missing: S| {
+        bound.map_or(End::none(missing), |bound| End::new(T::ratio(T::real(bound) - T::real(y), slope), part))
+    };
+    Some(if slope.is_negative() {
+        Span::new(end(high, Part::Top, -S::INFINITY), end(low, Part::Base, S::INFINITY))
+    } else {
+        Span::new(end(low, Part::Base, -S::INFINITY), end(high, Part::Top, S::INFINITY))
+    })
+}

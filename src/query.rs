@@ -1,0 +1,36 @@
+//! Floor 5: the three questions, asked of any geometry in the world's frame or in a frame of its own.
+
+use crate::hit::{Crossing, Hit, Hits};
+use crate::line::Local;
+use crate::primitive::Geometry;
+use crate::ray::Ray;
+use crate::scalar::Scalar;
+use crate::span::Meeting;
+use crate::tier::Tier;
+
+/// Where the ray meets the geometry, seen through a placement; in the ray's own `t`.
+#[inline]
+pub(crate) fn meet<S: Scalar, T: Tier<S>, G: Geometry<S>>(geometry: &G, local: &Local<S>) -> Meeting<S> {
+    geometry.scaled(-local.exponent).meet::<T>(&local.line).map_t(|t| local.to_ray(t))
+}
+
+/// The ray as an unplaced geometry sees it.
+#[inline]
+pub(crate) fn unplaced<S: Scalar, G: Geometry<S>>(geometry: &G, ray: &Ray<S>) -> Local<S> {
+    Local::in_world(ray, geometry.anchor().to_array(), geometry.reach())
+}
+
+#[inline]
+pub(crate) fn hits<S: Scalar, T: Tier<S>, G: Geometry<S>>(geometry: &G, ray: &Ray<S>) -> Hits<S> {
+    meet::<S, T, G>(geometry, &unplaced(geometry, ray)).hits(ray.range())
+}
+
+#[inline]
+pub(crate) fn nearest<S: Scalar, T: Tier<S>, G: Geometry<S>>(geometry: &G, ray: &Ray<S>) -> Option<Hit<S>> {
+    meet::<S, T, G>(geometry, &unplaced(geometry, ray)).nearest(ray.range(), |_: Crossing| true)
+}
+
+#[inline]
+pub(crate) fn occludes<S: Scalar, T: Tier<S>, G: Geometry<S>>(geometry: &G, ray: &Ray<S>) -> bool {
+    nearest::<S, T, G>(geometry, ray).is_some()
+}

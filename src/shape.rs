@@ -1,0 +1,340 @@
+//! Floor 6: any primitive, placed.
+
+use crate::affine::Affine;
+use crate::frame::Frame;
+use crate::hit::{Crossing, Hit, Hits, Part};
+use crate::line::Local;
+use crate::primitive::{Capsule, Cone, Cylinder, Disc, Geometry, Line, Plane, Sphere, Triangle};
+use crate::query;
+use crate::ray::{Departure, Leaving, Ray};
+use crate::scalar::{Real, Scalar};
+use crate::span::Meeting;
+use crate::tier::{Stable, Tier};
+use crate::vector::{UnitVec3, Vec3};
+
+/// Defines the enum of all primitives and hands every question to the one that it holds.
+macro_rules! primitives {
+    ($($Variant:ident),+) => {
+        /// Any primitive, without allocation or dynamic dispatch.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        pub enum Primitive<S: Scalar> {
+            $(
+                #[doc = concat!("A [`", stringify!($Variant), "`].")]
+                $Variant($Variant<S>),
+            )+
+        }
+
+        $(
+            impl<S: Scalar> From<$Variant<S>> for Primitive<S> {
+                fn from(primitive: $Variant<S>) -> Self {
+                    Self::$Variant(primitive)
+                }
+            }
+        )+
+
+        impl<S: Scalar> Geometry<S> for Primitive<S> {
+            fn anchor(&self) -> Vec3<S> {
+                match self { $(Self::$Variant(p) => p.anchor(),)+ }
+            }
+            fn reach(&self) -> S {
+                match self { $(Self::$Variant(p) => p.reach(),)+ }
+            }
+            fn scaled(&self, e: i32) -> Self {
+                match self { $(Self::$Variant(p) => Self::$Variant(p.scaled(e)),)+ }
+            }
+            fn meet<T: Tier<S>>(&self, line: &Line<S>) -> Meeting<S> {
+                match self { $(Self::$Variant(p) => p.meet::<T>(line),)+ }
+            }
+            fn contains(&self, point: Vec3<S>) -> bool {
+                match self { $(Self::$Variant(p) => Geometry::contains(p, point),)+ }
+            }
+            fn bounds(&self) -> (Vec3<S>, Vec3<S>) {
+                match self { $(Self::$Variant(p) => Geometry::bounds(p),)+ }
+            }
+            fn on_surface(&self, point: Vec3<S>, part: Part) -> Vec3<S> {
+                match self { $(Self::$Variant(p) => p.on_surface(point, part),)+ }
+            }
+            fn normal(&self, point: Vec3<S>, part: Part) -> UnitVec3<S> {
+                match self { $(Self::$Variant(p) => p.normal(point, part),)+ }
+            }
+            fn uv(&self, point: Vec3<S>, part: Part) -> (S::Unit, S::Unit) {
+                match self { $(Self::$Variant(p) => p.uv(point, part),)+ }
+            }
+            fn tangents(&self, point: Vec3<S>, part: Part) -> (UnitVec3<S>, UnitVec3<S>) {
+                match self { $(Self::$Variant(p) => p.tangents(point, part),)+ }
+            }
+        }
+    };
+}
+primitives!(Sphere, Cylinder, Cone, Capsule, Plane, Disc, Triangle);
+
+/// Where a primitive stands in the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Placement<S: Scalar> {
+    /// In its canonical pose.
+    World,
+    /// Turned and moved.
+    Frame(Frame<S>),
+    /// Stretched, sheared, turned and moved.
+    Affine(Affine<S>),
+}
+
+impl<S: Scalar> From<Frame<S>> for Placement<S> {
+    fn from(frame: Frame<S>) -> Self {
+        Self::Frame(frame)
+    }
+}
+
+impl<S: Scalar> From<Affine<S>> for Placement<S> {
+    fn from(affine: Affine<S>) -> Self {
+        Self::Affine(affine)
+    }
+}
+
+/// From which sides a surface is seen. A one-sided surface ignores the crossings seen from the back.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Visible {
+    /// From both.
+    #[default]
+    Both,
+    /// From outside, or from the front, only: no [`Crossing::Exit`].
+    Outside,
+    /// From inside, or from the back, only: no [`Crossing::Enter`].
+    Inside,
+}
+
+impl Visible {
+    /// True if a crossing from that side is reported; a touch is seen from both.
+    #[inline]
+    const fn sees(self, crossing: Crossing) -> bool {
+        !matches!((self, crossing), (Self::Outside, Crossing::Exit) | (Self::Inside, Crossing::Enter))
+    }
+}
+
+/// An axis-aligned box; components may be infinite.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Bounds<S> {
+    /// The corner with the smallest coordinates.
+    pub low: Vec3<S>,
+    /// The corner with the largest coordinates.
+    pub high: Vec3<S>,
+}
+
+/// Any primitive, placed in the world, seen from one side or from both.
+///
+/// ```
+/// use raylet::{Cone, Frame, Ray, Shape, UnitVec3, Vec3, Visible};
+/// let frame = Frame::from_base_and_axis(Vec3::new(0.0_f32, 0.0, 10.0), UnitVec3::X)?;
+/// let horn = Shape::new(Cone::open(0.5, 2.0)?).placed(frame).seen_from(Visible::Outside);
+/// let ray = Ray::new(Vec3::new(1.0, 0.0, 0.0), UnitVec3::Z)?;
+/// assert_eq!(horn.nearest(&ray).map(|hit| hit.t), Some(9.5));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Shape<S: Scalar> {
+    primitive: Primitive<S>,
+    placement: Placement<S>,
+    visible: Visible,
+}
+
+impl<S: Scalar> Shape<S> {
+    /// A primitive in its canonical pose, seen from both sides.
+    pub fn new(primitive: impl Into<Primitive<S>>) -> Self {
+        Self { primitive: primitive.into(), placement: Placement::World, visible: Visible::Both }
+    }
+
+    /// The same shape, placed by a [`Frame`] or an [`Affine`].
+    #[must_use]
+    pub fn placed(self, placement: impl Into<Placement<S>>) -> Self {
+        Self { placement: placement.into(), ..self }
+    }
+
+    /// The same shape, seen only from the given sides.
+    #[must_use]
+    pub const fn seen_from(self, visible: Visible) -> Self {
+        Self { visible, ..self }
+    }
+
+    /// The primitive.
+    pub const fn primitive(&self) -> &Primitive<S> {
+        &self.primitive
+    }
+
+    /// Its placement.
+    pub const fn placement(&self) -> &Placement<S> {
+        &self.placement
+    }
+
+    /// The sides from which it is seen.
+    pub const fn visible(&self) -> Visible {
+        self.visible
+    }
+
+    #[inline]
+    fn localize(&self, ray: &Ray<S>) -> Option<Local<S>> {
+        match &self.placement {
+            Placement::World => Some(query::unplaced(&self.primitive, ray)),
+            Placement::Frame(frame) => frame.localize(ray, self.primitive.reach()),
+            Placement::Affine(affine) => affine.localize(ray, self.primitive.reach()),
+        }
+    }
+
+    #[inline]
+    fn meet<T: Tier<S>>(&self, ray: &Ray<S>) -> Meeting<S> {
+        self.localize(ray).map_or(Meeting::Miss, |local| query::meet::<S, T, _>(&self.primitive, &local))
+    }
+
+    /// All hits, sorted by `t`.
+    pub fn hits(&self, ray: &Ray<S>) -> Hits<S> {
+        self.hits_at::<Stable>(ray)
+    }
+
+    /// All hits, in a chosen accuracy tier.
+    pub fn hits_at<T: Tier<S>>(&self, ray: &Ray<S>) -> Hits<S> {
+        let mut hits = self.meet::<T>(ray).hits(ray.range());
+        if self.visible != Visible::Both {
+            hits.retain(|hit| self.visible.sees(hit.crossing));
+        }
+        hits
+    }
+
+    /// The visible hit with the smallest `t`.
+    pub fn nearest(&self, ray: &Ray<S>) -> Option<Hit<S>> {
+        self.nearest_at::<Stable>(ray)
+    }
+
+    /// The visible hit with the smallest `t`, in a chosen accuracy tier.
+    pub fn nearest_at<T: Tier<S>>(&self, ray: &Ray<S>) -> Option<Hit<S>> {
+        self.meet::<T>(ray).nearest(ray.range(), |crossing| self.visible.sees(crossing))
+    }
+
+    /// True if there is any visible hit.
+    pub fn occludes(&self, ray: &Ray<S>) -> bool {
+        self.occludes_at::<Stable>(ray)
+    }
+
+    /// True if there is any visible hit, in a chosen accuracy tier.
+    pub fn occludes_at<T: Tier<S>>(&self, ray: &Ray<S>) -> bool {
+        self.nearest_at::<T>(ray).is_some()
+    }
+
+    /// True if the point belongs to the shape: inside or on a solid, on an open surface.
+    pub fn contains(&self, point: Vec3<S>) -> bool {
+        let local = match &self.placement {
+            Placement::World => point,
+            Placement::Frame(frame) => frame.point_to_local(point),
+            Placement::Affine(affine) => affine.point_to_local(point),
+        };
+        Geometry::contains(&self.primitive, local)
+    }
+
+    /// The box that holds the shape, at most a few units too large; infinite where the shape is.
+    pub fn bounds(&self) -> Bounds<S> {
+        let (low, high) = Geometry::bounds(&self.primitive);
+        if let Placement::World = self.placement {
+            return Bounds { low, high };
+        }
+        let infinite = Vec3::new(S::INFINITY, S::INFINITY, S::INFINITY);
+        if !low.to_array().iter().chain(&high.to_array()).all(|c| c.is_finite()) {
+            // Turned, an infinite side points anywhere.
+            return Bounds { low: -infinite, high: infinite };
+        }
+        let (low, high) = (low.real(), high.real());
+        let centre = [0, 1, 2].map(|i| (low[i] + high[i]).times_power_of_two(-1));
+        let half = [0, 1, 2].map(|i| (high[i] - low[i]).times_power_of_two(-1));
+        let (centre, half) = match &self.placement {
+            Placement::Affine(affine) => affine.box_to_world(centre, half),
+            Placement::Frame(frame) => frame.box_to_world(centre, half),
+            Placement::World => (centre, half),
+        };
+        // The transform is rounded: one unit outwards on each side, and the rounding of the sum's terms.
+        let margin = [0, 1, 2].map(|i| (centre[i].abs() + half[i]).times_power_of_two(-20));
+        let corner = |sign: bool, i: usize| {
+            let reach = half[i] + margin[i];
+            if sign { S::round(centre[i] + reach).next_up() } else { -S::round(reach - centre[i]).next_up() }
+        };
+        Bounds {
+            low: Vec3::new(corner(false, 0), corner(false, 1), corner(false, 2)),
+            high: Vec3::new(corner(true, 0), corner(true, 1), corner(true, 2)),
+        }
+    }
+
+    /// What a hit of this shape can be asked for: point, normal, surface coordinates, tangents. Each is computed when
+    /// asked for, and nothing else is.
+    #[inline]
+    pub fn surface<'a>(&'a self, ray: &'a Ray<S>, hit: &'a Hit<S>) -> Surface<S> {
+        Surface { shape: *self, ray: *ray, hit: *hit }
+    }
+}
+
+/// A hit on a shape, to be asked for what is needed there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surface<S: Scalar> {
+    shape: Shape<S>,
+    ray: Ray<S>,
+    hit: Hit<S>,
+}
+
+impl<S: Scalar> Surface<S> {
+    /// The point relative to the primitive, on its surface: accurate however far the world's origin is.
+    pub fn local_point(&self) -> Vec3<S> {
+        let point = match &self.shape.placement {
+            Placement::World => self.ray.at(self.hit.t),
+            Placement::Frame(frame) => frame.ray_point_to_local(&self.ray, self.hit.t),
+            Placement::Affine(affine) => affine.ray_point_to_local(&self.ray, self.hit.t),
+        };
+        self.shape.primitive.on_surface(point, self.hit.part)
+    }
+
+    /// The point in the world, on the surface as nearly as the number type can say.
+    pub fn point(&self) -> Vec3<S> {
+        match &self.shape.placement {
+            Placement::World => self.local_point(),
+            Placement::Frame(frame) => frame.point_to_world(self.local_point()),
+            Placement::Affine(affine) => affine.point_to_world(self.local_point()),
+        }
+    }
+
+    /// The outward unit normal in the world; for an open surface away from the axis, for a flat one to the front.
+    pub fn normal(&self) -> UnitVec3<S> {
+        let normal = self.shape.primitive.normal(self.local_point(), self.hit.part);
+        match &self.shape.placement {
+            Placement::World => normal,
+            Placement::Frame(frame) => frame.direction_to_world(normal),
+            Placement::Affine(affine) => affine.normal_to_world(normal),
+        }
+    }
+
+    /// The normal on the side that the ray comes from.
+    pub fn normal_towards_ray(&self) -> UnitVec3<S> {
+        let normal = self.normal();
+        if self.ray.direction().dot(normal).is_negative() { normal } else { -normal }
+    }
+
+    /// Surface coordinates, each in `[0, 1]`: see [`crate::primitive`].
+    pub fn uv(&self) -> (S::Unit, S::Unit) {
+        self.shape.primitive.uv(self.local_point(), self.hit.part)
+    }
+
+    /// The unit directions in the world in which `u` and `v` grow.
+    pub fn tangents(&self) -> (UnitVec3<S>, UnitVec3<S>) {
+        let (u, v) = self.shape.primitive.tangents(self.local_point(), self.hit.part);
+        match &self.shape.placement {
+            Placement::World => (u, v),
+            Placement::Frame(frame) => (frame.direction_to_world(u), frame.direction_to_world(v)),
+            Placement::Affine(affine) => (affine.tangent_to_world(u), affine.tangent_to_world(v)),
+        }
+    }
+
+    /// The departure of a ray that leaves from here; `object` is the shape's index in its scene.
+    pub const fn departure(&self, object: u32, leaving: Leaving) -> Departure {
+        Departure { object, part: self.hit.part, leaving }
+    }
+}
