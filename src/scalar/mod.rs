@@ -199,6 +199,9 @@ pub trait Real:
     + Sub<Output = Self>
     + Mul<Output = Self>
     + Div<Output = Self>
+    + Send
+    + Sync
+    + 'static
     + sealed::Sealed
 {
     /// Zero.
