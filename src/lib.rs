@@ -9,6 +9,7 @@ compile_error!(
 );
 
 pub mod affine;
+pub mod effect;
 pub mod frame;
 pub mod hit;
 mod line;
@@ -16,7 +17,9 @@ pub mod primitive;
 mod quadric;
 mod query;
 pub mod ray;
+pub mod render;
 pub mod scalar;
+pub mod scene;
 pub mod shape;
 mod span;
 pub mod tier;
@@ -27,7 +30,9 @@ pub use frame::{Frame, FrameError};
 pub use hit::{Crossing, Hit, Hits, Part};
 pub use primitive::{Capsule, Cone, Cylinder, Disc, Plane, SizeError, Sphere, Triangle};
 pub use ray::{Departure, Leaving, Range, Ray, RayError};
+pub use render::{Picture, Pixel};
 pub use scalar::Scalar;
+pub use scene::{Camera, Color, Counters, Light, Material, Object, Scene, Size};
 pub use shape::{Bounds, Placement, Primitive, Shape, Surface, Visible};
 pub use tier::{Stable, Tier};
 pub use vector::{UnitVec3, Vec3};

@@ -187,6 +187,14 @@ pub struct Counters {
 }
 
 impl Counters {
+    /// Adds what another part of the work cost.
+    pub const fn add(&mut self, other: &Self) {
+        self.primary_rays += other.primary_rays;
+        self.shadow_rays += other.shadow_rays;
+        self.intersection_tests += other.intersection_tests;
+        self.hits_refined += other.hits_refined;
+    }
+
     /// All rays.
     pub const fn rays(&self) -> u64 {
         self.primary_rays + self.shadow_rays

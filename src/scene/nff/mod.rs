@@ -23,8 +23,7 @@
 //! - Lights without a colour shine with [`Light::usual_strength`]: `1 / sqrt(number of lights)`.
 //! - An object is seen from its outside only (a polygon from its front), from the inside only if its radii are negative,
 //!   and from both sides if its material transmits (T > 0).
-//! - A cone whose apex radius is larger than its base radius is turned round. The same radius twice makes a cylinder.
-//!   None has caps.
+//! - A cone may be wider at its apex than at its base. The same radius twice makes a cylinder. None has caps.
 //! - A shine beyond the number type's range (100000 in `I16F16`) becomes the largest that it holds: that highlight is
 //!   smaller than a pixel in either case.
 //! - `hither` is read and kept, but nothing is cut away in front of it: ray tracing needs no near plane.

@@ -47,6 +47,11 @@ impl<'t, S: Scalar> Numbers<'t, S> {
         self.peek().is_some_and(|word| is_decimal(word.text))
     }
 
+    /// The words that follow, without taking them.
+    pub(super) fn texts(&self) -> impl Iterator<Item = &'t str> {
+        self.words.map(|word| word.text)
+    }
+
     fn expect(&mut self, what: &'static str) -> Result<Word<'t>, NffError> {
         self.word().ok_or(NffError { place: self.words.place(), reason: Reason::Ended { what } })
     }

@@ -5,10 +5,10 @@ use super::numbers::{Number, Numbers};
 use super::polygon::{Corner, triangulate};
 use super::{Counts, Stores, View};
 use crate::frame::Frame;
-use crate::primitive::{Cone, Cylinder, Primitive, Sphere, Triangle};
+use crate::primitive::{Cone, Cylinder, Sphere, Triangle};
 use crate::scalar::Scalar;
 use crate::scene::{Camera, Color, Light, Material, Object, Store};
-use crate::shape::{Shape, Visible};
+use crate::shape::{Primitive, Shape, Visible};
 use crate::vector::{UnitVec3, Vec3};
 
 /// Reads one text into the stores.
@@ -195,9 +195,10 @@ impl<'t, 'a, S: Scalar> Reader<'t, 'a, S> {
     }
 
     fn cone(&mut self, place: Place) -> Result<(), NffError> {
+        let base_words = self.numbers;
         let base = self.numbers.point("the cone's base")?;
         let base_radius = self.numbers.size("the cone's base radius")?;
-        let apex_place = self.numbers.place();
+        let apex_words = self.numbers;
         let apex = self.numbers.point("the cone's apex")?;
         let apex_radius = self.numbers.size("the cone's apex radius")?;
         let is_zero = |radius: Number<S>| radius.value == S::ZERO;
@@ -215,7 +216,13 @@ impl<'t, 'a, S: Scalar> Reader<'t, 'a, S> {
             return Err(NffError { place: apex_radius.place, reason: Reason::MixedRadii });
         }
         if base == apex {
-            return Err(NffError { place: apex_place, reason: Reason::ZeroLength });
+            let mut pairs = core::iter::zip(base_words.texts(), apex_words.texts()).take(3);
+            if pairs.all(|(base, apex)| base == apex) {
+                return Err(NffError { place: apex_words.place(), reason: Reason::ZeroLength });
+            }
+            // Apart in the text, and the same after rounding.
+            self.leave_out();
+            return Ok(());
         }
         let (base_radius, apex_radius) = (base_radius.value.magnitude(), apex_radius.value.magnitude());
         let shape = tube(base, base_radius, apex, apex_radius)
@@ -272,17 +279,11 @@ fn store<T>(store: &mut dyn Store<T>, item: T, name: &'static str, place: Place)
 
 /// An open cylinder or cone between two points; `None` if the number type cannot hold it.
 fn tube<S: Scalar>(base: Vec3<S>, base_radius: S, apex: Vec3<S>, apex_radius: S) -> Option<Shape<S>> {
-    // A frustum narrows upwards.
-    let (bottom, wide, top, narrow) = if base_radius < apex_radius {
-        (apex, apex_radius, base, base_radius)
+    let (frame, height) = Frame::between(base, apex).ok()?;
+    let primitive: Primitive<S> = if base_radius == apex_radius {
+        Cylinder::open(base_radius, height).ok()?.into()
     } else {
-        (base, base_radius, apex, apex_radius)
-    };
-    let (frame, height) = Frame::between(bottom, top).ok()?;
-    let primitive: Primitive<S> = if wide == narrow {
-        Cylinder::open(wide, height).ok()?.into()
-    } else {
-        Cone::frustum_open(wide, narrow, height).ok()?.into()
+        Cone::frustum_open(base_radius, apex_radius, height).ok()?.into()
     };
     Some(Shape::new(primitive).placed(frame))
 }
