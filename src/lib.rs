@@ -76,6 +76,7 @@ compile_error!(
 );
 
 pub mod affine;
+pub mod effect;
 pub mod errata;
 pub mod frame;
 pub mod hit;
@@ -86,7 +87,9 @@ pub mod primitive;
 mod quadric;
 mod query;
 pub mod ray;
+pub mod render;
 pub mod scalar;
+pub mod scene;
 pub mod shape;
 mod span;
 pub mod tier;
@@ -97,7 +100,9 @@ pub use frame::{Frame, FrameError};
 pub use hit::{Crossing, Hit, Hits, Part};
 pub use primitive::{Capsule, Cone, Cylinder, Disc, Plane, SizeError, Sphere, Triangle};
 pub use ray::{Departure, Leaving, Range, Ray, RayError};
+pub use render::{Picture, Pixel};
 pub use scalar::Scalar;
+pub use scene::{Camera, Color, Counters, Light, Material, Object, Scene, Size};
 pub use shape::{Bounds, Placement, Primitive, Shape, Surface, Visible};
 pub use tier::{Stable, Tier};
 pub use vector::{UnitVec3, Vec3};

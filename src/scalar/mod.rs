@@ -206,6 +206,9 @@ pub trait Real:
     + Sub<Output = Self>
     + Mul<Output = Self>
     + Div<Output = Self>
+    + Send
+    + Sync
+    + 'static
     + sealed::Sealed
 {
     /// Zero.
@@ -250,7 +253,7 @@ pub(crate) fn largest<S: Scalar, const N: usize>(values: [S; N]) -> S {
 
 /// True for an optional sign, digits with at most one point, and an optional decimal exponent: the number syntax
 /// that every scalar parses, without the words and separators that some parsers add.
-fn is_decimal(text: &str) -> bool {
+pub(crate) fn is_decimal(text: &str) -> bool {
     let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
     let (mantissa, exponent) = unsigned.split_once(['e', 'E']).unwrap_or((unsigned, "0"));
     let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
