@@ -125,6 +125,41 @@ fn rows<S: Exact>() -> Vec<(String, usize, [f64; 7])> {
     rows
 }
 
+/// The README shows a few rows: the same figures, or written anew together with the table.
+fn check_readme(table: &str) {
+    let column = |number: &str, solid: &str, rays: &str| -> Vec<String> {
+        let key = format!("{number}\t{solid}\t{rays}\t");
+        let line = table.lines().find(|line| line.starts_with(&key)).unwrap();
+        line.split('\t').map(String::from).collect()
+    };
+    let short = |figure: &str| {
+        let value: f64 = figure.parse().unwrap();
+        if value < 10.0 { format!("{value:.2}") } else { format!("{value:.0}") }
+    };
+    let mut lines = String::new();
+    for solid in ["sphere", "cylinder capped", "capsule", "cone capped"] {
+        for rays in ["benign", "10000 away", "grazing 1e-4", "inside"] {
+            let mut line = format!("| {solid} | {rays} |");
+            let mut wrong = 0;
+            for number in ["f32", "I16F16", "I32F32"] {
+                let row = column(number, solid, rays);
+                write!(line, " {} / {} |", short(&row[4]), short(&row[6])).unwrap();
+                wrong += row[7].parse::<usize>().unwrap() + row[8].parse::<usize>().unwrap();
+            }
+            writeln!(lines, "{line} {wrong} |").unwrap();
+        }
+    }
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/README.md");
+    let readme = std::fs::read_to_string(path).unwrap();
+    let start = readme.find("|---|---|---|---|---|---|\n").expect("the README has the table") + 26;
+    let end = readme.find("<!-- /bounds -->").expect("the README marks the table's end");
+    if std::env::var_os("RAYLET_WRITE_BOUNDS").is_some() {
+        std::fs::write(path, format!("{}{lines}{}", &readme[..start], &readme[end..])).unwrap();
+    } else {
+        assert_eq!(&readme[start..end], lines, "the README's table is not that of tests/bounds.tsv");
+    }
+}
+
 #[test]
 fn every_row_of_the_table_holds() {
     let rows: Vec<_> = [rows::<f32>(), rows::<f64>(), rows::<I16F16>(), rows::<I32F32>()].concat();
@@ -141,6 +176,7 @@ fn every_row_of_the_table_holds() {
     if std::env::var_os("RAYLET_WRITE_BOUNDS").is_some() {
         std::fs::write(TABLE, &text).unwrap();
     }
+    check_readme(&text);
     let bounds = std::fs::read_to_string(TABLE).unwrap();
     let bounds: HashMap<String, Vec<f64>> = bounds
         .lines()

@@ -2,8 +2,8 @@
 #![allow(dead_code)] // Every test file uses its own part.
 
 pub mod cases;
-pub mod oracle;
 pub mod exact_types;
+pub mod oracle;
 pub mod random;
 pub mod subject;
 pub mod workload;
