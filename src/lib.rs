@@ -65,6 +65,8 @@
 //! | `defmt` | no | `defmt::Format` for the public value types (of float scalars: `fixed` has no `defmt` of its own) |
 #![no_std]
 #![deny(unsafe_code, missing_docs)]
+// Tests and examples may unwrap; the library has no panic path.
+#![warn(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 #[cfg(any(feature = "std", test))]

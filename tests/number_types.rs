@@ -4,7 +4,6 @@
 //! place and the hit-or-miss errors. Rays are seeded and results are the same bits everywhere, so that the bounds are what
 //! was measured, rounded up in the third digit. `RAYLET_WRITE_BOUNDS=1 cargo test --test number_types` writes it anew;
 //! `cargo test --test number_types -- --nocapture` prints it.
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, missing_docs)]
 
 mod support;
 

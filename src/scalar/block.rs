@@ -517,8 +517,8 @@ mod tests {
             let quotient = Block128::divide_wide(high, divisor);
             // high * 2^128 - quotient * divisor must lie in 0..divisor; only the low word of it can be non-zero.
             let (ql, qh, dl, dh) = (quotient as u64 as u128, quotient >> 64, divisor as u64 as u128, divisor >> 64);
-            let cross = (ql * dl >> 64) + (ql * dh) % (1 << 64) + (qh * dl) % (1 << 64);
-            let product_high = qh * dh + (ql * dh >> 64) + (qh * dl >> 64) + (cross >> 64);
+            let cross = ((ql * dl) >> 64) + (ql * dh) % (1 << 64) + (qh * dl) % (1 << 64);
+            let product_high = qh * dh + ((ql * dh) >> 64) + ((qh * dl) >> 64) + (cross >> 64);
             let product_low = quotient.wrapping_mul(divisor);
             let remainder = product_low.wrapping_neg();
             assert_eq!(high.wrapping_sub(product_high).wrapping_sub((product_low != 0) as u128), 0);
@@ -534,12 +534,14 @@ mod tests {
             for (n, f) in values() {
                 let (a, b) = (Block16::new(m, e), Block16::new(n, f));
                 let (x, y) = (exact(m, e), exact(n, f));
-                let value = |block: Block16| exact(block.mantissa, block.exponent);
+                let value = |block: Block16| exact(block.mantissa(), block.exponent());
                 let sum = value(a + b);
                 let bound = x.abs().max(y.abs()) * 2.0_f64.powi(-13);
                 assert!((sum - (x + y)).abs() <= bound, "{m} {e} + {n} {f} = {sum}");
                 let product = value(a * b);
                 assert!((product - x * y).abs() <= (x * y).abs() * 2.0_f64.powi(-6), "{m} {e} * {n} {f} = {product}");
+                let units = (a.to_units(-2), (x * 4.0 + 0.5).floor());
+                assert_eq!(units.0.map(f64::from), (units.1.abs() <= f64::from(i16::MAX)).then_some(units.1), "{m} {e}");
                 assert_eq!(a < b, x < y);
                 assert_eq!(a == b, x == y);
                 if n != 0 {
