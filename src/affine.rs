@@ -3,7 +3,7 @@
 //! Only the inverse is kept, one row at a time: a fixed-point row has its own power of two, so that a scale of 1000
 //! along one axis and of 1/1000 along another both keep all their bits.
 
-use crate::frame::{Frame, FrameError};
+use crate::frame::{Frame, FrameError, closest_approach};
 use crate::line::Local;
 use crate::ray::Ray;
 use crate::scalar::{Real, Scalar};
@@ -168,14 +168,15 @@ impl<S: Scalar> Affine<S> {
         UnitVec3::from_real([component(0), component(1), component(2)]).unwrap_or(normal)
     }
 
-    /// The image of a local vector: the adjugate of the inverse, up to a positive factor (the determinant).
+    /// The image of a local vector. The inverse is `diag(2^e) C` with the rows' components `C`, so that the image is
+    /// `adj(C) / det(C)` applied to `2^-e v`: the determinant of the rows themselves may be beyond the number type.
     fn image(&self, v: [S::Real; 3]) -> [S::Real; 3] {
-        let [x, y, z] = self.rows();
+        let [x, y, z] = self.inverse.map(|row| row.components.map(S::unit_real));
         let columns = [cross(y, z), cross(z, x), cross(x, y)];
         let determinant =
             S::Real::sum_of_products([[x[0], columns[0][0]], [x[1], columns[0][1]], [x[2], columns[0][2]]]);
-        let component =
-            |i: usize| S::Real::sum_of_products([[v[0], columns[0][i]], [v[1], columns[1][i]], [v[2], columns[2][i]]]);
+        let [a, b, c] = [0, 1, 2].map(|i| v[i].times_power_of_two(-self.inverse[i].exponent));
+        let component = |i: usize| S::Real::sum_of_products([[a, columns[0][i]], [b, columns[1][i]], [c, columns[2][i]]]);
         [component(0), component(1), component(2)].map(|c| c / determinant)
     }
 
@@ -212,8 +213,7 @@ impl<S: Scalar> Affine<S> {
             let world_reach = S::round(reach.real() * self.spread.real());
             S::step_closer(S::dot(from_position, direction), world_reach)
         } else {
-            let (o, p, d) = (ray.origin().real(), self.position.real(), ray.direction().real());
-            Some(S::round(-S::Real::sum_of_products([[o[0] - p[0], d[0]], [o[1] - p[1], d[1]], [o[2] - p[2], d[2]]])))
+            Some(closest_approach(ray, self.position))
         };
         let Some(step) = step else {
             return Some(Local::new(ray, origin, local_direction, S::ZERO, Some(stretch), reach));

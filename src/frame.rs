@@ -179,7 +179,7 @@ impl<S: Scalar> Frame<S> {
         let step = if from_position.iter().all(|c| c.is_finite()) {
             S::step_closer(S::dot(from_position, direction), reach)
         } else {
-            Some(self.closest_approach(ray))
+            Some(closest_approach(ray, self.position))
         };
         if let Some(step) = step {
             from_position = S::approach(ray.origin().to_array(), self.position.to_array(), direction, step);
@@ -193,12 +193,21 @@ impl<S: Scalar> Frame<S> {
         let local = axes.map(|axis| S::unit_round(S::unit_dot(direction, axis)));
         Some(Local::new(ray, origin, local, start, None, reach))
     }
+}
 
-    /// The `t` of the point nearest to the position, for coordinates whose difference the type cannot hold.
-    #[cold]
-    fn closest_approach(&self, ray: &Ray<S>) -> S {
-        let (o, p, d) = (ray.origin().real(), self.position.real(), ray.direction().real());
-        S::round(-S::Real::sum_of_products([[o[0] - p[0], d[0]], [o[1] - p[1], d[1]], [o[2] - p[2], d[2]]]))
+/// The `t` of the point nearest to the position, for coordinates whose difference the type cannot hold; at most as far
+/// as the type reaches, for the near side of a solid may lie within it when its middle does not.
+#[cold]
+pub(crate) fn closest_approach<S: Scalar>(ray: &Ray<S>, position: Vec3<S>) -> S {
+    let (o, p, d) = (ray.origin().real(), position.real(), ray.direction().real());
+    let t = S::round(-S::Real::sum_of_products([[o[0] - p[0], d[0]], [o[1] - p[1], d[1]], [o[2] - p[2], d[2]]]));
+    let farthest = S::BUDGET.distance;
+    if t > farthest {
+        farthest
+    } else if t < -farthest {
+        -farthest
+    } else {
+        t
     }
 }
 

@@ -389,8 +389,9 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         match (part, self.height()) {
             (Part::Base, _) => Vec3 { y: S::ZERO, ..point },
             (Part::Top, Some(height)) => Vec3 { y: height, ..point },
-            _ => {
+            (_, height) => {
                 let profile = Profile::<S::Real>::of(self.outline, S::real);
+                let point = height.map_or(point, |height| coordinates::between(point, height));
                 coordinates::at_radius(point, (profile.at(point.y.real()) / profile.h).abs())
             }
         }

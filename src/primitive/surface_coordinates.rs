@@ -53,6 +53,12 @@ pub(super) fn outwards<S: Scalar>(point: Vec3<S>) -> UnitVec3<S> {
     UnitVec3::from_real([point.x.real(), S::Real::ZERO, point.z.real()]).unwrap_or(UnitVec3::X)
 }
 
+/// The point moved between the rims, should rounding have taken it beyond one.
+pub(super) fn between<S: Scalar>(point: Vec3<S>, height: S) -> Vec3<S> {
+    let y = if point.y > height { height } else { point.y };
+    Vec3 { y: if y > S::ZERO { y } else { S::ZERO }, ..point }
+}
+
 /// The point moved to the given distance from the y axis.
 pub(super) fn at_radius<S: Scalar>(point: Vec3<S>, radius: S::Real) -> Vec3<S> {
     let [x, _, z] = outwards(point).real();
