@@ -232,7 +232,7 @@ impl<S: Scalar> Shape<S> {
             Placement::Frame(frame) => frame.point_to_local(point),
             Placement::Affine(affine) => affine.point_to_local(point),
         };
-        Geometry::contains(&self.primitive, local)
+        query::contains(&self.primitive, local)
     }
 
     /// The box that holds the shape, at most a few units too large; infinite where the shape is.
@@ -293,7 +293,8 @@ impl<S: Scalar> Surface<S> {
             Placement::Frame(frame) => frame.ray_point_to_local(&self.ray, self.hit.t),
             Placement::Affine(affine) => affine.ray_point_to_local(&self.ray, self.hit.t),
         };
-        self.shape.primitive.on_surface(point, self.hit.part)
+        let (primitive, point, exponent) = query::near_one(&self.shape.primitive, point);
+        query::scaled(primitive.on_surface(point, self.hit.part), exponent)
     }
 
     /// The point in the world, on the surface as nearly as the number type can say.
@@ -313,7 +314,8 @@ impl<S: Scalar> Surface<S> {
 
     /// The outward unit normal in the world; for an open surface away from the axis, for a flat one to the front.
     pub fn normal(&self) -> UnitVec3<S> {
-        let normal = self.shape.primitive.normal(self.local_point(), self.hit.part);
+        let (primitive, point, _) = query::near_one(&self.shape.primitive, self.local_point());
+        let normal = primitive.normal(point, self.hit.part);
         match &self.shape.placement {
             Placement::World => normal,
             Placement::Frame(frame) => frame.direction_to_world(normal),
@@ -334,7 +336,8 @@ impl<S: Scalar> Surface<S> {
 
     /// The unit directions in the world in which `u` and `v` grow.
     pub fn tangents(&self) -> (UnitVec3<S>, UnitVec3<S>) {
-        let (u, v) = self.shape.primitive.tangents(self.local_point(), self.hit.part);
+        let (primitive, point, _) = query::near_one(&self.shape.primitive, self.local_point());
+        let (u, v) = primitive.tangents(point, self.hit.part);
         match &self.shape.placement {
             Placement::World => (u, v),
             Placement::Frame(frame) => (frame.direction_to_world(u), frame.direction_to_world(v)),

@@ -276,14 +276,6 @@ impl<S: Scalar> Cone<S> {
         };
         (low, high)
     }
-
-    /// The slope of the outline, radius over height; negative where it narrows upwards.
-    fn outline_slope(&self) -> S::Real {
-        match self.outline {
-            Outline::Slope(slope) => slope.real(),
-            Outline::Radii(base, top, height) => (top.real() - base.real()) / height.real(),
-        }
-    }
 }
 
 /// Which nappe a line's interval lies in.
@@ -392,7 +384,13 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
             (_, height) => {
                 let profile = Profile::<S::Real>::of(self.outline, S::real);
                 let point = height.map_or(point, |height| coordinates::between(point, height));
-                coordinates::at_radius(point, (profile.at(point.y.real()) / profile.h).abs())
+                // So flat that its height is nothing beside its radii: one circle is as near as another.
+                let radius = if profile.h.is_zero() {
+                    self.base_radius().real()
+                } else {
+                    (profile.at(point.y.real()) / profile.h).abs()
+                };
+                coordinates::at_radius(point, radius)
             }
         }
     }
@@ -405,15 +403,15 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
             Part::Top => return UnitVec3::Y,
             Part::Side => {}
         }
-        let slope = self.outline_slope();
-        let profile = Profile::<S::Real>::of(self.outline, S::real);
-        let lower = profile.at(point.y.real()).is_negative();
-        let slope = if lower { -slope } else { slope };
+        let Profile { g0, g1, h } = Profile::<S::Real>::of(self.outline, S::real);
+        let lower = (g0 + g1 * point.y.real()).is_negative();
+        let slope = if lower { -g1 } else { g1 };
+        let axis = if slope.is_negative() { UnitVec3::Y } else { -UnitVec3::Y };
         if point.x == S::ZERO && point.z == S::ZERO {
-            return if slope.is_negative() { UnitVec3::Y } else { -UnitVec3::Y };
+            return axis;
         }
         let [x, _, z] = coordinates::outwards(point).real();
-        UnitVec3::from_real([x, -slope, z]).unwrap_or(UnitVec3::Y)
+        UnitVec3::from_real([x * h, -slope, z * h]).unwrap_or(axis)
     }
 
     fn uv(&self, point: Vec3<S>, part: Part) -> (S::Unit, S::Unit) {

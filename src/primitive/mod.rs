@@ -148,7 +148,7 @@ macro_rules! queries {
             }
             /// True if the point belongs to the primitive: inside or on a solid, on an open surface.
             pub fn contains(&self, point: Vec3<S>) -> bool {
-                Geometry::contains(self, point)
+                crate::query::contains(self, point)
             }
             /// The box that holds it; infinite where the primitive is.
             pub fn bounds(&self) -> crate::Bounds<S> {
