@@ -176,7 +176,8 @@ impl<S: Scalar> Affine<S> {
         let determinant =
             S::Real::sum_of_products([[x[0], columns[0][0]], [x[1], columns[0][1]], [x[2], columns[0][2]]]);
         let [a, b, c] = [0, 1, 2].map(|i| v[i].times_power_of_two(-self.inverse[i].exponent));
-        let component = |i: usize| S::Real::sum_of_products([[a, columns[0][i]], [b, columns[1][i]], [c, columns[2][i]]]);
+        let component =
+            |i: usize| S::Real::sum_of_products([[a, columns[0][i]], [b, columns[1][i]], [c, columns[2][i]]]);
         [component(0), component(1), component(2)].map(|c| c / determinant)
     }
 

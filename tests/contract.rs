@@ -6,11 +6,12 @@ mod support;
 
 use raylet::scalar::UnitScalar;
 use raylet::{
-    Capsule, Cone, Crossing, Cylinder, Departure, Disc, Frame, Leaving, Part, Plane, Range, Ray, RayError, Scalar, Shape,
-    SizeError, Sphere, Triangle, UnitVec3, Vec3, Visible,
+    Capsule, Cone, Crossing, Cylinder, Departure, Disc, Frame, Leaving, Part, Plane, Range, Ray, RayError, Scalar,
+    Shape, SizeError, Sphere, Triangle, UnitVec3, Vec3, Visible,
 };
 use support::cases::{
-    Case, Kind, Random, Verdict, assert_exact, cases, cases_of, compare, direction, edge_rays, n, random_ray, summary, v,
+    Case, Kind, Random, Verdict, assert_exact, cases, cases_of, compare, direction, edge_rays, n, random_ray, summary,
+    v,
 };
 use support::exact_types::{Exact, exact_line};
 use support::oracle;
@@ -292,10 +293,10 @@ fn rule_05_the_side_owns_the_rim_the_seam_and_the_apex<S: Exact>() {
     assert_eq!(shoot(cone, [0.0, 3.0, 0.0], down), through);
     // Down in the wall of a can: the rims at both ends.
     let wall = [side(1.0, Crossing::Enter), side(3.0, Crossing::Exit)];
-    assert_eq!(shoot(can, [1.0, 3.0, 0.0], down).iter().map(|hit| (hit.0, hit.2)).collect::<Vec<_>>(), [
-        (wall[0].0, wall[0].2),
-        (wall[1].0, wall[1].2)
-    ]);
+    assert_eq!(
+        shoot(can, [1.0, 3.0, 0.0], down).iter().map(|hit| (hit.0, hit.2)).collect::<Vec<_>>(),
+        [(wall[0].0, wall[0].2), (wall[1].0, wall[1].2)]
+    );
     // As the oracle has it, with the parts.
     for case in cases_of::<S>(Kind::Bounded) {
         for (ray, exact) in edge_rays(&case) {
@@ -400,7 +401,13 @@ fn rule_07_normals_point_outwards_and_the_flipped_one_towards_the_ray<S: Exact>(
                 let cosine = dx * x + dy * y + dz * z;
                 if cosine.abs() > 0.02 {
                     let against = cosine < 0.0;
-                    assert_eq!(hit.crossing == Crossing::Enter, against, "{} in {}: {ray:?} {hit:?}", case.name, S::name());
+                    assert_eq!(
+                        hit.crossing == Crossing::Enter,
+                        against,
+                        "{} in {}: {ray:?} {hit:?}",
+                        case.name,
+                        S::name()
+                    );
                 }
                 let flipped = shape.surface(&ray, hit).normal_towards_ray();
                 let zero = <S::Real as raylet::scalar::Real>::ZERO;
@@ -412,7 +419,12 @@ fn rule_07_normals_point_outwards_and_the_flipped_one_towards_the_ray<S: Exact>(
 }
 
 /// A hit on the case somewhere, from outside or from inside; its shape placed or not.
-fn some_hits<S: Exact>(case: &Case<S>, random: &mut Random, count: usize, mut each: impl FnMut(&Shape<S>, &Ray<S>, &raylet::Hit<S>, &mut Random)) {
+fn some_hits<S: Exact>(
+    case: &Case<S>,
+    random: &mut Random,
+    count: usize,
+    mut each: impl FnMut(&Shape<S>, &Ray<S>, &raylet::Hit<S>, &mut Random),
+) {
     let frame = Frame::from_base_and_axis(v([2.0, -1.0, 3.0]), direction([1.0, 2.0, -2.0])).expect("position");
     let placed = case.shape().placed(frame);
     let mut found = 0;
@@ -699,14 +711,8 @@ fn rule_10_every_error_says_what_to_do() {
             RayError::Origin.to_string(),
             "the ray's origin is not finite or beyond the number type's budget: move it closer",
         ),
-        (
-            RayError::Direction.to_string(),
-            "the ray's direction is zero or not finite: give a vector with a length",
-        ),
-        (
-            RayError::Range.to_string(),
-            "the ray's range is empty or not finite: its start must not lie above its end",
-        ),
+        (RayError::Direction.to_string(), "the ray's direction is zero or not finite: give a vector with a length"),
+        (RayError::Range.to_string(), "the ray's range is empty or not finite: its start must not lie above its end"),
         (
             FrameError::Position.to_string(),
             "the position is not finite or beyond the number type's budget: move it closer",

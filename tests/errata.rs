@@ -41,24 +41,27 @@ fn cap_planes_are_at_the_height_minus_the_origin_over_the_direction<S: Exact>() 
     let up = ray([0.25, -2.0, 0.25], [0.0, 1.0, 0.0]);
     assert_eq!(summary(&can.hits(&up)), [(2.0, Part::Base, ENTER), (3.0, Part::Top, EXIT)]);
     let cone = Cone::capped(n::<S>(1.0), n(1.0)).expect("sizes");
-    assert_eq!(summary(&cone.hits(&ray([0.5, 4.0, 0.0], [0.0, -1.0, 0.0]))), [
-        (3.0, Part::Top, ENTER),
-        (3.5, Part::Side, EXIT)
-    ]);
+    assert_eq!(
+        summary(&cone.hits(&ray([0.5, 4.0, 0.0], [0.0, -1.0, 0.0]))),
+        [(3.0, Part::Top, ENTER), (3.5, Part::Side, EXIT)]
+    );
     let frustum = Cone::frustum(n::<S>(2.0), n(1.0), n(1.0)).expect("sizes");
-    assert_eq!(summary(&frustum.hits(&ray([0.5, -2.0, 0.0], [0.0, 1.0, 0.0]))), [
-        (2.0, Part::Base, ENTER),
-        (3.0, Part::Top, EXIT)
-    ]);
+    assert_eq!(
+        summary(&frustum.hits(&ray([0.5, -2.0, 0.0], [0.0, 1.0, 0.0]))),
+        [(2.0, Part::Base, ENTER), (3.0, Part::Top, EXIT)]
+    );
 }
 
 fn a_cone_met_parallel_to_a_generator_has_one_root<S: Exact>() {
     // Slope 1, along (1, 1, 0) exactly in every type, from (4, 0, 0): f = (4 + s)^2 - s^2 = 0 at s = -2, t = -2 sqrt 2.
     // Neither a = 0 nor anything else makes it a miss.
     let double = Cone::double(n::<S>(1.0)).expect("slope");
-    for (along, expected, crossing) in
-        [([1.0, 1.0, 0.0], -2.0, EXIT), ([-1.0, -1.0, 0.0], 2.0, ENTER), ([-1.0, 1.0, 0.0], 2.0, ENTER), ([1.0, -1.0, 0.0], -2.0, EXIT)]
-    {
+    for (along, expected, crossing) in [
+        ([1.0, 1.0, 0.0], -2.0, EXIT),
+        ([-1.0, -1.0, 0.0], 2.0, ENTER),
+        ([-1.0, 1.0, 0.0], 2.0, ENTER),
+        ([1.0, -1.0, 0.0], -2.0, EXIT),
+    ] {
         let line = ray::<S>([4.0, 0.0, 0.0], along).with_range(Range::line());
         let hits = double.hits(&line);
         let [hit] = *hits else { panic!("{}: one root, not {hits:?}", S::name()) };
@@ -142,17 +145,17 @@ fn a_point_is_inside_a_cone_by_its_distance_from_the_axis<S: Exact>() {
     let line = ray::<S>([0.5, 0.25, 4.0], [0.0, 0.0, 1.0]);
     assert!(!nappe.contains(line.origin()) && !nappe.hits(&line).starts_inside());
     // Below the apex the equation holds as well; one nappe does not.
-    assert!(!nappe.contains(v([0.0, -1.0, 0.0])) && Cone::double(n::<S>(1.0)).expect("slope").contains(v([0.0, -1.0, 0.0])));
+    assert!(
+        !nappe.contains(v([0.0, -1.0, 0.0])) && Cone::double(n::<S>(1.0)).expect("slope").contains(v([0.0, -1.0, 0.0]))
+    );
 }
 
 fn a_is_one_minus_two_dy_squared_for_unit_directions_only<S: Exact>() {
     // Stretched threefold along y, the local direction of a unit ray is not unit: the ray along (1, -1, 0) / sqrt 2 meets
     // the cone x = y / 3 from (4, 0, 0): 4 - s = -s / 3 on the lower nappe, s = 6, below the double cone's apex.
-    let stretch = raylet::Affine::new(
-        [v::<S>([1.0, 0.0, 0.0]), v([0.0, 3.0, 0.0]), v([0.0, 0.0, 1.0])],
-        v([0.0, 0.0, 0.0]),
-    )
-    .expect("the matrix has an inverse");
+    let stretch =
+        raylet::Affine::new([v::<S>([1.0, 0.0, 0.0]), v([0.0, 3.0, 0.0]), v([0.0, 0.0, 1.0])], v([0.0, 0.0, 0.0]))
+            .expect("the matrix has an inverse");
     let shape = raylet::Shape::new(Cone::double(n::<S>(1.0)).expect("slope")).placed(stretch);
     let hits = shape.hits(&ray([4.0, 0.0, 0.0], [-1.0, -1.0, 0.0]));
     // 4 - s = s / 3 at s = 3; and 4 - s = -s / 3 at s = 6.
@@ -181,7 +184,11 @@ fn there_is_no_hole_at_the_apex<S: Exact>() {
         assert_eq!(across, [(1.0, Part::Side, Crossing::Touch)]);
         for k in [1.0, 2.0, 16.0, 256.0] {
             let near = cone.hits(&ray([-1.0, k * unit, 0.0], [1.0, 0.0, 0.0]));
-            assert!(near.len() == 2 || near.len() == 1 && near[0].crossing == Crossing::Touch, "{}: {near:?}", S::name());
+            assert!(
+                near.len() == 2 || near.len() == 1 && near[0].crossing == Crossing::Touch,
+                "{}: {near:?}",
+                S::name()
+            );
             let beside = cone.hits(&ray([k * unit, -1.0, 0.0], [0.0, 1.0, 0.0]));
             assert!(!beside.is_empty() && beside[0].crossing == ENTER, "{}: {beside:?}", S::name());
             assert!((beside[0].t.to_f64() - 1.0 - k * unit).abs() <= 2.0 * unit, "{}: {beside:?}", S::name());

@@ -4,12 +4,12 @@
 #[allow(unreachable_pub)]
 mod support;
 
-use fixed::types::extra::{LeEqU32, LeEqU64, U0, U1, U16, U24, U29, U30, U31, U32, U61, U62, U63, U64, U8};
+use fixed::types::extra::{LeEqU32, LeEqU64, U0, U1, U8, U16, U24, U29, U30, U31, U32, U61, U62, U63, U64};
 use fixed::{FixedI32, FixedI64};
 use raylet::scalar::UnitScalar;
 use raylet::{
-    Affine, Capsule, Cone, Cylinder, Departure, Disc, Frame, Leaving, Part, Plane, Primitive, Range, Ray, Scalar, Shape,
-    Sphere, Triangle, UnitVec3, Vec3, Visible,
+    Affine, Capsule, Cone, Cylinder, Departure, Disc, Frame, Leaving, Part, Plane, Primitive, Range, Ray, Scalar,
+    Shape, Sphere, Triangle, UnitVec3, Vec3, Visible,
 };
 use support::cases::Random;
 
@@ -148,7 +148,13 @@ fn ask<S: Raw>(shape: &Shape<S>, ray: &Ray<S>) {
         let (tu, tv) = surface.tangents();
         let units = [surface.normal(), surface.normal_towards_ray(), tu, tv];
         let units = units.into_iter().flat_map(UnitVec3::to_array).chain([u, v]).all(is_unit_number::<S>);
-        assert!(units, "{:?} {:?} {:?} of {hit:?} {shape:?} {ray:?}", surface.normal(), surface.uv(), surface.tangents());
+        assert!(
+            units,
+            "{:?} {:?} {:?} of {hit:?} {shape:?} {ray:?}",
+            surface.normal(),
+            surface.uv(),
+            surface.tangents()
+        );
         for leaving in [Leaving::Inwards, Leaving::Outwards] {
             if let Ok(next) = Ray::new(point, ray.direction()) {
                 let again = shape.hits(&next.departing(surface.departure(0, leaving)));
@@ -168,7 +174,13 @@ fn directions<S: Raw>(random: &mut Random) -> Vec<UnitVec3<S>> {
     let mut all = vec![UnitVec3::X, UnitVec3::Y, UnitVec3::Z, -UnitVec3::X, -UnitVec3::Y, -UnitVec3::Z];
     let [a, b, c] = [(); 3].map(|()| random.between(-1.0, 1.0));
     let length = (a * a + b * b + c * c).sqrt();
-    for components in [[half, half, 0.0], [0.0, -half, half], [tiny, 1.0, 0.0], [-1.0, tiny, tiny], [a / length, b / length, c / length]] {
+    for components in [
+        [half, half, 0.0],
+        [0.0, -half, half],
+        [tiny, 1.0, 0.0],
+        [-1.0, tiny, tiny],
+        [a / length, b / length, c / length],
+    ] {
         all.extend(UnitVec3::from_components(components.map(S::unit_from)));
     }
     all

@@ -4,7 +4,7 @@
 mod support;
 
 use dashu::rational::RBig;
-use fixed::types::extra::{LeEqU32, LeEqU64, U0, U16, U30, U32, U64, U8};
+use fixed::types::extra::{LeEqU32, LeEqU64, U0, U8, U16, U30, U32, U64};
 use fixed::{FixedI32, FixedI64};
 use raylet::scalar::{Real, Scalar, UnitScalar};
 use raylet::{UnitVec3, Vec3};
@@ -34,9 +34,44 @@ fn units<S: Exact>() -> (f64, f64) {
 
 fn text_that_is_no_number_is_refused<S: Exact>() {
     for text in [
-        "", " ", "+", "-", ".", "+.", "-.", "e", "e5", ".e1", "1e", "1e+", "1e-", "inf", "-inf", "infinity", "nan", "NaN",
-        "1_000", "_1", "1_", "0x10", "0b1", "0o7", "1.2.3", "--1", "+-1", "1-", "1 ", " 1", "1,5", "1f32", "1e1.5", "1e1e1",
-        "\u{663}", "1\u{0}", "1e999999999999", "-1e400",
+        "",
+        " ",
+        "+",
+        "-",
+        ".",
+        "+.",
+        "-.",
+        "e",
+        "e5",
+        ".e1",
+        "1e",
+        "1e+",
+        "1e-",
+        "inf",
+        "-inf",
+        "infinity",
+        "nan",
+        "NaN",
+        "1_000",
+        "_1",
+        "1_",
+        "0x10",
+        "0b1",
+        "0o7",
+        "1.2.3",
+        "--1",
+        "+-1",
+        "1-",
+        "1 ",
+        " 1",
+        "1,5",
+        "1f32",
+        "1e1.5",
+        "1e1e1",
+        "\u{663}",
+        "1\u{0}",
+        "1e999999999999",
+        "-1e400",
     ] {
         assert_eq!(S::parse(text), None, "{}: {text:?}", S::name());
     }
@@ -58,7 +93,8 @@ fn rational(text: &str) -> RBig {
     let digits: dashu::integer::IBig = format!("0{whole}{fraction}").parse().expect("digits");
     let exponent = exponent.parse::<i32>().expect("an exponent") - fraction.len() as i32;
     let power = dashu::integer::IBig::from(10).pow(exponent.unsigned_abs() as usize);
-    let value = if exponent < 0 { RBig::from(digits) / RBig::from(power) } else { RBig::from(digits) * RBig::from(power) };
+    let value =
+        if exponent < 0 { RBig::from(digits) / RBig::from(power) } else { RBig::from(digits) * RBig::from(power) };
     if negative { -value } else { value }
 }
 
@@ -75,9 +111,30 @@ fn is_nearest<S: Exact>(value: S, exact: &RBig) -> bool {
 fn numbers_are_read_correctly_rounded<S: Exact>() {
     let mut random = Random(1);
     let mut texts: Vec<String> = [
-        "0", "-0", "0.0", ".5", "5.", "1e0", "1E2", "+1.5e+2", "-12.5", "1.5e-3", "0.1", "0.2", "0.3", "00012.50", "1e-45",
-        "1e-10", "3.14159265358979323846264338327950288", "0.00000762939453125", "0.0000228881835937500000000001",
-        "0.000022888183593749999999", "16383.99999237060546875", "123.456789e1", "1e-400", "12345.678901234567890123456789",
+        "0",
+        "-0",
+        "0.0",
+        ".5",
+        "5.",
+        "1e0",
+        "1E2",
+        "+1.5e+2",
+        "-12.5",
+        "1.5e-3",
+        "0.1",
+        "0.2",
+        "0.3",
+        "00012.50",
+        "1e-45",
+        "1e-10",
+        "3.14159265358979323846264338327950288",
+        "0.00000762939453125",
+        "0.0000228881835937500000000001",
+        "0.000022888183593749999999",
+        "16383.99999237060546875",
+        "123.456789e1",
+        "1e-400",
+        "12345.678901234567890123456789",
     ]
     .map(String::from)
     .to_vec();
@@ -196,7 +253,8 @@ fn sines_and_cosines_agree_with_the_reference<S: Exact>() {
     }
     println!("{}: sines off by {worst:e}", S::name());
     // A float's angle is rounded in radians: up to 2 pi, half a unit of 2^-21 in f32.
-    let bound = if S::name().starts_with('f') { 7.5 * component } else { (2.8 * component).max(8.0 * 2.0_f64.powi(-53)) };
+    let bound =
+        if S::name().starts_with('f') { 7.5 * component } else { (2.8 * component).max(8.0 * 2.0_f64.powi(-53)) };
     assert!(worst <= bound, "{}: {worst:e}", S::name());
     if S::name().starts_with('I') {
         let quarter = <S::Unit as UnitScalar>::from_f64(0.25);

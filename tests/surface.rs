@@ -82,7 +82,8 @@ fn normals_are_unit_and_equal_the_exact_gradient<S: Exact>() {
             let line = support::exact_types::exact_line(ray);
             let right = oracle::normal(&case.solid, exact.part, &exact.t, &line);
             let error = |i: usize| (&S::exact_unit(normal.to_array()[i]) - &right[i]).to_f64().abs();
-            let curvature = if case.name.contains("cone") || case.name.contains("nappe") || case.name.contains("spire") {
+            let curvature = if case.name.contains("cone") || case.name.contains("nappe") || case.name.contains("spire")
+            {
                 // Towards the apex the normal turns by one over the distance from the axis.
                 let [x, _, z] = shape.surface(ray, hit).local_point().to_f64();
                 x.hypot(z).min(1.0)
@@ -96,7 +97,12 @@ fn normals_are_unit_and_equal_the_exact_gradient<S: Exact>() {
             worst_length = worst_length.max((&square - &oracle::Dyadic::from(1)).to_f64().abs());
         });
     }
-    println!("{}: normals off by {} units of the point, squared lengths by {} of the component", S::name(), worst, worst_length / component);
+    println!(
+        "{}: normals off by {} units of the point, squared lengths by {} of the component",
+        S::name(),
+        worst,
+        worst_length / component
+    );
     let (bound, length) = bounds::<S>();
     assert!(worst <= bound, "{}: {worst} units", S::name());
     assert!(worst_length <= length * component, "{}: {} units", S::name(), worst_length / component);
@@ -162,7 +168,8 @@ fn near(a: f64, b: f64, tolerance: f64) -> bool {
 
 fn u_runs_counter_clockwise_from_the_x_axis_as_seen_from_above<S: Exact>() {
     // From +y looking down, with x to the right, z points down: counter-clockwise from x comes -z, -x, z.
-    let expected = [([1.0, 0.0], 0.0), ([0.0, -1.0], 0.25), ([-1.0, 0.0], 0.5), ([0.0, 1.0], 0.75), ([3.0, -3.0], 0.125)];
+    let expected =
+        [([1.0, 0.0], 0.0), ([0.0, -1.0], 0.25), ([-1.0, 0.0], 0.5), ([0.0, 1.0], 0.75), ([3.0, -3.0], 0.125)];
     let can = Shape::new(Cylinder::capped(n::<S>(1.0), n(2.0)).expect("sizes"));
     let cone = Shape::new(Cone::capped(n::<S>(0.5), n(2.0)).expect("sizes"));
     let frustum = Shape::new(Cone::frustum(n::<S>(1.0), n(0.5), n(2.0)).expect("sizes"));
@@ -242,7 +249,12 @@ fn surface_coordinates_lie_in_the_unit_square<S: Exact>() {
             for hit in &shape.hits(&ray) {
                 let (u, v) = shape.surface(&ray, hit).uv();
                 let (u, v) = (u.to_f64(), v.to_f64());
-                assert!((0.0..=1.0).contains(&u) && (0.0..=1.0).contains(&v), "{} in {}: {u} {v}", case.name, S::name());
+                assert!(
+                    (0.0..=1.0).contains(&u) && (0.0..=1.0).contains(&v),
+                    "{} in {}: {u} {v}",
+                    case.name,
+                    S::name()
+                );
             }
         }
     }
@@ -270,7 +282,11 @@ fn tangents_are_unit_perpendicular_and_right_handed<S: Exact>() {
                 let off = (&dot(u, u) - &one).to_f64().abs().max((&dot(v, v) - &one).to_f64().abs());
                 let dot = |a, b| dot(a, b).to_f64();
                 // A triangle's run along its edges, which need not be perpendicular.
-                let slant = dot(u, n).abs().max(dot(v, n).abs()).max(if case.name == "triangle" { 0.0 } else { dot(u, v).abs() });
+                let slant = dot(u, n).abs().max(dot(v, n).abs()).max(if case.name == "triangle" {
+                    0.0
+                } else {
+                    dot(u, v).abs()
+                });
                 worst = worst.max(off).max(slant);
                 let ([a, b, c], [d, e, f], [x, y, z]) = (u.to_f64(), v.to_f64(), n.to_f64());
                 let handed = (b * f - c * e) * x + (c * d - a * f) * y + (a * e - b * d) * z;
@@ -342,7 +358,12 @@ fn parts_are_those_of_exact_arithmetic<S: Exact>() {
                 seen.insert(format!("{:?}", hit.part));
                 let [_, y, _] = shape_point(&case, &ray, hit);
                 let at_seam = case.seams.iter().any(|seam| (y - seam).abs() < 1e-4);
-                assert!(at_seam || same_part(hit.part, exact.part), "{} in {}: {hit:?} {exact:?}", case.name, S::name());
+                assert!(
+                    at_seam || same_part(hit.part, exact.part),
+                    "{} in {}: {hit:?} {exact:?}",
+                    case.name,
+                    S::name()
+                );
             }
         }
         let parts = match case.name {

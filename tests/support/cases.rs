@@ -151,7 +151,8 @@ pub fn cases<S: Exact>() -> Vec<Case<S>> {
         let solid = Cone::frustum(n(base), n(top), n(2.0)).expect(sizes);
         add(name, Kind::Bounded, solid.into(), frustum(base, top, 2.0, true), &[0.0, 2.0], &[base, top]);
     }
-    for (name, base, top) in [("open frustum", 1.0, 0.5), ("open straight frustum", 1.0, 1.0), ("open spire", 1.0, 0.0)] {
+    for (name, base, top) in [("open frustum", 1.0, 0.5), ("open straight frustum", 1.0, 1.0), ("open spire", 1.0, 0.0)]
+    {
         let open = Cone::frustum_open(n(base), n(top), n(2.0)).expect(sizes);
         add(name, Kind::Open, open.into(), frustum(base, top, 2.0, false), &[0.0, 2.0], &[base, top]);
     }
@@ -258,8 +259,9 @@ pub fn compare<S: Exact>(case: &Case<S>, ray: &Ray<S>, hits: &Hits<S>, tie: f64)
             .zip(&exact.hits)
             .all(|(hit, exact)| same_part(hit.part, exact.part) && same_crossing(hit.crossing, exact.crossing));
     if same {
-        let error =
-            |(hit, exact): (&raylet::Hit<S>, &oracle::ExpectedHit)| exact.t.error_in(&hit.t.exact(), &S::unit_at(&exact.t));
+        let error = |(hit, exact): (&raylet::Hit<S>, &oracle::ExpectedHit)| {
+            exact.t.error_in(&hit.t.exact(), &S::unit_at(&exact.t))
+        };
         return Verdict::Same(hits.iter().zip(&exact.hits).map(error).fold(0.0, f64::max));
     }
     if tie > 0.0 && is_tie(case, ray, hits, &exact, tie) {
@@ -278,7 +280,8 @@ fn is_tie<S: Exact>(case: &Case<S>, ray: &Ray<S>, hits: &Hits<S>, exact: &oracle
         oracle::Answer::Crossings(crossings) => ends.extend(crossings.iter().map(|crossing| crossing.t.to_f64())),
         oracle::Answer::Coincident { .. } => return false,
     }
-    let touches = matches!(&line, oracle::Answer::Crossings(list) if list.iter().any(|c| c.side == oracle::Approach::Touch));
+    let touches =
+        matches!(&line, oracle::Answer::Crossings(list) if list.iter().any(|c| c.side == oracle::Approach::Touch));
     let own: Vec<f64> = hits.iter().map(|hit| hit.t.to_f64()).collect();
     let close = |list: &[f64]| list.windows(2).any(|pair| (pair[0] - pair[1]).abs() < tie);
     let (low, high) = (ray.range().start().to_f64(), ray.range().end().to_f64());
