@@ -3,7 +3,7 @@
 //! Only the inverse is kept, one row at a time: a fixed-point row has its own power of two, so that a scale of 1000
 //! along one axis and of 1/1000 along another both keep all their bits.
 
-use crate::frame::{Frame, FrameError};
+use crate::frame::{Frame, FrameError, closest_approach};
 use crate::line::Local;
 use crate::ray::Ray;
 use crate::scalar::{Real, Scalar};
@@ -163,14 +163,16 @@ impl<S: Scalar> Affine<S> {
         UnitVec3::from_real([component(0), component(1), component(2)]).unwrap_or(normal)
     }
 
-    /// The image of a local vector: the adjugate of the inverse, up to a positive factor (the determinant).
+    /// The image of a local vector. The inverse is `diag(2^e) C` with the rows' components `C`, so that the image is
+    /// `adj(C) / det(C)` applied to `2^-e v`: the determinant of the rows themselves may be beyond the number type.
     fn image(&self, v: [S::Real; 3]) -> [S::Real; 3] {
-        let [x, y, z] = self.rows();
+        let [x, y, z] = self.inverse.map(|row| row.components.map(S::unit_real));
         let columns = [cross(y, z), cross(z, x), cross(x, y)];
         let determinant =
             S::Real::sum_of_products([[x[0], columns[0][0]], [x[1], columns[0][1]], [x[2], columns[0][2]]]);
+        let [a, b, c] = [0, 1, 2].map(|i| v[i].times_power_of_two(-self.inverse[i].exponent));
         let component =
-            |i: usize| S::Real::sum_of_products([[v[0], columns[0][i]], [v[1], columns[1][i]], [v[2], columns[2][i]]]);
+            |i: usize| S::Real::sum_of_products([[a, columns[0][i]], [b, columns[1][i]], [c, columns[2][i]]]);
         [component(0), component(1), component(2)].map(|c| c / determinant)
     }
 
@@ -205,7 +207,7 @@ impl<S: Scalar> Affine<S> {
         let from_position = (ray.origin() - self.position).to_array();
         let origin = self.vector_to_local(from_position).map(S::round);
         let step = if !from_position.iter().chain(&origin).all(|c| c.is_finite()) {
-            Some(Frame::closest_approach_to(self.position, ray))
+            Some(closest_approach(ray, self.position))
         } else if ray.departure().is_some() {
             None
         } else {

@@ -182,7 +182,7 @@ impl<S: Scalar> Frame<S> {
         let from_position = (ray.origin() - self.position).to_array();
         let origin = to_local(from_position);
         let step = if !from_position.iter().chain(&origin).all(|c| c.is_finite()) {
-            Some(Self::closest_approach_to(self.position, ray))
+            Some(closest_approach(ray, self.position))
         } else if ray.departure().is_some() {
             None
         } else {
@@ -196,12 +196,21 @@ impl<S: Scalar> Frame<S> {
         let in_type = step.is_finite() && closer.iter().chain(&origin).all(|c| c.is_finite());
         in_type.then(|| Local::new(ray, origin, local_direction, step, None, reach))
     }
+}
 
-    /// The `t` of the ray's point nearest to a position, for coordinates whose difference the type cannot hold.
-    #[cold]
-    pub(crate) fn closest_approach_to(position: Vec3<S>, ray: &Ray<S>) -> S {
-        let (o, p, d) = (ray.origin().real(), position.real(), ray.direction().real());
-        S::round(-S::Real::sum_of_products([[o[0] - p[0], d[0]], [o[1] - p[1], d[1]], [o[2] - p[2], d[2]]]))
+/// The `t` of the point nearest to the position, for coordinates whose difference the type cannot hold; at most as far
+/// as the type reaches, for the near side of a solid may lie within it when its middle does not.
+#[cold]
+pub(crate) fn closest_approach<S: Scalar>(ray: &Ray<S>, position: Vec3<S>) -> S {
+    let (o, p, d) = (ray.origin().real(), position.real(), ray.direction().real());
+    let t = S::round(-S::Real::sum_of_products([[o[0] - p[0], d[0]], [o[1] - p[1], d[1]], [o[2] - p[2], d[2]]]));
+    let farthest = S::BUDGET.distance;
+    if t > farthest {
+        farthest
+    } else if t < -farthest {
+        -farthest
+    } else {
+        t
     }
 }
 

@@ -4,14 +4,36 @@ use crate::hit::{Crossing, Hit, Hits};
 use crate::line::Local;
 use crate::primitive::Geometry;
 use crate::ray::Ray;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, largest};
 use crate::span::Meeting;
 use crate::tier::Tier;
+use crate::vector::Vec3;
 
 /// Where the ray meets the geometry, seen through a placement; in the ray's own `t`.
 #[inline]
 pub(crate) fn meet<S: Scalar, T: Tier<S>, G: Geometry<S>>(geometry: &G, local: &Local<S>) -> Meeting<S> {
     geometry.scaled(-local.exponent).meet::<T>(&local.line).map_t(|t| local.to_ray(t))
+}
+
+/// The geometry and a point of its frame, multiplied by the power of two that brings the larger of them near 1, so that
+/// no square overflows; and its exponent. Fixed types need none.
+#[inline]
+pub(crate) fn near_one<S: Scalar, G: Geometry<S>>(geometry: &G, point: Vec3<S>) -> (G, Vec3<S>, i32) {
+    let exponent = S::binary_exponent(largest([point.x, point.y, point.z, geometry.reach()]));
+    (geometry.scaled(-exponent), scaled(point, -exponent), exponent)
+}
+
+/// The point times `2^e`.
+#[inline]
+pub(crate) fn scaled<S: Scalar>(point: Vec3<S>, e: i32) -> Vec3<S> {
+    point.to_array().map(|component| component.scaled(e)).into()
+}
+
+/// True if the point of the geometry's frame belongs to it.
+#[inline]
+pub(crate) fn contains<S: Scalar, G: Geometry<S>>(geometry: &G, point: Vec3<S>) -> bool {
+    let (geometry, point, _) = near_one(geometry, point);
+    geometry.contains(point)
 }
 
 /// The ray as an unplaced geometry sees it.

@@ -240,7 +240,7 @@ impl<S: Scalar> Shape<S> {
             Placement::Frame(frame) => frame.point_to_local(point),
             Placement::Affine(affine) => affine.point_to_local(point),
         };
-        Geometry::contains(&self.primitive, local)
+        query::contains(&self.primitive, local)
     }
 
     /// The box that holds the shape, at most a few units too large; infinite where the shape is.
@@ -268,10 +268,13 @@ impl<S: Scalar> Shape<S> {
             let reach = half[i] + margin[i];
             if sign { S::round(centre[i] + reach).next_up() } else { -S::round(reach - centre[i]).next_up() }
         };
-        Bounds {
-            low: Vec3::new(corner(false, 0), corner(false, 1), corner(false, 2)),
-            high: Vec3::new(corner(true, 0), corner(true, 1), corner(true, 2)),
-        }
+        // Where a float overflows on the way nothing is known but that the box is large.
+        let interval = |i: usize| {
+            let (low, high) = (corner(false, i), corner(true, i));
+            if low <= high { [low, high] } else { [-S::INFINITY, S::INFINITY] }
+        };
+        let [x, y, z] = [interval(0), interval(1), interval(2)];
+        Bounds { low: Vec3::new(x[0], y[0], z[0]), high: Vec3::new(x[1], y[1], z[1]) }
     }
 
     /// What a hit of this shape can be asked for: point, normal, surface coordinates, tangents. Each is computed when
@@ -298,21 +301,29 @@ impl<S: Scalar> Surface<S> {
             Placement::Frame(frame) => frame.ray_point_to_local(&self.ray, self.hit.t),
             Placement::Affine(affine) => affine.ray_point_to_local(&self.ray, self.hit.t),
         };
-        self.shape.primitive.on_surface(point, self.hit.part)
+        let (primitive, point, exponent) = query::near_one(&self.shape.primitive, point);
+        query::scaled(primitive.on_surface(point, self.hit.part), exponent)
     }
 
     /// The point in the world, on the surface as nearly as the number type can say.
     pub fn point(&self) -> Vec3<S> {
         match &self.shape.placement {
             Placement::World => self.local_point(),
-            Placement::Frame(frame) => frame.point_to_world(self.local_point()),
-            Placement::Affine(affine) => affine.point_to_world(self.local_point()),
+            Placement::Frame(frame) => self.or_on_the_ray(frame.point_to_world(self.local_point())),
+            Placement::Affine(affine) => self.or_on_the_ray(affine.point_to_world(self.local_point())),
         }
+    }
+
+    /// At the end of the float range the image of a local point overflows where the ray itself need not.
+    fn or_on_the_ray(&self, point: Vec3<S>) -> Vec3<S> {
+        let finite = point.to_array().iter().all(|c| c.is_finite());
+        if finite { point } else { self.ray.at(self.hit.t) }
     }
 
     /// The outward unit normal in the world; for an open surface away from the axis, for a flat one to the front.
     pub fn normal(&self) -> UnitVec3<S> {
-        let normal = self.shape.primitive.normal(self.local_point(), self.hit.part);
+        let (primitive, point, _) = query::near_one(&self.shape.primitive, self.local_point());
+        let normal = primitive.normal(point, self.hit.part);
         match &self.shape.placement {
             Placement::World => normal,
             Placement::Frame(frame) => frame.direction_to_world(normal),
@@ -333,7 +344,8 @@ impl<S: Scalar> Surface<S> {
 
     /// The unit directions in the world in which `u` and `v` grow.
     pub fn tangents(&self) -> (UnitVec3<S>, UnitVec3<S>) {
-        let (u, v) = self.shape.primitive.tangents(self.local_point(), self.hit.part);
+        let (primitive, point, _) = query::near_one(&self.shape.primitive, self.local_point());
+        let (u, v) = primitive.tangents(point, self.hit.part);
         match &self.shape.placement {
             Placement::World => (u, v),
             Placement::Frame(frame) => (frame.direction_to_world(u), frame.direction_to_world(v)),

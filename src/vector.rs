@@ -136,7 +136,7 @@ impl<S: Scalar> UnitVec3<S> {
     /// Along the z axis.
     pub const Z: Self = Self { components: [S::Unit::ZERO, S::Unit::ZERO, S::Unit::ONE] };
 
-    /// The direction of a vector of any non-zero length, within 2 units in the last place of its components;
+    /// The direction of a vector of any non-zero length, within 2.5 units in the last place of its largest component;
     /// `None` for the zero vector and for one that is not finite.
     ///
     /// ```

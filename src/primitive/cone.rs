@@ -1,15 +1,9 @@
 //! The cone about the y axis.
 //!
-//! One outline serves all cones: at height `y` the radius is `(g0 + g1 y) / h`. A cone given by its slope `m` has
-//! `g0 = 0`, `g1 = m`, `h = 1`; a frustum given by two radii and a height has `g0 = r0 h`, `g1 = r1 - r0`, so that no slope is
-//! rounded. With `g = g0 + g1 oy` and `g' = g1 dy` the quadric is `h^2 (x^2 + z^2) - (g0 + g1 y)^2`, and
-//!
-//! - `a = h^2 (dx^2 + dz^2) - g'^2`, `k = h^2 (ox dx + oz dz) - g g'`, `c = h^2 (ox^2 + oz^2) - g^2`
-//! - `D = h^2 [ (g1 wz - g0 dx)^2 + (g1 wx + g0 dz)^2 - (h wy)^2 ]`, `w = o x d`
-//!
-//! which for a slope is `D = m^2 (wx^2 + wz^2) - wy^2`: Lagrange's identity in the metric (1, -1, 1) of the cone.
+//! The quadric, and why no slope is ever rounded, is in `outline`.
 
 use super::cylinder::{capped, leaves_slab, open_side};
+use super::outline::{Homogeneous, Outline, Profile};
 use super::{
     Geometry, Line, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates,
 };
@@ -19,16 +13,6 @@ use crate::scalar::{Real, Scalar, largest};
 use crate::span::{End, Meeting, Span};
 use crate::tier::Tier;
 use crate::vector::{UnitVec3, Vec3};
-
-/// The outline: how the radius grows.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-enum Outline<S> {
-    /// From the apex at the origin: radius over height.
-    Slope(S),
-    /// From the base radius to the top radius over the height.
-    Radii(S, S, S),
-}
 
 /// How far a cone reaches, and whether it is closed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -159,81 +143,6 @@ fn checked_radii<S: Scalar>(base: S, top: S, height: S) -> Result<Outline<S>, Si
     Ok(Outline::Radii(base, top, checked_size(height, SizeError::Height)?))
 }
 
-/// The outline in the computing number: the radius at `y` is `(base h + (top - base) y) / h`. A slope is the
-/// outline with base 0, top `m` and height 1.
-#[derive(Clone, Copy)]
-struct Profile<R> {
-    base: R,
-    top: R,
-    h: R,
-}
-
-/// A point, or a direction (for which the outline's constant `g0` does not count).
-#[derive(Clone, Copy)]
-struct Homogeneous<R> {
-    v: [R; 3],
-    is_point: bool,
-}
-
-impl<R: Real> Profile<R> {
-    fn of<S: Scalar>(outline: Outline<S>, real: impl Fn(S) -> R) -> Self {
-        match outline {
-            Outline::Slope(slope) => Self { base: R::ZERO, top: real(slope), h: R::ONE },
-            Outline::Radii(base, top, height) => Self { base: real(base), top: real(top), h: real(height) },
-        }
-    }
-
-    fn g0(self) -> R {
-        self.base * self.h
-    }
-
-    fn g1(self) -> R {
-        self.top - self.base
-    }
-
-    /// `g0 + g1 y`
-    fn at(self, y: R) -> R {
-        self.g0() + self.g1() * y
-    }
-
-    /// `h x`, `h z` and `g`, each as a rounded value and what the rounding left over.
-    fn factors(self, p: Homogeneous<R>) -> [[R; 2]; 3] {
-        let [x, y, z] = p.v;
-        let constant = if p.is_point { self.h } else { R::ZERO };
-        let g = R::sum_with_rest([[self.base, constant], [self.top, y], [-self.base, y]]);
-        [R::sum_with_rest([[self.h, x]]), g, R::sum_with_rest([[self.h, z]])]
-    }
-
-    /// The minors of (h x, g, h z) for a point and a direction, whose squares make the discriminant; each as a
-    /// rounded value and what the rounding left over.
-    #[cold]
-    fn minors(self, point: Homogeneous<R>, direction: Homogeneous<R>) -> [[R; 2]; 3] {
-        let ([x, g, z], [dx, slope, dz]) = (self.factors(point), self.factors(direction));
-        let minor = |[a, ea]: [R; 2], [b, eb]: [R; 2], [c, ec]: [R; 2], [d, ed]: [R; 2]| {
-            R::sum_with_rest([[a, b], [-c, d], [ea, b], [a, eb], [-ec, d], [-c, ed]])
-        };
-        [minor(x, slope, g, dx), minor(z, slope, g, dz), minor(x, dz, z, dx)]
-    }
-
-    /// `h^2 (px qx + pz qz) - g(p) g(q)`, held to twice the precision: near a generator and near the surface the two
-    /// products cancel.
-    #[cold]
-    fn bilinear(self, p: Homogeneous<R>, q: Homogeneous<R>) -> R {
-        let ([[px, ex], [pg, eg], [pz, ez]], [[qx, fx], [qg, fg], [qz, fz]]) = (self.factors(p), self.factors(q));
-        R::sum_of_products([
-            [px, qx],
-            [-pg, qg],
-            [pz, qz],
-            [ex, qx],
-            [px, fx],
-            [-eg, qg],
-            [-pg, fg],
-            [ez, qz],
-            [pz, fz],
-        ])
-    }
-}
-
 impl<S: Scalar> Cone<S> {
     /// Where the line is inside both nappes, and the sign of the nappe for a finite interval: see [`NappeTest`].
     #[inline]
@@ -334,14 +243,6 @@ impl<S: Scalar> Cone<S> {
             _ => self.height(),
         };
         (low, high)
-    }
-
-    /// The slope of the outline, radius over height; negative where it narrows upwards.
-    fn outline_slope(&self) -> S::Real {
-        match self.outline {
-            Outline::Slope(slope) => slope.real(),
-            Outline::Radii(base, top, height) => (top.real() - base.real()) / height.real(),
-        }
     }
 }
 
@@ -467,9 +368,16 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         match (part, self.height()) {
             (Part::Base, _) => Vec3 { y: S::ZERO, ..point },
             (Part::Top, Some(height)) => Vec3 { y: height, ..point },
-            _ => {
+            (_, height) => {
                 let profile = Profile::<S::Real>::of(self.outline, S::real);
-                coordinates::at_radius(point, (profile.at(point.y.real()) / profile.h).abs())
+                let point = height.map_or(point, |height| coordinates::between(point, height));
+                // So flat that its height is nothing beside its radii: one circle is as near as another.
+                let radius = if profile.h.is_zero() {
+                    self.base_radius().real()
+                } else {
+                    (profile.at(point.y.real()) / profile.h).abs()
+                };
+                coordinates::at_radius(point, radius)
             }
         }
     }
@@ -482,15 +390,16 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
             Part::Top => return UnitVec3::Y,
             Part::Side => {}
         }
-        let slope = self.outline_slope();
         let profile = Profile::<S::Real>::of(self.outline, S::real);
+        let (g1, h) = (profile.g1(), profile.h);
         let lower = profile.at(point.y.real()).is_negative();
-        let slope = if lower { -slope } else { slope };
+        let slope = if lower { -g1 } else { g1 };
+        let axis = if slope.is_negative() { UnitVec3::Y } else { -UnitVec3::Y };
         if point.x == S::ZERO && point.z == S::ZERO {
-            return if slope.is_negative() { UnitVec3::Y } else { -UnitVec3::Y };
+            return axis;
         }
         let [x, _, z] = coordinates::outwards(point).real();
-        UnitVec3::from_real([x, -slope, z]).unwrap_or(UnitVec3::Y)
+        UnitVec3::from_real([x * h, -slope, z * h]).unwrap_or(axis)
     }
 
     fn uv(&self, point: Vec3<S>, part: Part) -> (S::Unit, S::Unit) {

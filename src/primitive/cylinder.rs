@@ -186,7 +186,10 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
         match (part, self.height()) {
             (Part::Base, Some(_)) => Vec3 { y: S::ZERO, ..point },
             (Part::Top, Some(height)) => Vec3 { y: height, ..point },
-            _ => coordinates::at_radius(point, self.radius.real()),
+            (_, height) => {
+                let point = height.map_or(point, |height| coordinates::between(point, height));
+                coordinates::at_radius(point, self.radius.real())
+            }
         }
     }
 

@@ -38,6 +38,7 @@ mod capsule;
 mod cone;
 mod cylinder;
 mod disc;
+mod outline;
 mod plane;
 mod sphere;
 mod surface_coordinates;
@@ -153,7 +154,7 @@ macro_rules! queries {
             }
             /// True if the point belongs to the primitive: inside or on a solid, on an open surface.
             pub fn contains(&self, point: Vec3<S>) -> bool {
-                Geometry::contains(self, point)
+                crate::query::contains(self, point)
             }
             /// The box that holds it; infinite where the primitive is.
             pub fn bounds(&self) -> crate::Bounds<S> {

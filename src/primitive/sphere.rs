@@ -113,8 +113,9 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
         let [x, y, z] = o.map(T::real);
         let (square, rr) = (x * x + y * y + z * z, r * r);
         let c = square - rr;
-        // So close to the surface the sign of c is rounding, and t may round to zero.
-        if c.abs() < (square + rr).times_power_of_two(-12) {
+        // So close to the surface the sign of c is rounding, and t, which is at least c / 2|o|, may round to zero.
+        let grain = T::real(S::BUDGET.smallest_size).times_power_of_two(14);
+        if c.abs() < (square + rr).times_power_of_two(-12) || square < grain * grain {
             return None;
         }
         if c.is_negative() {

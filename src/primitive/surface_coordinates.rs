@@ -28,8 +28,13 @@ pub(super) fn fraction<S: Scalar>(part: S::Real, whole: S::Real) -> S::Unit {
 
 /// (x, z) of a cap of this radius.
 pub(super) fn planar<S: Scalar>(point: Vec3<S>, radius: S::Real) -> (S::Unit, S::Unit) {
-    let width = radius.times_power_of_two(1);
-    (fraction::<S>(point.x.real() + radius, width), fraction::<S>(point.z.real() + radius, width))
+    if radius.is_zero() {
+        return (S::Unit::ZERO, S::Unit::ZERO);
+    }
+    // (x / r + 1) / 2 rather than (x + r) / 2r: the largest radius has no double.
+    let one = S::Real::ONE;
+    let along = |component: S| fraction::<S>((component.real() / radius + one).times_power_of_two(-1), one);
+    (along(point.x), along(point.z))
 }
 
 /// The fractional part, for surfaces without an end: the coordinate repeats every unit of length.
@@ -51,6 +56,12 @@ pub(super) fn around<S: Scalar>(point: Vec3<S>) -> UnitVec3<S> {
 /// The direction away from the y axis; the x axis on the axis itself.
 pub(super) fn outwards<S: Scalar>(point: Vec3<S>) -> UnitVec3<S> {
     UnitVec3::from_real([point.x.real(), S::Real::ZERO, point.z.real()]).unwrap_or(UnitVec3::X)
+}
+
+/// The point moved between the rims, should rounding have taken it beyond one.
+pub(super) fn between<S: Scalar>(point: Vec3<S>, height: S) -> Vec3<S> {
+    let y = if point.y > height { height } else { point.y };
+    Vec3 { y: if y > S::ZERO { y } else { S::ZERO }, ..point }
 }
 
 /// The point moved to the given distance from the y axis.

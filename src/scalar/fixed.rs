@@ -179,10 +179,9 @@ macro_rules! fixed {
             }
 
             fn parse(text: &str) -> Option<Self> {
-                if !super::is_decimal(text) {
-                    return None;
-                }
-                text.parse().ok().filter(|value: &Self| value.is_finite())
+                let (negative, units) = super::decimal::parse(text, F::U32)?;
+                let raw = <$raw>::try_from(units).ok().filter(|raw| *raw < <$raw>::MAX)?;
+                Some(Self::from_bits(if negative { -raw } else { raw }))
             }
             fn from_f64(value: f64) -> Option<Self> {
                 if !value.is_finite() {

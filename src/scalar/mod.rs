@@ -12,6 +12,7 @@
 //! | `float` | `f32` and `f64`: error-free products and sums, stepping closer, binary scale |
 //! | `fixed` | `FixedI32<F>` and `FixedI64<F>`, for every `F` |
 //! | [`block`] | integer mantissa and exponent; square root and quotient of integers |
+//! | `decimal` | decimal text to fixed point, correctly rounded |
 //! | `elementary` | angle, sine, power, in integers for the fixed types |
 //! | `square_root` | the one hardware instruction that `core` does not give |
 
@@ -19,6 +20,8 @@ use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 pub mod block;
+#[cfg(feature = "fixed")]
+mod decimal;
 #[cfg(feature = "fixed")]
 mod elementary;
 #[cfg(feature = "fixed")]
