@@ -7,7 +7,6 @@ use core::fmt;
 
 /// A closed range of `t`; what lies outside is not reported.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Range<S> {
     start: S,

@@ -1,6 +1,6 @@
 //! The capsule: a cylinder with round ends, all points within `r` of the segment from the origin to (0, height, 0).
 
-use super::cylinder::tube;
+use super::cylinder::{leaves_slab, tube};
 use super::sphere::ball;
 use super::{
     Geometry, Line, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates,
@@ -55,7 +55,7 @@ impl<S: Scalar> Capsule<S> {
     }
 
     /// The line as the ball at the given end sees it.
-    fn seen_from<T: Tier<S>>(&self, line: &Line<S>, part: Part) -> Line<S> {
+    fn seen_from(&self, line: &Line<S>, part: Part) -> Line<S> {
         let [x, y, z] = line.origin;
         let y = if part == Part::Top { y.minus(self.height) } else { y };
         Line { origin: [x, y, z], ..*line }
@@ -79,7 +79,7 @@ impl<S: Scalar> Capsule<S> {
         } else {
             Part::Top
         };
-        let span = ball::<S, T>(&self.seen_from::<T>(line, part), self.radius)?;
+        let span = ball::<S, T>(&self.seen_from(line, part), self.radius)?;
         Some(End::new(if entering { span.enter.t } else { span.exit.t }, part))
     }
 
@@ -125,8 +125,13 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
         // Both ends on one ball coincide only where the ball is touched.
         let round_touch = enter.part == exit.part
             && enter.part != Part::Side
-            && ball::<S, T>(&self.seen_from::<T>(line, enter.part), self.radius).is_some_and(|span| span.touch);
+            && ball::<S, T>(&self.seen_from(line, enter.part), self.radius).is_some_and(|span| span.touch);
         Meeting::One(Span { enter, exit, touch: touch || round_touch })
+    }
+
+    /// Above the top ball and rising, or below the base ball and descending: no.
+    fn verdict<T: Tier<S>>(&self, line: &Line<S>) -> Option<bool> {
+        leaves_slab::<S, T>(line, -self.radius, self.height.plus(self.radius)).then_some(false)
     }
 
     fn contains(&self, point: Vec3<S>) -> bool {
@@ -205,7 +210,7 @@ impl<S: Scalar> Capsule<S> {
         let mut exit = self.end::<T>(&arriving, far, false).unwrap_or(End::new(S::ZERO, part));
         if exit.part == part && part != Part::Side {
             // Across the ball that it left: the other root.
-            let ball_line = self.seen_from::<T>(line, part);
+            let ball_line = self.seen_from(line, part);
             let (a, k) = (T::squared_length(line.direction), T::dot(ball_line.origin, line.direction));
             exit.t = T::ratio(k.abs().times_power_of_two(1), a);
         }

@@ -1,0 +1,86 @@
+//! Where a scene comes from: the built-in still life or an NFF file, in any number type.
+
+use crate::still_life;
+use raylet::scene::nff::{self, Corner, Counts, Stores};
+use raylet::scene::{CornerNormals, Full, Store};
+use raylet::{Camera, Color, Light, Material, Object, Scalar, Scene};
+use std::error::Error;
+use std::fs;
+use std::path::Path;
+
+/// The text of a scene file, or the still life.
+#[derive(Debug)]
+pub struct Source {
+    name: String,
+    text: Option<String>,
+}
+
+impl Source {
+    pub fn new(file: Option<&Path>) -> Result<Self, Box<dyn Error>> {
+        let Some(file) = file else { return Ok(Self { name: "still_life".to_owned(), text: None }) };
+        let text = fs::read_to_string(file).map_err(|error| format!("cannot read {}: {error}", file.display()))?;
+        let name = file.file_stem().map_or("scene".into(), |stem| stem.to_string_lossy().into_owned());
+        Ok(Self { name, text: Some(text) })
+    }
+
+    /// The file's name without folder and extension.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    pub fn load<S: Scalar>(&self) -> Result<Loaded<S>, Box<dyn Error>> {
+        let Some(text) = &self.text else { return still_life::build() };
+        let counts = Counts::of(text);
+        let (mut objects, mut materials) = (Growing(Vec::new()), Growing(Vec::new()));
+        let (mut lights, mut normals) = (Growing(Vec::new()), Growing(Vec::new()));
+        let stores = Stores {
+            objects: &mut objects,
+            materials: &mut materials,
+            lights: &mut lights,
+            normals: &mut normals,
+            corners: &mut vec![Corner::default(); counts.corners],
+        };
+        let view = nff::read(text, stores).map_err(|error| format!("{}.nff, {error}", self.name))?;
+        Ok(Loaded {
+            objects: objects.0,
+            materials: materials.0,
+            lights: lights.0,
+            normals: normals.0,
+            background: view.background,
+            camera: view.camera,
+            resolution: view.resolution,
+            invisible: view.invisible,
+        })
+    }
+}
+
+/// A scene and the lists that it borrows.
+#[derive(Debug)]
+pub struct Loaded<S: Scalar> {
+    pub objects: Vec<Object<S>>,
+    pub materials: Vec<Material<S>>,
+    pub lights: Vec<Light<S>>,
+    pub normals: Vec<CornerNormals<S>>,
+    pub background: Color<S>,
+    pub camera: Camera<S>,
+    pub resolution: [u16; 2],
+    pub invisible: u32,
+}
+
+impl<S: Scalar> Loaded<S> {
+    pub fn scene(&self) -> Result<Scene<'_, S>, Box<dyn Error>> {
+        let scene = Scene::new(&self.objects, &self.materials, &self.lights, self.camera)?;
+        Ok(scene.with_background(self.background).with_normals(&self.normals)?)
+    }
+}
+
+/// A store that never fills up. The library has its own for `Vec` behind the feature `std`; with this one the example
+/// runs with the default features.
+struct Growing<T>(Vec<T>);
+
+impl<T> Store<T> for Growing<T> {
+    fn push(&mut self, item: T) -> Result<(), Full> {
+        self.0.push(item);
+        Ok(())
+    }
+}

@@ -1,0 +1,88 @@
+//! From a scene to a picture: the built-in still life, or an NFF file, in a number type of your choice.
+//!
+//! ```text
+//! cargo run --release --example render
+//! cargo run --release --example render -- examples/scenes/star.nff --number i16f16 --samples 3
+//! cargo run --release --example render -- examples/scenes/tubes.nff --compare i16f16 f64
+//! ```
+
+mod compare;
+mod image;
+mod load;
+mod options;
+mod still_life;
+mod trace;
+
+use clap::Parser;
+use compare::Difference;
+use load::Source;
+use options::{Number, Options};
+use std::error::Error;
+use std::process::ExitCode;
+use trace::Traced;
+
+fn main() -> ExitCode {
+    match run(&Options::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(options: &Options) -> Result<(), Box<dyn Error>> {
+    let source = Source::new(options.scene.as_deref())?;
+    if let [number, reference] = options.compare[..] {
+        return compare_two(options, &source, number, reference);
+    }
+    let traced = trace(options, &source, options.number)?;
+    report(&traced, options.number);
+    let files = image::Files::new(options.output.as_deref(), source.name(), "");
+    println!("written: {}", files.write(&traced.image)?);
+    Ok(())
+}
+
+/// Traces in the number type that was asked for: the one place where the choice becomes a type.
+fn trace(options: &Options, source: &Source, number: Number) -> Result<Traced, Box<dyn Error>> {
+    match number {
+        Number::F32 => trace::trace::<f32>(source, options),
+        Number::F64 => trace::trace::<f64>(source, options),
+        Number::I16f16 => trace::trace::<fixed::types::I16F16>(source, options),
+        Number::I32f32 => trace::trace::<fixed::types::I32F32>(source, options),
+    }
+}
+
+fn report(traced: &Traced, number: Number) {
+    let (counters, seconds) = (traced.counters, traced.seconds);
+    println!(
+        "{}x{} pixels in {number}: {seconds:.3} s, {} rays ({} primary, {} shadow), {} intersection tests, {:.2} million rays/s",
+        traced.image.width,
+        traced.image.height,
+        counters.rays(),
+        counters.primary_rays,
+        counters.shadow_rays,
+        counters.intersection_tests,
+        counters.rays() as f64 / seconds.max(1e-9) / 1e6,
+    );
+    if traced.invisible > 0 {
+        println!("left out: {} objects too small for the number type, or without area", traced.invisible);
+    }
+}
+
+fn compare_two(options: &Options, source: &Source, number: Number, reference: Number) -> Result<(), Box<dyn Error>> {
+    let first = trace(options, source, number)?;
+    report(&first, number);
+    let second = trace(options, source, reference)?;
+    report(&second, reference);
+    let difference = Difference::between(&first, &second);
+    println!("{number} against {reference}: {difference}");
+    for (image, label) in [
+        (&first.image, format!("-{number}")),
+        (&second.image, format!("-{reference}-reference")),
+        (&difference.image, "-difference".to_owned()),
+    ] {
+        println!("written: {}", image::Files::new(options.output.as_deref(), source.name(), &label).write(image)?);
+    }
+    Ok(())
+}

@@ -1,0 +1,80 @@
+//! What can be asked for on the command line.
+
+use clap::{Parser, ValueEnum};
+use std::fmt;
+use std::path::PathBuf;
+
+/// Renders a scene with raylet and writes the picture as PPM and PNG.
+#[derive(Debug, Parser)]
+#[command(
+    version,
+    after_help = "Examples:\n  \
+        render                                          the built-in still life, 160x120, into out/\n  \
+        render examples/scenes/star.nff -n i16f16 -s 3  a file, in fixed point, 9 rays a pixel\n  \
+        render examples/scenes/tubes.nff --compare i16f16 f64\n                                                  \
+        how far is fixed point from double precision?\n\n\
+        Shading is diffuse and Phong, with shadows from all lights and no ambient light. Mirrors and\n\
+        transparent objects are not followed yet. Levels are linear: no gamma curve is applied."
+)]
+pub struct Options {
+    /// Scene in the Neutral File Format (.nff); without it, a still life of all the solids
+    pub scene: Option<PathBuf>,
+
+    /// Number type to trace in
+    #[arg(short, long, value_enum, default_value_t = Number::F32)]
+    pub number: Number,
+
+    /// Size of the picture in pixels; by default the file's own resolution, or 160x120
+    #[arg(long, value_name = "WxH", value_parser = parse_size)]
+    pub size: Option<(u16, u16)>,
+
+    /// Samples along each side of a pixel: N*N rays a pixel, on a regular grid (1 to 16)
+    #[arg(short, long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=16))]
+    pub samples: u8,
+
+    /// Where to write: FILE.png or FILE.ppm for that format, any other name for both; by default out/<scene>
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+
+    /// Render in number types A and B, with B as the reference: report how many pixels differ and by how much,
+    /// and write both pictures and their difference, 32 times amplified
+    #[arg(long, value_enum, num_args = 2, value_names = ["A", "B"], conflicts_with = "number")]
+    pub compare: Vec<Number>,
+
+    /// Threads to trace with; by default one for each processor. Never changes the picture
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
+    pub threads: Option<u16>,
+}
+
+/// The number types that the library is compiled for here.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Number {
+    /// Single precision
+    F32,
+    /// Double precision
+    F64,
+    /// Fixed point, 32 bits: coordinates up to 16384 in steps of 1/65536
+    #[value(name = "i16f16")]
+    I16f16,
+    /// Fixed point, 64 bits: coordinates up to 10^9 in steps of 2^-32
+    #[value(name = "i32f32")]
+    I32f32,
+}
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::F32 => "f32",
+            Self::F64 => "f64",
+            Self::I16f16 => "i16f16",
+            Self::I32f32 => "i32f32",
+        })
+    }
+}
+
+fn parse_size(text: &str) -> Result<(u16, u16), String> {
+    let side = |text: &str| text.parse().ok().filter(|side| *side > 0);
+    text.split_once(['x', 'X'])
+        .and_then(|(width, height)| Some((side(width)?, side(height)?)))
+        .ok_or_else(|| "give width and height in pixels, each 1 to 65535, such as 320x240".to_owned())
+}

@@ -1,0 +1,76 @@
+//! A scene to a picture in memory, on all processors, with a progress bar if it takes long.
+
+use crate::image::Image;
+use crate::load::Source;
+use crate::options::Options;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use raylet::{Counters, Part, Picture, Pixel, Scalar, Size};
+use std::error::Error;
+use std::num::NonZero;
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::thread;
+use std::time::Instant;
+
+/// A pixel's object and part (`None`: background), and the lights that reach it.
+pub type Sighting = (Option<(u32, Part)>, u32);
+
+/// A picture, and what is known about it.
+#[derive(Debug)]
+pub struct Traced {
+    pub image: Image,
+    pub sightings: Vec<Sighting>,
+    pub counters: Counters,
+    pub seconds: f64,
+    pub invisible: u32,
+}
+
+pub fn trace<S: Scalar>(source: &Source, options: &Options) -> Result<Traced, Box<dyn Error>> {
+    let loaded = source.load::<S>()?;
+    let scene = loaded.scene()?;
+    let [width, height] = options.size.map_or(loaded.resolution, |(width, height)| [width, height]);
+    let picture = Picture::new(&scene, Size::new(width, height).with_samples(options.samples));
+
+    let bar = ProgressBar::with_draw_target(Some(u64::from(height)), ProgressDrawTarget::hidden())
+        .with_style(ProgressStyle::with_template("{bar:40} {pos}/{len} rows, {eta} left")?);
+    let start = Instant::now();
+    let next_row = AtomicU32::new(0);
+    let threads = options
+        .threads
+        .map_or_else(|| thread::available_parallelism().map_or(1, NonZero::get), usize::from)
+        .min(usize::from(height));
+    let parts: Vec<(Vec<(u16, Vec<Pixel<S>>)>, Counters)> = thread::scope(|scope| {
+        let work = || {
+            let (mut rows, mut counters) = (Vec::new(), Counters::default());
+            while let Ok(y) = u16::try_from(next_row.fetch_add(1, Ordering::Relaxed))
+                && y < height
+            {
+                rows.push((y, (0..width).map(|x| picture.pixel(x, y, &mut counters)).collect()));
+                // A bar that flashes up and is gone helps nobody.
+                if bar.is_hidden() && start.elapsed().as_secs_f64() > 1.0 {
+                    bar.set_draw_target(ProgressDrawTarget::stderr());
+                }
+                bar.inc(1);
+            }
+            (rows, counters)
+        };
+        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
+        workers.into_iter().map(|worker| worker.join().unwrap_or_default()).collect()
+    });
+    bar.finish_and_clear();
+
+    let seconds = start.elapsed().as_secs_f64();
+    let mut image = Image::black(width, height);
+    let mut sightings = vec![(None, 0); image.pixels.len()];
+    let mut counters = Counters::default();
+    for (rows, part) in parts {
+        counters.add(&part);
+        for (y, row) in rows {
+            let start = usize::from(y) * usize::from(width);
+            for (index, pixel) in (start..).zip(row) {
+                image.pixels[index] = pixel.color.to_rgb888();
+                sightings[index] = (pixel.seen, pixel.lit_by);
+            }
+        }
+    }
+    Ok(Traced { image, sightings, counters, seconds, invisible: loaded.invisible })
+}

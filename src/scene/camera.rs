@@ -1,0 +1,166 @@
+//! From where, whither, and how wide: the ray of each pixel.
+
+use crate::ray::Ray;
+use crate::scalar::{Real, Scalar};
+use crate::vector::{UnitVec3, Vec3};
+use core::fmt;
+
+/// A pinhole camera.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera<S: Scalar> {
+    position: Vec3<S>,
+    forward: UnitVec3<S>,
+    right: UnitVec3<S>,
+    up: UnitVec3<S>,
+    half_height: S::Real,
+}
+
+impl<S: Scalar> Camera<S> {
+    /// A camera at `position` that looks at the point `target`, with `up` (of any length, not necessarily
+    /// perpendicular) towards the upper edge of the picture.
+    ///
+    /// `angle`, in degrees between 0 and 180 exclusive, is the angle between the centres of the first and the last row
+    /// of pixels, as NFF defines it. Pixels are square.
+    ///
+    /// # Errors
+    ///
+    /// A [`CameraError`] that names the value at fault.
+    pub fn new(position: Vec3<S>, target: Vec3<S>, up: Vec3<S>, angle: S) -> Result<Self, CameraError> {
+        if !position.is_within_budget() {
+            return Err(CameraError::Position);
+        }
+        if !target.is_within_budget() {
+            return Err(CameraError::Target);
+        }
+        let sight = difference(target, position);
+        let forward = UnitVec3::from_real(sight).ok_or(CameraError::Target)?;
+        let up = UnitVec3::new(up).ok_or(CameraError::Up)?;
+        let right = UnitVec3::from_real(forward.cross(up)).ok_or(CameraError::Up)?;
+        let up = UnitVec3::from_real(right.cross(forward)).ok_or(CameraError::Up)?;
+        let turns = angle.real() / S::Real::from_int(720);
+        if !angle.is_finite() || angle <= S::ZERO || turns >= S::Real::ONE.times_power_of_two(-2) {
+            return Err(CameraError::Angle);
+        }
+        let (sine, cosine) = S::sine_cosine(S::unit_round(turns));
+        let (sine, cosine) = (S::unit_real(sine), S::unit_real(cosine));
+        if sine <= S::Real::ZERO || cosine <= S::Real::ZERO {
+            return Err(CameraError::Angle);
+        }
+        Ok(Self { position, forward, right, up, half_height: sine / cosine })
+    }
+
+    /// Where the eye is.
+    pub const fn position(&self) -> Vec3<S> {
+        self.position
+    }
+
+    /// The direction of the centre of the picture.
+    pub const fn forward(&self) -> UnitVec3<S> {
+        self.forward
+    }
+
+    /// The grid of rays for a picture of this size.
+    pub fn raster(&self, size: Size) -> Raster<S> {
+        // A picture of one row has no distance between rows: it takes the whole angle for its one pixel.
+        let intervals = i32::from(size.height.max(2)) - 1;
+        let samples = i32::from(size.samples.max(1));
+        let pitch = self.half_height / (S::Real::from_int(intervals) * S::Real::from_int(samples));
+        Raster { camera: *self, size, pitch }
+    }
+}
+
+/// `a - b`, where a fixed-point difference might saturate.
+fn difference<S: Scalar>(a: Vec3<S>, b: Vec3<S>) -> [S::Real; 3] {
+    let ([ax, ay, az], [bx, by, bz]) = (a.real(), b.real());
+    [ax - bx, ay - by, az - bz]
+}
+
+/// The size of a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Size {
+    /// Pixels in a row.
+    pub width: u16,
+    /// Rows.
+    pub height: u16,
+    /// Samples along each side of a pixel: a pixel takes `samples * samples` rays, on a regular grid.
+    pub samples: u8,
+}
+
+impl Size {
+    /// A picture with one ray a pixel.
+    pub const fn new(width: u16, height: u16) -> Self {
+        Self { width, height, samples: 1 }
+    }
+
+    /// The same picture with a grid of `samples * samples` rays a pixel; 0 counts as 1.
+    #[must_use]
+    pub const fn with_samples(self, samples: u8) -> Self {
+        Self { samples, ..self }
+    }
+}
+
+/// A camera and the size of its picture: gives the ray of every sample of every pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Raster<S: Scalar> {
+    camera: Camera<S>,
+    size: Size,
+    /// Half of the distance between neighbouring samples, one unit in front of the eye.
+    pitch: S::Real,
+}
+
+impl<S: Scalar> Raster<S> {
+    /// The size of the picture.
+    pub const fn size(&self) -> Size {
+        self.size
+    }
+
+    /// The ray through sample (`column`, `row`) of pixel (`x`, `y`); (0, 0) is the upper left.
+    ///
+    /// Pixels and samples outside the picture have rays as well. `None` only if the camera's position is outside the
+    /// budget, which [`Camera::new`] excludes.
+    pub fn ray(&self, [x, y]: [u16; 2], [column, row]: [u8; 2]) -> Option<Ray<S>> {
+        let samples = i64::from(self.size.samples.max(1));
+        // Twice the distance from the middle of the picture, in samples: at most 2^25, so that it is exact.
+        let steps = |pixel: u16, sample: u8, pixels: u16| {
+            let odd = 2 * (i64::from(pixel) * samples + i64::from(sample)) + 1 - i64::from(pixels) * samples;
+            S::Real::from_int(odd as i32) * self.pitch
+        };
+        let across = steps(x, column, self.size.width);
+        let upwards = -steps(y, row, self.size.height);
+        let ([fx, fy, fz], [rx, ry, rz], [ux, uy, uz]) =
+            (self.camera.forward.real(), self.camera.right.real(), self.camera.up.real());
+        let direction = UnitVec3::from_real([
+            fx + rx * across + ux * upwards,
+            fy + ry * across + uy * upwards,
+            fz + rz * across + uz * upwards,
+        ])?;
+        Ray::new(self.camera.position, direction).ok()
+    }
+}
+
+/// Why a camera cannot be built.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum CameraError {
+    /// The position is not finite or beyond the budget.
+    Position,
+    /// The target coincides with the position, or is beyond the budget.
+    Target,
+    /// The up vector is zero or parallel to the line of sight.
+    Up,
+    /// The angle is not between 0 and 180 degrees, or too near to either for the number type.
+    Angle,
+}
+
+impl fmt::Display for CameraError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Position => "the camera is beyond the number type's budget: move it closer to the origin",
+            Self::Target => "the camera looks at its own position, or at a point beyond the number type's budget",
+            Self::Up => "the camera's up vector is zero or parallel to its line of sight: give another one",
+            Self::Angle => "the camera's angle must lie between 0 and 180 degrees",
+        })
+    }
+}
+
+impl core::error::Error for CameraError {}

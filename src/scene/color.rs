@@ -1,0 +1,82 @@
+//! A colour, linear in light: what lamps and surfaces multiply and add.
+
+use crate::scalar::{Scalar, UnitScalar};
+
+/// Red, green and blue, linear in light; 0 is black and 1 the brightest that a display shows.
+///
+/// Channels are [`Scalar::Unit`]: fixed types keep 30 (or 62) fraction bits and saturate just below 2, so that
+/// a sum of bright lights stays bright instead of wrapping round.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Color<S: Scalar> {
+    /// Red.
+    pub red: S::Unit,
+    /// Green.
+    pub green: S::Unit,
+    /// Blue.
+    pub blue: S::Unit,
+}
+
+impl<S: Scalar> Color<S> {
+    /// No light at all.
+    pub const BLACK: Self = Self { red: S::Unit::ZERO, green: S::Unit::ZERO, blue: S::Unit::ZERO };
+    /// As bright as the display goes.
+    pub const WHITE: Self = Self { red: S::Unit::ONE, green: S::Unit::ONE, blue: S::Unit::ONE };
+
+    /// The colour with these channels.
+    pub const fn new(red: S::Unit, green: S::Unit, blue: S::Unit) -> Self {
+        Self { red, green, blue }
+    }
+
+    /// From `f64` channels, each rounded to nearest; NaN becomes 0.
+    pub fn from_f64([red, green, blue]: [f64; 3]) -> Self {
+        Self::new(S::Unit::from_f64(red), S::Unit::from_f64(green), S::Unit::from_f64(blue))
+    }
+
+    /// The channels in the order red, green, blue.
+    pub const fn to_array(self) -> [S::Unit; 3] {
+        [self.red, self.green, self.blue]
+    }
+
+    /// The sum, channel by channel, saturated.
+    #[must_use]
+    pub fn plus(self, other: Self) -> Self {
+        Self::new(self.red.plus(other.red), self.green.plus(other.green), self.blue.plus(other.blue))
+    }
+
+    /// The product, channel by channel: light of this colour on a surface of that colour.
+    #[must_use]
+    pub fn times(self, other: Self) -> Self {
+        Self::new(self.red.times(other.red), self.green.times(other.green), self.blue.times(other.blue))
+    }
+
+    /// Each channel brought into `[0, 1]`; NaN becomes 0.
+    #[must_use]
+    pub fn clamped(self) -> Self {
+        let [red, green, blue] = self.to_array().map(|channel| {
+            if channel >= S::Unit::ONE {
+                S::Unit::ONE
+            } else if channel > S::Unit::ZERO {
+                channel
+            } else {
+                S::Unit::ZERO
+            }
+        });
+        Self::new(red, green, blue)
+    }
+
+    /// Eight-bit levels: the nearest of 0 to 255 for each channel, clamped. Linear: no gamma curve is applied.
+    ///
+    /// ```
+    /// # use raylet::Color;
+    /// assert_eq!(Color::<f32>::from_f64([1.5, 0.5, -1.0]).to_rgb888(), [255, 128, 0]);
+    /// ```
+    pub fn to_rgb888(self) -> [u8; 3] {
+        self.to_array().map(|channel| channel.level(255) as u8)
+    }
+}
+
+impl<S: Scalar> From<[S::Unit; 3]> for Color<S> {
+    fn from([red, green, blue]: [S::Unit; 3]) -> Self {
+        Self::new(red, green, blue)
+    }
+}

@@ -1,0 +1,93 @@
+//! Words and where they stand. Lines mean nothing to the format, except that they end a comment.
+
+use super::error::Place;
+
+/// A run of characters between white space and comments.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Word<'t> {
+    pub(super) text: &'t str,
+    pub(super) place: Place,
+}
+
+/// The rest of a text, and the place of its first character.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Lexer<'t> {
+    rest: &'t str,
+    place: Place,
+}
+
+impl<'t> Lexer<'t> {
+    pub(super) fn new(text: &'t str) -> Self {
+        // Some editors put a byte order mark in front.
+        let rest = text.strip_prefix('\u{feff}').unwrap_or(text);
+        Self { rest, place: Place { line: 1, column: 1 } }
+    }
+
+    /// The word that comes next, without taking it.
+    pub(super) fn peek(&self) -> Option<Word<'t>> {
+        let mut ahead = *self;
+        ahead.next()
+    }
+
+    /// Where the next character stands.
+    pub(super) fn place(&self) -> Place {
+        self.place
+    }
+
+    fn skip_spaces_and_comments(&mut self) {
+        let mut comment = false;
+        let mut characters = self.rest.chars();
+        while let Some(character) = characters.next() {
+            match character {
+                '\n' => comment = false,
+                '#' => comment = true,
+                other if comment || other.is_whitespace() => {}
+                _ => return,
+            }
+            self.place = if character == '\n' {
+                Place { line: self.place.line.saturating_add(1), column: 1 }
+            } else {
+                Place { column: self.place.column.saturating_add(1), ..self.place }
+            };
+            self.rest = characters.as_str();
+        }
+    }
+}
+
+impl<'t> Iterator for Lexer<'t> {
+    type Item = Word<'t>;
+
+    fn next(&mut self) -> Option<Word<'t>> {
+        self.skip_spaces_and_comments();
+        let end = self.rest.find(|c: char| c.is_whitespace() || c == '#').unwrap_or(self.rest.len());
+        let (text, rest) = self.rest.split_at_checked(end).filter(|(text, _)| !text.is_empty())?;
+        let place = self.place;
+        let columns = u32::try_from(text.chars().count()).unwrap_or(u32::MAX);
+        self.place.column = place.column.saturating_add(columns);
+        self.rest = rest;
+        Some(Word { text, place })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_know_line_and_column() {
+        let mut words = Lexer::new("s 1 2# no words here\r\n\n \t-3é x");
+        let mut word = || words.next().map(|word| (word.text, word.place.line, word.place.column));
+        assert_eq!(word(), Some(("s", 1, 1)));
+        assert_eq!(word(), Some(("1", 1, 3)));
+        assert_eq!(word(), Some(("2", 1, 5)));
+        assert_eq!(word(), Some(("-3é", 3, 3)));
+        assert_eq!(word(), Some(("x", 3, 7)));
+        assert_eq!(word(), None);
+    }
+
+    #[test]
+    fn an_empty_text_and_a_lone_comment_have_no_words() {
+        assert_eq!(Lexer::new("").next(), None);
+        assert_eq!(Lexer::new("\u{feff}# s 1 2 3").next(), None);
+    }
+}

@@ -1,0 +1,135 @@
+//! Words into numbers: the first half of the reader, below the entities.
+
+use super::error::{NffError, Place, Reason};
+use super::lexer::{Lexer, Word};
+use crate::scalar::{Real, Scalar, is_decimal};
+use crate::vector::Vec3;
+use core::marker::PhantomData;
+
+/// A number with the place where it stands, and whether rounding made it vanish.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Number<S> {
+    pub(super) value: S,
+    pub(super) place: Place,
+    /// The text gives a number other than zero, but its value is zero.
+    pub(super) vanished: bool,
+}
+
+/// Takes values from the words of a text. `what` names the value in a message.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Numbers<'t, S> {
+    words: Lexer<'t>,
+    scalar: PhantomData<S>,
+}
+
+impl<'t, S: Scalar> Numbers<'t, S> {
+    pub(super) fn new(text: &'t str) -> Self {
+        Self { words: Lexer::new(text), scalar: PhantomData }
+    }
+
+    /// The next word, if there is one.
+    pub(super) fn word(&mut self) -> Option<Word<'t>> {
+        self.words.next()
+    }
+
+    /// The next word, without taking it.
+    pub(super) fn peek(&self) -> Option<Word<'t>> {
+        self.words.peek()
+    }
+
+    /// Where the next word stands, or the end of the text.
+    pub(super) fn place(&self) -> Place {
+        self.peek().map_or(self.words.place(), |word| word.place)
+    }
+
+    /// True if the next word is a number, as against the next entity.
+    pub(super) fn number_follows(&self) -> bool {
+        self.peek().is_some_and(|word| is_decimal(word.text))
+    }
+
+    /// The words that follow, without taking them.
+    pub(super) fn texts(&self) -> impl Iterator<Item = &'t str> {
+        self.words.map(|word| word.text)
+    }
+
+    fn expect(&mut self, what: &'static str) -> Result<Word<'t>, NffError> {
+        self.word().ok_or(NffError { place: self.words.place(), reason: Reason::Ended { what } })
+    }
+
+    /// A number that the type can hold.
+    pub(super) fn number(&mut self, what: &'static str) -> Result<Number<S>, NffError> {
+        let Word { text, place } = self.expect(what)?;
+        let reason = match S::parse(text) {
+            Some(value) => return Ok(Number { value, place, vanished: value == S::ZERO && !is_zero(text) }),
+            None if is_decimal(text) => Reason::BeyondType { what },
+            None => Reason::NotANumber { what },
+        };
+        Err(NffError { place, reason })
+    }
+
+    /// A number of at least zero; beyond the type's range, the largest that it holds.
+    pub(super) fn saturated(&mut self, what: &'static str) -> Result<S, NffError> {
+        let beyond = self
+            .peek()
+            .filter(|word| is_decimal(word.text) && !word.text.starts_with('-') && S::parse(word.text).is_none());
+        if beyond.is_some() {
+            self.word();
+            return Ok(S::BUDGET.distance);
+        }
+        self.not_negative(what)
+    }
+
+    /// A number of at least zero.
+    pub(super) fn not_negative(&mut self, what: &'static str) -> Result<S, NffError> {
+        let Number { value, place, .. } = self.number(what)?;
+        if value < S::ZERO { Err(NffError { place, reason: Reason::Negative { what } }) } else { Ok(value) }
+    }
+
+    /// A coordinate or size inside the budget.
+    pub(super) fn size(&mut self, what: &'static str) -> Result<Number<S>, NffError> {
+        let place = self.place();
+        let beyond = NffError { place, reason: Reason::BeyondBudget { what } };
+        match self.number(what) {
+            // To the reader of the message the limit that counts is the budget, whichever limit was met first.
+            Err(NffError { reason: Reason::BeyondType { .. }, .. }) => Err(beyond),
+            Ok(number) if number.value.magnitude() <= S::BUDGET.coordinate => Ok(number),
+            Ok(_) => Err(beyond),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// Three coordinates inside the budget.
+    pub(super) fn point(&mut self, what: &'static str) -> Result<Vec3<S>, NffError> {
+        Ok(Vec3::new(self.size(what)?.value, self.size(what)?.value, self.size(what)?.value))
+    }
+
+    /// Three numbers, the components of a direction of any length.
+    pub(super) fn vector(&mut self, what: &'static str) -> Result<Vec3<S>, NffError> {
+        Ok(Vec3::new(self.number(what)?.value, self.number(what)?.value, self.number(what)?.value))
+    }
+
+    /// Three colour channels from 0 to 1.
+    pub(super) fn color(&mut self, what: &'static str) -> Result<[S::Unit; 3], NffError> {
+        Ok([self.channel(what)?, self.channel(what)?, self.channel(what)?])
+    }
+
+    fn channel(&mut self, what: &'static str) -> Result<S::Unit, NffError> {
+        let Number { value, place, .. } = self.number(what)?;
+        if value < S::ZERO || value.real() > S::Real::ONE {
+            return Err(NffError { place, reason: Reason::Color { what } });
+        }
+        Ok(S::unit_round(value.real()))
+    }
+
+    /// A whole number.
+    pub(super) fn count<N: core::str::FromStr>(&mut self, what: &'static str) -> Result<N, NffError> {
+        let Word { text, place } = self.expect(what)?;
+        text.parse().map_err(|_| NffError { place, reason: Reason::NotACount { what } })
+    }
+}
+
+/// True if a decimal number is zero before any rounding: if its mantissa has no digit but 0.
+fn is_zero(text: &str) -> bool {
+    let mantissa = text.split(['e', 'E']).next().unwrap_or(text);
+    !mantissa.bytes().any(|byte| matches!(byte, b'1'..=b'9'))
+}
