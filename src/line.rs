@@ -81,6 +81,12 @@ impl<S: Scalar> Local<S> {
         }
     }
 
+    /// True if lengths along the line are those along the ray.
+    #[inline]
+    pub(crate) fn is_unstretched(&self) -> bool {
+        self.stretch.is_none()
+    }
+
     /// True if the ray's range is the line's `t >= 0`, or a beginning of it, and it departs from nowhere.
     #[inline]
     pub(crate) fn is_forward(&self, ray: &Ray<S>) -> bool {
