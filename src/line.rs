@@ -7,7 +7,7 @@
 
 use crate::hit::Part;
 use crate::ray::{Leaving, Ray};
-use crate::scalar::{Real, Scalar, largest};
+use crate::scalar::{Scalar, largest};
 use crate::vector::Vec3;
 
 /// An infinite line in the frame of a primitive, and the part that it departs from at `t = 0`.
@@ -81,18 +81,15 @@ impl<S: Scalar> Local<S> {
         }
     }
 
+    /// True if lengths along the line are those along the ray.
+    #[inline]
+    pub(crate) fn is_unstretched(&self) -> bool {
+        self.stretch.is_none()
+    }
+
     /// True if the ray's range is the line's `t >= 0`, or a beginning of it, and it departs from nowhere.
     #[inline]
     pub(crate) fn is_forward(&self, ray: &Ray<S>) -> bool {
         self.start == S::ZERO && ray.range().start() == S::ZERO && self.line.departure.is_none()
-    }
-
-    /// True if the range goes as far as the type, and an end within `reach` of a solid's middle is sure to be nearer.
-    #[inline]
-    pub(crate) fn reaches(&self, ray: &Ray<S>, reach: S) -> bool {
-        // |o| + 2 reach, with |o| at most sqrt 3 of its largest component, is below the distance.
-        let [x, y, z] = self.line.origin.map(|component| component.scaled(self.exponent));
-        let quarter = S::BUDGET.coordinate.real().times_power_of_two(-2);
-        ray.range().end() == S::BUDGET.distance && self.stretch.is_none() && largest([x, y, z, reach]).real() <= quarter
     }
 }

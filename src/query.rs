@@ -52,6 +52,19 @@ pub(crate) fn nearest<S: Scalar, T: Tier<S>, G: Geometry<S>>(geometry: &G, ray: 
     meet::<S, T, G>(geometry, &unplaced(geometry, ray)).nearest(ray.range(), |_: Crossing| true)
 }
 
+/// True if the number type surely holds the `t` of every end (rule 3: one that it does not hold is no hit): the solid is
+/// bounded, lengths are those of the world, and line and solid lie within a quarter of the budget.
+#[inline]
+fn is_within_reach<S: Scalar, G: Geometry<S>>(geometry: &G, local: &Local<S>) -> bool {
+    let [x, y, z] = local.line.origin.map(|component| component.scaled(local.exponent));
+    let farthest = largest([x, y, z, geometry.reach()]);
+    let twice = farthest.plus(farthest);
+    let (low, high) = geometry.bounds();
+    local.is_unstretched()
+        && twice.plus(twice) <= S::BUDGET.size
+        && low.to_array().iter().chain(&high.to_array()).all(|c| c.is_finite())
+}
+
 /// True if there is a hit that `accept` takes. The signs of the coefficients are asked first.
 #[inline]
 pub(crate) fn occludes<S: Scalar, T: Tier<S>, G: Geometry<S>>(
@@ -66,7 +79,10 @@ pub(crate) fn occludes<S: Scalar, T: Tier<S>, G: Geometry<S>>(
             Some(false) => return false,
             // A yes speaks of the whole half-line and of both sides.
             Some(true)
-                if ray.range().end() == S::BUDGET.distance && accept(Crossing::Enter) && accept(Crossing::Exit) =>
+                if ray.range().end() == S::BUDGET.distance
+                    && accept(Crossing::Enter)
+                    && accept(Crossing::Exit)
+                    && is_within_reach(geometry, local) =>
             {
                 return true;
             }

@@ -6,8 +6,8 @@ mod support;
 
 use raylet::scalar::UnitScalar;
 use raylet::{
-    Capsule, Cone, Crossing, Cylinder, Departure, Disc, Frame, Leaving, Part, Plane, Range, Ray, RayError, Scalar,
-    Shape, SizeError, Sphere, Triangle, UnitVec3, Vec3, Visible,
+    Capsule, Cone, Crossing, Cylinder, Departure, Disc, Frame, Leaving, Part, Plane, Range, Ray, RayError, Shape,
+    SizeError, Sphere, Triangle, UnitVec3, Vec3, Visible,
 };
 use support::cases::{
     Case, Kind, Random, Verdict, assert_exact, cases, cases_of, compare, direction, edge_rays, n, random_ray, summary,
@@ -196,12 +196,15 @@ fn rule_03_a_distance_that_the_type_cannot_hold_is_outside_every_range<S: Exact>
     let plane = Plane::new();
     assert!(plane.hits(&ray(most, -(2.0_f64.powi(-29)))).is_empty(), "{}", S::name());
     assert!(plane.nearest(&ray(most, -(2.0_f64.powi(-29)))).is_none());
+    assert!(!plane.occludes(&ray(most, -(2.0_f64.powi(-29))).with_range(Range::FORWARD)), "{}", S::name());
     assert_eq!(plane.hits(&ray(n(0.25), -(2.0_f64.powi(-11)))).len(), 1);
     // A cylinder, left at an end that cannot be held: inside all the same.
     let tube = Cylinder::infinite(most).expect("the radius is at the budget");
     let up = [2.0_f64.powi(-29), 1.0, 0.0].map(<S::Unit as UnitScalar>::from_f64);
     let up = UnitVec3::from_components(up).expect("the direction is unit");
-    let hits = tube.hits(&Ray::new(Vec3::ZERO, up).expect("origin"));
+    let ray = Ray::new(Vec3::ZERO, up).expect("origin");
+    let hits = tube.hits(&ray);
+    assert!(!tube.occludes(&ray), "{}", S::name());
     assert!(hits.is_empty() && hits.starts_inside(), "{}: {hits:?}", S::name());
 }
 

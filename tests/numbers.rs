@@ -149,7 +149,8 @@ fn numbers_are_read_correctly_rounded<S: Exact>() {
             text.push(char::from(b'0' + random.below(10) as u8));
         }
         if random.below(2) == 0 {
-            text.push_str(&format!("e{}", random.below(8) as i32 - 7));
+            text.push('e');
+            text.push_str(&(random.below(8) as i32 - 7).to_string());
         }
         texts.push(text);
     }

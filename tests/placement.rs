@@ -5,9 +5,7 @@
 mod support;
 
 use raylet::scalar::UnitScalar;
-use raylet::{
-    Affine, Capsule, Cone, Cylinder, Frame, FrameError, Part, Ray, Scalar, Shape, Sphere, Triangle, UnitVec3, Vec3,
-};
+use raylet::{Affine, Capsule, Cone, Cylinder, Frame, FrameError, Part, Ray, Shape, Sphere, Triangle, UnitVec3, Vec3};
 use support::cases::{Kind, Random, cases, cases_of, n, random_ray, v};
 use support::exact_types::Exact;
 use support::oracle;
@@ -556,7 +554,7 @@ fn a_placed_solid_contains_its_points<S: Exact>() {
                 let margin = 1e-3;
                 let shifted = |by: f64| point.to_f64().map(|c| c * by);
                 let [a, b] = [1.0 + margin, 1.0 - margin]
-                    .map(|by| oracle::contains(&case.solid, &shifted(by).map(|c| c.exact())));
+                    .map(|by| oracle::contains(&case.solid, &shifted(by).map(Exact::exact)));
                 if a == exact
                     && b == exact
                     && (point.y.to_f64() - 2.0).abs() > margin
