@@ -77,7 +77,11 @@ impl Files {
             fs::create_dir_all(folder)?;
         }
         let file = BufWriter::new(File::create(path)?);
-        if self.ppm.as_deref() == Some(path) { image.write_ppm(file)? } else { image.write_png(file)? }
+        if self.ppm.as_deref() == Some(path) {
+            image.write_ppm(file)?
+        } else {
+            image.write_png(file)?
+        }
         Ok(())
     }
 }

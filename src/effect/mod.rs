@@ -92,9 +92,8 @@ fn shade<S: Scalar>(material: &Material<S>, strength: [S; 3], site: &Site<S>, to
     let mirrored = specular::weight(material, site, towards);
     let [red, green, blue] = material.color.to_array();
     let [r, g, b] = strength;
-    let channel = |own: S::Unit, strength: S| {
-        S::unit_round((S::unit_real(own) * scattered + mirrored) * strength.real())
-    };
+    let channel =
+        |own: S::Unit, strength: S| S::unit_round((S::unit_real(own) * scattered + mirrored) * strength.real());
     Color::new(channel(red, r), channel(green, g), channel(blue, b))
 }
 

@@ -69,9 +69,9 @@ impl<'t, S: Scalar> Numbers<'t, S> {
 
     /// A number of at least zero; beyond the type's range, the largest that it holds.
     pub(super) fn saturated(&mut self, what: &'static str) -> Result<S, NffError> {
-        let beyond = self.peek().filter(|word| {
-            is_decimal(word.text) && !word.text.starts_with('-') && S::parse(word.text).is_none()
-        });
+        let beyond = self
+            .peek()
+            .filter(|word| is_decimal(word.text) && !word.text.starts_with('-') && S::parse(word.text).is_none());
         if beyond.is_some() {
             self.word();
             return Ok(S::BUDGET.distance);

@@ -225,8 +225,8 @@ impl<'t, 'a, S: Scalar> Reader<'t, 'a, S> {
             return Ok(());
         }
         let (base_radius, apex_radius) = (base_radius.value.magnitude(), apex_radius.value.magnitude());
-        let shape = tube(base, base_radius, apex, apex_radius)
-            .ok_or(NffError { place, reason: Reason::Proportions })?;
+        let shape =
+            tube(base, base_radius, apex, apex_radius).ok_or(NffError { place, reason: Reason::Proportions })?;
         self.object(place, shape, None, inside)
     }
 
