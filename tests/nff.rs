@@ -1,6 +1,8 @@
 //! The promise: every entity of the Neutral File Format is read, in every layout, rounded once; and a file that cannot
 //! be read says where and why.
 
+#![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
+
 use fixed::types::{I16F16, I32F32};
 use raylet::scene::nff::{self, Corner, Counts, NffError, Stores, View, triangulate};
 use raylet::scene::{CornerNormals, Full, Store};
