@@ -9,9 +9,9 @@ const AMPLIFICATION: u8 = 32;
 
 /// How a picture differs from a reference.
 #[derive(Debug)]
-pub struct Difference {
+pub(crate) struct Difference {
     /// The difference of each channel, amplified.
-    pub image: Image,
+    pub(crate) image: Image,
     pixels: usize,
     differing: usize,
     by_more_than_one: usize,
@@ -26,7 +26,7 @@ impl Difference {
     /// A pixel that differs by more than one level is explained if it lies on a silhouette: if in the 3x3 pixels around
     /// it the reference sees more than one object or part of an object, or more than one set of lights. There, a change in the last place
     /// may decide which of two colours is seen.
-    pub fn between(picture: &Traced, reference: &Traced) -> Self {
+    pub(crate) fn between(picture: &Traced, reference: &Traced) -> Self {
         let mut image = Image::black(reference.image.width, reference.image.height);
         let pixels = image.pixels.len();
         let (mut differing, mut by_more_than_one, mut on_silhouettes, mut greatest, mut squared) = (0, 0, 0, 0, 0.0);

@@ -10,7 +10,7 @@ use std::error::Error;
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
 /// The still life in any number type that holds numbers up to 20.
-pub fn build<S: Scalar>() -> Result<Loaded<S>> {
+pub(crate) fn build<S: Scalar>() -> Result<Loaded<S>> {
     let colors = [
         [0.82, 0.80, 0.76], // floor
         [0.85, 0.25, 0.20], // red
