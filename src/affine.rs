@@ -131,11 +131,6 @@ impl<S: Scalar> Affine<S> {
         self.position
     }
 
-    /// The greatest length that a local unit vector can have in the world, or more.
-    pub(crate) const fn spread(&self) -> S {
-        self.spread
-    }
-
     /// The inverse applied to a vector that starts at the position.
     #[inline]
     fn vector_to_local(&self, v: [S; 3]) -> [S::Real; 3] {
@@ -201,28 +196,28 @@ impl<S: Scalar> Affine<S> {
     }
 
     /// The ray in local coordinates; `None` if even its closest point is farther than the number type reaches.
-    pub(crate) fn localize(&self, ray: &Ray<S>, reach: S) -> Option<Local<S>> {
+    /// `reach` and `is_far` as for [`Local::in_world`].
+    pub(crate) fn localize(&self, ray: &Ray<S>, reach: S, is_far: impl FnOnce(Vec3<S>) -> bool) -> Option<Local<S>> {
         let direction = ray.direction().to_array();
         let stretched = self.inverse.map(|row| S::unit_dot(direction, row.components).times_power_of_two(row.exponent));
         let (local_direction, stretch) = S::normalize(stretched)?;
+
         let from_position = (ray.origin() - self.position).to_array();
         let origin = self.vector_to_local(from_position).map(S::round);
-        let in_type = from_position.iter().chain(&origin).all(|c| c.is_finite());
-        let step = if in_type {
-            let world_reach = S::round(reach.real() * self.spread.real());
-            S::step_closer(S::dot(from_position, direction), world_reach)
+        let step = if !from_position.iter().chain(&origin).all(|c| c.is_finite()) {
+            Some(Frame::closest_approach_to(self.position, ray))
+        } else if ray.departure().is_some() {
+            None
         } else {
-            let (o, p, d) = (ray.origin().real(), self.position.real(), ray.direction().real());
-            Some(S::round(-S::Real::sum_of_products([[o[0] - p[0], d[0]], [o[1] - p[1], d[1]], [o[2] - p[2], d[2]]])))
+            let world_reach = S::round(reach.real() * self.spread.real());
+            S::step_closer(S::dot(from_position, direction), world_reach).filter(|_| is_far(origin.into()))
         };
         let Some(step) = step else {
             return Some(Local::new(ray, origin, local_direction, S::ZERO, Some(stretch), reach));
         };
-        let close = S::approach(ray.origin().to_array(), self.position.to_array(), direction, step);
-        let origin = self.vector_to_local(close).map(S::round);
-        if !close.iter().chain(&origin).all(|c| c.is_finite()) || !step.is_finite() {
-            return None;
-        }
-        Some(Local::new(ray, origin, local_direction, step, Some(stretch), reach))
+        let closer = S::walk(ray.origin().to_array(), self.position.to_array(), direction, step);
+        let origin = self.vector_to_local(closer).map(S::round);
+        let in_type = step.is_finite() && closer.iter().chain(&origin).all(|c| c.is_finite());
+        in_type.then(|| Local::new(ray, origin, local_direction, step, Some(stretch), reach))
     }
 }

@@ -171,33 +171,36 @@ impl<S: Scalar> Frame<S> {
     }
 
     /// The ray as seen from the frame; `None` if even its closest point is farther than the number type reaches.
+    /// `reach` and `is_far` as for [`Local::in_world`].
     #[inline]
-    pub(crate) fn localize(&self, ray: &Ray<S>, reach: S) -> Option<Local<S>> {
+    pub(crate) fn localize(&self, ray: &Ray<S>, reach: S, is_far: impl FnOnce(Vec3<S>) -> bool) -> Option<Local<S>> {
         let direction = ray.direction().to_array();
-        let mut from_position = (ray.origin() - self.position).to_array();
-        let mut start = S::ZERO;
-        let step = if from_position.iter().all(|c| c.is_finite()) {
-            S::step_closer(S::dot(from_position, direction), reach)
-        } else {
-            Some(self.closest_approach(ray))
-        };
-        if let Some(step) = step {
-            from_position = S::approach(ray.origin().to_array(), self.position.to_array(), direction, step);
-            start = step;
-            if !(step.is_finite() && from_position.iter().all(|c| c.is_finite())) {
-                return None;
-            }
-        }
         let axes = self.axes.map(UnitVec3::to_array);
-        let origin = axes.map(|axis| S::round(S::dot(from_position, axis)));
-        let local = axes.map(|axis| S::unit_round(S::unit_dot(direction, axis)));
-        Some(Local::new(ray, origin, local, start, None, reach))
+        let to_local = |v: [S; 3]| axes.map(|axis| S::round(S::dot(v, axis)));
+        let local_direction = axes.map(|axis| S::unit_round(S::unit_dot(direction, axis)));
+
+        let from_position = (ray.origin() - self.position).to_array();
+        let origin = to_local(from_position);
+        let step = if !from_position.iter().chain(&origin).all(|c| c.is_finite()) {
+            Some(Self::closest_approach_to(self.position, ray))
+        } else if ray.departure().is_some() {
+            None
+        } else {
+            S::step_closer(S::dot(from_position, direction), reach).filter(|_| is_far(origin.into()))
+        };
+        let Some(step) = step else {
+            return Some(Local::new(ray, origin, local_direction, S::ZERO, None, reach));
+        };
+        let closer = S::walk(ray.origin().to_array(), self.position.to_array(), direction, step);
+        let origin = to_local(closer);
+        let in_type = step.is_finite() && closer.iter().chain(&origin).all(|c| c.is_finite());
+        in_type.then(|| Local::new(ray, origin, local_direction, step, None, reach))
     }
 
-    /// The `t` of the point nearest to the position, for coordinates whose difference the type cannot hold.
+    /// The `t` of the ray's point nearest to a position, for coordinates whose difference the type cannot hold.
     #[cold]
-    fn closest_approach(&self, ray: &Ray<S>) -> S {
-        let (o, p, d) = (ray.origin().real(), self.position.real(), ray.direction().real());
+    pub(crate) fn closest_approach_to(position: Vec3<S>, ray: &Ray<S>) -> S {
+        let (o, p, d) = (ray.origin().real(), position.real(), ray.direction().real());
         S::round(-S::Real::sum_of_products([[o[0] - p[0], d[0]], [o[1] - p[1], d[1]], [o[2] - p[2], d[2]]]))
     }
 }

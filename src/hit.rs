@@ -50,7 +50,7 @@ pub struct Hit<S> {
 ///
 /// The list holds the most that any primitive can produce: nothing is ever dropped.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(bound = "S: Scalar + serde::Serialize"))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Hits<S> {
     list: heapless::Vec<Hit<S>, MOST_HITS>,

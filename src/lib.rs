@@ -1,5 +1,74 @@
-//! raylet
+//! Where does this ray meet that solid, on which part of its surface, and which way does the surface face there?
+//!
+//! `raylet` answers that on any machine down to a microcontroller without a floating-point unit: no allocation, no
+//! panic, fixed capacities, in `f32`, `f64` or fixed point (`FixedI32<F>`, `FixedI64<F>` of the [`fixed`](https://docs.rs/fixed)
+//! crate), with the same bits on every chip.
+//!
+//! ```
+//! use fixed::types::I16F16;
+//! use raylet::{Cylinder, Frame, Part, Ray, Shape, UnitVec3, Vec3};
+//!
+//! let metres = |x: f64| I16F16::from_num(x);
+//! // A lying can, and a time-of-flight sensor that looks at it.
+//! let frame = Frame::from_base_and_axis(Vec3::new(metres(-0.5), metres(0.0), metres(3.0)), UnitVec3::X)?;
+//! let can = Shape::new(Cylinder::capped(metres(0.25), metres(1.0))?).placed(frame);
+//! let sensor = Ray::new(Vec3::ZERO, UnitVec3::Z)?;
+//! let hit = can.nearest(&sensor).expect("it looks straight at it");
+//! assert_eq!((hit.t, hit.part), (metres(2.75), Part::Side));
+//! assert_eq!(can.surface(&sensor, &hit).normal().to_f64(), [0.0, 0.0, -1.0]);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # The contract
+//!
+//! 1. A bounded solid is a closed set; a line meets a convex one in one interval, whose ends are the hits:
+//!    [`Crossing::Enter`] and [`Crossing::Exit`], or one [`Crossing::Touch`]. Crossings always pair up.
+//! 2. An open surface reports its own crossings, each with the side it was hit from; an unbounded solid its finite ends.
+//! 3. Ends outside the ray's closed [`Range`] are dropped; [`Hits::starts_inside`] tells why an exit stands alone. Hits come
+//!    sorted by `t`.
+//! 4. `t` is distance: directions are unit vectors by type ([`UnitVec3`]); `t` is the parameter of the direction as stored.
+//! 5. The side owns the rim that it shares with a cap, the seam that it shares with a hemisphere, and the apex.
+//! 6. Degenerate rays have defined answers, none of them NaN: the table is in [`primitive`].
+//! 7. Normals are outward unit vectors; [`Surface::normal_towards_ray`] is the flipped one.
+//! 8. Leaving a surface needs no epsilon: a ray says where it departs from ([`Departure`]).
+//! 9. One-sided surfaces ignore the crossings seen from the back ([`Visible`]).
+//! 10. Bad input gets a typed error at construction; queries on built values cannot fail, panic or overflow.
+//! 11. The same bits everywhere, for every number type and tier.
+//!
+//! `tests/contract.rs` has a test of each rule's name.
+//!
+//! # The rooms
+//!
+//! Imports run down only.
+//!
+//! | floor | room | what it holds |
+//! |---|---|---|
+//! | 9 | [`render`] | pixels |
+//! | 8 | [`effect`] | shading, a file an effect |
+//! | 7 | [`scene`] | objects, materials, lights, camera, the NFF reader |
+//! | 6 | [`shape`] | any primitive, placed |
+//! | 5 | [`primitive`] | a file a primitive: its solve, parts, normal, surface coordinates, tangents |
+//! | 4 | [`tier`], `quadric` | accuracy tiers; the one quadratic solver |
+//! | 3 | [`ray`], [`frame`], [`affine`], [`hit`], `span`, `line` | rays and ranges, placement, hits and hit lists, intervals |
+//! | 2 | [`vector`] | [`Vec3`], [`UnitVec3`] |
+//! | 1 | [`scalar`] | what a number must do here: `f32`, `f64`, fixed point |
+//!
+//! # Features
+//!
+//! | feature | default | what it adds |
+//! |---|---|---|
+//! | `libm` | yes | the float backend; a build without it fails, and says so |
+//! | `fixed` | yes | fixed-point scalars |
+//! | `std` | no | scene storage in `Vec`; brings `libm`, and changes no result bit |
+//! | `mint` | no | conversions of points and vectors |
+//! | `serde` | no | serialisation of the public value types |
+//! | `defmt` | no | `defmt::Format` for the public value types (of float scalars: `fixed` has no `defmt` of its own) |
 #![no_std]
+#![deny(unsafe_code, missing_docs)]
+// Tests and examples may unwrap; the library has no panic path.
+#![warn(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+#![cfg_attr(docsrs, feature(doc_cfg))]
+
 #[cfg(any(feature = "std", test))]
 extern crate std;
 
@@ -10,8 +79,11 @@ compile_error!(
 
 pub mod affine;
 pub mod effect;
+pub mod errata;
 pub mod frame;
 pub mod hit;
+#[cfg(any(feature = "mint", feature = "serde"))]
+mod interchange;
 mod line;
 pub mod primitive;
 mod quadric;
@@ -36,3 +108,8 @@ pub use scene::{Camera, Color, Counters, Light, Material, Object, Scene, Size};
 pub use shape::{Bounds, Placement, Primitive, Shape, Surface, Visible};
 pub use tier::{Stable, Tier};
 pub use vector::{UnitVec3, Vec3};
+
+/// The examples of the README are tests.
+#[cfg(all(doctest, feature = "fixed"))]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -8,6 +8,7 @@
 use crate::hit::Part;
 use crate::ray::{Leaving, Ray};
 use crate::scalar::{Scalar, largest};
+use crate::vector::Vec3;
 
 /// An infinite line in the frame of a primitive, and the part that it departs from at `t = 0`.
 #[derive(Clone, Copy, Debug)]
@@ -35,18 +36,20 @@ pub(crate) struct Local<S: Scalar> {
 }
 
 impl<S: Scalar> Local<S> {
-    /// The ray in a frame that is the world's. `anchor` is a point of the solid and `reach` the distance from there
-    /// within which it lies.
+    /// The ray in a frame that is the world's. `reach` is the distance from the origin within which the solid lies; where
+    /// it has no end, `is_far` says whether a point several reaches away is far from its surface too.
     #[inline]
-    pub(crate) fn in_world(ray: &Ray<S>, anchor: [S; 3], reach: S) -> Self {
+    pub(crate) fn in_world(ray: &Ray<S>, reach: S, is_far: impl FnOnce(Vec3<S>) -> bool) -> Self {
         let (mut origin, direction) = (ray.origin().to_array(), ray.direction().to_array());
         let mut start = S::ZERO;
-        let from_anchor = [0, 1, 2].map(|i| origin[i].minus(anchor[i]));
-        if let Some(step) = S::step_closer(S::dot(from_anchor, direction), reach) {
-            origin = S::advance(origin, direction, step);
+        if let Some(step) = S::step_closer(S::dot(origin, direction), reach)
+            && ray.departure().is_none()
+            && is_far(ray.origin())
+        {
+            origin = S::walk(origin, Vec3::<S>::ZERO.to_array(), direction, step);
             start = step;
         }
-        Self::new(ray, origin, direction, start, None, largest([anchor[0], anchor[1], anchor[2], reach]))
+        Self::new(ray, origin, direction, start, None, reach)
     }
 
     /// From the origin and direction in the primitive's frame. `start` is the `t` to which the origin has been moved,
@@ -78,9 +81,9 @@ impl<S: Scalar> Local<S> {
         }
     }
 
-    /// True if a line's zero is the ray's zero, so that signs of `t` agree.
+    /// True if the ray's range is the line's `t >= 0`, or a beginning of it, and it departs from nowhere.
     #[inline]
-    pub(crate) fn starts_at_origin(&self) -> bool {
-        self.start == S::ZERO
+    pub(crate) fn is_forward(&self, ray: &Ray<S>) -> bool {
+        self.start == S::ZERO && ray.range().start() == S::ZERO && self.line.departure.is_none()
     }
 }

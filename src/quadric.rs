@@ -11,11 +11,21 @@ use crate::scalar::{Real, Scalar};
 use crate::span::{End, Span};
 use crate::tier::Tier;
 
-/// The coefficients of `a t^2 + 2 k t + c` without `c`, and the discriminant `k^2 - a c`.
+/// The coefficients of `a t^2 + 2 k t + c` without `c`, and the discriminant `k^2 - a c` as a difference.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Quadric<R> {
     pub(crate) a: R,
     pub(crate) k: R,
+    /// The discriminant is `positive - negative`, both at least zero: made from the line's moment, not from `k` and `c`.
+    pub(crate) positive: R,
+    pub(crate) negative: R,
+}
+
+/// The coefficients that can cancel, held to twice the precision.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Careful<R> {
+    pub(crate) k: R,
+    pub(crate) c: R,
     pub(crate) discriminant: R,
 }
 
@@ -39,12 +49,18 @@ pub(crate) enum Inside<S> {
 }
 
 impl<R: Real> Quadric<R> {
-    /// Solves for `f <= 0`; `c` is asked for only where it decides something.
+    /// Solves for `f <= 0`; `careful` is asked only where it decides something.
     #[inline]
-    pub(crate) fn solve<S: Scalar, T: Tier<S, Real = R>>(self, c: impl FnOnce() -> R) -> Inside<S> {
-        let Self { a, k, discriminant } = self;
+    pub(crate) fn solve<S: Scalar, T: Tier<S, Real = R>>(self, careful: impl Fn() -> Careful<R>) -> Inside<S> {
+        let Self { a, mut k, positive, negative } = self;
         if a.is_zero() {
-            return Self::solve_linear::<S, T>(k, c());
+            let Careful { k, c, .. } = careful();
+            return Self::solve_linear::<S, T>(k, c);
+        }
+        let mut discriminant = positive - negative;
+        if discriminant.abs() < positive.times_power_of_two(-3) {
+            // Grazing: most of the difference is rounding.
+            Careful { k, discriminant, .. } = careful();
         }
         if discriminant.is_negative() && !a.is_negative() {
             return Inside::Nowhere;
@@ -68,10 +84,10 @@ impl<R: Real> Quadric<R> {
             (T::ratio(-k - root, a), T::ratio(-k + root, a))
         } else if k.is_negative() {
             let q = root - k;
-            (T::ratio(c(), q), T::ratio(q, a))
+            (T::ratio(careful().c, q), T::ratio(q, a))
         } else {
             let q = -k - root;
-            (T::ratio(q, a), T::ratio(c(), q))
+            (T::ratio(q, a), T::ratio(careful().c, q))
         };
         // Equal after rounding can come out in the wrong order.
         let (low, high) = if a.is_negative() { (high, low) } else { (low, high) };

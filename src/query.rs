@@ -17,7 +17,7 @@ pub(crate) fn meet<S: Scalar, T: Tier<S>, G: Geometry<S>>(geometry: &G, local: &
 /// The ray as an unplaced geometry sees it.
 #[inline]
 pub(crate) fn unplaced<S: Scalar, G: Geometry<S>>(geometry: &G, ray: &Ray<S>) -> Local<S> {
-    Local::in_world(ray, geometry.anchor().to_array(), geometry.reach())
+    Local::in_world(ray, geometry.reach(), |origin| geometry.is_far(origin))
 }
 
 #[inline]
@@ -30,7 +30,26 @@ pub(crate) fn nearest<S: Scalar, T: Tier<S>, G: Geometry<S>>(geometry: &G, ray: 
     meet::<S, T, G>(geometry, &unplaced(geometry, ray)).nearest(ray.range(), |_: Crossing| true)
 }
 
+/// True if there is a hit that `accept` takes. The signs of the coefficients are asked first.
 #[inline]
-pub(crate) fn occludes<S: Scalar, T: Tier<S>, G: Geometry<S>>(geometry: &G, ray: &Ray<S>) -> bool {
-    nearest::<S, T, G>(geometry, ray).is_some()
+pub(crate) fn occludes<S: Scalar, T: Tier<S>, G: Geometry<S>>(
+    geometry: &G,
+    ray: &Ray<S>,
+    local: &Local<S>,
+    accept: impl Fn(Crossing) -> bool,
+) -> bool {
+    let scaled = geometry.scaled(-local.exponent);
+    if local.is_forward(ray) {
+        match scaled.verdict::<T>(&local.line) {
+            Some(false) => return false,
+            // A yes speaks of the whole half-line and of both sides.
+            Some(true)
+                if ray.range().end() == S::BUDGET.distance && accept(Crossing::Enter) && accept(Crossing::Exit) =>
+            {
+                return true;
+            }
+            _ => {}
+        }
+    }
+    scaled.meet::<T>(&local.line).map_t(|t| local.to_ray(t)).nearest(ray.range(), accept).is_some()
 }

@@ -7,7 +7,6 @@ use core::fmt;
 
 /// A closed range of `t`; what lies outside is not reported.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Range<S> {
     start: S,
@@ -125,10 +124,15 @@ impl<S: Scalar> Ray<S> {
     /// [`RayError::Origin`] as for [`Ray::new`]; [`RayError::Direction`] if the two points coincide or `target` is
     /// not within the budget.
     pub fn towards(origin: Vec3<S>, target: Vec3<S>) -> Result<Self, RayError> {
+        if !origin.is_within_budget() {
+            return Err(RayError::Origin);
+        }
         if !target.is_within_budget() {
             return Err(RayError::Direction);
         }
-        let direction = UnitVec3::new(target - origin).ok_or(RayError::Direction)?;
+        // In the computing number: across the whole budget the difference is more than a fixed type holds.
+        let ([ox, oy, oz], [tx, ty, tz]) = (origin.real(), target.real());
+        let direction = UnitVec3::from_real([tx - ox, ty - oy, tz - oz]).ok_or(RayError::Direction)?;
         Self::new(origin, direction)
     }
 

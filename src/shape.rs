@@ -34,8 +34,8 @@ macro_rules! primitives {
         )+
 
         impl<S: Scalar> Geometry<S> for Primitive<S> {
-            fn anchor(&self) -> Vec3<S> {
-                match self { $(Self::$Variant(p) => p.anchor(),)+ }
+            fn is_far(&self, origin: Vec3<S>) -> bool {
+                match self { $(Self::$Variant(p) => p.is_far(origin),)+ }
             }
             fn reach(&self) -> S {
                 match self { $(Self::$Variant(p) => p.reach(),)+ }
@@ -45,6 +45,9 @@ macro_rules! primitives {
             }
             fn meet<T: Tier<S>>(&self, line: &Line<S>) -> Meeting<S> {
                 match self { $(Self::$Variant(p) => p.meet::<T>(line),)+ }
+            }
+            fn verdict<T: Tier<S>>(&self, line: &Line<S>) -> Option<bool> {
+                match self { $(Self::$Variant(p) => p.verdict::<T>(line),)+ }
             }
             fn contains(&self, point: Vec3<S>) -> bool {
                 match self { $(Self::$Variant(p) => Geometry::contains(p, point),)+ }
@@ -181,8 +184,12 @@ impl<S: Scalar> Shape<S> {
     fn localize(&self, ray: &Ray<S>) -> Option<Local<S>> {
         match &self.placement {
             Placement::World => Some(query::unplaced(&self.primitive, ray)),
-            Placement::Frame(frame) => frame.localize(ray, self.primitive.reach()),
-            Placement::Affine(affine) => affine.localize(ray, self.primitive.reach()),
+            Placement::Frame(frame) => {
+                frame.localize(ray, self.primitive.reach(), |origin| self.primitive.is_far(origin))
+            }
+            Placement::Affine(affine) => {
+                affine.localize(ray, self.primitive.reach(), |origin| self.primitive.is_far(origin))
+            }
         }
     }
 
@@ -222,7 +229,8 @@ impl<S: Scalar> Shape<S> {
 
     /// True if there is any visible hit, in a chosen accuracy tier.
     pub fn occludes_at<T: Tier<S>>(&self, ray: &Ray<S>) -> bool {
-        self.nearest_at::<T>(ray).is_some()
+        self.localize(ray)
+            .is_some_and(|local| query::occludes::<S, T, _>(&self.primitive, ray, &local, |c| self.visible.sees(c)))
     }
 
     /// True if the point belongs to the shape: inside or on a solid, on an open surface.

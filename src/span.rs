@@ -55,8 +55,12 @@ impl<S: Scalar> Span<S> {
         if enter.t > exit.t {
             return None;
         }
-        let corner = enter.t == exit.t && (enter.part != exit.part);
-        Some(Self { enter, exit, touch: self.touch || corner })
+        if enter.t == exit.t && enter.part != exit.part {
+            // Across a rim, which is the side's.
+            let rim = End::new(enter.t, Part::Side);
+            return Some(Self { enter: rim, exit: rim, touch: true });
+        }
+        Some(Self { enter, exit, touch: self.touch })
     }
 
     /// The interval as a range, cut off at what the number type can represent.
@@ -87,6 +91,19 @@ impl<S: Scalar> Meeting<S> {
     #[inline(always)]
     pub(crate) fn solid(span: Option<Span<S>>) -> Self {
         span.map_or(Self::Miss, Self::One)
+    }
+
+    /// The ends of a line that runs in the side lie on its rims or seams, which the side owns (rule 5).
+    #[cold]
+    pub(crate) fn along_the_side(self) -> Self {
+        match self {
+            Self::One(span) => Self::One(Span {
+                enter: End::new(span.enter.t, Part::Side),
+                exit: End::new(span.exit.t, Part::Side),
+                touch: span.touch,
+            }),
+            other => other,
+        }
     }
 
     /// Replaces each `t`; the order of ends must not change.

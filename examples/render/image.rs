@@ -78,9 +78,9 @@ impl Files {
         }
         let file = BufWriter::new(File::create(path)?);
         if self.ppm.as_deref() == Some(path) {
-            image.write_ppm(file)?
+            image.write_ppm(file)?;
         } else {
-            image.write_png(file)?
+            image.write_png(file)?;
         }
         Ok(())
     }

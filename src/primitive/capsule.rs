@@ -1,12 +1,12 @@
 //! The capsule: a cylinder with round ends, all points within `r` of the segment from the origin to (0, height, 0).
 
-use super::cylinder::tube;
+use super::cylinder::{leaves_slab, tube};
 use super::sphere::ball;
 use super::{
     Geometry, Line, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates,
 };
 use crate::hit::Part;
-use crate::quadric::Inside;
+use crate::quadric::{Inside, slab};
 use crate::ray::Leaving;
 use crate::scalar::{Real, Scalar};
 use crate::span::{End, Meeting, Span};
@@ -55,7 +55,7 @@ impl<S: Scalar> Capsule<S> {
     }
 
     /// The line as the ball at the given end sees it.
-    fn seen_from<T: Tier<S>>(&self, line: &Line<S>, part: Part) -> Line<S> {
+    fn seen_from(&self, line: &Line<S>, part: Part) -> Line<S> {
         let [x, y, z] = line.origin;
         let y = if part == Part::Top { y.minus(self.height) } else { y };
         Line { origin: [x, y, z], ..*line }
@@ -79,7 +79,7 @@ impl<S: Scalar> Capsule<S> {
         } else {
             Part::Top
         };
-        let span = ball::<S, T>(&self.seen_from::<T>(line, part), self.radius)?;
+        let span = ball::<S, T>(&self.seen_from(line, part), self.radius)?;
         Some(End::new(if entering { span.enter.t } else { span.exit.t }, part))
     }
 
@@ -107,7 +107,13 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
         // it does not come back to the side: each end of the tube has one true end, or there is none at all.
         let (low, high, touch) = match tube::<S, T>(line, self.radius) {
             Inside::Between(span) => (span.enter.t, span.exit.t, span.touch),
-            Inside::InSurface | Inside::Everywhere => (-S::INFINITY, S::INFINITY, false),
+            Inside::Everywhere => (-S::INFINITY, S::INFINITY, false),
+            // From seam to seam, where the balls touch the line; without a side they touch it at one point.
+            Inside::InSurface => {
+                let between = slab::<S, T>(line.origin[1], line.direction[1], Some(S::ZERO), Some(self.height));
+                let touch = self.height == S::ZERO;
+                return Meeting::solid(between.map(|span| Span { touch, ..span })).along_the_side();
+            }
             _ => return Meeting::Miss,
         };
         let (Some(enter), Some(exit)) = (self.end::<T>(line, low, true), self.end::<T>(line, high, false)) else {
@@ -119,8 +125,13 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
         // Both ends on one ball coincide only where the ball is touched.
         let round_touch = enter.part == exit.part
             && enter.part != Part::Side
-            && ball::<S, T>(&self.seen_from::<T>(line, enter.part), self.radius).is_some_and(|span| span.touch);
+            && ball::<S, T>(&self.seen_from(line, enter.part), self.radius).is_some_and(|span| span.touch);
         Meeting::One(Span { enter, exit, touch: touch || round_touch })
+    }
+
+    /// Above the top ball and rising, or below the base ball and descending: no.
+    fn verdict<T: Tier<S>>(&self, line: &Line<S>) -> Option<bool> {
+        leaves_slab::<S, T>(line, -self.radius, self.height.plus(self.radius)).then_some(false)
     }
 
     fn contains(&self, point: Vec3<S>) -> bool {
@@ -198,7 +209,7 @@ impl<S: Scalar> Capsule<S> {
         let mut exit = self.end::<T>(&arriving, far, false).unwrap_or(End::new(S::ZERO, part));
         if exit.part == part && part != Part::Side {
             // Across the ball that it left: the other root.
-            let ball_line = self.seen_from::<T>(line, part);
+            let ball_line = self.seen_from(line, part);
             let (a, k) = (T::squared_length(line.direction), T::dot(ball_line.origin, line.direction));
             exit.t = T::ratio(k.abs().times_power_of_two(1), a);
         }

@@ -9,13 +9,13 @@
 //!
 //! which for a slope is `D = m^2 (wx^2 + wz^2) - wy^2`: Lagrange's identity in the metric (1, -1, 1) of the cone.
 
-use super::cylinder::{capped, open_side};
+use super::cylinder::{capped, leaves_slab, open_side};
 use super::{
     Geometry, Line, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates,
 };
 use crate::hit::Part;
-use crate::quadric::{Inside, Quadric, slab};
-use crate::scalar::{Real, Scalar};
+use crate::quadric::{Careful, Inside, Quadric, slab};
+use crate::scalar::{Real, Scalar, largest};
 use crate::span::{End, Meeting, Span};
 use crate::tier::Tier;
 use crate::vector::{UnitVec3, Vec3};
@@ -159,43 +159,78 @@ fn checked_radii<S: Scalar>(base: S, top: S, height: S) -> Result<Outline<S>, Si
     Ok(Outline::Radii(base, top, checked_size(height, SizeError::Height)?))
 }
 
-/// The outline in the computing number: the radius at `y` is `(g0 + g1 y) / h`.
+/// The outline in the computing number: the radius at `y` is `(base h + (top - base) y) / h`. A slope is the
+/// outline with base 0, top `m` and height 1.
 #[derive(Clone, Copy)]
 struct Profile<R> {
-    g0: R,
-    g1: R,
+    base: R,
+    top: R,
     h: R,
+}
+
+/// A point, or a direction (for which the outline's constant `g0` does not count).
+#[derive(Clone, Copy)]
+struct Homogeneous<R> {
+    v: [R; 3],
+    is_point: bool,
 }
 
 impl<R: Real> Profile<R> {
     fn of<S: Scalar>(outline: Outline<S>, real: impl Fn(S) -> R) -> Self {
         match outline {
-            Outline::Slope(slope) => Self { g0: R::ZERO, g1: real(slope), h: R::ONE },
-            Outline::Radii(base, top, height) => {
-                Self { g0: real(base) * real(height), g1: real(top) - real(base), h: real(height) }
-            }
+            Outline::Slope(slope) => Self { base: R::ZERO, top: real(slope), h: R::ONE },
+            Outline::Radii(base, top, height) => Self { base: real(base), top: real(top), h: real(height) },
         }
+    }
+
+    fn g0(self) -> R {
+        self.base * self.h
+    }
+
+    fn g1(self) -> R {
+        self.top - self.base
     }
 
     /// `g0 + g1 y`
     fn at(self, y: R) -> R {
-        self.g0 + self.g1 * y
+        self.g0() + self.g1() * y
     }
 
-    /// `h^2 (x^2 + z^2) - (g0 + g1 y)^2`, held to twice the precision: near a generator (a direction, `g0 = 0`) and near
-    /// the surface (a point) the two squares cancel.
+    /// `h x`, `h z` and `g`, each as a rounded value and what the rounding left over.
+    fn factors(self, p: Homogeneous<R>) -> [[R; 2]; 3] {
+        let [x, y, z] = p.v;
+        let constant = if p.is_point { self.h } else { R::ZERO };
+        let g = R::sum_with_rest([[self.base, constant], [self.top, y], [-self.base, y]]);
+        [R::sum_with_rest([[self.h, x]]), g, R::sum_with_rest([[self.h, z]])]
+    }
+
+    /// The minors of (h x, g, h z) for a point and a direction, whose squares make the discriminant; each as a
+    /// rounded value and what the rounding left over.
     #[cold]
-    fn quadratic_form(self, x: R, y: R, z: R, g0: R) -> R {
-        // Each factor as a rounded value and what the rounding left over.
-        let product = |a: R, b: R| {
-            let p = a * b;
-            (p, R::sum_of_products([[a, b], [-p, R::ONE]]))
+    fn minors(self, point: Homogeneous<R>, direction: Homogeneous<R>) -> [[R; 2]; 3] {
+        let ([x, g, z], [dx, slope, dz]) = (self.factors(point), self.factors(direction));
+        let minor = |[a, ea]: [R; 2], [b, eb]: [R; 2], [c, ec]: [R; 2], [d, ed]: [R; 2]| {
+            R::sum_with_rest([[a, b], [-c, d], [ea, b], [a, eb], [-ec, d], [-c, ed]])
         };
-        let ((x, ex), (z, ez)) = (product(self.h, x), product(self.h, z));
-        let g = g0 + self.g1 * y;
-        let eg = R::sum_of_products([[self.g1, y], [g0, R::ONE], [-g, R::ONE]]);
-        let twice = |a: R| a.times_power_of_two(1);
-        R::sum_of_products([[x, x], [-g, g], [z, z], [twice(ex), x], [twice(-eg), g], [twice(ez), z]])
+        [minor(x, slope, g, dx), minor(z, slope, g, dz), minor(x, dz, z, dx)]
+    }
+
+    /// `h^2 (px qx + pz qz) - g(p) g(q)`, held to twice the precision: near a generator and near the surface the two
+    /// products cancel.
+    #[cold]
+    fn bilinear(self, p: Homogeneous<R>, q: Homogeneous<R>) -> R {
+        let ([[px, ex], [pg, eg], [pz, ez]], [[qx, fx], [qg, fg], [qz, fz]]) = (self.factors(p), self.factors(q));
+        R::sum_of_products([
+            [px, qx],
+            [-pg, qg],
+            [pz, qz],
+            [ex, qx],
+            [px, fx],
+            [-eg, qg],
+            [-pg, fg],
+            [ez, qz],
+            [pz, fz],
+        ])
     }
 }
 
@@ -204,23 +239,47 @@ impl<S: Scalar> Cone<S> {
     #[inline]
     fn both_nappes<T: Tier<S>>(&self, line: &Line<S>) -> (Inside<S>, NappeTest) {
         let profile = Profile::<T::Real>::of(self.outline, T::real);
-        let Profile { g0, g1, h } = profile;
-        let ([x, y, z], [dx, dy, dz]) = (line.origin.map(T::real), line.direction.map(T::unit));
-        let (g, slope) = (profile.at(y), g1 * dy);
+        let (h, g0, g1) = (profile.h, profile.g0(), profile.g1());
+        let (o, d) = (line.origin.map(T::real), line.direction.map(T::unit));
+        let ([x, y, z], [dx, dy, dz]) = (o, d);
+        let (point, direction) = (Homogeneous { v: o, is_point: true }, Homogeneous { v: d, is_point: false });
+        let (g, slope) = (g0 + g1 * y, g1 * dy);
+
+        let (round, straight) = (h * h * (x * dx + z * dz), g * slope);
+        let mut k = round - straight;
+        // Less than a quarter left of either product: the rest is rounding, magnified.
+        let far = largest(line.origin) > S::FAR;
+        if far || k.abs() < straight.abs().times_power_of_two(-2) {
+            k = profile.bilinear(point, direction);
+        }
         let (round, straight) = (h * h * (dx * dx + dz * dz), slope * slope);
         let mut a = round - straight;
-        // Less than a sixteenth left of either square: the ray runs close to a generator.
-        if a.abs() < straight.times_power_of_two(-4) {
-            a = profile.quadratic_form(dx, dy, dz, T::Real::ZERO);
+        if far || a.abs() < straight.times_power_of_two(-2) {
+            a = profile.bilinear(direction, direction);
         }
-        let k = h * h * (x * dx + z * dz) - g * slope;
         let inside = if let Some(leaving) = line.departs_from(Part::Side) {
-            Quadric { a, k, discriminant: k * k }.solve_departing::<S, T>(leaving)
+            Quadric { a, k, positive: T::Real::ZERO, negative: T::Real::ZERO }.solve_departing::<S, T>(leaving)
         } else {
             let [wx, wy, wz] = T::cross(line.origin, line.direction);
-            let (p, q, r) = (g1 * wz - g0 * dx, g1 * wx + g0 * dz, h * wy);
-            let discriminant = h * h * (p * p + q * q - r * r);
-            Quadric { a, k, discriminant }.solve::<S, T>(|| profile.quadratic_form(x, y, z, g0))
+            let mut minors = [g1 * wz - g0 * dx, g1 * wx + g0 * dz, h * wy].map(|minor| h * minor);
+            let squares = |[p, q, r]: [T::Real; 3]| (p * p + q * q, r * r);
+            let (mut positive, mut negative) = squares(minors);
+            // Aimed close to the apex from afar, the minors are what is left of much larger products.
+            if positive + negative < (h * h * (x * x + z * z) + g * g).times_power_of_two(-4) {
+                minors = profile.minors(point, direction).map(|[minor, _]| minor);
+                (positive, negative) = squares(minors);
+            }
+            let quadric = Quadric { a, k, positive, negative };
+            quadric.solve::<S, T>(|| Careful {
+                k: profile.bilinear(point, direction),
+                c: profile.bilinear(point, point),
+                discriminant: {
+                    let [[p, ep], [q, eq], [r, er]] = profile.minors(point, direction);
+                    let twice = |e: T::Real| e.times_power_of_two(1);
+                    let rests = [[twice(ep), p], [twice(eq), q], [twice(-er), r]];
+                    T::Real::sum_of_products([[p, p], [q, q], [-r, r], rests[0], rests[1], rests[2]])
+                },
+            })
         };
         // At the vertex t = -k/a the outline is g - g' k/a, which has the sign of the nappe that a finite interval lies in.
         let vertex = g * a - slope * k;
@@ -244,7 +303,9 @@ impl<S: Scalar> Cone<S> {
             Inside::From(t) => test.rising.then(|| half_line(true, t)),
             Inside::Until(t) => (!test.rising).then(|| half_line(false, t)),
             // Only a line along a generator has f = 0 everywhere; its own apex ends it.
-            Inside::InSurface | Inside::Everywhere => return NappeMeeting::Generator,
+            Inside::InSurface => return NappeMeeting::Generator,
+            // Only a line along the axis of a frustum of equal radii has f < 0 everywhere.
+            Inside::Everywhere => Some(Span::everywhere()),
         };
         span.map_or(NappeMeeting::Miss, NappeMeeting::In)
     }
@@ -253,7 +314,7 @@ impl<S: Scalar> Cone<S> {
     fn generator<T: Tier<S>>(&self, line: &Line<S>) -> Span<S> {
         let profile = Profile::<T::Real>::of(self.outline, T::real);
         let ([_, y, _], [_, dy, _]) = (line.origin.map(T::real), line.direction.map(T::unit));
-        let slope = profile.g1 * dy;
+        let slope = profile.g1() * dy;
         if slope.is_zero() {
             return Span::everywhere();
         }
@@ -302,9 +363,21 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         match (self.outline, self.height()) {
             (Outline::Radii(base, top, height), _) => base.plus(top).plus(height),
             (Outline::Slope(slope), Some(height)) => S::round(slope.real() * height.real()).plus(height),
-            // The apex is all there is to be near to; any distance from it is far.
-            (Outline::Slope(_), None) => S::BUDGET.smallest_size,
+            // The apex is all there is to be near to: any distance from it may be far.
+            (Outline::Slope(_), None) => S::ZERO,
         }
+    }
+
+    fn is_far(&self, origin: Vec3<S>) -> bool {
+        if self.height().is_some() {
+            return true;
+        }
+        // Near the surface of an infinite cone, however far from the apex, the surface is what counts.
+        let profile = Profile::<S::Real>::of(self.outline, S::real);
+        let [x, y, z] = origin.real();
+        let g = profile.at(y);
+        let (round, straight) = (x * x + z * z, g * g);
+        (round - straight).abs() > (round + straight).times_power_of_two(-2)
     }
 
     fn scaled(&self, e: i32) -> Self {
@@ -328,7 +401,9 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         let (low, high) = self.planes();
         let side = match (self.one_nappe::<T>(line), self.extent) {
             (NappeMeeting::In(span), _) => span,
-            (NappeMeeting::Generator, Extent::Capped(_)) => self.generator::<T>(line),
+            (NappeMeeting::Generator, Extent::Capped(_)) => {
+                return capped::<S, T>(line, self.generator::<T>(line), low, high).along_the_side();
+            }
             (NappeMeeting::Generator, _) => {
                 let [_, y, _] = line.origin;
                 let [_, dy, _] = line.direction;
@@ -354,6 +429,12 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         }
     }
 
+    /// Above the top and rising, or below the base and descending: no.
+    fn verdict<T: Tier<S>>(&self, line: &Line<S>) -> Option<bool> {
+        let height = self.height()?;
+        leaves_slab::<S, T>(line, S::ZERO, height).then_some(false)
+    }
+
     fn contains(&self, point: Vec3<S>) -> bool {
         let profile = Profile::<S::Real>::of(self.outline, S::real);
         let [x, y, z] = point.real();
@@ -362,7 +443,8 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         if !(upper && between) {
             return false;
         }
-        let c = profile.quadratic_form(x, y, z, profile.g0);
+        let here = Homogeneous { v: [x, y, z], is_point: true };
+        let c = profile.bilinear(here, here);
         c.is_zero() || c.is_negative() && !matches!(self.extent, Extent::Open(_))
     }
 

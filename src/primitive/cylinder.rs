@@ -2,7 +2,7 @@
 
 use super::{Geometry, Line, SizeError, checked_size, queries, surface_coordinates as coordinates};
 use crate::hit::Part;
-use crate::quadric::{Inside, Quadric, slab};
+use crate::quadric::{Careful, Inside, Quadric, slab};
 use crate::scalar::{Real, Scalar};
 use crate::span::{End, Meeting, Span};
 use crate::tier::Tier;
@@ -88,17 +88,39 @@ pub(super) fn tube<S: Scalar, T: Tier<S>>(line: &Line<S>, radius: S) -> Inside<S
     let a = dx * dx + dz * dz;
     let k = x * dx + z * dz;
     if let Some(leaving) = line.departs_from(Part::Side) {
-        return Quadric { a, k, discriminant: zero }.solve_departing::<S, T>(leaving);
+        return Quadric { a, k, positive: zero, negative: zero }.solve_departing::<S, T>(leaving);
     }
     let r = T::real(radius);
     let wy = z * dx - x * dz;
-    let discriminant = a * (r * r) - wy * wy;
-    Quadric { a, k, discriminant }.solve::<S, T>(|| T::Real::sum_of_products([[x, x], [-r, r], [z, z]]))
+    let quadric = Quadric { a, k, positive: a * (r * r), negative: wy * wy };
+    quadric.solve::<S, T>(|| careful::<S, T>(line, radius))
+}
+
+/// The coefficients that can cancel; of the sides of a cylinder, of a capsule, and of a disc's rim.
+#[cold]
+pub(super) fn careful<S: Scalar, T: Tier<S>>(line: &Line<S>, radius: S) -> Careful<T::Real> {
+    let ([x, _, z], [dx, _, dz], r) = (line.origin.map(T::real), line.direction.map(T::unit), T::real(radius));
+    let [a, ea] = T::Real::sum_with_rest([[dx, dx], [dz, dz]]);
+    let [rr, er] = T::Real::sum_with_rest([[r, r]]);
+    let [w, ew] = T::Real::sum_with_rest([[z, dx], [-x, dz]]);
+    Careful {
+        k: T::Real::sum_of_products([[x, dx], [z, dz]]),
+        c: T::Real::sum_of_products([[x, x], [-r, r], [z, z]]),
+        discriminant: T::Real::sum_of_products([[a, rr], [-w, w], [ea, rr], [a, er], [-ew.times_power_of_two(1), w]]),
+    }
 }
 
 impl<S: Scalar> Geometry<S> for Cylinder<S> {
     fn reach(&self) -> S {
         self.height().map_or(self.radius, |height| self.radius.plus(height))
+    }
+
+    fn is_far(&self, origin: Vec3<S>) -> bool {
+        if self.height().is_some() {
+            return true;
+        }
+        let ([x, _, z], r) = (origin.real(), self.radius.real().times_power_of_two(2));
+        x * x + z * z > r * r
     }
 
     fn scaled(&self, e: i32) -> Self {
@@ -114,11 +136,14 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
     fn meet<T: Tier<S>>(&self, line: &Line<S>) -> Meeting<S> {
         let side = match tube::<S, T>(line, self.radius) {
             Inside::Between(span) => span,
-            // A line in the wall lies in the surface; in the closed solid it counts as inside.
+            // A line in the wall lies in the surface; in the closed solid it runs from rim to rim.
             Inside::InSurface => match self.extent {
                 Extent::Infinite => return Meeting::LiesIn(Span::everywhere()),
                 Extent::Open(height) => return lies_in_wall::<S, T>(line, height),
-                Extent::Capped(_) => Span::everywhere(),
+                Extent::Capped(height) => {
+                    let through = capped::<S, T>(line, Span::everywhere(), Some(S::ZERO), Some(height));
+                    return through.along_the_side();
+                }
             },
             Inside::Everywhere => Span::everywhere(),
             // A departing ray parallel to the axis runs in the wall.
@@ -134,6 +159,13 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
             Some((_, leaving)) => meeting.departed(leaving, true),
             None => meeting,
         }
+    }
+
+    /// Above the top and rising, or below the base and descending: no.
+    #[inline]
+    fn verdict<T: Tier<S>>(&self, line: &Line<S>) -> Option<bool> {
+        let height = self.height()?;
+        leaves_slab::<S, T>(line, S::ZERO, height).then_some(false)
     }
 
     fn contains(&self, point: Vec3<S>) -> bool {
@@ -182,6 +214,13 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
             Part::Base | Part::Top => coordinates::planar_tangents(),
         }
     }
+}
+
+/// True if the half-line starts above or below and never comes back.
+#[inline]
+pub(super) fn leaves_slab<S: Scalar, T: Tier<S>>(line: &Line<S>, low: S, high: S) -> bool {
+    let ([_, y, _], dy) = (line.origin, T::unit(line.direction[1]));
+    y > high && !dy.is_negative() || y < low && (dy.is_negative() || dy.is_zero())
 }
 
 /// The ends of `side` that lie between the rims of an open surface; the rims belong to it.

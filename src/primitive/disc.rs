@@ -1,6 +1,7 @@
 //! The disc in the plane `y = 0`.
 
-use super::plane::crossing;
+use super::cylinder::careful;
+use super::plane::{crossing, moves_away};
 use super::{Geometry, Line, SizeError, checked_size, queries, surface_coordinates as coordinates};
 use crate::hit::Part;
 use crate::quadric::{Inside, Quadric};
@@ -57,9 +58,8 @@ impl<S: Scalar> Geometry<S> for Disc<S> {
                 let ([x, _, z], [dx, _, dz]) = (line.origin.map(T::real), line.direction.map(T::unit));
                 let (a, k) = (dx * dx + dz * dz, x * dx + z * dz);
                 let (r, wy) = (T::real(self.radius), z * dx - x * dz);
-                let discriminant = a * (r * r) - wy * wy;
-                let c = || T::Real::sum_of_products([[x, x], [-r, r], [z, z]]);
-                match (Quadric { a, k, discriminant }).solve::<S, T>(c) {
+                let quadric = Quadric { a, k, positive: a * (r * r), negative: wy * wy };
+                match quadric.solve::<S, T>(|| careful::<S, T>(line, self.radius)) {
                     Inside::Between(chord) => Meeting::LiesIn(chord),
                     _ => Meeting::Miss,
                 }
@@ -72,6 +72,11 @@ impl<S: Scalar> Geometry<S> for Disc<S> {
                 if outside.is_negative() || outside.is_zero() { meeting } else { Meeting::Miss }
             }
         }
+    }
+
+    /// Moving away from its plane: no.
+    fn verdict<T: Tier<S>>(&self, line: &Line<S>) -> Option<bool> {
+        moves_away::<S, T>(line).then_some(false)
     }
 
     fn contains(&self, point: Vec3<S>) -> bool {

@@ -16,8 +16,9 @@
 //!
 //! | ray | answer |
 //! |---|---|
-//! | parallel to a cylinder's axis, inside or exactly in the wall | enters and leaves through the caps (rule 1: the set is closed) |
-//! | the same for an open or infinite cylinder, inside | no hit |
+//! | parallel to a cylinder's axis, inside | enters and leaves through the caps |
+//! | the same, exactly in the wall | from rim to rim (rule 1: the set is closed), which belong to the side |
+//! | parallel to the axis of an open or infinite cylinder, inside | no hit |
 //! | the same, in the wall | [`coincident`](crate::Hits::coincident) |
 //! | parallel to a cone's generator | one root, `-c/(2k)`, not none |
 //! | along a cone's generator | `coincident` for an open or infinite cone; apex to cap for a capped one |
@@ -54,17 +55,22 @@ pub(crate) use crate::line::Line;
 
 /// What every primitive knows of itself, in its own frame.
 pub(crate) trait Geometry<S: Scalar>: Copy {
-    /// A point of the primitive about which `reach` is measured.
-    fn anchor(&self) -> Vec3<S> {
-        Vec3::ZERO
-    }
-    /// A distance from the anchor within which the primitive lies; its characteristic size if it is unbounded.
+    /// A distance from the origin within which the primitive lies; its characteristic size if it is unbounded.
     fn reach(&self) -> S;
+    /// True if a point that is several reaches from the origin is far from the surface too; for what is unbounded.
+    fn is_far(&self, _: Vec3<S>) -> bool {
+        true
+    }
     /// The primitive with all lengths multiplied by `2^e`, for an exponent from [`Scalar::binary_exponent`].
     #[must_use]
     fn scaled(&self, e: i32) -> Self;
     /// Where the line meets it.
     fn meet<T: Tier<S>>(&self, line: &Line<S>) -> Meeting<S>;
+    /// Whether the half-line `t >= 0` hits it, where the signs of the coefficients say so without a root or a division;
+    /// the line departs from nowhere. What is said here must agree with [`Geometry::meet`].
+    fn verdict<T: Tier<S>>(&self, _: &Line<S>) -> Option<bool> {
+        None
+    }
     /// True if the point belongs to the closed set.
     fn contains(&self, point: Vec3<S>) -> bool;
     /// The smallest box, as its lower and upper corner; infinite where the primitive is.
@@ -143,7 +149,7 @@ macro_rules! queries {
             }
             /// True if there is any hit, in a chosen accuracy tier.
             pub fn occludes_at<T: Tier<S>>(&self, ray: &crate::Ray<S>) -> bool {
-                crate::query::occludes::<S, T, _>(self, ray)
+                crate::query::occludes::<S, T, _>(self, ray, &crate::query::unplaced(self, ray), |_| true)
             }
             /// True if the point belongs to the primitive: inside or on a solid, on an open surface.
             pub fn contains(&self, point: Vec3<S>) -> bool {

@@ -44,6 +44,13 @@ pub(super) fn crossing<S: Scalar, T: Tier<S>>(line: &Line<S>) -> Meeting<S> {
     surface_hit(T::ratio(-y, dy), dy.is_negative())
 }
 
+/// True if the half-line starts off the plane `y = 0` and does not come closer.
+#[inline]
+pub(super) fn moves_away<S: Scalar, T: Tier<S>>(line: &Line<S>) -> bool {
+    let ([_, y, _], dy) = (line.origin, T::unit(line.direction[1]));
+    y > S::ZERO && !dy.is_negative() || y < S::ZERO && (dy.is_negative() || dy.is_zero())
+}
+
 /// The one crossing of a flat surface, from its front or its back.
 #[inline]
 pub(super) fn surface_hit<S: Scalar>(t: S, from_front: bool) -> Meeting<S> {
@@ -67,6 +74,11 @@ impl<S: Scalar> Geometry<S> for Plane<S> {
     #[inline]
     fn meet<T: Tier<S>>(&self, line: &Line<S>) -> Meeting<S> {
         crossing::<S, T>(line)
+    }
+
+    /// Moving away from the plane: no.
+    fn verdict<T: Tier<S>>(&self, line: &Line<S>) -> Option<bool> {
+        moves_away::<S, T>(line).then_some(false)
     }
 
     fn contains(&self, point: Vec3<S>) -> bool {

@@ -2,7 +2,7 @@
 
 use super::{Geometry, Line, SizeError, checked_size, queries, surface_coordinates as coordinates};
 use crate::hit::Part;
-use crate::quadric::{Inside, Quadric};
+use crate::quadric::{Careful, Inside, Quadric};
 use crate::scalar::{Real, Scalar};
 use crate::span::{Meeting, Span};
 use crate::tier::Tier;
@@ -49,19 +49,38 @@ pub(super) fn ball<S: Scalar, T: Tier<S>>(line: &Line<S>, radius: S) -> Option<S
     let a = T::squared_length(d);
     let k = T::dot(o, d);
     let [wx, wy, wz] = T::cross(o, d);
-    let discriminant = a * (r * r) - (wx * wx + wy * wy + wz * wz);
-    let inside = Quadric { a, k, discriminant }.solve::<S, T>(|| squared_distance::<S, T>(o, radius));
-    match inside {
+    let quadric = Quadric { a, k, positive: a * (r * r), negative: wx * wx + wy * wy + wz * wz };
+    let careful = || {
+        let ([x, y, z], [dx, dy, dz]) = (o.map(T::real), d.map(T::unit));
+        Careful {
+            k: T::Real::sum_of_products([[x, dx], [y, dy], [z, dz]]),
+            c: T::Real::sum_of_products([[x, x], [y, y], [-r, r], [z, z]]),
+            discriminant: {
+                let [a, ea] = T::Real::sum_with_rest([[dx, dx], [dy, dy], [dz, dz]]);
+                let [rr, er] = T::Real::sum_with_rest([[r, r]]);
+                let minor =
+                    |x: T::Real, y: T::Real, dx: T::Real, dy: T::Real| T::Real::sum_with_rest([[x, dy], [-y, dx]]);
+                let [[wx, ex], [wy, ey], [wz, ez]] = [minor(y, z, dy, dz), minor(z, x, dz, dx), minor(x, y, dx, dy)];
+                let twice = |e: T::Real| -e.times_power_of_two(1);
+                T::Real::sum_of_products([
+                    [a, rr],
+                    [-wx, wx],
+                    [-wy, wy],
+                    [-wz, wz],
+                    [ea, rr],
+                    [a, er],
+                    [twice(ex), wx],
+                    [twice(ey), wy],
+                    [twice(ez), wz],
+                ])
+            },
+        }
+    };
+    match quadric.solve::<S, T>(careful) {
         Inside::Between(span) => Some(span),
         // a > 0: no other case.
         _ => None,
     }
-}
-
-/// `c = |o|^2 - r^2`, without cancellation.
-fn squared_distance<S: Scalar, T: Tier<S>>(o: [S; 3], radius: S) -> T::Real {
-    let ([x, y, z], r) = (o.map(T::real), T::real(radius));
-    T::Real::sum_of_products([[x, x], [y, y], [-r, r], [z, z]])
 }
 
 impl<S: Scalar> Geometry<S> for Sphere<S> {
@@ -77,7 +96,7 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
     fn meet<T: Tier<S>>(&self, line: &Line<S>) -> Meeting<S> {
         if let Some((_, leaving)) = line.departure {
             let (a, k) = (T::squared_length(line.direction), T::dot(line.origin, line.direction));
-            let quadric = Quadric { a, k, discriminant: k * k };
+            let quadric = Quadric { a, k, positive: T::Real::ZERO, negative: T::Real::ZERO };
             let span = match quadric.solve_departing::<S, T>(leaving) {
                 Inside::Between(span) => Some(span),
                 _ => None,
@@ -85,6 +104,30 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
             return Meeting::solid(span).departed(leaving, true);
         }
         Meeting::solid(ball::<S, T>(line, self.radius))
+    }
+
+    /// From outside and moving away: no. From outside and moving closer: as the discriminant says. From inside: yes.
+    #[inline]
+    fn verdict<T: Tier<S>>(&self, line: &Line<S>) -> Option<bool> {
+        let (o, d, r) = (line.origin, line.direction, T::real(self.radius));
+        let [x, y, z] = o.map(T::real);
+        let (square, rr) = (x * x + y * y + z * z, r * r);
+        let c = square - rr;
+        // So close to the surface the sign of c is rounding, and t may round to zero.
+        if c.abs() < (square + rr).times_power_of_two(-12) {
+            return None;
+        }
+        if c.is_negative() {
+            return Some(true);
+        }
+        if !T::dot(o, d).is_negative() {
+            return Some(false);
+        }
+        let [wx, wy, wz] = T::cross(o, d);
+        let (positive, negative) = (T::squared_length(d) * rr, wx * wx + wy * wy + wz * wz);
+        let discriminant = positive - negative;
+        // Grazing: the solver looks closer.
+        (discriminant.abs() > positive.times_power_of_two(-3)).then(|| !discriminant.is_negative())
     }
 
     fn contains(&self, point: Vec3<S>) -> bool {

@@ -103,7 +103,7 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
         let facing = dot(normal, direction);
         let distance = dot(normal, a);
         if facing.is_zero() {
-            return if distance.is_zero() { self.lies_in::<T>(normal, direction, [a, b, c]) } else { Meeting::Miss };
+            return if distance.is_zero() { Self::lies_in::<T>(normal, direction, [a, b, c]) } else { Meeting::Miss };
         }
         // d . (p x q): the side on which the line passes the edge from p to q, seen along it.
         let [ab, bc, ca] = [(a, b), (b, c), (c, a)].map(|(p, q)| dot(direction, cross(p, q)));
@@ -163,15 +163,10 @@ fn difference_of<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
 impl<S: Scalar> Triangle<S> {
     /// The piece of a line of its plane that lies in the triangle: cut off by each edge in turn.
     #[cold]
-    fn lies_in<T: Tier<S>>(
-        &self,
-        normal: [T::Real; 3],
-        direction: [T::Real; 3],
-        vertices: [[T::Real; 3]; 3],
-    ) -> Meeting<S> {
+    fn lies_in<T: Tier<S>>(normal: [T::Real; 3], direction: [T::Real; 3], vertices: [[T::Real; 3]; 3]) -> Meeting<S> {
         let mut inside = Span::everywhere();
-        for i in 0..3 {
-            let (p, q) = (vertices[i], vertices[(i + 1) % 3]);
+        let [a, b, c] = vertices;
+        for (p, q) in [(a, b), (b, c), (c, a)] {
             // Points x with e . (x - p) >= 0 are on the inner side.
             let inward = cross(normal, difference_of(q, p));
             let (at_origin, slope) = (-dot(inward, p), dot(inward, direction));

@@ -25,7 +25,7 @@ macro_rules! block {
         }
 
         impl $Block {
-            /// Bits of a factor that is multiplied without loss.
+            /// Bits of a factor that is multiplied without loss, however long the other one is.
             const HALF: u32 = $bits / 2 - 1;
 
             /// `mantissa * 2^exponent`, exactly; the mantissa's magnitude must not exceed `2^($bits - 2)`.
@@ -46,14 +46,19 @@ macro_rules! block {
                 self.exponent
             }
 
-            /// Rounded to at most `HALF` bits (or exactly `2^HALF`).
-            #[inline]
-            fn reduced(self) -> Self {
-                let bits = $bits - self.mantissa.unsigned_abs().leading_zeros();
-                if bits <= Self::HALF {
+            /// Bits of the magnitude.
+            #[inline(always)]
+            fn bits(self) -> u32 {
+                $bits - self.mantissa.unsigned_abs().leading_zeros()
+            }
+
+            /// The mantissa rounded from `bits` to `room` bits (or exactly `2^room`).
+            #[inline(always)]
+            fn reduced(self, bits: u32, room: u32) -> Self {
+                if bits <= room {
                     return self;
                 }
-                let drop = bits - Self::HALF;
+                let drop = bits - room;
                 Self::new(shift_right_rounded!(self.mantissa, drop), self.exponent.wrapping_add(drop as i32))
             }
 
@@ -93,7 +98,7 @@ macro_rules! block {
                 let top = n >> ($bits / 2);
                 let root = root_of_half!($bits, top);
                 // One Newton step on the whole.
-                let mut root: $unsigned = (root << (QUARTER - 1)) + (n >> (QUARTER + 1)) / root;
+                let mut root: $unsigned = (root << (QUARTER - 1)) + quotient!((n >> (QUARTER + 1)), root);
                 // The step never falls short; it can be one too large, and then at the top of the range its square overflows.
                 if root >> ($bits / 2) != 0 || root * root > n {
                     root -= 1;
@@ -109,8 +114,8 @@ macro_rules! block {
                 const MASK: $unsigned = (1 << DIGIT) - 1;
                 let (top, low) = (divisor >> DIGIT, divisor & MASK);
                 let digit = |remainder: $unsigned| -> ($unsigned, $unsigned) {
-                    let mut quotient = remainder / top;
-                    let mut rest = remainder % top;
+                    let mut quotient = quotient!(remainder, top);
+                    let mut rest = remainder.wrapping_sub(quotient.wrapping_mul(top));
                     // At most two corrections, since the divisor is normalised.
                     while quotient >> DIGIT != 0 || quotient * low > (rest << DIGIT) {
                         quotient -= 1;
@@ -203,7 +208,19 @@ macro_rules! block {
             type Output = Self;
             #[inline]
             fn mul(self, other: Self) -> Self {
-                let (a, b) = (self.reduced(), other.reduced());
+                const ROOM: u32 = $bits - 2;
+                let (mut a, mut b) = (self, other);
+                let (p, q) = (a.bits(), b.bits());
+                if p + q > ROOM {
+                    // What the shorter factor leaves free belongs to the longer one.
+                    (a, b) = if p <= Self::HALF {
+                        (a, b.reduced(q, ROOM - p))
+                    } else if q <= Self::HALF {
+                        (a.reduced(p, ROOM - q), b)
+                    } else {
+                        (a.reduced(p, Self::HALF), b.reduced(q, Self::HALF))
+                    };
+                }
                 Self::new(a.mantissa * b.mantissa, a.exponent.wrapping_add(b.exponent))
             }
         }
@@ -254,7 +271,7 @@ macro_rules! block {
             }
 
             #[inline]
-            fn sum_of_products<const N: usize>(terms: [[Self; 2]; N]) -> Self {
+            fn sum_with_rest<const N: usize>(terms: [[Self; 2]; N]) -> [Self; 2] {
                 sum_of_products!($bits, $Block, terms)
             }
 
@@ -278,6 +295,13 @@ macro_rules! block {
                 self.mantissa == 0
             }
         }
+    };
+}
+
+/// The quotient of integers whose divisor is never zero, without the panic path of `/`.
+macro_rules! quotient {
+    ($numerator:expr, $divisor:expr) => {
+        $numerator.checked_div($divisor).unwrap_or(0)
     };
 }
 
@@ -314,10 +338,13 @@ macro_rules! sum_of_products {
         }
         let bits = 128 - sum.mantissa.unsigned_abs().leading_zeros();
         if bits <= 62 {
-            $Block::new(sum.mantissa as i64, sum.exponent)
+            [$Block::new(sum.mantissa as i64, sum.exponent), $Block::ZERO]
         } else {
             let drop = bits - 62;
-            $Block::new(shift_right_rounded!(sum.mantissa, drop) as i64, sum.exponent.wrapping_add(drop as i32))
+            let rounded = shift_right_rounded!(sum.mantissa, drop);
+            // What is dropped has at most as many bits as the shift.
+            let rest = Block128::new(sum.mantissa - (rounded << drop), sum.exponent).narrow();
+            [$Block::new(rounded as i64, sum.exponent.wrapping_add(drop as i32)), rest]
         }
     }};
     ($bits:tt, $Block:ident, $terms:expr) => {{
@@ -325,7 +352,8 @@ macro_rules! sum_of_products {
         for [a, b] in $terms {
             sum = sum + a * b;
         }
-        sum
+        // No wider integer holds a rest.
+        [sum, $Block::ZERO]
     }};
 }
 
@@ -337,6 +365,19 @@ block! {
     /// The [`Real`] of the 64-bit fixed types: a 128-bit integer with an exponent.
     pub Block128, i128, u128, 128
 }
+
+impl Block128 {
+    /// The value with a mantissa of 62 bits.
+    fn narrow(self) -> Block64 {
+        let bits = 128 - self.mantissa.unsigned_abs().leading_zeros();
+        if bits <= 62 {
+            return Block64::new(self.mantissa as i64, self.exponent);
+        }
+        let drop = bits - 62;
+        Block64::new(shift_right_rounded!(self.mantissa, drop) as i64, self.exponent.wrapping_add(drop as i32))
+    }
+}
+
 #[cfg(test)]
 block! {
     /// The same code on 16 bits, where every operand can be tried.
@@ -362,8 +403,8 @@ const ROOT_OF_BYTE: [u8; 256] = {
 /// bits, then two Newton steps on prefixes.
 fn root_of_32(n: u32) -> u32 {
     let root = ROOT_OF_BYTE[(n >> 24) as usize] as u32;
-    let root = floor_root((root << 3) + (n >> 21) / root, n >> 16);
-    floor_root((root << 7) + (n >> 9) / root, n)
+    let root = floor_root((root << 3) + quotient!((n >> 21), root), n >> 16);
+    floor_root((root << 7) + quotient!((n >> 9), root), n)
 }
 
 /// One less where a Newton step came out one too large (`root` has at most half as many bits as a `u32`, or one more).
@@ -476,8 +517,8 @@ mod tests {
             let quotient = Block128::divide_wide(high, divisor);
             // high * 2^128 - quotient * divisor must lie in 0..divisor; only the low word of it can be non-zero.
             let (ql, qh, dl, dh) = (quotient as u64 as u128, quotient >> 64, divisor as u64 as u128, divisor >> 64);
-            let cross = (ql * dl >> 64) + (ql * dh) % (1 << 64) + (qh * dl) % (1 << 64);
-            let product_high = qh * dh + (ql * dh >> 64) + (qh * dl >> 64) + (cross >> 64);
+            let cross = ((ql * dl) >> 64) + (ql * dh) % (1 << 64) + (qh * dl) % (1 << 64);
+            let product_high = qh * dh + ((ql * dh) >> 64) + ((qh * dl) >> 64) + (cross >> 64);
             let product_low = quotient.wrapping_mul(divisor);
             let remainder = product_low.wrapping_neg();
             assert_eq!(high.wrapping_sub(product_high).wrapping_sub((product_low != 0) as u128), 0);
@@ -493,12 +534,14 @@ mod tests {
             for (n, f) in values() {
                 let (a, b) = (Block16::new(m, e), Block16::new(n, f));
                 let (x, y) = (exact(m, e), exact(n, f));
-                let value = |block: Block16| exact(block.mantissa, block.exponent);
+                let value = |block: Block16| exact(block.mantissa(), block.exponent());
                 let sum = value(a + b);
                 let bound = x.abs().max(y.abs()) * 2.0_f64.powi(-13);
                 assert!((sum - (x + y)).abs() <= bound, "{m} {e} + {n} {f} = {sum}");
                 let product = value(a * b);
                 assert!((product - x * y).abs() <= (x * y).abs() * 2.0_f64.powi(-6), "{m} {e} * {n} {f} = {product}");
+                let units = (a.to_units(-2), (x * 4.0 + 0.5).floor());
+                assert_eq!(units.0.map(f64::from), (units.1.abs() <= f64::from(i16::MAX)).then_some(units.1), "{m} {e}");
                 assert_eq!(a < b, x < y);
                 assert_eq!(a == b, x == y);
                 if n != 0 {

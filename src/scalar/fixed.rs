@@ -27,6 +27,7 @@ macro_rules! fixed {
 
             const ZERO: Self = Self::from_bits(0);
             const INFINITY: Self = Self::from_bits(<$raw>::MAX);
+            const FAR: Self = Self::from_bits(1 << ($bits - 10));
             const BUDGET: Budget<Self> = Budget {
                 coordinate: Self::from_bits(1 << ($bits - SIZE_BITS)),
                 size: Self::from_bits(1 << ($bits - SIZE_BITS)),
@@ -88,9 +89,9 @@ macro_rules! fixed {
             }
             #[inline(always)]
             fn cross(o: [Self; 3], d: [Self::Unit; 3]) -> [$Block; 3] {
-                let product = |i: usize, j: usize| o[i].to_bits() as $wide * d[j].to_bits() as $wide;
-                [(1, 2), (2, 0), (0, 1)]
-                    .map(|(i, j)| $Block::new(product(i, j) - product(j, i), -(F::I32) - $unit_bits))
+                let ([x, y, z], [dx, dy, dz]) = (o.map(|c| c.to_bits() as $wide), d.map(|c| c.to_bits() as $wide));
+                let block = |minor: $wide| $Block::new(minor, -(F::I32) - $unit_bits);
+                [block(y * dz - z * dy), block(z * dx - x * dz), block(x * dy - y * dx)]
             }
             #[inline(always)]
             fn unit_dot(d: [Self::Unit; 3], e: [Self::Unit; 3]) -> $Block {
@@ -112,6 +113,10 @@ macro_rules! fixed {
                         + $Block::new(t.to_bits() as $wide * d[i].to_bits() as $wide, -$unit_bits - F::I32);
                     <Self as Scalar>::round(sum)
                 })
+            }
+            #[inline]
+            fn walk(o: [Self; 3], base: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3] {
+                Self::approach(o, base, d, t)
             }
             #[inline]
             fn normalize(v: [$Block; 3]) -> Option<([Self::Unit; 3], $Block)> {

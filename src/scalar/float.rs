@@ -15,7 +15,7 @@ macro_rules! float {
             /// `a = high + low`, each with at most half of the bits, so that products of halves are exact.
             /// Rounded in the integer representation: unlike Veltkamp's split it cannot overflow inside the budget.
             #[inline(always)]
-            fn split(a: $Float) -> ($Float, $Float) {
+            pub(super) fn split(a: $Float) -> ($Float, $Float) {
                 let high = $Float::from_bits((a.to_bits() + (1 << ($half - 1))) & (<$bits>::MAX << $half));
                 (high, a - high)
             }
@@ -62,6 +62,7 @@ macro_rules! float {
 
             const ZERO: Self = 0.0;
             const INFINITY: Self = $Float::INFINITY;
+            const FAR: Self = $Float::INFINITY;
             const BUDGET: Budget<Self> = Budget {
                 coordinate: $Float::from_bits((($largest_exponent + $bias) as $bits) << $mantissa),
                 size: $Float::from_bits((($largest_exponent + $bias) as $bits) << $mantissa),
@@ -141,6 +142,15 @@ macro_rules! float {
                 })
             }
             #[inline]
+            fn walk(o: [Self; 3], base: [Self; 3], d: [Self; 3], t: Self) -> [Self; 3] {
+                [0, 1, 2].map(|i| {
+                    // t has half the bits: its products with the halves of d are exact.
+                    let (high, low) = $exact::split(d[i]);
+                    let (from_base, e) = $exact::two_sum(o[i], -base[i]);
+                    (from_base + t * high) + (t * low + e)
+                })
+            }
+            #[inline]
             fn normalize(v: [Self; 3]) -> Option<([Self; 3], Self)> {
                 let longest = largest(v);
                 if !(longest > 0.0 && v.iter().all(|c| Scalar::is_finite(*c))) {
@@ -155,7 +165,7 @@ macro_rules! float {
             #[inline(always)]
             fn step_closer(k: Self, reach: Self) -> Option<Self> {
                 // From within a few radii the rounding of the coordinates is of the order of the rounding of t itself.
-                if $Float::abs(k) > 4.0 * reach { Some(-k) } else { None }
+                if $Float::abs(k) > 2.0 * reach { Some(-$exact::split(k).0) } else { None }
             }
             #[inline(always)]
             fn binary_exponent(largest: Self) -> i32 {
@@ -254,7 +264,7 @@ macro_rules! float {
                 if self > 0.0 { $sqrt(self) } else { 0.0 }
             }
             #[inline]
-            fn sum_of_products<const N: usize>(terms: [[Self; 2]; N]) -> Self {
+            fn sum_with_rest<const N: usize>(terms: [[Self; 2]; N]) -> [Self; 2] {
                 let (mut sum, mut error) = (0.0, 0.0);
                 for [a, b] in terms {
                     let (p, e) = $exact::two_product(a, b);
@@ -262,7 +272,8 @@ macro_rules! float {
                     sum = s;
                     error += e + f;
                 }
-                sum + error
+                let (sum, rest) = $exact::two_sum(sum, error);
+                [sum, rest]
             }
             #[inline(always)]
             fn abs(self) -> Self {

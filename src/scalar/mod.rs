@@ -23,7 +23,9 @@ pub mod block;
 mod elementary;
 #[cfg(feature = "fixed")]
 mod fixed;
+#[cfg(feature = "libm")]
 mod float;
+#[cfg(feature = "libm")]
 mod square_root;
 
 #[cfg(feature = "fixed")]
@@ -95,6 +97,9 @@ pub trait Scalar:
     const ZERO: Self;
     /// Beyond every range: `f32::INFINITY`, or the largest raw value of a fixed type.
     const INFINITY: Self;
+    /// The distance beyond which a product rounded to half the computing number's width loses a unit of `t`; infinite
+    /// for floats, whose error grows with `t`.
+    const FAR: Self;
     /// What constructors accept.
     const BUDGET: Budget<Self>;
 
@@ -127,6 +132,8 @@ pub trait Scalar:
     fn advance(o: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3];
     /// `o - base + t d`, rounded once (floats: but for an error of the second order).
     fn approach(o: [Self; 3], base: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3];
+    /// As [`Scalar::approach`], for a `t` from [`Scalar::step_closer`], which has few enough bits to make it cheap.
+    fn walk(o: [Self; 3], base: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3];
     /// The vector's direction and its length; `None` for the zero vector and for a vector with a component
     /// that is not finite. Right for every length, from the smallest to the largest.
     fn normalize(v: [Self::Real; 3]) -> Option<([Self::Unit; 3], Self::Real)>;
@@ -213,9 +220,15 @@ pub trait Real:
     fn from_int(n: i32) -> Self;
     /// The square root; zero for a negative number.
     fn sqrt(self) -> Self;
-    /// The sum of products, with the products and the sum held to twice the working precision, so that
-    /// cancellation costs nothing ("Dot2": Ogita, Rump, Oishi, *Accurate Sum and Dot Product*, 2005).
-    fn sum_of_products<const N: usize>(terms: [[Self; 2]; N]) -> Self;
+    /// The sum of products as a rounded value and the rest that rounding left over: about twice the working
+    /// precision, so that cancellation costs nothing ("Dot2": Ogita, Rump, Oishi, *Accurate Sum and Dot Product*, 2005).
+    fn sum_with_rest<const N: usize>(terms: [[Self; 2]; N]) -> [Self; 2];
+    /// The sum of products, rounded once, or nearly so, however much of it cancels.
+    #[inline]
+    fn sum_of_products<const N: usize>(terms: [[Self; 2]; N]) -> Self {
+        let [sum, _] = Self::sum_with_rest(terms);
+        sum
+    }
     /// The magnitude.
     fn abs(self) -> Self;
     /// `self * 2^n`, exactly.

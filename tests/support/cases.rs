@@ -1,0 +1,335 @@
+//! Every primitive of the crate beside the oracle's own, rays at their edges, and what counts as the same answer.
+
+use super::exact_types::{Exact, expected, same_crossing, same_part};
+use super::oracle::{self, ConeExtent, CylinderExtent, Solid};
+use raylet::scalar::UnitScalar;
+use raylet::{
+    Capsule, Cone, Crossing, Cylinder, Disc, Hits, Part, Plane, Primitive, Range, Ray, Shape, Sphere, Triangle,
+    UnitVec3, Vec3,
+};
+
+/// SplitMix64.
+pub struct Random(pub u64);
+
+impl Random {
+    pub fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    /// Uniform in [0, 1).
+    pub fn unit(&mut self) -> f64 {
+        (self.next() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// Uniform in [low, high).
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+
+    pub fn below(&mut self, bound: usize) -> usize {
+        (self.next() % bound as u64) as usize
+    }
+
+    pub fn pick<T: Copy>(&mut self, from: &[T]) -> T {
+        from[self.below(from.len())]
+    }
+
+    /// A point of the cube [-size, size]^3, shifted up by `height`.
+    pub fn point<S: Exact>(&mut self, size: f64) -> Vec3<S> {
+        v([self.between(-size, size), self.between(-size, size), self.between(-size, size)])
+    }
+
+    /// A direction of any orientation.
+    pub fn direction<S: Exact>(&mut self) -> UnitVec3<S> {
+        loop {
+            let [x, y, z] = [(); 3].map(|()| self.between(-1.0, 1.0));
+            let square = x * x + y * y + z * z;
+            if (0.01..=1.0).contains(&square) {
+                return direction([x, y, z]);
+            }
+        }
+    }
+}
+
+/// A number of the type.
+pub fn n<S: Exact>(value: f64) -> S {
+    S::from_f64(value).expect("the number is within the type")
+}
+
+/// A vector of the type.
+pub fn v<S: Exact>(components: [f64; 3]) -> Vec3<S> {
+    Vec3::from_f64(components).expect("the vector is within the type")
+}
+
+/// The direction nearest to the given one: right to the last bits of the type's unit component.
+pub fn direction<S: Exact>(components: [f64; 3]) -> UnitVec3<S> {
+    let [x, y, z] = components;
+    let length = (x * x + y * y + z * z).sqrt();
+    UnitVec3::from_components(components.map(|c| <S::Unit as UnitScalar>::from_f64(c / length)))
+        .expect("the direction has a length")
+}
+
+/// What rule of section 2 a primitive falls under.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A closed set of finite size: rule 1.
+    Bounded,
+    /// A solid without end: rule 2.
+    Unbounded,
+    /// A surface that encloses nothing: rule 2.
+    Open,
+}
+
+/// A primitive, the same as the oracle sees it, and the heights and radii at which something changes.
+#[derive(Clone)]
+pub struct Case<S: Exact> {
+    pub name: &'static str,
+    pub kind: Kind,
+    pub primitive: Primitive<S>,
+    pub solid: Solid,
+    /// Heights of rims, seams and the apex.
+    pub seams: Vec<f64>,
+    /// Radii at the seams.
+    pub radii: Vec<f64>,
+}
+
+impl<S: Exact> Case<S> {
+    pub fn shape(&self) -> Shape<S> {
+        Shape::new(self.primitive)
+    }
+
+    pub fn is_convex(&self) -> bool {
+        self.kind != Kind::Open && self.name != "double cone"
+    }
+}
+
+/// Every row of the design's section 3, in sizes that every type holds exactly.
+pub fn cases<S: Exact>() -> Vec<Case<S>> {
+    let mut cases: Vec<Case<S>> = vec![];
+    let d = |value: f64| n::<S>(value).exact();
+    let mut add = |name, kind, primitive: Primitive<S>, solid, seams: &[f64], radii: &[f64]| {
+        cases.push(Case { name, kind, primitive, solid, seams: seams.to_vec(), radii: radii.to_vec() });
+    };
+    let sizes = "the sizes are within the budget";
+    add(
+        "sphere",
+        Kind::Bounded,
+        Sphere::new(n(1.5)).expect(sizes).into(),
+        Solid::Sphere { radius: d(1.5) },
+        &[],
+        &[1.5],
+    );
+    let cylinder = |extent| Solid::Cylinder { radius: d(1.0), extent };
+    let infinite = Cylinder::infinite(n(1.0)).expect(sizes);
+    add("infinite cylinder", Kind::Unbounded, infinite.into(), cylinder(CylinderExtent::Infinite), &[], &[1.0]);
+    let open = Cylinder::open(n(1.0), n(2.0)).expect(sizes);
+    add("open cylinder", Kind::Open, open.into(), cylinder(CylinderExtent::Open(d(2.0))), &[0.0, 2.0], &[1.0]);
+    let capped = Cylinder::capped(n(1.0), n(2.0)).expect(sizes);
+    add("capped cylinder", Kind::Bounded, capped.into(), cylinder(CylinderExtent::Capped(d(2.0))), &[0.0, 2.0], &[1.0]);
+    let cone = |slope: f64, extent| Solid::Cone { slope: d(slope), extent };
+    let double = Cone::double(n(0.5)).expect(sizes);
+    add("double cone", Kind::Unbounded, double.into(), cone(0.5, ConeExtent::Double), &[0.0], &[0.5, 1.0]);
+    let nappe = Cone::nappe(n(1.0)).expect(sizes);
+    add("nappe", Kind::Unbounded, nappe.into(), cone(1.0, ConeExtent::Nappe), &[0.0], &[0.5, 1.0]);
+    let open = Cone::open(n(1.0), n(2.0)).expect(sizes);
+    add("open cone", Kind::Open, open.into(), cone(1.0, ConeExtent::Open(d(2.0))), &[0.0, 2.0], &[1.0, 2.0]);
+    let capped = Cone::capped(n(0.5), n(2.0)).expect(sizes);
+    add("capped cone", Kind::Bounded, capped.into(), cone(0.5, ConeExtent::Capped(d(2.0))), &[0.0, 2.0], &[0.5, 1.0]);
+    let frustum = |base: f64, top: f64, height: f64, capped| Solid::Frustum {
+        base_radius: d(base),
+        top_radius: d(top),
+        height: d(height),
+        capped,
+    };
+    for (name, base, top) in
+        [("frustum", 1.0, 0.5), ("widening frustum", 0.5, 1.5), ("straight frustum", 1.0, 1.0), ("spire", 1.0, 0.0)]
+    {
+        let solid = Cone::frustum(n(base), n(top), n(2.0)).expect(sizes);
+        add(name, Kind::Bounded, solid.into(), frustum(base, top, 2.0, true), &[0.0, 2.0], &[base, top]);
+    }
+    for (name, base, top) in [("open frustum", 1.0, 0.5), ("open straight frustum", 1.0, 1.0), ("open spire", 1.0, 0.0)]
+    {
+        let open = Cone::frustum_open(n(base), n(top), n(2.0)).expect(sizes);
+        add(name, Kind::Open, open.into(), frustum(base, top, 2.0, false), &[0.0, 2.0], &[base, top]);
+    }
+    for (name, height) in [("capsule", 2.0), ("capsule without a side", 0.0)] {
+        let capsule = Capsule::new(n(1.0), n(height)).expect(sizes);
+        let solid = Solid::Capsule { radius: d(1.0), height: d(height) };
+        add(name, Kind::Bounded, capsule.into(), solid, &[0.0, height], &[1.0]);
+    }
+    add("plane", Kind::Open, Plane::new().into(), Solid::Plane, &[0.0], &[]);
+    let disc = Disc::new(n(1.5)).expect(sizes);
+    add("disc", Kind::Open, disc.into(), Solid::Disc { radius: d(1.5) }, &[0.0], &[1.5]);
+    let corners = [[-1.0, 0.5, -1.0], [1.0, 0.0, 1.0], [1.0, 1.0, -1.0]];
+    let [a, b, c] = corners.map(v);
+    let triangle = Triangle::new(a, b, c).expect(sizes);
+    let vertices = corners.map(|corner| corner.map(d));
+    add("triangle", Kind::Open, triangle.into(), Solid::Triangle { vertices }, &[0.0, 0.5, 1.0], &[1.0]);
+    cases
+}
+
+/// The cases of one kind.
+pub fn cases_of<S: Exact>(kind: Kind) -> Vec<Case<S>> {
+    let mut cases = cases::<S>();
+    cases.retain(|case| case.kind == kind);
+    cases
+}
+
+/// The 26 directions with components of -1, 0 and 1, of which the first six run along the axes.
+pub fn lattice_directions() -> Vec<[f64; 3]> {
+    let mut all = vec![];
+    for x in [-1.0, 0.0, 1.0] {
+        for y in [-1.0, 0.0, 1.0] {
+            for z in [-1.0, 0.0, 1.0] {
+                if [x, y, z] != [0.0; 3] {
+                    all.push([x, y, z]);
+                }
+            }
+        }
+    }
+    all.sort_by_key(|d: &[f64; 3]| d.iter().filter(|c| **c != 0.0).count());
+    all
+}
+
+/// Rays that start at, run along, or pass through what is special about the case: rims, seams, walls, cap planes, the
+/// apex, the axis. The second number is true if every number on the way is exact, so that no rounding excuses anything.
+pub fn edge_rays<S: Exact>(case: &Case<S>) -> Vec<(Ray<S>, bool)> {
+    let mut across = vec![0.0, 0.25, 3.0];
+    for radius in &case.radii {
+        across.extend([*radius, -radius]);
+    }
+    let mut heights = vec![-3.0, 0.25, 1.0, 4.0];
+    heights.extend(&case.seams);
+    across.sort_by(f64::total_cmp);
+    across.dedup();
+    heights.sort_by(f64::total_cmp);
+    heights.dedup();
+    let mut rays = vec![];
+    for x in &across {
+        for y in &heights {
+            for z in &across {
+                // Off the axes in one of the two is enough.
+                if *z != 0.0 && x.abs() != 0.25 && x.abs() != z.abs() && *x != 0.0 {
+                    continue;
+                }
+                for (index, along) in lattice_directions().into_iter().enumerate() {
+                    let ray = Ray::new(v([*x, *y, *z]), direction(along)).expect("the origin is within the budget");
+                    rays.push((ray.with_range(Range::line()), index < 6));
+                }
+            }
+        }
+    }
+    rays
+}
+
+/// A ray aimed at the neighbourhood of the solid, from 3 to 8 away.
+pub fn random_ray<S: Exact>(random: &mut Random) -> Ray<S> {
+    let towards = random.direction::<S>().to_f64();
+    let distance = random.between(3.0, 8.0);
+    let from = [0, 1, 2].map(|i| if i == 1 { 1.0 - towards[1] * distance } else { -towards[i] * distance });
+    let aim: [f64; 3] = [(); 3].map(|()| random.between(-1.6, 1.6));
+    let along = [0, 1, 2].map(|i| aim[i] + if i == 1 { 1.0 } else { 0.0 } - from[i]);
+    Ray::new(v(from), direction(along)).expect("the origin is within the budget")
+}
+
+/// How the crate's answer compares with the exact one.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    /// The same hits; the greatest error of a `t` in units in the last place.
+    Same(f64),
+    /// Not the same, but the exact answer lies within the given distance of another one.
+    Tie,
+    /// Wrong.
+    Wrong(String),
+}
+
+/// Compares hits with exact ones; `tie` is the distance in `t` within which two ends, or an end and a seam or an end of
+/// the range, cannot be told apart.
+pub fn compare<S: Exact>(case: &Case<S>, ray: &Ray<S>, hits: &Hits<S>, tie: f64) -> Verdict {
+    let exact = expected(&case.solid, ray);
+    let same = hits.len() == exact.hits.len()
+        && hits.starts_inside() == exact.starts_inside
+        && hits.coincident().is_some() == exact.coincident
+        && hits
+            .iter()
+            .zip(&exact.hits)
+            .all(|(hit, exact)| same_part(hit.part, exact.part) && same_crossing(hit.crossing, exact.crossing));
+    if same {
+        let error = |(hit, exact): (&raylet::Hit<S>, &oracle::ExpectedHit)| {
+            exact.t.error_in(&hit.t.exact(), &S::unit_at(&exact.t))
+        };
+        return Verdict::Same(hits.iter().zip(&exact.hits).map(error).fold(0.0, f64::max));
+    }
+    if tie > 0.0 && is_tie(case, ray, hits, &exact, tie) {
+        return Verdict::Tie;
+    }
+    Verdict::Wrong(format!("{} in {}: {ray:?} gives {hits:?}, exactly {exact:?}", case.name, S::name()))
+}
+
+fn is_tie<S: Exact>(case: &Case<S>, ray: &Ray<S>, hits: &Hits<S>, exact: &oracle::InRange, tie: f64) -> bool {
+    let line = oracle::solve(&case.solid, &super::exact_types::exact_line(ray));
+    let mut ends: Vec<f64> = vec![];
+    match &line {
+        oracle::Answer::Spans(spans) => {
+            ends.extend(spans.iter().flat_map(|span| [&span.enter, &span.exit]).flatten().map(|end| end.t.to_f64()));
+        }
+        oracle::Answer::Crossings(crossings) => ends.extend(crossings.iter().map(|crossing| crossing.t.to_f64())),
+        oracle::Answer::Coincident { .. } => return false,
+    }
+    let touches =
+        matches!(&line, oracle::Answer::Crossings(list) if list.iter().any(|c| c.side == oracle::Approach::Touch));
+    let own: Vec<f64> = hits.iter().map(|hit| hit.t.to_f64()).collect();
+    let close = |list: &[f64]| list.windows(2).any(|pair| (pair[0] - pair[1]).abs() < tie);
+    let (low, high) = (ray.range().start().to_f64(), ray.range().end().to_f64());
+    let (origin, along) = (ray.origin().to_f64(), ray.direction().to_f64());
+    let at_seam = |t: &f64| case.seams.iter().any(|seam| (origin[1] + t * along[1] - seam).abs() < tie);
+    let at_end = |t: &f64| (t - low).abs() < tie || (t - high).abs() < tie;
+    close(&ends)
+        || (exact.hits.is_empty() && close(&own))
+        || (exact.hits.is_empty() && hits.len() == 1 && hits[0].crossing == Crossing::Touch)
+        || touches
+        || ends.iter().chain(&own).any(|t| at_seam(t) || at_end(t))
+}
+
+/// Fails unless the answer is the exact one, in a case where no rounding excuses anything.
+pub fn assert_exact<S: Exact>(case: &Case<S>, ray: &Ray<S>) {
+    if let Verdict::Wrong(message) = compare(case, ray, &case.shape().hits(ray), 0.0) {
+        panic!("{message}");
+    }
+}
+
+/// The hits as the tests write them down.
+pub fn summary<S: Exact>(hits: &Hits<S>) -> Vec<(f64, Part, Crossing)> {
+    hits.iter().map(|hit| (hit.t.to_f64(), hit.part, hit.crossing)).collect()
+}
+
+/// Defines a test for each number type from a generic function of the same name.
+#[macro_export]
+macro_rules! every_type {
+    ($($promise:ident),+ $(,)?) => {
+        $(
+            mod $promise {
+                #[test]
+                fn f32() {
+                    super::$promise::<f32>();
+                }
+                #[test]
+                fn f64() {
+                    super::$promise::<f64>();
+                }
+                #[test]
+                fn i16f16() {
+                    super::$promise::<fixed::types::I16F16>();
+                }
+                #[test]
+                fn i32f32() {
+                    super::$promise::<fixed::types::I32F32>();
+                }
+            }
+        )+
+    };
+}

@@ -1,0 +1,105 @@
+//! The crate's numbers, rays and primitives as the oracle's exact ones, bit for bit.
+
+use super::oracle::{self, Dyadic};
+use fixed::types::extra::{LeEqU32, LeEqU64};
+use fixed::{FixedI32, FixedI64};
+use raylet::{Crossing, Part, Ray, Scalar};
+
+/// A number type whose values the oracle can take exactly.
+pub trait Exact: Scalar {
+    /// The name in tables.
+    fn name() -> String;
+    /// The exact value.
+    fn exact(self) -> Dyadic;
+    /// The exact value of a component of a direction.
+    fn exact_unit(unit: Self::Unit) -> Dyadic;
+    /// One unit in the last place at the exact value: a float's spacing there, or the fixed type's unit.
+    fn unit_at(exact: &oracle::Root) -> Dyadic;
+}
+
+impl Exact for f32 {
+    fn name() -> String {
+        "f32".into()
+    }
+    fn exact(self) -> Dyadic {
+        oracle::exact_f32(self)
+    }
+    fn exact_unit(unit: f32) -> Dyadic {
+        oracle::exact_f32(unit)
+    }
+    fn unit_at(exact: &oracle::Root) -> Dyadic {
+        exact.ulp_f32()
+    }
+}
+
+impl Exact for f64 {
+    fn name() -> String {
+        "f64".into()
+    }
+    fn exact(self) -> Dyadic {
+        oracle::exact_f64(self)
+    }
+    fn exact_unit(unit: f64) -> Dyadic {
+        oracle::exact_f64(unit)
+    }
+    fn unit_at(exact: &oracle::Root) -> Dyadic {
+        exact.ulp_f64()
+    }
+}
+
+impl<F: LeEqU32 + Send + Sync + 'static> Exact for FixedI32<F> {
+    fn name() -> String {
+        format!("I{}F{}", 32 - F::U32, F::U32)
+    }
+    fn exact(self) -> Dyadic {
+        oracle::exact_fixed(self.to_bits().into(), F::U32)
+    }
+    fn exact_unit(unit: Self::Unit) -> Dyadic {
+        oracle::exact_fixed(unit.to_bits().into(), 30)
+    }
+    fn unit_at(_: &oracle::Root) -> Dyadic {
+        Dyadic::power_of_two(-(F::I32 as isize))
+    }
+}
+
+impl<F: LeEqU64 + Send + Sync + 'static> Exact for FixedI64<F> {
+    fn name() -> String {
+        format!("I{}F{}", 64 - F::U32, F::U32)
+    }
+    fn exact(self) -> Dyadic {
+        oracle::exact_fixed(self.to_bits().into(), F::U32)
+    }
+    fn exact_unit(unit: Self::Unit) -> Dyadic {
+        oracle::exact_fixed(unit.to_bits().into(), 62)
+    }
+    fn unit_at(_: &oracle::Root) -> Dyadic {
+        Dyadic::power_of_two(-(F::I32 as isize))
+    }
+}
+
+/// The ray's line, exactly as stored.
+pub fn exact_line<S: Exact>(ray: &Ray<S>) -> oracle::Line {
+    oracle::Line::new(ray.origin().to_array().map(S::exact), ray.direction().to_array().map(S::exact_unit))
+}
+
+/// What the oracle expects in the ray's range.
+pub fn expected<S: Exact>(solid: &oracle::Solid, ray: &Ray<S>) -> oracle::InRange {
+    let answer = oracle::solve(solid, &exact_line(ray));
+    oracle::hits_in_range(&answer, &ray.range().start().exact(), Some(&ray.range().end().exact()))
+}
+
+pub fn same_part(part: Part, exact: oracle::Part) -> bool {
+    matches!(
+        (part, exact),
+        (Part::Side, oracle::Part::Side) | (Part::Base, oracle::Part::Base) | (Part::Top, oracle::Part::Top)
+    )
+}
+
+pub fn same_crossing(crossing: Crossing, exact: oracle::ExpectedCrossing) -> bool {
+    matches!(
+        (crossing, exact),
+        (Crossing::Enter, oracle::ExpectedCrossing::Enter)
+            | (Crossing::Exit, oracle::ExpectedCrossing::Exit)
+            | (Crossing::Touch, oracle::ExpectedCrossing::Touch)
+    )
+}

@@ -1,0 +1,9 @@
+//! What the tests share: the exact oracle, number types as the oracle sees them, and workloads.
+#![allow(dead_code)] // Every test file uses its own part.
+
+pub mod cases;
+pub mod exact_types;
+pub mod oracle;
+pub mod random;
+pub mod subject;
+pub mod workload;

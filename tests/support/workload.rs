@@ -1,0 +1,125 @@
+//! Workloads: what kinds of rays the accuracy tables speak of.
+
+use super::exact_types::Exact;
+use super::random::{Random, add, normalize, scale};
+use super::subject::Subject;
+use raylet::{Ray, UnitVec3, Vec3};
+
+/// A kind of ray.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Workload {
+    /// From 3 to 8 away at a point well inside.
+    Benign,
+    /// From this far away at a point well inside.
+    Away(f64),
+    /// Past the side at this fraction of the radius inside or outside of touching.
+    Grazing(f64),
+    /// From a point inside, anywhere.
+    Inside,
+    /// From a point on the side, rounded to the number type.
+    OnSurface,
+    /// This far off the axis's direction.
+    NearAxis(f64),
+    /// This far off a generator's direction.
+    NearGenerator(f64),
+    /// At a rim, a seam or the apex, within a thousandth.
+    Rims,
+    /// With one or two zero components.
+    ZeroComponents,
+}
+
+pub const WORKLOADS: [Workload; 15] = [
+    Workload::Benign,
+    Workload::Away(100.0),
+    Workload::Away(1_000.0),
+    Workload::Away(10_000.0),
+    Workload::Grazing(1e-1),
+    Workload::Grazing(1e-2),
+    Workload::Grazing(1e-3),
+    Workload::Grazing(1e-4),
+    Workload::Inside,
+    Workload::OnSurface,
+    Workload::NearAxis(1e-2),
+    Workload::NearAxis(1e-4),
+    Workload::NearGenerator(1e-2),
+    Workload::Rims,
+    Workload::ZeroComponents,
+];
+
+impl Workload {
+    pub fn name(self) -> String {
+        match self {
+            Self::Benign => "benign".into(),
+            Self::Away(distance) => format!("{distance} away"),
+            Self::Grazing(off) => format!("grazing {off:.0e}"),
+            Self::Inside => "inside".into(),
+            Self::OnSurface => "on the surface".into(),
+            Self::NearAxis(off) => format!("{off:.0e} off the axis"),
+            Self::NearGenerator(off) => format!("{off:.0e} off a generator"),
+            Self::Rims => "rims".into(),
+            Self::ZeroComponents => "zero components".into(),
+        }
+    }
+
+    /// The next ray; `None` where the workload has no sense for the subject, or the draw does not fit the type.
+    pub fn ray<S: Exact>(self, subject: &Subject<S>, random: &mut Random) -> Option<Ray<S>> {
+        let (origin, direction) = match self {
+            Self::Benign => {
+                let distance = random.between(3.0, 8.0);
+                Self::aimed(subject.inner_point(random), random.direction(), distance)
+            }
+            Self::Away(distance) => {
+                let distance = distance * random.between(0.8, 1.0);
+                Self::aimed(subject.inner_point(random), random.direction(), distance)
+            }
+            Self::Grazing(off) => {
+                if subject.is_flat() {
+                    return None;
+                }
+                let (point, normal) = subject.side_point(random);
+                let direction = random.perpendicular(normal);
+                let off = off * random.sign() * random.between(1.0, 2.0);
+                Self::aimed(add(point, scale(normal, off)), direction, random.between(1.0, 4.0))
+            }
+            Self::Inside => (subject.inner_point(random), random.direction()),
+            Self::OnSurface => (subject.side_point(random).0, random.direction()),
+            Self::NearAxis(off) => {
+                let [x, _, z] = random.direction();
+                let direction = normalize([x * off, random.sign(), z * off]);
+                Self::aimed(subject.inner_point(random), direction, random.between(3.0, 8.0))
+            }
+            Self::NearGenerator(off) => {
+                if !subject.is_cone() {
+                    return None;
+                }
+                let angle = random.between(0.0, std::f64::consts::TAU);
+                let slope = subject.slope();
+                let generator = normalize([angle.cos() * slope, 1.0, angle.sin() * slope]);
+                let direction = normalize(add(scale(generator, random.sign()), scale(random.direction(), off)));
+                Self::aimed(subject.inner_point(random), direction, random.between(3.0, 8.0))
+            }
+            Self::Rims => {
+                let near = scale(random.direction(), 1e-3 * random.unit());
+                Self::aimed(add(subject.rim_point(random), near), random.direction(), random.between(3.0, 8.0))
+            }
+            Self::ZeroComponents => {
+                let mut direction = random.direction();
+                let first = (random.next() % 3) as usize;
+                direction[first] = 0.0 * random.sign();
+                if random.next() & 1 == 0 {
+                    direction[(first + 1) % 3] = 0.0 * random.sign();
+                }
+                Self::aimed(subject.inner_point(random), normalize(direction), random.between(3.0, 8.0))
+            }
+        };
+        let origin = Vec3::<S>::from_f64(origin)?;
+        // A direction as fine as the type holds, not as fine as its coordinates.
+        use raylet::scalar::UnitScalar;
+        let direction = UnitVec3::from_components(direction.map(S::Unit::from_f64))?;
+        Ray::new(origin, direction).ok()
+    }
+
+    fn aimed(target: [f64; 3], direction: [f64; 3], distance: f64) -> ([f64; 3], [f64; 3]) {
+        (add(target, scale(direction, -distance)), direction)
+    }
+}
