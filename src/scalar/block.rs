@@ -62,7 +62,7 @@ macro_rules! block {
                 Self::new(shift_right_rounded!(self.mantissa, drop), self.exponent.wrapping_add(drop as i32))
             }
 
-            /// The value as an integer of the unit `2^unit`, rounded to nearest (half away from minus infinity);
+            /// The value as an integer of the unit `2^unit`, rounded to nearest, ties to even;
             /// `None` if that does not fit `$bits - 1` bits.
             #[inline]
             pub fn to_units(self, unit: i32) -> Option<$mantissa> {
@@ -305,12 +305,15 @@ macro_rules! quotient {
     };
 }
 
-/// Arithmetic shift right by 1 or more bits (fewer than the width), rounded to nearest.
+/// Arithmetic shift right by 1 or more bits (fewer than the width), rounded to nearest, ties to even: a mirrored ray
+/// must have mirrored hits, to the bit.
 macro_rules! shift_right_rounded {
     ($value:expr, $shift:expr) => {{
         let (value, shift) = ($value, $shift);
         // Add the last bit that is dropped: no overflow, unlike adding half a unit before the shift.
-        (value >> shift) + ((value >> (shift - 1)) & 1)
+        let rounded = (value >> shift) + ((value >> (shift - 1)) & 1);
+        let is_tie = value & !(!0 << shift) == 1 << (shift - 1);
+        if is_tie { rounded & !1 } else { rounded }
     }};
 }
 
@@ -540,8 +543,12 @@ mod tests {
                 assert!((sum - (x + y)).abs() <= bound, "{m} {e} + {n} {f} = {sum}");
                 let product = value(a * b);
                 assert!((product - x * y).abs() <= (x * y).abs() * 2.0_f64.powi(-6), "{m} {e} * {n} {f} = {product}");
-                let units = (a.to_units(-2), (x * 4.0 + 0.5).floor());
-                assert_eq!(units.0.map(f64::from), (units.1.abs() <= f64::from(i16::MAX)).then_some(units.1), "{m} {e}");
+                let units = (a.to_units(-2), (x * 4.0).round_ties_even());
+                assert_eq!(
+                    units.0.map(f64::from),
+                    (units.1.abs() <= f64::from(i16::MAX)).then_some(units.1),
+                    "{m} {e}"
+                );
                 assert_eq!(a < b, x < y);
                 assert_eq!(a == b, x == y);
                 if n != 0 {
