@@ -87,10 +87,17 @@ fn compare<S: Scalar>(text: &str, size: Size, reference: &[Pixel<f64>]) -> [usiz
         let channels = a.color.to_rgb888().into_iter().zip(b.color.to_rgb888());
         let levels = channels.map(|(a, b)| a.abs_diff(b)).max().unwrap();
         let (x, y) = (index % width, index / width);
-        let silhouette = (y.saturating_sub(1)..=y + 1)
+        let neighbours = (y.saturating_sub(1)..=y + 1)
             .flat_map(|y| (x.saturating_sub(1)..=(x + 1).min(width - 1)).map(move |x| y * width + x))
-            .filter_map(|neighbour| reference.get(neighbour))
-            .any(|neighbour| (neighbour.seen, neighbour.lit_by) != (b.seen, b.lit_by));
+            .filter_map(|neighbour| reference.get(neighbour));
+        // The reference has an edge here, of the very thing and the very shadow that was seen: a hole is no silhouette.
+        let (mut same_thing, mut edge, mut changes) = (false, false, 0);
+        for neighbour in neighbours {
+            same_thing |= neighbour.seen == a.seen;
+            edge |= neighbour.seen != b.seen;
+            changes |= neighbour.lit_by ^ b.lit_by;
+        }
+        let silhouette = same_thing && (a.lit_by ^ b.lit_by) & !changes == 0 && (edge || changes != 0);
         counts[0] += usize::from(levels > 0);
         counts[1] += usize::from(levels > 1);
         counts[2] += usize::from(levels > 1 && !silhouette);
