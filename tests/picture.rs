@@ -97,7 +97,8 @@ fn compare<S: Scalar>(text: &str, size: Size, reference: &[Pixel<f64>]) -> [usiz
             edge |= neighbour.seen != b.seen;
             changes |= neighbour.lit_by ^ b.lit_by;
         }
-        let silhouette = same_thing && (a.lit_by ^ b.lit_by) & !changes == 0 && (edge || changes != 0);
+        let silhouette =
+            if a.seen == b.seen { (a.lit_by ^ b.lit_by) & !changes == 0 && (edge || changes != 0) } else { same_thing };
         counts[0] += usize::from(levels > 0);
         counts[1] += usize::from(levels > 1);
         counts[2] += usize::from(levels > 1 && !silhouette);

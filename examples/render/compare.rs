@@ -57,8 +57,8 @@ impl Difference {
 }
 
 /// True if the reference shows an edge in the 3x3 pixels around this one, an edge of what was seen here: the object (or
-/// the part of it, or the background) must occur there, and so must every change of light. A hole that the reference
-/// does not have is no silhouette.
+/// the part of it, or the background) must occur there, and where both see the same, so must every change of light. A
+/// hole that the reference does not have is no silhouette.
 fn is_silhouette(sighting: Sighting, reference: &[Sighting], width: usize, index: usize) -> bool {
     let (x, y) = (index % width, index / width);
     let (seen, lit_by) = sighting;
@@ -72,8 +72,11 @@ fn is_silhouette(sighting: Sighting, reference: &[Sighting], width: usize, index
         edge |= *neighbour_seen != reference_seen;
         changes |= neighbour_lit_by ^ reference_lit_by;
     }
-    let unknown_changes = (lit_by ^ reference_lit_by) & !changes;
-    same_thing && unknown_changes == 0 && (edge || changes != 0)
+    if seen != reference_seen {
+        // The lights that reach one thing say nothing about another.
+        return same_thing;
+    }
+    (lit_by ^ reference_lit_by) & !changes == 0 && (edge || changes != 0)
 }
 
 impl fmt::Display for Difference {
