@@ -9,9 +9,9 @@ const AMPLIFICATION: u8 = 32;
 
 /// How a picture differs from a reference.
 #[derive(Debug)]
-pub struct Difference {
+pub(crate) struct Difference {
     /// The difference of each channel, amplified.
-    pub image: Image,
+    pub(crate) image: Image,
     pixels: usize,
     differing: usize,
     by_more_than_one: usize,
@@ -23,10 +23,9 @@ pub struct Difference {
 impl Difference {
     /// Compares two pictures of the same size.
     ///
-    /// A pixel that differs by more than one level is explained if it lies on a silhouette: if in the 3x3 pixels around
-    /// it the reference sees more than one object or part of an object, or more than one set of lights. There, a change in the last place
-    /// may decide which of two colours is seen.
-    pub fn between(picture: &Traced, reference: &Traced) -> Self {
+    /// A pixel that differs by more than one level is explained if it lies on a silhouette, where a change in the last
+    /// place may decide which of two colours is seen: see [`is_silhouette`].
+    pub(crate) fn between(picture: &Traced, reference: &Traced) -> Self {
         let mut image = Image::black(reference.image.width, reference.image.height);
         let pixels = image.pixels.len();
         let (mut differing, mut by_more_than_one, mut on_silhouettes, mut greatest, mut squared) = (0, 0, 0, 0, 0.0);
@@ -39,7 +38,12 @@ impl Difference {
             differing += usize::from(largest > 0);
             if largest > 1 {
                 by_more_than_one += 1;
-                on_silhouettes += usize::from(is_silhouette(&reference.sightings, usize::from(image.width), index));
+                on_silhouettes += usize::from(is_silhouette(
+                    picture.sightings[index],
+                    &reference.sightings,
+                    usize::from(image.width),
+                    index,
+                ));
             }
         }
         Self { image, pixels, differing, by_more_than_one, on_silhouettes, greatest, squared }
@@ -52,12 +56,27 @@ impl Difference {
     }
 }
 
-fn is_silhouette(sightings: &[Sighting], width: usize, index: usize) -> bool {
+/// True if the reference shows an edge in the 3x3 pixels around this one, an edge of what was seen here: the object (or
+/// the part of it, or the background) must occur there, and where both see the same, so must every change of light. A
+/// hole that the reference does not have is no silhouette.
+fn is_silhouette(sighting: Sighting, reference: &[Sighting], width: usize, index: usize) -> bool {
     let (x, y) = (index % width, index / width);
-    (y.saturating_sub(1)..=y + 1)
-        .flat_map(|row| (x.saturating_sub(1)..=(x + 1).min(width - 1)).map(move |column| row * width + column))
-        .filter_map(|neighbour| sightings.get(neighbour))
-        .any(|neighbour| *neighbour != sightings[index])
+    let (seen, lit_by) = sighting;
+    let (reference_seen, reference_lit_by) = reference[index];
+    let (mut same_thing, mut edge, mut changes) = (false, false, 0);
+    let columns = x.saturating_sub(1)..=(x + 1).min(width - 1);
+    let rows = y.saturating_sub(1)..=y + 1;
+    for neighbour in rows.flat_map(|row| columns.clone().map(move |column| row * width + column)) {
+        let Some((neighbour_seen, neighbour_lit_by)) = reference.get(neighbour) else { continue };
+        same_thing |= *neighbour_seen == seen;
+        edge |= *neighbour_seen != reference_seen;
+        changes |= neighbour_lit_by ^ reference_lit_by;
+    }
+    if seen != reference_seen {
+        // The lights that reach one thing say nothing about another.
+        return same_thing;
+    }
+    (lit_by ^ reference_lit_by) & !changes == 0 && (edge || changes != 0)
 }
 
 impl fmt::Display for Difference {

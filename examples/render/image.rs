@@ -7,14 +7,14 @@ use std::path::{Path, PathBuf};
 
 /// Eight bits a channel, row after row from the upper left.
 #[derive(Clone, Debug)]
-pub struct Image {
-    pub width: u16,
-    pub height: u16,
-    pub pixels: Vec<[u8; 3]>,
+pub(crate) struct Image {
+    pub(crate) width: u16,
+    pub(crate) height: u16,
+    pub(crate) pixels: Vec<[u8; 3]>,
 }
 
 impl Image {
-    pub fn black(width: u16, height: u16) -> Self {
+    pub(crate) fn black(width: u16, height: u16) -> Self {
         Self { width, height, pixels: vec![[0; 3]; usize::from(width) * usize::from(height)] }
     }
 
@@ -37,14 +37,14 @@ impl Image {
 
 /// The files that a picture goes to.
 #[derive(Debug)]
-pub struct Files {
+pub(crate) struct Files {
     ppm: Option<PathBuf>,
     png: Option<PathBuf>,
 }
 
 impl Files {
     /// `output` as the user gave it, or `out/<scene>`; `label` goes behind the name, before the extension.
-    pub fn new(output: Option<&Path>, scene: &str, label: &str) -> Self {
+    pub(crate) fn new(output: Option<&Path>, scene: &str, label: &str) -> Self {
         let default = Path::new("out").join(scene);
         let output = output.unwrap_or(&default);
         let extension = output.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase);
@@ -63,7 +63,7 @@ impl Files {
     }
 
     /// Writes the picture, creating folders on the way, and returns the names for a message.
-    pub fn write(&self, image: &Image) -> Result<String, Box<dyn Error>> {
+    pub(crate) fn write(&self, image: &Image) -> Result<String, Box<dyn Error>> {
         let mut names = Vec::new();
         for path in [&self.ppm, &self.png].into_iter().flatten() {
             self.write_one(image, path).map_err(|error| format!("cannot write {}: {error}", path.display()))?;

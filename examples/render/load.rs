@@ -10,13 +10,13 @@ use std::path::Path;
 
 /// The text of a scene file, or the still life.
 #[derive(Debug)]
-pub struct Source {
+pub(crate) struct Source {
     name: String,
     text: Option<String>,
 }
 
 impl Source {
-    pub fn new(file: Option<&Path>) -> Result<Self, Box<dyn Error>> {
+    pub(crate) fn new(file: Option<&Path>) -> Result<Self, Box<dyn Error>> {
         let Some(file) = file else { return Ok(Self { name: "still_life".to_owned(), text: None }) };
         let text = fs::read_to_string(file).map_err(|error| format!("cannot read {}: {error}", file.display()))?;
         let name = file.file_stem().map_or("scene".into(), |stem| stem.to_string_lossy().into_owned());
@@ -24,11 +24,11 @@ impl Source {
     }
 
     /// The file's name without folder and extension.
-    pub fn name(&self) -> &str {
+    pub(crate) fn name(&self) -> &str {
         &self.name
     }
 
-    pub fn load<S: Scalar>(&self) -> Result<Loaded<S>, Box<dyn Error>> {
+    pub(crate) fn load<S: Scalar>(&self) -> Result<Loaded<S>, Box<dyn Error>> {
         let Some(text) = &self.text else { return still_life::build() };
         let counts = Counts::of(text);
         let (mut objects, mut materials) = (Growing(Vec::new()), Growing(Vec::new()));
@@ -56,19 +56,19 @@ impl Source {
 
 /// A scene and the lists that it borrows.
 #[derive(Debug)]
-pub struct Loaded<S: Scalar> {
-    pub objects: Vec<Object<S>>,
-    pub materials: Vec<Material<S>>,
-    pub lights: Vec<Light<S>>,
-    pub normals: Vec<CornerNormals<S>>,
-    pub background: Color<S>,
-    pub camera: Camera<S>,
-    pub resolution: [u16; 2],
-    pub invisible: u32,
+pub(crate) struct Loaded<S: Scalar> {
+    pub(crate) objects: Vec<Object<S>>,
+    pub(crate) materials: Vec<Material<S>>,
+    pub(crate) lights: Vec<Light<S>>,
+    pub(crate) normals: Vec<CornerNormals<S>>,
+    pub(crate) background: Color<S>,
+    pub(crate) camera: Camera<S>,
+    pub(crate) resolution: [u16; 2],
+    pub(crate) invisible: u32,
 }
 
 impl<S: Scalar> Loaded<S> {
-    pub fn scene(&self) -> Result<Scene<'_, S>, Box<dyn Error>> {
+    pub(crate) fn scene(&self) -> Result<Scene<'_, S>, Box<dyn Error>> {
         let scene = Scene::new(&self.objects, &self.materials, &self.lights, self.camera)?;
         Ok(scene.with_background(self.background).with_normals(&self.normals)?)
     }

@@ -16,39 +16,39 @@ use std::path::PathBuf;
         Shading is diffuse and Phong, with shadows from all lights and no ambient light. Mirrors and\n\
         transparent objects are not followed yet. Levels are linear: no gamma curve is applied."
 )]
-pub struct Options {
+pub(crate) struct Options {
     /// Scene in the Neutral File Format (.nff); without it, a still life of all the solids
-    pub scene: Option<PathBuf>,
+    pub(crate) scene: Option<PathBuf>,
 
     /// Number type to trace in
     #[arg(short, long, value_enum, default_value_t = Number::F32)]
-    pub number: Number,
+    pub(crate) number: Number,
 
     /// Size of the picture in pixels; by default the file's own resolution, or 160x120
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
-    pub size: Option<(u16, u16)>,
+    pub(crate) size: Option<(u16, u16)>,
 
     /// Samples along each side of a pixel: N*N rays a pixel, on a regular grid (1 to 16)
     #[arg(short, long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=16))]
-    pub samples: u8,
+    pub(crate) samples: u8,
 
     /// Where to write: FILE.png or FILE.ppm for that format, any other name for both; by default out/<scene>
     #[arg(short, long, value_name = "FILE")]
-    pub output: Option<PathBuf>,
+    pub(crate) output: Option<PathBuf>,
 
     /// Render in number types A and B, with B as the reference: report how many pixels differ and by how much,
     /// and write both pictures and their difference, 32 times amplified
     #[arg(long, value_enum, num_args = 2, value_names = ["A", "B"], conflicts_with = "number")]
-    pub compare: Vec<Number>,
+    pub(crate) compare: Vec<Number>,
 
     /// Threads to trace with; by default one for each processor. Never changes the picture
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
-    pub threads: Option<u16>,
+    pub(crate) threads: Option<u16>,
 }
 
 /// The number types that the library is compiled for here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Number {
+pub(crate) enum Number {
     /// Single precision
     F32,
     /// Double precision

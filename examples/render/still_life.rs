@@ -10,7 +10,7 @@ use std::error::Error;
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
 /// The still life in any number type that holds numbers up to 20.
-pub fn build<S: Scalar>() -> Result<Loaded<S>> {
+pub(crate) fn build<S: Scalar>() -> Result<Loaded<S>> {
     let colors = [
         [0.82, 0.80, 0.76], // floor
         [0.85, 0.25, 0.20], // red
@@ -68,11 +68,11 @@ pub fn build<S: Scalar>() -> Result<Loaded<S>> {
         materials,
         lights: vec![
             Light::new(point(-6.0, 9.0, 7.0)?, number(0.85)?),
-            Light::new(point(5.0, 6.0, 8.0)?, number(0.3)?),
+            Light::new(point(5.0, 6.0, 8.0)?, number(0.45)?),
         ],
         normals: Vec::new(),
         background: Color::from_f64([0.30, 0.42, 0.55]),
-        camera: Camera::new(point(0.2, 4.2, 9.0)?, point(0.1, 0.6, 0.0)?, point(0.0, 1.0, 0.0)?, number(36.0)?)?,
+        camera: Camera::new(point(0.2, 4.2, 9.0)?, point(0.2, 0.7, 0.0)?, point(0.0, 1.0, 0.0)?, number(38.0)?)?,
         resolution: [160, 120],
         invisible: 0,
     })

@@ -12,19 +12,22 @@ use std::thread;
 use std::time::Instant;
 
 /// A pixel's object and part (`None`: background), and the lights that reach it.
-pub type Sighting = (Option<(u32, Part)>, u32);
+pub(crate) type Sighting = (Option<(u32, Part)>, u32);
+
+/// A row of pixels and its number: threads finish in any order.
+type Row<S> = (u16, Vec<Pixel<S>>);
 
 /// A picture, and what is known about it.
 #[derive(Debug)]
-pub struct Traced {
-    pub image: Image,
-    pub sightings: Vec<Sighting>,
-    pub counters: Counters,
-    pub seconds: f64,
-    pub invisible: u32,
+pub(crate) struct Traced {
+    pub(crate) image: Image,
+    pub(crate) sightings: Vec<Sighting>,
+    pub(crate) counters: Counters,
+    pub(crate) seconds: f64,
+    pub(crate) invisible: u32,
 }
 
-pub fn trace<S: Scalar>(source: &Source, options: &Options) -> Result<Traced, Box<dyn Error>> {
+pub(crate) fn trace<S: Scalar>(source: &Source, options: &Options) -> Result<Traced, Box<dyn Error>> {
     let loaded = source.load::<S>()?;
     let scene = loaded.scene()?;
     let [width, height] = options.size.map_or(loaded.resolution, |(width, height)| [width, height]);
@@ -38,7 +41,7 @@ pub fn trace<S: Scalar>(source: &Source, options: &Options) -> Result<Traced, Bo
         .threads
         .map_or_else(|| thread::available_parallelism().map_or(1, NonZero::get), usize::from)
         .min(usize::from(height));
-    let parts: Vec<(Vec<(u16, Vec<Pixel<S>>)>, Counters)> = thread::scope(|scope| {
+    let parts: Vec<(Vec<Row<S>>, Counters)> = thread::scope(|scope| {
         let work = || {
             let (mut rows, mut counters) = (Vec::new(), Counters::default());
             while let Ok(y) = u16::try_from(next_row.fetch_add(1, Ordering::Relaxed))

@@ -10,7 +10,7 @@ pub(super) struct Word<'t> {
 }
 
 /// The rest of a text, and the place of its first character.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Lexer<'t> {
     rest: &'t str,
     place: Place,
@@ -25,8 +25,7 @@ impl<'t> Lexer<'t> {
 
     /// The word that comes next, without taking it.
     pub(super) fn peek(&self) -> Option<Word<'t>> {
-        let mut ahead = *self;
-        ahead.next()
+        self.clone().next()
     }
 
     /// Where the next character stands.

@@ -16,7 +16,7 @@ pub(super) struct Number<S> {
 }
 
 /// Takes values from the words of a text. `what` names the value in a message.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Numbers<'t, S> {
     words: Lexer<'t>,
     scalar: PhantomData<S>,
@@ -49,7 +49,7 @@ impl<'t, S: Scalar> Numbers<'t, S> {
 
     /// The words that follow, without taking them.
     pub(super) fn texts(&self) -> impl Iterator<Item = &'t str> {
-        self.words.map(|word| word.text)
+        self.words.clone().map(|word| word.text)
     }
 
     fn expect(&mut self, what: &'static str) -> Result<Word<'t>, NffError> {
@@ -88,14 +88,13 @@ impl<'t, S: Scalar> Numbers<'t, S> {
     /// A coordinate or size inside the budget.
     pub(super) fn size(&mut self, what: &'static str) -> Result<Number<S>, NffError> {
         let place = self.place();
+        // To the reader of the message the limit that counts is the budget, whichever limit was met first.
         let beyond = NffError { place, reason: Reason::BeyondBudget { what } };
-        match self.number(what) {
-            // To the reader of the message the limit that counts is the budget, whichever limit was met first.
-            Err(NffError { reason: Reason::BeyondType { .. }, .. }) => Err(beyond),
-            Ok(number) if number.value.magnitude() <= S::BUDGET.coordinate => Ok(number),
-            Ok(_) => Err(beyond),
-            Err(error) => Err(error),
-        }
+        let number = self.number(what).map_err(|error| match error.reason {
+            Reason::BeyondType { .. } => beyond,
+            _ => error,
+        })?;
+        if number.value.magnitude() <= S::BUDGET.coordinate { Ok(number) } else { Err(beyond) }
     }
 
     /// Three coordinates inside the budget.

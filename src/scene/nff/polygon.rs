@@ -95,15 +95,16 @@ fn around<S: Scalar>(corners: &[Corner<S>], index: usize) -> Option<(&Corner<S>,
 
 /// The corner to cut off next, and whether a triangle goes with it.
 fn next_cut<S: Scalar>(corners: &[Corner<S>], plane: Projection) -> (usize, bool) {
+    // Corners on a line go first: a spike that stayed would let an ear be cut across it.
+    let is_straight = |index: &usize| around(corners, *index).is_some_and(|(a, b, c)| plane.turn(a, b, c).is_zero());
+    if let Some(index) = (0..corners.len()).find(is_straight) {
+        return (index, false);
+    }
     // Should no corner be an ear, the polygon crosses itself (or does after rounding): the first convex corner goes.
     let mut fallback = None;
     for index in 0..corners.len() {
         let Some((a, b, c)) = around(corners, index) else { continue };
-        let turn = plane.turn(a, b, c);
-        if turn.is_zero() {
-            return (index, false);
-        }
-        if turn < S::Real::ZERO {
+        if plane.turn(a, b, c) < S::Real::ZERO {
             continue;
         }
         let blocked = corners.iter().any(|p| {

@@ -195,10 +195,10 @@ impl<'t, 'a, S: Scalar> Reader<'t, 'a, S> {
     }
 
     fn cone(&mut self, place: Place) -> Result<(), NffError> {
-        let base_words = self.numbers;
+        let base_words = self.numbers.clone();
         let base = self.numbers.point("the cone's base")?;
         let base_radius = self.numbers.size("the cone's base radius")?;
-        let apex_words = self.numbers;
+        let apex_words = self.numbers.clone();
         let apex = self.numbers.point("the cone's apex")?;
         let apex_radius = self.numbers.size("the cone's apex radius")?;
         let is_zero = |radius: Number<S>| radius.value == S::ZERO;
