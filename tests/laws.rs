@@ -15,13 +15,15 @@ use support::subject::{SUBJECTS, Subject};
 use support::workload::{WORKLOADS, Workload};
 
 /// A subject, a workload, and the seed of one ray.
-fn cases() -> impl Strategy<Value = (&'static str, Workload, u64)> {
+type Case = (&'static str, Workload, u64);
+
+fn cases() -> impl Strategy<Value = Case> {
     (prop::sample::select(&SUBJECTS[..]), prop::sample::select(&WORKLOADS[..]), any::<u64>())
 }
 
 /// Checks a law on one ray; a draw that fits no ray of the type holds trivially.
 fn on<S: Exact>(
-    (name, workload, seed): (&'static str, Workload, u64),
+    (name, workload, seed): Case,
     law: fn(&Subject<S>, Ray<S>, &mut Random) -> Result<(), TestCaseError>,
 ) -> Result<(), TestCaseError> {
     let subject = Subject::<S>::new(name);
