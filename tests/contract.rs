@@ -250,6 +250,19 @@ fn rule_04_directions_of_any_length_are_exact_in_floats() {
 }
 
 #[test]
+fn rule_04_a_plane_is_met_as_exactly_far_out_as_near() {
+    // A hair above the floor, ten thousand from its origin: the distance is that of the hair.
+    let floor = cases::<f32>().into_iter().find(|case| case.name == "plane").expect("a plane");
+    for (x, y) in [(1e4, 1e-3), (1e4, 1.0), (-3e6, 1e-6), (0.0, 1e-3)] {
+        let ray = Ray::new(v::<f32>([x, y, -x]), direction([-0.6, -0.8, 0.0])).expect("origin");
+        let verdict = compare(&floor, &ray, &floor.shape().hits(&ray), 0.0);
+        assert!(matches!(verdict, Verdict::Same(error) if error <= 0.5), "{ray:?}: {verdict:?}");
+        let placed = floor.shape().placed(Frame::at(Vec3::ZERO).expect("position"));
+        assert_eq!(placed.hits(&ray), floor.shape().hits(&ray));
+    }
+}
+
+#[test]
 fn rule_04_hit_or_miss_stays_right_at_ten_thousand_away() {
     // Putting a = 1 gets 4 of 10 of these wrong.
     let (ball, solid) = (Sphere::new(1.0_f32).expect("size"), oracle::Solid::Sphere { radius: 1.0_f32.exact() });

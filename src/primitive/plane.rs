@@ -67,6 +67,11 @@ impl<S: Scalar> Geometry<S> for Plane<S> {
         S::ZERO
     }
 
+    /// Never: `-oy / dy` loses nothing however far along the plane the ray starts, and walking there would.
+    fn is_far(&self, _: Vec3<S>) -> bool {
+        false
+    }
+
     fn scaled(&self, _: i32) -> Self {
         *self
     }
