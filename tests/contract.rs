@@ -10,11 +10,11 @@ use raylet::{
     SizeError, Sphere, Triangle, UnitVec3, Vec3, Visible,
 };
 use support::cases::{
-    Case, Kind, Random, Verdict, assert_exact, cases, cases_of, compare, direction, edge_rays, n, random_ray, summary,
-    v,
+    Case, Kind, Verdict, assert_exact, cases, cases_of, compare, direction, edge_rays, n, random_ray, summary, v,
 };
 use support::exact_types::{Exact, exact_line};
 use support::oracle;
+use support::random::Random;
 
 every_type!(
     rule_01_a_bounded_solid_is_closed_and_crossings_pair_up,
@@ -105,7 +105,7 @@ fn rule_01_no_ray_slips_between_a_cap_and_the_side<S: Exact>() {
                 if !case.shape().contains(v(target)) {
                     continue;
                 }
-                let away = random.direction::<S>().to_f64();
+                let away = random.unit_vector::<S>().to_f64();
                 let distance = random.between(4.0, 30.0);
                 let from = [0, 1, 2].map(|i| target[i] - away[i] * distance);
                 let ray = Ray::towards(v::<S>(from), v(target)).expect("the points are within the budget");
@@ -269,7 +269,7 @@ fn rule_04_hit_or_miss_stays_right_at_ten_thousand_away() {
     let mut random = Random(8);
     let mut hit = 0;
     for _ in 0..4000 {
-        let away = random.direction::<f32>();
+        let away = random.unit_vector::<f32>();
         let from = away.to_f64().map(|c| c * 1e4);
         let aim: [f64; 3] = [(); 3].map(|()| random.between(-1.0, 1.0));
         let ray = Ray::new(v::<f32>(from), direction([0, 1, 2].map(|i| aim[i] - from[i]))).expect("origin");
@@ -462,7 +462,7 @@ fn some_hits<S: Exact>(
 
 /// A direction, and the cosine to a normal.
 fn off<S: Exact>(normal: UnitVec3<S>, random: &mut Random) -> (UnitVec3<S>, f64) {
-    let ([x, y, z], any) = (normal.to_f64(), random.direction::<S>());
+    let ([x, y, z], any) = (normal.to_f64(), random.unit_vector::<S>());
     // Every fourth nearly along the surface, where an epsilon would fail.
     let squash = if random.below(4) == 0 { random.between(0.99, 1.0) } else { 0.0 };
     let [dx, dy, dz] = any.to_f64();

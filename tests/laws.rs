@@ -17,15 +17,15 @@ use support::workload::{WORKLOADS, Workload};
 /// A subject, a workload, and the seed of one ray.
 type Case = (&'static str, Workload, u64);
 
+/// A law on one ray with a subject.
+type LawOn<S> = fn(&Subject<S>, Ray<S>, &mut Random) -> Result<(), TestCaseError>;
+
 fn cases() -> impl Strategy<Value = Case> {
     (prop::sample::select(&SUBJECTS[..]), prop::sample::select(&WORKLOADS[..]), any::<u64>())
 }
 
 /// Checks a law on one ray; a draw that fits no ray of the type holds trivially.
-fn on<S: Exact>(
-    (name, workload, seed): Case,
-    law: fn(&Subject<S>, Ray<S>, &mut Random) -> Result<(), TestCaseError>,
-) -> Result<(), TestCaseError> {
+fn on<S: Exact>((name, workload, seed): Case, law: LawOn<S>) -> Result<(), TestCaseError> {
     let subject = Subject::<S>::new(name);
     let mut random = Random(seed);
     match workload.ray(&subject, &mut random) {

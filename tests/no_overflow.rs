@@ -11,7 +11,7 @@ use raylet::{
     Affine, Capsule, Cone, Cylinder, Departure, Disc, Frame, Leaving, Part, Plane, Primitive, Range, Ray, Scalar,
     Shape, Sphere, Triangle, UnitVec3, Vec3, Visible,
 };
-use support::cases::Random;
+use support::random::Random;
 
 /// A number type with raw values to try.
 trait Raw: Scalar {

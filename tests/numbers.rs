@@ -8,8 +8,8 @@ use fixed::types::extra::{LeEqU32, LeEqU64, U0, U8, U16, U30, U32, U64};
 use fixed::{FixedI32, FixedI64};
 use raylet::scalar::{Real, Scalar, UnitScalar};
 use raylet::{UnitVec3, Vec3};
-use support::cases::Random;
 use support::exact_types::Exact;
+use support::random::Random;
 
 every_type!(
     text_that_is_no_number_is_refused,

@@ -6,9 +6,10 @@ mod support;
 
 use raylet::scalar::UnitScalar;
 use raylet::{Affine, Capsule, Cone, Cylinder, Frame, FrameError, Part, Ray, Shape, Sphere, Triangle, UnitVec3, Vec3};
-use support::cases::{Kind, Random, cases, cases_of, n, random_ray, v};
+use support::cases::{Kind, cases, cases_of, n, random_ray, v};
 use support::exact_types::Exact;
 use support::oracle;
+use support::random::Random;
 
 every_type!(
     a_frame_at_a_position_is_not_turned,
@@ -40,7 +41,7 @@ fn direction<S: Exact>(components: [f64; 3]) -> UnitVec3<S> {
 }
 
 fn any_direction<S: Exact>(random: &mut Random) -> UnitVec3<S> {
-    UnitVec3::from_real(random.direction::<S>().real()).expect("the vector has a length")
+    UnitVec3::from_real(random.unit_vector::<S>().real()).expect("the vector has a length")
 }
 
 fn component<S: Exact>() -> f64 {
@@ -256,7 +257,7 @@ fn moving_everything_far_away_changes_no_hit<S: Exact>() {
             let mut random = Random(3);
             for _ in 0..200 {
                 let from = random.point::<S>(4.0).to_f64().map(|c| (c * 128.0).round() / 128.0);
-                let along = random.direction::<S>();
+                let along = random.unit_vector::<S>();
                 let ray = Ray::new(v::<S>(from), along).expect("origin");
                 let moved = Ray::new(v::<S>([from[0] + far, from[1] - far, from[2] + far]), along).expect("origin");
                 let (here, there) = (

@@ -2,56 +2,22 @@
 
 use super::exact_types::{Exact, expected, same_crossing, same_part};
 use super::oracle::{self, ConeExtent, CylinderExtent, Solid};
+use super::random::Random;
 use raylet::scalar::UnitScalar;
 use raylet::{
     Capsule, Cone, Crossing, Cylinder, Disc, Hits, Part, Plane, Primitive, Range, Ray, Shape, Sphere, Triangle,
     UnitVec3, Vec3,
 };
 
-/// SplitMix64.
-pub struct Random(pub u64);
-
 impl Random {
-    pub fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// Uniform in [0, 1).
-    pub fn unit(&mut self) -> f64 {
-        (self.next() >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    /// Uniform in [low, high).
-    pub fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-
-    pub fn below(&mut self, bound: usize) -> usize {
-        (self.next() % bound as u64) as usize
-    }
-
-    pub fn pick<T: Copy>(&mut self, from: &[T]) -> T {
-        from[self.below(from.len())]
-    }
-
-    /// A point of the cube [-size, size]^3, shifted up by `height`.
+    /// A point of the cube `[-size, size]^3`.
     pub fn point<S: Exact>(&mut self, size: f64) -> Vec3<S> {
         v([self.between(-size, size), self.between(-size, size), self.between(-size, size)])
     }
 
-    /// A direction of any orientation.
-    pub fn direction<S: Exact>(&mut self) -> UnitVec3<S> {
-        loop {
-            let [x, y, z] = [(); 3].map(|()| self.between(-1.0, 1.0));
-            let square = x * x + y * y + z * z;
-            if (0.01..=1.0).contains(&square) {
-                return direction([x, y, z]);
-            }
-        }
+    /// A direction of the type.
+    pub fn unit_vector<S: Exact>(&mut self) -> UnitVec3<S> {
+        direction(self.direction())
     }
 }
 
@@ -228,7 +194,7 @@ pub fn edge_rays<S: Exact>(case: &Case<S>) -> Vec<(Ray<S>, bool)> {
 
 /// A ray aimed at the neighbourhood of the solid, from 3 to 8 away.
 pub fn random_ray<S: Exact>(random: &mut Random) -> Ray<S> {
-    let towards = random.direction::<S>().to_f64();
+    let towards = random.unit_vector::<S>().to_f64();
     let distance = random.between(3.0, 8.0);
     let from = [0, 1, 2].map(|i| if i == 1 { 1.0 - towards[1] * distance } else { -towards[i] * distance });
     let aim: [f64; 3] = [(); 3].map(|()| random.between(-1.6, 1.6));
