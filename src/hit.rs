@@ -1,24 +1,12 @@
 //! Floor 3: hits and hit lists.
 
+use crate::part::Part;
 use crate::ray::Range;
 use crate::scalar::Scalar;
 use core::ops::Deref;
 
 /// The most crossings that a line can have with any primitive: two intervals of a double cone.
 pub const MOST_HITS: usize = 4;
-
-/// A part of a primitive's surface, so that each can have a material of its own.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Part {
-    /// The curved side; the whole of a sphere, plane, disc or triangle. Owns its rims, its seams and the apex.
-    Side,
-    /// The cap or hemisphere at the lower end of the axis.
-    Base,
-    /// The cap or hemisphere at the upper end of the axis.
-    Top,
-}
 
 /// How a ray crosses a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

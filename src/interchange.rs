@@ -37,7 +37,7 @@ mod with_mint {
 
 #[cfg(feature = "serde")]
 mod with_serde {
-    use crate::hit::Part;
+    use crate::part::Part;
     use crate::ray::{Departure, Leaving, Range, Ray};
     use crate::scalar::Scalar;
     use crate::vector::{UnitVec3, Vec3};

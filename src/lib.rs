@@ -47,7 +47,7 @@
 //! | 8 | [`effect`] | shading, a file an effect |
 //! | 7 | [`scene`] | objects, materials, lights, camera, the NFF reader |
 //! | 6 | [`shape`] | any primitive, placed |
-//! | 5 | [`primitive`] | a file a primitive: its solve, parts, normal, surface coordinates, tangents |
+//! | 5 | [`primitive`], `geometry`, `query` | a file a primitive: its solve, parts, normal, surface coordinates, tangents; the three questions |
 //! | 4 | [`tier`], `quadric` | accuracy tiers; the one quadratic solver |
 //! | 3 | [`ray`], [`frame`], [`affine`], [`hit`], `span`, `line` | rays and ranges, placement, hits and hit lists, intervals |
 //! | 2 | [`vector`] | [`Vec3`], [`UnitVec3`] |
@@ -81,10 +81,12 @@ pub mod affine;
 pub mod effect;
 pub mod errata;
 pub mod frame;
+mod geometry;
 pub mod hit;
 #[cfg(any(feature = "mint", feature = "serde"))]
 mod interchange;
 mod line;
+mod part;
 pub mod primitive;
 mod quadric;
 mod query;
@@ -99,13 +101,15 @@ pub mod vector;
 
 pub use affine::Affine;
 pub use frame::{Frame, FrameError};
-pub use hit::{Crossing, Hit, Hits, Part};
+pub use geometry::Bounds;
+pub use hit::{Crossing, Hit, Hits};
+pub use part::Part;
 pub use primitive::{Capsule, Cone, Cylinder, Disc, Plane, SizeError, Sphere, Triangle};
 pub use ray::{Departure, Leaving, Range, Ray, RayError};
 pub use render::{Picture, Pixel};
 pub use scalar::Scalar;
 pub use scene::{Camera, Color, Counters, Light, Material, Object, Scene, Size};
-pub use shape::{Bounds, Placement, Primitive, Shape, Surface, Visible};
+pub use shape::{Placement, Primitive, Shape, Surface, Visible};
 pub use tier::{Stable, Tier};
 pub use vector::{UnitVec3, Vec3};
 

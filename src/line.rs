@@ -5,7 +5,7 @@
 //! solid in the rounding of far coordinates, and everything is brought near 1 by a power of two, so that no square
 //! overflows. Both are exact, or rounded once.
 
-use crate::hit::Part;
+use crate::part::Part;
 use crate::ray::{Leaving, Ray};
 use crate::scalar::{Scalar, largest};
 use crate::vector::Vec3;

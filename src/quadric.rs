@@ -5,7 +5,7 @@
 //! and `c` are rounded, and far away or near grazing the difference holds nothing but their rounding. They use the ray's
 //! moment `w = o x d` instead; each says how.
 
-use crate::hit::Part;
+use crate::part::Part;
 use crate::ray::Leaving;
 use crate::scalar::{Real, Scalar};
 use crate::span::{End, Span};

@@ -1,8 +1,8 @@
 //! Floor 5: the three questions, asked of any geometry in the world's frame or in a frame of its own.
 
+use crate::geometry::Geometry;
 use crate::hit::{Crossing, Hit, Hits};
 use crate::line::Local;
-use crate::primitive::Geometry;
 use crate::ray::Ray;
 use crate::scalar::{Scalar, largest};
 use crate::span::Meeting;
@@ -91,3 +91,45 @@ pub(crate) fn occludes<S: Scalar, T: Tier<S>, G: Geometry<S>>(
     }
     scaled.meet::<T>(&local.line).map_t(|t| local.to_ray(t)).nearest(ray.range(), accept).is_some()
 }
+
+/// Gives a primitive the queries of an unplaced, two-sided shape as methods of its own.
+macro_rules! queries {
+    ($Primitive:ident) => {
+        impl<S: Scalar> $Primitive<S> {
+            /// All hits, sorted by `t`.
+            pub fn hits(&self, ray: &crate::ray::Ray<S>) -> crate::hit::Hits<S> {
+                self.hits_at::<crate::tier::Stable>(ray)
+            }
+            /// All hits, in a chosen accuracy tier.
+            pub fn hits_at<T: crate::tier::Tier<S>>(&self, ray: &crate::ray::Ray<S>) -> crate::hit::Hits<S> {
+                crate::query::hits::<S, T, _>(self, ray)
+            }
+            /// The hit with the smallest `t`.
+            pub fn nearest(&self, ray: &crate::ray::Ray<S>) -> Option<crate::hit::Hit<S>> {
+                self.nearest_at::<crate::tier::Stable>(ray)
+            }
+            /// The hit with the smallest `t`, in a chosen accuracy tier.
+            pub fn nearest_at<T: crate::tier::Tier<S>>(&self, ray: &crate::ray::Ray<S>) -> Option<crate::hit::Hit<S>> {
+                crate::query::nearest::<S, T, _>(self, ray)
+            }
+            /// True if there is any hit.
+            pub fn occludes(&self, ray: &crate::ray::Ray<S>) -> bool {
+                self.occludes_at::<crate::tier::Stable>(ray)
+            }
+            /// True if there is any hit, in a chosen accuracy tier.
+            pub fn occludes_at<T: crate::tier::Tier<S>>(&self, ray: &crate::ray::Ray<S>) -> bool {
+                crate::query::occludes::<S, T, _>(self, ray, &crate::query::unplaced(self, ray), |_| true)
+            }
+            /// True if the point belongs to the primitive: inside or on a solid, on an open surface.
+            pub fn contains(&self, point: Vec3<S>) -> bool {
+                crate::query::contains(self, point)
+            }
+            /// The box that holds it; infinite where the primitive is.
+            pub fn bounds(&self) -> crate::geometry::Bounds<S> {
+                let (low, high) = crate::geometry::Geometry::bounds(self);
+                crate::geometry::Bounds { low, high }
+            }
+        }
+    };
+}
+pub(crate) use queries;

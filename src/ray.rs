@@ -1,6 +1,6 @@
 //! Floor 3: rays, their ranges, and where they depart from.
 
-use crate::hit::Part;
+use crate::part::Part;
 use crate::scalar::Scalar;
 use crate::vector::{UnitVec3, Vec3};
 use core::fmt;

@@ -4,7 +4,7 @@
 //! one, row after row, so that they may go straight to a display.
 
 use crate::effect::{Sight, look};
-use crate::hit::Part;
+use crate::part::Part;
 use crate::scalar::{Real, Scalar};
 use crate::scene::{Color, Counters, Raster, Scene, Size};
 

@@ -2,9 +2,11 @@
 
 use crate::affine::Affine;
 use crate::frame::Frame;
-use crate::hit::{Crossing, Hit, Hits, Part};
+use crate::geometry::{Bounds, Geometry};
+use crate::hit::{Crossing, Hit, Hits};
 use crate::line::Local;
-use crate::primitive::{Capsule, Cone, Cylinder, Disc, Geometry, Line, Plane, Sphere, Triangle};
+use crate::part::Part;
+use crate::primitive::{Capsule, Cone, Cylinder, Disc, Line, Plane, Sphere, Triangle};
 use crate::query;
 use crate::ray::{Departure, Leaving, Ray};
 use crate::scalar::{Real, Scalar};
@@ -29,6 +31,15 @@ macro_rules! primitives {
             impl<S: Scalar> From<$Variant<S>> for Primitive<S> {
                 fn from(primitive: $Variant<S>) -> Self {
                     Self::$Variant(primitive)
+                }
+            }
+        )+
+
+        $(
+            impl<S: Scalar> $Variant<S> {
+                /// What a hit can be asked for: point, normal, surface coordinates, tangents.
+                pub fn surface(&self, ray: &Ray<S>, hit: &Hit<S>) -> Surface<S> {
+                    Shape::new(*self).surface(ray, hit)
                 }
             }
         )+
@@ -116,17 +127,6 @@ impl Visible {
     const fn sees(self, crossing: Crossing) -> bool {
         !matches!((self, crossing), (Self::Outside, Crossing::Exit) | (Self::Inside, Crossing::Enter))
     }
-}
-
-/// An axis-aligned box; components may be infinite.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Bounds<S> {
-    /// The corner with the smallest coordinates.
-    pub low: Vec3<S>,
-    /// The corner with the largest coordinates.
-    pub high: Vec3<S>,
 }
 
 /// Any primitive, placed in the world, seen from one side or from both.

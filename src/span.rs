@@ -1,6 +1,7 @@
 //! Floor 3: intervals along a line, and the one rule by which ends become hits.
 
-use crate::hit::{Crossing, Hit, Hits, Part};
+use crate::hit::{Crossing, Hit, Hits};
+use crate::part::Part;
 use crate::ray::{Leaving, Range};
 use crate::scalar::Scalar;
 

@@ -13,7 +13,7 @@ mod diffuse;
 mod shadow;
 mod specular;
 
-use crate::hit::Part;
+use crate::part::Part;
 use crate::ray::Ray;
 use crate::scalar::{Real, Scalar};
 use crate::scene::{Color, Counters, Material, Scene, SceneHit};

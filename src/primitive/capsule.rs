@@ -5,7 +5,7 @@ use super::sphere::ball;
 use super::{
     Geometry, Line, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates,
 };
-use crate::hit::Part;
+use crate::part::Part;
 use crate::quadric::{Inside, slab};
 use crate::ray::Leaving;
 use crate::scalar::{Real, Scalar};

@@ -7,7 +7,7 @@ use super::outline::{Homogeneous, Outline, Profile};
 use super::{
     Geometry, Line, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates,
 };
-use crate::hit::Part;
+use crate::part::Part;
 use crate::quadric::{Careful, Inside, Quadric, slab};
 use crate::scalar::{Real, Scalar, largest};
 use crate::span::{End, Meeting, Span};

@@ -1,7 +1,7 @@
 //! The cylinder about the y axis: `x^2 + z^2 = r^2`.
 
 use super::{Geometry, Line, SizeError, checked_size, queries, surface_coordinates as coordinates};
-use crate::hit::Part;
+use crate::part::Part;
 use crate::quadric::{Careful, Inside, Quadric, slab};
 use crate::scalar::{Real, Scalar};
 use crate::span::{End, Meeting, Span};

@@ -3,7 +3,7 @@
 use super::cylinder::careful;
 use super::plane::{crossing, moves_away};
 use super::{Geometry, Line, SizeError, checked_size, queries, surface_coordinates as coordinates};
-use crate::hit::Part;
+use crate::part::Part;
 use crate::quadric::{Inside, Quadric};
 use crate::scalar::{Real, Scalar};
 use crate::span::Meeting;

@@ -27,11 +27,7 @@
 //! | rim to rim, seam to seam | two hits, on the side |
 //! | in a plane, disc or triangle | `coincident` |
 
-use crate::hit::Part;
 use crate::scalar::Scalar;
-use crate::span::Meeting;
-use crate::tier::Tier;
-use crate::vector::{UnitVec3, Vec3};
 use core::fmt;
 
 mod capsule;
@@ -52,39 +48,9 @@ pub use plane::Plane;
 pub use sphere::Sphere;
 pub use triangle::Triangle;
 
+pub(crate) use crate::geometry::Geometry;
 pub(crate) use crate::line::Line;
-
-/// What every primitive knows of itself, in its own frame.
-pub(crate) trait Geometry<S: Scalar>: Copy {
-    /// A distance from the origin within which the primitive lies; its characteristic size if it is unbounded.
-    fn reach(&self) -> S;
-    /// True if a point that is several reaches from the origin is far from the surface too; for what is unbounded.
-    fn is_far(&self, _: Vec3<S>) -> bool {
-        true
-    }
-    /// The primitive with all lengths multiplied by `2^e`, for an exponent from [`Scalar::binary_exponent`].
-    #[must_use]
-    fn scaled(&self, e: i32) -> Self;
-    /// Where the line meets it.
-    fn meet<T: Tier<S>>(&self, line: &Line<S>) -> Meeting<S>;
-    /// Whether the half-line `t >= 0` hits it, where the signs of the coefficients say so without a root or a division;
-    /// the line departs from nowhere. What is said here must agree with [`Geometry::meet`].
-    fn verdict<T: Tier<S>>(&self, _: &Line<S>) -> Option<bool> {
-        None
-    }
-    /// True if the point belongs to the closed set.
-    fn contains(&self, point: Vec3<S>) -> bool;
-    /// The smallest box, as its lower and upper corner; infinite where the primitive is.
-    fn bounds(&self) -> (Vec3<S>, Vec3<S>);
-    /// The point of the part that is nearest, or nearly so, to a point close to it.
-    fn on_surface(&self, point: Vec3<S>, part: Part) -> Vec3<S>;
-    /// The outward unit normal at a point of the part.
-    fn normal(&self, point: Vec3<S>, part: Part) -> UnitVec3<S>;
-    /// Surface coordinates at a point of the part, each in `[0, 1]`.
-    fn uv(&self, point: Vec3<S>, part: Part) -> (S::Unit, S::Unit);
-    /// The directions in which `u` and `v` grow at a point of the part.
-    fn tangents(&self, point: Vec3<S>, part: Part) -> (UnitVec3<S>, UnitVec3<S>);
-}
+pub(crate) use crate::query::queries;
 
 /// Why a primitive cannot be built: which size, and what is wrong with it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -123,49 +89,3 @@ fn checked_size<S: Scalar>(size: S, error: SizeError) -> Result<S, SizeError> {
 fn checked_size_or_zero<S: Scalar>(size: S, error: SizeError) -> Result<S, SizeError> {
     if size == S::ZERO { Ok(S::ZERO) } else { checked_size(size, error) }
 }
-
-/// Gives a primitive the queries of an unplaced, two-sided shape as methods of its own.
-macro_rules! queries {
-    ($Primitive:ident) => {
-        impl<S: Scalar> $Primitive<S> {
-            /// All hits, sorted by `t`.
-            pub fn hits(&self, ray: &crate::Ray<S>) -> crate::Hits<S> {
-                self.hits_at::<crate::Stable>(ray)
-            }
-            /// All hits, in a chosen accuracy tier.
-            pub fn hits_at<T: Tier<S>>(&self, ray: &crate::Ray<S>) -> crate::Hits<S> {
-                crate::query::hits::<S, T, _>(self, ray)
-            }
-            /// The hit with the smallest `t`.
-            pub fn nearest(&self, ray: &crate::Ray<S>) -> Option<crate::Hit<S>> {
-                self.nearest_at::<crate::Stable>(ray)
-            }
-            /// The hit with the smallest `t`, in a chosen accuracy tier.
-            pub fn nearest_at<T: Tier<S>>(&self, ray: &crate::Ray<S>) -> Option<crate::Hit<S>> {
-                crate::query::nearest::<S, T, _>(self, ray)
-            }
-            /// True if there is any hit.
-            pub fn occludes(&self, ray: &crate::Ray<S>) -> bool {
-                self.occludes_at::<crate::Stable>(ray)
-            }
-            /// True if there is any hit, in a chosen accuracy tier.
-            pub fn occludes_at<T: Tier<S>>(&self, ray: &crate::Ray<S>) -> bool {
-                crate::query::occludes::<S, T, _>(self, ray, &crate::query::unplaced(self, ray), |_| true)
-            }
-            /// True if the point belongs to the primitive: inside or on a solid, on an open surface.
-            pub fn contains(&self, point: Vec3<S>) -> bool {
-                crate::query::contains(self, point)
-            }
-            /// The box that holds it; infinite where the primitive is.
-            pub fn bounds(&self) -> crate::Bounds<S> {
-                let (low, high) = Geometry::bounds(self);
-                crate::Bounds { low, high }
-            }
-            /// What a hit can be asked for: point, normal, surface coordinates, tangents.
-            pub fn surface(&self, ray: &crate::Ray<S>, hit: &crate::Hit<S>) -> crate::Surface<S> {
-                crate::Shape::new(*self).surface(ray, hit)
-            }
-        }
-    };
-}
-pub(crate) use queries;

@@ -1,7 +1,7 @@
 //! The plane `y = 0`.
 
 use super::{Geometry, Line, queries, surface_coordinates as coordinates};
-use crate::hit::Part;
+use crate::part::Part;
 use crate::scalar::{Real, Scalar};
 use crate::span::{End, Meeting, Span};
 use crate::tier::Tier;

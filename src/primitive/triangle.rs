@@ -7,7 +7,7 @@
 
 use super::plane::surface_hit;
 use super::{Geometry, Line, SizeError, queries, surface_coordinates as coordinates};
-use crate::hit::Part;
+use crate::part::Part;
 use crate::scalar::{Real, Scalar, largest};
 use crate::span::{End, Meeting, Span};
 use crate::tier::Tier;

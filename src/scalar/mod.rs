@@ -52,7 +52,7 @@ mod sealed {
 ///
 /// The coordinate is a quarter of the largest finite float, so that the difference of two points is finite.
 /// Beside the largest length of a query (the origin's distance from the solid, a height) a radius that is 2^60 times
-/// smaller (`f64`: 2^500) has no square: such a solid is a line or a point.
+/// smaller (`f64`: 2^500) has a square that is subnormal or zero: such a solid is a line or a point.
 ///
 /// # Fixed point
 ///
