@@ -21,12 +21,14 @@ pub(crate) struct Quadric<R> {
     pub(crate) negative: R,
 }
 
-/// The coefficients that can cancel, held to twice the precision.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Careful<R> {
-    pub(crate) k: R,
-    pub(crate) c: R,
-    pub(crate) discriminant: R,
+/// The coefficients that can cancel, held to twice the precision; each is made only where it decides something.
+pub(crate) trait Careful<R> {
+    /// `k`
+    fn k(&self) -> R;
+    /// `c`
+    fn c(&self) -> R;
+    /// `k^2 - a c`, from the moment.
+    fn discriminant(&self) -> R;
 }
 
 /// Where along a line a quadric's `f` is zero or below.
@@ -51,16 +53,15 @@ pub(crate) enum Inside<S> {
 impl<R: Real> Quadric<R> {
     /// Solves for `f <= 0`; `careful` is asked only where it decides something.
     #[inline]
-    pub(crate) fn solve<S: Scalar, T: Tier<S, Real = R>>(self, careful: impl Fn() -> Careful<R>) -> Inside<S> {
+    pub(crate) fn solve<S: Scalar, T: Tier<S, Real = R>>(self, careful: &impl Careful<R>) -> Inside<S> {
         let Self { a, mut k, positive, negative } = self;
         if a.is_zero() {
-            let Careful { k, c, .. } = careful();
-            return Self::solve_linear::<S, T>(k, c);
+            return Self::solve_linear::<S, T>(careful.k(), careful.c());
         }
         let mut discriminant = positive - negative;
         if discriminant.abs() < positive.times_power_of_two(-3) {
             // Grazing: most of the difference is rounding.
-            Careful { k, discriminant, .. } = careful();
+            (k, discriminant) = (careful.k(), careful.discriminant());
         }
         if discriminant.is_negative() && !a.is_negative() {
             return Inside::Nowhere;
@@ -84,10 +85,10 @@ impl<R: Real> Quadric<R> {
             (T::ratio(-k - root, a), T::ratio(-k + root, a))
         } else if k.is_negative() {
             let q = root - k;
-            (T::ratio(careful().c, q), T::ratio(q, a))
+            (T::ratio(careful.c(), q), T::ratio(q, a))
         } else {
             let q = -k - root;
-            (T::ratio(q, a), T::ratio(careful().c, q))
+            (T::ratio(q, a), T::ratio(careful.c(), q))
         };
         // Equal after rounding can come out in the wrong order.
         let (low, high) = if a.is_negative() { (high, low) } else { (low, high) };

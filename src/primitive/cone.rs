@@ -3,12 +3,12 @@
 //! The quadric, and why no slope is ever rounded, is in `outline`.
 
 use super::cylinder::{capped, leaves_slab, open_side};
-use super::outline::{Homogeneous, Outline, Profile};
+use super::outline::{CarefulCone, Homogeneous, Outline, Profile};
 use super::{
     Geometry, Line, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates,
 };
 use crate::part::Part;
-use crate::quadric::{Careful, Inside, Quadric, slab};
+use crate::quadric::{Inside, Quadric, slab};
 use crate::scalar::{Real, Scalar, largest};
 use crate::span::{End, Meeting, Span};
 use crate::tier::Tier;
@@ -179,16 +179,7 @@ impl<S: Scalar> Cone<S> {
                 (positive, negative) = squares(minors);
             }
             let quadric = Quadric { a, k, positive, negative };
-            quadric.solve::<S, T>(|| Careful {
-                k: profile.bilinear(point, direction),
-                c: profile.bilinear(point, point),
-                discriminant: {
-                    let [[p, ep], [q, eq], [r, er]] = profile.minors(point, direction);
-                    let twice = |e: T::Real| e.times_power_of_two(1);
-                    let rests = [[twice(ep), p], [twice(eq), q], [twice(-er), r]];
-                    T::Real::sum_of_products([[p, p], [q, q], [-r, r], rests[0], rests[1], rests[2]])
-                },
-            })
+            quadric.solve::<S, T>(&CarefulCone { profile, point, direction })
         };
         // At the vertex t = -k/a the outline is g - g' k/a, which has the sign of the nappe that a finite interval lies in.
         let vertex = g * a - slope * k;

@@ -93,20 +93,43 @@ pub(super) fn tube<S: Scalar, T: Tier<S>>(line: &Line<S>, radius: S) -> Inside<S
     let r = T::real(radius);
     let wy = z * dx - x * dz;
     let quadric = Quadric { a, k, positive: a * (r * r), negative: wy * wy };
-    quadric.solve::<S, T>(|| careful::<S, T>(line, radius))
+    quadric.solve::<S, T>(&CarefulTube::of::<S, T>(line, radius))
 }
 
-/// The coefficients that can cancel; of the sides of a cylinder, of a capsule, and of a disc's rim.
-#[cold]
-pub(super) fn careful<S: Scalar, T: Tier<S>>(line: &Line<S>, radius: S) -> Careful<T::Real> {
-    let ([x, _, z], [dx, _, dz], r) = (line.origin.map(T::real), line.direction.map(T::unit), T::real(radius));
-    let [a, ea] = T::Real::sum_with_rest([[dx, dx], [dz, dz]]);
-    let [rr, er] = T::Real::sum_with_rest([[r, r]]);
-    let [w, ew] = T::Real::sum_with_rest([[z, dx], [-x, dz]]);
-    Careful {
-        k: T::Real::sum_of_products([[x, dx], [z, dz]]),
-        c: T::Real::sum_of_products([[x, x], [-r, r], [z, z]]),
-        discriminant: T::Real::sum_of_products([[a, rr], [-w, w], [ea, rr], [a, er], [-ew.times_power_of_two(1), w]]),
+/// The numbers that the careful coefficients of a round side are made of: a cylinder's, a capsule's, a disc's rim.
+pub(super) struct CarefulTube<R> {
+    o: [R; 2],
+    d: [R; 2],
+    r: R,
+}
+
+impl<R: Real> CarefulTube<R> {
+    pub(super) fn of<S: Scalar, T: Tier<S, Real = R>>(line: &Line<S>, radius: S) -> Self {
+        let ([x, _, z], [dx, _, dz]) = (line.origin.map(T::real), line.direction.map(T::unit));
+        Self { o: [x, z], d: [dx, dz], r: T::real(radius) }
+    }
+}
+
+impl<R: Real> Careful<R> for CarefulTube<R> {
+    #[cold]
+    fn k(&self) -> R {
+        let ([x, z], [dx, dz]) = (self.o, self.d);
+        R::sum_of_products([[x, dx], [z, dz]])
+    }
+
+    #[cold]
+    fn c(&self) -> R {
+        let ([x, z], r) = (self.o, self.r);
+        R::sum_of_products([[x, x], [-r, r], [z, z]])
+    }
+
+    #[cold]
+    fn discriminant(&self) -> R {
+        let ([x, z], [dx, dz], r) = (self.o, self.d, self.r);
+        let [a, ea] = R::sum_with_rest([[dx, dx], [dz, dz]]);
+        let [rr, er] = R::sum_with_rest([[r, r]]);
+        let [w, ew] = R::sum_with_rest([[z, dx], [-x, dz]]);
+        R::sum_of_products([[a, rr], [-w, w], [ea, rr], [a, er], [-ew.times_power_of_two(1), w]])
     }
 }
 

@@ -1,6 +1,6 @@
 //! The disc in the plane `y = 0`.
 
-use super::cylinder::careful;
+use super::cylinder::CarefulTube;
 use super::plane::{crossing, moves_away};
 use super::{Geometry, Line, SizeError, checked_size, queries, surface_coordinates as coordinates};
 use crate::part::Part;
@@ -59,7 +59,7 @@ impl<S: Scalar> Geometry<S> for Disc<S> {
                 let (a, k) = (dx * dx + dz * dz, x * dx + z * dz);
                 let (r, wy) = (T::real(self.radius), z * dx - x * dz);
                 let quadric = Quadric { a, k, positive: a * (r * r), negative: wy * wy };
-                match quadric.solve::<S, T>(|| careful::<S, T>(line, self.radius)) {
+                match quadric.solve::<S, T>(&CarefulTube::of::<S, T>(line, self.radius)) {
                     Inside::Between(chord) => Meeting::LiesIn(chord),
                     _ => Meeting::Miss,
                 }

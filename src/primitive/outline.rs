@@ -9,6 +9,7 @@
 //!
 //! which for a slope is `D = m^2 (wx^2 + wz^2) - wy^2`: Lagrange's identity in the metric (1, -1, 1) of the cone.
 
+use crate::quadric::Careful;
 use crate::scalar::{Real, Scalar};
 
 /// The outline: how the radius grows.
@@ -93,5 +94,29 @@ impl<R: Real> Profile<R> {
             [ez, qz],
             [pz, fz],
         ])
+    }
+}
+
+/// What the careful coefficients of a cone are made of.
+pub(super) struct CarefulCone<R> {
+    pub(super) profile: Profile<R>,
+    pub(super) point: Homogeneous<R>,
+    pub(super) direction: Homogeneous<R>,
+}
+
+impl<R: Real> Careful<R> for CarefulCone<R> {
+    fn k(&self) -> R {
+        self.profile.bilinear(self.point, self.direction)
+    }
+
+    fn c(&self) -> R {
+        self.profile.bilinear(self.point, self.point)
+    }
+
+    #[cold]
+    fn discriminant(&self) -> R {
+        let [[p, ep], [q, eq], [r, er]] = self.profile.minors(self.point, self.direction);
+        let twice = |e: R| e.times_power_of_two(1);
+        R::sum_of_products([[p, p], [q, q], [-r, r], [twice(ep), p], [twice(eq), q], [twice(-er), r]])
     }
 }

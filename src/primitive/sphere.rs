@@ -50,36 +50,52 @@ pub(super) fn ball<S: Scalar, T: Tier<S>>(line: &Line<S>, radius: S) -> Option<S
     let k = T::dot(o, d);
     let [wx, wy, wz] = T::cross(o, d);
     let quadric = Quadric { a, k, positive: a * (r * r), negative: wx * wx + wy * wy + wz * wz };
-    let careful = || {
-        let ([x, y, z], [dx, dy, dz]) = (o.map(T::real), d.map(T::unit));
-        Careful {
-            k: T::Real::sum_of_products([[x, dx], [y, dy], [z, dz]]),
-            c: T::Real::sum_of_products([[x, x], [y, y], [-r, r], [z, z]]),
-            discriminant: {
-                let [a, ea] = T::Real::sum_with_rest([[dx, dx], [dy, dy], [dz, dz]]);
-                let [rr, er] = T::Real::sum_with_rest([[r, r]]);
-                let minor =
-                    |x: T::Real, y: T::Real, dx: T::Real, dy: T::Real| T::Real::sum_with_rest([[x, dy], [-y, dx]]);
-                let [[wx, ex], [wy, ey], [wz, ez]] = [minor(y, z, dy, dz), minor(z, x, dz, dx), minor(x, y, dx, dy)];
-                let twice = |e: T::Real| -e.times_power_of_two(1);
-                T::Real::sum_of_products([
-                    [a, rr],
-                    [-wx, wx],
-                    [-wy, wy],
-                    [-wz, wz],
-                    [ea, rr],
-                    [a, er],
-                    [twice(ex), wx],
-                    [twice(ey), wy],
-                    [twice(ez), wz],
-                ])
-            },
-        }
-    };
-    match quadric.solve::<S, T>(careful) {
+    match quadric.solve::<S, T>(&CarefulBall { o: o.map(T::real), d: d.map(T::unit), r }) {
         Inside::Between(span) => Some(span),
         // a > 0: no other case.
         _ => None,
+    }
+}
+
+/// The numbers that the careful coefficients of a ball are made of.
+struct CarefulBall<R> {
+    o: [R; 3],
+    d: [R; 3],
+    r: R,
+}
+
+impl<R: Real> Careful<R> for CarefulBall<R> {
+    #[cold]
+    fn k(&self) -> R {
+        let ([x, y, z], [dx, dy, dz]) = (self.o, self.d);
+        R::sum_of_products([[x, dx], [y, dy], [z, dz]])
+    }
+
+    #[cold]
+    fn c(&self) -> R {
+        let ([x, y, z], r) = (self.o, self.r);
+        R::sum_of_products([[x, x], [y, y], [-r, r], [z, z]])
+    }
+
+    #[cold]
+    fn discriminant(&self) -> R {
+        let ([x, y, z], [dx, dy, dz], r) = (self.o, self.d, self.r);
+        let [a, ea] = R::sum_with_rest([[dx, dx], [dy, dy], [dz, dz]]);
+        let [rr, er] = R::sum_with_rest([[r, r]]);
+        let minor = |x: R, y: R, dx: R, dy: R| R::sum_with_rest([[x, dy], [-y, dx]]);
+        let [[wx, ex], [wy, ey], [wz, ez]] = [minor(y, z, dy, dz), minor(z, x, dz, dx), minor(x, y, dx, dy)];
+        let twice = |e: R| -e.times_power_of_two(1);
+        R::sum_of_products([
+            [a, rr],
+            [-wx, wx],
+            [-wy, wy],
+            [-wz, wz],
+            [ea, rr],
+            [a, er],
+            [twice(ex), wx],
+            [twice(ey), wy],
+            [twice(ez), wz],
+        ])
     }
 }
 
