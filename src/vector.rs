@@ -5,7 +5,7 @@ use core::ops::{Add, Neg, Sub};
 
 /// A point or a vector of any length.
 ///
-/// Sums and differences of fixed-point vectors saturate; no operation overflows.
+/// Sums, differences and negatives of fixed-point vectors saturate; no operation overflows.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -114,7 +114,8 @@ impl<S: Scalar> Neg for Vec3<S> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        Self::new(-self.x, -self.y, -self.z)
+        // The lowest raw value of a fixed type has no negative.
+        Self::ZERO - self
     }
 }
 

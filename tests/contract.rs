@@ -6,8 +6,8 @@ mod support;
 
 use raylet::scalar::UnitScalar;
 use raylet::{
-    Capsule, Cone, Crossing, Cylinder, Departure, Disc, Frame, Leaving, Part, Plane, Range, Ray, RayError, Shape,
-    SizeError, Sphere, Triangle, UnitVec3, Vec3, Visible,
+    Capsule, Cone, Crossing, Cylinder, Departure, Disc, Frame, Leaving, Part, Plane, Primitive, Range, Ray, RayError,
+    Shape, SizeError, Sphere, Triangle, UnitVec3, Vec3, Visible,
 };
 use support::cases::{
     Case, Kind, Verdict, assert_exact, cases, cases_of, compare, direction, edge_rays, n, random_ray, summary, v,
@@ -28,6 +28,7 @@ every_type!(
     rule_07_normals_point_outwards_and_the_flipped_one_towards_the_ray,
     rule_08_a_ray_leaving_outwards_never_meets_a_convex_solid_again,
     rule_08_a_ray_leaving_inwards_always_meets_the_far_end,
+    rule_08_a_ray_said_to_enter_a_cap_that_it_leads_away_from_ends_at_once,
     rule_08_two_surfaces_a_hair_apart_are_both_met,
     rule_08_a_departing_ray_crosses_an_open_surface_only_elsewhere,
     rule_09_one_sided_surfaces_ignore_crossings_from_the_back,
@@ -516,6 +517,28 @@ fn rule_08_a_ray_leaving_inwards_always_meets_the_far_end<S: Exact>() {
                 assert!(error < bound, "{} in {}: {leaving:?}: {hits:?}, exactly {far}", case.name, S::name());
             }
         });
+    }
+}
+
+fn rule_08_a_ray_said_to_enter_a_cap_that_it_leads_away_from_ends_at_once<S: Exact>() {
+    let solids: [Primitive<S>; 3] = [
+        Cylinder::capped(n(1.0), n(2.0)).expect("sizes").into(),
+        Cone::capped(n(0.5), n(2.0)).expect("sizes").into(),
+        Cone::frustum(n(0.5), n(1.5), n(2.0)).expect("sizes").into(),
+    ];
+    for solid in solids {
+        for (part, y, along) in [(Part::Top, 2.0, UnitVec3::Y), (Part::Base, 0.0, -UnitVec3::Y)] {
+            // The base of the other two is the apex, or the side closes below it.
+            if part == Part::Base && solid != solids[0] {
+                continue;
+            }
+            let shape = Shape::new(solid);
+            let ray = Ray::new(v::<S>([0.25, y, 0.0]), along).expect("origin");
+            let ray = ray.departing(Departure { object: 0, part, leaving: Leaving::Inwards });
+            let hits = shape.hits(&ray);
+            assert_eq!(summary(&hits), [(0.0, part, Crossing::Exit)], "{solid:?} in {}", S::name());
+            assert_eq!(shape.nearest(&ray), Some(hits[0]));
+        }
     }
 }
 

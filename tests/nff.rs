@@ -247,7 +247,7 @@ fn malformed_files_say_where_and_why() {
         ("c 0 0 0 1 0 0 0 1", "line 2, column 11: both ends of the cone or cylinder are the same point: move one".to_owned()),
         ("c 0 0 0 0 0 0 1 0", "line 2, column 9: the cone's larger radius is zero: give a size, negative to show the inside only".to_owned()),
         ("p 2 0 0 0 1 0 0", "line 2, column 3: a polygon has at least three corners".to_owned()),
-        ("p 3.5", "line 2, column 3: the number of corners should be a whole number, not negative and not too large".to_owned()),
+        ("p 3.5", "line 2, column 3: the number of corners should be a whole number, at least 1 and not too large".to_owned()),
         ("p 3 0 0 0 1 0 0 p", format!("line 2, column 17: the corner's position {number}")),
         ("pp 3 0 0 0 0 0 0", "line 2, column 12: a normal has the length zero: give it a direction".to_owned()),
         (VIEW, "line 2, column 1: a second view: a scene has one, remove the other".to_owned()),
@@ -281,7 +281,7 @@ fn malformed_views_say_where_and_why() {
         ),
         (
             "v from 0 0 5 at 0 0 0 up 0 1 0 angle 45 resolution 9 0",
-            "line 1, column 54: the view's resolution should be a whole number, not negative and not too large",
+            "line 1, column 54: the view's resolution should be a whole number, at least 1 and not too large",
         ),
     ] {
         assert_eq!(message::<f32>(text), expected, "{text}");

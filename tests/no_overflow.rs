@@ -318,3 +318,12 @@ fn far_apart_fixed_point_coordinates_saturate_without_a_panic() {
         assert!(ball.hits(&diagonal).is_empty(), "56755 away is beyond the type");
     }
 }
+
+#[test]
+fn the_negative_of_the_lowest_fixed_point_vector_saturates() {
+    use fixed::types::{I16F16, I32F32};
+    let lowest = Vec3::new(I16F16::MIN, I16F16::MAX, I16F16::ZERO);
+    assert_eq!(-lowest, Vec3::new(I16F16::MAX, -I16F16::MAX, I16F16::ZERO));
+    let lowest = Vec3::new(I32F32::MIN, I32F32::MAX, I32F32::ZERO);
+    assert_eq!(-lowest, Vec3::new(I32F32::MAX, -I32F32::MAX, I32F32::ZERO));
+}

@@ -3,7 +3,7 @@
 use super::{Geometry, Line, SizeError, checked_size, queries, surface_coordinates as coordinates};
 use crate::part::Part;
 use crate::quadric::{Careful, Inside, Quadric, slab};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Real, Scalar, UnitScalar};
 use crate::span::{End, Meeting, Span};
 use crate::tier::Tier;
 use crate::vector::{UnitVec3, Vec3};
@@ -297,6 +297,14 @@ pub(super) fn capped<S: Scalar, T: Tier<S>>(
     };
     let caps = slab::<S, T>(y, dy, low, high).unwrap_or(Span::everywhere());
     let exit = if caps.exit.t < side.exit.t { caps.exit } else { side.exit };
+    // A ray that leads away from the cap that it is said to enter, and never meets the side, ends where it starts.
+    let astray = !exit.t.is_finite()
+        && match part {
+            Part::Base => dy < S::Unit::ZERO,
+            Part::Top => dy > S::Unit::ZERO,
+            Part::Side => false,
+        };
+    let exit = if astray { End::new(S::ZERO, part) } else { exit };
     let exit = if exit.t < S::ZERO { End::new(S::ZERO, exit.part) } else { exit };
     Meeting::One(Span::new(End::none(-S::INFINITY), exit))
 }

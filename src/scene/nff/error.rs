@@ -40,7 +40,7 @@ pub enum Reason {
         /// The value that it should give.
         what: &'static str,
     },
-    /// A number that should be whole and not negative, and at most 65535 for a resolution or 2^32 - 1 for a count.
+    /// A number that should be whole and at least 1, and at most 65535 for a resolution or 2^32 - 1 for a count.
     NotACount {
         /// The value that it should give.
         what: &'static str,
@@ -116,7 +116,7 @@ impl fmt::Display for Reason {
             Self::UnknownEntity => f.write_str("this starts no entity: expected one of v, b, l, f, c, s, p, pp or #"),
             Self::Ended { what } => write!(f, "the text ends where {what} should be: complete the entity"),
             Self::NotANumber { what } => write!(f, "{what} should be a number such as -12.5 or 1.5e-3"),
-            Self::NotACount { what } => write!(f, "{what} should be a whole number, not negative and not too large"),
+            Self::NotACount { what } => write!(f, "{what} should be a whole number, at least 1 and not too large"),
             Self::BeyondType { what } => {
                 write!(f, "{what} is beyond the number type: scale the scene down or take a wider type")
             }
