@@ -82,7 +82,7 @@ impl<S: Scalar> Frame<S> {
     /// # Errors
     ///
     /// [`FrameError::Position`] as for [`Frame::at`]; [`FrameError::Axes`] if the three are not a right-handed
-    /// frame within 2^-10.
+    /// frame: the cosine of the angle to it must not be below `1 - 2^-10`, which is 2.5 degrees.
     pub fn from_right_up_forward(
         position: Vec3<S>,
         right: UnitVec3<S>,

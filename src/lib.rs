@@ -2,7 +2,7 @@
 //!
 //! `raylet` answers that on any machine down to a microcontroller without a floating-point unit: no allocation, no
 //! panic, fixed capacities, in `f32`, `f64` or fixed point (`FixedI32<F>`, `FixedI64<F>` of the [`fixed`](https://docs.rs/fixed)
-//! crate), with the same bits on every chip.
+//! crate), with nothing in it whose bits would depend on the chip.
 //!
 //! ```
 //! use fixed::types::I16F16;
@@ -33,9 +33,10 @@
 //! 8. Leaving a surface needs no epsilon: a ray says where it departs from ([`Departure`]).
 //! 9. One-sided surfaces ignore the crossings seen from the back ([`Visible`]).
 //! 10. Bad input gets a typed error at construction; queries on built values cannot fail, panic or overflow.
-//! 11. The same bits everywhere, for every number type and tier.
+//! 11. The same bits everywhere, for every number type and tier: IEEE arithmetic, integers and `libm` only. (Until the
+//!     firmware that compares the chips is here, this rule is the one without a test.)
 //!
-//! `tests/contract.rs` has a test of each rule's name.
+//! `tests/contract.rs` has tests named after rules 1 to 10.
 //!
 //! # The rooms
 //!

@@ -331,10 +331,12 @@ impl<S: Scalar> Surface<S> {
         }
     }
 
-    /// The normal on the side that the ray comes from.
+    /// The normal on the side that the ray comes from; where it touches, the outward one.
     pub fn normal_towards_ray(&self) -> UnitVec3<S> {
         let normal = self.normal();
-        if self.ray.direction().dot(normal).is_negative() { normal } else { -normal }
+        let facing = self.ray.direction().dot(normal);
+        let from_inside = self.hit.crossing != Crossing::Touch && facing > S::Real::ZERO;
+        if from_inside { -normal } else { normal }
     }
 
     /// Surface coordinates, each in `[0, 1]`: see [`crate::primitive`].

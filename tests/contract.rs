@@ -783,3 +783,23 @@ fn rule_08_a_departure_names_object_part_and_side() {
     assert_eq!(ray.departing(departure).departure(), Some(departure));
     assert_eq!(ray.departing(departure).without_departure(), ray);
 }
+
+/// A ray cannot enter through a cap and lead away from it: told so, it ends where it starts, and not on the side's
+/// continuation beyond the cap.
+#[test]
+fn rule_08_a_departure_that_contradicts_its_direction_ends_at_once() {
+    let frustum = Cone::frustum(0.5_f32, 1.5, 2.0).expect("sizes");
+    let departure = Departure { object: 0, part: Part::Base, leaving: Leaving::Inwards };
+    let ray = Ray::new(Vec3::ZERO, -UnitVec3::Y).expect("inside the budget").departing(departure);
+    let hits = frustum.hits(&ray);
+    assert_eq!(hits.iter().map(|hit| (hit.t, hit.part)).collect::<Vec<_>>(), [(0.0, Part::Base)]);
+}
+
+#[test]
+fn rule_07_where_a_ray_touches_the_normal_towards_it_is_the_outward_one() {
+    let ball = Sphere::new(1.0_f32).expect("a size");
+    let ray = Ray::new(Vec3::new(-5.0, 1.0, 0.0), UnitVec3::X).expect("inside the budget");
+    let hits = ball.hits(&ray);
+    assert_eq!(hits.iter().map(|hit| hit.crossing).collect::<Vec<_>>(), [Crossing::Touch]);
+    assert_eq!(ball.surface(&ray, &hits[0]).normal_towards_ray(), UnitVec3::Y);
+}

@@ -418,3 +418,12 @@ fn a_polygon_that_crosses_itself_ends() {
     assert!(triangles::<f32>(&pentagram).len() <= 3);
     assert!(triangles::<f32>(&[[0.0, 0.0], [2.0, 2.0], [2.0, 0.0], [0.0, 3.0]]).len() <= 2);
 }
+
+#[test]
+fn a_line_may_end_in_any_of_the_three_ways() {
+    for end in ["\n", "\r\n", "\r"] {
+        let text = [VIEW.trim_end(), "# a comment", "s 0 0 0 1", "s 0 0 zero 1"].join(end);
+        let error = read::<f32>(&text).err().expect("zero is no number");
+        assert_eq!((error.place.line, error.place.column), (4, 7), "{end:?}: {error}");
+    }
+}

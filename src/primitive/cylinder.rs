@@ -297,13 +297,12 @@ pub(super) fn capped<S: Scalar, T: Tier<S>>(
     };
     let caps = slab::<S, T>(y, dy, low, high).unwrap_or(Span::everywhere());
     let exit = if caps.exit.t < side.exit.t { caps.exit } else { side.exit };
-    // A ray that leads away from the cap that it is said to enter, and never meets the side, ends where it starts.
-    let astray = !exit.t.is_finite()
-        && match part {
-            Part::Base => dy < S::Unit::ZERO,
-            Part::Top => dy > S::Unit::ZERO,
-            Part::Side => false,
-        };
+    // A ray that leads away from the cap that it is said to enter ends where it starts.
+    let astray = match part {
+        Part::Base => dy < S::Unit::ZERO,
+        Part::Top => dy > S::Unit::ZERO,
+        Part::Side => false,
+    };
     let exit = if astray { End::new(S::ZERO, part) } else { exit };
     let exit = if exit.t < S::ZERO { End::new(S::ZERO, exit.part) } else { exit };
     Meeting::One(Span::new(End::none(-S::INFINITY), exit))

@@ -54,6 +54,9 @@ impl<'a, S: Scalar> Scene<'a, S> {
         lights: &'a [Light<S>],
         camera: Camera<S>,
     ) -> Result<Self, SceneError> {
+        if u32::try_from(objects.len()).is_err() || u32::try_from(lights.len()).is_err() {
+            return Err(SceneError::TooManyObjects);
+        }
         for (index, object) in (0_u32..).zip(objects) {
             if object.material as usize >= materials.len() {
                 return Err(SceneError::Material { object: index, material: object.material });
@@ -63,9 +66,6 @@ impl<'a, S: Scalar> Scene<'a, S> {
             if !light.position.is_within_budget() {
                 return Err(SceneError::Light { light: index });
             }
-        }
-        if u32::try_from(objects.len()).is_err() {
-            return Err(SceneError::TooManyObjects);
         }
         Ok(Self { objects, materials, lights, normals: &[], background: Color::BLACK, camera })
     }

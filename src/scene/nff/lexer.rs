@@ -38,12 +38,14 @@ impl<'t> Lexer<'t> {
         let mut characters = self.rest.chars();
         while let Some(character) = characters.next() {
             match character {
-                '\n' => comment = false,
+                // A lone carriage return ends a line too; before a line feed the two are one end.
+                '\n' | '\r' => comment = false,
                 '#' => comment = true,
                 other if comment || other.is_whitespace() => {}
                 _ => return,
             }
-            self.place = if character == '\n' {
+            let ends_line = character == '\n' || character == '\r' && !characters.as_str().starts_with('\n');
+            self.place = if ends_line {
                 Place { line: self.place.line.saturating_add(1), column: 1 }
             } else {
                 Place { column: self.place.column.saturating_add(1), ..self.place }
