@@ -1,7 +1,6 @@
 //! The contract, rule by rule: over all primitives and over floats and fixed point, at the edges and at random,
 //! against exact arithmetic on the same bits.
 
-#[allow(unreachable_pub)]
 mod support;
 
 use raylet::scalar::UnitScalar;

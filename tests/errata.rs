@@ -1,7 +1,6 @@
 //! The mistakes of well-known articles on ray tracing cylinders and cones, each with a test of the correct mathematics.
 //! `raylet::errata` lists them in the same order.
 
-#[allow(unreachable_pub)]
 mod support;
 
 use raylet::{Capsule, Cone, Crossing, Cylinder, Part, Range, Ray, Sphere, UnitVec3};

@@ -1,7 +1,6 @@
 //! Nothing overflows, nothing panics, no result is NaN: at the budget's limits and on every raw value that a constructor
 //! lets in, for floats and for fixed point of every kind. The tests are built with overflow checks.
 
-#[allow(unreachable_pub)]
 mod support;
 
 use fixed::types::extra::{LeEqU32, LeEqU64, U0, U1, U8, U16, U24, U29, U30, U31, U32, U61, U62, U63, U64};

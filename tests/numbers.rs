@@ -1,6 +1,5 @@
 //! The numbers themselves: reading, angles, sines, powers, directions and levels, each against a reference.
 
-#[allow(unreachable_pub)]
 mod support;
 
 use dashu::rational::RBig;

@@ -1,7 +1,6 @@
 //! Frames and affine placements: built as people have them in hand, orthonormal, accurate far away, and right about `t`,
 //! normals, tangents and boxes.
 
-#[allow(unreachable_pub)]
 mod support;
 
 use raylet::scalar::UnitScalar;

@@ -1,6 +1,5 @@
 //! What a hit can be asked for: point, normal, surface coordinates, tangents, part; against exact arithmetic.
 
-#[allow(unreachable_pub)]
 mod support;
 
 use raylet::scalar::UnitScalar;
