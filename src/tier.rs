@@ -31,7 +31,8 @@ pub trait Tier<S: Scalar>: Copy + sealed::Sealed + 'static {
 /// The default tier: moments instead of differences of squares, roots without cancellation, compensated
 /// coefficients where they cancel; in the scalar's own computing number.
 ///
-/// Promise: about half a unit in the last place in the middle and at most 16 away from grazing rays (floats); at most
+/// Promise: about half a unit in the last place in the middle and at most 16 away from grazing rays and
+/// from starts on a surface, whose `t` is next to nothing (floats); at most
 /// one unit away from axis- and generator-parallel rays (`I16F16`, `I32F32`; in types with hardly an integer bit a tiny
 /// solid can reach two and a half). What was measured is in `tests/bounds.tsv`.
 ///
