@@ -1,32 +1,25 @@
-//! Floor 4: accuracy tiers, chosen by type.
+//! Floor 5: accuracy tiers, chosen by type.
 //!
-//! A tier says in which number a solver computes. The formulas are the same for all; what a tier changes is how
-//! much of each product is kept.
+//! | tier | numbers | what it does | promise |
+//! |---|---|---|---|
+//! | [`Stable`], the default | all | moments, roots without cancellation, compensated coefficients where they cancel | about half a unit in the last place in the middle, at most 16 away from grazing |
+//! | [`Exact`] | `f32`, `FixedI32<F>` | every decision by a certain sign | hit, miss, touch, part and order are those of exact arithmetic; `t` within one unit |
+//!
+//! What was measured is in `docs/accuracy.md`.
 
-use crate::scalar::{Real, Scalar};
+use crate::arithmetic::Arithmetic;
+use crate::query::Solve;
+use crate::scalar::Scalar;
+
+pub use crate::exact::{Effort, Exact};
+pub use crate::scalar::certain::Certain;
 
 mod sealed {
     pub trait Sealed {}
 }
 
 /// An accuracy tier for a number type: what it costs is decided when the code is compiled. Sealed.
-pub trait Tier<S: Scalar>: Copy + sealed::Sealed + 'static {
-    /// The number in which the tier computes.
-    type Real: Real;
-
-    /// The exact value.
-    fn real(value: S) -> Self::Real;
-    /// The exact value of a component of a direction.
-    fn unit(value: S::Unit) -> Self::Real;
-    /// `o . d`.
-    fn dot(o: [S; 3], d: [S::Unit; 3]) -> Self::Real;
-    /// `o x d`.
-    fn cross(o: [S; 3], d: [S::Unit; 3]) -> [Self::Real; 3];
-    /// `d . d`.
-    fn squared_length(d: [S::Unit; 3]) -> Self::Real;
-    /// `numerator / denominator`, rounded; [`Scalar::INFINITY`] with the sign where the type cannot hold it.
-    fn ratio(numerator: Self::Real, denominator: Self::Real) -> S;
-}
+pub trait Tier<S: Scalar>: Copy + sealed::Sealed + Solve<S> + 'static {}
 
 /// The default tier: moments instead of differences of squares, roots without cancellation, compensated
 /// coefficients where they cancel; in the scalar's own computing number.
@@ -42,8 +35,9 @@ pub trait Tier<S: Scalar>: Copy + sealed::Sealed + 'static {
 pub struct Stable;
 
 impl sealed::Sealed for Stable {}
+impl<S: Scalar> Tier<S> for Stable {}
 
-impl<S: Scalar> Tier<S> for Stable {
+impl<S: Scalar> Arithmetic<S> for Stable {
     type Real = S::Real;
 
     #[inline(always)]
@@ -71,3 +65,8 @@ impl<S: Scalar> Tier<S> for Stable {
         S::round(numerator / denominator)
     }
 }
+
+impl sealed::Sealed for Exact {}
+impl Tier<f32> for Exact {}
+#[cfg(feature = "fixed")]
+impl<F: fixed::types::extra::LeEqU32 + Send + Sync + 'static> Tier<fixed::FixedI32<F>> for Exact {}

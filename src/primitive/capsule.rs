@@ -5,12 +5,13 @@ use super::sphere::ball;
 use super::{
     Geometry, Line, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates,
 };
+use crate::arithmetic::Arithmetic;
+use crate::figure::Figure;
 use crate::part::Part;
 use crate::quadric::{Inside, slab};
 use crate::ray::Leaving;
 use crate::scalar::{Real, Scalar};
 use crate::span::{End, Meeting, Span};
-use crate::tier::Tier;
 use crate::vector::{UnitVec3, Vec3};
 
 /// A cylinder with hemispherical caps; its height excludes them. Also: a sphere swept along a segment.
@@ -63,7 +64,7 @@ impl<S: Scalar> Capsule<S> {
 
     /// The true end for one of the infinite tube: on the side between the seams, which it owns, and on the ball
     /// beyond them.
-    fn end<T: Tier<S>>(&self, line: &Line<S>, tube: S, entering: bool) -> Option<End<S>> {
+    fn end<T: Arithmetic<S>>(&self, line: &Line<S>, tube: S, entering: bool) -> Option<End<S>> {
         let rising = line.direction[1] > <S::Unit as crate::scalar::UnitScalar>::ZERO;
         let part = if tube.is_finite() {
             let [_, y, _] = S::advance(line.origin, line.direction, tube);
@@ -99,7 +100,7 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
     }
 
     #[inline]
-    fn meet<T: Tier<S>>(&self, line: &Line<S>) -> Meeting<S> {
+    fn meet<T: Arithmetic<S>>(&self, line: &Line<S>) -> Meeting<S> {
         if let Some((part, leaving)) = line.departure {
             return self.meet_departing::<T>(line, part, leaving);
         }
@@ -130,8 +131,12 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
     }
 
     /// Above the top ball and rising, or below the base ball and descending: no.
-    fn verdict<T: Tier<S>>(&self, line: &Line<S>) -> Option<bool> {
+    fn verdict<T: Arithmetic<S>>(&self, line: &Line<S>) -> Option<bool> {
         leaves_slab::<S, T>(line, -self.radius, self.height.plus(self.radius)).then_some(false)
+    }
+
+    fn figure(&self) -> Figure<S> {
+        Figure::Capsule { radius: self.radius, height: self.height }
     }
 
     fn contains(&self, point: Vec3<S>) -> bool {
@@ -196,7 +201,7 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
 impl<S: Scalar> Capsule<S> {
     /// Rule 8: outwards nothing; inwards the far end, and `c = 0` on the quadric that the ray left.
     #[cold]
-    fn meet_departing<T: Tier<S>>(&self, line: &Line<S>, part: Part, leaving: Leaving) -> Meeting<S> {
+    fn meet_departing<T: Arithmetic<S>>(&self, line: &Line<S>, part: Part, leaving: Leaving) -> Meeting<S> {
         if leaving == Leaving::Outwards {
             return Meeting::Miss;
         }

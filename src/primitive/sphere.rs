@@ -1,11 +1,12 @@
 //! The sphere about the origin: `x^2 + y^2 + z^2 = r^2`.
 
 use super::{Geometry, Line, SizeError, checked_size, queries, surface_coordinates as coordinates};
+use crate::arithmetic::Arithmetic;
+use crate::figure::Figure;
 use crate::part::Part;
 use crate::quadric::{Careful, Inside, Quadric};
 use crate::scalar::{Real, Scalar};
 use crate::span::{Meeting, Span};
-use crate::tier::Tier;
 use crate::vector::{UnitVec3, Vec3};
 
 /// A ball of the given radius about the origin.
@@ -43,7 +44,7 @@ impl<S: Scalar> Sphere<S> {
 
 /// The interval of a line inside the ball of radius `r` about the origin. `D = a r^2 - |w|^2`.
 #[inline]
-pub(super) fn ball<S: Scalar, T: Tier<S>>(line: &Line<S>, radius: S) -> Option<Span<S>> {
+pub(super) fn ball<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, radius: S) -> Option<Span<S>> {
     let (o, d) = (line.origin, line.direction);
     let r = T::real(radius);
     let a = T::squared_length(d);
@@ -109,7 +110,7 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
     }
 
     #[inline]
-    fn meet<T: Tier<S>>(&self, line: &Line<S>) -> Meeting<S> {
+    fn meet<T: Arithmetic<S>>(&self, line: &Line<S>) -> Meeting<S> {
         if let Some((_, leaving)) = line.departure {
             let (a, k) = (T::squared_length(line.direction), T::dot(line.origin, line.direction));
             let quadric = Quadric { a, k, positive: T::Real::ZERO, negative: T::Real::ZERO };
@@ -124,7 +125,7 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
 
     /// From outside and moving away: no. From outside and moving closer: as the discriminant says. From inside: yes.
     #[inline]
-    fn verdict<T: Tier<S>>(&self, line: &Line<S>) -> Option<bool> {
+    fn verdict<T: Arithmetic<S>>(&self, line: &Line<S>) -> Option<bool> {
         let (o, d, r) = (line.origin, line.direction, T::real(self.radius));
         let [x, y, z] = o.map(T::real);
         let (square, rr) = (x * x + y * y + z * z, r * r);
@@ -145,6 +146,10 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
         let discriminant = positive - negative;
         // Grazing: the solver looks closer.
         (discriminant.abs() > positive.times_power_of_two(-3)).then(|| !discriminant.is_negative())
+    }
+
+    fn figure(&self) -> Figure<S> {
+        Figure::Ball { radius: self.radius }
     }
 
     fn contains(&self, point: Vec3<S>) -> bool {

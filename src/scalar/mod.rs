@@ -12,6 +12,7 @@
 //! | `float` | `f32` and `f64`: error-free products and sums, stepping closer, binary scale |
 //! | `fixed` | `FixedI32<F>` and `FixedI64<F>`, for every `F` |
 //! | [`block`] | integer mantissa and exponent; square root and quotient of integers |
+//! | `certain` | numbers of which every sign can be trusted, for the exact tier |
 //! | `decimal` | decimal text to fixed point, correctly rounded |
 //! | `elementary` | angle, sine, power, in integers for the fixed types |
 //! | `square_root` | the one hardware instruction that `core` does not give |
@@ -20,6 +21,7 @@ use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 pub mod block;
+pub(crate) mod certain;
 #[cfg(feature = "fixed")]
 mod decimal;
 #[cfg(feature = "fixed")]
