@@ -1,6 +1,6 @@
 //! The inside test, decided by signs.
 
-use super::form::{Form, Homogeneous, cross, difference, dot};
+use super::form::{Form, Homogeneous, Weight, cross, difference, dot};
 use super::round::form_of;
 use super::solve::Of;
 use crate::figure::{Extent, Figure};
@@ -9,7 +9,7 @@ use core::cmp::Ordering;
 
 /// Whether the point belongs to the closed set.
 pub(super) fn holds<S: Certain, N: Of<S>>(figure: &Figure<S>, point: [N; 3]) -> Option<bool> {
-    let here = Homogeneous { v: point, w: N::ONE };
+    let here = Homogeneous { v: point, w: Weight::One };
     let [_, y, _] = point;
     let is_inside = |form: Form<N>, p: Homogeneous<N>| Some(form.of(p, p).sign()? != Ordering::Greater);
     match *figure {
@@ -19,7 +19,7 @@ pub(super) fn holds<S: Certain, N: Of<S>>(figure: &Figure<S>, point: [N; 3]) -> 
             let below = y.sign()? == Ordering::Less;
             let above = (y - height).sign()? == Ordering::Greater;
             let [x, _, z] = point;
-            let seen = Homogeneous { v: [x, if above { y - height } else { y }, z], w: N::ONE };
+            let seen = Homogeneous { v: [x, if above { y - height } else { y }, z], w: Weight::One };
             is_inside(if below || above { Form::Ball { r } } else { Form::Tube { r } }, seen)
         }
         Figure::DoubleCone { slope } => is_inside(Form::slope(N::scalar(slope)), here),

@@ -24,11 +24,33 @@ pub(crate) fn difference<N: Number>(a: [N; 3], b: [N; 3]) -> [N; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-/// A point in homogeneous coordinates `(v, w)`, or with `w = 0` a direction.
+/// A point in homogeneous coordinates `(v, w)`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Homogeneous<N> {
     pub(super) v: [N; 3],
-    pub(super) w: N,
+    pub(super) w: Weight<N>,
+}
+
+/// What a point's coordinates are to be divided by.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Weight<N> {
+    /// Nothing: it is a direction.
+    Zero,
+    /// One: they are the coordinates.
+    One,
+    /// This.
+    By(N),
+}
+
+impl<N: Number> Weight<N> {
+    /// The number times the weight.
+    fn times(self, number: N) -> N {
+        match self {
+            Self::Zero => N::ZERO,
+            Self::One => number,
+            Self::By(w) => number * w,
+        }
+    }
 }
 
 /// A quadric as a bilinear form `f(p, q)`, with `f(p, p) <= 0` inside.
@@ -56,8 +78,8 @@ impl<N: Number> Form<N> {
     /// The outline `g0 w + g1 y`; constant but for a cone.
     pub(super) fn outline(self, p: Homogeneous<N>) -> N {
         match self {
-            Self::Ball { r } | Self::Tube { r } => r * p.w,
-            Self::Cone { g0, g1, .. } => g0 * p.w + g1 * p.v[1],
+            Self::Ball { r } | Self::Tube { r } => p.w.times(r),
+            Self::Cone { g0, g1, .. } => p.w.times(g0) + g1 * p.v[1],
         }
     }
 
@@ -65,9 +87,12 @@ impl<N: Number> Form<N> {
     pub(super) fn of(self, p: Homogeneous<N>, q: Homogeneous<N>) -> N {
         let ([x, y, z], [u, v, w]) = (p.v, q.v);
         match self {
-            Self::Ball { r } => x * u + y * v + z * w - (r * p.w) * (r * q.w),
-            Self::Tube { r } => x * u + z * w - (r * p.w) * (r * q.w),
-            Self::Cone { h, .. } => h * h * (x * u + z * w) - self.outline(p) * self.outline(q),
+            Self::Ball { r } => N::sum([[x, u], [y, v], [z, w], [-p.w.times(r), q.w.times(r)]]),
+            Self::Tube { r } => N::sum([[x, u], [z, w], [-p.w.times(r), q.w.times(r)]]),
+            Self::Cone { h, .. } => {
+                let (g, f) = (self.outline(p), self.outline(q));
+                N::sum([[h * x, h * u], [h * z, h * w], [-g, f]])
+            }
         }
     }
 

@@ -1,6 +1,6 @@
 //! The round figures: balls, capsules, and what lies within a side and between planes, decided by signs.
 
-use super::form::{Form, Homogeneous, Line};
+use super::form::{Form, Homogeneous, Line, Weight};
 use super::found::Found;
 use super::solve::{End, Fraction, Inside, Interval, Of, Piece, Place, Quadratic, Settled, piece, settle, times};
 use crate::figure::{Extent, Side};
@@ -76,8 +76,8 @@ enum Within<N> {
 /// Where the line is inside a side. Of a cone only the nappe counts in which the outline is positive.
 fn within<N: Number>(quadratic: &Quadratic<'_, N>, side: Form<N>, line: &Line<N>) -> Option<Within<N>> {
     let is_cone = matches!(side, Form::Cone { .. });
-    let g = side.outline(Homogeneous { v: line.origin, w: N::ONE });
-    let slope = side.outline(Homogeneous { v: line.direction, w: N::ZERO });
+    let g = side.outline(Homogeneous { v: line.origin, w: Weight::One });
+    let slope = side.outline(Homogeneous { v: line.direction, w: Weight::Zero });
     let from = |place: Place<N>| Within::In(Interval::new(Some(End::side(place)), None));
     let until = |place: Place<N>| Within::In(Interval::new(None, Some(End::side(place))));
     Some(match quadratic.inside()? {

@@ -4,7 +4,7 @@
 //! and of its slope where the line crosses the plane; whether a hit lies in the range is the same question, asked at the
 //! range's end. Every question can go unanswered (`None`), and then the whole is asked again in wider numbers.
 
-use super::form::{Form, Homogeneous, Line};
+use super::form::{Form, Homogeneous, Line, Weight};
 use crate::part::Part;
 use crate::ray::Range;
 use crate::scalar::certain::{Certain, Estimate, FromScalar, Number};
@@ -104,8 +104,8 @@ pub(super) struct Quadratic<'a, N> {
 
 impl<'a, N: Number> Quadratic<'a, N> {
     pub(super) fn new(form: Form<N>, line: &'a Line<N>) -> Option<Self> {
-        let o = Homogeneous { v: line.origin, w: N::ONE };
-        let d = Homogeneous { v: line.direction, w: N::ZERO };
+        let o = Homogeneous { v: line.origin, w: Weight::One };
+        let d = Homogeneous { v: line.direction, w: Weight::Zero };
         let (a, k, c, discriminant) = (form.of(d, d), form.of(o, d), form.of(o, o), form.discriminant(line));
         let (a_sign, discriminant_sign) = (a.sign()?, discriminant.sign()?);
         Some(Self { form, line, a, k, c, discriminant, a_sign, discriminant_sign })
@@ -135,7 +135,7 @@ impl<'a, N: Number> Quadratic<'a, N> {
         };
         // The point e (o + t d), and f and half its slope there, times e^2 and |e|.
         let along = |i: usize| self.line.origin[i] * t.e + self.line.direction[i] * t.n;
-        let point = Homogeneous { v: [along(0), along(1), along(2)], w: t.e };
+        let point = Homogeneous { v: [along(0), along(1), along(2)], w: Weight::By(t.e) };
         let f = self.form.of(point, point).sign()?;
         if self.a_sign == Ordering::Equal {
             // f = 2 k t + c: where it has the sign of k, the root has passed.

@@ -38,6 +38,15 @@ pub trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = 
 
     /// How it compares with zero; `None` if that cannot be told.
     fn sign(self) -> Option<Ordering>;
+    /// A sum of products of which most may cancel.
+    #[inline(always)]
+    fn sum<const M: usize>(terms: [[Self; 2]; M]) -> Self {
+        let mut sum = Self::ZERO;
+        for [a, b] in terms {
+            sum = sum + a * b;
+        }
+        sum
+    }
     /// `self * 2^e`, exactly.
     fn scaled(self, e: i32) -> Self;
     /// Three numbers divided by one power of two, and a fourth by its square, whichever keeps them in the estimate's range.
