@@ -9,6 +9,9 @@ use crate::scalar::{Real, Scalar};
 pub trait Arithmetic<S: Scalar>: Copy + 'static {
     /// The number in which the tier computes.
     type Real: Real;
+    /// True if coefficients that cancel are made again with what their rounding left over, and far rays step closer;
+    /// false if the first figures stand.
+    const COMPENSATES: bool;
 
     /// The exact value.
     fn real(value: S) -> Self::Real;
@@ -20,6 +23,8 @@ pub trait Arithmetic<S: Scalar>: Copy + 'static {
     fn cross(o: [S; 3], d: [S::Unit; 3]) -> [Self::Real; 3];
     /// `d . d`.
     fn squared_length(d: [S::Unit; 3]) -> Self::Real;
+    /// Rounded; [`Scalar::INFINITY`] with the sign where the type cannot hold it.
+    fn round(value: Self::Real) -> S;
     /// `numerator / denominator`, rounded; [`Scalar::INFINITY`] with the sign where the type cannot hold it.
     fn ratio(numerator: Self::Real, denominator: Self::Real) -> S;
 }
@@ -30,6 +35,7 @@ pub(crate) struct Doubled;
 
 impl<S: Certain> Arithmetic<S> for Doubled {
     type Real = S::Double;
+    const COMPENSATES: bool = true;
 
     #[inline]
     fn real(value: S) -> S::Double {
@@ -52,6 +58,10 @@ impl<S: Certain> Arithmetic<S> for Doubled {
     fn squared_length(d: [S::Unit; 3]) -> S::Double {
         let [dx, dy, dz] = d.map(S::double_unit);
         dx * dx + dy * dy + dz * dz
+    }
+    #[inline]
+    fn round(value: S::Double) -> S {
+        S::from_double(value)
     }
     #[inline]
     fn ratio(numerator: S::Double, denominator: S::Double) -> S {

@@ -114,7 +114,7 @@ pub use render::{Picture, Pixel};
 pub use scalar::Scalar;
 pub use scene::{Camera, Color, Counters, Light, Material, Object, Scene, Size};
 pub use shape::{Placement, Primitive, Shape, Surface, Visible};
-pub use tier::{Exact, Stable, Tier};
+pub use tier::{Exact, Fast, Stable, Tier};
 pub use vector::{UnitVec3, Vec3};
 
 /// The examples of the README are tests.

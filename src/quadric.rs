@@ -59,7 +59,7 @@ impl<R: Real> Quadric<R> {
             return Self::solve_linear::<S, T>(careful.k(), careful.c());
         }
         let mut discriminant = positive - negative;
-        if discriminant.abs() < positive.times_power_of_two(-3) {
+        if T::COMPENSATES && discriminant.abs() < positive.times_power_of_two(-3) {
             // Grazing: most of the difference is rounding.
             (k, discriminant) = (careful.k(), careful.discriminant());
         }
@@ -80,7 +80,8 @@ impl<R: Real> Quadric<R> {
         // -k - root and -k + root: where k and the root have nearly the same size one of them cancels, and
         // c / q takes its place (Press et al., Numerical Recipes, 5.6).
         let magnitude = k.abs();
-        let cancels = magnitude < root.times_power_of_two(1) && root < magnitude.times_power_of_two(1);
+        let cancels =
+            T::COMPENSATES && magnitude < root.times_power_of_two(1) && root < magnitude.times_power_of_two(1);
         let (low, high) = if !cancels {
             (T::ratio(-k - root, a), T::ratio(-k + root, a))
         } else if k.is_negative() {

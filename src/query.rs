@@ -58,7 +58,7 @@ impl<S: Scalar, T: Arithmetic<S>> Solve<S> for T {
         ray: &Ray<S>,
         accept: impl Fn(Crossing) -> bool,
     ) -> bool {
-        let Some(local) = localize(geometry, place, ray) else {
+        let Some(local) = localize::<S, T, G>(geometry, place, ray) else {
             return false;
         };
         let scaled = geometry.scaled(-local.exponent);
@@ -139,14 +139,18 @@ pub(crate) fn effort<S: Certain, G: Geometry<S>>(geometry: &G, place: &impl Plac
 }
 
 #[inline]
-fn localize<S: Scalar, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Option<Local<S>> {
-    place.localize(ray, geometry.reach(), |origin| geometry.is_far(origin))
+fn localize<S: Scalar, T: Arithmetic<S>, G: Geometry<S>>(
+    geometry: &G,
+    place: &impl Place<S>,
+    ray: &Ray<S>,
+) -> Option<Local<S>> {
+    place.localize(ray, geometry.reach(), |origin| T::COMPENSATES && geometry.is_far(origin))
 }
 
 /// Where the ray meets the geometry, seen through a placement; in the ray's own `t`.
 #[inline]
 fn meet<S: Scalar, T: Arithmetic<S>, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Meeting<S> {
-    localize(geometry, place, ray).map_or(Meeting::Miss, |local| {
+    localize::<S, T, G>(geometry, place, ray).map_or(Meeting::Miss, |local| {
         geometry.scaled(-local.exponent).meet::<T>(&local.line).map_t(|t| local.to_ray(t))
     })
 }

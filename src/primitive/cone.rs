@@ -158,13 +158,13 @@ impl<S: Scalar> Cone<S> {
         let (round, straight) = (h * h * (x * dx + z * dz), g * slope);
         let mut k = round - straight;
         // Less than a quarter left of either product: the rest is rounding, magnified.
-        let far = largest(line.origin) > S::FAR;
-        if far || k.abs() < straight.abs().times_power_of_two(-2) {
+        let far = T::COMPENSATES && largest(line.origin) > S::FAR;
+        if far || T::COMPENSATES && k.abs() < straight.abs().times_power_of_two(-2) {
             k = profile.bilinear(point, direction);
         }
         let (round, straight) = (h * h * (dx * dx + dz * dz), slope * slope);
         let mut a = round - straight;
-        if far || a.abs() < straight.times_power_of_two(-2) {
+        if far || T::COMPENSATES && a.abs() < straight.times_power_of_two(-2) {
             a = profile.bilinear(direction, direction);
         }
         let inside = if let Some(leaving) = line.departs_from(Part::Side) {
@@ -175,7 +175,7 @@ impl<S: Scalar> Cone<S> {
             let squares = |[p, q, r]: [T::Real; 3]| (p * p + q * q, r * r);
             let (mut positive, mut negative) = squares(minors);
             // Aimed close to the apex from afar, the minors are what is left of much larger products.
-            if positive + negative < (h * h * (x * x + z * z) + g * g).times_power_of_two(-4) {
+            if T::COMPENSATES && positive + negative < (h * h * (x * x + z * z) + g * g).times_power_of_two(-4) {
                 minors = profile.minors(point, direction).map(|[minor, _]| minor);
                 (positive, negative) = squares(minors);
             }

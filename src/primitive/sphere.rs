@@ -6,7 +6,7 @@ use crate::figure::Figure;
 use crate::part::Part;
 use crate::quadric::{Careful, Inside, Quadric};
 use crate::scalar::{Real, Scalar};
-use crate::span::{Meeting, Span};
+use crate::span::{End, Meeting, Span};
 use crate::vector::{UnitVec3, Vec3};
 
 /// A ball of the given radius about the origin.
@@ -47,8 +47,11 @@ impl<S: Scalar> Sphere<S> {
 pub(super) fn ball<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, radius: S) -> Option<Span<S>> {
     let (o, d) = (line.origin, line.direction);
     let r = T::real(radius);
-    let a = T::squared_length(d);
     let k = T::dot(o, d);
+    if !T::COMPENSATES {
+        return unit_ball::<S, T>(line, k, r);
+    }
+    let a = T::squared_length(d);
     let [wx, wy, wz] = T::cross(o, d);
     let quadric = Quadric { a, k, positive: a * (r * r), negative: wx * wx + wy * wy + wz * wz };
     match quadric.solve::<S, T>(&CarefulBall { o: o.map(T::real), d: d.map(T::unit), r }) {
@@ -56,6 +59,21 @@ pub(super) fn ball<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, radius: S) -> Op
         // a > 0: no other case.
         _ => None,
     }
+}
+
+/// The same for a direction that is taken to be exactly unit: `D = r^2 - |o - k d|^2` from the closest approach (Haines,
+/// Günther and Akenine-Möller, *Precision Improvements for Ray/Sphere Intersection*, Ray Tracing Gems, 2019).
+#[inline]
+fn unit_ball<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, k: T::Real, r: T::Real) -> Option<Span<S>> {
+    let (o, d) = (line.origin.map(T::real), line.direction.map(T::unit));
+    let [x, y, z] = [0, 1, 2].map(|i| o[i] - k * d[i]);
+    let discriminant = r * r - (x * x + y * y + z * z);
+    if discriminant.is_negative() {
+        return None;
+    }
+    let root = discriminant.sqrt();
+    let end = |t: T::Real| End::new(T::round(t), Part::Side);
+    Some(Span { enter: end(-k - root), exit: end(root - k), touch: root.is_zero() })
 }
 
 /// The numbers that the careful coefficients of a ball are made of.

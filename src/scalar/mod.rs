@@ -99,6 +99,8 @@ pub trait Scalar:
     type Unit: UnitScalar;
     /// The number in which solvers compute.
     type Real: Real;
+    /// The number in which the tier [`Fast`](crate::tier::Fast) computes.
+    type Short: Real;
 
     /// Zero.
     const ZERO: Self;
@@ -120,6 +122,16 @@ pub trait Scalar:
     fn unit_real(value: Self::Unit) -> Self::Real;
     /// Rounded to nearest, saturated at the limits of the unit type.
     fn unit_round(value: Self::Real) -> Self::Unit;
+    /// The value, rounded to what [`Scalar::Short`] holds.
+    fn short(self) -> Self::Short;
+    /// A unit component, rounded to what [`Scalar::Short`] holds.
+    fn short_unit(value: Self::Unit) -> Self::Short;
+    /// Rounded to nearest; beyond the type's range, [`Scalar::INFINITY`] with the sign.
+    fn from_short(value: Self::Short) -> Self;
+    /// `o . d`, for fixed types rounded once.
+    fn short_dot(o: [Self; 3], d: [Self::Unit; 3]) -> Self::Short;
+    /// `o x d`, for fixed types rounded once.
+    fn short_cross(o: [Self; 3], d: [Self::Unit; 3]) -> [Self::Short; 3];
     /// `self + other`, saturated to [`Scalar::INFINITY`].
     fn plus(self, other: Self) -> Self;
     /// `self - other`, saturated to [`Scalar::INFINITY`].

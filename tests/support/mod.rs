@@ -1,9 +1,12 @@
 //! What the tests share: the exact oracle, number types as the oracle sees them, and workloads.
 #![allow(dead_code)] // Every test file uses its own part.
 
+pub mod bounds;
 pub mod cases;
 pub mod exact_types;
+pub mod measure;
 pub mod oracle;
 pub mod random;
 pub mod subject;
+pub mod table;
 pub mod workload;
