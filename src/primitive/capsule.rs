@@ -62,12 +62,21 @@ impl<S: Scalar> Capsule<S> {
         Line { origin: [x, y, z], ..*line }
     }
 
-    /// The true end for one of the infinite tube: on the side between the seams, which it owns, and on the ball
-    /// beyond them.
-    fn end<T: Arithmetic<S>>(&self, line: &Line<S>, tube: S, entering: bool) -> Option<End<S>> {
+    /// The true end for one of the infinite tube (`None`: the line is parallel to it): on the side between the seams,
+    /// which it owns, and on the ball beyond them.
+    fn end<T: Arithmetic<S>>(&self, line: &Line<S>, tube: Option<S>, entering: bool) -> Option<End<S>> {
         let rising = line.direction[1] > <S::Unit as crate::scalar::UnitScalar>::ZERO;
-        let part = if tube.is_finite() {
-            let [_, y, _] = S::advance(line.origin, line.direction, tube);
+        let part = if let Some(tube) = tube {
+            // Beyond what the type reaches, the height at the last t that it reaches tells whether a ball ends it before.
+            let farthest = S::BUDGET.distance;
+            let reached = if tube > farthest {
+                farthest
+            } else if tube < -farthest {
+                -farthest
+            } else {
+                tube
+            };
+            let [_, y, _] = S::advance(line.origin, line.direction, reached);
             if y < S::ZERO {
                 Part::Base
             } else if y > self.height {
@@ -107,8 +116,8 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
         // The balls lie in the infinite tube, and where a line runs in the tube beyond a ball without meeting it,
         // it does not come back to the side: each end of the tube has one true end, or there is none at all.
         let (low, high, touch) = match tube::<S, T>(line, self.radius) {
-            Inside::Between(span) => (span.enter.t, span.exit.t, span.touch),
-            Inside::Everywhere => (-S::INFINITY, S::INFINITY, false),
+            Inside::Between(span) => (Some(span.enter.t), Some(span.exit.t), span.touch),
+            Inside::Everywhere => (None, None, false),
             // From seam to seam, where the balls touch the line; without a side they touch it at one point.
             Inside::InSurface => {
                 let between = slab::<S, T>(line.origin[1], line.direction[1], Some(S::ZERO), Some(self.height));
@@ -206,11 +215,10 @@ impl<S: Scalar> Capsule<S> {
             return Meeting::Miss;
         }
         let far = match tube::<S, T>(line, self.radius) {
-            Inside::Between(span) => span.exit.t,
-            Inside::Nowhere => S::ZERO,
-            _ => S::INFINITY,
+            Inside::Between(span) => Some(if span.exit.t < S::ZERO { S::ZERO } else { span.exit.t }),
+            Inside::Nowhere => Some(S::ZERO),
+            _ => None,
         };
-        let far = if far < S::ZERO { S::ZERO } else { far };
         let arriving = Line { departure: None, ..*line };
         let mut exit = self.end::<T>(&arriving, far, false).unwrap_or(End::new(S::ZERO, part));
         if exit.part == part && part != Part::Side {

@@ -183,8 +183,12 @@ impl<S: Scalar> Cone<S> {
             quadric.solve::<S, T>(&CarefulCone { profile, point, direction })
         };
         // At the vertex t = -k/a the outline is g - g' k/a, which has the sign of the nappe that a finite interval lies in.
-        let vertex = g * a - slope * k;
-        (inside, NappeTest { rising: !slope.is_negative(), upper: !vertex.is_negative() })
+        let (p, q) = (g * a, slope * k);
+        let vertex = p - q;
+        // A touch may be that of the apex, where the outline is zero and its sign is rounding: the apex belongs to both.
+        let is_apex = matches!(inside, Inside::Between(Span { touch: true, .. }))
+            && vertex.abs() < (p.abs() + q.abs()).times_power_of_two(-20);
+        (inside, NappeTest { rising: !slope.is_negative(), upper: is_apex || !vertex.is_negative() })
     }
 
     /// The interval in the nappe where the outline is positive.
