@@ -1,13 +1,14 @@
 //! How wrong one tier in one number type is, on one primitive and one workload.
 
 use super::exact_types::{Exact as Number, expected, same_crossing, same_part};
-use super::oracle;
+use super::oracle::{self, InRange};
+use super::placed::{PLACINGS, Placed, Placing};
 use super::random::Random;
 use super::subject::{SUBJECTS, Subject};
 use super::workload::{WORKLOADS, Workload};
 use fixed::types::{I16F16, I32F32};
-use raylet::Ray;
 use raylet::tier::{Exact, Fast, Stable, Tier};
+use raylet::{Ray, Shape};
 
 /// What was measured over one row.
 #[derive(Default)]
@@ -26,6 +27,35 @@ pub struct Measured {
 }
 
 impl Measured {
+    /// Compares the hits of one ray with the exact ones.
+    fn count<S: Number, T: Tier<S>>(&mut self, shape: &Shape<S>, ray: &Ray<S>, want: InRange) {
+        self.rays += 1;
+        let got = shape.hits_at::<T>(ray);
+        assert_eq!(shape.nearest_at::<T>(ray), got.first().copied(), "nearest is the first hit: {ray:?}");
+        assert_eq!(shape.occludes_at::<T>(ray), !got.is_empty(), "occlusion agrees with the hits: {ray:?}");
+        let (mut want, mut got) = (want.hits, got.to_vec());
+        if want.len() != got.len() {
+            // A t of less than half a unit rounds onto the range's start, or off it.
+            let unit = |t: &oracle::Root| t.error_in(&S::ZERO.exact(), &S::unit_at(t)) <= 1.0;
+            let before = want.len() + got.len();
+            want.retain(|hit| !unit(&hit.t));
+            got.retain(|hit| hit.t.to_f64().abs() > f64::from(f32::MIN_POSITIVE).max(unit_of::<S>()));
+            self.edge += before - want.len() - got.len();
+        }
+        if want.len() != got.len() {
+            self.lost += want.len().saturating_sub(got.len());
+            self.phantom += got.len().saturating_sub(want.len());
+            return;
+        }
+        for (want, got) in want.iter().zip(&got) {
+            self.hits += 1;
+            if !same_part(got.part, want.part) || !same_crossing(got.crossing, want.crossing) {
+                self.part += 1;
+            }
+            self.errors.push(want.t.error_in(&got.t.exact(), &S::unit_at(&want.t)));
+        }
+    }
+
     /// The error in units in the last place that this share of all hits does not exceed.
     pub fn quantile(&self, fraction: f64) -> f64 {
         if self.errors.is_empty() { 0.0 } else { self.errors[((self.errors.len() - 1) as f64 * fraction) as usize] }
@@ -62,31 +92,27 @@ pub fn measure_where<S: Number, T: Tier<S>>(
         if !counts(&ray) {
             continue;
         }
-        row.rays += 1;
-        let (want, got) = (expected(&subject.solid, &ray), subject.shape.hits_at::<T>(&ray));
-        assert_eq!(subject.shape.nearest_at::<T>(&ray), got.first().copied(), "nearest is the first hit: {ray:?}");
-        assert_eq!(subject.shape.occludes_at::<T>(&ray), !got.is_empty(), "occlusion agrees with the hits: {ray:?}");
-        let (mut want, mut got) = (want.hits, got.to_vec());
-        if want.len() != got.len() {
-            // A t of less than half a unit rounds onto the range's start, or off it.
-            let unit = |t: &oracle::Root| t.error_in(&S::ZERO.exact(), &S::unit_at(t)) <= 1.0;
-            let before = want.len() + got.len();
-            want.retain(|hit| !unit(&hit.t));
-            got.retain(|hit| hit.t.to_f64().abs() > f64::from(f32::MIN_POSITIVE).max(unit_of::<S>()));
-            row.edge += before - want.len() - got.len();
-        }
-        if want.len() != got.len() {
-            row.lost += want.len().saturating_sub(got.len());
-            row.phantom += got.len().saturating_sub(want.len());
-            continue;
-        }
-        for (want, got) in want.iter().zip(&got) {
-            row.hits += 1;
-            if !same_part(got.part, want.part) || !same_crossing(got.crossing, want.crossing) {
-                row.part += 1;
-            }
-            row.errors.push(want.t.error_in(&got.t.exact(), &S::unit_at(&want.t)));
-        }
+        row.count::<S, T>(&subject.shape, &ray, expected(&subject.solid, &ray));
+    }
+    row.errors.sort_by(f64::total_cmp);
+    (row.rays > 0).then_some(row)
+}
+
+/// Rays at the primitive, placed anew for each.
+pub fn measure_placed<S: Number, T: Tier<S>>(
+    subject: &Subject<S>,
+    placing: Placing,
+    rays: usize,
+    seed: u64,
+) -> Option<Measured> {
+    let mut random = Random(seed);
+    let mut row = Measured::default();
+    for _ in 0..rays {
+        let Some(placed) = Placed::new(subject, placing, &mut random) else { continue };
+        let Some(ray) = placed.ray(subject, &mut random) else { continue };
+        let answer = oracle::solve(&subject.solid, &placed.line(&ray));
+        let want = oracle::hits_in_range(&answer, &ray.range().start().exact(), Some(&ray.range().end().exact()));
+        row.count::<S, T>(&placed.shape, &ray, want);
     }
     row.errors.sort_by(f64::total_cmp);
     (row.rays > 0).then_some(row)
@@ -120,24 +146,30 @@ pub fn rounded_up(value: f64) -> f64 {
 fn rows<S: Number, T: Tier<S>>(tier: &'static str, rays: usize, all: &mut Vec<Figures>, tick: &mut dyn FnMut()) {
     for primitive in SUBJECTS {
         let subject = Subject::<S>::new(primitive);
+        let figures = |row: Measured, workload: String| Figures {
+            tier,
+            number: S::name(),
+            primitive,
+            workload,
+            hits: row.hits,
+            errors: [0.5, 0.999, 1.0].map(|fraction| rounded_up(row.quantile(fraction))),
+            counts: [row.lost, row.phantom, row.edge, row.part],
+        };
         for (index, workload) in WORKLOADS.into_iter().enumerate() {
             tick();
-            let Some(row) = measure::<S, T>(&subject, workload, rays, 1000 + index as u64) else { continue };
-            all.push(Figures {
-                tier,
-                number: S::name(),
-                primitive,
-                workload: workload.name(),
-                hits: row.hits,
-                errors: [0.5, 0.999, 1.0].map(|fraction| rounded_up(row.quantile(fraction))),
-                counts: [row.lost, row.phantom, row.edge, row.part],
-            });
+            let row = measure::<S, T>(&subject, workload, rays, 1000 + index as u64);
+            all.extend(row.map(|row| figures(row, workload.name())));
+        }
+        for (index, placing) in PLACINGS.into_iter().enumerate() {
+            tick();
+            let row = measure_placed::<S, T>(&subject, placing, rays, 2000 + index as u64);
+            all.extend(row.map(|row| figures(row, placing.name())));
         }
     }
 }
 
 /// How often [`measure_all`] calls `tick`.
-pub const TICKS: usize = 10 * SUBJECTS.len() * WORKLOADS.len();
+pub const TICKS: usize = 10 * SUBJECTS.len() * (WORKLOADS.len() + PLACINGS.len());
 
 /// Every tier in every number type that it is measured in, on every primitive and workload.
 pub fn measure_all(rays: usize, tick: &mut dyn FnMut()) -> Vec<Figures> {

@@ -7,6 +7,7 @@ pub mod exact_types;
 pub mod hard_case;
 pub mod measure;
 pub mod oracle;
+pub mod placed;
 pub mod random;
 pub mod subject;
 pub mod table;

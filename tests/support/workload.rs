@@ -125,7 +125,7 @@ impl Workload {
         Ray::new(origin, direction).ok()
     }
 
-    fn aimed(target: [f64; 3], direction: [f64; 3], distance: f64) -> ([f64; 3], [f64; 3]) {
+    pub fn aimed(target: [f64; 3], direction: [f64; 3], distance: f64) -> ([f64; 3], [f64; 3]) {
         (add(target, scale(direction, -distance)), direction)
     }
 }
