@@ -218,7 +218,7 @@ impl<S: Scalar> Place<S> for Affine<S> {
         let Some(step) = step else {
             return Some(Local::new(ray, origin, local_direction, S::ZERO, Some(stretch), reach));
         };
-        let closer = S::walk(ray.origin().to_array(), self.position.to_array(), direction, step);
+        let closer = S::walk(ray.origin().to_array(), self.position.to_array(), direction, step).map(|[near, _]| near);
         let origin = S::finest(self.vector_to_local(closer));
         let in_type = step.is_finite() && closer.iter().chain(&origin.0).all(|c| c.is_finite());
         in_type.then(|| Local::new(ray, origin, local_direction, step, Some(stretch), reach))

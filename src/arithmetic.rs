@@ -45,6 +45,12 @@ impl<S: Scalar> Line<S> {
         self.origin.map(|component| self.in_its_unit(T::real(component)))
     }
 
+    /// What the origin's rounding left over.
+    #[inline(always)]
+    pub(crate) fn rest<T: Arithmetic<S>>(&self) -> [T::Real; 3] {
+        self.rest.map(T::real)
+    }
+
     /// The direction.
     #[inline(always)]
     pub(crate) fn along<T: Arithmetic<S>>(&self) -> [T::Real; 3] {

@@ -192,7 +192,7 @@ impl<S: Scalar> Place<S> for Frame<S> {
         let Some(step) = step else {
             return Some(Local::new(ray, origin, local_direction, S::ZERO, None, reach));
         };
-        let closer = S::walk(ray.origin().to_array(), self.position.to_array(), direction, step);
+        let closer = S::walk(ray.origin().to_array(), self.position.to_array(), direction, step).map(|[near, _]| near);
         let origin = to_local(closer);
         let in_type = step.is_finite() && closer.iter().chain(&origin.0).all(|c| c.is_finite());
         in_type.then(|| Local::new(ray, origin, local_direction, step, None, reach))

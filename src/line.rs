@@ -18,6 +18,8 @@ pub struct Line<S: Scalar> {
     /// To be read as `2^-finer` times itself: of a fixed-point line, seen through a placement, more bits than those of the
     /// type are known.
     pub(crate) origin: [S; 3],
+    /// What the origin's rounding left over, where it has been moved.
+    pub(crate) rest: [S; 3],
     pub(crate) finer: i32,
     pub(crate) direction: [S::Unit; 3],
     /// The length by which the direction was divided, where a `t` must be divided by it before it is rounded.
@@ -63,7 +65,7 @@ impl<S: Scalar> Line<S> {
     pub(crate) fn height_at(&self, t: S) -> S {
         if self.finer == 0 && self.stretch.is_none() {
             let [_, y, _] = S::advance(self.origin, self.direction, t);
-            return y;
+            return y.plus(self.rest[1]);
         }
         let along = self.stretch.map_or(t.real(), |stretch| t.real() * stretch);
         S::round(self.coordinate(1) + along * S::unit_real(self.direction[1]))
@@ -124,15 +126,19 @@ impl<S: Scalar> Local<S> {
     #[inline]
     fn in_world(ray: &Ray<S>, reach: S, is_far: impl FnOnce(Vec3<S>) -> bool) -> Self {
         let (mut origin, direction) = (ray.origin().to_array(), ray.direction().to_array());
-        let mut start = S::ZERO;
+        let (mut start, mut rest) = (S::ZERO, [S::ZERO; 3]);
         if let Some(step) = S::step_closer(S::dot(origin, direction), reach)
             && ray.departure().is_none()
             && is_far(ray.origin())
         {
-            origin = S::walk(origin, Vec3::<S>::ZERO.to_array(), direction, step);
+            let moved = S::walk(origin, Vec3::<S>::ZERO.to_array(), direction, step);
+            origin = moved.map(|[near, _]| near);
+            rest = moved.map(|[_, rest]| rest);
             start = step;
         }
-        Self::new(ray, (origin, 0), direction, start, None, reach)
+        let mut local = Self::new(ray, (origin, 0), direction, start, None, reach);
+        local.line.rest = rest.map(|component| component.scaled(-local.exponent));
+        local
     }
 
     /// From the origin, as [`Scalar::finest`] gives it, and the direction in the primitive's frame. `start` is the `t` to
@@ -150,7 +156,7 @@ impl<S: Scalar> Local<S> {
         let departure = ray.departure().map(|departure| (departure.part, departure.leaving));
         let origin = origin.map(|component| component.scaled(-exponent));
         let (of_line, after) = if S::RELATIVE { (None, stretch) } else { (stretch, None) };
-        let line = Line { origin, finer, direction, stretch: of_line, departure };
+        let line = Line { origin, rest: [S::ZERO; 3], finer, direction, stretch: of_line, departure };
         Self { line, exponent, start, stretch: after }
     }
 

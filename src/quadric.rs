@@ -156,7 +156,7 @@ impl<R: Real> Quadric<R> {
 /// two planes. The planes themselves belong to the slab, so that a line in one of them lies inside.
 #[inline]
 pub(crate) fn slab<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, low: Option<S>, high: Option<S>) -> Option<Span<S>> {
-    let ([_, y, _], [_, slope, _]) = (line.point::<T>(), line.along::<T>());
+    let ([_, y, _], [_, rest, _], [_, slope, _]) = (line.point::<T>(), line.rest::<T>(), line.along::<T>());
     if slope.is_zero() {
         let outside = low.is_some_and(|low| line.compare_height(low) == Some(Ordering::Less))
             || high.is_some_and(|high| line.compare_height(high) == Some(Ordering::Greater));
@@ -164,7 +164,7 @@ pub(crate) fn slab<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, low: Option<S>, 
     }
     // t = (bound - oy) / dy; the articles that this crate grew from print -(oy + bound) / dy.
     let end = |bound: Option<S>, part: Part, missing: S| {
-        bound.map_or(End::none(missing), |bound| End::new(line.t::<T>(T::real(bound) - y, slope), part))
+        bound.map_or(End::none(missing), |bound| End::new(line.t::<T>(T::real(bound) - y - rest, slope), part))
     };
     Some(if slope.is_negative() {
         Span::new(end(high, Part::Top, -S::INFINITY), end(low, Part::Base, S::INFINITY))

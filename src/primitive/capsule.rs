@@ -61,8 +61,9 @@ impl<S: Scalar> Capsule<S> {
             return *line;
         }
         if line.finer == 0 {
-            let [x, y, z] = line.origin;
-            return Line { origin: [x, y.minus(self.height), z], ..*line };
+            let ([x, y, z], [u, v, w]) = (line.origin, line.rest);
+            let [y, rest] = y.minus_with_rest(self.height);
+            return Line { origin: [x, y, z], rest: [u, v.plus(rest), w], ..*line };
         }
         let [x, y, z] = [0, 1, 2].map(|i| line.coordinate(i));
         let (origin, finer) = S::finest([x, y - self.height.real(), z]);

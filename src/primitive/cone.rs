@@ -152,7 +152,8 @@ impl<S: Scalar> Cone<S> {
         let (h, g0, g1) = (profile.h, profile.g0(), profile.g1());
         let (o, d) = (line.point::<T>(), line.along::<T>());
         let ([x, y, z], [dx, dy, dz]) = (o, d);
-        let (point, direction) = (Homogeneous { v: o, is_point: true }, Homogeneous { v: d, is_point: false });
+        let point = Homogeneous { v: o, rest: line.rest::<T>(), is_point: true };
+        let direction = Homogeneous { v: d, rest: [T::Real::ZERO; 3], is_point: false };
         let (g, slope) = (g0 + g1 * y, g1 * dy);
 
         let (round, straight) = (h * h * (x * dx + z * dz), g * slope);
@@ -175,7 +176,10 @@ impl<S: Scalar> Cone<S> {
             let squares = |[p, q, r]: [T::Real; 3]| (p * p + q * q, r * r);
             let (mut positive, mut negative) = squares(minors);
             // Aimed close to the apex from afar, the minors are what is left of much larger products.
-            if T::COMPENSATES && positive + negative < (h * h * (x * x + z * z) + g * g).times_power_of_two(-4) {
+            let point_terms = h * h * (x * x + z * z) + g * g;
+            let apex_terms = h * h * g0 * g0 * (dx * dx + dz * dz);
+            let terms = if point_terms > apex_terms { point_terms } else { apex_terms };
+            if T::COMPENSATES && positive + negative < terms.times_power_of_two(-4) {
                 minors = profile.minors(point, direction).map(|[minor, _]| minor);
                 (positive, negative) = squares(minors);
             }
@@ -355,7 +359,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         if !(upper && between) {
             return false;
         }
-        let here = Homogeneous { v: [x, y, z], is_point: true };
+        let here = Homogeneous { v: [x, y, z], rest: [S::Real::ZERO; 3], is_point: true };
         let c = profile.bilinear(here, here);
         c.is_zero() || c.is_negative() && !matches!(self.extent, Extent::Open(_))
     }

@@ -99,36 +99,38 @@ pub(super) fn tube<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, radius: S) -> In
 /// The numbers that the careful coefficients of a round side are made of: a cylinder's, a capsule's, a disc's rim.
 pub(super) struct CarefulTube<R> {
     o: [R; 2],
+    /// What the rounding of `o` left over.
+    rest: [R; 2],
     d: [R; 2],
     r: R,
 }
 
 impl<R: Real> CarefulTube<R> {
     pub(super) fn of<S: Scalar, T: Arithmetic<S, Real = R>>(line: &Line<S>, radius: S) -> Self {
-        let ([x, _, z], [dx, _, dz]) = (line.point::<T>(), line.along::<T>());
-        Self { o: [x, z], d: [dx, dz], r: T::real(radius) }
+        let ([x, _, z], [u, _, w], [dx, _, dz]) = (line.point::<T>(), line.rest::<T>(), line.along::<T>());
+        Self { o: [x, z], rest: [u, w], d: [dx, dz], r: T::real(radius) }
     }
 }
 
 impl<R: Real> Careful<R> for CarefulTube<R> {
     #[cold]
     fn k(&self) -> R {
-        let ([x, z], [dx, dz]) = (self.o, self.d);
-        R::sum_of_products([[x, dx], [z, dz]])
+        let ([x, z], [u, w], [dx, dz]) = (self.o, self.rest, self.d);
+        R::sum_of_products([[x, dx], [z, dz], [u, dx], [w, dz]])
     }
 
     #[cold]
     fn c(&self) -> R {
-        let ([x, z], r) = (self.o, self.r);
-        R::sum_of_products([[x, x], [-r, r], [z, z]])
+        let ([x, z], [u, w], r) = (self.o, self.rest.map(|e| e.times_power_of_two(1)), self.r);
+        R::sum_of_products([[x, x], [-r, r], [z, z], [x, u], [z, w]])
     }
 
     #[cold]
     fn discriminant(&self) -> R {
-        let ([x, z], [dx, dz], r) = (self.o, self.d, self.r);
+        let ([x, z], [u, v], [dx, dz], r) = (self.o, self.rest, self.d, self.r);
         let [a, ea] = R::sum_with_rest([[dx, dx], [dz, dz]]);
         let [rr, er] = R::sum_with_rest([[r, r]]);
-        let [w, ew] = R::sum_with_rest([[z, dx], [-x, dz]]);
+        let [w, ew] = R::sum_with_rest([[z, dx], [-x, dz], [v, dx], [-u, dz]]);
         R::sum_of_products([[a, rr], [-w, w], [ea, rr], [a, er], [-ew.times_power_of_two(1), w]])
     }
 }

@@ -35,6 +35,8 @@ pub(super) struct Profile<R> {
 #[derive(Clone, Copy)]
 pub(super) struct Homogeneous<R> {
     pub(super) v: [R; 3],
+    /// What the rounding of `v` left over.
+    pub(super) rest: [R; 3],
     pub(super) is_point: bool,
 }
 
@@ -61,10 +63,11 @@ impl<R: Real> Profile<R> {
 
     /// `h x`, `h z` and `g`, each as a rounded value and what the rounding left over.
     pub(super) fn factors(self, p: Homogeneous<R>) -> [[R; 2]; 3] {
-        let [x, y, z] = p.v;
+        let ([x, y, z], [u, v, w]) = (p.v, p.rest);
         let constant = if p.is_point { self.h } else { R::ZERO };
-        let g = R::sum_with_rest([[self.base, constant], [self.top, y], [-self.base, y]]);
-        [R::sum_with_rest([[self.h, x]]), g, R::sum_with_rest([[self.h, z]])]
+        let g =
+            R::sum_with_rest([[self.base, constant], [self.top, y], [-self.base, y], [self.top, v], [-self.base, v]]);
+        [R::sum_with_rest([[self.h, x], [self.h, u]]), g, R::sum_with_rest([[self.h, z], [self.h, w]])]
     }
 
     /// The minors of (h x, g, h z) for a point and a direction, whose squares make the discriminant; each as a

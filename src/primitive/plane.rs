@@ -38,7 +38,8 @@ pub(super) fn crossing<S: Scalar, T: Arithmetic<S>>(line: &Line<S>) -> Meeting<S
         // Rule 8: a straight line leaves a plane for good.
         return Meeting::Miss;
     }
-    let ([_, y, _], [_, dy, _]) = (line.point::<T>(), line.along::<T>());
+    let ([_, y, _], [_, rest, _], [_, dy, _]) = (line.point::<T>(), line.rest::<T>(), line.along::<T>());
+    let y = y + rest;
     if dy.is_zero() {
         return if y.is_zero() { Meeting::LiesIn(Span::everywhere()) } else { Meeting::Miss };
     }

@@ -53,7 +53,9 @@ pub(super) fn ball<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, radius: S) -> Op
     let a = T::squared_length(line.direction);
     let [wx, wy, wz] = line.moment::<T>();
     let quadric = Quadric { a, k, positive: a * (r * r), negative: wx * wx + wy * wy + wz * wz };
-    match quadric.solve::<S, T>(line, &CarefulBall { o: line.point::<T>(), d: line.along::<T>(), r }) {
+    match quadric
+        .solve::<S, T>(line, &CarefulBall { o: line.point::<T>(), rest: line.rest::<T>(), d: line.along::<T>(), r })
+    {
         Inside::Between(span) => Some(span),
         // a > 0: no other case.
         _ => None,
@@ -81,6 +83,8 @@ fn unit_ball<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, k: T::Real, r: T::Real
 /// The numbers that the careful coefficients of a ball are made of.
 struct CarefulBall<R> {
     o: [R; 3],
+    /// What the rounding of `o` left over.
+    rest: [R; 3],
     d: [R; 3],
     r: R,
 }
@@ -88,22 +92,24 @@ struct CarefulBall<R> {
 impl<R: Real> Careful<R> for CarefulBall<R> {
     #[cold]
     fn k(&self) -> R {
-        let ([x, y, z], [dx, dy, dz]) = (self.o, self.d);
-        R::sum_of_products([[x, dx], [y, dy], [z, dz]])
+        let ([x, y, z], [u, v, w], [dx, dy, dz]) = (self.o, self.rest, self.d);
+        R::sum_of_products([[x, dx], [y, dy], [z, dz], [u, dx], [v, dy], [w, dz]])
     }
 
     #[cold]
     fn c(&self) -> R {
-        let ([x, y, z], r) = (self.o, self.r);
-        R::sum_of_products([[x, x], [y, y], [-r, r], [z, z]])
+        let ([x, y, z], [u, v, w], r) = (self.o, self.rest.map(|e| e.times_power_of_two(1)), self.r);
+        R::sum_of_products([[x, x], [y, y], [-r, r], [z, z], [x, u], [y, v], [z, w]])
     }
 
     #[cold]
     fn discriminant(&self) -> R {
-        let ([x, y, z], [dx, dy, dz], r) = (self.o, self.d, self.r);
+        let ([x, y, z], [u, v, w], [dx, dy, dz], r) = (self.o, self.rest, self.d, self.r);
         let [a, ea] = R::sum_with_rest([[dx, dx], [dy, dy], [dz, dz]]);
         let [rr, er] = R::sum_with_rest([[r, r]]);
-        let minor = |x: R, y: R, dx: R, dy: R| R::sum_with_rest([[x, dy], [-y, dx]]);
+        let minor =
+            |[x, u]: [R; 2], [y, v]: [R; 2], dx: R, dy: R| R::sum_with_rest([[x, dy], [-y, dx], [u, dy], [-v, dx]]);
+        let (x, y, z) = ([x, u], [y, v], [z, w]);
         let [[wx, ex], [wy, ey], [wz, ez]] = [minor(y, z, dy, dz), minor(z, x, dz, dx), minor(x, y, dx, dy)];
         let twice = |e: R| -e.times_power_of_two(1);
         R::sum_of_products([

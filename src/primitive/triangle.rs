@@ -100,8 +100,9 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
         if line.departure.is_some() {
             return Meeting::Miss;
         }
-        let (origin, direction) = (line.point::<T>(), line.along::<T>());
-        let [a, b, c] = self.vertices.map(|vertex| difference_of(vertex.to_array().map(T::real), origin));
+        let (origin, rest, direction) = (line.point::<T>(), line.rest::<T>(), line.along::<T>());
+        let [a, b, c] =
+            self.vertices.map(|vertex| difference_of(difference_of(vertex.to_array().map(T::real), origin), rest));
         let normal = cross(difference_of(b, a), difference_of(c, a));
         let facing = dot(normal, direction);
         let distance = dot(normal, a);

@@ -142,8 +142,12 @@ macro_rules! fixed {
                 })
             }
             #[inline]
-            fn walk(o: [Self; 3], base: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3] {
-                Self::approach(o, base, d, t)
+            fn walk(o: [Self; 3], base: [Self; 3], d: [Self::Unit; 3], t: Self) -> [[Self; 2]; 3] {
+                Self::approach(o, base, d, t).map(|component| [component, Self::ZERO])
+            }
+            #[inline(always)]
+            fn minus_with_rest(self, other: Self) -> [Self; 2] {
+                [self.minus(other), Self::ZERO]
             }
             #[inline]
             fn normalize(v: [$Block; 3]) -> Option<([Self::Unit; 3], $Block)> {

@@ -168,13 +168,21 @@ macro_rules! float {
                 })
             }
             #[inline]
-            fn walk(o: [Self; 3], base: [Self; 3], d: [Self; 3], t: Self) -> [Self; 3] {
+            fn walk(o: [Self; 3], base: [Self; 3], d: [Self; 3], t: Self) -> [[Self; 2]; 3] {
                 [0, 1, 2].map(|i| {
                     // t has half the bits: its products with the halves of d are exact.
                     let (high, low) = $exact::split(d[i]);
                     let (from_base, e) = $exact::two_sum(o[i], -base[i]);
-                    (from_base + t * high) + (t * low + e)
+                    let (near, f) = $exact::two_sum(from_base, t * high);
+                    let (sum, rest) = $exact::two_sum(near, (t * low + e) + f);
+                    // At the end of the float range the rest overflows; the plain sum stands.
+                    [sum, if Scalar::is_finite(rest) { rest } else { 0.0 }]
                 })
+            }
+            #[inline(always)]
+            fn minus_with_rest(self, other: Self) -> [Self; 2] {
+                let (difference, rest) = $exact::two_sum(self, -other);
+                [difference, if Scalar::is_finite(rest) { rest } else { 0.0 }]
             }
             #[inline]
             fn normalize(v: [Self; 3]) -> Option<([Self; 3], Self)> {

@@ -155,8 +155,11 @@ pub trait Scalar:
     fn advance(o: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3];
     /// `o - base + t d`, rounded once (floats: but for an error of the second order).
     fn approach(o: [Self; 3], base: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3];
-    /// As [`Scalar::approach`], for a `t` from [`Scalar::step_closer`], which has few enough bits to make it cheap.
-    fn walk(o: [Self; 3], base: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3];
+    /// As [`Scalar::approach`], for a `t` from [`Scalar::step_closer`], which has few enough bits to make it cheap; each
+    /// coordinate with what its rounding left over (floats).
+    fn walk(o: [Self; 3], base: [Self; 3], d: [Self::Unit; 3], t: Self) -> [[Self; 2]; 3];
+    /// `self - other`, and what its rounding left over (floats).
+    fn minus_with_rest(self, other: Self) -> [Self; 2];
     /// The vector's direction and its length; `None` for the zero vector and for a vector with a component
     /// that is not finite. Right for every length, from the smallest to the largest.
     fn normalize(v: [Self::Real; 3]) -> Option<([Self::Unit; 3], Self::Real)>;
