@@ -3,7 +3,7 @@
 //! Only the inverse is kept, one row at a time: a fixed-point row has its own power of two, so that a scale of 1000
 //! along one axis and of 1/1000 along another both keep all their bits.
 
-use crate::frame::{Frame, FrameError, closest_approach};
+use crate::frame::{Frame, FrameError, closest_approach, within_budget};
 use crate::line::{Local, Place};
 use crate::ray::Ray;
 use crate::scalar::certain::FromScalar;
@@ -153,7 +153,7 @@ impl<S: Scalar> Affine<S> {
     pub(crate) fn ray_point_to_local(&self, ray: &Ray<S>, t: S) -> Vec3<S> {
         let from_position =
             S::approach(ray.origin().to_array(), self.position.to_array(), ray.direction().to_array(), t);
-        Vec3::round(self.vector_to_local(from_position))
+        Vec3::round(self.vector_to_local(from_position.map(within_budget)))
     }
 
     /// A local normal in the world: the inverse transpose, normalised.

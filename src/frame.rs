@@ -168,7 +168,7 @@ impl<S: Scalar> Frame<S> {
     pub(crate) fn ray_point_to_local(&self, ray: &Ray<S>, t: S) -> Vec3<S> {
         let from_position =
             S::approach(ray.origin().to_array(), self.position.to_array(), ray.direction().to_array(), t);
-        Vec3::round(self.axes.map(|axis| S::dot(from_position, axis.to_array())))
+        Vec3::round(self.axes.map(|axis| S::dot(from_position.map(within_budget), axis.to_array())))
     }
 }
 
@@ -216,6 +216,18 @@ impl<S: Scalar> Place<S> for Frame<S> {
 
 fn dot<N: Number>(a: [N; 3], b: [N; 3]) -> N {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// The coordinate, or the budget's where it overflowed: at the end of the float range infinities would cancel to NaN.
+pub(crate) fn within_budget<S: Scalar>(coordinate: S) -> S {
+    let limit = S::BUDGET.coordinate;
+    if coordinate.is_finite() {
+        coordinate
+    } else if coordinate < S::ZERO {
+        -limit
+    } else {
+        limit
+    }
 }
 
 /// The `t` of the point nearest to the position, for coordinates whose difference the type cannot hold; at most as far

@@ -171,8 +171,12 @@ impl<S: Scalar> UnitVec3<S> {
     /// assert!(UnitVec3::<f32>::from_components([0.6, 0.0, 0.9]).is_none());
     /// ```
     pub fn from_components(components: [S::Unit; 3]) -> Option<Self> {
+        // Far too long, the squares would not fit. Not a comparison's negation: a NaN must fail.
+        let limit = S::Unit::ONE.plus(S::Unit::ONE.times(S::Unit::from_f64(0.25)));
+        if !components.iter().all(|c| -limit < *c && *c < limit) {
+            return None;
+        }
         let error = (S::unit_dot(components, components) - S::Real::ONE).abs();
-        // Not `<`'s negation: a NaN must fail.
         (error < S::Real::ONE.times_power_of_two(-19)).then_some(Self { components })
     }
 

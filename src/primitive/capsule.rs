@@ -144,7 +144,9 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
         let round_touch = enter.part == exit.part
             && enter.part != Part::Side
             && ball::<S, T>(&self.seen_from(line, enter.part), self.radius).is_some_and(|span| span.touch);
-        Meeting::One(Span { enter, exit, touch: touch || round_touch })
+        let touch = touch || round_touch;
+        // One point, whatever its two roundings.
+        Meeting::One(Span { enter, exit: if touch { enter } else { exit }, touch })
     }
 
     /// Above the top ball and rising, or below the base ball and descending: no.

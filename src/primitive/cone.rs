@@ -386,6 +386,16 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
             (_, height) => {
                 let profile = Profile::<S::Real>::of(self.outline, S::real);
                 let point = height.map_or(point, |height| coordinates::between(point, height));
+                let (g1, h) = (profile.g1(), profile.h);
+                if g1.abs() > h && !h.is_zero() {
+                    // Flatter than 45 degrees: the side is nearest along the axis.
+                    let [x, _, z] = point.real();
+                    let g = (x * x + z * z).sqrt() * h;
+                    let g = if profile.at(point.y.real()).is_negative() { -g } else { g };
+                    let y = S::round((g - profile.g0()) / g1);
+                    let point = Vec3 { y, ..point };
+                    return height.map_or(point, |height| coordinates::between(point, height));
+                }
                 // So flat that its height is nothing beside its radii: one circle is as near as another.
                 let radius = if profile.h.is_zero() {
                     self.base_radius().real()

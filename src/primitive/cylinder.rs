@@ -90,10 +90,22 @@ pub(super) fn tube<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, radius: S) -> In
     if let Some(leaving) = line.departs_from(Part::Side) {
         return Quadric { a, k, positive: zero, negative: zero }.solve_departing::<S, T>(line, leaving);
     }
+    let careful = CarefulTube::of::<S, T>(line, radius);
+    if a.is_zero() {
+        // Parallel to the axis, or so nearly that a square vanishes, and k with it.
+        let c = careful.c();
+        return if c.is_zero() {
+            Inside::InSurface
+        } else if c.is_negative() {
+            Inside::Everywhere
+        } else {
+            Inside::Nowhere
+        };
+    }
     let r = T::real(radius);
     let wy = z * dx - x * dz;
     let quadric = Quadric { a, k, positive: a * (r * r), negative: wy * wy };
-    quadric.solve::<S, T>(line, &CarefulTube::of::<S, T>(line, radius))
+    quadric.solve::<S, T>(line, &careful)
 }
 
 /// The numbers that the careful coefficients of a round side are made of: a cylinder's, a capsule's, a disc's rim.
@@ -173,6 +185,15 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
             Inside::Everywhere => Span::everywhere(),
             // A departing ray parallel to the axis runs in the wall.
             Inside::From(_) | Inside::Until(_) => Span::everywhere(),
+            // A ray that departs inwards from a cap's rim has a far end, even if its start is just outside of the side.
+            Inside::Nowhere if line.departure.is_some() && matches!(self.extent, Extent::Capped(_)) => {
+                let [dx, _, dz] = line.along::<T>();
+                if dx.is_zero() && dz.is_zero() {
+                    Span::everywhere()
+                } else {
+                    Span::new(End::none(-S::INFINITY), End::new(S::ZERO, Part::Side))
+                }
+            }
             Inside::Nowhere | Inside::Beyond(..) => return Meeting::Miss,
         };
         let meeting = match self.extent {

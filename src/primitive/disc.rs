@@ -69,7 +69,16 @@ impl<S: Scalar> Geometry<S> for Disc<S> {
                 // |p|^2 <= r^2 at p = o - (oy / dy) d, multiplied by dy^2: wx^2 + wz^2 <= (r dy)^2, without a division.
                 let [wx, _, wz] = line.moment::<T>();
                 let reach = T::real(self.radius) * T::unit(line.direction[1]);
-                let outside = wx * wx + wz * wz - reach * reach;
+                let (squares, reach) = if S::RELATIVE && reach.abs() < T::Real::ONE.times_power_of_two(-50) {
+                    // So nearly in the plane that squares vanish: the crossing itself.
+                    let ([x, y, z], [dx, dy, dz], r) = (line.point::<T>(), line.along::<T>(), T::real(self.radius));
+                    let t = -y / dy;
+                    let (px, pz) = (x + t * dx, z + t * dz);
+                    (px * px + pz * pz, r)
+                } else {
+                    (wx * wx + wz * wz, reach)
+                };
+                let outside = squares - reach * reach;
                 if outside.is_negative() || outside.is_zero() { meeting } else { Meeting::Miss }
             }
         }

@@ -62,13 +62,19 @@ pub(super) fn ball<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, radius: S) -> Op
     }
 }
 
-/// The same for a direction that is taken to be exactly unit: `D = r^2 - |o - k d|^2` from the closest approach (Haines,
+/// The discriminant for a direction that is taken to be exactly unit: `D = r^2 - |o - k d|^2` from the closest approach (Haines,
 /// Günther and Akenine-Möller, *Precision Improvements for Ray/Sphere Intersection*, Ray Tracing Gems, 2019).
 #[inline]
-fn unit_ball<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, k: T::Real, r: T::Real) -> Option<Span<S>> {
+fn residual<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, k: T::Real, r: T::Real) -> T::Real {
     let (o, d) = (line.point::<T>(), line.along::<T>());
     let [x, y, z] = [0, 1, 2].map(|i| o[i] - k * d[i]);
-    let discriminant = r * r - (x * x + y * y + z * z);
+    r * r - (x * x + y * y + z * z)
+}
+
+/// The interval in the ball, for a direction that is taken to be exactly unit.
+#[inline]
+fn unit_ball<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, k: T::Real, r: T::Real) -> Option<Span<S>> {
+    let discriminant = residual::<S, T>(line, k, r);
     if discriminant.is_negative() {
         return None;
     }
@@ -167,6 +173,9 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
         let k = line.dot::<T>();
         if !k.is_negative() {
             return Some(false);
+        }
+        if !T::COMPENSATES {
+            return Some(!residual::<S, T>(line, k, r).is_negative());
         }
         let [wx, wy, wz] = line.moment::<T>();
         let (positive, negative) = (T::squared_length(line.direction) * rr, wx * wx + wy * wy + wz * wz);

@@ -101,11 +101,17 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
             return Meeting::Miss;
         }
         let (origin, rest, direction) = (line.point::<T>(), line.rest::<T>(), line.along::<T>());
-        let [a, b, c] =
-            self.vertices.map(|vertex| difference_of(difference_of(vertex.to_array().map(T::real), origin), rest));
-        let normal = cross(difference_of(b, a), difference_of(c, a));
-        let facing = dot(normal, direction);
-        let distance = dot(normal, a);
+        let vertices = self.vertices.map(|vertex| vertex.to_array().map(T::real));
+        let [a, b, c] = vertices.map(|vertex| difference_of(difference_of(vertex, origin), rest));
+        // From the vertices themselves, which are close together however far the ray starts.
+        let [va, vb, vc] = vertices;
+        let normal = cross(difference_of(vb, va), difference_of(vc, va));
+        let (mut facing, mut distance) = (dot(normal, direction), dot(normal, a));
+        let nearly = |value: T::Real, v: [T::Real; 3]| value.abs() < (size(normal) * size(v)).times_power_of_two(-4);
+        if T::COMPENSATES && (nearly(facing, direction) || nearly(distance, a)) {
+            // Nearly in the plane: both are what is left of larger products.
+            [facing, distance] = careful_plane(vertices, origin, rest, direction);
+        }
         if facing.is_zero() {
             return if distance.is_zero() {
                 Self::lies_in::<T>(line, normal, direction, [a, b, c])
@@ -114,7 +120,13 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
             };
         }
         // d . (p x q): the side on which the line passes the edge from p to q, seen along it.
-        let [ab, bc, ca] = [(a, b), (b, c), (c, a)].map(|(p, q)| dot(direction, cross(p, q)));
+        let [ab, bc, ca] = [(0, 1), (1, 2), (2, 0)].map(|(i, j)| {
+            let (p, q) = ([a, b, c][i], [a, b, c][j]);
+            let volume = dot(direction, cross(p, q));
+            // Past an edge so closely that rounding decides. What is asked here is the same for both of its triangles.
+            let is_doubtful = T::COMPENSATES && volume.abs() < (size(p) * size(q)).times_power_of_two(-16);
+            if is_doubtful { careful_volume(vertices[i], vertices[j], origin, rest, direction) } else { volume }
+        });
         let passes = |sign: fn(T::Real) -> bool| !(sign(ab) || sign(bc) || sign(ca));
         let inside = if facing.is_negative() {
             passes(|volume| !volume.is_negative() && !volume.is_zero())
@@ -170,6 +182,61 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
 
 fn difference_of<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// The sum of the magnitudes of a vector's components.
+fn size<R: Real>(v: [R; 3]) -> R {
+    v[0].abs() + v[1].abs() + v[2].abs()
+}
+
+/// `a x b` of two vectors, each with what its rounding left over; so is the product.
+fn careful_cross<R: Real>([a, ea]: [[R; 3]; 2], [b, eb]: [[R; 3]; 2]) -> [[R; 3]; 2] {
+    let minor = |i: usize, j: usize| {
+        R::sum_with_rest([[a[i], b[j]], [-a[j], b[i]], [a[i], eb[j]], [-a[j], eb[i]], [ea[i], b[j]], [-ea[j], b[i]]])
+    };
+    let [x, y, z] = [minor(1, 2), minor(2, 0), minor(0, 1)];
+    [[x[0], y[0], z[0]], [x[1], y[1], z[1]]]
+}
+
+/// `a - b`, and what its rounding left over.
+fn careful_difference<R: Real>(a: [R; 3], b: [R; 3], rest: [R; 3]) -> [[R; 3]; 2] {
+    let [x, y, z] = [0, 1, 2].map(|i| R::sum_with_rest([[a[i], R::ONE], [-b[i], R::ONE], [-rest[i], R::ONE]]));
+    [[x[0], y[0], z[0]], [x[1], y[1], z[1]]]
+}
+
+/// `d . n` and `(v - o) . n` for the normal n of the triangle, held to twice the precision.
+#[cold]
+fn careful_plane<R: Real>(vertices: [[R; 3]; 3], origin: [R; 3], rest: [R; 3], direction: [R; 3]) -> [R; 2] {
+    let [a, b, c] = vertices;
+    let nothing = [R::ZERO; 3];
+    let [n, e] = careful_cross(careful_difference(b, a, nothing), careful_difference(c, a, nothing));
+    let [p, u] = careful_difference(a, origin, rest);
+    let d = direction;
+    let facing = [[n[0], d[0]], [n[1], d[1]], [n[2], d[2]], [e[0], d[0]], [e[1], d[1]], [e[2], d[2]]];
+    let distance = R::sum_of_products([
+        [n[0], p[0]],
+        [n[1], p[1]],
+        [n[2], p[2]],
+        [e[0], p[0]],
+        [e[1], p[1]],
+        [e[2], p[2]],
+        [n[0], u[0]],
+        [n[1], u[1]],
+        [n[2], u[2]],
+    ]);
+    [R::sum_of_products(facing), distance]
+}
+
+/// `d . (p x q)` for the edge from one vertex to another, held to twice the precision, with the opposite sign to the bit
+/// for the edge back.
+#[cold]
+fn careful_volume<R: Real>(from: [R; 3], to: [R; 3], origin: [R; 3], rest: [R; 3], d: [R; 3]) -> R {
+    let forwards = from.partial_cmp(&to) != Some(core::cmp::Ordering::Greater);
+    let (first, second) = if forwards { (from, to) } else { (to, from) };
+    let [m, e] = careful_cross(careful_difference(first, origin, rest), careful_difference(second, origin, rest));
+    let volume =
+        R::sum_of_products([[d[0], m[0]], [d[1], m[1]], [d[2], m[2]], [d[0], e[0]], [d[1], e[1]], [d[2], e[2]]]);
+    if forwards { volume } else { -volume }
 }
 
 impl<S: Scalar> Triangle<S> {
