@@ -3,6 +3,7 @@
 
 pub mod cases;
 pub mod exact_types;
+pub mod fuzz;
 pub mod oracle;
 pub mod random;
 pub mod subject;
