@@ -4,8 +4,9 @@
 //! along one axis and of 1/1000 along another both keep all their bits.
 
 use crate::frame::{Frame, FrameError, closest_approach};
-use crate::line::Local;
+use crate::line::{Local, Place};
 use crate::ray::Ray;
+use crate::scalar::certain::FromScalar;
 use crate::scalar::{Real, Scalar};
 use crate::vector::{UnitVec3, Vec3, cross};
 
@@ -196,10 +197,10 @@ impl<S: Scalar> Affine<S> {
         let middle = [0, 1, 2].map(|i| moved[i] + position[i]);
         (middle, [0, 1, 2].map(|i| columns[0][i].abs() + columns[1][i].abs() + columns[2][i].abs()))
     }
+}
 
-    /// The ray in local coordinates; `None` if even its closest point is farther than the number type reaches.
-    /// `reach` and `is_far` as for [`Local::in_world`].
-    pub(crate) fn localize(&self, ray: &Ray<S>, reach: S, is_far: impl FnOnce(Vec3<S>) -> bool) -> Option<Local<S>> {
+impl<S: Scalar> Place<S> for Affine<S> {
+    fn localize(&self, ray: &Ray<S>, reach: S, is_far: impl FnOnce(Vec3<S>) -> bool) -> Option<Local<S>> {
         let direction = ray.direction().to_array();
         let stretched = self.inverse.map(|row| S::unit_dot(direction, row.components).times_power_of_two(row.exponent));
         let (local_direction, stretch) = S::normalize(stretched)?;
@@ -221,5 +222,28 @@ impl<S: Scalar> Affine<S> {
         let origin = self.vector_to_local(closer).map(S::round);
         let in_type = step.is_finite() && closer.iter().chain(&origin).all(|c| c.is_finite());
         in_type.then(|| Local::new(ray, origin, local_direction, step, Some(stretch), reach))
+    }
+
+    fn to_local(&self, point: Vec3<S>) -> Vec3<S> {
+        self.point_to_local(point)
+    }
+
+    fn line<N: FromScalar<S>>(&self, ray: &Ray<S>) -> [[N; 3]; 2] {
+        [self.point(ray.origin()), self.applied(ray.direction().to_array().map(N::unit))]
+    }
+
+    fn point<N: FromScalar<S>>(&self, point: Vec3<S>) -> [N; 3] {
+        let [o, p] = [point, self.position].map(|v| v.to_array().map(N::scalar));
+        self.applied([o[0] - p[0], o[1] - p[1], o[2] - p[2]])
+    }
+}
+
+impl<S: Scalar> Affine<S> {
+    /// The inverse applied to a vector, in any numbers.
+    fn applied<N: FromScalar<S>>(&self, v: [N; 3]) -> [N; 3] {
+        self.inverse.map(|row| {
+            let [a, b, c] = row.components.map(N::unit);
+            (a * v[0] + b * v[1] + c * v[2]).scaled(row.exponent)
+        })
     }
 }

@@ -1,7 +1,8 @@
 //! Floor 3: placement by rotation and translation.
 
-use crate::line::Local;
+use crate::line::{Local, Place};
 use crate::ray::Ray;
+use crate::scalar::certain::{FromScalar, Number};
 use crate::scalar::{Real, Scalar};
 use crate::vector::{UnitVec3, Vec3};
 use core::fmt;
@@ -169,11 +170,11 @@ impl<S: Scalar> Frame<S> {
             S::approach(ray.origin().to_array(), self.position.to_array(), ray.direction().to_array(), t);
         Vec3::round(self.axes.map(|axis| S::dot(from_position, axis.to_array())))
     }
+}
 
-    /// The ray as seen from the frame; `None` if even its closest point is farther than the number type reaches.
-    /// `reach` and `is_far` as for [`Local::in_world`].
+impl<S: Scalar> Place<S> for Frame<S> {
     #[inline]
-    pub(crate) fn localize(&self, ray: &Ray<S>, reach: S, is_far: impl FnOnce(Vec3<S>) -> bool) -> Option<Local<S>> {
+    fn localize(&self, ray: &Ray<S>, reach: S, is_far: impl FnOnce(Vec3<S>) -> bool) -> Option<Local<S>> {
         let direction = ray.direction().to_array();
         let axes = self.axes.map(UnitVec3::to_array);
         let to_local = |v: [S; 3]| axes.map(|axis| S::round(S::dot(v, axis)));
@@ -196,6 +197,25 @@ impl<S: Scalar> Frame<S> {
         let in_type = step.is_finite() && closer.iter().chain(&origin).all(|c| c.is_finite());
         in_type.then(|| Local::new(ray, origin, local_direction, step, None, reach))
     }
+
+    fn to_local(&self, point: Vec3<S>) -> Vec3<S> {
+        self.point_to_local(point)
+    }
+
+    fn line<N: FromScalar<S>>(&self, ray: &Ray<S>) -> [[N; 3]; 2] {
+        let direction = ray.direction().to_array().map(N::unit);
+        [self.point(ray.origin()), self.axes.map(|axis| dot(axis.to_array().map(N::unit), direction))]
+    }
+
+    fn point<N: FromScalar<S>>(&self, point: Vec3<S>) -> [N; 3] {
+        let [o, p] = [point, self.position].map(|v| v.to_array().map(N::scalar));
+        let from_position = [o[0] - p[0], o[1] - p[1], o[2] - p[2]];
+        self.axes.map(|axis| dot(axis.to_array().map(N::unit), from_position))
+    }
+}
+
+fn dot<N: Number>(a: [N; 3], b: [N; 3]) -> N {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// The `t` of the point nearest to the position, for coordinates whose difference the type cannot hold; at most as far

@@ -1,14 +1,15 @@
 //! Floor 5: what every primitive knows of itself.
 
+use crate::arithmetic::Arithmetic;
+use crate::figure::Figure;
 use crate::line::Line;
 use crate::part::Part;
 use crate::scalar::Scalar;
 use crate::span::Meeting;
-use crate::tier::Tier;
 use crate::vector::{UnitVec3, Vec3};
 
 /// What every primitive knows of itself, in its own frame.
-pub(crate) trait Geometry<S: Scalar>: Copy {
+pub trait Geometry<S: Scalar>: Copy {
     /// A distance from the origin within which the primitive lies; its characteristic size if it is unbounded.
     fn reach(&self) -> S;
     /// True if a point that is several reaches from the origin is far from the surface too; for what is unbounded.
@@ -19,12 +20,14 @@ pub(crate) trait Geometry<S: Scalar>: Copy {
     #[must_use]
     fn scaled(&self, e: i32) -> Self;
     /// Where the line meets it.
-    fn meet<T: Tier<S>>(&self, line: &Line<S>) -> Meeting<S>;
+    fn meet<T: Arithmetic<S>>(&self, line: &Line<S>) -> Meeting<S>;
     /// Whether the half-line `t >= 0` hits it, where the signs of the coefficients say so without a root or a division;
     /// the line departs from nowhere. What is said here must agree with [`Geometry::meet`].
-    fn verdict<T: Tier<S>>(&self, _: &Line<S>) -> Option<bool> {
+    fn verdict<T: Arithmetic<S>>(&self, _: &Line<S>) -> Option<bool> {
         None
     }
+    /// The primitive as the exact solver sees it.
+    fn figure(&self) -> Figure<S>;
     /// True if the point belongs to the closed set.
     fn contains(&self, point: Vec3<S>) -> bool;
     /// The smallest box, as its lower and upper corner; infinite where the primitive is.

@@ -79,8 +79,11 @@ compile_error!(
 );
 
 pub mod affine;
+mod arithmetic;
 pub mod effect;
 pub mod errata;
+mod exact;
+mod figure;
 pub mod frame;
 mod geometry;
 pub mod hit;
@@ -111,7 +114,7 @@ pub use render::{Picture, Pixel};
 pub use scalar::Scalar;
 pub use scene::{Camera, Color, Counters, Light, Material, Object, Scene, Size};
 pub use shape::{Placement, Primitive, Shape, Surface, Visible};
-pub use tier::{Stable, Tier};
+pub use tier::{Exact, Fast, Stable, Tier};
 pub use vector::{UnitVec3, Vec3};
 
 /// The examples of the README are tests.

@@ -7,12 +7,13 @@
 
 use crate::part::Part;
 use crate::ray::{Leaving, Ray};
+use crate::scalar::certain::FromScalar;
 use crate::scalar::{Scalar, largest};
 use crate::vector::Vec3;
 
 /// An infinite line in the frame of a primitive, and the part that it departs from at `t = 0`.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Line<S: Scalar> {
+pub struct Line<S: Scalar> {
     pub(crate) origin: [S; 3],
     pub(crate) direction: [S::Unit; 3],
     pub(crate) departure: Option<(Part, Leaving)>,
@@ -26,9 +27,47 @@ impl<S: Scalar> Line<S> {
     }
 }
 
+/// The way from the world to a primitive's frame.
+pub trait Place<S: Scalar> {
+    /// The ray as the primitive sees it; `None` if even its closest point is farther than the number type reaches.
+    /// `reach` is the distance from the frame's origin within which the primitive lies; where it has no end, `is_far`
+    /// says whether a point several reaches away is far from its surface too.
+    fn localize(&self, ray: &Ray<S>, reach: S, is_far: impl FnOnce(Vec3<S>) -> bool) -> Option<Local<S>>;
+    /// A world point in the primitive's frame, rounded.
+    fn to_local(&self, point: Vec3<S>) -> Vec3<S>;
+    /// Origin and direction of the ray's line in the primitive's frame, without rounding but for that of the numbers
+    /// asked for. The direction has any length: `t` is the ray's own.
+    fn line<N: FromScalar<S>>(&self, ray: &Ray<S>) -> [[N; 3]; 2];
+    /// A point in the primitive's frame, as [`Place::line`].
+    fn point<N: FromScalar<S>>(&self, point: Vec3<S>) -> [N; 3];
+}
+
+/// The frame that is the world's.
+#[derive(Clone, Copy, Debug)]
+pub struct InWorld;
+
+impl<S: Scalar> Place<S> for InWorld {
+    #[inline]
+    fn localize(&self, ray: &Ray<S>, reach: S, is_far: impl FnOnce(Vec3<S>) -> bool) -> Option<Local<S>> {
+        Some(Local::in_world(ray, reach, is_far))
+    }
+    #[inline]
+    fn to_local(&self, point: Vec3<S>) -> Vec3<S> {
+        point
+    }
+    #[inline]
+    fn line<N: FromScalar<S>>(&self, ray: &Ray<S>) -> [[N; 3]; 2] {
+        [ray.origin().to_array().map(N::scalar), ray.direction().to_array().map(N::unit)]
+    }
+    #[inline]
+    fn point<N: FromScalar<S>>(&self, point: Vec3<S>) -> [N; 3] {
+        point.to_array().map(N::scalar)
+    }
+}
+
 /// A [`Line`] and the way from its `t` back to that of the ray: `t = start + t_line * 2^exponent / stretch`.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Local<S: Scalar> {
+pub struct Local<S: Scalar> {
     pub(crate) line: Line<S>,
     pub(crate) exponent: i32,
     start: S,
@@ -36,10 +75,9 @@ pub(crate) struct Local<S: Scalar> {
 }
 
 impl<S: Scalar> Local<S> {
-    /// The ray in a frame that is the world's. `reach` is the distance from the origin within which the solid lies; where
-    /// it has no end, `is_far` says whether a point several reaches away is far from its surface too.
+    /// The ray in a frame that is the world's.
     #[inline]
-    pub(crate) fn in_world(ray: &Ray<S>, reach: S, is_far: impl FnOnce(Vec3<S>) -> bool) -> Self {
+    fn in_world(ray: &Ray<S>, reach: S, is_far: impl FnOnce(Vec3<S>) -> bool) -> Self {
         let (mut origin, direction) = (ray.origin().to_array(), ray.direction().to_array());
         let mut start = S::ZERO;
         if let Some(step) = S::step_closer(S::dot(origin, direction), reach)

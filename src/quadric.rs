@@ -5,11 +5,11 @@
 //! and `c` are rounded, and far away or near grazing the difference holds nothing but their rounding. They use the ray's
 //! moment `w = o x d` instead; each says how.
 
+use crate::arithmetic::Arithmetic;
 use crate::part::Part;
 use crate::ray::Leaving;
 use crate::scalar::{Real, Scalar};
 use crate::span::{End, Span};
-use crate::tier::Tier;
 
 /// The coefficients of `a t^2 + 2 k t + c` without `c`, and the discriminant `k^2 - a c` as a difference.
 #[derive(Clone, Copy, Debug)]
@@ -53,13 +53,13 @@ pub(crate) enum Inside<S> {
 impl<R: Real> Quadric<R> {
     /// Solves for `f <= 0`; `careful` is asked only where it decides something.
     #[inline]
-    pub(crate) fn solve<S: Scalar, T: Tier<S, Real = R>>(self, careful: &impl Careful<R>) -> Inside<S> {
+    pub(crate) fn solve<S: Scalar, T: Arithmetic<S, Real = R>>(self, careful: &impl Careful<R>) -> Inside<S> {
         let Self { a, mut k, positive, negative } = self;
         if a.is_zero() {
             return Self::solve_linear::<S, T>(careful.k(), careful.c());
         }
         let mut discriminant = positive - negative;
-        if discriminant.abs() < positive.times_power_of_two(-3) {
+        if T::COMPENSATES && discriminant.abs() < positive.times_power_of_two(-3) {
             // Grazing: most of the difference is rounding.
             (k, discriminant) = (careful.k(), careful.discriminant());
         }
@@ -80,7 +80,8 @@ impl<R: Real> Quadric<R> {
         // -k - root and -k + root: where k and the root have nearly the same size one of them cancels, and
         // c / q takes its place (Press et al., Numerical Recipes, 5.6).
         let magnitude = k.abs();
-        let cancels = magnitude < root.times_power_of_two(1) && root < magnitude.times_power_of_two(1);
+        let cancels =
+            T::COMPENSATES && magnitude < root.times_power_of_two(1) && root < magnitude.times_power_of_two(1);
         let (low, high) = if !cancels {
             (T::ratio(-k - root, a), T::ratio(-k + root, a))
         } else if k.is_negative() {
@@ -102,7 +103,7 @@ impl<R: Real> Quadric<R> {
 
     /// `2 k t + c <= 0`: a line parallel to an asymptote has one root, not none.
     #[cold]
-    fn solve_linear<S: Scalar, T: Tier<S, Real = R>>(k: R, c: R) -> Inside<S> {
+    fn solve_linear<S: Scalar, T: Arithmetic<S, Real = R>>(k: R, c: R) -> Inside<S> {
         if k.is_zero() {
             return if c.is_zero() {
                 Inside::InSurface
@@ -119,7 +120,7 @@ impl<R: Real> Quadric<R> {
     /// Solves for a ray that departs from this quadric: `c` is exactly zero, and the other root is `-2k/a`.
     ///
     /// The side to which it leaves gives the sign of `k`, whatever its rounding.
-    pub(crate) fn solve_departing<S: Scalar, T: Tier<S, Real = R>>(self, leaving: Leaving) -> Inside<S> {
+    pub(crate) fn solve_departing<S: Scalar, T: Arithmetic<S, Real = R>>(self, leaving: Leaving) -> Inside<S> {
         let a = self.a;
         let k = match leaving {
             Leaving::Inwards => -self.k.abs(),
@@ -144,7 +145,7 @@ impl<R: Real> Quadric<R> {
 /// Where along a line `low <= y <= high`; a missing bound is infinitely far away. The ends bear the parts of the
 /// two planes. The planes themselves belong to the slab, so that a line in one of them lies inside.
 #[inline]
-pub(crate) fn slab<S: Scalar, T: Tier<S>>(y: S, dy: S::Unit, low: Option<S>, high: Option<S>) -> Option<Span<S>> {
+pub(crate) fn slab<S: Scalar, T: Arithmetic<S>>(y: S, dy: S::Unit, low: Option<S>, high: Option<S>) -> Option<Span<S>> {
     let slope = T::unit(dy);
     if slope.is_zero() {
         let outside = low.is_some_and(|low| y < low) || high.is_some_and(|high| y > high);

@@ -1,18 +1,158 @@
-//! Floor 5: the three questions, asked of any geometry in the world's frame or in a frame of its own.
+//! Floor 5: the questions, asked of any geometry through any placement, as each tier answers them.
 
+use crate::arithmetic::{Arithmetic, Doubled};
+use crate::exact::{self, Effort, Exact};
 use crate::geometry::Geometry;
 use crate::hit::{Crossing, Hit, Hits};
-use crate::line::Local;
+use crate::line::{Local, Place};
 use crate::ray::Ray;
+use crate::scalar::certain::Certain;
 use crate::scalar::{Scalar, largest};
 use crate::span::Meeting;
-use crate::tier::Tier;
 use crate::vector::Vec3;
+
+/// How a tier answers the questions.
+pub trait Solve<S: Scalar> {
+    /// All hits.
+    fn hits<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Hits<S>;
+    /// The first hit that `accept` takes.
+    fn nearest<G: Geometry<S>>(
+        geometry: &G,
+        place: &impl Place<S>,
+        ray: &Ray<S>,
+        accept: impl Fn(Crossing) -> bool,
+    ) -> Option<Hit<S>>;
+    /// True if there is a hit that `accept` takes.
+    fn occludes<G: Geometry<S>>(
+        geometry: &G,
+        place: &impl Place<S>,
+        ray: &Ray<S>,
+        accept: impl Fn(Crossing) -> bool,
+    ) -> bool;
+    /// True if the point belongs to the geometry.
+    fn contains<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, point: Vec3<S>) -> bool;
+}
+
+/// Tiers that compute in rounded numbers.
+impl<S: Scalar, T: Arithmetic<S>> Solve<S> for T {
+    #[inline]
+    fn hits<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Hits<S> {
+        meet::<S, T, G>(geometry, place, ray).hits(ray.range())
+    }
+
+    #[inline]
+    fn nearest<G: Geometry<S>>(
+        geometry: &G,
+        place: &impl Place<S>,
+        ray: &Ray<S>,
+        accept: impl Fn(Crossing) -> bool,
+    ) -> Option<Hit<S>> {
+        meet::<S, T, G>(geometry, place, ray).nearest(ray.range(), accept)
+    }
+
+    /// The signs of the coefficients are asked first.
+    #[inline]
+    fn occludes<G: Geometry<S>>(
+        geometry: &G,
+        place: &impl Place<S>,
+        ray: &Ray<S>,
+        accept: impl Fn(Crossing) -> bool,
+    ) -> bool {
+        let Some(local) = localize::<S, T, G>(geometry, place, ray) else {
+            return false;
+        };
+        let scaled = geometry.scaled(-local.exponent);
+        if local.is_forward(ray) {
+            match scaled.verdict::<T>(&local.line) {
+                Some(false) => return false,
+                // A yes speaks of the whole half-line and of both sides.
+                Some(true)
+                    if ray.range().end() == S::BUDGET.distance
+                        && accept(Crossing::Enter)
+                        && accept(Crossing::Exit)
+                        && is_within_reach(geometry, &local) =>
+                {
+                    return true;
+                }
+                _ => {}
+            }
+        }
+        scaled.meet::<T>(&local.line).map_t(|t| local.to_ray(t)).nearest(ray.range(), accept).is_some()
+    }
+
+    fn contains<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, point: Vec3<S>) -> bool {
+        let (geometry, point, _) = near_one(geometry, place.to_local(point));
+        geometry.contains(point)
+    }
+}
+
+/// The tier that decides by certain signs. (For each of its types: an impl for all of them together would overlap.)
+macro_rules! solve_exactly {
+    ($S:ty $(, $F:ident: $Bits:path)?) => {
+        impl$(<$F: $Bits + Send + Sync + 'static>)? Solve<$S> for Exact {
+            #[inline]
+            fn hits<G: Geometry<$S>>(geometry: &G, place: &impl Place<$S>, ray: &Ray<$S>) -> Hits<$S> {
+                if ray.departure().is_some() {
+                    return meet::<$S, Doubled, G>(geometry, place, ray).hits(ray.range());
+                }
+                let (hits, _) = exact::hits(&geometry.figure(), place, ray);
+                hits
+            }
+
+            #[inline]
+            fn nearest<G: Geometry<$S>>(
+                geometry: &G,
+                place: &impl Place<$S>,
+                ray: &Ray<$S>,
+                accept: impl Fn(Crossing) -> bool,
+            ) -> Option<Hit<$S>> {
+                Self::hits(geometry, place, ray).iter().find(|hit| accept(hit.crossing)).copied()
+            }
+
+            #[inline]
+            fn occludes<G: Geometry<$S>>(
+                geometry: &G,
+                place: &impl Place<$S>,
+                ray: &Ray<$S>,
+                accept: impl Fn(Crossing) -> bool,
+            ) -> bool {
+                Self::hits(geometry, place, ray).iter().any(|hit| accept(hit.crossing))
+            }
+
+            fn contains<G: Geometry<$S>>(geometry: &G, place: &impl Place<$S>, point: Vec3<$S>) -> bool {
+                exact::contains(&geometry.figure(), place, point)
+            }
+        }
+    };
+}
+solve_exactly!(f32);
+#[cfg(feature = "fixed")]
+solve_exactly!(fixed::FixedI32<F>, F: fixed::types::extra::LeEqU32);
+
+/// What an exact answer takes.
+pub(crate) fn effort<S: Certain, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Effort {
+    if ray.departure().is_some() {
+        return Effort::Filter;
+    }
+    let (_, effort) = exact::hits(&geometry.figure(), place, ray);
+    effort
+}
+
+#[inline]
+fn localize<S: Scalar, T: Arithmetic<S>, G: Geometry<S>>(
+    geometry: &G,
+    place: &impl Place<S>,
+    ray: &Ray<S>,
+) -> Option<Local<S>> {
+    place.localize(ray, geometry.reach(), |origin| T::COMPENSATES && geometry.is_far(origin))
+}
 
 /// Where the ray meets the geometry, seen through a placement; in the ray's own `t`.
 #[inline]
-pub(crate) fn meet<S: Scalar, T: Tier<S>, G: Geometry<S>>(geometry: &G, local: &Local<S>) -> Meeting<S> {
-    geometry.scaled(-local.exponent).meet::<T>(&local.line).map_t(|t| local.to_ray(t))
+fn meet<S: Scalar, T: Arithmetic<S>, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Meeting<S> {
+    localize::<S, T, G>(geometry, place, ray).map_or(Meeting::Miss, |local| {
+        geometry.scaled(-local.exponent).meet::<T>(&local.line).map_t(|t| local.to_ray(t))
+    })
 }
 
 /// The geometry and a point of its frame, multiplied by the power of two that brings the larger of them near 1, so that
@@ -29,29 +169,6 @@ pub(crate) fn scaled<S: Scalar>(point: Vec3<S>, e: i32) -> Vec3<S> {
     point.to_array().map(|component| component.scaled(e)).into()
 }
 
-/// True if the point of the geometry's frame belongs to it.
-#[inline]
-pub(crate) fn contains<S: Scalar, G: Geometry<S>>(geometry: &G, point: Vec3<S>) -> bool {
-    let (geometry, point, _) = near_one(geometry, point);
-    geometry.contains(point)
-}
-
-/// The ray as an unplaced geometry sees it.
-#[inline]
-pub(crate) fn unplaced<S: Scalar, G: Geometry<S>>(geometry: &G, ray: &Ray<S>) -> Local<S> {
-    Local::in_world(ray, geometry.reach(), |origin| geometry.is_far(origin))
-}
-
-#[inline]
-pub(crate) fn hits<S: Scalar, T: Tier<S>, G: Geometry<S>>(geometry: &G, ray: &Ray<S>) -> Hits<S> {
-    meet::<S, T, G>(geometry, &unplaced(geometry, ray)).hits(ray.range())
-}
-
-#[inline]
-pub(crate) fn nearest<S: Scalar, T: Tier<S>, G: Geometry<S>>(geometry: &G, ray: &Ray<S>) -> Option<Hit<S>> {
-    meet::<S, T, G>(geometry, &unplaced(geometry, ray)).nearest(ray.range(), |_: Crossing| true)
-}
-
 /// True if the number type surely holds the `t` of every end (rule 3: one that it does not hold is no hit): the solid is
 /// bounded, lengths are those of the world, and line and solid lie within a quarter of the budget.
 #[inline]
@@ -65,33 +182,6 @@ fn is_within_reach<S: Scalar, G: Geometry<S>>(geometry: &G, local: &Local<S>) ->
         && low.to_array().iter().chain(&high.to_array()).all(|c| c.is_finite())
 }
 
-/// True if there is a hit that `accept` takes. The signs of the coefficients are asked first.
-#[inline]
-pub(crate) fn occludes<S: Scalar, T: Tier<S>, G: Geometry<S>>(
-    geometry: &G,
-    ray: &Ray<S>,
-    local: &Local<S>,
-    accept: impl Fn(Crossing) -> bool,
-) -> bool {
-    let scaled = geometry.scaled(-local.exponent);
-    if local.is_forward(ray) {
-        match scaled.verdict::<T>(&local.line) {
-            Some(false) => return false,
-            // A yes speaks of the whole half-line and of both sides.
-            Some(true)
-                if ray.range().end() == S::BUDGET.distance
-                    && accept(Crossing::Enter)
-                    && accept(Crossing::Exit)
-                    && is_within_reach(geometry, local) =>
-            {
-                return true;
-            }
-            _ => {}
-        }
-    }
-    scaled.meet::<T>(&local.line).map_t(|t| local.to_ray(t)).nearest(ray.range(), accept).is_some()
-}
-
 /// Gives a primitive the queries of an unplaced, two-sided shape as methods of its own.
 macro_rules! queries {
     ($Primitive:ident) => {
@@ -102,7 +192,7 @@ macro_rules! queries {
             }
             /// All hits, in a chosen accuracy tier.
             pub fn hits_at<T: crate::tier::Tier<S>>(&self, ray: &crate::ray::Ray<S>) -> crate::hit::Hits<S> {
-                crate::query::hits::<S, T, _>(self, ray)
+                T::hits(self, &crate::line::InWorld, ray)
             }
             /// The hit with the smallest `t`.
             pub fn nearest(&self, ray: &crate::ray::Ray<S>) -> Option<crate::hit::Hit<S>> {
@@ -110,7 +200,7 @@ macro_rules! queries {
             }
             /// The hit with the smallest `t`, in a chosen accuracy tier.
             pub fn nearest_at<T: crate::tier::Tier<S>>(&self, ray: &crate::ray::Ray<S>) -> Option<crate::hit::Hit<S>> {
-                crate::query::nearest::<S, T, _>(self, ray)
+                T::nearest(self, &crate::line::InWorld, ray, |_| true)
             }
             /// True if there is any hit.
             pub fn occludes(&self, ray: &crate::ray::Ray<S>) -> bool {
@@ -118,11 +208,15 @@ macro_rules! queries {
             }
             /// True if there is any hit, in a chosen accuracy tier.
             pub fn occludes_at<T: crate::tier::Tier<S>>(&self, ray: &crate::ray::Ray<S>) -> bool {
-                crate::query::occludes::<S, T, _>(self, ray, &crate::query::unplaced(self, ray), |_| true)
+                T::occludes(self, &crate::line::InWorld, ray, |_| true)
             }
             /// True if the point belongs to the primitive: inside or on a solid, on an open surface.
             pub fn contains(&self, point: Vec3<S>) -> bool {
-                crate::query::contains(self, point)
+                self.contains_at::<crate::tier::Stable>(point)
+            }
+            /// True if the point belongs to the primitive, in a chosen accuracy tier.
+            pub fn contains_at<T: crate::tier::Tier<S>>(&self, point: Vec3<S>) -> bool {
+                T::contains(self, &crate::line::InWorld, point)
             }
             /// The box that holds it; infinite where the primitive is.
             pub fn bounds(&self) -> crate::geometry::Bounds<S> {

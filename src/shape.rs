@@ -1,17 +1,20 @@
 //! Floor 6: any primitive, placed.
 
 use crate::affine::Affine;
+use crate::arithmetic::Arithmetic;
+use crate::figure::Figure;
 use crate::frame::Frame;
 use crate::geometry::{Bounds, Geometry};
 use crate::hit::{Crossing, Hit, Hits};
-use crate::line::Local;
+use crate::line::InWorld;
 use crate::part::Part;
 use crate::primitive::{Capsule, Cone, Cylinder, Disc, Line, Plane, Sphere, Triangle};
 use crate::query;
 use crate::ray::{Departure, Leaving, Ray};
+use crate::scalar::certain::Certain;
 use crate::scalar::{Real, Scalar};
 use crate::span::Meeting;
-use crate::tier::{Stable, Tier};
+use crate::tier::{Effort, Stable, Tier};
 use crate::vector::{UnitVec3, Vec3};
 
 /// Defines the enum of all primitives and hands every question to the one that it holds.
@@ -54,11 +57,14 @@ macro_rules! primitives {
             fn scaled(&self, e: i32) -> Self {
                 match self { $(Self::$Variant(p) => Self::$Variant(p.scaled(e)),)+ }
             }
-            fn meet<T: Tier<S>>(&self, line: &Line<S>) -> Meeting<S> {
+            fn meet<T: Arithmetic<S>>(&self, line: &Line<S>) -> Meeting<S> {
                 match self { $(Self::$Variant(p) => p.meet::<T>(line),)+ }
             }
-            fn verdict<T: Tier<S>>(&self, line: &Line<S>) -> Option<bool> {
+            fn verdict<T: Arithmetic<S>>(&self, line: &Line<S>) -> Option<bool> {
                 match self { $(Self::$Variant(p) => p.verdict::<T>(line),)+ }
+            }
+            fn figure(&self) -> Figure<S> {
+                match self { $(Self::$Variant(p) => p.figure(),)+ }
             }
             fn contains(&self, point: Vec3<S>) -> bool {
                 match self { $(Self::$Variant(p) => Geometry::contains(p, point),)+ }
@@ -147,6 +153,21 @@ pub struct Shape<S: Scalar> {
     visible: Visible,
 }
 
+/// Asks a question of the shape's primitive, through its placement.
+macro_rules! through {
+    ($shape:ident, |$primitive:ident, $place:ident| $question:expr) => {{
+        let $primitive = &$shape.primitive;
+        match &$shape.placement {
+            Placement::World => {
+                let $place = &InWorld;
+                $question
+            }
+            Placement::Frame($place) => $question,
+            Placement::Affine($place) => $question,
+        }
+    }};
+}
+
 impl<S: Scalar> Shape<S> {
     /// A primitive in its canonical pose, seen from both sides.
     pub fn new(primitive: impl Into<Primitive<S>>) -> Self {
@@ -180,24 +201,6 @@ impl<S: Scalar> Shape<S> {
         self.visible
     }
 
-    #[inline]
-    fn localize(&self, ray: &Ray<S>) -> Option<Local<S>> {
-        match &self.placement {
-            Placement::World => Some(query::unplaced(&self.primitive, ray)),
-            Placement::Frame(frame) => {
-                frame.localize(ray, self.primitive.reach(), |origin| self.primitive.is_far(origin))
-            }
-            Placement::Affine(affine) => {
-                affine.localize(ray, self.primitive.reach(), |origin| self.primitive.is_far(origin))
-            }
-        }
-    }
-
-    #[inline]
-    fn meet<T: Tier<S>>(&self, ray: &Ray<S>) -> Meeting<S> {
-        self.localize(ray).map_or(Meeting::Miss, |local| query::meet::<S, T, _>(&self.primitive, &local))
-    }
-
     /// All hits, sorted by `t`.
     pub fn hits(&self, ray: &Ray<S>) -> Hits<S> {
         self.hits_at::<Stable>(ray)
@@ -205,7 +208,7 @@ impl<S: Scalar> Shape<S> {
 
     /// All hits, in a chosen accuracy tier.
     pub fn hits_at<T: Tier<S>>(&self, ray: &Ray<S>) -> Hits<S> {
-        let mut hits = self.meet::<T>(ray).hits(ray.range());
+        let mut hits = through!(self, |primitive, place| T::hits(primitive, place, ray));
         if self.visible != Visible::Both {
             hits.retain(|hit| self.visible.sees(hit.crossing));
         }
@@ -219,7 +222,8 @@ impl<S: Scalar> Shape<S> {
 
     /// The visible hit with the smallest `t`, in a chosen accuracy tier.
     pub fn nearest_at<T: Tier<S>>(&self, ray: &Ray<S>) -> Option<Hit<S>> {
-        self.meet::<T>(ray).nearest(ray.range(), |crossing| self.visible.sees(crossing))
+        let accept = |crossing| self.visible.sees(crossing);
+        through!(self, |primitive, place| T::nearest(primitive, place, ray, accept))
     }
 
     /// True if there is any visible hit.
@@ -229,18 +233,26 @@ impl<S: Scalar> Shape<S> {
 
     /// True if there is any visible hit, in a chosen accuracy tier.
     pub fn occludes_at<T: Tier<S>>(&self, ray: &Ray<S>) -> bool {
-        self.localize(ray)
-            .is_some_and(|local| query::occludes::<S, T, _>(&self.primitive, ray, &local, |c| self.visible.sees(c)))
+        let accept = |crossing| self.visible.sees(crossing);
+        through!(self, |primitive, place| T::occludes(primitive, place, ray, accept))
     }
 
     /// True if the point belongs to the shape: inside or on a solid, on an open surface.
     pub fn contains(&self, point: Vec3<S>) -> bool {
-        let local = match &self.placement {
-            Placement::World => point,
-            Placement::Frame(frame) => frame.point_to_local(point),
-            Placement::Affine(affine) => affine.point_to_local(point),
-        };
-        query::contains(&self.primitive, local)
+        self.contains_at::<Stable>(point)
+    }
+
+    /// True if the point belongs to the shape, in a chosen accuracy tier.
+    pub fn contains_at<T: Tier<S>>(&self, point: Vec3<S>) -> bool {
+        through!(self, |primitive, place| T::contains(primitive, place, point))
+    }
+
+    /// What numbers the tier [`Exact`](crate::tier::Exact) needs for this ray.
+    pub fn effort(&self, ray: &Ray<S>) -> Effort
+    where
+        S: Certain,
+    {
+        through!(self, |primitive, place| query::effort(primitive, place, ray))
     }
 
     /// The box that holds the shape, at most a few units too large; infinite where the shape is.

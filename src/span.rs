@@ -7,7 +7,7 @@ use crate::scalar::Scalar;
 
 /// One end of an interval: where the line crosses the surface, and on which part.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct End<S> {
+pub struct End<S> {
     /// [`Scalar::INFINITY`] of either sign where there is no end.
     pub(crate) t: S,
     pub(crate) part: Part,
@@ -28,7 +28,7 @@ impl<S: Scalar> End<S> {
 
 /// The interval of a line inside a convex set.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Span<S> {
+pub struct Span<S> {
     pub(crate) enter: End<S>,
     pub(crate) exit: End<S>,
     /// The two ends are one point.
@@ -74,7 +74,7 @@ impl<S: Scalar> Span<S> {
 
 /// How a line meets a primitive.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Meeting<S> {
+pub enum Meeting<S> {
     /// Not at all.
     Miss,
     /// In one interval, whose ends are the hits.

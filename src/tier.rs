@@ -1,31 +1,79 @@
-//! Floor 4: accuracy tiers, chosen by type.
+//! Floor 5: accuracy tiers, chosen by type.
 //!
-//! A tier says in which number a solver computes. The formulas are the same for all; what a tier changes is how
-//! much of each product is kept.
+//! | tier | numbers | what it does | promise |
+//! |---|---|---|---|
+//! | [`Fast`] | all | closest approach and moments, nothing compensated | error grows with distance and towards grazing |
+//! | [`Stable`], the default | all | moments, roots without cancellation, compensated coefficients where they cancel | about half a unit in the last place in the middle, at most 16 away from grazing |
+//! | [`Exact`] | `f32`, `FixedI32<F>` | every decision by a certain sign | hit, miss, touch, part and order are those of exact arithmetic; `t` within one unit |
+//!
+//! What was measured is in `docs/accuracy.md`.
 
+use crate::arithmetic::Arithmetic;
+use crate::query::Solve;
 use crate::scalar::{Real, Scalar};
+
+pub use crate::exact::{Effort, Exact};
+pub use crate::scalar::certain::Certain;
 
 mod sealed {
     pub trait Sealed {}
 }
 
 /// An accuracy tier for a number type: what it costs is decided when the code is compiled. Sealed.
-pub trait Tier<S: Scalar>: Copy + sealed::Sealed + 'static {
-    /// The number in which the tier computes.
-    type Real: Real;
+pub trait Tier<S: Scalar>: Copy + sealed::Sealed + Solve<S> + 'static {}
 
-    /// The exact value.
-    fn real(value: S) -> Self::Real;
-    /// The exact value of a component of a direction.
-    fn unit(value: S::Unit) -> Self::Real;
-    /// `o . d`.
-    fn dot(o: [S; 3], d: [S::Unit; 3]) -> Self::Real;
-    /// `o x d`.
-    fn cross(o: [S; 3], d: [S::Unit; 3]) -> [Self::Real; 3];
-    /// `d . d`.
-    fn squared_length(d: [S::Unit; 3]) -> Self::Real;
-    /// `numerator / denominator`, rounded; [`Scalar::INFINITY`] with the sign where the type cannot hold it.
-    fn ratio(numerator: Self::Real, denominator: Self::Real) -> S;
+/// The cheapest tier that is not the textbook: closest approach for the sphere, moments for the rest, in the scalar's own
+/// width (fixed point: products in the double width, rounded back at once), and nothing compensated.
+///
+/// Of a sphere it takes the direction for exactly unit, which costs `t` an error of about a unit in the last place of the
+/// direction. Error grows with distance and towards grazing; rays nearly parallel to a cone's generator, and
+/// starts near a surface, are as wrong as plain subtraction makes them. What was measured is in `docs/accuracy.md`.
+///
+/// ```
+/// use raylet::{Ray, Sphere, UnitVec3, Vec3, tier::Fast};
+/// let ray = Ray::new(Vec3::new(0.0_f32, 0.5, 4.0), -UnitVec3::Z)?;
+/// let hit = Sphere::new(1.0)?.nearest_at::<Fast>(&ray);
+/// assert_eq!(hit.map(|hit| hit.t), Some(3.1339746));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Fast;
+
+impl sealed::Sealed for Fast {}
+impl<S: Scalar> Tier<S> for Fast {}
+
+impl<S: Scalar> Arithmetic<S> for Fast {
+    type Real = S::Short;
+    const COMPENSATES: bool = false;
+
+    #[inline(always)]
+    fn real(value: S) -> S::Short {
+        value.short()
+    }
+    #[inline(always)]
+    fn unit(value: S::Unit) -> S::Short {
+        S::short_unit(value)
+    }
+    #[inline(always)]
+    fn dot(o: [S; 3], d: [S::Unit; 3]) -> S::Short {
+        S::short_dot(o, d)
+    }
+    #[inline(always)]
+    fn cross(o: [S; 3], d: [S::Unit; 3]) -> [S::Short; 3] {
+        S::short_cross(o, d)
+    }
+    #[inline(always)]
+    fn squared_length(_: [S::Unit; 3]) -> S::Short {
+        S::Short::ONE
+    }
+    #[inline(always)]
+    fn round(value: S::Short) -> S {
+        S::from_short(value)
+    }
+    #[inline(always)]
+    fn ratio(numerator: S::Short, denominator: S::Short) -> S {
+        S::from_short(numerator / denominator)
+    }
 }
 
 /// The default tier: moments instead of differences of squares, roots without cancellation, compensated
@@ -42,9 +90,11 @@ pub trait Tier<S: Scalar>: Copy + sealed::Sealed + 'static {
 pub struct Stable;
 
 impl sealed::Sealed for Stable {}
+impl<S: Scalar> Tier<S> for Stable {}
 
-impl<S: Scalar> Tier<S> for Stable {
+impl<S: Scalar> Arithmetic<S> for Stable {
     type Real = S::Real;
+    const COMPENSATES: bool = true;
 
     #[inline(always)]
     fn real(value: S) -> S::Real {
@@ -67,7 +117,16 @@ impl<S: Scalar> Tier<S> for Stable {
         S::unit_dot(d, d)
     }
     #[inline(always)]
+    fn round(value: S::Real) -> S {
+        S::round(value)
+    }
+    #[inline(always)]
     fn ratio(numerator: S::Real, denominator: S::Real) -> S {
         S::round(numerator / denominator)
     }
 }
+
+impl sealed::Sealed for Exact {}
+impl Tier<f32> for Exact {}
+#[cfg(feature = "fixed")]
+impl<F: fixed::types::extra::LeEqU32 + Send + Sync + 'static> Tier<fixed::FixedI32<F>> for Exact {}

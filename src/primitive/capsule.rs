@@ -5,12 +5,13 @@ use super::sphere::ball;
 use super::{
     Geometry, Line, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates,
 };
+use crate::arithmetic::Arithmetic;
+use crate::figure::Figure;
 use crate::part::Part;
 use crate::quadric::{Inside, slab};
 use crate::ray::Leaving;
 use crate::scalar::{Real, Scalar};
 use crate::span::{End, Meeting, Span};
-use crate::tier::Tier;
 use crate::vector::{UnitVec3, Vec3};
 
 /// A cylinder with hemispherical caps; its height excludes them. Also: a sphere swept along a segment.
@@ -61,12 +62,21 @@ impl<S: Scalar> Capsule<S> {
         Line { origin: [x, y, z], ..*line }
     }
 
-    /// The true end for one of the infinite tube: on the side between the seams, which it owns, and on the ball
-    /// beyond them.
-    fn end<T: Tier<S>>(&self, line: &Line<S>, tube: S, entering: bool) -> Option<End<S>> {
+    /// The true end for one of the infinite tube (`None`: the line is parallel to it): on the side between the seams,
+    /// which it owns, and on the ball beyond them.
+    fn end<T: Arithmetic<S>>(&self, line: &Line<S>, tube: Option<S>, entering: bool) -> Option<End<S>> {
         let rising = line.direction[1] > <S::Unit as crate::scalar::UnitScalar>::ZERO;
-        let part = if tube.is_finite() {
-            let [_, y, _] = S::advance(line.origin, line.direction, tube);
+        let part = if let Some(tube) = tube {
+            // Beyond what the type reaches, the height at the last t that it reaches tells whether a ball ends it before.
+            let farthest = S::BUDGET.distance;
+            let reached = if tube > farthest {
+                farthest
+            } else if tube < -farthest {
+                -farthest
+            } else {
+                tube
+            };
+            let [_, y, _] = S::advance(line.origin, line.direction, reached);
             if y < S::ZERO {
                 Part::Base
             } else if y > self.height {
@@ -99,15 +109,15 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
     }
 
     #[inline]
-    fn meet<T: Tier<S>>(&self, line: &Line<S>) -> Meeting<S> {
+    fn meet<T: Arithmetic<S>>(&self, line: &Line<S>) -> Meeting<S> {
         if let Some((part, leaving)) = line.departure {
             return self.meet_departing::<T>(line, part, leaving);
         }
         // The balls lie in the infinite tube, and where a line runs in the tube beyond a ball without meeting it,
         // it does not come back to the side: each end of the tube has one true end, or there is none at all.
         let (low, high, touch) = match tube::<S, T>(line, self.radius) {
-            Inside::Between(span) => (span.enter.t, span.exit.t, span.touch),
-            Inside::Everywhere => (-S::INFINITY, S::INFINITY, false),
+            Inside::Between(span) => (Some(span.enter.t), Some(span.exit.t), span.touch),
+            Inside::Everywhere => (None, None, false),
             // From seam to seam, where the balls touch the line; without a side they touch it at one point.
             Inside::InSurface => {
                 let between = slab::<S, T>(line.origin[1], line.direction[1], Some(S::ZERO), Some(self.height));
@@ -130,8 +140,12 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
     }
 
     /// Above the top ball and rising, or below the base ball and descending: no.
-    fn verdict<T: Tier<S>>(&self, line: &Line<S>) -> Option<bool> {
+    fn verdict<T: Arithmetic<S>>(&self, line: &Line<S>) -> Option<bool> {
         leaves_slab::<S, T>(line, -self.radius, self.height.plus(self.radius)).then_some(false)
+    }
+
+    fn figure(&self) -> Figure<S> {
+        Figure::Capsule { radius: self.radius, height: self.height }
     }
 
     fn contains(&self, point: Vec3<S>) -> bool {
@@ -196,16 +210,15 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
 impl<S: Scalar> Capsule<S> {
     /// Rule 8: outwards nothing; inwards the far end, and `c = 0` on the quadric that the ray left.
     #[cold]
-    fn meet_departing<T: Tier<S>>(&self, line: &Line<S>, part: Part, leaving: Leaving) -> Meeting<S> {
+    fn meet_departing<T: Arithmetic<S>>(&self, line: &Line<S>, part: Part, leaving: Leaving) -> Meeting<S> {
         if leaving == Leaving::Outwards {
             return Meeting::Miss;
         }
         let far = match tube::<S, T>(line, self.radius) {
-            Inside::Between(span) => span.exit.t,
-            Inside::Nowhere => S::ZERO,
-            _ => S::INFINITY,
+            Inside::Between(span) => Some(if span.exit.t < S::ZERO { S::ZERO } else { span.exit.t }),
+            Inside::Nowhere => Some(S::ZERO),
+            _ => None,
         };
-        let far = if far < S::ZERO { S::ZERO } else { far };
         let arriving = Line { departure: None, ..*line };
         let mut exit = self.end::<T>(&arriving, far, false).unwrap_or(End::new(S::ZERO, part));
         if exit.part == part && part != Part::Side {

@@ -7,11 +7,12 @@ use super::outline::{CarefulCone, Homogeneous, Outline, Profile};
 use super::{
     Geometry, Line, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates,
 };
+use crate::arithmetic::Arithmetic;
+use crate::figure::{self, Figure, Side};
 use crate::part::Part;
 use crate::quadric::{Inside, Quadric, slab};
 use crate::scalar::{Real, Scalar, largest};
 use crate::span::{End, Meeting, Span};
-use crate::tier::Tier;
 use crate::vector::{UnitVec3, Vec3};
 
 /// How far a cone reaches, and whether it is closed.
@@ -146,7 +147,7 @@ fn checked_radii<S: Scalar>(base: S, top: S, height: S) -> Result<Outline<S>, Si
 impl<S: Scalar> Cone<S> {
     /// Where the line is inside both nappes, and the sign of the nappe for a finite interval: see [`NappeTest`].
     #[inline]
-    fn both_nappes<T: Tier<S>>(&self, line: &Line<S>) -> (Inside<S>, NappeTest) {
+    fn both_nappes<T: Arithmetic<S>>(&self, line: &Line<S>) -> (Inside<S>, NappeTest) {
         let profile = Profile::<T::Real>::of(self.outline, T::real);
         let (h, g0, g1) = (profile.h, profile.g0(), profile.g1());
         let (o, d) = (line.origin.map(T::real), line.direction.map(T::unit));
@@ -157,13 +158,13 @@ impl<S: Scalar> Cone<S> {
         let (round, straight) = (h * h * (x * dx + z * dz), g * slope);
         let mut k = round - straight;
         // Less than a quarter left of either product: the rest is rounding, magnified.
-        let far = largest(line.origin) > S::FAR;
-        if far || k.abs() < straight.abs().times_power_of_two(-2) {
+        let far = T::COMPENSATES && largest(line.origin) > S::FAR;
+        if far || T::COMPENSATES && k.abs() < straight.abs().times_power_of_two(-2) {
             k = profile.bilinear(point, direction);
         }
         let (round, straight) = (h * h * (dx * dx + dz * dz), slope * slope);
         let mut a = round - straight;
-        if far || a.abs() < straight.times_power_of_two(-2) {
+        if far || T::COMPENSATES && a.abs() < straight.times_power_of_two(-2) {
             a = profile.bilinear(direction, direction);
         }
         let inside = if let Some(leaving) = line.departs_from(Part::Side) {
@@ -174,7 +175,7 @@ impl<S: Scalar> Cone<S> {
             let squares = |[p, q, r]: [T::Real; 3]| (p * p + q * q, r * r);
             let (mut positive, mut negative) = squares(minors);
             // Aimed close to the apex from afar, the minors are what is left of much larger products.
-            if positive + negative < (h * h * (x * x + z * z) + g * g).times_power_of_two(-4) {
+            if T::COMPENSATES && positive + negative < (h * h * (x * x + z * z) + g * g).times_power_of_two(-4) {
                 minors = profile.minors(point, direction).map(|[minor, _]| minor);
                 (positive, negative) = squares(minors);
             }
@@ -182,13 +183,17 @@ impl<S: Scalar> Cone<S> {
             quadric.solve::<S, T>(&CarefulCone { profile, point, direction })
         };
         // At the vertex t = -k/a the outline is g - g' k/a, which has the sign of the nappe that a finite interval lies in.
-        let vertex = g * a - slope * k;
-        (inside, NappeTest { rising: !slope.is_negative(), upper: !vertex.is_negative() })
+        let (p, q) = (g * a, slope * k);
+        let vertex = p - q;
+        // A touch may be that of the apex, where the outline is zero and its sign is rounding: the apex belongs to both.
+        let is_apex = matches!(inside, Inside::Between(Span { touch: true, .. }))
+            && vertex.abs() < (p.abs() + q.abs()).times_power_of_two(-20);
+        (inside, NappeTest { rising: !slope.is_negative(), upper: is_apex || !vertex.is_negative() })
     }
 
     /// The interval in the nappe where the outline is positive.
     #[inline]
-    fn one_nappe<T: Tier<S>>(&self, line: &Line<S>) -> NappeMeeting<S> {
+    fn one_nappe<T: Arithmetic<S>>(&self, line: &Line<S>) -> NappeMeeting<S> {
         let (inside, test) = self.both_nappes::<T>(line);
         let half_line = |from: bool, t: S| {
             let end = End::new(t, Part::Side);
@@ -211,7 +216,7 @@ impl<S: Scalar> Cone<S> {
     }
 
     /// The piece of a generator line that lies in the nappe: from the apex on.
-    fn generator<T: Tier<S>>(&self, line: &Line<S>) -> Span<S> {
+    fn generator<T: Arithmetic<S>>(&self, line: &Line<S>) -> Span<S> {
         let profile = Profile::<T::Real>::of(self.outline, T::real);
         let ([_, y, _], [_, dy, _]) = (line.origin.map(T::real), line.direction.map(T::unit));
         let slope = profile.g1() * dy;
@@ -286,7 +291,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         Self { outline, extent }
     }
 
-    fn meet<T: Tier<S>>(&self, line: &Line<S>) -> Meeting<S> {
+    fn meet<T: Arithmetic<S>>(&self, line: &Line<S>) -> Meeting<S> {
         if let Extent::Double = self.extent {
             return self.meet_double::<T>(line);
         }
@@ -322,9 +327,26 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
     }
 
     /// Above the top and rising, or below the base and descending: no.
-    fn verdict<T: Tier<S>>(&self, line: &Line<S>) -> Option<bool> {
+    fn verdict<T: Arithmetic<S>>(&self, line: &Line<S>) -> Option<bool> {
         let height = self.height()?;
         leaves_slab::<S, T>(line, S::ZERO, height).then_some(false)
+    }
+
+    fn figure(&self) -> Figure<S> {
+        let side = match self.outline {
+            Outline::Slope(slope) => Side::Slope(slope),
+            Outline::Radii(base, top, height) => Side::Radii(base, top, height),
+        };
+        let extent = match (self.extent, self.outline) {
+            (Extent::Double, Outline::Slope(slope)) => return Figure::DoubleCone { slope },
+            (Extent::Double | Extent::Nappe, _) => figure::Extent::Infinite,
+            (Extent::Open(height), _) => figure::Extent::Open(height),
+            (Extent::Capped(_), _) => {
+                let (low, high) = self.planes();
+                figure::Extent::Capped(low, high)
+            }
+        };
+        Figure::Round { side, extent }
     }
 
     fn contains(&self, point: Vec3<S>) -> bool {
@@ -414,7 +436,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
 }
 
 impl<S: Scalar> Cone<S> {
-    fn meet_double<T: Tier<S>>(&self, line: &Line<S>) -> Meeting<S> {
+    fn meet_double<T: Arithmetic<S>>(&self, line: &Line<S>) -> Meeting<S> {
         let (inside, _) = self.both_nappes::<T>(line);
         let until = |t: S| Span::new(End::none(-S::INFINITY), End::new(t, Part::Side));
         let from = |t: S| Span::new(End::new(t, Part::Side), End::none(S::INFINITY));

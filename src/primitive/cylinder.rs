@@ -1,11 +1,12 @@
 //! The cylinder about the y axis: `x^2 + z^2 = r^2`.
 
 use super::{Geometry, Line, SizeError, checked_size, queries, surface_coordinates as coordinates};
+use crate::arithmetic::Arithmetic;
+use crate::figure::{self, Figure, Side};
 use crate::part::Part;
 use crate::quadric::{Careful, Inside, Quadric, slab};
 use crate::scalar::{Real, Scalar, UnitScalar};
 use crate::span::{End, Meeting, Span};
-use crate::tier::Tier;
 use crate::vector::{UnitVec3, Vec3};
 
 /// How far a cylinder reaches along its axis, and whether it is closed.
@@ -81,7 +82,7 @@ impl<S: Scalar> Cylinder<S> {
 
 /// Where a line is inside the infinite cylinder. `D = a r^2 - w_y^2` with `a = dx^2 + dz^2`.
 #[inline]
-pub(super) fn tube<S: Scalar, T: Tier<S>>(line: &Line<S>, radius: S) -> Inside<S> {
+pub(super) fn tube<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, radius: S) -> Inside<S> {
     let ([ox, _, oz], [dx, _, dz]) = (line.origin, line.direction);
     let zero = T::Real::ZERO;
     let (x, z, dx, dz) = (T::real(ox), T::real(oz), T::unit(dx), T::unit(dz));
@@ -104,7 +105,7 @@ pub(super) struct CarefulTube<R> {
 }
 
 impl<R: Real> CarefulTube<R> {
-    pub(super) fn of<S: Scalar, T: Tier<S, Real = R>>(line: &Line<S>, radius: S) -> Self {
+    pub(super) fn of<S: Scalar, T: Arithmetic<S, Real = R>>(line: &Line<S>, radius: S) -> Self {
         let ([x, _, z], [dx, _, dz]) = (line.origin.map(T::real), line.direction.map(T::unit));
         Self { o: [x, z], d: [dx, dz], r: T::real(radius) }
     }
@@ -156,7 +157,7 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
     }
 
     #[inline]
-    fn meet<T: Tier<S>>(&self, line: &Line<S>) -> Meeting<S> {
+    fn meet<T: Arithmetic<S>>(&self, line: &Line<S>) -> Meeting<S> {
         let side = match tube::<S, T>(line, self.radius) {
             Inside::Between(span) => span,
             // A line in the wall lies in the surface; in the closed solid it runs from rim to rim.
@@ -186,9 +187,18 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
 
     /// Above the top and rising, or below the base and descending: no.
     #[inline]
-    fn verdict<T: Tier<S>>(&self, line: &Line<S>) -> Option<bool> {
+    fn verdict<T: Arithmetic<S>>(&self, line: &Line<S>) -> Option<bool> {
         let height = self.height()?;
         leaves_slab::<S, T>(line, S::ZERO, height).then_some(false)
+    }
+
+    fn figure(&self) -> Figure<S> {
+        let extent = match self.extent {
+            Extent::Infinite => figure::Extent::Infinite,
+            Extent::Open(height) => figure::Extent::Open(height),
+            Extent::Capped(height) => figure::Extent::Capped(Some(S::ZERO), Some(height)),
+        };
+        Figure::Round { side: Side::Straight(self.radius), extent }
     }
 
     fn contains(&self, point: Vec3<S>) -> bool {
@@ -244,13 +254,13 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
 
 /// True if the half-line starts above or below and never comes back.
 #[inline]
-pub(super) fn leaves_slab<S: Scalar, T: Tier<S>>(line: &Line<S>, low: S, high: S) -> bool {
+pub(super) fn leaves_slab<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, low: S, high: S) -> bool {
     let ([_, y, _], dy) = (line.origin, T::unit(line.direction[1]));
     y > high && !dy.is_negative() || y < low && (dy.is_negative() || dy.is_zero())
 }
 
 /// The ends of `side` that lie between the rims of an open surface; the rims belong to it.
-pub(super) fn open_side<S: Scalar, T: Tier<S>>(line: &Line<S>, side: Span<S>, low: S, high: S) -> Meeting<S> {
+pub(super) fn open_side<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, side: Span<S>, low: S, high: S) -> Meeting<S> {
     let [_, y, _] = line.origin;
     let [_, dy, _] = line.direction;
     let Some(between) = slab::<S, T>(y, dy, Some(low), Some(high)) else {
@@ -269,13 +279,13 @@ pub(super) fn open_side<S: Scalar, T: Tier<S>>(line: &Line<S>, side: Span<S>, lo
 }
 
 /// The piece of a line in the wall that lies between the rims.
-fn lies_in_wall<S: Scalar, T: Tier<S>>(line: &Line<S>, height: S) -> Meeting<S> {
+fn lies_in_wall<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, height: S) -> Meeting<S> {
     let ([_, y, _], [_, dy, _]) = (line.origin, line.direction);
     slab::<S, T>(y, dy, Some(S::ZERO), Some(height)).map_or(Meeting::Miss, Meeting::LiesIn)
 }
 
 /// A convex side closed by planes: rule 1, with the departure of rule 8. A missing plane is infinitely far.
-pub(super) fn capped<S: Scalar, T: Tier<S>>(
+pub(super) fn capped<S: Scalar, T: Arithmetic<S>>(
     line: &Line<S>,
     side: Span<S>,
     low: Option<S>,

@@ -3,11 +3,12 @@
 use super::cylinder::CarefulTube;
 use super::plane::{crossing, moves_away};
 use super::{Geometry, Line, SizeError, checked_size, queries, surface_coordinates as coordinates};
+use crate::arithmetic::Arithmetic;
+use crate::figure::Figure;
 use crate::part::Part;
 use crate::quadric::{Inside, Quadric};
 use crate::scalar::{Real, Scalar};
 use crate::span::Meeting;
-use crate::tier::Tier;
 use crate::vector::{UnitVec3, Vec3};
 
 /// A disc about the origin in the plane `y = 0`, its rim included; an open surface whose front is +y.
@@ -51,7 +52,7 @@ impl<S: Scalar> Geometry<S> for Disc<S> {
     }
 
     #[inline]
-    fn meet<T: Tier<S>>(&self, line: &Line<S>) -> Meeting<S> {
+    fn meet<T: Arithmetic<S>>(&self, line: &Line<S>) -> Meeting<S> {
         match crossing::<S, T>(line) {
             Meeting::LiesIn(_) => {
                 // The chord, by the same quadric as a cylinder's side.
@@ -75,8 +76,12 @@ impl<S: Scalar> Geometry<S> for Disc<S> {
     }
 
     /// Moving away from its plane: no.
-    fn verdict<T: Tier<S>>(&self, line: &Line<S>) -> Option<bool> {
+    fn verdict<T: Arithmetic<S>>(&self, line: &Line<S>) -> Option<bool> {
         moves_away::<S, T>(line).then_some(false)
+    }
+
+    fn figure(&self) -> Figure<S> {
+        Figure::Disc { radius: self.radius }
     }
 
     fn contains(&self, point: Vec3<S>) -> bool {

@@ -1,10 +1,11 @@
 //! The plane `y = 0`.
 
 use super::{Geometry, Line, queries, surface_coordinates as coordinates};
+use crate::arithmetic::Arithmetic;
+use crate::figure::Figure;
 use crate::part::Part;
 use crate::scalar::{Real, Scalar};
 use crate::span::{End, Meeting, Span};
-use crate::tier::Tier;
 use crate::vector::{UnitVec3, Vec3};
 use core::marker::PhantomData;
 
@@ -32,7 +33,7 @@ impl<S: Scalar> Plane<S> {
 
 /// Where a line crosses `y = 0`: at `t = -oy / dy`, from the front if it descends.
 #[inline]
-pub(super) fn crossing<S: Scalar, T: Tier<S>>(line: &Line<S>) -> Meeting<S> {
+pub(super) fn crossing<S: Scalar, T: Arithmetic<S>>(line: &Line<S>) -> Meeting<S> {
     if line.departure.is_some() {
         // Rule 8: a straight line leaves a plane for good.
         return Meeting::Miss;
@@ -46,7 +47,7 @@ pub(super) fn crossing<S: Scalar, T: Tier<S>>(line: &Line<S>) -> Meeting<S> {
 
 /// True if the half-line starts off the plane `y = 0` and does not come closer.
 #[inline]
-pub(super) fn moves_away<S: Scalar, T: Tier<S>>(line: &Line<S>) -> bool {
+pub(super) fn moves_away<S: Scalar, T: Arithmetic<S>>(line: &Line<S>) -> bool {
     let ([_, y, _], dy) = (line.origin, T::unit(line.direction[1]));
     y > S::ZERO && !dy.is_negative() || y < S::ZERO && (dy.is_negative() || dy.is_zero())
 }
@@ -77,13 +78,17 @@ impl<S: Scalar> Geometry<S> for Plane<S> {
     }
 
     #[inline]
-    fn meet<T: Tier<S>>(&self, line: &Line<S>) -> Meeting<S> {
+    fn meet<T: Arithmetic<S>>(&self, line: &Line<S>) -> Meeting<S> {
         crossing::<S, T>(line)
     }
 
     /// Moving away from the plane: no.
-    fn verdict<T: Tier<S>>(&self, line: &Line<S>) -> Option<bool> {
+    fn verdict<T: Arithmetic<S>>(&self, line: &Line<S>) -> Option<bool> {
         moves_away::<S, T>(line).then_some(false)
+    }
+
+    fn figure(&self) -> Figure<S> {
+        Figure::Plane
     }
 
     fn contains(&self, point: Vec3<S>) -> bool {

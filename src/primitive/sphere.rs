@@ -1,11 +1,12 @@
 //! The sphere about the origin: `x^2 + y^2 + z^2 = r^2`.
 
 use super::{Geometry, Line, SizeError, checked_size, queries, surface_coordinates as coordinates};
+use crate::arithmetic::Arithmetic;
+use crate::figure::Figure;
 use crate::part::Part;
 use crate::quadric::{Careful, Inside, Quadric};
 use crate::scalar::{Real, Scalar};
-use crate::span::{Meeting, Span};
-use crate::tier::Tier;
+use crate::span::{End, Meeting, Span};
 use crate::vector::{UnitVec3, Vec3};
 
 /// A ball of the given radius about the origin.
@@ -43,11 +44,14 @@ impl<S: Scalar> Sphere<S> {
 
 /// The interval of a line inside the ball of radius `r` about the origin. `D = a r^2 - |w|^2`.
 #[inline]
-pub(super) fn ball<S: Scalar, T: Tier<S>>(line: &Line<S>, radius: S) -> Option<Span<S>> {
+pub(super) fn ball<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, radius: S) -> Option<Span<S>> {
     let (o, d) = (line.origin, line.direction);
     let r = T::real(radius);
-    let a = T::squared_length(d);
     let k = T::dot(o, d);
+    if !T::COMPENSATES {
+        return unit_ball::<S, T>(line, k, r);
+    }
+    let a = T::squared_length(d);
     let [wx, wy, wz] = T::cross(o, d);
     let quadric = Quadric { a, k, positive: a * (r * r), negative: wx * wx + wy * wy + wz * wz };
     match quadric.solve::<S, T>(&CarefulBall { o: o.map(T::real), d: d.map(T::unit), r }) {
@@ -55,6 +59,21 @@ pub(super) fn ball<S: Scalar, T: Tier<S>>(line: &Line<S>, radius: S) -> Option<S
         // a > 0: no other case.
         _ => None,
     }
+}
+
+/// The same for a direction that is taken to be exactly unit: `D = r^2 - |o - k d|^2` from the closest approach (Haines,
+/// Günther and Akenine-Möller, *Precision Improvements for Ray/Sphere Intersection*, Ray Tracing Gems, 2019).
+#[inline]
+fn unit_ball<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, k: T::Real, r: T::Real) -> Option<Span<S>> {
+    let (o, d) = (line.origin.map(T::real), line.direction.map(T::unit));
+    let [x, y, z] = [0, 1, 2].map(|i| o[i] - k * d[i]);
+    let discriminant = r * r - (x * x + y * y + z * z);
+    if discriminant.is_negative() {
+        return None;
+    }
+    let root = discriminant.sqrt();
+    let end = |t: T::Real| End::new(T::round(t), Part::Side);
+    Some(Span { enter: end(-k - root), exit: end(root - k), touch: root.is_zero() })
 }
 
 /// The numbers that the careful coefficients of a ball are made of.
@@ -109,7 +128,7 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
     }
 
     #[inline]
-    fn meet<T: Tier<S>>(&self, line: &Line<S>) -> Meeting<S> {
+    fn meet<T: Arithmetic<S>>(&self, line: &Line<S>) -> Meeting<S> {
         if let Some((_, leaving)) = line.departure {
             let (a, k) = (T::squared_length(line.direction), T::dot(line.origin, line.direction));
             let quadric = Quadric { a, k, positive: T::Real::ZERO, negative: T::Real::ZERO };
@@ -124,7 +143,7 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
 
     /// From outside and moving away: no. From outside and moving closer: as the discriminant says. From inside: yes.
     #[inline]
-    fn verdict<T: Tier<S>>(&self, line: &Line<S>) -> Option<bool> {
+    fn verdict<T: Arithmetic<S>>(&self, line: &Line<S>) -> Option<bool> {
         let (o, d, r) = (line.origin, line.direction, T::real(self.radius));
         let [x, y, z] = o.map(T::real);
         let (square, rr) = (x * x + y * y + z * z, r * r);
@@ -145,6 +164,10 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
         let discriminant = positive - negative;
         // Grazing: the solver looks closer.
         (discriminant.abs() > positive.times_power_of_two(-3)).then(|| !discriminant.is_negative())
+    }
+
+    fn figure(&self) -> Figure<S> {
+        Figure::Ball { radius: self.radius }
     }
 
     fn contains(&self, point: Vec3<S>) -> bool {

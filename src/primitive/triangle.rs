@@ -9,10 +9,11 @@
 
 use super::plane::surface_hit;
 use super::{Geometry, Line, SizeError, queries, surface_coordinates as coordinates};
+use crate::arithmetic::Arithmetic;
+use crate::figure::Figure;
 use crate::part::Part;
 use crate::scalar::{Real, Scalar, largest};
 use crate::span::{End, Meeting, Span};
-use crate::tier::Tier;
 use crate::vector::{UnitVec3, Vec3, cross};
 
 /// A triangle, its edges included; an open surface whose front is where its vertices run counter-clockwise.
@@ -95,7 +96,7 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
         Self { vertices: self.vertices.map(|v| Vec3::new(v.x.scaled(e), v.y.scaled(e), v.z.scaled(e))) }
     }
 
-    fn meet<T: Tier<S>>(&self, line: &Line<S>) -> Meeting<S> {
+    fn meet<T: Arithmetic<S>>(&self, line: &Line<S>) -> Meeting<S> {
         if line.departure.is_some() {
             return Meeting::Miss;
         }
@@ -116,6 +117,10 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
             passes(Real::is_negative)
         };
         if inside { surface_hit(T::ratio(distance, facing), facing.is_negative()) } else { Meeting::Miss }
+    }
+
+    fn figure(&self) -> Figure<S> {
+        Figure::Triangle { vertices: self.vertices.map(Vec3::to_array) }
     }
 
     fn contains(&self, point: Vec3<S>) -> bool {
@@ -165,7 +170,11 @@ fn difference_of<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
 impl<S: Scalar> Triangle<S> {
     /// The piece of a line of its plane that lies in the triangle: cut off by each edge in turn.
     #[cold]
-    fn lies_in<T: Tier<S>>(normal: [T::Real; 3], direction: [T::Real; 3], vertices: [[T::Real; 3]; 3]) -> Meeting<S> {
+    fn lies_in<T: Arithmetic<S>>(
+        normal: [T::Real; 3],
+        direction: [T::Real; 3],
+        vertices: [[T::Real; 3]; 3],
+    ) -> Meeting<S> {
         let mut inside = Span::everywhere();
         let [a, b, c] = vertices;
         for (p, q) in [(a, b), (b, c), (c, a)] {

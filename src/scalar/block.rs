@@ -92,7 +92,7 @@ macro_rules! block {
             /// Zimmermann's recursion (*Karatsuba Square Root*, 1999) unrolled into Newton steps on prefixes of
             /// `n`: each step doubles the bits of the root of a prefix and is at most one too large.
             #[inline]
-            fn integer_square_root(n: $unsigned) -> $unsigned {
+            pub(in crate::scalar) fn integer_square_root(n: $unsigned) -> $unsigned {
                 const QUARTER: u32 = $bits / 4;
                 // Root of the top half of the bits, from the next smaller integer.
                 let top = n >> ($bits / 2);
@@ -415,5 +415,8 @@ fn floor_root(root: u32, n: u32) -> u32 {
     if root as u64 * root as u64 > n as u64 { root - 1 } else { root }
 }
 
+mod short;
 #[cfg(test)]
 mod tests;
+
+pub use short::{Short32, Short64};

@@ -3,7 +3,7 @@
 //! A coordinate keeps the fraction bits of its type; a direction has 30 (or 62), since a direction rounded to the
 //! coordinate's bits throws away everything that follows. Products of the two are exact in the double width.
 
-use super::block::{Block64, Block128};
+use super::block::{Block64, Block128, Short32, Short64};
 use super::{Budget, Real, Scalar, UnitScalar, elementary, sealed::Sealed};
 use fixed::types::extra::{LeEqU32, LeEqU64, U30, U62};
 use fixed::{FixedI32, FixedI64};
@@ -16,7 +16,7 @@ pub const DISTANCE_BITS: u32 = 1;
 /// Defines the implementations for one width.
 macro_rules! fixed {
     (
-        $Fixed:ident, $LeEq:ident, $UnitBits:ident, $Block:ident, $raw:ty, $wide:ty, $unsigned:ty,
+        $Fixed:ident, $LeEq:ident, $UnitBits:ident, $Block:ident, $Short:ident, $raw:ty, $wide:ty, $unsigned:ty,
         $bits:literal, $unit_bits:literal
     ) => {
         impl<F: $LeEq + Send + Sync + 'static> Sealed for $Fixed<F> {}
@@ -24,6 +24,7 @@ macro_rules! fixed {
         impl<F: $LeEq + Send + Sync + 'static> Scalar for $Fixed<F> {
             type Unit = $Fixed<$UnitBits>;
             type Real = $Block;
+            type Short = $Short;
 
             const ZERO: Self = Self::from_bits(0);
             const INFINITY: Self = Self::from_bits(<$raw>::MAX);
@@ -64,6 +65,27 @@ macro_rules! fixed {
                     _ if value.is_negative() => $Fixed::from_bits(-<$raw>::MAX),
                     _ => $Fixed::from_bits(<$raw>::MAX),
                 }
+            }
+            #[inline(always)]
+            fn short(self) -> $Short {
+                $Short::new(self.to_bits() as $wide, -(F::I32))
+            }
+            #[inline(always)]
+            fn short_unit(value: Self::Unit) -> $Short {
+                $Short::new(value.to_bits() as $wide, -$unit_bits)
+            }
+            #[inline]
+            fn from_short(value: $Short) -> Self {
+                <Self as Scalar>::round(value.widened())
+            }
+            #[inline]
+            fn short_dot(o: [Self; 3], d: [Self::Unit; 3]) -> $Short {
+                let sum = Self::dot(o, d);
+                $Short::new(sum.mantissa(), sum.exponent())
+            }
+            #[inline]
+            fn short_cross(o: [Self; 3], d: [Self::Unit; 3]) -> [$Short; 3] {
+                Self::cross(o, d).map(|minor| $Short::new(minor.mantissa(), minor.exponent()))
             }
             #[inline(always)]
             fn plus(self, other: Self) -> Self {
@@ -233,5 +255,5 @@ macro_rules! fixed {
     };
 }
 
-fixed!(FixedI32, LeEqU32, U30, Block64, i32, i64, u64, 32, 30);
-fixed!(FixedI64, LeEqU64, U62, Block128, i64, i128, u128, 64, 62);
+fixed!(FixedI32, LeEqU32, U30, Block64, Short32, i32, i64, u64, 32, 30);
+fixed!(FixedI64, LeEqU64, U62, Block128, Short64, i64, i128, u128, 64, 62);

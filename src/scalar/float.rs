@@ -59,6 +59,7 @@ macro_rules! float {
         impl Scalar for $Float {
             type Unit = $Float;
             type Real = $Float;
+            type Short = $Float;
 
             const ZERO: Self = 0.0;
             const INFINITY: Self = $Float::INFINITY;
@@ -91,6 +92,26 @@ macro_rules! float {
             #[inline(always)]
             fn unit_round(value: Self) -> Self {
                 value
+            }
+            #[inline(always)]
+            fn short(self) -> Self {
+                self
+            }
+            #[inline(always)]
+            fn short_unit(value: Self) -> Self {
+                value
+            }
+            #[inline(always)]
+            fn from_short(value: Self) -> Self {
+                value
+            }
+            #[inline(always)]
+            fn short_dot(o: [Self; 3], d: [Self; 3]) -> Self {
+                Self::dot(o, d)
+            }
+            #[inline(always)]
+            fn short_cross(o: [Self; 3], d: [Self; 3]) -> [Self; 3] {
+                Self::cross(o, d)
             }
             #[inline(always)]
             fn plus(self, other: Self) -> Self {

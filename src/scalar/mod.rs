@@ -12,6 +12,7 @@
 //! | `float` | `f32` and `f64`: error-free products and sums, stepping closer, binary scale |
 //! | `fixed` | `FixedI32<F>` and `FixedI64<F>`, for every `F` |
 //! | [`block`] | integer mantissa and exponent; square root and quotient of integers |
+//! | `certain` | numbers of which every sign can be trusted, for the exact tier |
 //! | `decimal` | decimal text to fixed point, correctly rounded |
 //! | `elementary` | angle, sine, power, in integers for the fixed types |
 //! | `square_root` | the one hardware instruction that `core` does not give |
@@ -20,6 +21,7 @@ use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 pub mod block;
+pub(crate) mod certain;
 #[cfg(feature = "fixed")]
 mod decimal;
 #[cfg(feature = "fixed")]
@@ -97,6 +99,8 @@ pub trait Scalar:
     type Unit: UnitScalar;
     /// The number in which solvers compute.
     type Real: Real;
+    /// The number in which the tier [`Fast`](crate::tier::Fast) computes.
+    type Short: Real;
 
     /// Zero.
     const ZERO: Self;
@@ -118,6 +122,16 @@ pub trait Scalar:
     fn unit_real(value: Self::Unit) -> Self::Real;
     /// Rounded to nearest, saturated at the limits of the unit type.
     fn unit_round(value: Self::Real) -> Self::Unit;
+    /// The value, rounded to what [`Scalar::Short`] holds.
+    fn short(self) -> Self::Short;
+    /// A unit component, rounded to what [`Scalar::Short`] holds.
+    fn short_unit(value: Self::Unit) -> Self::Short;
+    /// Rounded to nearest; beyond the type's range, [`Scalar::INFINITY`] with the sign.
+    fn from_short(value: Self::Short) -> Self;
+    /// `o . d`, for fixed types rounded once.
+    fn short_dot(o: [Self; 3], d: [Self::Unit; 3]) -> Self::Short;
+    /// `o x d`, for fixed types rounded once.
+    fn short_cross(o: [Self; 3], d: [Self::Unit; 3]) -> [Self::Short; 3];
     /// `self + other`, saturated to [`Scalar::INFINITY`].
     fn plus(self, other: Self) -> Self;
     /// `self - other`, saturated to [`Scalar::INFINITY`].

@@ -217,6 +217,18 @@ pub enum Verdict {
 /// the range, cannot be told apart.
 pub fn compare<S: Exact>(case: &Case<S>, ray: &Ray<S>, hits: &Hits<S>, tie: f64) -> Verdict {
     let exact = expected(&case.solid, ray);
+    let verdict = compare_answers(hits, &exact);
+    if let Verdict::Same(_) = verdict {
+        return verdict;
+    }
+    if tie > 0.0 && is_tie(case, ray, hits, &exact, tie) {
+        return Verdict::Tie;
+    }
+    Verdict::Wrong(format!("{} in {}: {ray:?} gives {hits:?}, exactly {exact:?}", case.name, S::name()))
+}
+
+/// Compares hits with exact ones: [`Verdict::Same`], or wrong.
+pub fn compare_answers<S: Exact>(hits: &Hits<S>, exact: &oracle::InRange) -> Verdict {
     let same = hits.len() == exact.hits.len()
         && hits.starts_inside() == exact.starts_inside
         && hits.coincident().is_some() == exact.coincident
@@ -224,16 +236,12 @@ pub fn compare<S: Exact>(case: &Case<S>, ray: &Ray<S>, hits: &Hits<S>, tie: f64)
             .iter()
             .zip(&exact.hits)
             .all(|(hit, exact)| same_part(hit.part, exact.part) && same_crossing(hit.crossing, exact.crossing));
-    if same {
-        let error = |(hit, exact): (&raylet::Hit<S>, &oracle::ExpectedHit)| {
-            exact.t.error_in(&hit.t.exact(), &S::unit_at(&exact.t))
-        };
-        return Verdict::Same(hits.iter().zip(&exact.hits).map(error).fold(0.0, f64::max));
+    if !same {
+        return Verdict::Wrong(format!("{hits:?}, exactly {exact:?}"));
     }
-    if tie > 0.0 && is_tie(case, ray, hits, &exact, tie) {
-        return Verdict::Tie;
-    }
-    Verdict::Wrong(format!("{} in {}: {ray:?} gives {hits:?}, exactly {exact:?}", case.name, S::name()))
+    let error =
+        |(hit, exact): (&raylet::Hit<S>, &oracle::ExpectedHit)| exact.t.error_in(&hit.t.exact(), &S::unit_at(&exact.t));
+    Verdict::Same(hits.iter().zip(&exact.hits).map(error).fold(0.0, f64::max))
 }
 
 fn is_tie<S: Exact>(case: &Case<S>, ray: &Ray<S>, hits: &Hits<S>, exact: &oracle::InRange, tie: f64) -> bool {

@@ -13,6 +13,7 @@ use bytes::{Bytes, Number};
 use fixed::types::extra::{U0, U12, U24, U30, U31, U32, U62};
 use fixed::types::{I16F16, I32F32};
 use fixed::{FixedI32, FixedI64};
+#[allow(unused_imports)] // A target uses one of the two.
 pub use nff::check_nff;
 use question::Question;
 use raylet::Tier;
@@ -53,29 +54,35 @@ const STABLE: Agreement = Agreement::Backward { float: 16.0, fixed: 2.5 };
 
 /// The tiers of every number type: a line each.
 fn every_tier<S: Number>(question: &Question<S>) -> Vec<Verdict> {
-    vec![ask::<S, tier::Stable>(question, STABLE)]
+    vec![ask::<S, tier::Stable>(question, STABLE), ask::<S, tier::Fast>(question, Agreement::Lawful)]
 }
 
 /// The tiers of `f32` and of the 32-bit fixed types alone: a line each.
-fn narrow_tiers<S: Number>(_question: &Question<S>) -> Vec<Verdict> {
-    vec![]
+fn narrow_tiers<S: Number>(question: &Question<S>) -> Vec<Verdict>
+where
+    tier::Exact: Tier<S>,
+{
+    vec![ask::<S, tier::Exact>(question, Agreement::Total)]
 }
 
 fn wide<S: Number>(data: &[u8]) -> Outcome {
     asked::<S>(data, every_tier)
 }
 
-fn narrow<S: Number>(data: &[u8]) -> Outcome {
+fn narrow<S: Number>(data: &[u8]) -> Outcome
+where
+    tier::Exact: Tier<S>,
+{
     asked::<S>(data, |question| [every_tier(question), narrow_tiers(question)].concat())
 }
 
 fn asked<S: Number>(data: &[u8], ask: impl Fn(&Question<S>) -> Vec<Verdict>) -> Outcome {
     let Ok(question) = Question::from_bytes(&mut Bytes::new(data)) else { return Outcome::Rejected };
-    let tie = ask(&question).contains(&Verdict::Tie);
-    Outcome::Asked(if tie { Verdict::Tie } else { Verdict::Same })
+    Outcome::Asked(if ask(&question).contains(&Verdict::Tie) { Verdict::Tie } else { Verdict::Same })
 }
 
 fn ask<S: Number, T: Tier<S>>(question: &Question<S>, promise: Agreement) -> Verdict {
+    question.tier.set((std::any::type_name::<T>(), promise));
     laws::hold::<S, T>(question);
-    agreement::agree::<S, T>(question, promise)
+    agreement::agree::<S, T>(question)
 }

@@ -1,10 +1,15 @@
-//! What the tests share: the exact oracle, number types as the oracle sees them, and workloads.
+//! What the tests share: the exact oracle, number types as the oracle sees them, workloads and tables.
 #![allow(dead_code)] // Every test file uses its own part.
 
+pub mod bounds;
 pub mod cases;
 pub mod exact_types;
 pub mod fuzz;
+pub mod hard_case;
+pub mod measure;
 pub mod oracle;
+pub mod placed;
 pub mod random;
 pub mod subject;
+pub mod table;
 pub mod workload;

@@ -150,12 +150,12 @@ impl<S: Exact> Subject<S> {
         }
         if self.is_flat() {
             // The triangle's centroid is the origin and its plane is tilted.
-            let (x, z) = (angle.cos() * around * base, angle.sin() * around * base);
+            let (x, z) = (libm::cos(angle) * around * base, libm::sin(angle) * around * base);
             return [x, 0.0, z];
         }
         let v = random.between(0.1, 0.9);
         let radius = (base + (top - base) * v) * around;
-        [angle.cos() * radius, v * height, angle.sin() * radius]
+        [libm::cos(angle) * radius, v * height, libm::sin(angle) * radius]
     }
 
     /// A point of the curved side and the outward normal there.
@@ -174,8 +174,8 @@ impl<S: Exact> Subject<S> {
         let slope = self.slope();
         let scale = 1.0 / (1.0 + slope * slope).sqrt();
         (
-            [angle.cos() * radius, v * height, angle.sin() * radius],
-            [angle.cos() * scale, -slope * scale, angle.sin() * scale],
+            [libm::cos(angle) * radius, v * height, libm::sin(angle) * radius],
+            [libm::cos(angle) * scale, -slope * scale, libm::sin(angle) * scale],
         )
     }
 
@@ -185,6 +185,6 @@ impl<S: Exact> Subject<S> {
         let angle = random.between(0.0, std::f64::consts::TAU);
         let upper = random.next() & 1 == 0 && height > 0.0;
         let (radius, y) = if upper { (top, height) } else { (base, 0.0) };
-        [angle.cos() * radius, y, angle.sin() * radius]
+        [libm::cos(angle) * radius, y, libm::sin(angle) * radius]
     }
 }

@@ -28,20 +28,26 @@ pub enum Workload {
     ZeroComponents,
 }
 
-pub const WORKLOADS: [Workload; 15] = [
+pub const WORKLOADS: [Workload; 21] = [
     Workload::Benign,
     Workload::Away(100.0),
     Workload::Away(1_000.0),
     Workload::Away(10_000.0),
+    Workload::Away(1_000_000.0),
     Workload::Grazing(1e-1),
     Workload::Grazing(1e-2),
     Workload::Grazing(1e-3),
     Workload::Grazing(1e-4),
+    Workload::Grazing(1e-5),
+    Workload::Grazing(1e-6),
+    Workload::Grazing(1e-7),
     Workload::Inside,
     Workload::OnSurface,
     Workload::NearAxis(1e-2),
     Workload::NearAxis(1e-4),
     Workload::NearGenerator(1e-2),
+    Workload::NearGenerator(1e-4),
+    Workload::NearGenerator(1e-7),
     Workload::Rims,
     Workload::ZeroComponents,
 ];
@@ -94,7 +100,7 @@ impl Workload {
                 }
                 let angle = random.between(0.0, std::f64::consts::TAU);
                 let slope = subject.slope();
-                let generator = normalize([angle.cos() * slope, 1.0, angle.sin() * slope]);
+                let generator = normalize([libm::cos(angle) * slope, 1.0, libm::sin(angle) * slope]);
                 let direction = normalize(add(scale(generator, random.sign()), scale(random.direction(), off)));
                 Self::aimed(subject.inner_point(random), direction, random.between(3.0, 8.0))
             }
@@ -119,7 +125,7 @@ impl Workload {
         Ray::new(origin, direction).ok()
     }
 
-    fn aimed(target: [f64; 3], direction: [f64; 3], distance: f64) -> ([f64; 3], [f64; 3]) {
+    pub fn aimed(target: [f64; 3], direction: [f64; 3], distance: f64) -> ([f64; 3], [f64; 3]) {
         (add(target, scale(direction, -distance)), direction)
     }
 }

@@ -14,6 +14,8 @@ use raylet::{Hits, Part, Ray, Shape, Tier};
 pub enum Agreement {
     /// The exact answer, with every `t` within one unit in the last place.
     Total,
+    /// No answer in particular, but one that keeps the laws.
+    Lawful,
     /// The exact answer where it is the same for all solids and rays that lie within some units of the one given, and a
     /// `t` that is off by so many units, and by what such a change moves it.
     Backward {
@@ -29,22 +31,26 @@ pub enum Agreement {
 pub enum Verdict {
     /// The exact answer.
     Same,
+    /// None was looked for.
+    Lawful,
     /// Another one, where a little makes another one of the exact answer as well.
     Tie,
 }
 
 /// Asks the solid in its canonical pose, without a departure, for what exact arithmetic can tell.
-pub fn agree<S: Number, T: Tier<S>>(question: &Question<S>, promise: Agreement) -> Verdict {
+pub fn agree<S: Number, T: Tier<S>>(question: &Question<S>) -> Verdict {
+    let (_, promise) = question.tier.get();
     let ray = question.ray.without_departure();
     let hits = Shape::new(*question.shape.primitive()).hits_at::<T>(&ray);
     let line = exact_line(&ray);
-    // Where squares vanish nothing is promised; a triangle without an area is none to the oracle.
-    let excused = question.squares_vanish() || is_flat_to_a_line(&question.solid);
-    if excused
-        || known::has_a_vanishing_slope(question)
-        || known::is_a_long_capsule(question)
-        || known::is_a_wide_cone(question)
-    {
+    // A triangle without an area is none to the oracle.
+    if promise == Agreement::Lawful || is_flat_to_a_line(&question.solid) {
+        return Verdict::Lawful;
+    }
+    // Where squares vanish nothing is promised but by a tier that is exact.
+    let excused =
+        question.squares_vanish() || known::has_a_vanishing_slope(question) || known::is_a_wide_cone(question);
+    if excused && promise != Agreement::Total {
         return Verdict::Tie;
     }
     let exact = in_range(&question.solid, &line, &ray, &Dyadic::zero(), &Dyadic::zero());
@@ -59,6 +65,7 @@ pub fn agree<S: Number, T: Tier<S>>(question: &Question<S>, promise: Agreement) 
             assert!(error <= 1.0, "{}", told(&format!("{error} units off, in a tier that is exact")));
             return Verdict::Same;
         }
+        Agreement::Lawful => return Verdict::Lawful,
         Agreement::Backward { float, fixed } => {
             if S::VANISHING.is_some() {
                 float
@@ -75,7 +82,7 @@ pub fn agree<S: Number, T: Tier<S>>(question: &Question<S>, promise: Agreement) 
         return Verdict::Tie;
     }
     let near = Near::new(question, line, units);
-    if near.is_all_rounding() || near.is_at_a_seam(&hits, &exact) {
+    if near.is_all_rounding() || near.is_a_point_of_overlap(&hits) || near.is_at_a_seam(&hits, &exact) {
         return Verdict::Tie;
     }
     let mut moved = vec![0.0; exact.hits.len()];
@@ -147,6 +154,11 @@ impl<'a, S: Number> Near<'a, S> {
         let least = &self.question.extent.0;
         let has_none = self.question.kind == Kind::Unbounded || matches!(self.question.solid, Solid::Plane);
         !has_none && *least <= self.step
+    }
+
+    /// True if the ray lies in a surface over no more than what is excused: cut off by edges that round to the same `t`.
+    fn is_a_point_of_overlap(&self, hits: &Hits<S>) -> bool {
+        hits.coincident().is_some_and(|overlap| &overlap.end().exact() - &overlap.start().exact() <= self.step)
     }
 
     /// True if a side is met next to its rim or seam: to the same `t`, rounded, as the plane that ends it.
@@ -266,9 +278,12 @@ fn resized(solid: &Solid, sign: i64, step: &Dyadic) -> Solid {
         Solid::Plane => Solid::Plane,
         Solid::Disc { radius } => Solid::Disc { radius: by(radius) },
         Solid::Triangle { vertices } => {
-            // One corner at a time, and each in another direction.
+            // One corner or another, each in another direction.
+            if sign == 0 {
+                return solid.clone();
+            }
             let mut vertices = vertices.clone();
-            let corner = usize::try_from(sign + 1).unwrap_or(0);
+            let corner = usize::from(sign > 0);
             vertices[corner][corner] = &vertices[corner][corner] + step;
             let moved = Solid::Triangle { vertices };
             if is_flat_to_a_line(&moved) { solid.clone() } else { moved }

@@ -1,10 +1,11 @@
 //! What was found and is not mended yet: left out here, so that the search goes on, and kept as a test in
 //! `tests/fuzz_corpus.rs`. Each goes when its fault does.
 
+use super::agreement::Agreement;
 use super::bytes::Number;
 use super::question::Question;
 use raylet::scalar::UnitScalar;
-use raylet::{Departure, Hits, Leaving, Part, Placement, Primitive, Ray};
+use raylet::{Crossing, Departure, Hits, Leaving, Part, Placement, Primitive, Ray};
 
 /// `UnitVec3::from_components` adds up the squares of fixed components before it knows that they are short enough.
 pub fn overflows<U: UnitScalar>(components: [U; 3]) -> bool {
@@ -46,13 +47,6 @@ pub fn is_a_collapsed_triangle<S: Number>(question: &Question<S>, hits: &Hits<S>
     S::VANISHING.is_some() && triangle && hits.coincident().is_some() && question.extent.0.to_f64() <= rounding
 }
 
-/// A fixed capsule whose side the ray leaves beyond what the type holds: it is given the end of a ball instead.
-pub fn is_a_long_capsule<S: Number>(question: &Question<S>) -> bool {
-    let capsule = matches!(question.shape.primitive(), Primitive::Capsule(_));
-    let half = S::BUDGET.distance.to_f64() * 0.5;
-    S::VANISHING.is_none() && capsule && question.extent.1.to_f64() * question.axes.1.max(1.0) >= half * 0.25
-}
-
 /// At the end of the float range a point relative to the solid is an infinity less another.
 pub fn ends_at_infinity<S: Number>(farthest: f64) -> bool {
     S::VANISHING.is_some() && (farthest.is_nan() || farthest > S::BUDGET.distance.to_f64() * 0.25)
@@ -70,4 +64,29 @@ pub fn is_a_wide_cone<S: Number>(question: &Question<S>) -> bool {
 pub fn is_a_flat_cone<S: Number>(question: &Question<S>) -> bool {
     let cone = matches!(question.shape.primitive(), Primitive::Cone(_));
     S::VANISHING.is_none() && cone && question.extent.1.to_f64() > question.extent.0.to_f64() * 1024.0
+}
+
+/// The fast tier: a pointed cone has one end where a ray is parallel to a generator by rounding alone; whether a far float
+/// sphere is hit depends on which question is asked.
+pub fn is_too_fast<S: Number>(question: &Question<S>) -> bool {
+    let loose = match question.shape.primitive() {
+        Primitive::Cone(_) => true,
+        Primitive::Sphere(_) => {
+            let far = question.away(&question.ray) / question.axes.0;
+            S::VANISHING.is_some() && far > question.extent.1.to_f64() * 2.0_f64.powi(S::PRECISION as i32 - 4)
+        }
+        _ => false,
+    };
+    loose && question.promises(Agreement::Lawful)
+}
+
+/// A departing ray whose origin the type cannot hold relative to the solid is moved, and departs from where it is moved to.
+pub fn departs_elsewhere<S: Number>(question: &Question<S>, ray: &Ray<S>) -> bool {
+    !matches!(question.shape.placement(), Placement::World) && question.may_leave_the_type(ray)
+}
+
+/// A float capsule that is touched in two ends: a range that starts between them starts inside of it.
+pub fn is_a_long_touch<S: Number>(question: &Question<S>, whole: &Hits<S>) -> bool {
+    let capsule = matches!(question.shape.primitive(), Primitive::Capsule(_));
+    S::VANISHING.is_some() && capsule && whole.iter().any(|hit| hit.crossing == Crossing::Touch)
 }

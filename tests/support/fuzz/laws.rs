@@ -1,5 +1,6 @@
 //! What must hold for every solid and ray, in every number type and tier, whatever the rounding.
 
+use super::agreement::Agreement;
 use super::bytes::Number;
 use super::known;
 use super::question::Question;
@@ -21,17 +22,23 @@ pub fn hold<S: Number, T: Tier<S>>(question: &Question<S>) {
     // The same line without the ray's range, and from both sides.
     let line = ray.with_range(Range::line());
     let whole = listed::<S, T>(question, &shape.seen_from(Visible::Both), &line);
-    let kept: Vec<Hit<S>> = whole
-        .iter()
-        .filter(|hit| ray.range().contains(hit.t) && is_seen(shape.visible(), hit.crossing))
-        .copied()
-        .collect();
-    law!(hits[..] == kept[..], question, "the range or the side changes more than it drops: {hits:?} of {whole:?}");
+    // A tier that is exact knows on which side of the range's end a hit lies that is rounded onto it.
+    let (start, end) = (ray.range().start(), ray.range().end());
+    let is_decided = |hit: &&Hit<S>| !question.promises(Agreement::Total) || (hit.t != start && hit.t != end);
+    let is_kept = |hit: &&Hit<S>| ray.range().contains(hit.t) && is_seen(shape.visible(), hit.crossing);
+    let kept = whole.iter().filter(is_kept).filter(is_decided);
+    let cut = hits.iter().filter(is_decided).eq(kept);
+    law!(cut, question, "the range or the side changes more than it drops: {hits:?} of {whole:?}");
     // A ray that departs from where it never was is answered, but nothing is promised of the answer.
-    let is_honest = ray.departure().is_none() && !question.squares_vanish() && !known::has_a_vanishing_slope(question);
+    let is_honest = ray.departure().is_none()
+        && !question.squares_vanish()
+        && !known::has_a_vanishing_slope(question)
+        && !known::is_too_fast(question);
     if is_honest {
         pairs_up(question, &whole);
-        starts_inside_as_the_crossings_say(question, &hits, &whole);
+        if whole.iter().all(|hit| is_decided(&hit)) && !known::is_a_long_touch(question, &whole) {
+            starts_inside_as_the_crossings_say(question, &hits, &whole);
+        }
     }
     for hit in &hits {
         surface_is_sound(question, hit, is_honest);
@@ -72,7 +79,8 @@ fn listed<S: Number, T: Tier<S>>(question: &Question<S>, shape: &Shape<S>, ray: 
     let nearest = shape.nearest_at::<T>(ray);
     law!(nearest == hits.first().copied(), question, "nearest is {nearest:?}, of {hits:?} on {ray:?}");
     // Where squares vanish a small solid is a point for the solver, and the signs know better.
-    if !question.squares_vanish() && !known::has_a_vanishing_slope(question) {
+    let excused = question.squares_vanish() || known::has_a_vanishing_slope(question) || known::is_too_fast(question);
+    if !excused {
         let occludes = shape.occludes_at::<T>(ray);
         law!(occludes != hits.is_empty(), question, "occludes is {occludes}, of {hits:?} on {ray:?}");
     }
@@ -141,7 +149,8 @@ fn leaves_without_epsilon<S: Number, T: Tier<S>>(question: &Question<S>, hit: &H
             let Ok(next) = Ray::new(surface.point(), direction) else { continue };
             let next = next.departing(surface.departure(0, leaving)).with_range(Range::line());
             let again = listed::<S, T>(question, &both, &next);
-            if is_honest && !known::has_no_far_end(question, &next, &again) {
+            let known = known::has_no_far_end(question, &next, &again) || known::departs_elsewhere(question, &next);
+            if is_honest && !known {
                 departs(question, &next, &again, leaving);
             }
         }
@@ -154,16 +163,18 @@ fn surface_is_sound<S: Number>(question: &Question<S>, hit: &Hit<S>, is_honest: 
     let (point, local) = (surface.point(), surface.local_point());
     let (o, d, t) = (question.ray.origin().to_f64(), question.ray.direction().to_f64(), hit.t.to_f64());
     let farthest = (0..3).map(|i| (o[i] + t * d[i]).abs()).fold(t.abs(), f64::max);
-    if known::ends_at_infinity::<S>(farthest) {
+    if known::ends_at_infinity::<S>(farthest + (question.away(&question.ray) + t.abs()) / question.axes.0.min(1.0)) {
         return;
     }
     let numbers = point.to_array().into_iter().chain(local.to_array()).all(is_number);
     law!(numbers, question, "{point:?} or {local:?} of {hit:?} is no number");
     // Well within the type a point has coordinates.
-    if is_honest && !known::is_a_flat_cone(question) && farthest <= S::BUDGET.distance.to_f64() * 0.5 {
+    let half = S::BUDGET.distance.to_f64() * 0.5;
+    if is_honest && !known::is_a_flat_cone(question) && farthest <= half {
         law!(is_finite(point), question, "{point:?} of {hit:?} is beyond the type");
         let turned = matches!(question.shape.placement(), Placement::Affine(_));
-        law!(turned || is_finite(local), question, "{local:?} of {hit:?} is beyond the type");
+        let far = farthest + question.position().iter().fold(0.0, |sum, c| sum + c.abs()) > half;
+        law!(turned || far || is_finite(local), question, "{local:?} of {hit:?} is beyond the type");
     }
     let (tu, tv) = surface.tangents();
     for direction in [surface.normal(), surface.normal_towards_ray(), tu, tv] {

@@ -1,5 +1,6 @@
 //! A solid and a ray from bytes.
 
+use super::agreement::Agreement;
 use super::bytes::{Bytes, Number};
 use crate::support::cases::Kind;
 use crate::support::oracle::{self, ConeExtent, CylinderExtent, Dyadic, Solid};
@@ -8,6 +9,7 @@ use raylet::{
     Affine, Capsule, Cone, Cylinder, Departure, Disc, Frame, Leaving, Part, Placement, Plane, Primitive, Range, Ray,
     Scalar, Shape, Sphere, Triangle, Visible,
 };
+use std::cell::Cell;
 
 /// A constructor said no.
 #[derive(Debug)]
@@ -23,6 +25,8 @@ pub struct Question<S: Number> {
     pub ray: Ray<S>,
     /// The smallest length of the solid itself that is not zero, and the largest.
     pub extent: (Dyadic, Dyadic),
+    /// The tier that is being asked, by name, and what it promises.
+    pub tier: Cell<(&'static str, Agreement)>,
     /// The lengths of the shortest and of the longest axis of the placement, roughly.
     pub axes: (f64, f64),
 }
@@ -61,10 +65,11 @@ impl<S: Number> Question<S> {
         let shape = Shape::new(primitive).seen_from(visible).placed(placement);
         let is_double = matches!(solid, Solid::Cone { extent: ConeExtent::Double, .. });
         let extent = extent(&solid);
-        Ok(Self { kind, is_double, shape, solid, ray: ray(bytes)?, extent, axes })
+        let tier = Cell::new(("none", Agreement::Lawful));
+        Ok(Self { kind, is_double, shape, solid, ray: ray(bytes)?, extent, tier, axes })
     }
 
-    fn position(&self) -> [f64; 3] {
+    pub fn position(&self) -> [f64; 3] {
         match self.shape.placement() {
             Placement::World => [0.0; 3],
             Placement::Frame(frame) => frame.position().to_f64(),
@@ -72,8 +77,13 @@ impl<S: Number> Question<S> {
         }
     }
 
+    /// True if the tier that is asked makes this promise.
+    pub fn promises(&self, promise: Agreement) -> bool {
+        self.tier.get().1 == promise
+    }
+
     /// How far the ray's origin is from the solid's, as far as `f64` tells.
-    fn away(&self, ray: &Ray<S>) -> f64 {
+    pub fn away(&self, ray: &Ray<S>) -> f64 {
         ray.origin().to_f64().iter().chain(&self.position()).fold(0.0, |sum, c| sum + c.abs())
     }
 

@@ -1,0 +1,68 @@
+//! The inside test, decided by signs.
+
+use super::form::{Form, Homogeneous, Weight, cross, difference, dot};
+use super::round::form_of;
+use super::solve::Of;
+use crate::figure::{Extent, Figure};
+use crate::scalar::certain::Certain;
+use core::cmp::Ordering;
+
+/// Whether the point belongs to the closed set.
+pub(super) fn holds<S: Certain, N: Of<S>>(figure: &Figure<S>, point: [N; 3]) -> Option<bool> {
+    let here = Homogeneous { v: point, w: Weight::One };
+    let [_, y, _] = point;
+    let is_inside = |form: Form<N>, p: Homogeneous<N>| Some(form.of(p, p).sign()? != Ordering::Greater);
+    match *figure {
+        Figure::Ball { radius } => is_inside(Form::Ball { r: N::scalar(radius) }, here),
+        Figure::Capsule { radius, height } => {
+            let (r, height) = (N::scalar(radius), N::scalar(height));
+            let below = y.sign()? == Ordering::Less;
+            let above = (y - height).sign()? == Ordering::Greater;
+            let [x, _, z] = point;
+            let seen = Homogeneous { v: [x, if above { y - height } else { y }, z], w: Weight::One };
+            is_inside(if below || above { Form::Ball { r } } else { Form::Tube { r } }, seen)
+        }
+        Figure::DoubleCone { slope } => is_inside(Form::slope(N::scalar(slope)), here),
+        Figure::Round { side, extent } => {
+            let form = form_of(side);
+            let (low, high) = match extent {
+                Extent::Infinite => (None, None),
+                Extent::Open(height) => (Some(S::ZERO), Some(height)),
+                Extent::Capped(low, high) => (low, high),
+            };
+            let outside = |bound: Option<S>, side: Ordering| match bound {
+                Some(bound) => Some((y - N::scalar(bound)).sign()? == side),
+                None => Some(false),
+            };
+            if outside(low, Ordering::Less)?
+                || outside(high, Ordering::Greater)?
+                || form.outline(here).sign()? == Ordering::Less
+            {
+                return Some(false);
+            }
+            Some(match form.of(here, here).sign()? {
+                Ordering::Less => !matches!(extent, Extent::Open(_)),
+                Ordering::Equal => true,
+                Ordering::Greater => false,
+            })
+        }
+        Figure::Plane => Some(y.sign()? == Ordering::Equal),
+        Figure::Disc { radius } => {
+            Some(y.sign()? == Ordering::Equal && is_inside(Form::Tube { r: N::scalar(radius) }, here)?)
+        }
+        Figure::Triangle { vertices } => {
+            let corners = vertices.map(|vertex| vertex.map(N::scalar));
+            let [a, b, c] = corners.map(|corner| difference(corner, point));
+            let normal = cross(difference(corners[1], corners[0]), difference(corners[2], corners[0]));
+            if dot(normal, a).sign()? != Ordering::Equal {
+                return Some(false);
+            }
+            for (p, q) in [(a, b), (b, c), (c, a)] {
+                if dot(normal, cross(p, q)).sign()? == Ordering::Less {
+                    return Some(false);
+                }
+            }
+            Some(true)
+        }
+    }
+}

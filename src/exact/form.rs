@@ -1,0 +1,118 @@
+//! The line and the quadrics along it.
+
+use crate::scalar::certain::Number;
+
+/// A line in a primitive's frame. Its direction has any length: `t` is the parameter of the ray as stored.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Line<N> {
+    pub(crate) origin: [N; 3],
+    pub(crate) direction: [N; 3],
+}
+
+/// `a . b`
+pub(crate) fn dot<N: Number>(a: [N; 3], b: [N; 3]) -> N {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// `a x b`
+pub(crate) fn cross<N: Number>(a: [N; 3], b: [N; 3]) -> [N; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// `a - b`
+pub(crate) fn difference<N: Number>(a: [N; 3], b: [N; 3]) -> [N; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// A point in homogeneous coordinates `(v, w)`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Homogeneous<N> {
+    pub(super) v: [N; 3],
+    pub(super) w: Weight<N>,
+}
+
+/// What a point's coordinates are to be divided by.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Weight<N> {
+    /// Nothing: it is a direction.
+    Zero,
+    /// One: they are the coordinates.
+    One,
+    /// This.
+    By(N),
+}
+
+impl<N: Number> Weight<N> {
+    /// The number times the weight.
+    fn times(self, number: N) -> N {
+        match self {
+            Self::Zero => N::ZERO,
+            Self::One => number,
+            Self::By(w) => number * w,
+        }
+    }
+}
+
+/// A quadric as a bilinear form `f(p, q)`, with `f(p, p) <= 0` inside.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Form<N> {
+    /// `x x' + y y' + z z' - r w r w'`
+    Ball { r: N },
+    /// `x x' + z z' - r w r w'`
+    Tube { r: N },
+    /// `h^2 (x x' + z z') - g g'` with the outline `g = g0 w + g1 y`: the radius at `y` is `g / h`.
+    Cone { h: N, g0: N, g1: N },
+}
+
+impl<N: Number> Form<N> {
+    /// A cone of this slope.
+    pub(super) fn slope(slope: N) -> Self {
+        Self::Cone { h: N::ONE, g0: N::ZERO, g1: slope }
+    }
+
+    /// A cone through two radii.
+    pub(super) fn radii(base: N, top: N, height: N) -> Self {
+        Self::Cone { h: height, g0: base * height, g1: top - base }
+    }
+
+    /// The outline `g0 w + g1 y`; constant but for a cone.
+    pub(super) fn outline(self, p: Homogeneous<N>) -> N {
+        match self {
+            Self::Ball { r } | Self::Tube { r } => p.w.times(r),
+            Self::Cone { g0, g1, .. } => p.w.times(g0) + g1 * p.v[1],
+        }
+    }
+
+    /// `f(p, q)`
+    pub(super) fn of(self, p: Homogeneous<N>, q: Homogeneous<N>) -> N {
+        let ([x, y, z], [u, v, w]) = (p.v, q.v);
+        match self {
+            Self::Ball { r } => N::sum([[x, u], [y, v], [z, w], [-p.w.times(r), q.w.times(r)]]),
+            Self::Tube { r } => N::sum([[x, u], [z, w], [-p.w.times(r), q.w.times(r)]]),
+            Self::Cone { h, .. } => {
+                let (g, f) = (self.outline(p), self.outline(q));
+                N::sum([[h * x, h * u], [h * z, h * w], [-g, f]])
+            }
+        }
+    }
+
+    /// `k^2 - a c` along the line, from the moment `w = o x d`: Lagrange's identity in the metric of the form.
+    pub(super) fn discriminant(self, line: &Line<N>) -> N {
+        let ([x, _, z], [dx, _, dz]) = (line.origin, line.direction);
+        match self {
+            Self::Ball { r } => {
+                let ([wx, wy, wz], d) = (cross(line.origin, line.direction), line.direction);
+                r * r * dot(d, d) - (wx * wx + wy * wy + wz * wz)
+            }
+            Self::Tube { r } => {
+                let wy = z * dx - x * dz;
+                r * r * (dx * dx + dz * dz) - wy * wy
+            }
+            Self::Cone { h, g0, g1 } => {
+                let [wx, wy, wz] = cross(line.origin, line.direction);
+                let (p, q, s) = (g1 * wz - g0 * dx, g1 * wx + g0 * dz, h * wy);
+                h * h * (p * p + q * q - s * s)
+            }
+        }
+    }
+}
