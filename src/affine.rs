@@ -206,21 +206,21 @@ impl<S: Scalar> Place<S> for Affine<S> {
         let (local_direction, stretch) = S::normalize(stretched)?;
 
         let from_position = (ray.origin() - self.position).to_array();
-        let origin = self.vector_to_local(from_position).map(S::round);
-        let step = if !from_position.iter().chain(&origin).all(|c| c.is_finite()) {
+        let origin = S::finest(self.vector_to_local(from_position));
+        let step = if !from_position.iter().chain(&origin.0).all(|c| c.is_finite()) {
             Some(closest_approach(ray, self.position))
         } else if ray.departure().is_some() {
             None
         } else {
             let world_reach = S::round(reach.real() * self.spread.real());
-            S::step_closer(S::dot(from_position, direction), world_reach).filter(|_| is_far(origin.into()))
+            S::step_closer(S::dot(from_position, direction), world_reach).filter(|_| is_far(origin.0.into()))
         };
         let Some(step) = step else {
             return Some(Local::new(ray, origin, local_direction, S::ZERO, Some(stretch), reach));
         };
         let closer = S::walk(ray.origin().to_array(), self.position.to_array(), direction, step);
-        let origin = self.vector_to_local(closer).map(S::round);
-        let in_type = step.is_finite() && closer.iter().chain(&origin).all(|c| c.is_finite());
+        let origin = S::finest(self.vector_to_local(closer));
+        let in_type = step.is_finite() && closer.iter().chain(&origin.0).all(|c| c.is_finite());
         in_type.then(|| Local::new(ray, origin, local_direction, step, Some(stretch), reach))
     }
 

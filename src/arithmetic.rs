@@ -2,6 +2,7 @@
 //!
 //! The formulas are the same for all; what differs is how much of each product is kept.
 
+use crate::line::Line;
 use crate::scalar::certain::Certain;
 use crate::scalar::{Real, Scalar};
 
@@ -17,6 +18,8 @@ pub trait Arithmetic<S: Scalar>: Copy + 'static {
     fn real(value: S) -> Self::Real;
     /// The exact value of a component of a direction.
     fn unit(value: S::Unit) -> Self::Real;
+    /// A number of the scalar's own kind.
+    fn own(value: S::Real) -> Self::Real;
     /// `o . d`.
     fn dot(o: [S; 3], d: [S::Unit; 3]) -> Self::Real;
     /// `o x d`.
@@ -27,6 +30,47 @@ pub trait Arithmetic<S: Scalar>: Copy + 'static {
     fn round(value: Self::Real) -> S;
     /// `numerator / denominator`, rounded; [`Scalar::INFINITY`] with the sign where the type cannot hold it.
     fn ratio(numerator: Self::Real, denominator: Self::Real) -> S;
+}
+
+/// A line in the numbers of a tier.
+impl<S: Scalar> Line<S> {
+    #[inline(always)]
+    fn in_its_unit<R: Real>(&self, value: R) -> R {
+        if S::RELATIVE { value } else { value.times_power_of_two(-self.finer) }
+    }
+
+    /// The origin.
+    #[inline(always)]
+    pub(crate) fn point<T: Arithmetic<S>>(&self) -> [T::Real; 3] {
+        self.origin.map(|component| self.in_its_unit(T::real(component)))
+    }
+
+    /// The direction.
+    #[inline(always)]
+    pub(crate) fn along<T: Arithmetic<S>>(&self) -> [T::Real; 3] {
+        self.direction.map(T::unit)
+    }
+
+    /// `o . d`.
+    #[inline(always)]
+    pub(crate) fn dot<T: Arithmetic<S>>(&self) -> T::Real {
+        self.in_its_unit(T::dot(self.origin, self.direction))
+    }
+
+    /// The moment `o x d`.
+    #[inline(always)]
+    pub(crate) fn moment<T: Arithmetic<S>>(&self) -> [T::Real; 3] {
+        T::cross(self.origin, self.direction).map(|minor| self.in_its_unit(minor))
+    }
+
+    /// The parameter `numerator / denominator`, rounded.
+    #[inline(always)]
+    pub(crate) fn t<T: Arithmetic<S>>(&self, numerator: T::Real, denominator: T::Real) -> S {
+        match self.stretch {
+            None => T::ratio(numerator, denominator),
+            Some(stretch) => T::ratio(numerator, denominator * T::own(stretch)),
+        }
+    }
 }
 
 /// A number of twice the precision.
@@ -44,6 +88,10 @@ impl<S: Certain> Arithmetic<S> for Doubled {
     #[inline]
     fn unit(value: S::Unit) -> S::Double {
         S::double_unit(value)
+    }
+    #[inline]
+    fn own(value: S::Real) -> S::Double {
+        S::double_real(value)
     }
     #[inline]
     fn dot(o: [S; 3], d: [S::Unit; 3]) -> S::Double {

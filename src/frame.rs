@@ -177,24 +177,24 @@ impl<S: Scalar> Place<S> for Frame<S> {
     fn localize(&self, ray: &Ray<S>, reach: S, is_far: impl FnOnce(Vec3<S>) -> bool) -> Option<Local<S>> {
         let direction = ray.direction().to_array();
         let axes = self.axes.map(UnitVec3::to_array);
-        let to_local = |v: [S; 3]| axes.map(|axis| S::round(S::dot(v, axis)));
+        let to_local = |v: [S; 3]| S::finest(axes.map(|axis| S::dot(v, axis)));
         let local_direction = axes.map(|axis| S::unit_round(S::unit_dot(direction, axis)));
 
         let from_position = (ray.origin() - self.position).to_array();
         let origin = to_local(from_position);
-        let step = if !from_position.iter().chain(&origin).all(|c| c.is_finite()) {
+        let step = if !from_position.iter().chain(&origin.0).all(|c| c.is_finite()) {
             Some(closest_approach(ray, self.position))
         } else if ray.departure().is_some() {
             None
         } else {
-            S::step_closer(S::dot(from_position, direction), reach).filter(|_| is_far(origin.into()))
+            S::step_closer(S::dot(from_position, direction), reach).filter(|_| is_far(origin.0.into()))
         };
         let Some(step) = step else {
             return Some(Local::new(ray, origin, local_direction, S::ZERO, None, reach));
         };
         let closer = S::walk(ray.origin().to_array(), self.position.to_array(), direction, step);
         let origin = to_local(closer);
-        let in_type = step.is_finite() && closer.iter().chain(&origin).all(|c| c.is_finite());
+        let in_type = step.is_finite() && closer.iter().chain(&origin.0).all(|c| c.is_finite());
         in_type.then(|| Local::new(ray, origin, local_direction, step, None, reach))
     }
 

@@ -8,14 +8,20 @@
 use crate::part::Part;
 use crate::ray::{Leaving, Ray};
 use crate::scalar::certain::FromScalar;
-use crate::scalar::{Scalar, largest};
+use crate::scalar::{Real, Scalar, largest};
 use crate::vector::Vec3;
+use core::cmp::Ordering;
 
 /// An infinite line in the frame of a primitive, and the part that it departs from at `t = 0`.
 #[derive(Clone, Copy, Debug)]
 pub struct Line<S: Scalar> {
+    /// To be read as `2^-finer` times itself: of a fixed-point line, seen through a placement, more bits than those of the
+    /// type are known.
     pub(crate) origin: [S; 3],
+    pub(crate) finer: i32,
     pub(crate) direction: [S::Unit; 3],
+    /// The length by which the direction was divided, where a `t` must be divided by it before it is rounded.
+    pub(crate) stretch: Option<S::Real>,
     pub(crate) departure: Option<(Part, Leaving)>,
 }
 
@@ -24,6 +30,43 @@ impl<S: Scalar> Line<S> {
     #[inline]
     pub(crate) fn departs_from(&self, part: Part) -> Option<Leaving> {
         self.departure.and_then(|(from, leaving)| (from == part).then_some(leaving))
+    }
+
+    /// The exact value of a coordinate of the origin.
+    #[inline(always)]
+    pub(crate) fn coordinate(&self, i: usize) -> S::Real {
+        let value = self.origin[i].real();
+        if S::RELATIVE { value } else { value.times_power_of_two(-self.finer) }
+    }
+
+    /// How the height of the origin compares with a bound.
+    #[inline]
+    pub(crate) fn compare_height(&self, bound: S) -> Option<Ordering> {
+        if self.finer == 0 { self.origin[1].partial_cmp(&bound) } else { self.coordinate(1).partial_cmp(&bound.real()) }
+    }
+
+    /// True if the origin is so far above the bound (below it, if `below`) that the `t` of a crossing behind it does not
+    /// round to zero.
+    #[inline]
+    pub(crate) fn is_clear_of(&self, bound: S, below: bool) -> bool {
+        if self.finer == 0 && self.stretch.is_none() {
+            return if below { self.origin[1] < bound } else { self.origin[1] > bound };
+        }
+        let above = self.coordinate(1) - bound.real();
+        let unit = S::BUDGET.smallest_size.real();
+        let unit = self.stretch.map_or(unit, |stretch| unit * stretch);
+        (if below { -above } else { above }) > unit
+    }
+
+    /// The height of the point at `t`, rounded.
+    #[inline]
+    pub(crate) fn height_at(&self, t: S) -> S {
+        if self.finer == 0 && self.stretch.is_none() {
+            let [_, y, _] = S::advance(self.origin, self.direction, t);
+            return y;
+        }
+        let along = self.stretch.map_or(t.real(), |stretch| t.real() * stretch);
+        S::round(self.coordinate(1) + along * S::unit_real(self.direction[1]))
     }
 }
 
@@ -66,6 +109,8 @@ impl<S: Scalar> Place<S> for InWorld {
 }
 
 /// A [`Line`] and the way from its `t` back to that of the ray: `t = start + t_line * 2^exponent / stretch`.
+///
+/// (In fixed point exponent and start are always zero, and the line itself divides by the stretch.)
 #[derive(Clone, Copy, Debug)]
 pub struct Local<S: Scalar> {
     pub(crate) line: Line<S>,
@@ -87,15 +132,15 @@ impl<S: Scalar> Local<S> {
             origin = S::walk(origin, Vec3::<S>::ZERO.to_array(), direction, step);
             start = step;
         }
-        Self::new(ray, origin, direction, start, None, reach)
+        Self::new(ray, (origin, 0), direction, start, None, reach)
     }
 
-    /// From the origin and direction in the primitive's frame. `start` is the `t` to which the origin has been moved,
-    /// `stretch` the length by which the direction was divided.
+    /// From the origin, as [`Scalar::finest`] gives it, and the direction in the primitive's frame. `start` is the `t` to
+    /// which the origin has been moved, `stretch` the length by which the direction was divided.
     #[inline]
     pub(crate) fn new(
         ray: &Ray<S>,
-        origin: [S; 3],
+        (origin, finer): ([S; 3], i32),
         direction: [S::Unit; 3],
         start: S,
         stretch: Option<S::Real>,
@@ -104,7 +149,9 @@ impl<S: Scalar> Local<S> {
         let exponent = S::binary_exponent(largest([origin[0], origin[1], origin[2], size]));
         let departure = ray.departure().map(|departure| (departure.part, departure.leaving));
         let origin = origin.map(|component| component.scaled(-exponent));
-        Self { line: Line { origin, direction, departure }, exponent, start, stretch }
+        let (of_line, after) = if S::RELATIVE { (None, stretch) } else { (stretch, None) };
+        let line = Line { origin, finer, direction, stretch: of_line, departure };
+        Self { line, exponent, start, stretch: after }
     }
 
     /// The ray's `t` for a `t` on the line.
@@ -122,7 +169,7 @@ impl<S: Scalar> Local<S> {
     /// True if lengths along the line are those along the ray.
     #[inline]
     pub(crate) fn is_unstretched(&self) -> bool {
-        self.stretch.is_none()
+        self.stretch.is_none() && self.line.stretch.is_none()
     }
 
     /// True if the ray's range is the line's `t >= 0`, or a beginning of it, and it departs from nowhere.

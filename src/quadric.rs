@@ -6,10 +6,12 @@
 //! moment `w = o x d` instead; each says how.
 
 use crate::arithmetic::Arithmetic;
+use crate::line::Line;
 use crate::part::Part;
 use crate::ray::Leaving;
 use crate::scalar::{Real, Scalar};
 use crate::span::{End, Span};
+use core::cmp::Ordering;
 
 /// The coefficients of `a t^2 + 2 k t + c` without `c`, and the discriminant `k^2 - a c` as a difference.
 #[derive(Clone, Copy, Debug)]
@@ -53,10 +55,14 @@ pub(crate) enum Inside<S> {
 impl<R: Real> Quadric<R> {
     /// Solves for `f <= 0`; `careful` is asked only where it decides something.
     #[inline]
-    pub(crate) fn solve<S: Scalar, T: Arithmetic<S, Real = R>>(self, careful: &impl Careful<R>) -> Inside<S> {
+    pub(crate) fn solve<S: Scalar, T: Arithmetic<S, Real = R>>(
+        self,
+        line: &Line<S>,
+        careful: &impl Careful<R>,
+    ) -> Inside<S> {
         let Self { a, mut k, positive, negative } = self;
         if a.is_zero() {
-            return Self::solve_linear::<S, T>(careful.k(), careful.c());
+            return Self::solve_linear::<S, T>(line, careful.k(), careful.c());
         }
         let mut discriminant = positive - negative;
         if T::COMPENSATES && discriminant.abs() < positive.times_power_of_two(-3) {
@@ -69,7 +75,7 @@ impl<R: Real> Quadric<R> {
         // With a < 0 the discriminant cannot be negative but by rounding: the square root is then zero.
         let root = discriminant.sqrt();
         if root.is_zero() {
-            let t = T::ratio(-k, a);
+            let t = line.t::<T>(-k, a);
             let end = End::new(t, Part::Side);
             return if a.is_negative() {
                 Inside::Beyond(t, t)
@@ -83,13 +89,13 @@ impl<R: Real> Quadric<R> {
         let cancels =
             T::COMPENSATES && magnitude < root.times_power_of_two(1) && root < magnitude.times_power_of_two(1);
         let (low, high) = if !cancels {
-            (T::ratio(-k - root, a), T::ratio(-k + root, a))
+            (line.t::<T>(-k - root, a), line.t::<T>(-k + root, a))
         } else if k.is_negative() {
             let q = root - k;
-            (T::ratio(careful.c(), q), T::ratio(q, a))
+            (line.t::<T>(careful.c(), q), line.t::<T>(q, a))
         } else {
             let q = -k - root;
-            (T::ratio(q, a), T::ratio(careful.c(), q))
+            (line.t::<T>(q, a), line.t::<T>(careful.c(), q))
         };
         // Equal after rounding can come out in the wrong order.
         let (low, high) = if a.is_negative() { (high, low) } else { (low, high) };
@@ -103,7 +109,7 @@ impl<R: Real> Quadric<R> {
 
     /// `2 k t + c <= 0`: a line parallel to an asymptote has one root, not none.
     #[cold]
-    fn solve_linear<S: Scalar, T: Arithmetic<S, Real = R>>(k: R, c: R) -> Inside<S> {
+    fn solve_linear<S: Scalar, T: Arithmetic<S, Real = R>>(line: &Line<S>, k: R, c: R) -> Inside<S> {
         if k.is_zero() {
             return if c.is_zero() {
                 Inside::InSurface
@@ -113,14 +119,18 @@ impl<R: Real> Quadric<R> {
                 Inside::Nowhere
             };
         }
-        let t = T::ratio(-c, k.times_power_of_two(1));
+        let t = line.t::<T>(-c, k.times_power_of_two(1));
         if k.is_negative() { Inside::From(t) } else { Inside::Until(t) }
     }
 
     /// Solves for a ray that departs from this quadric: `c` is exactly zero, and the other root is `-2k/a`.
     ///
     /// The side to which it leaves gives the sign of `k`, whatever its rounding.
-    pub(crate) fn solve_departing<S: Scalar, T: Arithmetic<S, Real = R>>(self, leaving: Leaving) -> Inside<S> {
+    pub(crate) fn solve_departing<S: Scalar, T: Arithmetic<S, Real = R>>(
+        self,
+        line: &Line<S>,
+        leaving: Leaving,
+    ) -> Inside<S> {
         let a = self.a;
         let k = match leaving {
             Leaving::Inwards => -self.k.abs(),
@@ -132,7 +142,7 @@ impl<R: Real> Quadric<R> {
                 Leaving::Outwards => Inside::Until(S::ZERO),
             };
         }
-        let other = if k.is_zero() { S::ZERO } else { T::ratio(k.times_power_of_two(1), -a) };
+        let other = if k.is_zero() { S::ZERO } else { line.t::<T>(k.times_power_of_two(1), -a) };
         let (low, high) = if other < S::ZERO { (other, S::ZERO) } else { (S::ZERO, other) };
         if a.is_negative() {
             Inside::Beyond(low, high)
@@ -145,15 +155,16 @@ impl<R: Real> Quadric<R> {
 /// Where along a line `low <= y <= high`; a missing bound is infinitely far away. The ends bear the parts of the
 /// two planes. The planes themselves belong to the slab, so that a line in one of them lies inside.
 #[inline]
-pub(crate) fn slab<S: Scalar, T: Arithmetic<S>>(y: S, dy: S::Unit, low: Option<S>, high: Option<S>) -> Option<Span<S>> {
-    let slope = T::unit(dy);
+pub(crate) fn slab<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, low: Option<S>, high: Option<S>) -> Option<Span<S>> {
+    let ([_, y, _], [_, slope, _]) = (line.point::<T>(), line.along::<T>());
     if slope.is_zero() {
-        let outside = low.is_some_and(|low| y < low) || high.is_some_and(|high| y > high);
+        let outside = low.is_some_and(|low| line.compare_height(low) == Some(Ordering::Less))
+            || high.is_some_and(|high| line.compare_height(high) == Some(Ordering::Greater));
         return (!outside).then(Span::everywhere);
     }
     // t = (bound - oy) / dy; the articles that this crate grew from print -(oy + bound) / dy.
     let end = |bound: Option<S>, part: Part, missing: S| {
-        bound.map_or(End::none(missing), |bound| End::new(T::ratio(T::real(bound) - T::real(y), slope), part))
+        bound.map_or(End::none(missing), |bound| End::new(line.t::<T>(T::real(bound) - y, slope), part))
     };
     Some(if slope.is_negative() {
         Span::new(end(high, Part::Top, -S::INFINITY), end(low, Part::Base, S::INFINITY))

@@ -173,7 +173,8 @@ pub(crate) fn scaled<S: Scalar>(point: Vec3<S>, e: i32) -> Vec3<S> {
 /// bounded, lengths are those of the world, and line and solid lie within a quarter of the budget.
 #[inline]
 fn is_within_reach<S: Scalar, G: Geometry<S>>(geometry: &G, local: &Local<S>) -> bool {
-    let [x, y, z] = local.line.origin.map(|component| component.scaled(local.exponent));
+    let [x, y, z] =
+        local.line.origin.map(|component| component.in_finer_units(-local.line.finer).scaled(local.exponent));
     let farthest = largest([x, y, z, geometry.reach()]);
     let twice = farthest.plus(farthest);
     let (low, high) = geometry.bounds();

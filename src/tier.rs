@@ -55,6 +55,10 @@ impl<S: Scalar> Arithmetic<S> for Fast {
         S::short_unit(value)
     }
     #[inline(always)]
+    fn own(value: S::Real) -> S::Short {
+        S::shortened(value)
+    }
+    #[inline(always)]
     fn dot(o: [S; 3], d: [S::Unit; 3]) -> S::Short {
         S::short_dot(o, d)
     }
@@ -103,6 +107,10 @@ impl<S: Scalar> Arithmetic<S> for Stable {
     #[inline(always)]
     fn unit(value: S::Unit) -> S::Real {
         S::unit_real(value)
+    }
+    #[inline(always)]
+    fn own(value: S::Real) -> S::Real {
+        value
     }
     #[inline(always)]
     fn dot(o: [S; 3], d: [S::Unit; 3]) -> S::Real {

@@ -59,7 +59,7 @@ use solve::Of;
 /// // One part in ten million inside the sphere's silhouette.
 /// let ray = Ray::new(Vec3::new(-2.0_f32, 0.99999994, 0.0), UnitVec3::X)?;
 /// let hits = Sphere::new(1.0)?.hits_at::<Exact>(&ray);
-/// assert_eq!((hits[0].t, hits[1].t), (1.9996547, 2.0003452));
+/// assert_eq!((hits[0].t, hits[1].t), (1.9996548, 2.0003452));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

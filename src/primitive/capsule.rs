@@ -57,9 +57,16 @@ impl<S: Scalar> Capsule<S> {
 
     /// The line as the ball at the given end sees it.
     fn seen_from(&self, line: &Line<S>, part: Part) -> Line<S> {
-        let [x, y, z] = line.origin;
-        let y = if part == Part::Top { y.minus(self.height) } else { y };
-        Line { origin: [x, y, z], ..*line }
+        if part != Part::Top {
+            return *line;
+        }
+        if line.finer == 0 {
+            let [x, y, z] = line.origin;
+            return Line { origin: [x, y.minus(self.height), z], ..*line };
+        }
+        let [x, y, z] = [0, 1, 2].map(|i| line.coordinate(i));
+        let (origin, finer) = S::finest([x, y - self.height.real(), z]);
+        Line { origin, finer, ..*line }
     }
 
     /// The true end for one of the infinite tube (`None`: the line is parallel to it): on the side between the seams,
@@ -76,7 +83,7 @@ impl<S: Scalar> Capsule<S> {
             } else {
                 tube
             };
-            let [_, y, _] = S::advance(line.origin, line.direction, reached);
+            let y = line.height_at(reached);
             if y < S::ZERO {
                 Part::Base
             } else if y > self.height {
@@ -120,7 +127,7 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
             Inside::Everywhere => (None, None, false),
             // From seam to seam, where the balls touch the line; without a side they touch it at one point.
             Inside::InSurface => {
-                let between = slab::<S, T>(line.origin[1], line.direction[1], Some(S::ZERO), Some(self.height));
+                let between = slab::<S, T>(line, Some(S::ZERO), Some(self.height));
                 let touch = self.height == S::ZERO;
                 return Meeting::solid(between.map(|span| Span { touch, ..span })).along_the_side();
             }
@@ -224,8 +231,8 @@ impl<S: Scalar> Capsule<S> {
         if exit.part == part && part != Part::Side {
             // Across the ball that it left: the other root.
             let ball_line = self.seen_from(line, part);
-            let (a, k) = (T::squared_length(line.direction), T::dot(ball_line.origin, line.direction));
-            exit.t = T::ratio(k.abs().times_power_of_two(1), a);
+            let (a, k) = (T::squared_length(line.direction), ball_line.dot::<T>());
+            exit.t = line.t::<T>(k.abs().times_power_of_two(1), a);
         }
         if exit.t < S::ZERO {
             exit.t = S::ZERO;

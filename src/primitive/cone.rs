@@ -150,7 +150,7 @@ impl<S: Scalar> Cone<S> {
     fn both_nappes<T: Arithmetic<S>>(&self, line: &Line<S>) -> (Inside<S>, NappeTest) {
         let profile = Profile::<T::Real>::of(self.outline, T::real);
         let (h, g0, g1) = (profile.h, profile.g0(), profile.g1());
-        let (o, d) = (line.origin.map(T::real), line.direction.map(T::unit));
+        let (o, d) = (line.point::<T>(), line.along::<T>());
         let ([x, y, z], [dx, dy, dz]) = (o, d);
         let (point, direction) = (Homogeneous { v: o, is_point: true }, Homogeneous { v: d, is_point: false });
         let (g, slope) = (g0 + g1 * y, g1 * dy);
@@ -158,7 +158,7 @@ impl<S: Scalar> Cone<S> {
         let (round, straight) = (h * h * (x * dx + z * dz), g * slope);
         let mut k = round - straight;
         // Less than a quarter left of either product: the rest is rounding, magnified.
-        let far = T::COMPENSATES && largest(line.origin) > S::FAR;
+        let far = T::COMPENSATES && largest(line.origin).in_finer_units(-line.finer) > S::FAR;
         if far || T::COMPENSATES && k.abs() < straight.abs().times_power_of_two(-2) {
             k = profile.bilinear(point, direction);
         }
@@ -168,9 +168,9 @@ impl<S: Scalar> Cone<S> {
             a = profile.bilinear(direction, direction);
         }
         let inside = if let Some(leaving) = line.departs_from(Part::Side) {
-            Quadric { a, k, positive: T::Real::ZERO, negative: T::Real::ZERO }.solve_departing::<S, T>(leaving)
+            Quadric { a, k, positive: T::Real::ZERO, negative: T::Real::ZERO }.solve_departing::<S, T>(line, leaving)
         } else {
-            let [wx, wy, wz] = T::cross(line.origin, line.direction);
+            let [wx, wy, wz] = line.moment::<T>();
             let mut minors = [g1 * wz - g0 * dx, g1 * wx + g0 * dz, h * wy].map(|minor| h * minor);
             let squares = |[p, q, r]: [T::Real; 3]| (p * p + q * q, r * r);
             let (mut positive, mut negative) = squares(minors);
@@ -180,7 +180,7 @@ impl<S: Scalar> Cone<S> {
                 (positive, negative) = squares(minors);
             }
             let quadric = Quadric { a, k, positive, negative };
-            quadric.solve::<S, T>(&CarefulCone { profile, point, direction })
+            quadric.solve::<S, T>(line, &CarefulCone { profile, point, direction })
         };
         // At the vertex t = -k/a the outline is g - g' k/a, which has the sign of the nappe that a finite interval lies in.
         let (p, q) = (g * a, slope * k);
@@ -218,12 +218,12 @@ impl<S: Scalar> Cone<S> {
     /// The piece of a generator line that lies in the nappe: from the apex on.
     fn generator<T: Arithmetic<S>>(&self, line: &Line<S>) -> Span<S> {
         let profile = Profile::<T::Real>::of(self.outline, T::real);
-        let ([_, y, _], [_, dy, _]) = (line.origin.map(T::real), line.direction.map(T::unit));
+        let ([_, y, _], [_, dy, _]) = (line.point::<T>(), line.along::<T>());
         let slope = profile.g1() * dy;
         if slope.is_zero() {
             return Span::everywhere();
         }
-        let apex = End::new(T::ratio(-profile.at(y), slope), Part::Side);
+        let apex = End::new(line.t::<T>(-profile.at(y), slope), Part::Side);
         if slope.is_negative() {
             Span::new(End::none(-S::INFINITY), apex)
         } else {
@@ -302,9 +302,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
                 return capped::<S, T>(line, self.generator::<T>(line), low, high).along_the_side();
             }
             (NappeMeeting::Generator, _) => {
-                let [_, y, _] = line.origin;
-                let [_, dy, _] = line.direction;
-                let between = slab::<S, T>(y, dy, low, high);
+                let between = slab::<S, T>(line, low, high);
                 return between
                     .and_then(|between| self.generator::<T>(line).intersection(between))
                     .map_or(Meeting::Miss, Meeting::LiesIn);

@@ -83,18 +83,17 @@ impl<S: Scalar> Cylinder<S> {
 /// Where a line is inside the infinite cylinder. `D = a r^2 - w_y^2` with `a = dx^2 + dz^2`.
 #[inline]
 pub(super) fn tube<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, radius: S) -> Inside<S> {
-    let ([ox, _, oz], [dx, _, dz]) = (line.origin, line.direction);
+    let ([x, _, z], [dx, _, dz]) = (line.point::<T>(), line.along::<T>());
     let zero = T::Real::ZERO;
-    let (x, z, dx, dz) = (T::real(ox), T::real(oz), T::unit(dx), T::unit(dz));
     let a = dx * dx + dz * dz;
     let k = x * dx + z * dz;
     if let Some(leaving) = line.departs_from(Part::Side) {
-        return Quadric { a, k, positive: zero, negative: zero }.solve_departing::<S, T>(leaving);
+        return Quadric { a, k, positive: zero, negative: zero }.solve_departing::<S, T>(line, leaving);
     }
     let r = T::real(radius);
     let wy = z * dx - x * dz;
     let quadric = Quadric { a, k, positive: a * (r * r), negative: wy * wy };
-    quadric.solve::<S, T>(&CarefulTube::of::<S, T>(line, radius))
+    quadric.solve::<S, T>(line, &CarefulTube::of::<S, T>(line, radius))
 }
 
 /// The numbers that the careful coefficients of a round side are made of: a cylinder's, a capsule's, a disc's rim.
@@ -106,7 +105,7 @@ pub(super) struct CarefulTube<R> {
 
 impl<R: Real> CarefulTube<R> {
     pub(super) fn of<S: Scalar, T: Arithmetic<S, Real = R>>(line: &Line<S>, radius: S) -> Self {
-        let ([x, _, z], [dx, _, dz]) = (line.origin.map(T::real), line.direction.map(T::unit));
+        let ([x, _, z], [dx, _, dz]) = (line.point::<T>(), line.along::<T>());
         Self { o: [x, z], d: [dx, dz], r: T::real(radius) }
     }
 }
@@ -255,15 +254,14 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
 /// True if the half-line starts above or below and never comes back.
 #[inline]
 pub(super) fn leaves_slab<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, low: S, high: S) -> bool {
-    let ([_, y, _], dy) = (line.origin, T::unit(line.direction[1]));
-    y > high && !dy.is_negative() || y < low && (dy.is_negative() || dy.is_zero())
+    let [_, dy, _] = line.along::<T>();
+    line.is_clear_of(high, false) && !dy.is_negative()
+        || line.is_clear_of(low, true) && (dy.is_negative() || dy.is_zero())
 }
 
 /// The ends of `side` that lie between the rims of an open surface; the rims belong to it.
 pub(super) fn open_side<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, side: Span<S>, low: S, high: S) -> Meeting<S> {
-    let [_, y, _] = line.origin;
-    let [_, dy, _] = line.direction;
-    let Some(between) = slab::<S, T>(y, dy, Some(low), Some(high)) else {
+    let Some(between) = slab::<S, T>(line, Some(low), Some(high)) else {
         return Meeting::Miss;
     };
     let on_surface = |end: End<S>| between.enter.t <= end.t && end.t <= between.exit.t;
@@ -280,8 +278,7 @@ pub(super) fn open_side<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, side: Span<
 
 /// The piece of a line in the wall that lies between the rims.
 fn lies_in_wall<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, height: S) -> Meeting<S> {
-    let ([_, y, _], [_, dy, _]) = (line.origin, line.direction);
-    slab::<S, T>(y, dy, Some(S::ZERO), Some(height)).map_or(Meeting::Miss, Meeting::LiesIn)
+    slab::<S, T>(line, Some(S::ZERO), Some(height)).map_or(Meeting::Miss, Meeting::LiesIn)
 }
 
 /// A convex side closed by planes: rule 1, with the departure of rule 8. A missing plane is infinitely far.
@@ -291,9 +288,9 @@ pub(super) fn capped<S: Scalar, T: Arithmetic<S>>(
     low: Option<S>,
     high: Option<S>,
 ) -> Meeting<S> {
-    let ([_, y, _], [_, dy, _]) = (line.origin, line.direction);
+    let [_, dy, _] = line.direction;
     let Some((part, leaving)) = line.departure else {
-        return Meeting::solid(slab::<S, T>(y, dy, low, high).and_then(|caps| side.intersection(caps)));
+        return Meeting::solid(slab::<S, T>(line, low, high).and_then(|caps| side.intersection(caps)));
     };
     if leaving == crate::ray::Leaving::Outwards {
         return Meeting::Miss;
@@ -305,7 +302,7 @@ pub(super) fn capped<S: Scalar, T: Arithmetic<S>>(
         Part::Top => (low, None),
         Part::Side => (low, high),
     };
-    let caps = slab::<S, T>(y, dy, low, high).unwrap_or(Span::everywhere());
+    let caps = slab::<S, T>(line, low, high).unwrap_or(Span::everywhere());
     let exit = if caps.exit.t < side.exit.t { caps.exit } else { side.exit };
     // A ray that leads away from the cap that it is said to enter ends where it starts.
     let astray = match part {

@@ -56,18 +56,18 @@ impl<S: Scalar> Geometry<S> for Disc<S> {
         match crossing::<S, T>(line) {
             Meeting::LiesIn(_) => {
                 // The chord, by the same quadric as a cylinder's side.
-                let ([x, _, z], [dx, _, dz]) = (line.origin.map(T::real), line.direction.map(T::unit));
+                let ([x, _, z], [dx, _, dz]) = (line.point::<T>(), line.along::<T>());
                 let (a, k) = (dx * dx + dz * dz, x * dx + z * dz);
                 let (r, wy) = (T::real(self.radius), z * dx - x * dz);
                 let quadric = Quadric { a, k, positive: a * (r * r), negative: wy * wy };
-                match quadric.solve::<S, T>(&CarefulTube::of::<S, T>(line, self.radius)) {
+                match quadric.solve::<S, T>(line, &CarefulTube::of::<S, T>(line, self.radius)) {
                     Inside::Between(chord) => Meeting::LiesIn(chord),
                     _ => Meeting::Miss,
                 }
             }
             meeting => {
                 // |p|^2 <= r^2 at p = o - (oy / dy) d, multiplied by dy^2: wx^2 + wz^2 <= (r dy)^2, without a division.
-                let [wx, _, wz] = T::cross(line.origin, line.direction);
+                let [wx, _, wz] = line.moment::<T>();
                 let reach = T::real(self.radius) * T::unit(line.direction[1]);
                 let outside = wx * wx + wz * wz - reach * reach;
                 if outside.is_negative() || outside.is_zero() { meeting } else { Meeting::Miss }

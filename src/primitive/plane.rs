@@ -38,18 +38,19 @@ pub(super) fn crossing<S: Scalar, T: Arithmetic<S>>(line: &Line<S>) -> Meeting<S
         // Rule 8: a straight line leaves a plane for good.
         return Meeting::Miss;
     }
-    let ([_, y, _], [_, dy, _]) = (line.origin.map(T::real), line.direction.map(T::unit));
+    let ([_, y, _], [_, dy, _]) = (line.point::<T>(), line.along::<T>());
     if dy.is_zero() {
         return if y.is_zero() { Meeting::LiesIn(Span::everywhere()) } else { Meeting::Miss };
     }
-    surface_hit(T::ratio(-y, dy), dy.is_negative())
+    surface_hit(line.t::<T>(-y, dy), dy.is_negative())
 }
 
 /// True if the half-line starts off the plane `y = 0` and does not come closer.
 #[inline]
 pub(super) fn moves_away<S: Scalar, T: Arithmetic<S>>(line: &Line<S>) -> bool {
-    let ([_, y, _], dy) = (line.origin, T::unit(line.direction[1]));
-    y > S::ZERO && !dy.is_negative() || y < S::ZERO && (dy.is_negative() || dy.is_zero())
+    let [_, dy, _] = line.along::<T>();
+    line.is_clear_of(S::ZERO, false) && !dy.is_negative()
+        || line.is_clear_of(S::ZERO, true) && (dy.is_negative() || dy.is_zero())
 }
 
 /// The one crossing of a flat surface, from its front or its back.

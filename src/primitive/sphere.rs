@@ -45,16 +45,15 @@ impl<S: Scalar> Sphere<S> {
 /// The interval of a line inside the ball of radius `r` about the origin. `D = a r^2 - |w|^2`.
 #[inline]
 pub(super) fn ball<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, radius: S) -> Option<Span<S>> {
-    let (o, d) = (line.origin, line.direction);
     let r = T::real(radius);
-    let k = T::dot(o, d);
+    let k = line.dot::<T>();
     if !T::COMPENSATES {
         return unit_ball::<S, T>(line, k, r);
     }
-    let a = T::squared_length(d);
-    let [wx, wy, wz] = T::cross(o, d);
+    let a = T::squared_length(line.direction);
+    let [wx, wy, wz] = line.moment::<T>();
     let quadric = Quadric { a, k, positive: a * (r * r), negative: wx * wx + wy * wy + wz * wz };
-    match quadric.solve::<S, T>(&CarefulBall { o: o.map(T::real), d: d.map(T::unit), r }) {
+    match quadric.solve::<S, T>(line, &CarefulBall { o: line.point::<T>(), d: line.along::<T>(), r }) {
         Inside::Between(span) => Some(span),
         // a > 0: no other case.
         _ => None,
@@ -65,14 +64,17 @@ pub(super) fn ball<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, radius: S) -> Op
 /// Günther and Akenine-Möller, *Precision Improvements for Ray/Sphere Intersection*, Ray Tracing Gems, 2019).
 #[inline]
 fn unit_ball<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, k: T::Real, r: T::Real) -> Option<Span<S>> {
-    let (o, d) = (line.origin.map(T::real), line.direction.map(T::unit));
+    let (o, d) = (line.point::<T>(), line.along::<T>());
     let [x, y, z] = [0, 1, 2].map(|i| o[i] - k * d[i]);
     let discriminant = r * r - (x * x + y * y + z * z);
     if discriminant.is_negative() {
         return None;
     }
     let root = discriminant.sqrt();
-    let end = |t: T::Real| End::new(T::round(t), Part::Side);
+    let end = |t: T::Real| {
+        let t = if line.stretch.is_some() { line.t::<T>(t, T::Real::ONE) } else { T::round(t) };
+        End::new(t, Part::Side)
+    };
     Some(Span { enter: end(-k - root), exit: end(root - k), touch: root.is_zero() })
 }
 
@@ -130,9 +132,9 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
     #[inline]
     fn meet<T: Arithmetic<S>>(&self, line: &Line<S>) -> Meeting<S> {
         if let Some((_, leaving)) = line.departure {
-            let (a, k) = (T::squared_length(line.direction), T::dot(line.origin, line.direction));
+            let (a, k) = (T::squared_length(line.direction), line.dot::<T>());
             let quadric = Quadric { a, k, positive: T::Real::ZERO, negative: T::Real::ZERO };
-            let span = match quadric.solve_departing::<S, T>(leaving) {
+            let span = match quadric.solve_departing::<S, T>(line, leaving) {
                 Inside::Between(span) => Some(span),
                 _ => None,
             };
@@ -144,8 +146,8 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
     /// From outside and moving away: no. From outside and moving closer: as the discriminant says. From inside: yes.
     #[inline]
     fn verdict<T: Arithmetic<S>>(&self, line: &Line<S>) -> Option<bool> {
-        let (o, d, r) = (line.origin, line.direction, T::real(self.radius));
-        let [x, y, z] = o.map(T::real);
+        let r = T::real(self.radius);
+        let [x, y, z] = line.point::<T>();
         let (square, rr) = (x * x + y * y + z * z, r * r);
         let c = square - rr;
         // So close to the surface the sign of c is rounding, and t, which is at least c / 2|o|, may round to zero.
@@ -156,11 +158,12 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
         if c.is_negative() {
             return Some(true);
         }
-        if !T::dot(o, d).is_negative() {
+        let k = line.dot::<T>();
+        if !k.is_negative() {
             return Some(false);
         }
-        let [wx, wy, wz] = T::cross(o, d);
-        let (positive, negative) = (T::squared_length(d) * rr, wx * wx + wy * wy + wz * wz);
+        let [wx, wy, wz] = line.moment::<T>();
+        let (positive, negative) = (T::squared_length(line.direction) * rr, wx * wx + wy * wy + wz * wz);
         let discriminant = positive - negative;
         // Grazing: the solver looks closer.
         (discriminant.abs() > positive.times_power_of_two(-3)).then(|| !discriminant.is_negative())

@@ -100,13 +100,17 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
         if line.departure.is_some() {
             return Meeting::Miss;
         }
-        let direction = line.direction.map(T::unit);
-        let [a, b, c] = self.vertices.map(|vertex| difference::<S, T::Real>(vertex.to_array(), line.origin, T::real));
+        let (origin, direction) = (line.point::<T>(), line.along::<T>());
+        let [a, b, c] = self.vertices.map(|vertex| difference_of(vertex.to_array().map(T::real), origin));
         let normal = cross(difference_of(b, a), difference_of(c, a));
         let facing = dot(normal, direction);
         let distance = dot(normal, a);
         if facing.is_zero() {
-            return if distance.is_zero() { Self::lies_in::<T>(normal, direction, [a, b, c]) } else { Meeting::Miss };
+            return if distance.is_zero() {
+                Self::lies_in::<T>(line, normal, direction, [a, b, c])
+            } else {
+                Meeting::Miss
+            };
         }
         // d . (p x q): the side on which the line passes the edge from p to q, seen along it.
         let [ab, bc, ca] = [(a, b), (b, c), (c, a)].map(|(p, q)| dot(direction, cross(p, q)));
@@ -116,7 +120,7 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
         } else {
             passes(Real::is_negative)
         };
-        if inside { surface_hit(T::ratio(distance, facing), facing.is_negative()) } else { Meeting::Miss }
+        if inside { surface_hit(line.t::<T>(distance, facing), facing.is_negative()) } else { Meeting::Miss }
     }
 
     fn figure(&self) -> Figure<S> {
@@ -171,6 +175,7 @@ impl<S: Scalar> Triangle<S> {
     /// The piece of a line of its plane that lies in the triangle: cut off by each edge in turn.
     #[cold]
     fn lies_in<T: Arithmetic<S>>(
+        line: &Line<S>,
         normal: [T::Real; 3],
         direction: [T::Real; 3],
         vertices: [[T::Real; 3]; 3],
@@ -187,7 +192,7 @@ impl<S: Scalar> Triangle<S> {
                 }
                 continue;
             }
-            let end = End::new(T::ratio(-at_origin, slope), Part::Side);
+            let end = End::new(line.t::<T>(-at_origin, slope), Part::Side);
             let half = if slope.is_negative() {
                 Span::new(End::none(-S::INFINITY), end)
             } else {

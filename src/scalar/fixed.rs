@@ -29,6 +29,7 @@ macro_rules! fixed {
             const ZERO: Self = Self::from_bits(0);
             const INFINITY: Self = Self::from_bits(<$raw>::MAX);
             const FAR: Self = Self::from_bits(1 << ($bits - 10));
+            const RELATIVE: bool = false;
             const BUDGET: Budget<Self> = Budget {
                 coordinate: Self::from_bits(1 << ($bits - SIZE_BITS)),
                 size: Self::from_bits(1 << ($bits - SIZE_BITS)),
@@ -73,6 +74,10 @@ macro_rules! fixed {
             #[inline(always)]
             fn short_unit(value: Self::Unit) -> $Short {
                 $Short::new(value.to_bits() as $wide, -$unit_bits)
+            }
+            #[inline]
+            fn shortened(value: $Block) -> $Short {
+                $Short::new(value.mantissa(), value.exponent())
             }
             #[inline]
             fn from_short(value: $Short) -> Self {
@@ -160,6 +165,31 @@ macro_rules! fixed {
             #[inline(always)]
             fn scaled(self, _: i32) -> Self {
                 self
+            }
+
+            #[inline]
+            fn finest(values: [$Block; 3]) -> ([Self; 3], i32) {
+                // The exponent of the power of two above all of them.
+                let mut top = i32::MIN;
+                for value in values {
+                    if !value.is_zero() {
+                        let bits = (2 * $bits - value.mantissa().unsigned_abs().leading_zeros()) as i32;
+                        top = top.max(value.exponent().wrapping_add(bits));
+                    }
+                }
+                if top == i32::MIN {
+                    return ([Self::ZERO; 3], 0);
+                }
+                let units = |unit: i32| values.map(|value| value.to_units(unit).unwrap_or(0));
+                let unit = top.wrapping_sub($bits - 1);
+                // Rounded up, all bits of ones are one bit more.
+                let is_full = units(unit).iter().any(|raw| raw.unsigned_abs() > <$raw>::MAX as $unsigned);
+                let unit = if is_full { unit.wrapping_add(1) } else { unit };
+                (units(unit).map(|raw| Self::from_bits(raw as $raw)), (-(F::I32)).wrapping_sub(unit))
+            }
+            #[inline]
+            fn in_finer_units(self, n: i32) -> Self {
+                <Self as Scalar>::round(<Self as Scalar>::real(self).times_power_of_two(n))
             }
 
             fn fraction(self) -> Self::Unit {

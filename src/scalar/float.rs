@@ -64,6 +64,7 @@ macro_rules! float {
             const ZERO: Self = 0.0;
             const INFINITY: Self = $Float::INFINITY;
             const FAR: Self = $Float::INFINITY;
+            const RELATIVE: bool = true;
             const BUDGET: Budget<Self> = Budget {
                 coordinate: $Float::from_bits((($largest_exponent + $bias) as $bits) << $mantissa),
                 size: $Float::from_bits((($largest_exponent + $bias) as $bits) << $mantissa),
@@ -99,6 +100,10 @@ macro_rules! float {
             }
             #[inline(always)]
             fn short_unit(value: Self) -> Self {
+                value
+            }
+            #[inline(always)]
+            fn shortened(value: Self) -> Self {
                 value
             }
             #[inline(always)]
@@ -197,6 +202,15 @@ macro_rules! float {
             #[inline]
             fn scaled(self, e: i32) -> Self {
                 $exact::scale(self, e)
+            }
+
+            #[inline(always)]
+            fn finest(values: [Self; 3]) -> ([Self; 3], i32) {
+                (values, 0)
+            }
+            #[inline(always)]
+            fn in_finer_units(self, _: i32) -> Self {
+                self
             }
 
             fn fraction(self) -> Self {

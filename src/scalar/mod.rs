@@ -109,6 +109,8 @@ pub trait Scalar:
     /// The distance beyond which a product rounded to half the computing number's width loses a unit of `t`; infinite
     /// for floats, whose error grows with `t`.
     const FAR: Self;
+    /// True if precision is relative to magnitude (floats), so that a change of scale loses nothing.
+    const RELATIVE: bool;
     /// What constructors accept.
     const BUDGET: Budget<Self>;
 
@@ -126,6 +128,8 @@ pub trait Scalar:
     fn short(self) -> Self::Short;
     /// A unit component, rounded to what [`Scalar::Short`] holds.
     fn short_unit(value: Self::Unit) -> Self::Short;
+    /// Rounded to what [`Scalar::Short`] holds.
+    fn shortened(value: Self::Real) -> Self::Short;
     /// Rounded to nearest; beyond the type's range, [`Scalar::INFINITY`] with the sign.
     fn from_short(value: Self::Short) -> Self;
     /// `o . d`, for fixed types rounded once.
@@ -168,6 +172,11 @@ pub trait Scalar:
     fn binary_exponent(largest: Self) -> i32;
     /// `self * 2^e`, where `e` comes from [`Scalar::binary_exponent`].
     fn scaled(self, e: i32) -> Self;
+    /// Three values in the finest unit in which the type holds them: numbers to be read as `2^-n` times themselves,
+    /// and `n`; zero for floats, which are as fine as they can be.
+    fn finest(values: [Self::Real; 3]) -> ([Self; 3], i32);
+    /// `self * 2^n`, as the number is written in the unit that `n` stands for in [`Scalar::finest`].
+    fn in_finer_units(self, n: i32) -> Self;
 
     /// The value less the largest integer below it, in `[0, 1)`.
     fn fraction(self) -> Self::Unit;

@@ -195,6 +195,10 @@ impl Certain for f32 {
         value as f64
     }
     #[inline(always)]
+    fn double_real(value: f32) -> f64 {
+        value as f64
+    }
+    #[inline(always)]
     fn from_double(value: f64) -> f32 {
         value as f32
     }

@@ -81,6 +81,8 @@ pub trait Certain: Scalar {
     fn double(self) -> Self::Double;
     /// The exact value of a component of a direction.
     fn double_unit(value: Self::Unit) -> Self::Double;
+    /// A number of the scalar's own kind.
+    fn double_real(value: Self::Real) -> Self::Double;
     /// Rounded to nearest; beyond the type's range, [`Scalar::INFINITY`] with the sign.
     fn from_double(value: Self::Double) -> Self;
     /// Rounded to nearest; `None` if the error is too large for that to be within one unit in the last place.

@@ -1,7 +1,7 @@
 //! The filter of the 32-bit fixed types: a 128-bit block with a running bound of its error.
 
 use super::{Certain, Estimate, FromScalar, Number};
-use crate::scalar::block::Block128;
+use crate::scalar::block::{Block64, Block128};
 use crate::scalar::{Real, Scalar};
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
@@ -174,6 +174,10 @@ impl<F: LeEqU32 + Send + Sync + 'static> Certain for FixedI32<F> {
     #[inline]
     fn double_unit(value: FixedI32<U30>) -> Block128 {
         Block128::new(value.to_bits() as i128, -30)
+    }
+    #[inline]
+    fn double_real(value: Block64) -> Block128 {
+        Block128::new(value.mantissa() as i128, value.exponent())
     }
     #[inline]
     fn from_double(value: Block128) -> Self {
