@@ -4,6 +4,7 @@
 pub mod bounds;
 pub mod cases;
 pub mod exact_types;
+pub mod fuzz;
 pub mod hard_case;
 pub mod measure;
 pub mod oracle;
