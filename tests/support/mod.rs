@@ -4,6 +4,9 @@
 pub mod bounds;
 pub mod cases;
 pub mod exact_types;
+pub mod laws;
+pub mod laws_distance;
+pub mod laws_pose;
 pub mod measure;
 pub mod oracle;
 pub mod random;
