@@ -1,7 +1,7 @@
 //! The promise: leaving a surface needs no epsilon. From any hit of a bounded solid an outward ray never meets the same solid, and an
 //! inward one always meets its far end; and of two surfaces a hair apart neither is skipped.
 //!
-//! A million rays leave in each number type, shared out over solids, placements and tiers; every fourth of them nearly along the
+//! A million rays leave in each number type, spread over solids, placements and tiers; every fourth of them nearly along the
 //! surface, where an epsilon would fail.
 
 mod support;
@@ -101,7 +101,7 @@ fn leave<S: Number, T: Graded<S>>(rays: usize, seed: u64) -> Tally {
     tally
 }
 
-/// All rays of one number type, shared out over its tiers.
+/// All rays of one number type, spread over its tiers.
 macro_rules! leave_in {
     ($($name:ident: $S:ty, [$($T:ty),+];)+) => {
         $(
@@ -311,7 +311,7 @@ fn a_scene_of_nested_shells_alternates_between_them<S: Number>() {
                 ray = Ray::new(surface.point(), along).expect("near").departing(surface.departure(object, leaving));
                 let next = scene.nearest(&ray, &mut counters);
                 let expected = match (object, leaving) {
-                    (0, Leaving::Inwards) | (1, Leaving::Inwards) => Some(1),
+                    (0 | 1, Leaving::Inwards) => Some(1),
                     (1, Leaving::Outwards) => Some(0),
                     _ => None,
                 };
