@@ -62,7 +62,7 @@ mod law {
                 Solid::Triangle { vertices } => {
                     let [a, b, c] = vertices
                         .each_ref()
-                        .map(|corner| v::<S>(mapped(corner.each_ref().map(|c| c.to_f64()), symmetry)));
+                        .map(|corner| v::<S>(mapped(corner.each_ref().map(support::oracle::Dyadic::to_f64), symmetry)));
                     (Shape::new(Triangle::new(a, b, c).expect("as large as before")), is_mirror)
                 }
                 _ => (setting.unplaced, false),

@@ -206,7 +206,7 @@ fn slope(solid: &Solid) -> f64 {
     }
 }
 
-/// Notes how much of a bound was needed, for the test that prints it; nothing unless `RAYLET_LAWS` is set.
+/// Prints each new most that was needed of a bound, if the environment has `RAYLET_LAWS` (run with `--nocapture`).
 pub fn note<S: Number, T: Graded<S>>(of: &str, setting: &Setting<S>, ratio: f64) {
     use std::collections::BTreeMap;
     use std::sync::{LazyLock, Mutex};
