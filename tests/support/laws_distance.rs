@@ -1,0 +1,143 @@
+//! How far a point is from a surface, straight from the definitions of the solids: differences in exact numbers, so that
+//! a distance of `2^-60` is as right as one of 1; the quotients that make lengths of them in `f64`.
+
+use super::oracle::{ConeExtent, CylinderExtent, Dyadic, Part, Solid};
+
+/// A point in exact numbers.
+pub type Point = [Dyadic; 3];
+
+/// `sqrt(a) - sqrt(b)`, from the exact difference of the squares.
+fn difference_of_roots(a: &Dyadic, b: &Dyadic) -> f64 {
+    let sum = a.to_f64().sqrt() + b.to_f64().sqrt();
+    if sum == 0.0 { 0.0 } else { (a - b).to_f64() / sum }
+}
+
+fn dot(a: &Point, b: &Point) -> Dyadic {
+    &(&(&a[0] * &b[0]) + &(&a[1] * &b[1])) + &(&a[2] * &b[2])
+}
+
+fn minus(a: &Point, b: &Point) -> Point {
+    std::array::from_fn(|i| &a[i] - &b[i])
+}
+
+fn cross(a: &Point, b: &Point) -> Point {
+    std::array::from_fn(|i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        &(&a[j] * &b[k]) - &(&a[k] * &b[j])
+    })
+}
+
+/// The heights between which the solid or its side lies.
+fn heights(solid: &Solid) -> Option<Dyadic> {
+    match solid {
+        Solid::Cylinder { extent: CylinderExtent::Open(height) | CylinderExtent::Capped(height), .. }
+        | Solid::Cone { extent: ConeExtent::Open(height) | ConeExtent::Capped(height), .. }
+        | Solid::Frustum { height, .. }
+        | Solid::Capsule { height, .. } => Some(height.clone()),
+        _ => None,
+    }
+}
+
+/// How deep the point lies under the curved side, as if that had no ends; below zero outside.
+fn under_side(solid: &Solid, p: &Point) -> f64 {
+    let [x, y, z] = p;
+    let from_axis = &x.squared() + &z.squared();
+    // (reach - weight rho) / length, where reach is the radius there times the weight.
+    let slanted = |reach: Dyadic, weight: &Dyadic, length: f64| {
+        if reach.signum() < 0 {
+            (reach.to_f64() - weight.to_f64() * from_axis.to_f64().sqrt()) / length
+        } else {
+            difference_of_roots(&reach.squared(), &(&weight.squared() * &from_axis)) / length
+        }
+    };
+    match solid {
+        Solid::Sphere { radius } => difference_of_roots(&radius.squared(), &dot(p, p)),
+        Solid::Cylinder { radius, .. } | Solid::Capsule { radius, .. } => {
+            difference_of_roots(&radius.squared(), &from_axis)
+        }
+        Solid::Cone { slope, extent } => {
+            let reach = slope * y;
+            let reach = if *extent == ConeExtent::Double { reach.magnitude() } else { reach };
+            slanted(reach, &Dyadic::from(1), slope.to_f64().hypot(1.0))
+        }
+        Solid::Frustum { base_radius, top_radius, height, .. } => {
+            let reach = &(base_radius * &(height - y)) + &(top_radius * y);
+            slanted(reach, height, height.to_f64().hypot((top_radius - base_radius).to_f64()))
+        }
+        Solid::Plane | Solid::Disc { .. } => -y.to_f64(),
+        Solid::Triangle { vertices } => {
+            let [a, b, c] = vertices;
+            let normal = cross(&minus(b, a), &minus(c, a));
+            -dot(&normal, &minus(p, a)).to_f64() / dot(&normal, &normal).to_f64().sqrt()
+        }
+    }
+}
+
+/// How far below the top and above the base.
+fn between_ends(solid: &Solid, y: &Dyadic) -> f64 {
+    heights(solid).map_or(f64::INFINITY, |height| y.to_f64().min((&height - y).to_f64()))
+}
+
+/// How deep the point lies in a solid; outside, less its distance or something nearer to zero.
+pub fn depth(solid: &Solid, p: &Point) -> f64 {
+    let [x, y, z] = p;
+    match solid {
+        Solid::Capsule { radius, height } => {
+            let beyond = if y.signum() < 0 {
+                y.clone()
+            } else if y > height {
+                y - height
+            } else {
+                Dyadic::zero()
+            };
+            difference_of_roots(&radius.squared(), &(&(&x.squared() + &z.squared()) + &beyond.squared()))
+        }
+        _ => under_side(solid, p).min(between_ends(solid, y)),
+    }
+}
+
+/// How far the point is from a part of the surface; beyond the part's rim by how much, or by something less.
+pub fn distance_from(solid: &Solid, part: Part, p: &Point) -> f64 {
+    let [x, y, z] = p;
+    let from_axis = &x.squared() + &z.squared();
+    let level = if part == Part::Top { heights(solid).unwrap_or(Dyadic::zero()) } else { Dyadic::zero() };
+    match (solid, part) {
+        (Solid::Capsule { radius, .. }, Part::Base | Part::Top) => {
+            let above = y - &level;
+            let beyond = if part == Part::Top { -above.to_f64() } else { above.to_f64() };
+            difference_of_roots(&radius.squared(), &(&from_axis + &above.squared())).abs().max(beyond)
+        }
+        (Solid::Disc { radius }, _) => y.to_f64().abs().max(difference_of_roots(&from_axis, &radius.squared())),
+        (Solid::Triangle { vertices }, _) => {
+            let [a, b, c] = vertices;
+            let normal = cross(&minus(b, a), &minus(c, a));
+            let mut distance = under_side(solid, p).abs();
+            for (from, to) in [(a, b), (b, c), (c, a)] {
+                let inwards = cross(&normal, &minus(to, from));
+                let beyond = -dot(&inwards, &minus(p, from)).to_f64() / dot(&inwards, &inwards).to_f64().sqrt();
+                distance = distance.max(beyond);
+            }
+            distance
+        }
+        (_, Part::Base | Part::Top) => (y - &level).to_f64().abs().max(-under_side(solid, p)),
+        (_, Part::Side) => under_side(solid, p).abs().max(-between_ends(solid, y)),
+    }
+}
+
+/// The outward normal of the part at the point, of some length; zero at an apex.
+pub fn gradient(solid: &Solid, part: Part, p: &Point) -> [f64; 3] {
+    let [x, y, z] = [0, 1, 2].map(|i: usize| p[i].to_f64());
+    match (solid, part) {
+        (Solid::Sphere { .. }, _) | (Solid::Capsule { .. }, Part::Base) => [x, y, z],
+        (Solid::Capsule { height, .. }, Part::Top) => [x, (&p[1] - height).to_f64(), z],
+        (Solid::Plane | Solid::Disc { .. }, _) | (_, Part::Top) => [0.0, 1.0, 0.0],
+        (Solid::Triangle { vertices: [a, b, c] }, _) => cross(&minus(b, a), &minus(c, a)).map(|n| n.to_f64()),
+        (_, Part::Base) => [0.0, -1.0, 0.0],
+        (Solid::Cylinder { .. } | Solid::Capsule { .. }, Part::Side) => [x, 0.0, z],
+        (Solid::Cone { slope, .. }, Part::Side) => [x, -y * slope.to_f64().powi(2), z],
+        (Solid::Frustum { base_radius, top_radius, height, .. }, Part::Side) => {
+            let growth = (top_radius - base_radius).to_f64() / height.to_f64();
+            [x, -growth * (base_radius.to_f64() + growth * y), z]
+        }
+    }
+}
