@@ -235,6 +235,31 @@ impl<S: Scalar> Cone<S> {
         }
     }
 
+    /// Parallel to a generator but for rounding, a line may seem to stay in the nappe for ever where it leaves it: a closed
+    /// cone ends at the height of its apex at the latest.
+    fn ending_at_the_apex<T: Arithmetic<S>>(&self, line: &Line<S>, mut side: Span<S>, height: S) -> Span<S> {
+        if side.enter.t.is_finite() && side.exit.t.is_finite() {
+            return side;
+        }
+        let apex = match self.planes() {
+            (None, _) => S::ZERO,
+            (_, None) => height,
+            _ => return side,
+        };
+        let ([_, y, _], [_, rest, _], [_, dy, _]) = (line.point::<T>(), line.rest::<T>(), line.along::<T>());
+        if dy.is_zero() {
+            return side;
+        }
+        let t = line.t::<T>(T::real(apex) - y - rest, dy);
+        let leaves_upwards = apex == height;
+        if dy.is_negative() != leaves_upwards {
+            side.exit = if t < side.exit.t { End::new(t, Part::Side) } else { side.exit };
+        } else {
+            side.enter = if t > side.enter.t { End::new(t, Part::Side) } else { side.enter };
+        }
+        side
+    }
+
     /// The planes that cut it off; there is none where the radius is zero, for the apex ends it there.
     fn planes(&self) -> (Option<S>, Option<S>) {
         let low = (self.base_radius() != S::ZERO).then_some(S::ZERO);
@@ -301,6 +326,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         }
         let (low, high) = self.planes();
         let side = match (self.one_nappe::<T>(line), self.extent) {
+            (NappeMeeting::In(span), Extent::Capped(height)) => self.ending_at_the_apex::<T>(line, span, height),
             (NappeMeeting::In(span), _) => span,
             (NappeMeeting::Generator, Extent::Capped(_)) => {
                 return capped::<S, T>(line, self.generator::<T>(line), low, high).along_the_side();

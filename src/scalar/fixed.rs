@@ -187,7 +187,7 @@ macro_rules! fixed {
                 let units = |unit: i32| values.map(|value| value.to_units(unit).unwrap_or(0));
                 let unit = top.wrapping_sub($bits - 1);
                 // Rounded up, all bits of ones are one bit more.
-                let is_full = units(unit).iter().any(|raw| raw.unsigned_abs() > <$raw>::MAX as $unsigned);
+                let is_full = units(unit).iter().any(|raw| raw.unsigned_abs() >= <$raw>::MAX as $unsigned);
                 let unit = if is_full { unit.wrapping_add(1) } else { unit };
                 (units(unit).map(|raw| Self::from_bits(raw as $raw)), (-(F::I32)).wrapping_sub(unit))
             }

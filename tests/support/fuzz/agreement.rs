@@ -78,9 +78,6 @@ pub fn agree<S: Number, T: Tier<S>>(question: &Question<S>) -> Verdict {
         return Verdict::Same;
     }
     // Rarely reached, so that it may cost what it costs.
-    if known::is_a_collapsed_triangle(question, &hits) {
-        return Verdict::Tie;
-    }
     let near = Near::new(question, line, units);
     if near.is_all_rounding() || near.is_a_point_of_overlap(&hits) || near.is_at_a_seam(&hits, &exact) {
         return Verdict::Tie;

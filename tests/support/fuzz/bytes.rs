@@ -1,6 +1,5 @@
 //! Numbers from bytes: every bit pattern can come, and those that meet something come often enough to be found.
 
-use super::known;
 use crate::support::exact_types::Exact;
 use fixed::types::extra::{LeEqU32, LeEqU64};
 use fixed::{FixedI32, FixedI64};
@@ -201,7 +200,7 @@ impl<'a, S: Number> Bytes<'a, S> {
         match self.byte() % 9 {
             0 => {
                 let components = [self.raw(), self.raw(), self.raw()].map(S::unit_from_raw);
-                if known::overflows(components) { None } else { UnitVec3::from_components(components) }
+                UnitVec3::from_components(components)
             }
             1 | 2 => UnitVec3::new(self.vector()),
             3 | 4 => unit(lattice(self.byte())),

@@ -30,13 +30,10 @@ pub fn hold<S: Number, T: Tier<S>>(question: &Question<S>) {
     let cut = hits.iter().filter(is_decided).eq(kept);
     law!(cut, question, "the range or the side changes more than it drops: {hits:?} of {whole:?}");
     // A ray that departs from where it never was is answered, but nothing is promised of the answer.
-    let is_honest = ray.departure().is_none()
-        && !question.squares_vanish()
-        && !known::has_a_vanishing_slope(question)
-        && !known::is_too_fast(question);
+    let is_honest = ray.departure().is_none() && !question.squares_vanish() && !known::has_a_vanishing_slope(question);
     if is_honest {
         pairs_up(question, &whole);
-        if whole.iter().all(|hit| is_decided(&hit)) && !known::is_a_long_touch(question, &whole) {
+        if whole.iter().all(|hit| is_decided(&hit)) {
             starts_inside_as_the_crossings_say(question, &hits, &whole);
         }
     }
@@ -79,7 +76,7 @@ fn listed<S: Number, T: Tier<S>>(question: &Question<S>, shape: &Shape<S>, ray: 
     let nearest = shape.nearest_at::<T>(ray);
     law!(nearest == hits.first().copied(), question, "nearest is {nearest:?}, of {hits:?} on {ray:?}");
     // Where squares vanish a small solid is a point for the solver, and the signs know better.
-    let excused = question.squares_vanish() || known::has_a_vanishing_slope(question) || known::is_too_fast(question);
+    let excused = question.squares_vanish() || known::has_a_vanishing_slope(question);
     if !excused {
         let occludes = shape.occludes_at::<T>(ray);
         law!(occludes != hits.is_empty(), question, "occludes is {occludes}, of {hits:?} on {ray:?}");
@@ -149,8 +146,7 @@ fn leaves_without_epsilon<S: Number, T: Tier<S>>(question: &Question<S>, hit: &H
             let Ok(next) = Ray::new(surface.point(), direction) else { continue };
             let next = next.departing(surface.departure(0, leaving)).with_range(Range::line());
             let again = listed::<S, T>(question, &both, &next);
-            let known = known::has_no_far_end(question, &next, &again) || known::departs_elsewhere(question, &next);
-            if is_honest && !known {
+            if is_honest {
                 departs(question, &next, &again, leaving);
             }
         }
@@ -163,14 +159,11 @@ fn surface_is_sound<S: Number>(question: &Question<S>, hit: &Hit<S>, is_honest: 
     let (point, local) = (surface.point(), surface.local_point());
     let (o, d, t) = (question.ray.origin().to_f64(), question.ray.direction().to_f64(), hit.t.to_f64());
     let farthest = (0..3).map(|i| (o[i] + t * d[i]).abs()).fold(t.abs(), f64::max);
-    if known::ends_at_infinity::<S>(farthest + (question.away(&question.ray) + t.abs()) / question.axes.0.min(1.0)) {
-        return;
-    }
     let numbers = point.to_array().into_iter().chain(local.to_array()).all(is_number);
     law!(numbers, question, "{point:?} or {local:?} of {hit:?} is no number");
     // Well within the type a point has coordinates.
     let half = S::BUDGET.distance.to_f64() * 0.5;
-    if is_honest && !known::is_a_flat_cone(question) && farthest <= half {
+    if is_honest && farthest <= half {
         law!(is_finite(point), question, "{point:?} of {hit:?} is beyond the type");
         let turned = matches!(question.shape.placement(), Placement::Affine(_));
         let far = farthest + question.position().iter().fold(0.0, |sum, c| sum + c.abs()) > half;
