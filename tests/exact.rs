@@ -6,8 +6,9 @@
 mod support;
 
 use fixed::types::{I2F30, I8F24, I16F16, I20F12, I28F4};
-use raylet::tier::{Effort, Exact, Tier};
+use raylet::tier::{Certain, Effort, Exact, Tier};
 use raylet::{Range, Ray, Shape};
+use std::fmt::Write;
 use support::cases::{Verdict, cases, compare_answers, edge_rays};
 use support::exact_types::{Exact as Number, expected};
 use support::random::Random;
@@ -67,10 +68,9 @@ struct Tally {
     worst: f64,
 }
 
-fn try_workload<S: Number>(subject: &Subject<S>, workload: Workload, rays: usize, seed: u64) -> Tally
+fn try_workload<S: Number + Certain>(subject: &Subject<S>, workload: Workload, rays: usize, seed: u64) -> Tally
 where
     Exact: Tier<S>,
-    S: raylet::tier::Certain,
 {
     let mut random = Random(seed);
     let mut tally = Tally { rays: 0, in_integers: 0, worst: 0.0 };
@@ -86,7 +86,7 @@ where
     tally
 }
 
-fn never_wrong<S: Number + raylet::tier::Certain>(rays_a_primitive: usize)
+fn never_wrong<S: Number + Certain>(rays_a_primitive: usize)
 where
     Exact: Tier<S>,
 {
@@ -101,7 +101,8 @@ where
             rays += tally.rays;
             worst = worst.max(tally.worst);
             if tally.in_integers > 0 {
-                line += &format!(" {}: {:.0}", workload.name(), 1e6 * tally.in_integers as f64 / tally.rays as f64);
+                let of_a_million = 1e6 * tally.in_integers as f64 / tally.rays as f64;
+                write!(line, " {}: {of_a_million:.0}", workload.name()).expect("a string takes everything");
             }
         }
         println!("{line}; {rays} rays, worst {worst:.3} units");
@@ -135,7 +136,7 @@ macro_rules! types {
 types!(f32: f32, i16f16: I16F16, i8f24: I8F24, i20f12: I20F12);
 
 /// Rays at, along and through rims, seams, walls, caps and apexes.
-fn edges<S: Number + raylet::tier::Certain>()
+fn edges<S: Number + Certain>()
 where
     Exact: Tier<S>,
 {
@@ -156,7 +157,7 @@ where
 /// The smallest and the largest sizes, and types of hardly an integer or a fraction bit.
 #[test]
 fn extremes_of_the_types() {
-    fn check<S: Number + raylet::tier::Certain>(values: &[S])
+    fn check<S: Number + Certain>(values: &[S])
     where
         Exact: Tier<S>,
     {
@@ -166,7 +167,7 @@ fn extremes_of_the_types() {
         let mut random = Random(9);
         let mut tried = 0;
         for _ in 0..6_000 {
-            let mut pick = |random: &mut Random| values[(random.next() % values.len() as u64) as usize];
+            let pick = |random: &mut Random| values[(random.next() % values.len() as u64) as usize];
             let (r, h) = (pick(&mut random), pick(&mut random));
             let (radius, height) = (r.exact(), h.exact());
             let built: Option<(Primitive<S>, Solid)> = match random.next() % 7 {
@@ -191,7 +192,7 @@ fn extremes_of_the_types() {
                 _ => Disc::new(r).ok().map(|p| (p.into(), Solid::Disc { radius })),
             };
             let Some((primitive, solid)) = built else { continue };
-            let mut signed = |random: &mut Random| {
+            let signed = |random: &mut Random| {
                 let value = pick(random);
                 if random.next() & 1 == 0 { value } else { -value }
             };

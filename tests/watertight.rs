@@ -1,7 +1,4 @@
-//! The promise: no ray slips between two triangles that share an edge.
-//!
-//! In floats it is kept where the ray steps closer to both triangles or to neither; the others are left out here, and the
-//! documentation of the triangle says so.
+//! The promise: no ray slips between two triangles that share an edge, whatever their sizes.
 
 #[macro_use]
 mod support;
@@ -15,7 +12,7 @@ every_type!(no_ray_slips_through_a_shared_edge);
 fn no_ray_slips_through_a_shared_edge<S: Exact>() {
     let mut random = Random(11);
     let mut aimed = 0;
-    for round in 0..20_000 {
+    for round in 0..60_000 {
         // One triangle may be a hundred times as large as its neighbour, and the ray may come from far away.
         let mut point = |size: f64| [(); 3].map(|()| random.between(-size, size));
         let (a, c) = (point(2.0), point(2.0));
@@ -37,16 +34,10 @@ fn no_ray_slips_through_a_shared_edge<S: Exact>() {
         if sides[0] * sides[1] >= -1e-3 {
             continue;
         }
-        let reach = |p: Vec3<S>| [a, c, p].map(|v| v.to_f64().map(f64::abs)).concat().into_iter().fold(0.0, f64::max);
-        let k = dot(ray.origin().to_f64(), ray.direction().to_f64()).abs();
-        let (left_steps, right_steps) = (k > 2.0 * reach(b), k > 2.0 * reach(d));
-        if left_steps != right_steps && !S::name().starts_with('I') {
-            continue;
-        }
         aimed += 1;
         assert!(left.occludes(&ray) || right.occludes(&ray), "{}: {left:?} {right:?} {ray:?}", S::name());
     }
-    assert!(aimed > 4_000, "{aimed} rays were aimed at a fold seen from its side");
+    assert!(aimed > 15_000, "{aimed} rays were aimed at a fold seen from its side");
 }
 
 fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {

@@ -41,16 +41,22 @@ pub(super) fn double_cone<S: Certain, N: Of<S>>(line: &Line<N>, slope: N, range:
     }
 }
 
+/// What is left of the line, or of an interval.
+enum Cut<N> {
+    Nothing,
+    Piece(Interval<N>),
+}
+
 /// The piece of the line with `low <= y <= high`; its ends bear the parts of the two planes.
-fn slab<N: Number>(line: &Line<N>, low: Option<N>, high: Option<N>) -> Option<Option<Interval<N>>> {
+fn slab<N: Number>(line: &Line<N>, low: Option<N>, high: Option<N>) -> Option<Cut<N>> {
     let (y, dy) = (line.origin[1], line.direction[1]);
     let end = |bound: Option<N>, part: Part| {
         bound.map(|bound| End { place: Place::At(Fraction { n: bound - y, e: dy }), part })
     };
     let (base, top) = (end(low, Part::Base), end(high, Part::Top));
     Some(match dy.sign()? {
-        Ordering::Greater => Some(Interval::new(base, top)),
-        Ordering::Less => Some(Interval::new(top, base)),
+        Ordering::Greater => Cut::Piece(Interval::new(base, top)),
+        Ordering::Less => Cut::Piece(Interval::new(top, base)),
         Ordering::Equal => {
             let is_below = match low {
                 Some(low) => (y - low).sign()? == Ordering::Less,
@@ -60,7 +66,7 @@ fn slab<N: Number>(line: &Line<N>, low: Option<N>, high: Option<N>) -> Option<Op
                 Some(high) => (y - high).sign()? == Ordering::Greater,
                 None => false,
             };
-            (!is_below && !is_above).then_some(Interval::EVERYWHERE)
+            if is_below || is_above { Cut::Nothing } else { Cut::Piece(Interval::EVERYWHERE) }
         }
     })
 }
@@ -116,7 +122,7 @@ fn order<N: Number>(quadratic: &Quadratic<'_, N>, end: End<N>, plane: End<N>) ->
 
 /// The side's interval between the planes (rule 1 of the contract: one interval). Where the side and a plane end it at
 /// the same point, that is a rim, which the side owns (rule 5).
-fn clip<N: Number>(quadratic: &Quadratic<'_, N>, side: Interval<N>, caps: Interval<N>) -> Option<Option<Interval<N>>> {
+fn clip<N: Number>(quadratic: &Quadratic<'_, N>, side: Interval<N>, caps: Interval<N>) -> Option<Cut<N>> {
     let choose = |own: Option<End<N>>, cap: Option<End<N>>, cap_counts: Ordering| {
         Some(match (own, cap) {
             (None, end) | (end, None) => end,
@@ -127,7 +133,7 @@ fn clip<N: Number>(quadratic: &Quadratic<'_, N>, side: Interval<N>, caps: Interv
     let enter = choose(side.enter, caps.enter, Ordering::Less)?;
     let exit = choose(side.exit, caps.exit, Ordering::Greater)?;
     let (Some(first), Some(last)) = (enter, exit) else {
-        return Some(Some(Interval { enter, exit, touch: side.touch }));
+        return Some(Cut::Piece(Interval { enter, exit, touch: side.touch }));
     };
     let lengths = match (first.place, last.place) {
         (Place::First | Place::Second, Place::At(t)) => quadratic.order(first.place, t)?,
@@ -137,11 +143,11 @@ fn clip<N: Number>(quadratic: &Quadratic<'_, N>, side: Interval<N>, caps: Interv
         _ => Ordering::Less,
     };
     Some(match lengths {
-        Ordering::Greater => None,
-        Ordering::Less => Some(Interval { enter, exit, touch: side.touch }),
+        Ordering::Greater => Cut::Nothing,
+        Ordering::Less => Cut::Piece(Interval { enter, exit, touch: side.touch }),
         Ordering::Equal => {
             let rim = |end: End<N>| Some(End::side(end.place));
-            Some(Interval { enter: rim(first), exit: rim(last), touch: true })
+            Cut::Piece(Interval { enter: rim(first), exit: rim(last), touch: true })
         }
     })
 }
@@ -159,7 +165,7 @@ pub(super) fn round<S: Certain, N: Of<S>>(
         Extent::Open(height) => (Some(N::ZERO), Some(N::scalar(height))),
         Extent::Capped(low, high) => (low.map(N::scalar), high.map(N::scalar)),
     };
-    let Some(caps) = slab(line, low, high)? else {
+    let Cut::Piece(caps) = slab(line, low, high)? else {
         return Some(Found::Miss);
     };
     let quadratic = Quadratic::new(form, line)?;
@@ -168,7 +174,7 @@ pub(super) fn round<S: Certain, N: Of<S>>(
     match within {
         Within::Nowhere => Some(Found::Miss),
         Within::Along(interval) => {
-            let Some(interval) = clip(&quadratic, interval, caps)? else {
+            let Cut::Piece(interval) = clip(&quadratic, interval, caps)? else {
                 return Some(Found::Miss);
             };
             // Its ends lie on rims, which are the side's.
@@ -192,8 +198,8 @@ pub(super) fn round<S: Certain, N: Of<S>>(
             Some(Found::Surface(piece(Some(&quadratic), interval, range)?))
         }
         Within::In(interval) => match clip(&quadratic, interval, caps)? {
-            Some(interval) => Some(Found::One(piece(Some(&quadratic), interval, range)?)),
-            None => Some(Found::Miss),
+            Cut::Piece(interval) => Some(Found::One(piece(Some(&quadratic), interval, range)?)),
+            Cut::Nothing => Some(Found::Miss),
         },
     }
 }
@@ -219,7 +225,7 @@ pub(super) fn capsule<S: Certain, N: Of<S>>(line: &Line<N>, r: N, height: N, ran
         Inside::Everywhere => Interval::EVERYWHERE,
         // From seam to seam, where the balls touch the line; without a side they touch it at one point.
         Inside::InSurface => {
-            let Some(seams) = slab(line, Some(N::ZERO), Some(height))? else {
+            let Cut::Piece(seams) = slab(line, Some(N::ZERO), Some(height))? else {
                 return Some(Found::Miss);
             };
             let side = |end: Option<End<N>>| end.map(|end| End::side(end.place));

@@ -251,8 +251,8 @@ impl<S: Scalar> Cone<S> {
             return side;
         }
         let t = line.t::<T>(T::real(apex) - y - rest, dy);
-        let leaves_upwards = apex == height;
-        if dy.is_negative() != leaves_upwards {
+        let leads_to_the_apex = if apex == height { !dy.is_negative() } else { dy.is_negative() };
+        if leads_to_the_apex {
             side.exit = if t < side.exit.t { End::new(t, Part::Side) } else { side.exit };
         } else {
             side.enter = if t > side.enter.t { End::new(t, Part::Side) } else { side.enter };

@@ -3,9 +3,9 @@
 //! The line passes inside where the three vertices' cross products with it turn the same way (the signed volumes of
 //! Segura and Feito, *Algorithms to test ray-triangle intersection*, 2001). The volume of an edge depends on its two
 //! end points alone and changes its sign exactly when they are swapped, so that no ray slips between two triangles that
-//! share an edge: in fixed point always; in floats where the ray steps closer to both triangles or to neither, which is
-//! decided by the largest coordinate of each. Between a small and a much larger float triangle a ray can slip through a
-//! crack of the width of a rounding.
+//! share an edge. A volume so small that its rounding could decide is made again in twice the precision, with what the
+//! origin's rounding left over: a float ray that has stepped closer to one triangle and not to its larger neighbour is
+//! still the same ray. (In the tier `Fast` it does not step, and nothing is made again.)
 
 use super::plane::surface_hit;
 use super::{Geometry, Line, SizeError, queries, surface_coordinates as coordinates};

@@ -1,6 +1,9 @@
 //! The bound table: primitive x tier x number type x workload. The rows are code, written by
 //! `cargo run --release --example accuracy -- --write`; `tests/number_types.rs` holds the library to them.
 
+// Some figures happen to look like famous ones.
+#![allow(clippy::approx_constant)]
+
 mod exact;
 mod fast;
 mod stable;
