@@ -48,8 +48,8 @@
 //! | 8 | [`effect`] | shading, a file an effect |
 //! | 7 | [`scene`] | objects, materials, lights, camera, the NFF reader |
 //! | 6 | [`shape`] | any primitive, placed |
-//! | 5 | [`primitive`], `geometry`, `query` | a file a primitive: its solve, parts, normal, surface coordinates, tangents; the three questions |
-//! | 4 | [`tier`], `quadric` | accuracy tiers; the one quadratic solver |
+//! | 5 | [`primitive`], [`tier`], `geometry`, `query` | a file a primitive: its solve, parts, normal, surface coordinates, tangents; accuracy tiers; the questions |
+//! | 4 | `quadric`, `arithmetic`, `exact`, `figure` | the one quadratic solver and its numbers; the exact tier's solver |
 //! | 3 | [`ray`], [`frame`], [`affine`], [`hit`], `span`, `line` | rays and ranges, placement, hits and hit lists, intervals |
 //! | 2 | [`vector`] | [`Vec3`], [`UnitVec3`] |
 //! | 1 | [`scalar`] | what a number must do here: `f32`, `f64`, fixed point |

@@ -244,6 +244,19 @@ pub fn compare_answers<S: Exact>(hits: &Hits<S>, exact: &oracle::InRange) -> Ver
     Verdict::Same(hits.iter().zip(&exact.hits).map(error).fold(0.0, f64::max))
 }
 
+/// Of a triangle: whether a ray that starts a hair beside has another number of hits.
+fn is_at_an_edge<S: Exact>(case: &Case<S>, ray: &Ray<S>, hits: usize, tie: f64) -> bool {
+    let Solid::Triangle { .. } = case.solid else { return false };
+    let line = super::exact_types::exact_line(ray);
+    let (start, end) = (ray.range().start().exact(), ray.range().end().exact());
+    (0..6).any(|side| {
+        let mut beside = line.clone();
+        let off = super::oracle::exact_f64(if side < 3 { tie } else { -tie });
+        beside.origin[side % 3] = &beside.origin[side % 3] + &off;
+        oracle::hits_in_range(&oracle::solve(&case.solid, &beside), &start, Some(&end)).hits.len() != hits
+    })
+}
+
 fn is_tie<S: Exact>(case: &Case<S>, ray: &Ray<S>, hits: &Hits<S>, exact: &oracle::InRange, tie: f64) -> bool {
     let line = oracle::solve(&case.solid, &super::exact_types::exact_line(ray));
     let mut ends: Vec<f64> = vec![];
@@ -262,7 +275,8 @@ fn is_tie<S: Exact>(case: &Case<S>, ray: &Ray<S>, hits: &Hits<S>, exact: &oracle
     let (origin, along) = (ray.origin().to_f64(), ray.direction().to_f64());
     let at_seam = |t: &f64| case.seams.iter().any(|seam| (origin[1] + t * along[1] - seam).abs() < tie);
     let at_end = |t: &f64| (t - low).abs() < tie || (t - high).abs() < tie;
-    close(&ends)
+    is_at_an_edge(case, ray, exact.hits.len(), tie)
+        || close(&ends)
         || (exact.hits.is_empty() && close(&own))
         || (exact.hits.is_empty() && hits.len() == 1 && hits[0].crossing == Crossing::Touch)
         || touches
