@@ -350,12 +350,24 @@ macro_rules! sum_of_products {
             [$Block::new(rounded as i64, sum.exponent.wrapping_add(drop as i32)), rest]
         }
     }};
+    (128, $Block:ident, $terms:expr) => {{
+        // No wider integer: the rounding of each addition is kept apart, as for floats.
+        let (mut sum, mut error) = ($Block::ZERO, $Block::ZERO);
+        for [a, b] in $terms {
+            let ([a, u], [b, v]) = (a.halves(), b.halves());
+            for product in [a * b, a * v, u * b, u * v] {
+                let [rounded, rest] = sum.add_with_rest(product);
+                sum = rounded;
+                error = error + rest;
+            }
+        }
+        sum.add_with_rest(error)
+    }};
     ($bits:tt, $Block:ident, $terms:expr) => {{
         let mut sum = $Block::ZERO;
         for [a, b] in $terms {
             sum = sum + a * b;
         }
-        // No wider integer holds a rest.
         [sum, $Block::ZERO]
     }};
 }
@@ -370,6 +382,28 @@ block! {
 }
 
 impl Block128 {
+    /// The block as a sum of two with at most 63 bits each, so that products of halves are exact.
+    #[inline]
+    fn halves(self) -> [Self; 2] {
+        let bits = self.bits();
+        if bits <= Self::HALF {
+            return [self, Self::ZERO];
+        }
+        let high = self.reduced(bits, Self::HALF);
+        [high, self - high]
+    }
+
+    /// The rounded sum and what its rounding lost (but for a unit of 2^-126 where the sum carries).
+    #[inline]
+    fn add_with_rest(self, other: Self) -> [Self; 2] {
+        let sum = self + other;
+        if sum.exponent <= self.exponent && sum.exponent <= other.exponent || self.is_zero() || other.is_zero() {
+            return [sum, Self::ZERO];
+        }
+        let (high, low) = if self.exponent >= other.exponent { (self, other) } else { (other, self) };
+        [sum, low - (sum - high)]
+    }
+
     /// The value with a mantissa of 62 bits.
     fn narrow(self) -> Block64 {
         let bits = 128 - self.mantissa.unsigned_abs().leading_zeros();

@@ -48,8 +48,7 @@ pub fn agree<S: Number, T: Tier<S>>(question: &Question<S>) -> Verdict {
         return Verdict::Lawful;
     }
     // Where squares vanish nothing is promised but by a tier that is exact.
-    let excused =
-        question.squares_vanish() || known::has_a_vanishing_slope(question) || known::is_a_wide_cone(question);
+    let excused = question.squares_vanish() || known::has_a_vanishing_slope(question);
     if excused && promise != Agreement::Total {
         return Verdict::Tie;
     }

@@ -1,9 +1,8 @@
-//! Where the default tier promises less than elsewhere: squares that vanish, and 64-bit cones at the end of their type.
-//! (The second is kept as an ignored test in `tests/fuzz_corpus.rs`.)
+//! Where the default tier promises less than elsewhere: squares that vanish.
 
 use super::bytes::Number;
 use super::question::Question;
-use raylet::{Placement, Primitive};
+use raylet::Placement;
 
 /// A float direction nearly along the axis, whose other components have squares that vanish, runs along the axis for the
 /// side and not for what is beside it: a cylinder is hit that lies a radius and more away.
@@ -17,12 +16,4 @@ pub fn has_a_vanishing_slope<S: Number>(question: &Question<S>) -> bool {
         components.extend([frame.right(), frame.up(), frame.forward()].iter().flat_map(|axis| axis.to_f64()));
     }
     components.iter().any(|c| *c != 0.0 && c.abs() < least) || question.axes.0 / question.axes.1 < least
-}
-
-/// A 64-bit fixed cone of 44 bits and more: nearly along a generator its coefficients cancel to fewer bits than `t` has.
-pub fn is_a_wide_cone<S: Number>(question: &Question<S>) -> bool {
-    let cone = matches!(question.shape.primitive(), Primitive::Cone(_));
-    let largest = question.ray.origin().to_f64().iter().fold(question.extent.1.to_f64(), |most, c| most.max(c.abs()));
-    let units = largest / S::BUDGET.smallest_size.to_f64();
-    S::VANISHING.is_none() && S::PRECISION > 60 && cone && units >= 2.0_f64.powi(44)
 }

@@ -71,9 +71,7 @@ pub const GRAZING: [Case; 26] = [
     case("sphere touched aslant", "a tangent in two rounded components")
         .on(Ball(1.25))
         .ray([-3.0, 1.25, -4.0], [3.0, 0.0, 4.0])
-        .hits(&[touch(Side, "5")])
-        // The direction as rounded misses by 2^-54, and the products are rounded to 128 bits.
-        .stable(&[("I32F32", Gives("Enter Side, Exit Side / Enter Side, Exit Side"))]),
+        .hits(&[touch(Side, "5")]),
     case("cylinder touched across", "a touch counts twice, or not at all")
         .on(Can(1.0, 2.0))
         .ray([-3.0, 0.5, 1.0], [1.0, 0.0, 0.0])
