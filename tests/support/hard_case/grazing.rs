@@ -1,7 +1,6 @@
 //! Rays that touch, or nearly: a ten-millionth inside and a ten-millionth outside.
 
 use super::Kind::{Ball, Can, Disc, Frustum, Nappe, Pill, Pipe, Plane, Triangle, Tube};
-use super::Limit::Gives;
 use super::{Case, case, enter, exit, touch};
 use raylet::Part::{Side, Top};
 
