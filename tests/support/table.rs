@@ -46,8 +46,11 @@ fn short(value: f64) -> String {
     }
 }
 
-/// The kinds of workloads in the summary, and what belongs to each.
-const KINDS: [(&str, fn(&str) -> bool); 4] = [
+/// A name, and whether a workload belongs to it.
+type Kind = (&'static str, fn(&str) -> bool);
+
+/// The kinds of workloads in the summary.
+const KINDS: [Kind; 4] = [
     ("well aimed", |name| name == "benign" || name.ends_with(" away") || name == "inside" || name == "zero components"),
     ("grazing", |name| name.starts_with("grazing")),
     ("rims, near axis or generator", |name| name == "rims" || name.contains(" off ")),
