@@ -7,7 +7,7 @@ use super::random::Random;
 use super::subject::{SUBJECTS, Subject};
 use super::workload::{WORKLOADS, Workload};
 use fixed::types::{I16F16, I32F32};
-use raylet::tier::{Exact, Fast, Stable, Tier};
+use raylet::tier::{Effort, Exact, Fast, Stable, Tier};
 use raylet::{Ray, Shape};
 
 /// What was measured over one row.
@@ -24,6 +24,8 @@ pub struct Measured {
     pub edge: usize,
     /// Hits on another part, or with another crossing.
     pub part: usize,
+    /// Rays that the exact tier decided in integers.
+    pub integers: usize,
 }
 
 impl Measured {
@@ -74,7 +76,7 @@ pub fn measure<S: Number, T: Tier<S>>(
     rays: usize,
     seed: u64,
 ) -> Option<Measured> {
-    measure_where::<S, T>(subject, workload, rays, seed, |_| true)
+    measure_where::<S, T>(subject, workload, rays, seed, |_| true, |_, _| false)
 }
 
 /// Of the workload's rays those for which `counts` holds.
@@ -84,6 +86,7 @@ pub fn measure_where<S: Number, T: Tier<S>>(
     rays: usize,
     seed: u64,
     counts: impl Fn(&Ray<S>) -> bool,
+    in_integers: InIntegers<S>,
 ) -> Option<Measured> {
     let mut random = Random(seed);
     let mut row = Measured::default();
@@ -93,6 +96,7 @@ pub fn measure_where<S: Number, T: Tier<S>>(
             continue;
         }
         row.count::<S, T>(&subject.shape, &ray, expected(&subject.solid, &ray));
+        row.integers += usize::from(in_integers(&subject.shape, &ray));
     }
     row.errors.sort_by(f64::total_cmp);
     (row.rays > 0).then_some(row)
@@ -104,6 +108,7 @@ pub fn measure_placed<S: Number, T: Tier<S>>(
     placing: Placing,
     rays: usize,
     seed: u64,
+    in_integers: InIntegers<S>,
 ) -> Option<Measured> {
     let mut random = Random(seed);
     let mut row = Measured::default();
@@ -113,6 +118,7 @@ pub fn measure_placed<S: Number, T: Tier<S>>(
         let answer = oracle::solve(&subject.solid, &placed.line(&ray));
         let want = oracle::hits_in_range(&answer, &ray.range().start().exact(), Some(&ray.range().end().exact()));
         row.count::<S, T>(&placed.shape, &ray, want);
+        row.integers += usize::from(in_integers(&placed.shape, &ray));
     }
     row.errors.sort_by(f64::total_cmp);
     (row.rays > 0).then_some(row)
@@ -128,8 +134,9 @@ pub struct Figures {
     pub hits: usize,
     /// Median, 99.9 % and worst error of `t`, in units in the last place.
     pub errors: [f64; 3],
-    /// Lost, phantom, on the other side of the range's start, on another part or with another crossing.
-    pub counts: [usize; 4],
+    /// Lost, phantom, on the other side of the range's start, on another part or with another crossing; and in the exact
+    /// tier rays that were decided in integers.
+    pub counts: [usize; 5],
 }
 
 /// Rounded up in the third significant digit, and in the third decimal.
@@ -143,7 +150,16 @@ pub fn rounded_up(value: f64) -> f64 {
     format!("{rounded:.3}").parse().unwrap_or(rounded)
 }
 
-fn rows<S: Number, T: Tier<S>>(tier: &'static str, rays: usize, all: &mut Vec<Figures>, tick: &mut dyn FnMut()) {
+/// Whether a ray is decided in integers.
+type InIntegers<S> = fn(&Shape<S>, &Ray<S>) -> bool;
+
+fn rows<S: Number, T: Tier<S>>(
+    tier: &'static str,
+    rays: usize,
+    in_integers: InIntegers<S>,
+    all: &mut Vec<Figures>,
+    tick: &mut dyn FnMut(),
+) {
     for primitive in SUBJECTS {
         let subject = Subject::<S>::new(primitive);
         let figures = |row: Measured, workload: String| Figures {
@@ -153,16 +169,16 @@ fn rows<S: Number, T: Tier<S>>(tier: &'static str, rays: usize, all: &mut Vec<Fi
             workload,
             hits: row.hits,
             errors: [0.5, 0.999, 1.0].map(|fraction| rounded_up(row.quantile(fraction))),
-            counts: [row.lost, row.phantom, row.edge, row.part],
+            counts: [row.lost, row.phantom, row.edge, row.part, row.integers],
         };
         for (index, workload) in WORKLOADS.into_iter().enumerate() {
             tick();
-            let row = measure::<S, T>(&subject, workload, rays, 1000 + index as u64);
+            let row = measure_where::<S, T>(&subject, workload, rays, 1000 + index as u64, |_| true, in_integers);
             all.extend(row.map(|row| figures(row, workload.name())));
         }
         for (index, placing) in PLACINGS.into_iter().enumerate() {
             tick();
-            let row = measure_placed::<S, T>(&subject, placing, rays, 2000 + index as u64);
+            let row = measure_placed::<S, T>(&subject, placing, rays, 2000 + index as u64, in_integers);
             all.extend(row.map(|row| figures(row, placing.name())));
         }
     }
@@ -174,15 +190,15 @@ pub const TICKS: usize = 10 * SUBJECTS.len() * (WORKLOADS.len() + PLACINGS.len()
 /// Every tier in every number type that it is measured in, on every primitive and workload.
 pub fn measure_all(rays: usize, tick: &mut dyn FnMut()) -> Vec<Figures> {
     let mut all = vec![];
-    rows::<f32, Fast>("Fast", rays, &mut all, tick);
-    rows::<f64, Fast>("Fast", rays, &mut all, tick);
-    rows::<I16F16, Fast>("Fast", rays, &mut all, tick);
-    rows::<I32F32, Fast>("Fast", rays, &mut all, tick);
-    rows::<f32, Stable>("Stable", rays, &mut all, tick);
-    rows::<f64, Stable>("Stable", rays, &mut all, tick);
-    rows::<I16F16, Stable>("Stable", rays, &mut all, tick);
-    rows::<I32F32, Stable>("Stable", rays, &mut all, tick);
-    rows::<f32, Exact>("Exact", rays, &mut all, tick);
-    rows::<I16F16, Exact>("Exact", rays, &mut all, tick);
+    rows::<f32, Fast>("Fast", rays, |_, _| false, &mut all, tick);
+    rows::<f64, Fast>("Fast", rays, |_, _| false, &mut all, tick);
+    rows::<I16F16, Fast>("Fast", rays, |_, _| false, &mut all, tick);
+    rows::<I32F32, Fast>("Fast", rays, |_, _| false, &mut all, tick);
+    rows::<f32, Stable>("Stable", rays, |_, _| false, &mut all, tick);
+    rows::<f64, Stable>("Stable", rays, |_, _| false, &mut all, tick);
+    rows::<I16F16, Stable>("Stable", rays, |_, _| false, &mut all, tick);
+    rows::<I32F32, Stable>("Stable", rays, |_, _| false, &mut all, tick);
+    rows::<f32, Exact>("Exact", rays, |shape, ray| shape.effort(ray) == Effort::Integers, &mut all, tick);
+    rows::<I16F16, Exact>("Exact", rays, |shape, ray| shape.effort(ray) == Effort::Integers, &mut all, tick);
     all
 }

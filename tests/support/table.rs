@@ -132,9 +132,52 @@ fn placed(rows: &[Figures]) -> String {
     text + "\n"
 }
 
+/// What is said of the exact tier's integers.
+const INTEGERS: &str = "\
+## How often integers decide
+
+Rays of a million that the filter of the `Exact` tier cannot decide, so that integers do, over all 16 primitives:
+
+";
+
+/// Per workload, how often the exact tier needs its integers.
+fn integers(rows: &[Figures]) -> String {
+    let mut text = String::from("| workload | `f32` | `I16F16` |\n|---|---|---|\n");
+    let mut workloads: Vec<&str> = vec![];
+    for row in rows.iter().filter(|row| row.tier == "Exact") {
+        if !workloads.contains(&row.workload.as_str()) {
+            workloads.push(&row.workload);
+        }
+    }
+    for workload in workloads {
+        write!(text, "| {workload} |").expect("a string takes everything");
+        for number in ["f32", "I16F16"] {
+            let of: Vec<_> = rows
+                .iter()
+                .filter(|row| row.tier == "Exact" && row.number == number && row.workload == workload)
+                .collect();
+            let decided: usize = of.iter().map(|row| row.counts[4]).sum();
+            // A row has as many rays, whatever of them fits the type.
+            let told = if of.is_empty() {
+                String::new()
+            } else {
+                format!("{:.0}", 1e6 * decided as f64 / (of.len() * super::bounds::RAYS) as f64)
+            };
+            write!(text, " {told} |").expect("a string takes everything");
+        }
+        text.push('\n');
+    }
+    text + "\n"
+}
+
 /// The whole document.
 pub fn document(rows: &[Figures]) -> String {
-    let mut text = format!("{HEAD}{}\n{WORKLOADS}{PLACED}{}## All rows\n\n", summary(rows), placed(rows));
+    let mut text = format!(
+        "{HEAD}{}\n{WORKLOADS}{PLACED}{}{INTEGERS}{}## All rows\n\n",
+        summary(rows),
+        placed(rows),
+        integers(rows)
+    );
     for group in groups(rows) {
         let first = &group[0];
         writeln!(
@@ -148,7 +191,7 @@ pub fn document(rows: &[Figures]) -> String {
             workload,
             hits,
             errors: [median, most, worst],
-            counts: [lost, phantom, edge, part],
+            counts: [lost, phantom, edge, part, _],
             ..
         } in group
         {

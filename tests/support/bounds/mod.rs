@@ -23,8 +23,8 @@ pub struct Bound {
     pub hits: usize,
     /// Median, 99.9 % and worst error of `t`, in units in the last place.
     pub errors: [f64; 3],
-    /// Lost, phantom, on the other side of the range's start, on another part or with another crossing.
-    pub counts: [usize; 4],
+    /// Lost, phantom, on the other side of the range's start, on another part or with another crossing, in integers.
+    pub counts: [usize; 5],
 }
 
 const fn bound(
@@ -33,7 +33,7 @@ const fn bound(
     workload: &'static str,
     hits: usize,
     errors: [f64; 3],
-    counts: [usize; 4],
+    counts: [usize; 5],
 ) -> Bound {
     Bound { number, primitive, workload, hits, errors, counts }
 }
