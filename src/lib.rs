@@ -33,10 +33,10 @@
 //! 8. Leaving a surface needs no epsilon: a ray says where it departs from ([`Departure`]).
 //! 9. One-sided surfaces ignore the crossings seen from the back ([`Visible`]).
 //! 10. Bad input gets a typed error at construction; queries on built values cannot fail, panic or overflow.
-//! 11. The same bits everywhere, for every number type and tier: IEEE arithmetic, integers and `libm` only. (Until the
-//!     firmware that compares the chips is here, this rule is the one without a test.)
+//! 11. The same bits everywhere, for every number type and tier: IEEE arithmetic, integers and `libm` only.
 //!
-//! `tests/contract.rs` has tests named after rules 1 to 10.
+//! `tests/contract.rs` has tests named after rules 1 to 10; for rule 11 `tests/firmware.rs` and the firmware in
+//! `examples/firmware` compare digests of all answers on the host, Cortex-M0+, M3, M4F and RV32IMC.
 //!
 //! # The rooms
 //!

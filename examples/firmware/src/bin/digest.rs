@@ -1,0 +1,23 @@
+//! Prints the digest of every answer to a fixed set of rays: the same lines on every chip and on the host.
+#![no_std]
+#![no_main]
+
+use raylet_firmware::digest;
+use semihosting::println;
+
+fn run() -> ! {
+    digest::all(&mut |number, tier, shape, digest| println!("{number} {tier} {shape}: {digest:016x}"));
+    semihosting::process::exit(0)
+}
+
+#[cfg(target_arch = "arm")]
+#[cortex_m_rt::entry]
+fn main() -> ! {
+    run()
+}
+
+#[cfg(target_arch = "riscv32")]
+#[riscv_rt::entry]
+fn main() -> ! {
+    run()
+}

@@ -1,0 +1,4 @@
+//! What the firmware programs share, and what the host runs beside them.
+#![no_std]
+
+pub mod digest;
