@@ -224,3 +224,46 @@ fn extremes_of_the_types() {
     check::<I2F30>(&raw());
     check::<I28F4>(&raw());
 }
+
+// Found by a reviewer.
+
+/// Two roots next to the same midpoint of two floats are reported in order.
+#[test]
+fn roots_beside_a_midpoint_stay_in_order() {
+    use raylet::{Cone, Frame, UnitVec3, Vec3};
+    let frame = Frame::at(Vec3::new(0.0_f32, 1.0, 0.0)).unwrap();
+    let ray = Ray::new(Vec3::new(2.0_f32.powi(-60), -2.0_f32.powi(-24), 0.0), UnitVec3::Y).unwrap();
+    let mut random = Random(4);
+    for _ in 0..2_000 {
+        let slope = random.between(0.5, 2.0) as f32;
+        let cone = Shape::new(Cone::double(slope).unwrap()).placed(frame);
+        let hits = cone.hits_at::<Exact>(&ray);
+        assert!(hits.len() == 2 && hits[0].t <= hits[1].t, "{slope}: {hits:?}");
+    }
+}
+
+/// Corners on a line as exact arithmetic sees them, though not as rounded differences do: nothing lies in that triangle.
+#[test]
+fn a_triangle_without_area_holds_nothing() {
+    use raylet::{Triangle, UnitVec3, Vec3};
+    let tiny = 2.0_f32.powi(-24);
+    let corners = [Vec3::new(1.0, 3.0, 0.0), Vec3::new(tiny, 3.0 * tiny, 0.0), Vec3::new(2.0, 6.0, 0.0)];
+    let Ok(triangle) = Triangle::new(corners[0], corners[1], corners[2]) else { return };
+    let ray = Ray::new(Vec3::new(-50.0, 70.0, 9.0), UnitVec3::Z).unwrap();
+    assert!(triangle.hits_at::<Exact>(&ray).coincident().is_none());
+    assert!(!triangle.contains_at::<Exact>(Vec3::new(5.0, -7.0, 100.0)));
+}
+
+/// Where the coefficients of a far smaller root vanish in doubles, its sign is still decided.
+#[test]
+fn a_root_below_the_range_of_doubles_has_its_sign() {
+    use raylet::{Affine, Cone, Frame, UnitVec3, Vec3};
+    let p = |e: i32| f32::from_bits(if e < -126 { 1 << (e + 149) } else { ((e + 127) as u32) << 23 });
+    let frame = Frame::at(Vec3::new(0.0, 0.0, p(-149))).unwrap();
+    let affine = Affine::stretched(frame, Vec3::new(1.0, p(-127), p(126))).unwrap();
+    let shape = Shape::new(Cone::frustum(p(-149), p(126), p(-149)).unwrap()).placed(affine);
+    let origin = Vec3::new(p(-149), 0.0, p(-60));
+    let hits = shape.hits_at::<Exact>(&Ray::new(origin, -UnitVec3::Y).unwrap());
+    assert!(hits.is_empty() && !hits.starts_inside(), "{hits:?}");
+    assert!(!shape.contains_at::<Exact>(origin));
+}

@@ -1,5 +1,6 @@
 //! The inside test, decided by signs.
 
+use super::flat::is_zero;
 use super::form::{Form, Homogeneous, Weight, cross, difference, dot};
 use super::round::form_of;
 use super::solve::Of;
@@ -54,7 +55,7 @@ pub(super) fn holds<S: Certain, N: Of<S>>(figure: &Figure<S>, point: [N; 3]) -> 
             let corners = vertices.map(|vertex| vertex.map(N::scalar));
             let [a, b, c] = corners.map(|corner| difference(corner, point));
             let normal = cross(difference(corners[1], corners[0]), difference(corners[2], corners[0]));
-            if dot(normal, a).sign()? != Ordering::Equal {
+            if is_zero(normal)? || dot(normal, a).sign()? != Ordering::Equal {
                 return Some(false);
             }
             for (p, q) in [(a, b), (b, c), (c, a)] {

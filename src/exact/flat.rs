@@ -4,7 +4,7 @@ use super::form::{Form, Line, cross, difference, dot};
 use super::found::Found;
 use super::solve::{End, Fraction, Inside, Interval, Of, Place, Quadratic, piece, times};
 use crate::ray::Range;
-use crate::scalar::certain::Certain;
+use crate::scalar::certain::{Certain, Number};
 use core::cmp::Ordering;
 
 /// The one crossing of a plane at `t`, from the front if the direction runs against the normal.
@@ -63,6 +63,10 @@ pub(super) fn triangle<S: Certain, N: Of<S>>(
     let (facing, distance) = (dot(normal, line.direction), dot(normal, a));
     let along_normal = facing.sign()?;
     if along_normal == Ordering::Equal {
+        if is_zero(normal)? {
+            // Corners on a line, as exact arithmetic sees them: no area, no hit.
+            return Some(Found::Miss);
+        }
         return if distance.sign()? == Ordering::Equal {
             lies_in(normal, line, vertices, range)
         } else {
@@ -76,6 +80,11 @@ pub(super) fn triangle<S: Certain, N: Of<S>>(
         }
     }
     crossing(Fraction { n: distance, e: facing }, along_normal, range)
+}
+
+/// True for the zero vector.
+pub(super) fn is_zero<N: Number>(v: [N; 3]) -> Option<bool> {
+    Some(v[0].sign()? == Ordering::Equal && v[1].sign()? == Ordering::Equal && v[2].sign()? == Ordering::Equal)
 }
 
 /// The piece of a line of its plane that lies in the triangle: cut off by each edge in turn.

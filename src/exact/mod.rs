@@ -52,7 +52,8 @@ use solve::Of;
 /// everything do, at some hundred times the cost. [`Shape::effort`](crate::Shape::effort) tells which it was.
 ///
 /// A ray that [departs](crate::Departure) starts on its surface by decree and not by its coordinates: what it meets
-/// follows rule 8 of the contract, from the same formulas as `Stable` in numbers of twice the precision.
+/// follows rule 8 of the contract, from the same formulas as `Stable` in numbers of twice the precision. On a placed solid
+/// such a ray is rounded on its way into the frame as in `Stable`: its `t` was measured up to 13 units off.
 ///
 /// ```
 /// use raylet::{Crossing, Ray, Sphere, UnitVec3, Vec3, tier::Exact};

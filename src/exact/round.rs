@@ -33,7 +33,10 @@ pub(super) fn double_cone<S: Certain, N: Of<S>>(line: &Line<N>, slope: N, range:
         Inside::Between(touch) => one(between(touch)),
         Inside::Beyond => {
             let [until, from] = [Interval::new(None, first), Interval::new(second, None)];
-            Some(Found::Two(piece(Some(&quadratic), until, range)?, piece(Some(&quadratic), from, range)?))
+            let first = piece(Some(&quadratic), until, range)?;
+            let mut second = piece(Some(&quadratic), from, range)?;
+            second.enter = second.enter.map(|enter| enter.not_before(first.exit));
+            Some(Found::Two(first, second))
         }
         Inside::Until => one(Interval::new(None, first)),
         Inside::From => one(Interval::new(first, None)),
@@ -271,5 +274,6 @@ pub(super) fn capsule<S: Certain, N: Of<S>>(line: &Line<N>, r: N, height: N, ran
         return Some(Found::Miss);
     };
     // Where the ball or the side that is entered is touched, the exit is the same point.
+    let exit = exit.not_before(Some(enter));
     Some(Found::One(Piece { enter: Some(enter), exit: Some(exit), touch: touches && enter.part == exit.part }))
 }

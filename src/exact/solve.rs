@@ -214,6 +214,17 @@ pub(super) struct Settled<S> {
     pub(super) is_beyond_range: bool,
 }
 
+impl<S: Certain> Settled<S> {
+    /// The same end, whose `t` is at least that of an end which comes before it: of two roots next to the same midpoint of
+    /// two numbers, each may be rounded to the other's side.
+    pub(super) fn not_before(self, earlier: Option<Self>) -> Self {
+        match earlier {
+            Some(earlier) if self.t < earlier.t => Self { t: earlier.t, ..self },
+            _ => self,
+        }
+    }
+}
+
 /// An interval in the ray's own numbers.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Piece<S> {
@@ -268,5 +279,6 @@ pub(super) fn piece<S: Certain, N: Of<S>>(
         None => Some(None),
         Some(end) => settle(quadratic, end, range).map(Some),
     };
-    Some(Piece { enter: settled(interval.enter)?, exit: settled(interval.exit)?, touch: interval.touch })
+    let (enter, exit) = (settled(interval.enter)?, settled(interval.exit)?);
+    Some(Piece { enter, exit: exit.map(|exit| exit.not_before(enter)), touch: interval.touch })
 }

@@ -191,7 +191,7 @@ impl<S: Scalar> Cone<S> {
         let vertex = p - q;
         // A touch may be that of the apex, where the outline is zero and its sign is rounding: the apex belongs to both.
         let is_apex = matches!(inside, Inside::Between(Span { touch: true, .. }))
-            && vertex.abs() < (p.abs() + q.abs()).times_power_of_two(-20);
+            && vertex.abs() < (p.abs() + q.abs()).times_power_of_two(T::Real::ROUNDING + 3);
         (inside, NappeTest { rising: !slope.is_negative(), upper: is_apex || !vertex.is_negative() })
     }
 

@@ -248,6 +248,7 @@ macro_rules! block {
         impl Real for $Block {
             const ZERO: Self = Self::new(0, 0);
             const ONE: Self = Self::new(1, 0);
+            const ROUNDING: i32 = -(Self::HALF as i32);
 
             #[inline]
             fn from_int(n: i32) -> Self {

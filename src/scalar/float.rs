@@ -297,6 +297,7 @@ macro_rules! float {
         impl Real for $Float {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
+            const ROUNDING: i32 = -1 - $mantissa;
 
             #[inline(always)]
             fn from_int(n: i32) -> Self {

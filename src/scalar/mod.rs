@@ -246,6 +246,8 @@ pub trait Real:
     const ZERO: Self;
     /// One.
     const ONE: Self;
+    /// The exponent of the relative rounding of a product.
+    const ROUNDING: i32;
 
     /// A small integer.
     fn from_int(n: i32) -> Self;

@@ -129,6 +129,7 @@ macro_rules! short_block {
         impl Real for $Short {
             const ZERO: Self = Self { mantissa: 0, exponent: 0 };
             const ONE: Self = Self { mantissa: 1, exponent: 0 };
+            const ROUNDING: i32 = -(Self::ROOM as i32);
 
             #[inline]
             fn from_int(n: i32) -> Self {

@@ -8,7 +8,8 @@ use core::ops::{Add, Mul, Neg, Sub};
 /// A double and a bound on its distance from the true value.
 ///
 /// Every operation adds its own rounding to what its operands bring along (running error analysis: Higham, *Accuracy
-/// and Stability of Numerical Algorithms*, 3.3). The rounding is counted twice, which covers that of the bound itself.
+/// and Stability of Numerical Algorithms*, 3.3). The roundings of products, quotients and roots are counted twice, and
+/// [`Number::sign`] compares doubles, so that the rounding of the bound itself is covered.
 #[derive(Clone, Copy, Debug)]
 pub struct Double {
     value: f64,
@@ -56,9 +57,10 @@ impl Double {
             && (self.value.abs() > SHORT_FROM || self.value == 0.0)
     }
 
-    /// Within the rounding of one operation.
+    /// Within the rounding of one operation, or of the end of the exponent range.
     pub(super) const fn rounded_once(value: f64) -> Self {
-        Self { value, error: value.abs() * ROUNDING }
+        let floor = if value.abs() < UNDERFLOW { UNDERFLOW } else { 0.0 };
+        Self { value, error: value.abs() * ROUNDING + floor }
     }
 }
 

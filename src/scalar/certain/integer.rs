@@ -101,25 +101,25 @@ impl<const N: usize> Integer<N> {
         result.trimmed()
     }
 
-    /// The highest 64 bits, the exponent that belongs to them, and whether there is nothing below.
-    fn leading(&self) -> (u64, i32, bool) {
+    /// The highest 64 bits, and the exponent that belongs to them.
+    fn leading(&self) -> (u64, i32) {
         let top = self.length as i32;
         let (a, b, c) = (self.limb(top - 1), self.limb(top - 2), self.limb(top - 3));
         let shift = a.leading_zeros() % 32;
         let all = ((a as u128) << 64) | ((b as u128) << 32) | c as u128;
         let bits = ((all << shift) >> 32) as u64;
-        (bits, 32 * (top - 2 + self.exponent) - shift as i32, top <= 2)
+        (bits, 32 * (top - 2 + self.exponent) - shift as i32)
     }
 
     /// An exponent of which the power of two is above the magnitude.
     fn top(&self) -> i32 {
-        let (_, exponent, _) = self.leading();
+        let (_, exponent) = self.leading();
         exponent + 64
     }
 
     /// The value divided by `2^e`, as a block or a double makes it from the highest 62 bits.
     fn leading_over(&self, e: i32) -> (i64, i32) {
-        let (bits, exponent, _) = self.leading();
+        let (bits, exponent) = self.leading();
         let magnitude = (bits >> 2) as i64;
         (if self.negative { -magnitude } else { magnitude }, exponent + 2 - e)
     }

@@ -18,8 +18,8 @@ mod wide;
 
 /// Limbs of an integer that holds every polynomial of the solvers over `f32`.
 ///
-/// A coordinate spans 275 binary places, a row of an affine inverse 400, so that a local coordinate spans 690. The widest
-/// polynomial is a frustum's discriminant `h^2 [(g1 wz - g0 dx)^2 + ...]` of 3,860 places.
+/// A coordinate spans 277 binary places; a local one, of which a row of an affine inverse is a factor, at most 690. The widest
+/// polynomial is a frustum's discriminant `h^2 [(g1 wz - g0 dx)^2 + ...]`, of less than 3,900 places.
 const FLOAT_LIMBS: usize = 128;
 /// The same over 32-bit fixed types: a local coordinate has 66 places, and the rows of an affine inverse lie up to 124
 /// apart; the discriminant spans some 640.
