@@ -6,7 +6,7 @@
 use crate::frame::{Frame, FrameError, closest_approach, within_budget};
 use crate::line::{Local, Place};
 use crate::ray::Ray;
-use crate::scalar::certain::FromScalar;
+use crate::scalar::certain::{FromScalar, dot};
 use crate::scalar::{Real, Scalar};
 use crate::vector::{UnitVec3, Vec3, cross};
 
@@ -241,9 +241,6 @@ impl<S: Scalar> Place<S> for Affine<S> {
 impl<S: Scalar> Affine<S> {
     /// The inverse applied to a vector, in any numbers.
     fn applied<N: FromScalar<S>>(&self, v: [N; 3]) -> [N; 3] {
-        self.inverse.map(|row| {
-            let [a, b, c] = row.components.map(N::unit);
-            (a * v[0] + b * v[1] + c * v[2]).scaled(row.exponent)
-        })
+        self.inverse.map(|row| dot(row.components.map(N::unit), v).scaled(row.exponent))
     }
 }

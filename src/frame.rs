@@ -2,7 +2,7 @@
 
 use crate::line::{Local, Place};
 use crate::ray::Ray;
-use crate::scalar::certain::{FromScalar, Number};
+use crate::scalar::certain::{FromScalar, dot};
 use crate::scalar::{Real, Scalar};
 use crate::vector::{UnitVec3, Vec3};
 use core::fmt;
@@ -212,10 +212,6 @@ impl<S: Scalar> Place<S> for Frame<S> {
         let from_position = [o[0] - p[0], o[1] - p[1], o[2] - p[2]];
         self.axes.map(|axis| dot(axis.to_array().map(N::unit), from_position))
     }
-}
-
-fn dot<N: Number>(a: [N; 3], b: [N; 3]) -> N {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// The coordinate, or the budget's where it overflowed: at the end of the float range infinities would cancel to NaN.

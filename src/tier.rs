@@ -86,7 +86,8 @@ impl<S: Scalar> Arithmetic<S> for Fast {
 /// Promise for floats: about half a unit in the last place in the middle, and at most 16 away from grazing at any distance to
 /// 10,000 (measured: 13); at most 31 however closely a ray grazes, to 10^-7. Not for starts on the surface of a round solid, whose
 /// `t` is next to nothing. For fixed point: at most one unit, but within 10^-4 of a generator of a cone, where `t` is as
-/// ill-conditioned as it is long (measured: 2.1 in `I16F16`). What was measured is in `docs/accuracy.md`.
+/// ill-conditioned as it is long (measured: 2.1 in `I16F16`), or of the axis of a cylinder (1.12). What was measured is in
+/// `docs/accuracy.md`.
 ///
 /// What is decided within one unit of a rim or a seam, or of the range's start, is decided by rounding: two ends that
 /// round to the same `t` at a rim are reported as a touch, and a hit at a capsule's seam may be given to either part.

@@ -121,7 +121,7 @@ macro_rules! types {
                     never_wrong::<$S>(16 * 900);
                 }
                 #[test]
-                #[ignore = "a million rays a primitive: a minute in release"]
+                #[ignore = "a million rays a primitive: several minutes in release"]
                 fn is_never_wrong_in_a_million() {
                     never_wrong::<$S>(1_500_000);
                 }
@@ -248,7 +248,7 @@ fn a_triangle_without_area_holds_nothing() {
     use raylet::{Triangle, UnitVec3, Vec3};
     let tiny = 2.0_f32.powi(-24);
     let corners = [Vec3::new(1.0, 3.0, 0.0), Vec3::new(tiny, 3.0 * tiny, 0.0), Vec3::new(2.0, 6.0, 0.0)];
-    let Ok(triangle) = Triangle::new(corners[0], corners[1], corners[2]) else { return };
+    let triangle = Triangle::new(corners[0], corners[1], corners[2]).expect("rounded differences see an area");
     let ray = Ray::new(Vec3::new(-50.0, 70.0, 9.0), UnitVec3::Z).unwrap();
     assert!(triangle.hits_at::<Exact>(&ray).coincident().is_none());
     assert!(!triangle.contains_at::<Exact>(Vec3::new(5.0, -7.0, 100.0)));

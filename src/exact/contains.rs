@@ -1,11 +1,11 @@
 //! The inside test, decided by signs.
 
 use super::flat::is_zero;
-use super::form::{Form, Homogeneous, Weight, cross, difference, dot};
+use super::form::{Form, Homogeneous, Weight, cross, difference};
 use super::round::form_of;
 use super::solve::Of;
 use crate::figure::{Extent, Figure};
-use crate::scalar::certain::Certain;
+use crate::scalar::certain::{Certain, dot};
 use core::cmp::Ordering;
 
 /// Whether the point belongs to the closed set.

@@ -1,10 +1,10 @@
 //! The flat figures: where a line crosses a plane, a disc and a triangle, decided by signs.
 
-use super::form::{Form, Line, cross, difference, dot};
+use super::form::{Form, Line, cross, difference};
 use super::found::Found;
 use super::solve::{End, Fraction, Inside, Interval, Of, Place, Quadratic, piece, times};
 use crate::ray::Range;
-use crate::scalar::certain::{Certain, Number};
+use crate::scalar::certain::{Certain, Number, dot};
 use core::cmp::Ordering;
 
 /// The one crossing of a plane at `t`, from the front if the direction runs against the normal.

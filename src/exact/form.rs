@@ -1,17 +1,12 @@
 //! The line and the quadrics along it.
 
-use crate::scalar::certain::Number;
+use crate::scalar::certain::{Number, dot};
 
 /// A line in a primitive's frame. Its direction has any length: `t` is the parameter of the ray as stored.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Line<N> {
     pub(crate) origin: [N; 3],
     pub(crate) direction: [N; 3],
-}
-
-/// `a . b`
-pub(crate) fn dot<N: Number>(a: [N; 3], b: [N; 3]) -> N {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// `a x b`

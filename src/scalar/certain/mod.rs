@@ -88,3 +88,8 @@ pub trait Certain: Scalar {
     /// Rounded to nearest; `None` if the error is too large for that to be within one unit in the last place.
     fn rounded(value: Self::Filter) -> Option<Self>;
 }
+
+/// `a . b`
+pub(crate) fn dot<N: Number>(a: [N; 3], b: [N; 3]) -> N {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
