@@ -1,4 +1,5 @@
 //! What the firmware programs share, and what the host runs beside them.
 #![no_std]
 
+pub mod clock;
 pub mod digest;
