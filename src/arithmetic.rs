@@ -13,6 +13,8 @@ pub trait Arithmetic<S: Scalar>: Copy + 'static {
     /// True if coefficients that cancel are made again with what their rounding left over, and far rays step closer;
     /// false if the first figures stand.
     const COMPENSATES: bool;
+    /// True if plain integers may answer where they are as accurate as these numbers.
+    const PLAIN: bool = true;
 
     /// The exact value.
     fn real(value: S) -> Self::Real;
@@ -86,6 +88,7 @@ pub(crate) struct Doubled;
 impl<S: Certain> Arithmetic<S> for Doubled {
     type Real = S::Double;
     const COMPENSATES: bool = true;
+    const PLAIN: bool = false;
 
     #[inline]
     fn real(value: S) -> S::Double {

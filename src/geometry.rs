@@ -4,7 +4,7 @@ use crate::arithmetic::Arithmetic;
 use crate::figure::Figure;
 use crate::line::Line;
 use crate::part::Part;
-use crate::scalar::Scalar;
+use crate::scalar::{Plain, PlainLine, Scalar};
 use crate::span::Meeting;
 use crate::vector::{UnitVec3, Vec3};
 
@@ -21,6 +21,16 @@ pub trait Geometry<S: Scalar>: Copy {
     fn scaled(&self, e: i32) -> Self;
     /// Where the line meets it.
     fn meet<T: Arithmetic<S>>(&self, line: &Line<S>) -> Meeting<S>;
+    /// Where the line meets it, if plain integers tell.
+    #[inline(always)]
+    fn meet_plainly<T: Arithmetic<S>>(&self, _: &PlainLine<S>) -> Plain<Meeting<S>> {
+        Plain::Unclear
+    }
+    /// Whether the half-line `t >= 0` hits it, if plain integers tell; agrees with [`Geometry::meet_plainly`].
+    #[inline(always)]
+    fn meets_ahead_plainly<T: Arithmetic<S>>(&self, _: &PlainLine<S>) -> Plain<()> {
+        Plain::Unclear
+    }
     /// Whether the half-line `t >= 0` hits it, where the signs of the coefficients say so without a root or a division;
     /// the line departs from nowhere. What is said here must agree with [`Geometry::meet`].
     fn verdict<T: Arithmetic<S>>(&self, _: &Line<S>) -> Option<bool> {

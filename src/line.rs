@@ -8,7 +8,7 @@
 use crate::part::Part;
 use crate::ray::{Leaving, Ray};
 use crate::scalar::certain::FromScalar;
-use crate::scalar::{Real, Scalar, largest};
+use crate::scalar::{PlainLine, Real, Scalar, largest};
 use crate::vector::Vec3;
 use core::cmp::Ordering;
 
@@ -78,6 +78,11 @@ pub trait Place<S: Scalar> {
     /// `reach` is the distance from the frame's origin within which the primitive lies; where it has no end, `is_far`
     /// says whether a point several reaches away is far from its surface too.
     fn localize(&self, ray: &Ray<S>, reach: S, is_far: impl FnOnce(Vec3<S>) -> bool) -> Option<Local<S>>;
+    /// The ray for plain integers, where the placement is simple enough for them.
+    #[inline(always)]
+    fn plain_line(&self, _: &Ray<S>) -> Option<PlainLine<S>> {
+        None
+    }
     /// A world point in the primitive's frame, rounded.
     fn to_local(&self, point: Vec3<S>) -> Vec3<S>;
     /// Origin and direction of the ray's line in the primitive's frame, without rounding but for that of the numbers
@@ -95,6 +100,10 @@ impl<S: Scalar> Place<S> for InWorld {
     #[inline]
     fn localize(&self, ray: &Ray<S>, reach: S, is_far: impl FnOnce(Vec3<S>) -> bool) -> Option<Local<S>> {
         Some(Local::in_world(ray, reach, is_far))
+    }
+    #[inline(always)]
+    fn plain_line(&self, ray: &Ray<S>) -> Option<PlainLine<S>> {
+        Some(PlainLine { origin: ray.origin().to_array(), finer: 0, direction: ray.direction().to_array() })
     }
     #[inline]
     fn to_local(&self, point: Vec3<S>) -> Vec3<S> {

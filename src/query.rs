@@ -5,9 +5,9 @@ use crate::exact::{self, Effort, Exact};
 use crate::geometry::Geometry;
 use crate::hit::{Crossing, Hit, Hits};
 use crate::line::{Local, Place};
-use crate::ray::Ray;
+use crate::ray::{Range, Ray};
 use crate::scalar::certain::Certain;
-use crate::scalar::{Scalar, largest};
+use crate::scalar::{Plain, Scalar, largest};
 use crate::span::Meeting;
 use crate::vector::Vec3;
 
@@ -37,7 +37,11 @@ pub trait Solve<S: Scalar> {
 impl<S: Scalar, T: Arithmetic<S>> Solve<S> for T {
     #[inline]
     fn hits<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Hits<S> {
-        meet::<S, T, G>(geometry, place, ray).hits(ray.range())
+        match meet_plainly::<S, T, G>(geometry, place, ray) {
+            Plain::Miss => Hits::none(),
+            Plain::Found(meeting) => meeting.hits(ray.range()),
+            Plain::Unclear => apart::<S, _>(|| meet::<S, T, G>(geometry, place, ray).hits(ray.range())),
+        }
     }
 
     #[inline]
@@ -47,10 +51,13 @@ impl<S: Scalar, T: Arithmetic<S>> Solve<S> for T {
         ray: &Ray<S>,
         accept: impl Fn(Crossing) -> bool,
     ) -> Option<Hit<S>> {
-        meet::<S, T, G>(geometry, place, ray).nearest(ray.range(), accept)
+        match meet_plainly::<S, T, G>(geometry, place, ray) {
+            Plain::Miss => None,
+            Plain::Found(meeting) => meeting.nearest(ray.range(), accept),
+            Plain::Unclear => apart::<S, _>(|| meet::<S, T, G>(geometry, place, ray).nearest(ray.range(), accept)),
+        }
     }
 
-    /// The signs of the coefficients are asked first.
     #[inline]
     fn occludes<G: Geometry<S>>(
         geometry: &G,
@@ -58,26 +65,20 @@ impl<S: Scalar, T: Arithmetic<S>> Solve<S> for T {
         ray: &Ray<S>,
         accept: impl Fn(Crossing) -> bool,
     ) -> bool {
-        let Some(local) = localize::<S, T, G>(geometry, place, ray) else {
-            return false;
+        let all = ray.range() == Range::FORWARD && accept(Crossing::Enter) && accept(Crossing::Exit);
+        let plainly = if all {
+            meets_ahead_plainly::<S, T, G>(geometry, place, ray)
+        } else {
+            meet_plainly::<S, T, G>(geometry, place, ray).and_then(|meeting| {
+                let nearest = meeting.nearest(ray.range(), &accept);
+                nearest.map_or(Plain::Miss, |_| Plain::Found(()))
+            })
         };
-        let scaled = geometry.scaled(-local.exponent);
-        if local.is_forward(ray) {
-            match scaled.verdict::<T>(&local.line) {
-                Some(false) => return false,
-                // A yes speaks of the whole half-line and of both sides.
-                Some(true)
-                    if ray.range().end() == S::BUDGET.distance
-                        && accept(Crossing::Enter)
-                        && accept(Crossing::Exit)
-                        && is_within_reach(geometry, &local) =>
-                {
-                    return true;
-                }
-                _ => {}
-            }
+        match plainly {
+            Plain::Miss => false,
+            Plain::Found(()) => true,
+            Plain::Unclear => apart::<S, _>(|| occludes::<S, T, G>(geometry, place, ray, accept)),
         }
-        scaled.meet::<T>(&local.line).map_t(|t| local.to_ray(t)).nearest(ray.range(), accept).is_some()
     }
 
     fn contains<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, point: Vec3<S>) -> bool {
@@ -145,6 +146,73 @@ fn localize<S: Scalar, T: Arithmetic<S>, G: Geometry<S>>(
     ray: &Ray<S>,
 ) -> Option<Local<S>> {
     place.localize(ray, geometry.reach(), |origin| T::COMPENSATES && geometry.is_far(origin))
+}
+
+/// Where the ray meets the geometry, if plain integers tell.
+#[inline(always)]
+fn meet_plainly<S: Scalar, T: Arithmetic<S>, G: Geometry<S>>(
+    geometry: &G,
+    place: &impl Place<S>,
+    ray: &Ray<S>,
+) -> Plain<Meeting<S>> {
+    if S::RELATIVE || !T::PLAIN || ray.departure().is_some() {
+        return Plain::Unclear;
+    }
+    place.plain_line(ray).map_or(Plain::Unclear, |line| geometry.meet_plainly::<T>(&line))
+}
+
+/// Whether the ray meets the geometry, if plain integers tell.
+#[inline(always)]
+fn meets_ahead_plainly<S: Scalar, T: Arithmetic<S>, G: Geometry<S>>(
+    geometry: &G,
+    place: &impl Place<S>,
+    ray: &Ray<S>,
+) -> Plain<()> {
+    if S::RELATIVE || !T::PLAIN || ray.departure().is_some() {
+        return Plain::Unclear;
+    }
+    place.plain_line(ray).map_or(Plain::Unclear, |line| geometry.meets_ahead_plainly::<T>(&line))
+}
+
+/// Whether the ray meets the geometry: the signs of the coefficients are asked first.
+#[inline]
+fn occludes<S: Scalar, T: Arithmetic<S>, G: Geometry<S>>(
+    geometry: &G,
+    place: &impl Place<S>,
+    ray: &Ray<S>,
+    accept: impl Fn(Crossing) -> bool,
+) -> bool {
+    let Some(local) = localize::<S, T, G>(geometry, place, ray) else {
+        return false;
+    };
+    let scaled = geometry.scaled(-local.exponent);
+    if local.is_forward(ray) {
+        match scaled.verdict::<T>(&local.line) {
+            Some(false) => return false,
+            // A yes speaks of the whole half-line and of both sides.
+            Some(true)
+                if ray.range().end() == S::BUDGET.distance
+                    && accept(Crossing::Enter)
+                    && accept(Crossing::Exit)
+                    && is_within_reach(geometry, &local) =>
+            {
+                return true;
+            }
+            _ => {}
+        }
+    }
+    scaled.meet::<T>(&local.line).map_t(|t| local.to_ray(t)).nearest(ray.range(), accept).is_some()
+}
+
+/// The work itself where it is all there is; where plain integers went before it, apart from them, so that they stay short.
+#[inline(always)]
+fn apart<S: Scalar, A>(work: impl FnOnce() -> A) -> A {
+    #[cold]
+    #[inline(never)]
+    fn far<A>(work: impl FnOnce() -> A) -> A {
+        work()
+    }
+    if S::RELATIVE { work() } else { far(work) }
 }
 
 /// Where the ray meets the geometry, seen through a placement; in the ray's own `t`.

@@ -169,25 +169,23 @@ impl<S: Scalar> Meeting<S> {
         }
     }
 
-    /// Hands the ends, in order, to `report` until it returns `false`.
+    /// Hands the ends, in order, to `report`.
     #[inline]
-    fn each_end(self, mut report: impl FnMut(Hit<S>) -> bool) {
+    fn each_end(self, mut report: impl FnMut(Hit<S>)) {
         let mut span_ends = |span: Span<S>| {
-            if span.touch {
-                return report(Hit { t: span.enter.t, part: span.enter.part, crossing: Crossing::Touch });
+            let Span { enter, exit, touch } = span;
+            if touch {
+                return report(Hit { t: enter.t, part: enter.part, crossing: Crossing::Touch });
             }
-            report(Hit { t: span.enter.t, part: span.enter.part, crossing: Crossing::Enter })
-                && report(Hit { t: span.exit.t, part: span.exit.part, crossing: Crossing::Exit })
+            report(Hit { t: enter.t, part: enter.part, crossing: Crossing::Enter });
+            report(Hit { t: exit.t, part: exit.part, crossing: Crossing::Exit });
         };
         match self {
             Self::Miss | Self::LiesIn(_) => {}
-            Self::One(span) | Self::Surface(span) => {
-                span_ends(span);
-            }
+            Self::One(span) | Self::Surface(span) => span_ends(span),
             Self::Two(first, second) => {
-                if span_ends(first) {
-                    span_ends(second);
-                }
+                span_ends(first);
+                span_ends(second);
             }
         }
     }
@@ -203,7 +201,6 @@ impl<S: Scalar> Meeting<S> {
             if range.contains(hit.t) {
                 hits.push(hit);
             }
-            true
         });
         let holds_start = |span: Span<S>| span.enter.t < range.start() && range.start() <= span.exit.t;
         if match self {
@@ -217,15 +214,22 @@ impl<S: Scalar> Meeting<S> {
     }
 
     /// The first end in the range that `accept` takes.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn nearest(self, range: Range<S>, accept: impl Fn(Crossing) -> bool) -> Option<Hit<S>> {
-        let mut nearest = None;
-        self.each_end(|hit| {
-            if range.contains(hit.t) && accept(hit.crossing) {
-                nearest = Some(hit);
+        let take = |end: End<S>, crossing: Crossing| {
+            let taken = range.contains(end.t) && accept(crossing);
+            taken.then_some(Hit { t: end.t, part: end.part, crossing })
+        };
+        let first = |span: Span<S>| {
+            if span.touch {
+                return take(span.enter, Crossing::Touch);
             }
-            nearest.is_none()
-        });
-        nearest
+            take(span.enter, Crossing::Enter).or_else(|| take(span.exit, Crossing::Exit))
+        };
+        match self {
+            Self::Miss | Self::LiesIn(_) => None,
+            Self::One(span) | Self::Surface(span) => first(span),
+            Self::Two(one, two) => first(one).or_else(|| first(two)),
+        }
     }
 }

@@ -5,7 +5,7 @@ use crate::arithmetic::Arithmetic;
 use crate::figure::Figure;
 use crate::part::Part;
 use crate::quadric::{Careful, Inside, Quadric};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Plain, PlainLine, Real, Scalar};
 use crate::span::{End, Meeting, Span};
 use crate::vector::{UnitVec3, Vec3};
 
@@ -153,6 +153,17 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
             return Meeting::solid(span).departed(leaving, true);
         }
         Meeting::solid(ball::<S, T>(line, self.radius))
+    }
+
+    #[inline(always)]
+    fn meet_plainly<T: Arithmetic<S>>(&self, line: &PlainLine<S>) -> Plain<Meeting<S>> {
+        S::plain_ball(*line, self.radius, T::COMPENSATES)
+            .map(|[low, high]| Meeting::One(Span::new(End::new(low, Part::Side), End::new(high, Part::Side))))
+    }
+
+    #[inline(always)]
+    fn meets_ahead_plainly<T: Arithmetic<S>>(&self, line: &PlainLine<S>) -> Plain<()> {
+        S::plain_ball_ahead(*line, self.radius, T::COMPENSATES)
     }
 
     /// From outside and moving away: no. From outside and moving closer: as the discriminant says. From inside: yes.

@@ -4,7 +4,7 @@
 //! coordinate's bits throws away everything that follows. Products of the two are exact in the double width.
 
 use super::block::{Block64, Block128, Short32, Short64};
-use super::{Budget, Real, Scalar, UnitScalar, elementary, sealed::Sealed};
+use super::{Budget, Plain, PlainLine, Real, Scalar, UnitScalar, elementary, plain, sealed::Sealed};
 use fixed::types::extra::{LeEqU32, LeEqU64, U30, U62};
 use fixed::{FixedI32, FixedI64};
 
@@ -17,7 +17,7 @@ pub const DISTANCE_BITS: u32 = 1;
 macro_rules! fixed {
     (
         $Fixed:ident, $LeEq:ident, $UnitBits:ident, $Block:ident, $Short:ident, $raw:ty, $wide:ty, $unsigned:ty,
-        $bits:literal, $unit_bits:literal
+        $bits:literal, $unit_bits:literal, { $($plain:tt)* }
     ) => {
         impl<F: $LeEq + Send + Sync + 'static> Sealed for $Fixed<F> {}
 
@@ -196,6 +196,8 @@ macro_rules! fixed {
                 <Self as Scalar>::round(<Self as Scalar>::real(self).times_power_of_two(n))
             }
 
+            $($plain)*
+
             fn fraction(self) -> Self::Unit {
                 // Keep the fraction bits and move them to the unit type's place.
                 let rest = (self.to_bits() as $wide) & (((1 as $wide) << F::U32) - 1);
@@ -289,5 +291,25 @@ macro_rules! fixed {
     };
 }
 
-fixed!(FixedI32, LeEqU32, U30, Block64, Short32, i32, i64, u64, 32, 30);
-fixed!(FixedI64, LeEqU64, U62, Block128, Short64, i64, i128, u128, 64, 62);
+fixed!(FixedI32, LeEqU32, U30, Block64, Short32, i32, i64, u64, 32, 30, {
+    #[inline(always)]
+    fn plain_ball(line: PlainLine<Self>, r: Self, by_moment: bool) -> Plain<[Self; 2]> {
+        let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits), r.to_bits());
+        let ends = if by_moment {
+            plain::ByMoment::new(o, line.finer, d, r).and_then(plain::ByMoment::ends)
+        } else {
+            plain::ByApproach::new(o, line.finer, d, r).and_then(plain::ByApproach::ends)
+        };
+        ends.map(|ends| ends.map(Self::from_bits))
+    }
+    #[inline(always)]
+    fn plain_ball_ahead(line: PlainLine<Self>, r: Self, by_moment: bool) -> Plain<()> {
+        let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits), r.to_bits());
+        if by_moment {
+            plain::ByMoment::new(o, line.finer, d, r).and_then(plain::ByMoment::meets_ahead)
+        } else {
+            plain::ByApproach::new(o, line.finer, d, r).and_then(plain::ByApproach::meets_ahead)
+        }
+    }
+});
+fixed!(FixedI64, LeEqU64, U62, Block128, Short64, i64, i128, u128, 64, 62, {});

@@ -11,6 +11,7 @@
 //! |---|---|
 //! | `float` | `f32` and `f64`: error-free products and sums, stepping closer, binary scale |
 //! | `fixed` | `FixedI32<F>` and `FixedI64<F>`, for every `F` |
+//! | `plain` | the usual case of fixed point in plain integers |
 //! | [`block`] | integer mantissa and exponent; square root and quotient of integers |
 //! | `certain` | numbers of which every sign can be trusted, for the exact tier |
 //! | `decimal` | decimal text to fixed point, correctly rounded |
@@ -30,6 +31,8 @@ mod elementary;
 mod fixed;
 #[cfg(feature = "libm")]
 mod float;
+#[cfg(feature = "fixed")]
+mod plain;
 #[cfg(feature = "libm")]
 mod square_root;
 
@@ -181,6 +184,19 @@ pub trait Scalar:
     /// `self * 2^n`, as the number is written in the unit that `n` stands for in [`Scalar::finest`].
     fn in_finer_units(self, n: i32) -> Self;
 
+    /// The two ends of the line inside the ball of radius `r` about the origin, by plain integers: from its closest approach, or, if
+    /// `by_moment`, from its moment. Floats leave all to the solver.
+    #[inline(always)]
+    fn plain_ball(_: PlainLine<Self>, _r: Self, _by_moment: bool) -> Plain<[Self; 2]> {
+        Plain::Unclear
+    }
+
+    /// Whether that line has an end at `t >= 0`, where no end is beyond the type.
+    #[inline(always)]
+    fn plain_ball_ahead(_: PlainLine<Self>, _r: Self, _by_moment: bool) -> Plain<()> {
+        Plain::Unclear
+    }
+
     /// The value less the largest integer below it, in `[0, 1)`.
     fn fraction(self) -> Self::Unit;
     /// The angle of the point (x, y) seen from the origin, in turns from the x axis, in `[0, 1)`. Zero at the origin.
@@ -198,6 +214,50 @@ pub trait Scalar:
     fn from_f64(value: f64) -> Option<Self>;
     /// The value as an `f64`, for tools on the host; rounded for 64-bit fixed types.
     fn to_f64(self) -> f64;
+}
+
+/// What plain integers say of a question, see [`Scalar::plain_ball`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Plain<T> {
+    /// There is nothing.
+    Miss,
+    /// The answer.
+    Found(T),
+    /// It takes more than plain integers.
+    Unclear,
+}
+
+impl<T> Plain<T> {
+    /// The next question, if there is an answer.
+    #[inline(always)]
+    pub(crate) fn and_then<U>(self, next: impl FnOnce(T) -> Plain<U>) -> Plain<U> {
+        match self {
+            Self::Miss => Plain::Miss,
+            Self::Found(answer) => next(answer),
+            Self::Unclear => Plain::Unclear,
+        }
+    }
+
+    /// The answer, put into other words.
+    #[inline(always)]
+    pub(crate) fn map<U>(self, f: impl FnOnce(T) -> U) -> Plain<U> {
+        match self {
+            Self::Miss => Plain::Miss,
+            Self::Found(answer) => Plain::Found(f(answer)),
+            Self::Unclear => Plain::Unclear,
+        }
+    }
+}
+
+/// A line for plain integers: `origin` is to be read as `2^-finer` times itself.
+#[derive(Clone, Copy, Debug)]
+pub struct PlainLine<S: Scalar> {
+    /// The origin.
+    pub origin: [S; 3],
+    /// How much finer the origin's unit is than the type's.
+    pub finer: i32,
+    /// The direction.
+    pub direction: [S::Unit; 3],
 }
 
 /// A component of a unit vector or a colour channel. Sealed.

@@ -1,0 +1,189 @@
+//! A line and a ball.
+
+use super::{high, high_product_signed, leading_zeros, magnitude_bits, product, root, round_off, square};
+use crate::scalar::Plain;
+
+/// `|v|^2`
+#[inline(always)]
+fn squared_length([x, y, z]: [i32; 3]) -> i64 {
+    square(x) + square(y) + square(z)
+}
+
+/// How a line comes close to a ball, for a direction taken to be exactly unit: `k = o . d` and `D = r^2 - |o - k d|^2`, so that
+/// `t = -k -+ sqrt(D)`.
+pub(in crate::scalar) struct ByApproach {
+    o: [i32; 3],
+    rr: i64,
+    k: i32,
+    discriminant: i64,
+    /// Lengths are in units of `2^-unit`.
+    unit: u32,
+}
+
+impl ByApproach {
+    /// The origin is in units of `2^-finer` of the radius's.
+    #[inline(always)]
+    pub(in crate::scalar) fn new(o: [i32; 3], finer: i32, d: [i32; 3], r: i32) -> Plain<Self> {
+        // All lengths in the origin's unit, then on a grid on which none has more than 28 bits.
+        if !(0..28).contains(&finer) {
+            return Plain::Unclear;
+        }
+        let radius = r << finer;
+        let all = magnitude_bits(o[0]) | magnitude_bits(o[1]) | magnitude_bits(o[2]) | radius as u32;
+        if all >= 1 << 28 || radius >> finer != r {
+            return Plain::Unclear;
+        }
+        let grid = leading_zeros(all) - 4;
+        let unit = grid + finer as u32;
+        if unit > 30 {
+            return Plain::Unclear;
+        }
+        // Products with the direction are cut off at the grid: a unit and a half together, made up for by one.
+        let along = |length: i32, d: i32| high_product_signed(length << 2, d);
+        let [x, y, z] = o.map(|length| length << grid);
+        let k = along(x, d[0]) + along(y, d[1]) + along(z, d[2]) + 1;
+        let p = [x - along(k, d[0]), y - along(k, d[1]), z - along(k, d[2])];
+        let rr = square(radius << grid);
+        Plain::Found(Self { o: [x, y, z], rr, k, discriminant: rr - squared_length(p), unit })
+    }
+
+    /// The two ends, in the radius's unit.
+    #[inline(always)]
+    pub(in crate::scalar) fn ends(self) -> Plain<[i32; 2]> {
+        if self.discriminant < 0 {
+            return Plain::Miss;
+        }
+        if high(self.discriminant) == 0 {
+            return Plain::Unclear;
+        }
+        let root = root(self.discriminant as u64) as i32;
+        let half = (1 << self.unit) >> 1;
+        Plain::Found([(half - self.k - root) >> self.unit, (half - self.k + root) >> self.unit])
+    }
+
+    /// Whether there is an end at `t >= 0`; the same as [`ByApproach::ends`] says.
+    #[inline(always)]
+    pub(in crate::scalar) fn meets_ahead(self) -> Plain<()> {
+        if self.discriminant < 0 {
+            return Plain::Miss;
+        }
+        if self.k < 0 {
+            return Plain::Found(());
+        }
+        // Moving away: the far end is at -c / (k + sqrt(D)), where within half a unit of the type zero is zero. (The grid must be
+        // so much finer that its rounding decides nothing.)
+        let near = (self.k as i64 + 1) << (self.unit + 1);
+        let c = squared_length(self.o) - self.rr;
+        if self.unit < 4 || (c >= 0 && c <= near) {
+            Plain::Unclear
+        } else if c < 0 {
+            Plain::Found(())
+        } else {
+            Plain::Miss
+        }
+    }
+}
+
+/// How a line comes close to a ball, from its moment `w = o x d`: `D = a r^2 - |w|^2`, so that `t = (-k -+ sqrt(D)) / a`.
+///
+/// `k` is exact; `a = 1 + e` with an `e` of at most 2^-20, whose square is nothing beside 1.
+pub(in crate::scalar) struct ByMoment {
+    d: [i32; 3],
+    k: i64,
+    rr: i64,
+    /// `r^2 - |w|^2`
+    residual: i64,
+    /// Radius and moment are in units of `2^-grid`, `k` of `2^-unit`, which is finer by `down` bits.
+    grid: i32,
+    unit: u32,
+    down: u32,
+}
+
+impl ByMoment {
+    /// The origin is in units of `2^-finer` of the radius's.
+    #[inline(always)]
+    pub(in crate::scalar) fn new(o: [i32; 3], finer: i32, d: [i32; 3], r: i32) -> Plain<Self> {
+        // A grid on which the radius has 29 bits; the moment is brought there by a shift down.
+        let grid = leading_zeros(r as u32) as i32 - 3;
+        let down = 30 + finer - grid;
+        if grid < 4 || !(3..32).contains(&down) {
+            return Plain::Unclear;
+        }
+        let down = down as u32;
+        let ([x, y, z], [dx, dy, dz]) = (o, d);
+        let w = [product(y, dz) - product(z, dy), product(z, dx) - product(x, dz), product(x, dy) - product(y, dx)];
+        let half = 1_u64 << (down - 1);
+        let [wx, wy, wz] = w.map(|minor| minor.unsigned_abs() + half);
+        // Twice the radius or more.
+        if ((wx | wy | wz) >> 32) as u32 >> (down - 2) != 0 {
+            return Plain::Miss;
+        }
+        // The bits above are zero.
+        let w = [wx, wy, wz].map(|minor| (((minor >> 32) as u32) << (32 - down) | (minor as u32) >> down) as i32);
+        let rr = square(r << grid);
+        let residual = rr - squared_length(w);
+        let k = product(x, dx) + product(y, dy) + product(z, dz);
+        Plain::Found(Self { d, k, rr, residual, grid, unit: (30 + finer) as u32, down })
+    }
+
+    /// The two ends, in the radius's unit.
+    #[inline(always)]
+    pub(in crate::scalar) fn ends(self) -> Plain<[i32; 2]> {
+        // In units of 2^-48.
+        let e = ((squared_length(self.d) - (1 << 60)) >> 12) as i32;
+        let excess = |value: i64| product(high(value), e) >> 16;
+        let discriminant = self.residual + excess(self.rr);
+        // The moment's rounding, half a unit of the grid, moves t by no more than a thirtieth of a unit.
+        let certain = self.rr >> (2 * (self.grid - 5)).clamp(3, 22);
+        if discriminant < certain {
+            return if discriminant < -certain { Plain::Miss } else { Plain::Unclear };
+        }
+        let root = (root(discriminant as u64) as i64) << self.down;
+        let end = |numerator: i64| within_type(round_off(numerator - excess(numerator), self.unit));
+        Plain::Found([end(-self.k - root), end(root - self.k)])
+    }
+
+    /// Whether there is an end at `t >= 0`; the same as [`ByMoment::ends`] says.
+    #[inline(always)]
+    pub(in crate::scalar) fn meets_ahead(self) -> Plain<()> {
+        // Whatever the direction's length.
+        let certain = self.rr >> (2 * (self.grid - 5)).clamp(3, 17);
+        if self.residual < certain {
+            return if self.residual < -certain { Plain::Miss } else { Plain::Unclear };
+        }
+        // So far away that an end may be beyond the type.
+        if magnitude_bits(high(self.k)) >= 1 << 28 {
+            return Plain::Unclear;
+        }
+        if self.k < 0 {
+            return Plain::Found(());
+        }
+        // Moving away: the far end is at (D - k^2) / (k + sqrt(D)), where within half a unit of the type zero is zero.
+        let k = self.k >> self.down;
+        if k >= 1 << 30 {
+            return Plain::Miss;
+        }
+        let beyond = square(k as i32) - self.residual;
+        // Two units, or what the direction's length makes of the discriminant.
+        let near = ((k + 2) << (self.grid + 2)) + (self.rr >> 18);
+        if beyond > near {
+            Plain::Miss
+        } else if beyond < -near {
+            Plain::Found(())
+        } else {
+            Plain::Unclear
+        }
+    }
+}
+
+/// The number, or the largest that stands for infinity.
+#[inline(always)]
+fn within_type(t: i64) -> i32 {
+    if t >= i32::MAX as i64 {
+        i32::MAX
+    } else if t <= -(i32::MAX as i64) {
+        -i32::MAX
+    } else {
+        t as i32
+    }
+}

@@ -1,0 +1,50 @@
+use super::*;
+
+/// Words of all sizes.
+fn words() -> impl Iterator<Item = u64> {
+    let mut state = 1_u64;
+    (0..400_000).map(move |_| {
+        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        state ^ (state >> 29)
+    })
+}
+
+#[test]
+fn root_is_within_one() {
+    let normalized = words().map(|n| if n >> 62 == 0 { n | 1 << 62 } else { n });
+    let squares = (1 << 31..1_u64 << 32).step_by(54_321).flat_map(|n| [n * n - 1, n * n, n * n + 1]);
+    let bytes = (64..256).flat_map(|n| [n << 56, (n << 56) + (1 << 56) - 1, (n << 56) + (1 << 55)]);
+    for n in normalized.chain(squares).chain(bytes).chain([1 << 62, u64::MAX]).filter(|n| n >> 62 != 0) {
+        let got = root_of_normalized((n >> 32) as u32, n as u32);
+        let floor = n.isqrt() as u32;
+        assert!(got.abs_diff(floor) <= 1, "root({n:#x}) = {got}, not {floor}");
+    }
+}
+
+#[test]
+fn root_of_any_size_is_within_one() {
+    for n in words().map(|n| n >> 2 >> (n % 29)).filter(|n| n >> 32 != 0) {
+        let (got, floor) = (root(n), n.isqrt() as u32);
+        assert!(got.abs_diff(floor) <= 1, "root({n:#x}) = {got}, not {floor}");
+    }
+    for n in (1 << 16..1_u64 << 31).step_by(54_321) {
+        if n * n < 1 << 58 {
+            assert_eq!(root(n * n), n as u32, "a square has its root");
+        }
+    }
+}
+
+#[test]
+fn reciprocal_is_within_five() {
+    let bytes = (128..256).flat_map(|n| [n << 24, (n << 24) + (1 << 24) - 1, (n << 24) + (1 << 23)]);
+    for n in words().map(|n| n as u32 | 1 << 31).chain(bytes).chain([1 << 31, u32::MAX]) {
+        let got = reciprocal_of_normalized(n) as u64;
+        let quotient = (1_u64 << 63) / n as u64;
+        assert!(got <= quotient + 1 && quotient <= got + 5, "1 / {n:#x} = {got}, not {quotient}");
+    }
+}
+
+#[test]
+fn half_a_unit_is_rounded_to_even() {
+    assert_eq!([-6, -5, -3, -2, -1, 0, 1, 2, 3, 5, 6].map(|n| round_off(n, 1)), [-3, -2, -2, -1, 0, 0, 0, 1, 2, 2, 3]);
+}
