@@ -3,7 +3,7 @@
 use crate::line::{Local, Place};
 use crate::ray::Ray;
 use crate::scalar::certain::{FromScalar, dot};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{PlainLine, Real, Scalar};
 use crate::vector::{UnitVec3, Vec3};
 use core::fmt;
 
@@ -196,6 +196,12 @@ impl<S: Scalar> Place<S> for Frame<S> {
         let origin = to_local(closer);
         let in_type = step.is_finite() && closer.iter().chain(&origin.0).all(|c| c.is_finite());
         in_type.then(|| Local::new(ray, origin, local_direction, step, None, reach))
+    }
+
+    #[inline]
+    fn plain_line(&self, ray: &Ray<S>) -> Option<PlainLine<S>> {
+        let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
+        S::plain_turned(o, d, self.position.to_array(), self.axes.map(UnitVec3::to_array))
     }
 
     fn to_local(&self, point: Vec3<S>) -> Vec3<S> {

@@ -4,7 +4,8 @@ use crate::arithmetic::Arithmetic;
 use crate::figure::Figure;
 use crate::line::Line;
 use crate::part::Part;
-use crate::scalar::{Plain, PlainLine, Scalar};
+use crate::ray::Range;
+use crate::scalar::{Plain, PlainLine, Scalar, found};
 use crate::span::Meeting;
 use crate::vector::{UnitVec3, Vec3};
 
@@ -28,8 +29,9 @@ pub trait Geometry<S: Scalar>: Copy {
     }
     /// Whether the half-line `t >= 0` hits it, if plain integers tell; agrees with [`Geometry::meet_plainly`].
     #[inline(always)]
-    fn meets_ahead_plainly<T: Arithmetic<S>>(&self, _: &PlainLine<S>) -> Plain<()> {
-        Plain::Unclear
+    fn meets_ahead_plainly<T: Arithmetic<S>>(&self, line: &PlainLine<S>) -> Plain<()> {
+        let meeting = found!(self.meet_plainly::<T>(line));
+        if meeting.nearest(Range::FORWARD, |_| true).is_some() { Plain::Found(()) } else { Plain::Miss }
     }
     /// Whether the half-line `t >= 0` hits it, where the signs of the coefficients say so without a root or a division;
     /// the line departs from nowhere. What is said here must agree with [`Geometry::meet`].

@@ -9,7 +9,7 @@ use crate::arithmetic::Arithmetic;
 use crate::line::Line;
 use crate::part::Part;
 use crate::ray::Leaving;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Plain, PlainLine, Real, Scalar, UnitScalar};
 use crate::span::{End, Span};
 use core::cmp::Ordering;
 
@@ -171,4 +171,24 @@ pub(crate) fn slab<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, low: Option<S>, 
     } else {
         Span::new(end(low, Part::Base, -S::INFINITY), end(high, Part::Top, S::INFINITY))
     })
+}
+
+/// [`slab`] between two bounds, if plain integers tell.
+#[inline(always)]
+pub(crate) fn plain_slab<S: Scalar>(line: &PlainLine<S>, low: S, high: S) -> Plain<Span<S>> {
+    let ([_, y, _], [_, dy, _]) = (line.origin, line.direction);
+    match S::plain_crossings(*line, [low, high]) {
+        Plain::Found([low, high]) => {
+            let (base, top) = (End::new(low, Part::Base), End::new(high, Part::Top));
+            Plain::Found(if dy < S::Unit::ZERO { Span::new(top, base) } else { Span::new(base, top) })
+        }
+        Plain::Miss if line.finer == 0 => {
+            if low <= y && y <= high {
+                Plain::Found(Span::everywhere())
+            } else {
+                Plain::Miss
+            }
+        }
+        _ => Plain::Unclear,
+    }
 }

@@ -69,10 +69,12 @@ impl<S: Scalar, T: Arithmetic<S>> Solve<S> for T {
         let plainly = if all {
             meets_ahead_plainly::<S, T, G>(geometry, place, ray)
         } else {
-            meet_plainly::<S, T, G>(geometry, place, ray).and_then(|meeting| {
-                let nearest = meeting.nearest(ray.range(), &accept);
-                nearest.map_or(Plain::Miss, |_| Plain::Found(()))
-            })
+            match meet_plainly::<S, T, G>(geometry, place, ray) {
+                Plain::Miss => Plain::Miss,
+                Plain::Unclear => Plain::Unclear,
+                Plain::Found(meeting) if meeting.nearest(ray.range(), &accept).is_some() => Plain::Found(()),
+                Plain::Found(_) => Plain::Miss,
+            }
         };
         match plainly {
             Plain::Miss => false,
@@ -158,7 +160,8 @@ fn meet_plainly<S: Scalar, T: Arithmetic<S>, G: Geometry<S>>(
     if S::RELATIVE || !T::PLAIN || ray.departure().is_some() {
         return Plain::Unclear;
     }
-    place.plain_line(ray).map_or(Plain::Unclear, |line| geometry.meet_plainly::<T>(&line))
+    let Some(line) = place.plain_line(ray) else { return Plain::Unclear };
+    geometry.meet_plainly::<T>(&line)
 }
 
 /// Whether the ray meets the geometry, if plain integers tell.
@@ -171,7 +174,8 @@ fn meets_ahead_plainly<S: Scalar, T: Arithmetic<S>, G: Geometry<S>>(
     if S::RELATIVE || !T::PLAIN || ray.departure().is_some() {
         return Plain::Unclear;
     }
-    place.plain_line(ray).map_or(Plain::Unclear, |line| geometry.meets_ahead_plainly::<T>(&line))
+    let Some(line) = place.plain_line(ray) else { return Plain::Unclear };
+    geometry.meets_ahead_plainly::<T>(&line)
 }
 
 /// Whether the ray meets the geometry: the signs of the coefficients are asked first.

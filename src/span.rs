@@ -49,7 +49,7 @@ impl<S: Scalar> Span<S> {
     /// The part of `self` (the side's) that lies in `caps`. Rule 1 of the contract: two convex sets meet in one
     /// interval, so that crossings pair up whatever the rounding. Rule 5: where both end at the same `t`, the
     /// side owns the rim.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn intersection(self, caps: Self) -> Option<Self> {
         let enter = if caps.enter.t > self.enter.t { caps.enter } else { self.enter };
         let exit = if caps.exit.t < self.exit.t { caps.exit } else { self.exit };

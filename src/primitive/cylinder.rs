@@ -4,8 +4,8 @@ use super::{Geometry, Line, SizeError, checked_size, queries, surface_coordinate
 use crate::arithmetic::Arithmetic;
 use crate::figure::{self, Figure, Side};
 use crate::part::Part;
-use crate::quadric::{Careful, Inside, Quadric, slab};
-use crate::scalar::{Real, Scalar, UnitScalar};
+use crate::quadric::{Careful, Inside, Quadric, plain_slab, slab};
+use crate::scalar::{Plain, PlainLine, Real, Scalar, UnitScalar, found};
 use crate::span::{End, Meeting, Span};
 use crate::vector::{UnitVec3, Vec3};
 
@@ -207,6 +207,20 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
         }
     }
 
+    #[inline(always)]
+    fn meet_plainly<T: Arithmetic<S>>(&self, line: &PlainLine<S>) -> Plain<Meeting<S>> {
+        let [low, high] = found!(S::plain_tube(*line, self.radius));
+        let side = Span::new(End::new(low, Part::Side), End::new(high, Part::Side));
+        let (Extent::Open(height) | Extent::Capped(height)) = self.extent else {
+            return Plain::Found(Meeting::One(side));
+        };
+        let between = found!(plain_slab(line, S::ZERO, height));
+        Plain::Found(match self.extent {
+            Extent::Open(_) => between_rims(side, between),
+            _ => Meeting::solid(side.intersection(between)),
+        })
+    }
+
     /// Above the top and rising, or below the base and descending: no.
     #[inline]
     fn verdict<T: Arithmetic<S>>(&self, line: &Line<S>) -> Option<bool> {
@@ -284,9 +298,12 @@ pub(super) fn leaves_slab<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, low: S, h
 
 /// The ends of `side` that lie between the rims of an open surface; the rims belong to it.
 pub(super) fn open_side<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, side: Span<S>, low: S, high: S) -> Meeting<S> {
-    let Some(between) = slab::<S, T>(line, Some(low), Some(high)) else {
-        return Meeting::Miss;
-    };
+    slab::<S, T>(line, Some(low), Some(high)).map_or(Meeting::Miss, |between| between_rims(side, between))
+}
+
+/// The ends of `side` that lie in the slab between the rims; the rims belong to it.
+#[inline(always)]
+pub(super) fn between_rims<S: Scalar>(side: Span<S>, between: Span<S>) -> Meeting<S> {
     let on_surface = |end: End<S>| between.enter.t <= end.t && end.t <= between.exit.t;
     let (enter, exit) = (on_surface(side.enter), on_surface(side.exit));
     if !enter && !exit {

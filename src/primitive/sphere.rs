@@ -5,7 +5,7 @@ use crate::arithmetic::Arithmetic;
 use crate::figure::Figure;
 use crate::part::Part;
 use crate::quadric::{Careful, Inside, Quadric};
-use crate::scalar::{Plain, PlainLine, Real, Scalar};
+use crate::scalar::{Plain, PlainLine, Real, Scalar, found};
 use crate::span::{End, Meeting, Span};
 use crate::vector::{UnitVec3, Vec3};
 
@@ -157,8 +157,8 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
 
     #[inline(always)]
     fn meet_plainly<T: Arithmetic<S>>(&self, line: &PlainLine<S>) -> Plain<Meeting<S>> {
-        S::plain_ball(*line, self.radius, T::COMPENSATES)
-            .map(|[low, high]| Meeting::One(Span::new(End::new(low, Part::Side), End::new(high, Part::Side))))
+        let [low, high] = found!(S::plain_ball(*line, self.radius, T::COMPENSATES));
+        Plain::Found(Meeting::One(Span::new(End::new(low, Part::Side), End::new(high, Part::Side))))
     }
 
     #[inline(always)]

@@ -4,7 +4,7 @@
 //! coordinate's bits throws away everything that follows. Products of the two are exact in the double width.
 
 use super::block::{Block64, Block128, Short32, Short64};
-use super::{Budget, Plain, PlainLine, Real, Scalar, UnitScalar, elementary, plain, sealed::Sealed};
+use super::{Budget, Plain, PlainLine, Real, Scalar, UnitScalar, elementary, found, plain, sealed::Sealed};
 use fixed::types::extra::{LeEqU32, LeEqU64, U30, U62};
 use fixed::{FixedI32, FixedI64};
 
@@ -295,21 +295,46 @@ fixed!(FixedI32, LeEqU32, U30, Block64, Short32, i32, i64, u64, 32, 30, {
     #[inline(always)]
     fn plain_ball(line: PlainLine<Self>, r: Self, by_moment: bool) -> Plain<[Self; 2]> {
         let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits), r.to_bits());
-        let ends = if by_moment {
-            plain::ByMoment::new(o, line.finer, d, r).and_then(plain::ByMoment::ends)
+        let [low, high] = if by_moment {
+            found!(found!(plain::ByMoment::new(o, line.finer, d, r)).ends())
         } else {
-            plain::ByApproach::new(o, line.finer, d, r).and_then(plain::ByApproach::ends)
+            found!(found!(plain::ByApproach::new(o, line.finer, d, r)).ends())
         };
-        ends.map(|ends| ends.map(Self::from_bits))
+        Plain::Found([Self::from_bits(low), Self::from_bits(high)])
+    }
+    #[inline(always)]
+    fn plain_turned(
+        o: [Self; 3],
+        d: [Self::Unit; 3],
+        position: [Self; 3],
+        axes: [[Self::Unit; 3]; 3],
+    ) -> Option<PlainLine<Self>> {
+        let (o, position) = (o.map(Self::to_bits), position.map(Self::to_bits));
+        let [origin, direction] =
+            plain::turned(o, position, axes.map(|axis| axis.map(FixedI32::to_bits)), d.map(FixedI32::to_bits))?;
+        let (origin, direction) = (origin.map(Self::from_bits), direction.map(FixedI32::from_bits));
+        Some(PlainLine { origin, finer: plain::FINER, direction })
     }
     #[inline(always)]
     fn plain_ball_ahead(line: PlainLine<Self>, r: Self, by_moment: bool) -> Plain<()> {
         let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits), r.to_bits());
         if by_moment {
-            plain::ByMoment::new(o, line.finer, d, r).and_then(plain::ByMoment::meets_ahead)
+            found!(plain::ByMoment::new(o, line.finer, d, r)).meets_ahead()
         } else {
-            plain::ByApproach::new(o, line.finer, d, r).and_then(plain::ByApproach::meets_ahead)
+            found!(plain::ByApproach::new(o, line.finer, d, r)).meets_ahead()
         }
+    }
+    #[inline(always)]
+    fn plain_tube(line: PlainLine<Self>, r: Self) -> Plain<[Self; 2]> {
+        let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits), r.to_bits());
+        let [low, high] = found!(plain::tube(o, line.finer, d, r));
+        Plain::Found([Self::from_bits(low), Self::from_bits(high)])
+    }
+    #[inline(always)]
+    fn plain_crossings(line: PlainLine<Self>, y: [Self; 2]) -> Plain<[Self; 2]> {
+        let (oy, dy) = (line.origin[1].to_bits(), line.direction[1].to_bits());
+        let [first, second] = found!(plain::crossings(oy, line.finer, dy, y.map(Self::to_bits)));
+        Plain::Found([Self::from_bits(first), Self::from_bits(second)])
     }
 });
 fixed!(FixedI64, LeEqU64, U62, Block128, Short64, i64, i128, u128, 64, 62, {});

@@ -197,6 +197,28 @@ pub trait Scalar:
         Plain::Unclear
     }
 
+    /// The two ends of the line inside the infinite cylinder of radius `r` about the y axis.
+    #[inline(always)]
+    fn plain_tube(_: PlainLine<Self>, _r: Self) -> Plain<[Self; 2]> {
+        Plain::Unclear
+    }
+    /// Where the line crosses two heights; a line that stays in one height crosses neither.
+    #[inline(always)]
+    fn plain_crossings(_: PlainLine<Self>, _y: [Self; 2]) -> Plain<[Self; 2]> {
+        Plain::Unclear
+    }
+
+    /// The line from `o` along `d` in the frame with these axes at `position`.
+    #[inline(always)]
+    fn plain_turned(
+        _o: [Self; 3],
+        _d: [Self::Unit; 3],
+        _position: [Self; 3],
+        _axes: [[Self::Unit; 3]; 3],
+    ) -> Option<PlainLine<Self>> {
+        None
+    }
+
     /// The value less the largest integer below it, in `[0, 1)`.
     fn fraction(self) -> Self::Unit;
     /// The angle of the point (x, y) seen from the origin, in turns from the x axis, in `[0, 1)`. Zero at the origin.
@@ -227,27 +249,18 @@ pub enum Plain<T> {
     Unclear,
 }
 
-impl<T> Plain<T> {
-    /// The next question, if there is an answer.
-    #[inline(always)]
-    pub(crate) fn and_then<U>(self, next: impl FnOnce(T) -> Plain<U>) -> Plain<U> {
-        match self {
-            Self::Miss => Plain::Miss,
-            Self::Found(answer) => next(answer),
-            Self::Unclear => Plain::Unclear,
+/// What was found; otherwise the caller's answer is the same miss or doubt. (As `?`, and without closures, which are not surely
+/// compiled inline.)
+macro_rules! found {
+    ($question:expr) => {
+        match $question {
+            $crate::scalar::Plain::Found(answer) => answer,
+            $crate::scalar::Plain::Miss => return $crate::scalar::Plain::Miss,
+            $crate::scalar::Plain::Unclear => return $crate::scalar::Plain::Unclear,
         }
-    }
-
-    /// The answer, put into other words.
-    #[inline(always)]
-    pub(crate) fn map<U>(self, f: impl FnOnce(T) -> U) -> Plain<U> {
-        match self {
-            Self::Miss => Plain::Miss,
-            Self::Found(answer) => Plain::Found(f(answer)),
-            Self::Unclear => Plain::Unclear,
-        }
-    }
+    };
 }
+pub(crate) use found;
 
 /// A line for plain integers: `origin` is to be read as `2^-finer` times itself.
 #[derive(Clone, Copy, Debug)]

@@ -1,6 +1,6 @@
 //! A line and a ball.
 
-use super::{high, high_product_signed, leading_zeros, magnitude_bits, product, root, round_off, square};
+use super::{half, high, high_product_signed, leading_zeros, magnitude_bits, product, root, round_off, square};
 use crate::scalar::Plain;
 
 /// `|v|^2`
@@ -112,14 +112,14 @@ impl ByMoment {
         let down = down as u32;
         let ([x, y, z], [dx, dy, dz]) = (o, d);
         let w = [product(y, dz) - product(z, dy), product(z, dx) - product(x, dz), product(x, dy) - product(y, dx)];
-        let half = 1_u64 << (down - 1);
-        let [wx, wy, wz] = w.map(|minor| minor.unsigned_abs() + half);
+        let [wx, wy, wz] = w.map(i64::unsigned_abs);
         // Twice the radius or more.
         if ((wx | wy | wz) >> 32) as u32 >> (down - 2) != 0 {
             return Plain::Miss;
         }
         // The bits above are zero.
-        let w = [wx, wy, wz].map(|minor| (((minor >> 32) as u32) << (32 - down) | (minor as u32) >> down) as i32);
+        let on_grid = |minor: u64| half((((minor >> 32) as u32) << (33 - down)) | (minor as u32 >> (down - 1)));
+        let w = [on_grid(wx), on_grid(wy), on_grid(wz)];
         let rr = square(r << grid);
         let residual = rr - squared_length(w);
         let k = product(x, dx) + product(y, dy) + product(z, dz);

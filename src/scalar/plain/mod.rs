@@ -10,8 +10,15 @@
 //! compilers of these chips would call a function for.
 
 mod ball;
+mod flat;
+mod quotient;
+mod round;
+mod turned;
 
 pub(super) use ball::{ByApproach, ByMoment};
+pub(super) use flat::crossings;
+pub(super) use round::tube;
+pub(super) use turned::{FINER, turned};
 
 /// `a * b` in 64 bits.
 #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
@@ -131,7 +138,7 @@ fn root(n: u64) -> u32 {
     ((root >> (more / 2)) + 1) >> 1
 }
 
-/// `2^63 / n` for a number with its top bit set, to within 5, by a table and two Newton steps.
+/// `2^63 / n` for a number with its top bit set, rounded down, or one less: by a table and three Newton steps.
 #[inline]
 fn reciprocal_of_normalized(n: u32) -> u32 {
     // m = n / 2^32 in [1/2, 1); y = 1 / m in (1, 2], in units of 2^-8
@@ -141,7 +148,11 @@ fn reciprocal_of_normalized(n: u32) -> u32 {
     let y = (y << 8).wrapping_add(((y as i32).wrapping_mul(lack >> 8) >> 16) as u32);
     // 1 - m y in units of 2^-40
     let lack = (((high_product(n, y) << 24) | (n.wrapping_mul(y) >> 8)) as i32).wrapping_neg();
-    (y << 15).saturating_add_signed((product(lack, y as i32) >> 25) as i32)
+    // The step can go a little too far: 8 less is surely too little.
+    let y = (y << 15).wrapping_add((product(lack, y as i32) >> 25) as u32).wrapping_sub(8);
+    // Once more, for the last bits: 2^63 - n y, a few units of 2^32, in units of 2^24
+    let lack = ((1_u32 << 31).wrapping_sub(high_product(n, y)) << 8).wrapping_sub(n.wrapping_mul(y) >> 24);
+    y.saturating_add(lack.wrapping_mul(y >> 16) >> 23)
 }
 
 /// The high word of the product of two numbers.
@@ -202,6 +213,12 @@ const fn high(n: i64) -> i32 {
 const fn round_off(n: i64, shift: u32) -> i64 {
     let odd = (n >> shift) & 1;
     (n + ((1 << (shift - 1)) - 1) + odd) >> shift
+}
+
+/// Half of a number, rounded to nearest.
+#[inline(always)]
+const fn half(n: u32) -> i32 {
+    ((n >> 1) + (n & 1)) as i32
 }
 
 /// The bits of a number's magnitude, or those of the magnitude less one.

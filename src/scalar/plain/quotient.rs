@@ -1,0 +1,61 @@
+//! Quotients by one divisor.
+
+use super::{high, high_product, leading_zeros, product, reciprocal_of_normalized};
+
+/// A number to divide by: the product with the reciprocal costs a fourth of a division, and two ends share it.
+#[derive(Clone, Copy)]
+pub(super) struct Divisor {
+    /// `2^(63 - shift)` over the magnitude in units of 2^-60, to 31 bits.
+    reciprocal: u32,
+    /// The magnitude is at least `2^(-1 - shift)`.
+    pub(super) shift: u32,
+    negative: bool,
+}
+
+/// Quotients of this magnitude and more are left to longer numbers: the reciprocal's error would be a sixteenth of a unit.
+const TOO_LARGE: i32 = 1 << 27;
+
+impl Divisor {
+    /// A divisor in units of 2^-60, between 2^-12 and 2 in magnitude.
+    #[inline(always)]
+    pub(super) fn new(a: i64) -> Option<Self> {
+        let magnitude = a.unsigned_abs();
+        let (above, below) = ((magnitude >> 32) as u32, magnitude as u32);
+        if above < 1 << 16 {
+            return None;
+        }
+        let zeros = leading_zeros(above) & 0xf;
+        let normalized = (above << zeros) | (below >> (32 - zeros));
+        // 2 and more in magnitude has fewer zeros, but nobody asks for that.
+        Some(Self { reciprocal: reciprocal_of_normalized(normalized), shift: zeros.saturating_sub(3), negative: a < 0 })
+    }
+
+    /// The quotient of a number below 2^62 in units of `2^-unit`, rounded to nearest; `None` if it is too large for that.
+    #[inline(always)]
+    pub(super) fn quotient(self, numerator: i64, unit: u32) -> Option<i32> {
+        // The reciprocal has its top bit set: as a signed number it is 2^32 less.
+        let above = product(high(numerator), self.reciprocal as i32) + ((high(numerator) as i64) << 32);
+        let value = above + high_product(numerator as u32, self.reciprocal) as i64;
+        let quotient = rounded(value, unit.wrapping_sub(self.shift))?;
+        Some(if self.negative { -quotient } else { quotient })
+    }
+}
+
+/// `value / 2^shift` for a shift between 9 and 64, rounded; `None` if that is too large.
+#[inline(always)]
+fn rounded(value: i64, shift: u32) -> Option<i32> {
+    // With five bits more, in the high word.
+    let (above, below) = (high(value), value as u32);
+    let fine = if shift > 37 {
+        above >> ((shift - 37) & 0x1f)
+    } else {
+        let up = (37 - shift) & 0x1f;
+        let shifted = above << up;
+        if shifted >> up != above {
+            return None;
+        }
+        shifted | (below >> 1 >> (31 - up)) as i32
+    };
+    let quotient = (fine >> 5) + ((fine >> 4) & 1);
+    (-TOO_LARGE < quotient && quotient < TOO_LARGE).then_some(quotient)
+}
