@@ -2,7 +2,7 @@
 //!
 //! The quadric, and why no slope is ever rounded, is in `outline`.
 
-use super::cylinder::{capped, leaves_slab, open_side};
+use super::cylinder::{between_rims, capped, leaves_slab, open_side};
 use super::outline::{CarefulCone, Homogeneous, Outline, Profile};
 use super::{
     Geometry, Line, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates,
@@ -10,8 +10,8 @@ use super::{
 use crate::arithmetic::Arithmetic;
 use crate::figure::{self, Figure, Side};
 use crate::part::Part;
-use crate::quadric::{Inside, Quadric, slab};
-use crate::scalar::{Real, Scalar, largest};
+use crate::quadric::{Inside, Quadric, plain_slab, slab};
+use crate::scalar::{Plain, PlainLine, PlainNappe, Real, Scalar, found, largest};
 use crate::span::{End, Meeting, Span};
 use crate::vector::{UnitVec3, Vec3};
 
@@ -352,6 +352,36 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
             Some((_, leaving)) => meeting.departed(leaving, true),
             None => meeting,
         }
+    }
+
+    #[inline(always)]
+    fn meet_plainly<T: Arithmetic<S>>(&self, line: &PlainLine<S>) -> Plain<Meeting<S>> {
+        let (base, growth, height) = match self.outline {
+            Outline::Slope(slope) => (S::ZERO, slope, None),
+            Outline::Radii(base, top, height) => (base, top.minus(base), Some(height)),
+        };
+        if let Extent::Double = self.extent {
+            return Plain::Unclear;
+        }
+        let end = |t: S| End::new(t, Part::Side);
+        let side = match found!(S::plain_nappe(*line, base, growth, height)) {
+            PlainNappe::Between([low, high]) => Span::new(end(low), end(high)),
+            PlainNappe::From(t) => Span::new(end(t), End::none(S::INFINITY)),
+            PlainNappe::Until(t) => Span::new(End::none(-S::INFINITY), end(t)),
+        };
+        let (Extent::Open(height) | Extent::Capped(height)) = self.extent else {
+            return Plain::Found(Meeting::One(side));
+        };
+        let between = found!(plain_slab(line, S::ZERO, height));
+        if let Extent::Open(_) = self.extent {
+            return Plain::Found(between_rims(side, between));
+        }
+        // Where the apex ends it there is no plane.
+        let (low, high) = self.planes();
+        let is_plane = |part: Part| if part == Part::Base { low.is_some() } else { high.is_some() };
+        let enter = if is_plane(between.enter.part) { between.enter } else { End::none(-S::INFINITY) };
+        let exit = if is_plane(between.exit.part) { between.exit } else { End::none(S::INFINITY) };
+        Plain::Found(Meeting::solid(side.intersection(Span::new(enter, exit))))
     }
 
     /// Above the top and rising, or below the base and descending: no.

@@ -4,7 +4,7 @@
 //! coordinate's bits throws away everything that follows. Products of the two are exact in the double width.
 
 use super::block::{Block64, Block128, Short32, Short64};
-use super::{Budget, Plain, PlainLine, Real, Scalar, UnitScalar, elementary, found, plain, sealed::Sealed};
+use super::{Budget, Plain, PlainLine, PlainNappe, Real, Scalar, UnitScalar, elementary, found, plain, sealed::Sealed};
 use fixed::types::extra::{LeEqU32, LeEqU64, U30, U62};
 use fixed::{FixedI32, FixedI64};
 
@@ -329,6 +329,20 @@ fixed!(FixedI32, LeEqU32, U30, Block64, Short32, i32, i64, u64, 32, 30, {
         let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits), r.to_bits());
         let [low, high] = found!(plain::tube(o, line.finer, d, r));
         Plain::Found([Self::from_bits(low), Self::from_bits(high)])
+    }
+    #[inline(always)]
+    fn plain_nappe(line: PlainLine<Self>, base: Self, growth: Self, height: Option<Self>) -> Plain<PlainNappe<Self>> {
+        let (o, d) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits));
+        let Some(height) = height.map_or(1_i32.checked_shl(F::U32), |height| Some(height.to_bits())) else {
+            return Plain::Unclear;
+        };
+        let height = if height > 0 { height } else { return Plain::Unclear };
+        let ends = found!(plain::nappe(o, line.finer, d, [base.to_bits(), growth.to_bits(), height]));
+        Plain::Found(match ends {
+            PlainNappe::Between([low, high]) => PlainNappe::Between([Self::from_bits(low), Self::from_bits(high)]),
+            PlainNappe::From(t) => PlainNappe::From(Self::from_bits(t)),
+            PlainNappe::Until(t) => PlainNappe::Until(Self::from_bits(t)),
+        })
     }
     #[inline(always)]
     fn plain_crossings(line: PlainLine<Self>, y: [Self; 2]) -> Plain<[Self; 2]> {

@@ -202,6 +202,11 @@ pub trait Scalar:
     fn plain_tube(_: PlainLine<Self>, _r: Self) -> Plain<[Self; 2]> {
         Plain::Unclear
     }
+    /// Where the line is inside the nappe of a cone that has the radius `base` at `y = 0` and grows by `growth` over `height` (`None`: 1).
+    #[inline(always)]
+    fn plain_nappe(_: PlainLine<Self>, _base: Self, _growth: Self, _height: Option<Self>) -> Plain<PlainNappe<Self>> {
+        Plain::Unclear
+    }
     /// Where the line crosses two heights; a line that stays in one height crosses neither.
     #[inline(always)]
     fn plain_crossings(_: PlainLine<Self>, _y: [Self; 2]) -> Plain<[Self; 2]> {
@@ -247,6 +252,17 @@ pub enum Plain<T> {
     Found(T),
     /// It takes more than plain integers.
     Unclear,
+}
+
+/// Where a line is inside a nappe of a cone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PlainNappe<S> {
+    /// Between two ends.
+    Between([S; 2]),
+    /// From an end on.
+    From(S),
+    /// Up to an end.
+    Until(S),
 }
 
 /// What was found; otherwise the caller's answer is the same miss or doubt. (As `?`, and without closures, which are not surely

@@ -10,12 +10,14 @@
 //! compilers of these chips would call a function for.
 
 mod ball;
+mod cone;
 mod flat;
 mod quotient;
 mod round;
 mod turned;
 
 pub(super) use ball::{ByApproach, ByMoment};
+pub(super) use cone::nappe;
 pub(super) use flat::crossings;
 pub(super) use round::tube;
 pub(super) use turned::{FINER, turned};
