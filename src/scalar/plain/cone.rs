@@ -19,16 +19,27 @@ pub(in crate::scalar) fn nappe(o: [i32; 3], finer: i32, d: [i32; 3], [r, g, h]: 
         return Plain::Unclear;
     }
     let (g, h) = (g << (free - 2), h << (free - 2));
-    // Lengths on a grid on which none has more than 29 bits.
-    let all = magnitude_bits(o[0]) | magnitude_bits(o[1]) | magnitude_bits(o[2]) | radius as u32 | 1;
-    if all >= 1 << 29 {
+    // From the whole unit of t next to the point closest to the frame's origin: the products are exact, and lengths are those of
+    // the cone and of the line's distance from it, however far away the ray starts.
+    let closest = -((product(o[0], d[0]) + product(o[1], d[1]) + product(o[2], d[2])) >> (30 + finer));
+    if closest != closest as i32 as i64 || finer + 32 - (closest.unsigned_abs() as u32).leading_zeros() as i32 > 31 {
         return Plain::Unclear;
     }
-    let grid = leading_zeros(all) - 3;
-    let unit = grid + finer as u32;
+    let start = closest as i32;
+    let near = [0, 1, 2].map(|i| ((o[i] as i64) << 30) + product(start << finer, d[i]));
+    let radius = (radius as i64) << 30;
+    // Lengths on a grid on which none has more than 29 bits.
+    let [hx, hy, hz] = near.map(|length| magnitude_bits(high(length)));
+    let zeros = leading_zeros(hx | hy | hz | high(radius) as u32 | 1);
+    if zeros < 4 {
+        return Plain::Unclear;
+    }
+    let up = zeros - 3;
+    let unit = (up as i32 - 2 + finer) as u32;
+    let on_grid = |length: i64| (high(length) << up) | ((length as u32) >> (32 - up)) as i32;
     let nearest = |n: i64| high((n + (1 << 29)) << 2);
-    let along = |length: i32, proportion: i32| nearest(product(length << grid, proportion));
-    let (x, y, z) = (along(o[0], h), along(radius, h) + along(o[1], g), along(o[2], h));
+    let along = |length: i64, proportion: i32| nearest(product(on_grid(length), proportion));
+    let (x, y, z) = (along(near[0], h), along(radius, h) + along(near[1], g), along(near[2], h));
     let [dx, dy, dz] = [nearest(product(d[0], h)), nearest(product(d[1], g)), nearest(product(d[2], h))];
 
     let a = square(dx) + square(dz) - square(dy);
@@ -45,7 +56,7 @@ pub(in crate::scalar) fn nappe(o: [i32; 3], finer: i32, d: [i32; 3], [r, g, h]: 
         return Plain::Miss;
     }
     // ... and t by no more than an eighth of a unit, if the root is not small against the moment.
-    let spare = unit as i32 - 6 - divisor.shift as i32;
+    let spare = unit as i32 - 5 - divisor.shift as i32;
     if high(discriminant) <= 0 || spare < 0 {
         return Plain::Unclear;
     }
@@ -57,7 +68,7 @@ pub(in crate::scalar) fn nappe(o: [i32; 3], finer: i32, d: [i32; 3], [r, g, h]: 
     let end = |numerator: i64| {
         let t = divisor.quotient(numerator, 30 + unit)?;
         // Farther away, the rounding of the direction counts.
-        (magnitude_bits(t) < (1 << 24) >> divisor.shift).then_some(t)
+        if magnitude_bits(t) < (1 << 24) >> divisor.shift { start.checked_add(t) } else { None }
     };
     let first = -k - (root << 30);
     let second = (root << 30) - k;
