@@ -13,8 +13,8 @@ pub trait Arithmetic<S: Scalar>: Copy + 'static {
     /// True if coefficients that cancel are made again with what their rounding left over, and far rays step closer;
     /// false if the first figures stand.
     const COMPENSATES: bool;
-    /// True if plain integers may answer where they are as accurate as these numbers.
-    const PLAIN: bool = true;
+    /// True if the short ways of [`plain_ball`](Scalar::plain_ball) and its like are asked first.
+    const PLAIN: bool;
 
     /// The exact value.
     fn real(value: S) -> Self::Real;

@@ -22,12 +22,12 @@ pub trait Geometry<S: Scalar>: Copy {
     fn scaled(&self, e: i32) -> Self;
     /// Where the line meets it.
     fn meet<T: Arithmetic<S>>(&self, line: &Line<S>) -> Meeting<S>;
-    /// Where the line meets it, if plain integers tell.
+    /// Where the line meets it, if the short way tells.
     #[inline(always)]
     fn meet_plainly<T: Arithmetic<S>>(&self, _: &PlainLine<S>) -> Plain<Meeting<S>> {
         Plain::Unclear
     }
-    /// Whether the half-line `t >= 0` hits it, if plain integers tell; agrees with [`Geometry::meet_plainly`].
+    /// Whether the half-line `t >= 0` hits it, if the short way tells; agrees with [`Geometry::meet_plainly`].
     #[inline(always)]
     fn meets_ahead_plainly<T: Arithmetic<S>>(&self, line: &PlainLine<S>) -> Plain<()> {
         let meeting = found!(self.meet_plainly::<T>(line));

@@ -40,7 +40,7 @@ impl<S: Scalar, T: Arithmetic<S>> Solve<S> for T {
         match meet_plainly::<S, T, G>(geometry, place, ray) {
             Plain::Miss => Hits::none(),
             Plain::Found(meeting) => meeting.hits(ray.range()),
-            Plain::Unclear => apart::<S, _>(|| meet::<S, T, G>(geometry, place, ray).hits(ray.range())),
+            Plain::Unclear => apart::<S, T, _>(|| meet::<S, T, G>(geometry, place, ray).hits(ray.range())),
         }
     }
 
@@ -54,7 +54,7 @@ impl<S: Scalar, T: Arithmetic<S>> Solve<S> for T {
         match meet_plainly::<S, T, G>(geometry, place, ray) {
             Plain::Miss => None,
             Plain::Found(meeting) => meeting.nearest(ray.range(), accept),
-            Plain::Unclear => apart::<S, _>(|| meet::<S, T, G>(geometry, place, ray).nearest(ray.range(), accept)),
+            Plain::Unclear => apart::<S, T, _>(|| meet::<S, T, G>(geometry, place, ray).nearest(ray.range(), accept)),
         }
     }
 
@@ -79,7 +79,7 @@ impl<S: Scalar, T: Arithmetic<S>> Solve<S> for T {
         match plainly {
             Plain::Miss => false,
             Plain::Found(()) => true,
-            Plain::Unclear => apart::<S, _>(|| occludes::<S, T, G>(geometry, place, ray, accept)),
+            Plain::Unclear => apart::<S, T, _>(|| occludes::<S, T, G>(geometry, place, ray, accept)),
         }
     }
 
@@ -150,28 +150,28 @@ fn localize<S: Scalar, T: Arithmetic<S>, G: Geometry<S>>(
     place.localize(ray, geometry.reach(), |origin| T::COMPENSATES && geometry.is_far(origin))
 }
 
-/// Where the ray meets the geometry, if plain integers tell.
+/// Where the ray meets the geometry, if the short way tells.
 #[inline(always)]
 fn meet_plainly<S: Scalar, T: Arithmetic<S>, G: Geometry<S>>(
     geometry: &G,
     place: &impl Place<S>,
     ray: &Ray<S>,
 ) -> Plain<Meeting<S>> {
-    if S::RELATIVE || !T::PLAIN || ray.departure().is_some() {
+    if !T::PLAIN || ray.departure().is_some() {
         return Plain::Unclear;
     }
     let Some(line) = place.plain_line(ray) else { return Plain::Unclear };
     geometry.meet_plainly::<T>(&line)
 }
 
-/// Whether the ray meets the geometry, if plain integers tell.
+/// Whether the ray meets the geometry, if the short way tells.
 #[inline(always)]
 fn meets_ahead_plainly<S: Scalar, T: Arithmetic<S>, G: Geometry<S>>(
     geometry: &G,
     place: &impl Place<S>,
     ray: &Ray<S>,
 ) -> Plain<()> {
-    if S::RELATIVE || !T::PLAIN || ray.departure().is_some() {
+    if !T::PLAIN || ray.departure().is_some() {
         return Plain::Unclear;
     }
     let Some(line) = place.plain_line(ray) else { return Plain::Unclear };
@@ -208,15 +208,15 @@ fn occludes<S: Scalar, T: Arithmetic<S>, G: Geometry<S>>(
     scaled.meet::<T>(&local.line).map_t(|t| local.to_ray(t)).nearest(ray.range(), accept).is_some()
 }
 
-/// The work itself where it is all there is; where plain integers went before it, apart from them, so that they stay short.
+/// The work itself where it is all there is; where a short way went before it, apart from that, so that it stays short.
 #[inline(always)]
-fn apart<S: Scalar, A>(work: impl FnOnce() -> A) -> A {
+fn apart<S: Scalar, T: Arithmetic<S>, A>(work: impl FnOnce() -> A) -> A {
     #[cold]
     #[inline(never)]
     fn far<A>(work: impl FnOnce() -> A) -> A {
         work()
     }
-    if S::RELATIVE { work() } else { far(work) }
+    if T::PLAIN { far(work) } else { work() }
 }
 
 /// Where the ray meets the geometry, seen through a placement; in the ray's own `t`.

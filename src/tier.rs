@@ -45,6 +45,7 @@ impl<S: Scalar> Tier<S> for Fast {}
 impl<S: Scalar> Arithmetic<S> for Fast {
     type Real = S::Short;
     const COMPENSATES: bool = false;
+    const PLAIN: bool = true;
 
     #[inline(always)]
     fn real(value: S) -> S::Short {
@@ -100,6 +101,7 @@ impl<S: Scalar> Tier<S> for Stable {}
 impl<S: Scalar> Arithmetic<S> for Stable {
     type Real = S::Real;
     const COMPENSATES: bool = true;
+    const PLAIN: bool = !S::RELATIVE;
 
     #[inline(always)]
     fn real(value: S) -> S::Real {

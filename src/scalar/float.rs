@@ -1,7 +1,7 @@
 //! `f32` and `f64` as scalars: plain arithmetic, and the error-free sums and products that keep hard cases right.
 
 use super::square_root::square_root_f32;
-use super::{Budget, Real, Scalar, UnitScalar, largest, sealed::Sealed};
+use super::{Budget, Plain, PlainLine, Real, Scalar, UnitScalar, found, largest, sealed::Sealed};
 
 /// Defines the float implementations. `$half` are the mantissa bits that a split moves to the low part.
 macro_rules! float {
@@ -12,6 +12,8 @@ macro_rules! float {
         impl Sealed for $Float {}
 
         mod $exact {
+            use super::{Plain, PlainLine, Scalar};
+
             /// `a = high + low`, each with at most half of the bits, so that products of halves are exact.
             /// Rounded in the integer representation: unlike Veltkamp's split it cannot overflow inside the budget.
             #[inline(always)]
@@ -34,6 +36,24 @@ macro_rules! float {
                 let s = a + b;
                 let b_part = s - a;
                 (s, (a - (s - b_part)) + (b - b_part))
+            }
+
+            /// `k = o . d` and `D = r^2 - |o - k d|^2`, where the square of `r` neither overflows nor vanishes; a miss if `D < 0`.
+            #[inline(always)]
+            pub(super) fn closest_approach(line: PlainLine<$Float>, r: $Float) -> Plain<($Float, $Float)> {
+                // Between 2^-(bias / 2) and its reciprocal, by the exponent's bits.
+                const LEAST: $bits = (($bias - $bias / 2) as $bits) << $mantissa;
+                const SPAN: $bits = (($bias & !1) as $bits) << $mantissa;
+                if r.to_bits().wrapping_sub(LEAST) >= SPAN {
+                    return Plain::Unclear;
+                }
+                let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
+                let k = <$Float as Scalar>::dot(line.origin, line.direction);
+                let [px, py, pz] = [x - k * dx, y - k * dy, z - k * dz];
+                // Where this overflows the line is far away from the ball: a miss.
+                let pp = px * px + py * py + pz * pz;
+                let rr = r * r;
+                if pp > rr { Plain::Miss } else { Plain::Found((k, rr - pp)) }
             }
 
             /// `2^e` for an exponent of a normal number.
@@ -219,6 +239,28 @@ macro_rules! float {
             #[inline(always)]
             fn in_finer_units(self, _: i32) -> Self {
                 self
+            }
+
+            #[inline(always)]
+            fn plain_ball(line: PlainLine<Self>, r: Self, by_moment: bool) -> Plain<[Self; 2]> {
+                if by_moment {
+                    return Plain::Unclear;
+                }
+                let (k, discriminant) = found!($exact::closest_approach(line, r));
+                if discriminant == 0.0 {
+                    return Plain::Unclear;
+                }
+                let root = $sqrt(discriminant);
+                Plain::Found([-k - root, root - k])
+            }
+            #[inline(always)]
+            fn plain_ball_ahead(line: PlainLine<Self>, r: Self, by_moment: bool) -> Plain<()> {
+                if by_moment {
+                    return Plain::Unclear;
+                }
+                let (k, discriminant) = found!($exact::closest_approach(line, r));
+                // Moving away, the far end counts.
+                if k <= 0.0 || $sqrt(discriminant) >= k { Plain::Found(()) } else { Plain::Miss }
             }
 
             fn fraction(self) -> Self {
