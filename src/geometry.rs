@@ -23,10 +23,7 @@ pub trait Geometry<S: Scalar>: Copy {
     /// Where the line meets it.
     fn meet<T: Arithmetic<S>>(&self, line: &Line<S>) -> Meeting<S>;
     /// Where the line meets it, if the short way tells.
-    #[inline(always)]
-    fn meet_plainly<T: Arithmetic<S>>(&self, _: &PlainLine<S>) -> Plain<Meeting<S>> {
-        Plain::Unclear
-    }
+    fn meet_plainly<T: Arithmetic<S>>(&self, line: &PlainLine<S>) -> Plain<Meeting<S>>;
     /// Whether the half-line `t >= 0` hits it, if the short way tells; agrees with [`Geometry::meet_plainly`].
     #[inline(always)]
     fn meets_ahead_plainly<T: Arithmetic<S>>(&self, line: &PlainLine<S>) -> Plain<()> {

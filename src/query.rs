@@ -65,22 +65,19 @@ impl<S: Scalar, T: Arithmetic<S>> Solve<S> for T {
         ray: &Ray<S>,
         accept: impl Fn(Crossing) -> bool,
     ) -> bool {
-        let all = ray.range() == Range::FORWARD && accept(Crossing::Enter) && accept(Crossing::Exit);
-        let plainly = if all {
-            meets_ahead_plainly::<S, T, G>(geometry, place, ray)
-        } else {
-            match meet_plainly::<S, T, G>(geometry, place, ray) {
-                Plain::Miss => Plain::Miss,
-                Plain::Unclear => Plain::Unclear,
-                Plain::Found(meeting) if meeting.nearest(ray.range(), &accept).is_some() => Plain::Found(()),
-                Plain::Found(_) => Plain::Miss,
+        if ray.range() == Range::FORWARD && accept(Crossing::Enter) && accept(Crossing::Exit) {
+            match meets_ahead_plainly::<S, T, G>(geometry, place, ray) {
+                Plain::Miss => return false,
+                Plain::Found(()) => return true,
+                Plain::Unclear => {}
             }
-        };
-        match plainly {
-            Plain::Miss => false,
-            Plain::Found(()) => true,
-            Plain::Unclear => apart::<S, T, _>(|| occludes::<S, T, G>(geometry, place, ray, accept)),
         }
+        // What the signs leave open is decided as for the nearest hit.
+        apart::<S, T, _>(|| match meet_plainly::<S, T, G>(geometry, place, ray) {
+            Plain::Miss => false,
+            Plain::Found(meeting) => meeting.nearest(ray.range(), accept).is_some(),
+            Plain::Unclear => occludes::<S, T, G>(geometry, place, ray, accept),
+        })
     }
 
     fn contains<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, point: Vec3<S>) -> bool {

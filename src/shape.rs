@@ -12,7 +12,7 @@ use crate::primitive::{Capsule, Cone, Cylinder, Disc, Line, Plane, Sphere, Trian
 use crate::query;
 use crate::ray::{Departure, Leaving, Ray};
 use crate::scalar::certain::Certain;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Plain, PlainLine, Real, Scalar};
 use crate::span::Meeting;
 use crate::tier::{Effort, Stable, Tier};
 use crate::vector::{UnitVec3, Vec3};
@@ -59,6 +59,15 @@ macro_rules! primitives {
             }
             fn meet<T: Arithmetic<S>>(&self, line: &Line<S>) -> Meeting<S> {
                 match self { $(Self::$Variant(p) => p.meet::<T>(line),)+ }
+            }
+            // One copy for all placements and questions: inlined it would be in each of them.
+            #[inline(never)]
+            fn meet_plainly<T: Arithmetic<S>>(&self, line: &PlainLine<S>) -> Plain<Meeting<S>> {
+                match self { $(Self::$Variant(p) => p.meet_plainly::<T>(line),)+ }
+            }
+            #[inline(never)]
+            fn meets_ahead_plainly<T: Arithmetic<S>>(&self, line: &PlainLine<S>) -> Plain<()> {
+                match self { $(Self::$Variant(p) => p.meets_ahead_plainly::<T>(line),)+ }
             }
             fn verdict<T: Arithmetic<S>>(&self, line: &Line<S>) -> Option<bool> {
                 match self { $(Self::$Variant(p) => p.verdict::<T>(line),)+ }

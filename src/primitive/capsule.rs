@@ -10,7 +10,7 @@ use crate::figure::Figure;
 use crate::part::Part;
 use crate::quadric::{Inside, slab};
 use crate::ray::Leaving;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Plain, PlainLine, Real, Scalar};
 use crate::span::{End, Meeting, Span};
 use crate::vector::{UnitVec3, Vec3};
 
@@ -114,6 +114,11 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
 
     fn scaled(&self, e: i32) -> Self {
         Self { radius: self.radius.scaled(e), height: self.height.scaled(e) }
+    }
+
+    #[inline(always)]
+    fn meet_plainly<T: Arithmetic<S>>(&self, _: &PlainLine<S>) -> Plain<Meeting<S>> {
+        Plain::Unclear
     }
 
     #[inline]

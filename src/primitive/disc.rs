@@ -7,7 +7,7 @@ use crate::arithmetic::Arithmetic;
 use crate::figure::Figure;
 use crate::part::Part;
 use crate::quadric::{Inside, Quadric};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Plain, PlainLine, Real, Scalar};
 use crate::span::Meeting;
 use crate::vector::{UnitVec3, Vec3};
 
@@ -49,6 +49,11 @@ impl<S: Scalar> Geometry<S> for Disc<S> {
 
     fn scaled(&self, e: i32) -> Self {
         Self { radius: self.radius.scaled(e) }
+    }
+
+    #[inline(always)]
+    fn meet_plainly<T: Arithmetic<S>>(&self, _: &PlainLine<S>) -> Plain<Meeting<S>> {
+        Plain::Unclear
     }
 
     #[inline]

@@ -4,7 +4,7 @@ use super::{Geometry, Line, queries, surface_coordinates as coordinates};
 use crate::arithmetic::Arithmetic;
 use crate::figure::Figure;
 use crate::part::Part;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Plain, PlainLine, Real, Scalar};
 use crate::span::{End, Meeting, Span};
 use crate::vector::{UnitVec3, Vec3};
 use core::marker::PhantomData;
@@ -77,6 +77,11 @@ impl<S: Scalar> Geometry<S> for Plane<S> {
 
     fn scaled(&self, _: i32) -> Self {
         *self
+    }
+
+    #[inline(always)]
+    fn meet_plainly<T: Arithmetic<S>>(&self, _: &PlainLine<S>) -> Plain<Meeting<S>> {
+        Plain::Unclear
     }
 
     #[inline]

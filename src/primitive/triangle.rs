@@ -12,7 +12,7 @@ use super::{Geometry, Line, SizeError, queries, surface_coordinates as coordinat
 use crate::arithmetic::Arithmetic;
 use crate::figure::Figure;
 use crate::part::Part;
-use crate::scalar::{Real, Scalar, largest};
+use crate::scalar::{Plain, PlainLine, Real, Scalar, largest};
 use crate::span::{End, Meeting, Span};
 use crate::vector::{UnitVec3, Vec3, cross};
 
@@ -94,6 +94,11 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
 
     fn scaled(&self, e: i32) -> Self {
         Self { vertices: self.vertices.map(|v| Vec3::new(v.x.scaled(e), v.y.scaled(e), v.z.scaled(e))) }
+    }
+
+    #[inline(always)]
+    fn meet_plainly<T: Arithmetic<S>>(&self, _: &PlainLine<S>) -> Plain<Meeting<S>> {
+        Plain::Unclear
     }
 
     fn meet<T: Arithmetic<S>>(&self, line: &Line<S>) -> Meeting<S> {

@@ -1,6 +1,6 @@
 //! A line and a cone's side.
 
-use super::quotient::Divisor;
+use super::quotient::Normalized;
 use super::{high, leading_zeros, magnitude_bits, product, root, square};
 use crate::scalar::{Plain, PlainNappe};
 
@@ -43,7 +43,7 @@ pub(in crate::scalar) fn nappe(o: [i32; 3], finer: i32, d: [i32; 3], [r, g, h]: 
     let [dx, dy, dz] = [nearest(product(d[0], h)), nearest(product(d[1], g)), nearest(product(d[2], h))];
 
     let a = square(dx) + square(dz) - square(dy);
-    let Some(divisor) = Divisor::new(a) else {
+    let Some(a_digits) = Normalized::new(a) else {
         return Plain::Unclear;
     };
     let wx = nearest(product(y, dz) - product(z, dy));
@@ -56,7 +56,7 @@ pub(in crate::scalar) fn nappe(o: [i32; 3], finer: i32, d: [i32; 3], [r, g, h]: 
         return Plain::Miss;
     }
     // ... and t by no more than an eighth of a unit, if the root is not small against the moment.
-    let spare = unit as i32 - 5 - divisor.shift as i32;
+    let spare = unit as i32 - 5 - a_digits.shift as i32;
     if high(discriminant) <= 0 || spare < 0 {
         return Plain::Unclear;
     }
@@ -65,6 +65,7 @@ pub(in crate::scalar) fn nappe(o: [i32; 3], finer: i32, d: [i32; 3], [r, g, h]: 
         return Plain::Unclear;
     }
     let k = product(x, dx) + product(z, dz) - product(y, dy);
+    let divisor = a_digits.divisor();
     let end = |numerator: i64| {
         let t = divisor.quotient(numerator, 30 + unit)?;
         // Farther away, the rounding of the direction counts.

@@ -1,6 +1,6 @@
 //! A line and planes across the y axis.
 
-use super::quotient::Divisor;
+use super::quotient::Normalized;
 use crate::scalar::Plain;
 
 /// Where the line crosses each of the heights: `t = (y - oy) / dy`. A line that stays in one height meets none of them.
@@ -14,7 +14,7 @@ pub(in crate::scalar) fn crossings(oy: i32, finer: i32, dy: i32, [low, high]: [i
     if !(0..28).contains(&finer) {
         return Plain::Unclear;
     }
-    let Some(divisor) = Divisor::new((dy as i64) << 30) else {
+    let Some(divisor) = Normalized::new((dy as i64) << 30).map(Normalized::divisor) else {
         return Plain::Unclear;
     };
     let above = |y: i32| ((y as i64) << finer) - oy as i64;

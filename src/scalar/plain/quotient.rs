@@ -2,10 +2,41 @@
 
 use super::{high, high_product, leading_zeros, product, reciprocal_of_normalized};
 
+/// A number that is to be divided by, with its top bit set.
+#[derive(Clone, Copy)]
+pub(super) struct Normalized {
+    /// The magnitude is `digits * 2^(-31 - shift)`.
+    pub(super) digits: u32,
+    pub(super) shift: u32,
+    negative: bool,
+}
+
+impl Normalized {
+    /// A number in units of 2^-60, between 2^-12 and 2 in magnitude.
+    #[inline(always)]
+    pub(super) fn new(a: i64) -> Option<Self> {
+        let magnitude = a.unsigned_abs();
+        let (above, below) = ((magnitude >> 32) as u32, magnitude as u32);
+        if above < 1 << 16 {
+            return None;
+        }
+        let zeros = leading_zeros(above) & 0xf;
+        let digits = (above << zeros) | (below >> (32 - zeros));
+        // Above 1 by rounding it has one zero less; nobody asks for more.
+        Some(Self { digits, shift: zeros.saturating_sub(3), negative: a < 0 })
+    }
+
+    /// The reciprocal, made ready.
+    #[inline(always)]
+    pub(super) fn divisor(self) -> Divisor {
+        Divisor { reciprocal: reciprocal_of_normalized(self.digits), shift: self.shift, negative: self.negative }
+    }
+}
+
 /// A number to divide by: the product with the reciprocal costs a fourth of a division, and two ends share it.
 #[derive(Clone, Copy)]
 pub(super) struct Divisor {
-    /// `2^(63 - shift)` over the magnitude in units of 2^-60, to 31 bits.
+    /// `2^63` over the digits of [`Normalized`], to 31 bits.
     reciprocal: u32,
     /// The magnitude is at least `2^(-1 - shift)`.
     pub(super) shift: u32,
@@ -16,20 +47,6 @@ pub(super) struct Divisor {
 const TOO_LARGE: i32 = 1 << 27;
 
 impl Divisor {
-    /// A divisor in units of 2^-60, between 2^-12 and 2 in magnitude.
-    #[inline(always)]
-    pub(super) fn new(a: i64) -> Option<Self> {
-        let magnitude = a.unsigned_abs();
-        let (above, below) = ((magnitude >> 32) as u32, magnitude as u32);
-        if above < 1 << 16 {
-            return None;
-        }
-        let zeros = leading_zeros(above) & 0xf;
-        let normalized = (above << zeros) | (below >> (32 - zeros));
-        // 2 and more in magnitude has fewer zeros, but nobody asks for that.
-        Some(Self { reciprocal: reciprocal_of_normalized(normalized), shift: zeros.saturating_sub(3), negative: a < 0 })
-    }
-
     /// The quotient of a number below 2^62 in units of `2^-unit`, rounded to nearest; `None` if it is too large for that.
     #[inline(always)]
     pub(super) fn quotient(self, numerator: i64, unit: u32) -> Option<i32> {

@@ -1,7 +1,7 @@
 //! A line and the round sides: cylinder and cone, without their ends.
 
-use super::quotient::Divisor;
-use super::{half, high, leading_zeros, product, root, square};
+use super::quotient::Normalized;
+use super::{half, high, high_product, leading_zeros, product, root, square};
 use crate::scalar::Plain;
 
 /// Where the line is inside the infinite cylinder about the y axis: `a = dx^2 + dz^2`, `D = a r^2 - w_y^2`, `t = (-k -+ sqrt(D)) / a`.
@@ -13,7 +13,7 @@ pub(in crate::scalar) fn tube(o: [i32; 3], finer: i32, d: [i32; 3], r: i32) -> P
     // As for a ball: a grid on which the radius has 29 bits, and the moment shifted down to it.
     let grid = leading_zeros(r as u32) as i32 - 3;
     let down = 30 + finer - grid;
-    if !(3..32).contains(&down) {
+    if grid < 4 || !(3..32).contains(&down) {
         return Plain::Unclear;
     }
     let down = down as u32;
@@ -26,23 +26,24 @@ pub(in crate::scalar) fn tube(o: [i32; 3], finer: i32, d: [i32; 3], r: i32) -> P
     let wy = half((above << (33 - down)) | (wy as u32 >> (down - 1)));
     let r = r << grid;
     let a = square(dx) + square(dz);
-    // 2 a r, and a r^2; |d| is 1 to within 2^-20.
-    let twice = (product(high(a << 2), r) >> 29) as i32;
-    let positive = product(twice, r) >> 1;
+    let Some(digits) = Normalized::new(a) else {
+        return Plain::Unclear;
+    };
+    // 2 a r, and a r^2; without the shift both have full precision.
+    let twice = high_product(digits.digits, (r as u32) << 2) as i32;
+    let positive = product(twice, r) >> (1 + digits.shift);
     let discriminant = positive - square(wy);
     // Their rounding is below 2^31.
     if high(discriminant) < -1 {
         return Plain::Miss;
     }
-    let Some(divisor) = Divisor::new(a) else {
-        return Plain::Unclear;
-    };
     // The moment's rounding, half a unit of the grid, moves t by no more than a thirtieth of a unit (near the upper limit of the
     // radius, a fifth).
-    let spare = grid - divisor.shift as i32;
+    let spare = grid - digits.shift as i32;
     if spare < 4 || high(discriminant) <= high(positive) >> (2 * (spare - 5)).clamp(3, 22) {
         return Plain::Unclear;
     }
+    let divisor = digits.divisor();
     let root = (root(discriminant as u64) as i64) << down;
     let k = product(x, dx) + product(z, dz);
     let unit = (30 + finer) as u32;
