@@ -79,9 +79,10 @@ mod law {
                     Crossing::Exit if flips => Crossing::Enter,
                     same => same,
                 };
-                // Swapped, a rounded sum of three has another order, and so may have another last bit.
+                // Swapped, a rounded sum of three has another order, and so may have another last bit. The fast tier cuts
+                // products off, which of a negative number goes the other way.
                 let rounds = match T::GRADE {
-                    Grade::Fast => swap,
+                    Grade::Fast => true,
                     Grade::Stable => swap && is_float::<S>(),
                     Grade::Exact => false,
                 };
@@ -119,8 +120,8 @@ mod law {
         let turned = turned.with_range(Range::line());
         let shape = setting.unplaced.placed(frame);
         let (here, there) = (setting.unplaced.hits_at::<T>(&ray), shape.hits_at::<T>(&turned));
-        // Fixed-point sums and products are exact, and exact answers are; a float sum depends on the order of its terms.
-        if !is_float::<S>() || T::GRADE == Grade::Exact {
+        // A float sum depends on the order of its terms, and fixed-point kernels see a placed solid on a finer grid.
+        if T::GRADE == Grade::Exact {
             prop_assert_eq!(&here, &there, "{:?} {:?}", frame, ray);
         }
         on_one_line::<S, T>(&setting.in_own_frame(), &ray, &met(&here), &met(&there), 0.0)?;
@@ -209,12 +210,12 @@ mod law {
             } else if T::GRADE == Grade::Exact || a.t == b.t.plus(shift) {
                 prop_assert_eq!(a.t, b.t.plus(shift), "{:?} by {:?}: {:?} {:?}", ray, shift, a, b);
             } else {
-                // A root has 32 bits: what lies within a sixty-fourth of a unit of a tie may be rounded to either side of it.
+                // Roots and reciprocals have 31 bits: what lies within an eighth of a unit of a tie may be rounded to either side.
                 let (one, other) = (a.t.exact(), &b.t.exact() + &shift.exact());
                 let unit = unit_at(a.t);
                 prop_assert!((&one - &other).to_f64().abs() <= unit, "{ray:?} by {shift:?}: {a:?} {b:?}");
                 let off = setting.off(&ray, &(&one + &other).scaled(-1), a.part) / setting.pose.growth();
-                prop_assert!(off <= unit / 64.0, "{ray:?} by {shift:?}: {a:?} {b:?} is no tie");
+                prop_assert!(off <= unit / 8.0, "{ray:?} by {shift:?}: {a:?} {b:?} is no tie");
             }
         }
         Ok(())

@@ -10,7 +10,7 @@ use crate::figure::Figure;
 use crate::part::Part;
 use crate::quadric::{Inside, slab};
 use crate::ray::Leaving;
-use crate::scalar::{Plain, PlainLine, Real, Scalar};
+use crate::scalar::{Plain, PlainLine, Real, Scalar, found};
 use crate::span::{End, Meeting, Span};
 use crate::vector::{UnitVec3, Vec3};
 
@@ -101,6 +101,21 @@ impl<S: Scalar> Capsule<S> {
         Some(End::new(if entering { span.enter.t } else { span.exit.t }, part))
     }
 
+    /// [`Capsule::end`], if the short way tells.
+    #[inline]
+    fn plain_end<T: Arithmetic<S>>(&self, line: &PlainLine<S>, tube: S, entering: bool) -> Plain<End<S>> {
+        let y = found!(S::plain_height(*line, tube));
+        let (part, centre) = if y < S::ZERO {
+            (Part::Base, S::ZERO)
+        } else if y > self.height {
+            (Part::Top, self.height)
+        } else {
+            return Plain::Found(End::new(tube, Part::Side));
+        };
+        let [low, high] = found!(S::plain_ball(found!(S::plain_lowered(*line, centre)), self.radius, T::COMPENSATES));
+        Plain::Found(End::new(if entering { low } else { high }, part))
+    }
+
     /// The point of the axis's segment nearest to a point of the part.
     fn centre(&self, part: Part) -> Vec3<S> {
         if part == Part::Top { Vec3::new(S::ZERO, self.height, S::ZERO) } else { Vec3::ZERO }
@@ -117,8 +132,11 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
     }
 
     #[inline(always)]
-    fn meet_plainly<T: Arithmetic<S>>(&self, _: &PlainLine<S>) -> Plain<Meeting<S>> {
-        Plain::Unclear
+    fn meet_plainly<T: Arithmetic<S>>(&self, line: &PlainLine<S>) -> Plain<Meeting<S>> {
+        let [low, high] = found!(S::plain_tube(*line, self.radius));
+        let enter = found!(self.plain_end::<T>(line, low, true));
+        let exit = found!(self.plain_end::<T>(line, high, false));
+        Plain::Found(if enter.t > exit.t { Meeting::Miss } else { Meeting::One(Span::new(enter, exit)) })
     }
 
     #[inline]

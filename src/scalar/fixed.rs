@@ -345,6 +345,17 @@ fixed!(FixedI32, LeEqU32, U30, Block64, Short32, i32, i64, u64, 32, 30, {
         })
     }
     #[inline(always)]
+    fn plain_height(line: PlainLine<Self>, t: Self) -> Plain<Self> {
+        let (oy, dy) = (line.origin[1].to_bits(), line.direction[1].to_bits());
+        Plain::Found(Self::from_bits(found!(plain::height(oy, line.finer, dy, t.to_bits()))))
+    }
+    #[inline(always)]
+    fn plain_lowered(line: PlainLine<Self>, y: Self) -> Plain<PlainLine<Self>> {
+        let [ox, oy, oz] = line.origin;
+        let lowered = found!(plain::lowered(oy.to_bits(), line.finer, y.to_bits()));
+        Plain::Found(PlainLine { origin: [ox, Self::from_bits(lowered), oz], ..line })
+    }
+    #[inline(always)]
     fn plain_crossings(line: PlainLine<Self>, y: [Self; 2]) -> Plain<[Self; 2]> {
         let (oy, dy) = (line.origin[1].to_bits(), line.direction[1].to_bits());
         let [first, second] = found!(plain::crossings(oy, line.finer, dy, y.map(Self::to_bits)));

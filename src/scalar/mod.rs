@@ -210,6 +210,16 @@ pub trait Scalar:
     fn plain_nappe(_: PlainLine<Self>, _base: Self, _growth: Self, _height: Option<Self>) -> Plain<PlainNappe<Self>> {
         Plain::Unclear
     }
+    /// The height of the line's point at `t`, rounded.
+    #[inline(always)]
+    fn plain_height(_: PlainLine<Self>, _t: Self) -> Plain<Self> {
+        Plain::Unclear
+    }
+    /// The line seen from the height `y`.
+    #[inline(always)]
+    fn plain_lowered(_: PlainLine<Self>, _y: Self) -> Plain<PlainLine<Self>> {
+        Plain::Unclear
+    }
     /// Where the line crosses two heights; a line that stays in one height crosses neither.
     #[inline(always)]
     fn plain_crossings(_: PlainLine<Self>, _y: [Self; 2]) -> Plain<[Self; 2]> {

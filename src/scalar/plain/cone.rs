@@ -1,7 +1,7 @@
 //! A line and a cone's side.
 
 use super::quotient::Normalized;
-use super::{high, leading_zeros, magnitude_bits, product, root, square};
+use super::{high, leading_zeros, magnitude_bits, product, root, round_off, square};
 use crate::scalar::{Plain, PlainNappe};
 
 /// Where the line is inside the nappe `h^2 (x^2 + z^2) <= (h r + g y)^2`, `h r + g y >= 0`, of a cone with radius `r` at `y = 0` that
@@ -36,8 +36,13 @@ pub(in crate::scalar) fn nappe(o: [i32; 3], finer: i32, d: [i32; 3], [r, g, h]: 
     }
     let up = zeros - 3;
     let unit = (up as i32 - 2 + finer) as u32;
-    let on_grid = |length: i64| (high(length) << up) | ((length as u32) >> (32 - up)) as i32;
-    let nearest = |n: i64| high((n + (1 << 29)) << 2);
+    // Cut off towards zero, so that a mirrored line is on mirrored points.
+    let on_grid = |length: i64| {
+        let magnitude = length.unsigned_abs();
+        let length_on_grid = (((magnitude >> 32) as u32) << up | (magnitude as u32) >> (32 - up)) as i32;
+        if length < 0 { -length_on_grid } else { length_on_grid }
+    };
+    let nearest = |n: i64| round_off(n, 30) as i32;
     let along = |length: i64, proportion: i32| nearest(product(on_grid(length), proportion));
     let (x, y, z) = (along(near[0], h), along(radius, h) + along(near[1], g), along(near[2], h));
     let [dx, dy, dz] = [nearest(product(d[0], h)), nearest(product(d[1], g)), nearest(product(d[2], h))];

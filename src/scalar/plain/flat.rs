@@ -1,6 +1,7 @@
 //! A line and planes across the y axis.
 
 use super::quotient::Normalized;
+use super::{magnitude_bits, product, round_off};
 use crate::scalar::Plain;
 
 /// Where the line crosses each of the heights: `t = (y - oy) / dy`. A line that stays in one height meets none of them.
@@ -27,5 +28,29 @@ pub(in crate::scalar) fn crossings(oy: i32, finer: i32, dy: i32, [low, high]: [i
     match (divisor.quotient(low << 28, unit), divisor.quotient(high << 28, unit)) {
         (Some(low), Some(high)) => Plain::Found([low, high]),
         _ => Plain::Unclear,
+    }
+}
+
+/// The height `oy + t dy`, rounded to the unit of `t`; the origin is in units of `2^-finer` of that.
+#[inline(always)]
+pub(in crate::scalar) fn height(oy: i32, finer: i32, dy: i32, t: i32) -> Plain<i32> {
+    // Up to 2^24 the sum fits, and so does the height.
+    if !(0..7).contains(&finer) || magnitude_bits(t) >> 24 != 0 {
+        return Plain::Unclear;
+    }
+    let height = ((oy as i64) << 30) + (product(t, dy) << finer);
+    let height = round_off(height, (30 + finer) as u32);
+    if height == height as i32 as i64 { Plain::Found(height as i32) } else { Plain::Unclear }
+}
+
+/// `oy - y` in units of `2^-finer` of those of `y`.
+#[inline(always)]
+pub(in crate::scalar) fn lowered(oy: i32, finer: i32, y: i32) -> Plain<i32> {
+    let lowered = oy as i64 - ((y as i64) << (finer & 0x1f));
+    // Up to 2^30 its moment fits.
+    if lowered.unsigned_abs() >> 30 == 0 && (0..28).contains(&finer) {
+        Plain::Found(lowered as i32)
+    } else {
+        Plain::Unclear
     }
 }

@@ -18,7 +18,7 @@ mod turned;
 
 pub(super) use ball::{ByApproach, ByMoment};
 pub(super) use cone::nappe;
-pub(super) use flat::crossings;
+pub(super) use flat::{crossings, height, lowered};
 pub(super) use round::tube;
 pub(super) use turned::{FINER, turned};
 
