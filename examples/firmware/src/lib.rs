@@ -3,3 +3,11 @@
 
 pub mod clock;
 pub mod digest;
+pub mod display;
+pub mod figures;
+#[cfg(target_os = "none")]
+pub mod footprint;
+pub mod panel;
+pub mod picture;
+#[cfg(target_os = "none")]
+pub mod stack;
