@@ -2,4 +2,5 @@
 #![no_std]
 
 pub mod clock;
+pub mod cost;
 pub mod digest;
