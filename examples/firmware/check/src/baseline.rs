@@ -10,8 +10,13 @@ use std::path::{Path, PathBuf};
 /// A name for each figure.
 pub type Figures = BTreeMap<String, u64>;
 
-/// A figure may be this much larger than the baseline: a 50th, and never less than two instructions or bytes.
-const SLACK: (u64, u64) = (50, 2);
+/// A figure may be this many hundredths larger than the baseline. Another compiler makes other code: of the two that CI may find
+/// (rustup's and Debian's) one is up to 5 % better here and as much worse there, a plane in fixed point even 13 %.
+const SLACK: u64 = 2;
+/// The same, where the baseline was made with another compiler.
+const SLACK_BETWEEN_COMPILERS: u64 = 15;
+/// And this many instructions or bytes at least.
+const LEAST_SLACK: u64 = 2;
 
 /// So many changes are shown.
 const SHOWN: usize = 60;
@@ -91,9 +96,9 @@ impl Change<'_> {
     }
 }
 
-/// What changed by more than the slack; what got worse first.
-fn changes<'a>(before: &'a Figures, after: &'a Figures) -> Vec<Change<'a>> {
-    let slack = |figure: u64| (figure / SLACK.0).max(SLACK.1);
+/// What changed by more than so many hundredths; what got worse first.
+fn changes<'a>(before: &'a Figures, after: &'a Figures, hundredths: u64) -> Vec<Change<'a>> {
+    let slack = |figure: u64| (figure * hundredths / 100).max(LEAST_SLACK);
     let mut changes = Vec::new();
     for (name, &now) in after {
         match before.get(name) {
@@ -127,11 +132,15 @@ pub fn check(chip: &Chip, part: Part, figures: &Figures) -> Outcome {
         return baseline.write(&chip.target);
     }
     let mut baseline = Baseline::read(&chip.target)?;
-    let same_compiler = baseline.compiler == chip.compiler;
-    let compiler = baseline.compiler.clone();
-    let changes = changes(baseline.part(part), figures);
+    let slack = if baseline.compiler == chip.compiler {
+        SLACK
+    } else {
+        println!("built with {}, the baseline with {}", chip.compiler, baseline.compiler);
+        SLACK_BETWEEN_COMPILERS
+    };
+    let changes = changes(baseline.part(part), figures, slack);
     let faults = changes.iter().filter(|change| change.is_fault()).count();
-    println!("{}: {} figures in {what}, {} changed by more than 2 %", chip.target, figures.len(), changes.len());
+    println!("{}: {} figures in {what}, {} changed by more than {slack} %", chip.target, figures.len(), changes.len());
     if !changes.is_empty() {
         println!("\n| what | before | now | change |\n|---|---|---|---|");
         changes.iter().take(SHOWN).for_each(|change| println!("{}", change.line()));
@@ -139,10 +148,6 @@ pub fn check(chip: &Chip, part: Part, figures: &Figures) -> Outcome {
             println!("and {} more", changes.len() - SHOWN);
         }
         println!("\nIf that is what it should be: .ci/measure --renew {}", chip.target);
-    }
-    if !same_compiler {
-        println!("built with {}, the baseline with {compiler}: shown, not judged", chip.compiler);
-        return Ok(());
     }
     if faults > 0 {
         Err(format!("{}: {faults} figures in {what} are worse, new or gone", chip.target).into())
@@ -163,13 +168,13 @@ mod tests {
     fn two_percent_are_no_change_and_what_got_worse_comes_first() {
         let before = figures(&[("a", 1000), ("b", 1000), ("c", 1000), ("d", 1000), ("e", 10)]);
         let after = figures(&[("a", 979), ("b", 980), ("c", 1020), ("d", 1021), ("e", 12)]);
-        assert_eq!(changes(&before, &after), [Change::Worse("d", 1000, 1021), Change::Better("a", 1000, 979)]);
+        assert_eq!(changes(&before, &after, SLACK), [Change::Worse("d", 1000, 1021), Change::Better("a", 1000, 979)]);
     }
 
     #[test]
     fn a_figure_that_comes_or_goes_is_a_fault() {
         let (before, after) = (figures(&[("a", 1)]), figures(&[("b", 1)]));
-        assert!(changes(&before, &after).iter().all(Change::is_fault));
-        assert_eq!(changes(&before, &after).len(), 2);
+        assert!(changes(&before, &after, SLACK).iter().all(Change::is_fault));
+        assert_eq!(changes(&before, &after, SLACK).len(), 2);
     }
 }

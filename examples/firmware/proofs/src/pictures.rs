@@ -31,6 +31,7 @@ pub fn pictures<S: Any>(camera: Camera<S>) -> Option<()> {
     give(look(&scene, &ray, &mut counters));
     let size = Size::new(any_word() as u16, any_word() as u16).with_samples(any_word() as u8);
     let picture = Picture::new(&scene, size);
+    give(scene.camera().raster(size).ray([any_word() as u16, any_word() as u16], [any_word() as u8, 0]));
     give(picture.pixel(any_word() as u16, any_word() as u16, &mut counters));
     give(picture.render(|x, y, pixel| give((x, y, pixel.color.to_rgb888(), pixel.seen, pixel.lit_by))));
     give((any_color::<S>().plus(any_color()), any_color::<S>().times(any_color())));
