@@ -8,7 +8,7 @@ use crate::line::{Local, Place};
 use crate::ray::Ray;
 use crate::scalar::certain::{FromScalar, dot};
 use crate::scalar::{Real, Scalar};
-use crate::vector::{UnitVec3, Vec3, cross};
+use crate::vector::{UnitVec3, Vec3, cross, pairs, transposed};
 
 /// One row of the inverse: components below 1 and a power of two.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -171,7 +171,7 @@ impl<S: Scalar> Affine<S> {
         let columns = [cross(y, z), cross(z, x), cross(x, y)];
         let determinant =
             S::Real::sum_of_products([[x[0], columns[0][0]], [x[1], columns[0][1]], [x[2], columns[0][2]]]);
-        let [a, b, c] = [0, 1, 2].map(|i| v[i].times_power_of_two(-self.inverse[i].exponent));
+        let [a, b, c] = pairs(v, self.inverse).map(|(v, row)| v.times_power_of_two(-row.exponent));
         let component =
             |i: usize| S::Real::sum_of_products([[a, columns[0][i]], [b, columns[1][i]], [c, columns[2][i]]]);
         [component(0), component(1), component(2)].map(|c| c / determinant)
@@ -194,8 +194,8 @@ impl<S: Scalar> Affine<S> {
         let columns =
             [self.image([half[0], zero, zero]), self.image([zero, half[1], zero]), self.image([zero, zero, half[2]])];
         let (moved, position) = (self.image(centre), self.position.real());
-        let middle = [0, 1, 2].map(|i| moved[i] + position[i]);
-        (middle, [0, 1, 2].map(|i| columns[0][i].abs() + columns[1][i].abs() + columns[2][i].abs()))
+        let middle = pairs(moved, position).map(|(moved, position)| moved + position);
+        (middle, transposed(columns).map(|[x, y, z]| x.abs() + y.abs() + z.abs()))
     }
 }
 

@@ -4,7 +4,7 @@ use crate::line::{Local, Place};
 use crate::ray::Ray;
 use crate::scalar::certain::{FromScalar, dot};
 use crate::scalar::{PlainLine, Real, Scalar};
-use crate::vector::{UnitVec3, Vec3};
+use crate::vector::{UnitVec3, Vec3, pairs, transposed};
 use core::fmt;
 
 /// A position and three perpendicular axes: the exact-minded way to place a primitive.
@@ -156,10 +156,10 @@ impl<S: Scalar> Frame<S> {
 
     /// The half-extents in the world of a local box of half-extents `half`, and the image of its centre.
     pub(crate) fn box_to_world(&self, centre: [S::Real; 3], half: [S::Real; 3]) -> ([S::Real; 3], [S::Real; 3]) {
-        let a = self.axes.map(UnitVec3::real);
-        let p = self.position.real();
-        let middle = [0, 1, 2].map(|i| p[i] + centre[0] * a[0][i] + centre[1] * a[1][i] + centre[2] * a[2][i]);
-        let extent = [0, 1, 2].map(|i| half[0] * a[0][i].abs() + half[1] * a[1][i].abs() + half[2] * a[2][i].abs());
+        let rows = transposed(self.axes.map(UnitVec3::real));
+        let ([cx, cy, cz], [hx, hy, hz]) = (centre, half);
+        let middle = pairs(self.position.real(), rows).map(|(p, [x, y, z])| p + cx * x + cy * y + cz * z);
+        let extent = rows.map(|[x, y, z]| hx * x.abs() + hy * y.abs() + hz * z.abs());
         (middle, extent)
     }
 

@@ -98,13 +98,39 @@ impl<S> Deref for Hits<S> {
     }
 }
 
-impl<S> IntoIterator for Hits<S> {
+impl<S: Copy> IntoIterator for Hits<S> {
     type Item = Hit<S>;
-    type IntoIter = heapless::vec::IntoIter<Hit<S>, MOST_HITS, usize>;
-    fn into_iter(self) -> Self::IntoIter {
-        self.list.into_iter()
+    type IntoIter = IntoIter<S>;
+    fn into_iter(self) -> IntoIter<S> {
+        IntoIter { list: self.list, next: 0 }
     }
 }
+
+/// The hits of a list, by value. (The iterator of `heapless` has a panic in its `drop`.)
+#[derive(Clone, Debug)]
+pub struct IntoIter<S> {
+    list: heapless::Vec<Hit<S>, MOST_HITS>,
+    next: usize,
+}
+
+impl<S: Copy> Iterator for IntoIter<S> {
+    type Item = Hit<S>;
+
+    fn next(&mut self) -> Option<Hit<S>> {
+        let hit = self.list.get(self.next).copied()?;
+        self.next += 1;
+        Some(hit)
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        let left = self.list.len() - self.next;
+        (left, Some(left))
+    }
+}
+
+impl<S: Copy> ExactSizeIterator for IntoIter<S> {}
+
+impl<S: Copy> core::iter::FusedIterator for IntoIter<S> {}
 
 impl<'a, S> IntoIterator for &'a Hits<S> {
     type Item = &'a Hit<S>;

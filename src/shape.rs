@@ -15,7 +15,7 @@ use crate::scalar::certain::Certain;
 use crate::scalar::{Plain, PlainLine, Real, Scalar};
 use crate::span::Meeting;
 use crate::tier::{Effort, Stable, Tier};
-use crate::vector::{UnitVec3, Vec3};
+use crate::vector::{UnitVec3, Vec3, pairs};
 
 /// Defines the enum of all primitives and hands every question to the one that it holds.
 macro_rules! primitives {
@@ -276,25 +276,20 @@ impl<S: Scalar> Shape<S> {
             return Bounds { low: -infinite, high: infinite };
         }
         let (low, high) = (low.real(), high.real());
-        let centre = [0, 1, 2].map(|i| (low[i] + high[i]).times_power_of_two(-1));
-        let half = [0, 1, 2].map(|i| (high[i] - low[i]).times_power_of_two(-1));
+        let centre = pairs(low, high).map(|(low, high)| (low + high).times_power_of_two(-1));
+        let half = pairs(low, high).map(|(low, high)| (high - low).times_power_of_two(-1));
         let (centre, half) = match &self.placement {
             Placement::Affine(affine) => affine.box_to_world(centre, half),
             Placement::Frame(frame) => frame.box_to_world(centre, half),
             Placement::World => (centre, half),
         };
-        // The transform is rounded: one unit outwards on each side, and the rounding of the sum's terms.
-        let margin = [0, 1, 2].map(|i| (centre[i].abs() + half[i]).times_power_of_two(-20));
-        let corner = |sign: bool, i: usize| {
-            let reach = half[i] + margin[i];
-            if sign { S::round(centre[i] + reach).next_up() } else { -S::round(reach - centre[i]).next_up() }
-        };
-        // Where a float overflows on the way nothing is known but that the box is large.
-        let interval = |i: usize| {
-            let (low, high) = (corner(false, i), corner(true, i));
+        let [x, y, z] = pairs(centre, half).map(|(centre, half)| {
+            // The transform is rounded: one unit outwards on each side, and the rounding of the sum's terms.
+            let reach = half + (centre.abs() + half).times_power_of_two(-20);
+            let (low, high) = (-S::round(reach - centre).next_up(), S::round(centre + reach).next_up());
+            // Where a float overflows on the way nothing is known but that the box is large.
             if low <= high { [low, high] } else { [-S::INFINITY, S::INFINITY] }
-        };
-        let [x, y, z] = [interval(0), interval(1), interval(2)];
+        });
         Bounds { low: Vec3::new(x[0], y[0], z[0]), high: Vec3::new(x[1], y[1], z[1]) }
     }
 

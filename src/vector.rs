@@ -266,3 +266,16 @@ pub(crate) fn cross<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
     let minor = |i: usize, j: usize| R::sum_of_products([[a[i], b[j]], [-a[j], b[i]]]);
     [minor(1, 2), minor(2, 0), minor(0, 1)]
 }
+
+/// Corresponding components. (An index over axes, as in `[0, 1, 2].map(|i| a[i])`, is checked wherever the compiler does
+/// not unroll the loop: a panic that can never happen, but would be linked.)
+#[inline(always)]
+pub(crate) fn pairs<A, B>([ax, ay, az]: [A; 3], [bx, by, bz]: [B; 3]) -> [(A, B); 3] {
+    [(ax, bx), (ay, by), (az, bz)]
+}
+
+/// Rows as columns.
+#[inline(always)]
+pub(crate) fn transposed<R>([[a, b, c], [d, e, f], [g, h, i]]: [[R; 3]; 3]) -> [[R; 3]; 3] {
+    [[a, d, g], [b, e, h], [c, f, i]]
+}

@@ -7,7 +7,7 @@ use crate::part::Part;
 use crate::quadric::{Careful, Inside, Quadric};
 use crate::scalar::{Plain, PlainLine, Real, Scalar, found};
 use crate::span::{End, Meeting, Span};
-use crate::vector::{UnitVec3, Vec3};
+use crate::vector::{UnitVec3, Vec3, pairs};
 
 /// A ball of the given radius about the origin.
 ///
@@ -66,8 +66,7 @@ pub(super) fn ball<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, radius: S) -> Op
 /// Günther and Akenine-Möller, *Precision Improvements for Ray/Sphere Intersection*, Ray Tracing Gems, 2019).
 #[inline]
 fn residual<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, k: T::Real, r: T::Real) -> T::Real {
-    let (o, d) = (line.point::<T>(), line.along::<T>());
-    let [x, y, z] = [0, 1, 2].map(|i| o[i] - k * d[i]);
+    let [x, y, z] = pairs(line.point::<T>(), line.along::<T>()).map(|(o, d)| o - k * d);
     r * r - (x * x + y * y + z * z)
 }
 

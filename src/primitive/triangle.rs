@@ -125,12 +125,11 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
             };
         }
         // d . (p x q): the side on which the line passes the edge from p to q, seen along it.
-        let [ab, bc, ca] = [(0, 1), (1, 2), (2, 0)].map(|(i, j)| {
-            let (p, q) = ([a, b, c][i], [a, b, c][j]);
+        let [ab, bc, ca] = [(a, b, va, vb), (b, c, vb, vc), (c, a, vc, va)].map(|(p, q, vp, vq)| {
             let volume = dot(direction, cross(p, q));
             // Past an edge so closely that rounding decides. What is asked here is the same for both of its triangles.
             let is_doubtful = T::COMPENSATES && volume.abs() < (size(p) * size(q)).times_power_of_two(-16);
-            if is_doubtful { careful_volume(vertices[i], vertices[j], origin, rest, direction) } else { volume }
+            if is_doubtful { careful_volume(vp, vq, origin, rest, direction) } else { volume }
         });
         let passes = |sign: fn(T::Real) -> bool| !(sign(ab) || sign(bc) || sign(ca));
         let inside = if facing.is_negative() {

@@ -126,9 +126,10 @@ macro_rules! fixed {
             }
             #[inline]
             fn approach(o: [Self; 3], base: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3] {
-                [0, 1, 2].map(|i| {
-                    let from_base = $Block::new(o[i].to_bits() as $wide - base[i].to_bits() as $wide, -(F::I32));
-                    let step = $Block::new(t.to_bits() as $wide * d[i].to_bits() as $wide, -$unit_bits - F::I32);
+                let ([ox, oy, oz], [bx, by, bz], [dx, dy, dz]) = (o, base, d);
+                [(ox, bx, dx), (oy, by, dy), (oz, bz, dz)].map(|(o, base, d)| {
+                    let from_base = $Block::new(o.to_bits() as $wide - base.to_bits() as $wide, -(F::I32));
+                    let step = $Block::new(t.to_bits() as $wide * d.to_bits() as $wide, -$unit_bits - F::I32);
                     <Self as Scalar>::round(from_base + step)
                 })
             }

@@ -55,7 +55,7 @@ impl Digest {
 }
 
 /// xorshift64* (Marsaglia; Vigna, *An experimental exploration of Marsaglia's xorshift generators*, 2016).
-struct Random(u64);
+pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
     fn next(&mut self) -> u32 {
@@ -72,7 +72,8 @@ impl Random {
         S::from_f64(step as f64 / 1024.0).unwrap_or(S::ZERO)
     }
 
-    fn point<S: Scalar>(&mut self, size: u32) -> Vec3<S> {
+    /// A point between `-size` and `size` in each coordinate.
+    pub(crate) fn point<S: Scalar>(&mut self, size: u32) -> Vec3<S> {
         Vec3::new(self.number(size), self.number(size), self.number(size))
     }
 

@@ -2,6 +2,7 @@
 #![no_std]
 
 pub mod clock;
+pub mod cost;
 pub mod digest;
 pub mod display;
 pub mod figures;

@@ -48,7 +48,8 @@ impl<const N: usize> Integer<N> {
         };
         let lowest = self.limbs.iter().position(|limb| *limb != 0).unwrap_or(0);
         if lowest > 0 {
-            self.limbs.copy_within(lowest..=highest, 0);
+            // Up to the end, though all above the highest are zero: a range that cannot be empty needs no panic.
+            self.limbs.copy_within(lowest.., 0);
             let used = highest + 1 - lowest;
             self.limbs.iter_mut().skip(used).for_each(|limb| *limb = 0);
         }

@@ -1,0 +1,93 @@
+//! Looks at what the firmware programs are made of and at what they print, and says whether it got worse.
+//!
+//! ```sh
+//! check proofs DIRECTORY                           # what must not be linked is not
+//! check cost --target TARGET OUTPUT [--renew]      # instructions a query, against the baseline
+//! check size --target TARGET DIRECTORY [--renew]   # bytes a primitive, against the baseline
+//! check document [--verify]                        # docs/microcontrollers.md from the baselines
+//! ```
+
+mod baseline;
+mod cost;
+mod document;
+mod elf;
+mod forbidden;
+mod proofs;
+mod size;
+
+use clap::{Args, Parser, Subcommand};
+use std::error::Error;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// What can go wrong, for people to read.
+pub type Outcome = Result<(), Box<dyn Error>>;
+
+#[derive(Parser)]
+#[command(about = "Looks at what the firmware programs are made of and at what they print.")]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Shows that no panic, no allocator, no formatting and no operation on doubles was linked where none may be.
+    Proofs {
+        /// Where cargo put the programs: `target/TARGET/release`.
+        programs: PathBuf,
+    },
+    /// Compares instructions a query with the baseline.
+    Cost {
+        #[command(flatten)]
+        chip: Chip,
+        /// What the program `cost` printed.
+        output: PathBuf,
+    },
+    /// Compares bytes a primitive with the baseline.
+    Size {
+        #[command(flatten)]
+        chip: Chip,
+        /// Where cargo put the programs: `target/TARGET/release`.
+        programs: PathBuf,
+    },
+    /// Writes `docs/microcontrollers.md` from the baselines.
+    Document {
+        /// Only say whether it is as it should be.
+        #[arg(long)]
+        verify: bool,
+    },
+}
+
+/// Which baseline is meant.
+#[derive(Args)]
+pub struct Chip {
+    /// The target, as rustc names it.
+    #[arg(long)]
+    target: String,
+    /// What `rustc --version` says of the compiler that built the programs: another one than the baseline's may be up to 15 % worse.
+    #[arg(long)]
+    compiler: String,
+    /// Make what was measured the baseline.
+    #[arg(long)]
+    renew: bool,
+}
+
+fn run(command: &Command) -> Outcome {
+    match command {
+        Command::Proofs { programs } => proofs::check(programs),
+        Command::Cost { chip, output } => baseline::check(chip, baseline::Part::Cost, &cost::read(output)?),
+        Command::Size { chip, programs } => baseline::check(chip, baseline::Part::Size, &size::read(programs)?),
+        Command::Document { verify } => document::write(*verify),
+    }
+}
+
+fn main() -> ExitCode {
+    match run(&Arguments::parse().command) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}

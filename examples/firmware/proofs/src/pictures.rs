@@ -1,0 +1,61 @@
+//! Scenes, pictures, and the reader of scenes.
+
+use crate::everything::{any_ray, any_shape};
+use crate::input::{Any, any_direction, any_point, any_text, any_word, give};
+use raylet::effect::look;
+use raylet::scene::nff::{self, Corner, Counts, Stores};
+use raylet::{Camera, Color, Counters, Light, Material, Object, Picture, Scene, Size};
+
+fn any_color<S: Any>() -> Color<S> {
+    let [red, green, blue] = any_direction::<S>().to_array();
+    Color::new(red, green, blue)
+}
+
+/// A camera made from its angle.
+pub fn any_camera<S: Any>() -> Option<Camera<S>> {
+    Camera::new(any_point(), any_point(), any_point(), S::any()).ok()
+}
+
+/// Everything that can be seen.
+pub fn pictures<S: Any>(camera: Camera<S>) -> Option<()> {
+    let objects = [Object::new(any_shape::<S>()?, any_word() as u32), Object::new(any_shape::<S>()?, 0).smooth(0)];
+    let materials = [Material::matte(any_color()).with_highlight(S::any(), S::any())];
+    let lights = [Light::new(any_point(), Light::usual_strength(any_word() as u32))];
+    let normals = [[any_direction(), any_direction(), any_direction()]];
+    let scene = Scene::new(&objects, &materials, &lights, camera).ok()?;
+    let scene = scene.with_normals(&normals).ok()?.with_background(any_color());
+    let mut counters = Counters::default();
+    let ray = any_ray::<S>()?;
+    give(scene.nearest(&ray, &mut counters));
+    give(scene.occludes(&ray, &mut counters));
+    give(look(&scene, &ray, &mut counters));
+    let size = Size::new(any_word() as u16, any_word() as u16).with_samples(any_word() as u8);
+    let picture = Picture::new(&scene, size);
+    give(scene.camera().raster(size).ray([any_word() as u16, any_word() as u16], [any_word() as u8, 0]));
+    give(picture.pixel(any_word() as u16, any_word() as u16, &mut counters));
+    give(picture.render(|x, y, pixel| give((x, y, pixel.color.to_rgb888(), pixel.seen, pixel.lit_by))));
+    give((any_color::<S>().plus(any_color()), any_color::<S>().times(any_color())));
+    Some(())
+}
+
+/// The reader of the Neutral File Format.
+pub fn reader<S: Any>() -> Option<()> {
+    let mut objects = heapless::Vec::<Object<S>, 4>::new();
+    let mut materials = heapless::Vec::<Material<S>, 4>::new();
+    let mut lights = heapless::Vec::<Light<S>, 4>::new();
+    let mut normals = heapless::Vec::<_, 4>::new();
+    let mut corners = [Corner::default(); 8];
+    let stores = Stores {
+        objects: &mut objects,
+        materials: &mut materials,
+        lights: &mut lights,
+        normals: &mut normals,
+        corners: &mut corners,
+    };
+    give(Counts::of(any_text()).corners);
+    // The error is data; only its message would be text.
+    give(nff::read::<S>(any_text(), stores).is_ok());
+    give((objects.len(), materials.len(), lights.len(), normals.len()));
+    give(S::parse(any_text()));
+    Some(())
+}
