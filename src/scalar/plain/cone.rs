@@ -26,7 +26,8 @@ pub(in crate::scalar) fn nappe(o: [i32; 3], finer: i32, d: [i32; 3], [r, g, h]: 
         return Plain::Unclear;
     }
     let start = closest as i32;
-    let near = [0, 1, 2].map(|i| ((o[i] as i64) << 30) + product(start << finer, d[i]));
+    let walked = |length: i32, d: i32| ((length as i64) << 30) + product(start << finer, d);
+    let near = [walked(o[0], d[0]), walked(o[1], d[1]), walked(o[2], d[2])];
     let radius = (radius as i64) << 30;
     // Lengths on a grid on which none has more than 29 bits.
     let [hx, hy, hz] = near.map(|length| magnitude_bits(high(length)));

@@ -13,7 +13,7 @@ fn words() -> impl Iterator<Item = u64> {
 fn root_is_within_one() {
     let normalized = words().map(|n| if n >> 62 == 0 { n | 1 << 62 } else { n });
     let squares = (1 << 31..1_u64 << 32).step_by(54_321).flat_map(|n| [n * n - 1, n * n, n * n + 1]);
-    let bytes = (64..256).flat_map(|n| [n << 56, (n << 56) + (1 << 56) - 1, (n << 56) + (1 << 55)]);
+    let bytes = (64..256).flat_map(|n| [n << 56, (n << 56) | ((1 << 56) - 1), (n << 56) | (1 << 55)]);
     for n in normalized.chain(squares).chain(bytes).chain([1 << 62, u64::MAX]).filter(|n| n >> 62 != 0) {
         let got = root_of_normalized((n >> 32) as u32, n as u32);
         let floor = n.isqrt() as u32;
@@ -36,7 +36,7 @@ fn root_of_any_size_is_within_one() {
 
 #[test]
 fn reciprocal_is_at_most_one_less() {
-    let bytes = (128..256).flat_map(|n| [n << 24, (n << 24) + (1 << 24) - 1, (n << 24) + (1 << 23)]);
+    let bytes = (128..256).flat_map(|n| [n << 24, (n << 24) | ((1 << 24) - 1), (n << 24) | (1 << 23)]);
     for n in words().map(|n| n as u32 | 1 << 31).chain(bytes).chain([1 << 31, u32::MAX]) {
         let got = reciprocal_of_normalized(n) as u64;
         let quotient = (1_u64 << 63) / n as u64;

@@ -14,7 +14,8 @@ pub(in crate::scalar) fn turned(
     axes: [[i32; 3]; 3],
     d: [i32; 3],
 ) -> Option<[[i32; 3]; 2]> {
-    let from = [0, 1, 2].map(|i| o[i].wrapping_sub(position[i]));
+    let apart = |o: i32, position: i32| o.wrapping_sub(position);
+    let from = [apart(o[0], position[0]), apart(o[1], position[1]), apart(o[2], position[2])];
     // Up to 2^24 from the frame's origin on each axis, all products fit, and so does the result.
     if (magnitude_bits(from[0]) | magnitude_bits(from[1]) | magnitude_bits(from[2])) >> 24 != 0 {
         return None;
