@@ -67,6 +67,9 @@ impl ByApproach {
         if self.discriminant < 0 {
             return Plain::Miss;
         }
+        if high(self.discriminant) == 0 {
+            return Plain::Unclear;
+        }
         if self.k < 0 {
             return Plain::Found(());
         }

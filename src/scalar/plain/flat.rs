@@ -18,6 +18,10 @@ pub(in crate::scalar) fn crossings(oy: i32, finer: i32, dy: i32, [low, high]: [i
     let Some(divisor) = Normalized::new((dy as i64) << 30).map(Normalized::divisor) else {
         return Plain::Unclear;
     };
+    // A framed origin is rounded to a hundredth of a unit, which a line almost in the plane makes more of.
+    if finer != 0 && divisor.shift > 3 {
+        return Plain::Unclear;
+    }
     let above = |y: i32| ((y as i64) << finer) - oy as i64;
     let (low, high) = (above(low), above(high));
     if (low.unsigned_abs() | high.unsigned_abs()) >> 33 != 0 {
