@@ -4,7 +4,7 @@ use super::{Geometry, Line, queries, surface_coordinates as coordinates};
 use crate::arithmetic::Arithmetic;
 use crate::figure::Figure;
 use crate::part::Part;
-use crate::scalar::{Plain, PlainLine, Real, Scalar};
+use crate::scalar::{Plain, PlainLine, Real, Scalar, UnitScalar};
 use crate::span::{End, Meeting, Span};
 use crate::vector::{UnitVec3, Vec3};
 use core::marker::PhantomData;
@@ -80,8 +80,12 @@ impl<S: Scalar> Geometry<S> for Plane<S> {
     }
 
     #[inline(always)]
-    fn meet_plainly<T: Arithmetic<S>>(&self, _: &PlainLine<S>) -> Plain<Meeting<S>> {
-        Plain::Unclear
+    fn meet_plainly<T: Arithmetic<S>>(&self, line: &PlainLine<S>) -> Plain<Meeting<S>> {
+        match S::plain_crossings(*line, [S::ZERO; 2]) {
+            Plain::Found([t, _]) => Plain::Found(surface_hit(t, line.direction[1] < S::Unit::ZERO)),
+            // A line that stays in one height may lie in the plane.
+            Plain::Miss | Plain::Unclear => Plain::Unclear,
+        }
     }
 
     #[inline]
