@@ -2,7 +2,7 @@
 
 use crate::Outcome;
 use crate::baseline::Baseline;
-use crate::{cost, size};
+use crate::{cost, marks, size};
 use std::error::Error;
 use std::fmt::Write;
 use std::fs;
@@ -179,6 +179,7 @@ fn text() -> Result<String, Box<dyn Error>> {
     if let Some((_, baseline)) = chips.first() {
         let _ = write!(text, "Compiler: {}.\n\n", baseline.compiler);
     }
+    marks::table(&mut text, &chips);
     comparison(&mut text, &chips);
     for (chip, baseline) in &chips {
         one_chip(&mut text, chip, baseline);

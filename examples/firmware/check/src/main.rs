@@ -12,6 +12,7 @@ mod cost;
 mod document;
 mod elf;
 mod forbidden;
+mod marks;
 mod proofs;
 mod size;
 
