@@ -363,25 +363,31 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         if let Extent::Double = self.extent {
             return Plain::Unclear;
         }
-        let end = |t: S| End::new(t, Part::Side);
-        let side = match found!(S::plain_nappe(*line, base, growth, height)) {
-            PlainNappe::Between([low, high]) => Span::new(end(low), end(high)),
-            PlainNappe::From(t) => Span::new(end(t), End::none(S::INFINITY)),
-            PlainNappe::Until(t) => Span::new(End::none(-S::INFINITY), end(t)),
-        };
+        let PlainNappe { ends: [low, high], certain } = found!(S::plain_nappe(*line, base, growth, height));
+        let side = Span::new(End::new(low, Part::Side), End::new(high, Part::Side));
         let (Extent::Open(height) | Extent::Capped(height)) = self.extent else {
-            return Plain::Found(Meeting::One(side));
+            return if certain == [true; 2] { Plain::Found(Meeting::One(side)) } else { Plain::Unclear };
         };
-        let between = found!(plain_slab(line, S::ZERO, height));
-        if let Extent::Open(_) = self.extent {
-            return Plain::Found(between_rims(side, between));
+        let mut between = found!(plain_slab(line, S::ZERO, height));
+        if let Extent::Capped(_) = self.extent {
+            // Where the apex ends it there is no plane.
+            let (low, high) = self.planes();
+            let is_plane = |part: Part| if part == Part::Base { low.is_some() } else { high.is_some() };
+            if !is_plane(between.enter.part) {
+                between.enter = End::none(-S::INFINITY);
+            }
+            if !is_plane(between.exit.part) {
+                between.exit = End::none(S::INFINITY);
+            }
         }
-        // Where the apex ends it there is no plane.
-        let (low, high) = self.planes();
-        let is_plane = |part: Part| if part == Part::Base { low.is_some() } else { high.is_some() };
-        let enter = if is_plane(between.enter.part) { between.enter } else { End::none(-S::INFINITY) };
-        let exit = if is_plane(between.exit.part) { between.exit } else { End::none(S::INFINITY) };
-        Plain::Found(Meeting::solid(side.intersection(Span::new(enter, exit))))
+        // An end that is somewhere beyond must not be asked for.
+        if !(certain[0] || between.enter.t > low) || !(certain[1] || between.exit.t < high) {
+            return Plain::Unclear;
+        }
+        Plain::Found(match self.extent {
+            Extent::Open(_) => between_rims(side, between),
+            _ => Meeting::solid(side.intersection(between)),
+        })
     }
 
     /// Above the top and rising, or below the base and descending: no.

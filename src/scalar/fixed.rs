@@ -338,12 +338,10 @@ fixed!(FixedI32, LeEqU32, U30, Block64, Short32, i32, i64, u64, 32, 30, {
             return Plain::Unclear;
         };
         let height = if height > 0 { height } else { return Plain::Unclear };
-        let ends = found!(plain::nappe(o, line.finer, d, [base.to_bits(), growth.to_bits(), height]));
-        Plain::Found(match ends {
-            PlainNappe::Between([low, high]) => PlainNappe::Between([Self::from_bits(low), Self::from_bits(high)]),
-            PlainNappe::From(t) => PlainNappe::From(Self::from_bits(t)),
-            PlainNappe::Until(t) => PlainNappe::Until(Self::from_bits(t)),
-        })
+        let PlainNappe { ends, certain } =
+            found!(plain::nappe(o, line.finer, d, [base.to_bits(), growth.to_bits(), height]));
+        let [low, high] = ends;
+        Plain::Found(PlainNappe { ends: [Self::from_bits(low), Self::from_bits(high)], certain })
     }
     #[inline(always)]
     fn plain_height(line: PlainLine<Self>, t: Self) -> Plain<Self> {

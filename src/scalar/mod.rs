@@ -269,13 +269,11 @@ pub enum Plain<T> {
 
 /// Where a line is inside a nappe of a cone.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum PlainNappe<S> {
-    /// Between two ends.
-    Between([S; 2]),
-    /// From an end on.
-    From(S),
-    /// Up to an end.
-    Until(S),
+pub struct PlainNappe<S> {
+    /// The ends; infinite where there is none.
+    pub ends: [S; 2],
+    /// Whether the line ends there; otherwise somewhere beyond.
+    pub certain: [bool; 2],
 }
 
 /// What was found; otherwise the caller's answer is the same miss or doubt. (As `?`, and without closures, which are not surely

@@ -61,8 +61,8 @@ pub(in crate::scalar) fn nappe(o: [i32; 3], finer: i32, d: [i32; 3], [r, g, h]: 
     if discriminant < -(moment << 3) && a > 0 {
         return Plain::Miss;
     }
-    // ... and t by no more than an eighth of a unit, if the root is not small against the moment.
-    let spare = unit as i32 - 5 - a_digits.shift as i32;
+    // ... and t by no more than half a unit (in all that was measured, by a twentieth), if the root is not small against the moment.
+    let spare = unit as i32 - 3 - a_digits.shift as i32;
     if high(discriminant) <= 0 || spare < 0 {
         return Plain::Unclear;
     }
@@ -72,31 +72,28 @@ pub(in crate::scalar) fn nappe(o: [i32; 3], finer: i32, d: [i32; 3], [r, g, h]: 
     }
     let k = product(x, dx) + product(z, dz) - product(y, dy);
     let divisor = a_digits.divisor();
-    let end = |numerator: i64| {
-        let t = divisor.quotient(numerator, 30 + unit)?;
-        // Farther away, the rounding of the direction counts.
-        if magnitude_bits(t) < (1 << 24) >> divisor.shift { start.checked_add(t) } else { None }
+    // Farther away, the rounding of the direction counts.
+    let farthest = (1 << 24) >> divisor.shift;
+    let end = |numerator: i64| match divisor.quotient(numerator, 30 + unit) {
+        Some(t) if -farthest < t && t < farthest => (start.saturating_add(t), true),
+        _ if (numerator < 0) == (a < 0) => (start.saturating_add(farthest), false),
+        _ => (start.saturating_sub(farthest), false),
     };
     let first = -k - (root << 30);
     let second = (root << 30) - k;
-    if a < 0 {
+    let (low, high) = if a < 0 {
         // Steeper than the side: a half-line in each nappe; the outline grows along the one in the upper.
-        return match (dy > 0, end(if dy > 0 { first } else { second })) {
-            (true, Some(t)) => Plain::Found(PlainNappe::From(t)),
-            (false, Some(t)) => Plain::Found(PlainNappe::Until(t)),
-            _ => Plain::Unclear,
-        };
-    }
-    // The sign of the outline halfway between the ends, at t = -k / a, is that of Y a - dY k.
-    let middle = product(y, high(a << 2)) - product(dy, high(k << 2));
-    if middle.unsigned_abs() >> 34 == 0 {
-        return Plain::Unclear;
-    }
-    if middle < 0 {
-        return Plain::Miss;
-    }
-    match (end(first), end(second)) {
-        (Some(low), Some(high)) => Plain::Found(PlainNappe::Between([low, high])),
-        _ => Plain::Unclear,
-    }
+        if dy > 0 { (end(first), (i32::MAX, true)) } else { ((-i32::MAX, true), end(second)) }
+    } else {
+        // The sign of the outline halfway between the ends, at t = -k / a, is that of Y a - dY k.
+        let middle = product(y, high(a << 2)) - product(dy, high(k << 2));
+        if middle.unsigned_abs() >> 34 == 0 {
+            return Plain::Unclear;
+        }
+        if middle < 0 {
+            return Plain::Miss;
+        }
+        (end(first), end(second))
+    };
+    Plain::Found(PlainNappe { ends: [low.0, high.0], certain: [low.1, high.1] })
 }
