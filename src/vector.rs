@@ -1,6 +1,6 @@
 //! Floor 2: points, vectors and directions.
 
-use crate::scalar::{Real, Scalar, UnitScalar};
+use crate::scalar::{Plain, Real, Scalar, UnitScalar};
 use core::ops::{Add, Neg, Sub};
 
 /// A point or a vector of any length.
@@ -150,6 +150,11 @@ impl<S: Scalar> UnitVec3<S> {
     /// ```
     #[inline]
     pub fn new(v: Vec3<S>) -> Option<Self> {
+        match S::plain_direction(v.to_array()) {
+            Plain::Found(components) => return Some(Self { components }),
+            Plain::Miss => return None,
+            Plain::Unclear => {}
+        }
         if !v.to_array().iter().all(|c| c.is_finite()) {
             return None;
         }

@@ -201,11 +201,11 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
     }
 
     fn on_surface(&self, point: Vec3<S>, part: Part) -> Vec3<S> {
-        let r = self.radius.real();
         if part == Part::Side {
-            return coordinates::at_radius(point, r);
+            return coordinates::at_distance(point, |component| self.radius.along(component));
         }
-        Vec3::round(self.normal(point, part).real().map(|component| component * r)) + self.centre(part)
+        Vec3::from(self.normal(point, part).to_array().map(|component| self.radius.along(component)))
+            + self.centre(part)
     }
 
     fn normal(&self, point: Vec3<S>, part: Part) -> UnitVec3<S> {

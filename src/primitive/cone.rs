@@ -464,7 +464,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
                 } else {
                     (profile.at(point.y.real()) / profile.h).abs()
                 };
-                coordinates::at_radius(point, radius)
+                coordinates::at_distance(point, |component| S::round(S::unit_real(component) * radius))
             }
         }
     }

@@ -257,7 +257,7 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
             (Part::Top, Some(height)) => Vec3 { y: height, ..point },
             (_, height) => {
                 let point = height.map_or(point, |height| coordinates::between(point, height));
-                coordinates::at_radius(point, self.radius.real())
+                coordinates::at_distance(point, |component| self.radius.along(component))
             }
         }
     }

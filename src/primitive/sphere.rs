@@ -211,8 +211,7 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
     }
 
     fn on_surface(&self, point: Vec3<S>, part: Part) -> Vec3<S> {
-        let r = self.radius.real();
-        Vec3::round(self.normal(point, part).real().map(|component| component * r))
+        self.normal(point, part).to_array().map(|component| self.radius.along(component)).into()
     }
 
     fn normal(&self, point: Vec3<S>, _: Part) -> UnitVec3<S> {

@@ -50,12 +50,12 @@ pub(super) fn planar_tangents<S: Scalar>() -> (UnitVec3<S>, UnitVec3<S>) {
 
 /// The direction around the y axis, counter-clockwise as seen from +y; the z axis's opposite on the axis itself.
 pub(super) fn around<S: Scalar>(point: Vec3<S>) -> UnitVec3<S> {
-    UnitVec3::from_real([point.z.real(), S::Real::ZERO, -point.x.real()]).unwrap_or(-UnitVec3::Z)
+    UnitVec3::new(Vec3::new(point.z, S::ZERO, S::ZERO.minus(point.x))).unwrap_or(-UnitVec3::Z)
 }
 
 /// The direction away from the y axis; the x axis on the axis itself.
 pub(super) fn outwards<S: Scalar>(point: Vec3<S>) -> UnitVec3<S> {
-    UnitVec3::from_real([point.x.real(), S::Real::ZERO, point.z.real()]).unwrap_or(UnitVec3::X)
+    UnitVec3::new(Vec3 { y: S::ZERO, ..point }).unwrap_or(UnitVec3::X)
 }
 
 /// The point moved between the rims, should rounding have taken it beyond one.
@@ -64,8 +64,8 @@ pub(super) fn between<S: Scalar>(point: Vec3<S>, height: S) -> Vec3<S> {
     Vec3 { y: if y > S::ZERO { y } else { S::ZERO }, ..point }
 }
 
-/// The point moved to the given distance from the y axis.
-pub(super) fn at_radius<S: Scalar>(point: Vec3<S>, radius: S::Real) -> Vec3<S> {
-    let [x, _, z] = outwards(point).real();
-    Vec3::new(S::round(x * radius), point.y, S::round(z * radius))
+/// The point moved to a distance from the y axis, of which `along` tells the components.
+pub(super) fn at_distance<S: Scalar>(point: Vec3<S>, along: impl Fn(S::Unit) -> S) -> Vec3<S> {
+    let outwards = outwards(point);
+    Vec3 { x: along(outwards.x()), z: along(outwards.z()), ..point }
 }

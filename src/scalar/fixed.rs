@@ -13,11 +13,17 @@ pub const SIZE_BITS: u32 = 2;
 /// Distances of an N-bit fixed type stay below `2^(N - DISTANCE_BITS)` units.
 pub const DISTANCE_BITS: u32 = 1;
 
+/// `a * b` in 128 bits.
+#[inline(always)]
+fn product(a: i64, b: i64) -> i128 {
+    a as i128 * b as i128
+}
+
 /// Defines the implementations for one width.
 macro_rules! fixed {
     (
         $Fixed:ident, $LeEq:ident, $UnitBits:ident, $Block:ident, $Short:ident, $raw:ty, $wide:ty, $unsigned:ty,
-        $bits:literal, $unit_bits:literal, { $($plain:tt)* }
+        $bits:literal, $unit_bits:literal, $product:path, { $($plain:tt)* }
     ) => {
         impl<F: $LeEq + Send + Sync + 'static> Sealed for $Fixed<F> {}
 
@@ -126,21 +132,25 @@ macro_rules! fixed {
             }
             #[inline]
             fn approach(o: [Self; 3], base: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3] {
-                let ([ox, oy, oz], [bx, by, bz], [dx, dy, dz]) = (o, base, d);
-                [(ox, bx, dx), (oy, by, dy), (oz, bz, dz)].map(|(o, base, d)| {
-                    let from_base = $Block::new(o.to_bits() as $wide - base.to_bits() as $wide, -(F::I32));
-                    let step = $Block::new(t.to_bits() as $wide * d.to_bits() as $wide, -$unit_bits - F::I32);
-                    <Self as Scalar>::round(from_base + step)
-                })
+                let [x, y, z] = o.map(Self::to_bits);
+                let [base_x, base_y, base_z] = base.map(Self::to_bits);
+                let walked = |o: $raw, base: $raw, d: Self::Unit| {
+                    let from_base = (o as $wide - base as $wide) << $unit_bits;
+                    let sum = from_base + $product(t.to_bits(), d.to_bits());
+                    // To nearest, ties to even; beyond the type infinite.
+                    let rounding = (1 << ($unit_bits - 1)) - 1 + ((sum >> $unit_bits) & 1);
+                    let units = (sum + rounding) >> $unit_bits;
+                    match units.unsigned_abs() < <$raw>::MAX as $unsigned {
+                        true => Self::from_bits(units as $raw),
+                        false if units < 0 => Self::from_bits(-<$raw>::MAX),
+                        false => Self::INFINITY,
+                    }
+                };
+                [walked(x, base_x, d[0]), walked(y, base_y, d[1]), walked(z, base_z, d[2])]
             }
             #[inline]
             fn advance(o: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3] {
-                [0, 1, 2].map(|i| {
-                    let start = (o[i].to_bits() as $wide) << $unit_bits;
-                    let sum = $Block::new(start, -$unit_bits - F::I32)
-                        + $Block::new(t.to_bits() as $wide * d[i].to_bits() as $wide, -$unit_bits - F::I32);
-                    <Self as Scalar>::round(sum)
-                })
+                Self::approach(o, [<Self as Scalar>::ZERO; 3], d, t)
             }
             #[inline]
             fn walk(o: [Self; 3], base: [Self; 3], d: [Self::Unit; 3], t: Self) -> [[Self; 2]; 3] {
@@ -292,7 +302,15 @@ macro_rules! fixed {
     };
 }
 
-fixed!(FixedI32, LeEqU32, U30, Block64, Short32, i32, i64, u64, 32, 30, {
+fixed!(FixedI32, LeEqU32, U30, Block64, Short32, i32, i64, u64, 32, 30, plain::product, {
+    #[inline(always)]
+    fn along(self, component: Self::Unit) -> Self {
+        Self::from_bits(plain::round_off(plain::product(self.to_bits(), component.to_bits()), 30) as i32)
+    }
+    #[inline(always)]
+    fn plain_direction(v: [Self; 3]) -> Plain<[Self::Unit; 3]> {
+        Plain::Found(found!(plain::direction(v.map(Self::to_bits))).map(FixedI32::from_bits))
+    }
     #[inline(always)]
     fn plain_ball(line: PlainLine<Self>, r: Self, by_moment: bool) -> Plain<[Self; 2]> {
         let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits), r.to_bits());
@@ -361,4 +379,4 @@ fixed!(FixedI32, LeEqU32, U30, Block64, Short32, i32, i64, u64, 32, 30, {
         Plain::Found([Self::from_bits(first), Self::from_bits(second)])
     }
 });
-fixed!(FixedI64, LeEqU64, U62, Block128, Short64, i64, i128, u128, 64, 62, {});
+fixed!(FixedI64, LeEqU64, U62, Block128, Short64, i64, i128, u128, 64, 62, product, {});

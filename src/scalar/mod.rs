@@ -167,6 +167,17 @@ pub trait Scalar:
     /// that is not finite. Right for every length, from the smallest to the largest.
     fn normalize(v: [Self::Real; 3]) -> Option<([Self::Unit; 3], Self::Real)>;
 
+    /// The vector's direction, as [`Scalar::normalize`] has it or next to that; a miss for the zero vector.
+    #[inline(always)]
+    fn plain_direction(_: [Self; 3]) -> Plain<[Self::Unit; 3]> {
+        Plain::Unclear
+    }
+    /// This length along a direction: `self` times its component, rounded once.
+    #[inline(always)]
+    fn along(self, component: Self::Unit) -> Self {
+        Self::round(self.real() * Self::unit_real(component))
+    }
+
     /// How far to walk along a ray before solving, when its origin is so far away that products of its
     /// coordinates would round away what matters; `None` where that cannot happen.
     ///

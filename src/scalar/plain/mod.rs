@@ -11,6 +11,7 @@
 
 mod ball;
 mod cone;
+mod direction;
 mod flat;
 mod quotient;
 mod round;
@@ -18,6 +19,7 @@ mod turned;
 
 pub(super) use ball::{ByApproach, ByMoment};
 pub(super) use cone::nappe;
+pub(super) use direction::direction;
 pub(super) use flat::{crossings, height, lowered};
 pub(super) use round::tube;
 pub(super) use turned::{FINER, turned};
@@ -25,7 +27,7 @@ pub(super) use turned::{FINER, turned};
 /// `a * b` in 64 bits.
 #[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
 #[inline(always)]
-fn product(a: i32, b: i32) -> i64 {
+pub(super) fn product(a: i32, b: i32) -> i64 {
     a as i64 * b as i64
 }
 
@@ -33,7 +35,7 @@ fn product(a: i32, b: i32) -> i64 {
 /// (Warren, *Hacker's Delight*, 8-2).
 #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
 #[inline(always)]
-fn product(a: i32, b: i32) -> i64 {
+pub(super) fn product(a: i32, b: i32) -> i64 {
     let (al, ah, bl, bh) = (a & 0xffff, a >> 16, b & 0xffff, b >> 16);
     let low = al.wrapping_mul(bl) as u32;
     let first = ah.wrapping_mul(bl).wrapping_add((low >> 16) as i32);
@@ -105,29 +107,37 @@ const RECIPROCAL: [u8; 256] = {
     table
 };
 
-/// The square root of `high * 2^32 + low`, which must have one of its two top bits set: rounded down, or one less.
-///
-/// A table for 8 bits of the reciprocal root, a Newton step to 14, then the root by two steps with that reciprocal: remainder over
-/// twice the root (Markstein, *IA-64 and Elementary Functions*, 2000, chapter 8, here in integers). Multiplications only.
-#[inline]
-fn root_of_normalized(high: u32, low: u32) -> u32 {
-    // m = high / 2^32 in [1/4, 1); y = 1 / sqrt(m) in (1, 2], in units of 2^-8
+/// `1 / sqrt(m)` in units of 2^-16, to 14 bits and never more, for `m = high / 2^32` in [1/4, 1): by a table for 8 bits and a Newton
+/// step.
+#[inline(always)]
+fn reciprocal_root(high: u32) -> u32 {
+    // y = 1 / sqrt(m) in (1, 2], in units of 2^-8
     let y = 256 + RECIPROCAL_ROOT[(high >> 24) as usize] as u32;
     // 1 - m y^2 in units of 2^-32, below 2^-6 in magnitude: the product wraps around one.
     let lack = (high >> 16).wrapping_mul(y * y).wrapping_neg() as i32;
-    // y (1 + lack / 2), in units of 2^-16
-    let y = ((y << 8) as i32).wrapping_add((y as i32).wrapping_mul(lack >> 10) >> 15);
+    // y (1 + lack / 2)
+    ((y << 8) as i32).wrapping_add((y as i32).wrapping_mul(lack >> 10) >> 15) as u32
+}
+
+/// The square root of `high * 2^32 + low`, which must have one of its two top bits set: rounded down, or one less.
+///
+/// A reciprocal root of 14 bits, then the root by two steps with that: remainder over twice the root (Markstein, *IA-64 and
+/// Elementary Functions*, 2000, chapter 8, here in integers). Multiplications only.
+#[inline]
+fn root_of_normalized(high: u32, low: u32) -> u32 {
+    // m = high / 2^32
+    let y = reciprocal_root(high);
     // sqrt(m) = m y, in units of 2^-16; never more than it, since m is rounded down, and so is y.
-    let root = (high >> 16).wrapping_mul(y as u32 >> 1) >> 15;
+    let root = (high >> 16).wrapping_mul(y >> 1) >> 15;
     // (m - root^2) / (2 root), in units of 2^-32. The step can go too far by a few: 32 less is surely too little.
     let rest = (high.wrapping_sub(root * root) << 11) | (low >> 21);
-    let step = (high_product(rest, y as u32) << 4) | (rest.wrapping_mul(y as u32) >> 28);
+    let step = (high_product(rest, y) << 4) | (rest.wrapping_mul(y) >> 28);
     let root = ((root << 16) + step).wrapping_sub(32);
     // Once more, for the last bits.
     let (below, borrow) = low.overflowing_sub(root.wrapping_mul(root));
     let above = high.wrapping_sub(high_product(root, root)).wrapping_sub(borrow as u32);
     let rest = (above << 11) | (below >> 21);
-    root.saturating_add(rest.wrapping_mul(y as u32 >> 4) >> 24)
+    root.saturating_add(rest.wrapping_mul(y >> 4) >> 24)
 }
 
 /// The square root of a number of at least 2^32 and below 2^62, to within one.
@@ -212,7 +222,7 @@ const fn high(n: i64) -> i32 {
 
 /// `n * 2^-shift` rounded to nearest, ties to even: a line turned around has the negative ends.
 #[inline(always)]
-const fn round_off(n: i64, shift: u32) -> i64 {
+pub(super) const fn round_off(n: i64, shift: u32) -> i64 {
     let odd = (n >> shift) & 1;
     (n + ((1 << (shift - 1)) - 1) + odd) >> shift
 }

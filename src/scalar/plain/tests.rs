@@ -1,4 +1,5 @@
 use super::*;
+use crate::scalar::Plain;
 
 /// Words of all sizes.
 fn words() -> impl Iterator<Item = u64> {
@@ -47,4 +48,30 @@ fn reciprocal_is_at_most_one_less() {
 #[test]
 fn half_a_unit_is_rounded_to_even() {
     assert_eq!([-6, -5, -3, -2, -1, 0, 1, 2, 3, 5, 6].map(|n| round_off(n, 1)), [-3, -2, -2, -1, 0, 0, 0, 1, 2, 2, 3]);
+}
+
+#[test]
+fn directions_are_within_a_hair_of_half_a_unit() {
+    let all = [i32::MIN, i32::MAX, -1 << 30, (-1 << 30) - 1, 1 << 30, (1 << 30) - 1, 1, 0, -1, 3, -4];
+    let special = all.into_iter().flat_map(|x| all.into_iter().flat_map(move |y| all.map(move |z| [x, y, z])));
+    let shrunk = |word: u64, by: u64| word as i32 >> (by % 31);
+    let mixed = words().zip(words().skip(1)).map(|(a, b)| {
+        let by = a >> 40;
+        [shrunk(a, by % 3), shrunk(b, by / 3 % 5), shrunk(b >> 32, by / 15)].map(|c| shrunk(c as u64, 2 + by % 29))
+    });
+    for v in special.chain(mixed) {
+        let Plain::Found(got) = direction(v) else {
+            let large = v.iter().any(|&c| !(-1 << 30..1 << 30).contains(&c));
+            assert!(large || v == [0; 3], "no direction of {v:?}");
+            continue;
+        };
+        let exact = v.map(f64::from);
+        let length = exact.iter().map(|c| c * c).sum::<f64>().sqrt();
+        for (got, exact) in got.iter().zip(exact) {
+            let error = (f64::from(*got) - exact / length * f64::from(1 << 30)).abs();
+            assert!(error <= 0.51, "{v:?} has the direction {got}, {error} off");
+        }
+        let Plain::Found(mirrored) = direction(v.map(|c| -c)) else { continue };
+        assert_eq!(mirrored, got.map(|c| -c), "{v:?}");
+    }
 }
