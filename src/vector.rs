@@ -164,7 +164,7 @@ impl<S: Scalar> UnitVec3<S> {
     /// The direction of a vector that is still in the computing number.
     #[inline]
     pub fn from_real(v: [S::Real; 3]) -> Option<Self> {
-        S::normalize(v).map(|(components, _)| Self { components })
+        S::direction(v).map(|components| Self { components })
     }
 
     /// The direction with these stored components, if their length is 1 within 2^-20; for tables and for tests that

@@ -307,6 +307,15 @@ fixed!(FixedI32, LeEqU32, U30, Block64, Short32, i32, i64, u64, 32, 30, plain::p
     fn along(self, component: Self::Unit) -> Self {
         Self::from_bits(plain::round_off(plain::product(self.to_bits(), component.to_bits()), 30) as i32)
     }
+    #[inline]
+    fn direction(v: [Block64; 3]) -> Option<[Self::Unit; 3]> {
+        // Rounded to 31 bits of the longest component, which is another half a unit.
+        match Self::plain_direction(Self::finest(v).0) {
+            Plain::Found(direction) => Some(direction),
+            Plain::Miss => None,
+            Plain::Unclear => Self::normalize(v).map(|(direction, _)| direction),
+        }
+    }
     #[inline(always)]
     fn plain_direction(v: [Self; 3]) -> Plain<[Self::Unit; 3]> {
         Plain::Found(found!(plain::direction(v.map(Self::to_bits))).map(FixedI32::from_bits))

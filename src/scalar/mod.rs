@@ -167,7 +167,12 @@ pub trait Scalar:
     /// that is not finite. Right for every length, from the smallest to the largest.
     fn normalize(v: [Self::Real; 3]) -> Option<([Self::Unit; 3], Self::Real)>;
 
-    /// The vector's direction, as [`Scalar::normalize`] has it or next to that; a miss for the zero vector.
+    /// The direction alone, which may be next to the one of [`Scalar::normalize`].
+    #[inline]
+    fn direction(v: [Self::Real; 3]) -> Option<[Self::Unit; 3]> {
+        Self::normalize(v).map(|(direction, _)| direction)
+    }
+    /// The direction of a vector in this type, as [`Scalar::normalize`] has it or next to that; a miss for the zero vector.
     #[inline(always)]
     fn plain_direction(_: [Self; 3]) -> Plain<[Self::Unit; 3]> {
         Plain::Unclear
