@@ -94,6 +94,17 @@ fn find<S: Certain, N: Of<S>>(figure: &Figure<S>, place: &impl Place<S>, ray: &R
 /// The hits, and what they took.
 #[inline]
 pub(crate) fn hits<S: Certain>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> (Hits<S>, Effort) {
+    if S::LOOKS_QUICKLY
+        && let Some(found) = find::<S, S::Quick>(figure, place, ray)
+    {
+        return (found.hits(ray.range()), Effort::Filter);
+    }
+    hits_by_filter(figure, place, ray)
+}
+
+/// Apart from the quick look, so that this stays short.
+#[inline(never)]
+fn hits_by_filter<S: Certain>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> (Hits<S>, Effort) {
     match find::<S, S::Filter>(figure, place, ray) {
         Some(found) => (found.hits(ray.range()), Effort::Filter),
         None => (hits_in_integers(figure, place, ray), Effort::Integers),

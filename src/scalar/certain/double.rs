@@ -57,6 +57,12 @@ impl Double {
             && (self.value.abs() > SHORT_FROM || self.value == 0.0)
     }
 
+    /// Within this error.
+    #[inline(always)]
+    pub(super) const fn within(value: f64, error: f64) -> Self {
+        Self { value, error }
+    }
+
     /// Within the rounding of one operation, or of the end of the exponent range.
     pub(super) const fn rounded_once(value: f64) -> Self {
         let floor = if value.abs() < UNDERFLOW { UNDERFLOW } else { 0.0 };
@@ -183,6 +189,8 @@ impl FromScalar<f32> for Double {
 }
 
 impl Certain for f32 {
+    const LOOKS_QUICKLY: bool = true;
+    type Quick = super::quick::Quick;
     type Filter = Double;
     type Integer = super::integer::Integer<{ super::FLOAT_LIMBS }>;
 

@@ -2,6 +2,7 @@
 //!
 //! | room | what it holds |
 //! |---|---|
+//! | `quick` | the first look of `f32`: doubles that keep the size of what went into them |
 //! | `double` | the filter of `f32`: doubles that know their error |
 //! | `wide` | the filter of the 32-bit fixed types: 128-bit blocks that know theirs |
 //! | `integer` | what decides when the filter cannot tell |
@@ -13,6 +14,8 @@ use core::ops::{Add, Mul, Neg, Sub};
 #[cfg(feature = "libm")]
 mod double;
 mod integer;
+#[cfg(feature = "libm")]
+mod quick;
 #[cfg(feature = "fixed")]
 mod wide;
 
@@ -69,6 +72,10 @@ pub trait FromScalar<S: Scalar>: Number {
 
 /// A scalar that has an exact tier.
 pub trait Certain: Scalar {
+    /// Whether there is a look that is quicker than the filter.
+    const LOOKS_QUICKLY: bool;
+    /// What is asked before the filter.
+    type Quick: Number<Estimate = Self::Filter> + FromScalar<Self>;
     /// What decides nearly always.
     type Filter: Estimate + FromScalar<Self>;
     /// What decides when the filter cannot tell: wide enough for every polynomial of the solvers.

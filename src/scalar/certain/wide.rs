@@ -162,6 +162,8 @@ impl<F: LeEqU32 + Send + Sync + 'static> FromScalar<FixedI32<F>> for Wide {
 }
 
 impl<F: LeEqU32 + Send + Sync + 'static> Certain for FixedI32<F> {
+    const LOOKS_QUICKLY: bool = false;
+    type Quick = Wide;
     type Filter = Wide;
     type Integer = super::integer::Integer<{ super::FIXED_LIMBS }>;
 
