@@ -2,14 +2,15 @@
 
 use super::form::{Form, Line, cross, difference};
 use super::found::Found;
-use super::solve::{End, Fraction, Inside, Interval, Of, Place, Quadratic, piece, times};
+use super::solve::{End, Fraction, Inside, Interval, Of, Quadratic, piece, times};
+use crate::part::Part;
 use crate::ray::Range;
 use crate::scalar::certain::{Certain, Number, dot};
 use core::cmp::Ordering;
 
 /// The one crossing of a plane at `t`, from the front if the direction runs against the normal.
 fn crossing<S: Certain, N: Of<S>>(t: Fraction<N>, along_normal: Ordering, range: Range<S>) -> Option<Found<S>> {
-    let end = Some(End::side(Place::At(t)));
+    let end = Some(End::at(t, Part::Side));
     let interval = if along_normal == Ordering::Less { Interval::new(end, None) } else { Interval::new(None, end) };
     Some(Found::Surface(piece(None, interval, range)?))
 }
@@ -28,20 +29,19 @@ pub(super) fn plane<S: Certain, N: Of<S>>(line: &Line<N>, range: Range<S>) -> Op
 
 /// The disc of this radius in the plane `y = 0`.
 pub(super) fn disc<S: Certain, N: Of<S>>(line: &Line<N>, r: N, range: Range<S>) -> Option<Found<S>> {
-    let found = plane(line, range)?;
-    match found {
-        Found::Surface(..) => {
-            // |p|^2 <= r^2 where the line crosses the plane, times dy^2.
-            let [wx, _, wz] = cross(line.origin, line.direction);
-            let reach = r * line.direction[1];
-            let outside = (wx * wx + wz * wz - reach * reach).sign()? == Ordering::Greater;
-            Some(if outside { Found::Miss } else { found })
-        }
+    if line.direction[1].sign()? != Ordering::Equal {
+        // |p|^2 <= r^2 where the line crosses the plane, times dy^2.
+        let [wx, _, wz] = cross(line.origin, line.direction);
+        let reach = r * line.direction[1];
+        let outside = (wx * wx + wz * wz - reach * reach).sign()? == Ordering::Greater;
+        return if outside { Some(Found::Miss) } else { plane(line, range) };
+    }
+    match plane(line, range)? {
         Found::LiesIn(..) => {
             let chord = Quadratic::new(Form::Tube { r }, line)?;
             Some(match chord.inside()? {
                 Inside::Between(touch) => {
-                    let [enter, exit] = [Place::First, Place::Second].map(|place| Some(End::side(place)));
+                    let [enter, exit] = chord.ends().map(Some);
                     Found::LiesIn(piece(Some(&chord), Interval { enter, exit, touch }, range)?)
                 }
                 _ => Found::Miss,
@@ -119,6 +119,6 @@ fn lies_in<S: Certain, N: Of<S>>(
     {
         return Some(Found::Miss);
     }
-    let end = |t: Fraction<N>| End::side(Place::At(t));
+    let end = |t: Fraction<N>| End::at(t, Part::Side);
     Some(Found::LiesIn(piece(None, Interval::new(enter.map(end), exit.map(end)), range)?))
 }

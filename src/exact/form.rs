@@ -39,6 +39,7 @@ pub(super) enum Weight<N> {
 
 impl<N: Number> Weight<N> {
     /// The number times the weight.
+    #[inline(always)]
     fn times(self, number: N) -> N {
         match self {
             Self::Zero => N::ZERO,
@@ -71,6 +72,7 @@ impl<N: Number> Form<N> {
     }
 
     /// The outline `g0 w + g1 y`; constant but for a cone.
+    #[inline(always)]
     pub(super) fn outline(self, p: Homogeneous<N>) -> N {
         match self {
             Self::Ball { r } | Self::Tube { r } => p.w.times(r),
@@ -79,6 +81,7 @@ impl<N: Number> Form<N> {
     }
 
     /// `f(p, q)`
+    #[inline(always)]
     pub(super) fn of(self, p: Homogeneous<N>, q: Homogeneous<N>) -> N {
         let ([x, y, z], [u, v, w]) = (p.v, q.v);
         match self {
@@ -92,6 +95,7 @@ impl<N: Number> Form<N> {
     }
 
     /// `k^2 - a c` along the line, from the moment `w = o x d`: Lagrange's identity in the metric of the form.
+    #[inline(always)]
     pub(super) fn discriminant(self, line: &Line<N>) -> N {
         let ([x, _, z], [dx, _, dz]) = (line.origin, line.direction);
         match self {

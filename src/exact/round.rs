@@ -9,15 +9,17 @@ use crate::ray::Range;
 use crate::scalar::certain::{Certain, Number};
 use core::cmp::Ordering;
 
-fn between<N>(touch: bool) -> Interval<N> {
-    Interval { enter: Some(End::side(Place::First)), exit: Some(End::side(Place::Second)), touch }
+#[inline(always)]
+fn between<N: Number>(quadratic: &Quadratic<'_, N>, touch: bool) -> Interval<N> {
+    let [first, second] = quadratic.ends();
+    Interval { enter: Some(first), exit: Some(second), touch }
 }
 
 /// The ball about the origin.
 pub(super) fn ball<S: Certain, N: Of<S>>(line: &Line<N>, r: N, range: Range<S>) -> Option<Found<S>> {
     let quadratic = Quadratic::new(Form::Ball { r }, line)?;
     Some(match quadratic.inside()? {
-        Inside::Between(touch) => Found::One(piece(Some(&quadratic), between(touch), range)?),
+        Inside::Between(touch) => Found::One(piece(Some(&quadratic), between(&quadratic, touch), range)?),
         // a > 0: no other case.
         _ => Found::Miss,
     })
@@ -26,40 +28,41 @@ pub(super) fn ball<S: Certain, N: Of<S>>(line: &Line<N>, r: N, range: Range<S>) 
 /// Both nappes of a cone about its apex at the origin.
 pub(super) fn double_cone<S: Certain, N: Of<S>>(line: &Line<N>, slope: N, range: Range<S>) -> Option<Found<S>> {
     let quadratic = Quadratic::new(Form::slope(slope), line)?;
-    let (first, second) = (Some(End::side(Place::First)), Some(End::side(Place::Second)));
+    let ends = || quadratic.ends().map(Some);
     let one = |interval: Interval<N>| Some(Found::One(piece(Some(&quadratic), interval, range)?));
     match quadratic.inside()? {
         Inside::Nowhere => Some(Found::Miss),
-        Inside::Between(touch) => one(between(touch)),
+        Inside::Between(touch) => one(between(&quadratic, touch)),
         Inside::Beyond => {
+            let [first, second] = ends();
             let [until, from] = [Interval::new(None, first), Interval::new(second, None)];
             let first = piece(Some(&quadratic), until, range)?;
             let mut second = piece(Some(&quadratic), from, range)?;
             second.enter = second.enter.map(|enter| enter.not_before(first.exit));
             Some(Found::Two(first, second))
         }
-        Inside::Until => one(Interval::new(None, first)),
-        Inside::From => one(Interval::new(first, None)),
+        Inside::Until => one(Interval::new(None, ends()[0])),
+        Inside::From => one(Interval::new(ends()[0], None)),
         Inside::Everywhere | Inside::InSurface => Some(Found::LiesIn(piece(None, Interval::<N>::EVERYWHERE, range)?)),
     }
 }
 
 /// What is left of the line, or of an interval.
-enum Cut<N> {
+enum Cut<N: Number> {
     Nothing,
     Piece(Interval<N>),
 }
 
 /// The piece of the line with `low <= y <= high`; its ends bear the parts of the two planes.
+#[inline(always)]
 fn slab<N: Number>(line: &Line<N>, low: Option<N>, high: Option<N>) -> Option<Cut<N>> {
     let (y, dy) = (line.origin[1], line.direction[1]);
-    let end = |bound: Option<N>, part: Part| {
-        bound.map(|bound| End { place: Place::At(Fraction { n: bound - y, e: dy }), part })
-    };
-    let (base, top) = (end(low, Part::Base), end(high, Part::Top));
+    let end = |bound: Option<N>, part: Part| bound.map(|bound| End::at(Fraction { n: bound - y, e: dy }, part));
+    let base = || end(low, Part::Base);
+    let top = || end(high, Part::Top);
     Some(match dy.sign()? {
-        Ordering::Greater => Cut::Piece(Interval::new(base, top)),
-        Ordering::Less => Cut::Piece(Interval::new(top, base)),
+        Ordering::Greater => Cut::Piece(Interval::new(base(), top())),
+        Ordering::Less => Cut::Piece(Interval::new(top(), base())),
         Ordering::Equal => {
             let is_below = match low {
                 Some(low) => (y - low).sign()? == Ordering::Less,
@@ -75,7 +78,7 @@ fn slab<N: Number>(line: &Line<N>, low: Option<N>, high: Option<N>) -> Option<Cu
 }
 
 /// The line inside a side: in an interval, or along it.
-enum Within<N> {
+enum Within<N: Number> {
     Nowhere,
     In(Interval<N>),
     /// All of the interval is on the side.
@@ -83,53 +86,47 @@ enum Within<N> {
 }
 
 /// Where the line is inside a side. Of a cone only the nappe counts in which the outline is positive.
+#[inline(always)]
 fn within<N: Number>(quadratic: &Quadratic<'_, N>, side: Form<N>, line: &Line<N>) -> Option<Within<N>> {
     let is_cone = matches!(side, Form::Cone { .. });
     let g = side.outline(Homogeneous { v: line.origin, w: Weight::One });
     let slope = side.outline(Homogeneous { v: line.direction, w: Weight::Zero });
-    let from = |place: Place<N>| Within::In(Interval::new(Some(End::side(place)), None));
-    let until = |place: Place<N>| Within::In(Interval::new(None, Some(End::side(place))));
+    let from = |end: End<N>| Within::In(Interval::new(Some(end), None));
+    let until = |end: End<N>| Within::In(Interval::new(None, Some(end)));
     Some(match quadratic.inside()? {
         Inside::Nowhere => Within::Nowhere,
         Inside::Between(touch) => {
             // The outline at the vertex t = -k/a, which lies between the roots, has the sign of the nappe.
             let lower = is_cone && (g * quadratic.a - slope * quadratic.k).sign()? == Ordering::Less;
-            if lower { Within::Nowhere } else { Within::In(between(touch)) }
+            if lower { Within::Nowhere } else { Within::In(between(quadratic, touch)) }
         }
         // Steeper than the side: one half-line in each nappe; the outline grows with t if it rises.
-        Inside::Beyond if slope.sign()? == Ordering::Greater => from(Place::Second),
-        Inside::Beyond => until(Place::First),
+        Inside::Beyond if slope.sign()? == Ordering::Greater => from(quadratic.ends()[1]),
+        Inside::Beyond => until(quadratic.ends()[0]),
         // Parallel to a generator: one half-line, in the nappe into which it leads.
-        Inside::From if slope.sign()? == Ordering::Greater => from(Place::First),
-        Inside::Until if slope.sign()? == Ordering::Less => until(Place::First),
+        Inside::From if slope.sign()? == Ordering::Greater => from(quadratic.ends()[0]),
+        Inside::Until if slope.sign()? == Ordering::Less => until(quadratic.ends()[0]),
         Inside::From | Inside::Until => Within::Nowhere,
         Inside::Everywhere => Within::In(Interval::EVERYWHERE),
         Inside::InSurface => {
-            let apex = Some(End::side(Place::At(Fraction { n: -g, e: slope })));
+            let apex = || Some(End::at(Fraction { n: -g, e: slope }, Part::Side));
             Within::Along(match slope.sign()? {
                 Ordering::Equal => Interval::EVERYWHERE,
-                Ordering::Greater => Interval::new(apex, None),
-                Ordering::Less => Interval::new(None, apex),
+                Ordering::Greater => Interval::new(apex(), None),
+                Ordering::Less => Interval::new(None, apex()),
             })
         }
     })
 }
 
-/// How two ends compare, of which the second is no root.
-fn order<N: Number>(quadratic: &Quadratic<'_, N>, end: End<N>, plane: End<N>) -> Option<Ordering> {
-    match plane.place {
-        Place::At(t) => quadratic.order(end.place, t),
-        Place::First | Place::Second => None,
-    }
-}
-
 /// The side's interval between the planes (rule 1 of the contract: one interval). Where the side and a plane end it at
 /// the same point, that is a rim, which the side owns (rule 5).
+#[inline(always)]
 fn clip<N: Number>(quadratic: &Quadratic<'_, N>, side: Interval<N>, caps: Interval<N>) -> Option<Cut<N>> {
     let choose = |own: Option<End<N>>, cap: Option<End<N>>, cap_counts: Ordering| {
         Some(match (own, cap) {
             (None, end) | (end, None) => end,
-            (Some(own), Some(cap)) if order(quadratic, own, cap)? == cap_counts => Some(cap),
+            (Some(own), Some(cap)) if quadratic.order(&own, &cap)? == cap_counts => Some(cap),
             (own, _) => own,
         })
     };
@@ -139,9 +136,8 @@ fn clip<N: Number>(quadratic: &Quadratic<'_, N>, side: Interval<N>, caps: Interv
         return Some(Cut::Piece(Interval { enter, exit, touch: side.touch }));
     };
     let lengths = match (first.place, last.place) {
-        (Place::First | Place::Second, Place::At(t)) => quadratic.order(first.place, t)?,
-        (Place::At(t), Place::First | Place::Second) => quadratic.order(last.place, t)?.reverse(),
-        (Place::At(t), Place::At(u)) => t.order(u)?,
+        (_, Place::At(_)) => quadratic.order(&first, &last)?,
+        (Place::At(_), _) => quadratic.order(&last, &first)?.reverse(),
         // The roots are in order.
         _ => Ordering::Less,
     };
@@ -149,8 +145,7 @@ fn clip<N: Number>(quadratic: &Quadratic<'_, N>, side: Interval<N>, caps: Interv
         Ordering::Greater => Cut::Nothing,
         Ordering::Less => Cut::Piece(Interval { enter, exit, touch: side.touch }),
         Ordering::Equal => {
-            let rim = |end: End<N>| Some(End::side(end.place));
-            Cut::Piece(Interval { enter: rim(first), exit: rim(last), touch: true })
+            Cut::Piece(Interval { enter: Some(first.of_side()), exit: Some(last.of_side()), touch: true })
         }
     })
 }
@@ -181,8 +176,8 @@ pub(super) fn round<S: Certain, N: Of<S>>(
                 return Some(Found::Miss);
             };
             // Its ends lie on rims, which are the side's.
-            let side = |end: Option<End<N>>| end.map(|end| End::side(end.place));
-            let interval = Interval { enter: side(interval.enter), exit: side(interval.exit), ..interval };
+            let [enter, exit] = [interval.enter, interval.exit].map(|end| end.map(End::of_side));
+            let interval = Interval { enter, exit, ..interval };
             let piece = piece(Some(&quadratic), interval, range)?;
             Some(if is_closed { Found::One(piece) } else { Found::LiesIn(piece) })
         }
@@ -190,7 +185,7 @@ pub(super) fn round<S: Certain, N: Of<S>>(
             let on_surface = |end: Option<End<N>>| {
                 let Some(end) = end else { return Some(None) };
                 let reaches = |cap: Option<End<N>>, beyond: Ordering| match cap {
-                    Some(cap) => Some(order(&quadratic, end, cap)? != beyond),
+                    Some(cap) => Some(quadratic.order(&end, &cap)? != beyond),
                     None => Some(true),
                 };
                 let reached = reaches(caps.enter, Ordering::Less)? && reaches(caps.exit, Ordering::Greater)?;
@@ -224,32 +219,32 @@ pub(super) fn capsule<S: Certain, N: Of<S>>(line: &Line<N>, r: N, height: N, ran
     let tube = Quadratic::new(Form::Tube { r }, line)?;
     let (y, dy) = (line.origin[1], line.direction[1]);
     let interval = match tube.inside()? {
-        Inside::Between(touch) => between(touch),
+        Inside::Between(touch) => between(&tube, touch),
         Inside::Everywhere => Interval::EVERYWHERE,
         // From seam to seam, where the balls touch the line; without a side they touch it at one point.
         Inside::InSurface => {
             let Cut::Piece(seams) = slab(line, Some(N::ZERO), Some(height))? else {
                 return Some(Found::Miss);
             };
-            let side = |end: Option<End<N>>| end.map(|end| End::side(end.place));
             let touch = height.sign()? == Ordering::Equal;
-            let interval = Interval { enter: side(seams.enter), exit: side(seams.exit), touch };
+            let [enter, exit] = [seams.enter, seams.exit].map(|end| end.map(End::of_side));
+            let interval = Interval { enter, exit, touch };
             return Some(Found::One(piece(None, interval, range)?));
         }
         _ => return Some(Found::Miss),
     };
     let climb = dy.sign()?;
     // How the height of a root of the tube compares with a seam's.
-    let beside = |place: Place<N>, seam: N| match climb {
+    let beside = |end: &End<N>, seam: N| match climb {
         Ordering::Equal => (y - seam).sign(),
-        _ => Some(times(tube.order(place, Fraction { n: seam - y, e: dy })?, climb)),
+        _ => Some(times(tube.order(end, &End::at(Fraction { n: seam - y, e: dy }, Part::Side))?, climb)),
     };
     let end = |end: Option<End<N>>, entering: bool| -> Option<Option<(Settled<S>, bool)>> {
         let part = match end {
             Some(end) => {
-                if beside(end.place, N::ZERO)? == Ordering::Less {
+                if beside(&end, N::ZERO)? == Ordering::Less {
                     Part::Base
-                } else if beside(end.place, height)? == Ordering::Greater {
+                } else if beside(&end, height)? == Ordering::Greater {
                     Part::Top
                 } else {
                     return Some(Some((settle(Some(&tube), end, range)?, interval.touch)));
@@ -264,8 +259,9 @@ pub(super) fn capsule<S: Certain, N: Of<S>>(line: &Line<N>, r: N, height: N, ran
         let Inside::Between(touch) = ball.inside()? else {
             return Some(None);
         };
-        let place = if entering { Place::First } else { Place::Second };
-        Some(Some((settle(Some(&ball), End { place, part }, range)?, touch)))
+        let [first, second] = ball.ends();
+        let end = End { part, ..if entering { first } else { second } };
+        Some(Some((settle(Some(&ball), end, range)?, touch)))
     };
     let Some((enter, touches)) = end(interval.enter, true)? else {
         return Some(Found::Miss);

@@ -45,29 +45,38 @@ pub(super) enum Place<N> {
     At(Fraction<N>),
 }
 
-/// A place and the part of the surface that it lies on.
+/// A place, its parameter approximately, and the part of the surface that it lies on.
 #[derive(Clone, Copy)]
-pub(super) struct End<N> {
+pub(super) struct End<N: Number> {
     pub(super) place: Place<N>,
+    pub(super) t: N::Estimate,
     pub(super) part: Part,
 }
 
-impl<N> End<N> {
-    pub(super) const fn side(place: Place<N>) -> Self {
-        Self { place, part: Part::Side }
+impl<N: Number> End<N> {
+    /// Where the line crosses a plane.
+    #[inline(always)]
+    pub(super) fn at(t: Fraction<N>, part: Part) -> Self {
+        let ([n, e, _], _) = N::together([t.n, t.e, N::ZERO], N::ZERO);
+        Self { place: Place::At(t), t: n.over(e), part }
+    }
+
+    /// The same place, as one of the side's.
+    pub(super) fn of_side(self) -> Self {
+        Self { part: Part::Side, ..self }
     }
 }
 
 /// A piece of the line inside a convex set; an end that is missing is infinitely far away.
 #[derive(Clone, Copy)]
-pub(super) struct Interval<N> {
+pub(super) struct Interval<N: Number> {
     pub(super) enter: Option<End<N>>,
     pub(super) exit: Option<End<N>>,
     /// The two ends are one point.
     pub(super) touch: bool,
 }
 
-impl<N> Interval<N> {
+impl<N: Number> Interval<N> {
     pub(super) const EVERYWHERE: Self = Self { enter: None, exit: None, touch: false };
 
     pub(super) const fn new(enter: Option<End<N>>, exit: Option<End<N>>) -> Self {
@@ -103,6 +112,7 @@ pub(super) struct Quadratic<'a, N> {
 }
 
 impl<'a, N: Number> Quadratic<'a, N> {
+    #[inline(always)]
     pub(super) fn new(form: Form<N>, line: &'a Line<N>) -> Option<Self> {
         let o = Homogeneous { v: line.origin, w: Weight::One };
         let d = Homogeneous { v: line.direction, w: Weight::Zero };
@@ -111,6 +121,7 @@ impl<'a, N: Number> Quadratic<'a, N> {
         Some(Self { form, line, a, k, c, discriminant, a_sign, discriminant_sign })
     }
 
+    #[inline(always)]
     pub(super) fn inside(&self) -> Option<Inside> {
         Some(match (self.a_sign, self.discriminant_sign) {
             (Ordering::Greater, Ordering::Less) => Inside::Nowhere,
@@ -126,8 +137,19 @@ impl<'a, N: Number> Quadratic<'a, N> {
         })
     }
 
+    /// How the end compares with another, which is no root.
+    #[inline(always)]
+    pub(super) fn order(&self, end: &End<N>, other: &End<N>) -> Option<Ordering> {
+        // Seldom so close that approximately does not do.
+        (end.t - other.t).sign().or_else(|| match other.place {
+            Place::At(t) => self.order_for_certain(end.place, t),
+            Place::First | Place::Second => None,
+        })
+    }
+
     /// How the place compares with the parameter `t`.
-    pub(super) fn order(&self, place: Place<N>, t: Fraction<N>) -> Option<Ordering> {
+    #[inline(never)]
+    fn order_for_certain(&self, place: Place<N>, t: Fraction<N>) -> Option<Ordering> {
         let second = match place {
             Place::At(own) => return own.order(t),
             Place::First => false,
@@ -169,40 +191,38 @@ impl<'a, N: Number> Quadratic<'a, N> {
         })
     }
 
-    /// The place's parameter, approximately.
-    pub(super) fn estimate(&self, place: Place<N>) -> N::Estimate {
-        let second = match place {
-            Place::At(t) => return quotient(t),
-            Place::First => false,
-            Place::Second => true,
-        };
+    /// The roots in order; of a linear function its only one, twice.
+    #[inline(always)]
+    pub(super) fn ends(&self) -> [End<N>; 2] {
+        let [first, second] = self.roots();
+        let end = |place: Place<N>, t: N::Estimate| End { place, t, part: Part::Side };
+        [end(Place::First, first), end(Place::Second, second)]
+    }
+
+    /// The roots' parameters, approximately.
+    #[inline(always)]
+    fn roots(&self) -> [N::Estimate; 2] {
         let ([a, k, c], discriminant) = N::together([self.a, self.k, self.c], self.discriminant);
         if self.a_sign == Ordering::Equal {
-            return (-c).over(k + k);
+            return [(-c).over(k + k); 2];
         }
         let root =
             if self.discriminant_sign == Ordering::Greater { discriminant.square_root() } else { N::Estimate::ZERO };
         // -k and the root are added where they have one sign; the other root is c over that sum.
-        let opens_upwards = self.a_sign == Ordering::Greater;
-        match k.sign() {
+        let [lower, upper] = match k.sign() {
             Some(Ordering::Greater) => {
                 let q = -k - root;
-                if second == opens_upwards { c.over(q) } else { q.over(a) }
+                [q.over(a), c.over(q)]
             }
             Some(Ordering::Less) => {
                 let q = root - k;
-                if second == opens_upwards { q.over(a) } else { c.over(q) }
+                [c.over(q), q.over(a)]
             }
             // Next to nothing, or nothing: there is nothing to cancel.
-            _ => (if second == opens_upwards { root - k } else { -k - root }).over(a),
-        }
+            _ => [(-k - root).over(a), (root - k).over(a)],
+        };
+        if self.a_sign == Ordering::Greater { [lower, upper] } else { [upper, lower] }
     }
-}
-
-/// The fraction's value, approximately.
-pub(super) fn quotient<N: Number>(t: Fraction<N>) -> N::Estimate {
-    let ([n, e, _], _) = N::together([t.n, t.e, N::ZERO], N::ZERO);
-    n.over(e)
 }
 
 /// An end in the ray's own numbers.
@@ -238,22 +258,18 @@ pub(crate) trait Of<S: Certain>: Number<Estimate = S::Filter> + FromScalar<S> {}
 impl<S: Certain, N: Number<Estimate = S::Filter> + FromScalar<S>> Of<S> for N {}
 
 /// Settles an end: its `t`, and whether that lies in the range. `None` for `quadratic` where no end is one of its roots.
+#[inline(always)]
 pub(super) fn settle<S: Certain, N: Of<S>>(
     quadratic: Option<&Quadratic<'_, N>>,
     end: End<N>,
     range: Range<S>,
 ) -> Option<Settled<S>> {
-    let estimate = match (end.place, quadratic) {
-        (Place::At(t), _) => quotient(t),
-        (place, Some(quadratic)) => quadratic.estimate(place),
-        (_, None) => return None,
-    };
     let compare = |bound: S| {
-        (estimate - <S::Filter as FromScalar<S>>::scalar(bound)).sign().or_else(|| {
+        (end.t - <S::Filter as FromScalar<S>>::scalar(bound)).sign().or_else(|| {
             let bound = Fraction { n: N::scalar(bound), e: N::ONE };
             match (end.place, quadratic) {
                 (Place::At(t), _) => t.order(bound),
-                (place, quadratic) => quadratic?.order(place, bound),
+                (place, quadratic) => quadratic?.order_for_certain(place, bound),
             }
         })
     };
@@ -264,12 +280,13 @@ pub(super) fn settle<S: Certain, N: Of<S>>(
     } else if is_beyond_range {
         S::INFINITY
     } else {
-        S::rounded(estimate)?
+        S::rounded(end.t)?
     };
     Some(Settled { t, part: end.part, is_before_range, is_beyond_range })
 }
 
 /// Settles both ends.
+#[inline(always)]
 pub(super) fn piece<S: Certain, N: Of<S>>(
     quadratic: Option<&Quadratic<'_, N>>,
     interval: Interval<N>,

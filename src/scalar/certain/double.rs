@@ -163,9 +163,14 @@ impl Number for Double {
 impl Estimate for Double {
     #[inline(always)]
     fn over(self, other: Self) -> Self {
-        let value = self.value / other.value;
-        let inherited = (self.error + value.abs() * other.error) / (other.value.abs() - other.error);
-        Self { value, error: value.abs() * ROUNDING + inherited }
+        // Two quotients by one number share the division; the product is a second rounding.
+        let inverse = 1.0 / other.value;
+        let value = self.value * inverse;
+        let uncertain = other.error * inverse.abs();
+        // 1 / (|b| - e) is at most this much more than 1 / |b|, for an e up to |b| / 2.
+        let growth = if uncertain < 0.5 { 1.0 + 2.0 * uncertain } else { f64::INFINITY };
+        let inherited = (self.error + value.abs() * other.error) * inverse.abs() * growth;
+        Self { value, error: value.abs() * (2.0 * ROUNDING) + inherited * ABOVE }
     }
 
     #[inline(always)]
