@@ -173,6 +173,16 @@ pub(crate) fn slab<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, low: Option<S>, 
     })
 }
 
+/// Whether rounding may decide how the ends of a side and of the planes that close it follow each other.
+#[inline(always)]
+pub(crate) fn are_close<S: Scalar>(side: &Span<S>, planes: &Span<S>) -> bool {
+    let close = |a: End<S>, b: End<S>| !S::plain_apart(a.t, b.t);
+    close(side.enter, planes.enter)
+        || close(side.exit, planes.exit)
+        || close(side.enter, planes.exit)
+        || close(side.exit, planes.enter)
+}
+
 /// [`slab`] between two bounds, if plain integers tell.
 #[inline(always)]
 pub(crate) fn plain_slab<S: Scalar>(line: &PlainLine<S>, low: S, high: S) -> Plain<Span<S>> {

@@ -101,7 +101,7 @@ impl<S: Scalar> Tier<S> for Stable {}
 impl<S: Scalar> Arithmetic<S> for Stable {
     type Real = S::Real;
     const COMPENSATES: bool = true;
-    const PLAIN: bool = !S::RELATIVE;
+    const PLAIN: bool = true;
 
     #[inline(always)]
     fn real(value: S) -> S::Real {

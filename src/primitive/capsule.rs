@@ -104,7 +104,7 @@ impl<S: Scalar> Capsule<S> {
     /// [`Capsule::end`], if the short way tells.
     #[inline]
     fn plain_end<T: Arithmetic<S>>(&self, line: &PlainLine<S>, tube: S, entering: bool) -> Plain<End<S>> {
-        let y = found!(S::plain_height(*line, tube));
+        let y = found!(S::plain_height(*line, tube, [S::ZERO, self.height]));
         let (part, centre) = if y < S::ZERO {
             (Part::Base, S::ZERO)
         } else if y > self.height {

@@ -10,7 +10,7 @@ use super::{
 use crate::arithmetic::Arithmetic;
 use crate::figure::{self, Figure, Side};
 use crate::part::Part;
-use crate::quadric::{Inside, Quadric, plain_slab, slab};
+use crate::quadric::{Inside, Quadric, are_close, plain_slab, slab};
 use crate::scalar::{Plain, PlainLine, PlainNappe, Real, Scalar, found, largest};
 use crate::span::{End, Meeting, Span};
 use crate::vector::{UnitVec3, Vec3};
@@ -381,7 +381,10 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
             }
         }
         // An end that is somewhere beyond must not be asked for.
-        if !(certain[0] || between.enter.t > low) || !(certain[1] || between.exit.t < high) {
+        if are_close(&side, &between)
+            || !(certain[0] || between.enter.t > low)
+            || !(certain[1] || between.exit.t < high)
+        {
             return Plain::Unclear;
         }
         Plain::Found(match self.extent {

@@ -4,7 +4,7 @@ use super::{Geometry, Line, SizeError, checked_size, queries, surface_coordinate
 use crate::arithmetic::Arithmetic;
 use crate::figure::{self, Figure, Side};
 use crate::part::Part;
-use crate::quadric::{Careful, Inside, Quadric, plain_slab, slab};
+use crate::quadric::{Careful, Inside, Quadric, are_close, plain_slab, slab};
 use crate::scalar::{Plain, PlainLine, Real, Scalar, UnitScalar, found};
 use crate::span::{End, Meeting, Span};
 use crate::vector::{UnitVec3, Vec3};
@@ -215,6 +215,9 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
             return Plain::Found(Meeting::One(side));
         };
         let between = found!(plain_slab(line, S::ZERO, height));
+        if are_close(&side, &between) {
+            return Plain::Unclear;
+        }
         Plain::Found(match self.extent {
             Extent::Open(_) => between_rims(side, between),
             _ => Meeting::solid(side.intersection(between)),

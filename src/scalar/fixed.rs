@@ -371,7 +371,7 @@ fixed!(FixedI32, LeEqU32, U30, Block64, Short32, i32, i64, u64, 32, 30, plain::p
         Plain::Found(PlainNappe { ends: [Self::from_bits(low), Self::from_bits(high)], certain })
     }
     #[inline(always)]
-    fn plain_height(line: PlainLine<Self>, t: Self) -> Plain<Self> {
+    fn plain_height(line: PlainLine<Self>, t: Self, _: [Self; 2]) -> Plain<Self> {
         let (oy, dy) = (line.origin[1].to_bits(), line.direction[1].to_bits());
         Plain::Found(Self::from_bits(found!(plain::height(oy, line.finer, dy, t.to_bits()))))
     }

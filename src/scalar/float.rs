@@ -1,18 +1,18 @@
 //! `f32` and `f64` as scalars: plain arithmetic, and the error-free sums and products that keep hard cases right.
 
+use super::plain_float::{plain_f32, plain_f64};
 use super::square_root::square_root_f32;
-use super::{Budget, Plain, PlainLine, Real, Scalar, UnitScalar, found, largest, sealed::Sealed};
+use super::{Budget, Plain, PlainLine, PlainNappe, Real, Scalar, UnitScalar, found, largest, sealed::Sealed};
 
 /// Defines the float implementations. `$half` are the mantissa bits that a split moves to the low part.
 macro_rules! float {
     (
         $Float:ident, $exact:ident, $bits:ty, $half:literal, $mantissa:literal, $bias:literal, $largest_exponent:literal,
-        $slope:literal, sqrt: $sqrt:path, atan2: $atan2:path, sincos: $sincos:path, pow: $pow:path
+        $slope:literal, $plain:ident, sqrt: $sqrt:path, atan2: $atan2:path, sincos: $sincos:path, pow: $pow:path
     ) => {
         impl Sealed for $Float {}
 
         mod $exact {
-            use super::{Plain, PlainLine, Scalar};
 
             /// `a = high + low`, each with at most half of the bits, so that products of halves are exact.
             /// Rounded in the integer representation: unlike Veltkamp's split it cannot overflow inside the budget.
@@ -36,24 +36,6 @@ macro_rules! float {
                 let s = a + b;
                 let b_part = s - a;
                 (s, (a - (s - b_part)) + (b - b_part))
-            }
-
-            /// `k = o . d` and `D = r^2 - |o - k d|^2`, where the square of `r` neither overflows nor vanishes; a miss if `D < 0`.
-            #[inline(always)]
-            pub(super) fn closest_approach(line: PlainLine<$Float>, r: $Float) -> Plain<($Float, $Float)> {
-                // Between 2^-(bias / 2) and its reciprocal, by the exponent's bits.
-                const LEAST: $bits = (($bias - $bias / 2) as $bits) << $mantissa;
-                const SPAN: $bits = (($bias & !1) as $bits) << $mantissa;
-                if r.to_bits().wrapping_sub(LEAST) >= SPAN {
-                    return Plain::Unclear;
-                }
-                let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
-                let k = <$Float as Scalar>::dot(line.origin, line.direction);
-                let [px, py, pz] = [x - k * dx, y - k * dy, z - k * dz];
-                // Where this overflows the line is far away from the ball: a miss.
-                let pp = px * px + py * py + pz * pz;
-                let rr = r * r;
-                if pp > rr { Plain::Miss } else { Plain::Found((k, rr - pp)) }
             }
 
             /// `2^e` for an exponent of a normal number.
@@ -244,9 +226,9 @@ macro_rules! float {
             #[inline(always)]
             fn plain_ball(line: PlainLine<Self>, r: Self, by_moment: bool) -> Plain<[Self; 2]> {
                 if by_moment {
-                    return Plain::Unclear;
+                    return $plain::ball(line, r);
                 }
-                let (k, discriminant) = found!($exact::closest_approach(line, r));
+                let (k, discriminant) = found!($plain::closest_approach(line, r));
                 if discriminant == 0.0 {
                     return Plain::Unclear;
                 }
@@ -256,11 +238,44 @@ macro_rules! float {
             #[inline(always)]
             fn plain_ball_ahead(line: PlainLine<Self>, r: Self, by_moment: bool) -> Plain<()> {
                 if by_moment {
-                    return Plain::Unclear;
+                    return $plain::ball_ahead(line, r);
                 }
-                let (k, discriminant) = found!($exact::closest_approach(line, r));
+                let (k, discriminant) = found!($plain::closest_approach(line, r));
                 // Moving away, the far end counts.
                 if k <= 0.0 || $sqrt(discriminant) >= k { Plain::Found(()) } else { Plain::Miss }
+            }
+            #[inline(always)]
+            fn plain_tube(line: PlainLine<Self>, r: Self) -> Plain<[Self; 2]> {
+                $plain::tube(line, r)
+            }
+            #[inline(always)]
+            fn plain_nappe(
+                line: PlainLine<Self>,
+                base: Self,
+                growth: Self,
+                height: Option<Self>,
+            ) -> Plain<PlainNappe<Self>> {
+                $plain::nappe(line, [base, growth, height.unwrap_or(1.0)])
+            }
+            #[inline(always)]
+            fn plain_crossings(line: PlainLine<Self>, y: [Self; 2]) -> Plain<[Self; 2]> {
+                $plain::crossings(line, y)
+            }
+            #[inline(always)]
+            fn plain_height(line: PlainLine<Self>, t: Self, seams: [Self; 2]) -> Plain<Self> {
+                let ([_, y, _], climb) = (line.origin, t * line.direction[1]);
+                let [low, high] = seams.map(|seam| Self::plain_apart(climb, seam - y));
+                if low && high { Plain::Found(y + climb) } else { Plain::Unclear }
+            }
+            #[inline(always)]
+            fn plain_lowered(line: PlainLine<Self>, y: Self) -> Plain<PlainLine<Self>> {
+                let [ox, oy, oz] = line.origin;
+                Plain::Found(PlainLine { origin: [ox, oy - y, oz], ..line })
+            }
+            #[inline(always)]
+            fn plain_apart(a: Self, b: Self) -> bool {
+                // Not where one is infinite, or both.
+                !($Float::abs(a - b) < ($Float::abs(a) + $Float::abs(b)) * (64.0 * $Float::EPSILON))
             }
 
             fn fraction(self) -> Self {
@@ -382,10 +397,10 @@ macro_rules! float {
 }
 
 float!(
-    f32, exact_f32, u32, 12, 23, 127, 126, 30,
+    f32, exact_f32, u32, 12, 23, 127, 126, 30, plain_f32,
     sqrt: square_root_f32, atan2: libm::atan2f, sincos: libm::sincosf, pow: libm::powf
 );
 float!(
-    f64, exact_f64, u64, 27, 52, 1023, 1022, 200,
+    f64, exact_f64, u64, 27, 52, 1023, 1022, 200, plain_f64,
     sqrt: libm::sqrt, atan2: libm::atan2, sincos: libm::sincos, pow: libm::pow
 );

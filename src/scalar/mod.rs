@@ -12,6 +12,7 @@
 //! | `float` | `f32` and `f64`: error-free products and sums, stepping closer, binary scale |
 //! | `fixed` | `FixedI32<F>` and `FixedI64<F>`, for every `F` |
 //! | `plain` | the usual case of fixed point in plain integers |
+//! | `plain_float` | the usual case of floats, uncompensated |
 //! | [`block`] | integer mantissa and exponent; square root and quotient of integers |
 //! | `certain` | numbers of which every sign can be trusted, for the exact tier |
 //! | `decimal` | decimal text to fixed point, correctly rounded |
@@ -33,6 +34,8 @@ mod fixed;
 mod float;
 #[cfg(feature = "fixed")]
 mod plain;
+#[cfg(feature = "libm")]
+mod plain_float;
 #[cfg(feature = "libm")]
 mod square_root;
 
@@ -226,9 +229,9 @@ pub trait Scalar:
     fn plain_nappe(_: PlainLine<Self>, _base: Self, _growth: Self, _height: Option<Self>) -> Plain<PlainNappe<Self>> {
         Plain::Unclear
     }
-    /// The height of the line's point at `t`, rounded.
+    /// The height of the line's point at `t`, rounded; unclear next to a seam where rounding decides on which side of it that is.
     #[inline(always)]
-    fn plain_height(_: PlainLine<Self>, _t: Self) -> Plain<Self> {
+    fn plain_height(_: PlainLine<Self>, _t: Self, _seams: [Self; 2]) -> Plain<Self> {
         Plain::Unclear
     }
     /// The line seen from the height `y`.
@@ -240,6 +243,12 @@ pub trait Scalar:
     #[inline(always)]
     fn plain_crossings(_: PlainLine<Self>, _y: [Self; 2]) -> Plain<[Self; 2]> {
         Plain::Unclear
+    }
+
+    /// Whether two ends that the short way found are so far apart that rounding does not decide which comes first.
+    #[inline(always)]
+    fn plain_apart(_: Self, _: Self) -> bool {
+        true
     }
 
     /// The line from `o` along `d` in the frame with these axes at `position`.

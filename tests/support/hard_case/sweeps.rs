@@ -33,8 +33,8 @@ pub const ZEROS: Sweep = Sweep {
     name: "with zero components",
     // Through rims, openings and the apex, at which this class is aimed.
     limits: &[
-        ("f32", 372, 0, 4.6),
-        ("f64", 224, 0, 9.3),
+        ("f32", 372, 0, 6.2),
+        ("f64", 224, 0, 6.2),
         ("I16F16", 76, 0, 0.0),
         ("I32F32", 76, 0, 0.0),
         ("I8F24", 68, 0, 0.0),
