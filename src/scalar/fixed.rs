@@ -292,17 +292,33 @@ macro_rules! fixed {
     };
 }
 
+/// The short way of a ball.
+macro_rules! plain_ball {
+    ($Fixed:ident, $($kernels:ident)::+) => {
+        #[inline(always)]
+        fn plain_ball(line: PlainLine<Self>, r: Self, by_moment: bool) -> Plain<[Self; 2]> {
+            let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits), r.to_bits());
+            let [low, high] = if by_moment {
+                found!(found!($($kernels)::+::ByMoment::new(o, line.finer, d, r)).ends())
+            } else {
+                found!(found!($($kernels)::+::ByApproach::new(o, line.finer, d, r)).ends())
+            };
+            Plain::Found([Self::from_bits(low), Self::from_bits(high)])
+        }
+        #[inline(always)]
+        fn plain_ball_ahead(line: PlainLine<Self>, r: Self, by_moment: bool) -> Plain<()> {
+            let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits), r.to_bits());
+            if by_moment {
+                found!($($kernels)::+::ByMoment::new(o, line.finer, d, r)).meets_ahead()
+            } else {
+                found!($($kernels)::+::ByApproach::new(o, line.finer, d, r)).meets_ahead()
+            }
+        }
+    };
+}
+
 fixed!(FixedI32, LeEqU32, U30, Block64, Short32, i32, i64, u64, 32, 30, {
-    #[inline(always)]
-    fn plain_ball(line: PlainLine<Self>, r: Self, by_moment: bool) -> Plain<[Self; 2]> {
-        let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits), r.to_bits());
-        let [low, high] = if by_moment {
-            found!(found!(plain::ByMoment::new(o, line.finer, d, r)).ends())
-        } else {
-            found!(found!(plain::ByApproach::new(o, line.finer, d, r)).ends())
-        };
-        Plain::Found([Self::from_bits(low), Self::from_bits(high)])
-    }
+    plain_ball!(FixedI32, plain);
     #[inline(always)]
     fn plain_turned(
         o: [Self; 3],
@@ -315,15 +331,6 @@ fixed!(FixedI32, LeEqU32, U30, Block64, Short32, i32, i64, u64, 32, 30, {
             plain::turned(o, position, axes.map(|axis| axis.map(FixedI32::to_bits)), d.map(FixedI32::to_bits))?;
         let (origin, direction) = (origin.map(Self::from_bits), direction.map(FixedI32::from_bits));
         Some(PlainLine { origin, finer: plain::FINER, direction })
-    }
-    #[inline(always)]
-    fn plain_ball_ahead(line: PlainLine<Self>, r: Self, by_moment: bool) -> Plain<()> {
-        let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits), r.to_bits());
-        if by_moment {
-            found!(plain::ByMoment::new(o, line.finer, d, r)).meets_ahead()
-        } else {
-            found!(plain::ByApproach::new(o, line.finer, d, r)).meets_ahead()
-        }
     }
     #[inline(always)]
     fn plain_tube(line: PlainLine<Self>, r: Self) -> Plain<[Self; 2]> {
@@ -363,4 +370,6 @@ fixed!(FixedI32, LeEqU32, U30, Block64, Short32, i32, i64, u64, 32, 30, {
         Plain::Found([Self::from_bits(first), Self::from_bits(second)])
     }
 });
-fixed!(FixedI64, LeEqU64, U62, Block128, Short64, i64, i128, u128, 64, 62, {});
+fixed!(FixedI64, LeEqU64, U62, Block128, Short64, i64, i128, u128, 64, 62, {
+    plain_ball!(FixedI64, plain::wide);
+});

@@ -15,6 +15,7 @@ mod flat;
 mod quotient;
 mod round;
 mod turned;
+pub(super) mod wide;
 
 pub(super) use ball::{ByApproach, ByMoment};
 pub(super) use cone::nappe;
@@ -40,6 +41,20 @@ fn product(a: i32, b: i32) -> i64 {
     let second = al.wrapping_mul(bh).wrapping_add(first & 0xffff);
     let high = ah.wrapping_mul(bh).wrapping_add(first >> 16).wrapping_add(second >> 16);
     ((high as i64) << 32) | (a.wrapping_mul(b) as u32 as i64)
+}
+
+/// `a * b` of two unsigned numbers.
+#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+#[inline(always)]
+fn product_unsigned(a: u32, b: u32) -> u64 {
+    a as u64 * b as u64
+}
+
+/// `a * b` of two unsigned numbers, from products of 16 bits.
+#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+#[inline(always)]
+fn product_unsigned(a: u32, b: u32) -> u64 {
+    ((high_product(a, b) as u64) << 32) | a.wrapping_mul(b) as u64
 }
 
 /// `a * a` for a number below 2^31 in magnitude.
@@ -111,23 +126,29 @@ const RECIPROCAL: [u8; 256] = {
 /// twice the root (Markstein, *IA-64 and Elementary Functions*, 2000, chapter 8, here in integers). Multiplications only.
 #[inline]
 fn root_of_normalized(high: u32, low: u32) -> u32 {
-    // m = high / 2^32 in [1/4, 1); y = 1 / sqrt(m) in (1, 2], in units of 2^-8
-    let y = 256 + RECIPROCAL_ROOT[(high >> 24) as usize] as u32;
-    // 1 - m y^2 in units of 2^-32, below 2^-6 in magnitude: the product wraps around one.
-    let lack = (high >> 16).wrapping_mul(y * y).wrapping_neg() as i32;
-    // y (1 + lack / 2), in units of 2^-16
-    let y = ((y << 8) as i32).wrapping_add((y as i32).wrapping_mul(lack >> 10) >> 15);
-    // sqrt(m) = m y, in units of 2^-16; never more than it, since m is rounded down, and so is y.
-    let root = (high >> 16).wrapping_mul(y as u32 >> 1) >> 15;
+    let y = reciprocal_root(high);
+    // m = high / 2^32; sqrt(m) = m y, in units of 2^-16; never more than it, since m is rounded down, and so is y.
+    let root = (high >> 16).wrapping_mul(y >> 1) >> 15;
     // (m - root^2) / (2 root), in units of 2^-32. The step can go too far by a few: 32 less is surely too little.
     let rest = (high.wrapping_sub(root * root) << 11) | (low >> 21);
-    let step = (high_product(rest, y as u32) << 4) | (rest.wrapping_mul(y as u32) >> 28);
+    let step = (high_product(rest, y) << 4) | (rest.wrapping_mul(y) >> 28);
     let root = ((root << 16) + step).wrapping_sub(32);
     // Once more, for the last bits.
     let (below, borrow) = low.overflowing_sub(root.wrapping_mul(root));
     let above = high.wrapping_sub(high_product(root, root)).wrapping_sub(borrow as u32);
     let rest = (above << 11) | (below >> 21);
-    root.saturating_add(rest.wrapping_mul(y as u32 >> 4) >> 24)
+    root.saturating_add(rest.wrapping_mul(y >> 4) >> 24)
+}
+
+/// `1 / sqrt(m)` for `m = high / 2^32` in [1/4, 1), in units of 2^-16, rounded down to 14 bits.
+#[inline(always)]
+fn reciprocal_root(high: u32) -> u32 {
+    // y = 1 / sqrt(m) in (1, 2], in units of 2^-8
+    let y = 256 + RECIPROCAL_ROOT[(high >> 24) as usize] as u32;
+    // 1 - m y^2 in units of 2^-32, below 2^-6 in magnitude: the product wraps around one.
+    let lack = (high >> 16).wrapping_mul(y * y).wrapping_neg() as i32;
+    // y (1 + lack / 2), in units of 2^-16
+    ((y << 8) as i32).wrapping_add((y as i32).wrapping_mul(lack >> 10) >> 15) as u32
 }
 
 /// The square root of a number of at least 2^32 and below 2^62, to within one.
