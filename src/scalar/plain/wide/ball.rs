@@ -2,16 +2,9 @@
 
 use super::{
     Digits, digits, dot, down, down_to_64, high, leading_zeros, minor, product, root, round_off, square, squared,
-    squared_length, up, up_to_128, words,
+    squared_length, up, up_to_128, upper_bits, words,
 };
 use crate::scalar::Plain;
-use crate::scalar::plain::magnitude_bits;
-
-/// The bits of the upper word of a number's magnitude.
-#[inline(always)]
-const fn upper_bits(n: i64) -> u32 {
-    magnitude_bits((n >> 32) as i32)
-}
 
 /// How a line comes close to a ball, for a direction taken to be exactly unit: `k = o . d` and `D = r^2 - |o - k d|^2`, so that
 /// `t = -k -+ sqrt(D)`.

@@ -6,10 +6,15 @@
 //! Sums of 128 bits are a chain of additions on any chip; products and shifts of 128 bits would be calls of functions.
 
 mod ball;
+mod flat;
+mod quotient;
+mod round;
 
-use super::{high_product, leading_zeros, product, product_unsigned, reciprocal_root, square};
+use super::{high_product, leading_zeros, magnitude_bits, product, product_unsigned, reciprocal_root, square};
 
 pub(in crate::scalar) use ball::{ByApproach, ByMoment};
+pub(in crate::scalar) use flat::{crossings, height, lowered};
+pub(in crate::scalar) use round::tube;
 
 /// `high * 2^32 + low`, with a low digit of either sign.
 #[derive(Clone, Copy)]
@@ -47,11 +52,14 @@ const fn carried(high: i64, middle: i64, low: i128) -> i128 {
 
 /// `a . b`
 #[inline(always)]
-fn dot([x, y, z]: [Digits; 3], [a, b, c]: [Digits; 3]) -> i128 {
-    let high = product(x.high, a.high) + product(y.high, b.high) + product(z.high, c.high);
-    let middle = x.middle(a) + y.middle(b) + z.middle(c);
-    // Up to 2^62 each.
-    let low = product(x.low, a.low) as i128 + product(y.low, b.low) as i128 + product(z.low, c.low) as i128;
+fn dot<const N: usize>(a: [Digits; N], b: [Digits; N]) -> i128 {
+    let (mut high, mut middle, mut low) = (0, 0, 0);
+    for (a, b) in a.into_iter().zip(b) {
+        high += product(a.high, b.high);
+        middle += a.middle(b);
+        // Up to 2^62 each.
+        low += product(a.low, b.low) as i128;
+    }
     carried(high, middle, low)
 }
 
@@ -78,6 +86,12 @@ fn squared_length([x, y, z]: [Digits; 3]) -> i128 {
 #[inline(always)]
 fn squared(r: Digits) -> i128 {
     ((square(r.high) as i128) << 64) + ((product(r.high, r.low) as i128) << 33) + square(r.low) as i128
+}
+
+/// The bits of the upper word of a number's magnitude.
+#[inline(always)]
+const fn upper_bits(n: i64) -> u32 {
+    magnitude_bits((n >> 32) as i32)
 }
 
 /// The upper half.
@@ -142,6 +156,15 @@ const fn up_to_128(n: u64, by: u32) -> u128 {
     } else {
         (joined([middle, high]) as u128) << 64 | ((low as u128) << 32)
     }
+}
+
+/// `n / 2^by` for `by` below 32 and a number of at least zero, rounded down.
+#[inline(always)]
+const fn down_by_few(n: i128, by: u32) -> i128 {
+    let ([a, b], [c, d]) = (words(n as u64), words(high(n) as u64));
+    let low = joined([moved_down(b, a, by), moved_down(c, b, by)]);
+    let high = joined([moved_down(d, c, by), d >> (by & 0x1f)]);
+    ((high as i128) << 64) | low as i128
 }
 
 /// `n * 2^-SHIFT` rounded to nearest, ties to even, as [`round_off`](super::round_off).

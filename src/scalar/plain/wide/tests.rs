@@ -168,6 +168,50 @@ fn balls_are_met_where_they_are() {
     assert!(found > LINES * 9 / 10, "{found}");
 }
 
+#[test]
+fn cylinders_are_met_where_they_are() {
+    let mut random = Random(2);
+    let mut found = 0;
+    for _ in 0..LINES {
+        let (o, d, r) = line_and_ball(&mut random);
+        let line = std::format!("{o:?} {d:?} {r}");
+        let exactly = Exactly::new([o[0], 0, o[2]], [d[0], 0, d[2]], r);
+        match tube(o, 0, d, r) {
+            Plain::Unclear => {}
+            Plain::Miss => assert!(exactly.misses(), "lost: {line}"),
+            Plain::Found([low, high]) => {
+                found += 1;
+                assert!(!exactly.misses(), "phantom: {line}");
+                assert!(exactly.is_end(low, false, 560), "{low} is no end: {line}");
+                assert!(exactly.is_end(high, true, 560), "{high} is no end: {line}");
+            }
+        }
+    }
+    assert!(found > LINES / 4, "{found}");
+}
+
+#[test]
+fn planes_are_met_where_they_are() {
+    let mut random = Random(3);
+    let mut found = 0;
+    for _ in 0..LINES {
+        let (o, d, y) = line_and_ball(&mut random);
+        let Plain::Found([first, second]) = crossings(o[1], 0, d[1], [y, 0]) else { continue };
+        found += 1;
+        for (t, y) in [(first, y), (second, 0)] {
+            // dy (t -+ 1/2 and a bit) on both sides of the height
+            let beyond = (IBig::from(y - o[1]) << 62) - IBig::from(t) * IBig::from(d[1]);
+            let half = IBig::from(d[1].unsigned_abs()) * IBig::from(560);
+            assert!(beyond.clone() << 10 <= half && -beyond << 10 <= half, "{t}: {o:?} {d:?} {y}");
+        }
+        match height(o[1], 0, d[1], first) {
+            Plain::Found(there) => assert!((there - y).abs() <= 1, "{there}: {o:?} {d:?} {y}"),
+            _ => assert!(first.unsigned_abs() >> 60 != 0, "{o:?} {d:?} {y}"),
+        }
+    }
+    assert!(found > LINES / 4, "{found}");
+}
+
 /// Numbers of all sizes.
 fn numbers() -> impl Iterator<Item = u64> {
     let mut random = Random(1);
@@ -183,5 +227,15 @@ fn root_is_within_its_bound() {
         let got = root_of_normalized((n >> 32) as u32, n as u32);
         let floor = ((n as u128) << 64).isqrt() as u64;
         assert!(got.abs_diff(floor) <= 64, "root({n:#x}) = {got}, not {floor}");
+    }
+}
+
+#[test]
+fn reciprocal_is_within_its_bound() {
+    let bytes = (128..256).flat_map(|n| [n << 56, (n << 56) | ((1 << 56) - 1), (n << 56) | (1 << 55)]);
+    for n in numbers().map(|n| n | 1 << 63).chain(bytes).chain([1 << 63, u64::MAX]) {
+        let got = quotient::reciprocal_of_digits(n);
+        let exact = ((1_u128 << 127) / n as u128).min(u64::MAX as u128) as u64;
+        assert!(got.abs_diff(exact) <= 32, "1 / {n:#x} = {got}, not {exact}");
     }
 }

@@ -1,0 +1,48 @@
+//! A line and planes across the y axis.
+
+use super::quotient::Normalized;
+use super::{Digits, carried, product, round_off, upper_bits};
+use crate::scalar::Plain;
+
+/// Where the line crosses each of the heights: `t = (y - oy) / dy`. A line that stays in one height meets none of them.
+///
+/// The origin is in units of `2^-finer` of the heights'; the answer is in the heights'.
+#[inline(always)]
+pub(in crate::scalar) fn crossings(oy: i64, finer: i32, dy: i64, [low, high]: [i64; 2]) -> Plain<[i64; 2]> {
+    if dy == 0 {
+        return Plain::Miss;
+    }
+    // Up to 2^60 differences fit.
+    if finer != 0 || (upper_bits(oy) | upper_bits(low) | upper_bits(high)) >> 28 != 0 {
+        return Plain::Unclear;
+    }
+    let Some(divisor) = Normalized::new((dy as i128) << 62).map(Normalized::divisor) else {
+        return Plain::Unclear;
+    };
+    match (divisor.quotient_of_integer(low - oy), divisor.quotient_of_integer(high - oy)) {
+        (Some(low), Some(high)) => Plain::Found([low, high]),
+        _ => Plain::Unclear,
+    }
+}
+
+/// The height `oy + t dy`, rounded to the unit of `t`; the origin is in units of `2^-finer` of that.
+#[inline(always)]
+pub(in crate::scalar) fn height(oy: i64, finer: i32, dy: i64, t: i64) -> Plain<i64> {
+    // Up to 2^60 the sum fits.
+    if finer != 0 || (upper_bits(oy) | upper_bits(t)) >> 28 != 0 {
+        return Plain::Unclear;
+    }
+    let (t, dy) = (Digits::new(t), Digits::new(dy));
+    let climbed = carried(product(t.high, dy.high), t.middle(dy), product(t.low, dy.low) as i128);
+    Plain::Found(round_off::<62>(((oy as i128) << 62) + climbed))
+}
+
+/// `oy - y` in units of `2^-finer` of those of `y`.
+#[inline(always)]
+pub(in crate::scalar) fn lowered(oy: i64, finer: i32, y: i64) -> Plain<i64> {
+    // Up to 2^60 the difference fits, and so does its moment.
+    if finer != 0 || (upper_bits(oy) | upper_bits(y)) >> 28 != 0 {
+        return Plain::Unclear;
+    }
+    Plain::Found(oy - y)
+}
