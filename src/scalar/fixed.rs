@@ -337,24 +337,24 @@ macro_rules! plain {
             let [first, second] = found!($($kernels)::+::crossings(oy, line.finer, dy, y.map(Self::to_bits)));
             Plain::Found([Self::from_bits(first), Self::from_bits(second)])
         }
+        #[inline(always)]
+        fn plain_turned(
+            o: [Self; 3],
+            d: [Self::Unit; 3],
+            position: [Self; 3],
+            axes: [[Self::Unit; 3]; 3],
+        ) -> Option<PlainLine<Self>> {
+            let (o, position) = (o.map(Self::to_bits), position.map(Self::to_bits));
+            let [origin, direction] =
+                $($kernels)::+::turned(o, position, axes.map(|axis| axis.map($Fixed::to_bits)), d.map($Fixed::to_bits))?;
+            let (origin, direction) = (origin.map(Self::from_bits), direction.map($Fixed::from_bits));
+            Some(PlainLine { origin, finer: plain::FINER, direction })
+        }
     };
 }
 
 fixed!(FixedI32, LeEqU32, U30, Block64, Short32, i32, i64, u64, 32, 30, {
     plain!(FixedI32, plain);
-    #[inline(always)]
-    fn plain_turned(
-        o: [Self; 3],
-        d: [Self::Unit; 3],
-        position: [Self; 3],
-        axes: [[Self::Unit; 3]; 3],
-    ) -> Option<PlainLine<Self>> {
-        let (o, position) = (o.map(Self::to_bits), position.map(Self::to_bits));
-        let [origin, direction] =
-            plain::turned(o, position, axes.map(|axis| axis.map(FixedI32::to_bits)), d.map(FixedI32::to_bits))?;
-        let (origin, direction) = (origin.map(Self::from_bits), direction.map(FixedI32::from_bits));
-        Some(PlainLine { origin, finer: plain::FINER, direction })
-    }
     #[inline(always)]
     fn plain_nappe(line: PlainLine<Self>, base: Self, growth: Self, height: Option<Self>) -> Plain<PlainNappe<Self>> {
         let (o, d) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits));

@@ -1,7 +1,7 @@
 //! A line and planes across the y axis.
 
 use super::quotient::Normalized;
-use super::{Digits, carried, product, round_off, upper_bits};
+use super::{Digits, FINER, carried, product, refined, rounded, upper_bits};
 use crate::scalar::Plain;
 
 /// Where the line crosses each of the heights: `t = (y - oy) / dy`. A line that stays in one height meets none of them.
@@ -13,13 +13,20 @@ pub(in crate::scalar) fn crossings(oy: i64, finer: i32, dy: i64, [low, high]: [i
         return Plain::Miss;
     }
     // Up to 2^60 differences fit.
-    if finer != 0 || (upper_bits(oy) | upper_bits(low) | upper_bits(high)) >> 28 != 0 {
+    let (Some(low), Some(high)) = (refined(low, finer), refined(high, finer)) else {
+        return Plain::Unclear;
+    };
+    if (upper_bits(oy) | upper_bits(low) | upper_bits(high)) >> 28 != 0 {
         return Plain::Unclear;
     }
     let Some(divisor) = Normalized::new((dy as i128) << 62).map(Normalized::divisor) else {
         return Plain::Unclear;
     };
-    match (divisor.quotient_of_integer(low - oy), divisor.quotient_of_integer(high - oy)) {
+    // A framed origin is rounded to a hundredth of a unit, which a line almost in the plane makes more of.
+    if finer != 0 && divisor.shift > 3 {
+        return Plain::Unclear;
+    }
+    match (divisor.quotient_of_length(low - oy, finer), divisor.quotient_of_length(high - oy, finer)) {
         (Some(low), Some(high)) => Plain::Found([low, high]),
         _ => Plain::Unclear,
     }
@@ -28,21 +35,22 @@ pub(in crate::scalar) fn crossings(oy: i64, finer: i32, dy: i64, [low, high]: [i
 /// The height `oy + t dy`, rounded to the unit of `t`; the origin is in units of `2^-finer` of that.
 #[inline(always)]
 pub(in crate::scalar) fn height(oy: i64, finer: i32, dy: i64, t: i64) -> Plain<i64> {
-    // Up to 2^60 the sum fits.
-    if finer != 0 || (upper_bits(oy) | upper_bits(t)) >> 28 != 0 {
+    // Up to 2^60 the sum fits, and up to 2^54 it does in the units of a frame.
+    if (upper_bits(oy) | upper_bits(t)) >> 28 != 0 || !(finer == 0 || finer == FINER && upper_bits(t) >> 22 == 0) {
         return Plain::Unclear;
     }
     let (t, dy) = (Digits::new(t), Digits::new(dy));
     let climbed = carried(product(t.high, dy.high), t.middle(dy), product(t.low, dy.low) as i128);
-    Plain::Found(round_off::<62>(((oy as i128) << 62) + climbed))
+    let climbed = if finer == 0 { climbed } else { climbed << FINER };
+    Plain::Found(rounded(((oy as i128) << 62) + climbed, finer))
 }
 
 /// `oy - y` in units of `2^-finer` of those of `y`.
 #[inline(always)]
 pub(in crate::scalar) fn lowered(oy: i64, finer: i32, y: i64) -> Plain<i64> {
     // Up to 2^60 the difference fits, and so does its moment.
-    if finer != 0 || (upper_bits(oy) | upper_bits(y)) >> 28 != 0 {
-        return Plain::Unclear;
+    match refined(y, finer) {
+        Some(y) if (upper_bits(oy) | upper_bits(y)) >> 28 == 0 => Plain::Found(oy - y),
+        _ => Plain::Unclear,
     }
-    Plain::Found(oy - y)
 }

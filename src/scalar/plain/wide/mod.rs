@@ -9,12 +9,14 @@ mod ball;
 mod flat;
 mod quotient;
 mod round;
+mod turned;
 
-use super::{high_product, leading_zeros, magnitude_bits, product, product_unsigned, reciprocal_root, square};
+use super::{FINER, high_product, leading_zeros, magnitude_bits, product, product_unsigned, reciprocal_root, square};
 
 pub(in crate::scalar) use ball::{ByApproach, ByMoment};
 pub(in crate::scalar) use flat::{crossings, height, lowered};
 pub(in crate::scalar) use round::tube;
+pub(in crate::scalar) use turned::turned;
 
 /// `high * 2^32 + low`, with a low digit of either sign.
 #[derive(Clone, Copy)]
@@ -92,6 +94,23 @@ fn squared(r: Digits) -> i128 {
 #[inline(always)]
 const fn upper_bits(n: i64) -> u32 {
     magnitude_bits((n >> 32) as i32)
+}
+
+/// A length of the type in units of `2^-finer` of its own; `None` if it does not fit, or where the units are others than those of
+/// [`turned`].
+#[inline(always)]
+const fn refined(length: i64, finer: i32) -> Option<i64> {
+    match finer {
+        0 => Some(length),
+        FINER if upper_bits(length) >> (30 - FINER) == 0 => Some(length << FINER),
+        _ => None,
+    }
+}
+
+/// A number in units of `2^(-62 - finer)`, rounded to nearest, ties to even.
+#[inline(always)]
+const fn rounded(n: i128, finer: i32) -> i64 {
+    if finer == 0 { round_off::<62>(n) } else { round_off::<{ 62 + FINER as u32 }>(n) }
 }
 
 /// The upper half.

@@ -59,7 +59,8 @@ pub(super) fn reciprocal_of_digits(n: u64) -> u64 {
 pub(super) struct Divisor {
     /// `2^127` over the digits of [`Normalized`].
     reciprocal: u64,
-    shift: u32,
+    /// As that of [`Normalized`].
+    pub(super) shift: u32,
     negative: bool,
 }
 
@@ -68,25 +69,26 @@ pub(super) struct Divisor {
 const FRACTION: u32 = 7;
 
 impl Divisor {
-    /// The quotient of a number in units of `2^-62`, rounded to nearest; `None` if it is too large for that.
+    /// The quotient of a number in units of `2^(-62 - finer)`, rounded to nearest; `None` if it is too large for that.
     #[inline(always)]
-    pub(super) fn quotient(self, numerator: i128) -> Option<i64> {
+    pub(super) fn quotient(self, numerator: i128, finer: i32) -> Option<i64> {
         let magnitude = numerator.unsigned_abs();
-        let down = 62 - FRACTION - self.shift;
+        let down = 62 + finer as u32 - FRACTION - self.shift;
         if down_to_64(magnitude >> 64, down.wrapping_sub(1)) != 0 {
             return None;
         }
         Some(self.signed(down_to_64(magnitude, down), numerator < 0))
     }
 
-    /// The quotient of an integer.
+    /// The quotient of a number in units of `2^-finer`, of which there are fewer than [`FRACTION`].
     #[inline(always)]
-    pub(super) fn quotient_of_integer(self, numerator: i64) -> Option<i64> {
+    pub(super) fn quotient_of_length(self, numerator: i64, finer: i32) -> Option<i64> {
         let magnitude = numerator.unsigned_abs();
-        if upper_bits(magnitude as i64) >> (31 - FRACTION - self.shift) != 0 {
+        let more = FRACTION + self.shift - finer as u32;
+        if upper_bits(magnitude as i64) >> (31 - more) != 0 {
             return None;
         }
-        Some(self.signed(up(magnitude as i64, FRACTION + self.shift) as u64, numerator < 0))
+        Some(self.signed(up(magnitude as i64, more) as u64, numerator < 0))
     }
 
     /// Of a numerator in units of `2^(-FRACTION - shift)`, below 2^63.

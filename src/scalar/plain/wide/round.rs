@@ -2,8 +2,8 @@
 
 use super::quotient::{Normalized, upper_product};
 use super::{
-    Digits, carried, digits, dot, down, down_by_few, down_to_64, high, leading_zeros, minor, product, root, squared,
-    up_to_128, upper_bits, words,
+    Digits, FINER, carried, digits, dot, down, down_by_few, down_to_64, high, leading_zeros, minor, product, root,
+    squared, up_to_128, upper_bits, words,
 };
 use crate::scalar::Plain;
 
@@ -14,12 +14,12 @@ use crate::scalar::Plain;
 pub(in crate::scalar) fn tube(o: [i64; 3], finer: i32, d: [i64; 3], r: i64) -> Plain<[i64; 2]> {
     // As for a ball: a grid on which the radius has 61 bits, and the moment shifted down to it.
     let [low, above] = words(r as u64);
-    if above >= 1 << 21 || (upper_bits(o[0]) | upper_bits(o[2])) >= 1 << 29 || finer != 0 {
+    if above >= 1 << 21 || (upper_bits(o[0]) | upper_bits(o[2])) >= 1 << 29 || !(finer == 0 || finer == FINER) {
         return Plain::Unclear;
     }
     let (top, grid) = if above != 0 { (above, 0) } else { (low, 32) };
     let grid = leading_zeros(top | 1) + grid - 3;
-    let less = 62 - grid;
+    let less = 62 + finer as u32 - grid;
     let ([x, _, z], [dx, _, dz]) = (digits(o), digits(d));
     let wy = minor([z, x], [dz, dx]).unsigned_abs();
     // Twice the radius or more.
@@ -37,19 +37,20 @@ pub(in crate::scalar) fn tube(o: [i64; 3], finer: i32, d: [i64; 3], r: i64) -> P
     let positive = carried(product(scaled.high, r.high), scaled.middle(r), product(scaled.low, r.low) as i128);
     let positive = down_by_few(positive, digits.shift - 1);
     let discriminant = positive - squared(wy);
-    // The moment's rounding, half a unit of the grid, moves t by no more than a thirtieth of a unit.
+    // The moment's rounding, half a unit of the grid, moves t by no more than a thirtieth of a unit, that of a framed origin by no
+    // more than a tenth.
     let spare = grid.wrapping_sub(digits.shift) as i32;
-    if spare < 8 {
+    if spare < 8 || finer != 0 && digits.shift > 3 {
         return Plain::Unclear;
     }
-    let certain = down(high(positive), (2 * (spare as u32 - 5)).min(30));
+    let certain = down(high(positive), if finer == 0 { (2 * (spare as u32 - 5)).min(30) } else { 4 });
     if high(discriminant) < certain {
         return if high(discriminant) < -certain { Plain::Miss } else { Plain::Unclear };
     }
     let divisor = digits.divisor();
     let root = up_to_128(root(discriminant), less) as i128;
     let k = dot([x, z], [dx, dz]);
-    match (divisor.quotient(-k - root), divisor.quotient(root - k)) {
+    match (divisor.quotient(-k - root, finer), divisor.quotient(root - k, finer)) {
         (Some(low), Some(high)) => Plain::Found([low, high]),
         _ => Plain::Unclear,
     }
