@@ -31,7 +31,7 @@ impl ByApproach {
             return Plain::Unclear;
         }
         // The unit's exponent has five bits.
-        let grid = leading_zeros(all | 1 << 2) - 4;
+        let grid = leading_zeros(all | 1 << 4) - 4;
         let unit = grid + finer as u32;
         let [x, y, z] = [up(o[0], grid), up(o[1], grid), up(o[2], grid)];
         let (o, d) = (digits([x, y, z]), digits(d));
@@ -53,8 +53,8 @@ impl ByApproach {
         }
         let radius = Digits::new(up(r, more));
         let discriminant = squared(radius) - squared_length(digits(p.map(|length| up(length, more))));
-        // A unit and a half of the grid on each axis, which moves t by no more than a third of a unit; of a framed origin a hundredth
-        // of a unit has been rounded off.
+        // A unit and a half of the grid on each axis, which moves t by no more than a third of a unit; of a framed origin a
+        // five-hundredth of a unit has been rounded off.
         let known = if finer == 0 { unit } else { FINER as u32 + 1 };
         let certain = down(square(radius.high), (2 * (known - 3)).min(30)) + 2;
         Plain::Found(Self { o, r: Digits::new(r), k, discriminant, certain, unit, up: more })
@@ -146,7 +146,7 @@ impl ByMoment {
     /// more than a thirtieth of a unit, that of a framed origin by no more than a twentieth.
     #[inline(always)]
     const fn spare(&self) -> u32 {
-        if self.finer == 0 { 2 * (self.grid - 5) } else { 4 }
+        if self.finer == 0 { 2 * (self.grid - 5) } else { 8 }
     }
 
     /// The two ends, in the radius's unit.

@@ -22,8 +22,8 @@ pub(in crate::scalar) fn crossings(oy: i64, finer: i32, dy: i64, [low, high]: [i
     let Some(divisor) = Normalized::new((dy as i128) << 62).map(Normalized::divisor) else {
         return Plain::Unclear;
     };
-    // A framed origin is rounded to a hundredth of a unit, which a line almost in the plane makes more of.
-    if finer != 0 && divisor.shift > 3 {
+    // A framed origin is rounded to a five-hundredth of a unit, which a line almost in the plane makes more of.
+    if finer != 0 && divisor.shift > 6 {
         return Plain::Unclear;
     }
     match (divisor.quotient_of_length(low - oy, finer), divisor.quotient_of_length(high - oy, finer)) {
@@ -35,8 +35,8 @@ pub(in crate::scalar) fn crossings(oy: i64, finer: i32, dy: i64, [low, high]: [i
 /// The height `oy + t dy`, rounded to the unit of `t`; the origin is in units of `2^-finer` of that.
 #[inline(always)]
 pub(in crate::scalar) fn height(oy: i64, finer: i32, dy: i64, t: i64) -> Plain<i64> {
-    // Up to 2^60 the sum fits, and up to 2^54 it does in the units of a frame.
-    if (upper_bits(oy) | upper_bits(t)) >> 28 != 0 || !(finer == 0 || finer == FINER && upper_bits(t) >> 22 == 0) {
+    // Up to 2^60 the sum fits, and up to 2^52 it does in the units of a frame.
+    if (upper_bits(oy) | upper_bits(t)) >> 28 != 0 || !(finer == 0 || finer == FINER && upper_bits(t) >> 20 == 0) {
         return Plain::Unclear;
     }
     let (t, dy) = (Digits::new(t), Digits::new(dy));

@@ -11,12 +11,12 @@ mod quotient;
 mod round;
 mod turned;
 
-use super::{FINER, high_product, leading_zeros, magnitude_bits, product, product_unsigned, reciprocal_root, square};
+use super::{high_product, leading_zeros, magnitude_bits, product, product_unsigned, reciprocal_root, square};
 
 pub(in crate::scalar) use ball::{ByApproach, ByMoment};
 pub(in crate::scalar) use flat::{crossings, height, lowered};
 pub(in crate::scalar) use round::tube;
-pub(in crate::scalar) use turned::turned;
+pub(in crate::scalar) use turned::{FINER, turned};
 
 /// `high * 2^32 + low`, with a low digit of either sign.
 #[derive(Clone, Copy)]

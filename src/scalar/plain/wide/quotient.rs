@@ -80,7 +80,7 @@ impl Divisor {
         Some(self.signed(down_to_64(magnitude, down), numerator < 0))
     }
 
-    /// The quotient of a number in units of `2^-finer`, of which there are fewer than [`FRACTION`].
+    /// The quotient of a number in units of `2^-finer`, no finer than half of [`FRACTION`]'s.
     #[inline(always)]
     pub(super) fn quotient_of_length(self, numerator: i64, finer: i32) -> Option<i64> {
         let magnitude = numerator.unsigned_abs();

@@ -38,12 +38,12 @@ pub(in crate::scalar) fn tube(o: [i64; 3], finer: i32, d: [i64; 3], r: i64) -> P
     let positive = down_by_few(positive, digits.shift - 1);
     let discriminant = positive - squared(wy);
     // The moment's rounding, half a unit of the grid, moves t by no more than a thirtieth of a unit, that of a framed origin by no
-    // more than a tenth.
+    // more than a twentieth.
     let spare = grid.wrapping_sub(digits.shift) as i32;
-    if spare < 8 || finer != 0 && digits.shift > 3 {
+    if spare < 8 || finer != 0 && digits.shift > 6 {
         return Plain::Unclear;
     }
-    let certain = down(high(positive), if finer == 0 { (2 * (spare as u32 - 5)).min(30) } else { 4 });
+    let certain = down(high(positive), if finer == 0 { (2 * (spare as u32 - 5)).min(30) } else { 8 - digits.shift });
     if high(discriminant) < certain {
         return if high(discriminant) < -certain { Plain::Miss } else { Plain::Unclear };
     }

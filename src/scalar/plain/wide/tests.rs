@@ -216,7 +216,7 @@ fn planes_are_met_where_they_are() {
         }
         match height(o[1], finer, d[1], first) {
             Plain::Found(there) => assert!((there - y).abs() <= 1, "{there}: {o:?} {d:?} {y}"),
-            _ => assert!(first.unsigned_abs() >> 54 != 0, "{o:?} {d:?} {y}"),
+            _ => assert!(first.unsigned_abs() >> 52 != 0, "{o:?} {d:?} {y}"),
         }
     }
     assert!(found > LINES / 4, "{found}");
