@@ -4,7 +4,8 @@ use super::{Geometry, Line, queries, surface_coordinates as coordinates};
 use crate::arithmetic::Arithmetic;
 use crate::figure::Figure;
 use crate::part::Part;
-use crate::scalar::{Plain, PlainLine, Real, Scalar, UnitScalar};
+use crate::ray::Range;
+use crate::scalar::{Plain, PlainLine, Real, Scalar, UnitScalar, found};
 use crate::span::{End, Meeting, Span};
 use crate::vector::{UnitVec3, Vec3};
 use core::marker::PhantomData;
@@ -86,6 +87,18 @@ impl<S: Scalar> Geometry<S> for Plane<S> {
             // A line that stays in one height may lie in the plane.
             Plain::Miss | Plain::Unclear => Plain::Unclear,
         }
+    }
+
+    /// Moving away from the plane: no.
+    #[inline(always)]
+    fn meets_ahead_plainly<T: Arithmetic<S>>(&self, line: &PlainLine<S>) -> Plain<()> {
+        let (y, dy) = (line.origin[1], line.direction[1]);
+        let moves_away = if y < S::ZERO { dy <= S::Unit::ZERO } else { y > S::ZERO && dy >= S::Unit::ZERO };
+        if !S::RELATIVE && line.finer == 0 && moves_away {
+            return Plain::Miss;
+        }
+        let meeting = found!(self.meet_plainly::<T>(line));
+        if meeting.nearest(Range::FORWARD, |_| true).is_some() { Plain::Found(()) } else { Plain::Miss }
     }
 
     #[inline]

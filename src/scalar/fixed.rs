@@ -302,6 +302,67 @@ macro_rules! fixed {
     };
 }
 
+/// The short ways that types of both widths have.
+macro_rules! plain {
+    ($Fixed:ident, $($kernels:ident)::+) => {
+        #[inline(always)]
+        fn plain_ball(line: PlainLine<Self>, r: Self, by_moment: bool) -> Plain<[Self; 2]> {
+            let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits), r.to_bits());
+            let [low, high] = if by_moment {
+                found!(found!($($kernels)::+::ByMoment::new(o, line.finer, d, r)).ends())
+            } else {
+                found!(found!($($kernels)::+::ByApproach::new(o, line.finer, d, r)).ends())
+            };
+            Plain::Found([Self::from_bits(low), Self::from_bits(high)])
+        }
+        #[inline(always)]
+        fn plain_ball_ahead(line: PlainLine<Self>, r: Self, by_moment: bool) -> Plain<()> {
+            let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits), r.to_bits());
+            if by_moment {
+                found!($($kernels)::+::ByMoment::new(o, line.finer, d, r)).meets_ahead()
+            } else {
+                found!($($kernels)::+::ByApproach::new(o, line.finer, d, r)).meets_ahead()
+            }
+        }
+        #[inline(always)]
+        fn plain_tube(line: PlainLine<Self>, r: Self) -> Plain<[Self; 2]> {
+            let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits), r.to_bits());
+            let [low, high] = found!($($kernels)::+::tube(o, line.finer, d, r));
+            Plain::Found([Self::from_bits(low), Self::from_bits(high)])
+        }
+        #[inline(always)]
+        fn plain_height(line: PlainLine<Self>, t: Self, _: [Self; 2]) -> Plain<Self> {
+            let (oy, dy) = (line.origin[1].to_bits(), line.direction[1].to_bits());
+            Plain::Found(Self::from_bits(found!($($kernels)::+::height(oy, line.finer, dy, t.to_bits()))))
+        }
+        #[inline(always)]
+        fn plain_lowered(line: PlainLine<Self>, y: Self) -> Plain<PlainLine<Self>> {
+            let [ox, oy, oz] = line.origin;
+            let lowered = found!($($kernels)::+::lowered(oy.to_bits(), line.finer, y.to_bits()));
+            Plain::Found(PlainLine { origin: [ox, Self::from_bits(lowered), oz], ..line })
+        }
+        #[inline(always)]
+        fn plain_crossings(line: PlainLine<Self>, y: [Self; 2]) -> Plain<[Self; 2]> {
+            let (oy, dy) = (line.origin[1].to_bits(), line.direction[1].to_bits());
+            let [first, second] = found!($($kernels)::+::crossings(oy, line.finer, dy, y.map(Self::to_bits)));
+            Plain::Found([Self::from_bits(first), Self::from_bits(second)])
+        }
+        #[inline(always)]
+        fn plain_turned(
+            o: [Self; 3],
+            d: [Self::Unit; 3],
+            position: [Self; 3],
+            axes: [[Self::Unit; 3]; 3],
+        ) -> Option<PlainLine<Self>> {
+            let (o, position) = (o.map(Self::to_bits), position.map(Self::to_bits));
+            let [origin, direction] =
+                $($kernels)::+::turned(o, position, axes.map(|axis| axis.map($Fixed::to_bits)), d.map($Fixed::to_bits))?;
+            let (origin, direction) = (origin.map(Self::from_bits), direction.map($Fixed::from_bits));
+            Some(PlainLine { origin, finer: $($kernels)::+::FINER, direction })
+        }
+    };
+}
+
 fixed!(FixedI32, LeEqU32, U30, Block64, Short32, i32, i64, u64, 32, 30, plain::product, {
     #[inline(always)]
     fn along(self, component: Self::Unit) -> Self {
@@ -320,44 +381,7 @@ fixed!(FixedI32, LeEqU32, U30, Block64, Short32, i32, i64, u64, 32, 30, plain::p
     fn plain_direction(v: [Self; 3]) -> Plain<[Self::Unit; 3]> {
         Plain::Found(found!(plain::direction(v.map(Self::to_bits))).map(FixedI32::from_bits))
     }
-    #[inline(always)]
-    fn plain_ball(line: PlainLine<Self>, r: Self, by_moment: bool) -> Plain<[Self; 2]> {
-        let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits), r.to_bits());
-        let [low, high] = if by_moment {
-            found!(found!(plain::ByMoment::new(o, line.finer, d, r)).ends())
-        } else {
-            found!(found!(plain::ByApproach::new(o, line.finer, d, r)).ends())
-        };
-        Plain::Found([Self::from_bits(low), Self::from_bits(high)])
-    }
-    #[inline(always)]
-    fn plain_turned(
-        o: [Self; 3],
-        d: [Self::Unit; 3],
-        position: [Self; 3],
-        axes: [[Self::Unit; 3]; 3],
-    ) -> Option<PlainLine<Self>> {
-        let (o, position) = (o.map(Self::to_bits), position.map(Self::to_bits));
-        let [origin, direction] =
-            plain::turned(o, position, axes.map(|axis| axis.map(FixedI32::to_bits)), d.map(FixedI32::to_bits))?;
-        let (origin, direction) = (origin.map(Self::from_bits), direction.map(FixedI32::from_bits));
-        Some(PlainLine { origin, finer: plain::FINER, direction })
-    }
-    #[inline(always)]
-    fn plain_ball_ahead(line: PlainLine<Self>, r: Self, by_moment: bool) -> Plain<()> {
-        let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits), r.to_bits());
-        if by_moment {
-            found!(plain::ByMoment::new(o, line.finer, d, r)).meets_ahead()
-        } else {
-            found!(plain::ByApproach::new(o, line.finer, d, r)).meets_ahead()
-        }
-    }
-    #[inline(always)]
-    fn plain_tube(line: PlainLine<Self>, r: Self) -> Plain<[Self; 2]> {
-        let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits), r.to_bits());
-        let [low, high] = found!(plain::tube(o, line.finer, d, r));
-        Plain::Found([Self::from_bits(low), Self::from_bits(high)])
-    }
+    plain!(FixedI32, plain);
     #[inline(always)]
     fn plain_nappe(line: PlainLine<Self>, base: Self, growth: Self, height: Option<Self>) -> Plain<PlainNappe<Self>> {
         let (o, d) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits));
@@ -370,22 +394,7 @@ fixed!(FixedI32, LeEqU32, U30, Block64, Short32, i32, i64, u64, 32, 30, plain::p
         let [low, high] = ends;
         Plain::Found(PlainNappe { ends: [Self::from_bits(low), Self::from_bits(high)], certain })
     }
-    #[inline(always)]
-    fn plain_height(line: PlainLine<Self>, t: Self, _: [Self; 2]) -> Plain<Self> {
-        let (oy, dy) = (line.origin[1].to_bits(), line.direction[1].to_bits());
-        Plain::Found(Self::from_bits(found!(plain::height(oy, line.finer, dy, t.to_bits()))))
-    }
-    #[inline(always)]
-    fn plain_lowered(line: PlainLine<Self>, y: Self) -> Plain<PlainLine<Self>> {
-        let [ox, oy, oz] = line.origin;
-        let lowered = found!(plain::lowered(oy.to_bits(), line.finer, y.to_bits()));
-        Plain::Found(PlainLine { origin: [ox, Self::from_bits(lowered), oz], ..line })
-    }
-    #[inline(always)]
-    fn plain_crossings(line: PlainLine<Self>, y: [Self; 2]) -> Plain<[Self; 2]> {
-        let (oy, dy) = (line.origin[1].to_bits(), line.direction[1].to_bits());
-        let [first, second] = found!(plain::crossings(oy, line.finer, dy, y.map(Self::to_bits)));
-        Plain::Found([Self::from_bits(first), Self::from_bits(second)])
-    }
 });
-fixed!(FixedI64, LeEqU64, U62, Block128, Short64, i64, i128, u128, 64, 62, product, {});
+fixed!(FixedI64, LeEqU64, U62, Block128, Short64, i64, i128, u128, 64, 62, product, {
+    plain!(FixedI64, plain::wide);
+});

@@ -206,7 +206,7 @@ pub trait Scalar:
     /// The two ends of the line inside the ball of radius `r` about the origin: from its closest approach, or, if `by_moment`, from its
     /// moment.
     ///
-    /// This and the other `plain` functions are a short way for the usual case: plain integers for 32-bit fixed types, for floats
+    /// This and the other `plain` functions are a short way for the usual case: plain integers for fixed types, for floats
     /// numbers that need no scaling. What they do not answer is left to the solver.
     #[inline(always)]
     fn plain_ball(_: PlainLine<Self>, _r: Self, _by_moment: bool) -> Plain<[Self; 2]> {

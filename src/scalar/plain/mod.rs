@@ -16,6 +16,7 @@ mod flat;
 mod quotient;
 mod round;
 mod turned;
+pub(super) mod wide;
 
 pub(super) use ball::{ByApproach, ByMoment};
 pub(super) use cone::nappe;
@@ -42,6 +43,20 @@ pub(super) fn product(a: i32, b: i32) -> i64 {
     let second = al.wrapping_mul(bh).wrapping_add(first & 0xffff);
     let high = ah.wrapping_mul(bh).wrapping_add(first >> 16).wrapping_add(second >> 16);
     ((high as i64) << 32) | (a.wrapping_mul(b) as u32 as i64)
+}
+
+/// `a * b` of two unsigned numbers.
+#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+#[inline(always)]
+fn product_unsigned(a: u32, b: u32) -> u64 {
+    a as u64 * b as u64
+}
+
+/// `a * b` of two unsigned numbers, from products of 16 bits.
+#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+#[inline(always)]
+fn product_unsigned(a: u32, b: u32) -> u64 {
+    ((high_product(a, b) as u64) << 32) | a.wrapping_mul(b) as u64
 }
 
 /// `a * a` for a number below 2^31 in magnitude.

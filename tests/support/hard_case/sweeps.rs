@@ -44,7 +44,7 @@ pub const ZEROS: Sweep = Sweep {
 pub const FARTHER: Sweep = Sweep {
     name: "ever farther",
     // From where a unit of `t` is larger than the solid.
-    limits: &[("f32", 720, 0, 0.0), ("f64", 1804, 0, 3.8)],
+    limits: &[("f32", 720, 0, 0.0), ("f64", 1804, 0, 2.5)],
 };
 pub const ENDS: Sweep = Sweep {
     name: "at the ends of the type",

@@ -1,0 +1,203 @@
+//! A line and a ball.
+
+use super::{
+    Digits, FINER, digits, dot, down, down_to_64, high, leading_zeros, minor, product, refined, root, rounded, square,
+    squared, squared_length, up, up_to_128, upper_bits, words,
+};
+use crate::scalar::Plain;
+
+/// How a line comes close to a ball, for a direction taken to be exactly unit: `k = o . d` and `D = r^2 - |o - k d|^2`, so that
+/// `t = -k -+ sqrt(D)`.
+pub(in crate::scalar) struct ByApproach {
+    o: [Digits; 3],
+    r: Digits,
+    k: i64,
+    discriminant: i128,
+    /// What rounding may have made of the discriminant's upper half.
+    certain: i64,
+    /// Lengths are in units of `2^-unit`, those that the discriminant is made of `2^-up` of that.
+    unit: u32,
+    up: u32,
+}
+
+impl ByApproach {
+    /// The origin is in units of `2^-finer` of the radius's.
+    #[inline(always)]
+    pub(in crate::scalar) fn new(o: [i64; 3], finer: i32, d: [i64; 3], r: i64) -> Plain<Self> {
+        // On a grid on which no length has more than 60 bits. With less than four bits below the unit its rounding would count.
+        let Some(r) = refined(r, finer) else { return Plain::Unclear };
+        let all = upper_bits(o[0]) | upper_bits(o[1]) | upper_bits(o[2]) | (r >> 32) as u32;
+        if all >= 1 << 24 {
+            return Plain::Unclear;
+        }
+        // The unit's exponent has five bits.
+        let grid = leading_zeros(all | 1 << 4) - 4;
+        let unit = grid + finer as u32;
+        let [x, y, z] = [up(o[0], grid), up(o[1], grid), up(o[2], grid)];
+        let (o, d) = (digits([x, y, z]), digits(d));
+        // Products with the direction are rounded to the grid; what their low digits would add, a unit each at most, is left out.
+        let on_grid = |high: i64, middle: i64| (high << 2) + ((middle + (1 << 29)) >> 30);
+        let k = on_grid(
+            product(o[0].high, d[0].high) + product(o[1].high, d[1].high) + product(o[2].high, d[2].high),
+            o[0].middle(d[0]) + o[1].middle(d[1]) + o[2].middle(d[2]),
+        );
+        let back = Digits::new(k);
+        let along = |d: Digits| on_grid(product(back.high, d.high), back.middle(d));
+        let p = [x - along(d[0]), y - along(d[1]), z - along(d[2])];
+        // From here on a grid on which the radius has 61 bits.
+        let r = up(r, grid);
+        let more = leading_zeros((r >> 32) as u32 | 1) - 3;
+        // Twice the radius or more.
+        if (upper_bits(p[0]) | upper_bits(p[1]) | upper_bits(p[2])) >> (30 - more) != 0 {
+            return Plain::Miss;
+        }
+        let radius = Digits::new(up(r, more));
+        let discriminant = squared(radius) - squared_length(digits(p.map(|length| up(length, more))));
+        // A unit and a half of the grid on each axis, which moves t by no more than a third of a unit; of a framed origin a
+        // five-hundredth of a unit has been rounded off.
+        let known = if finer == 0 { unit } else { FINER as u32 + 1 };
+        let certain = down(square(radius.high), (2 * (known - 3)).min(30)) + 2;
+        Plain::Found(Self { o, r: Digits::new(r), k, discriminant, certain, unit, up: more })
+    }
+
+    /// The two ends, in the radius's unit.
+    #[inline(always)]
+    pub(in crate::scalar) fn ends(self) -> Plain<[i64; 2]> {
+        if high(self.discriminant) < self.certain {
+            return if high(self.discriminant) < -self.certain { Plain::Miss } else { Plain::Unclear };
+        }
+        let root = down(root(self.discriminant) as i64, self.up);
+        let middle = ((1_u32 << self.unit) >> 1) as i64 - self.k;
+        Plain::Found([down(middle - root, self.unit), down(middle + root, self.unit)])
+    }
+
+    /// Whether there is an end at `t >= 0`; the same as [`ByApproach::ends`] says.
+    #[inline(always)]
+    pub(in crate::scalar) fn meets_ahead(self) -> Plain<()> {
+        if high(self.discriminant) < self.certain {
+            return if high(self.discriminant) < -self.certain { Plain::Miss } else { Plain::Unclear };
+        }
+        if self.k < 0 {
+            return Plain::Found(());
+        }
+        // Moving away: the far end is at -c / (k + sqrt(D)), where within half a unit of the type zero is zero; here within one, with
+        // what the upper half of c leaves out, and what a direction 2^-49 longer or shorter makes of k^2.
+        let k = (self.k >> 32) as i32;
+        let near = (k >> (31 - self.unit)) as i64 + (square(k) >> 48) + 2;
+        let c = high(squared_length(self.o) - squared(self.r));
+        if c > near {
+            Plain::Miss
+        } else if c < -near {
+            Plain::Found(())
+        } else {
+            Plain::Unclear
+        }
+    }
+}
+
+/// How a line comes close to a ball, from its moment `w = o x d`: `D = a r^2 - |w|^2`, so that `t = (-k -+ sqrt(D)) / a`.
+///
+/// `k` is exact; `a = 1 + e` with an `e` of at most 2^-39, whose square is nothing beside 1.
+pub(in crate::scalar) struct ByMoment {
+    d: [Digits; 3],
+    k: i128,
+    rr: i128,
+    /// `r^2 - |w|^2`
+    residual: i128,
+    /// Radius and moment are in units of `2^-grid`, `k` of `2^(-62 - finer)`, which is finer by `down` bits.
+    grid: u32,
+    down: u32,
+    finer: i32,
+}
+
+/// `1 + e` in units of `2^-124`.
+const ONE: i128 = 1 << 124;
+
+impl ByMoment {
+    /// The origin is in units of `2^-finer` of the radius's.
+    #[inline(always)]
+    pub(in crate::scalar) fn new(o: [i64; 3], finer: i32, d: [i64; 3], r: i64) -> Plain<Self> {
+        // A grid on which the radius has 61 bits; the moment is brought there by a shift down. With less than eight bits below the
+        // unit its rounding would count.
+        let [low, above] = words(r as u64);
+        // Farther away on all axes sums of products would not fit.
+        let all = upper_bits(o[0]) | upper_bits(o[1]) | upper_bits(o[2]);
+        if above >= 1 << 21 || all >= 1 << 29 || !(finer == 0 || finer == FINER) {
+            return Plain::Unclear;
+        }
+        let (top, grid) = if above != 0 { (above, 0) } else { (low, 32) };
+        let grid = leading_zeros(top | 1) + grid - 3;
+        let down = 62 + finer as u32 - grid;
+        let (o, d) = (digits(o), digits(d));
+        let ([x, y, z], [dx, dy, dz]) = (o, d);
+        let w = [minor([y, z], [dy, dz]), minor([z, x], [dz, dx]), minor([x, y], [dx, dy])];
+        let [wx, wy, wz] = w.map(i128::unsigned_abs);
+        // Twice the radius or more.
+        if down_to_64((wx | wy | wz) >> 64, down - 2) != 0 {
+            return Plain::Miss;
+        }
+        let on_grid = |minor: u128| Digits::new(((down_to_64(minor, down - 1) + 1) >> 1) as i64);
+        let w = [on_grid(wx), on_grid(wy), on_grid(wz)];
+        let rr = squared(Digits::new(up_to_128(r as u64, grid) as i64));
+        Plain::Found(Self { d, k: dot(o, d), rr, residual: rr - squared_length(w), grid, down, finer })
+    }
+
+    /// How many bits smaller than `r^2` the discriminant may be: the moment's rounding, half a unit of the grid, then moves t by no
+    /// more than a thirtieth of a unit, that of a framed origin by no more than a twentieth.
+    #[inline(always)]
+    const fn spare(&self) -> u32 {
+        if self.finer == 0 { 2 * (self.grid - 5) } else { 8 }
+    }
+
+    /// The two ends, in the radius's unit.
+    #[inline(always)]
+    pub(in crate::scalar) fn ends(self) -> Plain<[i64; 2]> {
+        // In units of 2^-70.
+        let e = ((squared_length(self.d) - ONE) >> 54) as i64;
+        if e != e as i32 as i64 {
+            return Plain::Unclear;
+        }
+        let e = e as i32;
+        let excess = (product((self.rr >> 96) as i32, e) as i128) << 26;
+        let discriminant = self.residual + excess;
+        let certain = down(high(self.rr), self.spare().min(30));
+        if high(discriminant) < certain {
+            return if high(discriminant) < -certain { Plain::Miss } else { Plain::Unclear };
+        }
+        let root = up_to_128(root(discriminant), self.down) as i128;
+        let end = |numerator: i128| {
+            let excess = (product((numerator >> 94) as i32, e) as i128) << 24;
+            rounded(numerator - excess, self.finer)
+        };
+        Plain::Found([end(-self.k - root), end(root - self.k)])
+    }
+
+    /// Whether there is an end at `t >= 0`; the same as [`ByMoment::ends`] says.
+    #[inline(always)]
+    pub(in crate::scalar) fn meets_ahead(self) -> Plain<()> {
+        // Whatever the direction's length.
+        let certain = down(high(self.rr), self.spare().min(17));
+        if high(self.residual) < certain {
+            return if high(self.residual) < -certain { Plain::Miss } else { Plain::Unclear };
+        }
+        if self.k < 0 {
+            return Plain::Found(());
+        }
+        // Moving away: the far end is at (D - k^2) / (k + sqrt(D)), where within half a unit of the type zero is zero.
+        let k = self.k as u128;
+        if down_to_64(k >> 64, self.down - 2) != 0 {
+            return Plain::Miss;
+        }
+        let k = down_to_64(k, self.down);
+        let beyond = high(squared(Digits::new(k as i64)) - self.residual);
+        // Two units, or what the direction's length makes of the discriminant.
+        let near = down_to_64(k as u128, self.down - self.finer as u32) as i64 + (high(self.rr) >> 18) + 1;
+        if beyond > near {
+            Plain::Miss
+        } else if beyond < -near {
+            Plain::Found(())
+        } else {
+            Plain::Unclear
+        }
+    }
+}

@@ -1,0 +1,230 @@
+//! The same for 64-bit types: lengths of 64 bits, their products in 128, made of products of 32.
+//!
+//! A number is multiplied as two [`Digits`] of 32 bits, both signed, so that the four products of two numbers need no
+//! correction, and sums of products add each kind of them in 64 bits before anything is carried.
+//!
+//! Sums of 128 bits are a chain of additions on any chip; products and shifts of 128 bits would be calls of functions.
+
+mod ball;
+mod flat;
+mod quotient;
+mod round;
+mod turned;
+
+use super::{high_product, leading_zeros, magnitude_bits, product, product_unsigned, reciprocal_root, square};
+
+pub(in crate::scalar) use ball::{ByApproach, ByMoment};
+pub(in crate::scalar) use flat::{crossings, height, lowered};
+pub(in crate::scalar) use round::tube;
+pub(in crate::scalar) use turned::{FINER, turned};
+
+/// `high * 2^32 + low`, with a low digit of either sign.
+#[derive(Clone, Copy)]
+struct Digits {
+    high: i32,
+    low: i32,
+}
+
+impl Digits {
+    /// Of a number of at most 2^62 in magnitude, or little more.
+    #[inline(always)]
+    const fn new(n: i64) -> Self {
+        // The low word as a signed number is 2^32 less if its top bit is set.
+        Self { high: (n >> 32) as i32 + (n as u32 >> 31) as i32, low: n as i32 }
+    }
+
+    /// The parts of the product that are multiples of 2^32.
+    #[inline(always)]
+    fn middle(self, other: Self) -> i64 {
+        product(self.high, other.low) + product(self.low, other.high)
+    }
+}
+
+/// A vector's digits.
+#[inline(always)]
+const fn digits([x, y, z]: [i64; 3]) -> [Digits; 3] {
+    [Digits::new(x), Digits::new(y), Digits::new(z)]
+}
+
+/// `high * 2^64 + middle * 2^32 + low`
+#[inline(always)]
+const fn carried(high: i64, middle: i64, low: i128) -> i128 {
+    ((high as i128) << 64) + ((middle as i128) << 32) + low
+}
+
+/// `a . b`
+#[inline(always)]
+fn dot<const N: usize>(a: [Digits; N], b: [Digits; N]) -> i128 {
+    let (mut high, mut middle, mut low) = (0, 0, 0);
+    for (a, b) in a.into_iter().zip(b) {
+        high += product(a.high, b.high);
+        middle += a.middle(b);
+        // Up to 2^62 each.
+        low += product(a.low, b.low) as i128;
+    }
+    carried(high, middle, low)
+}
+
+/// `a d - b c`
+#[inline(always)]
+fn minor([a, b]: [Digits; 2], [c, d]: [Digits; 2]) -> i128 {
+    let high = product(a.high, d.high) - product(b.high, c.high);
+    let middle = a.middle(d) - b.middle(c);
+    let low = product(a.low, d.low) as i128 - product(b.low, c.low) as i128;
+    carried(high, middle, low)
+}
+
+/// `|v|^2`
+#[inline(always)]
+fn squared_length([x, y, z]: [Digits; 3]) -> i128 {
+    let high = square(x.high) + square(y.high) + square(z.high);
+    let middle = product(x.high, x.low) + product(y.high, y.low) + product(z.high, z.low);
+    // Up to 2^62 each.
+    let low = square(x.low) as u64 + square(y.low) as u64 + square(z.low) as u64;
+    ((high as i128) << 64) + ((middle as i128) << 33) + low as i128
+}
+
+/// `r^2`
+#[inline(always)]
+fn squared(r: Digits) -> i128 {
+    ((square(r.high) as i128) << 64) + ((product(r.high, r.low) as i128) << 33) + square(r.low) as i128
+}
+
+/// The bits of the upper word of a number's magnitude.
+#[inline(always)]
+const fn upper_bits(n: i64) -> u32 {
+    magnitude_bits((n >> 32) as i32)
+}
+
+/// A length of the type in units of `2^-finer` of its own; `None` if it does not fit, or where the units are others than those of
+/// [`turned`].
+#[inline(always)]
+const fn refined(length: i64, finer: i32) -> Option<i64> {
+    match finer {
+        0 => Some(length),
+        FINER if upper_bits(length) >> (30 - FINER) == 0 => Some(length << FINER),
+        _ => None,
+    }
+}
+
+/// A number in units of `2^(-62 - finer)`, rounded to nearest, ties to even.
+#[inline(always)]
+const fn rounded(n: i128, finer: i32) -> i64 {
+    if finer == 0 { round_off::<62>(n) } else { round_off::<{ 62 + FINER as u32 }>(n) }
+}
+
+/// The upper half.
+#[inline(always)]
+const fn high(n: i128) -> i64 {
+    (n >> 64) as i64
+}
+
+/// The two words.
+#[inline(always)]
+const fn words(n: u64) -> [u32; 2] {
+    [n as u32, (n >> 32) as u32]
+}
+
+/// The number of these words.
+#[inline(always)]
+const fn joined([low, high]: [u32; 2]) -> u64 {
+    ((high as u64) << 32) | low as u64
+}
+
+/// `high * 2^by + low / 2^(32 - by)` for `by` below 32.
+#[inline(always)]
+const fn moved_up(high: u32, low: u32, by: u32) -> u32 {
+    (high << (by & 0x1f)) | (low >> 1 >> (!by & 0x1f))
+}
+
+/// `low / 2^by + high * 2^(32 - by)` for `by` below 32.
+#[inline(always)]
+const fn moved_down(high: u32, low: u32, by: u32) -> u32 {
+    (low >> (by & 0x1f)) | (high << 1 << (!by & 0x1f))
+}
+
+/// `n * 2^by` for `by` below 32.
+#[inline(always)]
+const fn up(n: i64, by: u32) -> i64 {
+    let [low, high] = words(n as u64);
+    joined([low << (by & 0x1f), moved_up(high, low, by)]) as i64
+}
+
+/// `n / 2^by` for `by` below 32, rounded down.
+#[inline(always)]
+const fn down(n: i64, by: u32) -> i64 {
+    let [low, high] = words(n as u64);
+    joined([moved_down(high, low, by), ((high as i32) >> (by & 0x1f)) as u32]) as i64
+}
+
+/// `n / 2^by` for `by` below 64, rounded down; it must be below 2^64.
+#[inline(always)]
+const fn down_to_64(n: u128, by: u32) -> u64 {
+    let ([a, b], [c, d]) = (words(n as u64), words((n >> 64) as u64));
+    let [low, middle, high] = if by & 32 == 0 { [a, b, c] } else { [b, c, d] };
+    joined([moved_down(middle, low, by), moved_down(high, middle, by)])
+}
+
+/// `n * 2^by` for `by` below 64.
+#[inline(always)]
+const fn up_to_128(n: u64, by: u32) -> u128 {
+    let [low, high] = words(n);
+    let [low, middle, high] = [low << (by & 0x1f), moved_up(high, low, by), moved_up(0, high, by)];
+    if by & 32 == 0 {
+        ((high as u128) << 64) | joined([low, middle]) as u128
+    } else {
+        (joined([middle, high]) as u128) << 64 | ((low as u128) << 32)
+    }
+}
+
+/// `n / 2^by` for `by` below 32 and a number of at least zero, rounded down.
+#[inline(always)]
+const fn down_by_few(n: i128, by: u32) -> i128 {
+    let ([a, b], [c, d]) = (words(n as u64), words(high(n) as u64));
+    let low = joined([moved_down(b, a, by), moved_down(c, b, by)]);
+    let high = joined([moved_down(d, c, by), d >> (by & 0x1f)]);
+    ((high as i128) << 64) | low as i128
+}
+
+/// `n * 2^-SHIFT` rounded to nearest, ties to even, as [`round_off`](super::round_off).
+#[inline(always)]
+const fn round_off<const SHIFT: u32>(n: i128) -> i64 {
+    let odd = (n >> SHIFT) & 1;
+    ((n + ((1 << (SHIFT - 1)) - 1) + odd) >> SHIFT) as i64
+}
+
+/// The square root of `(high * 2^32 + low) * 2^64`, which must have one of its two top bits set; to within 64.
+///
+/// From 14 bits of the reciprocal root a step of the third order to 29, and with that the root's own by one of Markstein's, as in
+/// the [`root_of_normalized`](super::root_of_normalized) of half the length.
+#[inline]
+fn root_of_normalized(high: u32, low: u32) -> u64 {
+    // y = 1 / sqrt(m), in units of 2^-15
+    let y = reciprocal_root(high) >> 1;
+    // 1 - m y^2 in units of 2^-43, below 2^-12 in magnitude: the product wraps around one.
+    let lack = ((product_unsigned(high, y * y) >> 19) as u32).wrapping_neg() as i32;
+    // y (1 + lack / 2 + 3 lack^2 / 8) in units of 2^-31; a little less, so that it stays below 2.
+    let short = lack >> 16;
+    let step = lack.wrapping_add(((3 * (short * short) as u32) >> 13) as i32);
+    let y = (y << 16).wrapping_add((product(y as i32, step) >> 28) as u32).wrapping_sub(1);
+    // sqrt(m) = m y, in units of 2^-32; never more than it.
+    let root = (product_unsigned(high, y) >> 31) as u32;
+    // (m - root^2) / (2 root): the remainder has a few bits more than a word.
+    let [rest, above] = words(joined([low, high]).wrapping_sub(product_unsigned(root, root)));
+    let step = high_product(rest, y) as u64 + product_unsigned(above, y);
+    joined([0, root]).saturating_add(step)
+}
+
+/// The square root of a number of at least 2^64 and below 2^126, rounded down, or next to it by no more than 2^-57 of itself.
+#[inline(always)]
+fn root(n: i128) -> u64 {
+    let ([a, b], [c, d]) = (words(n as u64), words(high(n) as u64));
+    let ([low, middle, high], less) = if d != 0 { ([b, c, d], 0) } else { ([a, b, c], 16) };
+    let more = leading_zeros(high | 1) & 0x1e;
+    let root = root_of_normalized(moved_up(high, middle, more), moved_up(middle, low, more));
+    let ([low, high], less) = (words(root), less + more / 2);
+    joined([moved_down(high, low, less), high >> less])
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,109 @@
+//! Quotients by one divisor.
+
+use super::{
+    down_to_64, high_product, joined, leading_zeros, moved_up, product, product_unsigned, up, upper_bits, words,
+};
+use crate::scalar::plain::reciprocal_of_normalized;
+
+/// A number that is to be divided by, with its top bit set.
+#[derive(Clone, Copy)]
+pub(super) struct Normalized {
+    /// The magnitude is `digits * 2^(-62 - shift)`.
+    pub(super) digits: u64,
+    /// Between 1 and 12.
+    pub(super) shift: u32,
+    negative: bool,
+}
+
+impl Normalized {
+    /// A number in units of 2^-124, between 2^-11 and 2 in magnitude.
+    #[inline(always)]
+    pub(super) fn new(a: i128) -> Option<Self> {
+        let magnitude = a.unsigned_abs();
+        let ([_, low], [middle, above]) = (words(magnitude as u64), words((magnitude >> 64) as u64));
+        if above < 1 << 17 {
+            return None;
+        }
+        let zeros = leading_zeros(above);
+        let digits = joined([moved_up(middle, low, zeros), moved_up(above, middle, zeros)]);
+        // 1 has three.
+        Some(Self { digits, shift: zeros.wrapping_sub(2), negative: a < 0 })
+    }
+
+    /// The reciprocal, made ready.
+    #[inline(always)]
+    pub(super) fn divisor(self) -> Divisor {
+        Divisor { reciprocal: reciprocal_of_digits(self.digits), shift: self.shift, negative: self.negative }
+    }
+}
+
+/// `2^127 / n` for a number with its top bit set, to within 2^-59 of itself.
+///
+/// A step of the third order from the reciprocal of the upper word.
+#[inline(always)]
+pub(super) fn reciprocal_of_digits(n: u64) -> u64 {
+    let [low, high] = words(n);
+    // m = n / 2^64 in [1/2, 1); y = 1 / m in (1, 2], in units of 2^-31
+    let y = reciprocal_of_normalized(high);
+    // 1 - m y in units of 2^-63, below 2^-29 in magnitude; in units of 2^-60 it fits a word.
+    let rest = (1_u64 << 63).wrapping_sub(product_unsigned(high, y)).wrapping_sub(high_product(low, y) as u64);
+    let rest = (rest as i64 >> 3) as i32;
+    let short = rest >> 16;
+    let step = rest.wrapping_add((short * short) >> 28);
+    // y has its top bit set: as a signed number it is 2^32 less.
+    joined([0, y]).saturating_add_signed((product(y as i32, step) + ((step as i64) << 32)) >> 28)
+}
+
+/// A number to divide by.
+#[derive(Clone, Copy)]
+pub(super) struct Divisor {
+    /// `2^127` over the digits of [`Normalized`].
+    reciprocal: u64,
+    /// As that of [`Normalized`].
+    pub(super) shift: u32,
+    negative: bool,
+}
+
+/// Bits below the unit of a numerator, if the divisor is next to 1: what is cut off from it moves the quotient by no more than a
+/// hundredth of a unit. The quotient stays below 2^55, where the reciprocal's error is no more than a sixteenth of a unit.
+const FRACTION: u32 = 7;
+
+impl Divisor {
+    /// The quotient of a number in units of `2^(-62 - finer)`, rounded to nearest; `None` if it is too large for that.
+    #[inline(always)]
+    pub(super) fn quotient(self, numerator: i128, finer: i32) -> Option<i64> {
+        let magnitude = numerator.unsigned_abs();
+        let down = 62 + finer as u32 - FRACTION - self.shift;
+        if down_to_64(magnitude >> 64, down.wrapping_sub(1)) != 0 {
+            return None;
+        }
+        Some(self.signed(down_to_64(magnitude, down), numerator < 0))
+    }
+
+    /// The quotient of a number in units of `2^-finer`, no finer than half of [`FRACTION`]'s.
+    #[inline(always)]
+    pub(super) fn quotient_of_length(self, numerator: i64, finer: i32) -> Option<i64> {
+        let magnitude = numerator.unsigned_abs();
+        let more = FRACTION + self.shift - finer as u32;
+        if upper_bits(magnitude as i64) >> (31 - more) != 0 {
+            return None;
+        }
+        Some(self.signed(up(magnitude as i64, more) as u64, numerator < 0))
+    }
+
+    /// Of a numerator in units of `2^(-FRACTION - shift)`, below 2^63.
+    #[inline(always)]
+    fn signed(self, magnitude: u64, negative: bool) -> i64 {
+        let quotient = ((upper_product(magnitude, self.reciprocal) >> FRACTION) + 1) >> 1;
+        if negative == self.negative { quotient as i64 } else { -(quotient as i64) }
+    }
+}
+
+/// The upper half of the product of two numbers.
+#[inline(always)]
+pub(super) fn upper_product(a: u64, b: u64) -> u64 {
+    let ([a, above], [b, beyond]) = (words(a), words(b));
+    let [first, carried] = words(product_unsigned(a, beyond) + high_product(a, b) as u64);
+    let [_, more] = words(product_unsigned(above, b) + first as u64);
+    product_unsigned(above, beyond) + carried as u64 + more as u64
+}

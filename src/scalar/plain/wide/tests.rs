@@ -1,0 +1,251 @@
+use super::*;
+use crate::scalar::{Plain, found};
+use dashu::integer::IBig;
+
+/// Lines a test; two million were tried.
+const LINES: u32 = 20_000;
+
+/// Random words.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        let n = self.0 ^ (self.0 >> 29);
+        n.wrapping_mul(0xbf58_476d_1ce4_e5b9) ^ (n >> 32)
+    }
+    fn below(&mut self, bound: u64) -> u64 {
+        (self.next() >> 8) % bound
+    }
+    /// In `[-1, 1)`.
+    fn either(&mut self) -> f64 {
+        (self.next() as i64) as f64 * 2.0_f64.powi(-63)
+    }
+    /// A number of any size up to so many bits.
+    fn sized(&mut self, bits: u64) -> i64 {
+        let n = self.next() >> 1 >> (63 - 1 - self.below(bits - 1)).min(62);
+        (n as i64).max(1)
+    }
+}
+
+fn unit(v: [f64; 3]) -> [f64; 3] {
+    let length = v.iter().map(|c| c * c).sum::<f64>().sqrt();
+    v.map(|c| c / length)
+}
+
+/// A line at a ball: near or far, grazing, from inside or from the surface; coordinates of all sizes below 2^62.
+fn line_and_ball(random: &mut Random) -> ([i64; 3], [i64; 3], i64) {
+    loop {
+        let r = random.sized(62);
+        let r = if random.below(2) == 0 { r } else { ((r >> FINER) + 1) << FINER };
+        let mut d = unit([random.either(), random.either(), random.either()]);
+        match random.below(8) {
+            0 => d = [1.0, 0.0, 0.0],
+            1 => d = unit([random.either() * 1e-9, 1.0, random.either() * 1e-9]),
+            2 => d = unit([0.0, random.either(), random.either()]),
+            _ => {}
+        }
+        let other = unit([random.either(), random.either(), random.either()]);
+        let along: f64 = (0..3).map(|i| other[i] * d[i]).sum();
+        let side = unit([0, 1, 2].map(|i| other[i] - along * d[i]));
+        let radius = r as f64;
+        let impact = match random.below(4) {
+            0 => random.either() * 0.9,
+            1 => random.either() * 1.5,
+            2 => 1.0 + random.either() * 2.0_f64.powi(-(random.below(40) as i32)),
+            _ => random.either().abs().sqrt(),
+        } * radius;
+        let back = match random.below(4) {
+            0 => (radius * radius - impact * impact).max(0.0).sqrt() * if random.below(2) == 0 { 1.0 } else { -1.0 },
+            1 => random.either() * radius,
+            2 => radius * 16.0 * random.either(),
+            _ => random.sized(62) as f64,
+        };
+        let at = [0, 1, 2].map(|i| side[i] * impact - d[i] * back);
+        if at.iter().any(|c| c.abs() >= 2.0_f64.powi(62)) {
+            continue;
+        }
+        // Below the precision of doubles any bits will do.
+        let mut bits = |c: f64, one: f64| {
+            (c * one) as i64 ^ (random.next() & ((1 << 8) - 1) & ((c.abs() * one) as u64 >> 53)) as i64
+        };
+        let o = at.map(|c| bits(c, 1.0));
+        let mut d = d.map(|c| (c * 2.0_f64.powi(62)) as i64);
+        // As long as a rounded unit vector, half of the time.
+        if random.below(2) == 0 {
+            let largest = (0..3).fold(0, |i, j| if d[j].abs() > d[i].abs() { j } else { i });
+            let others: i128 = (0..3).filter(|i| *i != largest).map(|i| (d[i] as i128) * d[i] as i128).sum();
+            d[largest] = d[largest].signum() * ((1 << 124) - others).isqrt() as i64;
+        }
+        return (o, d, r);
+    }
+}
+
+/// The length in the unit of the type, which it is half of the time, or as many times coarser as that of a frame.
+fn units(length: i64) -> (i32, i64) {
+    if length % (1 << FINER) == 0 { (FINER, length >> FINER) } else { (0, length) }
+}
+
+/// `a t^2 + 2 k t + c` with numbers as large as they get; `t` is in units of 2^-10.
+struct Exactly {
+    a: IBig,
+    k: IBig,
+    c: IBig,
+}
+
+impl Exactly {
+    fn new(o: [i64; 3], d: [i64; 3], r: i64) -> Self {
+        let dot = |a: [i64; 3], b: [i64; 3]| (0..3).map(|i| IBig::from(a[i]) * IBig::from(b[i])).sum::<IBig>();
+        let one = IBig::from(1) << 62;
+        Self { a: dot(d, d), k: dot(o, d) * &one, c: (dot(o, o) - IBig::from(r) * IBig::from(r)) * &one * one }
+    }
+    /// Whether the direction's length is 1 within 2^-60.
+    fn is_unit(&self) -> bool {
+        let e: IBig = (IBig::from(1) << 124) - &self.a;
+        e < IBig::from(1) << 64 && e > -(IBig::from(1) << 64)
+    }
+    fn misses(&self) -> bool {
+        &self.k * &self.k < &self.a * &self.c
+    }
+    fn at(&self, t: &IBig) -> IBig {
+        &self.a * t * t + ((&self.k * t) << 11) + (&self.c << 20)
+    }
+    /// Whether the first (or the second) end is within so many 1024ths of this one, which is in units that are coarser.
+    fn is_end(&self, t: i64, finer: i32, second: bool, within: i64) -> bool {
+        let t = if second { -IBig::from(t) } else { IBig::from(t) } << (10 + finer as usize);
+        let within = within << finer;
+        let turned = Self { a: self.a.clone(), k: if second { -&self.k } else { self.k.clone() }, c: self.c.clone() };
+        let (low, high) = (&t - IBig::from(within), &t + IBig::from(within));
+        let beyond = |t: &IBig| &turned.a * t + (&turned.k << 10) >= IBig::ZERO;
+        turned.at(&low) >= IBig::ZERO && !beyond(&low) && (turned.at(&high) <= IBig::ZERO || beyond(&high))
+    }
+}
+
+/// What the kernel says of a line: its ends, and whether one is ahead.
+fn asked(o: [i64; 3], finer: i32, d: [i64; 3], r: i64, by_moment: bool) -> (Plain<[i64; 2]>, Plain<()>) {
+    let ends = || {
+        Plain::Found(if by_moment {
+            found!(found!(ByMoment::new(o, finer, d, r)).ends())
+        } else {
+            found!(found!(ByApproach::new(o, finer, d, r)).ends())
+        })
+    };
+    let ahead = || {
+        if by_moment {
+            found!(ByMoment::new(o, finer, d, r)).meets_ahead()
+        } else {
+            found!(ByApproach::new(o, finer, d, r)).meets_ahead()
+        }
+    };
+    (ends(), ahead())
+}
+
+#[test]
+fn balls_are_met_where_they_are() {
+    let mut random = Random(1);
+    let mut found = 0;
+    for _ in 0..LINES {
+        let (o, d, r) = line_and_ball(&mut random);
+        let exactly = Exactly::new(o, d, r);
+        let (finer, r) = units(r);
+        // The closest approach takes the direction for unit; half a unit of 1024ths is that of rounding.
+        for (by_moment, within) in [(true, 528), (false, 1024)] {
+            if !by_moment && !exactly.is_unit() {
+                continue;
+            }
+            let (ends, ahead) = asked(o, finer, d, r, by_moment);
+            let line = std::format!("{o:?} {d:?} {r}, finer: {finer}, by moment: {by_moment}");
+            match ends {
+                Plain::Unclear => {}
+                Plain::Miss => assert!(exactly.misses(), "lost: {line}"),
+                Plain::Found([low, high]) => {
+                    found += 1;
+                    assert!(!exactly.misses(), "phantom: {line}");
+                    assert!(exactly.is_end(low, finer, false, within), "{low} is no end: {line}");
+                    assert!(exactly.is_end(high, finer, true, within), "{high} is no end: {line}");
+                }
+            }
+            match (ahead, ends) {
+                (Plain::Unclear, _) | (_, Plain::Unclear) => {}
+                (ahead, Plain::Miss) => assert_eq!(ahead, Plain::Miss, "missed, but met ahead: {line}"),
+                (Plain::Miss, Plain::Found([_, high])) => assert!(high < 0, "{high} is ahead: {line}"),
+                (Plain::Found(()), Plain::Found([_, high])) => assert!(high >= 0, "{high} is not ahead: {line}"),
+            }
+        }
+    }
+    assert!(found > LINES * 9 / 10, "{found}");
+}
+
+#[test]
+fn cylinders_are_met_where_they_are() {
+    let mut random = Random(2);
+    let mut found = 0;
+    for _ in 0..LINES {
+        let (o, d, r) = line_and_ball(&mut random);
+        let exactly = Exactly::new([o[0], 0, o[2]], [d[0], 0, d[2]], r);
+        let (finer, r) = units(r);
+        let line = std::format!("{o:?} {d:?} {r}, finer: {finer}");
+        match tube(o, finer, d, r) {
+            Plain::Unclear => {}
+            Plain::Miss => assert!(exactly.misses(), "lost: {line}"),
+            Plain::Found([low, high]) => {
+                found += 1;
+                assert!(!exactly.misses(), "phantom: {line}");
+                assert!(exactly.is_end(low, finer, false, 560), "{low} is no end: {line}");
+                assert!(exactly.is_end(high, finer, true, 560), "{high} is no end: {line}");
+            }
+        }
+    }
+    assert!(found > LINES / 4, "{found}");
+}
+
+#[test]
+fn planes_are_met_where_they_are() {
+    let mut random = Random(3);
+    let mut found = 0;
+    for _ in 0..LINES {
+        let (o, d, fine) = line_and_ball(&mut random);
+        let (finer, y) = units(fine);
+        let Plain::Found([first, second]) = crossings(o[1], finer, d[1], [y, 0]) else { continue };
+        found += 1;
+        for (t, y) in [(first, fine), (second, 0)] {
+            // dy (t -+ 1/2 and a bit) on both sides of the height
+            let beyond = (IBig::from(y - o[1]) << 62) - (IBig::from(t) << finer as usize) * IBig::from(d[1]);
+            let half = IBig::from(d[1].unsigned_abs()) * IBig::from(560 << finer);
+            assert!(beyond.clone() << 10 <= half && -beyond << 10 <= half, "{t}: {o:?} {d:?} {y}");
+        }
+        match height(o[1], finer, d[1], first) {
+            Plain::Found(there) => assert!((there - y).abs() <= 1, "{there}: {o:?} {d:?} {y}"),
+            _ => assert!(first.unsigned_abs() >> 52 != 0, "{o:?} {d:?} {y}"),
+        }
+    }
+    assert!(found > LINES / 4, "{found}");
+}
+
+/// Numbers of all sizes.
+fn numbers() -> impl Iterator<Item = u64> {
+    let mut random = Random(1);
+    (0..400_000).map(move |_| random.next())
+}
+
+#[test]
+fn root_is_within_its_bound() {
+    let normalized = numbers().map(|n| if n >> 62 == 0 { n | 1 << 62 } else { n });
+    let squares = (1 << 31..1_u64 << 32).step_by(54_321).flat_map(|n| [n * n - 1, n * n, n * n + 1]);
+    let bytes = (64..256).flat_map(|n| [n << 56, (n << 56) | ((1 << 56) - 1), (n << 56) | (1 << 55)]);
+    for n in normalized.chain(squares).chain(bytes).chain([1 << 62, u64::MAX]).filter(|n| n >> 62 != 0) {
+        let got = root_of_normalized((n >> 32) as u32, n as u32);
+        let floor = ((n as u128) << 64).isqrt() as u64;
+        assert!(got.abs_diff(floor) <= 64, "root({n:#x}) = {got}, not {floor}");
+    }
+}
+
+#[test]
+fn reciprocal_is_within_its_bound() {
+    let bytes = (128..256).flat_map(|n| [n << 56, (n << 56) | ((1 << 56) - 1), (n << 56) | (1 << 55)]);
+    for n in numbers().map(|n| n | 1 << 63).chain(bytes).chain([1 << 63, u64::MAX]) {
+        let got = quotient::reciprocal_of_digits(n);
+        let exact = ((1_u128 << 127) / n as u128).min(u64::MAX as u128) as u64;
+        assert!(got.abs_diff(exact) <= 32, "1 / {n:#x} = {got}, not {exact}");
+    }
+}
