@@ -1,0 +1,111 @@
+//! Why: the words for what `findings` finds. Where a row has none here, the document says that it is not explained.
+
+use super::findings::{Beaten, Machine};
+
+type Why = (fn(&Beaten<'_>) -> bool, &'static str);
+
+fn is_fixed(row: &Beaten<'_>) -> bool {
+    row.slower.number.starts_with('I')
+}
+
+/// Both tiers make the same error but for the last roundings.
+fn is_nearly_as_accurate(row: &Beaten<'_>) -> bool {
+    row.faster.lengths[1] > row.slower.lengths[1] * 0.66
+}
+
+fn is_flat(row: &Beaten<'_>) -> bool {
+    matches!(row.slower.primitive, "plane" | "disc" | "triangle")
+}
+
+/// The first that applies counts.
+pub const WHY: [Why; 10] = [
+    (
+        |row| is_fixed(row) && row.slower.tier == "Textbook",
+        "The operators of `fixed` round every product, widening and shifting each, and the textbook divides both roots by `a`. The tiers \
+         keep products whole, see most misses by signs of plain integers, and take one root and one quotient.",
+    ),
+    (
+        |row| row.slower.workload.starts_with("stretched") && row.slower.tier == "Exact",
+        "A stretched placement stores a rounded inverse and every tier takes it at its word. What is left is the matrix's rounding, \
+         the same for all; where its effect and a tier's own rounding cancel is chance.",
+    ),
+    (
+        |row| row.faster.tier == "Exact" && row.slower.tier == "Stable",
+        "`Stable` holds the careful coefficients of cones, grazing rays and triangles to twice the precision in pairs of `f32`, at some ten \
+         to twenty operations a product. The filter of `Exact` has them in one `f64`, where a product of two `f32` is exact; its price \
+         is the running error bound. Where most coefficients are careful, that is less, even where doubles are software.",
+    ),
+    (
+        |row| row.faster.tier == "Exact" && row.slower.tier == "Fast" && row.slower.primitive == "triangle",
+        "A float triangle is scaled near 1 before it is solved, vertex by vertex, which costs more than its products; `Exact` does not \
+         scale, since doubles hold the products of all `f32`.",
+    ),
+    (
+        |row| is_fixed(row) && row.faster.tier == "Stable" && row.slower.tier == "Fast" && row.machine == Machine::Host,
+        "`Fast` rounds products to the width of the type's double. Far away that leaves too few bits, and it hands the ray on to the \
+         solver in block-floating numbers; the wider integers of `Stable` still hold it.",
+    ),
+    (
+        |row| is_fixed(row) && row.faster.tier == "Stable" && row.slower.tier == "Fast",
+        "Both run the same plain kernel; what differs is how the compiler laid it out (under 1 %). In such types `Fast` buys nothing \
+         for this primitive.",
+    ),
+    (
+        |row| row.faster.tier == "Fast" && row.slower.tier == "Textbook",
+        "Closest approach takes a direction for exactly unit: no `a`, no quotient by it. And a miss is seen before the root.",
+    ),
+    (
+        |row| is_nearly_as_accurate(row) || is_flat(row),
+        "Nothing cancels for these rays, so that care buys nothing: the errors differ by a last rounding or two (the dearer tier \
+         scales the ray or steps it closer, and then rounds once more), within a third of each other, or for flat primitives \
+         by less than the rounding of their placement.",
+    ),
+    (
+        |row| row.faster.tier == "Textbook" && row.slower.tier == "Fast" && row.faster.errors[0] >= row.slower.errors[0],
+        "`Fast` is the better one in the median, and far away. Near the solid its tail is longer: of rays nearly parallel to the side \
+         neither holds `a` carefully, and `Fast` subtracts the halves of larger moments there. It also pays for what the textbook leaves out: \
+         parts and crossings that pair, numbers that cannot overflow, and on this host a square root in software. \
+         Where the tail counts, take `Stable`.",
+    ),
+    (
+        |row| row.faster.tier == "Textbook",
+        "For rays that start near the solid, and do not graze it closely, the squares of the textbook are small and their difference is good; \
+         moments are as wrong as their products. The tiers pay for parts and crossings that pair, for numbers that cannot overflow, \
+         and on this host for a square root in software.",
+    ),
+];
+
+/// The index of the explanation of a row; as many as there are if it has none.
+pub fn of(row: &Beaten<'_>) -> usize {
+    WHY.iter().position(|(applies, _)| applies(row)).unwrap_or(WHY.len())
+}
+
+/// Why one may take a combination that another beats in every row.
+pub fn why_take(number: &str, tier: &str) -> &'static str {
+    match (number, tier) {
+        (_, "Textbook") => "It stands here to be compared with.",
+        ("f32", "Exact") => {
+            "It is the one whose decisions (hit, part, order) are proved right; the others are right in these rows, by measurement."
+        }
+        ("I16F16", "Exact") => {
+            "Its decisions are proved right, in integers alone; `f32` `Exact` is finer near the solid and needs doubles."
+        }
+        ("I32F32", _) => {
+            "Take it where a program must be free of floats, or must have the same unit from end to end of a long range. Where doubles are \
+             allowed they are finer near the origin and take less."
+        }
+        ("I16F16", _) => {
+            "Where there is a floating-point unit, floats are finer and take less. Take it where memory, a protocol or the rest of \
+             the program is in fixed point."
+        }
+        ("f32", _) => {
+            "Where doubles are no dearer, they are finer. Take it where memory counts (half of it), and where one processor has no doubles."
+        }
+        _ => "Take it where the rest of a program is in this type.",
+    }
+}
+
+/// The same for all tiers of a number type.
+pub fn why_take_number(number: &str) -> &'static str {
+    why_take(number, "Fast")
+}
