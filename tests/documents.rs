@@ -19,11 +19,13 @@ mod study;
 #[path = "../examples/accuracy/sweep.rs"]
 mod sweep;
 
+use std::fmt::Write;
 use std::path::Path;
 use study::Study;
 
 /// How to renew the documents without measuring.
-const RENEW: &str = "renew them: cargo run --release --example accuracy -- --document (--write measures everything anew)";
+const RENEW: &str =
+    "renew them: cargo run --release --example accuracy -- --document (--write measures everything anew)";
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -36,7 +38,7 @@ fn the_documents_show_what_the_repository_holds() {
     for (path, wanted) in publish::documents(&study, root()).unwrap() {
         let held = std::fs::read_to_string(root().join(&path)).unwrap_or_default();
         if let Some(lines) = difference::between(&held, &wanted) {
-            wrong += &format!("{path}:\n{lines}\n");
+            writeln!(wrong, "{path}:\n{lines}").unwrap();
         }
     }
     assert!(wrong.is_empty(), "documents are not what they should be; {RENEW}\n{wrong}");

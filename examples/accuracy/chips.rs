@@ -32,8 +32,13 @@ impl Instructions {
     }
 }
 
-/// A subject of the firmware's, by a row's names. It has one workload, like *benign*: its rays start 2 to 6 away. Where a ray
-/// comes from changes the instructions by little, so that its figures stand for every workload of the primitive.
+/// True if the firmware's rays are like those of the workload: from 2 to 6 away. Other rays may take more (those that graze, those
+/// from so far that a short product does not hold them), and for them the same figure is only where it starts.
+pub fn is_like(workload: &str) -> bool {
+    workload == "benign" || workload.starts_with("framed") || workload.starts_with("stretched")
+}
+
+/// A subject of the firmware's, by a row's names.
 fn subject(primitive: &str, workload: &str) -> Option<String> {
     let name = match primitive {
         "frustum capped" => "frustum".into(),

@@ -45,6 +45,8 @@ use support::{bounds, figures};
 /// Errors are the same on every machine and in every run; times are not, and nothing is decided by them.
 #[derive(Parser)]
 #[command(version, about)]
+// Switches of a command line.
+#[allow(clippy::struct_excessive_bools)]
 struct Options {
     /// Few rays and few rounds of timing: some seconds instead of minutes. The worst errors come out too small.
     #[arg(short, long, conflicts_with_all = ["write", "check", "document"])]
@@ -100,7 +102,9 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
         return Ok(());
     }
     if options.write {
-        let tier = |tier: &&str| (format!("tests/support/bounds/{}.rs", tier.to_lowercase()), bounds::source(tier, &study.rows));
+        let tier = |tier: &&str| {
+            (format!("tests/support/bounds/{}.rs", tier.to_lowercase()), bounds::source(tier, &study.rows))
+        };
         let mut files: Vec<_> = figures::TIERS.iter().map(tier).collect();
         files.push((study::TIMES.into(), study::times_as_json(&study.times)));
         files.push((study::SWEEPS.into(), study::sweeps_as_json(&study.sweeps)));

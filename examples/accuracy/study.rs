@@ -113,9 +113,10 @@ fn cost(cost: Option<Cost>) -> Value {
 }
 
 pub fn times_as_json(times: &Times) -> String {
-    let rows = times.rows.iter().map(|time| {
-        json!([time.number, time.tier, time.primitive, time.workload, cost(time.hit), cost(time.miss)])
-    });
+    let rows = times
+        .rows
+        .iter()
+        .map(|time| json!([time.number, time.tier, time.primitive, time.workload, cost(time.hit), cost(time.miss)]));
     format!(
         "{{\n\"machine\": {},\n\"reference_nanoseconds\": {},\n\"rows\": [\n{}\n]}}\n",
         json!(times.machine),

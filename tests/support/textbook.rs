@@ -8,8 +8,8 @@
 use super::exact_types::Exact;
 use super::oracle::{ConeExtent, CylinderExtent, Dyadic, Solid};
 use super::placed::Placed;
-use fixed::types::{I16F16, I32F32};
 use fixed::Wrapping;
+use fixed::types::{I16F16, I32F32};
 use raylet::Ray;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -25,6 +25,7 @@ pub trait Number:
     + 'static
 {
     const ZERO: Self;
+    const ONE: Self;
     fn root(self) -> Self;
 }
 
@@ -43,6 +44,7 @@ macro_rules! floats {
         $(
             impl Number for $Float {
                 const ZERO: Self = 0.0;
+                const ONE: Self = 1.0;
                 #[inline(always)]
                 fn root(self) -> Self {
                     self.sqrt()
@@ -71,6 +73,7 @@ macro_rules! fixed_point {
         $(
             impl Number for Wrapping<$Fixed> {
                 const ZERO: Self = Self(<$Fixed>::ZERO);
+                const ONE: Self = Self(<$Fixed>::ONE);
                 #[inline(always)]
                 fn root(self) -> Self {
                     self.sqrt()
@@ -103,10 +106,7 @@ pub struct PlainRay<N> {
 
 impl<N: Number> PlainRay<N> {
     pub fn of<S: Plain<Number = N>>(ray: &Ray<S>) -> Self {
-        Self {
-            origin: ray.origin().to_array().map(S::plain),
-            direction: ray.direction().to_array().map(S::plain_unit),
-        }
+        Self { origin: ray.origin().to_array().map(S::plain), direction: ray.direction().to_array().map(S::plain_unit) }
     }
 }
 
@@ -132,16 +132,21 @@ impl<N: Number> Place<N> {
     #[inline(always)]
     fn local(&self, ray: &PlainRay<N>) -> PlainRay<N> {
         let o = [0, 1, 2].map(|i| ray.origin[i] - self.position[i]);
-        let mut local =
-            PlainRay { origin: self.axes.map(|axis| dot(axis, o)), direction: self.axes.map(|axis| dot(axis, ray.direction)) };
+        let mut local = PlainRay {
+            origin: self.axes.map(|axis| dot(axis, o)),
+            direction: self.axes.map(|axis| dot(axis, ray.direction)),
+        };
         if let Some(stretch) = self.stretch {
-            for i in 0..3 {
-                local.origin[i] = local.origin[i] / stretch[i];
-                local.direction[i] = local.direction[i] / stretch[i];
-            }
+            local.origin = divided(local.origin, stretch);
+            local.direction = divided(local.direction, stretch);
         }
         local
     }
+}
+
+#[inline(always)]
+fn divided<N: Number>(a: [N; 3], b: [N; 3]) -> [N; 3] {
+    [a[0] / b[0], a[1] / b[1], a[2] / b[2]]
 }
 
 #[inline(always)]
@@ -158,8 +163,7 @@ fn cross<N: Number>(a: [N; 3], b: [N; 3]) -> [N; 3] {
 #[inline(always)]
 fn roots<N: Number>(a: N, k: N, c: N) -> Option<[N; 2]> {
     let discriminant = k * k - a * c;
-    // Written so that a discriminant that is not a number is none either.
-    if !(discriminant >= N::ZERO) || a == N::ZERO {
+    if discriminant < N::ZERO || a == N::ZERO {
         return None;
     }
     let root = discriminant.root();
@@ -223,9 +227,7 @@ impl<N: Number> Form<N> {
                     ConeExtent::Double => (Extent::Everywhere, [None; 2]),
                     ConeExtent::Nappe => (Extent::Upwards, [None; 2]),
                     ConeExtent::Open(height) => (Extent::To(n(height)), [None; 2]),
-                    ConeExtent::Capped(height) => {
-                        (Extent::To(n(height)), [Some((n(height), slope * n(height))), None])
-                    }
+                    ConeExtent::Capped(height) => (Extent::To(n(height)), [Some((n(height), slope * n(height))), None]),
                 };
                 Self::Cone { base: N::ZERO, slope, extent, caps }
             }
@@ -237,7 +239,9 @@ impl<N: Number> Form<N> {
             Solid::Capsule { radius, height } => Self::Capsule { radius: n(radius), height: n(height) },
             Solid::Plane => Self::Plane,
             Solid::Disc { radius } => Self::Disc { radius: n(radius) },
-            Solid::Triangle { vertices } => Self::Triangle { vertices: vertices.each_ref().map(|v| v.each_ref().map(n)) },
+            Solid::Triangle { vertices } => {
+                Self::Triangle { vertices: vertices.each_ref().map(|v| v.each_ref().map(n)) }
+            }
         }
     }
 
@@ -363,9 +367,7 @@ fn triangle<N: Number>([a, b, c]: [[N; 3]; 3], ray: &PlainRay<N>, report: &mut i
     }
     let q = cross(o, first);
     let (u, v) = (dot(o, p) / determinant, dot(ray.direction, q) / determinant);
-    // Without a one: v <= 1 - u, for a number type of any range.
-    let one = determinant / determinant;
-    if u >= N::ZERO && v >= N::ZERO && u + v <= one {
+    if u >= N::ZERO && v >= N::ZERO && u + v <= N::ONE {
         report(dot(second, q) / determinant);
     }
 }

@@ -39,18 +39,20 @@ fn by_chip(study: &Study) -> Vec<Advice> {
     let benign = |number, tier| Row(number, tier, SPHERE, "benign");
     // Of two number types of 64 bits the one that takes fewer instructions on most of these chips.
     let fewer = |tier| {
-        let is_fixed = |chip: &&&str| cost(study, chip, &benign("I32F32", tier)) < cost(study, chip, &benign("f64", tier));
+        let is_fixed =
+            |chip: &&&str| cost(study, chip, &benign("I32F32", tier)) < cost(study, chip, &benign("f64", tier));
         if NO_UNIT.iter().filter(is_fixed).count() * 2 > NO_UNIT.len() { "`I32F32`" } else { "`f64`" }
     };
     let single = |primitive| {
-        let [fixed, float] = ["I16F16", "f32"].map(|number| cost(study, "Cortex-M4F", &Row(number, "Stable", primitive, "benign")));
+        let [fixed, float] =
+            ["I16F16", "f32"].map(|number| cost(study, "Cortex-M4F", &Row(number, "Stable", primitive, "benign")));
         if fixed < float { "`I16F16`" } else { "`f32`" }
     };
     vec![
         advice(
             "No floating-point unit (M0+, M3, RV32IMC):",
-            "`I16F16`, `Stable`. It takes a fraction of the instructions of any float, and is within half a unit (1.5e-5) wherever it is \
-             defined: to 16,384 from the origin. `Fast` halves a sphere's instructions again at next to no loss nearby; for a cylinder it \
+            "`I16F16`, `Stable`. It takes a fraction of the instructions of any float, and is within about half a unit (of 1.5e-5) to \
+             16,384 from the origin, but along the generators of cones. `Fast` halves a sphere's instructions again at next to no loss nearby; for a cylinder it \
              gains nothing.",
             vec![
                 benign("I16F16", "Stable"),
@@ -138,7 +140,10 @@ fn by_distance() -> Vec<Advice> {
                 sphere("I16F16", "Fast", "100 away"),
                 sphere("I16F16", "Stable", "100 away"),
             ],
-            vec![Claim::Within(sphere("f32", "Fast", "100 away"), 8.0), Claim::Within(sphere("I16F16", "Fast", "100 away"), 1.0)],
+            vec![
+                Claim::Within(sphere("f32", "Fast", "100 away"), 8.0),
+                Claim::Within(sphere("I16F16", "Fast", "100 away"), 1.0),
+            ],
         ),
         advice(
             "1,000 to 16,000 away:",
@@ -184,7 +189,7 @@ fn by_fault() -> Vec<Advice> {
         advice(
             "Hit or miss, the part, or the order must never be wrong:",
             "`Exact`, in `f32` or 32-bit fixed point. In all rows nothing is lost, invented or on another part (stretched placements store a rounded \
-             inverse, and are taken at that). `Stable` is not wrong in these rows either; only `Exact` proves it ray by ray.",
+             inverse, and are taken at that). `Stable` is right in most rows too, and for nearly every ray; only `Exact` is by proof.",
             vec![
                 Row("f32", "Fast", CYLINDER, "grazing 1e-7"),
                 Row("f32", "Stable", CYLINDER, "grazing 1e-7"),
@@ -258,9 +263,5 @@ fn by_fault() -> Vec<Advice> {
 
 /// The page's sections.
 pub fn sections(study: &Study) -> Vec<(&'static str, Vec<Advice>)> {
-    vec![
-        ("By chip", by_chip(study)),
-        ("By distance", by_distance()),
-        ("By what must not go wrong", by_fault()),
-    ]
+    vec![("By chip", by_chip(study)), ("By distance", by_distance()), ("By what must not go wrong", by_fault())]
 }

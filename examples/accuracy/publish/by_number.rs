@@ -23,8 +23,19 @@ fn head(study: &Study, number: &str) -> String {
 fn errors(rows: &[&Figures]) -> String {
     let mut table = Table::new(
         &[
-            "workload", "tier", "hits", "median", "99.9%", "worst", "median, length", "99.9%, length", "worst, length",
-            "lost", "phantom", "edge", "part",
+            "workload",
+            "tier",
+            "hits",
+            "median",
+            "99.9%",
+            "worst",
+            "median, length",
+            "99.9%, length",
+            "worst, length",
+            "lost",
+            "phantom",
+            "edge",
+            "part",
         ],
         2,
     );
@@ -34,15 +45,26 @@ fn errors(rows: &[&Figures]) -> String {
         let part = if row.tier == "Textbook" { super::markdown::NONE.into() } else { part };
         let [median_length, most_length, worst_length] = lengths;
         table.row(&[
-            row.workload.clone(), row.tier.into(), row.hits.to_string(), median, most, worst, median_length, most_length,
-            worst_length, lost, phantom, edge, part,
+            row.workload.clone(),
+            row.tier.into(),
+            row.hits.to_string(),
+            median,
+            most,
+            worst,
+            median_length,
+            most_length,
+            worst_length,
+            lost,
+            phantom,
+            edge,
+            part,
         ]);
     }
     table.done()
 }
 
 fn times(study: &Study, number: &str, primitive: &str, tiers: &[&str]) -> String {
-    let titles = tiers.iter().flat_map(|tier| [format!("{tier}"), "ns".into()]);
+    let titles = tiers.iter().flat_map(|tier| [tier.to_string(), "ns".into()]);
     let mut table = Table::new(&std::iter::once("workload".into()).chain(titles).collect::<Vec<String>>(), 1);
     for workload in study.workloads(number, primitive) {
         let mut cells = vec![workload.to_string()];

@@ -13,6 +13,11 @@ fn is_nearly_as_accurate(row: &Beaten<'_>) -> bool {
     row.faster.lengths[1] > row.slower.lengths[1] * 0.66
 }
 
+fn is_unbounded_and_placed(row: &Beaten<'_>) -> bool {
+    matches!(row.slower.primitive, "cone double" | "cone nappe")
+        && (row.slower.workload.starts_with("framed") || row.slower.workload.starts_with("stretched"))
+}
+
 fn is_flat(row: &Beaten<'_>) -> bool {
     matches!(row.slower.primitive, "plane" | "disc" | "triangle")
 }
@@ -37,16 +42,22 @@ pub const WHY: [Why; 10] = [
     ),
     (
         |row| row.faster.tier == "Exact" && row.slower.tier == "Fast" && row.slower.primitive == "triangle",
-        "A float triangle is scaled near 1 before it is solved, vertex by vertex, which costs more than its products; `Exact` does not \
-         scale, since doubles hold the products of all `f32`.",
+        "The products and sums of a float triangle are error-free in every tier, `Fast` too: each product is split and its rounding kept. \
+         `Exact` has each in one `f64`",
     ),
     (
-        |row| is_fixed(row) && row.faster.tier == "Stable" && row.slower.tier == "Fast" && row.machine == Machine::Host,
-        "`Fast` rounds products to the width of the type's double. Far away that leaves too few bits, and it hands the ray on to the \
-         solver in block-floating numbers; the wider integers of `Stable` still hold it.",
+        |row| {
+            row.slower.number == "I16F16"
+                && row.faster.tier == "Stable"
+                && row.slower.tier == "Fast"
+                && row.machine == Machine::Host
+        },
+        "The plain kernel of `Fast` holds lengths of 28 bits (for a sphere: to 4,096), and beyond them the long way in block-floating numbers \
+         answers; that of `Stable` holds the whole range. Where both take the long way (discs, the axis of a cylinder), the narrower \
+         blocks of `Fast` save nothing on a processor of 64 bits.",
     ),
     (
-        |row| is_fixed(row) && row.faster.tier == "Stable" && row.slower.tier == "Fast",
+        |row| row.slower.number == "I16F16" && row.faster.tier == "Stable" && row.slower.tier == "Fast",
         "Both run the same plain kernel; what differs is how the compiler laid it out (under 1 %). In such types `Fast` buys nothing \
          for this primitive.",
     ),
@@ -55,23 +66,23 @@ pub const WHY: [Why; 10] = [
         "Closest approach takes a direction for exactly unit: no `a`, no quotient by it. And a miss is seen before the root.",
     ),
     (
+        |row| row.faster.tier == "Fast" && row.slower.tier == "Stable" && is_unbounded_and_placed(row),
+        "Of an unbounded cone a hit may be very far away, and its `t` as ill-conditioned as it is long: nearly all of the error is that of \
+         the ray, rounded alike in both tiers on its way into the frame. Which of the two comes out better is chance.",
+    ),
+    (
         |row| is_nearly_as_accurate(row) || is_flat(row),
         "Nothing cancels for these rays, so that care buys nothing: the errors differ by a last rounding or two (the dearer tier \
          scales the ray or steps it closer, and then rounds once more), within a third of each other, or for flat primitives \
          by less than the rounding of their placement.",
     ),
     (
-        |row| row.faster.tier == "Textbook" && row.slower.tier == "Fast" && row.faster.errors[0] >= row.slower.errors[0],
-        "`Fast` is the better one in the median, and far away. Near the solid its tail is longer: of rays nearly parallel to the side \
-         neither holds `a` carefully, and `Fast` subtracts the halves of larger moments there. It also pays for what the textbook leaves out: \
-         parts and crossings that pair, numbers that cannot overflow, and on this host a square root in software. \
-         Where the tail counts, take `Stable`.",
-    ),
-    (
         |row| row.faster.tier == "Textbook",
-        "For rays that start near the solid, and do not graze it closely, the squares of the textbook are small and their difference is good; \
-         moments are as wrong as their products. The tiers pay for parts and crossings that pair, for numbers that cannot overflow, \
-         and on this host for a square root in software.",
+        "From nearby the textbook's difference is the better one: `k^2` and `a c` shrink as a ray starts nearer, the moments that the tiers \
+         subtract do not; from 3 away on it is the other way round, and growing. `Fast` is still the better one in the median of most of \
+         these rows, but not in the tail, where `a` is small too; there `Stable` is. What all tiers pay for and the textbook leaves out: \
+         parts and crossings that pair, numbers that cannot overflow, and on this host a square root in software (`libm` without its \
+         feature `arch`).",
     ),
 ];
 

@@ -3,6 +3,7 @@
 
 use super::explanations::{self, WHY};
 use super::markdown::{NONE, Table, few_digits};
+use crate::chips::is_like;
 use crate::study::Study;
 use crate::support::figures::{Figures, NUMBERS, TIERS};
 use std::collections::{BTreeMap, HashMap};
@@ -38,7 +39,8 @@ impl Machine {
         match self {
             Self::Host => {
                 let time = study.time(row);
-                [time.and_then(|time| time.hit), time.and_then(|time| time.miss)].map(|cost| cost.map(|cost| cost.ratio))
+                [time.and_then(|time| time.hit), time.and_then(|time| time.miss)]
+                    .map(|cost| cost.map(|cost| cost.ratio))
             }
             Self::Chip(index) => {
                 let told = study.chips[index].instructions(row);
@@ -72,6 +74,9 @@ fn beaten(study: &Study) -> Vec<Beaten<'_>> {
                 continue;
             }
             for machine in Machine::all(study) {
+                if machine != Machine::Host && !is_like(&slower.workload) {
+                    continue;
+                }
                 let limit = if machine == Machine::Host { SHORTER } else { 1.0 };
                 for (a, b) in machine.costs(study, faster).into_iter().zip(machine.costs(study, slower)) {
                     if let (Some(a), Some(b)) = (a, b)
@@ -201,7 +206,11 @@ pub fn dominated_everywhere(study: &Study) -> String {
             }
         }
         if !whole.is_empty() {
-            words.push(format!("- **`{number}` as a whole** is beaten in every row on {}. {}\n", whole.join(", "), explanations::why_take_number(number)));
+            words.push(format!(
+                "- **`{number}` as a whole** is beaten in every row on {}. {}\n",
+                whole.join(", "),
+                explanations::why_take_number(number)
+            ));
         }
     }
     if words.is_empty() {

@@ -23,9 +23,10 @@ missing, *phantom* hits that it does not have (both together: *wrong*), *edge* h
 it, *part* hits on another part or with another crossing. Errors are the same on every machine and in every run.
 
 Times are those of a nearest hit on one machine ({}), as a ratio to the textbook's sphere in `f32` that hits ({} ns), which is timed
-before each short batch; the median of nine rounds; hit / miss. Misses are the workload's own, and where it is aimed at the solid, rays from
+before each short batch; the median of several rounds; hit / miss. Misses are the workload's own, and where it is aimed at the solid, rays from
 the same origins past it. They vary by a tenth between runs, and nothing is decided by them. Instructions are those of
-[microcontrollers.md](microcontrollers.md): hit / miss, of rays from 2 to 6 away.
+[microcontrollers.md](microcontrollers.md): hit / miss, of rays from 2 to 6 away, like *benign*; where they stand beside another workload
+(in brackets, and in the plots) its rays may take more.
 
 *Textbook* is `k^2 - a c` as everyone writes it first, in the operators of the number type: for fixed point those of the crate `fixed`,
 which wrap. It tells `t` alone.
@@ -230,7 +231,8 @@ pub fn document(study: &Study) -> String {
          and cheaper than another of the same number type; in brackets the smallest ratio of their costs. On the host a time counts as \
          shorter below nine tenths. {told}\n\n{faster}\
          ## Beaten by another\n\nThe share of rows in which another combination, of any number type, costs no more and is no more wrong as a length, and is better \
-         in one of them. A number type that cannot hold a row's rays does not beat there.\n\n{}{WORKLOADS}{PLACED}{}{INTEGERS}{}",
+         in one of them. A number type that cannot hold a row's rays does not beat there. On the chips, the instructions of benign rays \
+         stand for those of every workload.\n\n{}{WORKLOADS}{PLACED}{}{INTEGERS}{}",
         summary(study),
         costs(study),
         pictures(study),

@@ -1,6 +1,6 @@
 //! Figures and tables as Markdown.
 
-use crate::chips::Chip;
+use crate::chips::{Chip, is_like};
 use crate::study::{Cost, Study};
 use crate::support::figures::Figures;
 use std::fmt::Write;
@@ -59,10 +59,11 @@ fn pair(hit: Option<String>, miss: Option<String>) -> String {
     }
 }
 
-/// A chip's instructions for a row: hit / miss.
+/// A chip's instructions for a row: hit / miss; in brackets where the firmware asks other rays than the row's.
 pub fn instructions(chip: &Chip, row: &Figures) -> String {
     let told = chip.instructions(row);
-    pair(told.map(|told| grouped(told.hit)), told.map(|told| grouped(told.miss)))
+    let text = pair(told.map(|told| grouped(told.hit)), told.map(|told| grouped(told.miss)));
+    if told.is_some() && !is_like(&row.workload) { format!("({text})") } else { text }
 }
 
 /// The time of a row on the host: hit / miss.

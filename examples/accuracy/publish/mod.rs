@@ -35,7 +35,8 @@ pub fn documents(study: &Study, root: &Path) -> Result<Vec<(String, String)>, Bo
         ("docs/which-one.md".into(), which_one::document(study)?),
         ("README.md".into(), readme::document(&readme, study)?),
     ];
-    files.extend(NUMBERS.map(|number| (format!("docs/{}", markdown::page(number)), by_number::document(study, number))));
+    files
+        .extend(NUMBERS.map(|number| (format!("docs/{}", markdown::page(number)), by_number::document(study, number))));
     files.extend(plots::all(study)?);
     Ok(files)
 }

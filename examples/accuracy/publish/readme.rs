@@ -46,7 +46,8 @@ pub fn costs(study: &Study) -> String {
 
 /// The README with its tables written anew.
 pub fn document(readme: &str, study: &Study) -> Result<String, String> {
-    let missing = |name: &str| format!("README.md has no marks `<!-- {name}: ... -->` and `<!-- /{name} -->` for its table");
+    let missing =
+        |name: &str| format!("README.md has no marks `<!-- {name}: ... -->` and `<!-- /{name} -->` for its table");
     let errors = errors(study).ok_or("a row that the README shows was not measured")?;
     let text = between_marks(readme, "bounds", &errors).ok_or_else(|| missing("bounds"))?;
     between_marks(&text, "costs", &costs(study)).ok_or_else(|| missing("costs"))

@@ -15,7 +15,8 @@ In one line: **`Stable` in the number type that your chip computes in**: `f32` w
 miss or part would be a fault.
 
 Every advice stands above the rows that back it: the 99.9 % error of `t` in units in the last place and as a length, hits lost or invented
-of some 4,000, the time on the host (1 is the textbook's sphere in `f32`) and instructions on the chips, hit / miss. Written by
+of some 4,000, the time on the host (1 is the textbook's sphere in `f32`) and instructions on the chips, hit / miss (in brackets: of rays from 2 to 6
+away; the row's own may take more). Written by
 `cargo run --release --example accuracy -- --write` from the figures of [accuracy.md](accuracy.md), where all the others are; what an
 advice claims is checked against them.
 
@@ -61,15 +62,18 @@ fn broken(study: &Study, claim: &Claim) -> Option<String> {
     match claim {
         Claim::Cheaper(chips, a, b) => chips.iter().find_map(|chip| {
             let costs = (cost(study, chip, a)?, cost(study, chip, b)?);
-            (costs.0 >= costs.1)
-                .then(|| format!("on {chip} `{}` {} takes {} instructions, `{}` {} {}", a.0, a.1, costs.0, b.0, b.1, costs.1))
+            (costs.0 >= costs.1).then(|| {
+                format!("on {chip} `{}` {} takes {} instructions, `{}` {} {}", a.0, a.1, costs.0, b.0, b.1, costs.1)
+            })
         }),
         Claim::Within(row, units) => {
             let found = find(study, row).ok()?;
-            (found.errors[1] > *units).then(|| format!("`{}` {}, {}, {}: {} units", row.0, row.1, row.2, row.3, found.errors[1]))
+            (found.errors[1] > *units)
+                .then(|| format!("`{}` {}, {}, {}: {} units", row.0, row.1, row.2, row.3, found.errors[1]))
         }
         Claim::NeverWrong(number, tier) => {
-            let of = |row: &&Figures| row.number == *number && row.tier == *tier && !row.workload.starts_with("stretched");
+            let of =
+                |row: &&Figures| row.number == *number && row.tier == *tier && !row.workload.starts_with("stretched");
             let wrong = study.rows.iter().filter(of).find(|row| row.counts[..4] != [0; 4])?;
             Some(format!("`{number}` {tier} is wrong in {}, {}", wrong.primitive, wrong.workload))
         }

@@ -86,18 +86,17 @@ impl Reference {
                 nanoseconds.push(taken);
             }
         }
-        let cost = |(ratios, nanoseconds)| Cost {
-            ratio: rounded(median(ratios)),
-            nanoseconds: rounded(median(nanoseconds)),
-        };
+        let cost =
+            |(ratios, nanoseconds)| Cost { ratio: rounded(median(ratios)), nanoseconds: rounded(median(nanoseconds)) };
         seen.into_iter().map(cost).collect()
     }
 }
 
 fn number<S: Timed>(rounds: usize, reference: &mut Reference, all: &mut Vec<Time>, tick: &mut dyn FnMut()) {
     let workloads = WORKLOADS.into_iter().zip(1000..).map(|(workload, seed)| (Kind::Unplaced(workload), seed));
-    let kinds: Vec<_> =
-        workloads.chain(PLACINGS.into_iter().zip(2000..).map(|(placing, seed)| (Kind::Placed(placing), seed))).collect();
+    let kinds: Vec<_> = workloads
+        .chain(PLACINGS.into_iter().zip(2000..).map(|(placing, seed)| (Kind::Placed(placing), seed)))
+        .collect();
     for primitive in SUBJECTS {
         let subject = Subject::<S>::new(primitive);
         for (kind, seed) in &kinds {

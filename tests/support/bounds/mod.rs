@@ -73,8 +73,11 @@ pub fn source(tier: &str, rows: &[Figures]) -> String {
         let Figures { number, primitive, workload, hits, errors: [median, most, worst], lengths, counts, .. } = row;
         let errors = format!("[{median:.3}, {most:.3}, {worst:.3}]");
         let lengths = lengths.map(|length| format!("{length:.2e}")).join(", ");
-        writeln!(text, "    bound({number:?}, {primitive:?}, {workload:?}, {hits}, {errors}, [{lengths}], {counts:?}),")
-            .expect("a string takes everything");
+        writeln!(
+            text,
+            "    bound({number:?}, {primitive:?}, {workload:?}, {hits}, {errors}, [{lengths}], {counts:?}),"
+        )
+        .expect("a string takes everything");
     }
     text + "];\n"
 }

@@ -73,8 +73,8 @@ fn panel(area: &Area<'_>, title: &str, points: &[Point<'_>], costs: [f64; 2]) ->
         .bold_line_style(GRID.stroke_width(1))
         .axis_style(GRID.stroke_width(1))
         .label_style(("sans-serif", 10).into_font().color(&INK))
-        .x_label_formatter(&power)
-        .y_label_formatter(&power)
+        .x_label_formatter(&|value| power(*value))
+        .y_label_formatter(&|value| power(*value))
         .draw()?;
     // As stairs: between two of the front there is nothing to be had.
     let front = front(points);
@@ -107,7 +107,9 @@ fn legend(area: &Area<'_>, axis: &str) -> Result<(), Box<dyn Error>> {
         x += 84;
     }
     label(area, "thin or hollow: wrong hits or misses", (x, 40), 12)?;
-    let axes = format!("Across: {axis}. Up: 99.9 % error of t, as a length; the solid's size is about 1. Line: nothing is better in both.");
+    let axes = format!(
+        "Across: {axis}. Up: 99.9 % error of t, as a length; the solid's size is about 1. Line: nothing is better in both."
+    );
     label(area, &axes, (12, 60), 12)
 }
 
@@ -125,7 +127,7 @@ pub fn plot(study: &Study, chip: Option<&Chip>, primitive: &str) -> Result<Strin
     let rows = panels.len().div_ceil(COLUMNS);
     let size = (PANEL.0 * COLUMNS as u32, HEAD + PANEL.1 * rows.max(1) as u32);
     let (place, axis) = match chip {
-        Some(chip) => (chip.name, "instructions of a nearest hit (rays from 2 to 6 away, for every workload)"),
+        Some(chip) => (chip.name, "instructions of a nearest hit, of benign rays in every panel"),
         None => ("this host", "time of a nearest hit; 1 is the textbook's sphere in f32"),
     };
     let title = format!("Error against cost: {primitive}, {place}");

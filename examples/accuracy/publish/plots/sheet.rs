@@ -70,7 +70,7 @@ pub fn label(area: &Area<'_>, text: &str, at: (i32, i32), size: i32) -> Result<(
 }
 
 /// A power of ten, as a label.
-pub fn power(value: &f64) -> String {
+pub fn power(value: f64) -> String {
     let exponent = value.log10();
     if (-2.5..=3.5).contains(&exponent) { format!("{value}") } else { format!("{value:.0e}") }
 }
@@ -100,9 +100,7 @@ fn colored(svg: &str) -> String {
         .replace("text-anchor=\"start\" ", "")
         .replace("font-family=\"sans-serif\" ", "")
         .replace(" stroke-width=\"1\"", "");
-    for (color, [fill, stroke]) in
-        [(INK, ["ink", "pen"]), (PAPER, ["paper", "paper"]), (GRID, ["ink", "grid"])]
-    {
+    for (color, [fill, stroke]) in [(INK, ["ink", "pen"]), (PAPER, ["paper", "paper"]), (GRID, ["ink", "grid"])] {
         let RGBColor(r, g, b) = color;
         let written = format!("#{r:02X}{g:02X}{b:02X}");
         svg = svg
@@ -114,7 +112,8 @@ fn colored(svg: &str) -> String {
     // A text's own lines and its element's are one.
     svg = svg.replace(">\n", ">").replace("\n</text>", "</text>").replace("><", ">\n<");
     let head = svg.find('>').map_or(0, |end| end + 1);
-    let tags = svg[head..].find("<svg").and_then(|start| svg[head + start..].find('>').map(|end| head + start + end + 1));
+    let tags =
+        svg[head..].find("<svg").and_then(|start| svg[head + start..].find('>').map(|end| head + start + end + 1));
     let (before, after) = svg.split_at(tags.unwrap_or(head));
     format!("{}{STYLE}{after}\n", before.replacen("<svg ", "<svg font-family=\"sans-serif\" ", 1))
 }

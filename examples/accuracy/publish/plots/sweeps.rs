@@ -41,8 +41,8 @@ fn panel(area: &Area<'_>, title: &str, points: &[&Point], along: [f64; 2]) -> Re
         .bold_line_style(GRID.stroke_width(1))
         .axis_style(GRID.stroke_width(1))
         .label_style(("sans-serif", 10).into_font().color(&INK))
-        .x_label_formatter(&power)
-        .y_label_formatter(&power)
+        .x_label_formatter(&|value| power(*value))
+        .y_label_formatter(&|value| power(*value))
         .draw()?;
     for tier in TIERS {
         // Right to left the closer a ray grazes: harder is farther right.
@@ -70,7 +70,9 @@ fn legend(area: &Area<'_>, axis: &str) -> Result<(), Box<dyn Error>> {
         x += 84;
     }
     label(area, "thin or hollow: wrong hits or misses", (x, 40), 12)?;
-    let axes = format!("Across: {axis}. Up: 99.9 % error of t, in units in the last place. A line ends where no ray fits the type.");
+    let axes = format!(
+        "Across: {axis}. Up: 99.9 % error of t, in units in the last place. A line ends where no ray fits the type."
+    );
     label(area, &axes, (12, 60), 12)
 }
 
