@@ -52,7 +52,7 @@ fn every_advice_is_backed_by_its_rows() {
     assert!(broken.is_empty(), "write another advice (examples/accuracy/publish/advice.rs): {broken:#?}");
 }
 
-/// Errors and instructions are the same in every run, and each has its reason; times are not looked at here.
+/// What a number type, a tier or a primitive costs is shown for each: that there is a time counts here, not which.
 #[test]
 fn no_primitive_or_number_type_is_missing() {
     use support::figures::{NUMBERS, TIERS};

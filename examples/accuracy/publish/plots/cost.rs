@@ -34,7 +34,8 @@ struct Point<'a> {
 fn points<'a>(study: &'a Study, chip: Option<&Chip>, primitive: &str, workload: &str) -> Vec<Point<'a>> {
     let rows = NUMBERS.iter().flat_map(|number| TIERS.iter().map(move |tier| (number, tier)));
     rows.filter_map(|(number, tier)| {
-        let row = study.row(number, tier, primitive, workload)?;
+        // Where every hit was lost there is no error.
+        let row = study.row(number, tier, primitive, workload).filter(|row| row.hits > 0)?;
         let cost = match chip {
             Some(chip) => chip.instructions(row)?.hit as f64,
             None => study.time(row)?.hit?.ratio,

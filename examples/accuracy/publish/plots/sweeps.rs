@@ -25,7 +25,13 @@ fn color(tier: &str) -> RGBColor {
     }
 }
 
+/// Harder is farther right: rays from farther away, and rays closer to touching, whose places are drawn upside down.
+fn place(at: f64) -> f64 {
+    if at < 1.0 { 1.0 / at } else { at }
+}
+
 fn panel(area: &Area<'_>, title: &str, points: &[&Point], along: [f64; 2]) -> Result<(), Box<dyn Error>> {
+    let is_grazing = points.iter().any(|point| point.at < 1.0);
     let mut chart = ChartBuilder::on(area)
         .caption(title, ("sans-serif", 13).into_font().color(&INK))
         .margin(4)
@@ -41,17 +47,18 @@ fn panel(area: &Area<'_>, title: &str, points: &[&Point], along: [f64; 2]) -> Re
         .bold_line_style(GRID.stroke_width(1))
         .axis_style(GRID.stroke_width(1))
         .label_style(("sans-serif", 10).into_font().color(&INK))
-        .x_label_formatter(&|value| power(*value))
+        .x_label_formatter(&|value| power(if is_grazing { 1.0 / value } else { *value }))
         .y_label_formatter(&|value| power(*value))
         .draw()?;
     for tier in TIERS {
-        // Right to left the closer a ray grazes: harder is farther right.
         let line: Vec<_> = points
             .iter()
             .filter(|point| point.tier == tier && point.hits >= ENOUGH)
             .map(|point| {
-                let at = if point.at < 1.0 { 1.0 / point.at } else { point.at };
-                ((at.clamp(along[0], along[1]), point.errors[1].clamp(UNITS[0], UNITS[1])), point.wrong > 0)
+                (
+                    (place(point.at).clamp(along[0], along[1]), point.errors[1].clamp(UNITS[0], UNITS[1])),
+                    point.wrong > 0,
+                )
             })
             .collect();
         chart.draw_series(LineSeries::new(line.iter().map(|(at, _)| *at), color(tier).stroke_width(2)))?;
@@ -80,7 +87,7 @@ fn legend(area: &Area<'_>, axis: &str) -> Result<(), Box<dyn Error>> {
 pub fn plot(study: &Study, sweep: &str) -> Result<String, Box<dyn Error>> {
     let (along, axis, title) = match sweep {
         "distance" => ([1.0, 1e6], "distance of the ray's origin from the solid of size 1", "Error against distance"),
-        _ => ([1e1, 1e7], "1 over how far from touching the ray passes, of a radius of 1", "Error against grazing"),
+        _ => ([1e1, 1e7], "how far from touching the ray passes, where the radius is about 1", "Error against grazing"),
     };
     let size = (PANEL.0 * NUMBERS.len() as u32, HEAD + PANEL.1 * PRIMITIVES.len() as u32);
     sheet::sheet(size, title, |area| {
