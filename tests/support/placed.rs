@@ -46,6 +46,9 @@ pub struct Placed<S: Exact> {
     axes: [[f64; 3]; 3],
     position: [f64; 3],
     largest: f64,
+    /// The frame, and what its axes are stretched by.
+    frame: Frame<S>,
+    factors: Option<[S; 3]>,
     /// The rows of the inverse and the position, exactly (those of a stretched one to 256 bits).
     rows: [[Dyadic; 3]; 3],
     exact_position: [Dyadic; 3],
@@ -75,6 +78,8 @@ impl<S: Exact> Placed<S> {
             axes: stored.map(UnitVec3::to_f64),
             position: position.to_f64(),
             largest: 1.0,
+            frame,
+            factors: None,
             rows: exact.clone(),
             exact_position: position.to_array().map(S::exact),
         };
@@ -93,9 +98,20 @@ impl<S: Exact> Placed<S> {
             shape: subject.shape.placed(affine),
             axes: [stretched(0), stretched(1), stretched(2)],
             largest: factors.iter().map(|factor| factor.to_f64()).fold(1.0, f64::max),
+            factors: Some(factors),
             rows,
             ..base
         })
+    }
+
+    /// The frame that it stands in, not stretched.
+    pub fn frame(&self) -> Frame<S> {
+        self.frame
+    }
+
+    /// What each of the frame's axes is stretched by.
+    pub fn factors(&self) -> Option<[S; 3]> {
+        self.factors
     }
 
     /// A ray at a point well inside, from 3 to 8 sizes of the solid away.

@@ -7,8 +7,9 @@
 mod exact;
 mod fast;
 mod stable;
+mod textbook;
 
-use super::measure::Figures;
+use super::figures::Figures;
 use std::fmt::Write;
 
 /// Rays a row.
@@ -23,6 +24,8 @@ pub struct Bound {
     pub hits: usize,
     /// Median, 99.9 % and worst error of `t`, in units in the last place.
     pub errors: [f64; 3],
+    /// The same as lengths.
+    pub lengths: [f64; 3],
     /// Lost, phantom, on the other side of the range's start, on another part or with another crossing, in integers.
     pub counts: [usize; 5],
 }
@@ -33,13 +36,15 @@ const fn bound(
     workload: &'static str,
     hits: usize,
     errors: [f64; 3],
+    lengths: [f64; 3],
     counts: [usize; 5],
 ) -> Bound {
-    Bound { number, primitive, workload, hits, errors, counts }
+    Bound { number, primitive, workload, hits, errors, lengths, counts }
 }
 
 /// The tables of all tiers, by name.
-pub const TIERS: [(&str, &[Bound]); 3] = [("Fast", fast::ROWS), ("Stable", stable::ROWS), ("Exact", exact::ROWS)];
+pub const TIERS: [(&str, &[Bound]); 4] =
+    [("Textbook", textbook::ROWS), ("Fast", fast::ROWS), ("Stable", stable::ROWS), ("Exact", exact::ROWS)];
 
 /// All rows as figures.
 pub fn all() -> Vec<Figures> {
@@ -51,6 +56,7 @@ pub fn all() -> Vec<Figures> {
             workload: row.workload.into(),
             hits: row.hits,
             errors: row.errors,
+            lengths: row.lengths,
             counts: row.counts,
         };
         rows.iter().map(row).collect::<Vec<_>>()
@@ -64,10 +70,14 @@ pub fn source(tier: &str, rows: &[Figures]) -> String {
         "//! `{tier}`: written by `cargo run --release --example accuracy -- --write`.\n\nuse super::{{Bound, bound}};\n\n#[rustfmt::skip]\npub(super) const ROWS: &[Bound] = &[\n"
     );
     for row in rows.iter().filter(|row| row.tier == tier) {
-        let Figures { number, primitive, workload, hits, errors: [median, most, worst], counts, .. } = row;
+        let Figures { number, primitive, workload, hits, errors: [median, most, worst], lengths, counts, .. } = row;
         let errors = format!("[{median:.3}, {most:.3}, {worst:.3}]");
-        writeln!(text, "    bound({number:?}, {primitive:?}, {workload:?}, {hits}, {errors}, {counts:?}),")
-            .expect("a string takes everything");
+        let lengths = lengths.map(|length| format!("{length:.2e}")).join(", ");
+        writeln!(
+            text,
+            "    bound({number:?}, {primitive:?}, {workload:?}, {hits}, {errors}, [{lengths}], {counts:?}),"
+        )
+        .expect("a string takes everything");
     }
     text + "];\n"
 }

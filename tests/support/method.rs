@@ -1,0 +1,94 @@
+//! The ways to answer that are compared: the tiers, and the textbook.
+
+use super::exact_types::Exact as Number;
+use super::placed::Placed;
+use super::subject::Subject;
+use super::textbook::{Form, Place, Plain, PlainRay};
+use fixed::types::{I16F16, I32F32};
+use raylet::tier::{Effort, Exact, Fast, Stable, Tier};
+use raylet::{Crossing, Part, Ray, Shape};
+
+/// What is asked.
+pub struct Asked<'a, S: Number> {
+    pub subject: &'a Subject<S>,
+    pub placed: Option<&'a Placed<S>>,
+}
+
+impl<S: Number> Asked<'_, S> {
+    /// The subject's shape, where it was placed.
+    pub fn shape(&self) -> &Shape<S> {
+        self.placed.map_or(&self.subject.shape, |placed| &placed.shape)
+    }
+}
+
+/// A hit as it was told.
+#[derive(Clone, Copy)]
+pub struct Told<S> {
+    pub t: S,
+    /// The textbook tells `t` alone.
+    pub surface: Option<(Part, Crossing)>,
+}
+
+/// A way to answer in one number type.
+pub struct Method<S: Number> {
+    pub tier: &'static str,
+    /// All hits, sorted.
+    pub hits: fn(&Asked<'_, S>, &Ray<S>) -> Vec<Told<S>>,
+    /// Whether a ray is decided in integers.
+    pub in_integers: fn(&Shape<S>, &Ray<S>) -> bool,
+}
+
+/// A tier's hits; and its other answers must agree with them.
+fn hits_of_tier<S: Number, T: Tier<S>>(asked: &Asked<'_, S>, ray: &Ray<S>) -> Vec<Told<S>> {
+    let shape = asked.shape();
+    let hits = shape.hits_at::<T>(ray);
+    assert_eq!(shape.nearest_at::<T>(ray), hits.first().copied(), "nearest is the first hit: {ray:?}");
+    assert_eq!(shape.occludes_at::<T>(ray), !hits.is_empty(), "occlusion agrees with the hits: {ray:?}");
+    hits.iter().map(|hit| Told { t: hit.t, surface: Some((hit.part, hit.crossing)) }).collect()
+}
+
+fn hits_of_textbook<S: Plain>(asked: &Asked<'_, S>, ray: &Ray<S>) -> Vec<Told<S>> {
+    let place = asked.placed.map(Place::of);
+    let hits = Form::of::<S>(&asked.subject.solid).hits(place.as_ref(), &PlainRay::of(ray));
+    hits.into_iter().filter_map(S::told).map(|t| Told { t, surface: None }).collect()
+}
+
+impl<S: Number> Method<S> {
+    pub fn tier<T: Tier<S>>(tier: &'static str) -> Self {
+        Self { tier, hits: hits_of_tier::<S, T>, in_integers: |_, _| false }
+    }
+}
+
+impl<S: Plain> Method<S> {
+    fn textbook() -> Self {
+        Self { tier: "Textbook", hits: hits_of_textbook::<S>, in_integers: |_, _| false }
+    }
+}
+
+/// A number type of the tables, with all ways to answer in it, the plainest first.
+pub trait Measurable: Plain {
+    fn methods() -> Vec<Method<Self>>;
+}
+
+macro_rules! measurable {
+    ($($Number:ty: $($exact:expr)?;)+) => {
+        $(
+            impl Measurable for $Number {
+                fn methods() -> Vec<Method<Self>> {
+                    vec![
+                        Method::textbook(),
+                        Method::tier::<Fast>("Fast"),
+                        Method::tier::<Stable>("Stable"),
+                        $($exact,)?
+                    ]
+                }
+            }
+        )+
+    };
+}
+measurable! {
+    f32: Method { in_integers: |shape, ray| shape.effort(ray) == Effort::Integers, ..Method::tier::<Exact>("Exact") };
+    f64:;
+    I16F16: Method { in_integers: |shape, ray| shape.effort(ray) == Effort::Integers, ..Method::tier::<Exact>("Exact") };
+    I32F32:;
+}
