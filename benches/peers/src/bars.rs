@@ -1,11 +1,10 @@
 //! What raylet set out to reach beside its peers, and what it reached.
 
 use crate::measure::Row;
-use crate::raylet_tiers::{EXACT, STABLE};
+use crate::names::{EMBEDDED_3DGFX, EXACT, PARRY, STABLE, TEXTBOOK};
 use crate::sizes::PRIMITIVES;
 use crate::speed::Speed;
 use crate::support::workload::Workload;
-use crate::{embedded_3dgfx_rays, parry, textbook};
 
 /// A ratio that was measured: first quartile, median and third quartile; and where.
 #[derive(Clone, Debug)]
@@ -83,7 +82,7 @@ pub fn speed_bars(rows: &[Row]) -> Vec<Bar> {
     let mut bars = vec![];
     for (primitive, least) in [("sphere", 1.0), ("capsule", 1.0), ("cylinder capped", 25.0), ("cone capped", 25.0)] {
         let what = format!("{primitive}: times as fast as parry3d");
-        bars.push(bar(rows, what, Needed::AtLeast(least), primitive, parry::NAME, |_| true));
+        bars.push(bar(rows, what, Needed::AtLeast(least), primitive, PARRY, |_| true));
     }
     for primitive in PRIMITIVES {
         let what = format!("{primitive}: `Exact`'s time over `Stable`'s, benign");
@@ -115,7 +114,7 @@ pub struct ErrorBar {
 pub fn error_bars(rows: &[Row]) -> Vec<ErrorBar> {
     let mut bars = vec![];
     for number in ["f32", "f64"] {
-        for peer in [parry::NAME, embedded_3dgfx_rays::NAME, textbook::NAME] {
+        for peer in [PARRY, EMBEDDED_3DGFX, TEXTBOOK] {
             let mut bar = ErrorBar { peer, number: number.into(), smaller: 0, equal: 0, larger: vec![] };
             for theirs in rows.iter().filter(|row| row.contestant == peer && row.number == number) {
                 let ours = rows.iter().find(|row| {

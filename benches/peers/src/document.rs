@@ -4,7 +4,7 @@ use crate::bars::{Needed, Reached, error_bars, speed_bars};
 use crate::entrants::Field;
 use crate::environment::Environment;
 use crate::measure::Row;
-use crate::raylet_tiers::STABLE;
+use crate::names::STABLE;
 use crate::sizes::PRIMITIVES;
 use crate::speed::Speed;
 use crate::support::workload::{WORKLOADS, Workload};
@@ -13,12 +13,12 @@ use std::fmt::Write;
 /// What was compared and how; the figures follow.
 fn head(environment: &Environment) -> String {
     let version = |name| environment.version(name);
-    let roots = match environment.roots {
-        "std" => "Its feature `std` is on, so that its square roots are those of the standard library.",
-        _ => {
-            "It is built as for a microcontroller, so that its square roots are `micromath`'s approximations unless the \
-             compiler finds the standard library's first (`--features embedded-3dgfx-std` has those for certain)."
-        }
+    let roots = if environment.has_exact_roots {
+        "embedded-3dgfx has its square roots from the standard library here, since parry brings that into the build. On a chip they are
+`micromath`'s approximations, and its spheres and capsules are then some 1e-2 off: the same program built with
+`--no-default-features`, which leaves parry out, shows them."
+    } else {
+        "parry is left out, so that embedded-3dgfx has its square roots from `micromath`, as on a chip."
     };
     format!(
         "# Beside other libraries
@@ -40,8 +40,11 @@ codegen unit, no `target-cpu`). raylet's square root is `libm`'s, which is an in
 feature `arch`; alone raylet does not.
 
 parry's cylinder and cone have their middle in the origin: their rays are moved there beforehand, which is not timed, and the oracle is
-asked about the rays so moved. It answers for them, and for nothing else here, by iteration (GJK). {roots} Its triangle is
-a mesh of one face. The textbook is `k^2 - a c`, and Moeller and Trumbore's triangle: [benches/peers/src/textbook.rs](../benches/peers/src/textbook.rs).
+asked about the rays so moved. It answers for these two by iteration (GJK), for all else in closed form.
+
+{roots} Its triangle is a mesh of one face.
+
+The textbook is `k^2 - a c`, and Moeller and Trumbore's triangle: [benches/peers/src/textbook.rs](../benches/peers/src/textbook.rs).
 \n",
         version("raylet"),
         version("parry3d"),
@@ -215,7 +218,7 @@ fn errors<S: Field>(rows: &[Row]) -> String {
     let number = S::name();
     let mut text = format!(
         "## Errors, `{number}`\n\nMedian / worst in units in the last place, the worst as a length (the primitives are of size 1), and in brackets \
-         how many hits of 2,000 rays are lost, phantom or wrong:\n\n"
+         how many hits are lost, phantom or wrong:\n\n"
     );
     contestants_head(&mut text, S::NAMES);
     for primitive in PRIMITIVES {

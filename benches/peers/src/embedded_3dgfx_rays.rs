@@ -4,6 +4,7 @@
 //! normal: there is no function that leaves them out.
 
 use crate::contestant::{Contestant, Entrant};
+use crate::names::EMBEDDED_3DGFX;
 use crate::sizes::Sizes;
 use crate::support::oracle::Solid;
 use embedded_3dgfx::pipeline::vertex::camera;
@@ -14,9 +15,6 @@ use embedded_3dgfx::ray_primitive::{
 use embedded_3dgfx::{MeshRayCastHit, mesh_ray_cast};
 use nalgebra::{Matrix4, Vector3};
 use raylet::Ray;
-
-/// How this contestant is called.
-pub const NAME: &str = "embedded-3dgfx";
 
 /// A ray of its own; its constructor would make the direction unit once more and so change it.
 fn own_ray(ray: &Ray<f32>) -> camera::Ray {
@@ -80,19 +78,28 @@ impl Contestant<f32> for Triangle {
     }
 }
 
+/// Whether this build took its square roots from the standard library, or from `micromath`, which approximates them. It depends
+/// on which crates are in the build: a method of the standard library is found once any crate brings it along.
+pub fn has_exact_roots() -> bool {
+    let ray = camera::Ray { origin: Vector3::new(0.9, 0.0, -5.0), direction: Vector3::z() };
+    ray_intersects_sphere(&ray, Vector3::zeros(), 1.1).is_some_and(|hit| (hit.distance - 4.367_544_5).abs() < 1e-4)
+}
+
 /// embedded-3dgfx, asked about this primitive, if it has it.
 pub fn entrant(sizes: Sizes<f32>, solid: &Solid) -> Option<Entrant<f32>> {
     let (origin, up) = (Vector3::zeros(), Vector3::y());
     Some(match sizes {
-        Sizes::Sphere { radius } => Entrant::new(NAME, solid, Sphere { centre: origin, radius }),
+        Sizes::Sphere { radius } => Entrant::new(EMBEDDED_3DGFX, solid, Sphere { centre: origin, radius }),
         Sizes::Capsule { radius, height } => {
-            Entrant::new(NAME, solid, Capsule { low: origin, high: up * height, radius })
+            Entrant::new(EMBEDDED_3DGFX, solid, Capsule { low: origin, high: up * height, radius })
         }
-        Sizes::Plane => Entrant::new(NAME, solid, Plane { point: origin, normal: up }),
-        Sizes::Disc { radius } => Entrant::new(NAME, solid, Disc { centre: origin, normal: up, radius }),
-        Sizes::Triangle { vertices } => {
-            Entrant::new(NAME, solid, Triangle { vertices, faces: [[0, 1, 2]], model_matrix: Matrix4::identity() })
-        }
+        Sizes::Plane => Entrant::new(EMBEDDED_3DGFX, solid, Plane { point: origin, normal: up }),
+        Sizes::Disc { radius } => Entrant::new(EMBEDDED_3DGFX, solid, Disc { centre: origin, normal: up, radius }),
+        Sizes::Triangle { vertices } => Entrant::new(
+            EMBEDDED_3DGFX,
+            solid,
+            Triangle { vertices, faces: [[0, 1, 2]], model_matrix: Matrix4::identity() },
+        ),
         Sizes::Cylinder { .. } | Sizes::Cone { .. } => return None,
     })
 }

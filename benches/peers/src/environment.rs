@@ -14,8 +14,8 @@ pub struct Environment {
     pub commit: String,
     pub compiler: String,
     pub processor: String,
-    /// Whose square roots embedded-3dgfx was built with.
-    pub roots: &'static str,
+    /// Whether embedded-3dgfx has the standard library's square roots, or `micromath`'s.
+    pub has_exact_roots: bool,
 }
 
 impl Environment {
@@ -36,7 +36,7 @@ impl Environment {
             commit: commit(),
             compiler: said_by(Command::new("rustc").arg("--version")),
             processor: processor(),
-            roots: if cfg!(feature = "embedded-3dgfx-std") { "std" } else { "micromath" },
+            has_exact_roots: crate::embedded_3dgfx_rays::has_exact_roots(),
         })
     }
 

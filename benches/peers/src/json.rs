@@ -25,7 +25,7 @@ pub fn json(environment: &Environment, rows: &[Row]) -> Result<String, serde_jso
         environment.versions.iter().map(|(name, version)| ((*name).into(), json!(version))).collect();
     let head = json!({
         "versions": versions, "commit": environment.commit, "compiler": environment.compiler,
-        "processor": environment.processor, "embedded_3dgfx_square_roots": environment.roots,
+        "processor": environment.processor, "embedded_3dgfx_has_exact_square_roots": environment.has_exact_roots,
     });
     let row = |row: &Row| {
         let errors = &row.errors;

@@ -10,6 +10,8 @@ pub mod environment;
 pub mod errors;
 pub mod json;
 pub mod measure;
+pub mod names;
+#[cfg(feature = "parry")]
 pub mod parry;
 pub mod pose;
 pub mod raylet_tiers;

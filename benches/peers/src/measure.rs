@@ -3,7 +3,7 @@
 use crate::contestant::Prepared;
 use crate::entrants::Field;
 use crate::errors::{self, Errors};
-use crate::raylet_tiers::STABLE;
+use crate::names::STABLE;
 use crate::rays;
 use crate::sizes::PRIMITIVES;
 use crate::speed::{self, Effort, Speed};

@@ -5,14 +5,12 @@
 //! beforehand, so that parry is asked in the frame that suits it best; its `cast_ray` with a pose would move them itself.
 
 use crate::contestant::{Contestant, Entrant};
+use crate::names::PARRY;
 use crate::pose::Pose;
 use crate::sizes::Sizes;
 use crate::support::exact_types::Exact;
 use crate::support::oracle::{Dyadic, Solid};
 use raylet::Ray;
-
-/// How this contestant is called.
-pub const NAME: &str = "parry3d";
 
 macro_rules! parry {
     ($module:ident, $library:ident, $Float:ident) => {
@@ -47,11 +45,11 @@ macro_rules! parry {
             /// parry, asked about this primitive; it has no disc.
             pub fn entrant(sizes: Sizes<$Float>, solid: &Solid) -> Option<Entrant<$Float>> {
                 Some(match sizes {
-                    Sizes::Sphere { radius } => Entrant::new(NAME, solid, Parry(Ball::new(radius))),
+                    Sizes::Sphere { radius } => Entrant::new(PARRY, solid, Parry(Ball::new(radius))),
                     Sizes::Cylinder { radius, height } => {
                         let half = height / 2.0;
                         let cylinder = Parry(Cylinder::new(half, radius));
-                        Entrant::new(NAME, solid, cylinder).standing(Pose::centred(half), solid.clone())
+                        Entrant::new(PARRY, solid, cylinder).standing(Pose::centred(half), solid.clone())
                     }
                     Sizes::Cone { slope, height } => {
                         // It stores the radius of the base where raylet stores the slope: the oracle is told.
@@ -63,17 +61,17 @@ macro_rules! parry {
                             capped: true,
                         };
                         let cone = Parry(Cone::new(half, radius));
-                        Entrant::new(NAME, &solid, cone).standing(Pose::mirrored(half), solid.clone())
+                        Entrant::new(PARRY, &solid, cone).standing(Pose::mirrored(half), solid.clone())
                     }
                     Sizes::Capsule { radius, height } => {
                         let capsule = Capsule::new(Vector::ZERO, Vector::Y * height, radius);
-                        Entrant::new(NAME, solid, Parry(capsule))
+                        Entrant::new(PARRY, solid, Parry(capsule))
                     }
-                    Sizes::Plane => Entrant::new(NAME, solid, Parry(HalfSpace::new(Vector::Y))),
+                    Sizes::Plane => Entrant::new(PARRY, solid, Parry(HalfSpace::new(Vector::Y))),
                     Sizes::Disc { .. } => return None,
                     Sizes::Triangle { vertices } => {
                         let [a, b, c] = vertices.map(vector);
-                        Entrant::new(NAME, solid, Parry(Triangle::new(a, b, c)))
+                        Entrant::new(PARRY, solid, Parry(Triangle::new(a, b, c)))
                     }
                 })
             }

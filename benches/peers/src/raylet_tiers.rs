@@ -1,17 +1,11 @@
 //! raylet, in each of its tiers: a primitive's own `nearest_at`.
 
 use crate::contestant::{Contestant, Entrant, Number};
+use crate::names::{EXACT, FAST, STABLE};
 use crate::support::subject::Subject;
 use raylet::tier::{Exact, Fast, Stable, Tier};
 use raylet::{Capsule, Cone, Cylinder, Disc, Hit, Plane, Primitive, Ray, Sphere, Triangle};
 use std::marker::PhantomData;
-
-/// How these contestants are called.
-pub const FAST: &str = "raylet Fast";
-/// The default tier.
-pub const STABLE: &str = "raylet Stable";
-/// The tier whose decisions are those of exact arithmetic.
-pub const EXACT: &str = "raylet Exact";
 
 /// A primitive in a tier.
 struct In<P, T>(P, PhantomData<T>);

@@ -1,5 +1,5 @@
 //! The library's own tests lend their exact oracle, their number types as it sees them, and their rays.
-#![allow(dead_code)]
+#![allow(dead_code, clippy::should_implement_trait)]
 
 #[path = "../../../tests/support/exact_types.rs"]
 pub mod exact_types;

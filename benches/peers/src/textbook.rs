@@ -1,12 +1,10 @@
 //! The formulas that every tutorial has: `k^2 - a c` for what is round, Moeller and Trumbore's for the triangle.
 
 use crate::contestant::{Contestant, Entrant, Number};
+use crate::names::TEXTBOOK;
 use crate::sizes::Sizes;
 use crate::support::oracle::Solid;
 use raylet::Ray;
-
-/// How this contestant is called.
-pub const NAME: &str = "textbook";
 
 /// Origin and direction.
 pub struct PlainRay<S> {
@@ -198,12 +196,12 @@ formulas! {
 pub fn entrant<S: Number>(sizes: Sizes<S>, solid: &Solid) -> Entrant<S> {
     let _number = std::marker::PhantomData;
     match sizes {
-        Sizes::Sphere { radius } => Entrant::new(NAME, solid, Sphere { radius, _number }),
-        Sizes::Cylinder { radius, height } => Entrant::new(NAME, solid, Cylinder { radius, height, _number }),
-        Sizes::Cone { slope, height } => Entrant::new(NAME, solid, Cone { slope, height, _number }),
-        Sizes::Capsule { radius, height } => Entrant::new(NAME, solid, Capsule { radius, height, _number }),
-        Sizes::Plane => Entrant::new(NAME, solid, Plane { _number }),
-        Sizes::Disc { radius } => Entrant::new(NAME, solid, Disc { radius, _number }),
-        Sizes::Triangle { vertices } => Entrant::new(NAME, solid, Triangle { vertices, _number }),
+        Sizes::Sphere { radius } => Entrant::new(TEXTBOOK, solid, Sphere { radius, _number }),
+        Sizes::Cylinder { radius, height } => Entrant::new(TEXTBOOK, solid, Cylinder { radius, height, _number }),
+        Sizes::Cone { slope, height } => Entrant::new(TEXTBOOK, solid, Cone { slope, height, _number }),
+        Sizes::Capsule { radius, height } => Entrant::new(TEXTBOOK, solid, Capsule { radius, height, _number }),
+        Sizes::Plane => Entrant::new(TEXTBOOK, solid, Plane { _number }),
+        Sizes::Disc { radius } => Entrant::new(TEXTBOOK, solid, Disc { radius, _number }),
+        Sizes::Triangle { vertices } => Entrant::new(TEXTBOOK, solid, Triangle { vertices, _number }),
     }
 }
