@@ -99,12 +99,16 @@ pub fn speed_bars(rows: &[Row]) -> Vec<Bar> {
     bars
 }
 
+/// Errors within a hundredth of each other are the same.
+const SAME: f64 = 1.01;
+
 /// How the errors of `Stable` stand to a peer's, over all rows that both have.
 pub struct ErrorBar {
     pub peer: &'static str,
     pub number: String,
     /// Rows in which no figure is larger and one is smaller.
     pub smaller: usize,
+    /// Rows in which all figures are the same.
     pub equal: usize,
     /// Rows in which a figure is larger.
     pub larger: Vec<(Row, Row)>,
@@ -128,12 +132,13 @@ pub fn error_bars(rows: &[Row]) -> Vec<ErrorBar> {
                     [median, most, worst, row.errors.failures() as f64]
                 };
                 let (own, other) = (figures(ours), figures(theirs));
-                if own.iter().zip(other).any(|(own, other)| *own > other) {
+                let some = |is: fn(f64, f64) -> bool| own.iter().zip(other).any(|(own, other)| is(*own, other));
+                if some(|own, other| own > SAME * other) {
                     bar.larger.push((ours.clone(), theirs.clone()));
-                } else if own == other {
-                    bar.equal += 1;
-                } else {
+                } else if some(|own, other| SAME * own < other) {
                     bar.smaller += 1;
+                } else {
+                    bar.equal += 1;
                 }
             }
             if bar.smaller + bar.equal + bar.larger.len() > 0 {

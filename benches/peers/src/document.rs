@@ -36,8 +36,8 @@ Times are of a loop that asks for a thousand rays, prepared in the contestant's 
 (parry, textbook), a hit with its part and crossing (raylet) or one with point and normal (embedded-3dgfx). The contestants take
 turns of some 50 microseconds; of the ratios within a round the median counts, and nanoseconds stand beside them for the
 scale. Independent rays overlap in the processor: these are throughputs. Everything is compiled in one piece (`lto = \"fat\"`, one
-codegen unit, no `target-cpu`). raylet's square root is `libm`'s, which is an instruction here because parry turns on `libm`'s
-feature `arch`; alone raylet does not.
+codegen unit, no `target-cpu`). raylet's square root is `libm`'s, which is an instruction here because other crates of the build turn on its
+feature `arch`; alone raylet does not, and on a host its root is then integer code.
 
 parry's cylinder and cone have their middle in the origin: their rays are moved there beforehand, which is not timed, and the oracle is
 asked about the rays so moved. It answers for these two by iteration (GJK), for all else in closed form.
@@ -103,8 +103,8 @@ fn bars(rows: &[Row]) -> String {
     let _ = writeln!(text, "\nOf these {count} bars {reached} are reached at their worst workload too.\n");
     text.push_str(
         "`Stable`'s errors (median, 99.9 %, worst, and how many hits are lost, phantom or wrong) beside a peer's; \
-         the bar is that none is larger in any row of primitive and workload:\n\n\
-         | number | peer | rows | all smaller or equal | all equal | larger in something |\n|---|---|---:|---:|---:|---:|\n",
+         the bar is that none is larger in any row of primitive and workload. (Within a hundredth is equal.)\n\n\
+         | number | peer | rows | none larger, some smaller | all equal | some larger |\n|---|---|---:|---:|---:|---:|\n",
     );
     let bars = error_bars(rows);
     for bar in &bars {

@@ -48,7 +48,8 @@ impl Environment {
 
 /// The directory of the repository.
 pub fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+    package.ancestors().nth(2).unwrap_or(package).to_path_buf()
 }
 
 fn version_in(lock: &str, name: &str) -> Option<String> {
