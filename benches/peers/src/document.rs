@@ -36,8 +36,7 @@ Times are of a loop that asks for a thousand rays, prepared in the contestant's 
 (parry, textbook), a hit with its part and crossing (raylet) or one with point and normal (embedded-3dgfx). The contestants take
 turns of some 50 microseconds; of the ratios within a round the median counts, and nanoseconds stand beside them for the
 scale. Independent rays overlap in the processor: these are throughputs. Everything is compiled in one piece (`lto = \"fat\"`, one
-codegen unit, no `target-cpu`). raylet's square root is `libm`'s, which is an instruction here because other crates of the build turn on its
-feature `arch`; alone raylet does not, and on a host its root is then integer code.
+codegen unit, no `target-cpu`). raylet's square root is `libm`'s, on a host an instruction.
 
 parry's cylinder and cone have their middle in the origin: their rays are moved there beforehand, which is not timed, and the oracle is
 asked about the rays so moved. It answers for these two by iteration (GJK), for all else in closed form.

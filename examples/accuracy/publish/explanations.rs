@@ -23,7 +23,7 @@ fn is_flat(row: &Beaten<'_>) -> bool {
 }
 
 /// The first that applies counts.
-pub const WHY: [Why; 12] = [
+pub const WHY: [Why; 14] = [
     (
         |row| is_fixed(row) && row.slower.tier == "Textbook",
         "The operators of `fixed` round every product, widening and shifting each, and the textbook divides both roots by `a`. The tiers \
@@ -42,8 +42,9 @@ pub const WHY: [Why; 12] = [
     (
         |row| row.slower.number == "f32" && row.faster.tier == "Exact" && row.slower.tier == "Stable",
         "`Stable` holds the careful coefficients of cones, grazing rays and triangles to twice the precision in pairs of `f32`, at some ten \
-         to twenty operations a product. The filter of `Exact` has them in one `f64`, where a product of two `f32` is exact; its price \
-         is the running error bound. Where most coefficients are careful, that is less, even where doubles are software.",
+         to twenty operations a product. The first look of `Exact` has them in one `f64` each, with the size of what went into it as the \
+         bound of its error. Where most coefficients are careful, or the short way of `Stable` was asked in vain before, that is \
+         less, even where doubles are software.",
     ),
     (
         |row| row.faster.tier == "Exact" && row.slower.tier == "Fast" && row.slower.primitive == "triangle",
@@ -81,6 +82,16 @@ pub const WHY: [Why; 12] = [
          the ray, rounded alike in both tiers on its way into the frame. Which of the two comes out better is chance.",
     ),
     (
+        |row| !is_fixed(row) && row.faster.tier == "Stable" && row.slower.tier == "Textbook",
+        "Where nothing cancels, `Stable` asks the plain formulas too, but the moment instead of `k^2 - a c`, and most misses are seen before \
+         the root.",
+    ),
+    (
+        |row| !is_fixed(row) && row.faster.tier == "Stable" && row.slower.tier == "Fast",
+        "Both ask the same short way first, and what that leaves open goes to each one's solver. The few rows come from this host and \
+         its compiler (read from the code, not taken apart); no chip has one.",
+    ),
+    (
         |row| is_nearly_as_accurate(row) || is_flat(row),
         "Nothing cancels for these rays, so that care buys nothing: the errors differ by a last rounding or two (the dearer tier \
          scales the ray or steps it closer, and then rounds once more), within a third of each other, or for flat primitives \
@@ -91,8 +102,7 @@ pub const WHY: [Why; 12] = [
         "From nearby the textbook's difference is the better one: `k^2` and `a c` shrink as a ray starts nearer, the moments that the tiers \
          subtract do not; from 3 away on it is the other way round, and growing. `Fast` is still the better one in the median of most of \
          these rows, but not in the tail, where `a` is small too; there `Stable` is. What all tiers pay for and the textbook leaves out: \
-         parts and crossings that pair, numbers that cannot overflow, and on this host a square root in software (`libm` without its \
-         feature `arch`).",
+         parts and crossings that pair, and numbers that cannot overflow.",
     ),
 ];
 
