@@ -176,7 +176,7 @@ pub(crate) fn slab<S: Scalar, T: Arithmetic<S>>(line: &Line<S>, low: Option<S>, 
 /// Whether rounding may decide how the ends of a side and of the planes that close it follow each other.
 #[inline(always)]
 pub(crate) fn are_close<S: Scalar>(side: &Span<S>, planes: &Span<S>) -> bool {
-    let close = |a: End<S>, b: End<S>| !S::plain_apart(a.t, b.t);
+    let close = |a: End<S>, b: End<S>| S::plain_close(a.t, b.t);
     close(side.enter, planes.enter)
         || close(side.exit, planes.exit)
         || close(side.enter, planes.exit)

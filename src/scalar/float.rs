@@ -264,8 +264,8 @@ macro_rules! float {
             #[inline(always)]
             fn plain_height(line: PlainLine<Self>, t: Self, seams: [Self; 2]) -> Plain<Self> {
                 let ([_, y, _], climb) = (line.origin, t * line.direction[1]);
-                let [low, high] = seams.map(|seam| Self::plain_apart(climb, seam - y));
-                if low && high { Plain::Found(y + climb) } else { Plain::Unclear }
+                let [low, high] = seams.map(|seam| Self::plain_close(climb, seam - y));
+                if low || high { Plain::Unclear } else { Plain::Found(y + climb) }
             }
             #[inline(always)]
             fn plain_lowered(line: PlainLine<Self>, y: Self) -> Plain<PlainLine<Self>> {
@@ -273,9 +273,9 @@ macro_rules! float {
                 Plain::Found(PlainLine { origin: [ox, oy - y, oz], ..line })
             }
             #[inline(always)]
-            fn plain_apart(a: Self, b: Self) -> bool {
-                // Not where one is infinite, or both.
-                !($Float::abs(a - b) < ($Float::abs(a) + $Float::abs(b)) * (64.0 * $Float::EPSILON))
+            fn plain_close(a: Self, b: Self) -> bool {
+                // Not if one is infinite, or both are: that compares false.
+                $Float::abs(a - b) < ($Float::abs(a) + $Float::abs(b)) * (64.0 * $Float::EPSILON)
             }
 
             fn fraction(self) -> Self {

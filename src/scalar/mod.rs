@@ -245,10 +245,10 @@ pub trait Scalar:
         Plain::Unclear
     }
 
-    /// Whether two ends that the short way found are so far apart that rounding does not decide which comes first.
+    /// Whether two ends that the short way found are so close that rounding may decide which comes first.
     #[inline(always)]
-    fn plain_apart(_: Self, _: Self) -> bool {
-        true
+    fn plain_close(_: Self, _: Self) -> bool {
+        false
     }
 
     /// The line from `o` along `d` in the frame with these axes at `position`.
