@@ -1,0 +1,11 @@
+//! Instructions a query: counted, compared with what they were, and published.
+//!
+//! | room | what it holds |
+//! |---|---|
+//! | `callgrind` | runs this program under valgrind and reads what it counted |
+//! | `baseline` | what was counted before, and how far today's figures are from it |
+//! | `document` | `docs/benches.md` |
+
+pub mod baseline;
+pub mod callgrind;
+pub mod document;
