@@ -109,9 +109,11 @@ impl<const ALL_HITS: bool> Builder<'_, ALL_HITS> {
     }
 
     /// The questions that each tier answers in its own way.
-    fn tier<S: Scalar, T: Tier<S>, P: Subject<S>>(&mut self, tier: &'static str, subject: &P, at: &[Vec<Ray<S>>; 2])
+    fn tier<S, T, P>(&mut self, tier: &'static str, subject: &P, at: &[Vec<Ray<S>>; 2])
     where
-        P: Clone + Send + Sync + 'static,
+        S: Scalar,
+        T: Tier<S>,
+        P: Subject<S> + Clone + Send + Sync + 'static,
     {
         for ((_, kind), rays) in KINDS.into_iter().zip(at) {
             if ALL_HITS {
@@ -123,9 +125,10 @@ impl<const ALL_HITS: bool> Builder<'_, ALL_HITS> {
     }
 
     /// What a hit is asked for, which no tier changes.
-    fn surface<S: Scalar, P: Subject<S>>(&mut self, subject: &P, hitting: &[Ray<S>])
+    fn surface<S, P>(&mut self, subject: &P, hitting: &[Ray<S>])
     where
-        P: Clone + Send + Sync + 'static,
+        S: Scalar,
+        P: Subject<S> + Clone + Send + Sync + 'static,
     {
         let hits: Vec<(Ray<S>, Option<Hit<S>>)> =
             hitting.iter().map(|ray| (*ray, subject.nearest::<Stable>(ray))).collect();

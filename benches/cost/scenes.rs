@@ -35,6 +35,9 @@ fn rays<S: Scalar>(scene: &Scene<'static, S>, hitting: bool) -> Vec<Ray<S>> {
         .collect()
 }
 
+/// What is asked of a scene.
+type Question<S> = fn(&Scene<'static, S>, &Ray<S>);
+
 #[inline(never)]
 fn nearest<S: Scalar>(scene: &Scene<'static, S>, ray: &Ray<S>) {
     black_box(scene.nearest(ray, &mut Counters::default()));
@@ -52,8 +55,7 @@ pub fn cases<S: Scalar>(number: &'static str) -> Vec<Case> {
         let Some(scene) = scene::<S>(objects) else { continue };
         for (hitting, kind) in KINDS {
             let rays = rays(&scene, hitting);
-            let questions: [(_, fn(&Scene<'static, S>, &Ray<S>)); 2] =
-                [("nearest", nearest::<S>), ("occlusion", occlusion::<S>)];
+            let questions: [(_, Question<S>); 2] = [("nearest", nearest::<S>), ("occlusion", occlusion::<S>)];
             for (query, question) in questions {
                 let subject = format!("scene of {objects}");
                 let name = Name { subject, query, number, tier: "Stable", rays: kind };

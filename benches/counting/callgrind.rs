@@ -29,11 +29,11 @@ fn cases() -> Vec<Case> {
 
 fn nothing() -> Case {
     #[inline(never)]
-    fn nothing(subject: &u64, input: &u64) {
+    fn nothing<P, I>(subject: &P, input: &I) {
         black_box((subject, input));
     }
     let name = Name { subject: "nothing".into(), query: "nothing", number: "any", tier: "any", rays: "any" };
-    Case::new(name, 0, vec![0; QUESTIONS], nothing)
+    Case::new(name, 0, vec![0; QUESTIONS], nothing::<u64, u64>)
 }
 
 /// [`counted`] as valgrind calls it. (A pattern would do to toggle the counting, but not to write down what was counted.)
