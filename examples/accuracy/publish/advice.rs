@@ -76,7 +76,7 @@ fn by_chip(study: &Study) -> Vec<Advice> {
             "No floating-point unit, and 32 bits do not reach:",
             format!(
                 "Another split first: `I20F12` reaches 262,144 in units of 2.4e-4, at the same price. Beyond that of the 64-bit types {} takes \
-                 fewer instructions for a sphere in `Fast`, {} in `Stable`; both take many times those of 32 bits.",
+                 fewer instructions for a sphere in `Fast`, {} in `Stable`; both take several times those of 32 bits.",
                 fewer("Fast"),
                 fewer("Stable")
             ),
@@ -86,7 +86,7 @@ fn by_chip(study: &Study) -> Vec<Advice> {
         advice(
             "A single-precision unit (M4F):",
             format!(
-                "`f32`. `Fast` is the cheapest there is; `Stable` costs several times that for a sphere and is right where rays graze. In `Stable` {} \
+                "`f32`. `Fast` is the cheapest there is; `Stable` costs half as much again for a sphere and is right where rays graze. In `Stable` {} \
                  takes fewer instructions for a sphere, {} for a capped cylinder and {} for a capped cone: if coordinates fit it, fixed point is \
                  not slow on such a chip. Doubles are software, and `f32` `Exact` computes in them.",
                 single(SPHERE),
