@@ -104,6 +104,7 @@ pub mod tier;
 pub mod vector;
 
 pub use affine::Affine;
+pub use effect::{Tracer, Work};
 pub use frame::{Frame, FrameError};
 pub use geometry::Bounds;
 pub use hit::{Crossing, Hit, Hits};
@@ -112,7 +113,7 @@ pub use primitive::{Capsule, Cone, Cylinder, Disc, Plane, SizeError, Sphere, Tri
 pub use ray::{Departure, Leaving, Range, Ray, RayError};
 pub use render::{Picture, Pixel};
 pub use scalar::Scalar;
-pub use scene::{Camera, Color, Counters, Light, Material, Object, Scene, Size};
+pub use scene::{Camera, Color, Counters, Fog, Light, Material, Object, Scene, Size, Texture};
 pub use shape::{Placement, Primitive, Shape, Surface, Visible};
 pub use tier::{Exact, Fast, Stable, Tier};
 pub use vector::{UnitVec3, Vec3};

@@ -1,35 +1,112 @@
 //! Floor 9: pixels.
 //!
-//! No frame buffer is needed: a [`Picture`] gives any pixel when asked, and [`Picture::render`] hands them over one by
-//! one, row after row, so that they may go straight to a display.
+//! No frame buffer is needed: a [`Picture`] gives any pixel or any row when asked, and [`Picture::render`] hands them over one
+//! by one, row after row, so that they may go straight to a display. Rows do not depend on each other.
 
-use crate::effect::{Sight, look};
+use crate::effect::{All, Effect, EffectError, EffectSet, Effects, Sight, Tracer, Work, differ};
 use crate::part::Part;
+use crate::ray::Ray;
 use crate::scalar::{Real, Scalar};
-use crate::scene::{Color, Counters, Raster, Scene, Size};
+use crate::scene::{Color, Counters, Observer, Raster, Scene, Size};
 
-/// A scene, seen through its camera at a given size.
+/// A scene, seen through its camera at a given size, with the effects `E` compiled in.
 #[derive(Clone, Copy, Debug)]
-pub struct Picture<'a, S: Scalar> {
-    scene: &'a Scene<'a, S>,
+pub struct Picture<'a, S: Scalar, E = All> {
+    tracer: Tracer<'a, S, E>,
     raster: Raster<S>,
 }
 
 /// One pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pixel<S: Scalar> {
-    /// The mean of its samples, each brought into `[0, 1]` before, so that a highlight keeps its soft edge.
+    /// The mean of its samples, each brought into `[0, 1]` before, so that a highlight keeps its soft edge. Where its corners
+    /// agree, and are all that was sampled, the mean of those.
     pub color: Color<S>,
-    /// What its middle sample saw: the object and the part of its surface; `None` for the background.
+    /// What its middle sample (or all of its corners) saw: the object and the part of its surface; `None` for the
+    /// background.
     pub seen: Option<(u32, Part)>,
-    /// Which of the first 32 lights reach the point that its middle sample saw, a bit for each.
+    /// Which of the first 32 lights reach the point that was seen, a bit for each.
     pub lit_by: u32,
 }
 
 impl<'a, S: Scalar> Picture<'a, S> {
-    /// The picture of a scene at this size.
+    /// The picture of a scene at this size, with every effect compiled in; those that the scene calls for are used.
     pub fn new(scene: &'a Scene<'a, S>, size: Size) -> Self {
-        Self { scene, raster: scene.camera().raster(size) }
+        Self::leaving_out(scene, size)
+    }
+}
+
+impl<'a, S: Scalar, E: Effects> Picture<'a, S, E> {
+    /// The picture of a scene at this size, with the effects `E` compiled in.
+    ///
+    /// # Errors
+    ///
+    /// [`EffectError`] if the scene calls for an effect that is not among them, or the size for antialiasing.
+    ///
+    /// ```
+    /// # use raylet::{Camera, Color, Light, Material, Object, Picture, Scene, Shape, Size, Sphere, Vec3};
+    /// # let y = Vec3::new(0.0_f32, 1.0, 0.0);
+    /// # let camera = Camera::new(Vec3::new(0.0, 0.0, 5.0), Vec3::ZERO, y, 40.0)?;
+    /// use raylet::effect::{Diffuse, Shadows};
+    /// # let objects = [Object::new(Shape::new(Sphere::new(1.0_f32)?), 0)];
+    /// # let lights = [Light::new(Vec3::new(0.0, 0.0, 9.0), 0.5)];
+    /// let materials = [Material::matte(Color::WHITE).with_mirror(0.3)];
+    /// let scene = Scene::new(&objects, &materials, &lights, camera)?;
+    /// let error = Picture::<f32, (Diffuse, Shadows)>::try_new(&scene, Size::new(8, 6)).unwrap_err();
+    /// assert_eq!(
+    ///     error.to_string(),
+    ///     "object 0 calls for reflection, which is not compiled in: name `Reflection` among the effects"
+    /// );
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn try_new(scene: &'a Scene<'a, S>, size: Size) -> Result<Self, EffectError> {
+        if size.samples > 1 && !E::SET.contains(Effect::Antialiasing) {
+            return Err(EffectError::Antialiasing { samples: size.samples });
+        }
+        let tracer = Tracer::try_new(scene)?;
+        Ok(Self { tracer, raster: scene.camera().raster(size) })
+    }
+
+    /// The picture of a scene at this size, with the effects `E` compiled in, that knowingly leaves out whatever else is called
+    /// for; without antialiasing each pixel has one sample.
+    pub fn leaving_out(scene: &'a Scene<'a, S>, size: Size) -> Self {
+        let picture = Self { tracer: Tracer::leaving_out(scene), raster: scene.camera().raster(size) };
+        if E::SET.contains(Effect::Antialiasing) { picture } else { picture.with_one_sample() }
+    }
+
+    /// The same picture with only those of its effects that are in the set. What is called for besides is left off; see
+    /// [`Tracer::only`].
+    ///
+    /// ```
+    /// # use raylet::{Camera, Color, Light, Material, Object, Picture, Scene, Shape, Size, Sphere, Vec3};
+    /// # let y = Vec3::new(0.0_f32, 1.0, 0.0);
+    /// # let camera = Camera::new(Vec3::new(0.0, 0.0, 5.0), Vec3::ZERO, y, 40.0)?;
+    /// use raylet::effect::{Effect, EffectSet};
+    /// # let objects = [Object::new(Shape::new(Sphere::new(1.0_f32)?), 0)];
+    /// # let materials = [Material::matte(Color::WHITE)];
+    /// # let lights = [Light::new(Vec3::new(0.0, 9.0, 9.0), 0.5)];
+    /// # let scene = Scene::new(&objects, &materials, &lights, camera)?;
+    /// let picture = Picture::new(&scene, Size::new(8, 6));
+    /// assert!(picture.render(|_, _, _| {}).shadow_rays > 0);
+    /// let without = picture.only(EffectSet::ALL.without(Effect::Shadows));
+    /// assert_eq!(without.render(|_, _, _| {}).shadow_rays, 0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn only(self, effects: EffectSet) -> Self {
+        let picture = Self { tracer: self.tracer.only(effects), ..self };
+        if effects.contains(Effect::Antialiasing) { picture } else { picture.with_one_sample() }
+    }
+
+    /// The same picture with every ray cast, however little it adds; see [`Tracer::uncut`].
+    #[must_use]
+    pub fn uncut(self) -> Self {
+        Self { tracer: self.tracer.uncut(), ..self }
+    }
+
+    fn with_one_sample(self) -> Self {
+        let raster = self.tracer.scene().camera().raster(self.size().with_samples(1));
+        Self { raster, ..self }
     }
 
     /// The size of the picture.
@@ -37,42 +114,156 @@ impl<'a, S: Scalar> Picture<'a, S> {
         self.raster.size()
     }
 
-    /// Traces the pixel in column `x` of row `y`, counted from the upper left; adds what it cost to `counters`.
-    pub fn pixel(&self, x: u16, y: u16, counters: &mut Counters) -> Pixel<S> {
-        let samples = self.size().samples.max(1);
-        let mut sum = [S::Real::ZERO; 3];
-        let mut middle = Sight { color: Color::BLACK, seen: None, lit_by: 0 };
-        for row in 0..samples {
-            for column in 0..samples {
-                let Some(ray) = self.raster.ray([x, y], [column, row]) else { continue };
-                counters.primary_rays += 1;
-                let sight = look(self.scene, &ray, counters);
-                if samples == 1 {
-                    let color = sight.color.clamped();
-                    return Pixel { color, seen: sight.seen, lit_by: sight.lit_by };
-                }
-                if (column, row) == (samples / 2, samples / 2) {
-                    middle = sight;
-                }
-                for (sum, channel) in sum.iter_mut().zip(sight.color.clamped().to_array()) {
-                    *sum = *sum + S::unit_real(channel);
-                }
-            }
+    /// The effects in use.
+    pub fn effects(&self) -> EffectSet {
+        let effects = self.tracer.effects();
+        if self.is_antialiased() { effects.with(Effect::Antialiasing) } else { effects }
+    }
+
+    #[inline(always)]
+    fn is_antialiased(&self) -> bool {
+        E::SET.contains(Effect::Antialiasing) && self.size().samples > 1
+    }
+
+    /// Traces the pixel in column `x` of row `y`, counted from the upper left; adds what it cost to `work`.
+    ///
+    /// Of several samples a pixel, see [`Picture::row`], which gives the same pixels for fewer rays.
+    pub fn pixel<O: Observer>(&self, x: u16, y: u16, work: &mut Work<O>) -> Pixel<S> {
+        if self.is_antialiased() {
+            let (left, right) = (self.edge(u32::from(x), y, work), self.edge(u32::from(x) + 1, y, work));
+            return self.between([left, right], [x, y], work);
         }
-        let count = S::Real::from_int(i32::from(samples) * i32::from(samples));
-        let color = sum.map(|sum| S::unit_round(sum / count)).into();
-        Pixel { color, seen: middle.seen, lit_by: middle.lit_by }
+        let Sight { color, seen, lit_by } = self.sample(self.raster.ray([x, y], [0, 0]), 255, work);
+        Pixel { color, seen, lit_by }
+    }
+
+    /// The pixels of row `y` from the left; adds what they cost to `work`, which starts without memory.
+    ///
+    /// With several samples a pixel, its corners are traced first, which neighbours share. Where the corners see
+    /// the same part of the same object in the same lights, and no channel differs by more than 1/32, their mean is
+    /// the pixel; elsewhere the whole grid of `samples * samples` rays is traced, and the mean of that is.
+    pub fn row<'w, O: Observer>(&'w self, y: u16, work: &'w mut Work<O>) -> Row<'w, 'a, S, E, O> {
+        work.forget();
+        let left = if self.is_antialiased() { Some(self.edge(0, y, work)) } else { None };
+        Row { picture: self, work, next: 0, y, left }
     }
 
     /// Traces every pixel, row after row from the upper left, hands each to `each` with its column and row, and returns
     /// what it cost.
     pub fn render(&self, mut each: impl FnMut(u16, u16, Pixel<S>)) -> Counters {
-        let mut counters = Counters::default();
+        let mut work = Work::new(());
         for y in 0..self.size().height {
-            for x in 0..self.size().width {
-                each(x, y, self.pixel(x, y, &mut counters));
+            for (x, pixel) in (0..).zip(self.row(y, &mut work)) {
+                each(x, y, pixel);
             }
         }
-        counters
+        work.counters
+    }
+
+    /// What a ray from the eye sees, its colour brought into `[0, 1]`.
+    fn sample<O: Observer>(&self, ray: Option<Ray<S>>, levels: u16, work: &mut Work<O>) -> Sight<S> {
+        let Some(ray) = ray else { return Sight { color: Color::BLACK, seen: None, lit_by: 0 } };
+        work.counters.primary_rays += 1;
+        let sight = self.tracer.look_in_levels(&ray, levels, work);
+        Sight { color: sight.color.clamped(), ..sight }
+    }
+
+    /// The two corners, upper and lower, on the left of the pixel in column `x`.
+    fn edge<O: Observer>(&self, x: u32, y: u16, work: &mut Work<O>) -> [Sight<S>; 2] {
+        let y = u32::from(y);
+        [y, y + 1].map(|y| self.sample(self.raster.corner([x, y]), FINE, work))
+    }
+
+    /// The pixel between two edges.
+    fn between<O: Observer>(&self, edges: [[Sight<S>; 2]; 2], at: [u16; 2], work: &mut Work<O>) -> Pixel<S> {
+        let [[a, b], [c, d]] = edges;
+        let corners = [a, b, c, d];
+        if differ(&corners) {
+            work.counters.refined_pixels += 1;
+            return self.grid(at, work);
+        }
+        let mut mean = Mean::new();
+        for corner in corners {
+            mean.take(corner.color);
+        }
+        Pixel { color: mean.of(4), seen: a.seen, lit_by: a.lit_by }
+    }
+
+    /// The pixel from the whole grid of its samples.
+    fn grid<O: Observer>(&self, at: [u16; 2], work: &mut Work<O>) -> Pixel<S> {
+        let samples = self.size().samples.max(1);
+        let mut mean = Mean::new();
+        let mut middle = Sight { color: Color::BLACK, seen: None, lit_by: 0 };
+        for row in 0..samples {
+            for column in 0..samples {
+                let sight = self.sample(self.raster.ray(at, [column, row]), FINE, work);
+                mean.take(sight.color);
+                if (column, row) == (samples / 2, samples / 2) {
+                    middle = sight;
+                }
+            }
+        }
+        let color = mean.of(i32::from(samples) * i32::from(samples));
+        Pixel { color, seen: middle.seen, lit_by: middle.lit_by }
     }
 }
+
+/// The levels in which a sample counts that is one of several.
+const FINE: u16 = 16 * 255;
+
+/// A mean of colours.
+struct Mean<S: Scalar> {
+    sum: [S::Real; 3],
+}
+
+impl<S: Scalar> Mean<S> {
+    fn new() -> Self {
+        Self { sum: [S::Real::ZERO; 3] }
+    }
+
+    fn take(&mut self, color: Color<S>) {
+        for (sum, channel) in self.sum.iter_mut().zip(color.to_array()) {
+            *sum = *sum + S::unit_real(channel);
+        }
+    }
+
+    fn of(self, count: i32) -> Color<S> {
+        let count = S::Real::from_int(count);
+        self.sum.map(|sum| S::unit_round(sum / count)).into()
+    }
+}
+
+/// The pixels of a row, traced as they are asked for: see [`Picture::row`].
+#[derive(Debug)]
+pub struct Row<'w, 'a, S: Scalar, E, O> {
+    picture: &'w Picture<'a, S, E>,
+    work: &'w mut Work<O>,
+    next: u32,
+    y: u16,
+    /// The corners on the left of the next pixel.
+    left: Option<[Sight<S>; 2]>,
+}
+
+impl<S: Scalar, E: Effects, O: Observer> Iterator for Row<'_, '_, S, E, O> {
+    type Item = Pixel<S>;
+
+    fn next(&mut self) -> Option<Pixel<S>> {
+        let x = u16::try_from(self.next).ok().filter(|x| *x < self.picture.size().width)?;
+        self.next += 1;
+        let Some(left) = self.left.filter(|_| E::SET.contains(Effect::Antialiasing)) else {
+            return Some(self.picture.pixel(x, self.y, self.work));
+        };
+        let right = self.picture.edge(self.next, self.y, self.work);
+        self.left = Some(right);
+        Some(self.picture.between([left, right], [x, self.y], self.work))
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        let left = u32::from(self.picture.size().width).saturating_sub(self.next) as usize;
+        (left, Some(left))
+    }
+}
+
+impl<S: Scalar, E: Effects, O: Observer> ExactSizeIterator for Row<'_, '_, S, E, O> {}
+
+impl<S: Scalar, E: Effects, O: Observer> core::iter::FusedIterator for Row<'_, '_, S, E, O> {}

@@ -11,7 +11,7 @@ mod picture;
 use fixed::types::I16F16;
 use picture::Storage;
 use raylet::scalar::UnitScalar;
-use raylet::{Counters, Picture, Scalar};
+use raylet::{Picture, Scalar, Work};
 use std::fmt::Write;
 
 const RENEW: &str = "the host no longer gives what is expected of the chips. If the library's answers were meant to \
@@ -53,11 +53,11 @@ fn with_picture<S: Scalar>(use_it: impl FnOnce(&Picture<'_, S>)) {
 fn render<S: Scalar>(number: &str) {
     with_picture::<S>(|picture| {
         let mut file = picture::HEADER.as_bytes().to_vec();
-        let mut counters = Counters::default();
+        let mut work = Work::new(());
         for y in 0..picture::HEIGHT {
-            file.extend(picture::row(picture, y, &mut counters));
+            file.extend(picture::row(picture, y, &mut work));
         }
-        assert_eq!(counters.primary_rays, picture::PIXELS);
+        assert_eq!(work.counters.primary_rays, picture::PIXELS);
         expect(&format!("picture-{number}.ppm"), &file);
     });
 }

@@ -103,6 +103,9 @@ fn materials_hold_for_the_objects_that_follow() {
         shine: 30.0,
         transmittance: 0.0,
         refraction: 1.0,
+        mirror: 0.2,
+        texture: None,
+        bump: None,
     };
     assert_eq!(read.materials[0], expected);
     assert_eq!(read.materials[1].refraction, 1.5);

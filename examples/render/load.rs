@@ -1,26 +1,26 @@
 //! Where a scene comes from: the built-in still life or an NFF file, in any number type.
 
-use crate::still_life;
+use crate::gallery::BuiltIn;
 use raylet::scene::nff::{self, Corner, Counts, Stores};
 use raylet::scene::{CornerNormals, Full, Store};
-use raylet::{Camera, Color, Light, Material, Object, Scalar, Scene};
+use raylet::{Camera, Color, Fog, Light, Material, Object, Scalar, Scene, Texture};
 use std::error::Error;
 use std::fs;
 use std::path::Path;
 
-/// The text of a scene file, or the still life.
+/// The text of a scene file, or a built-in scene.
 #[derive(Debug)]
 pub(crate) struct Source {
     name: String,
-    text: Option<String>,
+    text: std::result::Result<String, BuiltIn>,
 }
 
 impl Source {
-    pub(crate) fn new(file: Option<&Path>) -> Result<Self, Box<dyn Error>> {
-        let Some(file) = file else { return Ok(Self { name: "still_life".to_owned(), text: None }) };
+    pub(crate) fn new(file: Option<&Path>, built_in: BuiltIn) -> Result<Self, Box<dyn Error>> {
+        let Some(file) = file else { return Ok(Self { name: built_in.to_string(), text: Err(built_in) }) };
         let text = fs::read_to_string(file).map_err(|error| format!("cannot read {}: {error}", file.display()))?;
         let name = file.file_stem().map_or("scene".into(), |stem| stem.to_string_lossy().into_owned());
-        Ok(Self { name, text: Some(text) })
+        Ok(Self { name, text: Ok(text) })
     }
 
     /// The file's name without folder and extension.
@@ -29,7 +29,10 @@ impl Source {
     }
 
     pub(crate) fn load<S: Scalar>(&self) -> Result<Loaded<S>, Box<dyn Error>> {
-        let Some(text) = &self.text else { return still_life::build() };
+        let text = match &self.text {
+            Ok(text) => text,
+            Err(built_in) => return built_in.build(),
+        };
         let counts = Counts::of(text);
         let (mut objects, mut materials) = (Growing(Vec::new()), Growing(Vec::new()));
         let (mut lights, mut normals) = (Growing(Vec::new()), Growing(Vec::new()));
@@ -46,6 +49,8 @@ impl Source {
             materials: materials.0,
             lights: lights.0,
             normals: normals.0,
+            textures: Vec::new(),
+            fog: None,
             background: view.background,
             camera: view.camera,
             resolution: view.resolution,
@@ -61,6 +66,8 @@ pub(crate) struct Loaded<S: Scalar> {
     pub(crate) materials: Vec<Material<S>>,
     pub(crate) lights: Vec<Light<S>>,
     pub(crate) normals: Vec<CornerNormals<S>>,
+    pub(crate) textures: Vec<Texture<'static, S>>,
+    pub(crate) fog: Option<Fog<S>>,
     pub(crate) background: Color<S>,
     pub(crate) camera: Camera<S>,
     pub(crate) resolution: [u16; 2],
@@ -70,7 +77,9 @@ pub(crate) struct Loaded<S: Scalar> {
 impl<S: Scalar> Loaded<S> {
     pub(crate) fn scene(&self) -> Result<Scene<'_, S>, Box<dyn Error>> {
         let scene = Scene::new(&self.objects, &self.materials, &self.lights, self.camera)?;
-        Ok(scene.with_background(self.background).with_normals(&self.normals)?)
+        let scene =
+            scene.with_background(self.background).with_normals(&self.normals)?.with_textures(&self.textures)?;
+        Ok(self.fog.map_or(scene, |fog| scene.with_fog(fog)))
     }
 }
 

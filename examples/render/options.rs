@@ -1,6 +1,8 @@
 //! What can be asked for on the command line.
 
+use crate::gallery::BuiltIn;
 use clap::{Parser, ValueEnum};
+use raylet::effect::{Effect, EffectSet};
 use std::fmt;
 use std::path::PathBuf;
 
@@ -11,14 +13,31 @@ use std::path::PathBuf;
     after_help = "Examples:\n  \
         render                                          the built-in still life, 160x120, into out/\n  \
         render examples/scenes/star.nff -n i16f16 -s 3  a file, in fixed point, 9 rays a pixel\n  \
+        render --scene glass -s 4                       glass and mirrors, antialiased\n  \
+        render --scene waves --effects diffuse,fog      the same scene with two of its effects\n  \
         render examples/scenes/tubes.nff --compare i16f16 f64\n                                                  \
         how far is fixed point from double precision?\n\n\
-        Shading is diffuse and Phong, with shadows from all lights and no ambient light. Mirrors and\n\
-        transparent objects are not followed yet. Levels are linear: no gamma curve is applied."
+        Only the effects that the scene calls for are at work, and the program says which. In NFF files the highlights'\n\
+        weight Ks is the mirror's weight too, and T that of the refracted ray. There is no ambient light; transparent\n\
+        objects cast full shadows. Levels are linear: no gamma curve is applied."
 )]
 pub(crate) struct Options {
-    /// Scene in the Neutral File Format (.nff); without it, a still life of all the solids
-    pub(crate) scene: Option<PathBuf>,
+    /// Scene in the Neutral File Format (.nff); without it, a built-in one
+    #[arg(value_name = "FILE")]
+    pub(crate) file: Option<PathBuf>,
+
+    /// Built-in scene
+    #[arg(long, value_enum, value_name = "NAME", default_value_t = BuiltIn::StillLife, conflicts_with = "file")]
+    pub(crate) scene: BuiltIn,
+
+    /// Effects to use, of those that the scene calls for: `auto` for all of them, `none`, or names with commas between: diffuse, specular,
+    /// shadows, reflection, refraction, texture, bump, fog, antialiasing
+    #[arg(long, value_name = "LIST", default_value = "auto", value_parser = parse_effects)]
+    pub(crate) effects: EffectSet,
+
+    /// Report what each effect costs (by rendering again without it), and each object's tests and hits
+    #[arg(long, conflicts_with = "compare")]
+    pub(crate) report: bool,
 
     /// Number type to trace in
     #[arg(short, long, value_enum, default_value_t = Number::F32)]
@@ -28,7 +47,8 @@ pub(crate) struct Options {
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     pub(crate) size: Option<(u16, u16)>,
 
-    /// Samples along each side of a pixel: N*N rays a pixel, on a regular grid (1 to 16)
+    /// Samples along each side of a pixel, on a regular grid, where the pixel's corners differ (1 to 16); more than 1
+    /// asks for antialiasing
     #[arg(short, long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=16))]
     pub(crate) samples: u8,
 
@@ -70,6 +90,19 @@ impl fmt::Display for Number {
             Self::I32f32 => "i32f32",
         })
     }
+}
+
+fn parse_effects(text: &str) -> Result<EffectSet, String> {
+    match text {
+        "auto" => Ok(EffectSet::ALL),
+        "none" => Ok(EffectSet::EMPTY),
+        _ => text.split(',').map(str::trim).map(named).collect(),
+    }
+}
+
+fn named(name: &str) -> Result<Effect, String> {
+    Effect::named(name)
+        .ok_or_else(|| format!("there is no effect `{name}`: choose among {}, auto, none", EffectSet::ALL))
 }
 
 fn parse_size(text: &str) -> Result<(u16, u16), String> {

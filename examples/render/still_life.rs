@@ -71,6 +71,8 @@ pub(crate) fn build<S: Scalar>() -> Result<Loaded<S>> {
             Light::new(point(5.0, 6.0, 8.0)?, number(0.45)?),
         ],
         normals: Vec::new(),
+        textures: Vec::new(),
+        fog: None,
         background: Color::from_f64([0.30, 0.42, 0.55]),
         camera: Camera::new(point(0.2, 4.2, 9.0)?, point(0.2, 0.7, 0.0)?, point(0.0, 1.0, 0.0)?, number(38.0)?)?,
         resolution: [160, 120],
@@ -79,14 +81,18 @@ pub(crate) fn build<S: Scalar>() -> Result<Loaded<S>> {
 }
 
 /// A solid whose axis points up, with its base at a point.
-fn on_y<S: Scalar>(primitive: impl Into<raylet::Primitive<S>>, base: Vec3<S>, material: u32) -> Result<Object<S>> {
+pub(crate) fn on_y<S: Scalar>(
+    primitive: impl Into<raylet::Primitive<S>>,
+    base: Vec3<S>,
+    material: u32,
+) -> Result<Object<S>> {
     Ok(Object::new(Shape::new(primitive).placed(Frame::at(base)?), material))
 }
 
-fn number<S: Scalar>(value: f64) -> Result<S> {
+pub(crate) fn number<S: Scalar>(value: f64) -> Result<S> {
     S::from_f64(value).ok_or_else(|| format!("{value} is beyond the number type").into())
 }
 
-fn point<S: Scalar>(x: f64, y: f64, z: f64) -> Result<Vec3<S>> {
+pub(crate) fn point<S: Scalar>(x: f64, y: f64, z: f64) -> Result<Vec3<S>> {
     Vec3::from_f64([x, y, z]).ok_or_else(|| "a coordinate is beyond the number type".into())
 }

@@ -4,7 +4,9 @@ use crate::image::Image;
 use crate::load::Source;
 use crate::options::Options;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
-use raylet::{Counters, Part, Picture, Pixel, Scalar, Size};
+use raylet::effect::EffectSet;
+use raylet::scene::Observer;
+use raylet::{Counters, Part, Picture, Pixel, Scalar, Size, Work};
 use std::error::Error;
 use std::num::NonZero;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -25,13 +27,45 @@ pub(crate) struct Traced {
     pub(crate) counters: Counters,
     pub(crate) seconds: f64,
     pub(crate) invisible: u32,
+    /// The effects that the scene and the size of the picture call for, and those that were used.
+    pub(crate) called_for: EffectSet,
+    pub(crate) used: EffectSet,
+    /// For each object, if a report is wanted.
+    pub(crate) objects: Vec<Tests>,
 }
 
-pub(crate) fn trace<S: Scalar>(source: &Source, options: &Options) -> Result<Traced, Box<dyn Error>> {
+/// How often an object was asked, and how often the ray met it.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Tests {
+    pub(crate) asked: u64,
+    pub(crate) met: u64,
+}
+
+/// Listens to the tests of each object; to none if its list is empty.
+#[derive(Clone, Debug, Default)]
+struct PerObject(Vec<Tests>);
+
+impl Observer for PerObject {
+    fn tested(&mut self, object: u32, found: bool) {
+        if let Some(tests) = self.0.get_mut(object as usize) {
+            tests.asked += 1;
+            tests.met += u64::from(found);
+        }
+    }
+}
+
+/// Traces a scene with those of its effects that are in the set.
+pub(crate) fn trace<S: Scalar>(
+    source: &Source,
+    options: &Options,
+    effects: EffectSet,
+) -> Result<Traced, Box<dyn Error>> {
     let loaded = source.load::<S>()?;
     let scene = loaded.scene()?;
     let [width, height] = options.size.map_or(loaded.resolution, |(width, height)| [width, height]);
-    let picture = Picture::new(&scene, Size::new(width, height).with_samples(options.samples));
+    let called_for = Picture::new(&scene, Size::new(width, height).with_samples(options.samples));
+    let picture = called_for.only(effects);
+    let listened_to = if options.report { scene.objects().len() } else { 0 };
 
     let bar = ProgressBar::with_draw_target(Some(u64::from(height)), ProgressDrawTarget::hidden())
         .with_style(ProgressStyle::with_template("{bar:40} {pos}/{len} rows, {eta} left")?);
@@ -41,20 +75,20 @@ pub(crate) fn trace<S: Scalar>(source: &Source, options: &Options) -> Result<Tra
         .threads
         .map_or_else(|| thread::available_parallelism().map_or(1, NonZero::get), usize::from)
         .min(usize::from(height));
-    let parts: Vec<(Vec<Row<S>>, Counters)> = thread::scope(|scope| {
+    let parts: Vec<(Vec<Row<S>>, Work<PerObject>)> = thread::scope(|scope| {
         let work = || {
-            let (mut rows, mut counters) = (Vec::new(), Counters::default());
+            let (mut rows, mut work) = (Vec::new(), Work::new(PerObject(vec![Tests::default(); listened_to])));
             while let Ok(y) = u16::try_from(next_row.fetch_add(1, Ordering::Relaxed))
                 && y < height
             {
-                rows.push((y, (0..width).map(|x| picture.pixel(x, y, &mut counters)).collect()));
+                rows.push((y, picture.row(y, &mut work).collect()));
                 // A bar that flashes up and is gone helps nobody.
                 if bar.is_hidden() && start.elapsed().as_secs_f64() > 1.0 {
                     bar.set_draw_target(ProgressDrawTarget::stderr());
                 }
                 bar.inc(1);
             }
-            (rows, counters)
+            (rows, work)
         };
         let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
         workers.into_iter().map(|worker| worker.join().unwrap_or_default()).collect()
@@ -64,9 +98,13 @@ pub(crate) fn trace<S: Scalar>(source: &Source, options: &Options) -> Result<Tra
     let seconds = start.elapsed().as_secs_f64();
     let mut image = Image::black(width, height);
     let mut sightings = vec![(None, 0); image.pixels.len()];
-    let mut counters = Counters::default();
+    let (mut counters, mut objects) = (Counters::default(), vec![Tests::default(); listened_to]);
     for (rows, part) in parts {
-        counters.add(&part);
+        counters.add(&part.counters);
+        for (sum, tests) in objects.iter_mut().zip(part.observer.0) {
+            sum.asked += tests.asked;
+            sum.met += tests.met;
+        }
         for (y, row) in rows {
             let start = usize::from(y) * usize::from(width);
             for (index, pixel) in (start..).zip(row) {
@@ -75,5 +113,6 @@ pub(crate) fn trace<S: Scalar>(source: &Source, options: &Options) -> Result<Tra
             }
         }
     }
-    Ok(Traced { image, sightings, counters, seconds, invisible: loaded.invisible })
+    let (called_for, used, invisible) = (called_for.effects(), picture.effects(), loaded.invisible);
+    Ok(Traced { image, sightings, counters, seconds, invisible, called_for, used, objects })
 }

@@ -1,6 +1,6 @@
-//! Light that a matte surface scatters alike in all directions: Lambert's cosine law.
+//! Light that a matte surface scatters alike in all directions: Lambert's cosine law (*Photometria*, 1760).
 
-use super::Towards;
+use super::site::Towards;
 use crate::scalar::Scalar;
 use crate::scene::Material;
 

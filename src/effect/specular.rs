@@ -1,6 +1,6 @@
 //! Highlights: Phong, *Illumination for computer generated pictures* (1975).
 
-use super::{Site, Towards};
+use super::site::{Site, Towards};
 use crate::scalar::{Real, Scalar, UnitScalar};
 use crate::scene::Material;
 

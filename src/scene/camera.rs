@@ -120,13 +120,25 @@ impl<S: Scalar> Raster<S> {
     /// budget, which [`Camera::new`] excludes.
     pub fn ray(&self, [x, y]: [u16; 2], [column, row]: [u8; 2]) -> Option<Ray<S>> {
         let samples = i64::from(self.size.samples.max(1));
+        let odd = |pixel: u16, sample: u8| 2 * (i64::from(pixel) * samples + i64::from(sample)) + 1;
+        self.through([odd(x, column), odd(y, row)])
+    }
+
+    /// The ray through the upper left corner of pixel (`x`, `y`), which it shares with its neighbours; (width, height) is
+    /// the picture's lower right corner.
+    pub(crate) fn corner(&self, [x, y]: [u32; 2]) -> Option<Ray<S>> {
+        let samples = i64::from(self.size.samples.max(1));
+        self.through([2 * i64::from(x) * samples, 2 * i64::from(y) * samples])
+    }
+
+    /// The ray through the point so many half samples right of and below the upper left corner.
+    fn through(&self, [right, down]: [i64; 2]) -> Option<Ray<S>> {
+        let samples = i64::from(self.size.samples.max(1));
         // Twice the distance from the middle of the picture, in samples: at most 2^25, so that it is exact.
-        let steps = |pixel: u16, sample: u8, pixels: u16| {
-            let odd = 2 * (i64::from(pixel) * samples + i64::from(sample)) + 1 - i64::from(pixels) * samples;
-            S::Real::from_int(odd as i32) * self.pitch
-        };
-        let across = steps(x, column, self.size.width);
-        let upwards = -steps(y, row, self.size.height);
+        let steps =
+            |halves: i64, pixels: u16| S::Real::from_int((halves - i64::from(pixels) * samples) as i32) * self.pitch;
+        let across = steps(right, self.size.width);
+        let upwards = -steps(down, self.size.height);
         let ([fx, fy, fz], [rx, ry, rz], [ux, uy, uz]) =
             (self.camera.forward.real(), self.camera.right.real(), self.camera.up.real());
         let direction = UnitVec3::from_real([

@@ -4,26 +4,37 @@
 //! |---|---|
 //! | `object` | a shape, its material, its corner normals |
 //! | `material`, `color`, `light` | what shading needs |
+//! | `texture`, `fog` | patterns on surfaces; what fills the space between |
 //! | `camera` | the ray of each pixel |
 //! | `storage` | where a reader puts what it finds |
+//! | `counters`, `observer` | what was done for a picture, and who wants to know |
 //! | [`nff`] | the reader of the Neutral File Format |
 
 mod camera;
 mod color;
+mod counters;
+mod fog;
 mod light;
 mod material;
 pub mod nff;
 mod object;
+mod observer;
 mod storage;
+mod texture;
 
 pub use camera::{Camera, CameraError, Raster, Size};
 pub use color::Color;
+pub use counters::Counters;
+pub use fog::Fog;
 pub use light::Light;
 pub use material::Material;
 pub use object::{CornerNormals, Object};
+pub use observer::Observer;
 pub use storage::{Full, Store};
+pub use texture::{Coordinate, Texture, TextureFault, Waves};
 
 use crate::hit::Hit;
+use crate::part::Part;
 use crate::ray::{Range, Ray};
 use crate::scalar::Scalar;
 use core::fmt;
@@ -38,12 +49,15 @@ pub struct Scene<'a, S: Scalar> {
     materials: &'a [Material<S>],
     lights: &'a [Light<S>],
     normals: &'a [CornerNormals<S>],
+    textures: &'a [Texture<'a, S>],
+    fog: Option<Fog<S>>,
     background: Color<S>,
     camera: Camera<S>,
 }
 
 impl<'a, S: Scalar> Scene<'a, S> {
-    /// A black background and flat shading; see [`Scene::with_background`] and [`Scene::with_normals`].
+    /// A black background, flat shading, no textures and no fog; see [`Scene::with_background`],
+    /// [`Scene::with_normals`], [`Scene::with_textures`] and [`Scene::with_fog`].
     ///
     /// # Errors
     ///
@@ -58,8 +72,10 @@ impl<'a, S: Scalar> Scene<'a, S> {
             return Err(SceneError::TooManyObjects);
         }
         for (index, object) in (0_u32..).zip(objects) {
-            if object.material as usize >= materials.len() {
-                return Err(SceneError::Material { object: index, material: object.material });
+            for material in [object.material, object.base, object.top] {
+                if material as usize >= materials.len() {
+                    return Err(SceneError::Material { object: index, material });
+                }
             }
         }
         for (index, light) in (0_u32..).zip(lights) {
@@ -67,7 +83,16 @@ impl<'a, S: Scalar> Scene<'a, S> {
                 return Err(SceneError::Light { light: index });
             }
         }
-        Ok(Self { objects, materials, lights, normals: &[], background: Color::BLACK, camera })
+        Ok(Self {
+            objects,
+            materials,
+            lights,
+            normals: &[],
+            textures: &[],
+            fog: None,
+            background: Color::BLACK,
+            camera,
+        })
     }
 
     /// The same scene before another background.
@@ -90,6 +115,32 @@ impl<'a, S: Scalar> Scene<'a, S> {
         Ok(Self { normals, ..self })
     }
 
+    /// The same scene with the textures that its materials name. Without this call they are left plain.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::Texture`] if a texture is empty or an image has another length than its sides say;
+    /// [`SceneError::NoTexture`] if a material names a texture that is not in the list.
+    pub fn with_textures(self, textures: &'a [Texture<'a, S>]) -> Result<Self, SceneError> {
+        for (index, texture) in (0_u32..).zip(textures) {
+            if let Some(fault) = texture.fault() {
+                return Err(SceneError::Texture { texture: index, fault });
+            }
+        }
+        for (index, material) in (0_u32..).zip(self.materials) {
+            if let Some(texture) = material.texture.filter(|texture| *texture as usize >= textures.len()) {
+                return Err(SceneError::NoTexture { material: index, texture });
+            }
+        }
+        Ok(Self { textures, ..self })
+    }
+
+    /// The same scene in fog.
+    #[must_use]
+    pub const fn with_fog(self, fog: Fog<S>) -> Self {
+        Self { fog: Some(fog), ..self }
+    }
+
     /// The objects; a hit names one by its index.
     pub const fn objects(&self) -> &'a [Object<S>] {
         self.objects
@@ -98,6 +149,16 @@ impl<'a, S: Scalar> Scene<'a, S> {
     /// The lights.
     pub const fn lights(&self) -> &'a [Light<S>] {
         self.lights
+    }
+
+    /// The materials; an object names them by index.
+    pub const fn materials(&self) -> &'a [Material<S>] {
+        self.materials
+    }
+
+    /// The fog, if there is any.
+    pub const fn fog(&self) -> Option<&Fog<S>> {
+        self.fog.as_ref()
     }
 
     /// What a ray sees that meets nothing.
@@ -115,9 +176,19 @@ impl<'a, S: Scalar> Scene<'a, S> {
         self.objects.get(index as usize)
     }
 
-    /// The material of an object.
+    /// The material of an object's side.
     pub fn material(&self, object: &Object<S>) -> Material<S> {
-        self.materials.get(object.material as usize).copied().unwrap_or_default()
+        self.material_of(object, Part::Side).copied().unwrap_or_default()
+    }
+
+    /// The material of a part of an object; `None` only for an object of another scene.
+    pub fn material_of(&self, object: &Object<S>, part: Part) -> Option<&'a Material<S>> {
+        self.materials.get(object.material_of(part) as usize)
+    }
+
+    /// The texture of a material; `None` leaves it plain.
+    pub fn texture(&self, material: &Material<S>) -> Option<&'a Texture<'a, S>> {
+        self.textures.get(material.texture? as usize)
     }
 
     /// The corner normals of an object; `None` shades it flat.
@@ -131,11 +202,23 @@ impl<'a, S: Scalar> Scene<'a, S> {
     /// A ray that departs from a surface (see [`Departure`](crate::Departure)) departs from that object only: the
     /// others see an ordinary ray. Counts every test in `counters`.
     pub fn nearest(&self, ray: &Ray<S>, counters: &mut Counters) -> Option<SceneHit<S>> {
+        self.nearest_for(ray, counters, &mut ())
+    }
+
+    /// As [`Scene::nearest`], with an [`Observer`] that is told of every test.
+    pub fn nearest_for(
+        &self,
+        ray: &Ray<S>,
+        counters: &mut Counters,
+        observer: &mut impl Observer,
+    ) -> Option<SceneHit<S>> {
         let mut nearest: Option<SceneHit<S>> = None;
         let mut shortened = *ray;
         for (index, object) in (0_u32..).zip(self.objects) {
             counters.intersection_tests += 1;
-            let Some(hit) = object.shape.nearest(&for_object(&shortened, index)) else { continue };
+            let hit = object.shape.nearest(&for_object(&shortened, index));
+            observer.tested(index, hit.is_some());
+            let Some(hit) = hit else { continue };
             if nearest.is_none_or(|best| hit.t < best.hit.t) {
                 nearest = Some(SceneHit { object: index, hit });
                 if let Ok(range) = Range::new(ray.range().start(), hit.t) {
@@ -148,10 +231,24 @@ impl<'a, S: Scalar> Scene<'a, S> {
 
     /// True if anything lies on the ray within its range: for shadows. Stops at the first object found.
     pub fn occludes(&self, ray: &Ray<S>, counters: &mut Counters) -> bool {
-        (0_u32..).zip(self.objects).any(|(index, object)| {
-            counters.intersection_tests += 1;
-            object.shape.occludes(&for_object(ray, index))
-        })
+        self.occluder(ray, counters, &mut ()).is_some()
+    }
+
+    /// Some object that lies on the ray within its range, the first that is found.
+    pub fn occluder(&self, ray: &Ray<S>, counters: &mut Counters, observer: &mut impl Observer) -> Option<u32> {
+        (0_u32..)
+            .zip(self.objects)
+            .map(|(index, _)| index)
+            .find(|index| self.stands_on(*index, ray, counters, observer))
+    }
+
+    /// True if the object of this index lies on the ray within its range.
+    pub fn stands_on(&self, index: u32, ray: &Ray<S>, counters: &mut Counters, observer: &mut impl Observer) -> bool {
+        let Some(object) = self.object(index) else { return false };
+        counters.intersection_tests += 1;
+        let found = object.shape.occludes(&for_object(ray, index));
+        observer.tested(index, found);
+        found
     }
 }
 
@@ -172,35 +269,6 @@ pub struct SceneHit<S> {
     pub hit: Hit<S>,
 }
 
-/// What was done for a picture.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Counters {
-    /// Rays from the eye.
-    pub primary_rays: u64,
-    /// Rays towards lights.
-    pub shadow_rays: u64,
-    /// Questions put to a shape, nearest hit and occlusion together.
-    pub intersection_tests: u64,
-    /// Hits for which a point and a normal were computed.
-    pub hits_refined: u64,
-}
-
-impl Counters {
-    /// Adds what another part of the work cost.
-    pub const fn add(&mut self, other: &Self) {
-        self.primary_rays += other.primary_rays;
-        self.shadow_rays += other.shadow_rays;
-        self.intersection_tests += other.intersection_tests;
-        self.hits_refined += other.hits_refined;
-    }
-
-    /// All rays.
-    pub const fn rays(&self) -> u64 {
-        self.primary_rays + self.shadow_rays
-    }
-}
-
 /// Why a scene cannot be built.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -219,6 +287,20 @@ pub enum SceneError {
         /// Index that it names.
         normals: u32,
     },
+    /// A texture cannot be used.
+    Texture {
+        /// Index of the texture.
+        texture: u32,
+        /// What is wrong with it.
+        fault: TextureFault,
+    },
+    /// A material names a texture that is not in the list.
+    NoTexture {
+        /// Index of the material.
+        material: u32,
+        /// Index that it names.
+        texture: u32,
+    },
     /// A light is not finite or beyond the budget.
     Light {
         /// Index of the light.
@@ -236,6 +318,10 @@ impl fmt::Display for SceneError {
             }
             Self::Normals { object, normals } => {
                 write!(f, "object {object} names corner normals {normals}, which are not in the list: add them")
+            }
+            Self::Texture { texture, fault } => write!(f, "texture {texture} cannot be used: {fault}"),
+            Self::NoTexture { material, texture } => {
+                write!(f, "material {material} names texture {texture}, which is not in the list: add it")
             }
             Self::Light { light } => {
                 write!(f, "light {light} is beyond the number type's budget: move it closer")

@@ -1,5 +1,6 @@
 //! A shape with a surface.
 
+use crate::part::Part;
 use crate::scalar::Scalar;
 use crate::shape::Shape;
 use crate::vector::UnitVec3;
@@ -12,16 +13,48 @@ pub type CornerNormals<S> = [UnitVec3<S>; 3];
 pub struct Object<S: Scalar> {
     /// What a ray meets.
     pub shape: Shape<S>,
-    /// Index into the scene's materials.
+    /// Index into the scene's materials: the material of the side.
     pub material: u32,
+    /// The material of the base: of the lower cap or hemisphere, for a shape that has one.
+    pub base: u32,
+    /// The material of the top: of the upper cap or hemisphere, for a shape that has one.
+    pub top: u32,
     /// For a triangle, the index into the scene's corner normals; `None` shades it flat.
     pub smooth: Option<u32>,
 }
 
 impl<S: Scalar> Object<S> {
-    /// A shape with the material of this index.
+    /// A shape with the material of this index all over.
     pub fn new(shape: impl Into<Shape<S>>, material: u32) -> Self {
-        Self { shape: shape.into(), material, smooth: None }
+        Self { shape: shape.into(), material, base: material, top: material, smooth: None }
+    }
+
+    /// The same shape with another material on its base.
+    ///
+    /// ```
+    /// use raylet::{Cylinder, Object, Part, Shape};
+    /// let can = Object::new(Shape::new(Cylinder::capped(1.0_f32, 2.0)?), 0).with_base(1).with_top(2);
+    /// assert_eq!([Part::Side, Part::Base, Part::Top].map(|part| can.material_of(part)), [0, 1, 2]);
+    /// # Ok::<(), raylet::SizeError>(())
+    /// ```
+    #[must_use]
+    pub fn with_base(self, material: u32) -> Self {
+        Self { base: material, ..self }
+    }
+
+    /// The same shape with another material on its top.
+    #[must_use]
+    pub fn with_top(self, material: u32) -> Self {
+        Self { top: material, ..self }
+    }
+
+    /// The index of the material of a part.
+    pub const fn material_of(&self, part: Part) -> u32 {
+        match part {
+            Part::Side => self.material,
+            Part::Base => self.base,
+            Part::Top => self.top,
+        }
     }
 
     /// The same triangle, shaded with the corner normals of this index.

@@ -5,7 +5,7 @@ use embedded_graphics_core::geometry::{Point, Size};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
 use raylet::scalar::UnitScalar;
-use raylet::{Color, Counters, Picture, Scalar};
+use raylet::{Color, Counters, Picture, Scalar, Work};
 
 /// The nearest colour of five, six and five bits.
 pub fn rgb565<S: Scalar>(color: Color<S>) -> Rgb565 {
@@ -26,12 +26,12 @@ pub fn draw<S: Scalar, D: DrawTarget<Color = Rgb565>>(
     corner: Point,
     display: &mut D,
 ) -> Result<Counters, D::Error> {
-    let mut counters = Counters::default();
+    let mut work = Work::new(());
     let size = picture.size();
     for y in 0..size.height {
         let row = Rectangle::new(corner + Point::new(0, i32::from(y)), Size::new(u32::from(size.width), 1));
-        let pixels = (0..size.width).map(|x| rgb565(picture.pixel(x, y, &mut counters).color));
+        let pixels = picture.row(y, &mut work).map(|pixel| rgb565(pixel.color));
         display.fill_contiguous(&row, pixels)?;
     }
-    Ok(counters)
+    Ok(work.counters)
 }

@@ -5,7 +5,7 @@
 use heapless::Vec;
 use raylet::scene::nff::{self, Corner, NffError, Stores, View};
 use raylet::scene::{CornerNormals, SceneError};
-use raylet::{Counters, Light, Material, Object, Picture, Scalar, Scene, Size};
+use raylet::{Light, Material, Object, Picture, Scalar, Scene, Size, Work};
 
 /// The scene, as it stands in flash.
 const TEXT: &str = include_str!("../scene.nff");
@@ -78,10 +78,10 @@ pub fn picture<'a, S: Scalar>(scene: &'a Scene<'a, S>) -> Picture<'a, S> {
 }
 
 /// One row as eight-bit levels of red, green and blue.
-pub fn row<S: Scalar>(picture: &Picture<'_, S>, y: u16, counters: &mut Counters) -> Row {
+pub fn row<S: Scalar>(picture: &Picture<'_, S>, y: u16, work: &mut Work) -> Row {
     let mut row = [0; WIDTH as usize * 3];
-    for (x, levels) in (0..).zip(row.chunks_exact_mut(3)) {
-        levels.copy_from_slice(&picture.pixel(x, y, counters).color.to_rgb888());
+    for (pixel, levels) in picture.row(y, work).zip(row.chunks_exact_mut(3)) {
+        levels.copy_from_slice(&pixel.color.to_rgb888());
     }
     row
 }

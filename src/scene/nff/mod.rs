@@ -24,6 +24,8 @@
 //! - An object is seen from its outside only (a polygon from its front), from the inside only if its radii are negative,
 //!   and from both sides if its material transmits (T > 0).
 //! - A cone may be wider at its apex than at its base. The same radius twice makes a cylinder. None has caps.
+//! - Ks is the weight of the highlight and of the mirrored ray, T that of the refracted ray
+//!   ([`Material`] says how Fresnel's equations divide it).
 //! - A shine beyond the number type's range (100000 in `I16F16`) becomes the largest that it holds: that highlight is
 //!   smaller than a pixel in either case.
 //! - `hither` is read and kept, but nothing is cut away in front of it: ray tracing needs no near plane.

@@ -144,14 +144,16 @@ impl<'t, 'a, S: Scalar> Reader<'t, 'a, S> {
     }
 
     fn material(&mut self, place: Place) -> Result<(), NffError> {
-        let material = Material {
+        let mut material = Material {
             color: self.numbers.color("the material's colour")?.into(),
             diffuse: self.numbers.not_negative("the material's Kd")?,
             specular: self.numbers.not_negative("the material's Ks")?,
             shine: self.numbers.saturated("the material's shine")?,
             transmittance: self.numbers.not_negative("the material's T")?,
             refraction: self.numbers.not_negative("the material's index of refraction")?,
+            ..Material::default()
         };
+        material.mirror = material.specular;
         self.add_material(place, material)
     }
 
@@ -172,7 +174,7 @@ impl<'t, 'a, S: Scalar> Reader<'t, 'a, S> {
             (false, true) => Visible::Inside,
             (false, false) => Visible::Outside,
         };
-        let object = Object { shape: shape.seen_from(visible), material: self.materials - 1, smooth };
+        let object = Object { smooth, ..Object::new(shape.seen_from(visible), self.materials - 1) };
         store(self.stores.objects, object, "objects", place)
     }
 

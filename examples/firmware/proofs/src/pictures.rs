@@ -2,9 +2,9 @@
 
 use crate::everything::{any_ray, any_shape};
 use crate::input::{Any, any_direction, any_point, any_text, any_word, give};
-use raylet::effect::look;
+use raylet::Tracer;
 use raylet::scene::nff::{self, Corner, Counts, Stores};
-use raylet::{Camera, Color, Counters, Light, Material, Object, Picture, Scene, Size};
+use raylet::{Camera, Color, Light, Material, Object, Picture, Scene, Size, Work};
 
 fn any_color<S: Any>() -> Color<S> {
     let [red, green, blue] = any_direction::<S>().to_array();
@@ -24,15 +24,15 @@ pub fn pictures<S: Any>(camera: Camera<S>) -> Option<()> {
     let normals = [[any_direction(), any_direction(), any_direction()]];
     let scene = Scene::new(&objects, &materials, &lights, camera).ok()?;
     let scene = scene.with_normals(&normals).ok()?.with_background(any_color());
-    let mut counters = Counters::default();
+    let mut work = Work::new(());
     let ray = any_ray::<S>()?;
-    give(scene.nearest(&ray, &mut counters));
-    give(scene.occludes(&ray, &mut counters));
-    give(look(&scene, &ray, &mut counters));
+    give(scene.nearest(&ray, &mut work.counters));
+    give(scene.occludes(&ray, &mut work.counters));
+    give(Tracer::new(&scene).look(&ray, &mut work));
     let size = Size::new(any_word() as u16, any_word() as u16).with_samples(any_word() as u8);
     let picture = Picture::new(&scene, size);
     give(scene.camera().raster(size).ray([any_word() as u16, any_word() as u16], [any_word() as u8, 0]));
-    give(picture.pixel(any_word() as u16, any_word() as u16, &mut counters));
+    give(picture.pixel(any_word() as u16, any_word() as u16, &mut work));
     give(picture.render(|x, y, pixel| give((x, y, pixel.color.to_rgb888(), pixel.seen, pixel.lit_by))));
     give((any_color::<S>().plus(any_color()), any_color::<S>().times(any_color())));
     Some(())

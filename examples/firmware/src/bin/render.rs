@@ -5,7 +5,7 @@
 
 use core::ffi::CStr;
 use fixed::types::I16F16;
-use raylet::{Counters, Scalar};
+use raylet::{Scalar, Work};
 use raylet_firmware::figures::Figures;
 use raylet_firmware::footprint::Footprint;
 use raylet_firmware::picture::{HEADER, HEIGHT, Storage, picture, row};
@@ -24,15 +24,15 @@ fn render<S: Scalar>(number: &'static str, path: &CStr) {
     let picture = picture(&scene);
     let mut file = File::create(path).expect("the host lets a file be written");
     file.write_all(HEADER.as_bytes()).expect("there is room on the host");
-    let (mut counters, mut instructions) = (Counters::default(), 0);
+    let (mut work, mut instructions) = (Work::new(()), 0);
     for y in 0..HEIGHT {
         let start = clock::instructions();
-        let row = row(&picture, y, &mut counters);
+        let row = row(&picture, y, &mut work);
         instructions += clock::instructions() - start;
         file.write_all(&row).expect("there is room on the host");
     }
     let stack = stack::used();
-    println!("{}", Figures { number, instructions, counters, stack, scene: size_of::<Storage<S>>() });
+    println!("{}", Figures { number, instructions, counters: work.counters, stack, scene: size_of::<Storage<S>>() });
 }
 
 fn run() -> ! {

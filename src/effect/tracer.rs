@@ -1,0 +1,416 @@
+//! From a ray to a colour: the path of a ray through mirrors and glass, hit by hit.
+
+use super::called_for::{EffectError, missing};
+use super::compiled::{All, Effects};
+use super::cutoff::{Cutoff, brightest};
+use super::set::{Effect, EffectSet};
+use super::site::Site;
+use super::work::Work;
+use super::{Sight, bump, diffuse, fog, reflection, refraction, shadow, specular, texture};
+use crate::hit::Crossing;
+use crate::ray::Ray;
+use crate::scalar::{Real, Scalar};
+use crate::scene::{Color, Material, Observer, Scene, SceneHit};
+use crate::shape::Surface;
+use core::marker::PhantomData;
+
+/// How often a ray is followed on: a primary ray and what comes of it meet at most `DEPTH + 1` surfaces in a row.
+///
+/// Rays wait in a list of fixed capacity, the deepest first, so that at most `DEPTH + 1` of them wait: in `f32` and 32-bit
+/// fixed point 17 times 72 bytes of stack, and nothing at all if refraction is not compiled in (a mirror alone sends one
+/// ray on for each that it receives). No function calls itself.
+pub const DEPTH: u8 = 16;
+
+/// Finds out what rays see in a scene, with the effects `E` compiled in.
+///
+/// ```
+/// # use raylet::{Camera, Color, Light, Material, Object, Ray, Scene, Shape, Sphere, Tracer, UnitVec3, Vec3, Work};
+/// # use raylet::effect::{Diffuse, Shadows};
+/// # let y = Vec3::new(0.0_f32, 1.0, 0.0);
+/// # let camera = Camera::new(Vec3::new(0.0, 0.0, 5.0), Vec3::ZERO, y, 40.0)?;
+/// let objects = [Object::new(Shape::new(Sphere::new(1.0_f32)?), 0)];
+/// let materials = [Material::matte(Color::WHITE)];
+/// let lights = [Light::new(Vec3::new(0.0, 0.0, 9.0), 0.5)];
+/// let scene = Scene::new(&objects, &materials, &lights, camera)?;
+/// let ray = Ray::new(Vec3::new(0.0, 0.0, 5.0), -UnitVec3::Z)?;
+///
+/// let tracer = Tracer::<f32, (Diffuse, Shadows)>::try_new(&scene)?;
+/// assert_eq!(tracer.look(&ray, &mut Work::<()>::default()).color.red, 0.5);
+/// let error = Tracer::<f32, (Diffuse,)>::try_new(&scene).unwrap_err();
+/// assert_eq!(error.to_string(), "object 0 calls for shadows, which is not compiled in: name `Shadows` among the effects");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Tracer<'a, S: Scalar, E = All> {
+    scene: &'a Scene<'a, S>,
+    /// What is called for and not left off.
+    active: EffectSet,
+    /// No ray brings back more light than this in a channel.
+    brightest: [S::Real; 3],
+    uncut: bool,
+    compiled: PhantomData<E>,
+}
+
+/// A piece of a path: a ray that is to be cast, and what becomes of what it sees.
+#[derive(Clone, Copy, Debug)]
+struct Segment<S: Scalar> {
+    ray: Ray<S>,
+    /// The part of its light that reaches the eye, in `[0, 1]`.
+    weight: S::Unit,
+    /// How many surfaces lie before it.
+    depth: u8,
+    /// Reflection or refraction; `None` for the ray from the eye.
+    cause: Option<Effect>,
+    /// True inside a transparent object.
+    enclosed: bool,
+}
+
+/// What has been gathered for one ray from the eye.
+#[derive(Clone, Copy, Debug)]
+struct Gathered<S: Scalar> {
+    /// The light.
+    light: [S::Real; 3],
+    /// The weights of the rays that were not cast.
+    foregone: S::Real,
+    /// Below this weight none is.
+    cutoff: S::Real,
+    /// What the ray itself met, and the lights that reach it.
+    first: Option<SceneHit<S>>,
+    lit_by: u32,
+}
+
+impl<'a, S: Scalar> Tracer<'a, S> {
+    /// A tracer with all effects compiled in, of which it uses those that the scene calls for.
+    pub fn new(scene: &'a Scene<'a, S>) -> Self {
+        Self::leaving_out(scene)
+    }
+}
+
+impl<'a, S: Scalar, E: Effects> Tracer<'a, S, E> {
+    /// A tracer with the effects `E` compiled in.
+    ///
+    /// # Errors
+    ///
+    /// [`EffectError`] if the scene calls for an effect that is not among them.
+    pub fn try_new(scene: &'a Scene<'a, S>) -> Result<Self, EffectError> {
+        missing(scene, E::SET)?;
+        Ok(Self::leaving_out(scene))
+    }
+
+    /// A tracer with the effects `E` compiled in that knowingly leaves out whatever else the scene calls for: lit without
+    /// shadows, for instance, where there is no time for them.
+    pub fn leaving_out(scene: &'a Scene<'a, S>) -> Self {
+        let active = scene.effects().intersection(E::SET);
+        let brightest = if active.contains(Effect::Reflection) || active.contains(Effect::Refraction) {
+            brightest(scene)
+        } else {
+            [S::Real::ZERO; 3]
+        };
+        Self { scene, active, brightest, uncut: false, compiled: PhantomData }
+    }
+
+    /// The same tracer with only those of its effects that are in the set. What the scene calls for besides is left off: shading is
+    /// then black without lamps, mirrors and glass show their own colour, textures are plain, and so on.
+    #[must_use]
+    pub fn only(self, effects: EffectSet) -> Self {
+        Self { active: self.active.intersection(effects), ..self }
+    }
+
+    /// The same tracer that casts every ray, however little it adds, down to [`DEPTH`]; for tests and measurements.
+    #[must_use]
+    pub fn uncut(self) -> Self {
+        Self { uncut: true, ..self }
+    }
+
+    /// The scene.
+    pub const fn scene(&self) -> &'a Scene<'a, S> {
+        self.scene
+    }
+
+    /// The effects in use: those that the scene calls for, less what is not compiled in or left off.
+    pub const fn effects(&self) -> EffectSet {
+        self.active
+    }
+
+    /// True if the effect is in use. Where it is not compiled in the answer is a constant, and what depends on it is left out.
+    #[inline(always)]
+    fn uses(&self, effect: Effect) -> bool {
+        E::SET.contains(effect) && self.active.contains(effect)
+    }
+
+    /// What a ray sees: the nearest surface, shaded, with all that is seen in it and through it, or the background.
+    ///
+    /// Only what is called for is computed, and counted in `work`. A ray whose light could not change the colour's eight-bit
+    /// level is not cast: that decision is exact, see [`effect`](crate::effect#the-cut-off).
+    pub fn look<O: Observer>(&self, ray: &Ray<S>, work: &mut Work<O>) -> Sight<S> {
+        self.look_in_levels(ray, 255, work)
+    }
+
+    /// As [`Tracer::look`], for a display or a sum of samples that distinguishes so many levels.
+    pub(crate) fn look_in_levels<O: Observer>(&self, ray: &Ray<S>, levels: u16, work: &mut Work<O>) -> Sight<S> {
+        let follows = E::SET.contains(Effect::Reflection) || E::SET.contains(Effect::Refraction);
+        let mut gathered = Gathered::new(S::Real::ZERO);
+        if !follows {
+            self.meet(&Segment::from_eye(*ray), &mut gathered, work);
+            return gathered.sight();
+        }
+        let mut attempt = Some(Cutoff::first(self.uncut));
+        while let Some(cutoff) = attempt {
+            gathered = Gathered::new(cutoff.weight::<S>());
+            if E::SET.contains(Effect::Refraction) {
+                self.follow_tree(ray, &mut gathered, work);
+            } else {
+                self.follow_chain(ray, &mut gathered, work);
+            }
+            let foregone = self.brightest.map(|brightest| gathered.foregone * brightest);
+            attempt = cutoff.next::<S>(gathered.light, foregone, levels);
+        }
+        gathered.sight()
+    }
+
+    /// Follows a ray that is sent on at most once at each surface.
+    fn follow_chain<O: Observer>(&self, ray: &Ray<S>, gathered: &mut Gathered<S>, work: &mut Work<O>) {
+        let mut next = Some(Segment::from_eye(*ray));
+        while let Some(segment) = next {
+            [next, _] = self.meet(&segment, gathered, work);
+        }
+    }
+
+    /// Follows a ray that may divide at each surface.
+    fn follow_tree<O: Observer>(&self, ray: &Ray<S>, gathered: &mut Gathered<S>, work: &mut Work<O>) {
+        let mut waiting = heapless::Vec::<Segment<S>, { DEPTH as usize + 1 }>::new();
+        let mut next = Some(Segment::from_eye(*ray));
+        while let Some(segment) = next {
+            for onward in self.meet(&segment, gathered, work).into_iter().flatten() {
+                // Cannot be full: each depth above the current one has at most one ray waiting, and this one two.
+                let pushed = waiting.push(onward);
+                debug_assert!(pushed.is_ok());
+            }
+            next = waiting.pop();
+        }
+    }
+
+    /// Casts a ray, gathers the light of what it meets, and says which rays go on from there.
+    fn meet<O: Observer>(
+        &self,
+        segment: &Segment<S>,
+        gathered: &mut Gathered<S>,
+        work: &mut Work<O>,
+    ) -> [Option<Segment<S>>; 2] {
+        match segment.cause {
+            Some(Effect::Reflection) => work.counters.reflection_rays += 1,
+            Some(_) => work.counters.refraction_rays += 1,
+            None => {}
+        }
+        let on = self.scene.nearest_for(&segment.ray, &mut work.counters, &mut work.observer);
+        if segment.cause.is_none() {
+            gathered.first = on;
+        }
+        let mut weight = S::unit_real(segment.weight);
+        if self.uses(Effect::Fog) && !segment.enclosed {
+            weight = self.through_fog(weight, on.map(|on| on.hit.t), gathered, work);
+        }
+        let Some(on) = on else {
+            gathered.add(self.scene.background(), weight);
+            return [None, None];
+        };
+        let Some(object) = self.scene.object(on.object) else { return [None, None] };
+        let Some(material) = self.scene.material_of(object, on.hit.part) else { return [None, None] };
+        if !self.is_seen(material) {
+            return [None, None];
+        }
+        work.counters.hits_refined += 1;
+        let surface = object.shape.surface(&segment.ray, &on.hit);
+        let mut site = Site::new(self.scene, object, &surface, &segment.ray, &on);
+        let color = self.dress(material, &surface, &mut site, work);
+        let lit_by = self.shade(material, color, &site, weight, gathered, work);
+        if segment.cause.is_none() {
+            gathered.lit_by = lit_by;
+        }
+        self.onward(segment, material, &site, on.hit.crossing, weight, gathered)
+    }
+
+    /// True if a material shows anything for which its surface must be known more closely; otherwise it is black.
+    fn is_seen(&self, material: &Material<S>) -> bool {
+        self.uses(Effect::Diffuse) && material.diffuse > S::ZERO
+            || self.uses(Effect::Specular) && material.specular > S::ZERO
+            || self.uses(Effect::Reflection) && material.mirror > S::ZERO
+            || self.uses(Effect::Refraction) && material.transmits()
+    }
+
+    /// Takes the fog's part of a ray's light, and returns the weight of the rest.
+    fn through_fog<O: Observer>(
+        &self,
+        weight: S::Real,
+        t: Option<S>,
+        gathered: &mut Gathered<S>,
+        work: &mut Work<O>,
+    ) -> S::Real {
+        let Some(haze) = self.scene.fog() else { return weight };
+        work.counters.fogged_rays += 1;
+        let visible = weight * fog::visibility(haze, t);
+        gathered.add(haze.color(), weight - visible);
+        visible
+    }
+
+    /// The colour of the surface at a site; its normal leans if it has waves. Surface coordinates are asked for once, and
+    /// only for either of these.
+    fn dress<O: Observer>(
+        &self,
+        material: &Material<S>,
+        surface: &Surface<S>,
+        site: &mut Site<S>,
+        work: &mut Work<O>,
+    ) -> Color<S> {
+        let pattern = if self.uses(Effect::Texture) { self.scene.texture(material) } else { None };
+        let waves = if self.uses(Effect::Bump) { material.bump.filter(|waves| waves.are_visible()) } else { None };
+        if pattern.is_none() && waves.is_none() {
+            return material.color;
+        }
+        let uv = surface.uv();
+        if let Some(waves) = waves {
+            work.counters.bumps += 1;
+            site.normal = bump::bent(&waves, surface, uv, site.normal, site.from_outside);
+        }
+        pattern.map_or(material.color, |pattern| {
+            work.counters.texture_lookups += 1;
+            material.color.times(texture::color(pattern, uv))
+        })
+    }
+
+    /// Gathers the light of all lamps that reach a site, and returns which of the first 32 do.
+    ///
+    /// A lamp behind the surface, or one that would add nothing, is not asked for: no shadow ray goes there.
+    fn shade<O: Observer>(
+        &self,
+        material: &Material<S>,
+        color: Color<S>,
+        site: &Site<S>,
+        weight: S::Real,
+        gathered: &mut Gathered<S>,
+        work: &mut Work<O>,
+    ) -> u32 {
+        let mut lit_by = 0;
+        if !self.uses(Effect::Diffuse) && !self.uses(Effect::Specular) {
+            return lit_by;
+        }
+        for (index, light) in (0_u32..).zip(self.scene.lights()) {
+            let Some(towards) = site.towards(light.position) else { continue };
+            let (mut scattered, mut mirrored) = (S::Real::ZERO, S::Real::ZERO);
+            if self.uses(Effect::Diffuse) {
+                scattered = diffuse::weight(material, &towards);
+            }
+            if self.uses(Effect::Specular) {
+                mirrored = specular::weight(material, site, &towards);
+            }
+            let [own_red, own_green, own_blue] = color.to_array();
+            let [red, green, blue] = light.strength;
+            let channel =
+                |own: S::Unit, strength: S| (S::unit_real(own) * scattered + mirrored) * strength.real() * weight;
+            let light_of = [channel(own_red, red), channel(own_green, green), channel(own_blue, blue)];
+            if Color::<S>::from(light_of.map(S::unit_round)) == Color::BLACK
+                || self.uses(Effect::Shadows) && shadow::is_shadowed(self.scene, site, index, &towards, work)
+            {
+                continue;
+            }
+            lit_by |= 1_u32.checked_shl(index).unwrap_or(0);
+            gathered.gather(light_of);
+        }
+        lit_by
+    }
+
+    /// The rays that go on from a site: mirrored, and refracted.
+    fn onward(
+        &self,
+        segment: &Segment<S>,
+        material: &Material<S>,
+        site: &Site<S>,
+        crossing: Crossing,
+        weight: S::Real,
+        gathered: &mut Gathered<S>,
+    ) -> [Option<Segment<S>>; 2] {
+        let mut onward = [None, None];
+        if segment.depth >= DEPTH {
+            return onward;
+        }
+        let mut mirror = S::Real::ZERO;
+        let mut cause = Effect::Refraction;
+        if self.uses(Effect::Reflection) && material.mirror > S::ZERO {
+            (mirror, cause) = (reflection::weight(material), Effect::Reflection);
+        }
+        let [mirrored, refracted] = &mut onward;
+        if self.uses(Effect::Refraction) && material.transmits() {
+            let split = refraction::split(material, site, crossing);
+            mirror = mirror + split.reflected;
+            if let Some(through) = split.through
+                && let Some(weight) = gathered.worthwhile(weight * split.passing)
+            {
+                // A ray that only touches stays on its side.
+                let passes = crossing != Crossing::Touch;
+                *refracted = site.ray(through, passes).map(|ray| Segment {
+                    ray,
+                    weight,
+                    depth: segment.depth + 1,
+                    cause: Some(Effect::Refraction),
+                    enclosed: if passes { site.from_outside } else { segment.enclosed },
+                });
+            }
+        }
+        if mirror > S::Real::ZERO
+            && let Some(weight) = gathered.worthwhile(weight * mirror)
+        {
+            *mirrored = site.ray(reflection::direction(site), false).map(|ray| Segment {
+                ray,
+                weight,
+                depth: segment.depth + 1,
+                cause: Some(cause),
+                enclosed: segment.enclosed,
+            });
+        }
+        onward
+    }
+}
+
+impl<S: Scalar> Segment<S> {
+    fn from_eye(ray: Ray<S>) -> Self {
+        use crate::scalar::UnitScalar;
+        Self { ray, weight: S::Unit::ONE, depth: 0, cause: None, enclosed: false }
+    }
+}
+
+impl<S: Scalar> Gathered<S> {
+    fn new(cutoff: S::Real) -> Self {
+        let zero = S::Real::ZERO;
+        Self { light: [zero; 3], foregone: zero, cutoff, first: None, lit_by: 0 }
+    }
+
+    fn gather(&mut self, light: [S::Real; 3]) {
+        for (sum, light) in self.light.iter_mut().zip(light) {
+            *sum = *sum + light;
+        }
+    }
+
+    fn add(&mut self, color: Color<S>, weight: S::Real) {
+        self.gather(color.to_array().map(|channel| S::unit_real(channel) * weight));
+    }
+
+    /// The weight of a ray that is to be cast; `None` for one that is not worth it, which is noted.
+    fn worthwhile(&mut self, weight: S::Real) -> Option<S::Unit> {
+        use crate::scalar::UnitScalar;
+        if weight < self.cutoff {
+            self.foregone = self.foregone + weight;
+            return None;
+        }
+        let weight = S::unit_round(weight);
+        let weight = if weight < S::Unit::ONE { weight } else { S::Unit::ONE };
+        (weight > S::Unit::ZERO).then_some(weight)
+    }
+
+    fn sight(&self) -> Sight<S> {
+        Sight {
+            color: self.light.map(S::unit_round).into(),
+            seen: self.first.map(|on| (on.object, on.hit.part)),
+            lit_by: self.lit_by,
+        }
+    }
+}
