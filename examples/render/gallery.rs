@@ -161,7 +161,7 @@ fn glass<S: Scalar>() -> Result<Loaded<S>> {
         on_y(Sphere::new(number(1.0)?)?, point(-0.4, 1.0, 1.2)?, crown)?,
         on_y(Cylinder::capped(number(0.6)?, number(1.5)?)?, point(2.1, 0.0, 1.0)?, water)?,
         on_y(Sphere::new(number(1.2)?)?, point(1.0, 1.2, -2.2)?, silver)?,
-        on_y(Cone::capped(number(0.4)?, number(1.6)?)?, point(-2.8, 1.6, 0.3)?, red)?,
+        on_y(Cone::capped(number(0.4)?, number(1.6)?)?, point(-2.6, 0.0, 0.3)?, red)?,
         on_y(Capsule::new(number(0.35)?, number(0.9)?)?, point(-1.7, 0.35, -1.6)?, green)?,
         on_y(Sphere::new(number(0.45)?)?, point(-2.0, 0.45, 2.0)?, pane)?,
     ];

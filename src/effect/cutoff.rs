@@ -7,7 +7,7 @@ use crate::scene::{Color, Fog, Scene};
 use crate::vector::pairs;
 
 /// The weight below which rays are left out at first, as a power of two.
-const FIRST: i32 = -10;
+const FIRST: i32 = -14;
 /// Where an attempt with less than this weight would follow, no ray is left out.
 const LAST: i32 = -30;
 
@@ -51,7 +51,7 @@ impl Cutoff {
 }
 
 /// True if the light has the same level in each channel whether or not `doubt` is added to it.
-fn is_settled<S: Scalar>(light: [S::Real; 3], doubt: [S::Real; 3], levels: u16) -> bool {
+pub(super) fn is_settled<S: Scalar>(light: [S::Real; 3], doubt: [S::Real; 3], levels: u16) -> bool {
     // Rounded sums only grow with what is added to them, but by a little more or less than that.
     let rounding = S::Real::ONE.times_power_of_two(S::Real::ROUNDING + 3);
     let level = |channel: S::Real| S::unit_round(channel).level(levels);

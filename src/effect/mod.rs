@@ -32,11 +32,12 @@
 //!
 //! # The cut-off
 //!
-//! A ray sent on by a mirror or by glass carries a weight: the product of all weights on its way. Rays of a weight
-//! below 2^-12 are left out at first, and their weights added up. If these rays together, were each as bright as the scene's
-//! brightest spot, could change an eight-bit level of any channel, the ray from the eye is followed once more, down to weights of
-//! 2^-20, and then once more without leaving any out. So what is left out changes no level, whatever the scene. In a
-//! pixel of several samples that holds for each sample in steps of 1/4080.
+//! A ray sent on by a mirror or by glass carries a weight: the product of all weights on its way. Where a path does not divide,
+//! it ends as soon as the ray that would go on, were it as bright as the scene's brightest spot, could not change an
+//! eight-bit level of any channel. Where it divides, rays of a weight below 2^-14 are left out at first, and their
+//! weights added up; if all of them together could change a level, the ray from the eye is followed once more, and leaves
+//! out less. So what is left out changes no level, whatever the scene. In a pixel of several samples that holds for
+//! each sample in steps of 1/4080.
 //!
 //! # Glass
 //!

@@ -32,8 +32,6 @@ pub(super) fn is_shadowed<S: Scalar, O: Observer>(
         return true;
     }
     let occluder = scene.occluder(&ray, &mut work.counters, &mut work.observer);
-    if let Some(object) = occluder {
-        work.remember_occluder(light, object);
-    }
+    work.remember_occluder(light, occluder);
     occluder.is_some()
 }

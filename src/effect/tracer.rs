@@ -6,7 +6,7 @@ use super::cutoff::{Cutoff, brightest};
 use super::set::{Effect, EffectSet};
 use super::site::Site;
 use super::work::Work;
-use super::{Sight, bump, diffuse, fog, reflection, refraction, shadow, specular, texture};
+use super::{Sight, bump, cutoff, diffuse, fog, reflection, refraction, shadow, specular, texture};
 use crate::hit::Crossing;
 use crate::ray::Ray;
 use crate::scalar::{Real, Scalar};
@@ -154,25 +154,33 @@ impl<'a, S: Scalar, E: Effects> Tracer<'a, S, E> {
             self.meet(&Segment::from_eye(*ray), &mut gathered, work);
             return gathered.sight();
         }
+        if !self.uses(Effect::Refraction) {
+            self.follow_chain(ray, &mut gathered, levels, work);
+            return gathered.sight();
+        }
         let mut attempt = Some(Cutoff::first(self.uncut));
         while let Some(cutoff) = attempt {
             gathered = Gathered::new(cutoff.weight::<S>());
-            if E::SET.contains(Effect::Refraction) {
-                self.follow_tree(ray, &mut gathered, work);
-            } else {
-                self.follow_chain(ray, &mut gathered, work);
-            }
-            let foregone = self.brightest.map(|brightest| gathered.foregone * brightest);
-            attempt = cutoff.next::<S>(gathered.light, foregone, levels);
+            self.follow_tree(ray, &mut gathered, work);
+            attempt = cutoff.next::<S>(gathered.light, self.at_most(gathered.foregone), levels);
         }
         gathered.sight()
     }
 
-    /// Follows a ray that is sent on at most once at each surface.
-    fn follow_chain<O: Observer>(&self, ray: &Ray<S>, gathered: &mut Gathered<S>, work: &mut Work<O>) {
+    /// The most light that rays of this weight bring back.
+    fn at_most(&self, weight: S::Real) -> [S::Real; 3] {
+        self.brightest.map(|brightest| weight * brightest)
+    }
+
+    /// Follows a ray that is sent on at most once at each surface, until what is left of it cannot matter.
+    fn follow_chain<O: Observer>(&self, ray: &Ray<S>, gathered: &mut Gathered<S>, levels: u16, work: &mut Work<O>) {
         let mut next = Some(Segment::from_eye(*ray));
         while let Some(segment) = next {
             [next, _] = self.meet(&segment, gathered, work);
+            next = next.filter(|next| {
+                let left = self.at_most(S::unit_real(next.weight));
+                self.uncut || !cutoff::is_settled::<S>(gathered.light, left, levels)
+            });
         }
     }
 

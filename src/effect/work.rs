@@ -10,7 +10,7 @@ const NOBODY: u32 = u32::MAX;
 /// The counters of the work, a small memory that saves some of it, and whoever listens.
 ///
 /// Neighbouring points mostly lie in the shadow of the same thing: the memory holds, for each of the first 8 lights,
-/// the object that shaded a point last, to be asked first. It never changes what is seen, only what it costs; it is
+/// the object that shaded the last point, if one did, to be asked first. It never changes what is seen, only what it costs; it is
 /// forgotten at the start of every row, so that the cost of a row is the same whoever traces it.
 #[derive(Clone, Debug)]
 pub struct Work<O = ()> {
@@ -32,15 +32,15 @@ impl<O: Observer> Work<O> {
         self.occluders = [NOBODY; REMEMBERED];
     }
 
-    /// The object that shaded a point from this light last.
+    /// The object that shaded the last point from this light.
     pub(super) fn last_occluder(&self, light: u32) -> Option<u32> {
         self.occluders.get(light as usize).copied().filter(|object| *object != NOBODY)
     }
 
-    /// Notes the object that shades a point from this light.
-    pub(super) fn remember_occluder(&mut self, light: u32, object: u32) {
+    /// Notes the object that shades a point from this light, or that none does.
+    pub(super) fn remember_occluder(&mut self, light: u32, object: Option<u32>) {
         if let Some(last) = self.occluders.get_mut(light as usize) {
-            *last = object;
+            *last = object.unwrap_or(NOBODY);
         }
     }
 }
