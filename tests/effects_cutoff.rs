@@ -70,8 +70,7 @@ fn check<S: Scalar>(name: &str, text: &str, size: Size) {
         let differ = cut.iter().zip(&uncut).filter(|(cut, uncut)| cut != uncut).count();
         println!("{name}: {} of {} rays, {differ} pixels differ", counters.rays(), all.rays());
         assert_eq!(differ, 0, "{name}");
-        // A path in glass may be followed twice where the first attempt leaves a level open.
-        assert!(counters.rays() * 4 <= all.rays() * 5, "{name}");
+        assert!(counters.rays() <= all.rays(), "{name}");
     });
 }
 
@@ -119,7 +118,7 @@ fn a_weak_mirror_is_followed_as_far_as_it_can_be_seen() {
     let a_pixel = |counters: &Counters| counters.reflection_rays as f64 / counters.primary_rays as f64;
     assert_eq!(a_pixel(&many), 16.0);
     // Half of 1/255 is the weight of the third reflection.
-    assert!((3.0..4.5).contains(&a_pixel(&few)), "{}", a_pixel(&few));
+    assert!((2.0..4.5).contains(&a_pixel(&few)), "{}", a_pixel(&few));
 }
 
 fn ball<S: Scalar>() -> [Object<S>; 2] {

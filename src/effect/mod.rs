@@ -32,12 +32,10 @@
 //!
 //! # The cut-off
 //!
-//! A ray sent on by a mirror or by glass carries a weight: the product of all weights on its way. Where a path does not divide,
-//! it ends as soon as the ray that would go on, were it as bright as the scene's brightest spot, could not change an
-//! eight-bit level of any channel. Where it divides, rays of a weight below 2^-14 are left out at first, and their
-//! weights added up; if all of them together could change a level, the ray from the eye is followed once more, and leaves
-//! out less. So what is left out changes no level, whatever the scene. In a pixel of several samples that holds for
-//! each sample in steps of 1/4080.
+//! A ray sent on by a mirror or by glass carries a weight: the product of all weights on its way. Where paths divide, rays of
+//! a weight below 2^-7 are put aside and cast last, the strongest first. A path ends as soon as all rays that would go on,
+//! were they as bright as the scene can be anywhere, could not change an eight-bit level of any channel. So what is left out
+//! changes no level, whatever the scene. In a pixel of several samples that holds for each sample in steps of 1/4080.
 //!
 //! # Glass
 //!

@@ -2,24 +2,27 @@
 
 use super::called_for::{EffectError, missing};
 use super::compiled::{All, Effects};
-use super::cutoff::{Cutoff, brightest};
+use super::cutoff::{self, brightest};
 use super::set::{Effect, EffectSet};
 use super::site::Site;
 use super::work::Work;
-use super::{Sight, bump, cutoff, diffuse, fog, reflection, refraction, shadow, specular, texture};
+use super::{Sight, bump, diffuse, fog, reflection, refraction, shadow, specular, texture};
 use crate::hit::Crossing;
 use crate::ray::Ray;
 use crate::scalar::{Real, Scalar};
-use crate::scene::{Color, Material, Observer, Scene, SceneHit};
+use crate::scene::{Color, Material, Observer, Scene, SceneHit, Waves};
 use crate::shape::Surface;
 use core::marker::PhantomData;
 
 /// How often a ray is followed on: a primary ray and what comes of it meet at most `DEPTH + 1` surfaces in a row.
 ///
-/// Rays wait in a list of fixed capacity, the deepest first, so that at most `DEPTH + 1` of them wait: in `f32` and 32-bit
-/// fixed point 17 times 72 bytes of stack, and nothing at all if refraction is not compiled in (a mirror alone sends one
-/// ray on for each that it receives). No function calls itself.
+/// Where paths divide, rays wait in two lists of fixed capacity, at most `DEPTH + 1` of them (the deepest is cast first) and
+/// `DEPTH` faint ones: in `f32` and 32-bit fixed point 33 times 64 bytes of stack at most. Where they do not (refraction is not
+/// compiled in: a mirror alone sends one ray on for each that it receives) there is no list. No function calls itself.
 pub const DEPTH: u8 = 16;
+
+/// Below this weight a ray is faint, as a power of two.
+const FAINT: i32 = -7;
 
 /// Finds out what rays see in a scene, with the effects `E` compiled in.
 ///
@@ -70,10 +73,6 @@ struct Segment<S: Scalar> {
 struct Gathered<S: Scalar> {
     /// The light.
     light: [S::Real; 3],
-    /// The weights of the rays that were not cast.
-    foregone: S::Real,
-    /// Below this weight none is.
-    cutoff: S::Real,
     /// What the ray itself met, and the lights that reach it.
     first: Option<SceneHit<S>>,
     lit_by: u32,
@@ -149,7 +148,7 @@ impl<'a, S: Scalar, E: Effects> Tracer<'a, S, E> {
     /// As [`Tracer::look`], for a display or a sum of samples that distinguishes so many levels.
     pub(crate) fn look_in_levels<O: Observer>(&self, ray: &Ray<S>, levels: u16, work: &mut Work<O>) -> Sight<S> {
         let follows = E::SET.contains(Effect::Reflection) || E::SET.contains(Effect::Refraction);
-        let mut gathered = Gathered::new(S::Real::ZERO);
+        let mut gathered = Gathered::new();
         if !follows {
             self.meet(&Segment::from_eye(*ray), &mut gathered, work);
             return gathered.sight();
@@ -158,12 +157,7 @@ impl<'a, S: Scalar, E: Effects> Tracer<'a, S, E> {
             self.follow_chain(ray, &mut gathered, levels, work);
             return gathered.sight();
         }
-        let mut attempt = Some(Cutoff::first(self.uncut));
-        while let Some(cutoff) = attempt {
-            gathered = Gathered::new(cutoff.weight::<S>());
-            self.follow_tree(ray, &mut gathered, work);
-            attempt = cutoff.next::<S>(gathered.light, self.at_most(gathered.foregone), levels);
-        }
+        self.follow_tree(ray, &mut gathered, levels, work);
         gathered.sight()
     }
 
@@ -184,17 +178,33 @@ impl<'a, S: Scalar, E: Effects> Tracer<'a, S, E> {
         }
     }
 
-    /// Follows a ray that may divide at each surface.
-    fn follow_tree<O: Observer>(&self, ray: &Ray<S>, gathered: &mut Gathered<S>, work: &mut Work<O>) {
+    /// Follows a ray that may divide at each surface, until what is left of it cannot matter.
+    ///
+    /// Faint rays are put aside, and cast last, the strongest first.
+    fn follow_tree<O: Observer>(&self, ray: &Ray<S>, gathered: &mut Gathered<S>, levels: u16, work: &mut Work<O>) {
+        let faint = S::unit_round(S::Real::ONE.times_power_of_two(FAINT));
         let mut waiting = heapless::Vec::<Segment<S>, { DEPTH as usize + 1 }>::new();
+        let mut aside = heapless::Vec::<Segment<S>, { DEPTH as usize }>::new();
         let mut next = Some(Segment::from_eye(*ray));
         while let Some(segment) = next {
-            for onward in self.meet(&segment, gathered, work).into_iter().flatten() {
+            for mut onward in self.meet(&segment, gathered, work).into_iter().flatten() {
+                if onward.weight < faint && !self.uncut {
+                    match aside.push(onward) {
+                        Ok(()) => continue,
+                        Err(no_room) => onward = no_room,
+                    }
+                }
                 // Cannot be full: each depth above the current one has at most one ray waiting, and this one two.
                 let pushed = waiting.push(onward);
                 debug_assert!(pushed.is_ok());
             }
             next = waiting.pop();
+            if next.is_none() {
+                let weights = aside.iter().fold(S::Real::ZERO, |sum, segment| sum + S::unit_real(segment.weight));
+                if !cutoff::is_settled::<S>(gathered.light, self.at_most(weights), levels) {
+                    next = strongest(&mut aside);
+                }
+            }
         }
     }
 
@@ -235,7 +245,7 @@ impl<'a, S: Scalar, E: Effects> Tracer<'a, S, E> {
         if segment.cause.is_none() {
             gathered.lit_by = lit_by;
         }
-        self.onward(segment, material, &site, on.hit.crossing, weight, gathered)
+        self.onward(segment, material, &site, on.hit.crossing, weight)
     }
 
     /// True if a material shows anything for which its surface must be known more closely; otherwise it is black.
@@ -271,7 +281,7 @@ impl<'a, S: Scalar, E: Effects> Tracer<'a, S, E> {
         work: &mut Work<O>,
     ) -> Color<S> {
         let pattern = if self.uses(Effect::Texture) { self.scene.texture(material) } else { None };
-        let waves = if self.uses(Effect::Bump) { material.bump.filter(|waves| waves.are_visible()) } else { None };
+        let waves = if self.uses(Effect::Bump) { material.bump.filter(Waves::are_visible) } else { None };
         if pattern.is_none() && waves.is_none() {
             return material.color;
         }
@@ -335,7 +345,6 @@ impl<'a, S: Scalar, E: Effects> Tracer<'a, S, E> {
         site: &Site<S>,
         crossing: Crossing,
         weight: S::Real,
-        gathered: &mut Gathered<S>,
     ) -> [Option<Segment<S>>; 2] {
         let mut onward = [None, None];
         if segment.depth >= DEPTH {
@@ -351,7 +360,7 @@ impl<'a, S: Scalar, E: Effects> Tracer<'a, S, E> {
             let split = refraction::split(material, site, crossing);
             mirror = mirror + split.reflected;
             if let Some(through) = split.through
-                && let Some(weight) = gathered.worthwhile(weight * split.passing)
+                && let Some(weight) = stored::<S>(weight * split.passing)
             {
                 // A ray that only touches stays on its side.
                 let passes = crossing != Crossing::Touch;
@@ -365,7 +374,7 @@ impl<'a, S: Scalar, E: Effects> Tracer<'a, S, E> {
             }
         }
         if mirror > S::Real::ZERO
-            && let Some(weight) = gathered.worthwhile(weight * mirror)
+            && let Some(weight) = stored::<S>(weight * mirror)
         {
             *mirrored = site.ray(reflection::direction(site), false).map(|ray| Segment {
                 ray,
@@ -379,6 +388,31 @@ impl<'a, S: Scalar, E: Effects> Tracer<'a, S, E> {
     }
 }
 
+/// A weight as it is stored, at most 1; `None` if it is nothing.
+fn stored<S: Scalar>(weight: S::Real) -> Option<S::Unit> {
+    use crate::scalar::UnitScalar;
+    let weight = S::unit_round(weight);
+    let weight = if weight < S::Unit::ONE { weight } else { S::Unit::ONE };
+    (weight > S::Unit::ZERO).then_some(weight)
+}
+
+/// Takes the ray of the largest weight out of a list.
+fn strongest<S: Scalar, const N: usize>(aside: &mut heapless::Vec<Segment<S>, N>) -> Option<Segment<S>> {
+    let last = aside.pop()?;
+    let mut strongest = None;
+    let mut weight = last.weight;
+    for segment in aside.iter_mut() {
+        if segment.weight > weight {
+            weight = segment.weight;
+            strongest = Some(segment);
+        }
+    }
+    Some(match strongest {
+        Some(segment) => core::mem::replace(segment, last),
+        None => last,
+    })
+}
+
 impl<S: Scalar> Segment<S> {
     fn from_eye(ray: Ray<S>) -> Self {
         use crate::scalar::UnitScalar;
@@ -387,9 +421,8 @@ impl<S: Scalar> Segment<S> {
 }
 
 impl<S: Scalar> Gathered<S> {
-    fn new(cutoff: S::Real) -> Self {
-        let zero = S::Real::ZERO;
-        Self { light: [zero; 3], foregone: zero, cutoff, first: None, lit_by: 0 }
+    fn new() -> Self {
+        Self { light: [S::Real::ZERO; 3], first: None, lit_by: 0 }
     }
 
     fn gather(&mut self, light: [S::Real; 3]) {
@@ -402,23 +435,24 @@ impl<S: Scalar> Gathered<S> {
         self.gather(color.to_array().map(|channel| S::unit_real(channel) * weight));
     }
 
-    /// The weight of a ray that is to be cast; `None` for one that is not worth it, which is noted.
-    fn worthwhile(&mut self, weight: S::Real) -> Option<S::Unit> {
-        use crate::scalar::UnitScalar;
-        if weight < self.cutoff {
-            self.foregone = self.foregone + weight;
-            return None;
-        }
-        let weight = S::unit_round(weight);
-        let weight = if weight < S::Unit::ONE { weight } else { S::Unit::ONE };
-        (weight > S::Unit::ZERO).then_some(weight)
-    }
-
     fn sight(&self) -> Sight<S> {
         Sight {
             color: self.light.map(S::unit_round).into(),
             seen: self.first.map(|on| (on.object, on.hit.part)),
             lit_by: self.lit_by,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The stack that waiting rays take is as published.
+    #[test]
+    fn a_waiting_ray_takes_no_more_than_64_bytes() {
+        assert!(size_of::<Segment<f32>>() <= 64, "{}", size_of::<Segment<f32>>());
+        #[cfg(feature = "fixed")]
+        assert!(size_of::<Segment<fixed::types::I16F16>>() <= 64);
     }
 }
