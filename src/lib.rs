@@ -45,7 +45,7 @@
 //! | floor | room | what it holds |
 //! |---|---|---|
 //! | 9 | [`render`] | pixels |
-//! | 8 | [`effect`] | shading, a file an effect |
+//! | 8 | [`effect`] | what makes a hit a colour, a file an effect; which of them a scene calls for |
 //! | 7 | [`scene`] | objects, materials, lights, camera, the NFF reader |
 //! | 6 | [`shape`] | any primitive, placed |
 //! | 5 | [`primitive`], [`tier`], `geometry`, `query` | a file a primitive: its solve, parts, normal, surface coordinates, tangents; accuracy tiers; the questions |

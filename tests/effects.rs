@@ -203,7 +203,7 @@ fn what_is_not_called_for_does_no_work_and_changes_no_bit() {
             same_with::<S, (Diffuse, Shadows, Reflection, Refraction)>(scene, once);
         });
         with_scene(matte().with_texture(0), true, None, |scene| {
-            same_with::<S, (Diffuse, Shadows, Texture)>(scene, once)
+            same_with::<S, (Diffuse, Shadows, Texture)>(scene, once);
         });
         with_scene(matte().with_bump(waves), true, None, |scene| same_with::<S, (Diffuse, Shadows, Bump)>(scene, once));
         with_scene(black(), false, Some(haze()), |scene| same_with::<S, (Fog,)>(scene, once));

@@ -93,7 +93,7 @@ fn light_divides_by_fresnels_equations() {
             let refracted = (sine / 1.5).asin().cos();
             let across = (cosine - 1.5 * refracted) / (cosine + 1.5 * refracted);
             let within = (refracted - 1.5 * cosine) / (refracted + 1.5 * cosine);
-            let passing = 1.0 - (across * across + within * within) / 2.0;
+            let passing = 1.0 - f64::midpoint(across * across, within * within);
             let (red, _) = seen::<S>(&objects, &materials, [-sine, cosine, 0.0], [0.0; 3]);
             assert!((red - passing).abs() < tolerance, "{degrees}: {red} {passing}");
         }
@@ -299,7 +299,7 @@ fn textures_lie_along_the_surface_coordinates() {
         let image = [Texture::Image { width: 3, height: 2, pixels: &pixels }];
         for (column, row) in (0..3).flat_map(|column| [(column, 0), (column, 1)]) {
             // The first row is the one at large v.
-            let at = [(f64::from(column) + 0.5) / 3.0, 1.0 - (f64::from(row) + 0.5) / 2.0];
+            let at = [(f64::from(column) + 0.5) / 3.0, 0.75 - 0.5 * f64::from(row)];
             let expected = pixels[row as usize * 3 + column as usize].map(|level| f64::from(level) / 255.0);
             assert_eq!(plane_at::<S>(white.with_texture(0), &image, at, up), expected, "{column} {row}");
         }
