@@ -383,7 +383,11 @@ fixed!(FixedI32, LeEqU32, U30, Block64, Short32, i32, i64, u64, 32, 30, plain::p
     }
     plain!(FixedI32, plain);
     #[inline(always)]
-    fn plain_nappe(line: PlainLine<Self>, base: Self, growth: Self, height: Option<Self>) -> Plain<PlainNappe<Self>> {
+    fn plain_nappe(
+        line: PlainLine<Self>,
+        (base, growth, height): (Self, Self, Option<Self>),
+        _: Option<Self>,
+    ) -> Plain<PlainNappe<Self>> {
         let (o, d) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits));
         let Some(height) = height.map_or(1_i32.checked_shl(F::U32), |height| Some(height.to_bits())) else {
             return Plain::Unclear;

@@ -251,15 +251,22 @@ macro_rules! float {
             #[inline(always)]
             fn plain_nappe(
                 line: PlainLine<Self>,
-                base: Self,
-                growth: Self,
-                height: Option<Self>,
+                (base, growth, height): (Self, Self, Option<Self>),
+                top: Option<Self>,
             ) -> Plain<PlainNappe<Self>> {
-                $plain::nappe(line, [base, growth, height.unwrap_or(1.0)])
+                $plain::nappe(line, [base, growth, height.unwrap_or(1.0)], top)
             }
             #[inline(always)]
             fn plain_crossings(line: PlainLine<Self>, y: [Self; 2]) -> Plain<[Self; 2]> {
                 $plain::crossings(line, y)
+            }
+            #[inline(always)]
+            fn plain_disc(line: PlainLine<Self>, r: Self) -> Plain<Self> {
+                $plain::disc(line, r)
+            }
+            #[inline(always)]
+            fn plain_triangle(line: PlainLine<Self>, vertices: [[Self; 3]; 3]) -> Plain<(Self, bool)> {
+                $plain::triangle(line, vertices)
             }
             #[inline(always)]
             fn plain_height(line: PlainLine<Self>, t: Self, seams: [Self; 2]) -> Plain<Self> {

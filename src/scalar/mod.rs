@@ -225,8 +225,13 @@ pub trait Scalar:
         Plain::Unclear
     }
     /// Where the line is inside the nappe of a cone that has the radius `base` at `y = 0` and grows by `growth` over `height` (`None`: 1).
+    /// Of a cone that ends somewhere only what lies between `y = 0` and `top` is wanted.
     #[inline(always)]
-    fn plain_nappe(_: PlainLine<Self>, _base: Self, _growth: Self, _height: Option<Self>) -> Plain<PlainNappe<Self>> {
+    fn plain_nappe(
+        _: PlainLine<Self>,
+        _outline: (Self, Self, Option<Self>),
+        _top: Option<Self>,
+    ) -> Plain<PlainNappe<Self>> {
         Plain::Unclear
     }
     /// The height of the line's point at `t`, rounded; unclear next to a seam where rounding decides on which side of it that is.
@@ -242,6 +247,17 @@ pub trait Scalar:
     /// Where the line crosses two heights; a line that stays in one height crosses neither.
     #[inline(always)]
     fn plain_crossings(_: PlainLine<Self>, _y: [Self; 2]) -> Plain<[Self; 2]> {
+        Plain::Unclear
+    }
+
+    /// Where the line crosses the disc of radius `r` about the origin in the plane `y = 0`.
+    #[inline(always)]
+    fn plain_disc(_: PlainLine<Self>, _r: Self) -> Plain<Self> {
+        Plain::Unclear
+    }
+    /// Where the line crosses the triangle with these vertices, and whether it comes from where they run counter-clockwise.
+    #[inline(always)]
+    fn plain_triangle(_: PlainLine<Self>, _vertices: [[Self; 3]; 3]) -> Plain<(Self, bool)> {
         Plain::Unclear
     }
 
