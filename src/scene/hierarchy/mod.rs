@@ -1,0 +1,167 @@
+//! Boxes in boxes: which objects a ray may meet at all, without asking each.
+
+mod build;
+mod path;
+
+use super::{Counters, Object};
+use crate::ray::Ray;
+use crate::scalar::Scalar;
+use core::fmt;
+use path::Path;
+
+/// A box of a [`Hierarchy`], opaque: make an array of [`Node::EMPTY`] or of `Node::default()` and lend it to
+/// [`Hierarchy::build`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Node<S> {
+    centre: [S; 3],
+    half: [S; 3],
+    /// How many objects lie in it.
+    objects: u32,
+    /// Of a leaf the index of its object, of another node the axis across which it is divided.
+    object_or_axis: u32,
+}
+
+impl<S: Scalar> Node<S> {
+    /// Nothing yet.
+    pub const EMPTY: Self = Self { centre: [S::ZERO; 3], half: [S::ZERO; 3], objects: 0, object_or_axis: 0 };
+}
+
+impl<S: Scalar> Default for Node<S> {
+    fn default() -> Self {
+        Self::EMPTY
+    }
+}
+
+/// Boxes around the objects of a scene, boxes around these, and so on up to one around all: a ray that misses a box misses
+/// what lies in it.
+///
+/// It changes no bit of any answer, only what an answer costs: about as many tests as the logarithm of the number of objects,
+/// instead of one for each. Without it a scene tests every object and no boxes: a box of its own for each object would cost
+/// nearly as much as the solid's own quick miss, and the memory.
+///
+/// Built at the start, or on a host, into storage that it borrows; nothing is allocated, and a walk through it needs no stack.
+/// Objects without bounds (planes, infinite cylinders and cones), beyond the budget of coordinates, or placed by an
+/// [`Affine`](crate::Affine) so skewed or stretched (axes more than 64 times longer than others in fixed point, 4096 times in
+/// floats) that its own rounding matters, have no box and are always tested.
+///
+/// ```
+/// use raylet::scene::{Hierarchy, Node};
+/// use raylet::{Camera, Counters, Frame, Material, Object, Ray, Scene, Shape, Sphere, UnitVec3, Vec3};
+///
+/// let ball = Shape::new(Sphere::new(0.25_f32)?);
+/// let mut objects = Vec::new();
+/// for i in 0..100 {
+///     objects.push(Object::new(ball.placed(Frame::at(Vec3::new(i as f32, 0.0, 0.0))?), 0));
+/// }
+/// let mut nodes = [Node::EMPTY; Hierarchy::<f32>::nodes_for(100)];
+/// let hierarchy = Hierarchy::build(&objects, &mut nodes)?;
+///
+/// let materials = [Material::default()];
+/// let camera = Camera::new(Vec3::new(42.0, 0.0, 9.0), Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0), 40.0)?;
+/// let scene = Scene::new(&objects, &materials, &[], camera)?.with_hierarchy(&hierarchy)?;
+/// let (mut counters, ray) = (Counters::default(), Ray::new(Vec3::new(42.0, 0.0, 9.0), -UnitVec3::Z)?);
+/// assert_eq!(scene.nearest(&ray, &mut counters).map(|on| on.object), Some(42));
+/// assert_eq!(counters.intersection_tests, 1);
+/// assert!(counters.box_tests < 20);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Hierarchy<'a, S> {
+    /// What has no box: its objects only.
+    unbounded: &'a [Node<S>],
+    /// Each node, the nodes of the first half of its objects, those of the second half.
+    tree: &'a [Node<S>],
+}
+
+impl<'a, S: Scalar> Hierarchy<'a, S> {
+    /// How many nodes [`Hierarchy::build`] needs for this many objects: two for each, less one.
+    pub const fn nodes_for(objects: usize) -> usize {
+        objects.saturating_mul(2).saturating_sub(1)
+    }
+
+    /// How many objects it was built for.
+    pub fn objects(&self) -> usize {
+        // Of a binary tree with n leaves: 2 n - 1 nodes.
+        self.unbounded.len() + self.tree.len().div_ceil(2)
+    }
+
+    /// Puts to `test` every object that the ray may meet, nearer ones first where that is cheap to tell; `test` gives the end of
+    /// the range that still matters, or `None` if nothing does any more. Counts the boxes.
+    #[inline(always)]
+    pub(super) fn walk(
+        &self,
+        ray: &Ray<S>,
+        counters: &mut Counters,
+        mut test: impl FnMut(u32, &mut Counters) -> Option<S>,
+    ) {
+        let (start, mut end) = (ray.range().start(), ray.range().end());
+        for node in self.unbounded {
+            match test(node.object_or_axis, counters) {
+                Some(nearer) => end = nearer,
+                None => return,
+            }
+        }
+        let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
+        let [x, y, z] = d.map(|component| component < <S::Unit as crate::scalar::UnitScalar>::ZERO);
+        let backwards = u32::from(x) | u32::from(y) << 1 | u32::from(z) << 2;
+        let mut path = Path::root();
+        while let Some(node) = self.tree.get(path.position()) {
+            counters.box_tests += 1;
+            let missed = S::misses_box(o, d, [start, end], node.centre, node.half);
+            if !missed && node.objects > 1 {
+                path.descend(node.objects, backwards >> node.object_or_axis & 1 != 0);
+                continue;
+            }
+            if !missed {
+                match test(node.object_or_axis, counters) {
+                    Some(nearer) => end = nearer,
+                    None => return,
+                }
+            }
+            if !path.advance(node.objects) {
+                return;
+            }
+        }
+    }
+
+    /// True if it was built for these very objects, in this order.
+    pub(super) fn is_of(&self, objects: &[Object<S>]) -> bool {
+        let mut leaves = self.unbounded.iter().chain(self.tree.iter().filter(|node| node.objects == 1));
+        self.objects() == objects.len()
+            && leaves.all(|leaf| {
+                objects
+                    .get(leaf.object_or_axis as usize)
+                    .is_some_and(|object| Node::leaf(leaf.object_or_axis, &object.shape) == *leaf)
+            })
+    }
+}
+
+/// Why a hierarchy cannot be built.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum HierarchyError {
+    /// The storage is too small.
+    Storage {
+        /// How many nodes are needed.
+        needed: usize,
+        /// How many were given.
+        given: usize,
+    },
+    /// More objects than an index can name.
+    TooManyObjects,
+}
+
+impl fmt::Display for HierarchyError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Storage { needed, given } => write!(
+                f,
+                "the hierarchy needs {needed} nodes, and has room for {given}: give it Hierarchy::nodes_for(objects) of them"
+            ),
+            Self::TooManyObjects => f.write_str("a hierarchy holds at most 2^31 - 1 objects: divide the scene"),
+        }
+    }
+}
+
+impl core::error::Error for HierarchyError {}
