@@ -1,10 +1,12 @@
 //! Whether a ray surely misses an axis-aligned box: without a division, by axes that separate the two.
 //!
 //! A convex set and another are apart if they are so along some axis (Gottschalk, Lin, Manocha, *OBBTree*, 1996). Of a box and a
-//! piece of a line these are asked here: the three that are perpendicular to the line and to an edge, and the line's own direction,
-//! along which the piece is its range of `t`. With `c` the centre seen from the ray's origin and `h` the half extents:
+//! piece of a line these are asked here, the cheapest first: those of the box, away from which a ray may lead; the three that are
+//! perpendicular to the line and to an edge; and the line's own direction, along which the piece is its range of `t`. With `c` the
+//! centre seen from the ray's origin and `h` the half extents:
 //!
 //! ```text
+//! c_x > h_x and d_x <= 0, c_x < -h_x and d_x >= 0  and cyclic, for a range from 0 or later
 //! |d_y c_z - d_z c_y| > h_y |d_z| + h_z |d_y|      and cyclic
 //! c . d + h . |d| < start,   c . d - h . |d| > end
 //! ```
@@ -40,6 +42,10 @@ macro_rules! separation {
             let (ex, ey, ez) = ($Float::abs(dx), $Float::abs(dy), $Float::abs(dz));
             let margin = ($Float::abs(cx) + $Float::abs(cy) + $Float::abs(cz)) * PART + TINY;
             let [hx, hy, hz] = half.map(|half| half + margin);
+            let leaves = |c: $Float, h: $Float, d: $Float| (c > h && d <= 0.0) || (c < -h && d >= 0.0);
+            if start >= 0.0 && (leaves(cx, hx, dx) || leaves(cy, hy, dy) || leaves(cz, hz, dz)) {
+                return true;
+            }
             // A comparison with NaN is false: what overflowed is not missed.
             if $Float::abs(dy * cz - dz * cy) > hy * ez + hz * ey
                 || $Float::abs(dz * cx - dx * cz) > hz * ex + hx * ez
@@ -82,6 +88,10 @@ mod in_integers {
         let [ex, ey, ez] = d.map(i32::abs);
         let margin = (largest(c.map(i32::abs)) >> MARGIN_BITS) + FEW_UNITS;
         let [hx, hy, hz] = half.map(|half| half + margin);
+        let leaves = |c, h: i32, d| (c > h && d <= 0) || (c < -h && d >= 0);
+        if start >= 0 && (leaves(cx, hx, dx) || leaves(cy, hy, dy) || leaves(cz, hz, dz)) {
+            return true;
+        }
         // Two products of less than 2^61 each.
         if (product(dy, cz) - product(dz, cy)).abs() > product(hy, ez) + product(hz, ey)
             || (product(dz, cx) - product(dx, cz)).abs() > product(hz, ex) + product(hx, ez)

@@ -96,31 +96,23 @@ fn divide<S: Scalar>(leaves: &mut [Node<S>]) -> Node<S> {
     }
     let [low, high] = middles;
     let [x, y, z] = pairs(low, high).map(|(low, high)| high.minus(low));
-    let axis = if x >= y && x >= z {
-        0
+    let along: fn(&Node<S>) -> S = if x >= y && x >= z {
+        |leaf| leaf.centre[0]
     } else if y >= z {
-        1
+        |leaf| leaf.centre[1]
     } else {
-        2
-    };
-    let along = |leaf: &Node<S>| {
-        let [x, y, z] = leaf.centre;
-        match axis {
-            0 => x,
-            1 => y,
-            _ => z,
-        }
+        |leaf| leaf.centre[2]
     };
     let half = leaves.len() / 2;
     // Of those in the same place the one with the lower index first.
     select(leaves, half, |a, b| {
         let (at_a, at_b) = (along(a), along(b));
-        at_a < at_b || (at_a == at_b && a.object_or_axis < b.object_or_axis)
+        at_a < at_b || (at_a == at_b && a.object < b.object)
     });
     let [low, high] = corners;
     let objects = leaves.len() as u32;
     let (centre, half) = padded(low.into(), high.into(), None);
-    Node { centre, half, objects, object_or_axis: axis }
+    Node { centre, half, objects, object: 0 }
 }
 
 /// The box of two boxes, as corners.
@@ -174,10 +166,10 @@ impl<S: Scalar> Node<S> {
         };
         let is_steady = if let Placement::Affine(affine) = shape.placement() { affine.is_steady() } else { true };
         if !(is_steady && bounds.low.is_within_budget() && bounds.high.is_within_budget()) {
-            return Self { object_or_axis: index, ..Self::EMPTY };
+            return Self { object: index, ..Self::EMPTY };
         }
         let (centre, half) = padded(bounds.low, bounds.high, position);
-        Self { centre, half, objects: 1, object_or_axis: index }
+        Self { centre, half, objects: 1, object: index }
     }
 }
 
