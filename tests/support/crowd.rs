@@ -122,30 +122,28 @@ fn special_point<S: Scalar>(shape: &Shape<S>, random: &mut Random) -> [f64; 3] {
 }
 
 /// A ray, for these objects: anywhere, along and at faces and edges of boxes, from inside, with any range, and from a surface.
-pub fn ray<S: Scalar>(objects: &[Object<S>], scene: &Scene<'_, S>, random: &mut Random) -> Ray<S> {
-    let anywhere = |random: &mut Random| [(); 3].map(|()| random.between(-2.0 * AWAY, 2.0 * AWAY));
+/// `None` where it would start beyond the budget.
+pub fn ray<S: Scalar>(objects: &[Object<S>], scene: &Scene<'_, S>, random: &mut Random) -> Option<Ray<S>> {
     let far = if random.below(6) == 0 { random.pick(&[10.0, 100.0]) } else { 1.0 };
     let plain = |random: &mut Random| {
-        let from = scale(anywhere(random), far);
+        let from = Vec3::from_f64([(); 3].map(|()| far * random.between(-2.0 * AWAY, 2.0 * AWAY)))?;
         if objects.is_empty() || random.below(8) == 0 {
-            return Ray::new(point(from), direction(random)).expect("within the budget");
+            return Ray::new(from, direction(random)).ok();
         }
         let object = random.pick(objects);
         let target = special_point(&object.shape, random);
         match random.below(3) {
-            // From the point or through it.
-            0 => Ray::new(point(target), direction(random)).expect("within the budget"),
+            // From the point, or through it.
+            0 => Ray::new(Vec3::from_f64(target)?, direction(random)).ok(),
             1 => {
                 let along = direction::<S>(random);
                 let back = random.between(0.0, 4.0 * AWAY * far);
-                let from = add(target, scale(along.to_f64(), -back));
-                Ray::new(point(from), along).expect("within the budget")
+                Ray::new(Vec3::from_f64(add(target, scale(along.to_f64(), -back)))?, along).ok()
             }
-            _ => Ray::towards(point(from), point(target))
-                .unwrap_or_else(|_| Ray::new(point(from), UnitVec3::X).expect("within the budget")),
+            _ => Ray::towards(from, Vec3::from_f64(target)?).ok(),
         }
     };
-    let mut ray = plain(random);
+    let mut ray = plain(random)?;
     if random.below(3) == 0
         && let Some(on) = scene.nearest(&ray, &mut Counters::default())
         && let Some(object) = scene.object(on.object)
@@ -168,7 +166,7 @@ pub fn ray<S: Scalar>(objects: &[Object<S>], scene: &Scene<'_, S>, random: &mut 
         (5, Some(t)) => Range::new(t, t).unwrap_or(Range::FORWARD),
         _ => Range::FORWARD,
     };
-    ray.with_range(range)
+    Some(ray.with_range(range))
 }
 
 /// A camera, for scenes that are asked for no picture.

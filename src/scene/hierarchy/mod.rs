@@ -97,8 +97,12 @@ impl<'a, S: Scalar> Hierarchy<'a, S> {
         mut test: impl FnMut(u32, &mut Counters) -> Option<S>,
     ) {
         let (start, mut end) = (ray.range().start(), ray.range().end());
-        for node in self.unbounded {
-            match test(node.object, counters) {
+        // What a ray meets of the object that it departs from follows from the departure, wherever it starts.
+        let departed = ray.departure().map(|departure| departure.object).filter(|own| (*own as usize) < self.objects());
+        for object in
+            departed.into_iter().chain(self.unbounded.iter().map(|node| node.object).filter(|o| Some(*o) != departed))
+        {
+            match test(object, counters) {
                 Some(nearer) => end = nearer,
                 None => return,
             }
@@ -111,7 +115,7 @@ impl<'a, S: Scalar> Hierarchy<'a, S> {
             if S::misses_box(o, d, [start, end], node.centre, node.half) {
                 // Past all that is below it, two nodes an object.
                 place += 2 * (node.objects as usize - 1);
-            } else if node.objects == 1 {
+            } else if node.objects == 1 && Some(node.object) != departed {
                 match test(node.object, counters) {
                     Some(nearer) => end = nearer,
                     None => return,
