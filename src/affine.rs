@@ -188,19 +188,16 @@ impl<S: Scalar> Affine<S> {
         UnitVec3::from_real(self.image(tangent.real())).unwrap_or(tangent)
     }
 
-    /// True if a line seen through the placement, and the image of a box, are off by no more than the margin of
-    /// [`MARGIN_BITS`](crate::scalar::separation::MARGIN_BITS): the axes stand well out of a plane (the volume that their
-    /// directions span is at least 1/8), and their lengths do not differ by too much.
-    pub(crate) fn is_steady(&self) -> bool {
-        // A local direction is rounded to the unit of its longest component: in fixed point a coarse one for the shortest.
-        let farthest_apart = if S::RELATIVE { 12 } else { 6 };
+    /// The power of two by which the placement, or its rounding, makes more of an error at most: for axes that stand well out of a
+    /// plane (the volume that their directions span is about 1/8 or more), from that and from how far their lengths differ; `None` for axes that do not.
+    pub(crate) fn sharpness(&self) -> Option<i32> {
         let [x, y, z] = self.inverse.map(|row| row.components.map(S::unit_real));
         let product = |[ax, ay, az]: [S::Real; 3], [bx, by, bz]: [S::Real; 3]| ax * bx + ay * by + az * bz;
         let volume = product(x, cross(y, z));
-        let largest_volume_square = product(x, x) * product(y, y) * product(z, z);
+        let (square, most) = (volume * volume, product(x, x) * product(y, y) * product(z, z));
+        let flat = (0..=3).find(|n| square.times_power_of_two(2 * n + 1) >= most)?;
         let [a, b, c] = self.inverse.map(|row| row.exponent);
-        let spread = a.max(b).max(c).saturating_sub(a.min(b).min(c));
-        (volume * volume).times_power_of_two(6) >= largest_volume_square && spread <= farthest_apart
+        Some(a.max(b).max(c).saturating_sub(a.min(b).min(c)).saturating_add(flat + 1))
     }
 
     /// The half-extents in the world of a local box of half-extents `half`, and the image of its centre.

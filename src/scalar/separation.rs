@@ -18,8 +18,8 @@
 
 /// A box is made larger by the part `2^-MARGIN_BITS` of its size and of its distance.
 ///
-/// `f32` is the coarsest number: a turned line is off by some units of 2^-24 of its length, through a placement that
-/// [`Affine::is_steady`](crate::affine::Affine) by some 40 times that.
+/// `f32` is the coarsest number: a line seen from a frame is off by some units of 2^-24 of its length, and what that moves at a sharp
+/// rim, or through a skewed placement, is up to 2^8 times as much (more is given no box).
 pub(crate) const MARGIN_BITS: i32 = 14;
 
 /// Defines the question for a float.

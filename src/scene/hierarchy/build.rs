@@ -4,7 +4,7 @@ use super::{Hierarchy, HierarchyError, Node};
 use crate::scalar::separation::MARGIN_BITS;
 use crate::scalar::{Real, Scalar};
 use crate::scene::Object;
-use crate::shape::{Placement, Shape};
+use crate::shape::{Placement, Primitive, Shape};
 use crate::vector::{Vec3, pairs};
 use core::mem;
 
@@ -111,7 +111,7 @@ fn divide<S: Scalar>(leaves: &mut [Node<S>]) -> Node<S> {
     });
     let [low, high] = corners;
     let objects = leaves.len() as u32;
-    let (centre, half) = padded(low.into(), high.into(), None);
+    let (centre, half) = padded(low.into(), high.into(), None, S::Real::ZERO);
     Node { centre, half, objects, object: 0 }
 }
 
@@ -158,24 +158,48 @@ fn select<T: Copy>(items: &mut [T], rank: usize, is_before: impl Fn(&T, &T) -> b
 impl<S: Scalar> Node<S> {
     /// The box of an object; of no objects if it has none.
     pub(super) fn leaf(index: u32, shape: &Shape<S>) -> Self {
-        let bounds = shape.bounds();
+        let nothing = Self { object: index, ..Self::EMPTY };
+        let (bounds, Some(sharpness)) = (shape.bounds(), sharpness(shape)) else { return nothing };
+        if !(bounds.low.is_within_budget() && bounds.high.is_within_budget()) {
+            return nothing;
+        }
         let position = match shape.placement() {
             Placement::World => None,
             Placement::Frame(frame) => Some(frame.position()),
             Placement::Affine(affine) => Some(affine.position()),
         };
-        let is_steady = if let Placement::Affine(affine) = shape.placement() { affine.is_steady() } else { true };
-        if !(is_steady && bounds.low.is_within_budget() && bounds.high.is_within_budget()) {
-            return Self { object: index, ..Self::EMPTY };
-        }
-        let (centre, half) = padded(bounds.low, bounds.high, position);
+        // Two units of a fixed type, of a float nothing.
+        let units = sharpness * S::BUDGET.smallest_size.real().times_power_of_two(1);
+        let (centre, half) = padded(bounds.low, bounds.high, position, units);
         Self { centre, half, objects: 1, object: index }
     }
 }
 
+/// How much farther from a solid a hit may lie than the `t` is wrong that decided it: where two surfaces meet at a sharp rim, two ends
+/// that round to one are as far from the rim as that is sharp. `None` beyond 2^8, which is more than the margin of a box covers.
+fn sharpness<S: Scalar>(shape: &Shape<S>) -> Option<S::Real> {
+    let one = S::Real::ONE;
+    let rim = match shape.primitive() {
+        Primitive::Cone(cone) => {
+            let (top, height) = (cone.top_radius()?, cone.height()?);
+            let slope = (top.real() - cone.base_radius().real()).abs() / height.real();
+            if slope > one { slope } else { one }
+        }
+        _ => one,
+    };
+    let placed = match shape.placement() {
+        Placement::Affine(affine) => affine.sharpness()?,
+        Placement::World | Placement::Frame(_) => 0,
+    };
+    let most = one.times_power_of_two(8);
+    // Not the negation: a slope beyond a float's range must fail.
+    let sharpness = rim.times_power_of_two(placed.min(16));
+    if sharpness <= most { Some(sharpness) } else { None }
+}
+
 /// Centre and half extents of a box, larger by [`MARGIN_BITS`] of its size and, where what is in it is seen from a position that
-/// it need not be near, of its distance from that.
-fn padded<S: Scalar>(low: Vec3<S>, high: Vec3<S>, position: Option<Vec3<S>>) -> ([S; 3], [S; 3]) {
+/// it need not be near, of its distance from that; and by `units`.
+fn padded<S: Scalar>(low: Vec3<S>, high: Vec3<S>, position: Option<Vec3<S>>, units: S::Real) -> ([S; 3], [S; 3]) {
     // Halved one by one: the sum of both may be beyond the type.
     let half_of = |c: S::Real| c.times_power_of_two(-1);
     let centre = pairs(low.real(), high.real()).map(|(low, high)| S::round(half_of(low) + half_of(high)));
@@ -188,7 +212,7 @@ fn padded<S: Scalar>(low: Vec3<S>, high: Vec3<S>, position: Option<Vec3<S>>) -> 
     let away = position.map_or(S::Real::ZERO, |position| {
         largest(pairs(middle, position.real()).map(|(centre, position)| (centre - position).abs()))
     });
-    let margin = (largest(reach) + away).times_power_of_two(-MARGIN_BITS);
+    let margin = (largest(reach) + away).times_power_of_two(-MARGIN_BITS) + units;
     // Rounded to nearest, which may be down.
     (centre, reach.map(|reach| S::round(reach + margin).next_up()))
 }

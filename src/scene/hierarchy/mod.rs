@@ -39,9 +39,9 @@ impl<S: Scalar> Default for Node<S> {
 /// nearly as much as the solid's own quick miss, and the memory.
 ///
 /// Built at the start, or on a host, into storage that it borrows; nothing is allocated, and a walk through it needs no stack.
-/// Objects without bounds (planes, infinite cylinders and cones), beyond the budget of coordinates, or placed by an
-/// [`Affine`](crate::Affine) so skewed or stretched (axes more than 64 times longer than others in fixed point, 4096 times in
-/// floats) that its own rounding matters, have no box and are always tested.
+/// Objects without bounds (planes, infinite cylinders and cones) or beyond the budget of coordinates have no box and are always
+/// tested. So are those whose own rounding matters more than a box allows for: cones flatter than 1 : 256, and what an
+/// [`Affine`](crate::Affine) stretches along one axis more than some 100 times as much as along another, or presses nearly flat.
 ///
 /// ```
 /// use raylet::scene::{Hierarchy, Node};
