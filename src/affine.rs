@@ -188,8 +188,9 @@ impl<S: Scalar> Affine<S> {
         UnitVec3::from_real(self.image(tangent.real())).unwrap_or(tangent)
     }
 
-    /// The power of two by which the placement, or its rounding, makes more of an error at most: for axes that stand well out of a
-    /// plane (the volume that their directions span is about 1/8 or more), from that and from how far their lengths differ; `None` for axes that do not.
+    /// The power of two by which the placement, or its rounding, makes more of an error at most: from how far its axes' lengths
+    /// differ, and how far their directions are from being perpendicular. `None` for axes that lie nearly in a plane: the volume that
+    /// their directions span is less than about 1/8.
     pub(crate) fn sharpness(&self) -> Option<i32> {
         let [x, y, z] = self.inverse.map(|row| row.components.map(S::unit_real));
         let product = |[ax, ay, az]: [S::Real; 3], [bx, by, bz]: [S::Real; 3]| ax * bx + ay * by + az * bz;

@@ -7,8 +7,8 @@ use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use raylet::scene::{Hierarchy, HierarchyError, Node};
 use raylet::{
-    Color, Counters, Cylinder, Frame, Light, Material, Object, Picture, Pixel, Plane, Ray, Scalar, Scene, Shape, Size,
-    Sphere, UnitVec3, Vec3,
+    Color, Cone, Counters, Cylinder, Frame, Light, Material, Object, Picture, Pixel, Plane, Ray, Scalar, Scene, Shape,
+    Size, Sphere, UnitVec3, Vec3,
 };
 use support::crowd;
 use support::random::Random;
@@ -103,6 +103,19 @@ fn rays_that_touch_a_ball_and_its_box_get_the_same_answers() {
     check::<f64>();
     check::<I16F16>();
     check::<I32F32>();
+}
+
+/// Where the side meets the top at an angle of 1 : 350, ends that round to one `t` lie 60 units beside the rim.
+#[test]
+fn a_hit_beside_a_sharp_rim_is_not_lost() {
+    let number = |value| I16F16::from_f64(value).expect("in the type");
+    let dish = Cone::frustum(number(0.5), number(1.5491), number(0.00298)).expect("sizes");
+    let objects = [Object::new(Shape::new(dish), 0); 3];
+    let along = [0.47599643, -0.8794472115, 0.0].map(<I16F16 as Scalar>::Unit::from_num::<f64>);
+    let origin = Vec3::new(number(0.00189), number(0.00298), number(1.55013));
+    let ray = Ray::new(origin, UnitVec3::from_components(along).expect("a unit vector")).expect("within the budget");
+    let met = both(&objects, |[plain, boxed]| agree(plain, boxed, &ray).expect("the same answers"));
+    assert!(met, "the rounding that this test is about");
 }
 
 #[test]

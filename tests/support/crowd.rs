@@ -115,7 +115,7 @@ fn special_point<S: Scalar>(shape: &Shape<S>, random: &mut Random) -> [f64; 3] {
         match random.below(4) {
             0 => low,
             1 => high,
-            2 => (low + high) / 2.0,
+            2 => f64::midpoint(low, high),
             _ => random.between(low, high),
         }
     })

@@ -73,7 +73,7 @@ pub struct Hierarchy<'a, S> {
     tree: &'a [Node<S>],
 }
 
-impl<'a, S: Scalar> Hierarchy<'a, S> {
+impl<S: Scalar> Hierarchy<'_, S> {
     /// How many nodes [`Hierarchy::build`] needs for this many objects: two for each, less one.
     pub const fn nodes_for(objects: usize) -> usize {
         objects.saturating_mul(2).saturating_sub(1)
