@@ -218,7 +218,7 @@ fn a_hundred_times_the_objects_cost_a_few_times_the_tests() {
 fn too_little_storage_is_refused() {
     let objects = crowd::flake::<f32>(1);
     let mut nodes = [Node::EMPTY; 18];
-    let error = Hierarchy::build(&objects, &mut nodes).err().expect("one too few");
+    let error = Hierarchy::build(&objects, &mut nodes).expect_err("one too few");
     assert_eq!(error, HierarchyError::Storage { needed: 19, given: 18 });
     assert_eq!(
         error.to_string(),

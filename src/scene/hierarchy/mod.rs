@@ -35,8 +35,8 @@ impl<S: Scalar> Default for Node<S> {
 /// what lies in it.
 ///
 /// It changes no bit of any answer, only what an answer costs: about as many tests as the logarithm of the number of objects,
-/// instead of one for each. Without it a scene tests every object and no boxes: a box of its own for each object would cost
-/// nearly as much as the solid's own quick miss, and the memory.
+/// instead of one for each. Without it a scene tests every object and no boxes: a box for each pays too from some ten objects on, but
+/// takes half the memory of the whole hierarchy, and no scene pays for it unasked.
 ///
 /// Built at the start, or on a host, into storage that it borrows; nothing is allocated, and a walk through it needs no stack.
 /// Objects without bounds (planes, infinite cylinders and cones) or beyond the budget of coordinates have no box and are always
