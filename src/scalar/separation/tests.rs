@@ -37,7 +37,7 @@ impl Random {
 }
 
 fn number<S: Scalar>(value: f64) -> S {
-    S::from_f64(value).expect("in the type")
+    S::from_f64(value).unwrap_or(S::INFINITY)
 }
 
 fn unit<S: Scalar>(d: [f64; 3]) -> [S::Unit; 3] {
