@@ -56,13 +56,14 @@ fn trace(options: &Options, source: &Source, number: Number) -> Result<Traced, B
 fn report(traced: &Traced, number: Number) {
     let (counters, seconds) = (traced.counters, traced.seconds);
     println!(
-        "{}x{} pixels in {number}: {seconds:.3} s, {} rays ({} primary, {} shadow), {} intersection tests, {:.2} million rays/s",
+        "{}x{} pixels in {number}: {seconds:.3} s, {} rays ({} primary, {} shadow), {} intersection tests, {} box tests, {:.2} million rays/s",
         traced.image.width,
         traced.image.height,
         counters.rays(),
         counters.primary_rays,
         counters.shadow_rays,
         counters.intersection_tests,
+        counters.box_tests,
         counters.rays() as f64 / seconds.max(1e-9) / 1e6,
     );
     if traced.invisible > 0 {

@@ -13,6 +13,7 @@
 //! | `fixed` | `FixedI32<F>` and `FixedI64<F>`, for every `F` |
 //! | `plain` | the usual case of fixed point in plain integers |
 //! | `plain_float` | the usual case of floats, uncompensated |
+//! | `separation` | whether a ray surely misses a box |
 //! | [`block`] | integer mantissa and exponent; square root and quotient of integers |
 //! | `certain` | numbers of which every sign can be trusted, for the exact tier |
 //! | `decimal` | decimal text to fixed point, correctly rounded |
@@ -36,6 +37,7 @@ mod float;
 mod plain;
 #[cfg(feature = "libm")]
 mod plain_float;
+pub(crate) mod separation;
 #[cfg(feature = "libm")]
 mod square_root;
 
@@ -277,6 +279,13 @@ pub trait Scalar:
     ) -> Option<PlainLine<Self>> {
         None
     }
+
+    /// True only if the ray from `o` along `d` surely misses, within the closed `range` of `t`, the box about `centre` with these half
+    /// extents: then no solid in it, found by a solver that rounds, has a hit there either.
+    ///
+    /// Conservative, and without a division: a ray that passes next to the box is not said to miss it. All numbers within the
+    /// [`Budget`] of coordinates, but the range.
+    fn misses_box(o: [Self; 3], d: [Self::Unit; 3], range: [Self; 2], centre: [Self; 3], half: [Self; 3]) -> bool;
 
     /// The value less the largest integer below it, in `[0, 1)`.
     fn fraction(self) -> Self::Unit;

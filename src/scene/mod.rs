@@ -4,12 +4,14 @@
 //! |---|---|
 //! | `object` | a shape, its material, its corner normals |
 //! | `material`, `color`, `light` | what shading needs |
+//! | `hierarchy` | boxes in boxes, so that a ray asks few of many objects |
 //! | `camera` | the ray of each pixel |
 //! | `storage` | where a reader puts what it finds |
 //! | [`nff`] | the reader of the Neutral File Format |
 
 mod camera;
 mod color;
+mod hierarchy;
 mod light;
 mod material;
 pub mod nff;
@@ -18,6 +20,7 @@ mod storage;
 
 pub use camera::{Camera, CameraError, Raster, Size};
 pub use color::Color;
+pub use hierarchy::{Hierarchy, HierarchyError, Node};
 pub use light::Light;
 pub use material::Material;
 pub use object::{CornerNormals, Object};
@@ -40,6 +43,7 @@ pub struct Scene<'a, S: Scalar> {
     normals: &'a [CornerNormals<S>],
     background: Color<S>,
     camera: Camera<S>,
+    hierarchy: Option<Hierarchy<'a, S>>,
 }
 
 impl<'a, S: Scalar> Scene<'a, S> {
@@ -67,7 +71,7 @@ impl<'a, S: Scalar> Scene<'a, S> {
                 return Err(SceneError::Light { light: index });
             }
         }
-        Ok(Self { objects, materials, lights, normals: &[], background: Color::BLACK, camera })
+        Ok(Self { objects, materials, lights, normals: &[], background: Color::BLACK, camera, hierarchy: None })
     }
 
     /// The same scene before another background.
@@ -88,6 +92,20 @@ impl<'a, S: Scalar> Scene<'a, S> {
             }
         }
         Ok(Self { normals, ..self })
+    }
+
+    /// The same scene with boxes around its objects: the same answers to the bit, sooner where there are many.
+    ///
+    /// # Errors
+    ///
+    /// [`SceneError::Hierarchy`] if it was built for other objects, or for the same in another order or place.
+    pub fn with_hierarchy(self, hierarchy: &Hierarchy<'a, S>) -> Result<Self, SceneError> {
+        if hierarchy.is_of(self.objects) {
+            Ok(Self { hierarchy: Some(*hierarchy), ..self })
+        } else {
+            let (objects, built_for) = (self.objects.len(), hierarchy.objects());
+            Err(SceneError::Hierarchy { objects: objects as u32, built_for: built_for as u32 })
+        }
     }
 
     /// The objects; a hit names one by its index.
@@ -133,14 +151,24 @@ impl<'a, S: Scalar> Scene<'a, S> {
     pub fn nearest(&self, ray: &Ray<S>, counters: &mut Counters) -> Option<SceneHit<S>> {
         let mut nearest: Option<SceneHit<S>> = None;
         let mut shortened = *ray;
-        for (index, object) in (0_u32..).zip(self.objects) {
+        let mut test = |index: u32, counters: &mut Counters| {
+            let object = self.object(index)?;
             counters.intersection_tests += 1;
-            let Some(hit) = object.shape.nearest(&for_object(&shortened, index)) else { continue };
-            if nearest.is_none_or(|best| hit.t < best.hit.t) {
+            if let Some(hit) = object.shape.nearest(&for_object(&shortened, index))
+                && nearest.is_none_or(|best| hit.t < best.hit.t || (hit.t == best.hit.t && index < best.object))
+            {
                 nearest = Some(SceneHit { object: index, hit });
                 if let Ok(range) = Range::new(ray.range().start(), hit.t) {
                     shortened = shortened.with_range(range);
                 }
+            }
+            Some(shortened.range().end())
+        };
+        if let Some(hierarchy) = &self.hierarchy {
+            hierarchy.walk(ray, counters, test);
+        } else {
+            for (index, _) in (0_u32..).zip(self.objects) {
+                let _ = test(index, counters);
             }
         }
         nearest
@@ -148,10 +176,19 @@ impl<'a, S: Scalar> Scene<'a, S> {
 
     /// True if anything lies on the ray within its range: for shadows. Stops at the first object found.
     pub fn occludes(&self, ray: &Ray<S>, counters: &mut Counters) -> bool {
-        (0_u32..).zip(self.objects).any(|(index, object)| {
+        let test = |index: u32, object: &Object<S>, counters: &mut Counters| {
             counters.intersection_tests += 1;
             object.shape.occludes(&for_object(ray, index))
-        })
+        };
+        let Some(hierarchy) = &self.hierarchy else {
+            return (0_u32..).zip(self.objects).any(|(index, object)| test(index, object, counters));
+        };
+        let mut is_occluded = false;
+        hierarchy.walk(ray, counters, |index, counters| {
+            is_occluded = test(index, self.object(index)?, counters);
+            (!is_occluded).then_some(ray.range().end())
+        });
+        is_occluded
     }
 }
 
@@ -182,6 +219,8 @@ pub struct Counters {
     pub shadow_rays: u64,
     /// Questions put to a shape, nearest hit and occlusion together.
     pub intersection_tests: u64,
+    /// Boxes of a [`Hierarchy`] that a ray was asked to miss.
+    pub box_tests: u64,
     /// Hits for which a point and a normal were computed.
     pub hits_refined: u64,
 }
@@ -192,6 +231,7 @@ impl Counters {
         self.primary_rays += other.primary_rays;
         self.shadow_rays += other.shadow_rays;
         self.intersection_tests += other.intersection_tests;
+        self.box_tests += other.box_tests;
         self.hits_refined += other.hits_refined;
     }
 
@@ -226,6 +266,13 @@ pub enum SceneError {
     },
     /// More objects than an index can name.
     TooManyObjects,
+    /// The hierarchy was built for other objects.
+    Hierarchy {
+        /// How many objects the scene has.
+        objects: u32,
+        /// How many the hierarchy was built for.
+        built_for: u32,
+    },
 }
 
 impl fmt::Display for SceneError {
@@ -241,6 +288,10 @@ impl fmt::Display for SceneError {
                 write!(f, "light {light} is beyond the number type's budget: move it closer")
             }
             Self::TooManyObjects => f.write_str("a scene holds at most 2^32 - 1 objects: divide it"),
+            Self::Hierarchy { objects, built_for } => write!(
+                f,
+                "the hierarchy was built for other objects ({built_for}) than the scene's ({objects}): build it again from these"
+            ),
         }
     }
 }
