@@ -15,6 +15,8 @@ use crate::scalar::certain::Certain;
 
 /// Sums above this part of their bound are certain, and good to 2^-30.
 const CLEAR: f64 = 1.0 / (1u32 << 14) as f64;
+/// Sums above this part of their bound are certain.
+const CERTAIN: f64 = 1.0 / (1u64 << 40) as f64;
 /// Parameters of the line are good to 2^-26: those that differ by this part of themselves are in their true order.
 const APART: f64 = 1.0 / (1u32 << 22) as f64;
 
@@ -22,8 +24,8 @@ const APART: f64 = 1.0 / (1u32 << 22) as f64;
 struct Line {
     origin: [f64; 3],
     direction: [f64; 3],
-    size: f64,
-    pace: f64,
+    sizes: [f64; 3],
+    paces: [f64; 3],
 }
 
 /// Where a line is inside a convex surface: nowhere, or between two parameters, of which one may be infinite.
@@ -51,6 +53,12 @@ pub(super) fn find<S: Certain>(figure: &Figure<S>, line: [[S::Quick; 3]; 2], ran
 #[inline(always)]
 fn is_positive(sum: f64, bound: f64) -> Option<bool> {
     // What overflowed compares false.
+    (sum.abs() > bound * CERTAIN).then_some(sum > 0.0)
+}
+
+/// Whether the sum is positive; `None` if it is too small to be sure, or to compute with.
+#[inline(always)]
+fn is_clearly_positive(sum: f64, bound: f64) -> Option<bool> {
     (sum.abs() > bound * CLEAR).then_some(sum > 0.0)
 }
 
@@ -74,21 +82,36 @@ impl Line {
         Some(Self {
             origin: [x[0], y[0], z[0]],
             direction: [dx[0], dy[0], dz[0]],
-            size: x[1] + y[1] + z[1],
-            pace: dx[1] + dy[1] + dz[1],
+            sizes: [x[1], y[1], z[1]],
+            paces: [dx[1], dy[1], dz[1]],
         })
+    }
+
+    /// At least what any coordinate of the origin is made of.
+    #[inline(always)]
+    fn size(&self) -> f64 {
+        self.sizes[0] + self.sizes[1] + self.sizes[2]
+    }
+
+    /// At least what any coordinate of the direction is made of.
+    #[inline(always)]
+    fn pace(&self) -> f64 {
+        self.paces[0] + self.paces[1] + self.paces[2]
     }
 
     /// Where it is inside the quadric `a t^2 + 2 k t + ...` of this discriminant; `a` is positive.
     #[inline(always)]
     fn between(a: f64, k: f64, discriminant: f64, bound: f64) -> Option<Between> {
-        if !is_positive(discriminant, bound)? {
+        if discriminant < -bound * CERTAIN {
             return Some(None);
         }
         let root = Real::sqrt(discriminant);
-        let (low, high) = (-k - root, root - k);
-        // No more than four bits may cancel.
-        if low.abs().min(high.abs()) * 16.0 < k.abs() + root {
+        let (low, high, magnitude) = (-k - root, root - k, k.abs() + root);
+        // The discriminant's error moves the root by less than 2^-45 of the bound over the root. No more than four bits may cancel.
+        let is_clear = discriminant > bound * CERTAIN
+            && root * magnitude > bound * CLEAR
+            && low.abs().min(high.abs()) * 16.0 > magnitude;
+        if !is_clear {
             return None;
         }
         let inverse = 1.0 / a;
@@ -98,10 +121,10 @@ impl Line {
     /// Where it is inside the ball about `(0, height, 0)`: `D = a r^2 - |w|^2`.
     #[inline(always)]
     fn in_ball(&self, radius: f64, height: f64) -> Option<Between> {
-        let ([x, y, z], d, size) = (self.origin, self.direction, self.size + height);
+        let ([x, y, z], d, size) = (self.origin, self.direction, self.size() + height);
         let o = [x, y - height, z];
         let (a, k, w) = (d[0] * d[0] + d[1] * d[1] + d[2] * d[2], product(o, d), cross(o, d));
-        let (rr, pace) = (radius * radius, self.pace * self.pace);
+        let (rr, pace) = (radius * radius, self.pace() * self.pace());
         Self::between(a, k, a * rr - product(w, w), pace * (rr + size * size))
     }
 
@@ -110,25 +133,26 @@ impl Line {
     fn in_tube(&self, radius: f64) -> Option<Between> {
         let ([x, _, z], [dx, _, dz]) = (self.origin, self.direction);
         let (a, k, w) = (dx * dx + dz * dz, x * dx + z * dz, z * dx - x * dz);
-        let (rr, pace) = (radius * radius, self.pace * self.pace);
-        is_positive(a, pace)?;
-        Self::between(a, k, a * rr - w * w, pace * (rr + self.size * self.size))
+        let (rr, pace) = (radius * radius, self.pace() * self.pace());
+        is_clearly_positive(a, pace)?;
+        Self::between(a, k, a * rr - w * w, pace * (rr + self.size() * self.size()))
     }
 
     /// Where it is inside the upper nappe of `h^2 (x^2 + z^2) = (g0 + g y)^2`: `D = h^2 (p^2 + q^2 - s^2)`, as in
     /// [`super::form::Form`].
     #[inline(always)]
     fn in_nappe(&self, [g0, g, h]: [f64; 3]) -> Option<Between> {
-        let ([x, y, z], [dx, dy, dz], size, pace) = (self.origin, self.direction, self.size, self.pace);
+        let ([x, y, z], [dx, dy, dz], size, pace) = (self.origin, self.direction, self.size(), self.pace());
         let [wx, wy, wz] = cross(self.origin, self.direction);
         let (p, q, s) = (g * wz - g0 * dx, g * wx + g0 * dz, h * wy);
         let (steep, base) = (g.abs() + h, g0.abs());
         let reach = steep * size + base;
         let discriminant = p * p + q * q - s * s;
-        let meets = is_positive(discriminant, reach * reach * (pace * pace))?;
+        let bound = reach * reach * (pace * pace);
+        let meets = is_positive(discriminant, bound)?;
         let slope = g * dy;
         let a = h * h * (dx * dx + dz * dz) - slope * slope;
-        let is_flat = is_positive(a, steep * steep * (pace * pace))?;
+        let is_flat = is_clearly_positive(a, steep * steep * (pace * pace))?;
         if !meets {
             // Steeper than the side every line meets it.
             return is_flat.then_some(None);
@@ -136,12 +160,13 @@ impl Line {
         let outline = g0 + g * y;
         let k = h * h * (x * dx + z * dz) - outline * slope;
         let k_bound = steep * reach * pace;
-        let root = h * Real::sqrt(discriminant);
-        // -k and the root are added where they have one sign; the other end is c over that sum.
-        let sum = k.abs() + root;
-        is_positive(sum, k_bound)?;
+        let root = Real::sqrt(discriminant);
+        // -k and the root are added where they have one sign; the other end is c over that sum. (The root's error: as above.)
+        let sum = k.abs() + h * root;
+        is_clearly_positive(sum, k_bound)?;
+        is_clearly_positive(root * sum, bound * h)?;
         let c = h * h * (x * x + z * z) - outline * outline;
-        is_positive(c, reach * reach)?;
+        is_clearly_positive(c, reach * reach)?;
         let q = if k > 0.0 { -sum } else { sum };
         let (by_a, by_c) = (q / a, c / q);
         let [first, second] = if (k > 0.0) == is_flat { [by_a, by_c] } else { [by_c, by_a] };
@@ -161,8 +186,8 @@ impl Line {
     #[inline(always)]
     fn at_height(&self, height: f64) -> Option<f64> {
         let (rise, dy) = (height - self.origin[1], self.direction[1]);
-        is_positive(rise, self.size + height)?;
-        is_positive(dy, self.pace)?;
+        is_clearly_positive(rise, self.sizes[1] + height)?;
+        is_clearly_positive(dy, self.paces[1])?;
         Some(rise / dy)
     }
 }
@@ -202,10 +227,10 @@ fn capsule<S: Certain>(line: &Line, radius: f64, height: f64, range: Range<S>) -
     let end = |which: usize| -> Option<Option<End>> {
         let own = ends[which];
         let at = y + own * dy;
-        let bound = line.size + own.abs() * line.pace + height;
-        let (part, centre) = if !is_positive(at, bound)? {
+        let bound = line.size() + own.abs() * line.pace() + height;
+        let (part, centre) = if !is_clearly_positive(at, bound)? {
             (Part::Base, 0.0)
-        } else if is_positive(at - height, bound)? {
+        } else if is_clearly_positive(at - height, bound)? {
             (Part::Top, height)
         } else {
             return Some(Some((own, Part::Side)));
@@ -239,7 +264,7 @@ fn round<S: Certain>(line: &Line, side: Side<S>, extent: Extent<S>, range: Range
             (height(base)?, height(top)?)
         }
     };
-    let is_rising = is_positive(line.direction[1], line.pace)?;
+    let is_rising = is_positive(line.direction[1], line.paces[1])?;
     let crossing = |height: Option<f64>, missing: f64| match height {
         Some(height) => line.at_height(height),
         None => Some(missing),
@@ -281,10 +306,10 @@ fn plane<S: Certain>(line: &Line, range: Range<S>) -> Option<Found<S>> {
 fn disc<S: Certain>(line: &Line, radius: f64, range: Range<S>) -> Option<Found<S>> {
     let [wx, _, wz] = cross(line.origin, line.direction);
     let reach = radius * line.direction[1];
-    let bound = (line.pace * line.pace) * (line.size * line.size + radius * radius);
+    let bound = (line.pace() * line.pace()) * (line.size() * line.size() + radius * radius);
     if is_positive(wx * wx + wz * wz - reach * reach, bound)? {
         // Not where it lies in the plane.
-        return is_positive(line.direction[1], line.pace).map(|_| Found::Miss);
+        return is_positive(line.direction[1], line.paces[1]).map(|_| Found::Miss);
     }
     plane(line, range)
 }
@@ -298,18 +323,18 @@ fn triangle<S: Certain>(line: &Line, vertices: [[S; 3]; 3], range: Range<S>) -> 
     let minus = |a: [f64; 3], b: [f64; 3]| [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
     let span = |v: [f64; 3]| v[0].abs() + v[1].abs() + v[2].abs();
     let extent = span(va).max(span(vb)).max(span(vc));
-    let (size, d) = (extent + line.size, line.direction);
+    let (size, d) = (extent + line.size(), line.direction);
     let [a, b, c] = [minus(va, line.origin), minus(vb, line.origin), minus(vc, line.origin)];
     let normal = cross(minus(vb, va), minus(vc, va));
     let facing = product(normal, d);
-    let along_normal = is_positive(facing, 4.0 * extent * extent * line.pace)?;
+    let along_normal = is_clearly_positive(facing, 4.0 * extent * extent * line.pace())?;
     for (p, q) in [(a, b), (b, c), (c, a)] {
         // d . (p x q): the side on which the line passes the edge from p to q.
-        if is_positive(product(d, cross(p, q)), size * size * line.pace)? != along_normal {
+        if is_positive(product(d, cross(p, q)), size * size * line.pace())? != along_normal {
             return Some(Found::Miss);
         }
     }
     let distance = product(normal, a);
-    is_positive(distance, 4.0 * extent * extent * size)?;
+    is_clearly_positive(distance, 4.0 * extent * extent * size)?;
     crossing(distance / facing, along_normal, range)
 }

@@ -52,7 +52,12 @@ pub const WHY: [Why; 15] = [
          `Exact` has each in one `f64`.",
     ),
     (
-        |row| row.slower.number == "f32" && row.faster.tier == "Exact" && row.slower.tier == "Fast" && row.machine == Machine::Host,
+        |row| {
+            row.slower.number == "f32"
+                && row.faster.tier == "Exact"
+                && row.slower.tier == "Fast"
+                && row.machine == Machine::Host
+        },
         "A placed line, and one from far away, leave the short way of `Fast`, whose solver scales the line and its `t`. The doubles of `Exact` \
          need neither, and a host has a unit for them; no chip here is quicker with them.",
     ),
