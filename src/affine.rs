@@ -188,6 +188,19 @@ impl<S: Scalar> Affine<S> {
         UnitVec3::from_real(self.image(tangent.real())).unwrap_or(tangent)
     }
 
+    /// The power of two by which the placement, or its rounding, makes more of an error at most: from how far its axes' lengths
+    /// differ, and how far their directions are from being perpendicular. `None` for axes that lie nearly in a plane: the volume that
+    /// their directions span is less than about 1/8.
+    pub(crate) fn sharpness(&self) -> Option<i32> {
+        let [x, y, z] = self.inverse.map(|row| row.components.map(S::unit_real));
+        let product = |[ax, ay, az]: [S::Real; 3], [bx, by, bz]: [S::Real; 3]| ax * bx + ay * by + az * bz;
+        let volume = product(x, cross(y, z));
+        let (square, most) = (volume * volume, product(x, x) * product(y, y) * product(z, z));
+        let flat = (0..=3).find(|n| square.times_power_of_two(2 * n + 1) >= most)?;
+        let [a, b, c] = self.inverse.map(|row| row.exponent);
+        Some(a.max(b).max(c).saturating_sub(a.min(b).min(c)).saturating_add(flat + 1))
+    }
+
     /// The half-extents in the world of a local box of half-extents `half`, and the image of its centre.
     pub(crate) fn box_to_world(&self, centre: [S::Real; 3], half: [S::Real; 3]) -> ([S::Real; 3], [S::Real; 3]) {
         let zero = S::Real::ZERO;

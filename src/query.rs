@@ -95,8 +95,7 @@ macro_rules! solve_exactly {
                 if ray.departure().is_some() {
                     return meet::<$S, Doubled, G>(geometry, place, ray).hits(ray.range());
                 }
-                let (hits, _) = exact::hits(&geometry.figure(), place, ray);
-                hits
+                exact::hits(&geometry.figure(), place, ray)
             }
 
             #[inline]
@@ -106,7 +105,10 @@ macro_rules! solve_exactly {
                 ray: &Ray<$S>,
                 accept: impl Fn(Crossing) -> bool,
             ) -> Option<Hit<$S>> {
-                Self::hits(geometry, place, ray).iter().find(|hit| accept(hit.crossing)).copied()
+                if ray.departure().is_some() {
+                    return meet::<$S, Doubled, G>(geometry, place, ray).nearest(ray.range(), accept);
+                }
+                exact::nearest(&geometry.figure(), place, ray, accept)
             }
 
             #[inline]
@@ -116,7 +118,7 @@ macro_rules! solve_exactly {
                 ray: &Ray<$S>,
                 accept: impl Fn(Crossing) -> bool,
             ) -> bool {
-                Self::hits(geometry, place, ray).iter().any(|hit| accept(hit.crossing))
+                Self::nearest(geometry, place, ray, accept).is_some()
             }
 
             fn contains<G: Geometry<$S>>(geometry: &G, place: &impl Place<$S>, point: Vec3<$S>) -> bool {
@@ -134,8 +136,7 @@ pub(crate) fn effort<S: Certain, G: Geometry<S>>(geometry: &G, place: &impl Plac
     if ray.departure().is_some() {
         return Effort::Filter;
     }
-    let (_, effort) = exact::hits(&geometry.figure(), place, ray);
-    effort
+    exact::effort(&geometry.figure(), place, ray)
 }
 
 #[inline]

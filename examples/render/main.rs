@@ -64,7 +64,7 @@ fn report(traced: &Traced, number: Number) {
     let (counters, seconds) = (traced.counters, traced.seconds);
     println!(
         "{}x{} pixels in {number}: {seconds:.3} s, {} rays ({} primary, {} shadow, {} reflection, {} refraction), \
-         {} intersection tests, {:.2} million rays/s",
+         {} intersection tests, {} box tests, {:.2} million rays/s",
         traced.image.width,
         traced.image.height,
         counters.rays(),
@@ -73,6 +73,7 @@ fn report(traced: &Traced, number: Number) {
         counters.reflection_rays,
         counters.refraction_rays,
         counters.intersection_tests,
+        counters.box_tests,
         counters.rays() as f64 / seconds.max(1e-9) / 1e6,
     );
     println!("called for: {}", traced.called_for);

@@ -64,6 +64,11 @@ pub(crate) struct Options {
     /// Threads to trace with; by default one for each processor. Never changes the picture
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
     pub(crate) threads: Option<u16>,
+
+    /// Test every object for every ray, instead of only those whose boxes the ray meets. Never changes the picture, only
+    /// its time: to see what the boxes save
+    #[arg(long)]
+    pub(crate) no_hierarchy: bool,
 }
 
 /// The number types that the library is compiled for here.

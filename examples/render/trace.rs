@@ -5,7 +5,7 @@ use crate::load::Source;
 use crate::options::Options;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use raylet::effect::EffectSet;
-use raylet::scene::Observer;
+use raylet::scene::{Hierarchy, Node, Observer};
 use raylet::{Counters, Part, Picture, Pixel, Scalar, Size, Work};
 use std::error::Error;
 use std::num::NonZero;
@@ -15,6 +15,9 @@ use std::time::Instant;
 
 /// A pixel's object and part (`None`: background), and the lights that reach it.
 pub(crate) type Sighting = (Option<(u32, Part)>, u32);
+
+/// Up to this many objects all are tested: boxes would cost as much as they save.
+const FEW_OBJECTS: usize = 8;
 
 /// A row of pixels and its number: threads finish in any order.
 type Row<S> = (u16, Vec<Pixel<S>>);
@@ -61,7 +64,13 @@ pub(crate) fn trace<S: Scalar>(
     effects: EffectSet,
 ) -> Result<Traced, Box<dyn Error>> {
     let loaded = source.load::<S>()?;
-    let scene = loaded.scene()?;
+    let mut nodes = vec![Node::EMPTY; Hierarchy::<S>::nodes_for(loaded.objects.len())];
+    let mut scene = loaded.scene()?;
+    let hierarchy;
+    if !options.no_hierarchy && loaded.objects.len() > FEW_OBJECTS {
+        hierarchy = Hierarchy::build(&loaded.objects, &mut nodes)?;
+        scene = scene.with_hierarchy(&hierarchy)?;
+    }
     let [width, height] = options.size.map_or(loaded.resolution, |(width, height)| [width, height]);
     let called_for = Picture::new(&scene, Size::new(width, height).with_samples(options.samples));
     let picture = called_for.only(effects);

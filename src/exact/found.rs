@@ -41,6 +41,17 @@ impl<S: Scalar> Piece<S> {
         }
     }
 
+    /// The first of what [`Piece::report`] reports that `accept` takes.
+    #[inline(always)]
+    fn nearest(&self, accept: impl Fn(Crossing) -> bool) -> Option<Hit<S>> {
+        let (first, last) = if self.touch { (Crossing::Touch, None) } else { (Crossing::Enter, self.exit) };
+        let hit = |end: Option<Settled<S>>, crossing: Crossing| {
+            let end = end.filter(|end| !end.is_before_range && !end.is_beyond_range && accept(crossing))?;
+            Some(Hit { t: end.t, part: end.part, crossing })
+        };
+        hit(self.enter, first).or_else(|| hit(last, Crossing::Exit))
+    }
+
     /// The part of the range that it covers.
     fn overlap(&self, range: Range<S>) -> Option<Range<S>> {
         if self.enter.is_some_and(|end| end.is_beyond_range) || self.exit.is_some_and(|end| end.is_before_range) {
@@ -53,6 +64,17 @@ impl<S: Scalar> Piece<S> {
 }
 
 impl<S: Scalar> Found<S> {
+    /// The first hit in the range that `accept` takes.
+    #[inline(always)]
+    pub(super) fn nearest(&self, accept: impl Fn(Crossing) -> bool) -> Option<Hit<S>> {
+        match self {
+            // A line along a surface has an overlap and no hits.
+            Self::Miss | Self::LiesIn(_) => None,
+            Self::One(piece) | Self::Surface(piece) => piece.nearest(accept),
+            Self::Two(first, second) => first.nearest(&accept).or_else(|| second.nearest(&accept)),
+        }
+    }
+
     /// The hits in the range, sorted (rule 3 of the contract).
     pub(super) fn hits(&self, range: Range<S>) -> Hits<S> {
         let mut hits = Hits::none();

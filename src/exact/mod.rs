@@ -9,6 +9,7 @@
 //!
 //! | room | what it holds |
 //! |---|---|
+//! | `plain` | the usual ray of `f32`, in plain doubles |
 //! | `form` | the line, and the quadrics as bilinear forms |
 //! | `solve` | a quadric along the line; the order of its roots and of planes; ends and the ray's range |
 //! | `round` | balls, sides, caps, cones, capsules |
@@ -20,11 +21,13 @@ mod contains;
 mod flat;
 mod form;
 mod found;
+#[cfg(feature = "libm")]
+mod plain;
 mod round;
 mod solve;
 
 use crate::figure::Figure;
-use crate::hit::Hits;
+use crate::hit::{Crossing, Hit, Hits};
 use crate::line::Place;
 use crate::ray::Ray;
 use crate::scalar::certain::Certain;
@@ -91,33 +94,64 @@ fn find<S: Certain, N: Of<S>>(figure: &Figure<S>, place: &impl Place<S>, ray: &R
     }
 }
 
-/// The hits, and what they took.
+/// All hits in the ray's range.
 #[inline]
-pub(crate) fn hits<S: Certain>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> (Hits<S>, Effort) {
+pub(crate) fn hits<S: Certain>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> Hits<S> {
+    let (found, _) = meet(figure, place, ray);
+    found.hits(ray.range())
+}
+
+/// The first hit in the ray's range that `accept` takes.
+#[inline]
+pub(crate) fn nearest<S: Certain>(
+    figure: &Figure<S>,
+    place: &impl Place<S>,
+    ray: &Ray<S>,
+    accept: impl Fn(Crossing) -> bool,
+) -> Option<Hit<S>> {
+    let (found, _) = meet(figure, place, ray);
+    found.nearest(accept)
+}
+
+/// What the answer takes.
+pub(crate) fn effort<S: Certain>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> Effort {
+    let (_, effort) = meet(figure, place, ray);
+    effort
+}
+
+/// How the ray's line meets the figure, and what it took to know.
+#[inline(always)]
+fn meet<S: Certain>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> (Found<S>, Effort) {
+    #[cfg(feature = "libm")]
+    if S::LOOKS_QUICKLY
+        && let Some(found) = plain::find(figure, place.line::<S::Quick>(ray), ray.range())
+    {
+        return (found, Effort::Filter);
+    }
+    meet_by_filters(figure, place, ray)
+}
+
+/// Apart from the plain look, so that this stays short.
+#[inline(never)]
+fn meet_by_filters<S: Certain>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> (Found<S>, Effort) {
     if S::LOOKS_QUICKLY
         && let Some(found) = find::<S, S::Quick>(figure, place, ray)
     {
-        return (found.hits(ray.range()), Effort::Filter);
+        return (found, Effort::Filter);
     }
-    hits_by_filter(figure, place, ray)
-}
-
-/// Apart from the quick look, so that this stays short.
-#[inline(never)]
-fn hits_by_filter<S: Certain>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> (Hits<S>, Effort) {
     match find::<S, S::Filter>(figure, place, ray) {
-        Some(found) => (found.hits(ray.range()), Effort::Filter),
-        None => (hits_in_integers(figure, place, ray), Effort::Integers),
+        Some(found) => (found, Effort::Filter),
+        None => (meet_in_integers(figure, place, ray), Effort::Integers),
     }
 }
 
 #[cold]
 #[inline(never)]
-fn hits_in_integers<S: Certain>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> Hits<S> {
+fn meet_in_integers<S: Certain>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> Found<S> {
     // Integers know every sign: there is always an answer.
     let found = find::<S, S::Integer>(figure, place, ray);
     debug_assert!(found.is_some());
-    found.map_or(Hits::none(), |found| found.hits(ray.range()))
+    found.unwrap_or(Found::Miss)
 }
 
 /// True if the point belongs to the figure.

@@ -356,14 +356,14 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
 
     #[inline(always)]
     fn meet_plainly<T: Arithmetic<S>>(&self, line: &PlainLine<S>) -> Plain<Meeting<S>> {
-        let (base, growth, height) = match self.outline {
+        let outline = match self.outline {
             Outline::Slope(slope) => (S::ZERO, slope, None),
             Outline::Radii(base, top, height) => (base, top.minus(base), Some(height)),
         };
         if let Extent::Double = self.extent {
             return Plain::Unclear;
         }
-        let PlainNappe { ends: [low, high], certain } = found!(S::plain_nappe(*line, base, growth, height));
+        let PlainNappe { ends: [low, high], certain } = found!(S::plain_nappe(*line, outline, self.height()));
         let side = Span::new(End::new(low, Part::Side), End::new(high, Part::Side));
         let (Extent::Open(height) | Extent::Capped(height)) = self.extent else {
             return if certain == [true; 2] { Plain::Found(Meeting::One(side)) } else { Plain::Unclear };

@@ -1,13 +1,13 @@
 //! The disc in the plane `y = 0`.
 
 use super::cylinder::CarefulTube;
-use super::plane::{crossing, moves_away};
+use super::plane::{crossing, moves_away, surface_hit};
 use super::{Geometry, Line, SizeError, checked_size, queries, surface_coordinates as coordinates};
 use crate::arithmetic::Arithmetic;
 use crate::figure::Figure;
 use crate::part::Part;
 use crate::quadric::{Inside, Quadric};
-use crate::scalar::{Plain, PlainLine, Real, Scalar};
+use crate::scalar::{Plain, PlainLine, Real, Scalar, UnitScalar, found};
 use crate::span::Meeting;
 use crate::vector::{UnitVec3, Vec3};
 
@@ -52,8 +52,9 @@ impl<S: Scalar> Geometry<S> for Disc<S> {
     }
 
     #[inline(always)]
-    fn meet_plainly<T: Arithmetic<S>>(&self, _: &PlainLine<S>) -> Plain<Meeting<S>> {
-        Plain::Unclear
+    fn meet_plainly<T: Arithmetic<S>>(&self, line: &PlainLine<S>) -> Plain<Meeting<S>> {
+        let t = found!(S::plain_disc(*line, self.radius));
+        Plain::Found(surface_hit(t, line.direction[1] < S::Unit::ZERO))
     }
 
     #[inline]

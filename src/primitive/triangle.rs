@@ -12,7 +12,7 @@ use super::{Geometry, Line, SizeError, queries, surface_coordinates as coordinat
 use crate::arithmetic::Arithmetic;
 use crate::figure::Figure;
 use crate::part::Part;
-use crate::scalar::{Plain, PlainLine, Real, Scalar, largest};
+use crate::scalar::{Plain, PlainLine, Real, Scalar, found, largest};
 use crate::span::{End, Meeting, Span};
 use crate::vector::{UnitVec3, Vec3, cross};
 
@@ -97,8 +97,9 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
     }
 
     #[inline(always)]
-    fn meet_plainly<T: Arithmetic<S>>(&self, _: &PlainLine<S>) -> Plain<Meeting<S>> {
-        Plain::Unclear
+    fn meet_plainly<T: Arithmetic<S>>(&self, line: &PlainLine<S>) -> Plain<Meeting<S>> {
+        let (t, from_front) = found!(S::plain_triangle(*line, self.vertices.map(Vec3::to_array)));
+        Plain::Found(surface_hit(t, from_front))
     }
 
     fn meet<T: Arithmetic<S>>(&self, line: &Line<S>) -> Meeting<S> {

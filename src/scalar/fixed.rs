@@ -4,7 +4,10 @@
 //! coordinate's bits throws away everything that follows. Products of the two are exact in the double width.
 
 use super::block::{Block64, Block128, Short32, Short64};
-use super::{Budget, Plain, PlainLine, PlainNappe, Real, Scalar, UnitScalar, elementary, found, plain, sealed::Sealed};
+use super::{
+    Budget, Plain, PlainLine, PlainNappe, Real, Scalar, UnitScalar, elementary, found, plain, sealed::Sealed,
+    separation,
+};
 use fixed::types::extra::{LeEqU32, LeEqU64, U30, U62};
 use fixed::{FixedI32, FixedI64};
 
@@ -23,7 +26,7 @@ fn product(a: i64, b: i64) -> i128 {
 macro_rules! fixed {
     (
         $Fixed:ident, $LeEq:ident, $UnitBits:ident, $Block:ident, $Short:ident, $raw:ty, $wide:ty, $unsigned:ty,
-        $bits:literal, $unit_bits:literal, $product:path, { $($plain:tt)* }
+        $bits:literal, $unit_bits:literal, $product:path, $misses_box:path, { $($plain:tt)* }
     ) => {
         impl<F: $LeEq + Send + Sync + 'static> Sealed for $Fixed<F> {}
 
@@ -209,6 +212,18 @@ macro_rules! fixed {
 
             $($plain)*
 
+            #[inline(always)]
+            fn misses_box(
+                o: [Self; 3],
+                d: [Self::Unit; 3],
+                range: [Self; 2],
+                centre: [Self; 3],
+                half: [Self; 3],
+            ) -> bool {
+                let [o, centre, half] = [o, centre, half].map(|v| v.map(Self::to_bits));
+                $misses_box(o, d.map($Fixed::to_bits), range.map(Self::to_bits), centre, half)
+            }
+
             fn fraction(self) -> Self::Unit {
                 // Keep the fraction bits and move them to the unit type's place.
                 let rest = (self.to_bits() as $wide) & (((1 as $wide) << F::U32) - 1);
@@ -363,7 +378,7 @@ macro_rules! plain {
     };
 }
 
-fixed!(FixedI32, LeEqU32, U30, Block64, Short32, i32, i64, u64, 32, 30, plain::product, {
+fixed!(FixedI32, LeEqU32, U30, Block64, Short32, i32, i64, u64, 32, 30, plain::product, separation::misses_box_32, {
     #[inline(always)]
     fn along(self, component: Self::Unit) -> Self {
         Self::from_bits(plain::round_off(plain::product(self.to_bits(), component.to_bits()), 30) as i32)
@@ -383,7 +398,11 @@ fixed!(FixedI32, LeEqU32, U30, Block64, Short32, i32, i64, u64, 32, 30, plain::p
     }
     plain!(FixedI32, plain);
     #[inline(always)]
-    fn plain_nappe(line: PlainLine<Self>, base: Self, growth: Self, height: Option<Self>) -> Plain<PlainNappe<Self>> {
+    fn plain_nappe(
+        line: PlainLine<Self>,
+        (base, growth, height): (Self, Self, Option<Self>),
+        _: Option<Self>,
+    ) -> Plain<PlainNappe<Self>> {
         let (o, d) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits));
         let Some(height) = height.map_or(1_i32.checked_shl(F::U32), |height| Some(height.to_bits())) else {
             return Plain::Unclear;
@@ -395,6 +414,6 @@ fixed!(FixedI32, LeEqU32, U30, Block64, Short32, i32, i64, u64, 32, 30, plain::p
         Plain::Found(PlainNappe { ends: [Self::from_bits(low), Self::from_bits(high)], certain })
     }
 });
-fixed!(FixedI64, LeEqU64, U62, Block128, Short64, i64, i128, u128, 64, 62, product, {
+fixed!(FixedI64, LeEqU64, U62, Block128, Short64, i64, i128, u128, 64, 62, product, separation::misses_box_64, {
     plain!(FixedI64, plain::wide);
 });

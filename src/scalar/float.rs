@@ -1,6 +1,7 @@
 //! `f32` and `f64` as scalars: plain arithmetic, and the error-free sums and products that keep hard cases right.
 
 use super::plain_float::{plain_f32, plain_f64};
+use super::separation;
 use super::square_root::square_root_f32;
 use super::{Budget, Plain, PlainLine, PlainNappe, Real, Scalar, UnitScalar, found, largest, sealed::Sealed};
 
@@ -8,7 +9,7 @@ use super::{Budget, Plain, PlainLine, PlainNappe, Real, Scalar, UnitScalar, foun
 macro_rules! float {
     (
         $Float:ident, $exact:ident, $bits:ty, $half:literal, $mantissa:literal, $bias:literal, $largest_exponent:literal,
-        $slope:literal, $plain:ident, sqrt: $sqrt:path, atan2: $atan2:path, sincos: $sincos:path, pow: $pow:path
+        $slope:literal, $plain:ident, $misses_box:ident, sqrt: $sqrt:path, atan2: $atan2:path, sincos: $sincos:path, pow: $pow:path
     ) => {
         impl Sealed for $Float {}
 
@@ -251,15 +252,22 @@ macro_rules! float {
             #[inline(always)]
             fn plain_nappe(
                 line: PlainLine<Self>,
-                base: Self,
-                growth: Self,
-                height: Option<Self>,
+                (base, growth, height): (Self, Self, Option<Self>),
+                top: Option<Self>,
             ) -> Plain<PlainNappe<Self>> {
-                $plain::nappe(line, [base, growth, height.unwrap_or(1.0)])
+                $plain::nappe(line, [base, growth, height.unwrap_or(1.0)], top)
             }
             #[inline(always)]
             fn plain_crossings(line: PlainLine<Self>, y: [Self; 2]) -> Plain<[Self; 2]> {
                 $plain::crossings(line, y)
+            }
+            #[inline(always)]
+            fn plain_disc(line: PlainLine<Self>, r: Self) -> Plain<Self> {
+                $plain::disc(line, r)
+            }
+            #[inline(always)]
+            fn plain_triangle(line: PlainLine<Self>, vertices: [[Self; 3]; 3]) -> Plain<(Self, bool)> {
+                $plain::triangle(line, vertices)
             }
             #[inline(always)]
             fn plain_height(line: PlainLine<Self>, t: Self, seams: [Self; 2]) -> Plain<Self> {
@@ -276,6 +284,10 @@ macro_rules! float {
             fn plain_close(a: Self, b: Self) -> bool {
                 // Not if one is infinite, or both are: that compares false.
                 $Float::abs(a - b) < ($Float::abs(a) + $Float::abs(b)) * (64.0 * $Float::EPSILON)
+            }
+            #[inline(always)]
+            fn misses_box(o: [Self; 3], d: [Self; 3], range: [Self; 2], centre: [Self; 3], half: [Self; 3]) -> bool {
+                separation::$misses_box(o, d, range, centre, half)
             }
 
             fn fraction(self) -> Self {
@@ -397,10 +409,10 @@ macro_rules! float {
 }
 
 float!(
-    f32, exact_f32, u32, 12, 23, 127, 126, 30, plain_f32,
+    f32, exact_f32, u32, 12, 23, 127, 126, 30, plain_f32, misses_box_f32,
     sqrt: square_root_f32, atan2: libm::atan2f, sincos: libm::sincosf, pow: libm::powf
 );
 float!(
-    f64, exact_f64, u64, 27, 52, 1023, 1022, 200, plain_f64,
+    f64, exact_f64, u64, 27, 52, 1023, 1022, 200, plain_f64, misses_box_f64,
     sqrt: libm::sqrt, atan2: libm::atan2, sincos: libm::sincos, pow: libm::pow
 );

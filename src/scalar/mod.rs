@@ -13,6 +13,7 @@
 //! | `fixed` | `FixedI32<F>` and `FixedI64<F>`, for every `F` |
 //! | `plain` | the usual case of fixed point in plain integers |
 //! | `plain_float` | the usual case of floats, uncompensated |
+//! | `separation` | whether a ray surely misses a box |
 //! | [`block`] | integer mantissa and exponent; square root and quotient of integers |
 //! | `certain` | numbers of which every sign can be trusted, for the exact tier |
 //! | `decimal` | decimal text to fixed point, correctly rounded |
@@ -36,6 +37,7 @@ mod float;
 mod plain;
 #[cfg(feature = "libm")]
 mod plain_float;
+pub(crate) mod separation;
 #[cfg(feature = "libm")]
 mod square_root;
 
@@ -225,8 +227,13 @@ pub trait Scalar:
         Plain::Unclear
     }
     /// Where the line is inside the nappe of a cone that has the radius `base` at `y = 0` and grows by `growth` over `height` (`None`: 1).
+    /// Of a cone that ends somewhere only what lies between `y = 0` and `top` is wanted.
     #[inline(always)]
-    fn plain_nappe(_: PlainLine<Self>, _base: Self, _growth: Self, _height: Option<Self>) -> Plain<PlainNappe<Self>> {
+    fn plain_nappe(
+        _: PlainLine<Self>,
+        _outline: (Self, Self, Option<Self>),
+        _top: Option<Self>,
+    ) -> Plain<PlainNappe<Self>> {
         Plain::Unclear
     }
     /// The height of the line's point at `t`, rounded; unclear next to a seam where rounding decides on which side of it that is.
@@ -242,6 +249,17 @@ pub trait Scalar:
     /// Where the line crosses two heights; a line that stays in one height crosses neither.
     #[inline(always)]
     fn plain_crossings(_: PlainLine<Self>, _y: [Self; 2]) -> Plain<[Self; 2]> {
+        Plain::Unclear
+    }
+
+    /// Where the line crosses the disc of radius `r` about the origin in the plane `y = 0`.
+    #[inline(always)]
+    fn plain_disc(_: PlainLine<Self>, _r: Self) -> Plain<Self> {
+        Plain::Unclear
+    }
+    /// Where the line crosses the triangle with these vertices, and whether it comes from where they run counter-clockwise.
+    #[inline(always)]
+    fn plain_triangle(_: PlainLine<Self>, _vertices: [[Self; 3]; 3]) -> Plain<(Self, bool)> {
         Plain::Unclear
     }
 
@@ -261,6 +279,13 @@ pub trait Scalar:
     ) -> Option<PlainLine<Self>> {
         None
     }
+
+    /// True only if the ray from `o` along `d` surely misses, within the closed `range` of `t`, the box about `centre` with these half
+    /// extents: then no solid in it, found by a solver that rounds, has a hit there either.
+    ///
+    /// Conservative, and without a division: a ray that passes next to the box is not said to miss it. All numbers within the
+    /// [`Budget`] of coordinates, but the range.
+    fn misses_box(o: [Self; 3], d: [Self::Unit; 3], range: [Self; 2], centre: [Self; 3], half: [Self; 3]) -> bool;
 
     /// The value less the largest integer below it, in `[0, 1)`.
     fn fraction(self) -> Self::Unit;

@@ -15,10 +15,13 @@ macro_rules! plain_float {
     ($name:ident, $Float:ident, $bits:ty, $bias:literal, $mantissa:literal, sqrt: $sqrt:path) => {
         pub(super) mod $name {
             use super::{CANCELLED, FAR, Plain, PlainLine, PlainNappe};
+            use crate::scalar::Real;
 
             /// How much a difference of squares may be off, by more than a hundred roundings.
             const DOUBT: $Float = 128.0 * $Float::EPSILON;
             const CANCELLED_SQUARE: $Float = 1.0 / CANCELLED as $Float;
+            /// Sums of three products of three factors are taken where their terms are up to this many times larger.
+            const FLAT_CANCELLED: $Float = 4.0;
             const FAR_SQUARE: $Float = (FAR as $Float) * (FAR as $Float);
 
             /// True for a positive size whose eighth powers stay in the type (its squares, for `NARROW` of 2).
@@ -126,7 +129,11 @@ macro_rules! plain_float {
             /// Where the line is inside the nappe `h^2 (x^2 + z^2) <= (h r + g y)^2`, `h r + g y >= 0`, of a cone with radius `r` at
             /// `y = 0` that grows by `g` over the height `h`; see `plain::nappe`, whose moment is here that of the unscaled line.
             #[inline(always)]
-            pub(crate) fn nappe(line: PlainLine<$Float>, [r, g, h]: [$Float; 3]) -> Plain<PlainNappe<$Float>> {
+            pub(crate) fn nappe(
+                line: PlainLine<$Float>,
+                [r, g, h]: [$Float; 3],
+                top: Option<$Float>,
+            ) -> Plain<PlainNappe<$Float>> {
                 let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
                 let (g0, steepness) = (r * h, $Float::abs(g) + h);
                 let [ax, ay, az] = [$Float::abs(x), $Float::abs(y), $Float::abs(z)];
@@ -137,21 +144,44 @@ macro_rules! plain_float {
                 if !is_handy::<8>(steepness) || !is_handy::<8>(reach) {
                     return Plain::Unclear;
                 }
-                let [wx, wy, wz] = [y * dz - z * dy, z * dx - x * dz, x * dy - y * dx];
-                let (p, q, s) = (g * wz - g0 * dx, g * wx + g0 * dz, h * wy);
-                let (positive, negative) = (p * p + q * q, s * s);
-                let discriminant = positive - negative;
-                let moment = $Float::abs(p) + $Float::abs(q) + $Float::abs(s);
-                let is_clear = $Float::abs(discriminant) * (16.0 * CANCELLED as $Float) > moment * reach;
+                let (slope, outline) = (g * dy, g0 + g * y);
+                let (across, along) = (h * h * (dx * dx + dz * dz), slope * slope);
+                let (a, a_terms) = (across - along, across + along);
+                // Nearly parallel to a generator.
+                let is_clear = $Float::abs(a) >= a_terms * DOUBT;
                 if !is_clear {
                     return Plain::Unclear;
                 }
-                let (slope, outline) = (g * dy, g0 + g * y);
-                let (across, along) = (h * h * (dx * dx + dz * dz), slope * slope);
-                let a = across - along;
-                let is_clear = $Float::abs(a) >= (across + along) * (2.0 * CANCELLED_SQUARE);
-                if !is_clear {
-                    return Plain::Unclear;
+                let difference = |[wx, wy, wz]: [$Float; 3]| {
+                    let (p, q, s) = (g * wz - g0 * dx, g * wx + g0 * dz, h * wy);
+                    let moment = $Float::abs(p) + $Float::abs(q) + $Float::abs(s);
+                    ((p * p + q * q) - s * s, moment)
+                };
+                let (mut discriminant, moment) = difference([y * dz - z * dy, z * dx - x * dz, x * dy - y * dx]);
+                let terms = moment * reach;
+                if $Float::abs(discriminant) * (16.0 * CANCELLED as $Float) <= terms {
+                    if discriminant < -terms * DOUBT && a > 0.0 {
+                        return Plain::Miss;
+                    }
+                    // From far away it takes more than that; what is infinite has no measure for far.
+                    let is_near = match top {
+                        Some(top) => length <= (FAR as $Float) * top,
+                        None => false,
+                    };
+                    if !is_near {
+                        return Plain::Unclear;
+                    }
+                    // The moment of a line that passes closely is small, and its rounding is not: without that.
+                    let careful = |[a, b]: [$Float; 2], [c, d]: [$Float; 2]| Real::sum_of_products([[a, b], [-c, d]]);
+                    let w = [careful([y, dz], [z, dy]), careful([z, dx], [x, dz]), careful([x, dy], [y, dx])];
+                    (discriminant, _) = difference(w);
+                    let (p, q) =
+                        ($Float::abs(g * w[2]) + g0 * $Float::abs(dx), $Float::abs(g * w[0]) + g0 * $Float::abs(dz));
+                    let terms = p * p + q * q + h * h * (w[1] * w[1]);
+                    let is_clear = $Float::abs(discriminant) * (CANCELLED as $Float) > terms;
+                    if !is_clear {
+                        return Plain::Unclear;
+                    }
                 }
                 if discriminant < 0.0 && a > 0.0 {
                     return Plain::Miss;
@@ -167,32 +197,46 @@ macro_rules! plain_float {
                 // The outline cancels towards the apex.
                 let rim = g0 + $Float::abs(g) * ay;
                 let (outside, inside) = (h * h * (x * x + z * z), outline * outline);
-                let c = outside - inside;
-                let is_clear = sum * (CANCELLED as $Float) >= h * h * (ax + az) + rim * $Float::abs(slope)
-                    && $Float::abs(c) >= (outside + $Float::abs(outline) * rim) * (2.0 * CANCELLED_SQUARE);
+                let (c, c_terms) = (outside - inside, outside + $Float::abs(outline) * rim);
+                let k_terms = h * h * (ax + az) + rim * $Float::abs(slope);
+                // Where a cancels, so does k.
+                let margin = if $Float::abs(a) * (CANCELLED as $Float) >= 2.0 * a_terms { 1.0 } else { 2.0 };
+                let is_clear = sum * (CANCELLED as $Float) >= margin * k_terms;
                 if !is_clear {
                     return Plain::Unclear;
                 }
                 let q = if k > 0.0 { -sum } else { sum };
-                let (by_a, by_c) = (q / a, c / q);
+                // Of an end whose numbers cancel only that is said which lies surely inside: the planes may cut it off.
+                let by_a = (q / a, doubt(a, a_terms) * $Float::abs(q / a));
+                let by_c = (c / q, doubt(c, c_terms) * $Float::abs(c / q));
                 let (first, second) = if (k > 0.0) == (a > 0.0) { (by_a, by_c) } else { (by_c, by_a) };
-                let ends = if a < 0.0 {
+                let (enter, exit) = if a < 0.0 {
                     // Steeper than the side: a half-line in each nappe; the outline grows along the one in the upper.
-                    if slope > 0.0 { [second, $Float::INFINITY] } else { [-$Float::INFINITY, first] }
+                    if slope > 0.0 { (second, ($Float::INFINITY, 0.0)) } else { ((-$Float::INFINITY, 0.0), first) }
                 } else {
                     // The sign of the outline halfway between the ends, at t = -k / a.
-                    let (here, there) = (outline * a, slope * k);
-                    let middle = here - there;
-                    let is_clear = $Float::abs(middle) >= ($Float::abs(here) + $Float::abs(there)) * CANCELLED_SQUARE;
+                    let middle = outline * a - slope * k;
+                    let is_clear =
+                        $Float::abs(middle) >= (rim * a_terms + $Float::abs(slope) * k_terms) * (2.0 * DOUBT);
                     if !is_clear {
                         return Plain::Unclear;
                     }
                     if middle < 0.0 {
                         return Plain::Miss;
                     }
-                    [first, second]
+                    (first, second)
                 };
-                Plain::Found(PlainNappe { ends, certain: [true; 2] })
+                Plain::Found(PlainNappe {
+                    ends: [enter.0 + enter.1, exit.0 - exit.1],
+                    certain: [enter.1 == 0.0, exit.1 == 0.0],
+                })
+            }
+
+            /// How much a quotient may be off for a difference that is taken for what it is; nothing, if that keeps enough of its terms.
+            #[inline(always)]
+            fn doubt(difference: $Float, terms: $Float) -> $Float {
+                let magnitude = $Float::abs(difference);
+                if magnitude >= terms * (2.0 * CANCELLED_SQUARE) { 0.0 } else { terms * DOUBT / magnitude }
             }
 
             /// Where the line crosses each of the heights. A line that stays in one height meets none of them.
@@ -205,6 +249,88 @@ macro_rules! plain_float {
                 let ends = [(low - y) / dy, (high - y) / dy];
                 let is_finite = $Float::abs(ends[0]) < $Float::MAX && $Float::abs(ends[1]) < $Float::MAX;
                 if is_finite { Plain::Found(ends) } else { Plain::Unclear }
+            }
+
+            /// Where the line crosses the disc of this radius about the origin in the plane `y = 0`.
+            #[inline(always)]
+            pub(crate) fn disc(line: PlainLine<$Float>, r: $Float) -> Plain<$Float> {
+                let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
+                if !is_handy::<2>(r) || dy == 0.0 {
+                    return Plain::Unclear;
+                }
+                let t = -y / dy;
+                let (across, along) = (t * dx, t * dz);
+                let (px, pz) = (x + across, z + along);
+                let inside = r * r - (px * px + pz * pz);
+                // Each coordinate is off by at most three roundings of its terms.
+                let length = $Float::abs(x) + $Float::abs(z) + $Float::abs(across) + $Float::abs(along);
+                let doubt = length * length * (16.0 * $Float::EPSILON);
+                if inside > doubt {
+                    Plain::Found(t)
+                } else if inside < -doubt {
+                    Plain::Miss
+                } else {
+                    Plain::Unclear
+                }
+            }
+
+            #[inline(always)]
+            fn minus(a: [$Float; 3], b: [$Float; 3]) -> [$Float; 3] {
+                [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+            }
+
+            #[inline(always)]
+            fn magnitudes(a: [$Float; 3]) -> [$Float; 3] {
+                [$Float::abs(a[0]), $Float::abs(a[1]), $Float::abs(a[2])]
+            }
+
+            #[inline(always)]
+            fn cross(a: [$Float; 3], b: [$Float; 3]) -> [$Float; 3] {
+                [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+            }
+
+            /// Where the line crosses the triangle, and whether it comes from the front.
+            #[inline(always)]
+            pub(crate) fn triangle(line: PlainLine<$Float>, vertices: [[$Float; 3]; 3]) -> Plain<($Float, bool)> {
+                let (o, d) = (line.origin, line.direction);
+                let [a, b, c] = [minus(vertices[0], o), minus(vertices[1], o), minus(vertices[2], o)];
+                let size = |v: [$Float; 3]| $Float::abs(v[0]) + $Float::abs(v[1]) + $Float::abs(v[2]);
+                let sizes = [size(a), size(b), size(c)];
+                // d . (p x q): the side on which the line passes the edge from p to q; off by at most seven roundings of its terms.
+                let volumes = [dot(d, cross(a, b)), dot(d, cross(b, c)), dot(d, cross(c, a))];
+                let terms = [sizes[0] * sizes[1], sizes[1] * sizes[2], sizes[2] * sizes[0]];
+                if !(is_handy::<2>(terms[0]) && is_handy::<2>(terms[1]) && is_handy::<2>(terms[2])) {
+                    return Plain::Unclear;
+                }
+                let (mut left, mut right) = (0, 0);
+                for (volume, terms) in core::iter::zip(volumes, terms) {
+                    let doubt = terms * (16.0 * $Float::EPSILON);
+                    left += (volume > doubt) as u32;
+                    right += (volume < -doubt) as u32;
+                }
+                if left != 0 && right != 0 {
+                    return Plain::Miss;
+                }
+                if left + right != 3 {
+                    return Plain::Unclear;
+                }
+                let from_front = right == 3;
+                // From the vertices themselves, which are close together however far the ray starts.
+                let (u, v) = (minus(vertices[1], vertices[0]), minus(vertices[2], vertices[0]));
+                let normal = cross(u, v);
+                let (facing, distance) = (dot(normal, d), dot(normal, a));
+                let (u, v) = (magnitudes(u), magnitudes(v));
+                let terms = [u[1] * v[2] + u[2] * v[1], u[2] * v[0] + u[0] * v[2], u[0] * v[1] + u[1] * v[0]];
+                let (facing_terms, distance_terms) = (dot(terms, magnitudes(d)), dot(terms, magnitudes(a)));
+                let is_clear = is_handy::<2>(facing_terms)
+                    && is_handy::<2>(distance_terms)
+                    && $Float::abs(facing) * FLAT_CANCELLED >= facing_terms
+                    && $Float::abs(distance) * FLAT_CANCELLED >= distance_terms;
+                if is_clear && (facing < 0.0) == from_front {
+                    Plain::Found((distance / facing, from_front))
+                } else {
+                    Plain::Unclear
+                }
             }
         }
     };

@@ -10,6 +10,8 @@ pub struct Counters {
     pub shadow_rays: u64,
     /// Questions put to a shape, nearest hit and occlusion together.
     pub intersection_tests: u64,
+    /// Boxes of a [`Hierarchy`](super::Hierarchy) that a ray was asked to miss.
+    pub box_tests: u64,
     /// Hits for which a point and a normal were computed.
     pub hits_refined: u64,
     /// Rays that a mirror threw back.
@@ -32,6 +34,7 @@ impl Counters {
         self.primary_rays += other.primary_rays;
         self.shadow_rays += other.shadow_rays;
         self.intersection_tests += other.intersection_tests;
+        self.box_tests += other.box_tests;
         self.hits_refined += other.hits_refined;
         self.reflection_rays += other.reflection_rays;
         self.refraction_rays += other.refraction_rays;

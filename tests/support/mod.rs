@@ -3,6 +3,7 @@
 
 pub mod bounds;
 pub mod cases;
+pub mod crowd;
 pub mod exact_types;
 pub mod figures;
 pub mod fuzz;

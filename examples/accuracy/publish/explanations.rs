@@ -23,7 +23,7 @@ fn is_flat(row: &Beaten<'_>) -> bool {
 }
 
 /// The first that applies counts.
-pub const WHY: [Why; 14] = [
+pub const WHY: [Why; 15] = [
     (
         |row| is_fixed(row) && row.slower.tier == "Textbook",
         "The operators of `fixed` round every product, widening and shifting each, and the textbook divides both roots by `a`. The tiers \
@@ -42,14 +42,24 @@ pub const WHY: [Why; 14] = [
     (
         |row| row.slower.number == "f32" && row.faster.tier == "Exact" && row.slower.tier == "Stable",
         "`Stable` holds the careful coefficients of cones, grazing rays and triangles to twice the precision in pairs of `f32`, at some ten \
-         to twenty operations a product. The first look of `Exact` has them in one `f64` each, with the size of what went into it as the \
-         bound of its error. Where most coefficients are careful, or the short way of `Stable` was asked in vain before, that is \
+         to twenty operations a product. `Exact` has them in one `f64` each: where a sum is a 16,000th of its terms or more its sign is clear \
+         without further ado, else the size of what went into it is the bound of its error. Where most coefficients are careful, or the short way of `Stable` was asked in vain before, that is \
          less, even where doubles are software.",
     ),
     (
         |row| row.faster.tier == "Exact" && row.slower.tier == "Fast" && row.slower.primitive == "triangle",
         "The products and sums of a float triangle are error-free in every tier, `Fast` too: each product is split and its rounding kept. \
          `Exact` has each in one `f64`.",
+    ),
+    (
+        |row| {
+            row.slower.number == "f32"
+                && row.faster.tier == "Exact"
+                && row.slower.tier == "Fast"
+                && row.machine == Machine::Host
+        },
+        "A placed line, and one from far away, leave the short way of `Fast`, whose solver scales the line and its `t`. The doubles of `Exact` \
+         need neither, and a host has a unit for them; no chip here is quicker with them.",
     ),
     (
         |row| {

@@ -195,6 +195,14 @@ impl FromScalar<f32> for Double {
 
 impl Certain for f32 {
     const LOOKS_QUICKLY: bool = true;
+    #[inline(always)]
+    fn in_double(self) -> Option<f64> {
+        Some(self as f64)
+    }
+    #[inline(always)]
+    fn in_doubles(value: super::quick::Quick) -> Option<[f64; 2]> {
+        Some(value.with_magnitude())
+    }
     type Quick = super::quick::Quick;
     type Filter = Double;
     type Integer = super::integer::Integer<{ super::FLOAT_LIMBS }>;

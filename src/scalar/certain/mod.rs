@@ -74,6 +74,16 @@ pub trait FromScalar<S: Scalar>: Number {
 pub trait Certain: Scalar {
     /// Whether there is a look that is quicker than the filter.
     const LOOKS_QUICKLY: bool;
+    /// The number in double precision, for a type that it holds exactly and that a host computes with.
+    #[inline(always)]
+    fn in_double(self) -> Option<f64> {
+        None
+    }
+    /// A number of the quick look, and the size of the terms that it is a sum of; `None` as for [`Certain::in_double`].
+    #[inline(always)]
+    fn in_doubles(_: Self::Quick) -> Option<[f64; 2]> {
+        None
+    }
     /// What is asked before the filter.
     type Quick: Number<Estimate = Self::Filter> + FromScalar<Self>;
     /// What decides nearly always.

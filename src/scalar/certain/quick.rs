@@ -28,6 +28,12 @@ impl Quick {
         Self { value, magnitude: if magnitude < SMALLEST && magnitude != 0.0 { f64::INFINITY } else { magnitude } }
     }
 
+    /// The value, and the size of the terms that it is a sum of.
+    #[inline(always)]
+    pub(super) fn with_magnitude(self) -> [f64; 2] {
+        [self.value, self.magnitude]
+    }
+
     #[inline(always)]
     fn estimate(self) -> Double {
         Double::within(self.value, self.magnitude * ERROR)

@@ -95,5 +95,9 @@ pub(in crate::scalar) fn nappe(o: [i32; 3], finer: i32, d: [i32; 3], [r, g, h]: 
         }
         (end(first), end(second))
     };
+    // What begins somewhere beyond one end, or ends somewhere beyond the other, may be anywhere or nowhere.
+    if (!low.1 && low.0 > start) || (!high.1 && high.0 < start) {
+        return Plain::Unclear;
+    }
     Plain::Found(PlainNappe { ends: [low.0, high.0], certain: [low.1, high.1] })
 }

@@ -75,3 +75,13 @@ fn directions_are_within_a_hair_of_half_a_unit() {
         assert_eq!(mirrored, got.map(|c| -c), "{v:?}");
     }
 }
+
+/// A line that rises steeper than the side, far away from the nappe that it will enter: where exactly is beyond what is certain, and
+/// so is that it has not entered it yet.
+#[test]
+fn a_nappe_that_begins_somewhere_beyond_is_unclear() {
+    let (o, d) = ([15487837, -82574188, 2456411], [-802209627, 669821284, 246415638]);
+    assert_eq!(nappe(o, 6, d, [273, 73268, 16384]), Plain::Unclear);
+    // Back along the same line, it ends there.
+    assert_eq!(nappe(o, 6, d.map(|c| -c), [273, 73268, 16384]), Plain::Unclear);
+}

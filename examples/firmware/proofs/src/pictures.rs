@@ -4,6 +4,7 @@ use crate::everything::{any_ray, any_shape};
 use crate::input::{Any, any_direction, any_point, any_text, any_word, give};
 use raylet::Tracer;
 use raylet::scene::nff::{self, Corner, Counts, Stores};
+use raylet::scene::{Hierarchy, Node};
 use raylet::{Camera, Color, Light, Material, Object, Picture, Scene, Size, Work};
 
 fn any_color<S: Any>() -> Color<S> {
@@ -16,6 +17,17 @@ pub fn any_camera<S: Any>() -> Option<Camera<S>> {
     Camera::new(any_point(), any_point(), any_point(), S::any()).ok()
 }
 
+/// A beginning of a list, of a length that no compiler knows.
+fn any_list<T>(list: &[T]) -> &[T] {
+    list.get(..any_word() as usize).unwrap_or(list)
+}
+
+/// The same, to be written.
+fn any_list_mut<T>(list: &mut [T]) -> &mut [T] {
+    let length = list.len().min(any_word() as usize);
+    list.split_at_mut_checked(length).map_or(&mut [], |(list, _)| list)
+}
+
 /// Everything that can be seen.
 pub fn pictures<S: Any>(camera: Camera<S>) -> Option<()> {
     let objects = [Object::new(any_shape::<S>()?, any_word() as u32), Object::new(any_shape::<S>()?, 0).smooth(0)];
@@ -24,6 +36,9 @@ pub fn pictures<S: Any>(camera: Camera<S>) -> Option<()> {
     let normals = [[any_direction(), any_direction(), any_direction()]];
     let scene = Scene::new(&objects, &materials, &lights, camera).ok()?;
     let scene = scene.with_normals(&normals).ok()?.with_background(any_color());
+    let mut nodes = [Node::EMPTY; 3];
+    let hierarchy = Hierarchy::build(any_list(&objects), any_list_mut(&mut nodes)).ok()?;
+    let scene = scene.with_hierarchy(&hierarchy).ok()?;
     let mut work = Work::new(());
     let ray = any_ray::<S>()?;
     give(scene.nearest(&ray, &mut work.counters));

@@ -1,0 +1,218 @@
+//! Objects into boxes.
+
+use super::{Hierarchy, HierarchyError, Node};
+use crate::scalar::separation::MARGIN_BITS;
+use crate::scalar::{Real, Scalar};
+use crate::scene::Object;
+use crate::shape::{Placement, Primitive, Shape};
+use crate::vector::{Vec3, pairs};
+use core::mem;
+
+impl<'a, S: Scalar> Hierarchy<'a, S> {
+    /// Boxes around these objects, in borrowed storage: [`Hierarchy::nodes_for`] of them.
+    ///
+    /// Divides the objects in two halves across the axis along which their middles are farthest apart, these again, and so on:
+    /// steps in proportion to `n log n`. The same objects always give the same boxes.
+    ///
+    /// # Errors
+    ///
+    /// [`HierarchyError::Storage`] if there is room for too few nodes; [`HierarchyError::TooManyObjects`] beyond 2^31 - 1.
+    pub fn build(objects: &[Object<S>], nodes: &'a mut [Node<S>]) -> Result<Self, HierarchyError> {
+        if objects.len() > i32::MAX as usize {
+            return Err(HierarchyError::TooManyObjects);
+        }
+        let (needed, given) = (Self::nodes_for(objects.len()), nodes.len());
+        let Some((nodes, _)) = nodes.split_at_mut_checked(needed) else {
+            return Err(HierarchyError::Storage { needed, given });
+        };
+        // The leaves at the end, where the tree will leave them room to the last; what has no box at the beginning.
+        let (mut unbounded, mut leaves) = (0, 0);
+        for (index, object) in (0_u32..).zip(objects) {
+            let leaf = Node::leaf(index, &object.shape);
+            let place = if leaf.objects == 0 { unbounded } else { needed - 1 - leaves };
+            if let Some(node) = nodes.get_mut(place) {
+                *node = leaf;
+            }
+            if leaf.objects == 0 { unbounded += 1 } else { leaves += 1 }
+        }
+        let tree = needed.saturating_sub(Self::nodes_for(leaves));
+        if let Some((_, tree)) = nodes.split_at_mut_checked(tree) {
+            grow(tree, leaves as u32);
+        }
+        let nodes: &'a [Node<S>] = nodes;
+        Ok(Self { unbounded: nodes.get(..unbounded).unwrap_or(&[]), tree: nodes.get(tree..).unwrap_or(&[]) })
+    }
+}
+
+/// Makes a tree of leaves, which stand at the end of the list.
+///
+/// A node is written over nothing but itself: before the node at a place there are fewer parents than leaves, so that the leaves
+/// that are left begin behind it, or, if it is a leaf, at it.
+fn grow<S: Scalar>(tree: &mut [Node<S>], leaves: u32) {
+    let mut written = 0;
+    for place in 0..tree.len() {
+        let objects = objects_below(place, leaves);
+        let first = (leaves as usize).saturating_sub(1) + written;
+        let Some(below) = tree.get_mut(first..first + objects as usize) else { return };
+        let node = match below {
+            [leaf] => {
+                written += 1;
+                *leaf
+            }
+            _ => divide(below),
+        };
+        if let Some(slot) = tree.get_mut(place) {
+            *slot = node;
+        }
+    }
+}
+
+/// How many objects the node at this place has below it, in a tree of `objects` leaves.
+fn objects_below(mut place: usize, mut objects: u32) -> u32 {
+    // One step down at a time, until it is the root of what is looked at.
+    while place > 0 && objects > 1 {
+        let (half, second) = (objects / 2, (objects & !1) as usize);
+        if place < second {
+            objects = half;
+            place -= 1;
+        } else {
+            objects -= half;
+            place -= second;
+        }
+    }
+    objects
+}
+
+/// Brings the leaves that belong to the first half before the others; the node above all of them.
+fn divide<S: Scalar>(leaves: &mut [Node<S>]) -> Node<S> {
+    let infinite = [S::INFINITY; 3];
+    let nothing = [infinite, infinite.map(|c| -c)];
+    let [mut corners, mut middles] = [nothing; 2];
+    for leaf in leaves.iter() {
+        let reaches = pairs(leaf.centre, leaf.half);
+        let both = [reaches.map(|(centre, half)| centre.minus(half)), reaches.map(|(centre, half)| centre.plus(half))];
+        corners = united(corners, both);
+        middles = united(middles, [leaf.centre; 2]);
+    }
+    let [low, high] = middles;
+    let [x, y, z] = pairs(low, high).map(|(low, high)| high.minus(low));
+    let along: fn(&Node<S>) -> S = if x >= y && x >= z {
+        |leaf| leaf.centre[0]
+    } else if y >= z {
+        |leaf| leaf.centre[1]
+    } else {
+        |leaf| leaf.centre[2]
+    };
+    let half = leaves.len() / 2;
+    // Of those in the same place the one with the lower index first.
+    select(leaves, half, |a, b| {
+        let (at_a, at_b) = (along(a), along(b));
+        at_a < at_b || (at_a == at_b && a.object < b.object)
+    });
+    let [low, high] = corners;
+    let objects = leaves.len() as u32;
+    let (centre, half) = padded(low.into(), high.into(), None, S::Real::ZERO);
+    Node { centre, half, objects, object: 0 }
+}
+
+/// The box of two boxes, as corners.
+fn united<S: Scalar>([low, high]: [[S; 3]; 2], [other_low, other_high]: [[S; 3]; 2]) -> [[S; 3]; 2] {
+    [
+        pairs(low, other_low).map(|(a, b)| if b < a { b } else { a }),
+        pairs(high, other_high).map(|(a, b)| if b > a { b } else { a }),
+    ]
+}
+
+/// Brings the items that come before the one of rank `rank` before it, and the others behind it (Hoare, *Algorithm 65: find*,
+/// 1961). No two may be equal.
+fn select<T: Copy>(items: &mut [T], rank: usize, is_before: impl Fn(&T, &T) -> bool) {
+    let (mut first, mut end) = (0, items.len());
+    while first + 1 < end {
+        let Some(pivot) = items.get(rank).copied() else { return };
+        let (mut i, mut j) = (first, end);
+        // Before i is nothing that comes after the pivot, from j on nothing that comes before it.
+        while i < j {
+            while items.get(i).is_some_and(|item| is_before(item, &pivot)) {
+                i += 1;
+            }
+            while j > i && items.get(j - 1).is_some_and(|item| is_before(&pivot, item)) {
+                j -= 1;
+            }
+            if i < j {
+                if let Ok([a, b]) = items.get_disjoint_mut([i, j - 1]) {
+                    mem::swap(a, b);
+                }
+                i += 1;
+                j -= 1;
+            }
+        }
+        if j <= rank {
+            first = i;
+        }
+        if rank < i {
+            end = j;
+        }
+    }
+}
+
+impl<S: Scalar> Node<S> {
+    /// The box of an object; of no objects if it has none.
+    pub(super) fn leaf(index: u32, shape: &Shape<S>) -> Self {
+        let nothing = Self { object: index, ..Self::EMPTY };
+        let (bounds, Some(sharpness)) = (shape.bounds(), sharpness(shape)) else { return nothing };
+        if !(bounds.low.is_within_budget() && bounds.high.is_within_budget()) {
+            return nothing;
+        }
+        let position = match shape.placement() {
+            Placement::World => None,
+            Placement::Frame(frame) => Some(frame.position()),
+            Placement::Affine(affine) => Some(affine.position()),
+        };
+        // Two units of a fixed type, of a float nothing.
+        let units = sharpness * S::BUDGET.smallest_size.real().times_power_of_two(1);
+        let (centre, half) = padded(bounds.low, bounds.high, position, units);
+        Self { centre, half, objects: 1, object: index }
+    }
+}
+
+/// How much farther from a solid a hit may lie than the `t` is wrong that decided it: where two surfaces meet at a sharp rim, two ends
+/// that round to one are as far from the rim as that is sharp. `None` beyond 2^8, which is more than the margin of a box covers.
+fn sharpness<S: Scalar>(shape: &Shape<S>) -> Option<S::Real> {
+    let one = S::Real::ONE;
+    let rim = match shape.primitive() {
+        Primitive::Cone(cone) => {
+            let (top, height) = (cone.top_radius()?, cone.height()?);
+            let slope = (top.real() - cone.base_radius().real()).abs() / height.real();
+            if slope > one { slope } else { one }
+        }
+        _ => one,
+    };
+    let placed = match shape.placement() {
+        Placement::Affine(affine) => affine.sharpness()?,
+        Placement::World | Placement::Frame(_) => 0,
+    };
+    let most = one.times_power_of_two(8);
+    // Not the negation: a slope beyond a float's range must fail.
+    let sharpness = rim.times_power_of_two(placed.min(16));
+    if sharpness <= most { Some(sharpness) } else { None }
+}
+
+/// Centre and half extents of a box, larger by [`MARGIN_BITS`] of its size and, where what is in it is seen from a position that
+/// it need not be near, of its distance from that; and by `units`.
+fn padded<S: Scalar>(low: Vec3<S>, high: Vec3<S>, position: Option<Vec3<S>>, units: S::Real) -> ([S; 3], [S; 3]) {
+    // Halved one by one: the sum of both may be beyond the type.
+    let half_of = |c: S::Real| c.times_power_of_two(-1);
+    let centre = pairs(low.real(), high.real()).map(|(low, high)| S::round(half_of(low) + half_of(high)));
+    let middle = centre.map(S::real);
+    let larger = |a: S::Real, b: S::Real| if b > a { b } else { a };
+    let to_low = pairs(middle, low.real()).map(|(centre, low)| centre - low);
+    let to_high = pairs(middle, high.real()).map(|(centre, high)| high - centre);
+    let reach = pairs(to_low, to_high).map(|(low, high)| larger(low, high));
+    let largest = |[x, y, z]: [S::Real; 3]| larger(larger(x, y), z);
+    let away = position.map_or(S::Real::ZERO, |position| {
+        largest(pairs(middle, position.real()).map(|(centre, position)| (centre - position).abs()))
+    });
+    let margin = (largest(reach) + away).times_power_of_two(-MARGIN_BITS) + units;
+    // Rounded to nearest, which may be down.
+    (centre, reach.map(|reach| S::round(reach + margin).next_up()))
+}
