@@ -61,6 +61,7 @@
 //! | `libm` | yes | the float backend; a build without it fails, and says so |
 //! | `fixed` | yes | fixed-point scalars |
 //! | `std` | no | scene storage in `Vec`; brings `libm`, and changes no result bit |
+//! | `embedded-graphics` | no | pictures on any display, see `display` |
 //! | `mint` | no | conversions of points and vectors |
 //! | `serde` | no | serialisation of the public value types |
 //! | `defmt` | no | `defmt::Format` for the public value types (of float scalars: `fixed` has no `defmt` of its own) |
@@ -80,6 +81,8 @@ compile_error!(
 
 pub mod affine;
 mod arithmetic;
+#[cfg(feature = "embedded-graphics")]
+pub mod display;
 pub mod effect;
 pub mod errata;
 mod exact;

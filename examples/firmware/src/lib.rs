@@ -4,7 +4,6 @@
 pub mod clock;
 pub mod cost;
 pub mod digest;
-pub mod display;
 pub mod figures;
 #[cfg(target_os = "none")]
 pub mod footprint;

@@ -13,7 +13,6 @@ use core::panic::PanicInfo;
 use core::sync::atomic::{AtomicU32, Ordering};
 use embedded_graphics_core::geometry::Point;
 use fixed::types::I16F16;
-use raylet_firmware::display::draw;
 use raylet_firmware::panel::{Fold, Panel};
 use raylet_firmware::picture::{HEIGHT, Storage, WIDTH, picture};
 
@@ -33,7 +32,7 @@ fn run() -> ! {
     let mut display = Panel::new(WIDTH, HEIGHT, Fold::new());
     let view = storage.read().expect("the scene is well-formed and there is room for it");
     let scene = storage.scene(&view).expect("the reader's lists fit together");
-    let Ok(_) = draw(&picture(&scene), Point::new(0, 0), &mut display);
+    let Ok(_) = picture(&scene).draw(Point::new(0, 0), &mut display);
     DIGEST.store(display.bus.digest(), Ordering::Relaxed);
     stay()
 }

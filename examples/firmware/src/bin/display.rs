@@ -7,7 +7,6 @@ use core::ffi::CStr;
 use embedded_graphics_core::geometry::Point;
 use fixed::types::I16F16;
 use raylet::Scalar;
-use raylet_firmware::display::draw;
 use raylet_firmware::figures::Figures;
 use raylet_firmware::footprint::Footprint;
 use raylet_firmware::panel::{Bus, Panel};
@@ -56,7 +55,7 @@ fn show<S: Scalar>(number: &'static str, path: &CStr) {
     file.write_all(HEADER.as_bytes()).expect("there is room on the host");
     let mut panel = Panel::new(WIDTH, HEIGHT, ToFile { file, next: [0, 0], paused: 0 });
     let start = clock::instructions();
-    let counters = draw(&picture(&scene), Point::new(0, 0), &mut panel).expect("there is room on the host");
+    let counters = picture(&scene).draw(Point::new(0, 0), &mut panel).expect("there is room on the host");
     let instructions = clock::instructions() - start - panel.bus.paused;
     let stack = stack::used();
     println!("{}", Figures { number, instructions, counters, stack, scene: size_of::<Storage<S>>() });

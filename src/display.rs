@@ -1,0 +1,136 @@
+//! Pictures on displays: any `DrawTarget` of `embedded-graphics`, in 16 or 24 bits a pixel.
+//!
+//! ```
+//! use embedded_graphics::{geometry::Point, mock_display::MockDisplay, pixelcolor::Rgb565};
+//! # use raylet::{Camera, Color, Light, Material, Object, Picture, Scene, Shape, Size, Sphere, Vec3};
+//! # let y = Vec3::new(0.0_f32, 1.0, 0.0);
+//! # let camera = Camera::new(Vec3::new(0.0, 0.0, 5.0), Vec3::ZERO, y, 40.0)?;
+//! # let objects = [Object::new(Shape::new(Sphere::new(1.0_f32)?), 0)];
+//! # let materials = [Material::matte(Color::WHITE)];
+//! # let lights = [Light::new(Vec3::new(0.0, 9.0, 9.0), 0.5)];
+//! # let scene = Scene::new(&objects, &materials, &lights, camera)?;
+//! # let mut display = MockDisplay::<Rgb565>::new();
+//! let picture = Picture::new(&scene, Size::new(32, 24));
+//! let counters = picture.draw(Point::new(8, 4), &mut display)?;
+//! assert_eq!(counters.primary_rays, 32 * 24);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+use crate::effect::{Effects, Work};
+use crate::render::Picture;
+use crate::scalar::{Scalar, UnitScalar};
+use crate::scene::{Color, Counters, Observer};
+use core::ops::Range;
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::{Point, Size};
+use embedded_graphics_core::pixelcolor::{PixelColor, Rgb565, Rgb888};
+use embedded_graphics_core::primitives::Rectangle;
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for super::Rgb565 {}
+    impl Sealed for super::Rgb888 {}
+}
+
+/// A colour that displays take and pictures give. Sealed: [`Rgb565`] and [`Rgb888`].
+pub trait DisplayColor: PixelColor + sealed::Sealed {
+    /// What the pixel in column `x` of row `y` shows of a colour; no gamma curve is applied.
+    fn shown<S: Scalar>(color: Color<S>, x: u16, y: u16) -> Self;
+}
+
+/// Bayer's pattern of four by four, *An Optimum Method for Two-Level Rendition of Continuous-Tone Pictures* (1973): sixteen
+/// thresholds, neighbours far apart.
+const BAYER: [[u16; 4]; 4] = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]];
+
+/// Five, six and five bits with ordered dithering: the mean of four by four pixels is right to a sixteenth of a level, and a
+/// colour that has a level of its own keeps it.
+impl DisplayColor for Rgb565 {
+    fn shown<S: Scalar>(color: Color<S>, x: u16, y: u16) -> Self {
+        let threshold = BAYER[(y & 3) as usize][(x & 3) as usize];
+        // In sixteenths of a level.
+        let level = |channel: S::Unit, levels: u16| ((channel.level(16 * levels) + threshold) >> 4) as u8;
+        Self::new(level(color.red, 31), level(color.green, 63), level(color.blue, 31))
+    }
+}
+
+/// Eight bits, the nearest level.
+impl DisplayColor for Rgb888 {
+    fn shown<S: Scalar>(color: Color<S>, _: u16, _: u16) -> Self {
+        let [red, green, blue] = color.to_rgb888();
+        Self::new(red, green, blue)
+    }
+}
+
+impl<S: Scalar, E: Effects> Picture<'_, S, E> {
+    /// Draws the picture with its upper left corner at `corner`, and returns what it cost. Needs no frame buffer, and not even a
+    /// row: each pixel goes out as it is traced.
+    ///
+    /// # Errors
+    ///
+    /// The display's, as soon as it reports one; the rows before are drawn.
+    pub fn draw<D: DrawTarget<Color: DisplayColor>>(
+        &self,
+        corner: Point,
+        display: &mut D,
+    ) -> Result<Counters, D::Error> {
+        let mut work = Work::new(());
+        self.draw_rows(0..self.size().height, corner, display, &mut work)?;
+        Ok(work.counters)
+    }
+
+    /// Draws some rows of the picture where they belong if its upper left corner is at `corner`, each row by one
+    /// [`DrawTarget::fill_contiguous`]; adds what they cost to `work`. Rows beyond the last are left out.
+    ///
+    /// Rows do not depend on each other: two processors may each draw a part of the picture, with a [`Work`] of its own.
+    ///
+    /// # Errors
+    ///
+    /// The display's, as soon as it reports one; the rows before are drawn.
+    pub fn draw_rows<D: DrawTarget<Color: DisplayColor>, O: Observer>(
+        &self,
+        rows: Range<u16>,
+        corner: Point,
+        display: &mut D,
+        work: &mut Work<O>,
+    ) -> Result<(), D::Error> {
+        let size = self.size();
+        for y in rows.start..rows.end.min(size.height) {
+            let below = Point::new(corner.x, corner.y.saturating_add(i32::from(y)));
+            let area = Rectangle::new(below, Size::new(u32::from(size.width), 1));
+            let colors = (0..).zip(self.row(y, work)).map(|(x, pixel)| D::Color::shown(pixel.color, x, y));
+            display.fill_contiguous(&area, colors)?;
+        }
+        Ok(())
+    }
+
+    /// Traces row `y` into a buffer, which may then go to a display by DMA while the next row is traced into another; adds what
+    /// it cost to `work`. Returns how many pixels there are: as many as the buffer holds, and at most the picture's
+    /// width. None are there beyond the last row.
+    ///
+    /// ```
+    /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
+    /// # use raylet::{Camera, Color, Light, Material, Object, Picture, Scene, Shape, Size, Sphere, Vec3, Work};
+    /// # let y = Vec3::new(0.0_f32, 1.0, 0.0);
+    /// # let camera = Camera::new(Vec3::new(0.0, 0.0, 5.0), Vec3::ZERO, y, 40.0)?;
+    /// # let objects = [Object::new(Shape::new(Sphere::new(1.0_f32)?), 0)];
+    /// # let materials = [Material::matte(Color::WHITE)];
+    /// # let lights = [Light::new(Vec3::new(0.0, 9.0, 9.0), 0.5)];
+    /// # let scene = Scene::new(&objects, &materials, &lights, camera)?.with_background(Color::WHITE);
+    /// let picture = Picture::new(&scene, Size::new(32, 24));
+    /// let (mut line, mut work) = ([Rgb565::BLACK; 32], Work::new(()));
+    /// assert_eq!(picture.line(0, &mut line, &mut work), 32);
+    /// assert_eq!(line[0], Rgb565::WHITE);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn line<C: DisplayColor, O: Observer>(&self, y: u16, buffer: &mut [C], work: &mut Work<O>) -> usize {
+        if y >= self.size().height {
+            return 0;
+        }
+        let mut pixels = 0;
+        for (x, (own, pixel)) in (0..).zip(buffer.iter_mut().zip(self.row(y, work))) {
+            *own = C::shown(pixel.color, x, y);
+            pixels += 1;
+        }
+        pixels
+    }
+}
