@@ -1,5 +1,5 @@
-//! What one primitive takes of a chip's memory: each program here asks for the nearest hit of one primitive, in one number
-//! type and tier, and does nothing else.
+//! What one primitive, and one set of effects, takes of a chip's memory: each program here asks for the nearest hit of one primitive, in
+//! one number type and tier, or for a pixel with one set of effects, and does nothing else.
 #![no_std]
 
 pub use raylet_proofs as proofs;
@@ -12,6 +12,18 @@ macro_rules! nearest {
             let primitive = $crate::proofs::input::any_reference::<raylet::$Primitive<$S>>();
             let ray = $crate::proofs::input::any_reference::<raylet::Ray<$S>>();
             $crate::proofs::input::give(primitive.nearest_at::<raylet::tier::$T>(ray));
+        }
+    };
+}
+
+/// A program that traces a pixel with a set of effects compiled in.
+#[macro_export]
+macro_rules! pixel {
+    ($S:ident, $Effects:ty) => {
+        $crate::proofs::program! {
+            let picture = $crate::proofs::input::any_reference::<raylet::Picture<'static, $S, $Effects>>();
+            let [x, y] = [$crate::proofs::input::any_word() as u16, $crate::proofs::input::any_word() as u16];
+            $crate::proofs::input::give(picture.pixel(x, y, &mut raylet::Work::new(())));
         }
     };
 }
