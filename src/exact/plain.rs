@@ -197,7 +197,8 @@ fn product(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// An end in the ray's own numbers; `None` for an infinite one.
+/// An end in the ray's own numbers, or that there is none; `None` if that is not clear.
+#[expect(clippy::option_option, reason = "an end that is not there, and none that is known")]
 #[inline(always)]
 fn settled<S: Certain>((t, part): End, range: Range<S>) -> Option<Option<Settled<S>>> {
     if t.is_infinite() {
