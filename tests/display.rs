@@ -8,7 +8,9 @@ use embedded_graphics::geometry::{OriginDimensions, Point, Size as Area};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use fixed::types::{I16F16, I32F32};
 use raylet::display::DisplayColor;
-use raylet::{Camera, Color, Frame, Light, Material, Object, Picture, Plane, Scalar, Scene, Shape, Size, Sphere, Vec3, Work};
+use raylet::{
+    Camera, Color, Frame, Light, Material, Object, Picture, Plane, Scalar, Scene, Shape, Size, Sphere, Vec3, Work,
+};
 
 const WIDTH: u16 = 24;
 const HEIGHT: u16 = 18;
@@ -70,13 +72,16 @@ fn with_picture<S: Scalar, T>(then: impl FnOnce(&Picture<'_, S>) -> T) -> T {
     then(&Picture::new(&scene, Size::new(WIDTH, HEIGHT)))
 }
 
-fn shows_the_picture<S: Scalar, C: DisplayColor>() {
+fn shows_the_picture<S: Scalar, C: DisplayColor + std::fmt::Debug>() {
     with_picture::<S, _>(|picture| {
         let mut screen = Screen::<C>::new();
         let counters = picture.draw(Point::zero(), &mut screen).unwrap();
-        assert_eq!(counters, picture.render(|x, y, pixel| {
-            assert_eq!(screen.at(x, y), Some(C::shown(pixel.color, x, y)), "{x}, {y}");
-        }));
+        assert_eq!(
+            counters,
+            picture.render(|x, y, pixel| {
+                assert_eq!(screen.at(x, y), Some(C::shown(pixel.color, x, y)), "{x}, {y}");
+            })
+        );
     });
 }
 
