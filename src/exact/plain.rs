@@ -1,8 +1,9 @@
 //! The usual ray in plain doubles: far from every decision, no error needs to be carried along.
 //!
 //! Each sign that is asked for is that of a sum of products of single-precision numbers, of which the sizes of its terms add up
-//! to a bound; rounding, that of the way into a frame included, moves the sum by less than 2^-44 of the bound. A sum
-//! above 2^-14 of it is therefore certain, and good to 2^-30. ("Semi-static filter": Devillers and Pion, *Efficient Exact
+//! to a bound. No product here has more than eight factors, and no factor more than a dozen roundings of 2^-53 behind it, the way into a
+//! frame included: together they move the sum by less than 2^-44 of the bound. A sum above 2^-40 of it has a certain sign, and
+//! one above 2^-14 is good to 2^-30. ("Semi-static filter": Devillers and Pion, *Efficient Exact
 //! Geometric Predicates for Delaunay Triangulations*, 2003.) Anything else is left to the numbers that know their error.
 
 use super::found::Found;
@@ -13,9 +14,9 @@ use crate::ray::Range;
 use crate::scalar::Real;
 use crate::scalar::certain::Certain;
 
-/// Sums above this part of their bound are certain, and good to 2^-30.
+/// Sums above this part of their bound are good to 2^-30.
 const CLEAR: f64 = 1.0 / (1u32 << 14) as f64;
-/// Sums above this part of their bound are certain.
+/// Sums above this part of their bound have a certain sign.
 const CERTAIN: f64 = 1.0 / (1u64 << 40) as f64;
 /// Parameters of the line are good to 2^-26: those that differ by this part of themselves are in their true order.
 const APART: f64 = 1.0 / (1u32 << 22) as f64;
@@ -108,6 +109,7 @@ impl Line {
         let root = Real::sqrt(discriminant);
         let (low, high, magnitude) = (-k - root, root - k, k.abs() + root);
         // The discriminant's error moves the root by less than 2^-45 of the bound over the root. No more than four bits may cancel.
+        // (Root times magnitude is less than twice the part of the bound that is `a`'s: where it is clear, `a` is good to 2^-28.)
         let is_clear = discriminant > bound * CERTAIN
             && root * magnitude > bound * CLEAR
             && low.abs().min(high.abs()) * 16.0 > magnitude;

@@ -1,4 +1,5 @@
-//! The usual case of floats in plain arithmetic: nothing scaled, nothing compensated.
+//! The usual case of floats in plain arithmetic: nothing scaled, and nothing compensated but the moment of a line that passes
+//! a cone so closely that it is mostly rounding.
 //!
 //! A benign ray needs neither: where nothing cancels, the textbook is right to a few units in the last place. Here stands what
 //! "nothing cancels" means, a comparison for each difference; the other rays (grazing ones, starts far away or next to a
@@ -8,7 +9,7 @@ use super::{Plain, PlainLine, PlainNappe};
 
 /// Differences of numbers up to this many times larger than themselves are taken; their relative error grows by as much.
 const CANCELLED: u8 = 16;
-/// Rays start at most this many sizes away.
+/// Rays of balls and tubes start at most this many sizes away, and those of which the moment is compensated.
 const FAR: u8 = 16;
 
 macro_rules! plain_float {
