@@ -4,7 +4,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs)]
 
 use fixed::types::{I16F16, I32F32};
-use raylet::scene::nff::{self, Corner, Counts, NffError, Stores, View, triangulate};
+use raylet::scene::nff::{self, Corner, Counts, NffError, Scale, Stores, View, triangulate};
 use raylet::scene::{CornerNormals, Full, Store};
 use raylet::{Color, Light, Material, Object, Placement, Primitive, Scalar, UnitVec3, Vec3, Visible};
 
@@ -30,10 +30,14 @@ struct Read<S: Scalar> {
 }
 
 /// Reads with room for so many objects, materials, lights, normals and corners.
-fn read_into<S: Scalar>(text: &str, [o, m, l, n, c]: [usize; 5]) -> Result<Read<S>, NffError> {
+fn read_into<S: Scalar>(text: &str, room: [usize; 5]) -> Result<Read<S>, NffError> {
+    read_scaled_into(text, room, Scale::ONE)
+}
+
+fn read_scaled_into<S: Scalar>(text: &str, [o, m, l, n, c]: [usize; 5], scale: Scale) -> Result<Read<S>, NffError> {
     let (mut objects, mut materials) = (Room(vec![], o), Room(vec![], m));
     let (mut lights, mut normals) = (Room(vec![], l), Room(vec![], n));
-    let view = nff::read(
+    let view = nff::read_scaled(
         text,
         Stores {
             objects: &mut objects,
@@ -42,13 +46,23 @@ fn read_into<S: Scalar>(text: &str, [o, m, l, n, c]: [usize; 5]) -> Result<Read<
             normals: &mut normals,
             corners: &mut vec![Corner::default(); c],
         },
+        scale,
     )?;
     Ok(Read { view, objects: objects.0, materials: materials.0, lights: lights.0, normals: normals.0 })
 }
 
 fn read<S: Scalar>(text: &str) -> Result<Read<S>, NffError> {
+    read_scaled(text, Scale::ONE)
+}
+
+/// As much as a text needs.
+fn room(text: &str) -> [usize; 5] {
     let counts = Counts::of(text);
-    read_into(text, [counts.objects, counts.materials, counts.lights, counts.normals, counts.corners])
+    [counts.objects, counts.materials, counts.lights, counts.normals, counts.corners]
+}
+
+fn read_scaled<S: Scalar>(text: &str, scale: Scale) -> Result<Read<S>, NffError> {
+    read_scaled_into(text, room(text), scale)
 }
 
 const VIEW: &str = "v from 0 0 5 at 0 0 0 up 0 1 0 angle 45 resolution 32 24\n";
@@ -212,6 +226,51 @@ fn numbers_are_rounded_once_in_every_type() {
     assert_eq!(number::<I32F32>("1000000000.00000000023283064365386962890625").to_bits(), (1_000_000_000 << 32) + 1);
 }
 
+/// Once: a number that was rounded to the type's steps and then enlarged would show those steps.
+#[test]
+fn in_other_units_numbers_are_rounded_after_scaling() {
+    let text = format!("{VIEW}l 0.1 -3 0.7 s 0.1 0.2 -0.3 0.018518518 p 3 0 0 0 0.1 0 0 0 0.3 0 f 1 1 1 1 0 9 0 1");
+    let scale = Scale::power_of_two(9);
+    let fixed = read_scaled::<I16F16>(&text, scale).unwrap();
+    assert_eq!(fixed.lights[0].position, Vec3::from_f64([51.2, -1536.0, 358.4]).unwrap());
+    let Primitive::Sphere(sphere) = fixed.objects[0].shape.primitive() else { panic!("a sphere") };
+    assert_eq!(sphere.radius(), I16F16::from_num(512.0 * 0.018_518_518));
+    let Primitive::Triangle(triangle) = fixed.objects[1].shape.primitive() else { panic!("a triangle") };
+    assert_eq!(triangle.vertices()[2], Vec3::from_f64([0.0, 153.6, 0.0]).unwrap());
+    assert_eq!(fixed.view.camera.position().z, 5 * 512);
+    // What is no length keeps its value.
+    assert_eq!(fixed.materials[1].shine, 9);
+    let double = read_scaled::<f64>(&text, Scale::LEAST).unwrap();
+    assert_eq!(double.lights[0].position.x, 0.1 / 65536.0);
+    // Too small for the type in the file's units.
+    let tiny = format!("{VIEW}s 0 0 0 0.000001");
+    assert_eq!(read::<I16F16>(&tiny).unwrap().view.invisible, 1);
+    assert_eq!(read_scaled::<I16F16>(&tiny, Scale::fitting::<I16F16>(&tiny)).unwrap().view.invisible, 0);
+}
+
+#[test]
+fn the_fitting_scale_is_the_largest_with_half_the_budget_free() {
+    let power = |text: &str| Scale::fitting::<I16F16>(text).power();
+    // 8192 is half of the budget: it fits, and what is a hair above does not.
+    assert_eq!(["l 8192 0 0", "l 0 -8192.1 0", "l 0 0 4096.1", "l 0 0 -4096"].map(power), [0, -1, 0, 1]);
+    // Whatever the entity; colours, normals, angles and counts are no lengths.
+    assert_eq!(
+        ["from 1 2 3", "at 9 1 1", "s 0 0 0 30", "c 0 0 0 0 0 0 0 99", "p 3 0 0 0 0 0 0 0 0 17"].map(power),
+        [11, 9, 8, 6, 8]
+    );
+    assert_eq!(power("pp 3 1 0 0 900 0 0  0 1 0 900 0 0  0 0 1 900 0 0  b 77 77 77 angle 9000 l 0 0 0 70 70 70"), 13);
+    assert_eq!(power("pp 3 1 0 0 900 0 0  0 1 0 900 0 0  0 0 3 900 0 0"), 11);
+    // Nothing to fit, and more than can be fitted.
+    assert_eq!(
+        ["", "s 0 0 0 0", "l x y z", "p", "p 3", "pp 2 1 1", "l 1e-30 0 0", "l 1e30 0 0"].map(power),
+        [0, 0, 0, 0, 0, 13, 32, -16]
+    );
+    assert_eq!(Scale::fitting::<I32F32>("l 3 0 0").power(), 27);
+    assert_eq!(Scale::fitting::<f64>("l 3e9 0 0"), Scale::ONE);
+    // A count that the text cannot hold costs no more than the text.
+    assert_eq!(power("pp 4000000000 1 1 1"), 13);
+}
+
 #[test]
 fn a_shine_beyond_the_type_is_the_largest() {
     let text = format!("{VIEW}f 1 1 1 1 0 100000 0 1");
@@ -222,7 +281,7 @@ fn a_shine_beyond_the_type_is_the_largest() {
 #[test]
 fn malformed_files_say_where_and_why() {
     let number = "should be a number such as -12.5 or 1.5e-3";
-    let budget = "beyond the number type's budget: scale the scene down or take a wider type";
+    let budget = "beyond the number type's budget: read it in larger units (nff::Scale) or take a wider type";
     for (text, expected) in [
         ("q 1", "line 2, column 1: this starts no entity: expected one of v, b, l, f, c, s, p, pp or #".to_owned()),
         ("s 0 0", "line 2, column 6: the text ends where the sphere's centre should be: complete the entity".to_owned()),

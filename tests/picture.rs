@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, missing_docs)]
 
 use fixed::types::{I16F16, I32F32};
-use raylet::scene::nff::{self, Corner, Counts, Stores};
+use raylet::scene::nff::{self, Corner, Counts, Scale, Stores};
 use raylet::{
     Camera, Color, Counters, Cylinder, Light, Material, Object, Part, Picture, Pixel, Plane, Ray, Scalar, Scene, Shape,
     Size, Sphere, Tracer, Triangle, UnitVec3, Vec3, Visible, Work,
@@ -17,9 +17,9 @@ type Lists<S, const N: usize> = (
 );
 
 /// Reads a scene and hands it on.
-fn with_scene<S: Scalar, T>(text: &str, then: impl FnOnce(&Scene<'_, S>) -> T) -> T {
+fn with_scaled<S: Scalar, T>(text: &str, scale: Scale, then: impl FnOnce(&Scene<'_, S>) -> T) -> T {
     let (mut objects, mut materials, mut lights, mut normals): Lists<S, 256> = Default::default();
-    let view = nff::read(
+    let view = nff::read_scaled(
         text,
         Stores {
             objects: &mut objects,
@@ -28,6 +28,7 @@ fn with_scene<S: Scalar, T>(text: &str, then: impl FnOnce(&Scene<'_, S>) -> T) -
             normals: &mut normals,
             corners: &mut vec![Corner::default(); Counts::of(text).corners],
         },
+        scale,
     )
     .unwrap();
     let scene = Scene::new(&objects, &materials, &lights, view.camera).unwrap();
@@ -35,7 +36,11 @@ fn with_scene<S: Scalar, T>(text: &str, then: impl FnOnce(&Scene<'_, S>) -> T) -
 }
 
 fn render<S: Scalar>(text: &str, size: Size) -> (Vec<Pixel<S>>, Counters) {
-    with_scene(text, |scene| {
+    render_scaled(text, Scale::ONE, size)
+}
+
+fn render_scaled<S: Scalar>(text: &str, scale: Scale, size: Size) -> (Vec<Pixel<S>>, Counters) {
+    with_scaled(text, scale, |scene| {
         let mut pixels = Vec::new();
         let counters = Picture::new(scene, size).render(|_, _, pixel| pixels.push(pixel));
         (pixels, counters)
@@ -80,8 +85,8 @@ fn a_ball_in_every_number_type() {
 }
 
 /// Pixels that differ, by more than one level, and of these the ones that no silhouette explains.
-fn compare<S: Scalar>(text: &str, size: Size, reference: &[Pixel<f64>]) -> [usize; 3] {
-    let pixels = render::<S>(text, size).0;
+fn compare<S: Scalar>(text: &str, scale: Scale, size: Size, reference: &[Pixel<f64>]) -> [usize; 3] {
+    let pixels = render_scaled::<S>(text, scale, size).0;
     let (width, mut counts) = (usize::from(size.width), [0; 3]);
     for (index, (a, b)) in pixels.iter().zip(reference).enumerate() {
         let channels = a.color.to_rgb888().into_iter().zip(b.color.to_rgb888());
@@ -118,15 +123,73 @@ fn number_types_agree_but_for_silhouettes() {
     ] {
         let size = Size::new(160, 120);
         let reference = render::<f64>(text, size).0;
-        let single = compare::<f32>(text, size, &reference);
-        let fixed = compare::<I16F16>(text, size, &reference);
-        let wide = compare::<I32F32>(text, size, &reference);
+        let single = compare::<f32>(text, Scale::ONE, size, &reference);
+        let fixed = compare::<I16F16>(text, Scale::ONE, size, &reference);
+        let wide = compare::<I32F32>(text, Scale::ONE, size, &reference);
         println!("{name:6} f32 {single:?}  I16F16 {fixed:?}  I32F32 {wide:?}");
         for [differing, by_more, unexplained] in [single, fixed, wide] {
             assert_eq!(unexplained, 0, "{name}");
             // A thousandth of the pixels on silhouettes, and one in a hundred by a single level, are the worst seen.
             assert!(by_more <= 20 && differing <= 192, "{name}: {differing} {by_more}");
         }
+        let fitted = compare::<I16F16>(text, Scale::fitting::<I16F16>(text), size, &reference);
+        println!("       I16F16 in fitting units {fitted:?}");
+        assert_eq!(fitted[1], 0, "{name}: in fitting units every pixel is right to one level");
+    }
+}
+
+/// A ball with six others on it, a third as large, each with five on it, and again: mirrors in mirrors.
+fn flake() -> String {
+    fn grow(text: &mut String, [x, y, z]: [f64; 3], radius: f64, from: Option<[f64; 3]>) {
+        use std::fmt::Write;
+        writeln!(text, "s {x} {y} {z} {radius}").unwrap();
+        if radius < 0.02 {
+            return;
+        }
+        let [dx, dy, dz] = [[0.8, 0.6, 0.0], [-0.6, 0.8, 0.0], [0.0, 0.0, 1.0]];
+        for way in [dx, dy, dz].into_iter().flat_map(|way| [way, way.map(|way| -way)]) {
+            if from != Some(way.map(|way| -way)) {
+                let distance = radius * 4.0 / 3.0;
+                grow(
+                    text,
+                    [x + way[0] * distance, y + way[1] * distance, z + way[2] * distance],
+                    radius / 3.0,
+                    Some(way),
+                );
+            }
+        }
+    }
+    let mut text = "v from 1.6 1.1 1.3 at 0 0 0 up 0 0 1 angle 45 resolution 64 48 b 0.08 0.36 0.75
+        l 4 3 2 l 1 4 4 l 3 1 5 f 1 0.9 0.7 0.5 0.5 30 0 1 "
+        .to_owned();
+    grow(&mut text, [0.0; 3], 0.5, None);
+    text
+}
+
+/// Mirrors magnify what a ball's radius is rounded by; larger units mend it.
+#[test]
+fn fitting_units_make_mirrors_true_in_16_bit_fractions() {
+    let (text, size) = (flake(), Size::new(96, 96));
+    let scale = Scale::fitting::<I16F16>(&text);
+    assert_eq!(scale.power(), 10);
+    let reference = render::<f64>(&text, size).0;
+    let plain = compare::<I16F16>(&text, Scale::ONE, size, &reference);
+    let fitted = compare::<I16F16>(&text, scale, size, &reference);
+    println!("differing pixels of 9216, by more than one level, unexplained: {plain:?}, in fitting units {fitted:?}");
+    assert!(plain[1] > 10 * fitted[1], "{plain:?} {fitted:?}");
+    // The bar is one in a hundred by more than a level; the worst seen is ten times better.
+    assert!(fitted[1] <= 9, "{fitted:?}");
+}
+
+/// Units are arbitrary: a float's bits do not change with them.
+#[test]
+fn powers_of_two_change_no_bit_of_a_float_picture() {
+    let (text, size) = (flake(), Size::new(32, 32));
+    let seen = |scale| render_scaled::<f32>(&text, scale, size);
+    let (pixels, counters) = seen(Scale::ONE);
+    for power in [-16, -3, 7, 20] {
+        let (scaled, count) = seen(Scale::power_of_two(power));
+        assert_eq!((scaled == pixels, count), (true, counters), "2^{power}");
     }
 }
 

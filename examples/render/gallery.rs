@@ -4,6 +4,7 @@ use crate::load::Loaded;
 use crate::still_life::{self, number, on_y, point};
 use clap::ValueEnum;
 use raylet::scalar::UnitScalar;
+use raylet::scene::nff::Scale;
 use raylet::scene::{Coordinate, Waves};
 use raylet::{
     Affine, Camera, Capsule, Color, Cone, Cylinder, Fog, Frame, Light, Material, Object, Plane, Scalar, Shape, Sphere,
@@ -97,6 +98,7 @@ fn stage<S: Scalar>(
         camera: Camera::new(point(0.2, 3.4, 9.0)?, point(0.0, 0.9, 0.0)?, point(0.0, 1.0, 0.0)?, number(34.0)?)?,
         resolution: [320, 240],
         invisible: 0,
+        scale: Scale::ONE,
     })
 }
 

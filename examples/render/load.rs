@@ -1,7 +1,8 @@
 //! Where a scene comes from: the built-in still life or an NFF file, in any number type.
 
 use crate::gallery::BuiltIn;
-use raylet::scene::nff::{self, Corner, Counts, Stores};
+use crate::options::Units;
+use raylet::scene::nff::{self, Corner, Counts, Scale, Stores};
 use raylet::scene::{CornerNormals, Full, Store};
 use raylet::{Camera, Color, Fog, Light, Material, Object, Scalar, Scene, Texture};
 use std::error::Error;
@@ -28,7 +29,7 @@ impl Source {
         &self.name
     }
 
-    pub(crate) fn load<S: Scalar>(&self) -> Result<Loaded<S>, Box<dyn Error>> {
+    pub(crate) fn load<S: Scalar>(&self, units: Units) -> Result<Loaded<S>, Box<dyn Error>> {
         let text = match &self.text {
             Ok(text) => text,
             Err(built_in) => return built_in.build(),
@@ -43,7 +44,11 @@ impl Source {
             normals: &mut normals,
             corners: &mut vec![Corner::default(); counts.corners],
         };
-        let view = nff::read(text, stores).map_err(|error| format!("{}.nff, {error}", self.name))?;
+        let scale = match units {
+            Units::Fitting => Scale::fitting::<S>(text),
+            Units::Chosen(scale) => scale,
+        };
+        let view = nff::read_scaled(text, stores, scale).map_err(|error| format!("{}.nff, {error}", self.name))?;
         Ok(Loaded {
             objects: objects.0,
             materials: materials.0,
@@ -55,6 +60,7 @@ impl Source {
             camera: view.camera,
             resolution: view.resolution,
             invisible: view.invisible,
+            scale,
         })
     }
 }
@@ -72,6 +78,8 @@ pub(crate) struct Loaded<S: Scalar> {
     pub(crate) camera: Camera<S>,
     pub(crate) resolution: [u16; 2],
     pub(crate) invisible: u32,
+    /// Units of the scene in one of the file.
+    pub(crate) scale: Scale,
 }
 
 impl<S: Scalar> Loaded<S> {

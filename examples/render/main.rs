@@ -20,6 +20,7 @@ use compare::Difference;
 use load::Source;
 use options::{Number, Options};
 use raylet::effect::EffectSet;
+use raylet::scene::nff::Scale;
 use std::error::Error;
 use std::process::ExitCode;
 use trace::Traced;
@@ -80,6 +81,9 @@ fn report(traced: &Traced, number: Number) {
     let left_off = traced.called_for.difference(traced.used);
     if !left_off.is_empty() {
         println!("left off: {left_off}");
+    }
+    if traced.scale != Scale::ONE {
+        println!("scale: one unit of the file is {} in the scene", traced.scale);
     }
     if traced.invisible > 0 {
         println!("left out: {} objects too small for the number type, or without area", traced.invisible);

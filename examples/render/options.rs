@@ -3,6 +3,7 @@
 use crate::gallery::BuiltIn;
 use clap::{Parser, ValueEnum};
 use raylet::effect::{Effect, EffectSet};
+use raylet::scene::nff::Scale;
 use std::fmt;
 use std::path::PathBuf;
 
@@ -61,6 +62,11 @@ pub(crate) struct Options {
     #[arg(long, value_enum, num_args = 2, value_names = ["A", "B"], conflicts_with = "number")]
     pub(crate) compare: Vec<Number>,
 
+    /// Scene units to one unit of the file: `auto` (in fixed point the largest power of two that leaves room, otherwise 1), or
+    /// a power of two from 1/65536 to 4294967296. In exact arithmetic it would not change the picture
+    #[arg(long, value_name = "FACTOR", default_value = "auto", value_parser = parse_scale, conflicts_with = "scene")]
+    pub(crate) scale: Units,
+
     /// Threads to trace with; by default one for each processor. Never changes the picture
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
     pub(crate) threads: Option<u16>,
@@ -69,6 +75,14 @@ pub(crate) struct Options {
     /// its time: to see what the boxes save
     #[arg(long)]
     pub(crate) no_hierarchy: bool,
+}
+
+/// How large a file is read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Units {
+    /// As large as the number type allows, if that makes it more accurate.
+    Fitting,
+    Chosen(Scale),
 }
 
 /// The number types that the library is compiled for here.
@@ -108,6 +122,19 @@ fn parse_effects(text: &str) -> Result<EffectSet, String> {
 fn named(name: &str) -> Result<Effect, String> {
     Effect::named(name)
         .ok_or_else(|| format!("there is no effect `{name}`: choose among {}, auto, none", EffectSet::ALL))
+}
+
+fn parse_scale(text: &str) -> Result<Units, String> {
+    if text == "auto" {
+        return Ok(Units::Fitting);
+    }
+    (Scale::LEAST.power()..=Scale::LARGEST.power())
+        .map(Scale::power_of_two)
+        .find(|scale| scale.to_string() == text)
+        .map(Units::Chosen)
+        .ok_or_else(|| {
+            format!("give `auto` or a power of two such as 512 or 1/4, {} to {}", Scale::LEAST, Scale::LARGEST)
+        })
 }
 
 fn parse_size(text: &str) -> Result<(u16, u16), String> {

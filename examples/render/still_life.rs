@@ -1,6 +1,7 @@
 //! The built-in scene: every solid once, on a plane.
 
 use crate::load::Loaded;
+use raylet::scene::nff::Scale;
 use raylet::{
     Affine, Camera, Capsule, Color, Cone, Cylinder, Disc, Frame, Light, Material, Object, Plane, Scalar, Shape, Sphere,
     Triangle, UnitVec3, Vec3,
@@ -77,6 +78,7 @@ pub(crate) fn build<S: Scalar>() -> Result<Loaded<S>> {
         camera: Camera::new(point(0.2, 4.2, 9.0)?, point(0.2, 0.7, 0.0)?, point(0.0, 1.0, 0.0)?, number(38.0)?)?,
         resolution: [160, 120],
         invisible: 0,
+        scale: Scale::ONE,
     })
 }
 

@@ -1,10 +1,11 @@
 //! A scene to a picture in memory, on all processors, with a progress bar if it takes long.
 
 use crate::image::Image;
-use crate::load::Source;
+use crate::load::{Loaded, Source};
 use crate::options::Options;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use raylet::effect::EffectSet;
+use raylet::scene::nff::Scale;
 use raylet::scene::{Hierarchy, Node, Observer};
 use raylet::{Counters, Part, Picture, Pixel, Scalar, Size, Work};
 use std::error::Error;
@@ -30,6 +31,7 @@ pub(crate) struct Traced {
     pub(crate) counters: Counters,
     pub(crate) seconds: f64,
     pub(crate) invisible: u32,
+    pub(crate) scale: Scale,
     /// The effects that the scene and the size of the picture call for, and those that were used.
     pub(crate) called_for: EffectSet,
     pub(crate) used: EffectSet,
@@ -63,7 +65,7 @@ pub(crate) fn trace<S: Scalar>(
     options: &Options,
     effects: EffectSet,
 ) -> Result<Traced, Box<dyn Error>> {
-    let loaded = source.load::<S>()?;
+    let loaded = source.load::<S>(options.scale)?;
     let mut nodes = vec![Node::EMPTY; Hierarchy::<S>::nodes_for(loaded.objects.len())];
     let mut scene = loaded.scene()?;
     let hierarchy;
@@ -122,6 +124,7 @@ pub(crate) fn trace<S: Scalar>(
             }
         }
     }
-    let (called_for, used, invisible) = (called_for.effects(), picture.effects(), loaded.invisible);
-    Ok(Traced { image, sightings, counters, seconds, invisible, called_for, used, objects })
+    let (called_for, used) = (called_for.effects(), picture.effects());
+    let Loaded { invisible, scale, .. } = loaded;
+    Ok(Traced { image, sightings, counters, seconds, invisible, scale, called_for, used, objects })
 }

@@ -262,8 +262,9 @@ macro_rules! fixed {
                 Self::unit_round($Block::new(value as $wide, -62))
             }
 
-            fn parse(text: &str) -> Option<Self> {
-                let (negative, units) = super::decimal::parse(text, F::U32)?;
+            fn parse_scaled(text: &str, power: i32) -> Option<Self> {
+                let fraction_bits = F::U32.checked_add_signed(power).filter(|bits| *bits <= 64)?;
+                let (negative, units) = super::decimal::parse(text, fraction_bits)?;
                 let raw = <$raw>::try_from(units).ok().filter(|raw| *raw < <$raw>::MAX)?;
                 Some(Self::from_bits(if negative { -raw } else { raw }))
             }

@@ -315,11 +315,13 @@ macro_rules! float {
                 $pow(base, exponent)
             }
 
-            fn parse(text: &str) -> Option<Self> {
+            fn parse_scaled(text: &str, power: i32) -> Option<Self> {
                 if !super::is_decimal(text) {
                     return None;
                 }
-                text.parse().ok().filter(|value: &Self| Scalar::is_finite(*value))
+                // Exact, but for what becomes subnormal.
+                let value = text.parse::<Self>().ok()?.times_power_of_two(power);
+                Some(value).filter(|value| Scalar::is_finite(*value))
             }
             #[allow(clippy::unnecessary_cast)]
             fn from_f64(value: f64) -> Option<Self> {

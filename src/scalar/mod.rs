@@ -299,7 +299,13 @@ pub trait Scalar:
     /// A decimal number such as `-12.5` or `1.5e-3`, correctly rounded to nearest, ties to even.
     ///
     /// `None` if the text is no number or its magnitude is beyond the type's range.
-    fn parse(text: &str) -> Option<Self>;
+    fn parse(text: &str) -> Option<Self> {
+        Self::parse_scaled(text, 0)
+    }
+    /// A decimal number times `2^power`, correctly rounded to nearest, ties to even (once: not the number, and then the product).
+    ///
+    /// As [`Scalar::parse`]; `None` also if a fixed type's fraction bits and the power add up to less than 0 or more than 64.
+    fn parse_scaled(text: &str, power: i32) -> Option<Self>;
     /// The nearest value to an `f64`, for tools on the host; `None` if it is not finite or beyond the range.
     fn from_f64(value: f64) -> Option<Self>;
     /// The value as an `f64`, for tools on the host; rounded for 64-bit fixed types.
@@ -432,6 +438,12 @@ pub(crate) fn largest<S: Scalar, const N: usize>(values: [S; N]) -> S {
         }
     }
     largest
+}
+
+/// True if a decimal number is zero before any rounding: if its mantissa has no digit but 0.
+pub(crate) fn is_zero_decimal(text: &str) -> bool {
+    let mantissa = text.split(['e', 'E']).next().unwrap_or(text);
+    !mantissa.bytes().any(|byte| matches!(byte, b'1'..=b'9'))
 }
 
 /// True for an optional sign, digits with at most one point, and an optional decimal exponent: the number syntax

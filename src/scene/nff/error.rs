@@ -121,7 +121,10 @@ impl fmt::Display for Reason {
                 write!(f, "{what} is beyond the number type: scale the scene down or take a wider type")
             }
             Self::BeyondBudget { what } => {
-                write!(f, "{what} is beyond the number type's budget: scale the scene down or take a wider type")
+                write!(
+                    f,
+                    "{what} is beyond the number type's budget: read it in larger units (nff::Scale) or take a wider type"
+                )
             }
             Self::Negative { what } => write!(f, "{what} is negative: give 0 or more"),
             Self::Color { what } => write!(f, "{what} is outside 0 to 1"),

@@ -28,6 +28,7 @@
 //!   ([`Material`] says how Fresnel's equations divide it).
 //! - A shine beyond the number type's range (100000 in `I16F16`) becomes the largest that it holds: that highlight is
 //!   smaller than a pixel in either case.
+//! - A file's unit of length is the scene's, unless [`read_scaled`] is told another.
 //! - `hither` is read and kept, but nothing is cut away in front of it: ray tracing needs no near plane.
 //! - Polygons may be concave, with any number of corners. Corners on a line are allowed. A polygon without area, or a
 //!   sphere, cone or cylinder that is too small for the number type, cannot be seen: it is left out and counted in
@@ -60,9 +61,11 @@ mod lexer;
 mod numbers;
 mod polygon;
 mod reader;
+mod scale;
 
 pub use error::{NffError, Place, Reason};
 pub use polygon::{Corner, triangulate};
+pub use scale::Scale;
 
 use super::{Camera, Color, CornerNormals, Light, Material, Object, Store};
 use crate::scalar::Scalar;
@@ -113,7 +116,40 @@ pub struct View<S: Scalar> {
 /// [`NffError`] with the line, the column and the reason, for a text that is not a scene, that the number type cannot
 /// hold, or for which there is no room.
 pub fn read<S: Scalar>(text: &str, stores: Stores<'_, S>) -> Result<View<S>, NffError> {
-    reader::Reader::new(text, stores).read()
+    read_scaled(text, stores, Scale::ONE)
+}
+
+/// Reads a scene in other units: every coordinate, size and distance times a power of two, rounded after that.
+///
+/// For fixed-point numbers, with [`Scale::fitting`]: the picture is that of [`read`], and closer to what the text says.
+///
+/// # Errors
+///
+/// As [`read`].
+///
+/// ```
+/// # fn main() -> Result<(), raylet::scene::nff::NffError> {
+/// # use raylet::scene::nff::{self, Corner, Scale, Stores};
+/// # use fixed::types::I16F16;
+/// # let (mut objects, mut materials) = (heapless::Vec::<_, 4>::new(), heapless::Vec::<_, 4>::new());
+/// # let (mut lights, mut normals) = (heapless::Vec::<_, 4>::new(), heapless::Vec::<_, 4>::new());
+/// # let stores = Stores {
+/// #     objects: &mut objects,
+/// #     materials: &mut materials,
+/// #     lights: &mut lights,
+/// #     normals: &mut normals,
+/// #     corners: &mut [Corner::default(); 8],
+/// # };
+/// // Too far away for I16F16, whose coordinates reach 16384.
+/// let text = "v from 0 0 50000 at 0 0 0 up 0 1 0 angle 40 resolution 64 48   s 0 0 0 10000";
+/// let scale = Scale::fitting::<I16F16>(text);
+/// let view = nff::read_scaled::<I16F16>(text, stores, scale)?;
+/// assert_eq!((scale.to_string().as_str(), view.camera.position().z.to_num::<f32>()), ("1/8", 6250.0));
+/// # Ok(())
+/// # }
+/// ```
+pub fn read_scaled<S: Scalar>(text: &str, stores: Stores<'_, S>, scale: Scale) -> Result<View<S>, NffError> {
+    reader::Reader::new(text, stores, scale).read()
 }
 
 /// How much room the scene of a text needs, at most.

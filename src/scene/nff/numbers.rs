@@ -2,7 +2,8 @@
 
 use super::error::{NffError, Place, Reason};
 use super::lexer::{Lexer, Word};
-use crate::scalar::{Real, Scalar, is_decimal};
+use super::scale::Scale;
+use crate::scalar::{Real, Scalar, is_decimal, is_zero_decimal};
 use crate::vector::Vec3;
 use core::marker::PhantomData;
 
@@ -19,12 +20,13 @@ pub(super) struct Number<S> {
 #[derive(Clone, Debug)]
 pub(super) struct Numbers<'t, S> {
     words: Lexer<'t>,
+    scale: Scale,
     scalar: PhantomData<S>,
 }
 
 impl<'t, S: Scalar> Numbers<'t, S> {
-    pub(super) fn new(text: &'t str) -> Self {
-        Self { words: Lexer::new(text), scalar: PhantomData }
+    pub(super) fn new(text: &'t str, scale: Scale) -> Self {
+        Self { words: Lexer::new(text), scale, scalar: PhantomData }
     }
 
     /// The next word, if there is one.
@@ -58,9 +60,13 @@ impl<'t, S: Scalar> Numbers<'t, S> {
 
     /// A number that the type can hold.
     pub(super) fn number(&mut self, what: &'static str) -> Result<Number<S>, NffError> {
+        self.scaled(what, Scale::ONE)
+    }
+
+    fn scaled(&mut self, what: &'static str, scale: Scale) -> Result<Number<S>, NffError> {
         let Word { text, place } = self.expect(what)?;
-        let reason = match S::parse(text) {
-            Some(value) => return Ok(Number { value, place, vanished: value == S::ZERO && !is_zero(text) }),
+        let reason = match S::parse_scaled(text, scale.power().into()) {
+            Some(value) => return Ok(Number { value, place, vanished: value == S::ZERO && !is_zero_decimal(text) }),
             None if is_decimal(text) => Reason::BeyondType { what },
             None => Reason::NotANumber { what },
         };
@@ -69,20 +75,26 @@ impl<'t, S: Scalar> Numbers<'t, S> {
 
     /// A number of at least zero; beyond the type's range, the largest that it holds.
     pub(super) fn saturated(&mut self, what: &'static str) -> Result<S, NffError> {
-        let beyond = self
-            .peek()
-            .filter(|word| is_decimal(word.text) && !word.text.starts_with('-') && S::parse(word.text).is_none());
-        if beyond.is_some() {
+        self.saturated_scaled(what, Scale::ONE)
+    }
+
+    /// A distance of at least zero; beyond the type's range, the largest that it holds.
+    pub(super) fn distance(&mut self, what: &'static str) -> Result<S, NffError> {
+        self.saturated_scaled(what, self.scale)
+    }
+
+    fn saturated_scaled(&mut self, what: &'static str, scale: Scale) -> Result<S, NffError> {
+        let beyond = |text| is_decimal(text) && S::parse_scaled(text, scale.power().into()).is_none();
+        if self.peek().is_some_and(|word| beyond(word.text) && !word.text.starts_with('-')) {
             self.word();
             return Ok(S::BUDGET.distance);
         }
-        self.not_negative(what)
+        not_negative(self.scaled(what, scale)?, what)
     }
 
     /// A number of at least zero.
     pub(super) fn not_negative(&mut self, what: &'static str) -> Result<S, NffError> {
-        let Number { value, place, .. } = self.number(what)?;
-        if value < S::ZERO { Err(NffError { place, reason: Reason::Negative { what } }) } else { Ok(value) }
+        not_negative(self.number(what)?, what)
     }
 
     /// A coordinate or size inside the budget.
@@ -90,7 +102,7 @@ impl<'t, S: Scalar> Numbers<'t, S> {
         let place = self.place();
         // To the reader of the message the limit that counts is the budget, whichever limit was met first.
         let beyond = NffError { place, reason: Reason::BeyondBudget { what } };
-        let number = self.number(what).map_err(|error| match error.reason {
+        let number = self.scaled(what, self.scale).map_err(|error| match error.reason {
             Reason::BeyondType { .. } => beyond,
             _ => error,
         })?;
@@ -127,8 +139,7 @@ impl<'t, S: Scalar> Numbers<'t, S> {
     }
 }
 
-/// True if a decimal number is zero before any rounding: if its mantissa has no digit but 0.
-fn is_zero(text: &str) -> bool {
-    let mantissa = text.split(['e', 'E']).next().unwrap_or(text);
-    !mantissa.bytes().any(|byte| matches!(byte, b'1'..=b'9'))
+fn not_negative<S: Scalar>(number: Number<S>, what: &'static str) -> Result<S, NffError> {
+    let Number { value, place, .. } = number;
+    if value < S::ZERO { Err(NffError { place, reason: Reason::Negative { what } }) } else { Ok(value) }
 }

@@ -3,7 +3,7 @@
 use super::error::{NffError, Place, Reason};
 use super::numbers::{Number, Numbers};
 use super::polygon::{Corner, triangulate};
-use super::{Counts, Stores, View};
+use super::{Counts, Scale, Stores, View};
 use crate::frame::Frame;
 use crate::primitive::{Cone, Cylinder, Sphere, Triangle};
 use crate::scalar::Scalar;
@@ -30,9 +30,9 @@ struct Viewpoint<S: Scalar> {
 }
 
 impl<'t, 'a, S: Scalar> Reader<'t, 'a, S> {
-    pub(super) fn new(text: &'t str, stores: Stores<'a, S>) -> Self {
+    pub(super) fn new(text: &'t str, stores: Stores<'a, S>, scale: Scale) -> Self {
         let material = Material::default();
-        Self { text, numbers: Numbers::new(text), stores, material, materials: 0, normals: 0, invisible: 0 }
+        Self { text, numbers: Numbers::new(text, scale), stores, material, materials: 0, normals: 0, invisible: 0 }
     }
 
     pub(super) fn read(mut self) -> Result<View<S>, NffError> {
@@ -95,7 +95,7 @@ impl<'t, 'a, S: Scalar> Reader<'t, 'a, S> {
                 }
                 "hither" => {
                     value("hither", hither.is_some())?;
-                    hither = Some(numbers.saturated("the view's hither")?);
+                    hither = Some(numbers.distance("the view's hither")?);
                 }
                 "resolution" => {
                     value("resolution", resolution.is_some())?;

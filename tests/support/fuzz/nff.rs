@@ -1,7 +1,7 @@
 //! What must hold for the NFF reader, whatever the text.
 
 use raylet::scalar::UnitScalar;
-use raylet::scene::nff::{self, Corner, Counts, NffError, Stores, View};
+use raylet::scene::nff::{self, Corner, Counts, NffError, Scale, Stores, View};
 use raylet::scene::{CornerNormals, Full, Store};
 use raylet::{Light, Material, Object, Picture, Scalar, Scene, Size, Work};
 use std::fmt::Debug;
@@ -34,7 +34,8 @@ struct Contents<S: Scalar> {
 }
 
 fn check<S: Scalar>(text: &str) -> bool {
-    let large = read_growing::<S>(text);
+    fits::<S>(text);
+    let large = read_growing::<S>(text, Scale::ONE);
     let small = read_small::<S>(text);
     for error in [&large, &small].into_iter().filter_map(|read| read.as_ref().err()) {
         is_in_the_text(text, error);
@@ -58,12 +59,26 @@ fn check<S: Scalar>(text: &str) -> bool {
     }
 }
 
+/// In fitting units a text says where it goes wrong as well, and never for a length that the type cannot hold, but for those
+/// beyond all scales.
+fn fits<S: Scalar>(text: &str) {
+    let scale = Scale::fitting::<S>(text);
+    match read_growing::<S>(text, scale) {
+        Ok(contents) => draw(text, &contents),
+        Err(error) => {
+            is_in_the_text(text, &error);
+            let beyond = matches!(error.reason, nff::Reason::BeyondBudget { .. });
+            assert!(S::RELATIVE || scale == Scale::LEAST || !beyond, "{scale} does not fit: {error}: {text:?}");
+        }
+    }
+}
+
 /// With as much room as [`Counts`] asks for.
-fn read_growing<S: Scalar>(text: &str) -> Result<Contents<S>, NffError> {
+fn read_growing<S: Scalar>(text: &str, scale: Scale) -> Result<Contents<S>, NffError> {
     let counts = Counts::of(text);
     let (mut objects, mut materials) = (Growing(vec![]), Growing(vec![]));
     let (mut lights, mut normals) = (Growing(vec![]), Growing(vec![]));
-    let view = nff::read(
+    let view = nff::read_scaled(
         text,
         Stores {
             objects: &mut objects,
@@ -72,6 +87,7 @@ fn read_growing<S: Scalar>(text: &str) -> Result<Contents<S>, NffError> {
             normals: &mut normals,
             corners: &mut vec![Corner::default(); counts.corners],
         },
+        scale,
     )
     .inspect_err(|error| {
         // More corners than the text has letters are a lie, for which no room is asked.
