@@ -130,11 +130,17 @@ impl<'a, S: Scalar, E: Effects> Picture<'a, S, E> {
     /// Of several samples a pixel, see [`Picture::row`], which gives the same pixels for fewer rays.
     pub fn pixel<O: Observer>(&self, x: u16, y: u16, work: &mut Work<O>) -> Pixel<S> {
         if self.is_antialiased() {
-            let (left, right) = (self.edge(u32::from(x), y, work), self.edge(u32::from(x) + 1, y, work));
-            return self.between([left, right], [x, y], work);
+            return self.pixel_of_many(x, y, work);
         }
         let Sight { color, seen, lit_by } = self.sample(self.raster.ray([x, y], [0, 0]), 255, work);
         Pixel { color, seen, lit_by }
+    }
+
+    /// Not inlined: a pixel of one sample does without its frame.
+    #[inline(never)]
+    fn pixel_of_many<O: Observer>(&self, x: u16, y: u16, work: &mut Work<O>) -> Pixel<S> {
+        let (left, right) = (self.edge(u32::from(x), y, work), self.edge(u32::from(x) + 1, y, work));
+        self.between([left, right], [x, y], work)
     }
 
     /// The pixels of row `y` from the left; adds what they cost to `work`, which starts without memory.
@@ -250,9 +256,10 @@ impl<S: Scalar, E: Effects, O: Observer> Iterator for Row<'_, '_, S, E, O> {
     fn next(&mut self) -> Option<Pixel<S>> {
         let x = u16::try_from(self.next).ok().filter(|x| *x < self.picture.size().width)?;
         self.next += 1;
-        let Some(left) = self.left.filter(|_| E::SET.contains(Effect::Antialiasing)) else {
+        if !self.picture.is_antialiased() {
             return Some(self.picture.pixel(x, self.y, self.work));
-        };
+        }
+        let left = self.left?;
         let right = self.picture.edge(self.next, self.y, self.work);
         self.left = Some(right);
         Some(self.picture.between([left, right], [x, self.y], self.work))

@@ -1,6 +1,6 @@
-//! Where a scene comes from: the built-in still life or an NFF file, in any number type.
+//! Where a scene comes from: the built-in scene or an NFF file, in any number type.
 
-use crate::gallery::BuiltIn;
+use crate::gallery::{BuiltIn, Stage};
 use crate::options::Units;
 use raylet::scene::nff::{self, Corner, Counts, Scale, Stores};
 use raylet::scene::{CornerNormals, Full, Store};
@@ -8,6 +8,9 @@ use raylet::{Camera, Color, Fog, Light, Material, Object, Scalar, Scene, Texture
 use std::error::Error;
 use std::fs;
 use std::path::Path;
+
+/// In which size built-in scenes are shown.
+const BUILT_IN_SIZE: [u16; 2] = [160, 120];
 
 /// The text of a scene file, or a built-in scene.
 #[derive(Debug)]
@@ -32,7 +35,10 @@ impl Source {
     pub(crate) fn load<S: Scalar>(&self, units: Units) -> Result<Loaded<S>, Box<dyn Error>> {
         let text = match &self.text {
             Ok(text) => text,
-            Err(built_in) => return built_in.build(),
+            Err(built_in) => {
+                let stage = built_in.build().ok_or("the number type cannot hold the built-in scene")?;
+                return Ok(stage.into());
+            }
         };
         let counts = Counts::of(text);
         let (mut objects, mut materials) = (Growing(Vec::new()), Growing(Vec::new()));
@@ -80,6 +86,24 @@ pub(crate) struct Loaded<S: Scalar> {
     pub(crate) invisible: u32,
     /// Units of the scene in one of the file.
     pub(crate) scale: Scale,
+}
+
+impl<S: Scalar> From<Stage<S>> for Loaded<S> {
+    fn from(stage: Stage<S>) -> Self {
+        Self {
+            objects: stage.objects.to_vec(),
+            materials: stage.materials.to_vec(),
+            lights: stage.lights.to_vec(),
+            normals: Vec::new(),
+            textures: stage.textures.to_vec(),
+            fog: stage.fog,
+            background: stage.background,
+            camera: stage.camera,
+            resolution: BUILT_IN_SIZE,
+            invisible: 0,
+            scale: Scale::ONE,
+        }
+    }
 }
 
 impl<S: Scalar> Loaded<S> {

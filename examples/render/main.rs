@@ -7,12 +7,12 @@
 //! ```
 
 mod compare;
+#[path = "../gallery/mod.rs"]
 mod gallery;
 mod image;
 mod load;
 mod options;
 mod report;
-mod still_life;
 mod trace;
 
 use clap::Parser;

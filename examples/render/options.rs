@@ -1,6 +1,7 @@
 //! What can be asked for on the command line.
 
 use crate::gallery::BuiltIn;
+use clap::builder::PossibleValue;
 use clap::{Parser, ValueEnum};
 use raylet::effect::{Effect, EffectSet};
 use raylet::scene::nff::Scale;
@@ -28,7 +29,7 @@ pub(crate) struct Options {
     pub(crate) file: Option<PathBuf>,
 
     /// Built-in scene
-    #[arg(long, value_enum, value_name = "NAME", default_value_t = BuiltIn::StillLife, conflicts_with = "file")]
+    #[arg(long, value_enum, value_name = "NAME", default_value = "still-life", conflicts_with = "file")]
     pub(crate) scene: BuiltIn,
 
     /// Effects to use, of those that the scene calls for: `auto` for all of them, `none`, or names with commas between: diffuse, specular,
@@ -108,6 +109,22 @@ impl fmt::Display for Number {
             Self::I16f16 => "i16f16",
             Self::I32f32 => "i32f32",
         })
+    }
+}
+
+impl ValueEnum for BuiltIn {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::EVERY
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let help = match self {
+            Self::StillLife => "Every solid once, on a plane: diffuse, specular, shadows",
+            Self::Patterns => "Solids with materials of their own on base and top, and patterns and an image on them",
+            Self::Glass => "Glass and mirrors on a chessboard",
+            Self::Waves => "Waves on water and on solids, before a hazy row of columns",
+        };
+        Some(PossibleValue::new(self.name()).help(help))
     }
 }
 

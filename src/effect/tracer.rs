@@ -147,17 +147,14 @@ impl<'a, S: Scalar, E: Effects> Tracer<'a, S, E> {
 
     /// As [`Tracer::look`], for a display or a sum of samples that distinguishes so many levels.
     pub(crate) fn look_in_levels<O: Observer>(&self, ray: &Ray<S>, levels: u16, work: &mut Work<O>) -> Sight<S> {
-        let follows = E::SET.contains(Effect::Reflection) || E::SET.contains(Effect::Refraction);
         let mut gathered = Gathered::new();
-        if !follows {
-            self.meet(&Segment::from_eye(*ray), &mut gathered, work);
-            return gathered.sight();
-        }
-        if !self.uses(Effect::Refraction) {
+        if self.uses(Effect::Refraction) {
+            self.follow_tree(ray, &mut gathered, levels, work);
+        } else if self.uses(Effect::Reflection) {
             self.follow_chain(ray, &mut gathered, levels, work);
-            return gathered.sight();
+        } else {
+            self.meet(&Segment::from_eye(*ray), &mut gathered, work);
         }
-        self.follow_tree(ray, &mut gathered, levels, work);
         gathered.sight()
     }
 
@@ -167,6 +164,7 @@ impl<'a, S: Scalar, E: Effects> Tracer<'a, S, E> {
     }
 
     /// Follows a ray that is sent on at most once at each surface, until what is left of it cannot matter.
+    #[inline(never)]
     fn follow_chain<O: Observer>(&self, ray: &Ray<S>, gathered: &mut Gathered<S>, levels: u16, work: &mut Work<O>) {
         let mut next = Some(Segment::from_eye(*ray));
         while let Some(segment) = next {
@@ -181,6 +179,7 @@ impl<'a, S: Scalar, E: Effects> Tracer<'a, S, E> {
     /// Follows a ray that may divide at each surface, until what is left of it cannot matter.
     ///
     /// Faint rays are put aside, and cast last, the strongest first.
+    #[inline(never)]
     fn follow_tree<O: Observer>(&self, ray: &Ray<S>, gathered: &mut Gathered<S>, levels: u16, work: &mut Work<O>) {
         let faint = S::unit_round(S::Real::ONE.times_power_of_two(FAINT));
         let mut waiting = heapless::Vec::<Segment<S>, { DEPTH as usize + 1 }>::new();
@@ -232,6 +231,9 @@ impl<'a, S: Scalar, E: Effects> Tracer<'a, S, E> {
             gathered.add(self.scene.background(), weight);
             return [None, None];
         };
+        if !self.shows_surfaces() {
+            return [None, None];
+        }
         let Some(object) = self.scene.object(on.object) else { return [None, None] };
         let Some(material) = self.scene.material_of(object, on.hit.part) else { return [None, None] };
         if !self.is_seen(material) {
@@ -246,6 +248,13 @@ impl<'a, S: Scalar, E: Effects> Tracer<'a, S, E> {
             gathered.lit_by = lit_by;
         }
         self.onward(segment, material, &site, on.hit.crossing, weight)
+    }
+
+    /// True if any effect is in use that lets a surface be anything but black.
+    fn shows_surfaces(&self) -> bool {
+        let light = EffectSet::of(Effect::Diffuse).with(Effect::Specular);
+        let shows = light.with(Effect::Reflection).with(Effect::Refraction);
+        !E::SET.intersection(shows).intersection(self.active).is_empty()
     }
 
     /// True if a material shows anything for which its surface must be known more closely; otherwise it is black.

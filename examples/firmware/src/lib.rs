@@ -4,9 +4,12 @@
 pub mod clock;
 pub mod cost;
 pub mod digest;
+pub mod effects;
 pub mod figures;
 #[cfg(target_os = "none")]
 pub mod footprint;
+#[path = "../../gallery/mod.rs"]
+pub mod gallery;
 pub mod panel;
 pub mod picture;
 #[cfg(target_os = "none")]

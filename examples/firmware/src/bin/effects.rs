@@ -1,0 +1,24 @@
+//! Prints what each set of effects costs a pixel, in instructions and in stack, a line of JSON a set.
+#![no_std]
+#![no_main]
+
+use raylet_firmware::{clock, effects};
+use semihosting::println;
+
+fn run() -> ! {
+    clock::start();
+    effects::all(&mut |row| println!("{row}"));
+    semihosting::process::exit(0)
+}
+
+#[cfg(target_arch = "arm")]
+#[cortex_m_rt::entry]
+fn main() -> ! {
+    run()
+}
+
+#[cfg(target_arch = "riscv32")]
+#[riscv_rt::entry]
+fn main() -> ! {
+    run()
+}
