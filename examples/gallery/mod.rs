@@ -9,9 +9,8 @@ mod waves;
 
 use core::fmt;
 use heapless::Vec;
-use raylet::scene::SceneError;
 use raylet::{
-    Affine, Camera, Color, Fog, Frame, Light, Material, Object, Plane, Primitive, Scalar, Scene, Shape, Texture, Vec3,
+    Affine, Camera, Color, Fog, Frame, Light, Material, Object, Plane, Primitive, Scalar, Shape, Texture, Vec3,
 };
 
 /// The scenes by name.
@@ -88,17 +87,6 @@ impl<S: Scalar> Stage<S> {
             camera: Camera::new(point(0.2, 3.4, 9.0)?, point(0.0, 0.9, 0.0)?, point(0.0, 1.0, 0.0)?, number(34.0)?)
                 .ok()?,
         })
-    }
-
-    /// The scene.
-    ///
-    /// # Errors
-    ///
-    /// [`SceneError`] if the lists do not fit together.
-    pub fn scene(&self) -> Result<Scene<'_, S>, SceneError> {
-        let scene = Scene::new(&self.objects, &self.materials, &self.lights, self.camera)?;
-        let scene = scene.with_background(self.background).with_textures(&self.textures)?;
-        Ok(self.fog.map_or(scene, |fog| scene.with_fog(fog)))
     }
 }
 

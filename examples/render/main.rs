@@ -64,8 +64,8 @@ fn trace(options: &Options, source: &Source, number: Number, effects: EffectSet)
 fn report(traced: &Traced, number: Number) {
     let (counters, seconds) = (traced.counters, traced.seconds);
     println!(
-        "{}x{} pixels in {number}: {seconds:.3} s, {} rays ({} primary, {} shadow, {} reflection, {} refraction), \
-         {} intersection tests, {} box tests, {:.2} million rays/s",
+        "{}x{} pixels in {number}: {} rays ({} primary, {} shadow, {} reflection, {} refraction), \
+         {} intersection tests, {} box tests",
         traced.image.width,
         traced.image.height,
         counters.rays(),
@@ -75,7 +75,6 @@ fn report(traced: &Traced, number: Number) {
         counters.refraction_rays,
         counters.intersection_tests,
         counters.box_tests,
-        counters.rays() as f64 / seconds.max(1e-9) / 1e6,
     );
     println!("called for: {}", traced.called_for);
     let left_off = traced.called_for.difference(traced.used);
@@ -85,6 +84,8 @@ fn report(traced: &Traced, number: Number) {
     if traced.scale != Scale::ONE {
         println!("scale: one unit of the file is {} in the scene", traced.scale);
     }
+    let rate = counters.rays() as f64 / seconds.max(1e-9) / 1e6;
+    println!("time: {seconds:.3} s, {rate:.2} million rays/s");
     if traced.invisible > 0 {
         println!("left out: {} objects too small for the number type, or without area", traced.invisible);
     }

@@ -1,6 +1,6 @@
 //! Normals that lean as if the surface had waves: Blinn, *Simulation of Wrinkled Surfaces* (1978).
 
-use super::texture::field;
+use super::field::field;
 use crate::scalar::{Real, Scalar};
 use crate::scene::Waves;
 use crate::shape::Surface;

@@ -14,6 +14,7 @@
 //! | `set`, `compiled` | the effects by name, and as types |
 //! | `called_for` | which of them a scene calls for, and the refusal if one is missing |
 //! | `tracer`, `cutoff` | from a ray to a colour; which rays cannot matter |
+//! | `field` | the unit interval in equal fields, for patterns and waves |
 //! | `site`, `work` | the point that is shaded; what is counted and remembered |
 //!
 //! There is no ambient light: what no lamp reaches, nothing is mirrored in and nothing is seen through is black.
@@ -49,6 +50,7 @@ mod called_for;
 mod compiled;
 mod cutoff;
 mod diffuse;
+mod field;
 mod fog;
 mod reflection;
 mod refraction;

@@ -12,5 +12,6 @@ pub mod footprint;
 pub mod gallery;
 pub mod panel;
 pub mod picture;
+pub mod shown;
 #[cfg(target_os = "none")]
 pub mod stack;

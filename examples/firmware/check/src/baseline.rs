@@ -21,13 +21,17 @@ const LEAST_SLACK: u64 = 2;
 /// So many changes are shown.
 const SHOWN: usize = 60;
 
-/// The two parts of a baseline.
+/// The parts of a baseline.
 #[derive(Clone, Copy)]
 pub enum Part {
     /// Instructions a query.
     Cost,
-    /// Bytes a primitive.
+    /// Bytes a primitive, and a set of effects.
     Size,
+    /// Instructions and bytes of stack a pixel, for each set of effects.
+    Effects,
+    /// Instructions a pixel, and rays, for each picture of the gallery.
+    Gallery,
 }
 
 /// A baseline: one for each target.
@@ -37,8 +41,14 @@ pub struct Baseline {
     pub compiler: String,
     /// Instructions a query.
     pub cost: Figures,
-    /// Bytes a primitive.
+    /// Bytes a primitive, and a set of effects.
     pub size: Figures,
+    /// Instructions and bytes of stack a pixel, for each set of effects.
+    #[serde(default)]
+    pub effects: Figures,
+    /// Instructions a pixel, and rays, for each picture of the gallery; empty for chips on which it is not drawn.
+    #[serde(default)]
+    pub gallery: Figures,
 }
 
 /// Where the baselines stand.
@@ -59,6 +69,8 @@ impl Baseline {
         match part {
             Part::Cost => &mut self.cost,
             Part::Size => &mut self.size,
+            Part::Effects => &mut self.effects,
+            Part::Gallery => &mut self.gallery,
         }
     }
 
@@ -122,6 +134,8 @@ pub fn check(chip: &Chip, part: Part, figures: &Figures) -> Outcome {
     let what = match part {
         Part::Cost => "instructions",
         Part::Size => "bytes",
+        Part::Effects => "instructions and bytes of stack",
+        Part::Gallery => "instructions and rays",
     };
     if chip.renew {
         // Made anew with another compiler, the other part follows in the same run.

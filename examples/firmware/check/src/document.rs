@@ -2,7 +2,8 @@
 
 use crate::Outcome;
 use crate::baseline::Baseline;
-use crate::{cost, marks, size};
+use crate::table::{grouped, head, row};
+use crate::{cost, effects_table, marks, size};
 use std::error::Error;
 use std::fmt::Write;
 use std::fs;
@@ -11,7 +12,7 @@ use std::path::Path;
 const PATH: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../docs/microcontrollers.md");
 
 /// The chips, by target.
-const CHIPS: [(&str, &str); 4] = [
+pub const CHIPS: [(&str, &str); 4] = [
     ("thumbv6m-none-eabi", "Cortex-M0+"),
     ("thumbv7m-none-eabi", "Cortex-M3"),
     ("thumbv7em-none-eabihf", "Cortex-M4F"),
@@ -52,7 +53,7 @@ const NUMBERS: [(&str, &[&str]); 4] = [
 const INTRODUCTION: &str = "\
 # On microcontrollers
 
-What a query costs on four chips, and how much flash a primitive takes. Written by
+What a query costs on four chips, how much flash a primitive takes, and what an effect costs a pixel. Written by
 `.ci/measure --renew`; do not edit. `.ci/measure`, which CI runs, fails if a figure gets more than 2 % worse.
 
 The figures are **instructions, never cycles**: a chip takes one or more cycles for each, depending on its pipeline and on its
@@ -70,19 +71,6 @@ instructions.
 
 ";
 
-/// Figures with commas between thousands.
-fn grouped(figure: u64) -> String {
-    let digits = figure.to_string();
-    let mut text = String::new();
-    for (place, digit) in digits.chars().enumerate() {
-        if place > 0 && (digits.len() - place).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
-}
-
 /// The figure for rays that hit, or for both kinds.
 fn cell(baseline: &Baseline, subject: &str, query: &str, number: &str, tier: &str) -> String {
     let figure = |rays| baseline.cost.get(&cost::key(subject, query, number, tier, rays)).copied().map(grouped);
@@ -91,17 +79,6 @@ fn cell(baseline: &Baseline, subject: &str, query: &str, number: &str, tier: &st
         (Some(hit), None) => hit,
         _ => "–".into(),
     }
-}
-
-fn row(text: &mut String, cells: impl IntoIterator<Item = String>) {
-    let cells: Vec<_> = cells.into_iter().collect();
-    let _ = writeln!(text, "| {} |", cells.join(" | "));
-}
-
-fn head(text: &mut String, titles: impl IntoIterator<Item = String>) {
-    let titles: Vec<_> = titles.into_iter().collect();
-    row(text, titles.iter().cloned());
-    let _ = writeln!(text, "|---|{}", "---:|".repeat(titles.len() - 1));
 }
 
 /// A few primitives on all chips, beside the textbook.
@@ -185,29 +162,25 @@ fn text() -> Result<String, Box<dyn Error>> {
         one_chip(&mut text, chip, baseline);
     }
     sizes(&mut text, &chips);
+    effects_table::tables(&mut text, &chips);
     Ok(text)
 }
 
 /// Writes the document, or says whether it is as it should be.
 pub fn write(verify: bool) -> Outcome {
-    let (text, path) = (text()?, Path::new(PATH));
-    if !verify {
-        fs::write(path, text)?;
-        println!("docs/microcontrollers.md is written");
-    } else if fs::read_to_string(path)? != text {
-        return Err("docs/microcontrollers.md is not what the baselines say: .ci/measure --document".into());
-    } else {
-        println!("docs/microcontrollers.md is what the baselines say");
-    }
-    Ok(())
+    put(Path::new(PATH), &text()?, verify)
 }
 
-#[cfg(test)]
-mod tests {
-    use super::grouped;
-
-    #[test]
-    fn thousands_are_grouped() {
-        assert_eq!([0, 999, 1000, 1_234_567].map(grouped), ["0", "999", "1,000", "1,234,567"]);
+/// Writes a document, or says whether it is as it should be.
+pub fn put(path: &Path, text: &str, verify: bool) -> Outcome {
+    let name = path.file_name().unwrap_or_default().display();
+    if !verify {
+        fs::write(path, text)?;
+        println!("docs/{name} is written");
+    } else if fs::read_to_string(path)? != text {
+        return Err(format!("docs/{name} is not what the baselines say: .ci/measure --document").into());
+    } else {
+        println!("docs/{name} is what the baselines say");
     }
+    Ok(())
 }

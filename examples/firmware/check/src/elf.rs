@@ -14,6 +14,29 @@ pub struct Symbol {
     pub callers: BTreeSet<String>,
 }
 
+/// The source files that instructions of a linked program come from, inlined functions included, by its line tables.
+///
+/// Only those whose path contains `of`, from there on.
+pub fn sources(path: &Path, of: &str) -> Result<BTreeSet<String>, Box<dyn Error>> {
+    let data = fs::read(path).map_err(|error| format!("{}: {error}; build it first", path.display()))?;
+    let file = object::File::parse(&*data).map_err(|error| format!("{}: {error}", path.display()))?;
+    let lines = addr2line::Loader::new(path).map_err(|error| format!("{}: {error}", path.display()))?;
+    let mut sources = BTreeSet::new();
+    for section in file.sections().filter(|section| section.kind() == SectionKind::Text) {
+        // Arm's Thumb and RISC-V's compressed instructions stand at even addresses.
+        for address in (section.address()..section.address() + section.size()).step_by(2) {
+            let mut frames = lines.find_frames(address)?;
+            while let Some(frame) = frames.next()? {
+                let file = frame.location.and_then(|location| location.file);
+                if let Some(file) = file.and_then(|file| file.find(of).map(|start| &file[start..])) {
+                    sources.insert(file.to_owned());
+                }
+            }
+        }
+    }
+    Ok(sources)
+}
+
 /// A linked program.
 pub struct Program {
     /// Everything with a name.

@@ -4,17 +4,24 @@
 //! check proofs DIRECTORY                           # what must not be linked is not
 //! check cost --target TARGET OUTPUT [--renew]      # instructions a query, against the baseline
 //! check size --target TARGET DIRECTORY [--renew]   # bytes a primitive, against the baseline
-//! check document [--verify]                        # docs/microcontrollers.md from the baselines
+//! check left-out DIRECTORY                         # an effect that is left out leaves no code
+//! check effects --target TARGET OUTPUT [--renew]   # instructions and stack a pixel, against the baseline
+//! check gallery --target TARGET OUTPUT [--renew]   # instructions a pixel of the gallery, against the baseline
+//! check document [--verify]                        # docs/microcontrollers.md and docs/gallery.md from the baselines
 //! ```
 
 mod baseline;
 mod cost;
 mod document;
+mod effects;
+mod effects_table;
 mod elf;
 mod forbidden;
+mod gallery;
 mod marks;
 mod proofs;
 mod size;
+mod table;
 
 use clap::{Args, Parser, Subcommand};
 use std::error::Error;
@@ -52,7 +59,26 @@ enum Command {
         /// Where cargo put the programs: `target/TARGET/release`.
         programs: PathBuf,
     },
-    /// Writes `docs/microcontrollers.md` from the baselines.
+    /// Shows that an effect that is left out leaves no code.
+    LeftOut {
+        /// Where cargo put the programs: `target/TARGET/release`.
+        programs: PathBuf,
+    },
+    /// Compares what sets of effects cost a pixel with the baseline.
+    Effects {
+        #[command(flatten)]
+        chip: Chip,
+        /// What the program `effects` printed.
+        output: PathBuf,
+    },
+    /// Compares what the pictures of the gallery cost with the baseline.
+    Gallery {
+        #[command(flatten)]
+        chip: Chip,
+        /// What the program `gallery` printed.
+        output: PathBuf,
+    },
+    /// Writes `docs/microcontrollers.md` and `docs/gallery.md` from the baselines.
     Document {
         /// Only say whether it is as it should be.
         #[arg(long)]
@@ -79,7 +105,12 @@ fn run(command: &Command) -> Outcome {
         Command::Proofs { programs } => proofs::check(programs),
         Command::Cost { chip, output } => baseline::check(chip, baseline::Part::Cost, &cost::read(output)?),
         Command::Size { chip, programs } => baseline::check(chip, baseline::Part::Size, &size::read(programs)?),
-        Command::Document { verify } => document::write(*verify),
+        Command::LeftOut { programs } => effects::check_left_out(programs),
+        Command::Effects { chip, output } => baseline::check(chip, baseline::Part::Effects, &effects::read(output)?),
+        Command::Gallery { chip, output } => {
+            baseline::check(chip, baseline::Part::Gallery, &effects::read_gallery(output)?)
+        }
+        Command::Document { verify } => document::write(*verify).and_then(|()| gallery::write(*verify)),
     }
 }
 

@@ -1,6 +1,7 @@
-//! What one primitive takes of a chip's flash.
+//! What one primitive, and one set of effects, takes of a chip's flash.
 
 use crate::baseline::Figures;
+use crate::effects;
 use crate::elf::Program;
 use std::error::Error;
 use std::path::Path;
@@ -27,5 +28,6 @@ pub fn read(directory: &Path) -> Result<Figures, Box<dyn Error>> {
             figures.insert(key(primitive, [number, tier]), bytes.saturating_sub(empty));
         }
     }
+    effects::sizes(directory, empty, &mut figures)?;
     Ok(figures)
 }

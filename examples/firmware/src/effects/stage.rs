@@ -29,10 +29,7 @@ impl<S: Scalar> Stage<S> {
         let standing = |shape: Shape<S>, x, z| Some(Object::new(shape.placed(Frame::at(point(x, 0.0, z)?).ok()?), 1));
         let objects = [
             Object::new(Shape::new(Plane::new()), 0),
-            Object::new(
-                Shape::new(Sphere::new(number(0.8)?).ok()?).placed(Frame::at(point(-1.2, 0.8, 0.6)?).ok()?),
-                1,
-            ),
+            Object::new(Shape::new(Sphere::new(number(0.8)?).ok()?).placed(Frame::at(point(-1.2, 0.8, 0.6)?).ok()?), 1),
             standing(Shape::new(Cylinder::capped(number(0.6)?, number(1.4)?).ok()?), 0.6, -0.8)?,
             standing(Shape::new(Cone::capped(number(0.6)?, number(1.2)?).ok()?), 1.5, 0.9)?,
         ];
@@ -89,4 +86,3 @@ impl<S: Scalar> Stage<S> {
         if self.effects.contains(Effect::Antialiasing) { 2 } else { 1 }
     }
 }
-

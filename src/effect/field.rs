@@ -1,0 +1,52 @@
+//! Surface coordinates in equal fields, from which patterns and waves are made.
+
+use crate::scalar::{Real, Scalar};
+
+/// Of `count` equal fields that divide `[0, 1]`, the one that a coordinate falls into, from 0, and how far into it, in
+/// `[0, 1]`. A coordinate of 1 belongs to the last; a count of 0 is a field 0 without extent.
+pub(super) fn field<S: Scalar>(coordinate: S::Unit, count: u16) -> (u16, S::Real) {
+    use crate::scalar::UnitScalar;
+    let place = S::unit_real(coordinate) * S::Real::from_int(i32::from(count));
+    // The nearest field boundary is this one, or the next.
+    let nearest = coordinate.level(count);
+    let beyond = S::Real::from_int(i32::from(nearest)) > place;
+    let field = if beyond { nearest.saturating_sub(1) } else { nearest };
+    let field = field.min(count.saturating_sub(1));
+    (field, place - S::Real::from_int(i32::from(field)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Fields of every width begin where they should, in every number type.
+    #[test]
+    fn fields_divide_the_unit_interval() {
+        fn check<S: Scalar>() {
+            use crate::scalar::UnitScalar;
+            for count in [1_u16, 2, 3, 7, 100, 65535] {
+                for step in 0..=1000_u32 {
+                    let at = f64::from(step) / 1000.0;
+                    let unit = S::Unit::from_f64(at);
+                    let place = unit.to_f64() * f64::from(count);
+                    let (index, rest) = field::<S>(unit, count);
+                    let expected = (place.floor() as u16).min(count - 1);
+                    // The product may round on to a boundary.
+                    let near = (place - place.round()).abs() < 0.01;
+                    assert!(index == expected || near, "{at} of {count}: {index} {expected}");
+                    let rest = S::unit_round(rest.times_power_of_two(-1)).to_f64() * 2.0;
+                    assert!((-1e-6..=1.0 + 1e-6).contains(&rest), "{at} of {count}: {rest}");
+                }
+            }
+            assert_eq!(field::<S>(S::Unit::ONE, 0).0, 0);
+        }
+        check::<f32>();
+        check::<f64>();
+        #[cfg(feature = "fixed")]
+        check::<fixed::types::I16F16>();
+        #[cfg(feature = "fixed")]
+        check::<fixed::types::I8F24>();
+        #[cfg(feature = "fixed")]
+        check::<fixed::types::I32F32>();
+    }
+}
