@@ -68,6 +68,11 @@ pub(crate) struct Options {
     #[arg(long, value_name = "FACTOR", default_value = "auto", value_parser = parse_scale, conflicts_with = "scene")]
     pub(crate) scale: Units,
 
+    /// Cast every reflected and refracted ray, 16 surfaces deep, however little it adds: to see that what is usually not cast
+    /// changes no level
+    #[arg(long)]
+    pub(crate) uncut: bool,
+
     /// Threads to trace with; by default one for each processor. Never changes the picture
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
     pub(crate) threads: Option<u16>,

@@ -76,6 +76,7 @@ pub(crate) fn trace<S: Scalar>(
     let [width, height] = options.size.map_or(loaded.resolution, |(width, height)| [width, height]);
     let called_for = Picture::new(&scene, Size::new(width, height).with_samples(options.samples));
     let picture = called_for.only(effects);
+    let picture = if options.uncut { picture.uncut() } else { picture };
     let listened_to = if options.report { scene.objects().len() } else { 0 };
 
     let bar = ProgressBar::with_draw_target(Some(u64::from(height)), ProgressDrawTarget::hidden())
