@@ -115,8 +115,22 @@ fn scenes_say_what_they_call_for_and_objects_what_is_theirs() {
     assert_eq!(with_scene(black::<f32>(), false, Some(haze()), |scene| scene.effects()), EffectSet::of(Effect::Fog));
     let clear = scene::Fog::new(Color::WHITE, 1.0);
     assert_eq!(with_scene(black::<f32>(), false, Some(clear), |scene| scene.effects()), EffectSet::EMPTY, "clear air");
-    let still = Waves { along_u: 3, along_v: 3, slope: 0.0 };
-    assert_eq!(with_scene(black::<f32>().with_bump(still), false, None, |scene| scene.effects()), EffectSet::EMPTY);
+    for still in [Waves { along_u: 3, along_v: 3, slope: 0.0 }, Waves { along_u: 0, along_v: 0, slope: 0.5 }] {
+        assert_eq!(with_scene(black::<f32>().with_bump(still), false, None, |scene| scene.effects()), EffectSet::EMPTY);
+    }
+    let highlights = EffectSet::of(Effect::Specular).with(Effect::Shadows);
+    let shiny = black::<f32>().with_highlight(0.5, 20.0);
+    assert_eq!(with_scene(shiny, true, None, |scene| scene.effects_of(1)), highlights, "highlights alone");
+    // A lamp of any colour is a lamp.
+    let floor = [Object::new(Shape::new(Plane::new()), 0)];
+    for strength in [[0.5_f32, 0.0, 0.0], [0.0, 0.5, 0.0], [0.0, 0.0, 0.5]] {
+        let (materials, lights) = ([matte()], [Light { position: point(0.0, 5.0, 0.0), strength }]);
+        assert_eq!(
+            Scene::new(&floor, &materials, &lights, camera()).unwrap().effects(),
+            callers()[0].1,
+            "{strength:?}"
+        );
+    }
     // The material of a cap counts too.
     let objects = [Object::new(Shape::new(Cylinder::capped(1.0_f32, 1.0).unwrap()), 0).with_top(1)];
     let scene_materials = [black(), black().with_mirror(0.5)];
@@ -135,6 +149,8 @@ fn a_missing_effect_is_refused_by_name_and_object() {
         let expected = missing.map(|effect| EffectError::Object { effect, object: 1 });
         assert_eq!(refused(material), expected);
     }
+    let several = matte().with_refraction(0.4, 1.5).with_mirror(0.3).with_texture(0);
+    assert_eq!(refused(several), Some(EffectError::Object { effect: Effect::Reflection, object: 1 }), "the first");
     assert_eq!(
         refused(matte().with_refraction(0.4, 1.5)).unwrap().to_string(),
         "object 1 calls for refraction, which is not compiled in: name `Refraction` among the effects"
@@ -237,7 +253,7 @@ fn what_is_left_off_does_no_work() {
             }
         }
         // Left out of the program or at run time, knowingly, is the same.
-        let knowingly = Picture::<f32, (Diffuse, Reflection)>::leaving_out(scene, Size::new(24, 18));
+        let knowingly = Picture::<f32, (Diffuse, Reflection)>::leaving_out(scene, Size::new(24, 18).with_samples(2));
         let set = EffectSet::of(Effect::Diffuse).with(Effect::Reflection);
         assert!(render(&knowingly) == render(&picture.only(set)));
     });
@@ -278,6 +294,20 @@ fn the_memory_of_shadows_saves_tests_and_changes_no_bit() {
             let mut backwards = Work::new(());
             (0..30).rev().for_each(|y| picture.row(y, &mut backwards).for_each(drop));
             assert_eq!(with.counters, backwards.counters);
+            // And after a row that was left in the middle of a shadow.
+            let mut other = Work::new(());
+            picture.row(20, &mut other).for_each(drop);
+            let alone = other.counters;
+            let mut shadowed = 0;
+            for x in 0..40 {
+                let mut left = Work::new(());
+                let last = picture.row(20, &mut left).nth(x).unwrap();
+                shadowed += u32::from(last.seen.is_some() && last.lit_by == 0);
+                left.counters = Counters::default();
+                picture.row(20, &mut left).for_each(drop);
+                assert_eq!(left.counters, alone, "left at {x}");
+            }
+            assert!(shadowed > 0);
         });
     }
     check::<f32>();
@@ -301,7 +331,34 @@ fn an_observer_hears_of_every_test() {
         assert_eq!(work.observer.0.iter().sum::<u64>(), work.counters.intersection_tests);
         assert!(work.observer.0.iter().all(|tests| *tests > 0) && work.observer.1 > 0);
         assert_eq!(work.counters, render(&picture).1);
+        // Whether the first ball stands over the floor, too.
+        let (mut heard, up) = (Heard::default(), Ray::new(point(-1.2, 0.0, 0.0), UnitVec3::Y).unwrap());
+        assert!(scene.stands_on(1, &up, &mut Counters::default(), &mut heard));
+        assert!(!scene.stands_on(2, &up, &mut Counters::default(), &mut heard));
+        assert_eq!((heard.0, heard.1), ([0, 1, 1, 0], 1));
     });
+}
+
+#[test]
+fn counters_add_up_each_by_itself() {
+    // A bit for each, so that no two can be mistaken for each other.
+    let bits = |low: u64| Counters {
+        primary_rays: low,
+        shadow_rays: low << 1,
+        intersection_tests: low << 2,
+        box_tests: low << 3,
+        hits_refined: low << 4,
+        reflection_rays: low << 5,
+        refraction_rays: low << 6,
+        texture_lookups: low << 7,
+        bumps: low << 8,
+        fogged_rays: low << 9,
+        refined_pixels: low << 10,
+    };
+    let mut sum = bits(1);
+    sum.add(&bits(1));
+    assert_eq!(sum, bits(2));
+    assert_eq!(sum.rays(), 2 * (0b11 + 0b110_0000), "from the eye, to lamps, reflected and refracted");
 }
 
 #[test]
@@ -332,6 +389,12 @@ fn textures_that_cannot_be_used_are_refused() {
     let error = |textures: &[scene::Texture<'_, f32>]| scene.with_textures(textures).err().unwrap().to_string();
     assert_eq!(error(&[image(5, 1)]), "material 0 names texture 1, which is not in the list: add it");
     assert_eq!(error(&[image(5, 1), image(2, 3)]), "texture 1 cannot be used: its width and height call for 6 pixels");
+    let colors = [Color::WHITE; 2];
+    let checker = |columns, rows| scene::Texture::Checker { columns, rows, colors };
+    let stripes = |count| scene::Texture::Stripes { along: Coordinate::U, count, colors };
+    for empty in [checker(0, 1), checker(1, 0), stripes(0), image(0, 5), image(5, 0)] {
+        assert!(error(&[empty]).starts_with("texture 0 cannot be used: its counts"), "{empty:?}");
+    }
     assert_eq!(error(&[image(0, 0)]), "texture 0 cannot be used: its counts, width and height must be at least 1");
     assert!(scene.with_textures(&[image(5, 1), image(1, 5)]).is_ok());
 }

@@ -62,8 +62,8 @@ fn generated(seed: u64) -> String {
     text
 }
 
-/// No level changes, and fewer rays are cast.
-fn check<S: Scalar>(name: &str, text: &str, size: Size) {
+/// No level changes, and no more rays are cast; the share that is.
+fn check<S: Scalar>(name: &str, text: &str, size: Size) -> f64 {
     with_scene::<S, _>(text, |scene| {
         let picture = Picture::new(scene, size);
         let ((cut, counters), (uncut, all)) = (levels(&picture), levels(&picture.uncut()));
@@ -71,16 +71,20 @@ fn check<S: Scalar>(name: &str, text: &str, size: Size) {
         println!("{name}: {} of {} rays, {differ} pixels differ", counters.rays(), all.rays());
         assert_eq!(differ, 0, "{name}");
         assert!(counters.rays() <= all.rays(), "{name}");
-    });
+        counters.rays() as f64 / all.rays() as f64
+    })
 }
 
 #[test]
 fn what_is_not_cast_changes_no_level_in_generated_scenes() {
-    for seed in 0..3 {
+    let mut cast = [1.0; 3];
+    for (seed, cast) in (0..).zip(&mut cast) {
         let (text, size) = (generated(seed), Size::new(40, 30));
-        check::<f32>(&format!("f32, scene {seed}"), &text, size);
+        *cast = check::<f32>(&format!("f32, scene {seed}"), &text, size);
         check::<I16F16>(&format!("I16F16, scene {seed}"), &text, size);
     }
+    // Faint rays last and the strongest of them first: else it is 0.85 of them, and 1 if none is put aside.
+    assert!(cast[0] < 0.5, "{cast:?}");
     check::<f64>("f64", &generated(3), Size::new(40, 30));
     check::<I32F32>("I32F32", &generated(4), Size::new(20, 15));
 }
@@ -98,9 +102,35 @@ fn what_is_not_cast_changes_no_level_in_the_examples() {
     }
 }
 
+/// A surface that sends on one part in 1000 of the light must not be taken for one that sends none: a strong lamp may stand behind it.
 #[test]
-fn a_weak_mirror_is_followed_as_far_as_it_can_be_seen() {
-    // Between two facing mirrors of one part in eight every ray could go on for ever.
+fn what_a_faint_ray_shows_of_a_strong_lamp_is_not_left_out() {
+    let (dim, bright) = (Material { diffuse: 0.0_f32, ..Material::default() }, Material::default());
+    let tinted = Material { color: Color::from_f64([0.0, 1.0, 0.0]), ..bright };
+    for (faint, behind) in
+        [(dim.with_mirror(0.001), [0.0, 1.0, 0.0]), (dim.with_refraction(0.001, 1.0), [0.0, -2.0, 0.0])]
+    {
+        for shown in [bright, tinted, dim.with_highlight(1.0, 1.0)] {
+            let mut objects = ball::<f32>();
+            objects[1].shape = Shape::new(Sphere::new(1.0).unwrap()).placed(Frame::at(behind.into()).unwrap());
+            let (materials, lights) = ([faint, shown], [Light::new(Vec3::new(3.0, behind[1], 3.0), 100.0)]);
+            let camera = Camera::new(Vec3::new(0.0, 6.0, 9.0), Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0), 30.0).unwrap();
+            let scene = Scene::new(&objects, &materials, &lights, camera).unwrap();
+            let picture = Picture::new(&scene, Size::new(32, 24));
+            let ((cut, _), (uncut, _)) = (levels(&picture), levels(&picture.uncut()));
+            assert!(cut == uncut, "{shown:?}");
+            let mut on_floor = 0;
+            picture.render(|_, _, pixel| {
+                on_floor +=
+                    u32::from(pixel.seen.is_some_and(|(object, _)| object == 0) && pixel.color.to_rgb888()[1] > 9);
+            });
+            assert!(on_floor > 3, "{on_floor}: something is seen there");
+        }
+    }
+}
+
+/// Between two facing mirrors of one part in eight every ray could go on for ever.
+fn with_facing_mirrors<T>(then: impl FnOnce(&Scene<'_, f64>) -> T) -> T {
     let mirror = Material::matte(Color::<f64>::WHITE).with_mirror(0.125);
     let facing = |y: f64, up: f64| {
         let axis = raylet::UnitVec3::new(Vec3::new(0.0, up, 0.0)).unwrap();
@@ -111,14 +141,43 @@ fn a_weak_mirror_is_followed_as_far_as_it_can_be_seen() {
     let (up, target) = (Vec3::new(0.0, 1.0, 0.0), Vec3::new(0.0, 0.0, 1.0));
     let camera = Camera::new(Vec3::new(0.0, 1.5, 3.0), target, up, 20.0).unwrap();
     let (materials, lights) = ([mirror], [Light::new(Vec3::new(0.0, 1.9, 0.0), 0.5)]);
-    let scene = Scene::new(&objects, &materials, &lights, camera).unwrap();
-    let picture = Picture::new(&scene, Size::new(40, 30));
-    let ((cut, few), (uncut, many)) = (levels(&picture), levels(&picture.uncut()));
-    assert!(cut == uncut);
-    let a_pixel = |counters: &Counters| counters.reflection_rays as f64 / counters.primary_rays as f64;
-    assert_eq!(a_pixel(&many), 16.0);
-    // Half of 1/255 is the weight of the third reflection.
-    assert!((2.0..4.5).contains(&a_pixel(&few)), "{}", a_pixel(&few));
+    then(&Scene::new(&objects, &materials, &lights, camera).unwrap())
+}
+
+#[test]
+fn a_weak_mirror_is_followed_as_far_as_it_can_be_seen() {
+    with_facing_mirrors(|scene| {
+        let picture = Picture::new(scene, Size::new(40, 30));
+        let ((cut, few), (uncut, many)) = (levels(&picture), levels(&picture.uncut()));
+        assert!(cut == uncut);
+        let a_pixel = |counters: &Counters| counters.reflection_rays as f64 / counters.primary_rays as f64;
+        assert_eq!(a_pixel(&many), 16.0);
+        // Half of 1/255 is the weight of the third reflection.
+        assert!((2.0..4.5).contains(&a_pixel(&few)), "{}", a_pixel(&few));
+    });
+}
+
+/// Where several samples make a pixel, each counts in steps of 1/4080: their mean is off by no more.
+#[test]
+fn samples_of_a_pixel_are_cut_in_finer_steps() {
+    with_facing_mirrors(|scene| {
+        let picture = Picture::new(scene, Size::new(40, 30).with_samples(2));
+        let channels = |picture: &Picture<'_, f64>| {
+            let mut channels = Vec::new();
+            picture.render(|_, _, pixel| channels.extend(pixel.color.to_f64s()));
+            channels
+        };
+        let (cut, uncut) = (channels(&picture), channels(&picture.uncut()));
+        let farthest = cut.iter().zip(&uncut).map(|(cut, uncut)| (cut - uncut).abs()).fold(0.0, f64::max);
+        assert!(farthest > 0.0 && farthest < 1.0 / 4080.0, "{farthest}");
+        // A sixteenth of the weight is a reflection and a third later.
+        let a_ray = |picture: &Picture<'_, f64>| {
+            let counters = picture.render(|_, _, _| {});
+            counters.reflection_rays as f64 / counters.primary_rays as f64
+        };
+        let (fine, coarse) = (a_ray(&picture), a_ray(&Picture::new(scene, Size::new(40, 30))));
+        assert!(fine > coarse + 1.0, "{fine} {coarse}");
+    });
 }
 
 fn ball<S: Scalar>() -> [Object<S>; 2] {
@@ -153,6 +212,12 @@ fn samples_are_added_where_corners_differ_and_rows_are_the_same_as_pixels() {
                 let grid: [f64; 3] = mean(&scene, [x, y], 3);
                 let error = pixel.color.to_f64s().into_iter().zip(grid).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
                 far += u32::from(error > 1e-6 && is_refined) + u32::from(error > 1.0 / 32.0);
+                if is_refined {
+                    let raster = scene.camera().raster(picture.size());
+                    let middle =
+                        raylet::Tracer::new(&scene).look(&raster.ray([x, y], [1, 1]).unwrap(), &mut Work::new(()));
+                    assert_eq!((pixel.seen, pixel.lit_by), (middle.seen, middle.lit_by), "{x}, {y}: the middle sample");
+                }
             }
         }
         assert_eq!(by_rows.counters.refined_pixels, refined);

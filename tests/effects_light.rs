@@ -8,8 +8,8 @@ use raylet::effect::DEPTH;
 use raylet::scalar::UnitScalar;
 use raylet::scene::{Coordinate, Fog, Texture, Waves};
 use raylet::{
-    Camera, Color, Counters, Disc, Frame, Light, Material, Object, Picture, Plane, Ray, Scalar, Scene, Shape, Size,
-    Sphere, Tracer, UnitVec3, Vec3, Work,
+    Camera, Color, Counters, Cylinder, Disc, Frame, Light, Material, Object, Picture, Plane, Ray, Scalar, Scene, Shape,
+    Size, Sphere, Tracer, UnitVec3, Vec3, Work,
 };
 
 fn number<S: Scalar>(value: f64) -> S {
@@ -207,6 +207,8 @@ fn fog_follows_beers_law_at_every_distance() {
             }
         }
         assert!(!Fog::<S>::new(Color::WHITE, S::Unit::ONE).is_visible());
+        let clarity = |clarity| Fog::<S>::new(Color::WHITE, S::Unit::from_f64(clarity)).clarity();
+        assert_eq!((clarity(-0.5), clarity(1.5)), (S::Unit::ZERO, S::Unit::ONE), "brought into [0, 1]");
     }
     check::<f32>(1e9);
     check::<f64>(1e9);
@@ -235,6 +237,17 @@ fn fog_hides_what_is_far_and_fills_no_glass() {
         // 7 units of fog, 4 of clear glass, 5 of fog again.
         let through = [ball([0.0; 3], 2.0, 0), ball([0.0, 0.0, -9.0], 2.0, 1)];
         near(look(&through, &[glass(1.0), black()]), 1.0 - 0.9_f64.powi(12));
+        // 7 units of fog, 4 of glass up to its silvered back, these 4 again, and 10 units of fog to the wall behind the eye.
+        let can = Cylinder::capped(number(1.0), number(4.0)).unwrap();
+        let lying = |z, primitive: Shape<S>| {
+            primitive.placed(Frame::from_base_and_axis(point(0.0, 0.0, z), -UnitVec3::Z).unwrap())
+        };
+        let silvered = [
+            Object::new(lying(2.0, Shape::new(can)), 0).with_top(1),
+            Object::new(lying(12.0, Shape::new(Plane::new())), 2),
+        ];
+        let mirror = black().with_mirror(number(1.0));
+        near(look(&silvered, &[glass(1.0), mirror, black()]), 1.0 - 0.9_f64.powi(17));
     }
     check::<f32>();
     check::<f64>();
@@ -274,6 +287,10 @@ fn waves_lean_the_normal_against_their_slope() {
             let [red, ..] = plane_at::<S>(bumpy, &[], [x, 0.3], lamp);
             assert!((red - cosine).abs() < 1e-3, "{x}: {red} {cosine}");
         }
+        // Along v alone, which is z, the same.
+        let along_v = Material { bump: Some(Waves { along_u: 0, along_v: 2, slope: number(0.75) }), ..bumpy };
+        let [red, ..] = plane_at::<S>(along_v, &[], [0.3, 0.0], [0.0, 0.8, -0.6]);
+        assert!((red - 1.0).abs() < 1e-3, "along v: {red}");
         // From below the hill is a valley with the same flanks.
         let [red, ..] = plane_at::<S>(bumpy, &[], [0.0, 0.3], [0.6, -0.8, 0.0]);
         assert!((red - 1.0).abs() < 1e-3, "{red}");
@@ -284,6 +301,12 @@ fn waves_lean_the_normal_against_their_slope() {
         let scene = Scene::new(&objects, &materials, &lights, camera()).unwrap();
         let ray = Ray::towards(point::<S>(0.0, 5.0, 0.0), point(0.0, 0.0, 0.0)).unwrap();
         assert_eq!(Tracer::new(&scene).look(&ray, &mut Work::new(())).color, Color::BLACK);
+        // And the other way round: above the plane, and behind the leaning normal. It takes no light away, nor costs a ray.
+        let lights = [Light::new(point(100.0, 1.0, 0.0), number(1.0))];
+        let scene = Scene::new(&objects, &materials, &lights, camera()).unwrap();
+        let mut work = Work::new(());
+        let sight = Tracer::new(&scene).look(&ray, &mut work);
+        assert_eq!((sight.color, sight.lit_by, work.counters.shadow_rays), (Color::BLACK, 0, 0));
     }
     check::<f32>();
     check::<f64>();
@@ -307,6 +330,8 @@ fn textures_lie_along_the_surface_coordinates() {
         let red = |texture, at| plane_at::<S>(white.with_texture(0), &[texture], at, up)[0];
         let checker = Texture::Checker { columns: 4, rows: 2, colors };
         assert_eq!([[0.1, 0.1], [0.3, 0.1], [0.1, 0.6], [0.3, 0.6]].map(|at| red(checker, at)), [1.0, 0.0, 0.0, 1.0]);
+        let stripes = Texture::Stripes { along: Coordinate::U, count: 2, colors };
+        assert_eq!([[0.1, 0.1], [0.1, 0.9], [0.6, 0.1]].map(|at| red(stripes, at)), [1.0, 1.0, 0.0]);
         let stripes = Texture::Stripes { along: Coordinate::V, count: 2, colors };
         assert_eq!([[0.1, 0.1], [0.9, 0.1], [0.1, 0.6]].map(|at| red(stripes, at)), [1.0, 1.0, 0.0]);
         // A texture multiplies the material's own colour.
@@ -325,5 +350,84 @@ fn a_disc_of_index_one_lets_light_pass_straight() {
     let behind = ball([1.0, -2.0, 0.0], 0.05, 1);
     let look = |index| seen(&[pane, behind], &[glass(index), black::<I16F16>()], [-1.0, 2.0, 0.0], [0.0; 3]).0;
     assert_eq!(look(1.0), 0.0);
+    assert_eq!(look(0.0), 0.0, "as NFF files have it where nothing transmits");
     assert!(look(1.2) > 0.9);
+}
+
+/// No material gives back more than it gets: a weight above 1 would make light out of nothing, mirror by mirror.
+#[test]
+fn a_weight_above_one_counts_as_one() {
+    fn check<S: Scalar>() {
+        let pane = |y, material| {
+            let frame = Frame::at(point(0.0, y, 0.0)).unwrap();
+            Object::new(Shape::new(Disc::new(number(1.0)).unwrap()).placed(frame), material)
+        };
+        let half = black().with_refraction(number(0.5), number(1.0));
+        let look =
+            |farther: Material<S>| seen(&[pane(1.0, 0), pane(0.0, 1)], &[half, farther], [0.0, 3.0, 0.0], [0.0; 3]).0;
+        assert_eq!(look(black().with_refraction(number(2.0), number(1.0))), 0.5);
+        assert_eq!(look(black().with_mirror(number(2.0))), 0.25, "back through the first");
+    }
+    check::<f32>();
+    check::<f64>();
+    check::<I16F16>();
+    check::<I32F32>();
+}
+
+/// A normal that leans as far as the waves of a steep sea may send a grazing ray to the wrong side of the surface.
+#[test]
+fn waves_send_no_ray_to_the_wrong_side() {
+    fn check<S: Scalar>() {
+        let waves = Waves { along_u: 2, along_v: 2, slope: number(4.0) };
+        let black_at = |y, axis| {
+            let frame = Frame::from_base_and_axis(point(0.0, y, 0.0), axis).unwrap();
+            Object::new(Shape::new(Plane::new()).placed(frame), 1)
+        };
+        let water = Object::new(Shape::new(Plane::new()), 0);
+        let (below, above) = (black_at(-5.0, UnitVec3::Y), black_at(5.0, -UnitVec3::Y));
+        let mut passed = 0;
+        for i in 0..40_u8 {
+            let x = f64::from(i) * 0.061;
+            let look = |other, material: Material<S>, height| {
+                let materials = [material.with_bump(waves), black()];
+                seen(&[water, other], &materials, [x - 1.0, height, 0.2], [x, 0.0, 0.1])
+            };
+            assert_eq!(look(below, black().with_mirror(number(1.0)), 0.1).0, 1.0, "mirrored at {x}");
+            // What passes meets the background, what is reflected the lid: if two rays go on, one of them must bring light.
+            for height in [1.0, 0.2] {
+                let (red, counters) = look(above, glass(0.8), height);
+                assert_eq!(red > 0.0, counters.refraction_rays > 1, "refracted at {x}, from {height}");
+                passed += u32::from(red > 0.0);
+            }
+        }
+        assert!((10..80).contains(&passed), "{passed}");
+    }
+    check::<f32>();
+    check::<f64>();
+    check::<I16F16>();
+    check::<I32F32>();
+}
+
+/// A ray that only touches a ball of glass is not in it: no fog is left out, and it goes straight on.
+#[test]
+fn a_ray_that_only_touches_glass_stays_outside() {
+    fn check<S: Scalar>() {
+        let objects = [ball([0.0; 3], 1.0, 0), ball([0.0, 1.0, -9.0], 2.0, 1)];
+        let waves = Waves { along_u: 5, along_v: 3, slope: number(0.5) };
+        let fog = Fog::<S>::new(Color::WHITE, S::Unit::from_f64(0.9));
+        for touched in [glass(1.5), glass(1.0), glass(1.5).with_bump(waves)] {
+            let materials = [touched, black()];
+            let scene = Scene::new(&objects, &materials, &[], camera()).unwrap().with_fog(fog);
+            let ray = Ray::new(point(0.0, 1.0, 9.0), -UnitVec3::Z).unwrap();
+            let mut work = Work::new(());
+            let sight = Tracer::new(&scene).uncut().look(&ray, &mut work);
+            let red = sight.color.red.to_f64();
+            assert_eq!((sight.seen.map(|(object, _)| object), work.counters.refraction_rays), (Some(0), 1));
+            assert!((red - (1.0 - 0.9_f64.powi(16))).abs() < 1e-4, "{red}");
+        }
+    }
+    check::<f32>();
+    check::<f64>();
+    check::<I16F16>();
+    check::<I32F32>();
 }

@@ -148,7 +148,7 @@ fn spheres_and_their_sides() {
 
 #[test]
 fn cones_in_one_line_and_in_many() {
-    let text = "c 0 0 0 2 0 3 0 1\nc\n0 0 0 2\n0 3 0 1\nc 0 0 0 1 0 0 4 1 c 0 0 0 -2 0 3 0 -1 c 0 0 0 0 0 1 0 1";
+    let text = "c 0 0 0 2 0 3 0 1\nc\n0 0 0 2\n0 3 0 1\nc 0 0 0 1 0 0 4 1 c 0 0 0 -2 0 3 0 -1 c 0 0 0 0 0 1 0 1 c 0 0 0 -2 0 3 0 0";
     let objects = scene(text).objects;
     assert_eq!(objects[0], objects[1]);
     let radii = |index: usize| match objects[index].shape.primitive() {
@@ -161,6 +161,7 @@ fn cones_in_one_line_and_in_many() {
     assert!(matches!(objects[2].shape.primitive(), Primitive::Cylinder(_)));
     assert_eq!((radii(3), objects[3].shape.visible()), ((2.0, 1.0, 3.0), Visible::Inside));
     assert_eq!(radii(4), (0.0, 1.0, 1.0));
+    assert_eq!((radii(5), objects[5].shape.visible()), ((2.0, 0.0, 3.0), Visible::Inside));
 }
 
 #[test]

@@ -324,6 +324,11 @@ fn smooth_triangles_interpolate_their_normals() {
     assert!((red(a.x + 1e-5, a.y + 0.6e-5) - 0.2_f64.sqrt()).abs() < 1e-4);
     // Halfway between two corners their lean along the edge cancels: (0, -1, 1).
     assert!((red(0.0, -0.999_99) - 0.5_f64.sqrt()).abs() < 1e-4);
+    // From behind, the normals are turned to the viewer, and a lamp there shines.
+    let lights = [Light::new(Vec3::new(0.0, 0.0, -1e6), 1.0)];
+    let scene = Scene::new(&objects, &materials, &lights, camera()).unwrap().with_normals(&normals).unwrap();
+    let ray = Ray::new(Vec3::new(0.0, 0.0, -5.0), UnitVec3::Z).unwrap();
+    assert!((Tracer::new(&scene).look(&ray, &mut Work::new(())).color.red - 1.0).abs() < 1e-9);
 }
 
 #[test]
@@ -343,6 +348,96 @@ fn highlights_follow_phong() {
     assert!((cast(black.with_highlight(0.5, 10.0), [0.0, 3.0, 0.0]) - expected).abs() < 1e-12);
     assert_eq!(cast(black.with_highlight(0.5, 10.0), [-3.0, 0.1, 0.0]), 0.0, "mirrored away from the eye");
     assert!((cast(Material::matte(Color::WHITE), [0.0, 3.0, 0.0]) - 1.0).abs() < 1e-12);
+}
+
+/// Every number of a material and of a lamp counts, each in its place: two that are 1 could change places unseen.
+#[test]
+fn scattered_light_has_the_colour_of_surface_and_lamp_and_a_highlight_that_of_the_lamp() {
+    fn check<S: Scalar>() {
+        let number = |value| S::from_f64(value).unwrap();
+        let point = |x, y, z| Vec3::from_f64([x, y, z]).unwrap();
+        let objects = [Object::new(Shape::new(Plane::new()), 0)];
+        let material = Material { diffuse: number(0.5), ..Material::matte(Color::from_f64([1.0, 0.5, 0.25])) };
+        let materials = [material.with_highlight(number(0.25), number(2.0))];
+        let strength = [number(1.0), number(0.5), number(2.0)];
+        let lights = [Light { position: point(0.0, 8.0, 0.0), strength }];
+        let scene = Scene::new(&objects, &materials, &lights, camera()).unwrap();
+        let ray = Ray::new(point(0.0, 4.0, 0.0), -UnitVec3::Y).unwrap();
+        let color = Tracer::new(&scene).look(&ray, &mut Work::new(())).color;
+        assert_eq!(color, Color::from_f64([0.5 + 0.25, 0.5 * (0.25 + 0.25), 2.0 * (0.125 + 0.25)]));
+    }
+    check::<f32>();
+    check::<f64>();
+    check::<I16F16>();
+    check::<I32F32>();
+}
+
+/// Two rounded directions may have a cosine a hair above 1, of which a large power would make a glare.
+#[test]
+fn a_highlight_is_never_brighter_than_its_weight() {
+    fn check<S: Scalar>(shine: f64) {
+        let number = |value| S::from_f64(value).unwrap();
+        let objects = [Object::new(Shape::new(Sphere::new(number(1.0)).unwrap()), 0)];
+        let materials =
+            [Material { diffuse: S::ZERO, ..Material::default() }.with_highlight(number(0.5), number(shine))];
+        let mut brightest = Color::<S>::BLACK.red;
+        for i in 0..200 {
+            let (sine, cosine) = (f64::from(i) * 0.37).sin_cos();
+            let eye = Vec3::from_f64([4.0 * cosine, f64::from(i) * 0.01, 4.0 * sine]).unwrap();
+            let lights = [Light::new(eye, number(1.0))];
+            let scene = Scene::new(&objects, &materials, &lights, camera()).unwrap();
+            let ray = Ray::towards(eye, Vec3::ZERO).unwrap();
+            let red = Tracer::new(&scene).look(&ray, &mut Work::new(())).color.red;
+            brightest = if red > brightest { red } else { brightest };
+        }
+        let weight = Color::<S>::from_f64([0.5; 3]).red;
+        assert_eq!(brightest, weight, "the lamp stands at the eye");
+    }
+    check::<f32>(1e6);
+    check::<f64>(1e9);
+    check::<I16F16>(30000.0);
+    check::<I32F32>(1e9);
+}
+
+/// The lights that reach what is seen, a bit for each of the first 32, whatever is mirrored in it.
+#[test]
+fn a_pixel_tells_its_own_object_and_lights() {
+    let above = Object::new(Shape::new(Sphere::new(1.0_f32).unwrap()).placed(lifted(4.0)), 1);
+    let objects = [Object::new(Shape::new(Plane::new()), 0), above];
+    let materials = [Material::matte(Color::WHITE).with_mirror(0.5), Material::matte(Color::WHITE)];
+    // Even lamps shine on the floor, odd ones on the ball from above; none on the ball from below, where it is mirrored.
+    let light = |i| Light::new(if i % 2 == 0 { Vec3::new(5.0, 9.0, 0.0) } else { Vec3::new(0.0, 9.0, 0.0) }, 0.01);
+    let look = |lights: &[Light<f32>]| {
+        let scene = Scene::new(&objects, &materials, lights, camera()).unwrap();
+        let ray = Ray::towards(Vec3::new(-0.2, 1.0, 0.0), Vec3::ZERO).unwrap();
+        let sight = Tracer::new(&scene).look(&ray, &mut Work::new(()));
+        (sight.seen, sight.lit_by)
+    };
+    let floor = Some((0, Part::Side));
+    let lights: Vec<_> = (0..34).map(light).collect();
+    assert_eq!(look(&lights), (floor, 0x5555_5555));
+    assert_eq!(look(&lights[1..]), (floor, 0xAAAA_AAAA));
+    let last: Vec<_> = (0..33).map(|i| light(i32::from(i < 32))).collect();
+    assert_eq!(look(&last), (floor, 0), "the 33rd has no bit");
+}
+
+fn lifted(height: f32) -> raylet::Frame<f32> {
+    raylet::Frame::at(Vec3::new(0.0, height, 0.0)).unwrap()
+}
+
+/// What is brighter than white counts as white before samples are averaged, and an edge stays as soft as it is.
+#[test]
+fn an_edge_of_glaring_light_is_a_share_of_white() {
+    let objects = [Object::new(Shape::new(Sphere::new(2.0_f32).unwrap()), 0)];
+    let materials = [Material { diffuse: 0.0, ..Material::default() }];
+    let scene = Scene::new(&objects, &materials, &[], camera()).unwrap().with_background(Color::from_f64([30.0; 3]));
+    let mut soft = 0;
+    Picture::new(&scene, Size::new(24, 18).with_samples(2)).render(|x, y, pixel| {
+        let quarters = pixel.color.red * 4.0;
+        assert!(quarters <= 4.0 && quarters == quarters.round(), "{x} {y}: {quarters}");
+        soft += u32::from(quarters > 0.0 && quarters < 4.0);
+    });
+    assert!(soft > 10, "{soft}");
 }
 
 #[test]

@@ -30,3 +30,46 @@ pub(crate) fn differ<S: Scalar>(corners: &[Sight<S>; 4]) -> bool {
     }
     low.into_iter().zip(high).any(|(low, high)| high.minus(low) > threshold)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::part::Part;
+    use crate::scene::Color;
+
+    /// Each reason to look closer, alone and at each corner: in a picture they mostly come together.
+    #[test]
+    fn corners_differ_by_object_part_lights_or_a_channel() {
+        fn check<S: Scalar>() {
+            let sight = |color, seen, lit_by| Sight::<S> { color: Color::from_f64(color), seen, lit_by };
+            let (gray, ball) = ([0.5; 3], Some((1, Part::Side)));
+            let same = sight(gray, ball, 1);
+            for place in 0..4 {
+                let with = |other| {
+                    let mut corners = [same; 4];
+                    corners[place] = other;
+                    differ(&corners)
+                };
+                assert!(!with(same));
+                assert!(with(sight(gray, Some((2, Part::Side)), 1)) && with(sight(gray, Some((1, Part::Top)), 1)));
+                assert!(with(sight(gray, None, 1)) && with(sight(gray, ball, 3)));
+                for channel in 0..3 {
+                    for (by, expected) in [(0.03, false), (0.033, true), (-0.03, false), (-0.033, true)] {
+                        let mut color = gray;
+                        color[channel] += by;
+                        assert_eq!(with(sight(color, ball, 1)), expected, "{channel} by {by}");
+                    }
+                }
+            }
+            // Both are white on a display.
+            let glaring = |red| sight([red, 0.5, 0.5], ball, 1);
+            assert!(!differ(&[glaring(1.1), glaring(1.5), glaring(1.0), glaring(1.2)]));
+        }
+        check::<f32>();
+        check::<f64>();
+        #[cfg(feature = "fixed")]
+        check::<fixed::types::I16F16>();
+        #[cfg(feature = "fixed")]
+        check::<fixed::types::I32F32>();
+    }
+}

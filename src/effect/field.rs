@@ -38,6 +38,9 @@ mod tests {
                     assert!((-1e-6..=1.0 + 1e-6).contains(&rest), "{at} of {count}: {rest}");
                 }
             }
+            for count in [1, 2, 3, 65535] {
+                assert_eq!(field::<S>(S::Unit::ONE, count).0, count - 1, "the far edge belongs to the last");
+            }
             assert_eq!(field::<S>(S::Unit::ONE, 0).0, 0);
         }
         check::<f32>();

@@ -50,3 +50,20 @@ impl<O: Observer + Default> Default for Work<O> {
         Self::new(O::default())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// One memory for all lights would be right as well, and cost a test more at most points.
+    #[test]
+    fn each_light_has_a_memory_of_its_own() {
+        let mut work = Work::new(());
+        (0..10).for_each(|light| work.remember_occluder(light, Some(light + 100)));
+        (0..10).for_each(|light| assert_eq!(work.last_occluder(light), (light < 8).then_some(light + 100)));
+        work.remember_occluder(3, None);
+        assert_eq!([2, 3].map(|light| work.last_occluder(light)), [Some(102), None]);
+        work.forget();
+        assert_eq!(work.last_occluder(2), None);
+    }
+}
