@@ -3,11 +3,20 @@
 use super::subject::eighths;
 use super::{Case, KINDS, Name, QUESTIONS};
 use crate::digest::Random;
+use raylet::scene::{Hierarchy, Node};
 use raylet::{Camera, Counters, Frame, Material, Object, Ray, Scalar, Scene, Shape, Sphere, Vec3};
 use std::hint::black_box;
 
 /// How many spheres.
 pub const OBJECTS: [usize; 5] = [1, 4, 16, 64, 256];
+
+/// How a scene goes through its objects.
+pub const WALKS: [&str; 2] = ["one after the other", "in boxes"];
+
+/// What a scene is called in a table.
+pub fn subject(objects: usize, walk: &str) -> String {
+    format!("scene of {objects}, {walk}")
+}
 
 /// Small spheres, none further than two from the origin along an axis; the first of a large scene are those of a small one.
 ///
@@ -22,6 +31,13 @@ fn scene<S: Scalar>(objects: usize) -> Option<Scene<'static, S>> {
     let (eye, up) = (Vec3::new(S::ZERO, S::ZERO, eighths(64)), Vec3::new(S::ZERO, eighths(8), S::ZERO));
     let camera = Camera::new(eye, Vec3::ZERO, up, eighths(360)).ok()?;
     Scene::new(objects?.leak(), materials.leak(), &[], camera).ok()
+}
+
+/// The same scene with a hierarchy of boxes.
+fn in_boxes<S: Scalar>(scene: Scene<'static, S>) -> Option<Scene<'static, S>> {
+    let nodes = vec![Node::EMPTY; Hierarchy::<S>::nodes_for(scene.objects().len())].leak();
+    let hierarchy = Hierarchy::build(scene.objects(), nodes).ok()?;
+    scene.with_hierarchy(Box::leak(Box::new(hierarchy))).ok()
 }
 
 /// From 2 to 6 away towards a point among the spheres; all hit one, or none does.
@@ -57,9 +73,10 @@ pub fn cases<S: Scalar>(number: &'static str) -> Vec<Case> {
             let rays = rays(&scene, hitting);
             let questions: [(_, Question<S>); 2] = [("nearest", nearest::<S>), ("occlusion", occlusion::<S>)];
             for (query, question) in questions {
-                let subject = format!("scene of {objects}");
-                let name = Name { subject, query, number, tier: "Stable", rays: kind };
-                cases.push(Case::new(name, scene, rays.clone(), question));
+                for (walk, scene) in WALKS.into_iter().zip([Some(scene), in_boxes(scene)]) {
+                    let name = Name { subject: subject(objects, walk), query, number, tier: "Stable", rays: kind };
+                    cases.extend(scene.map(|scene| Case::new(name, scene, rays.clone(), question)));
+                }
             }
         }
     }

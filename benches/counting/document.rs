@@ -1,7 +1,7 @@
 //! `docs/benches.md`: the baseline as tables.
 
 use super::baseline::{Baseline, Figures};
-use crate::cost::scenes::OBJECTS;
+use crate::cost::scenes::{OBJECTS, WALKS, subject};
 use std::error::Error;
 use std::fmt::Write;
 use std::fs;
@@ -125,14 +125,22 @@ fn surface(text: &mut String, figures: &Figures) {
 /// Scenes of ever more spheres.
 fn scenes(text: &mut String, figures: &Figures) {
     text.push_str(
-        "## Cost against work\n\nInstructions a ray in a scene of small framed spheres, `Stable`: hit / miss. A scene asks one object \
-         after the other, so the nearest hit costs as much again with each; occlusion stops at the first object found. The last \
-         row is what each sphere adds, from the fewest to the most.\n\n",
+        "## Cost against work\n\nInstructions a ray in a scene of small framed spheres, `Stable`: hit / miss. Without a hierarchy a scene \
+         asks one object after the other, so the nearest hit costs as much again with each; occlusion stops at the first object found. \
+         With one (`Scene::with_hierarchy`) it asks boxes, and the objects in those that the ray does not miss. The last row of \
+         each table is what a sphere adds, from the fewest to the most.\n",
     );
+    for walk in WALKS {
+        let _ = write!(text, "\nObjects {walk}:\n\n");
+        scenes_by(text, figures, walk);
+    }
+}
+
+fn scenes_by(text: &mut String, figures: &Figures, walk: &str) {
     let columns: Vec<_> = FEWER_NUMBERS.iter().flat_map(|number| SCENE_QUERIES.map(|query| (*number, query))).collect();
     let titles: Vec<_> = columns.iter().map(|(number, query)| format!("{query}, `{number}`")).collect();
     head(text, "spheres", &titles);
-    let scene = |objects: usize| format!("scene of {objects}");
+    let scene = |objects: usize| subject(objects, walk);
     for objects in OBJECTS {
         let cells = columns.iter().map(|(number, query)| cell(figures, [&scene(objects), query, number, "Stable"]));
         row(text, &objects.to_string(), cells);
