@@ -93,11 +93,11 @@ impl<S: Scalar, E: Effects> Picture<'_, S, E> {
         display: &mut D,
         work: &mut Work<O>,
     ) -> Result<(), D::Error> {
-        let size = self.size();
+        let (size, finely) = (self.size(), self.finely());
         for y in rows.start..rows.end.min(size.height) {
             let below = Point::new(corner.x, corner.y.saturating_add(i32::from(y)));
             let area = Rectangle::new(below, Size::new(u32::from(size.width), 1));
-            let colors = (0..).zip(self.row(y, work)).map(|(x, pixel)| D::Color::shown(pixel.color, x, y));
+            let colors = (0..=u16::MAX).zip(finely.row(y, work)).map(|(x, pixel)| D::Color::shown(pixel.color, x, y));
             display.fill_contiguous(&area, colors)?;
         }
         Ok(())
@@ -126,8 +126,8 @@ impl<S: Scalar, E: Effects> Picture<'_, S, E> {
         if y >= self.size().height {
             return 0;
         }
-        let mut pixels = 0;
-        for (x, (own, pixel)) in (0..).zip(buffer.iter_mut().zip(self.row(y, work))) {
+        let (mut pixels, finely) = (0, self.finely());
+        for (x, (own, pixel)) in (0..=u16::MAX).zip(buffer.iter_mut().zip(finely.row(y, work))) {
             *own = C::shown(pixel.color, x, y);
             pixels += 1;
         }

@@ -14,6 +14,8 @@ use crate::scene::{Color, Counters, Observer, Raster, Scene, Size};
 pub struct Picture<'a, S: Scalar, E = All> {
     tracer: Tracer<'a, S, E>,
     raster: Raster<S>,
+    /// How many levels of a channel the picture is right to, where it is not antialiased.
+    levels: u16,
 }
 
 /// One pixel.
@@ -25,7 +27,7 @@ pub struct Pixel<S: Scalar> {
     /// What its middle sample (or all of its corners) saw: the object and the part of its surface; `None` for the
     /// background.
     pub seen: Option<(u32, Part)>,
-    /// Which of the first 32 lights reach the point that was seen, a bit for each.
+    /// Which of the first 32 lights add something to the colour of the point that was seen, a bit for each.
     pub lit_by: u32,
 }
 
@@ -64,13 +66,14 @@ impl<'a, S: Scalar, E: Effects> Picture<'a, S, E> {
             return Err(EffectError::Antialiasing { samples: size.samples });
         }
         let tracer = Tracer::try_new(scene)?;
-        Ok(Self { tracer, raster: scene.camera().raster(size) })
+        Ok(Self { tracer, raster: scene.camera().raster(size), levels: EIGHT_BITS })
     }
 
     /// The picture of a scene at this size, with the effects `E` compiled in, that knowingly leaves out whatever else is called
     /// for; without antialiasing each pixel has one sample.
     pub fn leaving_out(scene: &'a Scene<'a, S>, size: Size) -> Self {
-        let picture = Self { tracer: Tracer::leaving_out(scene), raster: scene.camera().raster(size) };
+        let (tracer, raster) = (Tracer::leaving_out(scene), scene.camera().raster(size));
+        let picture = Self { tracer, raster, levels: EIGHT_BITS };
         if E::SET.contains(Effect::Antialiasing) { picture } else { picture.with_one_sample() }
     }
 
@@ -104,6 +107,12 @@ impl<'a, S: Scalar, E: Effects> Picture<'a, S, E> {
         Self { tracer: self.tracer.uncut(), ..self }
     }
 
+    /// The same picture, right to a sixteenth of a level: for displays, whose levels are others.
+    #[cfg(feature = "embedded-graphics")]
+    pub(crate) fn finely(self) -> Self {
+        Self { levels: FINE, ..self }
+    }
+
     fn with_one_sample(self) -> Self {
         let raster = self.tracer.scene().camera().raster(self.size().with_samples(1));
         Self { raster, ..self }
@@ -132,7 +141,7 @@ impl<'a, S: Scalar, E: Effects> Picture<'a, S, E> {
         if self.is_antialiased() {
             return self.pixel_of_many(x, y, work);
         }
-        let Sight { color, seen, lit_by } = self.sample(self.raster.ray([x, y], [0, 0]), 255, work);
+        let Sight { color, seen, lit_by } = self.sample(self.raster.ray([x, y], [0, 0]), self.levels, work);
         Pixel { color, seen, lit_by }
     }
 
@@ -159,7 +168,7 @@ impl<'a, S: Scalar, E: Effects> Picture<'a, S, E> {
     pub fn render(&self, mut each: impl FnMut(u16, u16, Pixel<S>)) -> Counters {
         let mut work = Work::new(());
         for y in 0..self.size().height {
-            for (x, pixel) in (0..).zip(self.row(y, &mut work)) {
+            for (x, pixel) in (0..=u16::MAX).zip(self.row(y, &mut work)) {
                 each(x, y, pixel);
             }
         }
@@ -214,7 +223,10 @@ impl<'a, S: Scalar, E: Effects> Picture<'a, S, E> {
     }
 }
 
-/// The levels in which a sample counts that is one of several.
+/// The levels of a pixel.
+const EIGHT_BITS: u16 = 255;
+
+/// The levels in which a sample counts that is one of several, or that is dithered.
 const FINE: u16 = 16 * 255;
 
 /// A mean of colours.

@@ -234,9 +234,15 @@ fn fog_hides_what_is_far_and_fills_no_glass() {
         };
         near(look(&[], &[]), 1.0);
         near(look(&[ball([0.0; 3], 2.0, 0)], &[black()]), 1.0 - 0.9_f64.powi(7));
-        // 7 units of fog, 4 of clear glass, 5 of fog again.
+        // 7 units of fog, 4 of clear glass, 5 of fog again. (So little denser than air that almost nothing is reflected.)
         let through = [ball([0.0; 3], 2.0, 0), ball([0.0, 0.0, -9.0], 2.0, 1)];
-        near(look(&through, &[glass(1.0), black()]), 1.0 - 0.9_f64.powi(12));
+        near(look(&through, &[glass(THIN), black()]), 1.0 - 0.9_f64.powi(12));
+        // What has the index of air is full of air: behind a pane, from either side, the fog goes on.
+        near(look(&through, &[glass(1.0), black()]), 1.0 - 0.9_f64.powi(16));
+        let pane = Object::new(lying_disc(UnitVec3::Z), 0);
+        near(look(&[pane, ball([0.0, 0.0, -9.0], 2.0, 1)], &[glass(1.0), black()]), 1.0 - 0.9_f64.powi(16));
+        let turned = Object::new(lying_disc(-UnitVec3::Z), 0);
+        near(look(&[turned, ball([0.0, 0.0, -9.0], 2.0, 1)], &[glass(1.0), black()]), 1.0 - 0.9_f64.powi(16));
         // 7 units of fog, 4 of glass up to its silvered back, these 4 again, and 10 units of fog to the wall behind the eye.
         let can = Cylinder::capped(number(1.0), number(4.0)).unwrap();
         let lying = |z, primitive: Shape<S>| {
@@ -247,12 +253,20 @@ fn fog_hides_what_is_far_and_fills_no_glass() {
             Object::new(lying(12.0, Shape::new(Plane::new())), 2),
         ];
         let mirror = black().with_mirror(number(1.0));
-        near(look(&silvered, &[glass(1.0), mirror, black()]), 1.0 - 0.9_f64.powi(17));
+        near(look(&silvered, &[glass(THIN), mirror, black()]), 1.0 - 0.9_f64.powi(17));
     }
     check::<f32>();
     check::<f64>();
     check::<I16F16>();
     check::<I32F32>();
+}
+
+/// An index so near to 1 that Fresnel's equations leave almost nothing to reflect.
+const THIN: f64 = 1.001;
+
+/// A disc of radius 1 about the origin.
+fn lying_disc<S: Scalar>(axis: UnitVec3<S>) -> Shape<S> {
+    Shape::new(Disc::new(number(1.0)).unwrap()).placed(Frame::from_base_and_axis(Vec3::ZERO, axis).unwrap())
 }
 
 /// A plane seen from above at (x, z), lit by a lamp in a direction, far away.
@@ -367,6 +381,8 @@ fn a_weight_above_one_counts_as_one() {
             |farther: Material<S>| seen(&[pane(1.0, 0), pane(0.0, 1)], &[half, farther], [0.0, 3.0, 0.0], [0.0; 3]).0;
         assert_eq!(look(black().with_refraction(number(2.0), number(1.0))), 0.5);
         assert_eq!(look(black().with_mirror(number(2.0))), 0.25, "back through the first");
+        let both = black().with_mirror(number(0.75)).with_refraction(number(2.0), number(1.0));
+        assert_eq!(look(both), 0.5 * (0.25 + 0.75 * 0.5), "what the mirror leaves passes");
     }
     check::<f32>();
     check::<f64>();

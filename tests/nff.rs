@@ -257,7 +257,7 @@ fn the_fitting_scale_is_the_largest_with_half_the_budget_free() {
     // Whatever the entity; colours, normals, angles and counts are no lengths.
     assert_eq!(
         ["from 1 2 3", "at 9 1 1", "s 0 0 0 30", "c 0 0 0 0 0 0 0 99", "p 3 0 0 0 0 0 0 0 0 17"].map(power),
-        [11, 9, 8, 6, 8]
+        [11, 9, 8, 5, 8]
     );
     assert_eq!(power("pp 3 1 0 0 900 0 0  0 1 0 900 0 0  0 0 1 900 0 0  b 77 77 77 angle 9000 l 0 0 0 70 70 70"), 13);
     assert_eq!(power("pp 3 1 0 0 900 0 0  0 1 0 900 0 0  0 0 3 900 0 0"), 11);
@@ -269,7 +269,10 @@ fn the_fitting_scale_is_the_largest_with_half_the_budget_free() {
     assert_eq!(Scale::fitting::<I32F32>("l 3 0 0").power(), 27);
     assert_eq!(Scale::fitting::<f64>("l 3e9 0 0"), Scale::ONE);
     // A count that the text cannot hold costs no more than the text.
-    assert_eq!(power("pp 4000000000 1 1 1"), 13);
+    assert_eq!(["pp 4000000000 1 1 1", "p 4294967295", "p 4294967295 1 1"].map(power), [13, 0, 13]);
+    // The height of a tube from corner to corner is larger than any coordinate.
+    let long = format!("{VIEW}c -5 -5 -5 0.1 5 5 5 0.1");
+    assert_eq!(read_scaled::<I16F16>(&long, Scale::fitting::<I16F16>(&long)).unwrap().objects.len(), 1);
 }
 
 #[test]

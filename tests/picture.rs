@@ -324,6 +324,9 @@ fn smooth_triangles_interpolate_their_normals() {
     assert!((red(a.x + 1e-5, a.y + 0.6e-5) - 0.2_f64.sqrt()).abs() < 1e-4);
     // Halfway between two corners their lean along the edge cancels: (0, -1, 1).
     assert!((red(0.0, -0.999_99) - 0.5_f64.sqrt()).abs() < 1e-4);
+    // Near a silhouette a normal that leans away from the viewer still faces the lamp: no black rim.
+    let ray = Ray::towards(Vec3::new(0.0, -5.0, 0.5), Vec3::new(0.0, 1.9, 0.0)).unwrap();
+    assert!((Tracer::new(&scene).look(&ray, &mut Work::new(())).color.red - 0.2_f64.sqrt()).abs() < 0.05);
     // From behind, the normals are turned to the viewer, and a lamp there shines.
     let lights = [Light::new(Vec3::new(0.0, 0.0, -1e6), 1.0)];
     let scene = Scene::new(&objects, &materials, &lights, camera()).unwrap().with_normals(&normals).unwrap();
@@ -438,6 +441,18 @@ fn an_edge_of_glaring_light_is_a_share_of_white() {
         soft += u32::from(quarters > 0.0 && quarters < 4.0);
     });
     assert!(soft > 10, "{soft}");
+}
+
+/// A column's number may be the largest that its type holds.
+#[test]
+fn a_picture_may_be_as_wide_as_can_be_said() {
+    with_scaled::<f32, _>("v from 0 0 5 at 0 0 0 up 0 1 0 angle 40 resolution 8 6", Scale::ONE, |scene| {
+        let mut last = (0, 0);
+        Picture::new(scene, Size::new(65535, 1)).render(|x, y, _| last = (x, y));
+        assert_eq!(last, (65534, 0));
+        Picture::new(scene, Size::new(1, 65535)).render(|x, y, _| last = (x, y));
+        assert_eq!(last, (0, 65534));
+    });
 }
 
 #[test]

@@ -35,6 +35,9 @@ impl Source {
     pub(crate) fn load<S: Scalar>(&self, units: Units) -> Result<Loaded<S>, Box<dyn Error>> {
         let text = match &self.text {
             Ok(text) => text,
+            Err(_) if units != Units::Fitting => {
+                return Err("only a file is read to scale: name one, or drop --scale".into());
+            }
             Err(built_in) => {
                 let stage = built_in.build().ok_or("the number type cannot hold the built-in scene")?;
                 return Ok(stage.into());

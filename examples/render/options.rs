@@ -65,7 +65,7 @@ pub(crate) struct Options {
 
     /// Scene units to one unit of the file: `auto` (in fixed point the largest power of two that leaves room, otherwise 1), or
     /// a power of two from 1/65536 to 4294967296. In exact arithmetic it would not change the picture
-    #[arg(long, value_name = "FACTOR", default_value = "auto", value_parser = parse_scale, conflicts_with = "scene")]
+    #[arg(long, value_name = "FACTOR", default_value = "auto", value_parser = parse_scale)]
     pub(crate) scale: Units,
 
     /// Cast every reflected and refracted ray, 16 surfaces deep, however little it adds: to see that what is usually not cast

@@ -1,6 +1,7 @@
 //! Which rays may be left out because they cannot change a level of the picture.
 
 use super::reflection::part;
+use super::refraction::transmittance;
 use super::tracer::DEPTH;
 use crate::scalar::{Real, Scalar, UnitScalar};
 use crate::scene::{Color, Fog, Scene};
@@ -29,7 +30,7 @@ pub(super) fn brightest<S: Scalar>(scene: &Scene<'_, S>) -> [S::Real; 3] {
     let air = pairs(sky, fog).map(|(sky, fog)| S::unit_real(if sky > fog { sky } else { fog }));
     (0..=DEPTH).fold(air, |seen, _| {
         scene.materials().iter().fold(seen, |brightest, material| {
-            let sent_on = part(material.mirror) + part(material.transmittance);
+            let sent_on = part(material.mirror) + transmittance(material);
             let [diffuse, specular] = [material.diffuse, material.specular].map(S::real);
             // Textures only darken.
             let shaded = pairs(lamps, material.color.to_array());

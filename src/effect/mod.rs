@@ -33,10 +33,12 @@
 //!
 //! # The cut-off
 //!
-//! A ray sent on by a mirror or by glass carries a weight: the product of all weights on its way. Where paths divide, rays of
-//! a weight below 2^-7 are put aside and cast last, the strongest first. A path ends as soon as all rays that would go on,
-//! were they as bright as the scene can be anywhere, could not change an eight-bit level of any channel. So what is left out
-//! changes no level, whatever the scene. In a pixel of several samples that holds for each sample in steps of 1/4080.
+//! A ray sent on by a mirror or by glass carries a weight: the product of all weights on its way. In a chain of mirrors the path ends
+//! as soon as the ray that would go on, were it as bright as the scene can be anywhere, could not change an eight-bit level of any
+//! channel. Where paths divide, rays of a weight below 2^-7 are put aside; once all others are cast, these are, the strongest
+//! first, until the same holds for all that are left. So what is left out changes no level, whatever the scene, as long as its
+//! numbers are in their documented ranges (colours up to 1, strengths of at least 0). On a display, and in a pixel of several samples
+//! for each sample, that holds in steps of 1/4080; such a step may still decide whether a pixel's corners differ.
 //!
 //! # Glass
 //!
@@ -82,6 +84,7 @@ pub struct Sight<S: Scalar> {
     pub color: Color<S>,
     /// The object that the ray met first and the part of its surface; `None` for the background.
     pub seen: Option<(u32, Part)>,
-    /// Which of the first 32 lights reach that point, a bit for each, the first light in the lowest.
+    /// Which of the first 32 lights add something to the colour of that point, a bit for each, the first light in the lowest; 0 where
+    /// nothing is shaded, as on a perfect mirror.
     pub lit_by: u32,
 }

@@ -17,17 +17,26 @@ use crate::vector::{UnitVec3, pairs};
 pub(super) struct Split<S: Scalar> {
     /// Where the light goes that passes; `None` if all of it is reflected.
     pub(super) through: Option<UnitVec3<S>>,
+    /// True if what is behind the surface is another medium than what is before it.
+    pub(super) changes_medium: bool,
     /// The part of the ray's light that passes, in `[0, 1]`.
     pub(super) passing: S::Real,
     /// The part that is reflected instead of passing; both together are the material's transmittance.
     pub(super) reflected: S::Real,
 }
 
+/// The part of the light that passes or is reflected by Fresnel's equations: what the mirror leaves, at most.
+pub(super) fn transmittance<S: Scalar>(material: &Material<S>) -> S::Real {
+    let (rest, transmittance) = (S::Real::ONE - part(material.mirror), part(material.transmittance));
+    if transmittance < rest { transmittance } else { rest }
+}
+
 /// How the light of a ray divides here.
 pub(super) fn split<S: Scalar>(material: &Material<S>, site: &Site<S>, crossing: Crossing) -> Split<S> {
     let (zero, one) = (S::Real::ZERO, S::Real::ONE);
-    let transmittance = part(material.transmittance);
-    let straight = Split { through: Some(-site.to_viewer), passing: transmittance, reflected: zero };
+    let transmittance = transmittance(material);
+    let straight =
+        Split { through: Some(-site.to_viewer), changes_medium: false, passing: transmittance, reflected: zero };
     let index = material.refraction.real();
     // A ray that only touches neither enters nor leaves.
     if transmittance.is_zero() || index == one || index <= zero || crossing == Crossing::Touch {
@@ -46,9 +55,9 @@ pub(super) fn split<S: Scalar>(material: &Material<S>, site: &Site<S>, crossing:
     match bent {
         Some((through, reflectance)) => {
             let reflected = transmittance * reflectance;
-            Split { through: Some(through), passing: transmittance - reflected, reflected }
+            Split { through: Some(through), changes_medium: true, passing: transmittance - reflected, reflected }
         }
-        None => Split { through: None, passing: zero, reflected: transmittance },
+        None => Split { through: None, changes_medium: false, passing: zero, reflected: transmittance },
     }
 }
 

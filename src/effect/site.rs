@@ -59,7 +59,8 @@ impl<S: Scalar> Site<S> {
             let mix = |a, b, c| S::Real::sum_of_products([[a, rest], [b, u], [c, v]]);
             UnitVec3::from_real([mix(ax, bx, cx), mix(ay, by, cy), mix(az, bz, cz)])
         });
-        let normal = smooth.map_or(facing, |smooth| if smooth.dot(to_viewer).is_negative() { -smooth } else { smooth });
+        // By the true normal, not by the viewer: near a silhouette the smooth one leans away from whoever looks.
+        let normal = smooth.map_or(facing, |smooth| if smooth.dot(facing).is_negative() { -smooth } else { smooth });
         let (object, part) = (on.object, on.hit.part);
         Self { object, part, point: surface.point(), facing, normal, from_outside, to_viewer }
     }

@@ -378,7 +378,7 @@ impl<'a, S: Scalar, E: Effects> Tracer<'a, S, E> {
                     weight,
                     depth: segment.depth + 1,
                     cause: Some(Effect::Refraction),
-                    enclosed: if passes { site.from_outside } else { segment.enclosed },
+                    enclosed: if split.changes_medium { site.from_outside } else { segment.enclosed },
                 });
             }
         }

@@ -18,7 +18,8 @@ use crate::scalar::{Real, Scalar};
 /// the material's own, `mirror + transmittance`, at every angle; where reflection is total, F is 1.
 ///
 /// Energy is not added up for you: `diffuse + mirror + transmittance` should stay at most 1, and
-/// NFF files do not always keep to it. A mirror or transmittance above 1 counts as 1.
+/// NFF files do not always keep to it. A mirror above 1 counts as 1, and of the transmittance no more counts than the mirror leaves:
+/// no path brings back more light than it finds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material<S: Scalar> {
     /// Colour of the surface, each channel in `[0, 1]`.

@@ -346,7 +346,7 @@ pub enum SceneError {
         /// Index of the light.
         light: u32,
     },
-    /// More objects than an index can name.
+    /// More objects, or more lights, than an index can name.
     TooManyObjects,
     /// The hierarchy was built for other objects.
     Hierarchy {
@@ -373,7 +373,9 @@ impl fmt::Display for SceneError {
             Self::Light { light } => {
                 write!(f, "light {light} is beyond the number type's budget: move it closer")
             }
-            Self::TooManyObjects => f.write_str("a scene holds at most 2^32 - 1 objects: divide it"),
+            Self::TooManyObjects => {
+                f.write_str("a scene holds at most 2^32 - 1 objects, and as many lights: divide it")
+            }
             Self::Hierarchy { objects, built_for } => write!(
                 f,
                 "the hierarchy was built for other objects ({built_for}) than the scene's ({objects}): build it again from these"

@@ -30,7 +30,7 @@ pub enum Texture<'a, S: Scalar> {
         columns: u16,
         /// Fields along `v`.
         rows: u16,
-        /// The two colours.
+        /// The two colours, each channel in `[0, 1]`.
         colors: [Color<S>; 2],
     },
     /// `count` stripes, at least 1, that follow each other along a coordinate; the stripe at 0 has the first colour.
@@ -39,7 +39,7 @@ pub enum Texture<'a, S: Scalar> {
         along: Coordinate,
         /// Stripes of either colour, counted together.
         count: u16,
-        /// The two colours.
+        /// The two colours, each channel in `[0, 1]`.
         colors: [Color<S>; 2],
     },
     /// An image, linear in light: rows from the top (`v` = 1), each from the left (`u` = 0).

@@ -125,7 +125,8 @@ pub fn read<S: Scalar>(text: &str, stores: Stores<'_, S>) -> Result<View<S>, Nff
 ///
 /// # Errors
 ///
-/// As [`read`].
+/// As [`read`]; in larger units also for a solid of proportions that the number type cannot hold and that [`read`] leaves out
+/// as too small.
 ///
 /// ```
 /// # fn main() -> Result<(), raylet::scene::nff::NffError> {

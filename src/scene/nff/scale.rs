@@ -9,21 +9,21 @@ use core::fmt;
 /// Fixed-point numbers have steps of one size, so that small objects are known worse than large ones: a sphere of radius 0.02 in
 /// `I16F16` only to 0.04 percent, which each mirror in which it is seen magnifies. A file that keeps its coordinates within
 /// 12 leaves nine bits of the type unused; read 512 times as large, its picture is the same, and its spheres are known 512 times
-/// better. (NFF has no other measure of length, so that the picture does not change with the units.) This is block floating
+/// better. (NFF has no other measure of length, so that the picture does not change with the units; what is added to the scene
+/// afterwards, such as the clarity of fog or a texture on a plane, counts in the scene's units.) This is block floating
 /// point: numbers that share one exponent (J. H. Wilkinson, Rounding Errors in Algebraic Processes, 1963).
 ///
 /// ```
 /// use raylet::scene::nff::Scale;
 /// use fixed::types::I16F16;
 /// let text = "s  0.5 -2 1  0.75   l 3 4 5";
-/// // The largest coordinate is 5; 4096 (which is 5 * 512 and something) to 8192 is where it belongs.
+/// // The largest coordinate is 5, and 5 * 1024 the last doubling within 8192.
 /// assert_eq!(Scale::fitting::<I16F16>(text).power(), 10);
 /// // A float is as accurate in any units.
 /// assert_eq!(Scale::fitting::<f32>(text), Scale::ONE);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Scale {
     power: i8,
 }
@@ -50,7 +50,8 @@ impl Scale {
     }
 
     /// The largest scale that leaves every coordinate and size of a text within half of the number type's
-    /// [`Budget`](crate::scalar::Budget), so that distances fit too; for floats, whose accuracy does not depend on it, 1.
+    /// [`Budget`](crate::scalar::Budget), and those of cones and cylinders within a quarter, so that distances and heights fit
+    /// too; for floats, whose accuracy does not depend on it, 1.
     ///
     /// Of a malformed text, the scale of what can be read.
     pub fn fitting<S: Scalar>(text: &str) -> Self {
@@ -58,28 +59,30 @@ impl Scale {
             return Self::ONE;
         }
         let (mut scale, mut any) = (Self::LARGEST, false);
-        let mut look = |text: &str| {
+        let mut look = |text: &str, spare: i32| {
             if !is_decimal(text) || is_zero_decimal(text) {
                 return;
             }
             any = true;
-            while !scale.fits::<S>(text) && scale > Self::LEAST {
+            while !scale.fits::<S>(text, spare) && scale > Self::LEAST {
                 scale.power -= 1;
             }
         };
         let mut words = Lexer::new(text);
         while let Some(word) = words.next() {
-            let (groups, coordinates, others) = match word.text {
-                "from" | "at" | "l" => (1, 3, 0),
-                "s" => (1, 4, 0),
-                "c" => (1, 8, 0),
-                "p" => (corners(&mut words), 3, 0),
-                "pp" => (corners(&mut words), 3, 3),
+            let (groups, coordinates, others, spare) = match word.text {
+                "from" | "at" | "l" => (1, 3, 0, 1),
+                "s" => (1, 4, 0, 1),
+                // From corner to corner of a cube it is 3.5 times half its side.
+                "c" => (1, 8, 0, 2),
+                "p" => (corners(&mut words), 3, 0, 1),
+                "pp" => (corners(&mut words), 3, 3, 1),
                 _ => continue,
             };
             for _ in 0..groups {
-                words.by_ref().take(coordinates).for_each(|word| look(word.text));
-                if words.by_ref().take(others).count() < others {
+                let looked_at = words.by_ref().take(coordinates).map(|word| look(word.text, spare)).count();
+                // A text that ends has no more, whatever the number of corners that it announced.
+                if looked_at < coordinates || words.by_ref().take(others).count() < others {
                     break;
                 }
             }
@@ -92,9 +95,10 @@ impl Scale {
         self.power
     }
 
-    fn fits<S: Scalar>(self, text: &str) -> bool {
-        // Twice as large within the whole budget.
-        S::parse_scaled(text, i32::from(self.power) + 1).is_some_and(|value| value.magnitude() <= S::BUDGET.coordinate)
+    /// True if a number is within the budget, and as many doublings of it.
+    fn fits<S: Scalar>(self, text: &str, spare: i32) -> bool {
+        S::parse_scaled(text, i32::from(self.power) + spare)
+            .is_some_and(|value| value.magnitude() <= S::BUDGET.coordinate)
     }
 }
 

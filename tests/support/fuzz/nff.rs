@@ -59,8 +59,8 @@ fn check<S: Scalar>(text: &str) -> bool {
     }
 }
 
-/// In fitting units a text says where it goes wrong as well, and never for a length that the type cannot hold, but for those
-/// beyond all scales.
+/// In fitting units a text says where it goes wrong as well, and never for a coordinate that the type cannot hold, but for
+/// those beyond all scales.
 fn fits<S: Scalar>(text: &str) {
     let scale = Scale::fitting::<S>(text);
     match read_growing::<S>(text, scale) {

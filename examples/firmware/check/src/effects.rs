@@ -92,8 +92,12 @@ pub fn read(path: &Path) -> Result<Figures, Box<dyn Error>> {
             figures.insert(key(&set, &number, figure), value);
         }
     }
-    let missing = SETS.iter().find(|(_, set)| !figures.contains_key(&key(set, NUMBERS[0], "stack")));
-    missing.map_or(Ok(figures), |(_, set)| Err(format!("nothing was measured of {set}").into()))
+    for (_, set) in SETS {
+        if let Some(number) = NUMBERS.iter().find(|number| !figures.contains_key(&key(set, number, "stack"))) {
+            return Err(format!("nothing was measured of {set} in {number}").into());
+        }
+    }
+    Ok(figures)
 }
 
 #[derive(Deserialize)]

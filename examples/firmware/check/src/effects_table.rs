@@ -10,12 +10,13 @@ const INTRODUCTION: &str = "
 
 What a pixel costs with a set of effects compiled in: a ball, a can and a cone on a plane under two lamps, 16 by 12 pixels (the
 scenes of `examples/firmware/src/effects/stage.rs`; each calls for just what is in its set, and the first is black: nothing but the
-nearest hit is looked for). *Code* is what a program takes that traces such a pixel, over a program that does nothing: all
-primitives are in it. *Stack* is what tracing a row takes at most, the caller's frames not counted. *Among all* is the same picture with
+nearest hit is looked for). *Code* is what a program takes that finds out what a scene calls for and traces such a pixel, over a
+program that does nothing: all primitives are in it. *Stack* is what tracing a row takes at most, the caller's frames not counted. *Among all* is the same picture with
 every effect compiled in and only these at work: CI compares the pictures and the number of rays, which are equal to the last bit.
 
 An effect that is not in the set leaves nothing behind: `check left-out` looks up where each instruction of these programs comes from,
-inlined functions included, and finds none of another effect's file, and some of each file of its own.
+inlined functions included, and finds none from a file of `src/effect` that is another effect's, and some from each that is its own (but
+for diffuse, which is one multiplication: the compiler may keep no line for it).
 
 ";
 

@@ -16,12 +16,15 @@ macro_rules! nearest {
     };
 }
 
-/// A program that traces a pixel with a set of effects compiled in.
+/// A program that finds out what a scene calls for and traces a pixel of it with a set of effects compiled in.
 #[macro_export]
 macro_rules! pixel {
     ($S:ident, $Effects:ty) => {
         $crate::proofs::program! {
-            let picture = $crate::proofs::input::any_reference::<raylet::Picture<'static, $S, $Effects>>();
+            let scene = $crate::proofs::input::any_reference::<raylet::Scene<'static, $S>>();
+            let [width, height] = [$crate::proofs::input::any_word() as u16, $crate::proofs::input::any_word() as u16];
+            let size = raylet::Size::new(width, height).with_samples($crate::proofs::input::any_word() as u8);
+            let picture = raylet::Picture::<$S, $Effects>::leaving_out(scene, size);
             let [x, y] = [$crate::proofs::input::any_word() as u16, $crate::proofs::input::any_word() as u16];
             $crate::proofs::input::give(picture.pixel(x, y, &mut raylet::Work::new(())));
         }
