@@ -1,10 +1,8 @@
 //! Which rays may be left out because they cannot change a level of the picture.
 
-use super::reflection::part;
-use super::refraction::transmittance;
 use super::tracer::DEPTH;
 use crate::scalar::{Real, Scalar, UnitScalar};
-use crate::scene::{Color, Fog, Scene};
+use crate::scene::{Color, Fog, Material, Scene};
 use crate::vector::pairs;
 
 /// True if the light has the same level in each channel whether or not something up to `doubt` is added to it.
@@ -18,8 +16,8 @@ pub(super) fn is_settled<S: Scalar>(light: [S::Real; 3], doubt: [S::Real; 3], le
 }
 
 /// Upper bounds for the light that any ray of a scene brings back in each channel: the brightest of its surfaces, with what can
-/// be seen in it, and in that, as often as rays are followed on.
-pub(super) fn brightest<S: Scalar>(scene: &Scene<'_, S>) -> [S::Real; 3] {
+/// be seen in it and in that, as often as rays are followed on; `sent_on` is the part of it that a material sends on.
+pub(super) fn brightest<S: Scalar>(scene: &Scene<'_, S>, sent_on: impl Fn(&Material<S>) -> S::Real) -> [S::Real; 3] {
     let [sky, fog] = [scene.background(), scene.fog().map_or(Color::BLACK, Fog::color)].map(Color::to_array);
     let zero = S::Real::ZERO;
     let lamps = scene
@@ -30,7 +28,7 @@ pub(super) fn brightest<S: Scalar>(scene: &Scene<'_, S>) -> [S::Real; 3] {
     let air = pairs(sky, fog).map(|(sky, fog)| S::unit_real(if sky > fog { sky } else { fog }));
     (0..=DEPTH).fold(air, |seen, _| {
         scene.materials().iter().fold(seen, |brightest, material| {
-            let sent_on = part(material.mirror) + transmittance(material);
+            let sent_on = sent_on(material);
             let [diffuse, specular] = [material.diffuse, material.specular].map(S::real);
             // Textures only darken.
             let shaded = pairs(lamps, material.color.to_array());
@@ -61,7 +59,8 @@ mod tests {
         let lights = [1.0, 2.0].map(|strength| Light::new(Vec3::ZERO, strength));
         let scene = camera.ok().and_then(|camera| Scene::new(&[], &materials, &lights, camera).ok());
         let scene = scene.expect("a scene").with_background(Color::new(0.2, 0.9, 0.1));
-        let bound = brightest(&scene.with_fog(Fog::new(Color::new(0.8, 0.3, 0.1), 0.5)));
+        let sent_on = |material: &Material<f64>| material.mirror + material.transmittance;
+        let bound = brightest(&scene.with_fog(Fog::new(Color::new(0.8, 0.3, 0.1), 0.5)), sent_on);
         // Three lamps of 1; 3/4 of what a surface meets is sent on.
         let (shaded, air) = ([2.25, 1.5, 0.75], [0.8, 0.9, 0.1]);
         for ((bound, shaded), air) in bound.into_iter().zip(shaded).zip(air) {

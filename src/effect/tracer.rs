@@ -100,8 +100,11 @@ impl<'a, S: Scalar, E: Effects> Tracer<'a, S, E> {
     /// shadows, for instance, where there is no time for them.
     pub fn leaving_out(scene: &'a Scene<'a, S>) -> Self {
         let active = scene.effects().intersection(E::SET);
-        let brightest = if active.contains(Effect::Reflection) || active.contains(Effect::Refraction) {
-            brightest(scene)
+        let refracts = E::SET.contains(Effect::Refraction) && active.contains(Effect::Refraction);
+        let brightest = if refracts {
+            brightest(scene, |material| reflection::weight(material) + refraction::transmittance(material))
+        } else if active.contains(Effect::Reflection) {
+            brightest(scene, reflection::weight)
         } else {
             [S::Real::ZERO; 3]
         };
