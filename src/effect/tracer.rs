@@ -167,6 +167,8 @@ impl<'a, S: Scalar, E: Effects> Tracer<'a, S, E> {
     }
 
     /// Follows a ray that is sent on at most once at each surface, until what is left of it cannot matter.
+    ///
+    /// Not inlined: a ray that is not sent on does without its frame.
     #[inline(never)]
     fn follow_chain<O: Observer>(&self, ray: &Ray<S>, gathered: &mut Gathered<S>, levels: u16, work: &mut Work<O>) {
         let mut next = Some(Segment::from_eye(*ray));
@@ -181,7 +183,7 @@ impl<'a, S: Scalar, E: Effects> Tracer<'a, S, E> {
 
     /// Follows a ray that may divide at each surface, until what is left of it cannot matter.
     ///
-    /// Faint rays are put aside, and cast last, the strongest first.
+    /// Faint rays are put aside, and cast last, the strongest first. Not inlined: a ray that is not sent on does without the lists.
     #[inline(never)]
     fn follow_tree<O: Observer>(&self, ray: &Ray<S>, gathered: &mut Gathered<S>, levels: u16, work: &mut Work<O>) {
         let faint = S::unit_round(S::Real::ONE.times_power_of_two(FAINT));

@@ -15,3 +15,21 @@ pub mod picture;
 pub mod shown;
 #[cfg(target_os = "none")]
 pub mod stack;
+
+/// Makes a function, which never returns, the first that the chip's runtime calls.
+#[macro_export]
+macro_rules! starts_with {
+    ($run:path) => {
+        #[cfg(target_arch = "arm")]
+        #[cortex_m_rt::entry]
+        fn main() -> ! {
+            $run()
+        }
+
+        #[cfg(target_arch = "riscv32")]
+        #[riscv_rt::entry]
+        fn main() -> ! {
+            $run()
+        }
+    };
+}

@@ -34,14 +34,4 @@ fn run() -> ! {
     semihosting::process::exit(0)
 }
 
-#[cfg(target_arch = "arm")]
-#[cortex_m_rt::entry]
-fn main() -> ! {
-    run()
-}
-
-#[cfg(target_arch = "riscv32")]
-#[riscv_rt::entry]
-fn main() -> ! {
-    run()
-}
+raylet_firmware::starts_with!(run);
