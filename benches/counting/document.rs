@@ -1,6 +1,7 @@
 //! `docs/benches.md`: the baseline as tables.
 
 use super::baseline::{Baseline, Figures};
+use super::grouped::grouped;
 use crate::cost::scenes::{OBJECTS, WALKS, subject};
 use std::error::Error;
 use std::fmt::Write;
@@ -56,19 +57,6 @@ nothing is subtracted, with the loop. The program is built with `opt-level = 3`,
 architecture.
 
 ";
-
-/// Figures with commas between thousands.
-fn grouped(figure: u64) -> String {
-    let digits = figure.to_string();
-    let mut text = String::new();
-    for (place, digit) in digits.chars().enumerate() {
-        if place > 0 && (digits.len() - place).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
-}
 
 fn figure(figures: &Figures, name: [&str; 5]) -> Option<u64> {
     figures.get(&name.join(" | ")).copied()

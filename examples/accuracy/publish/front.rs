@@ -34,7 +34,7 @@ which wrap. It tells `t` alone.
 All rows: {}.
 
 ",
-        super::markdown::grouped(study.rays as u64),
+        super::grouped::grouped(study.rays as u64),
         study.times.machine,
         study.times.reference_nanoseconds,
         NUMBERS.map(|number| format!("[`{number}`]({})", page(number))).join(", ")

@@ -1,5 +1,6 @@
 //! Figures and tables as Markdown.
 
+use super::grouped::grouped;
 use crate::chips::{Chip, is_like};
 use crate::study::{Cost, Study};
 use crate::support::figures::Figures;
@@ -17,19 +18,6 @@ pub fn short(value: f64) -> String {
 /// A length.
 pub fn length(value: f64) -> String {
     if value == 0.0 { "0".into() } else { format!("{value:.1e}") }
-}
-
-/// Digits with commas between thousands.
-pub fn grouped(figure: u64) -> String {
-    let digits = figure.to_string();
-    let mut text = String::new();
-    for (place, digit) in digits.chars().enumerate() {
-        if place > 0 && (digits.len() - place).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
 }
 
 /// A ratio or nanoseconds, to two or three digits.

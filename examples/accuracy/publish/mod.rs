@@ -8,13 +8,14 @@
 //! | `readme` | the README's tables |
 //! | `findings`, `explanations` | what needs a word, and the words |
 //! | `plots` | docs/plots/ |
-//! | `markdown` | figures and tables as text |
+//! | `markdown`, `grouped` | figures and tables as text |
 
 mod advice;
 mod by_number;
 mod explanations;
 mod findings;
 mod front;
+mod grouped;
 mod markdown;
 mod plots;
 mod readme;

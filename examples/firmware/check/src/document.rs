@@ -2,7 +2,8 @@
 
 use crate::Outcome;
 use crate::baseline::Baseline;
-use crate::table::{grouped, head, row};
+use crate::grouped::grouped;
+use crate::table::{head, row};
 use crate::{cost, effects_table, marks, size};
 use std::error::Error;
 use std::fmt::Write;

@@ -2,7 +2,8 @@
 
 use crate::baseline::Baseline;
 use crate::effects::{NUMBERS, SETS, key};
-use crate::table::{grouped, head, row};
+use crate::grouped::grouped;
+use crate::table::{head, row};
 use std::fmt::Write;
 
 const INTRODUCTION: &str = "

@@ -4,7 +4,7 @@ use crate::Outcome;
 use crate::baseline::Baseline;
 use crate::document::CHIPS;
 use crate::effects::{GALLERY_FIGURES, key};
-use crate::table::grouped;
+use crate::grouped::grouped;
 use std::error::Error;
 use std::fmt::Write;
 use std::fs;

@@ -18,6 +18,8 @@ mod effects_table;
 mod elf;
 mod forbidden;
 mod gallery;
+#[path = "../../../accuracy/publish/grouped.rs"]
+mod grouped;
 mod marks;
 mod proofs;
 mod size;

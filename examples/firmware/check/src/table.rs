@@ -2,19 +2,6 @@
 
 use std::fmt::Write;
 
-/// Figures with commas between thousands.
-pub fn grouped(figure: u64) -> String {
-    let digits = figure.to_string();
-    let mut text = String::new();
-    for (place, digit) in digits.chars().enumerate() {
-        if place > 0 && (digits.len() - place).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
-}
-
 /// A row.
 pub fn row(text: &mut String, cells: impl IntoIterator<Item = String>) {
     let cells: Vec<_> = cells.into_iter().collect();
@@ -26,14 +13,4 @@ pub fn head(text: &mut String, titles: impl IntoIterator<Item = String>) {
     let titles: Vec<_> = titles.into_iter().collect();
     row(text, titles.iter().cloned());
     let _ = writeln!(text, "|---|{}", "---:|".repeat(titles.len() - 1));
-}
-
-#[cfg(test)]
-mod tests {
-    use super::grouped;
-
-    #[test]
-    fn thousands_are_grouped() {
-        assert_eq!([0, 999, 1000, 1_234_567].map(grouped), ["0", "999", "1,000", "1,234,567"]);
-    }
 }
