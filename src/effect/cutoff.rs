@@ -1,9 +1,15 @@
-//! Which rays may be left out because they cannot change a level of the picture.
+//! Where paths end: how deep rays are followed at most, and which may be left out because they cannot change a level of the picture.
 
-use super::tracer::DEPTH;
 use crate::scalar::{Real, Scalar, UnitScalar};
 use crate::scene::{Color, Fog, Material, Scene};
 use crate::vector::pairs;
+
+/// How often a ray is followed on: a primary ray and what comes of it meet at most `DEPTH + 1` surfaces in a row.
+///
+/// Where paths divide, rays wait in two lists of fixed capacity, at most `DEPTH + 1` of them (the deepest is cast first) and
+/// `DEPTH` faint ones: in `f32` and 32-bit fixed point 33 times 64 bytes of stack at most. Where they do not (refraction is not
+/// compiled in: a mirror alone sends one ray on for each that it receives) there is no list. No function calls itself.
+pub const DEPTH: u8 = 16;
 
 /// True if the light has the same level in each channel whether or not something up to `doubt` is added to it.
 pub(super) fn is_settled<S: Scalar>(light: [S::Real; 3], doubt: [S::Real; 3], levels: u16) -> bool {

@@ -13,7 +13,7 @@
 //! | `antialiasing` | more rays where a pixel's corners differ (Whitted 1980) |
 //! | `set`, `compiled` | the effects by name, and as types |
 //! | `called_for` | which of them a scene calls for, and the refusal if one is missing |
-//! | `tracer`, `cutoff` | from a ray to a colour; which rays cannot matter |
+//! | `tracer`, `cutoff` | from a ray to a colour; where paths end |
 //! | `field` | the unit interval in equal fields, for patterns and waves |
 //! | `site`, `work` | the point that is shaded; what is counted and remembered |
 //!
@@ -69,8 +69,9 @@ pub use called_for::EffectError;
 pub use compiled::{
     All, Antialiasing, Bump, Diffuse, Effects, Fog, Marker, Reflection, Refraction, Shadows, Specular, Texture,
 };
+pub use cutoff::DEPTH;
 pub use set::{Effect, EffectSet, Iter};
-pub use tracer::{DEPTH, Tracer};
+pub use tracer::Tracer;
 pub use work::Work;
 
 use crate::part::Part;

@@ -2,7 +2,7 @@
 
 use super::called_for::{EffectError, missing};
 use super::compiled::{All, Effects};
-use super::cutoff::{self, brightest};
+use super::cutoff::{self, DEPTH, brightest};
 use super::set::{Effect, EffectSet};
 use super::site::Site;
 use super::work::Work;
@@ -13,13 +13,6 @@ use crate::scalar::{Real, Scalar};
 use crate::scene::{Color, Material, Observer, Scene, SceneHit, Waves};
 use crate::shape::Surface;
 use core::marker::PhantomData;
-
-/// How often a ray is followed on: a primary ray and what comes of it meet at most `DEPTH + 1` surfaces in a row.
-///
-/// Where paths divide, rays wait in two lists of fixed capacity, at most `DEPTH + 1` of them (the deepest is cast first) and
-/// `DEPTH` faint ones: in `f32` and 32-bit fixed point 33 times 64 bytes of stack at most. Where they do not (refraction is not
-/// compiled in: a mirror alone sends one ray on for each that it receives) there is no list. No function calls itself.
-pub const DEPTH: u8 = 16;
 
 /// Below this weight a ray is faint, as a power of two.
 const FAINT: i32 = -7;
