@@ -14,3 +14,13 @@ pub fn head(text: &mut String, titles: impl IntoIterator<Item = String>) {
     row(text, titles.iter().cloned());
     let _ = writeln!(text, "|---|{}", "---:|".repeat(titles.len() - 1));
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::grouped::grouped;
+
+    #[test]
+    fn thousands_are_grouped() {
+        assert_eq!([0, 999, 1000, 1_234_567].map(grouped), ["0", "999", "1,000", "1,234,567"]);
+    }
+}
