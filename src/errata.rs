@@ -1,7 +1,7 @@
 //! Errors in well-known articles on ray tracing cylinders and cones, and what is right.
 //!
 //! Documentation only. The articles that this crate grew from are read and copied still; each of their errors below has
-//! a test of the same name in `tests/errata.rs`, for every number type.
+//! a test of the same name in `tests/promises/src/errata.rs`, for every number type.
 //!
 //! # An article on cylinders and cones (infinite, bounded, caps, normals)
 //!

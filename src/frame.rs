@@ -251,6 +251,7 @@ pub(crate) fn closest_approach<S: Scalar>(ray: &Ray<S>, position: Vec3<S>) -> S 
 /// Why a frame or an affine placement cannot be built.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum FrameError {
     /// A coordinate is not finite or beyond the budget.
     Position,

@@ -35,7 +35,7 @@
 //! 10. Bad input gets a typed error at construction; queries on built values cannot fail, panic or overflow.
 //! 11. The same bits everywhere, for every number type and tier: IEEE arithmetic, integers and `libm` only.
 //!
-//! `tests/contract.rs` has tests named after rules 1 to 10; for rule 11 `tests/firmware.rs` and the firmware in
+//! `tests/promises/src/contract.rs` has tests named after rules 1 to 10; for rule 11 `tests/promises/src/firmware.rs` and the firmware in
 //! `examples/firmware` compare digests of all answers on the host, Cortex-M0+, M3, M4F and RV32IMC.
 //!
 //! # The rooms
@@ -67,6 +67,7 @@
 //! | `defmt` | no | `defmt::Format` for the public value types (of float scalars: `fixed` has no `defmt` of its own) |
 #![no_std]
 #![deny(unsafe_code, missing_docs)]
+#![warn(missing_debug_implementations)]
 // Tests and examples may unwrap; the library has no panic path.
 #![warn(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![cfg_attr(docsrs, feature(doc_cfg))]
@@ -88,6 +89,7 @@ pub mod errata;
 mod exact;
 mod figure;
 pub mod frame;
+pub mod gallery;
 mod geometry;
 pub mod hit;
 #[cfg(any(feature = "mint", feature = "serde"))]

@@ -191,6 +191,7 @@ impl<S: Scalar> Ray<S> {
 /// Why a ray cannot be built.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum RayError {
     /// A coordinate of the origin is not finite or beyond the budget.
     Origin,

@@ -23,6 +23,7 @@ macro_rules! primitives {
         /// Any primitive, without allocation or dynamic dispatch.
         #[derive(Clone, Copy, Debug, PartialEq)]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        #[non_exhaustive]
         pub enum Primitive<S: Scalar> {
             $(
                 #[doc = concat!("A [`", stringify!($Variant), "`].")]
@@ -101,6 +102,7 @@ primitives!(Sphere, Cylinder, Cone, Capsule, Plane, Disc, Triangle);
 /// Where a primitive stands in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum Placement<S: Scalar> {
     /// In its canonical pose.
     World,

@@ -1,7 +1,7 @@
 //! Where a scene comes from: the built-in scene or an NFF file, in any number type.
 
-use crate::gallery::{BuiltIn, Stage};
 use crate::options::Units;
+use raylet::gallery::{BuiltIn, Stage};
 use raylet::scene::nff::{self, Corner, Counts, Scale, Stores};
 use raylet::scene::{CornerNormals, Full, Store};
 use raylet::{Camera, Color, Fog, Light, Material, Object, Scalar, Scene, Texture};

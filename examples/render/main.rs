@@ -7,8 +7,6 @@
 //! ```
 
 mod compare;
-#[path = "../gallery/mod.rs"]
-mod gallery;
 mod image;
 mod load;
 mod options;

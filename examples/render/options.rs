@@ -1,9 +1,9 @@
 //! What can be asked for on the command line.
 
-use crate::gallery::BuiltIn;
-use clap::builder::PossibleValue;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Parser, ValueEnum};
 use raylet::effect::{Effect, EffectSet};
+use raylet::gallery::BuiltIn;
 use raylet::scene::nff::Scale;
 use std::fmt;
 use std::path::PathBuf;
@@ -29,7 +29,7 @@ pub(crate) struct Options {
     pub(crate) file: Option<PathBuf>,
 
     /// Built-in scene
-    #[arg(long, value_enum, value_name = "NAME", default_value = "still-life", conflicts_with = "file")]
+    #[arg(long, value_parser = built_in_scenes(), value_name = "NAME", default_value = "still-life", conflicts_with = "file")]
     pub(crate) scene: BuiltIn,
 
     /// Effects to use, of those that the scene calls for: `auto` for all of them, `none`, or names with commas between: diffuse, specular,
@@ -117,20 +117,11 @@ impl fmt::Display for Number {
     }
 }
 
-impl ValueEnum for BuiltIn {
-    fn value_variants<'a>() -> &'a [Self] {
-        &Self::EVERY
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        let help = match self {
-            Self::StillLife => "Every solid once, on a plane: diffuse, specular, shadows",
-            Self::Patterns => "Solids with materials of their own on base and top, and patterns and an image on them",
-            Self::Glass => "Glass and mirrors on a chessboard",
-            Self::Waves => "Waves on water and on solids, before a hazy row of columns",
-        };
-        Some(PossibleValue::new(self.name()).help(help))
-    }
+/// The names of the built-in scenes, each with what it shows.
+fn built_in_scenes() -> impl TypedValueParser<Value = BuiltIn> {
+    let names = BuiltIn::EVERY.map(|scene| PossibleValue::new(scene.name()).help(scene.about()));
+    PossibleValuesParser::new(names)
+        .try_map(|name| BuiltIn::EVERY.into_iter().find(|scene| scene.name() == name).ok_or("there is no such scene"))
 }
 
 fn parse_effects(text: &str) -> Result<EffectSet, String> {

@@ -41,7 +41,6 @@ pub(crate) fn costs(options: &Options, source: &Source, traced: &Traced) -> Resu
 /// What an effect counts.
 fn work(effect: Effect, counters: &Counters) -> (u64, &'static str) {
     match effect {
-        Effect::Diffuse | Effect::Specular => (counters.hits_refined, "hits refined"),
         Effect::Shadows => (counters.shadow_rays, "rays"),
         Effect::Reflection => (counters.reflection_rays, "rays"),
         Effect::Refraction => (counters.refraction_rays, "rays"),
@@ -49,6 +48,8 @@ fn work(effect: Effect, counters: &Counters) -> (u64, &'static str) {
         Effect::Bump => (counters.bumps, "normals"),
         Effect::Fog => (counters.fogged_rays, "rays"),
         Effect::Antialiasing => (counters.refined_pixels, "pixels refined"),
+        // Diffuse, specular, and any other that shades a hit and casts no ray.
+        _ => (counters.hits_refined, "hits refined"),
     }
 }
 

@@ -94,6 +94,7 @@ pub(crate) fn missing<S: Scalar>(scene: &Scene<'_, S>, compiled: EffectSet) -> R
 /// A scene calls for an effect that is not compiled in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum EffectError {
     /// An object's material calls for it.
     Object {

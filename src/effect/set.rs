@@ -5,6 +5,7 @@ use core::fmt;
 /// Anything beyond the nearest hit. In the order in which lists name them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum Effect {
     /// Light that a matte surface scatters.
     Diffuse,

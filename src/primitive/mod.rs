@@ -55,6 +55,7 @@ pub(crate) use crate::query::queries;
 /// Why a primitive cannot be built: which size, and what is wrong with it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum SizeError {
     /// A radius is not positive (a frustum's may be zero, but not both), not finite or beyond the budget.
     Radius,

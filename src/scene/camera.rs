@@ -153,6 +153,7 @@ impl<S: Scalar> Raster<S> {
 /// Why a camera cannot be built.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum CameraError {
     /// The position is not finite or beyond the budget.
     Position,

@@ -3,6 +3,7 @@
 /// What was done for a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub struct Counters {
     /// Rays from the eye.
     pub primary_rays: u64,

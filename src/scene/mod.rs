@@ -312,6 +312,7 @@ pub struct SceneHit<S> {
 /// Why a scene cannot be built.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum SceneError {
     /// An object names a material that is not in the list.
     Material {

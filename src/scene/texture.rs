@@ -7,6 +7,7 @@ use core::fmt;
 /// Which of the two surface coordinates counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum Coordinate {
     /// `u`: around the axis, or along x.
     U,
@@ -22,6 +23,7 @@ pub enum Coordinate {
 ///
 /// Catmull, *A Subdivision Algorithm for Computer Display of Curved Surfaces* (1974).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Texture<'a, S: Scalar> {
     /// A chessboard of `columns` fields along `u` and `rows` along `v`, each at least 1; the field at (0, 0) has the
     /// first colour. An even number of columns closes without a seam around an axis.
@@ -71,6 +73,7 @@ impl<S: Scalar> Texture<'_, S> {
 /// What can be wrong with a texture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum TextureFault {
     /// A count, a width or a height is 0.
     Empty,

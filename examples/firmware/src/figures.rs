@@ -1,8 +1,8 @@
 //! What a picture took, for printing.
 
-use crate::picture::PIXELS;
 use core::fmt;
 use raylet::Counters;
+use shared::picture::PIXELS;
 
 /// What one picture took in one number type.
 #[derive(Clone, Copy, Debug)]

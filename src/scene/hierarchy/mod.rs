@@ -137,6 +137,7 @@ impl<S: Scalar> Hierarchy<'_, S> {
 /// Why a hierarchy cannot be built.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
 pub enum HierarchyError {
     /// The storage is too small.
     Storage {

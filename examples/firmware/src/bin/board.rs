@@ -14,7 +14,7 @@ use core::sync::atomic::{AtomicU32, Ordering};
 use embedded_graphics_core::geometry::Point;
 use fixed::types::I16F16;
 use raylet_firmware::panel::{Fold, Panel};
-use raylet_firmware::picture::{HEIGHT, Storage, WIDTH, picture};
+use shared::picture::{HEIGHT, Storage, WIDTH, picture};
 
 /// The digest of all that went to the display; 0 until the picture is finished.
 #[unsafe(no_mangle)]
@@ -30,7 +30,7 @@ fn run() -> ! {
     let mut storage = Storage::<I16F16>::new();
     // A real display's driver stands here in the place of `Panel`.
     let mut display = Panel::new(WIDTH, HEIGHT, Fold::new());
-    let view = storage.read().expect("the scene is well-formed and there is room for it");
+    let view = storage.read().expect("the scene is well-formed and fits into its lists");
     let scene = storage.scene(&view).expect("the reader's lists fit together");
     let Ok(_) = picture(&scene).draw(Point::new(0, 0), &mut display);
     DIGEST.store(display.bus.digest(), Ordering::Relaxed);
@@ -49,14 +49,5 @@ fn panic(_: &PanicInfo<'_>) -> ! {
     stay()
 }
 
-#[cfg(target_arch = "arm")]
-#[cortex_m_rt::entry]
-fn main() -> ! {
-    run()
-}
-
-#[cfg(all(target_arch = "riscv32", not(feature = "esp32c3")))]
-#[riscv_rt::entry]
-fn main() -> ! {
-    run()
-}
+#[cfg(not(feature = "esp32c3"))]
+raylet_firmware::starts_with!(run);

@@ -10,11 +10,11 @@ use raylet::Scalar;
 use raylet_firmware::figures::Figures;
 use raylet_firmware::footprint::Footprint;
 use raylet_firmware::panel::{Bus, Panel};
-use raylet_firmware::picture::{HEADER, HEIGHT, Storage, WIDTH, picture};
 use raylet_firmware::{clock, stack};
 use semihosting::fs::File;
 use semihosting::io::{Error, Write};
 use semihosting::println;
+use shared::picture::{HEADER, HEIGHT, Storage, WIDTH, picture};
 
 /// Passes the pixels on, and holds the clock while it does.
 struct ToFile {
@@ -49,13 +49,13 @@ impl Bus for ToFile {
 fn show<S: Scalar>(number: &'static str, path: &CStr) {
     stack::paint();
     let mut storage = Storage::<S>::new();
-    let view = storage.read().expect("the scene is well-formed and there is room for it");
+    let view = storage.read().expect("the scene is well-formed and fits into its lists");
     let scene = storage.scene(&view).expect("the reader's lists fit together");
     let mut file = File::create(path).expect("the host lets a file be written");
-    file.write_all(HEADER.as_bytes()).expect("there is room on the host");
+    file.write_all(HEADER.as_bytes()).expect("the host lets it be written");
     let mut panel = Panel::new(WIDTH, HEIGHT, ToFile { file, next: [0, 0], paused: 0 });
     let start = clock::instructions();
-    let counters = picture(&scene).draw(Point::new(0, 0), &mut panel).expect("there is room on the host");
+    let counters = picture(&scene).draw(Point::new(0, 0), &mut panel).expect("the host lets it be written");
     let instructions = clock::instructions() - start - panel.bus.paused;
     let stack = stack::used();
     println!("{}", Figures { number, instructions, counters, stack, scene: size_of::<Storage<S>>() });

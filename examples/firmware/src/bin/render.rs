@@ -8,28 +8,28 @@ use fixed::types::I16F16;
 use raylet::{Scalar, Work};
 use raylet_firmware::figures::Figures;
 use raylet_firmware::footprint::Footprint;
-use raylet_firmware::picture::{HEADER, HEIGHT, Storage, picture, row};
 use raylet_firmware::{clock, stack};
 use semihosting::fs::File;
 use semihosting::io::Write;
 use semihosting::println;
+use shared::picture::{HEADER, HEIGHT, Storage, picture, row};
 
 /// One picture. Its own frame, so that the stack of the other number type is not counted.
 #[inline(never)]
 fn render<S: Scalar>(number: &'static str, path: &CStr) {
     stack::paint();
     let mut storage = Storage::<S>::new();
-    let view = storage.read().expect("the scene is well-formed and there is room for it");
+    let view = storage.read().expect("the scene is well-formed and fits into its lists");
     let scene = storage.scene(&view).expect("the reader's lists fit together");
     let picture = picture(&scene);
     let mut file = File::create(path).expect("the host lets a file be written");
-    file.write_all(HEADER.as_bytes()).expect("there is room on the host");
+    file.write_all(HEADER.as_bytes()).expect("the host lets it be written");
     let (mut work, mut instructions) = (Work::new(()), 0);
     for y in 0..HEIGHT {
         let start = clock::instructions();
         let row = row(&picture, y, &mut work);
         instructions += clock::instructions() - start;
-        file.write_all(&row).expect("there is room on the host");
+        file.write_all(&row).expect("the host lets it be written");
     }
     let stack = stack::used();
     println!("{}", Figures { number, instructions, counters: work.counters, stack, scene: size_of::<Storage<S>>() });

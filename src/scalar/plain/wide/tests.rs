@@ -1,6 +1,6 @@
 use super::*;
 use crate::scalar::{Plain, found};
-use dashu::integer::IBig;
+use dashu_int::IBig;
 
 /// Lines a test; two million were tried.
 const LINES: u32 = 20_000;

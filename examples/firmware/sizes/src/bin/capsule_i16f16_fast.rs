@@ -1,7 +1,0 @@
-//! Capsule, I16F16, Fast.
-#![no_std]
-#![no_main]
-
-use fixed::types::I16F16;
-
-raylet_sizes::nearest!(Capsule<I16F16>, Fast);

@@ -1,7 +1,0 @@
-//! Cone, I16F16, Stable.
-#![no_std]
-#![no_main]
-
-use fixed::types::I16F16;
-
-raylet_sizes::nearest!(Cone<I16F16>, Stable);

@@ -1,8 +1,0 @@
-//! A pixel: antialiasing, i16f16.
-#![no_std]
-#![no_main]
-
-use fixed::types::I16F16;
-use raylet::effect::{Antialiasing, Diffuse, Shadows, Specular};
-
-raylet_sizes::pixel!(I16F16, (Diffuse, Specular, Shadows, Antialiasing));

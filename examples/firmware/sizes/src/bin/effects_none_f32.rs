@@ -1,5 +1,0 @@
-//! A pixel: none, f32.
-#![no_std]
-#![no_main]
-
-raylet_sizes::pixel!(f32, ());

@@ -1,7 +1,0 @@
-//! A pixel: reflection, f32.
-#![no_std]
-#![no_main]
-
-use raylet::effect::{Diffuse, Reflection, Shadows, Specular};
-
-raylet_sizes::pixel!(f32, (Diffuse, Specular, Shadows, Reflection));

@@ -1,0 +1,165 @@
+//! Scenes to try a display, a number type or a set of effects with: built without allocation, the same on every machine.
+//!
+//! The example `render` draws them on the host, the firmware on its chips; [`BuiltIn::EVERY`] lists them.
+//!
+//! ```
+//! use raylet::gallery::BuiltIn;
+//! use raylet::{Picture, Size, Work};
+//!
+//! let stage = BuiltIn::StillLife.build::<f32>().expect("every number type holds it");
+//! let scene = stage.scene()?;
+//! let picture = Picture::new(&scene, Size::new(40, 30));
+//! assert_ne!(picture.pixel(20, 15, &mut Work::new(())).color, stage.background);
+//! # Ok::<(), raylet::scene::SceneError>(())
+//! ```
+
+mod glass;
+mod patterns;
+mod still_life;
+mod waves;
+
+use crate::scene::SceneError;
+use crate::{
+    Affine, Camera, Color, Fog, Frame, Light, Material, Object, Plane, Primitive, Scalar, Scene, Shape, Texture, Vec3,
+};
+use core::fmt;
+use heapless::Vec;
+
+/// The scenes by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum BuiltIn {
+    /// Every solid once, on a plane: diffuse, specular, shadows.
+    StillLife,
+    /// Solids with materials of their own on base and top, and patterns and an image on them.
+    Patterns,
+    /// Glass and mirrors on a chessboard.
+    Glass,
+    /// Waves on water and on solids, before a hazy row of columns.
+    Waves,
+}
+
+impl BuiltIn {
+    /// All of them.
+    pub const EVERY: [Self; 4] = [Self::StillLife, Self::Patterns, Self::Glass, Self::Waves];
+
+    /// As it is called on the command line.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::StillLife => "still-life",
+            Self::Patterns => "patterns",
+            Self::Glass => "glass",
+            Self::Waves => "waves",
+        }
+    }
+
+    /// What it shows, in a line.
+    pub const fn about(self) -> &'static str {
+        match self {
+            Self::StillLife => "Every solid once, on a plane: diffuse, specular, shadows",
+            Self::Patterns => "Solids with materials of their own on base and top, and patterns and an image on them",
+            Self::Glass => "Glass and mirrors on a chessboard",
+            Self::Waves => "Waves on water and on solids, before a hazy row of columns",
+        }
+    }
+
+    /// The scene in any number type that holds numbers up to 100, which all of raylet's do; otherwise `None`.
+    pub fn build<S: Scalar>(self) -> Option<Stage<S>> {
+        match self {
+            Self::StillLife => still_life::build(),
+            Self::Patterns => patterns::build(),
+            Self::Glass => glass::build(),
+            Self::Waves => waves::build(),
+        }
+    }
+}
+
+impl fmt::Display for BuiltIn {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// A scene's lists, and what it has beside them: [`Stage::scene`] borrows it all.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Stage<S: Scalar> {
+    /// The objects; each names its materials by index.
+    pub objects: Vec<Object<S>, 20>,
+    /// The materials; each names its texture by index.
+    pub materials: Vec<Material<S>, 8>,
+    /// The lights.
+    pub lights: Vec<Light<S>, 2>,
+    /// The textures.
+    pub textures: Vec<Texture<'static, S>, 5>,
+    /// The fog, if there is any.
+    pub fog: Option<Fog<S>>,
+    /// The colour of rays that meet nothing.
+    pub background: Color<S>,
+    /// Where the picture is taken from.
+    pub camera: Camera<S>,
+}
+
+impl<S: Scalar> Stage<S> {
+    /// The scene, without a hierarchy.
+    ///
+    /// # Errors
+    ///
+    /// None for a stage as it was built; for one whose lists were changed, those of [`Scene::new`] and [`Scene::with_textures`].
+    pub fn scene(&self) -> Result<Scene<'_, S>, SceneError> {
+        let scene = Scene::new(&self.objects, &self.materials, &self.lights, self.camera)?;
+        let scene = scene.with_background(self.background).with_textures(&self.textures)?;
+        Ok(self.fog.map_or(scene, |fog| scene.with_fog(fog)))
+    }
+
+    /// Objects under two lights before the usual camera, in clear air.
+    fn new(
+        objects: impl IntoIterator<Item = Object<S>>,
+        materials: impl IntoIterator<Item = Material<S>>,
+        lights: [([f64; 3], f64); 2],
+    ) -> Option<Self> {
+        let [first, second] = lights.map(|([x, y, z], strength)| Some(Light::new(point(x, y, z)?, number(strength)?)));
+        Some(Self {
+            objects: all(objects)?,
+            materials: all(materials)?,
+            lights: all([first?, second?])?,
+            textures: Vec::new(),
+            fog: None,
+            background: Color::from_f64([0.30, 0.42, 0.55]),
+            camera: Camera::new(point(0.2, 3.4, 9.0)?, point(0.0, 0.9, 0.0)?, point(0.0, 1.0, 0.0)?, number(34.0)?)
+                .ok()?,
+        })
+    }
+}
+
+/// A list of all items; `None` if there is no room.
+fn all<T, const N: usize>(items: impl IntoIterator<Item = T>) -> Option<Vec<T, N>> {
+    let mut list = Vec::new();
+    for item in items {
+        list.push(item).ok()?;
+    }
+    Some(list)
+}
+
+fn number<S: Scalar>(value: f64) -> Option<S> {
+    S::from_f64(value)
+}
+
+fn point<S: Scalar>(x: f64, y: f64, z: f64) -> Option<Vec3<S>> {
+    Vec3::from_f64([x, y, z])
+}
+
+fn matte<S: Scalar>(color: [f64; 3]) -> Option<Material<S>> {
+    Some(Material { diffuse: number(0.8)?, ..Material::matte(Color::from_f64(color)) })
+}
+
+/// A solid whose axis points up, with its base at a point.
+fn on_y<S: Scalar>(primitive: impl Into<Primitive<S>>, base: Vec3<S>, material: u32) -> Option<Object<S>> {
+    Some(Object::new(Shape::new(primitive).placed(Frame::at(base).ok()?), material))
+}
+
+/// A plane whose texture repeats every `size` units.
+fn floor<S: Scalar>(size: f64, material: u32) -> Option<Object<S>> {
+    let stretched = Affine::stretched(Frame::at(point(0.0, 0.0, 0.0)?).ok()?, point(size, 1.0, size)?).ok()?;
+    Some(Object::new(Shape::new(Plane::new()).placed(stretched), material))
+}

@@ -1,0 +1,207 @@
+//! The promise: a display shows the picture, whole or by rows, and sixteen bits a pixel are right in the mean.
+
+use embedded_graphics::Pixel;
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::geometry::{OriginDimensions, Point, Size as Area};
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use fixed::types::{I16F16, I32F32};
+use raylet::display::DisplayColor;
+use raylet::{
+    Camera, Color, Frame, Light, Material, Object, Picture, Plane, Scalar, Scene, Shape, Size, Sphere, Vec3, Work,
+};
+
+const WIDTH: u16 = 24;
+const HEIGHT: u16 = 18;
+
+/// A display that remembers its pixels, and breaks at a row if it is told to.
+struct Screen<C> {
+    pixels: Vec<Option<C>>,
+    breaks_at: i32,
+}
+
+impl<C: Copy> Screen<C> {
+    fn new() -> Self {
+        Self { pixels: vec![None; usize::from(WIDTH) * usize::from(HEIGHT)], breaks_at: i32::MAX }
+    }
+    fn at(&self, x: u16, y: u16) -> Option<C> {
+        self.pixels[usize::from(y) * usize::from(WIDTH) + usize::from(x)]
+    }
+}
+
+impl<C> OriginDimensions for Screen<C> {
+    fn size(&self) -> Area {
+        Area::new(WIDTH.into(), HEIGHT.into())
+    }
+}
+
+impl<C: DisplayColor> DrawTarget for Screen<C> {
+    type Color = C;
+    type Error = &'static str;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Self::Error> {
+        for Pixel(point, color) in pixels {
+            if point.y >= self.breaks_at {
+                return Err("the wire is cut");
+            }
+            if let (Ok(x @ 0..WIDTH), Ok(y @ 0..HEIGHT)) = (u16::try_from(point.x), u16::try_from(point.y)) {
+                let own = &mut self.pixels[usize::from(y) * usize::from(WIDTH) + usize::from(x)];
+                assert!(own.is_none(), "drawn twice: {point}");
+                *own = Some(color);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A ball on a floor.
+fn with_picture<S: Scalar, T>(then: impl FnOnce(&Picture<'_, S>) -> T) -> T {
+    let n = |value: f64| S::from_f64(value).unwrap();
+    let point = |x, y, z| Vec3::new(n(x), n(y), n(z));
+    let objects = [
+        Object::new(Shape::new(Plane::new()), 0),
+        Object::new(Shape::new(Sphere::new(n(1.0)).unwrap()).placed(Frame::at(point(0.0, 1.0, 0.0)).unwrap()), 1),
+    ];
+    let materials =
+        [Material::matte(Color::from_f64([0.6, 0.7, 0.5])), Material::matte(Color::from_f64([0.9, 0.3, 0.2]))];
+    let lights = [Light::new(point(4.0, 6.0, 5.0), n(0.9))];
+    let camera = Camera::new(point(0.0, 2.0, 6.0), point(0.0, 0.8, 0.0), point(0.0, 1.0, 0.0), n(35.0)).unwrap();
+    let scene = Scene::new(&objects, &materials, &lights, camera).unwrap();
+    let scene = scene.with_background(Color::from_f64([0.2, 0.3, 0.4]));
+    then(&Picture::new(&scene, Size::new(WIDTH, HEIGHT)))
+}
+
+fn shows_the_picture<S: Scalar, C: DisplayColor + std::fmt::Debug>() {
+    with_picture::<S, _>(|picture| {
+        let mut screen = Screen::<C>::new();
+        let counters = picture.draw(Point::zero(), &mut screen).unwrap();
+        assert_eq!(
+            counters,
+            picture.render(|x, y, pixel| {
+                assert_eq!(screen.at(x, y), Some(C::shown(pixel.color, x, y)), "{x}, {y}");
+            })
+        );
+    });
+}
+
+#[test]
+fn a_display_shows_the_picture() {
+    shows_the_picture::<f32, Rgb565>();
+    shows_the_picture::<f32, Rgb888>();
+    shows_the_picture::<f64, Rgb888>();
+    shows_the_picture::<I16F16, Rgb565>();
+    shows_the_picture::<I32F32, Rgb565>();
+}
+
+#[test]
+fn eight_bits_are_the_nearest_levels() {
+    for level in 0..=255_u8 {
+        let channel = f64::from(level) / 255.0;
+        let color = Color::<I16F16>::from_f64([channel, 1.0 - channel, 0.5]);
+        assert_eq!(Rgb888::shown(color, 1, 2), Rgb888::new(level, 255 - level, 128));
+    }
+}
+
+#[test]
+fn rows_may_be_drawn_apart_and_in_any_order() {
+    with_picture::<f32, _>(|picture| {
+        let (mut whole, mut parts) = (Screen::<Rgb565>::new(), Screen::<Rgb565>::new());
+        let counters = picture.draw(Point::zero(), &mut whole).unwrap();
+        let (mut first, mut second) = (Work::new(()), Work::new(()));
+        // The lower half, to a row that does not exist, before the upper one.
+        picture.draw_rows(HEIGHT / 2..HEIGHT + 5, Point::zero(), &mut parts, &mut second).unwrap();
+        picture.draw_rows(0..HEIGHT / 2, Point::zero(), &mut parts, &mut first).unwrap();
+        assert!(whole.pixels == parts.pixels);
+        first.counters.add(&second.counters);
+        assert_eq!(first.counters, counters);
+    });
+}
+
+#[test]
+fn a_line_holds_what_a_display_shows() {
+    with_picture::<I16F16, _>(|picture| {
+        let mut screen = Screen::<Rgb565>::new();
+        picture.draw(Point::zero(), &mut screen).unwrap();
+        let mut work = Work::new(());
+        for y in 0..HEIGHT {
+            let mut line = [Rgb565::MAGENTA; WIDTH as usize + 3];
+            assert_eq!(picture.line(y, &mut line, &mut work), usize::from(WIDTH));
+            for (x, color) in (0..WIDTH).zip(line) {
+                assert_eq!(screen.at(x, y), Some(color));
+            }
+            assert_eq!(line[usize::from(WIDTH)..], [Rgb565::MAGENTA; 3], "beyond the width");
+        }
+        let mut short = [Rgb565::MAGENTA; 5];
+        assert_eq!(picture.line(3, &mut short, &mut work), 5);
+        assert_eq!(Some(short[4]), screen.at(4, 3));
+        assert_eq!(picture.line(HEIGHT, &mut short, &mut work), 0, "beyond the last row");
+    });
+}
+
+#[test]
+fn the_corner_moves_the_picture_off_the_display_too() {
+    with_picture::<f32, _>(|picture| {
+        let (mut at_origin, mut moved) = (Screen::<Rgb888>::new(), Screen::<Rgb888>::new());
+        picture.draw(Point::zero(), &mut at_origin).unwrap();
+        picture.draw(Point::new(-5, 7), &mut moved).unwrap();
+        for y in 0..HEIGHT - 7 {
+            for x in 0..WIDTH - 5 {
+                assert_eq!(moved.at(x, y + 7), at_origin.at(x + 5, y), "{x}, {y}");
+            }
+        }
+        assert_eq!(moved.at(0, 6), None);
+        assert_eq!(moved.at(WIDTH - 5, 7), None);
+    });
+}
+
+#[test]
+fn what_the_display_reports_comes_back_and_the_rows_before_are_drawn() {
+    with_picture::<f32, _>(|picture| {
+        let mut screen = Screen::<Rgb565> { breaks_at: 7, ..Screen::new() };
+        assert_eq!(picture.draw(Point::zero(), &mut screen), Err("the wire is cut"));
+        assert!(screen.at(WIDTH - 1, 6).is_some() && screen.at(0, 7).is_none());
+    });
+}
+
+/// Sixteen pixels of one colour show it to a sixteenth of a level, and a level that exists is shown by each.
+fn dithers<S: Scalar>() {
+    for step in 0..=1000 {
+        let channel = f64::from(step) / 1000.0;
+        let color = Color::<S>::from_f64([channel; 3]);
+        let mut sums = [0_u32; 3];
+        // Anywhere on the display.
+        for (x, y) in (40..44).flat_map(|x| (17..21).map(move |y| (x, y))) {
+            let shown = Rgb565::shown(color, x, y);
+            for (sum, level) in sums.iter_mut().zip([shown.r(), shown.g(), shown.b()]) {
+                *sum += u32::from(level);
+            }
+        }
+        for (sum, levels) in sums.into_iter().zip([31.0, 63.0, 31.0]) {
+            let off = f64::from(sum) / 16.0 - channel * levels;
+            assert!(off.abs() <= 0.5 / 16.0 + 1e-3, "{channel}: {off} levels off");
+        }
+    }
+    for level in 0..=31_u8 {
+        let color = Color::<S>::from_f64([f64::from(level) / 31.0; 3]);
+        for (x, y) in (0..4).flat_map(|x| (0..4).map(move |y| (x, y))) {
+            let shown = Rgb565::shown(color, x, y);
+            assert_eq!((shown.r(), shown.b()), (level, level), "at {x}, {y}");
+        }
+    }
+}
+
+#[test]
+fn sixteen_bits_are_dithered() {
+    dithers::<f32>();
+    dithers::<I16F16>();
+    dithers::<I32F32>();
+}
+
+/// What is brighter than the display, and darker than black.
+#[test]
+fn colours_beyond_the_display_are_clamped() {
+    let color = Color::<f32>::from_f64([1.7, -0.5, 1.0]);
+    for (x, y) in (0..4).flat_map(|x| (0..4).map(move |y| (x, y))) {
+        assert_eq!(Rgb565::shown(color, x, y), Rgb565::new(31, 0, 31));
+        assert_eq!(Rgb888::shown(color, x, y), Rgb888::new(255, 0, 255));
+    }
+}

@@ -1,0 +1,32 @@
+//! The tests of what raylet promises: one program, a module a promise, so that what is generic is compiled once for all of them.
+//!
+//! `cargo test -p raylet-promises laws` runs the tests whose names hold `laws`.
+#![cfg(test)]
+
+#[macro_use]
+extern crate support;
+
+mod contract;
+mod effects;
+mod effects_cutoff;
+mod effects_light;
+mod errata;
+mod exact;
+mod firmware;
+mod fuzz_corpus;
+mod gallery;
+mod hard_cases;
+mod hierarchy;
+mod laws;
+mod laws_symmetry;
+mod laws_tiers;
+mod nff;
+mod no_overflow;
+mod number_types;
+mod numbers;
+mod oracle;
+mod picture;
+mod placement;
+mod reintersection;
+mod surface;
+mod watertight;

@@ -1,0 +1,14 @@
+//! What the host and the chips do alike: the digest of all answers, a picture, and the queries whose cost is measured.
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | `digest` | one number for all answers to a fixed set of rays |
+//! | `picture` | a scene in flash, and its picture row by row |
+//! | `subject` | what is measured: solids, unplaced and placed, and the queries |
+//! | `rays` | seeded rays that hit, and others that miss |
+#![no_std]
+
+pub mod digest;
+pub mod picture;
+pub mod rays;
+pub mod subject;

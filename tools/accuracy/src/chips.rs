@@ -1,0 +1,79 @@
+//! What the firmware's baselines say: instructions a query on four chips.
+
+use raylet_tables::{Baseline, Outcome};
+use support::figures::Figures;
+
+/// The chips, by target.
+const CHIPS: [(&str, &str); 4] = [
+    ("thumbv6m-none-eabi", "Cortex-M0+"),
+    ("thumbv7m-none-eabi", "Cortex-M3"),
+    ("thumbv7em-none-eabihf", "Cortex-M4F"),
+    ("riscv32imc-unknown-none-elf", "RV32IMC"),
+];
+
+/// One chip.
+pub struct Chip {
+    pub name: &'static str,
+    cost: raylet_tables::Figures,
+}
+
+/// Instructions of a nearest hit, for rays that hit and for rays that miss.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Instructions {
+    pub hit: u64,
+    pub miss: u64,
+}
+
+impl Instructions {
+    pub fn both(self) -> [u64; 2] {
+        [self.hit, self.miss]
+    }
+}
+
+/// True if the firmware's rays are like those of the workload: from 2 to 6 away. Other rays may take more (those that graze, those
+/// from so far that a short product does not hold them), and for them the same figure is only where it starts.
+pub fn is_like(workload: &str) -> bool {
+    workload == "benign" || workload.starts_with("framed") || workload.starts_with("stretched")
+}
+
+/// A subject of the firmware's, by a row's names.
+fn subject(primitive: &str, workload: &str) -> Option<String> {
+    let name = match primitive {
+        "frustum capped" => "frustum".into(),
+        "frustum open" | "frustum widening" | "frustum pointed" => return None,
+        _ => primitive.replacen(' ', ", ", 1),
+    };
+    let place = ["framed", "stretched"].into_iter().find(|place| workload.starts_with(place));
+    match place {
+        None => Some(name),
+        Some(place) if primitive == "cylinder capped" => Some(format!("{name}, {place}")),
+        Some(_) => None,
+    }
+}
+
+impl Chip {
+    /// What a row costs; `None` if the firmware does not measure it.
+    pub fn instructions(&self, row: &Figures) -> Option<Instructions> {
+        let subject = subject(row.primitive, &row.workload)?;
+        let figure = |tier: &str, rays: &str| {
+            self.cost.get(&format!("{subject} | nearest | {} | {tier} | {rays}", row.number)).copied()
+        };
+        let of = |tier: &str| Some(Instructions { hit: figure(tier, "hit")?, miss: figure(tier, "miss")? });
+        if row.tier == "Textbook" {
+            // With the chip's own square root, where it has one.
+            return of("textbook, VSQRT").or_else(|| of("textbook"));
+        }
+        of(row.tier)
+    }
+}
+
+/// The baselines of all chips.
+pub fn read() -> Outcome<Vec<Chip>> {
+    CHIPS
+        .into_iter()
+        .map(|(target, name)| {
+            let baseline = Baseline::read(&format!("data/chips/{target}.tsv"), ".ci/measure --renew")?;
+            Ok(Chip { name, cost: baseline.part("cost").clone() })
+        })
+        .collect()
+}

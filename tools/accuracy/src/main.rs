@@ -1,0 +1,204 @@
+//! What accuracy costs in time: how wrong every tier in every number type is, against exact arithmetic, and how long it takes.
+//!
+//! ```text
+//! cargo run --release -p raylet-accuracy                 # tables and plots, in out/accuracy
+//! cargo run --release -p raylet-accuracy -- --quick      # the same of few rays, to look at
+//! cargo run --release -p raylet-accuracy -- --write      # renews everything that the repository shows
+//! cargo run --release -p raylet-accuracy -- --check      # fails if a figure of errors is not what is measured
+//! ```
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | `time` | times, by ratio to a reference in the same run |
+//! | `sweep` | errors against distance and grazing |
+//! | `chips` | instructions on microcontrollers, from the firmware's baselines |
+//! | `study`, `stored` | all of these; times and sweeps as the repository stores them |
+//! | `publish` | the documents and plots that are made of them |
+//! | `difference` | how a document differs from another |
+
+mod chips;
+mod difference;
+#[cfg(test)]
+mod documents_test;
+mod publish;
+mod stored;
+mod study;
+mod sweep;
+mod time;
+
+use clap::Parser;
+use indicatif::{ProgressBar, ProgressStyle};
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use study::{Study, Times};
+use support::subject::SUBJECTS;
+use support::{bounds, figures, in_repository};
+
+/// How wrong is each tier in each number type, and how long does it take?
+///
+/// Measured on every primitive and workload, against exact arithmetic on the very bits that the library received: errors of t
+/// in units in the last place and as lengths, wrong hits and misses; the time of a nearest hit as a ratio to the textbook's
+/// sphere in f32, interleaved with it in the same run; and from the firmware's baselines the instructions on four chips. The
+/// textbook's formulas stand beside the tiers, in fixed point in the operators of the crate `fixed`.
+///
+/// Errors are the same on every machine and in every run; times are not, and nothing is decided by them.
+#[derive(Parser)]
+#[command(version, about)]
+// Switches of a command line.
+#[allow(clippy::struct_excessive_bools)]
+struct Options {
+    /// Few rays and few rounds of timing: some seconds instead of minutes. The worst errors come out too small.
+    #[arg(short, long, conflicts_with_all = ["write", "check", "document"])]
+    quick: bool,
+    /// Rays a row; the published tables have 2000.
+    #[arg(short, long, conflicts_with_all = ["write", "check", "document", "quick"])]
+    rays: Option<usize>,
+    /// Print everything as JSON instead of writing documents.
+    #[arg(short, long, conflicts_with_all = ["write", "check", "document"])]
+    json: bool,
+    /// The folder that the documents and plots are written to.
+    #[arg(short, long, default_value = "out/accuracy", value_name = "FOLDER")]
+    output: PathBuf,
+    /// Write what was measured into the repository: the bounds that the tests hold the library to (data/bounds),
+    /// docs/accuracy.md and docs/accuracy/, docs/which-one.md, docs/plots/ and the tables of the README.
+    #[arg(short, long, conflicts_with_all = ["check", "document"])]
+    write: bool,
+    /// Write the documents and plots into the repository from what it holds, without measuring: after a change of the
+    /// firmware's baselines, or of a text.
+    #[arg(short, long)]
+    document: bool,
+    /// Measure the errors, not the times, and compare the documents and plots with what they should be. Fails, and shows how
+    /// they differ, if one does not match.
+    #[arg(short, long, conflicts_with = "document")]
+    check: bool,
+    /// With --check: measure this primitive only; what is not measured is taken from the bounds. May be given several times.
+    #[arg(long, requires = "check", value_name = "PRIMITIVE", value_parser = SUBJECTS)]
+    only: Vec<String>,
+}
+
+fn main() -> ExitCode {
+    match run(&Options::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(options: &Options) -> Result<(), Box<dyn Error>> {
+    let root = &in_repository("");
+    if options.document {
+        return put(root, publish::documents(&Study::committed()?, root)?);
+    }
+    if options.check {
+        return check(root, &options.only);
+    }
+    let (rays, rounds) = if options.quick { (40, 3) } else { (options.rays.unwrap_or(bounds::RAYS), 9) };
+    let study = measure(rays, rounds)?;
+    if options.json {
+        print!("{}", study::as_json(&study));
+        return Ok(());
+    }
+    if options.write {
+        let tier = |tier: &&str| (bounds::path(tier), bounds::table(tier, &study.rows));
+        let mut files: Vec<_> = figures::TIERS.iter().map(tier).collect();
+        files.push((stored::TIMES.into(), stored::times_table(&study.times)));
+        files.push((stored::SWEEPS.into(), stored::sweeps_table(&study.sweeps)));
+        files.extend(publish::documents(&study, root)?);
+        return put(root, files);
+    }
+    let mut files = publish::documents(&study, root)?;
+    files.push(("accuracy.json".into(), study::as_json(&study)));
+    print!("{}", publish::summary(&study));
+    put(&options.output, files)
+}
+
+/// A bar that shows what is measured, and how long it will take.
+fn bar(what: &'static str, length: usize) -> Result<ProgressBar, Box<dyn Error>> {
+    let progress = ProgressBar::new(length as u64).with_message(what);
+    progress.set_style(ProgressStyle::with_template("{msg:>7} {elapsed} {wide_bar} {pos}/{len} rows, {eta} left")?);
+    Ok(progress)
+}
+
+/// The rows of errors, of every primitive or of those named.
+fn errors(rays: usize, only: &[String]) -> Result<Vec<figures::Figures>, Box<dyn Error>> {
+    let primitives = if only.is_empty() { SUBJECTS.len() } else { only.len() };
+    let progress = bar("errors", figures::NUMBERS.len() * primitives * figures::TICKS)?;
+    let wanted = |_: &str, primitive: &str| only.is_empty() || only.iter().any(|name| name == primitive);
+    let rows = figures::measure_all(rays, &wanted, &mut || progress.inc(1));
+    progress.finish_and_clear();
+    Ok(rows)
+}
+
+/// A point of a sweep has fewer rays than a row.
+fn sweeps(rays: usize) -> Result<Vec<study::Point>, Box<dyn Error>> {
+    let progress = bar("sweeps", sweep::TICKS)?;
+    let points = sweep::measure(rays.div_ceil(4), &mut || progress.inc(1));
+    progress.finish_and_clear();
+    Ok(points)
+}
+
+fn times(rounds: usize) -> Result<Times, Box<dyn Error>> {
+    let progress = bar("times", time::TICKS)?;
+    let times = time::measure(rounds, &mut || progress.inc(1));
+    progress.finish_and_clear();
+    Ok(times)
+}
+
+fn measure(rays: usize, rounds: usize) -> Result<Study, Box<dyn Error>> {
+    if cfg!(debug_assertions) {
+        eprintln!("note: times of a build without --release say little");
+    }
+    let chips = chips::read()?;
+    let rows = errors(rays, &[])?;
+    let sweeps = sweeps(rays)?;
+    let times = times(rounds)?;
+    Ok(Study::new(rays, rows, times, sweeps, chips))
+}
+
+/// Measures the errors anew and compares the documents with what they should be.
+fn check(root: &Path, only: &[String]) -> Result<(), Box<dyn Error>> {
+    let committed = Study::committed()?;
+    let measured = errors(bounds::RAYS, only)?;
+    let is_measured = |row: &figures::Figures| only.is_empty() || only.iter().any(|name| name == row.primitive);
+    let mut fresh = measured.iter();
+    let rows = committed.rows.iter().filter_map(|row| if is_measured(row) { fresh.next() } else { Some(row) });
+    let mut rows: Vec<_> = rows.cloned().collect();
+    rows.extend(fresh.cloned());
+    let sweeps = if only.is_empty() { sweeps(bounds::RAYS)? } else { committed.sweeps };
+    let study = Study::new(bounds::RAYS, rows, committed.times, sweeps, committed.chips);
+    let mut files = publish::documents(&study, root)?;
+    files.push((stored::SWEEPS.into(), stored::sweeps_table(&study.sweeps)));
+    let mut wrong = 0;
+    for (path, wanted) in &files {
+        let held = std::fs::read_to_string(root.join(path)).unwrap_or_default();
+        if let Some(lines) = difference::between(&held, wanted) {
+            println!("{path} (- as it is, + as measured):\n{lines}");
+            wrong += 1;
+        }
+    }
+    if wrong > 0 {
+        let all = files.len();
+        return Err(format!(
+            "{wrong} of {all} documents are not what is measured; if the library is right, renew them: \
+             cargo run --release -p raylet-accuracy -- --write"
+        )
+        .into());
+    }
+    println!("{} rows of errors and {} documents are as measured", measured.len(), files.len());
+    Ok(())
+}
+
+/// Writes files into a folder.
+fn put(folder: &Path, files: Vec<(String, String)>) -> Result<(), Box<dyn Error>> {
+    for (path, text) in files {
+        let path = folder.join(path);
+        let told = |error| format!("{} cannot be written: {error}", path.display());
+        std::fs::create_dir_all(path.parent().unwrap_or(folder)).map_err(told)?;
+        std::fs::write(&path, text).map_err(told)?;
+        println!("written: {}", path.strip_prefix(in_repository("")).unwrap_or(&path).display());
+    }
+    Ok(())
+}

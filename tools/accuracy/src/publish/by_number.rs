@@ -1,0 +1,118 @@
+//! The pages of all rows: one a number type.
+
+use super::markdown::{Table, instructions, length, nanoseconds, row_ratios, short};
+use crate::study::Study;
+use std::fmt::Write;
+use support::figures::{Figures, TIERS};
+use support::subject::SUBJECTS;
+
+fn head(study: &Study, number: &str) -> String {
+    let textbook = match number {
+        "f32" | "f64" => "the formulas that everyone writes first, with the machine's square root",
+        _ => "the formulas that everyone writes first, in the wrapping operators of the crate `fixed`",
+    };
+    format!(
+        "# All rows of `{number}`\n\n\
+         Written by `cargo run --release -p raylet-accuracy -- --write`; what the columns and the workloads are, and what to make of them, \
+         stands in [accuracy.md](../accuracy.md). *Textbook*: {textbook}; it tells `t` alone, no part. Errors are the same on every \
+         machine. Times are of {}: hit / miss, as a ratio to the textbook's sphere in `f32` ({} ns), and in nanoseconds.\n\n",
+        study.times.machine, study.times.reference_nanoseconds
+    )
+}
+
+fn errors(rows: &[&Figures]) -> String {
+    let mut table = Table::new(
+        &[
+            "workload",
+            "tier",
+            "hits",
+            "median",
+            "99.9%",
+            "worst",
+            "median, length",
+            "99.9%, length",
+            "worst, length",
+            "lost",
+            "phantom",
+            "edge",
+            "part",
+        ],
+        2,
+    );
+    for row in rows {
+        let [lost, phantom, edge, part, _] = row.counts.map(|count| count.to_string());
+        let ([median, most, worst], lengths) = (row.errors.map(short), row.lengths.map(length));
+        let part = if row.tier == "Textbook" { super::markdown::NONE.into() } else { part };
+        let [median_length, most_length, worst_length] = lengths;
+        table.row(&[
+            row.workload.clone(),
+            row.tier.into(),
+            row.hits.to_string(),
+            median,
+            most,
+            worst,
+            median_length,
+            most_length,
+            worst_length,
+            lost,
+            phantom,
+            edge,
+            part,
+        ]);
+    }
+    table.done()
+}
+
+fn times(study: &Study, number: &str, primitive: &str, tiers: &[&str]) -> String {
+    let titles = tiers.iter().flat_map(|tier| [tier.to_string(), "ns".into()]);
+    let mut table = Table::new(&std::iter::once("workload".into()).chain(titles).collect::<Vec<String>>(), 1);
+    for workload in study.workloads(number, primitive) {
+        let mut cells = vec![workload.to_string()];
+        for tier in tiers {
+            let Some(row) = study.row(number, tier, primitive, workload) else { continue };
+            cells.push(row_ratios(study, row));
+            cells.push(study.time(row).map_or(String::new(), |time| nanoseconds(time.hit, time.miss)));
+        }
+        table.row(&cells);
+    }
+    table.done()
+}
+
+/// Of the rays that the firmware asks, at the primitive and placed.
+fn chips(study: &Study, rows: &[&Figures]) -> String {
+    let titles: Vec<_> = ["", "tier"].into_iter().chain(study.chips.iter().map(|chip| chip.name)).collect();
+    let mut table = Table::new(&titles, 2);
+    let mut any = false;
+    for workload in ["benign", "framed within 4", "stretched by 1/4 to 4"] {
+        for row in rows.iter().filter(|row| row.workload == workload) {
+            let cells: Vec<_> = study.chips.iter().map(|chip| instructions(chip, row)).collect();
+            if cells.iter().all(|cell| cell == super::markdown::NONE) {
+                continue;
+            }
+            any = true;
+            let place = if workload == "benign" { "as it is" } else { workload.split(' ').next().unwrap_or(workload) };
+            table.row(&[vec![place.into(), row.tier.to_string()], cells].concat());
+        }
+    }
+    if any { format!("Instructions of a nearest hit, hit / miss:\n\n{}", table.done()) } else { String::new() }
+}
+
+/// The page of a number type.
+pub fn document(study: &Study, number: &str) -> String {
+    let mut text = head(study, number);
+    for primitive in SUBJECTS {
+        let mut rows: Vec<&Figures> = vec![];
+        for workload in study.workloads(number, primitive) {
+            rows.extend(TIERS.iter().filter_map(|tier| study.row(number, tier, primitive, workload)));
+        }
+        let tiers: Vec<_> = TIERS.into_iter().filter(|tier| rows.iter().any(|row| row.tier == *tier)).collect();
+        let _ = write!(
+            text,
+            "## {primitive}\n\nErrors of `t`:\n\n{}Times, hit / miss:\n\n{}{}",
+            errors(&rows),
+            times(study, number, primitive, &tiers),
+            chips(study, &rows)
+        );
+    }
+    text
+}

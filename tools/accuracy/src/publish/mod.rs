@@ -1,0 +1,42 @@
+//! The documents and plots that are made of a study.
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | `front` | docs/accuracy.md |
+//! | `by_number` | docs/accuracy/: all rows, a page a number type |
+//! | `which_one`, `advice` | docs/which-one.md: how it is made, what it says |
+//! | `readme` | the README's tables |
+//! | `findings`, `explanations` | what needs a word, and the words |
+//! | `plots` | docs/plots/ |
+//! | `markdown` | figures and tables as text |
+
+mod advice;
+mod by_number;
+mod explanations;
+mod findings;
+mod front;
+mod markdown;
+mod plots;
+mod readme;
+mod which_one;
+
+use crate::study::Study;
+use std::error::Error;
+use std::path::Path;
+use support::figures::NUMBERS;
+
+pub use front::printed as summary;
+
+/// All of them, with their paths in the repository; of the README the tables are new.
+pub fn documents(study: &Study, root: &Path) -> Result<Vec<(String, String)>, Box<dyn Error>> {
+    let readme = std::fs::read_to_string(root.join("README.md"))?;
+    let mut files = vec![
+        ("docs/accuracy.md".to_string(), front::document(study)),
+        ("docs/which-one.md".into(), which_one::document(study)?),
+        ("README.md".into(), readme::document(&readme, study)?),
+    ];
+    files
+        .extend(NUMBERS.map(|number| (format!("docs/{}", markdown::page(number)), by_number::document(study, number))));
+    files.extend(plots::all(study)?);
+    Ok(files)
+}

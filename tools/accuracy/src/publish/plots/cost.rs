@@ -1,0 +1,143 @@
+//! Error against cost: one point a combination of number type and tier, a panel a workload, and the front of those that nothing
+//! beats in both.
+
+use super::sheet::{self, Area, GRID, INK, Mark, label, power};
+use crate::chips::Chip;
+use crate::study::Study;
+use plotters::prelude::*;
+use std::error::Error;
+use support::figures::{Figures, NUMBERS, TIERS};
+
+const COLUMNS: usize = 4;
+const PANEL: (u32, u32) = (250, 190);
+const HEAD: u32 = 74;
+
+/// Errors are drawn within these lengths: beyond them an answer is no answer.
+const LENGTHS: [f64; 2] = [1e-17, 1e5];
+
+fn color(number: &str) -> RGBColor {
+    match number {
+        "f32" => RGBColor(0x1f, 0x77, 0xe0),
+        "f64" => RGBColor(0x2d, 0xa4, 0x4e),
+        "I16F16" => RGBColor(0xd9, 0x73, 0x0d),
+        _ => RGBColor(0xa2, 0x59, 0xd9),
+    }
+}
+
+/// A combination's cost and error.
+struct Point<'a> {
+    row: &'a Figures,
+    cost: f64,
+    error: f64,
+}
+
+fn points<'a>(study: &'a Study, chip: Option<&Chip>, primitive: &str, workload: &str) -> Vec<Point<'a>> {
+    let rows = NUMBERS.iter().flat_map(|number| TIERS.iter().map(move |tier| (number, tier)));
+    rows.filter_map(|(number, tier)| {
+        // Where every hit was lost there is no error.
+        let row = study.row(number, tier, primitive, workload).filter(|row| row.hits > 0)?;
+        let cost = match chip {
+            Some(chip) => chip.instructions(row)?.hit as f64,
+            None => study.time(row)?.hit?.ratio,
+        };
+        Some(Point { row, cost, error: row.lengths[1].clamp(LENGTHS[0], LENGTHS[1]) })
+    })
+    .collect()
+}
+
+/// Those without wrong hits or misses that no other beats in cost and error, by cost.
+fn front(points: &[Point<'_>]) -> Vec<(f64, f64)> {
+    let mut right: Vec<_> = points.iter().filter(|point| point.row.wrong() == 0).collect();
+    right.sort_by(|a, b| a.cost.total_cmp(&b.cost).then(a.error.total_cmp(&b.error)));
+    let mut front: Vec<(f64, f64)> = vec![];
+    for point in right {
+        if front.last().is_none_or(|last| point.error < last.1) {
+            front.push((point.cost, point.error));
+        }
+    }
+    front
+}
+
+fn panel(area: &Area<'_>, title: &str, points: &[Point<'_>], costs: [f64; 2]) -> Result<(), Box<dyn Error>> {
+    let mut chart = ChartBuilder::on(area)
+        .caption(title, ("sans-serif", 13).into_font().color(&INK))
+        .margin(4)
+        .margin_right(12)
+        .x_label_area_size(18)
+        .y_label_area_size(38)
+        .build_cartesian_2d((costs[0]..costs[1]).log_scale(), (LENGTHS[0]..LENGTHS[1]).log_scale())?;
+    chart
+        .configure_mesh()
+        .x_labels(5)
+        .y_labels(8)
+        .max_light_lines(0)
+        .bold_line_style(GRID.stroke_width(1))
+        .axis_style(GRID.stroke_width(1))
+        .label_style(("sans-serif", 10).into_font().color(&INK))
+        .x_label_formatter(&|value| power(*value))
+        .y_label_formatter(&|value| power(*value))
+        .draw()?;
+    // As stairs: between two of the front there is nothing to be had.
+    let front = front(points);
+    let mut stairs = vec![];
+    for (index, &(cost, error)) in front.iter().enumerate() {
+        if index > 0 {
+            stairs.push((cost, front[index - 1].1));
+        }
+        stairs.push((cost, error));
+    }
+    chart.draw_series(LineSeries::new(stairs, INK.stroke_width(1)))?;
+    for point in points {
+        let at = (point.cost.clamp(costs[0], costs[1]), point.error);
+        Mark::of(point.row.tier).draw(chart.plotting_area(), at, color(&point.row.number), point.row.wrong() > 0)?;
+    }
+    Ok(())
+}
+
+fn legend(area: &Area<'_>, axis: &str) -> Result<(), Box<dyn Error>> {
+    let mut x = 16;
+    for number in NUMBERS {
+        Mark::Square.draw(area, (x, 40), color(number), false)?;
+        label(area, number, (x + 10, 40), 12)?;
+        x += 70;
+    }
+    x += 14;
+    for tier in TIERS {
+        Mark::of(tier).draw(area, (x, 40), RGBColor(0x80, 0x88, 0x90), false)?;
+        label(area, tier, (x + 10, 40), 12)?;
+        x += 84;
+    }
+    label(area, "thin or hollow: wrong hits or misses", (x, 40), 12)?;
+    let axes = format!(
+        "Across: {axis}. Up: 99.9 % error of t, as a length; the solid's size is about 1. Line: nothing is better in both."
+    );
+    label(area, &axes, (12, 60), 12)
+}
+
+/// The plot of one primitive, on the host or on a chip.
+pub fn plot(study: &Study, chip: Option<&Chip>, primitive: &str) -> Result<String, Box<dyn Error>> {
+    let workloads = study.workloads("f32", primitive);
+    let panels: Vec<_> = workloads
+        .iter()
+        .map(|workload| (*workload, points(study, chip, primitive, workload)))
+        .filter(|(_, points)| !points.is_empty())
+        .collect();
+    let costs = panels.iter().flat_map(|(_, points)| points).map(|point| point.cost.max(1e-3));
+    let (least, most) = costs.fold((f64::INFINITY, 0.0_f64), |(least, most), cost| (least.min(cost), most.max(cost)));
+    let costs = if panels.is_empty() { [1.0, 10.0] } else { [least / 1.5, most * 1.5] };
+    let rows = panels.len().div_ceil(COLUMNS);
+    let size = (PANEL.0 * COLUMNS as u32, HEAD + PANEL.1 * rows.max(1) as u32);
+    let (place, axis) = match chip {
+        Some(chip) => (chip.name, "instructions of a nearest hit, of benign rays in every panel"),
+        None => ("this host", "time of a nearest hit; 1 is the textbook's sphere in f32"),
+    };
+    let title = format!("Error against cost: {primitive}, {place}");
+    sheet::sheet(size, &title, |area| {
+        legend(area, axis)?;
+        let (_, below) = area.split_vertically(HEAD);
+        for ((workload, points), panel_area) in panels.iter().zip(below.split_evenly((rows.max(1), COLUMNS))) {
+            panel(&panel_area, workload, points, costs)?;
+        }
+        Ok(())
+    })
+}

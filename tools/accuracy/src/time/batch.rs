@@ -1,0 +1,121 @@
+//! A question at some rays, again and again.
+
+use super::rays::Query;
+use raylet::tier::Tier;
+use raylet::{Capsule, Cone, Cylinder, Disc, Hit, Plane, Primitive, Ray, Scalar, Shape, Sphere, Triangle};
+use std::hint::black_box;
+use std::time::Instant;
+use support::oracle::Solid;
+use support::textbook::{Form, Place, Plain, PlainRay};
+
+/// A batch goes on for at least this long: well above the grain of the clock, well below a slice of the scheduler.
+const NANOSECONDS: f64 = 25_000.0;
+
+/// A question, ready to be timed.
+pub struct Batch {
+    run: Box<dyn Fn(u32)>,
+    passes: u32,
+    questions: usize,
+}
+
+#[inline(never)]
+fn pass<I>(inputs: &[I], question: fn(&I)) {
+    for input in inputs {
+        question(black_box(input));
+    }
+}
+
+impl Batch {
+    fn new<I: 'static>(inputs: Vec<I>, question: fn(&I)) -> Self {
+        let questions = inputs.len();
+        let run = move |passes| {
+            // The compiler must not know which function it is: it would make a copy of the loop for each.
+            let question = black_box(question);
+            for _ in 0..passes {
+                pass(&inputs, question);
+            }
+        };
+        let mut batch = Self { run: Box::new(run), passes: 1, questions };
+        // Once to warm up, once to see.
+        batch.nanoseconds();
+        let once = batch.nanoseconds() * questions as f64;
+        batch.passes = (NANOSECONDS / once.max(1.0)).ceil().clamp(1.0, 1e4) as u32;
+        batch
+    }
+
+    /// Of a question, in the mean.
+    pub fn nanoseconds(&self) -> f64 {
+        let start = Instant::now();
+        (self.run)(self.passes);
+        start.elapsed().as_nanos() as f64 / (f64::from(self.passes) * self.questions as f64)
+    }
+}
+
+/// What can be asked for its nearest hit.
+trait Nearest<S: Scalar>: Copy + 'static {
+    fn nearest<T: Tier<S>>(&self, ray: &Ray<S>) -> Option<Hit<S>>;
+}
+
+macro_rules! primitives {
+    ($($Primitive:ident)+) => {
+        $(
+            impl<S: Scalar> Nearest<S> for $Primitive<S> {
+                #[inline(always)]
+                fn nearest<T: Tier<S>>(&self, ray: &Ray<S>) -> Option<Hit<S>> {
+                    self.nearest_at::<T>(ray)
+                }
+            }
+        )+
+    };
+}
+primitives!(Sphere Cylinder Cone Capsule Plane Disc Triangle Shape);
+
+#[inline(never)]
+fn ask<S: Scalar, T: Tier<S>, P: Nearest<S>>((subject, ray): &(P, Ray<S>)) {
+    black_box(subject.nearest::<T>(ray));
+}
+
+fn of<S: Scalar, T: Tier<S>, P: Nearest<S>>(inputs: Vec<(P, Ray<S>)>) -> Batch {
+    Batch::new(inputs, ask::<S, T, P>)
+}
+
+/// A tier: through the primitive's own method, where it is not placed.
+pub fn tier<S: Plain, T: Tier<S>>(queries: &[Query<S>]) -> Batch {
+    macro_rules! own {
+        ($($Variant:ident)+) => {
+            match queries.first().map(|query| *query.shape.primitive()) {
+                $(
+                    Some(Primitive::$Variant(primitive)) if queries.iter().all(|query| query.place.is_none()) => {
+                        of::<S, T, _>(queries.iter().map(|query| (primitive, query.ray)).collect())
+                    }
+                )+
+                _ => of::<S, T, _>(queries.iter().map(|query| (query.shape, query.ray)).collect()),
+            }
+        };
+    }
+    own!(Sphere Cylinder Cone Capsule Plane Disc Triangle)
+}
+
+type TextbookQuery<N> = (Form<N>, Option<Place<N>>, PlainRay<N>);
+
+#[inline(never)]
+fn ask_textbook<S: Plain>((form, place, ray): &TextbookQuery<S::Number>) {
+    black_box(form.nearest(place.as_ref(), ray));
+}
+
+/// The textbook.
+pub fn textbook<S: Plain>(solid: &Solid, queries: &[Query<S>]) -> Batch {
+    let form = Form::of::<S>(solid);
+    let inputs = queries.iter().map(|query| (form, query.place, PlainRay::of(&query.ray))).collect();
+    Batch::new(inputs, ask_textbook::<S>)
+}
+
+#[inline(never)]
+fn ask_nothing<S: Scalar>(query: &Ray<S>) {
+    black_box(query);
+}
+
+/// A question that asks nothing.
+pub fn nothing<S: Plain>(queries: &[Query<S>]) -> Batch {
+    Batch::new(queries.iter().map(|query| query.ray).collect(), ask_nothing::<S>)
+}

@@ -1,0 +1,31 @@
+//! What the program `cost` printed.
+
+use raylet_tables::{Figures, Outcome};
+use serde::Deserialize;
+use std::fs;
+use std::path::Path;
+
+#[derive(Deserialize)]
+struct Row {
+    subject: String,
+    query: String,
+    number: String,
+    tier: String,
+    rays: String,
+    instructions: u64,
+}
+
+/// The name of a figure in a baseline.
+pub fn key(subject: &str, query: &str, number: &str, tier: &str, rays: &str) -> String {
+    format!("{subject} | {query} | {number} | {tier} | {rays}")
+}
+
+/// Reads a line of JSON for each figure.
+pub fn read(path: &Path) -> Outcome<Figures> {
+    let mut figures = Figures::new();
+    for line in fs::read_to_string(path)?.lines() {
+        let row: Row = serde_json::from_str(line).map_err(|error| format!("{line}: {error}"))?;
+        figures.insert(key(&row.subject, &row.query, &row.number, &row.tier, &row.rays), row.instructions);
+    }
+    Ok(figures)
+}

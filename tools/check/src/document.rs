@@ -1,0 +1,181 @@
+//! `docs/microcontrollers.md`: the baselines as tables.
+
+use crate::chip::{self, Part};
+use crate::{cost, effects_table, marks, size};
+use raylet_tables::markdown::{head, row};
+use raylet_tables::{Baseline, Outcome, grouped, in_repository};
+use std::fmt::Write;
+use std::fs;
+
+/// The chips, by target.
+pub const CHIPS: [(&str, &str); 4] = [
+    ("thumbv6m-none-eabi", "Cortex-M0+"),
+    ("thumbv7m-none-eabi", "Cortex-M3"),
+    ("thumbv7em-none-eabihf", "Cortex-M4F"),
+    ("riscv32imc-unknown-none-elf", "RV32IMC"),
+];
+
+/// The subjects, as the program `cost` names them.
+const SUBJECTS: [&str; 16] = [
+    "sphere",
+    "cylinder, infinite",
+    "cylinder, open",
+    "cylinder, capped",
+    "capsule",
+    "cone, double",
+    "cone, nappe",
+    "cone, open",
+    "cone, capped",
+    "frustum",
+    "plane",
+    "disc",
+    "triangle",
+    "cylinder, capped, as a shape",
+    "cylinder, capped, framed",
+    "cylinder, capped, stretched",
+];
+
+/// The subjects that the textbook is compared with.
+const COMPARED: [&str; 3] = ["sphere", "cylinder, capped", "cone, capped"];
+
+/// Number types, and their tiers.
+const NUMBERS: [(&str, &[&str]); 4] = [
+    ("I16F16", &["Fast", "Stable", "Exact"]),
+    ("f32", &["Fast", "Stable", "Exact"]),
+    ("I32F32", &["Fast", "Stable"]),
+    ("f64", &["Fast", "Stable"]),
+];
+
+const INTRODUCTION: &str = "\
+# On microcontrollers
+
+What a query costs on four chips, how much flash a primitive takes, and what an effect costs a pixel. Written by
+`.ci/measure --renew`; do not edit. `.ci/measure`, which CI runs, fails if a figure gets more than 2 % worse.
+
+The figures are **instructions, never cycles**: a chip takes one or more cycles for each, depending on its pipeline and on its
+memory. They are counted by QEMU (`-icount shift=0`: its clock advances by one nanosecond an instruction), so that they are
+the same on every run. Each is the mean over 64 seeded rays that start 2 to 6 units away; all of them hit, or all miss. A
+function that is not inlined asks the question, and what a function takes that does nothing is subtracted, with the loop. The
+programs are built with `opt-level = 3`, link-time optimisation and one codegen unit.
+
+The *textbook* is `k^2 - a c` as everyone writes it first: for floats with `libm`'s square root, for fixed point with the
+operators of the crate `fixed` in the same type, wrapping where a square overflows. It is here for its cost: what it gets wrong is in
+[accuracy.md](accuracy.md). On the Cortex-M4F a second row has it with the chip's instruction for the root, as raylet uses it.
+
+What the tiers promise is in the documentation of `raylet::tier`. M0+ is measured on QEMU's M3, which runs the same
+instructions.
+
+";
+
+/// The figure for rays that hit, or for both kinds.
+fn cell(baseline: &Baseline, subject: &str, query: &str, number: &str, tier: &str) -> String {
+    let figure = |rays| Part::Cost.figure(baseline, &cost::key(subject, query, number, tier, rays)).map(grouped);
+    match (figure("hit"), figure("miss")) {
+        (Some(hit), Some(miss)) => format!("{hit} / {miss}"),
+        (Some(hit), None) => hit,
+        _ => "–".into(),
+    }
+}
+
+/// A few primitives on all chips, beside the textbook.
+fn comparison(text: &mut String, chips: &[(&str, Baseline)]) {
+    text.push_str("## The nearest hit, beside the textbook\n\nInstructions: hit / miss.\n\n");
+    head(
+        text,
+        ["", "number", "tier"].map(String::from).into_iter().chain(chips.iter().map(|(chip, _)| (*chip).into())),
+    );
+    for subject in COMPARED {
+        for (number, tiers) in NUMBERS {
+            for tier in ["textbook", "textbook, VSQRT"].iter().chain(tiers) {
+                let cells: Vec<_> =
+                    chips.iter().map(|(_, baseline)| cell(baseline, subject, "nearest", number, tier)).collect();
+                if cells.iter().any(|cell| cell != "–") {
+                    let names = [subject, number, tier].map(String::from);
+                    row(text, names.into_iter().chain(cells));
+                }
+            }
+        }
+    }
+}
+
+/// Every primitive on one chip.
+fn one_chip(text: &mut String, chip: &str, baseline: &Baseline) {
+    let _ = write!(text, "\n## {chip}\n\nThe nearest hit; instructions: hit / miss.\n\n");
+    let kinds: Vec<_> =
+        NUMBERS.iter().flat_map(|(number, tiers)| tiers.iter().map(move |tier| (*number, *tier))).collect();
+    let titles = kinds.iter().map(|(number, tier)| format!("{number} {tier}"));
+    head(text, std::iter::once(String::new()).chain(titles));
+    for subject in SUBJECTS {
+        let cells = kinds.iter().map(|(number, tier)| cell(baseline, subject, "nearest", number, tier));
+        row(text, std::iter::once(subject.to_string()).chain(cells));
+    }
+    text.push_str("\nThe other questions, in `Stable`; instructions: hit / miss, and from a hit.\n\n");
+    let queries = ["all hits", "occlusion", "normal", "uv"];
+    let numbers = ["I16F16", "f32"];
+    let titles = numbers.iter().flat_map(|number| queries.iter().map(move |query| format!("{number} {query}")));
+    head(text, std::iter::once(String::new()).chain(titles));
+    for subject in SUBJECTS {
+        let cells = numbers.iter().flat_map(|number| {
+            queries.iter().map(move |query| {
+                let tier = if matches!(*query, "normal" | "uv") { "any" } else { "Stable" };
+                cell(baseline, subject, query, number, tier)
+            })
+        });
+        row(text, std::iter::once(subject.to_string()).chain(cells));
+    }
+}
+
+/// Bytes of flash.
+fn sizes(text: &mut String, chips: &[(&str, Baseline)]) {
+    text.push_str(
+        "\n## Flash\n\nBytes of code and constants of a program that asks one primitive for its nearest hit, over those of a program that does nothing. \
+         Two primitives share much of it: the number type's arithmetic is counted with each.\n\n",
+    );
+    let titles = chips.iter().map(|(chip, _)| (*chip).to_string());
+    head(text, ["", "number", "tier"].map(String::from).into_iter().chain(titles));
+    for primitive in size::PRIMITIVES {
+        for [number, tier] in size::KINDS {
+            let figures = chips.iter().map(|(_, baseline)| {
+                Part::Size.figure(baseline, &size::key(primitive, [number, tier])).map_or("–".into(), grouped)
+            });
+            row(text, [primitive, number, tier].map(String::from).into_iter().chain(figures));
+        }
+    }
+}
+
+fn text() -> Outcome<String> {
+    let mut chips = Vec::new();
+    for (target, chip) in CHIPS {
+        chips.push((chip, chip::baseline(target)?));
+    }
+    let mut text = INTRODUCTION.to_string();
+    if let Some((_, baseline)) = chips.first() {
+        let _ = write!(text, "Compiler: {}.\n\n", baseline.compiler);
+    }
+    marks::table(&mut text, &chips);
+    comparison(&mut text, &chips);
+    for (chip, baseline) in &chips {
+        one_chip(&mut text, chip, baseline);
+    }
+    sizes(&mut text, &chips);
+    effects_table::tables(&mut text, &chips);
+    Ok(text)
+}
+
+/// Writes the document, or says whether it is as it should be.
+pub fn write(verify: bool) -> Outcome {
+    put("docs/microcontrollers.md", &text()?, verify)
+}
+
+/// Writes a document, or says whether it is as it should be.
+pub fn put(path: &str, text: &str, verify: bool) -> Outcome {
+    if !verify {
+        fs::write(in_repository(path), text)?;
+        println!("{path} is written");
+    } else if fs::read_to_string(in_repository(path))? != text {
+        return Err(format!("{path} is not what the baselines say: .ci/measure --document").into());
+    } else {
+        println!("{path} is what the baselines say");
+    }
+    Ok(())
+}

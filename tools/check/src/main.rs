@@ -1,0 +1,111 @@
+//! Looks at what the firmware programs are made of and at what they print, and says whether it got worse.
+//!
+//! ```sh
+//! check programs                                   # writes the programs that `check size` and `check left-out` read
+//! check proofs DIRECTORY                           # what must not be linked is not
+//! check cost --target TARGET OUTPUT [--renew]      # instructions a query, against the baseline
+//! check size --target TARGET DIRECTORY [--renew]   # bytes a primitive, against the baseline
+//! check left-out DIRECTORY                         # an effect that is left out leaves no code
+//! check effects --target TARGET OUTPUT [--renew]   # instructions and stack a pixel, against the baseline
+//! check gallery --target TARGET OUTPUT [--renew]   # instructions a pixel of the gallery, against the baseline
+//! check document [--verify]                        # docs/microcontrollers.md and docs/gallery.md from the baselines
+//! ```
+
+mod chip;
+mod cost;
+mod document;
+mod effects;
+mod effects_table;
+mod elf;
+mod forbidden;
+mod gallery;
+mod marks;
+mod programs;
+mod proofs;
+mod size;
+
+use chip::{Chip, Part};
+use clap::{Parser, Subcommand};
+use raylet_tables::Outcome;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+#[derive(Parser)]
+#[command(about = "Looks at what the firmware programs are made of and at what they print.")]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Writes the programs of `tools/firmware/sizes`, which `size` and `left-out` read when they are built.
+    Programs,
+    /// Shows that no panic, no allocator, no formatting and no operation on doubles was linked where none may be.
+    Proofs {
+        /// Where cargo put the programs: `target/TARGET/release`.
+        programs: PathBuf,
+    },
+    /// Compares instructions a query with the baseline.
+    Cost {
+        #[command(flatten)]
+        chip: Chip,
+        /// What the program `cost` printed.
+        output: PathBuf,
+    },
+    /// Compares bytes a primitive with the baseline.
+    Size {
+        #[command(flatten)]
+        chip: Chip,
+        /// Where cargo put the programs: `target/TARGET/release`.
+        programs: PathBuf,
+    },
+    /// Shows that an effect that is left out leaves no code.
+    LeftOut {
+        /// Where cargo put the programs: `target/TARGET/release`.
+        programs: PathBuf,
+    },
+    /// Compares what sets of effects cost a pixel with the baseline.
+    Effects {
+        #[command(flatten)]
+        chip: Chip,
+        /// What the program `effects` printed.
+        output: PathBuf,
+    },
+    /// Compares what the pictures of the gallery cost with the baseline.
+    Gallery {
+        #[command(flatten)]
+        chip: Chip,
+        /// What the program `gallery` printed.
+        output: PathBuf,
+    },
+    /// Writes `docs/microcontrollers.md` and `docs/gallery.md` from the baselines.
+    Document {
+        /// Only say whether it is as it should be.
+        #[arg(long)]
+        verify: bool,
+    },
+}
+
+fn run(command: &Command) -> Outcome {
+    match command {
+        Command::Programs => programs::write(),
+        Command::Proofs { programs } => proofs::check(programs),
+        Command::Cost { chip, output } => chip::check(chip, Part::Cost, cost::read(output)?),
+        Command::Size { chip, programs } => chip::check(chip, Part::Size, size::read(programs)?),
+        Command::LeftOut { programs } => effects::check_left_out(programs),
+        Command::Effects { chip, output } => chip::check(chip, Part::Effects, effects::read(output)?),
+        Command::Gallery { chip, output } => chip::check(chip, Part::Gallery, effects::read_gallery(output)?),
+        Command::Document { verify } => document::write(*verify).and_then(|()| gallery::write(*verify)),
+    }
+}
+
+fn main() -> ExitCode {
+    match run(&Arguments::parse().command) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}

@@ -1,0 +1,31 @@
+//! What one primitive, and one set of effects, takes of a chip's flash.
+
+use crate::elf::Program;
+use crate::{effects, programs};
+use raylet_tables::{Figures, Outcome};
+use std::path::Path;
+
+/// The primitives.
+pub const PRIMITIVES: [&str; 7] = ["sphere", "cylinder", "cone", "capsule", "plane", "disc", "triangle"];
+
+/// Number types and tiers.
+pub const KINDS: [[&str; 2]; 4] = [["f32", "Fast"], ["f32", "Stable"], ["I16F16", "Fast"], ["I16F16", "Stable"]];
+
+/// The name of a figure in a baseline.
+pub fn key(primitive: &str, [number, tier]: [&str; 2]) -> String {
+    format!("{primitive} | {number} | {tier}")
+}
+
+/// Bytes over those of the empty program.
+pub fn read(directory: &Path) -> Outcome<Figures> {
+    let empty = Program::read(&directory.join(programs::EMPTY))?.bytes;
+    let mut figures = Figures::new();
+    for primitive in PRIMITIVES {
+        for [number, tier] in KINDS {
+            let bytes = Program::read(&directory.join(programs::of_primitive(primitive, [number, tier])))?.bytes;
+            figures.insert(key(primitive, [number, tier]), bytes.saturating_sub(empty));
+        }
+    }
+    effects::sizes(directory, empty, &mut figures)?;
+    Ok(figures)
+}

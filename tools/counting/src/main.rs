@@ -1,0 +1,48 @@
+//! How many instructions every query takes on this machine, counted by valgrind's callgrind: the same on every run.
+//!
+//! ```sh
+//! .ci/instructions            # compares with data/host.tsv
+//! .ci/instructions --renew    # makes what is counted the baseline, and writes docs/benches.md
+//! ```
+//!
+//! The script installs valgrind and says which compiler built this.
+
+mod callgrind;
+mod document;
+
+use clap::Parser;
+use std::error::Error;
+use std::process::ExitCode;
+
+#[derive(Parser)]
+#[command(about = "Counts the instructions of every query.")]
+struct Arguments {
+    /// What `rustc --version` says of the compiler that built this: another one than the baseline's may be up to 15 % worse.
+    #[arg(long, required_unless_present = "under_valgrind")]
+    compiler: Option<String>,
+    /// Make what is counted the baseline, and write the document.
+    #[arg(long)]
+    renew: bool,
+    /// Only run the queries.
+    #[arg(long, hide = true)]
+    under_valgrind: bool,
+}
+
+fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
+    let Some(compiler) = &arguments.compiler else {
+        callgrind::run_queries();
+        return Ok(());
+    };
+    let now = document::counted(compiler, callgrind::count()?);
+    if arguments.renew { document::renew(&now) } else { document::verify(&now) }
+}
+
+fn main() -> ExitCode {
+    match run(&Arguments::parse()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}

@@ -1,0 +1,15 @@
+//! Hands the linker the script of the chip's runtime. The memory map of the emulated board, `memory.x`, comes from
+//! `raylet-firmware`: the folders that the build script of a dependency adds to the linker's search are searched here too.
+
+fn main() {
+    println!("cargo:rerun-if-changed=build.rs");
+    let scripts: &[&str] = match std::env::var("CARGO_CFG_TARGET_ARCH").as_deref() {
+        Ok("arm") => &["link.x"],
+        Ok("riscv32") => &["memory.x", "link.x"],
+        // The host, for the library alone.
+        _ => &[],
+    };
+    for script in scripts {
+        println!("cargo:rustc-link-arg-bins=-T{script}");
+    }
+}

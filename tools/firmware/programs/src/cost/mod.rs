@@ -1,0 +1,123 @@
+//! What a query costs, in instructions: every primitive, query, number type and tier, hits and misses apart, beside the
+//! formulas of the textbook.
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | `measure` | instructions a query |
+//! | `textbook` | the formulas that everyone writes first |
+//!
+//! The primitives, the queries and the rays are those of the crate `shared`, which the host is measured with too.
+
+mod measure;
+mod textbook;
+
+use fixed::types::{I16F16, I32F32};
+use measure::instructions;
+use raylet::tier::{Exact, Fast, Stable, Tier};
+use raylet::{Hit, Ray, Scalar};
+use shared::every_subject;
+use shared::rays::{RAYS, rays};
+use shared::subject::{Subject, question};
+use textbook::Plain;
+
+/// One figure.
+#[derive(Clone, Copy, Debug)]
+pub struct Row {
+    /// The primitive.
+    pub subject: &'static str,
+    /// The query.
+    pub query: &'static str,
+    /// The number type.
+    pub number: &'static str,
+    /// The tier; `any` where an answer does not depend on it, `textbook` for the formulas to compare with.
+    pub tier: &'static str,
+    /// True for rays that hit, false for rays that miss.
+    pub hits: bool,
+    /// Instructions a query, in the mean.
+    pub instructions: u64,
+}
+
+/// Takes rows.
+pub type Report<'a> = &'a mut dyn FnMut(Row);
+
+/// Rays at one subject, in its number type.
+pub struct Rays<S: Scalar> {
+    hitting: [Ray<S>; RAYS],
+    missing: [Ray<S>; RAYS],
+}
+
+/// What is measured, but for the query.
+#[derive(Clone, Copy)]
+struct Names {
+    subject: &'static str,
+    number: &'static str,
+    tier: &'static str,
+}
+
+impl Names {
+    fn row(self, query: &'static str, hits: bool, instructions: u64) -> Row {
+        let Self { subject, number, tier } = self;
+        Row { subject, query, number, tier, hits, instructions }
+    }
+}
+
+/// The queries that each tier answers in its own way.
+#[inline(never)]
+fn tier<S: Scalar, T: Tier<S>, P: Subject<S>>(names: Names, subject: &P, rays: &Rays<S>, report: Report<'_>) {
+    let queries: [(&str, fn(&P, &Ray<S>)); 3] = [
+        ("all hits", question::hits::<S, T, P>),
+        ("nearest", question::nearest::<S, T, P>),
+        ("occlusion", question::occludes::<S, T, P>),
+    ];
+    for (name, query) in queries {
+        report(names.row(name, true, instructions(subject, &rays.hitting, query)));
+        report(names.row(name, false, instructions(subject, &rays.missing, query)));
+    }
+}
+
+/// What is computed of a hit, which no tier changes.
+#[inline(never)]
+fn surface<S: Scalar, P: Subject<S>>(names: Names, subject: &P, rays: &Rays<S>, report: Report<'_>) {
+    let hits: [(Ray<S>, Option<Hit<S>>); RAYS] = rays.hitting.map(|ray| (ray, subject.nearest::<Stable>(&ray)));
+    report(names.row("normal", true, instructions(subject, &hits, question::normal::<S, P>)));
+    report(names.row("uv", true, instructions(subject, &hits, question::uv::<S, P>)));
+}
+
+/// Everything for one subject: each tier that its number type has, and what no tier changes.
+macro_rules! measure {
+    ($subject:expr, $name:expr, $report:expr, $S:ty, $number:literal: $($T:ident)+) => {{
+        let rays = Rays { hitting: rays(&$subject, true), missing: rays(&$subject, false) };
+        $(
+            let names = Names { subject: $name, number: $number, tier: stringify!($T) };
+            tier::<$S, $T, _>(names, &$subject, &rays, $report);
+        )+
+        let names = Names { subject: $name, number: $number, tier: "any" };
+        surface::<$S, _>(names, &$subject, &rays, $report);
+    }};
+}
+
+/// Every subject in one number type.
+macro_rules! number {
+    ($report:expr, $S:ty, $number:literal: $($T:ident)+) => {{
+        every_subject!($S, |name, subject| measure!(subject, name, $report, $S, $number: $($T)+));
+        textbook::<$S>($number, $report);
+    }};
+}
+
+/// The textbook's formulas at the same rays.
+fn textbook<S: Plain>(number: &'static str, report: Report<'_>) {
+    textbook::every_formula::<S>(&mut |subject, hits, instructions| {
+        report(Names { subject, number, tier: "textbook" }.row("nearest", hits, instructions));
+    });
+}
+
+/// Measures everything, always in the same order. The clock must have been started.
+pub fn all(report: Report<'_>) {
+    number!(report, f32, "f32": Fast Stable Exact);
+    number!(report, I16F16, "I16F16": Fast Stable Exact);
+    number!(report, I32F32, "I32F32": Fast Stable);
+    number!(report, f64, "f64": Fast Stable);
+    textbook::sphere_with_the_chips_root(&mut |subject, hits, instructions| {
+        report(Names { subject, number: "f32", tier: "textbook, VSQRT" }.row("nearest", hits, instructions));
+    });
+}

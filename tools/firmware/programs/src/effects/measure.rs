@@ -1,0 +1,76 @@
+//! Instructions, stack and colours of a picture.
+
+use core::fmt::{self, Display};
+use core::hint::black_box;
+use raylet::effect::Effects;
+use raylet::{Counters, Picture, Scalar, Work};
+use raylet_firmware::clock;
+#[cfg(target_os = "none")]
+use raylet_firmware::stack;
+
+/// What a picture took.
+#[derive(Clone, Copy, Debug)]
+pub struct Measured {
+    /// Instructions a pixel, in the mean.
+    pub instructions: u64,
+    /// Bytes of stack that tracing a row takes at most; 0 on the host, which does not measure it.
+    pub stack: usize,
+    /// Rays, for all pixels.
+    pub rays: u64,
+    /// A sum over the levels of all pixels: the same for the same picture.
+    pub levels: u32,
+}
+
+impl Display for Measured {
+    /// An object of JSON.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { instructions, stack, rays, levels } = self;
+        write!(f, r#"{{"instructions":{instructions},"stack":{stack},"rays":{rays},"levels":{levels}}}"#)
+    }
+}
+
+/// Measures a picture, row by row.
+pub fn picture<S: Scalar, E: Effects>(picture: &Picture<'_, S, E>) -> Measured {
+    let mut measured = Measured { instructions: 0, stack: 0, rays: 0, levels: 0 };
+    let (mut work, mut instructions) = (Work::new(()), 0);
+    let size = picture.size();
+    for y in 0..size.height {
+        let (start, taken) = (depth(), clock::instructions());
+        measured.levels = row(black_box(picture), y, &mut work, measured.levels);
+        instructions += clock::instructions() - taken;
+        measured.stack = measured.stack.max(used_since(start));
+    }
+    measured.rays = Counters::rays(&work.counters);
+    measured.instructions = instructions / (u64::from(size.width) * u64::from(size.height)).max(1);
+    measured
+}
+
+/// Traces a row, to eight bits a channel.
+#[inline(never)]
+fn row<S: Scalar, E: Effects>(picture: &Picture<'_, S, E>, y: u16, work: &mut Work, levels: u32) -> u32 {
+    let mix = |sum: u32, level: u8| (sum ^ u32::from(level)).wrapping_mul(0x0100_0193);
+    picture.row(y, work).fold(levels, |sum, pixel| pixel.color.to_rgb888().into_iter().fold(sum, mix))
+}
+
+/// Paints the stack, and returns how much of it is in use.
+#[cfg(target_os = "none")]
+#[inline(never)]
+fn depth() -> usize {
+    stack::paint();
+    stack::used()
+}
+
+#[cfg(target_os = "none")]
+fn used_since(depth: usize) -> usize {
+    stack::used().saturating_sub(depth)
+}
+
+#[cfg(not(target_os = "none"))]
+fn depth() -> usize {
+    0
+}
+
+#[cfg(not(target_os = "none"))]
+fn used_since(depth: usize) -> usize {
+    depth
+}

@@ -1,0 +1,12 @@
+//! What is measured on the chips.
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | `cost` | instructions a query: every primitive, number type and tier, beside the textbook's formulas |
+//! | `effects` | instructions and stack of a pixel, with each set of effects |
+//! | `shown` | the scenes of the gallery |
+#![no_std]
+
+pub mod cost;
+pub mod effects;
+pub mod shown;

@@ -1,0 +1,177 @@
+//! Every public query of the library, with values of any bits.
+
+use crate::input::{Any, any_direction, any_point, any_word, give};
+use raylet::scalar::{Real, UnitScalar};
+use raylet::tier::{Certain, Tier};
+use raylet::{
+    Affine, Capsule, Cone, Cylinder, Departure, Disc, Frame, Leaving, Part, Plane, Range, Ray, Shape, Sphere, Surface,
+    Triangle, UnitVec3, Vec3, Visible,
+};
+
+/// Calls the methods that a primitive shares with a shape, in one tier.
+macro_rules! call {
+    ($thing:expr, $ray:expr, $T:ty) => {
+        match &$thing {
+            thing => {
+                let hits = thing.hits_at::<$T>($ray);
+                give((hits.starts_inside(), hits.coincident(), hits.len()));
+                for hit in &hits {
+                    surface(thing.surface($ray, hit));
+                }
+                hits.into_iter().for_each(give);
+                give(thing.nearest_at::<$T>($ray));
+                give(thing.occludes_at::<$T>($ray));
+                give(thing.contains_at::<$T>(any_point()));
+                give(thing.bounds());
+            }
+        }
+    };
+}
+
+/// Everything that can be computed of a hit.
+#[inline(never)]
+fn surface<S: Any>(surface: Surface<S>) {
+    give(surface.point());
+    give(surface.local_point());
+    give(surface.normal());
+    give(surface.normal_towards_ray());
+    give(surface.uv());
+    give(surface.tangents());
+    give(surface.departure(any_word() as u32, Leaving::Outwards));
+}
+
+/// Any ray, made in every way that there is.
+pub fn any_ray<S: Any>() -> Option<Ray<S>> {
+    let ray = match any_word() {
+        0 => Ray::new(any_point(), any_direction()),
+        _ => Ray::towards(any_point(), any_point()),
+    };
+    let range = match any_word() {
+        0 => Range::line(),
+        _ => Range::new(S::any(), S::any()).ok()?,
+    };
+    give(range.contains(S::any()));
+    let ray = ray.ok()?.with_range(range);
+    give(ray.at(S::any()));
+    let part = [Part::Side, Part::Base, Part::Top].into_iter().nth(any_word() as usize)?;
+    let leaving = if any_word() == 0 { Leaving::Inwards } else { Leaving::Outwards };
+    Some(if any_word() == 0 { ray } else { ray.departing(Departure { object: 0, part, leaving }) })
+}
+
+fn any_frame<S: Any>() -> Option<Frame<S>> {
+    let frame = match any_word() {
+        0 => Frame::at(any_point()),
+        1 => Frame::from_base_and_axis(any_point(), any_direction()),
+        2 => Frame::between(any_point(), any_point()).map(|(frame, _)| frame),
+        3 => Frame::looking(any_point(), any_direction(), any_direction()),
+        _ => Frame::from_right_up_forward(any_point(), any_direction(), any_direction(), any_direction()),
+    };
+    frame.ok()
+}
+
+fn any_affine<S: Any>() -> Option<Affine<S>> {
+    let affine = match any_word() {
+        0 => Affine::new([any_point(), any_point(), any_point()], any_point()),
+        _ => Affine::stretched(any_frame()?, any_point()),
+    };
+    affine.ok()
+}
+
+/// A shape of any primitive, in any placement, seen from any side.
+pub fn any_shape<S: Any>() -> Option<Shape<S>> {
+    let shape = match any_word() {
+        0 => Shape::new(Sphere::new(S::any()).ok()?),
+        1 => Shape::new(any_cylinder()?),
+        2 => Shape::new(any_cone()?),
+        3 => Shape::new(Capsule::new(S::any(), S::any()).ok()?),
+        4 => Shape::new(Plane::new()),
+        5 => Shape::new(Disc::new(S::any()).ok()?),
+        _ => Shape::new(Triangle::new(any_point(), any_point(), any_point()).ok()?),
+    };
+    let shape = match any_word() {
+        0 => shape,
+        1 => shape.placed(any_frame()?),
+        _ => shape.placed(any_affine()?),
+    };
+    Some(match any_word() {
+        0 => shape,
+        1 => shape.seen_from(Visible::Outside),
+        _ => shape.seen_from(Visible::Inside),
+    })
+}
+
+fn any_cylinder<S: Any>() -> Option<Cylinder<S>> {
+    match any_word() {
+        0 => Cylinder::infinite(S::any()).ok(),
+        1 => Cylinder::open(S::any(), S::any()).ok(),
+        _ => Cylinder::capped(S::any(), S::any()).ok(),
+    }
+}
+
+fn any_cone<S: Any>() -> Option<Cone<S>> {
+    let cone = match any_word() {
+        0 => Cone::double(S::any()),
+        1 => Cone::nappe(S::any()),
+        2 => Cone::open(S::any(), S::any()),
+        3 => Cone::capped(S::any(), S::any()),
+        4 => Cone::frustum_open(S::any(), S::any(), S::any()),
+        _ => Cone::frustum(S::any(), S::any(), S::any()),
+    };
+    let cone = cone.ok()?;
+    give((cone.height(), cone.base_radius(), cone.top_radius()));
+    Some(cone)
+}
+
+/// Every query, of every primitive and of placed shapes.
+pub fn queries<S: Any, T: Tier<S>>() -> Option<()> {
+    let ray = &any_ray::<S>()?;
+    call!(Sphere::new(S::any()).ok()?, ray, T);
+    call!(any_cylinder()?, ray, T);
+    call!(any_cone()?, ray, T);
+    call!(Capsule::new(S::any(), S::any()).ok()?, ray, T);
+    call!(Plane::new(), ray, T);
+    call!(Disc::new(S::any()).ok()?, ray, T);
+    call!(Triangle::new(any_point(), any_point(), any_point()).ok()?, ray, T);
+    call!(any_shape::<S>()?, ray, T);
+    Some(())
+}
+
+/// What the exact tier has besides.
+pub fn effort<S: Any + Certain>() -> Option<()> {
+    give(any_shape::<S>()?.effort(&any_ray()?));
+    Some(())
+}
+
+/// Vectors, directions and frames by themselves.
+pub fn geometry<S: Any>() -> Option<()> {
+    let (a, b) = (any_point::<S>(), any_point::<S>());
+    give((a + b, a - b, -a, a.length(), a.normalized(), a.is_within_budget()));
+    let (d, e) = (any_direction::<S>(), any_direction::<S>());
+    give((-d, a.dot(d), d.dot(e), UnitVec3::<S>::from_real(d.cross(e)), d.perpendicular()));
+    give(UnitVec3::<S>::from_components(e.to_array()));
+    give(Vec3::<S>::round(a.real()));
+    let frame = any_frame::<S>()?;
+    give((frame.point_to_local(a), frame.point_to_world(a), frame.direction_to_world(d)));
+    give(any_affine::<S>()?.point_to_local(a));
+    Some(())
+}
+
+/// What a number type offers by itself.
+pub fn numbers<S: Any>() {
+    let (a, b) = (S::any(), S::any());
+    give((a.plus(b), a.minus(b), a.next_up(), a.magnitude(), a.is_finite()));
+    give(S::turns(a.real(), b.real()));
+    give(S::power(a.fraction(), b));
+    let (x, y) = (a.real(), b.real());
+    give((x + y, x - y, x * y, x / y, x.sqrt(), S::Real::from_int(any_word() as i32)));
+    let (u, v) = (S::unit_round(x), S::unit_round(y));
+    give((u.plus(v), u.minus(v), u.times(v), u.level(255)));
+}
+
+/// Conversions for tools on the host, which know `f64`.
+pub fn host_conversions<S: Any>() {
+    give(S::from_f64(f64::any()));
+    give(S::any().to_f64());
+    give(Vec3::<S>::from_f64([f64::any(); 3]));
+    give((any_point::<S>().to_f64(), any_direction::<S>().to_f64()));
+}

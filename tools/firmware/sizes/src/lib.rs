@@ -1,0 +1,53 @@
+//! What one primitive, and one set of effects, takes of a chip's memory: each program finds the nearest hit of one primitive, in one
+//! number type and tier, or traces a pixel with one set of effects, and does nothing else.
+//!
+//! The programs are not stored: `check programs` writes them to `src/bin`, one for each row of the tables that `check size` and
+//! `check left-out` read.
+#![no_std]
+
+#[doc(hidden)]
+pub use {raylet, raylet_proofs};
+
+/// A program that does nothing: what the others have in common with it is taken off their size.
+#[macro_export]
+macro_rules! empty {
+    () => {
+        $crate::raylet_proofs::program! {
+            $crate::raylet_proofs::input::give($crate::raylet_proofs::input::any_word());
+        }
+    };
+}
+
+/// A program that finds the nearest hit of one primitive.
+#[macro_export]
+macro_rules! nearest {
+    ($Primitive:ident<$S:ty>, $Tier:ident) => {
+        $crate::raylet_proofs::program! {
+            use $crate::raylet::tier::$Tier;
+            use $crate::raylet::{$Primitive, Ray};
+            use $crate::raylet_proofs::input::{any_reference, give};
+
+            let primitive = any_reference::<$Primitive<$S>>();
+            let ray = any_reference::<Ray<$S>>();
+            give(primitive.nearest_at::<$Tier>(ray));
+        }
+    };
+}
+
+/// A program that finds out what a scene calls for and traces a pixel of it with a set of effects compiled in.
+#[macro_export]
+macro_rules! pixel {
+    ($S:ty, $Effects:ty) => {
+        $crate::raylet_proofs::program! {
+            use $crate::raylet::{Picture, Scene, Size, Work};
+            use $crate::raylet_proofs::input::{any_reference, any_word, give};
+
+            let scene = any_reference::<Scene<'static, $S>>();
+            let [width, height] = [any_word() as u16, any_word() as u16];
+            let size = Size::new(width, height).with_samples(any_word() as u8);
+            let picture = Picture::<$S, $Effects>::leaving_out(scene, size);
+            let [x, y] = [any_word() as u16, any_word() as u16];
+            give(picture.pixel(x, y, &mut Work::new(())));
+        }
+    };
+}

@@ -1,0 +1,120 @@
+//! What a contestant is: a primitive of somebody's, that is asked for the nearest hit of a ray.
+
+use crate::pose::Pose;
+use support::exact_types::Exact;
+use support::oracle::Solid;
+use raylet::Ray;
+use std::hint::black_box;
+use std::ops::{Add, Div, Mul, Sub};
+
+/// A number type in which rays are asked: a float, whose directions are of the same type.
+pub trait Number:
+    Exact<Unit = Self> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
+    /// One.
+    const ONE: Self;
+    /// The square root, by the machine's instruction.
+    fn square_root(self) -> Self;
+}
+
+macro_rules! numbers {
+    ($($Float:ident)+) => {
+        $(
+            impl Number for $Float {
+                const ONE: Self = 1.0;
+                #[inline(always)]
+                fn square_root(self) -> Self {
+                    self.sqrt()
+                }
+            }
+        )+
+    };
+}
+numbers!(f32 f64);
+
+/// One primitive in one library.
+pub trait Contestant<S: Number> {
+    /// A ray in the library's own type.
+    type Ray;
+    /// What the library answers, whole.
+    type Answer;
+    /// The same ray, bit for bit.
+    fn ray(ray: &Ray<S>) -> Self::Ray;
+    /// The question.
+    fn nearest(&self, ray: &Self::Ray) -> Self::Answer;
+    /// The distance in an answer, if it is a hit.
+    fn distance(answer: &Self::Answer) -> Option<S>;
+}
+
+/// A contestant and its rays, whatever their types.
+pub trait Prepared<S> {
+    /// Asks for every ray once. The loop is the same for all contestants, and all that is ever timed.
+    fn pass(&self);
+    /// The answers.
+    fn distances(&self) -> Vec<Option<S>>;
+    /// How many rays there are.
+    fn rays(&self) -> usize;
+}
+
+struct Asked<'a, S: Number, C: Contestant<S>> {
+    contestant: &'a C,
+    rays: Vec<C::Ray>,
+}
+
+impl<S: Number, C: Contestant<S>> Prepared<S> for Asked<'_, S, C> {
+    #[inline(never)]
+    fn pass(&self) {
+        for ray in &self.rays {
+            // Neither the primitive nor the ray may be known to the compiler, or it computes ahead what they share.
+            black_box(black_box(self.contestant).nearest(black_box(ray)));
+        }
+    }
+
+    fn distances(&self) -> Vec<Option<S>> {
+        self.rays.iter().map(|ray| C::distance(&self.contestant.nearest(ray))).collect()
+    }
+
+    fn rays(&self) -> usize {
+        self.rays.len()
+    }
+}
+
+/// A contestant of any type, made ready for rays.
+pub trait Ask<S: Number> {
+    /// Turns rays into the contestant's own type, which no one times.
+    fn prepare(&self, rays: &[Ray<S>]) -> Box<dyn Prepared<S> + '_>;
+}
+
+impl<S: Number, C: Contestant<S>> Ask<S> for C {
+    fn prepare(&self, rays: &[Ray<S>]) -> Box<dyn Prepared<S> + '_> {
+        Box::new(Asked { contestant: self, rays: rays.iter().map(C::ray).collect() })
+    }
+}
+
+/// A contestant with a name, and where its primitive stands in its library.
+pub struct Entrant<S: Number> {
+    pub name: &'static str,
+    /// How a ray at the subject becomes a ray at this contestant's primitive.
+    pub pose: Pose<S>,
+    /// The very solid that the contestant was given; the subject's, but for a size that it stores in another way.
+    pub solid: Solid,
+    contestant: Box<dyn Ask<S>>,
+}
+
+impl<S: Number> Entrant<S> {
+    /// One whose primitive stands as the subject does.
+    pub fn new(name: &'static str, solid: &Solid, contestant: impl Ask<S> + 'static) -> Self {
+        Self { name, pose: Pose::same(), solid: solid.clone(), contestant: Box::new(contestant) }
+    }
+
+    /// The same, its primitive standing otherwise.
+    pub fn standing(self, pose: Pose<S>, solid: Solid) -> Self {
+        Self { pose, solid, ..self }
+    }
+
+    /// Makes it ready for rays at the subject.
+    pub fn prepare(&self, rays: &[Ray<S>]) -> Box<dyn Prepared<S> + '_> {
+        let own: Vec<_> = rays.iter().map(|ray| self.pose.own_ray(ray)).collect();
+        self.contestant.prepare(&own)
+    }
+}

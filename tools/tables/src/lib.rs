@@ -1,0 +1,22 @@
+//! The measured tables of the repository: how they are stored (`data/`), compared with what was measured before, and shown.
+// Every error is text for whoever runs the tool.
+#![allow(clippy::missing_errors_doc)]
+
+mod baseline;
+mod grouped;
+pub mod markdown;
+mod table;
+
+pub use baseline::{Baseline, Figures};
+pub use grouped::grouped;
+pub use table::Table;
+
+use std::path::{Path, PathBuf};
+
+/// What can go wrong, for people to read.
+pub type Outcome<T = ()> = Result<T, Box<dyn std::error::Error>>;
+
+/// A file of the repository, by its path from the root.
+pub fn in_repository(path: &str) -> PathBuf {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join(path)
+}
