@@ -1,5 +1,5 @@
 //! The promise: the same bits everywhere. A digest of every answer to a fixed set of rays, and pictures, are the same on the
-//! host as the firmware gives on each chip; `.ci/firmware` compares those with the same files.
+//! host as the firmware gives on each chip; `.ci/measure` compares those with the same files.
 //!
 //! `RAYLET_WRITE_EXPECTED=1 cargo test -p raylet-promises firmware` writes the files anew.
 
