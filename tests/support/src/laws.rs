@@ -378,7 +378,7 @@ macro_rules! laws {
             $(
                 #[test]
                 fn $law() {
-                    $crate::in_every_tier!(law_at_edges!($law, 23));
+                    $crate::in_every_tier!(law_at_edges!($law, $crate::amount::amount(61, 3)));
                 }
             )+
         }
