@@ -357,7 +357,7 @@ macro_rules! laws {
         $(
             proptest! {
                 #![proptest_config(ProptestConfig {
-                    cases: $crate::amount::amount(2500, 60_000), failure_persistence: None, rng_seed: RngSeed::Fixed(0x7261_796c_6574), ..ProptestConfig::default()
+                    cases: $crate::amount::amount(1600, 60_000), failure_persistence: None, rng_seed: RngSeed::Fixed(0x7261_796c_6574), ..ProptestConfig::default()
                 })]
                 #[test]
                 fn $law(

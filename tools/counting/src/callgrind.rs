@@ -3,7 +3,7 @@
 //! Nothing is counted but within [`counted`], and whenever that function returns callgrind writes down what was counted since the
 //! last time: one valgrind for all cases, and nothing unsafe in here.
 
-use raylet_counting::cost::{self, Case, Name, QUESTIONS};
+use crate::cost::{self, Case, Name, QUESTIONS};
 use raylet_tables::Figures;
 use std::env;
 use std::error::Error;

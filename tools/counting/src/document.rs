@@ -1,6 +1,6 @@
 //! `docs/benches.md`: the baseline as tables.
 
-use raylet_counting::cost::scenes::{OBJECTS, WALKS, subject};
+use crate::cost::scenes::{OBJECTS, WALKS, subject};
 use raylet_tables::markdown::{head, row};
 use raylet_tables::{Baseline, Figures, Outcome, grouped, in_repository};
 use std::env::consts::ARCH;
@@ -56,7 +56,7 @@ your machine: `cargo bench -p raylet-counting`.
 The figures are **instructions, never cycles**, counted by valgrind's callgrind, so that they are the same on every run. Each is the
 mean over 64 seeded rays, which start 2 to 6 units away; all of them hit, or all miss. Subjects, rays and questions are those of
 [microcontrollers.md](microcontrollers.md): a function that is not inlined asks the question, and what a function takes that does
-nothing is subtracted, with the loop. The program is built with `opt-level = 3`, one codegen unit, and for any processor of its
+nothing is subtracted, with the loop. The program is built with `opt-level = 3`, link-time optimisation and one codegen unit, and for any processor of its
 architecture.
 
 ";

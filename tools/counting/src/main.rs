@@ -8,6 +8,7 @@
 //! The script installs valgrind and says which compiler built this.
 
 mod callgrind;
+mod cost;
 mod document;
 
 use clap::Parser;

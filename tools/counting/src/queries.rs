@@ -10,9 +10,12 @@
 //! A sample asks 64 rays; the figures are for all of them together, and below in millions of questions a second. Instructions, which
 //! do not depend on how busy the machine is, are counted by `.ci/instructions`.
 
+mod cost;
+
 use divan::Bencher;
 use divan::counter::ItemsCount;
-use raylet_counting::cost::{self, Case, QUESTIONS};
+
+use cost::{Case, QUESTIONS};
 use std::fmt;
 
 fn main() {
