@@ -36,7 +36,7 @@
 //! 11. The same bits everywhere, for every number type and tier: IEEE arithmetic, integers and `libm` only.
 //!
 //! `tests/promises/src/contract.rs` has tests named after rules 1 to 10; for rule 11 `tests/promises/src/firmware.rs` and the firmware in
-//! `examples/firmware` compare digests of all answers on the host, Cortex-M0+, M3, M4F and RV32IMC.
+//! `tools/firmware` compare digests of all answers on the host, Cortex-M0+, M3, M4F and RV32IMC.
 //!
 //! # The rooms
 //!

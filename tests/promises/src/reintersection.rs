@@ -1,7 +1,7 @@
 //! The promise: leaving a surface needs no epsilon. From any hit of a bounded solid an outward ray never meets the same solid, and an
 //! inward one always meets its far end; and of two surfaces a hair apart neither is skipped.
 //!
-//! A million rays leave in each number type, spread over solids, placements and tiers; every fourth of them nearly along the
+//! In the long form ten million rays leave in each number type, in the quick one 200,000, spread over solids, placements and tiers; every fourth of them nearly along the
 //! surface, where an epsilon would fail.
 
 use raylet::tier::{Exact, Fast, Stable};

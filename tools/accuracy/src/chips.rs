@@ -1,15 +1,7 @@
 //! What the firmware's baselines say: instructions a query on four chips.
 
-use raylet_tables::{Baseline, Outcome};
+use raylet_tables::{Baseline, CHIPS, Outcome};
 use support::figures::Figures;
-
-/// The chips, by target.
-const CHIPS: [(&str, &str); 4] = [
-    ("thumbv6m-none-eabi", "Cortex-M0+"),
-    ("thumbv7m-none-eabi", "Cortex-M3"),
-    ("thumbv7em-none-eabihf", "Cortex-M4F"),
-    ("riscv32imc-unknown-none-elf", "RV32IMC"),
-];
 
 /// One chip.
 pub struct Chip {

@@ -85,7 +85,7 @@ pub fn check(chip: &Chip, part: Part, figures: Figures) -> Outcome {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::CHIPS;
+    use raylet_tables::CHIPS;
 
     #[test]
     fn every_chip_has_a_baseline_with_every_part() {

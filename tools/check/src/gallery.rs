@@ -1,9 +1,8 @@
 //! `docs/gallery.md`: the pictures, with the commands that draw them and what they cost.
 
 use crate::chip::{self, Part};
-use crate::document::CHIPS;
 use crate::effects::{GALLERY_FIGURES, key};
-use raylet_tables::{Outcome, grouped, in_repository};
+use raylet_tables::{CHIPS, Outcome, grouped, in_repository};
 use std::fmt::Write;
 use std::fs;
 

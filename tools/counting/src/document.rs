@@ -2,7 +2,7 @@
 
 use crate::cost::scenes::{OBJECTS, WALKS, subject};
 use raylet_tables::markdown::{head, row};
-use raylet_tables::{Baseline, Figures, Outcome, grouped, in_repository};
+use raylet_tables::{Baseline, Figures, Outcome, SUBJECTS, grouped, in_repository};
 use std::env::consts::ARCH;
 use std::fmt::Write;
 use std::fs;
@@ -11,26 +11,6 @@ const PATH: &str = "docs/benches.md";
 const BASELINE: &str = "data/host.tsv";
 const PART: &str = "cost";
 const RENEW: &str = ".ci/instructions --renew";
-
-/// The subjects, as they are named beside the firmware.
-const SUBJECTS: [&str; 16] = [
-    "sphere",
-    "cylinder, infinite",
-    "cylinder, open",
-    "cylinder, capped",
-    "capsule",
-    "cone, double",
-    "cone, nappe",
-    "cone, open",
-    "cone, capped",
-    "frustum",
-    "plane",
-    "disc",
-    "triangle",
-    "cylinder, capped, as a shape",
-    "cylinder, capped, framed",
-    "cylinder, capped, stretched",
-];
 
 /// Number types, and their tiers.
 const NUMBERS: [(&str, &[&str]); 4] = [

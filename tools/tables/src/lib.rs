@@ -5,10 +5,12 @@
 mod baseline;
 mod grouped;
 pub mod markdown;
+mod names;
 mod table;
 
 pub use baseline::{Baseline, Figures};
 pub use grouped::grouped;
+pub use names::{CHIPS, SUBJECTS};
 pub use table::Table;
 
 use std::path::{Path, PathBuf};
