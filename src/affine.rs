@@ -3,10 +3,10 @@
 //! Only the inverse is kept, one row at a time: a fixed-point row has its own power of two, so that a scale of 1000
 //! along one axis and of 1/1000 along another both keep all their bits.
 
-use crate::frame::{Frame, FrameError, closest_approach, within_budget};
-use crate::line::{Local, Place};
+use crate::frame::{Frame, FrameError, within_budget};
+use crate::line::Place;
 use crate::ray::Ray;
-use crate::scalar::certain::{FromScalar, dot};
+use crate::number::{FromScalar, difference, dot};
 use crate::scalar::{Real, Scalar};
 use crate::vector::{UnitVec3, Vec3, cross, pairs, transposed};
 
@@ -25,8 +25,6 @@ struct Row<U> {
 pub struct Affine<S: Scalar> {
     position: Vec3<S>,
     inverse: [Row<S::Unit>; 3],
-    /// The greatest length that a local unit vector can have in the world, or more.
-    spread: S,
 }
 
 impl<S: Scalar> Affine<S> {
@@ -72,7 +70,7 @@ impl<S: Scalar> Affine<S> {
         for i in 0..3 {
             rows[i] = normals[i].map(|component| component / volume / lengths[i]);
         }
-        Self::from_inverse(position, rows, lengths)
+        Self::from_inverse(position, rows)
     }
 
     /// A frame stretched along its own axes by the factors `scale` (all positive).
@@ -90,16 +88,15 @@ impl<S: Scalar> Affine<S> {
         for i in 0..3 {
             rows[i] = axes[i].real().map(|component| component / factors[i].real());
         }
-        Self::from_inverse(frame.position(), rows, factors.map(S::real))
+        Self::from_inverse(frame.position(), rows)
     }
 
-    fn from_inverse(position: Vec3<S>, rows: [[S::Real; 3]; 3], lengths: [S::Real; 3]) -> Result<Self, FrameError> {
+    fn from_inverse(position: Vec3<S>, rows: [[S::Real; 3]; 3]) -> Result<Self, FrameError> {
         let mut inverse = [Row { components: UnitVec3::<S>::X.to_array(), exponent: 0 }; 3];
         for i in 0..3 {
             inverse[i] = Self::row(rows[i]).ok_or(FrameError::Singular)?;
         }
-        let spread = S::round(lengths[0] + lengths[1] + lengths[2]);
-        Ok(Self { position, inverse, spread })
+        Ok(Self { position, inverse })
     }
 
     /// The row as components below 1 and a power of two; `None` for a row that is zero or not finite.
@@ -177,12 +174,6 @@ impl<S: Scalar> Affine<S> {
         [component(0), component(1), component(2)].map(|c| c / determinant)
     }
 
-    /// A local point in the world.
-    pub(crate) fn point_to_world(&self, point: Vec3<S>) -> Vec3<S> {
-        let (v, p) = (self.image(point.real()), self.position.real());
-        Vec3::round([v[0] + p[0], v[1] + p[1], v[2] + p[2]])
-    }
-
     /// A local tangent in the world, normalised.
     pub(crate) fn tangent_to_world(&self, tangent: UnitVec3<S>) -> UnitVec3<S> {
         UnitVec3::from_real(self.image(tangent.real())).unwrap_or(tangent)
@@ -213,41 +204,18 @@ impl<S: Scalar> Affine<S> {
 }
 
 impl<S: Scalar> Place<S> for Affine<S> {
-    fn localize(&self, ray: &Ray<S>, reach: S, is_far: impl FnOnce(Vec3<S>) -> bool) -> Option<Local<S>> {
-        let direction = ray.direction().to_array();
-        let stretched = self.inverse.map(|row| S::unit_dot(direction, row.components).times_power_of_two(row.exponent));
-        let (local_direction, stretch) = S::normalize(stretched)?;
-
-        let from_position = (ray.origin() - self.position).to_array();
-        let origin = S::finest(self.vector_to_local(from_position));
-        let step = if !from_position.iter().chain(&origin.0).all(|c| c.is_finite()) {
-            Some(closest_approach(ray, self.position))
-        } else if ray.departure().is_some() {
-            None
-        } else {
-            let world_reach = S::round(reach.real() * self.spread.real());
-            S::step_closer(S::dot(from_position, direction), world_reach).filter(|_| is_far(origin.0.into()))
-        };
-        let Some(step) = step else {
-            return Some(Local::new(ray, origin, local_direction, S::ZERO, Some(stretch), reach));
-        };
-        let closer = S::walk(ray.origin().to_array(), self.position.to_array(), direction, step).map(|[near, _]| near);
-        let origin = S::finest(self.vector_to_local(closer));
-        let in_type = step.is_finite() && closer.iter().chain(&origin.0).all(|c| c.is_finite());
-        in_type.then(|| Local::new(ray, origin, local_direction, step, Some(stretch), reach))
-    }
-
-    fn to_local(&self, point: Vec3<S>) -> Vec3<S> {
-        self.point_to_local(point)
-    }
-
     fn line<N: FromScalar<S>>(&self, ray: &Ray<S>) -> [[N; 3]; 2] {
         [self.point(ray.origin()), self.applied(ray.direction().to_array().map(N::unit))]
     }
 
     fn point<N: FromScalar<S>>(&self, point: Vec3<S>) -> [N; 3] {
         let [o, p] = [point, self.position].map(|v| v.to_array().map(N::scalar));
-        self.applied([o[0] - p[0], o[1] - p[1], o[2] - p[2]])
+        self.applied(difference(o, p))
+    }
+
+    fn gradient_to_world<N: FromScalar<S>>(&self, gradient: [N; 3]) -> [N; 3] {
+        let rows = self.inverse.map(|row| row.components.map(|component| N::unit(component).scaled(row.exponent)));
+        transposed(rows).map(|row| dot(row, gradient))
     }
 }
 

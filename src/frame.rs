@@ -1,8 +1,8 @@
 //! Floor 3: placement by rotation and translation.
 
-use crate::line::{Local, Place};
+use crate::line::Place;
 use crate::ray::Ray;
-use crate::scalar::certain::{FromScalar, dot};
+use crate::number::{FromScalar, difference, dot};
 use crate::scalar::{PlainLine, Real, Scalar};
 use crate::vector::{UnitVec3, Vec3, pairs, transposed};
 use core::fmt;
@@ -174,49 +174,46 @@ impl<S: Scalar> Frame<S> {
 
 impl<S: Scalar> Place<S> for Frame<S> {
     #[inline]
-    fn localize(&self, ray: &Ray<S>, reach: S, is_far: impl FnOnce(Vec3<S>) -> bool) -> Option<Local<S>> {
-        let direction = ray.direction().to_array();
-        let axes = self.axes.map(UnitVec3::to_array);
-        let to_local = |v: [S; 3]| S::finest(axes.map(|axis| S::dot(v, axis)));
-        let local_direction = axes.map(|axis| S::unit_round(S::unit_dot(direction, axis)));
-
-        let from_position = (ray.origin() - self.position).to_array();
-        let origin = to_local(from_position);
-        let step = if !from_position.iter().chain(&origin.0).all(|c| c.is_finite()) {
-            Some(closest_approach(ray, self.position))
-        } else if ray.departure().is_some() {
-            None
-        } else {
-            S::step_closer(S::dot(from_position, direction), reach).filter(|_| is_far(origin.0.into()))
-        };
-        let Some(step) = step else {
-            return Some(Local::new(ray, origin, local_direction, S::ZERO, None, reach));
-        };
-        let closer = S::walk(ray.origin().to_array(), self.position.to_array(), direction, step).map(|[near, _]| near);
-        let origin = to_local(closer);
-        let in_type = step.is_finite() && closer.iter().chain(&origin.0).all(|c| c.is_finite());
-        in_type.then(|| Local::new(ray, origin, local_direction, step, None, reach))
-    }
-
-    #[inline]
     fn plain_line(&self, ray: &Ray<S>) -> Option<PlainLine<S>> {
         let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
         S::plain_turned(o, d, self.position.to_array(), self.axes.map(UnitVec3::to_array))
     }
-
-    fn to_local(&self, point: Vec3<S>) -> Vec3<S> {
-        self.point_to_local(point)
+    #[inline]
+    fn plain_ball_line(&self, ray: &Ray<S>) -> Option<PlainLine<S>> {
+        let [x, y, z] = pairs(ray.origin().to_array(), self.position.to_array()).map(|(o, p)| o.minus(p));
+        let origin = if x.is_finite() && y.is_finite() && z.is_finite() { [x, y, z] } else { return None };
+        Some(PlainLine { origin, finer: 0, direction: ray.direction().to_array() })
     }
 
+    #[inline]
     fn line<N: FromScalar<S>>(&self, ray: &Ray<S>) -> [[N; 3]; 2] {
         let direction = ray.direction().to_array().map(N::unit);
         [self.point(ray.origin()), self.axes.map(|axis| dot(axis.to_array().map(N::unit), direction))]
     }
 
+    #[inline]
     fn point<N: FromScalar<S>>(&self, point: Vec3<S>) -> [N; 3] {
-        let [o, p] = [point, self.position].map(|v| v.to_array().map(N::scalar));
-        let from_position = [o[0] - p[0], o[1] - p[1], o[2] - p[2]];
+        let from_position = self.ball_point(point);
         self.axes.map(|axis| dot(axis.to_array().map(N::unit), from_position))
+    }
+
+    #[inline]
+    fn ball_line<N: FromScalar<S>>(&self, ray: &Ray<S>) -> [[N; 3]; 2] {
+        [self.ball_point(ray.origin()), ray.direction().to_array().map(N::unit)]
+    }
+
+    #[inline]
+    fn ball_point<N: FromScalar<S>>(&self, point: Vec3<S>) -> [N; 3] {
+        let [o, p] = [point, self.position].map(|v| v.to_array().map(N::scalar));
+        difference(o, p)
+    }
+
+    fn gradient_to_world<N: FromScalar<S>>(&self, gradient: [N; 3]) -> [N; 3] {
+        transposed(self.axes.map(|axis| axis.to_array().map(N::unit))).map(|row| dot(row, gradient))
+    }
+
+    fn ball_gradient_to_world<N: FromScalar<S>>(&self, gradient: [N; 3]) -> [N; 3] {
+        gradient
     }
 }
 
@@ -229,22 +226,6 @@ pub(crate) fn within_budget<S: Scalar>(coordinate: S) -> S {
         -limit
     } else {
         limit
-    }
-}
-
-/// The `t` of the point nearest to the position, for coordinates whose difference the type cannot hold; at most as far
-/// as the type reaches, for the near side of a solid may lie within it when its middle does not.
-#[cold]
-pub(crate) fn closest_approach<S: Scalar>(ray: &Ray<S>, position: Vec3<S>) -> S {
-    let (o, p, d) = (ray.origin().real(), position.real(), ray.direction().real());
-    let t = S::round(-S::Real::sum_of_products([[o[0] - p[0], d[0]], [o[1] - p[1], d[1]], [o[2] - p[2], d[2]]]));
-    let farthest = S::BUDGET.distance;
-    if t > farthest {
-        farthest
-    } else if t < -farthest {
-        -farthest
-    } else {
-        t
     }
 }
 

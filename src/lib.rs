@@ -81,30 +81,31 @@ compile_error!(
 );
 
 pub mod affine;
-mod arithmetic;
 #[cfg(feature = "embedded-graphics")]
 pub mod display;
 pub mod effect;
 pub mod errata;
 mod exact;
+mod fast;
 mod figure;
 pub mod frame;
 pub mod gallery;
 mod geometry;
 pub mod hit;
+mod intersection;
 #[cfg(any(feature = "mint", feature = "serde"))]
 mod interchange;
 mod line;
+pub mod number;
 mod part;
 pub mod primitive;
-mod quadric;
 mod query;
 pub mod ray;
 pub mod render;
 pub mod scalar;
 pub mod scene;
 pub mod shape;
-mod span;
+mod solve;
 pub mod tier;
 pub mod vector;
 

@@ -1,49 +1,43 @@
-//! Floor 5: the questions, asked of any geometry through any placement, as each tier answers them.
+//! The queries of any primitive through any placement, as each tier answers them.
+//!
+//! A tier is how far it climbs. `Fast` and `Stable` take the word of their fast path, and where that is unsure the word of the robust
+//! number. `Exact` climbs until every sign is certain.
 
-use crate::arithmetic::{Arithmetic, Doubled};
-use crate::exact::{self, Effort, Exact};
+use crate::exact::{Certain, Effort, Exact};
+use crate::figure::Figure;
 use crate::geometry::Geometry;
 use crate::hit::{Crossing, Hit, Hits};
-use crate::line::{Local, Place};
+use crate::intersection::Intersection;
+use crate::line::Place;
+use crate::number::FromScalar;
 use crate::ray::{Range, Ray};
-use crate::scalar::certain::Certain;
 use crate::scalar::{Plain, Scalar, largest};
-use crate::span::Meeting;
+use crate::solve::{self, Line, Of};
+use crate::tier::{Fast, Guards, Stable};
 use crate::vector::Vec3;
 
-/// How a tier answers the questions.
+/// How a tier intersects.
 pub trait Solve<S: Scalar> {
-    /// All hits.
-    fn hits<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Hits<S>;
-    /// The first hit that `accept` takes.
-    fn nearest<G: Geometry<S>>(
-        geometry: &G,
-        place: &impl Place<S>,
-        ray: &Ray<S>,
-        accept: impl Fn(Crossing) -> bool,
-    ) -> Option<Hit<S>>;
-    /// True if there is a hit that `accept` takes.
-    fn occludes<G: Geometry<S>>(
-        geometry: &G,
-        place: &impl Place<S>,
-        ray: &Ray<S>,
-        accept: impl Fn(Crossing) -> bool,
-    ) -> bool;
+    /// The fast path: where the ray's line meets the geometry, if it can tell.
+    fn fast<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Plain<Intersection<S>>;
+    /// The fast path's occlusion of the half-line `t >= 0`; agrees with [`Solve::fast`].
+    fn fast_ahead<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Plain<()>;
+    /// Where the ray's line meets the geometry, in wider numbers.
+    fn climb<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Intersection<S>;
     /// True if the point belongs to the geometry.
     fn contains<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, point: Vec3<S>) -> bool;
-}
 
-/// Tiers that compute in rounded numbers.
-impl<S: Scalar, T: Arithmetic<S>> Solve<S> for T {
+    /// All hits.
     #[inline]
     fn hits<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Hits<S> {
-        match meet_plainly::<S, T, G>(geometry, place, ray) {
+        match Self::fast(geometry, place, ray) {
             Plain::Miss => Hits::none(),
-            Plain::Found(meeting) => meeting.hits(ray.range()),
-            Plain::Unclear => apart::<S, T, _>(|| meet::<S, T, G>(geometry, place, ray).hits(ray.range())),
+            Plain::Found(intersection) => intersection.hits(ray.range()),
+            Plain::Unclear => apart(|| Self::climb(geometry, place, ray).hits(ray.range())),
         }
     }
 
+    /// The first hit that `accept` takes.
     #[inline]
     fn nearest<G: Geometry<S>>(
         geometry: &G,
@@ -51,13 +45,14 @@ impl<S: Scalar, T: Arithmetic<S>> Solve<S> for T {
         ray: &Ray<S>,
         accept: impl Fn(Crossing) -> bool,
     ) -> Option<Hit<S>> {
-        match meet_plainly::<S, T, G>(geometry, place, ray) {
+        match Self::fast(geometry, place, ray) {
             Plain::Miss => None,
-            Plain::Found(meeting) => meeting.nearest(ray.range(), accept),
-            Plain::Unclear => apart::<S, T, _>(|| meet::<S, T, G>(geometry, place, ray).nearest(ray.range(), accept)),
+            Plain::Found(intersection) => intersection.nearest(ray.range(), accept),
+            Plain::Unclear => apart(|| Self::climb(geometry, place, ray).nearest(ray.range(), accept)),
         }
     }
 
+    /// True if there is a hit that `accept` takes.
     #[inline]
     fn occludes<G: Geometry<S>>(
         geometry: &G,
@@ -66,63 +61,68 @@ impl<S: Scalar, T: Arithmetic<S>> Solve<S> for T {
         accept: impl Fn(Crossing) -> bool,
     ) -> bool {
         if ray.range() == Range::FORWARD && accept(Crossing::Enter) && accept(Crossing::Exit) {
-            match meets_ahead_plainly::<S, T, G>(geometry, place, ray) {
+            match Self::fast_ahead(geometry, place, ray) {
                 Plain::Miss => return false,
                 Plain::Found(()) => return true,
                 Plain::Unclear => {}
             }
         }
-        // What the signs leave open is decided as for the nearest hit.
-        apart::<S, T, _>(|| match meet_plainly::<S, T, G>(geometry, place, ray) {
-            Plain::Miss => false,
-            Plain::Found(meeting) => meeting.nearest(ray.range(), accept).is_some(),
-            Plain::Unclear => occludes::<S, T, G>(geometry, place, ray, accept),
-        })
-    }
-
-    fn contains<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, point: Vec3<S>) -> bool {
-        let (geometry, point, _) = near_one(geometry, place.to_local(point));
-        geometry.contains(point)
+        apart(|| Self::nearest(geometry, place, ray, accept).is_some())
     }
 }
+
+/// The tiers that take a rounded sign at its word.
+macro_rules! solve_robustly {
+    ($Tier:ident) => {
+        impl<S: Scalar> Solve<S> for $Tier {
+            #[inline(always)]
+            fn fast<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Plain<Intersection<S>> {
+                fast::<S, $Tier, G>(geometry, place, ray)
+            }
+            #[inline(always)]
+            fn fast_ahead<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Plain<()> {
+                fast_ahead::<S, $Tier, G>(geometry, place, ray)
+            }
+            #[inline]
+            fn climb<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Intersection<S> {
+                // The robust number knows every sign: there is always an answer.
+                climb::<S, S::Robust>(&geometry.figure(), place, ray).unwrap_or(Intersection::Miss)
+            }
+            fn contains<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, point: Vec3<S>) -> bool {
+                holds::<S, S::Robust>(&geometry.figure(), place, point).unwrap_or(false)
+            }
+        }
+    };
+}
+solve_robustly!(Fast);
+solve_robustly!(Stable);
 
 /// The tier that decides by certain signs. (For each of its types: an impl for all of them together would overlap.)
 macro_rules! solve_exactly {
     ($S:ty $(, $F:ident: $Bits:path)?) => {
         impl$(<$F: $Bits + Send + Sync + 'static>)? Solve<$S> for Exact {
-            #[inline]
-            fn hits<G: Geometry<$S>>(geometry: &G, place: &impl Place<$S>, ray: &Ray<$S>) -> Hits<$S> {
-                if ray.departure().is_some() {
-                    return meet::<$S, Doubled, G>(geometry, place, ray).hits(ray.range());
-                }
-                exact::hits(&geometry.figure(), place, ray)
-            }
-
-            #[inline]
-            fn nearest<G: Geometry<$S>>(
+            #[inline(always)]
+            fn fast<G: Geometry<$S>>(
                 geometry: &G,
                 place: &impl Place<$S>,
                 ray: &Ray<$S>,
-                accept: impl Fn(Crossing) -> bool,
-            ) -> Option<Hit<$S>> {
-                if ray.departure().is_some() {
-                    return meet::<$S, Doubled, G>(geometry, place, ray).nearest(ray.range(), accept);
-                }
-                exact::nearest(&geometry.figure(), place, ray, accept)
+            ) -> Plain<Intersection<$S>> {
+                <$S>::exact_fast_path(&geometry.figure(), place, ray)
             }
-
+            #[inline(always)]
+            fn fast_ahead<G: Geometry<$S>>(_: &G, _: &impl Place<$S>, _: &Ray<$S>) -> Plain<()> {
+                Plain::Unclear
+            }
             #[inline]
-            fn occludes<G: Geometry<$S>>(
-                geometry: &G,
-                place: &impl Place<$S>,
-                ray: &Ray<$S>,
-                accept: impl Fn(Crossing) -> bool,
-            ) -> bool {
-                Self::nearest(geometry, place, ray, accept).is_some()
+            fn climb<G: Geometry<$S>>(geometry: &G, place: &impl Place<$S>, ray: &Ray<$S>) -> Intersection<$S> {
+                let (intersection, _) = exactly(&geometry.figure(), place, ray);
+                intersection
             }
-
             fn contains<G: Geometry<$S>>(geometry: &G, place: &impl Place<$S>, point: Vec3<$S>) -> bool {
-                exact::contains(&geometry.figure(), place, point)
+                let figure = geometry.figure();
+                holds::<$S, <$S as Certain>::Bounded>(&figure, place, point)
+                    .or_else(|| holds::<$S, <$S as Certain>::Integer>(&figure, place, point))
+                    .unwrap_or(false)
             }
         }
     };
@@ -133,96 +133,85 @@ solve_exactly!(fixed::FixedI32<F>, F: fixed::types::extra::LeEqU32);
 
 /// What an exact answer takes.
 pub(crate) fn effort<S: Certain, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Effort {
-    if ray.departure().is_some() {
-        return Effort::Filter;
+    let figure = geometry.figure();
+    match S::exact_fast_path(&figure, place, ray) {
+        Plain::Unclear => exactly(&figure, place, ray).1,
+        _ => Effort::Filter,
     }
-    exact::effort(&geometry.figure(), place, ray)
 }
 
+/// Where the ray's line meets the figure, and what it took to know.
+#[inline(never)]
+fn exactly<S: Certain>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> (Intersection<S>, Effort) {
+    match climb::<S, S::Bounded>(figure, place, ray) {
+        Some(intersection) => (intersection, Effort::Filter),
+        None => (in_integers(figure, place, ray), Effort::Integers),
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn in_integers<S: Certain>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> Intersection<S> {
+    // Integers know every sign: there is always an answer.
+    let intersection = climb::<S, S::Integer>(figure, place, ray);
+    debug_assert!(intersection.is_some());
+    intersection.unwrap_or(Intersection::Miss)
+}
+
+/// Where the ray's line meets the figure, in numbers of this kind.
 #[inline]
-fn localize<S: Scalar, T: Arithmetic<S>, G: Geometry<S>>(
-    geometry: &G,
-    place: &impl Place<S>,
-    ray: &Ray<S>,
-) -> Option<Local<S>> {
-    place.localize(ray, geometry.reach(), |origin| T::COMPENSATES && geometry.is_far(origin))
+fn climb<S: Scalar, N: Of<S>>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> Option<Intersection<S>> {
+    let departure = ray.departure().map(|departure| (departure.part, departure.leaving));
+    if solve::meets_nothing(figure, departure) {
+        return Some(Intersection::Miss);
+    }
+    solve::intersect::<S, N>(figure, &line(figure, place, ray), ray.range())
 }
 
-/// Where the ray meets the geometry, if the short way tells.
+/// The ray's line as the figure sees it.
+#[inline]
+pub(crate) fn line<S: Scalar, N: FromScalar<S>>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> Line<N> {
+    let departure = ray.departure().map(|departure| (departure.part, departure.leaving));
+    let [origin, direction] =
+        if let Figure::Ball { .. } = figure { place.ball_line::<N>(ray) } else { place.line::<N>(ray) };
+    Line { origin, direction, departure }
+}
+
+/// Whether the point belongs to the figure, in numbers of this kind.
+fn holds<S: Scalar, N: Of<S>>(figure: &Figure<S>, place: &impl Place<S>, point: Vec3<S>) -> Option<bool> {
+    let point = if let Figure::Ball { .. } = figure { place.ball_point::<N>(point) } else { place.point::<N>(point) };
+    solve::holds(figure, point)
+}
+
+/// Where the ray's line meets the geometry, if the fast path tells.
 #[inline(always)]
-fn meet_plainly<S: Scalar, T: Arithmetic<S>, G: Geometry<S>>(
+fn fast<S: Scalar, T: Guards, G: Geometry<S>>(
     geometry: &G,
     place: &impl Place<S>,
     ray: &Ray<S>,
-) -> Plain<Meeting<S>> {
-    if !T::PLAIN || ray.departure().is_some() {
+) -> Plain<Intersection<S>> {
+    if ray.departure().is_some() {
         return Plain::Unclear;
     }
-    let Some(line) = place.plain_line(ray) else { return Plain::Unclear };
+    let Some(line) = geometry.plain_line(place, ray) else { return Plain::Unclear };
     geometry.meet_plainly::<T>(&line)
 }
 
-/// Whether the ray meets the geometry, if the short way tells.
+/// Whether the ray meets the geometry, if the fast path tells.
 #[inline(always)]
-fn meets_ahead_plainly<S: Scalar, T: Arithmetic<S>, G: Geometry<S>>(
-    geometry: &G,
-    place: &impl Place<S>,
-    ray: &Ray<S>,
-) -> Plain<()> {
-    if !T::PLAIN || ray.departure().is_some() {
+fn fast_ahead<S: Scalar, T: Guards, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Plain<()> {
+    if ray.departure().is_some() {
         return Plain::Unclear;
     }
-    let Some(line) = place.plain_line(ray) else { return Plain::Unclear };
+    let Some(line) = geometry.plain_line(place, ray) else { return Plain::Unclear };
     geometry.meets_ahead_plainly::<T>(&line)
 }
 
-/// Whether the ray meets the geometry: the signs of the coefficients are asked first.
-#[inline]
-fn occludes<S: Scalar, T: Arithmetic<S>, G: Geometry<S>>(
-    geometry: &G,
-    place: &impl Place<S>,
-    ray: &Ray<S>,
-    accept: impl Fn(Crossing) -> bool,
-) -> bool {
-    let Some(local) = localize::<S, T, G>(geometry, place, ray) else {
-        return false;
-    };
-    let scaled = geometry.scaled(-local.exponent);
-    if local.is_forward(ray) {
-        match scaled.verdict::<T>(&local.line) {
-            Some(false) => return false,
-            // A yes speaks of the whole half-line and of both sides.
-            Some(true)
-                if ray.range().end() == S::BUDGET.distance
-                    && accept(Crossing::Enter)
-                    && accept(Crossing::Exit)
-                    && is_within_reach(geometry, &local) =>
-            {
-                return true;
-            }
-            _ => {}
-        }
-    }
-    scaled.meet::<T>(&local.line).map_t(|t| local.to_ray(t)).nearest(ray.range(), accept).is_some()
-}
-
-/// The work itself where it is all there is; where a short way went before it, apart from that, so that it stays short.
-#[inline(always)]
-fn apart<S: Scalar, T: Arithmetic<S>, A>(work: impl FnOnce() -> A) -> A {
-    #[cold]
-    #[inline(never)]
-    fn far<A>(work: impl FnOnce() -> A) -> A {
-        work()
-    }
-    if T::PLAIN { far(work) } else { work() }
-}
-
-/// Where the ray meets the geometry, seen through a placement; in the ray's own `t`.
-#[inline]
-fn meet<S: Scalar, T: Arithmetic<S>, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Meeting<S> {
-    localize::<S, T, G>(geometry, place, ray).map_or(Meeting::Miss, |local| {
-        geometry.scaled(-local.exponent).meet::<T>(&local.line).map_t(|t| local.to_ray(t))
-    })
+/// Apart from the fast path, so that this stays short.
+#[cold]
+#[inline(never)]
+fn apart<A>(work: impl FnOnce() -> A) -> A {
+    work()
 }
 
 /// The geometry and a point of its frame, multiplied by the power of two that brings the larger of them near 1, so that
@@ -237,20 +226,6 @@ pub(crate) fn near_one<S: Scalar, G: Geometry<S>>(geometry: &G, point: Vec3<S>) 
 #[inline]
 pub(crate) fn scaled<S: Scalar>(point: Vec3<S>, e: i32) -> Vec3<S> {
     point.to_array().map(|component| component.scaled(e)).into()
-}
-
-/// True if the number type surely holds the `t` of every end (rule 3: one that it does not hold is no hit): the solid is
-/// bounded, lengths are those of the world, and line and solid lie within a quarter of the budget.
-#[inline]
-fn is_within_reach<S: Scalar, G: Geometry<S>>(geometry: &G, local: &Local<S>) -> bool {
-    let [x, y, z] =
-        local.line.origin.map(|component| component.in_finer_units(-local.line.finer).scaled(local.exponent));
-    let farthest = largest([x, y, z, geometry.reach()]);
-    let twice = farthest.plus(farthest);
-    let (low, high) = geometry.bounds();
-    local.is_unstretched()
-        && twice.plus(twice) <= S::BUDGET.size
-        && low.to_array().iter().chain(&high.to_array()).all(|c| c.is_finite())
 }
 
 /// Gives a primitive the queries of an unplaced, two-sided shape as methods of its own.

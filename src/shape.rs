@@ -1,20 +1,21 @@
 //! Floor 6: any primitive, placed.
 
 use crate::affine::Affine;
-use crate::arithmetic::Arithmetic;
 use crate::figure::Figure;
 use crate::frame::Frame;
 use crate::geometry::{Bounds, Geometry};
 use crate::hit::{Crossing, Hit, Hits};
-use crate::line::InWorld;
+use crate::intersection::Intersection;
+use crate::line::{InWorld, Place};
+use crate::number::FromScalar;
+use crate::exact::Certain;
 use crate::part::Part;
-use crate::primitive::{Capsule, Cone, Cylinder, Disc, Line, Plane, Sphere, Triangle};
+use crate::primitive::{Capsule, Cone, Cylinder, Disc, Plane, Sphere, Triangle};
 use crate::query;
 use crate::ray::{Departure, Leaving, Ray};
-use crate::scalar::certain::Certain;
-use crate::scalar::{Plain, PlainLine, Real, Scalar};
-use crate::span::Meeting;
-use crate::tier::{Effort, Stable, Tier};
+use crate::scalar::{Plain, PlainLine, Real, Scalar, largest};
+use crate::solve::{self, Line};
+use crate::tier::{Effort, Guards, Stable, Tier};
 use crate::vector::{UnitVec3, Vec3, pairs};
 
 /// Defines the enum of all primitives and hands every question to the one that it holds.
@@ -49,35 +50,27 @@ macro_rules! primitives {
         )+
 
         impl<S: Scalar> Geometry<S> for Primitive<S> {
-            fn is_far(&self, origin: Vec3<S>) -> bool {
-                match self { $(Self::$Variant(p) => p.is_far(origin),)+ }
-            }
             fn reach(&self) -> S {
                 match self { $(Self::$Variant(p) => p.reach(),)+ }
             }
             fn scaled(&self, e: i32) -> Self {
                 match self { $(Self::$Variant(p) => Self::$Variant(p.scaled(e)),)+ }
             }
-            fn meet<T: Arithmetic<S>>(&self, line: &Line<S>) -> Meeting<S> {
-                match self { $(Self::$Variant(p) => p.meet::<T>(line),)+ }
+            #[inline(always)]
+            fn plain_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<PlainLine<S>> {
+                match self { $(Self::$Variant(p) => p.plain_line(place, ray),)+ }
             }
             // One copy for all placements and questions: inlined it would be in each of them.
             #[inline(never)]
-            fn meet_plainly<T: Arithmetic<S>>(&self, line: &PlainLine<S>) -> Plain<Meeting<S>> {
+            fn meet_plainly<T: Guards>(&self, line: &PlainLine<S>) -> Plain<Intersection<S>> {
                 match self { $(Self::$Variant(p) => p.meet_plainly::<T>(line),)+ }
             }
             #[inline(never)]
-            fn meets_ahead_plainly<T: Arithmetic<S>>(&self, line: &PlainLine<S>) -> Plain<()> {
+            fn meets_ahead_plainly<T: Guards>(&self, line: &PlainLine<S>) -> Plain<()> {
                 match self { $(Self::$Variant(p) => p.meets_ahead_plainly::<T>(line),)+ }
-            }
-            fn verdict<T: Arithmetic<S>>(&self, line: &Line<S>) -> Option<bool> {
-                match self { $(Self::$Variant(p) => p.verdict::<T>(line),)+ }
             }
             fn figure(&self) -> Figure<S> {
                 match self { $(Self::$Variant(p) => p.figure(),)+ }
-            }
-            fn contains(&self, point: Vec3<S>) -> bool {
-                match self { $(Self::$Variant(p) => Geometry::contains(p, point),)+ }
             }
             fn bounds(&self) -> (Vec3<S>, Vec3<S>) {
                 match self { $(Self::$Variant(p) => Geometry::bounds(p),)+ }
@@ -87,6 +80,9 @@ macro_rules! primitives {
             }
             fn normal(&self, point: Vec3<S>, part: Part) -> UnitVec3<S> {
                 match self { $(Self::$Variant(p) => p.normal(point, part),)+ }
+            }
+            fn bend(&self, point: Vec3<S>, part: Part) -> S {
+                match self { $(Self::$Variant(p) => p.bend(point, part),)+ }
             }
             fn uv(&self, point: Vec3<S>, part: Part) -> (S::Unit, S::Unit) {
                 match self { $(Self::$Variant(p) => p.uv(point, part),)+ }
@@ -312,34 +308,42 @@ pub struct Surface<S: Scalar> {
 }
 
 impl<S: Scalar> Surface<S> {
-    /// The point relative to the primitive, on its surface: accurate however far the world's origin is.
+    /// The point relative to the primitive, on its surface: accurate however far the ray starts.
     pub fn local_point(&self) -> Vec3<S> {
-        let point = match &self.shape.placement {
-            Placement::World => self.ray.at(self.hit.t),
-            Placement::Frame(frame) => frame.ray_point_to_local(&self.ray, self.hit.t),
-            Placement::Affine(affine) => affine.ray_point_to_local(&self.ray, self.hit.t),
-        };
-        let (primitive, point, exponent) = query::near_one(&self.shape.primitive, point);
+        let rough = self.rough_local_point();
+        let Vec3 { x, y, z } = rough;
+        if !S::resolves(self.hit.t, largest([x, y, z])) || !S::resolves(self.hit.t, self.bend(rough)) {
+            return self.exact_local_point();
+        }
+        let (primitive, point, exponent) = query::near_one(&self.shape.primitive, rough);
         query::scaled(primitive.on_surface(point, self.hit.part), exponent)
     }
 
     /// The point in the world, on the surface as nearly as the number type can say.
     pub fn point(&self) -> Vec3<S> {
-        match &self.shape.placement {
-            Placement::World => self.local_point(),
-            Placement::Frame(frame) => self.or_on_the_ray(frame.point_to_world(self.local_point())),
-            Placement::Affine(affine) => self.or_on_the_ray(affine.point_to_world(self.local_point())),
+        let on_ray = self.ray.at(self.hit.t);
+        let Vec3 { x, y, z } = on_ray;
+        if !S::resolves(self.hit.t, largest([x, y, z])) {
+            return self.exact_point();
         }
-    }
-
-    /// At the end of the float range the image of a local point overflows where the ray itself need not.
-    fn or_on_the_ray(&self, point: Vec3<S>) -> Vec3<S> {
-        let finite = point.to_array().iter().all(|c| c.is_finite());
-        if finite { point } else { self.ray.at(self.hit.t) }
+        let point = match &self.shape.placement {
+            Placement::World => self.local_point(),
+            Placement::Frame(frame) => frame.point_to_world(self.local_point()),
+            // Nearest in the primitive's frame is not nearest in a stretched world.
+            Placement::Affine(_) => return on_ray,
+        };
+        // At the end of the float range the image of a local point overflows where the ray itself need not.
+        if point.to_array().iter().all(|c| c.is_finite()) { point } else { on_ray }
     }
 
     /// The outward unit normal in the world; for an open surface away from the axis, for a flat one to the front.
     pub fn normal(&self) -> UnitVec3<S> {
+        let bend = self.bend(self.rough_local_point());
+        if !S::resolves(self.hit.t, bend)
+            && let Some(normal) = self.exact_normal()
+        {
+            return normal;
+        }
         let (primitive, point, _) = query::near_one(&self.shape.primitive, self.local_point());
         let normal = primitive.normal(point, self.hit.part);
         match &self.shape.placement {
@@ -347,6 +351,61 @@ impl<S: Scalar> Surface<S> {
             Placement::Frame(frame) => frame.direction_to_world(normal),
             Placement::Affine(affine) => affine.normal_to_world(normal),
         }
+    }
+
+    /// The point relative to the primitive, as far off as the rounding of `t` takes it.
+    fn rough_local_point(&self) -> Vec3<S> {
+        match &self.shape.placement {
+            Placement::World => self.ray.at(self.hit.t),
+            Placement::Frame(frame) => frame.ray_point_to_local(&self.ray, self.hit.t),
+            Placement::Affine(affine) => affine.ray_point_to_local(&self.ray, self.hit.t),
+        }
+    }
+
+    /// The radius of the surface's curvature at a local point; nothing where that is beyond the number type.
+    fn bend(&self, point: Vec3<S>) -> S {
+        let is_known = point.to_array().iter().all(|c| c.is_finite());
+        if is_known { self.shape.primitive.bend(point, self.hit.part) } else { S::ZERO }
+    }
+
+    /// The hit's `t` in the robust number.
+    fn exact_t(&self, figure: &Figure<S>) -> (Line<S::Robust>, S::Robust) {
+        let shape = &self.shape;
+        let line = through!(shape, |_primitive, place| query::line(figure, place, &self.ray));
+        let t = <S::Robust as FromScalar<S>>::scalar(self.hit.t);
+        let correction = solve::correction(figure, &line, self.hit.part, t);
+        (line, t + correction)
+    }
+
+    #[cold]
+    fn exact_local_point(&self) -> Vec3<S> {
+        let (_, t) = self.exact_t(&self.shape.primitive.figure());
+        let shape = &self.shape;
+        let [origin, direction] = through!(shape, |_primitive, place| place.line::<S::Robust>(&self.ray));
+        solve::point_at(&Line { origin, direction, departure: None }, t).map(S::from_robust).into()
+    }
+
+    #[cold]
+    fn exact_point(&self) -> Vec3<S> {
+        let (_, t) = self.exact_t(&self.shape.primitive.figure());
+        let [origin, direction] = InWorld.line::<S::Robust>(&self.ray);
+        solve::point_at(&Line { origin, direction, departure: None }, t).map(S::from_robust).into()
+    }
+
+    /// The gradient of the surface's equation; `None` at an apex.
+    #[cold]
+    fn exact_normal(&self) -> Option<UnitVec3<S>> {
+        let figure = self.shape.primitive.figure();
+        let (line, t) = self.exact_t(&figure);
+        let gradient = solve::gradient(&figure, self.hit.part, solve::point_at(&line, t));
+        let is_ball = matches!(figure, Figure::Ball { .. });
+        let shape = &self.shape;
+        let gradient = through!(shape, |_primitive, place| if is_ball {
+            place.ball_gradient_to_world(gradient)
+        } else {
+            place.gradient_to_world(gradient)
+        });
+        UnitVec3::from_robust(gradient)
     }
 
     /// The normal on the side that the ray comes from; where it touches, the outward one.

@@ -8,15 +8,20 @@
 //!
 //! What was measured is in `docs/accuracy.md`.
 
-use crate::arithmetic::Arithmetic;
 use crate::query::Solve;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::Scalar;
 
 pub use crate::exact::{Effort, Exact};
-pub use crate::scalar::certain::Certain;
+pub use crate::exact::Certain;
 
 mod sealed {
     pub trait Sealed {}
+}
+
+/// Whether a tier's fast path answers where its rounding may decide.
+pub trait Guards: 'static {
+    /// True if the fast path leaves such rays to the robust number.
+    const GUARDED: bool;
 }
 
 /// An accuracy tier for a number type: what it costs is decided when the code is compiled. Sealed.
@@ -40,46 +45,10 @@ pub trait Tier<S: Scalar>: Copy + sealed::Sealed + Solve<S> + 'static {}
 pub struct Fast;
 
 impl sealed::Sealed for Fast {}
-impl<S: Scalar> Tier<S> for Fast {}
-
-impl<S: Scalar> Arithmetic<S> for Fast {
-    type Real = S::Short;
-    const COMPENSATES: bool = false;
-    const PLAIN: bool = true;
-
-    #[inline(always)]
-    fn real(value: S) -> S::Short {
-        value.short()
-    }
-    #[inline(always)]
-    fn unit(value: S::Unit) -> S::Short {
-        S::short_unit(value)
-    }
-    #[inline(always)]
-    fn own(value: S::Real) -> S::Short {
-        S::shortened(value)
-    }
-    #[inline(always)]
-    fn dot(o: [S; 3], d: [S::Unit; 3]) -> S::Short {
-        S::short_dot(o, d)
-    }
-    #[inline(always)]
-    fn cross(o: [S; 3], d: [S::Unit; 3]) -> [S::Short; 3] {
-        S::short_cross(o, d)
-    }
-    #[inline(always)]
-    fn squared_length(_: [S::Unit; 3]) -> S::Short {
-        S::Short::ONE
-    }
-    #[inline(always)]
-    fn round(value: S::Short) -> S {
-        S::from_short(value)
-    }
-    #[inline(always)]
-    fn ratio(numerator: S::Short, denominator: S::Short) -> S {
-        S::from_short(numerator / denominator)
-    }
+impl Guards for Fast {
+    const GUARDED: bool = false;
 }
+impl<S: Scalar> Tier<S> for Fast {}
 
 /// The default tier: moments instead of differences of squares, roots without cancellation, compensated
 /// coefficients where they cancel; in the scalar's own computing number.
@@ -99,46 +68,10 @@ impl<S: Scalar> Arithmetic<S> for Fast {
 pub struct Stable;
 
 impl sealed::Sealed for Stable {}
-impl<S: Scalar> Tier<S> for Stable {}
-
-impl<S: Scalar> Arithmetic<S> for Stable {
-    type Real = S::Real;
-    const COMPENSATES: bool = true;
-    const PLAIN: bool = true;
-
-    #[inline(always)]
-    fn real(value: S) -> S::Real {
-        value.real()
-    }
-    #[inline(always)]
-    fn unit(value: S::Unit) -> S::Real {
-        S::unit_real(value)
-    }
-    #[inline(always)]
-    fn own(value: S::Real) -> S::Real {
-        value
-    }
-    #[inline(always)]
-    fn dot(o: [S; 3], d: [S::Unit; 3]) -> S::Real {
-        S::dot(o, d)
-    }
-    #[inline(always)]
-    fn cross(o: [S; 3], d: [S::Unit; 3]) -> [S::Real; 3] {
-        S::cross(o, d)
-    }
-    #[inline(always)]
-    fn squared_length(d: [S::Unit; 3]) -> S::Real {
-        S::unit_dot(d, d)
-    }
-    #[inline(always)]
-    fn round(value: S::Real) -> S {
-        S::round(value)
-    }
-    #[inline(always)]
-    fn ratio(numerator: S::Real, denominator: S::Real) -> S {
-        S::round(numerator / denominator)
-    }
+impl Guards for Stable {
+    const GUARDED: bool = true;
 }
+impl<S: Scalar> Tier<S> for Stable {}
 
 impl sealed::Sealed for Exact {}
 impl Tier<f32> for Exact {}

@@ -1,5 +1,6 @@
 //! Floor 2: points, vectors and directions.
 
+use crate::number::{Estimate, Ring};
 use crate::scalar::{Plain, Real, Scalar, UnitScalar};
 use core::ops::{Add, Neg, Sub};
 
@@ -165,6 +166,13 @@ impl<S: Scalar> UnitVec3<S> {
     #[inline]
     pub fn from_real(v: [S::Real; 3]) -> Option<Self> {
         S::direction(v).map(|components| Self { components })
+    }
+
+    /// The direction of a vector in the robust number; `None` for the zero vector.
+    pub(crate) fn from_robust(v: [S::Robust; 3]) -> Option<Self> {
+        // The largest component just below 1.
+        let top = v.iter().filter_map(|component| component.top()).max()?;
+        Self::from_real(v.map(|component| S::unit_real(S::unit_from_robust(component.scaled(-top)))))
     }
 
     /// The direction with these stored components, if their length is 1 within 2^-20; for tables and for tests that

@@ -1,40 +1,18 @@
-//! Floor 4: the exact tier's solver.
-//!
-//! One algorithm, in two kinds of numbers. It asks for signs only; a *filter*, a number of twice the precision that knows
-//! how far it may be off, answers nearly always. Where it cannot tell, the same algorithm runs again in integers wide
-//! enough for everything, and those can always tell. This is how exact geometric predicates are made (Shewchuk, *Adaptive
-//! Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates*, 1997; Fortune and Van Wyk, *Static Analysis
-//! Yields Efficient Exact Integer Arithmetic for Computational Geometry*, 1996), applied to the whole query instead of one
-//! determinant.
-//!
-//! | room | what it holds |
-//! |---|---|
-//! | `plain` | the usual ray of `f32`, in plain doubles |
-//! | `form` | the line, and the quadrics as bilinear forms |
-//! | `solve` | a quadric along the line; the order of its roots and of planes; ends and the ray's range |
-//! | `round` | balls, sides, caps, cones, capsules |
-//! | `flat` | planes, discs, triangles |
-//! | `found` | what was found, as hits |
-//! | `contains` | the inside test |
+//! The tier `Exact`: its number types, and its fast path.
 
-mod contains;
-mod flat;
-mod form;
-mod found;
 #[cfg(feature = "libm")]
 mod plain;
-mod round;
-mod solve;
+#[cfg(feature = "libm")]
+mod quick;
 
 use crate::figure::Figure;
-use crate::hit::{Crossing, Hit, Hits};
+use crate::intersection::Intersection;
 use crate::line::Place;
+use crate::number::{Bounded, FLOAT_LIMBS, FromScalar, Integer, Number, ToScalar};
+#[cfg(feature = "fixed")]
+use crate::number::FIXED_LIMBS;
 use crate::ray::Ray;
-use crate::scalar::certain::Certain;
-use crate::vector::Vec3;
-use form::Line;
-use found::Found;
-use solve::Of;
+use crate::scalar::{Plain, Scalar};
 
 /// The tier that is never wrong: hit, miss, touch, part, order, pairing and inside or outside are those of exact
 /// arithmetic on the given numbers, always; `t` is within one unit in the last place of the exact value.
@@ -51,12 +29,12 @@ use solve::Of;
 /// Sphere::new(1.0).unwrap().hits_at::<Exact>(&ray);
 /// ```
 ///
-/// A filter of twice the precision decides nearly always; where it cannot tell, integers that are wide enough for
-/// everything do, at some hundred times the cost. [`Shape::effort`](crate::Shape::effort) tells which it was.
+/// A number with an error bound decides nearly always; where it cannot tell, integers that are wide enough for everything do, at some
+/// hundred times the cost. [`Shape::effort`](crate::Shape::effort) tells which it was.
 ///
-/// A ray that [departs](crate::Departure) starts on its surface by decree and not by its coordinates: what it meets
-/// follows rule 8 of the contract, from the same formulas as `Stable` in numbers of twice the precision. On a placed solid
-/// such a ray is rounded on its way into the frame as in `Stable`: its `t` was measured up to 13 units off.
+/// A ray that [departs](crate::Departure) starts on its surface by decree and not by its coordinates: of the quadric that it leaves the
+/// constant term is zero, of the plane that it leaves the height, and all other equations keep the stored coordinates. What it meets is
+/// exact for these polynomials.
 ///
 /// ```
 /// use raylet::{Crossing, Ray, Sphere, UnitVec3, Vec3, tier::Exact};
@@ -73,90 +51,47 @@ pub struct Exact;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Effort {
-    /// Those of twice the precision.
+    /// Those with an error bound.
     Filter,
     /// Wide integers too.
     Integers,
 }
 
-fn find<S: Certain, N: Of<S>>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> Option<Found<S>> {
-    let [origin, direction] = place.line::<N>(ray);
-    let line = Line { origin, direction };
-    let range = ray.range();
-    match *figure {
-        Figure::Ball { radius } => round::ball(&line, N::scalar(radius), range),
-        Figure::Capsule { radius, height } => round::capsule(&line, N::scalar(radius), N::scalar(height), range),
-        Figure::Round { side, extent } => round::round(&line, side, extent, range),
-        Figure::DoubleCone { slope } => round::double_cone(&line, N::scalar(slope), range),
-        Figure::Plane => flat::plane(&line, range),
-        Figure::Disc { radius } => flat::disc(&line, N::scalar(radius), range),
-        Figure::Triangle { vertices } => flat::triangle(&line, vertices.map(|vertex| vertex.map(N::scalar)), range),
+/// A scalar that has an exact tier.
+pub trait Certain: Scalar {
+    /// The number with an error bound, which decides nearly always.
+    type Bounded: FromScalar<Self> + ToScalar<Self>;
+    /// The integer that decides when [`Certain::Bounded`] cannot tell: wide enough for every polynomial of the solvers.
+    type Integer: FromScalar<Self> + Number<Estimate = Self::Bounded>;
+
+    /// The fast path of the tier `Exact`, where the type has one.
+    #[inline(always)]
+    fn exact_fast_path(_: &Figure<Self>, _: &impl Place<Self>, _: &Ray<Self>) -> Plain<Intersection<Self>> {
+        Plain::Unclear
     }
 }
 
-/// All hits in the ray's range.
-#[inline]
-pub(crate) fn hits<S: Certain>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> Hits<S> {
-    let (found, _) = meet(figure, place, ray);
-    found.hits(ray.range())
-}
+#[cfg(feature = "libm")]
+impl Certain for f32 {
+    type Bounded = Bounded<2>;
+    type Integer = Integer<FLOAT_LIMBS>;
 
-/// The first hit in the ray's range that `accept` takes.
-#[inline]
-pub(crate) fn nearest<S: Certain>(
-    figure: &Figure<S>,
-    place: &impl Place<S>,
-    ray: &Ray<S>,
-    accept: impl Fn(Crossing) -> bool,
-) -> Option<Hit<S>> {
-    let (found, _) = meet(figure, place, ray);
-    found.nearest(accept)
-}
-
-/// What the answer takes.
-pub(crate) fn effort<S: Certain>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> Effort {
-    let (_, effort) = meet(figure, place, ray);
-    effort
-}
-
-/// How the ray's line meets the figure, and what it took to know.
-#[inline(always)]
-fn meet<S: Certain>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> (Found<S>, Effort) {
-    #[cfg(feature = "libm")]
-    if S::LOOKS_QUICKLY
-        && let Some(found) = plain::find(figure, place.line::<S::Quick>(ray), ray.range())
-    {
-        return (found, Effort::Filter);
-    }
-    meet_by_filters(figure, place, ray)
-}
-
-/// Apart from the plain look, so that this stays short.
-#[inline(never)]
-fn meet_by_filters<S: Certain>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> (Found<S>, Effort) {
-    if S::LOOKS_QUICKLY
-        && let Some(found) = find::<S, S::Quick>(figure, place, ray)
-    {
-        return (found, Effort::Filter);
-    }
-    match find::<S, S::Filter>(figure, place, ray) {
-        Some(found) => (found, Effort::Filter),
-        None => (meet_in_integers(figure, place, ray), Effort::Integers),
+    #[inline(always)]
+    fn exact_fast_path(figure: &Figure<f32>, place: &impl Place<f32>, ray: &Ray<f32>) -> Plain<Intersection<f32>> {
+        if ray.departure().is_some() {
+            return Plain::Unclear;
+        }
+        let line = if let Figure::Ball { .. } = figure { place.ball_line(ray) } else { place.line(ray) };
+        match plain::find(figure, line, ray.range()) {
+            Some(Intersection::Miss) => Plain::Miss,
+            Some(intersection) => Plain::Found(intersection),
+            None => Plain::Unclear,
+        }
     }
 }
 
-#[cold]
-#[inline(never)]
-fn meet_in_integers<S: Certain>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> Found<S> {
-    // Integers know every sign: there is always an answer.
-    let found = find::<S, S::Integer>(figure, place, ray);
-    debug_assert!(found.is_some());
-    found.unwrap_or(Found::Miss)
-}
-
-/// True if the point belongs to the figure.
-pub(crate) fn contains<S: Certain>(figure: &Figure<S>, place: &impl Place<S>, point: Vec3<S>) -> bool {
-    contains::holds(figure, place.point::<S::Filter>(point))
-        .or_else(|| contains::holds(figure, place.point::<S::Integer>(point)))
-        .unwrap_or(false)
+#[cfg(feature = "fixed")]
+impl<F: fixed::types::extra::LeEqU32 + Send + Sync + 'static> Certain for fixed::FixedI32<F> {
+    type Bounded = Bounded<2>;
+    type Integer = Integer<FIXED_LIMBS>;
 }

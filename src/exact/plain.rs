@@ -6,13 +6,12 @@
 //! one above 2^-14 is good to 2^-30. ("Semi-static filter": Devillers and Pion, *Efficient Exact
 //! Geometric Predicates for Delaunay Triangulations*, 2003.) Anything else is left to the numbers that know their error.
 
-use super::found::Found;
-use super::solve::{Piece, Settled};
+use super::quick::Quick;
 use crate::figure::{Extent, Figure, Side};
+use crate::intersection::{self, Intersection, Span};
 use crate::part::Part;
 use crate::ray::Range;
 use crate::scalar::Real;
-use crate::scalar::certain::Certain;
 
 /// Sums above this part of their bound are good to 2^-30.
 const CLEAR: f64 = 1.0 / (1u32 << 14) as f64;
@@ -37,15 +36,15 @@ type End = (f64, Part);
 
 /// How the line meets the figure; `None` if that is not clear.
 #[inline(always)]
-pub(super) fn find<S: Certain>(figure: &Figure<S>, line: [[S::Quick; 3]; 2], range: Range<S>) -> Option<Found<S>> {
-    let line = Line::new::<S>(line)?;
+pub(super) fn find(figure: &Figure<f32>, line: [[Quick; 3]; 2], range: Range<f32>) -> Option<Intersection<f32>> {
+    let line = Line::new(line);
     match *figure {
-        Figure::Ball { radius } => ball(&line, radius.in_double()?, range),
-        Figure::Capsule { radius, height } => capsule(&line, radius.in_double()?, height.in_double()?, range),
+        Figure::Ball { radius } => ball(&line, radius as f64, range),
+        Figure::Capsule { radius, height } => capsule(&line, radius as f64, height as f64, range),
         Figure::Round { side, extent } => round(&line, side, extent, range),
         Figure::DoubleCone { .. } => None,
         Figure::Plane => plane(&line, range),
-        Figure::Disc { radius } => disc(&line, radius.in_double()?, range),
+        Figure::Disc { radius } => disc(&line, radius as f64, range),
         Figure::Triangle { vertices } => triangle(&line, vertices, range),
     }
 }
@@ -77,15 +76,13 @@ fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 
 impl Line {
     #[inline(always)]
-    fn new<S: Certain>([o, d]: [[S::Quick; 3]; 2]) -> Option<Self> {
-        let ([x, y, z], [dx, dy, dz]) = (o.map(S::in_doubles), d.map(S::in_doubles));
-        let ([x, y, z], [dx, dy, dz]) = ([x?, y?, z?], [dx?, dy?, dz?]);
-        Some(Self {
-            origin: [x[0], y[0], z[0]],
-            direction: [dx[0], dy[0], dz[0]],
-            sizes: [x[1], y[1], z[1]],
-            paces: [dx[1], dy[1], dz[1]],
-        })
+    fn new([o, d]: [[Quick; 3]; 2]) -> Self {
+        Self {
+            origin: o.map(|coordinate| coordinate.value),
+            direction: d.map(|component| component.value),
+            sizes: o.map(|coordinate| coordinate.magnitude),
+            paces: d.map(|component| component.magnitude),
+        }
     }
 
     /// At least what any coordinate of the origin is made of.
@@ -199,33 +196,36 @@ fn product(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// An end in the ray's own numbers, or that there is none; `None` if that is not clear.
-#[expect(clippy::option_option, reason = "an end that is not there, and none that is known")]
+/// An end in the ray's own numbers; `None` if that is not clear. What is infinite stays so: an end that is not there.
 #[inline(always)]
-fn settled<S: Certain>((t, part): End, range: Range<S>) -> Option<Option<Settled<S>>> {
-    if t.is_infinite() {
-        return Some(None);
-    }
-    let is_before_range = !is_after(t, range.start().in_double()?)?;
-    let is_beyond_range = is_after(t, range.end().in_double()?)?;
-    Some(Some(Settled { t: S::from_f64(t)?, part, is_before_range, is_beyond_range }))
+fn settled((t, part): End, range: Range<f32>) -> Option<intersection::End<f32>> {
+    let t = if t.is_infinite() {
+        t as f32
+    } else if !is_after(t, range.start() as f64)? {
+        f32::NEG_INFINITY
+    } else if is_after(t, range.end() as f64)? {
+        f32::INFINITY
+    } else {
+        t as f32
+    };
+    Some(intersection::End::new(t, part))
 }
 
 #[inline(always)]
-fn piece<S: Certain>(enter: End, exit: End, range: Range<S>) -> Option<Piece<S>> {
-    Some(Piece { enter: settled(enter, range)?, exit: settled(exit, range)?, touch: false })
+fn piece(enter: End, exit: End, range: Range<f32>) -> Option<Span<f32>> {
+    Some(Span::new(settled(enter, range)?, settled(exit, range)?))
 }
 
 #[inline(always)]
-fn ball<S: Certain>(line: &Line, radius: f64, range: Range<S>) -> Option<Found<S>> {
-    let Some([low, high]) = line.in_ball(radius, 0.0)? else { return Some(Found::Miss) };
-    Some(Found::One(piece((low, Part::Side), (high, Part::Side), range)?))
+fn ball(line: &Line, radius: f64, range: Range<f32>) -> Option<Intersection<f32>> {
+    let Some([low, high]) = line.in_ball(radius, 0.0)? else { return Some(Intersection::Miss) };
+    Some(Intersection::One(piece((low, Part::Side), (high, Part::Side), range)?))
 }
 
 /// As in [`super::round::capsule`].
 #[inline(always)]
-fn capsule<S: Certain>(line: &Line, radius: f64, height: f64, range: Range<S>) -> Option<Found<S>> {
-    let Some(ends) = line.in_tube(radius)? else { return Some(Found::Miss) };
+fn capsule(line: &Line, radius: f64, height: f64, range: Range<f32>) -> Option<Intersection<f32>> {
+    let Some(ends) = line.in_tube(radius)? else { return Some(Intersection::Miss) };
     let (y, dy) = (line.origin[1], line.direction[1]);
     let end = |which: usize| -> Option<Option<End>> {
         let own = ends[which];
@@ -240,31 +240,27 @@ fn capsule<S: Certain>(line: &Line, radius: f64, height: f64, range: Range<S>) -
         };
         Some(line.in_ball(radius, centre)?.map(|ends| (ends[which], part)))
     };
-    let (Some(enter), Some(exit)) = (end(0)?, end(1)?) else { return Some(Found::Miss) };
-    Some(Found::One(piece(enter, exit, range)?))
+    let (Some(enter), Some(exit)) = (end(0)?, end(1)?) else { return Some(Intersection::Miss) };
+    Some(Intersection::One(piece(enter, exit, range)?))
 }
 
 /// As in [`super::round::round`].
 #[inline(always)]
-fn round<S: Certain>(line: &Line, side: Side<S>, extent: Extent<S>, range: Range<S>) -> Option<Found<S>> {
+fn round(line: &Line, side: Side<f32>, extent: Extent<f32>, range: Range<f32>) -> Option<Intersection<f32>> {
     let within = match side {
-        Side::Straight(radius) => line.in_tube(radius.in_double()?)?,
-        Side::Slope(slope) => line.in_nappe([0.0, slope.in_double()?, 1.0])?,
+        Side::Straight(radius) => line.in_tube(radius as f64)?,
+        Side::Slope(slope) => line.in_nappe([0.0, slope as f64, 1.0])?,
         Side::Radii(base, top, height) => {
-            let (base, top, height) = (base.in_double()?, top.in_double()?, height.in_double()?);
+            let (base, top, height) = (base as f64, top as f64, height as f64);
             line.in_nappe([base * height, top - base, height])?
         }
     };
-    let Some([low, high]) = within else { return Some(Found::Miss) };
+    let Some([low, high]) = within else { return Some(Intersection::Miss) };
     let (base, top) = match extent {
         Extent::Infinite => (None, None),
-        Extent::Open(height) => (Some(0.0), Some(height.in_double()?)),
+        Extent::Open(height) => (Some(0.0), Some(height as f64)),
         Extent::Capped(base, top) => {
-            let height = |bound: Option<S>| match bound {
-                Some(bound) => bound.in_double().map(Some),
-                None => Some(None),
-            };
-            (height(base)?, height(top)?)
+            (base.map(f64::from), top.map(f64::from))
         }
     };
     let is_rising = is_positive(line.direction[1], line.paces[1])?;
@@ -277,52 +273,53 @@ fn round<S: Certain>(line: &Line, side: Side<S>, extent: Extent<S>, range: Range
     let (first, last) = if is_rising { (at_base, at_top) } else { (at_top, at_base) };
     let (enter, exit) = ((low, Part::Side), (high, Part::Side));
     if let Extent::Open(_) = extent {
-        // On the side where it lies between the rims.
         let between = |t: f64| Some(is_after(t, first.0)? && !is_after(t, last.0)?);
-        let on_side = |end: End| Some(if between(end.0)? { settled(end, range)? } else { None });
-        return Some(Found::Surface(Piece { enter: on_side(enter)?, exit: on_side(exit)?, touch: false }));
+        // On the side where it lies between the rims.
+        let enter = if between(enter.0)? { enter } else { (f64::NEG_INFINITY, Part::Side) };
+        let exit = if between(exit.0)? { exit } else { (f64::INFINITY, Part::Side) };
+        return Some(Intersection::Surface(piece(enter, exit, range)?));
     }
     let is_later = |end: End, other: End| if other.0.is_infinite() { Some(true) } else { is_after(end.0, other.0) };
     let enter = if is_later(enter, first)? { enter } else { first };
     let exit = if last.0.is_infinite() || !is_after(exit.0, last.0)? { exit } else { last };
     if !(exit.0.is_infinite() || enter.0.is_infinite()) && is_after(enter.0, exit.0)? {
-        return Some(Found::Miss);
+        return Some(Intersection::Miss);
     }
-    Some(Found::One(piece(enter, exit, range)?))
+    Some(Intersection::One(piece(enter, exit, range)?))
 }
 
 /// The one crossing of a plane, from the front if the direction runs against the normal.
 #[inline(always)]
-fn crossing<S: Certain>(t: f64, along_normal: bool, range: Range<S>) -> Option<Found<S>> {
-    let end = settled((t, Part::Side), range)?;
-    let (enter, exit) = if along_normal { (None, end) } else { (end, None) };
-    Some(Found::Surface(Piece { enter, exit, touch: false }))
+fn crossing(t: f64, along_normal: bool, range: Range<f32>) -> Option<Intersection<f32>> {
+    let (end, none) = ((t, Part::Side), |t: f64| (t, Part::Side));
+    let span =
+        if along_normal { piece(none(f64::NEG_INFINITY), end, range)? } else { piece(end, none(f64::INFINITY), range)? };
+    Some(Intersection::Surface(span))
 }
 
 #[inline(always)]
-fn plane<S: Certain>(line: &Line, range: Range<S>) -> Option<Found<S>> {
+fn plane(line: &Line, range: Range<f32>) -> Option<Intersection<f32>> {
     crossing(line.at_height(0.0)?, line.direction[1] > 0.0, range)
 }
 
 /// As in [`super::flat::disc`].
 #[inline(always)]
-fn disc<S: Certain>(line: &Line, radius: f64, range: Range<S>) -> Option<Found<S>> {
+fn disc(line: &Line, radius: f64, range: Range<f32>) -> Option<Intersection<f32>> {
     let [wx, _, wz] = cross(line.origin, line.direction);
     let reach = radius * line.direction[1];
     let bound = (line.pace() * line.pace()) * (line.size() * line.size() + radius * radius);
     if is_positive(wx * wx + wz * wz - reach * reach, bound)? {
         // Not where it lies in the plane.
-        return is_positive(line.direction[1], line.paces[1]).map(|_| Found::Miss);
+        return is_positive(line.direction[1], line.paces[1]).map(|_| Intersection::Miss);
     }
     plane(line, range)
 }
 
 /// As in [`super::flat::triangle`].
 #[inline(always)]
-fn triangle<S: Certain>(line: &Line, vertices: [[S; 3]; 3], range: Range<S>) -> Option<Found<S>> {
+fn triangle(line: &Line, vertices: [[f32; 3]; 3], range: Range<f32>) -> Option<Intersection<f32>> {
     let [va, vb, vc] = vertices;
-    let vertex = |v: [S; 3]| Some([v[0].in_double()?, v[1].in_double()?, v[2].in_double()?]);
-    let [va, vb, vc] = [vertex(va)?, vertex(vb)?, vertex(vc)?];
+    let [va, vb, vc] = [va, vb, vc].map(|vertex| vertex.map(f64::from));
     let minus = |a: [f64; 3], b: [f64; 3]| [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
     let span = |v: [f64; 3]| v[0].abs() + v[1].abs() + v[2].abs();
     let extent = span(va).max(span(vb)).max(span(vc));
@@ -334,7 +331,7 @@ fn triangle<S: Certain>(line: &Line, vertices: [[S; 3]; 3], range: Range<S>) -> 
     for (p, q) in [(a, b), (b, c), (c, a)] {
         // d . (p x q): the side on which the line passes the edge from p to q.
         if is_positive(product(d, cross(p, q)), size * size * line.pace())? != along_normal {
-            return Some(Found::Miss);
+            return Some(Intersection::Miss);
         }
     }
     let distance = product(normal, a);

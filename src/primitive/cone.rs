@@ -2,17 +2,14 @@
 //!
 //! The quadric, and why no slope is ever rounded, is in `outline`.
 
-use super::cylinder::{between_rims, capped, leaves_slab, open_side};
-use super::outline::{CarefulCone, Homogeneous, Outline, Profile};
-use super::{
-    Geometry, Line, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates,
-};
-use crate::arithmetic::Arithmetic;
+use super::outline::{Outline, Profile};
+use super::{Geometry, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates};
+use crate::fast::{Slab, between_rims};
 use crate::figure::{self, Figure, Side};
+use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
-use crate::quadric::{Inside, Quadric, are_close, plain_slab, slab};
 use crate::scalar::{Plain, PlainLine, PlainNappe, Real, Scalar, found, largest};
-use crate::span::{End, Meeting, Span};
+use crate::tier::Guards;
 use crate::vector::{UnitVec3, Vec3};
 
 /// How far a cone reaches, and whether it is closed.
@@ -145,121 +142,6 @@ fn checked_radii<S: Scalar>(base: S, top: S, height: S) -> Result<Outline<S>, Si
 }
 
 impl<S: Scalar> Cone<S> {
-    /// Where the line is inside both nappes, and the sign of the nappe for a finite interval: see [`NappeTest`].
-    #[inline]
-    fn both_nappes<T: Arithmetic<S>>(&self, line: &Line<S>) -> (Inside<S>, NappeTest) {
-        let profile = Profile::<T::Real>::of(self.outline, T::real);
-        let (h, g0, g1) = (profile.h, profile.g0(), profile.g1());
-        let (o, d) = (line.point::<T>(), line.along::<T>());
-        let ([x, y, z], [dx, dy, dz]) = (o, d);
-        let point = Homogeneous { v: o, rest: line.rest::<T>(), is_point: true };
-        let direction = Homogeneous { v: d, rest: [T::Real::ZERO; 3], is_point: false };
-        let (g, slope) = (g0 + g1 * y, g1 * dy);
-
-        let (round, straight) = (h * h * (x * dx + z * dz), g * slope);
-        let mut k = round - straight;
-        // Less than a quarter left of either product: the rest is rounding, magnified.
-        let far = T::COMPENSATES && largest(line.origin).in_finer_units(-line.finer) > S::FAR;
-        if far || T::COMPENSATES && k.abs() < straight.abs().times_power_of_two(-2) {
-            k = profile.bilinear(point, direction);
-        }
-        let (round, straight) = (h * h * (dx * dx + dz * dz), slope * slope);
-        let mut a = round - straight;
-        if far || T::COMPENSATES && a.abs() < straight.times_power_of_two(-2) {
-            a = profile.bilinear(direction, direction);
-        }
-        let inside = if let Some(leaving) = line.departs_from(Part::Side) {
-            Quadric { a, k, positive: T::Real::ZERO, negative: T::Real::ZERO }.solve_departing::<S, T>(line, leaving)
-        } else {
-            let [wx, wy, wz] = line.moment::<T>();
-            let mut minors = [g1 * wz - g0 * dx, g1 * wx + g0 * dz, h * wy].map(|minor| h * minor);
-            let squares = |[p, q, r]: [T::Real; 3]| (p * p + q * q, r * r);
-            let (mut positive, mut negative) = squares(minors);
-            // Aimed close to the apex from afar, the minors are what is left of much larger products.
-            let point_terms = h * h * (x * x + z * z) + g * g;
-            let apex_terms = h * h * g0 * g0 * (dx * dx + dz * dz);
-            let terms = if point_terms > apex_terms { point_terms } else { apex_terms };
-            if T::COMPENSATES && positive + negative < terms.times_power_of_two(-4) {
-                minors = profile.minors(point, direction).map(|[minor, _]| minor);
-                (positive, negative) = squares(minors);
-            }
-            let quadric = Quadric { a, k, positive, negative };
-            quadric.solve::<S, T>(line, &CarefulCone { profile, point, direction })
-        };
-        // At the vertex t = -k/a the outline is g - g' k/a, which has the sign of the nappe that a finite interval lies in.
-        let (p, q) = (g * a, slope * k);
-        let vertex = p - q;
-        // A touch may be that of the apex, where the outline is zero and its sign is rounding: the apex belongs to both.
-        let is_apex = matches!(inside, Inside::Between(Span { touch: true, .. }))
-            && vertex.abs() < (p.abs() + q.abs()).times_power_of_two(T::Real::ROUNDING + 3);
-        (inside, NappeTest { rising: !slope.is_negative(), upper: is_apex || !vertex.is_negative() })
-    }
-
-    /// The interval in the nappe where the outline is positive.
-    #[inline]
-    fn one_nappe<T: Arithmetic<S>>(&self, line: &Line<S>) -> NappeMeeting<S> {
-        let (inside, test) = self.both_nappes::<T>(line);
-        let half_line = |from: bool, t: S| {
-            let end = End::new(t, Part::Side);
-            if from { Span::new(end, End::none(S::INFINITY)) } else { Span::new(End::none(-S::INFINITY), end) }
-        };
-        let span = match inside {
-            Inside::Nowhere => None,
-            Inside::Between(span) => test.upper.then_some(span),
-            // Steeper than the side: one half-line in each nappe; the outline grows with t if it rises.
-            Inside::Beyond(first, second) => Some(half_line(test.rising, if test.rising { second } else { first })),
-            // Parallel to a generator: one half-line, in the nappe into which it leads.
-            Inside::From(t) => test.rising.then(|| half_line(true, t)),
-            Inside::Until(t) => (!test.rising).then(|| half_line(false, t)),
-            // Only a line along a generator has f = 0 everywhere; its own apex ends it.
-            Inside::InSurface => return NappeMeeting::Generator,
-            // Only a line along the axis of a frustum of equal radii has f < 0 everywhere.
-            Inside::Everywhere => Some(Span::everywhere()),
-        };
-        span.map_or(NappeMeeting::Miss, NappeMeeting::In)
-    }
-
-    /// The piece of a generator line that lies in the nappe: from the apex on.
-    fn generator<T: Arithmetic<S>>(&self, line: &Line<S>) -> Span<S> {
-        let profile = Profile::<T::Real>::of(self.outline, T::real);
-        let ([_, y, _], [_, dy, _]) = (line.point::<T>(), line.along::<T>());
-        let slope = profile.g1() * dy;
-        if slope.is_zero() {
-            return Span::everywhere();
-        }
-        let apex = End::new(line.t::<T>(-profile.at(y), slope), Part::Side);
-        if slope.is_negative() {
-            Span::new(End::none(-S::INFINITY), apex)
-        } else {
-            Span::new(apex, End::none(S::INFINITY))
-        }
-    }
-
-    /// Parallel to a generator but for rounding, a line may seem to stay in the nappe for ever where it leaves it: a closed
-    /// cone ends at the height of its apex at the latest.
-    fn ending_at_the_apex<T: Arithmetic<S>>(&self, line: &Line<S>, mut side: Span<S>, height: S) -> Span<S> {
-        if side.enter.t.is_finite() && side.exit.t.is_finite() {
-            return side;
-        }
-        let apex = match self.planes() {
-            (None, _) => S::ZERO,
-            (_, None) => height,
-            _ => return side,
-        };
-        let ([_, y, _], [_, rest, _], [_, dy, _]) = (line.point::<T>(), line.rest::<T>(), line.along::<T>());
-        if dy.is_zero() {
-            return side;
-        }
-        let t = line.t::<T>(T::real(apex) - y - rest, dy);
-        let leads_to_the_apex = if apex == height { !dy.is_negative() } else { dy.is_negative() };
-        if leads_to_the_apex {
-            side.exit = if t < side.exit.t { End::new(t, Part::Side) } else { side.exit };
-        } else {
-            side.enter = if t > side.enter.t { End::new(t, Part::Side) } else { side.enter };
-        }
-        side
-    }
-
     /// The planes that cut it off; there is none where the radius is zero, for the apex ends it there.
     fn planes(&self) -> (Option<S>, Option<S>) {
         let low = (self.base_radius() != S::ZERO).then_some(S::ZERO);
@@ -271,19 +153,6 @@ impl<S: Scalar> Cone<S> {
     }
 }
 
-/// Which nappe a line's interval lies in.
-struct NappeTest {
-    rising: bool,
-    upper: bool,
-}
-
-/// How a line meets one nappe.
-enum NappeMeeting<S> {
-    Miss,
-    In(Span<S>),
-    Generator,
-}
-
 impl<S: Scalar> Geometry<S> for Cone<S> {
     fn reach(&self) -> S {
         match (self.outline, self.height()) {
@@ -292,18 +161,6 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
             // The apex is all there is to be near to: any distance from it may be far.
             (Outline::Slope(_), None) => S::ZERO,
         }
-    }
-
-    fn is_far(&self, origin: Vec3<S>) -> bool {
-        if self.height().is_some() {
-            return true;
-        }
-        // Near the surface of an infinite cone, however far from the apex, the surface is what counts.
-        let profile = Profile::<S::Real>::of(self.outline, S::real);
-        let [x, y, z] = origin.real();
-        let g = profile.at(y);
-        let (round, straight) = (x * x + z * z, g * g);
-        (round - straight).abs() > (round + straight).times_power_of_two(-2)
     }
 
     fn scaled(&self, e: i32) -> Self {
@@ -320,42 +177,8 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         Self { outline, extent }
     }
 
-    fn meet<T: Arithmetic<S>>(&self, line: &Line<S>) -> Meeting<S> {
-        if let Extent::Double = self.extent {
-            return self.meet_double::<T>(line);
-        }
-        let (low, high) = self.planes();
-        let side = match (self.one_nappe::<T>(line), self.extent) {
-            (NappeMeeting::In(span), Extent::Capped(height)) => self.ending_at_the_apex::<T>(line, span, height),
-            (NappeMeeting::In(span), _) => span,
-            (NappeMeeting::Generator, Extent::Capped(_)) => {
-                return capped::<S, T>(line, self.generator::<T>(line), low, high).along_the_side();
-            }
-            (NappeMeeting::Generator, _) => {
-                let between = slab::<S, T>(line, low, high);
-                return between
-                    .and_then(|between| self.generator::<T>(line).intersection(between))
-                    .map_or(Meeting::Miss, Meeting::LiesIn);
-            }
-            // A ray that departs inwards has a far end, even if its start is just outside.
-            (NappeMeeting::Miss, Extent::Capped(_)) if line.departure.is_some() => {
-                Span::new(End::none(-S::INFINITY), End::new(S::ZERO, Part::Side))
-            }
-            (NappeMeeting::Miss, _) => return Meeting::Miss,
-        };
-        let meeting = match self.extent {
-            Extent::Open(height) => open_side::<S, T>(line, side, S::ZERO, height),
-            Extent::Capped(_) => return capped::<S, T>(line, side, low, high),
-            Extent::Nappe | Extent::Double => Meeting::One(side),
-        };
-        match line.departure {
-            Some((_, leaving)) => meeting.departed(leaving, true),
-            None => meeting,
-        }
-    }
-
     #[inline(always)]
-    fn meet_plainly<T: Arithmetic<S>>(&self, line: &PlainLine<S>) -> Plain<Meeting<S>> {
+    fn meet_plainly<T: Guards>(&self, line: &PlainLine<S>) -> Plain<Intersection<S>> {
         let outline = match self.outline {
             Outline::Slope(slope) => (S::ZERO, slope, None),
             Outline::Radii(base, top, height) => (base, top.minus(base), Some(height)),
@@ -366,9 +189,10 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         let PlainNappe { ends: [low, high], certain } = found!(S::plain_nappe(*line, outline, self.height()));
         let side = Span::new(End::new(low, Part::Side), End::new(high, Part::Side));
         let (Extent::Open(height) | Extent::Capped(height)) = self.extent else {
-            return if certain == [true; 2] { Plain::Found(Meeting::One(side)) } else { Plain::Unclear };
+            return if certain == [true; 2] { Plain::Found(Intersection::One(side)) } else { Plain::Unclear };
         };
-        let mut between = found!(plain_slab(line, S::ZERO, height));
+        let mut slab = found!(Slab::new(line, S::ZERO, height));
+        let between = &mut slab.span;
         if let Extent::Capped(_) = self.extent {
             // Where the apex ends it there is no plane.
             let (low, high) = self.planes();
@@ -381,22 +205,14 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
             }
         }
         // An end that is somewhere beyond must not be asked for.
-        if are_close(&side, &between)
-            || !(certain[0] || between.enter.t > low)
-            || !(certain[1] || between.exit.t < high)
-        {
+        let is_cut = (certain[0] || slab.span.enter.t > low) && (certain[1] || slab.span.exit.t < high);
+        if slab.is_close_to(&side) || !is_cut {
             return Plain::Unclear;
         }
-        Plain::Found(match self.extent {
-            Extent::Open(_) => between_rims(side, between),
-            _ => Meeting::solid(side.intersection(between)),
-        })
-    }
-
-    /// Above the top and rising, or below the base and descending: no.
-    fn verdict<T: Arithmetic<S>>(&self, line: &Line<S>) -> Option<bool> {
-        let height = self.height()?;
-        leaves_slab::<S, T>(line, S::ZERO, height).then_some(false)
+        match self.extent {
+            Extent::Open(_) => Plain::Found(between_rims(side, slab.span)),
+            _ => slab.clip(side),
+        }
     }
 
     fn figure(&self) -> Figure<S> {
@@ -414,19 +230,6 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
             }
         };
         Figure::Round { side, extent }
-    }
-
-    fn contains(&self, point: Vec3<S>) -> bool {
-        let profile = Profile::<S::Real>::of(self.outline, S::real);
-        let [x, y, z] = point.real();
-        let upper = matches!(self.extent, Extent::Double) || !profile.at(y).is_negative();
-        let between = self.height().is_none_or(|height| S::ZERO <= point.y && point.y <= height);
-        if !(upper && between) {
-            return false;
-        }
-        let here = Homogeneous { v: [x, y, z], rest: [S::Real::ZERO; 3], is_point: true };
-        let c = profile.bilinear(here, here);
-        c.is_zero() || c.is_negative() && !matches!(self.extent, Extent::Open(_))
     }
 
     fn bounds(&self) -> (Vec3<S>, Vec3<S>) {
@@ -492,6 +295,10 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         UnitVec3::from_real([x * h, -slope, z * h]).unwrap_or(axis)
     }
 
+    fn bend(&self, point: Vec3<S>, part: Part) -> S {
+        if part == Part::Side { largest([point.x, point.z]) } else { S::INFINITY }
+    }
+
     fn uv(&self, point: Vec3<S>, part: Part) -> (S::Unit, S::Unit) {
         let u = coordinates::azimuth(point);
         match (part, self.height()) {
@@ -509,26 +316,6 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         let u = coordinates::around(point);
         let v = UnitVec3::from_real(self.normal(point, part).cross(u)).unwrap_or(UnitVec3::Y);
         (u, v)
-    }
-}
-
-impl<S: Scalar> Cone<S> {
-    fn meet_double<T: Arithmetic<S>>(&self, line: &Line<S>) -> Meeting<S> {
-        let (inside, _) = self.both_nappes::<T>(line);
-        let until = |t: S| Span::new(End::none(-S::INFINITY), End::new(t, Part::Side));
-        let from = |t: S| Span::new(End::new(t, Part::Side), End::none(S::INFINITY));
-        let meeting = match inside {
-            Inside::Nowhere => Meeting::Miss,
-            Inside::Between(span) => Meeting::One(span),
-            Inside::Beyond(first, second) => Meeting::Two(until(first), from(second)),
-            Inside::Until(t) => Meeting::One(until(t)),
-            Inside::From(t) => Meeting::One(from(t)),
-            Inside::Everywhere | Inside::InSurface => Meeting::LiesIn(Span::everywhere()),
-        };
-        match line.departure {
-            Some((_, leaving)) => meeting.departed(leaving, false),
-            None => meeting,
-        }
     }
 }
 

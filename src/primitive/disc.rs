@@ -1,14 +1,12 @@
 //! The disc in the plane `y = 0`.
 
-use super::cylinder::CarefulTube;
-use super::plane::{crossing, moves_away, surface_hit};
-use super::{Geometry, Line, SizeError, checked_size, queries, surface_coordinates as coordinates};
-use crate::arithmetic::Arithmetic;
+use super::{Geometry, SizeError, checked_size, queries, surface_coordinates as coordinates};
+use crate::fast::surface_hit;
 use crate::figure::Figure;
+use crate::intersection::Intersection;
 use crate::part::Part;
-use crate::quadric::{Inside, Quadric};
-use crate::scalar::{Plain, PlainLine, Real, Scalar, UnitScalar, found};
-use crate::span::Meeting;
+use crate::scalar::{Plain, PlainLine, Scalar, UnitScalar, found};
+use crate::tier::Guards;
 use crate::vector::{UnitVec3, Vec3};
 
 /// A disc about the origin in the plane `y = 0`, its rim included; an open surface whose front is +y.
@@ -52,57 +50,13 @@ impl<S: Scalar> Geometry<S> for Disc<S> {
     }
 
     #[inline(always)]
-    fn meet_plainly<T: Arithmetic<S>>(&self, line: &PlainLine<S>) -> Plain<Meeting<S>> {
+    fn meet_plainly<T: Guards>(&self, line: &PlainLine<S>) -> Plain<Intersection<S>> {
         let t = found!(S::plain_disc(*line, self.radius));
         Plain::Found(surface_hit(t, line.direction[1] < S::Unit::ZERO))
     }
 
-    #[inline]
-    fn meet<T: Arithmetic<S>>(&self, line: &Line<S>) -> Meeting<S> {
-        match crossing::<S, T>(line) {
-            Meeting::LiesIn(_) => {
-                // The chord, by the same quadric as a cylinder's side.
-                let ([x, _, z], [dx, _, dz]) = (line.point::<T>(), line.along::<T>());
-                let (a, k) = (dx * dx + dz * dz, x * dx + z * dz);
-                let (r, wy) = (T::real(self.radius), z * dx - x * dz);
-                let quadric = Quadric { a, k, positive: a * (r * r), negative: wy * wy };
-                match quadric.solve::<S, T>(line, &CarefulTube::of::<S, T>(line, self.radius)) {
-                    Inside::Between(chord) => Meeting::LiesIn(chord),
-                    _ => Meeting::Miss,
-                }
-            }
-            meeting => {
-                // |p|^2 <= r^2 at p = o - (oy / dy) d, multiplied by dy^2: wx^2 + wz^2 <= (r dy)^2, without a division.
-                let [wx, _, wz] = line.moment::<T>();
-                let reach = T::real(self.radius) * T::unit(line.direction[1]);
-                let (squares, reach) = if S::RELATIVE && reach.abs() < T::Real::ONE.times_power_of_two(-50) {
-                    // So nearly in the plane that squares vanish: the crossing itself.
-                    let ([x, y, z], [dx, dy, dz], r) = (line.point::<T>(), line.along::<T>(), T::real(self.radius));
-                    let t = -y / dy;
-                    let (px, pz) = (x + t * dx, z + t * dz);
-                    (px * px + pz * pz, r)
-                } else {
-                    (wx * wx + wz * wz, reach)
-                };
-                let outside = squares - reach * reach;
-                if outside.is_negative() || outside.is_zero() { meeting } else { Meeting::Miss }
-            }
-        }
-    }
-
-    /// Moving away from its plane: no.
-    fn verdict<T: Arithmetic<S>>(&self, line: &Line<S>) -> Option<bool> {
-        moves_away::<S, T>(line).then_some(false)
-    }
-
     fn figure(&self) -> Figure<S> {
         Figure::Disc { radius: self.radius }
-    }
-
-    fn contains(&self, point: Vec3<S>) -> bool {
-        let ([x, _, z], r) = (point.real(), self.radius.real());
-        let c = S::Real::sum_of_products([[x, x], [-r, r], [z, z]]);
-        point.y == S::ZERO && (c.is_negative() || c.is_zero())
     }
 
     fn bounds(&self) -> (Vec3<S>, Vec3<S>) {
@@ -116,6 +70,10 @@ impl<S: Scalar> Geometry<S> for Disc<S> {
 
     fn normal(&self, _: Vec3<S>, _: Part) -> UnitVec3<S> {
         UnitVec3::Y
+    }
+
+    fn bend(&self, _: Vec3<S>, _: Part) -> S {
+        S::INFINITY
     }
 
     fn uv(&self, point: Vec3<S>, _: Part) -> (S::Unit, S::Unit) {

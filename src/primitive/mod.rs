@@ -49,7 +49,6 @@ pub use sphere::Sphere;
 pub use triangle::Triangle;
 
 pub(crate) use crate::geometry::Geometry;
-pub(crate) use crate::line::Line;
 pub(crate) use crate::query::queries;
 
 /// Why a primitive cannot be built: which size, and what is wrong with it.

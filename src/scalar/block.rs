@@ -450,8 +450,5 @@ fn floor_root(root: u32, n: u32) -> u32 {
     if root as u64 * root as u64 > n as u64 { root - 1 } else { root }
 }
 
-mod short;
 #[cfg(test)]
 mod tests;
-
-pub use short::{Short32, Short64};

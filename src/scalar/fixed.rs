@@ -3,11 +3,12 @@
 //! A coordinate keeps the fraction bits of its type; a direction has 30 (or 62), since a direction rounded to the
 //! coordinate's bits throws away everything that follows. Products of the two are exact in the double width.
 
-use super::block::{Block64, Block128, Short32, Short64};
+use super::block::{Block64, Block128};
 use super::{
     Budget, Plain, PlainLine, PlainNappe, Real, Scalar, UnitScalar, elementary, found, plain, sealed::Sealed,
     separation,
 };
+use crate::number::{Limbs, Parts, Robust};
 use fixed::types::extra::{LeEqU32, LeEqU64, U30, U62};
 use fixed::{FixedI32, FixedI64};
 
@@ -25,7 +26,7 @@ fn product(a: i64, b: i64) -> i128 {
 /// Defines the implementations for one width.
 macro_rules! fixed {
     (
-        $Fixed:ident, $LeEq:ident, $UnitBits:ident, $Block:ident, $Short:ident, $raw:ty, $wide:ty, $unsigned:ty,
+        $Fixed:ident, $LeEq:ident, $UnitBits:ident, $Block:ident, $robust:literal, $raw:ty, $wide:ty, $unsigned:ty,
         $bits:literal, $unit_bits:literal, $product:path, $misses_box:path, { $($plain:tt)* }
     ) => {
         impl<F: $LeEq + Send + Sync + 'static> Sealed for $Fixed<F> {}
@@ -33,11 +34,9 @@ macro_rules! fixed {
         impl<F: $LeEq + Send + Sync + 'static> Scalar for $Fixed<F> {
             type Unit = $Fixed<$UnitBits>;
             type Real = $Block;
-            type Short = $Short;
-
+            type Robust = Robust<$robust>;
             const ZERO: Self = Self::from_bits(0);
             const INFINITY: Self = Self::from_bits(<$raw>::MAX);
-            const FAR: Self = Self::from_bits(1 << ($bits - 10));
             const RELATIVE: bool = false;
             const BUDGET: Budget<Self> = Budget {
                 coordinate: Self::from_bits(1 << ($bits - SIZE_BITS)),
@@ -51,6 +50,38 @@ macro_rules! fixed {
             #[inline(always)]
             fn is_finite(self) -> bool {
                 self.magnitude().to_bits() < <$raw>::MAX
+            }
+            #[inline(always)]
+            fn parts(self) -> Parts {
+                let raw = self.to_bits();
+                Parts { mantissa: raw.unsigned_abs().into(), exponent: -(F::I32), negative: raw < 0 }
+            }
+            #[inline(always)]
+            fn unit_parts(value: Self::Unit) -> Parts {
+                value.parts()
+            }
+            #[inline]
+            fn from_limbs<const N: usize>(value: Limbs<N>) -> Self {
+                let units = value.to_units(-(F::I32)).and_then(|units| <$raw>::try_from(units).ok());
+                let magnitude = units.map_or(Self::INFINITY, Self::from_bits);
+                if value.is_negative() { -magnitude } else { magnitude }
+            }
+            #[inline]
+            fn from_robust(value: Self::Robust) -> Self {
+                Self::from_limbs(value.limbs())
+            }
+            #[inline]
+            fn unit_from_robust(value: Self::Robust) -> Self::Unit {
+                <$Fixed<$UnitBits> as Scalar>::from_limbs(value.limbs())
+            }
+            #[inline(always)]
+            fn resolves(_: Self, size: Self) -> bool {
+                // Half of one, in units; a type without that many fraction bits resolves one unit.
+                size.to_bits() >= (1 as $raw).checked_shl(F::U32.saturating_sub(1)).unwrap_or(<$raw>::MAX)
+            }
+            #[inline(always)]
+            fn last_place(_: i32) -> i32 {
+                -(F::I32)
             }
             #[inline(always)]
             fn real(self) -> $Block {
@@ -75,31 +106,6 @@ macro_rules! fixed {
                     _ if value.is_negative() => $Fixed::from_bits(-<$raw>::MAX),
                     _ => $Fixed::from_bits(<$raw>::MAX),
                 }
-            }
-            #[inline(always)]
-            fn short(self) -> $Short {
-                $Short::new(self.to_bits() as $wide, -(F::I32))
-            }
-            #[inline(always)]
-            fn short_unit(value: Self::Unit) -> $Short {
-                $Short::new(value.to_bits() as $wide, -$unit_bits)
-            }
-            #[inline]
-            fn shortened(value: $Block) -> $Short {
-                $Short::new(value.mantissa(), value.exponent())
-            }
-            #[inline]
-            fn from_short(value: $Short) -> Self {
-                <Self as Scalar>::round(value.widened())
-            }
-            #[inline]
-            fn short_dot(o: [Self; 3], d: [Self::Unit; 3]) -> $Short {
-                let sum = Self::dot(o, d);
-                $Short::new(sum.mantissa(), sum.exponent())
-            }
-            #[inline]
-            fn short_cross(o: [Self; 3], d: [Self::Unit; 3]) -> [$Short; 3] {
-                Self::cross(o, d).map(|minor| $Short::new(minor.mantissa(), minor.exponent()))
             }
             #[inline(always)]
             fn plus(self, other: Self) -> Self {
@@ -156,14 +162,6 @@ macro_rules! fixed {
                 Self::approach(o, [<Self as Scalar>::ZERO; 3], d, t)
             }
             #[inline]
-            fn walk(o: [Self; 3], base: [Self; 3], d: [Self::Unit; 3], t: Self) -> [[Self; 2]; 3] {
-                Self::approach(o, base, d, t).map(|component| [component, Self::ZERO])
-            }
-            #[inline(always)]
-            fn minus_with_rest(self, other: Self) -> [Self; 2] {
-                [self.minus(other), Self::ZERO]
-            }
-            #[inline]
             fn normalize(v: [$Block; 3]) -> Option<([Self::Unit; 3], $Block)> {
                 let [x, y, z] = v;
                 let length = $Block::sum_of_products([[x, x], [y, y], [z, z]]).sqrt();
@@ -171,10 +169,6 @@ macro_rules! fixed {
                     return None;
                 }
                 Some((v.map(|component| Self::unit_round(component / length)), length))
-            }
-            #[inline(always)]
-            fn step_closer(_: $Block, _: Self) -> Option<Self> {
-                None
             }
             #[inline(always)]
             fn binary_exponent(_: Self) -> i32 {
@@ -205,11 +199,6 @@ macro_rules! fixed {
                 let unit = if is_full { unit.wrapping_add(1) } else { unit };
                 (units(unit).map(|raw| Self::from_bits(raw as $raw)), (-(F::I32)).wrapping_sub(unit))
             }
-            #[inline]
-            fn in_finer_units(self, n: i32) -> Self {
-                <Self as Scalar>::round(<Self as Scalar>::real(self).times_power_of_two(n))
-            }
-
             $($plain)*
 
             #[inline(always)]
@@ -358,10 +347,10 @@ macro_rules! plain {
             Plain::Found(PlainLine { origin: [ox, Self::from_bits(lowered), oz], ..line })
         }
         #[inline(always)]
-        fn plain_crossings(line: PlainLine<Self>, y: [Self; 2]) -> Plain<[Self; 2]> {
+        fn plain_crossings(line: PlainLine<Self>, y: [Self; 2]) -> Plain<([Self; 2], [Self; 2])> {
             let (oy, dy) = (line.origin[1].to_bits(), line.direction[1].to_bits());
             let [first, second] = found!($($kernels)::+::crossings(oy, line.finer, dy, y.map(Self::to_bits)));
-            Plain::Found([Self::from_bits(first), Self::from_bits(second)])
+            Plain::Found(([Self::from_bits(first), Self::from_bits(second)], [Self::from_bits(0); 2]))
         }
         #[inline(always)]
         fn plain_turned(
@@ -379,7 +368,7 @@ macro_rules! plain {
     };
 }
 
-fixed!(FixedI32, LeEqU32, U30, Block64, Short32, i32, i64, u64, 32, 30, plain::product, separation::misses_box_32, {
+fixed!(FixedI32, LeEqU32, U30, Block64, 2, i32, i64, u64, 32, 30, plain::product, separation::misses_box_32, {
     #[inline(always)]
     fn along(self, component: Self::Unit) -> Self {
         Self::from_bits(plain::round_off(plain::product(self.to_bits(), component.to_bits()), 30) as i32)
@@ -415,6 +404,6 @@ fixed!(FixedI32, LeEqU32, U30, Block64, Short32, i32, i64, u64, 32, 30, plain::p
         Plain::Found(PlainNappe { ends: [Self::from_bits(low), Self::from_bits(high)], certain })
     }
 });
-fixed!(FixedI64, LeEqU64, U62, Block128, Short64, i64, i128, u128, 64, 62, product, separation::misses_box_64, {
+fixed!(FixedI64, LeEqU64, U62, Block128, 3, i64, i128, u128, 64, 62, product, separation::misses_box_64, {
     plain!(FixedI64, plain::wide);
 });

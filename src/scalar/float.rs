@@ -3,13 +3,14 @@
 use super::plain_float::{plain_f32, plain_f64};
 use super::separation;
 use super::square_root::square_root_f32;
+use crate::number::{Limbs, Parts, Robust};
 use super::{Budget, Plain, PlainLine, PlainNappe, Real, Scalar, UnitScalar, found, largest, sealed::Sealed};
 
 /// Defines the float implementations. `$half` are the mantissa bits that a split moves to the low part.
 macro_rules! float {
     (
         $Float:ident, $exact:ident, $bits:ty, $half:literal, $mantissa:literal, $bias:literal, $largest_exponent:literal,
-        $slope:literal, $plain:ident, $misses_box:ident, sqrt: $sqrt:path, atan2: $atan2:path, sincos: $sincos:path, pow: $pow:path
+        $slope:literal, $robust:literal, $plain:ident, $misses_box:ident, sqrt: $sqrt:path, atan2: $atan2:path, sincos: $sincos:path, pow: $pow:path
     ) => {
         impl Sealed for $Float {}
 
@@ -62,11 +63,9 @@ macro_rules! float {
         impl Scalar for $Float {
             type Unit = $Float;
             type Real = $Float;
-            type Short = $Float;
-
+            type Robust = Robust<$robust>;
             const ZERO: Self = 0.0;
             const INFINITY: Self = $Float::INFINITY;
-            const FAR: Self = $Float::INFINITY;
             const RELATIVE: bool = true;
             const BUDGET: Budget<Self> = Budget {
                 coordinate: $Float::from_bits((($largest_exponent + $bias) as $bits) << $mantissa),
@@ -80,6 +79,48 @@ macro_rules! float {
             #[inline(always)]
             fn is_finite(self) -> bool {
                 $Float::is_finite(self)
+            }
+            #[inline]
+            fn parts(self) -> Parts {
+                const FRACTION: $bits = (1 << $mantissa) - 1;
+                let bits = self.to_bits();
+                let (field, fraction) = (((bits >> $mantissa) & (2 * $bias + 1)) as i32, bits & FRACTION);
+                let mantissa = if field == 0 { fraction } else { fraction | (1 << $mantissa) };
+                let exponent = field.max(1) - $bias - $mantissa;
+                Parts { mantissa: mantissa as u64, exponent, negative: self.is_sign_negative() }
+            }
+            #[inline(always)]
+            fn unit_parts(value: Self) -> Parts {
+                value.parts()
+            }
+            #[inline]
+            fn from_limbs<const N: usize>(value: Limbs<N>) -> Self {
+                // The fraction, and above it the exponent's field, into which a subnormal number or a carry grows by itself.
+                const LEAST: i32 = 1 - $bias - $mantissa;
+                let unit = Self::last_place(value.top());
+                let field = unit.saturating_sub(LEAST);
+                let Some(units) = value.to_units(unit).filter(|_| field < 2 * $bias) else {
+                    return if value.is_negative() { -Self::INFINITY } else { Self::INFINITY };
+                };
+                let magnitude = Self::from_bits(((field as $bits) << $mantissa) + units as $bits);
+                if value.is_negative() && !value.is_zero() { -magnitude } else { magnitude }
+            }
+            #[inline]
+            fn from_robust(value: Self::Robust) -> Self {
+                Self::from_limbs(value.limbs())
+            }
+            #[inline]
+            fn unit_from_robust(value: Self::Robust) -> Self {
+                Self::from_limbs(value.limbs())
+            }
+            #[inline(always)]
+            fn resolves(t: Self, size: Self) -> bool {
+                $Float::abs(t) <= 4.0 * size
+            }
+            #[inline(always)]
+            fn last_place(top: i32) -> i32 {
+                let (last, least) = (top - 1 - $mantissa, 1 - $bias - $mantissa);
+                if last > least { last } else { least }
             }
             #[inline(always)]
             fn real(self) -> Self {
@@ -96,30 +137,6 @@ macro_rules! float {
             #[inline(always)]
             fn unit_round(value: Self) -> Self {
                 value
-            }
-            #[inline(always)]
-            fn short(self) -> Self {
-                self
-            }
-            #[inline(always)]
-            fn short_unit(value: Self) -> Self {
-                value
-            }
-            #[inline(always)]
-            fn shortened(value: Self) -> Self {
-                value
-            }
-            #[inline(always)]
-            fn from_short(value: Self) -> Self {
-                value
-            }
-            #[inline(always)]
-            fn short_dot(o: [Self; 3], d: [Self; 3]) -> Self {
-                Self::dot(o, d)
-            }
-            #[inline(always)]
-            fn short_cross(o: [Self; 3], d: [Self; 3]) -> [Self; 3] {
-                Self::cross(o, d)
             }
             #[inline(always)]
             fn plus(self, other: Self) -> Self {
@@ -171,23 +188,6 @@ macro_rules! float {
                 })
             }
             #[inline]
-            fn walk(o: [Self; 3], base: [Self; 3], d: [Self; 3], t: Self) -> [[Self; 2]; 3] {
-                [0, 1, 2].map(|i| {
-                    // t has half the bits: its products with the halves of d are exact.
-                    let (high, low) = $exact::split(d[i]);
-                    let (from_base, e) = $exact::two_sum(o[i], -base[i]);
-                    let (near, f) = $exact::two_sum(from_base, t * high);
-                    let (sum, rest) = $exact::two_sum(near, (t * low + e) + f);
-                    // At the end of the float range the rest overflows; the plain sum stands.
-                    [sum, if Scalar::is_finite(rest) { rest } else { 0.0 }]
-                })
-            }
-            #[inline(always)]
-            fn minus_with_rest(self, other: Self) -> [Self; 2] {
-                let (difference, rest) = $exact::two_sum(self, -other);
-                [difference, if Scalar::is_finite(rest) { rest } else { 0.0 }]
-            }
-            #[inline]
             fn normalize(v: [Self; 3]) -> Option<([Self; 3], Self)> {
                 let longest = largest(v);
                 if !(longest > 0.0 && v.iter().all(|c| Scalar::is_finite(*c))) {
@@ -198,11 +198,6 @@ macro_rules! float {
                 let [x, y, z] = v.map(|c| $exact::scale(c, -e));
                 let length = (x * x + y * y + z * z).sqrt();
                 Some(([x / length, y / length, z / length], $exact::scale(length, e)))
-            }
-            #[inline(always)]
-            fn step_closer(k: Self, reach: Self) -> Option<Self> {
-                // From within a few radii the rounding of the coordinates is of the order of the rounding of t itself.
-                if $Float::abs(k) > 2.0 * reach { Some(-$exact::split(k).0) } else { None }
             }
             #[inline(always)]
             fn binary_exponent(largest: Self) -> i32 {
@@ -219,11 +214,6 @@ macro_rules! float {
             fn finest(values: [Self; 3]) -> ([Self; 3], i32) {
                 (values, 0)
             }
-            #[inline(always)]
-            fn in_finer_units(self, _: i32) -> Self {
-                self
-            }
-
             #[inline(always)]
             fn plain_ball(line: PlainLine<Self>, r: Self, by_moment: bool) -> Plain<[Self; 2]> {
                 if by_moment {
@@ -242,6 +232,9 @@ macro_rules! float {
                     return $plain::ball_ahead(line, r);
                 }
                 let (k, discriminant) = found!($plain::closest_approach(line, r));
+                if discriminant == 0.0 {
+                    return Plain::Unclear;
+                }
                 // Moving away, the far end counts.
                 if k <= 0.0 || $sqrt(discriminant) >= k { Plain::Found(()) } else { Plain::Miss }
             }
@@ -258,8 +251,17 @@ macro_rules! float {
                 $plain::nappe(line, [base, growth, height.unwrap_or(1.0)], top)
             }
             #[inline(always)]
-            fn plain_crossings(line: PlainLine<Self>, y: [Self; 2]) -> Plain<[Self; 2]> {
+            fn plain_crossings(line: PlainLine<Self>, y: [Self; 2]) -> Plain<([Self; 2], [Self; 2])> {
                 $plain::crossings(line, y)
+            }
+            #[inline(always)]
+            fn plain_turned(
+                o: [Self; 3],
+                d: [Self; 3],
+                position: [Self; 3],
+                axes: [[Self; 3]; 3],
+            ) -> Option<PlainLine<Self>> {
+                Some($plain::turned(o, d, position, axes))
             }
             #[inline(always)]
             fn plain_disc(line: PlainLine<Self>, r: Self) -> Plain<Self> {
@@ -271,8 +273,10 @@ macro_rules! float {
             }
             #[inline(always)]
             fn plain_height(line: PlainLine<Self>, t: Self, seams: [Self; 2]) -> Plain<Self> {
-                let ([_, y, _], climb) = (line.origin, t * line.direction[1]);
-                let [low, high] = seams.map(|seam| Self::plain_close(climb, seam - y));
+                let ([x, y, z], climb) = (line.origin, t * line.direction[1]);
+                let all = $Float::abs(x) + $Float::abs(y) + $Float::abs(z) + $Float::abs(t);
+                let off = if line.finer == 0 { 0.0 } else { all * (4.0 * $Float::EPSILON) };
+                let [low, high] = seams.map(|seam| Self::plain_close(climb, seam - y, off));
                 if low || high { Plain::Unclear } else { Plain::Found(y + climb) }
             }
             #[inline(always)]
@@ -281,9 +285,13 @@ macro_rules! float {
                 Plain::Found(PlainLine { origin: [ox, oy - y, oz], ..line })
             }
             #[inline(always)]
-            fn plain_close(a: Self, b: Self) -> bool {
+            fn plain_close(a: Self, b: Self, off: Self) -> bool {
                 // Not if one is infinite, or both are: that compares false.
-                $Float::abs(a - b) < ($Float::abs(a) + $Float::abs(b)) * (64.0 * $Float::EPSILON)
+                $Float::abs(a - b) < ($Float::abs(a) + $Float::abs(b)) * (64.0 * $Float::EPSILON) + off
+            }
+            #[inline(always)]
+            fn plain_certain(t: Self, off: Self) -> bool {
+                off <= $Float::abs(t) * (6.0 * $Float::EPSILON)
             }
             #[inline(always)]
             fn misses_box(o: [Self; 3], d: [Self; 3], range: [Self; 2], centre: [Self; 3], half: [Self; 3]) -> bool {
@@ -411,10 +419,10 @@ macro_rules! float {
 }
 
 float!(
-    f32, exact_f32, u32, 12, 23, 127, 126, 30, plain_f32, misses_box_f32,
+    f32, exact_f32, u32, 12, 23, 127, 126, 30, 1, plain_f32, misses_box_f32,
     sqrt: square_root_f32, atan2: libm::atan2f, sincos: libm::sincosf, pow: libm::powf
 );
 float!(
-    f64, exact_f64, u64, 27, 52, 1023, 1022, 200, plain_f64, misses_box_f64,
+    f64, exact_f64, u64, 27, 52, 1023, 1022, 200, 2, plain_f64, misses_box_f64,
     sqrt: libm::sqrt, atan2: libm::atan2, sincos: libm::sincos, pow: libm::pow
 );

@@ -15,16 +15,15 @@
 //! | `plain_float` | the usual case of floats, uncompensated |
 //! | `separation` | whether a ray surely misses a box |
 //! | [`block`] | integer mantissa and exponent; square root and quotient of integers |
-//! | `certain` | numbers of which every sign can be trusted, for the exact tier |
 //! | `decimal` | decimal text to fixed point, correctly rounded |
 //! | `elementary` | angle, sine, power, in integers for the fixed types |
 //! | `square_root` | the one hardware instruction that `core` does not give |
 
+use crate::number::{FromScalar, Limbs, Number, Parts, ToScalar};
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 pub mod block;
-pub(crate) mod certain;
 #[cfg(feature = "fixed")]
 mod decimal;
 #[cfg(feature = "fixed")]
@@ -107,16 +106,13 @@ pub trait Scalar:
     type Unit: UnitScalar;
     /// The number in which solvers compute.
     type Real: Real;
-    /// The number in which the tier [`Fast`](crate::tier::Fast) computes.
-    type Short: Real;
+    /// The number in which solvers compute where the fast path is unsure.
+    type Robust: FromScalar<Self> + Number<Estimate = Self::Robust> + ToScalar<Self>;
 
     /// Zero.
     const ZERO: Self;
     /// Beyond every range: `f32::INFINITY`, or the largest raw value of a fixed type.
     const INFINITY: Self;
-    /// The distance beyond which a product rounded to half the computing number's width loses a unit of `t`; infinite
-    /// for floats, whose error grows with `t`.
-    const FAR: Self;
     /// True if precision is relative to magnitude (floats), so that a change of scale loses nothing.
     const RELATIVE: bool;
     /// What constructors accept.
@@ -124,6 +120,20 @@ pub trait Scalar:
 
     /// False for NaN and for [`Scalar::INFINITY`] of either sign.
     fn is_finite(self) -> bool;
+    /// The exact value: sign, integer and exponent.
+    fn parts(self) -> Parts;
+    /// The exact value of a unit component.
+    fn unit_parts(value: Self::Unit) -> Parts;
+    /// Rounded to nearest, ties to even; beyond the type's range, [`Scalar::INFINITY`] with the sign.
+    fn from_limbs<const N: usize>(value: Limbs<N>) -> Self;
+    /// Rounded as [`Scalar::from_limbs`].
+    fn from_robust(value: Self::Robust) -> Self;
+    /// Rounded as [`Scalar::from_limbs`], to a unit component.
+    fn unit_from_robust(value: Self::Robust) -> Self::Unit;
+    /// True if the rounding of a parameter `t` is small beside a length of this size: at most four units of the type in the quotient.
+    fn resolves(t: Self, size: Self) -> bool;
+    /// The exponent of the last place of values below `2^top`.
+    fn last_place(top: i32) -> i32;
     /// The exact value, to compute with.
     fn real(self) -> Self::Real;
     /// Rounded to nearest; beyond the type's range, [`Scalar::INFINITY`] with the sign.
@@ -132,18 +142,6 @@ pub trait Scalar:
     fn unit_real(value: Self::Unit) -> Self::Real;
     /// Rounded to nearest, saturated at the limits of the unit type.
     fn unit_round(value: Self::Real) -> Self::Unit;
-    /// The value, rounded to what [`Scalar::Short`] holds.
-    fn short(self) -> Self::Short;
-    /// A unit component, rounded to what [`Scalar::Short`] holds.
-    fn short_unit(value: Self::Unit) -> Self::Short;
-    /// Rounded to what [`Scalar::Short`] holds.
-    fn shortened(value: Self::Real) -> Self::Short;
-    /// Rounded to nearest; beyond the type's range, [`Scalar::INFINITY`] with the sign.
-    fn from_short(value: Self::Short) -> Self;
-    /// `o . d`, for fixed types rounded once.
-    fn short_dot(o: [Self; 3], d: [Self::Unit; 3]) -> Self::Short;
-    /// `o x d`, for fixed types rounded once.
-    fn short_cross(o: [Self; 3], d: [Self::Unit; 3]) -> [Self::Short; 3];
     /// `self + other`, saturated to [`Scalar::INFINITY`].
     fn plus(self, other: Self) -> Self;
     /// `self - other`, saturated to [`Scalar::INFINITY`].
@@ -163,11 +161,6 @@ pub trait Scalar:
     fn advance(o: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3];
     /// `o - base + t d`, rounded once (floats: but for an error of the second order).
     fn approach(o: [Self; 3], base: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3];
-    /// As [`Scalar::approach`], for a `t` from [`Scalar::step_closer`], which has few enough bits to make it cheap; each
-    /// coordinate with what its rounding left over (floats).
-    fn walk(o: [Self; 3], base: [Self; 3], d: [Self::Unit; 3], t: Self) -> [[Self; 2]; 3];
-    /// `self - other`, and what its rounding left over (floats).
-    fn minus_with_rest(self, other: Self) -> [Self; 2];
     /// The vector's direction and its length; `None` for the zero vector and for a vector with a component
     /// that is not finite. Right for every length, from the smallest to the largest.
     fn normalize(v: [Self::Real; 3]) -> Option<([Self::Unit; 3], Self::Real)>;
@@ -188,12 +181,6 @@ pub trait Scalar:
         Self::round(self.real() * Self::unit_real(component))
     }
 
-    /// How far to walk along a ray before solving, when its origin is so far away that products of its
-    /// coordinates would round away what matters; `None` where that cannot happen.
-    ///
-    /// `k` is `o . d`, `reach` the radius of a sphere about the origin that holds the solid (or its
-    /// characteristic size if it is unbounded).
-    fn step_closer(k: Self::Real, reach: Self) -> Option<Self>;
     /// The exponent `e` for which `2^-e` brings the largest of the given magnitudes near 1; always zero for fixed types, whose
     /// [`Real`] carries its own exponent.
     fn binary_exponent(largest: Self) -> i32;
@@ -202,9 +189,6 @@ pub trait Scalar:
     /// Three values in the finest unit in which the type holds them: numbers to be read as `2^-n` times themselves,
     /// and `n`; zero for floats, which are as fine as they can be.
     fn finest(values: [Self::Real; 3]) -> ([Self; 3], i32);
-    /// `self * 2^n`, as the number is written in the unit that `n` stands for in [`Scalar::finest`].
-    fn in_finer_units(self, n: i32) -> Self;
-
     /// The two ends of the line inside the ball of radius `r` about the origin: from its closest approach, or, if `by_moment`, from its
     /// moment.
     ///
@@ -246,9 +230,10 @@ pub trait Scalar:
     fn plain_lowered(_: PlainLine<Self>, _y: Self) -> Plain<PlainLine<Self>> {
         Plain::Unclear
     }
-    /// Where the line crosses two heights; a line that stays in one height crosses neither.
+    /// Where the line crosses two heights, and how much more than a few units each may be off; a line that stays in one height crosses
+    /// neither.
     #[inline(always)]
-    fn plain_crossings(_: PlainLine<Self>, _y: [Self; 2]) -> Plain<[Self; 2]> {
+    fn plain_crossings(_: PlainLine<Self>, _y: [Self; 2]) -> Plain<([Self; 2], [Self; 2])> {
         Plain::Unclear
     }
 
@@ -263,10 +248,16 @@ pub trait Scalar:
         Plain::Unclear
     }
 
-    /// Whether two ends that the short way found are so close that rounding may decide which comes first.
+    /// Whether two ends of the fast path are so close that rounding, and what they may be `off` beside it, decides which comes first.
     #[inline(always)]
-    fn plain_close(_: Self, _: Self) -> bool {
+    fn plain_close(_: Self, _: Self, _off: Self) -> bool {
         false
+    }
+
+    /// Whether an end that may be `off` by so much is good enough.
+    #[inline(always)]
+    fn plain_certain(_: Self, _off: Self) -> bool {
+        true
     }
 
     /// The line from `o` along `d` in the frame with these axes at `position`.

@@ -24,6 +24,22 @@ macro_rules! plain_float {
             /// Sums of three products of three factors are taken where their terms are up to this many times larger.
             const FLAT_CANCELLED: $Float = 4.0;
             const FAR_SQUARE: $Float = (FAR as $Float) * (FAR as $Float);
+            /// The square of a component that a frame's rounding leaves good to a few units.
+            const LEVEL: $Float = 0.25;
+
+            /// The line from `o` along `d` in the frame with these axes at `position`.
+            #[inline(always)]
+            pub(crate) fn turned(
+                o: [$Float; 3],
+                d: [$Float; 3],
+                position: [$Float; 3],
+                axes: [[$Float; 3]; 3],
+            ) -> PlainLine<$Float> {
+                let from = minus(o, position);
+                let origin = [dot(axes[0], from), dot(axes[1], from), dot(axes[2], from)];
+                let direction = [dot(axes[0], d), dot(axes[1], d), dot(axes[2], d)];
+                PlainLine { origin, finer: 1, direction }
+            }
 
             /// True for a positive size whose eighth powers stay in the type (its squares, for `NARROW` of 2).
             #[inline(always)]
@@ -117,6 +133,11 @@ macro_rules! plain_float {
                 }
                 let k = x * dx + z * dz;
                 let w = z * dx - x * dz;
+                let y = line.origin[1];
+                // Rounded on their way into a frame, coordinates are off by roundings of the longest, and components by those of one.
+                if line.finer != 0 && !(a >= LEVEL && y * y <= r * r * FAR_SQUARE) {
+                    return Plain::Unclear;
+                }
                 let (positive, kk) = (a * (r * r), k * k);
                 let discriminant = positive - w * w;
                 if !(kk <= positive * FAR_SQUARE && discriminant >= positive * CANCELLED_SQUARE) {
@@ -141,13 +162,17 @@ macro_rules! plain_float {
                 // Each term of p, q and s is at most this: the rounding of all of them moves D by a few halves of epsilon times it and the
                 // moment. (That is crude: let through with D a 256th of it, the worst ray measured was 12 units off.)
                 let length = ax + ay + az;
+                // In a frame any coordinate is off by roundings of the longest, and any component by those of one.
+                let is_turned = line.finer != 0;
+                let [ax, ay, az] = if is_turned { [length; 3] } else { [ax, ay, az] };
                 let reach = steepness * length + g0;
                 if !is_handy::<8>(steepness) || !is_handy::<8>(reach) {
                     return Plain::Unclear;
                 }
                 let (slope, outline) = (g * dy, g0 + g * y);
                 let (across, along) = (h * h * (dx * dx + dz * dz), slope * slope);
-                let (a, a_terms) = (across - along, across + along);
+                let a = across - along;
+                let a_terms = if is_turned { steepness * steepness } else { across + along };
                 // Nearly parallel to a generator.
                 let is_clear = $Float::abs(a) >= a_terms * DOUBT;
                 if !is_clear {
@@ -169,7 +194,8 @@ macro_rules! plain_float {
                         Some(top) => length <= (FAR as $Float) * top,
                         None => false,
                     };
-                    if !is_near {
+                    // Compensation makes up for the moment's own rounding, not for that of a frame.
+                    if !is_near || is_turned {
                         return Plain::Unclear;
                     }
                     // The moment of a line that passes closely is small, and its rounding is not: without that.
@@ -190,16 +216,17 @@ macro_rules! plain_float {
                 if discriminant < 0.0 {
                     return Plain::Unclear;
                 }
-                let (k_across, k_along) = (h * h * (x * dx + z * dz), outline * slope);
-                let k = k_across - k_along;
+                let k = h * h * (x * dx + z * dz) - outline * slope;
                 let root = h * $sqrt(discriminant);
                 // -k and the root are added where they have one sign; the other end is c over that sum.
                 let sum = $Float::abs(k) + root;
                 // The outline cancels towards the apex.
                 let rim = g0 + $Float::abs(g) * ay;
                 let (outside, inside) = (h * h * (x * x + z * z), outline * outline);
-                let (c, c_terms) = (outside - inside, outside + $Float::abs(outline) * rim);
-                let k_terms = h * h * (ax + az) + rim * $Float::abs(slope);
+                let c_across = if is_turned { h * h * (length * length) } else { outside };
+                let (c, c_terms) = (outside - inside, c_across + $Float::abs(outline) * rim);
+                let k_along = rim * if is_turned { $Float::abs(g) } else { $Float::abs(slope) };
+                let k_terms = h * h * (ax + az) + k_along;
                 // Where a cancels, so does k.
                 let margin = if $Float::abs(a) * (CANCELLED as $Float) >= 2.0 * a_terms { 1.0 } else { 2.0 };
                 let is_clear = sum * (CANCELLED as $Float) >= margin * k_terms;
@@ -240,16 +267,27 @@ macro_rules! plain_float {
                 if magnitude >= terms * (2.0 * CANCELLED_SQUARE) { 0.0 } else { terms * DOUBT / magnitude }
             }
 
-            /// Where the line crosses each of the heights. A line that stays in one height meets none of them.
+            /// Where the line crosses each of the heights, and how much of that may be off because of a frame. A line that stays in one height
+            /// meets none of them.
             #[inline(always)]
-            pub(crate) fn crossings(line: PlainLine<$Float>, [low, high]: [$Float; 2]) -> Plain<[$Float; 2]> {
-                let ([_, y, _], [_, dy, _]) = (line.origin, line.direction);
-                if dy == 0.0 {
+            pub(crate) fn crossings(line: PlainLine<$Float>, [low, high]: [$Float; 2]) -> Plain<([$Float; 2], [$Float; 2])> {
+                let ([x, y, z], [_, dy, _]) = (line.origin, line.direction);
+                if line.finer == 0 && dy == 0.0 {
                     return Plain::Miss;
                 }
-                let ends = [(low - y) / dy, (high - y) / dy];
+                let inverse = 1.0 / dy;
+                let ends = [(low - y) * inverse, (high - y) * inverse];
                 let is_finite = $Float::abs(ends[0]) < $Float::MAX && $Float::abs(ends[1]) < $Float::MAX;
-                if is_finite { Plain::Found(ends) } else { Plain::Unclear }
+                if !is_finite {
+                    return Plain::Unclear;
+                }
+                if line.finer == 0 {
+                    return Plain::Found(([(low - y) / dy, (high - y) / dy], [0.0; 2]));
+                }
+                // Three roundings of the terms of y, and three of dy.
+                let length = $Float::abs(x) + $Float::abs(y) + $Float::abs(z);
+                let off = |t: $Float| (length + $Float::abs(t)) * $Float::abs(inverse) * (3.0 * $Float::EPSILON);
+                Plain::Found((ends, [off(ends[0]), off(ends[1])]))
             }
 
             /// Where the line crosses the disc of this radius about the origin in the plane `y = 0`.
@@ -264,7 +302,16 @@ macro_rules! plain_float {
                 let (px, pz) = (x + across, z + along);
                 let inside = r * r - (px * px + pz * pz);
                 // Each coordinate is off by at most three roundings of its terms.
-                let length = $Float::abs(x) + $Float::abs(z) + $Float::abs(across) + $Float::abs(along);
+                let length = if line.finer == 0 {
+                    $Float::abs(x) + $Float::abs(z) + $Float::abs(across) + $Float::abs(along)
+                } else {
+                    // So is the crossing, by as many units.
+                    let all = $Float::abs(x) + $Float::abs(y) + $Float::abs(z) + $Float::abs(t);
+                    if !(dy * dy >= LEVEL && $Float::abs(y) * 4.0 >= all) {
+                        return Plain::Unclear;
+                    }
+                    2.0 * all
+                };
                 let doubt = length * length * (16.0 * $Float::EPSILON);
                 if inside > doubt {
                     Plain::Found(t)
@@ -296,7 +343,9 @@ macro_rules! plain_float {
                 let (o, d) = (line.origin, line.direction);
                 let [a, b, c] = [minus(vertices[0], o), minus(vertices[1], o), minus(vertices[2], o)];
                 let size = |v: [$Float; 3]| $Float::abs(v[0]) + $Float::abs(v[1]) + $Float::abs(v[2]);
-                let sizes = [size(a), size(b), size(c)];
+                // In a frame the origin is off by roundings of all of it, and the direction by those of one.
+                let (own, one) = if line.finer == 0 { (0.0, 0.0) } else { (4.0 * size(o), 1.0) };
+                let sizes = [size(a) + own, size(b) + own, size(c) + own];
                 // d . (p x q): the side on which the line passes the edge from p to q; off by at most seven roundings of its terms.
                 let volumes = [dot(d, cross(a, b)), dot(d, cross(b, c)), dot(d, cross(c, a))];
                 let terms = [sizes[0] * sizes[1], sizes[1] * sizes[2], sizes[2] * sizes[0]];
@@ -322,7 +371,9 @@ macro_rules! plain_float {
                 let (facing, distance) = (dot(normal, d), dot(normal, a));
                 let (u, v) = (magnitudes(u), magnitudes(v));
                 let terms = [u[1] * v[2] + u[2] * v[1], u[2] * v[0] + u[0] * v[2], u[0] * v[1] + u[1] * v[0]];
-                let (facing_terms, distance_terms) = (dot(terms, magnitudes(d)), dot(terms, magnitudes(a)));
+                let most = |v: [$Float; 3], least: $Float| v.map(|c| if c > least { c } else { least });
+                let (d_sizes, a_sizes) = (most(magnitudes(d), one), most(magnitudes(a), own));
+                let (facing_terms, distance_terms) = (dot(terms, d_sizes), dot(terms, a_sizes));
                 let is_clear = is_handy::<2>(facing_terms)
                     && is_handy::<2>(distance_terms)
                     && $Float::abs(facing) * FLAT_CANCELLED >= facing_terms

@@ -1,22 +1,22 @@
 //! The line and the quadrics along it.
 
-use crate::scalar::certain::{Number, dot};
+use crate::number::{Number, cross};
+use crate::part::Part;
+use crate::ray::Leaving;
 
 /// A line in a primitive's frame. Its direction has any length: `t` is the parameter of the ray as stored.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Line<N> {
     pub(crate) origin: [N; 3],
     pub(crate) direction: [N; 3],
+    /// The part that it departs from at `t = 0`, and the side to which it leaves.
+    pub(crate) departure: Option<(Part, Leaving)>,
 }
 
-/// `a x b`
-pub(crate) fn cross<N: Number>(a: [N; 3], b: [N; 3]) -> [N; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-/// `a - b`
-pub(crate) fn difference<N: Number>(a: [N; 3], b: [N; 3]) -> [N; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+impl<N> Line<N> {
+    pub(super) fn departs_from(&self, part: Part) -> bool {
+        self.departure.is_some_and(|(from, _)| from == part)
+    }
 }
 
 /// A point in homogeneous coordinates `(v, w)`.
@@ -72,16 +72,20 @@ impl<N: Number> Form<N> {
     }
 
     /// The outline `g0 w + g1 y`; constant but for a cone.
-    #[inline(always)]
+    #[inline]
     pub(super) fn outline(self, p: Homogeneous<N>) -> N {
         match self {
             Self::Ball { r } | Self::Tube { r } => p.w.times(r),
-            Self::Cone { g0, g1, .. } => p.w.times(g0) + g1 * p.v[1],
+            Self::Cone { g0, g1, .. } => match p.w {
+                Weight::Zero => g1 * p.v[1],
+                Weight::One => N::sum([[g0, N::ONE], [g1, p.v[1]]]),
+                Weight::By(w) => N::sum([[g0, w], [g1, p.v[1]]]),
+            },
         }
     }
 
     /// `f(p, q)`
-    #[inline(always)]
+    #[inline]
     pub(super) fn of(self, p: Homogeneous<N>, q: Homogeneous<N>) -> N {
         let ([x, y, z], [u, v, w]) = (p.v, q.v);
         match self {
@@ -94,24 +98,36 @@ impl<N: Number> Form<N> {
         }
     }
 
-    /// `k^2 - a c` along the line, from the moment `w = o x d`: Lagrange's identity in the metric of the form.
-    #[inline(always)]
-    pub(super) fn discriminant(self, line: &Line<N>) -> N {
+    /// `(k^2 - a c) / h^2` along the line, with the `h` of a cone and 1 for the others, from the line's Pluecker moment `w = o x d`:
+    /// Lagrange's identity in the metric of the form. `a` is the form of the direction.
+    #[inline]
+    pub(super) fn discriminant(self, line: &Line<N>, a: N) -> N {
         let ([x, _, z], [dx, _, dz]) = (line.origin, line.direction);
         match self {
+            // a r^2 - |w|^2
             Self::Ball { r } => {
-                let ([wx, wy, wz], d) = (cross(line.origin, line.direction), line.direction);
-                r * r * dot(d, d) - (wx * wx + wy * wy + wz * wz)
+                let [wx, wy, wz] = cross(line.origin, line.direction);
+                N::sum([[a, r * r], [-wx, wx], [-wy, wy], [-wz, wz]])
             }
+            // a r^2 - w_y^2
             Self::Tube { r } => {
-                let wy = z * dx - x * dz;
-                r * r * (dx * dx + dz * dz) - wy * wy
+                let wy = N::sum([[z, dx], [-x, dz]]);
+                N::sum([[a, r * r], [-wy, wy]])
             }
+            // (g1 wz - g0 dx)^2 + (g1 wx + g0 dz)^2 - (h wy)^2
             Self::Cone { h, g0, g1 } => {
                 let [wx, wy, wz] = cross(line.origin, line.direction);
-                let (p, q, s) = (g1 * wz - g0 * dx, g1 * wx + g0 * dz, h * wy);
-                h * h * (p * p + q * q - s * s)
+                let (p, q, s) = (N::sum([[g1, wz], [-g0, dx]]), N::sum([[g1, wx], [g0, dz]]), h * wy);
+                N::sum([[p, p], [q, q], [-s, s]])
             }
+        }
+    }
+
+    /// The `h` of [`Form::discriminant`], where it is not 1.
+    pub(super) fn factor(self) -> Option<N> {
+        match self {
+            Self::Cone { h, .. } => Some(h),
+            Self::Ball { .. } | Self::Tube { .. } => None,
         }
     }
 }

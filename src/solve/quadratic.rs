@@ -1,13 +1,12 @@
-//! Where a line meets a figure, decided by signs alone.
+//! A quadric along a line, and the order of its roots and of planes, decided by signs.
 //!
-//! No two rounded numbers are ever compared. Whether a root of a quadric comes before a plane is the sign of the quadric
-//! and of its slope where the line crosses the plane; whether a hit lies in the range is the same question, asked at the
-//! range's end. Every question can go unanswered (`None`), and then the whole is asked again in wider numbers.
+//! Whether a root comes before a plane is told by approximate parameters where their error bounds allow, else by the signs of the
+//! quadric and of its slope where the line crosses the plane. Any sign may be unknown (`None`); then the whole query is repeated in
+//! wider numbers.
 
 use super::form::{Form, Homogeneous, Line, Weight};
+use crate::number::{Estimate, Number, Ring};
 use crate::part::Part;
-use crate::ray::Range;
-use crate::scalar::certain::{Certain, Estimate, FromScalar, Number};
 use core::cmp::Ordering;
 
 /// A parameter `n / e` of the line; `e` is not zero.
@@ -20,7 +19,7 @@ pub(super) struct Fraction<N> {
 impl<N: Number> Fraction<N> {
     /// How it compares with another.
     pub(super) fn order(self, other: Self) -> Option<Ordering> {
-        let order = (self.n * other.e - other.n * self.e).sign()?;
+        let order = N::sum([[self.n, other.e], [-other.n, self.e]]).sign()?;
         Some(times(order, times(self.e.sign()?, other.e.sign()?)))
     }
 }
@@ -55,10 +54,14 @@ pub(super) struct End<N: Number> {
 
 impl<N: Number> End<N> {
     /// Where the line crosses a plane.
-    #[inline(always)]
+    #[inline]
     pub(super) fn at(t: Fraction<N>, part: Part) -> Self {
-        let ([n, e, _], _) = N::together([t.n, t.e, N::ZERO], N::ZERO);
-        Self { place: Place::At(t), t: n.over(e), part }
+        Self { place: Place::At(t), t: t.n.estimate().over(t.e.estimate()), part }
+    }
+
+    /// The start of the line.
+    pub(super) fn start(part: Part) -> Self {
+        Self { place: Place::At(Fraction { n: N::ZERO, e: N::ONE }), t: N::Estimate::ZERO, part }
     }
 
     /// The same place, as one of the side's.
@@ -100,65 +103,107 @@ pub(super) enum Inside {
 }
 
 /// A quadric along the line: `f = a t^2 + 2 k t + c`.
+///
+/// Of a line that departs from the quadric the start is a root by decree (rule 8 of the contract), whatever its rounded coordinates
+/// say: `c = 0`, the discriminant is `k^2`, and the other root is `-2 k / a`.
 pub(super) struct Quadratic<'a, N> {
     form: Form<N>,
     line: &'a Line<N>,
+    departs: bool,
     pub(super) a: N,
     pub(super) k: N,
-    c: N,
+    /// Over the square of [`Form::factor`].
     discriminant: N,
-    a_sign: Ordering,
+    pub(super) a_sign: Ordering,
     discriminant_sign: Ordering,
 }
 
 impl<'a, N: Number> Quadratic<'a, N> {
-    #[inline(always)]
-    pub(super) fn new(form: Form<N>, line: &'a Line<N>) -> Option<Self> {
-        let o = Homogeneous { v: line.origin, w: Weight::One };
-        let d = Homogeneous { v: line.direction, w: Weight::Zero };
-        let (a, k, c, discriminant) = (form.of(d, d), form.of(o, d), form.of(o, o), form.discriminant(line));
-        let (a_sign, discriminant_sign) = (a.sign()?, discriminant.sign()?);
-        Some(Self { form, line, a, k, c, discriminant, a_sign, discriminant_sign })
+    #[inline]
+    pub(super) fn new(form: Form<N>, line: &'a Line<N>, departs: bool) -> Option<Self> {
+        let (o, d) = (Self::point(line), Self::along(line));
+        let a = form.of(d, d);
+        let a_sign = a.sign()?;
+        if departs {
+            let k = form.of(o, d);
+            let discriminant_sign = if k.sign()? == Ordering::Equal { Ordering::Equal } else { Ordering::Greater };
+            return Some(Self { form, line, departs, a, k, discriminant: N::ZERO, a_sign, discriminant_sign });
+        }
+        let discriminant = form.discriminant(line, a);
+        let discriminant_sign = discriminant.sign()?;
+        // A miss needs no k.
+        let misses = (a_sign, discriminant_sign) == (Ordering::Greater, Ordering::Less);
+        let k = if misses { N::ZERO } else { form.of(o, d) };
+        Some(Self { form, line, departs, a, k, discriminant, a_sign, discriminant_sign })
     }
 
-    #[inline(always)]
+    fn point(line: &Line<N>) -> Homogeneous<N> {
+        Homogeneous { v: line.origin, w: Weight::One }
+    }
+
+    fn along(line: &Line<N>) -> Homogeneous<N> {
+        Homogeneous { v: line.direction, w: Weight::Zero }
+    }
+
+    fn c(&self) -> N {
+        if self.departs {
+            return N::ZERO;
+        }
+        let o = Self::point(self.line);
+        self.form.of(o, o)
+    }
+
+    #[inline]
     pub(super) fn inside(&self) -> Option<Inside> {
         Some(match (self.a_sign, self.discriminant_sign) {
             (Ordering::Greater, Ordering::Less) => Inside::Nowhere,
             (Ordering::Greater, sign) => Inside::Between(sign == Ordering::Equal),
             (Ordering::Less, _) => Inside::Beyond,
-            (Ordering::Equal, _) => match (self.k.sign()?, self.c.sign()?) {
-                (Ordering::Less, _) => Inside::From,
-                (Ordering::Greater, _) => Inside::Until,
-                (Ordering::Equal, Ordering::Less) => Inside::Everywhere,
-                (Ordering::Equal, Ordering::Equal) => Inside::InSurface,
-                (Ordering::Equal, Ordering::Greater) => Inside::Nowhere,
+            // A line parallel to an asymptote has one root, not none.
+            (Ordering::Equal, _) => match self.k.sign()? {
+                Ordering::Less => Inside::From,
+                Ordering::Greater => Inside::Until,
+                Ordering::Equal => match self.c().sign()? {
+                    Ordering::Less => Inside::Everywhere,
+                    Ordering::Equal => Inside::InSurface,
+                    Ordering::Greater => Inside::Nowhere,
+                },
             },
         })
     }
 
     /// How the end compares with another, which is no root.
-    #[inline(always)]
+    #[inline]
     pub(super) fn order(&self, end: &End<N>, other: &End<N>) -> Option<Ordering> {
         // Seldom so close that approximately does not do.
-        (end.t - other.t).sign().or_else(|| match other.place {
+        end.t.compare(other.t).or_else(|| match other.place {
             Place::At(t) => self.order_for_certain(end.place, t),
             Place::First | Place::Second => None,
         })
     }
 
+    /// The sign of `f` at `n / e`.
+    fn sign_at(&self, t: Fraction<N>) -> Option<Ordering> {
+        if self.departs {
+            // n (a n + 2 k e), over e^2
+            let k = self.k + self.k;
+            return Some(times(t.n.sign()?, N::sum([[self.a, t.n], [k, t.e]]).sign()?));
+        }
+        // At the point e (o + t d), times e^2.
+        let along = |i: usize| N::sum([[self.line.origin[i], t.e], [self.line.direction[i], t.n]]);
+        let point = Homogeneous { v: [along(0), along(1), along(2)], w: Weight::By(t.e) };
+        self.form.of(point, point).sign()
+    }
+
     /// How the place compares with the parameter `t`.
     #[inline(never)]
-    fn order_for_certain(&self, place: Place<N>, t: Fraction<N>) -> Option<Ordering> {
+    pub(super) fn order_for_certain(&self, place: Place<N>, t: Fraction<N>) -> Option<Ordering> {
         let second = match place {
             Place::At(own) => return own.order(t),
             Place::First => false,
             Place::Second => true,
         };
-        // The point e (o + t d), and f and half its slope there, times e^2 and |e|.
-        let along = |i: usize| self.line.origin[i] * t.e + self.line.direction[i] * t.n;
-        let point = Homogeneous { v: [along(0), along(1), along(2)], w: Weight::By(t.e) };
-        let f = self.form.of(point, point).sign()?;
+        let f = self.sign_at(t)?;
         if self.a_sign == Ordering::Equal {
             // f = 2 k t + c: where it has the sign of k, the root has passed.
             return Some(times(f, self.k.sign()?).reverse());
@@ -168,7 +213,8 @@ impl<'a, N: Number> Quadratic<'a, N> {
         if f == Ordering::Less {
             return Some(if second { Ordering::Greater } else { Ordering::Less });
         }
-        let slope = times(times((self.a * t.n + self.k * t.e).sign()?, t.e.sign()?), self.a_sign);
+        let slope = N::sum([[self.a, t.n], [self.k, t.e]]).sign()?;
+        let slope = times(times(slope, t.e.sign()?), self.a_sign);
         Some(match (f, slope) {
             // t is the vertex, and a root: the only one.
             (_, Ordering::Equal) => Ordering::Equal,
@@ -192,23 +238,44 @@ impl<'a, N: Number> Quadratic<'a, N> {
     }
 
     /// The roots in order; of a linear function its only one, twice.
-    #[inline(always)]
+    #[inline]
     pub(super) fn ends(&self) -> [End<N>; 2] {
         let [first, second] = self.roots();
         let end = |place: Place<N>, t: N::Estimate| End { place, t, part: Part::Side };
         [end(Place::First, first), end(Place::Second, second)]
     }
 
+    /// The interval between the roots.
+    #[inline]
+    pub(super) fn between(&self, touch: bool) -> Interval<N> {
+        let [first, second] = self.ends();
+        Interval { enter: Some(first), exit: Some(second), touch }
+    }
+
     /// The roots' parameters, approximately.
-    #[inline(always)]
+    #[inline]
     fn roots(&self) -> [N::Estimate; 2] {
-        let ([a, k, c], discriminant) = N::together([self.a, self.k, self.c], self.discriminant);
+        let (a, k) = (self.a.estimate(), self.k.estimate());
+        let zero = N::Estimate::ZERO;
+        if self.departs {
+            if self.a_sign == Ordering::Equal {
+                return [zero; 2];
+            }
+            let other = (-(k + k)).over(a);
+            return if k.sign() == Some(self.a_sign) { [other, zero] } else { [zero, other] };
+        }
+        let c = self.c().estimate();
         if self.a_sign == Ordering::Equal {
             return [(-c).over(k + k); 2];
         }
-        let root =
-            if self.discriminant_sign == Ordering::Greater { discriminant.square_root() } else { N::Estimate::ZERO };
-        // -k and the root are added where they have one sign; the other root is c over that sum.
+        let root = if self.discriminant_sign == Ordering::Greater {
+            let root = self.discriminant.estimate().square_root();
+            self.form.factor().map_or(root, |h| h.estimate() * root)
+        } else {
+            zero
+        };
+        // -k and the root are added where they have one sign; the other root is c over that sum (Press et al., *Numerical Recipes*,
+        // 5.6).
         let [lower, upper] = match k.sign() {
             Some(Ordering::Greater) => {
                 let q = -k - root;
@@ -223,79 +290,4 @@ impl<'a, N: Number> Quadratic<'a, N> {
         };
         if self.a_sign == Ordering::Greater { [lower, upper] } else { [upper, lower] }
     }
-}
-
-/// An end in the ray's own numbers.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Settled<S> {
-    pub(super) t: S,
-    pub(super) part: Part,
-    pub(super) is_before_range: bool,
-    pub(super) is_beyond_range: bool,
-}
-
-impl<S: Certain> Settled<S> {
-    /// The same end, whose `t` is at least that of an end which comes before it: of two roots next to the same midpoint of
-    /// two numbers, each may be rounded to the other's side.
-    pub(super) fn not_before(self, earlier: Option<Self>) -> Self {
-        match earlier {
-            Some(earlier) if self.t < earlier.t => Self { t: earlier.t, ..self },
-            _ => self,
-        }
-    }
-}
-
-/// An interval in the ray's own numbers.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Piece<S> {
-    pub(super) enter: Option<Settled<S>>,
-    pub(super) exit: Option<Settled<S>>,
-    pub(super) touch: bool,
-}
-
-/// A number that stands for the scalars of one type.
-pub(crate) trait Of<S: Certain>: Number<Estimate = S::Filter> + FromScalar<S> {}
-impl<S: Certain, N: Number<Estimate = S::Filter> + FromScalar<S>> Of<S> for N {}
-
-/// Settles an end: its `t`, and whether that lies in the range. `None` for `quadratic` where no end is one of its roots.
-#[inline(always)]
-pub(super) fn settle<S: Certain, N: Of<S>>(
-    quadratic: Option<&Quadratic<'_, N>>,
-    end: End<N>,
-    range: Range<S>,
-) -> Option<Settled<S>> {
-    let compare = |bound: S| {
-        (end.t - <S::Filter as FromScalar<S>>::scalar(bound)).sign().or_else(|| {
-            let bound = Fraction { n: N::scalar(bound), e: N::ONE };
-            match (end.place, quadratic) {
-                (Place::At(t), _) => t.order(bound),
-                (place, quadratic) => quadratic?.order_for_certain(place, bound),
-            }
-        })
-    };
-    let is_before_range = compare(range.start())? == Ordering::Less;
-    let is_beyond_range = compare(range.end())? == Ordering::Greater;
-    let t = if is_before_range {
-        -S::INFINITY
-    } else if is_beyond_range {
-        S::INFINITY
-    } else {
-        S::rounded(end.t)?
-    };
-    Some(Settled { t, part: end.part, is_before_range, is_beyond_range })
-}
-
-/// Settles both ends.
-#[inline(always)]
-pub(super) fn piece<S: Certain, N: Of<S>>(
-    quadratic: Option<&Quadratic<'_, N>>,
-    interval: Interval<N>,
-    range: Range<S>,
-) -> Option<Piece<S>> {
-    let settled = |end: Option<End<N>>| match end {
-        None => Some(None),
-        Some(end) => settle(quadratic, end, range).map(Some),
-    };
-    let (enter, exit) = (settled(interval.enter)?, settled(interval.exit)?);
-    Some(Piece { enter, exit: exit.map(|exit| exit.not_before(enter)), touch: interval.touch })
 }

@@ -1,15 +1,16 @@
 //! The inside test, decided by signs.
 
 use super::flat::is_zero;
-use super::form::{Form, Homogeneous, Weight, cross, difference};
-use super::round::form_of;
-use super::solve::Of;
+use super::form::{Form, Homogeneous, Weight};
+use super::settle::Of;
+use super::side::form_of;
 use crate::figure::{Extent, Figure};
-use crate::scalar::certain::{Certain, dot};
+use crate::number::{cross, difference, dot};
+use crate::scalar::Scalar;
 use core::cmp::Ordering;
 
 /// Whether the point belongs to the closed set.
-pub(super) fn holds<S: Certain, N: Of<S>>(figure: &Figure<S>, point: [N; 3]) -> Option<bool> {
+pub(crate) fn holds<S: Scalar, N: Of<S>>(figure: &Figure<S>, point: [N; 3]) -> Option<bool> {
     let here = Homogeneous { v: point, w: Weight::One };
     let [_, y, _] = point;
     let is_inside = |form: Form<N>, p: Homogeneous<N>| Some(form.of(p, p).sign()? != Ordering::Greater);

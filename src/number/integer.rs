@@ -1,13 +1,23 @@
-//! The last resort: integers of a fixed capacity, times a power of two.
+//! Integers of a fixed capacity, times a power of two.
 //!
-//! Sums and products of scalars are exact in them, whatever the exponents, so that every sign is certain. They cost a
-//! hundred times as much as the filters, which is why those are asked first. Plain schoolbook arithmetic on 32-bit limbs:
-//! numbers keep only the limbs that they use, and those of everyday inputs are few.
+//! Sums and products of scalars are exact in them, whatever the exponents, so that every sign is certain. They cost a hundred times
+//! as much as the bounded number, which is why it is tried first. Schoolbook arithmetic on 32-bit limbs: numbers keep only the limbs
+//! that they use, and those of everyday inputs are few.
 
-use super::double::Double;
-use super::{FromScalar, Number};
+use super::{Bounded, FromScalar, Limbs, Number, Parts, Ring};
+use crate::scalar::Scalar;
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
+
+/// Limbs of an integer that holds every polynomial of the solvers over `f32`.
+///
+/// A coordinate spans 277 binary places; a local one, of which a row of an affine inverse is a factor, at most 690. The widest
+/// polynomial is that of a frustum where the line crosses a plane, of less than 3,900 places.
+pub(crate) const FLOAT_LIMBS: usize = 128;
+/// The same over 32-bit fixed types: a local coordinate has 66 places, and the rows of an affine inverse lie up to 124
+/// apart; the widest polynomial spans some 640.
+#[cfg(feature = "fixed")]
+pub(crate) const FIXED_LIMBS: usize = 32;
 
 /// `(-1)^negative * limbs * 2^(32 * exponent)`, with neither a highest nor a lowest limb of zero.
 #[derive(Clone, Copy, Debug)]
@@ -58,10 +68,15 @@ impl<const N: usize> Integer<N> {
         self
     }
 
+    fn from_parts(Parts { mantissa, exponent, negative }: Parts) -> Self {
+        let result = Self::new(mantissa, exponent);
+        if negative { -result } else { result }
+    }
+
     /// `mantissa * 2^exponent`.
-    pub(super) fn new(mantissa: i64, exponent: i32) -> Self {
-        let mut result = Self { negative: mantissa < 0, exponent: exponent.div_euclid(32), ..Self::NOTHING };
-        let shifted = (mantissa.unsigned_abs() as u128) << exponent.rem_euclid(32);
+    fn new(mantissa: u64, exponent: i32) -> Self {
+        let mut result = Self { exponent: exponent.div_euclid(32), ..Self::NOTHING };
+        let shifted = (mantissa as u128) << exponent.rem_euclid(32);
         for index in 0..3 {
             result.accumulate(index, (shifted >> (32 * index)) as u32 as u64);
         }
@@ -100,34 +115,6 @@ impl<const N: usize> Integer<N> {
         }
         debug_assert!(carry == 0, "the capacity holds every polynomial of the solvers");
         result.trimmed()
-    }
-
-    /// The highest 64 bits, and the exponent that belongs to them.
-    fn leading(&self) -> (u64, i32) {
-        let top = self.length as i32;
-        let (a, b, c) = (self.limb(top - 1), self.limb(top - 2), self.limb(top - 3));
-        let shift = a.leading_zeros() % 32;
-        let all = ((a as u128) << 64) | ((b as u128) << 32) | c as u128;
-        let bits = ((all << shift) >> 32) as u64;
-        (bits, 32 * (top - 2 + self.exponent) - shift as i32)
-    }
-
-    /// An exponent of which the power of two is above the magnitude.
-    fn top(&self) -> i32 {
-        let (_, exponent) = self.leading();
-        exponent + 64
-    }
-
-    /// The value divided by `2^e`, as a block or a double makes it from the highest 62 bits.
-    fn leading_over(&self, e: i32) -> (i64, i32) {
-        let (bits, exponent) = self.leading();
-        let magnitude = (bits >> 2) as i64;
-        (if self.negative { -magnitude } else { magnitude }, exponent + 2 - e)
-    }
-
-    /// The exponent by which three numbers come near 1.
-    fn common_exponent(values: &[Self; 3]) -> i32 {
-        values.iter().filter(|value| value.length != 0).map(Self::top).max().unwrap_or(0)
     }
 }
 
@@ -185,80 +172,51 @@ impl<const N: usize> Mul for Integer<N> {
     }
 }
 
-macro_rules! integer {
-    ($N:expr, $Estimate:ident, $to_estimate:expr) => {
-        impl Number for Integer<{ $N }> {
-            type Estimate = $Estimate;
-            const ZERO: Self = Self::NOTHING;
-            const ONE: Self = {
-                let mut one = Self::NOTHING;
-                one.limbs[0] = 1;
-                one.length = 1;
-                one
-            };
-
-            fn sign(self) -> Option<Ordering> {
-                Some(match (self.length, self.negative) {
-                    (0, _) => Ordering::Equal,
-                    (_, true) => Ordering::Less,
-                    (_, false) => Ordering::Greater,
-                })
-            }
-
-            fn scaled(self, e: i32) -> Self {
-                self * Self::new(1, e)
-            }
-
-            fn together(values: [Self; 3], square: Self) -> ([$Estimate; 3], $Estimate) {
-                let e = Self::common_exponent(&values);
-                let estimate = |value: &Self, e: i32| {
-                    if value.length == 0 {
-                        return <$Estimate as Number>::ZERO;
-                    }
-                    let (mantissa, exponent) = value.leading_over(e);
-                    $to_estimate(mantissa, exponent)
-                };
-                (values.map(|value| estimate(&value, e)), estimate(&square, 2 * e))
-            }
-        }
+impl<const N: usize> Ring for Integer<N> {
+    const ZERO: Self = Self::NOTHING;
+    const ONE: Self = {
+        let mut one = Self::NOTHING;
+        one.limbs[0] = 1;
+        one.length = 1;
+        one
     };
-}
 
-integer!(super::FLOAT_LIMBS, Double, |mantissa: i64, exponent: i32| {
-    use crate::scalar::Real;
-    Double::rounded_once((mantissa as f64).times_power_of_two(exponent))
-});
-
-impl FromScalar<f32> for Integer<{ super::FLOAT_LIMBS }> {
-    fn scalar(value: f32) -> Self {
-        let bits = value.to_bits();
-        let (field, fraction) = ((bits >> 23) & 0xff, (bits & 0x007f_ffff) as i64);
-        let magnitude = if field == 0 { fraction } else { fraction | 0x0080_0000 };
-        Self::new(if value.is_sign_negative() { -magnitude } else { magnitude }, field.max(1) as i32 - 150)
+    #[inline]
+    fn sum<const M: usize>(terms: [[Self; 2]; M]) -> Self {
+        let mut sum = Self::ZERO;
+        for [a, b] in terms {
+            sum = sum + a * b;
+        }
+        sum
     }
-    fn unit(value: f32) -> Self {
-        <Self as FromScalar<f32>>::scalar(value)
+
+    fn scaled(self, e: i32) -> Self {
+        self * Self::new(1, e)
     }
 }
 
-#[cfg(feature = "fixed")]
-mod fixed_point {
-    use super::super::wide::Wide;
-    use super::{FromScalar, Integer, Number, Ordering};
-    use crate::scalar::block::Block128;
-    use fixed::FixedI32;
-    use fixed::types::extra::{LeEqU32, U30};
+impl<const N: usize> Number for Integer<N> {
+    type Estimate = Bounded<2>;
 
-    integer!(super::super::FIXED_LIMBS, Wide, |mantissa: i64, exponent: i32| {
-        Wide::truncated(Block128::new(mantissa as i128, exponent))
-    });
+    fn sign(self) -> Option<Ordering> {
+        Some(match (self.length, self.negative) {
+            (0, _) => Ordering::Equal,
+            (_, true) => Ordering::Less,
+            (_, false) => Ordering::Greater,
+        })
+    }
 
-    impl<F: LeEqU32 + Send + Sync + 'static> FromScalar<FixedI32<F>> for Integer<{ super::super::FIXED_LIMBS }> {
-        fn scalar(value: FixedI32<F>) -> Self {
-            Self::new(value.to_bits() as i64, -F::I32)
-        }
-        fn unit(value: FixedI32<U30>) -> Self {
-            Self::new(value.to_bits() as i64, -30)
-        }
+    fn estimate(self) -> Bounded<2> {
+        let used = self.limbs.get(..self.length).unwrap_or(&self.limbs);
+        Bounded::cut_off(Limbs::from_words(used, 32 * self.exponent, self.negative))
+    }
+}
+
+impl<S: Scalar, const N: usize> FromScalar<S> for Integer<N> {
+    fn scalar(value: S) -> Self {
+        Self::from_parts(value.parts())
+    }
+    fn unit(value: S::Unit) -> Self {
+        Self::from_parts(S::unit_parts(value))
     }
 }

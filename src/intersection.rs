@@ -2,7 +2,7 @@
 
 use crate::hit::{Crossing, Hit, Hits};
 use crate::part::Part;
-use crate::ray::{Leaving, Range};
+use crate::ray::Range;
 use crate::scalar::Scalar;
 
 /// One end of an interval: where the line crosses the surface, and on which part.
@@ -74,7 +74,7 @@ impl<S: Scalar> Span<S> {
 
 /// How a line meets a primitive.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Meeting<S> {
+pub enum Intersection<S> {
     /// Not at all.
     Miss,
     /// In one interval, whose ends are the hits.
@@ -87,88 +87,7 @@ pub enum Meeting<S> {
     LiesIn(Span<S>),
 }
 
-impl<S: Scalar> Meeting<S> {
-    /// A meeting in the given interval, if any.
-    #[inline(always)]
-    pub(crate) fn solid(span: Option<Span<S>>) -> Self {
-        span.map_or(Self::Miss, Self::One)
-    }
-
-    /// The ends of a line that runs in the side lie on its rims or seams, which the side owns (rule 5).
-    #[cold]
-    pub(crate) fn along_the_side(self) -> Self {
-        match self {
-            Self::One(span) => Self::One(Span {
-                enter: End::new(span.enter.t, Part::Side),
-                exit: End::new(span.exit.t, Part::Side),
-                touch: span.touch,
-            }),
-            other => other,
-        }
-    }
-
-    /// Replaces each `t`; the order of ends must not change.
-    #[inline]
-    pub(crate) fn map_t(self, f: impl Fn(S) -> S) -> Self {
-        let map = |span: Span<S>| Span {
-            enter: End::new(f(span.enter.t), span.enter.part),
-            exit: End::new(f(span.exit.t), span.exit.part),
-            touch: span.touch,
-        };
-        match self {
-            Self::Miss => Self::Miss,
-            Self::One(span) => Self::One(map(span)),
-            Self::Two(first, second) => Self::Two(map(first), map(second)),
-            Self::Surface(span) => Self::Surface(map(span)),
-            Self::LiesIn(span) => Self::LiesIn(map(span)),
-        }
-    }
-
-    /// Rule 8: the end from which the ray departs (at `t = 0`, exactly) is not met again.
-    ///
-    /// `convex` says that the set is convex, so that a ray leaving outwards meets nothing of it.
-    pub(crate) fn departed(self, leaving: Leaving, convex: bool) -> Self {
-        let without_zero = |span: Span<S>| {
-            let mut span = span;
-            match leaving {
-                // From the inside of the surface the next crossing is the far end.
-                Leaving::Inwards => {
-                    if span.enter.t <= S::ZERO {
-                        span.enter = End::none(-S::INFINITY);
-                    }
-                    if span.exit.t < S::ZERO {
-                        span.exit.t = S::ZERO;
-                    }
-                    span.touch = false;
-                    Some(span)
-                }
-                Leaving::Outwards => (span.enter.t > S::ZERO).then_some(span),
-            }
-        };
-        match (self, leaving) {
-            (_, Leaving::Outwards) if convex => Self::Miss,
-            (Self::One(span), _) => Self::solid(without_zero(span)),
-            (Self::Two(first, second), Leaving::Inwards) => {
-                // The interval that holds zero is the one that the ray is in.
-                if second.enter.t <= S::ZERO {
-                    Self::solid(without_zero(second))
-                } else {
-                    without_zero(first).map_or(Self::One(second), |first| Self::Two(first, second))
-                }
-            }
-            (Self::Two(first, second), Leaving::Outwards) => match (without_zero(first), without_zero(second)) {
-                (Some(first), Some(second)) => Self::Two(first, second),
-                (None, span) | (span, None) => Self::solid(span),
-            },
-            (Self::Surface(span), Leaving::Inwards) => {
-                let span = Span { enter: End::none(-S::INFINITY), touch: false, ..span };
-                if span.exit.t > S::ZERO { Self::Surface(span) } else { Self::Miss }
-            }
-            (Self::Surface(_), Leaving::Outwards) => Self::Miss,
-            (Self::Miss | Self::LiesIn(_), _) => self,
-        }
-    }
-
+impl<S: Scalar> Intersection<S> {
     /// Hands the ends, in order, to `report`.
     #[inline]
     fn each_end(self, mut report: impl FnMut(Hit<S>)) {

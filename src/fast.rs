@@ -1,0 +1,86 @@
+//! What the fast paths of several primitives share.
+
+use crate::intersection::{End, Intersection, Span};
+use crate::part::Part;
+use crate::scalar::{Plain, PlainLine, Scalar, UnitScalar};
+
+/// Where along a line `low <= y <= high`, and how much more than a few units its ends may be off.
+pub(crate) struct Slab<S> {
+    pub(crate) span: Span<S>,
+    off: [S; 2],
+}
+
+impl<S: Scalar> Slab<S> {
+    /// Between two heights, if the fast path tells. The ends bear the parts of the two planes.
+    #[inline(always)]
+    pub(crate) fn new(line: &PlainLine<S>, low: S, high: S) -> Plain<Self> {
+        let ([_, y, _], [_, dy, _]) = (line.origin, line.direction);
+        match S::plain_crossings(*line, [low, high]) {
+            Plain::Found(([low, high], [off_low, off_high])) => {
+                let (base, top) = (End::new(low, Part::Base), End::new(high, Part::Top));
+                Plain::Found(if dy < S::Unit::ZERO {
+                    Self { span: Span::new(top, base), off: [off_high, off_low] }
+                } else {
+                    Self { span: Span::new(base, top), off: [off_low, off_high] }
+                })
+            }
+            Plain::Miss if line.finer == 0 => {
+                if low <= y && y <= high {
+                    Plain::Found(Self { span: Span::everywhere(), off: [S::ZERO; 2] })
+                } else {
+                    Plain::Miss
+                }
+            }
+            _ => Plain::Unclear,
+        }
+    }
+
+    /// Whether rounding may decide how the ends of a side and of these planes follow each other.
+    #[inline(always)]
+    pub(crate) fn is_close_to(&self, side: &Span<S>) -> bool {
+        let (planes, [enter, exit]) = (&self.span, self.off);
+        S::plain_close(side.enter.t, planes.enter.t, enter)
+            || S::plain_close(side.exit.t, planes.exit.t, exit)
+            || S::plain_close(side.enter.t, planes.exit.t, exit)
+            || S::plain_close(side.exit.t, planes.enter.t, enter)
+    }
+
+    /// The part of a side's interval that lies between the planes, if its ends are good enough.
+    #[inline(always)]
+    pub(crate) fn clip(&self, side: Span<S>) -> Plain<Intersection<S>> {
+        let Some(span) = side.intersection(self.span) else { return Plain::Miss };
+        let [enter, exit] = self.off;
+        let is_good = |end: End<S>, off: S| end.part == Part::Side || S::plain_certain(end.t, off);
+        if is_good(span.enter, enter) && is_good(span.exit, exit) {
+            Plain::Found(Intersection::One(span))
+        } else {
+            Plain::Unclear
+        }
+    }
+}
+
+/// The ends of `side` that lie in the slab between the rims; the rims belong to it.
+#[inline(always)]
+pub(crate) fn between_rims<S: Scalar>(side: Span<S>, between: Span<S>) -> Intersection<S> {
+    let on_surface = |end: End<S>| between.enter.t <= end.t && end.t <= between.exit.t;
+    let (enter, exit) = (on_surface(side.enter), on_surface(side.exit));
+    if !enter && !exit {
+        return Intersection::Miss;
+    }
+    Intersection::Surface(Span {
+        enter: if enter { side.enter } else { End::none(-S::INFINITY) },
+        exit: if exit { side.exit } else { End::none(S::INFINITY) },
+        touch: side.touch,
+    })
+}
+
+/// The one crossing of a flat surface, from its front or its back.
+#[inline]
+pub(crate) fn surface_hit<S: Scalar>(t: S, from_front: bool) -> Intersection<S> {
+    let end = End::new(t, Part::Side);
+    Intersection::Surface(if from_front {
+        Span::new(end, End::none(S::INFINITY))
+    } else {
+        Span::new(End::none(-S::INFINITY), end)
+    })
+}

@@ -1,0 +1,223 @@
+//! The robust number with a bound of its error.
+
+use super::{Estimate, FromScalar, Limbs, Number, Parts, Ring, ToScalar};
+use crate::scalar::Scalar;
+use core::cmp::Ordering;
+use core::ops::{Add, Mul, Neg, Sub};
+
+/// A number of `64 N` bits, and the exponent of a power of two that its distance from the true value does not exceed (running error
+/// analysis: Higham, *Accuracy and Stability of Numerical Algorithms*, 3.3).
+#[derive(Clone, Copy, Debug)]
+pub struct Bounded<const N: usize> {
+    value: Limbs<N>,
+    /// [`EXACT`] where nothing has been cut off.
+    error: i32,
+}
+
+/// The error of an exact number: a power of two below all others.
+const EXACT: i32 = i32::MIN;
+
+impl<const N: usize> Bounded<N> {
+    #[inline(always)]
+    const fn exact(value: Limbs<N>) -> Self {
+        Self { value, error: EXACT }
+    }
+
+    /// The highest bits of a number.
+    pub(super) fn cut_off((value, is_cut): (Limbs<N>, bool)) -> Self {
+        Self { value, error: if is_cut { value.top() - Limbs::<N>::BITS } else { EXACT } }
+    }
+}
+
+/// A bound of the sum of errors, at most 64 of them.
+#[derive(Clone, Copy)]
+struct Total {
+    largest: i32,
+    count: u32,
+}
+
+impl Total {
+    const NONE: Self = Self { largest: EXACT, count: 0 };
+
+    #[inline(always)]
+    fn with(self, error: i32) -> Self {
+        if error == EXACT {
+            return self;
+        }
+        Self { largest: if error > self.largest { error } else { self.largest }, count: self.count + 1 }
+    }
+
+    #[inline(always)]
+    fn exponent(self) -> i32 {
+        if self.count < 2 {
+            return self.largest;
+        }
+        // The least power of two that is not below the count.
+        self.largest + (32 - (self.count - 1).leading_zeros()) as i32
+    }
+}
+
+/// The exponent of a product of a magnitude below `2^top` and an error.
+#[inline(always)]
+fn times(top: i32, error: i32) -> i32 {
+    if error == EXACT { EXACT } else { error + top }
+}
+
+impl<const N: usize> Add for Bounded<N> {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        let (value, is_cut) = self.value.total(&other.value);
+        let mut total = Total::NONE.with(self.error).with(other.error);
+        if is_cut {
+            // The shorter term where the sum ends, and the sum itself.
+            let top = self.value.top().max(other.value.top());
+            total = total.with(top - 2 * Limbs::<N>::BITS).with(value.top() - Limbs::<N>::BITS);
+        }
+        Self { value, error: total.exponent() }
+    }
+}
+
+impl<const N: usize> Sub for Bounded<N> {
+    type Output = Self;
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl<const N: usize> Neg for Bounded<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self { value: self.value.negated(), ..self }
+    }
+}
+
+impl<const N: usize> Mul for Bounded<N> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        let (value, is_cut) = self.value.product(&other.value);
+        let own = if is_cut { value.top() - Limbs::<N>::BITS } else { EXACT };
+        Self { value, error: product_error([self, other]).with(own).exponent() }
+    }
+}
+
+/// What the errors of two factors make of their product's.
+#[inline(always)]
+fn product_error<const N: usize>([a, b]: [Bounded<N>; 2]) -> Total {
+    let both = if a.error == EXACT { EXACT } else { times(a.error, b.error) };
+    Total::NONE.with(times(a.value.top(), b.error)).with(times(b.value.top(), a.error)).with(both)
+}
+
+impl<const N: usize> Ring for Bounded<N> {
+    const ZERO: Self = Self::exact(Limbs::ZERO);
+    const ONE: Self = Self::exact(Limbs::ONE);
+
+    #[inline]
+    fn sum<const M: usize>(terms: [[Self; 2]; M]) -> Self {
+        let (value, is_cut) = Limbs::sum_of_products(&terms.map(|term| term.map(|factor| factor.value)));
+        let mut total = Total::NONE;
+        let mut top = i32::MIN;
+        for [a, b] in terms {
+            let inherited = product_error([a, b]).exponent();
+            total = total.with(inherited);
+            top = top.max(a.value.top() + b.value.top());
+        }
+        if is_cut {
+            // Each term where the sum ends (at most eight), and the sum itself.
+            total = total.with(top - 2 * Limbs::<N>::BITS + 3).with(value.top() - Limbs::<N>::BITS);
+        }
+        Self { value, error: total.exponent() }
+    }
+
+    #[inline]
+    fn scaled(self, e: i32) -> Self {
+        Self { value: self.value.scaled(e), error: times(e, self.error) }
+    }
+}
+
+impl<const N: usize> Number for Bounded<N> {
+    type Estimate = Self;
+
+    #[inline]
+    fn sign(self) -> Option<Ordering> {
+        // At least 2^(top - 1) in magnitude.
+        if self.error != EXACT && (self.value.is_zero() || self.value.top() - 1 <= self.error) {
+            return None;
+        }
+        Some(if self.value.is_zero() {
+            Ordering::Equal
+        } else if self.value.is_negative() {
+            Ordering::Less
+        } else {
+            Ordering::Greater
+        })
+    }
+
+    #[inline(always)]
+    fn estimate(self) -> Self {
+        self
+    }
+}
+
+impl<const N: usize> Estimate for Bounded<N> {
+    #[inline]
+    fn over(self, other: Self) -> Self {
+        let value = self.value.quotient(&other.value);
+        // Residuals leave an error of a few of the last places.
+        let own = value.top() - Limbs::<N>::BITS + 3;
+        // (error + |quotient| error') / |divisor|, whose magnitude is at least 2^(top - 1) less its error, which is below half of that.
+        let inherited = Total::NONE.with(self.error).with(times(value.top(), other.error)).exponent();
+        Self { value, error: Total::NONE.with(own).with(times(2 - other.value.top(), inherited)).exponent() }
+    }
+
+    #[inline]
+    fn square_root(self) -> Self {
+        let value = self.value.square_root();
+        let own = if self.value.is_zero() { EXACT } else { value.top() - Limbs::<N>::BITS + 3 };
+        // sqrt(a) - sqrt(a - e) <= e / sqrt(a), and sqrt(a) is at least 2^(top - 1).
+        let inherited =
+            if self.value.is_zero() { halved(self.error) } else { times(1 - value.top(), self.error) };
+        Self { value, error: Total::NONE.with(own).with(inherited).exponent() }
+    }
+
+    #[inline]
+    fn top(self) -> Option<i32> {
+        (!self.value.is_zero()).then(|| self.value.top())
+    }
+
+    #[inline]
+    fn compare(self, other: Self) -> Option<Ordering> {
+        (self - other).sign()
+    }
+}
+
+/// The root of an error, rounded up.
+fn halved(error: i32) -> i32 {
+    if error == EXACT { EXACT } else { (error >> 1) + 1 }
+}
+
+impl<S: Scalar, const N: usize> FromScalar<S> for Bounded<N> {
+    #[inline]
+    fn scalar(value: S) -> Self {
+        let Parts { mantissa, exponent, negative } = value.parts();
+        Self::exact(Limbs::from_mantissa(mantissa, exponent, negative))
+    }
+    #[inline]
+    fn unit(value: S::Unit) -> Self {
+        let Parts { mantissa, exponent, negative } = S::unit_parts(value);
+        Self::exact(Limbs::from_mantissa(mantissa, exponent, negative))
+    }
+}
+
+impl<S: Scalar, const N: usize> ToScalar<S> for Bounded<N> {
+    const ROUNDING_DECIDES: bool = false;
+
+    #[inline]
+    fn rounded(self) -> Option<S> {
+        // A 64th of a unit.
+        (self.error == EXACT || self.error <= S::last_place(self.value.top()) - 6).then(|| S::from_limbs(self.value))
+    }
+}

@@ -1,0 +1,122 @@
+//! The ladder of computing numbers.
+//!
+//! A solver is written once, over a [`Number`] whose sign may be unknown. It runs in the cheapest number that is good enough and,
+//! where that cannot tell a sign, again in the next:
+//!
+//! | number | sign | used by |
+//! |---|---|---|
+//! | [`Robust`] | that of the rounded value | `Fast` and `Stable`, where their fast path is unsure |
+//! | [`Bounded`] | unknown where the error bound allows both | `Exact` |
+//! | [`Integer`] | always certain | `Exact`, where [`Bounded`] does not know |
+//!
+//! The first rung of all tiers, the fast path in a type's own width, is not made of these numbers.
+
+mod bounded;
+mod integer;
+mod limbs;
+mod robust;
+#[cfg(test)]
+mod tests;
+pub(crate) mod word;
+
+pub use bounded::Bounded;
+pub use integer::Integer;
+#[cfg(feature = "fixed")]
+pub(crate) use integer::FIXED_LIMBS;
+pub(crate) use integer::FLOAT_LIMBS;
+pub use limbs::Limbs;
+pub use robust::Robust;
+
+use crate::scalar::Scalar;
+use core::cmp::Ordering;
+use core::ops::{Add, Mul, Neg, Sub};
+
+/// Numbers that can be added and multiplied: all that a placement needs.
+pub trait Ring: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self> {
+    /// Zero.
+    const ZERO: Self;
+    /// One.
+    const ONE: Self;
+
+    /// A sum of products, cut off once.
+    #[inline(always)]
+    fn sum<const M: usize>(terms: [[Self; 2]; M]) -> Self {
+        let mut sum = Self::ZERO;
+        for [a, b] in terms {
+            sum = sum + a * b;
+        }
+        sum
+    }
+    /// `self * 2^e`, exactly.
+    fn scaled(self, e: i32) -> Self;
+}
+
+/// A number of which the sign is either known or not told.
+pub trait Number: Ring {
+    /// The kind in which quotients and square roots are taken.
+    type Estimate: Estimate;
+
+    /// How it compares with zero; `None` if that cannot be told.
+    fn sign(self) -> Option<Ordering>;
+    /// The number to so many bits as quotients and roots take.
+    fn estimate(self) -> Self::Estimate;
+}
+
+/// A number of limited precision.
+pub trait Estimate: Number<Estimate = Self> {
+    /// `self / other`; `other` must not be zero.
+    fn over(self, other: Self) -> Self;
+    /// The square root of a number that is not negative.
+    fn square_root(self) -> Self;
+    /// How it compares with another; `None` if that cannot be told.
+    fn compare(self, other: Self) -> Option<Ordering>;
+    /// The exponent of a power of two just above the magnitude; `None` for zero.
+    fn top(self) -> Option<i32>;
+}
+
+/// A number made from a scalar, exactly.
+pub trait FromScalar<S: Scalar>: Ring {
+    /// A coordinate, size or parameter.
+    fn scalar(value: S) -> Self;
+    /// A component of a direction.
+    fn unit(value: S::Unit) -> Self;
+}
+
+/// A number that rounds to a scalar.
+pub trait ToScalar<S: Scalar>: Estimate {
+    /// True if a parameter next to the end of a range is inside or outside as its rounded value is; false if its exact value decides.
+    const ROUNDING_DECIDES: bool;
+    /// Rounded to nearest, [`Scalar::INFINITY`] with its sign beyond the type; `None` if the error is too large for the result to be
+    /// within one unit in the last place.
+    fn rounded(self) -> Option<S>;
+}
+
+/// The parts of a stored number: `(-1)^negative * mantissa * 2^exponent`.
+#[derive(Clone, Copy, Debug)]
+pub struct Parts {
+    /// The integer.
+    pub mantissa: u64,
+    /// The exponent of the power of two that it is multiplied by.
+    pub exponent: i32,
+    /// The sign.
+    pub negative: bool,
+}
+
+/// `a . b`
+#[inline]
+pub(crate) fn dot<N: Ring>(a: [N; 3], b: [N; 3]) -> N {
+    N::sum([[a[0], b[0]], [a[1], b[1]], [a[2], b[2]]])
+}
+
+/// `a x b`
+#[inline]
+pub(crate) fn cross<N: Ring>(a: [N; 3], b: [N; 3]) -> [N; 3] {
+    let minor = |i: usize, j: usize| N::sum([[a[i], b[j]], [-a[j], b[i]]]);
+    [minor(1, 2), minor(2, 0), minor(0, 1)]
+}
+
+/// `a - b`
+#[inline]
+pub(crate) fn difference<N: Ring>(a: [N; 3], b: [N; 3]) -> [N; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}

@@ -1,0 +1,140 @@
+//! The robust number: enough bits that the sign of the rounded value is taken at its word.
+
+use super::{Estimate, FromScalar, Limbs, Number, Parts, Ring, ToScalar};
+use crate::scalar::Scalar;
+use core::cmp::Ordering;
+use core::ops::{Add, Mul, Neg, Sub};
+
+/// A number of `64 N` bits.
+///
+/// One word for `f32`, two for `f64` and 32-bit fixed point, three for 64-bit fixed point: what these must hold is derived and
+/// measured in `docs/design/robust-number.md`.
+#[derive(Clone, Copy, Debug)]
+pub struct Robust<const N: usize>(Limbs<N>);
+
+impl<const N: usize> Robust<N> {
+    /// The number itself.
+    #[inline(always)]
+    pub(crate) const fn limbs(self) -> Limbs<N> {
+        self.0
+    }
+}
+
+impl<const N: usize> Add for Robust<N> {
+    type Output = Self;
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        Self(self.0.total(&other.0).0)
+    }
+}
+
+impl<const N: usize> Sub for Robust<N> {
+    type Output = Self;
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl<const N: usize> Neg for Robust<N> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(self.0.negated())
+    }
+}
+
+impl<const N: usize> Mul for Robust<N> {
+    type Output = Self;
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        Self(self.0.product(&other.0).0)
+    }
+}
+
+impl<const N: usize> Ring for Robust<N> {
+    const ZERO: Self = Self(Limbs::ZERO);
+    const ONE: Self = Self(Limbs::ONE);
+
+    #[inline]
+    fn sum<const M: usize>(terms: [[Self; 2]; M]) -> Self {
+        Self(Limbs::sum_of_products(&terms.map(|term| term.map(Self::limbs))).0)
+    }
+
+    #[inline]
+    fn scaled(self, e: i32) -> Self {
+        Self(self.0.scaled(e))
+    }
+}
+
+impl<const N: usize> Number for Robust<N> {
+    type Estimate = Self;
+
+    #[inline(always)]
+    fn sign(self) -> Option<Ordering> {
+        Some(if self.0.is_zero() {
+            Ordering::Equal
+        } else if self.0.is_negative() {
+            Ordering::Less
+        } else {
+            Ordering::Greater
+        })
+    }
+
+    #[inline(always)]
+    fn estimate(self) -> Self {
+        self
+    }
+}
+
+impl<const N: usize> Estimate for Robust<N> {
+    #[inline]
+    fn over(self, other: Self) -> Self {
+        Self(self.0.quotient(&other.0))
+    }
+
+    #[inline]
+    fn square_root(self) -> Self {
+        Self(self.0.square_root())
+    }
+
+    #[inline]
+    fn top(self) -> Option<i32> {
+        (!self.0.is_zero()).then(|| self.0.top())
+    }
+
+    #[inline]
+    fn compare(self, other: Self) -> Option<Ordering> {
+        let own = self.sign()?;
+        Some(own.cmp(&other.sign()?).then_with(|| {
+            let order = self.0.compare_magnitude(&other.0);
+            match own {
+                Ordering::Less => order.reverse(),
+                Ordering::Equal => Ordering::Equal,
+                Ordering::Greater => order,
+            }
+        }))
+    }
+}
+
+impl<S: Scalar, const N: usize> FromScalar<S> for Robust<N> {
+    #[inline]
+    fn scalar(value: S) -> Self {
+        let Parts { mantissa, exponent, negative } = value.parts();
+        Self(Limbs::from_mantissa(mantissa, exponent, negative))
+    }
+    #[inline]
+    fn unit(value: S::Unit) -> Self {
+        let Parts { mantissa, exponent, negative } = S::unit_parts(value);
+        Self(Limbs::from_mantissa(mantissa, exponent, negative))
+    }
+}
+
+impl<S: Scalar, const N: usize> ToScalar<S> for Robust<N> {
+    const ROUNDING_DECIDES: bool = true;
+
+    #[inline]
+    fn rounded(self) -> Option<S> {
+        Some(S::from_limbs(self.0))
+    }
+}

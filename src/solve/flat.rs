@@ -1,0 +1,131 @@
+//! The flat solids: where a line crosses a plane, a disc and a triangle, decided by signs.
+
+use super::form::{Form, Line};
+use super::quadratic::{End, Fraction, Inside, Interval, Quadratic};
+use super::settle::{Of, span};
+use crate::intersection::Intersection;
+use crate::number::{Number, cross, difference, dot};
+use crate::part::Part;
+use crate::ray::Range;
+use crate::scalar::Scalar;
+use core::cmp::Ordering;
+
+/// The one crossing of a plane at `t`, from the front if the direction runs against the normal.
+fn crossing<S: Scalar, N: Of<S>>(t: Fraction<N>, along_normal: Ordering, range: Range<S>) -> Option<Intersection<S>> {
+    let end = Some(End::at(t, Part::Side));
+    let interval = if along_normal == Ordering::Less { Interval::new(end, None) } else { Interval::new(None, end) };
+    Some(Intersection::Surface(span(None, interval, range)?))
+}
+
+/// The plane `y = 0`.
+pub(super) fn plane<S: Scalar, N: Of<S>>(line: &Line<N>, range: Range<S>) -> Option<Intersection<S>> {
+    let ([_, y, _], [_, dy, _]) = (line.origin, line.direction);
+    match dy.sign()? {
+        Ordering::Equal if y.sign()? == Ordering::Equal => {
+            Some(Intersection::LiesIn(span(None, Interval::<N>::EVERYWHERE, range)?))
+        }
+        Ordering::Equal => Some(Intersection::Miss),
+        climb => crossing(Fraction { n: -y, e: dy }, climb, range),
+    }
+}
+
+/// The disc of this radius in the plane `y = 0`.
+pub(super) fn disc<S: Scalar, N: Of<S>>(line: &Line<N>, r: N, range: Range<S>) -> Option<Intersection<S>> {
+    if line.direction[1].sign()? != Ordering::Equal {
+        // |p|^2 <= r^2 where the line crosses the plane, times dy^2.
+        let [wx, _, wz] = cross(line.origin, line.direction);
+        let reach = r * line.direction[1];
+        let outside = N::sum([[wx, wx], [wz, wz], [-reach, reach]]).sign()? == Ordering::Greater;
+        return if outside { Some(Intersection::Miss) } else { plane(line, range) };
+    }
+    match plane(line, range)? {
+        Intersection::LiesIn(..) => {
+            let chord = Quadratic::new(Form::Tube { r }, line, false)?;
+            Some(match chord.inside()? {
+                Inside::Between(touch) => {
+                    let [enter, exit] = chord.ends().map(Some);
+                    Intersection::LiesIn(span(Some(&chord), Interval { enter, exit, touch }, range)?)
+                }
+                _ => Intersection::Miss,
+            })
+        }
+        found => Some(found),
+    }
+}
+
+/// The triangle, whose front is where its vertices run counter-clockwise.
+///
+/// The line passes inside where the three signed volumes that its edges make with it have one sign (Segura and Feito, *Algorithms to
+/// test ray-triangle intersection*, 2001). The volume of an edge depends on its two end points and the line alone and changes its
+/// sign exactly when they are swapped, so that no line slips between two triangles that share an edge. No other sign takes part: the
+/// volumes add up to `d . n`, which decides the side that is seen and divides.
+pub(super) fn triangle<S: Scalar, N: Of<S>>(
+    line: &Line<N>,
+    vertices: [[N; 3]; 3],
+    range: Range<S>,
+) -> Option<Intersection<S>> {
+    let [a, b, c] = vertices.map(|vertex| difference(vertex, line.origin));
+    // d . (p x q): the side on which the line passes the edge from p to q.
+    let volume = |p: [N; 3], q: [N; 3]| dot(line.direction, cross(p, q));
+    let volumes = [volume(a, b), volume(b, c), volume(c, a)];
+    let mut along_normal = Ordering::Equal;
+    for volume in volumes {
+        match volume.sign()? {
+            Ordering::Equal => {}
+            sign if along_normal == Ordering::Equal => along_normal = sign,
+            sign if sign == along_normal => {}
+            _ => return Some(Intersection::Miss),
+        }
+    }
+    let [va, vb, vc] = vertices;
+    let normal = cross(difference(vb, va), difference(vc, va));
+    let distance = dot(normal, a);
+    if along_normal == Ordering::Equal {
+        // In its plane; or corners on a line, as exact arithmetic sees them: no area, no hit.
+        let misses = is_zero(normal)? || distance.sign()? != Ordering::Equal;
+        return if misses { Some(Intersection::Miss) } else { lies_in(normal, line, vertices, range) };
+    }
+    let [u, v, w] = volumes;
+    crossing(Fraction { n: distance, e: u + v + w }, along_normal, range)
+}
+
+/// True for the zero vector.
+pub(super) fn is_zero<N: Number>(v: [N; 3]) -> Option<bool> {
+    Some(v[0].sign()? == Ordering::Equal && v[1].sign()? == Ordering::Equal && v[2].sign()? == Ordering::Equal)
+}
+
+/// The piece of a line of its plane that lies in the triangle: cut off by each edge in turn.
+fn lies_in<S: Scalar, N: Of<S>>(
+    normal: [N; 3],
+    line: &Line<N>,
+    vertices: [[N; 3]; 3],
+    range: Range<S>,
+) -> Option<Intersection<S>> {
+    let [a, b, c] = vertices;
+    let (mut enter, mut exit): (Option<Fraction<N>>, Option<Fraction<N>>) = (None, None);
+    for (p, q) in [(a, b), (b, c), (c, a)] {
+        // Points x with inward . (x - p) >= 0 are on the inner side.
+        let inward = cross(normal, difference(q, p));
+        let (at_origin, slope) = (dot(inward, difference(line.origin, p)), dot(inward, line.direction));
+        let t = Fraction { n: -at_origin, e: slope };
+        match slope.sign()? {
+            Ordering::Equal if at_origin.sign()? == Ordering::Less => return Some(Intersection::Miss),
+            Ordering::Equal => {}
+            Ordering::Greater => {
+                let is_later = enter.map_or(Some(true), |own| Some(t.order(own)? == Ordering::Greater))?;
+                enter = if is_later { Some(t) } else { enter };
+            }
+            Ordering::Less => {
+                let is_earlier = exit.map_or(Some(true), |own| Some(t.order(own)? == Ordering::Less))?;
+                exit = if is_earlier { Some(t) } else { exit };
+            }
+        }
+    }
+    if let (Some(first), Some(last)) = (enter, exit)
+        && first.order(last)? == Ordering::Greater
+    {
+        return Some(Intersection::Miss);
+    }
+    let end = |t: Fraction<N>| End::at(t, Part::Side);
+    Some(Intersection::LiesIn(span(None, Interval::new(enter.map(end), exit.map(end)), range)?))
+}

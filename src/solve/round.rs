@@ -1,0 +1,198 @@
+//! Balls, capsules and double cones.
+
+use super::form::{Form, Line};
+use super::quadratic::{End, Fraction, Inside, Interval, Quadratic, times};
+use super::settle::{self, Of, inwards, span};
+use super::side::slab;
+use crate::intersection::{self, Intersection, Span};
+use crate::part::Part;
+use crate::ray::{Leaving, Range};
+use crate::scalar::Scalar;
+use core::cmp::Ordering;
+
+/// The ball about the origin.
+pub(super) fn ball<S: Scalar, N: Of<S>>(line: &Line<N>, r: N, range: Range<S>) -> Option<Intersection<S>> {
+    let departs = line.departure.is_some();
+    let quadratic = Quadratic::new(Form::Ball { r }, line, departs)?;
+    let Inside::Between(touch) = quadratic.inside()? else {
+        // a > 0: no other case.
+        return Some(Intersection::Miss);
+    };
+    let interval = quadratic.between(touch);
+    Some(Intersection::One(if departs {
+        inwards(Some(&quadratic), interval.exit, range)?
+    } else {
+        span(Some(&quadratic), interval, range)?
+    }))
+}
+
+/// Both nappes of a cone about its apex at the origin.
+pub(super) fn double_cone<S: Scalar, N: Of<S>>(line: &Line<N>, slope: N, range: Range<S>) -> Option<Intersection<S>> {
+    let leaving = line.departure.map(|(_, leaving)| leaving);
+    let quadratic = Quadratic::new(Form::slope(slope), line, leaving.is_some())?;
+    let inside = quadratic.inside()?;
+    if let Some(leaving) = leaving {
+        return departing_double_cone(&quadratic, inside, leaving, range);
+    }
+    let ends = || quadratic.ends().map(Some);
+    let one = |interval: Interval<N>| Some(Intersection::One(span(Some(&quadratic), interval, range)?));
+    match inside {
+        Inside::Nowhere => Some(Intersection::Miss),
+        Inside::Between(touch) => one(quadratic.between(touch)),
+        Inside::Beyond => {
+            let [first, second] = ends();
+            let first = span(Some(&quadratic), Interval::new(None, first), range)?;
+            let mut second = span(Some(&quadratic), Interval::new(second, None), range)?;
+            if second.enter.t < first.exit.t {
+                second.enter.t = first.exit.t;
+            }
+            Some(Intersection::Two(first, second))
+        }
+        Inside::Until => one(Interval::new(None, ends()[0])),
+        Inside::From => one(Interval::new(ends()[0], None)),
+        Inside::Everywhere | Inside::InSurface => {
+            Some(Intersection::LiesIn(span(None, Interval::<N>::EVERYWHERE, range)?))
+        }
+    }
+}
+
+/// A double cone is not convex: a ray that leaves it outwards may meet the other nappe. One of the roots is the start.
+fn departing_double_cone<S: Scalar, N: Of<S>>(
+    quadratic: &Quadratic<'_, N>,
+    inside: Inside,
+    leaving: Leaving,
+    range: Range<S>,
+) -> Option<Intersection<S>> {
+    let [first, second] = quadratic.ends();
+    let is_ahead = |end: &End<N>| Some(settle::compare(Some(quadratic), end, S::ZERO)? == Ordering::Greater);
+    let until = |end: Option<End<N>>| inwards(Some(quadratic), end, range);
+    let from = |end: End<N>| span(Some(quadratic), Interval::new(Some(end), None), range);
+    Some(match (inside, leaving) {
+        (Inside::Everywhere | Inside::InSurface, _) => {
+            Intersection::LiesIn(span(None, Interval::<N>::EVERYWHERE, range)?)
+        }
+        (Inside::Between(_), Leaving::Inwards) => Intersection::One(until(Some(second))?),
+        // The other root is the entry into the other nappe.
+        (Inside::Beyond, Leaving::Outwards) if is_ahead(&second)? => Intersection::One(from(second)?),
+        // A ray that is said to enter, and leads away, ends where it starts.
+        (Inside::Beyond, Leaving::Inwards) if is_ahead(&second)? => {
+            Intersection::Two(until(Some(first))?, from(second)?)
+        }
+        (Inside::Beyond | Inside::From, Leaving::Inwards) => Intersection::One(until(None)?),
+        (Inside::Until, Leaving::Inwards) => Intersection::One(until(Some(first))?),
+        (Inside::Nowhere, _) | (_, Leaving::Outwards) => Intersection::Miss,
+    })
+}
+
+/// All points within `r` of the segment from the origin to `(0, height, 0)`.
+///
+/// The balls at its ends lie in the infinite tube, and where a line runs in the tube beyond a ball without meeting it,
+/// it does not come back to the side: each end of the tube has one true end, or there is none at all.
+pub(super) fn capsule<S: Scalar, N: Of<S>>(
+    line: &Line<N>,
+    r: N,
+    height: N,
+    range: Range<S>,
+) -> Option<Intersection<S>> {
+    let tube = Quadratic::new(Form::Tube { r }, line, line.departs_from(Part::Side))?;
+    let solver = Capsule { line, r, height, tube: &tube, climb: line.direction[1].sign()?, range };
+    let interval = match tube.inside()? {
+        Inside::Between(touch) => tube.between(touch),
+        Inside::Everywhere => Interval::EVERYWHERE,
+        // From seam to seam, where the balls touch the line; without a side they touch it at one point.
+        Inside::InSurface => {
+            let Some(seams) = slab(line, Some(N::ZERO), Some(height))? else {
+                return Some(Intersection::Miss);
+            };
+            let touch = height.sign()? == Ordering::Equal;
+            let [enter, exit] = [seams.enter, seams.exit].map(|end| end.map(End::of_side));
+            if line.departure.is_some() {
+                return Some(Intersection::One(inwards(None, exit, range)?));
+            }
+            return Some(Intersection::One(span(None, Interval { enter, exit, touch }, range)?));
+        }
+        _ if line.departure.is_some() => Interval::new(None, Some(End::start(Part::Side))),
+        _ => return Some(Intersection::Miss),
+    };
+    if let Some((part, _)) = line.departure {
+        // Where its coordinates say that it misses the ball that ends it, it ends where it starts.
+        let exit = match solver.end(interval.exit, false)? {
+            Some((exit, _)) => exit,
+            None => settle::exit(None, Some(End::<N>::start(part)), range, intersection::End::none(-S::INFINITY))?,
+        };
+        return Some(Intersection::One(Span::new(intersection::End::none(-S::INFINITY), exit)));
+    }
+    let (Some((enter, touches)), Some((exit, _))) =
+        (solver.end(interval.enter, true)?, solver.end(interval.exit, false)?)
+    else {
+        return Some(Intersection::Miss);
+    };
+    // Where the ball or the side that is entered is touched, the exit is the same point.
+    let touch = (touches || interval.touch) && enter.part == exit.part;
+    let exit_t = if touch || exit.t < enter.t { enter.t } else { exit.t };
+    Some(Intersection::One(Span { enter, exit: intersection::End { t: exit_t, ..exit }, touch }))
+}
+
+/// What the ends of a capsule are found from.
+struct Capsule<'a, S: Scalar, N> {
+    line: &'a Line<N>,
+    r: N,
+    height: N,
+    tube: &'a Quadratic<'a, N>,
+    /// The sign of the direction's height.
+    climb: Ordering,
+    range: Range<S>,
+}
+
+impl<S: Scalar, N: Of<S>> Capsule<'_, S, N> {
+    /// How the height of a root of the tube compares with a seam's.
+    fn beside(&self, end: &End<N>, seam: N) -> Option<Ordering> {
+        let (y, dy) = (self.line.origin[1], self.line.direction[1]);
+        match self.climb {
+            Ordering::Equal => (y - seam).sign(),
+            climb => {
+                let crossing = End::at(Fraction { n: seam - y, e: dy }, Part::Side);
+                Some(times(self.tube.order(end, &crossing)?, climb))
+            }
+        }
+    }
+
+    /// The true end for one of the infinite tube (`None`: the line is parallel to it), and whether its ball is touched there: on the
+    /// side between the seams, which it owns, and on the ball beyond them. `None` if the line misses that ball.
+    #[expect(clippy::type_complexity, reason = "an end that is not known, one that is not there, and whether it is a touch")]
+    fn end(&self, end: Option<End<N>>, entering: bool) -> Option<Option<(intersection::End<S>, bool)>> {
+        let part = match end {
+            Some(end) => {
+                if self.beside(&end, N::ZERO)? == Ordering::Less {
+                    Part::Base
+                } else if self.beside(&end, self.height)? == Ordering::Greater {
+                    Part::Top
+                } else {
+                    return Some(Some((self.settled(self.tube, end, entering)?, false)));
+                }
+            }
+            None if (self.climb == Ordering::Greater) == entering => Part::Base,
+            None => Part::Top,
+        };
+        let [x, y, z] = self.line.origin;
+        let y = if part == Part::Top { y - self.height } else { y };
+        let seen = Line { origin: [x, y, z], ..*self.line };
+        let ball = Quadratic::new(Form::Ball { r: self.r }, &seen, self.line.departs_from(part))?;
+        let Inside::Between(touch) = ball.inside()? else {
+            return Some(None);
+        };
+        let [first, second] = ball.ends();
+        let end = End { part, ..if entering { first } else { second } };
+        Some(Some((self.settled(&ball, end, entering)?, touch)))
+    }
+
+    fn settled(&self, quadratic: &Quadratic<'_, N>, end: End<N>, entering: bool) -> Option<intersection::End<S>> {
+        if entering {
+            return settle::entry(Some(quadratic), Some(end), self.range);
+        }
+        if self.line.departure.is_some() {
+            return Some(inwards(Some(quadratic), Some(end), self.range)?.exit);
+        }
+        settle::exit(Some(quadratic), Some(end), self.range, intersection::End::none(-S::INFINITY))
+    }
+}

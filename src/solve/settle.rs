@@ -1,0 +1,101 @@
+//! From ends in computing numbers to an intersection in the ray's own.
+
+use super::quadratic::{End, Fraction, Interval, Quadratic};
+use crate::intersection::{self, Span};
+use crate::number::{Estimate, FromScalar, Number, ToScalar};
+use crate::ray::Range;
+use crate::scalar::Scalar;
+use core::cmp::Ordering;
+
+/// A number that stands for the scalars of one type.
+pub(crate) trait Of<S: Scalar>: FromScalar<S> + Number<Estimate: ToScalar<S> + FromScalar<S>> {}
+impl<S: Scalar, N: FromScalar<S> + Number<Estimate: ToScalar<S> + FromScalar<S>>> Of<S> for N {}
+
+/// How an end compares with a bound of the range. `None` for `quadratic` where no end is one of its roots.
+#[inline]
+pub(super) fn compare<S: Scalar, N: Of<S>>(
+    quadratic: Option<&Quadratic<'_, N>>,
+    end: &End<N>,
+    bound: S,
+) -> Option<Ordering> {
+    end.t.compare(<N::Estimate as FromScalar<S>>::scalar(bound)).or_else(|| {
+        let bound = Fraction { n: N::scalar(bound), e: N::ONE };
+        match (end.place, quadratic) {
+            (super::quadratic::Place::At(t), _) => t.order(bound),
+            (place, quadratic) => quadratic?.order_for_certain(place, bound),
+        }
+    })
+}
+
+/// The `t` of an end and its part. Where its exact value decides whether it lies in the range, it is infinite before and beyond.
+#[inline]
+fn settle<S: Scalar, N: Of<S>>(
+    quadratic: Option<&Quadratic<'_, N>>,
+    end: &End<N>,
+    range: Range<S>,
+) -> Option<intersection::End<S>> {
+    let t = if <N::Estimate as ToScalar<S>>::ROUNDING_DECIDES {
+        end.t.rounded()?
+    } else if compare(quadratic, end, range.start())? == Ordering::Less {
+        -S::INFINITY
+    } else if compare(quadratic, end, range.end())? == Ordering::Greater {
+        S::INFINITY
+    } else {
+        end.t.rounded()?
+    };
+    Some(intersection::End::new(t, end.part))
+}
+
+/// The entry, or that there is none.
+pub(super) fn entry<S: Scalar, N: Of<S>>(
+    quadratic: Option<&Quadratic<'_, N>>,
+    end: Option<End<N>>,
+    range: Range<S>,
+) -> Option<intersection::End<S>> {
+    match end {
+        None => Some(intersection::End::none(-S::INFINITY)),
+        Some(end) => settle(quadratic, &end, range),
+    }
+}
+
+/// The exit, or that there is none; not before the entry: two ends next to the same midpoint of two numbers may be rounded to each
+/// other's side, and signs taken at their word may contradict each other.
+pub(super) fn exit<S: Scalar, N: Of<S>>(
+    quadratic: Option<&Quadratic<'_, N>>,
+    end: Option<End<N>>,
+    range: Range<S>,
+    entry: intersection::End<S>,
+) -> Option<intersection::End<S>> {
+    let end = match end {
+        None => intersection::End::none(S::INFINITY),
+        Some(end) => settle(quadratic, &end, range)?,
+    };
+    Some(if end.t < entry.t { intersection::End { t: entry.t, ..end } } else { end })
+}
+
+/// Both ends.
+pub(super) fn span<S: Scalar, N: Of<S>>(
+    quadratic: Option<&Quadratic<'_, N>>,
+    interval: Interval<N>,
+    range: Range<S>,
+) -> Option<Span<S>> {
+    let enter = entry(quadratic, interval.enter, range)?;
+    let exit = exit(quadratic, interval.exit, range, enter)?;
+    // One point, whatever its two roundings.
+    let exit = if interval.touch { intersection::End { t: enter.t, ..exit } } else { exit };
+    Some(Span { enter, exit, touch: interval.touch })
+}
+
+/// The interval of a ray that departs inwards: it has no entry, and an exit that rounding puts behind the start is at the start.
+pub(super) fn inwards<S: Scalar, N: Of<S>>(
+    quadratic: Option<&Quadratic<'_, N>>,
+    end: Option<End<N>>,
+    range: Range<S>,
+) -> Option<Span<S>> {
+    let end = match end {
+        Some(end) if compare(quadratic, &end, S::ZERO)? == Ordering::Less => Some(End::start(end.part)),
+        end => end,
+    };
+    let enter = intersection::End::none(-S::INFINITY);
+    Some(Span { enter, exit: exit(quadratic, end, range, enter)?, touch: false })
+}

@@ -1,0 +1,91 @@
+//! Where exactly on a surface a hit lies, and the surface's gradient there.
+
+use super::form::{Form, Homogeneous, Line, Weight};
+use super::settle::Of;
+use super::side::form_of;
+use crate::figure::{Extent, Figure};
+use crate::number::{Estimate, Number, Ring, cross, difference, dot};
+use crate::part::Part;
+use crate::scalar::Scalar;
+use core::cmp::Ordering;
+
+/// The surface that a part lies on.
+enum Surface<N> {
+    Quadric(Form<N>),
+    /// At this height.
+    Across(N),
+    /// Through a point, with a normal of any length.
+    Plane([N; 3], [N; 3]),
+}
+
+/// The surface of a part, and the height of its centre.
+fn surface_of<S: Scalar, N: Of<S>>(figure: &Figure<S>, part: Part) -> (Surface<N>, N) {
+    let zero = N::ZERO;
+    let surface = match (*figure, part) {
+        (Figure::Ball { radius }, _) | (Figure::Capsule { radius, .. }, Part::Base) => {
+            Surface::Quadric(Form::Ball { r: N::scalar(radius) })
+        }
+        (Figure::Capsule { radius, height }, Part::Top) => {
+            return (Surface::Quadric(Form::Ball { r: N::scalar(radius) }), N::scalar(height));
+        }
+        (Figure::Capsule { radius, .. }, Part::Side) => Surface::Quadric(Form::Tube { r: N::scalar(radius) }),
+        (Figure::DoubleCone { slope }, _) => Surface::Quadric(Form::slope(N::scalar(slope))),
+        (Figure::Round { extent: Extent::Open(height) | Extent::Capped(_, Some(height)), .. }, Part::Top) => {
+            Surface::Across(N::scalar(height))
+        }
+        (Figure::Round { side, .. }, Part::Side) => Surface::Quadric(form_of(side)),
+        (Figure::Round { .. } | Figure::Plane | Figure::Disc { .. }, _) => Surface::Across(zero),
+        (Figure::Triangle { vertices }, _) => {
+            let [a, b, c] = vertices.map(|vertex| vertex.map(N::scalar));
+            Surface::Plane(a, cross(difference(b, a), difference(c, a)))
+        }
+    };
+    (surface, zero)
+}
+
+/// `numerator / denominator`, or zero where there is nothing to divide by.
+fn quotient<N: Estimate>(numerator: N, denominator: N) -> N {
+    if denominator.sign() == Some(Ordering::Equal) { N::ZERO } else { numerator.over(denominator) }
+}
+
+/// What a rounded `t` lacks to lie on the surface: the smaller root of `f(t + x) = f + 2 h x + a x^2`, which is
+/// `-f / (h +- sqrt(h^2 - a f))`.
+pub(crate) fn correction<S: Scalar, N: Of<S> + Estimate>(figure: &Figure<S>, line: &Line<N>, part: Part, t: N) -> N {
+    let (surface, centre) = surface_of::<S, N>(figure, part);
+    let [x, y, z] = point_at(line, t);
+    let (p, d) = ([x, y - centre, z], line.direction);
+    match surface {
+        Surface::Across(height) => quotient(height - p[1], d[1]),
+        Surface::Plane(vertex, normal) => quotient(dot(normal, difference(vertex, p)), dot(normal, d)),
+        Surface::Quadric(form) => {
+            let (here, along) = (Homogeneous { v: p, w: Weight::One }, Homogeneous { v: d, w: Weight::Zero });
+            let (f, h) = (form.of(here, here), form.of(here, along));
+            let rest = N::sum([[h, h], [-form.of(along, along), f]]);
+            let root = if rest.sign() == Some(Ordering::Greater) { rest.square_root() } else { N::ZERO };
+            quotient(-f, if h.sign() == Some(Ordering::Less) { h - root } else { h + root })
+        }
+    }
+}
+
+/// The line's point at `t`.
+pub(crate) fn point_at<N: Ring>(line: &Line<N>, t: N) -> [N; 3] {
+    let at = |i: usize| N::sum([[line.origin[i], N::ONE], [line.direction[i], t]]);
+    [at(0), at(1), at(2)]
+}
+
+/// The outward normal at a point of a part, of any length; zero at an apex.
+pub(crate) fn gradient<S: Scalar, N: Of<S> + Number>(figure: &Figure<S>, part: Part, [x, y, z]: [N; 3]) -> [N; 3] {
+    let (surface, centre) = surface_of::<S, N>(figure, part);
+    let zero = N::ZERO;
+    match surface {
+        Surface::Quadric(Form::Ball { .. }) => [x, y - centre, z],
+        Surface::Quadric(Form::Tube { .. }) => [x, zero, z],
+        Surface::Quadric(form @ Form::Cone { h, g1, .. }) => {
+            let g = form.outline(Homogeneous { v: [x, y, z], w: Weight::One });
+            let hh = h * h;
+            [hh * x, -(g1 * g), hh * z]
+        }
+        Surface::Across(_) => [zero, if part == Part::Base { -N::ONE } else { N::ONE }, zero],
+        Surface::Plane(_, normal) => normal,
+    }
+}
