@@ -135,6 +135,11 @@ impl<S: Scalar> Affine<S> {
         self.inverse.map(|row| S::dot(v, row.components).times_power_of_two(row.exponent))
     }
 
+    /// The rows of the inverse as they are stored: components, each to be multiplied by the row's power of two.
+    pub(crate) fn inverse(&self) -> [([S::Unit; 3], i32); 3] {
+        self.inverse.map(|row| (row.components, row.exponent))
+    }
+
     /// The rows of the inverse, in the computing number.
     fn rows(&self) -> [[S::Real; 3]; 3] {
         self.inverse.map(|row| row.components.map(|c| S::unit_real(c).times_power_of_two(row.exponent)))
@@ -190,16 +195,6 @@ impl<S: Scalar> Affine<S> {
         let flat = (0..=3).find(|n| square.times_power_of_two(2 * n + 1) >= most)?;
         let [a, b, c] = self.inverse.map(|row| row.exponent);
         Some(a.max(b).max(c).saturating_sub(a.min(b).min(c)).saturating_add(flat + 1))
-    }
-
-    /// The half-extents in the world of a local box of half-extents `half`, and the image of its centre.
-    pub(crate) fn box_to_world(&self, centre: [S::Real; 3], half: [S::Real; 3]) -> ([S::Real; 3], [S::Real; 3]) {
-        let zero = S::Real::ZERO;
-        let columns =
-            [self.image([half[0], zero, zero]), self.image([zero, half[1], zero]), self.image([zero, zero, half[2]])];
-        let (moved, position) = (self.image(centre), self.position.real());
-        let middle = pairs(moved, position).map(|(moved, position)| moved + position);
-        (middle, transposed(columns).map(|[x, y, z]| x.abs() + y.abs() + z.abs()))
     }
 }
 

@@ -144,6 +144,11 @@ impl<S: Scalar> Frame<S> {
         UnitVec3::from_real([component(0), component(1), component(2)]).unwrap_or(direction)
     }
 
+    /// A direction of the world in the frame's coordinates.
+    pub(crate) fn direction_to_local(&self, direction: UnitVec3<S>) -> UnitVec3<S> {
+        UnitVec3::from_real(self.axes.map(|axis| axis.dot(direction))).unwrap_or(direction)
+    }
+
     /// A point of the frame in world coordinates.
     pub fn point_to_world(&self, point: Vec3<S>) -> Vec3<S> {
         let (v, p) = (point.real(), self.position.real());
@@ -152,15 +157,6 @@ impl<S: Scalar> Frame<S> {
             S::Real::sum_of_products([[v[0], a[0][i]], [v[1], a[1][i]], [v[2], a[2][i]], [p[i], S::Real::ONE]])
         };
         Vec3::round([component(0), component(1), component(2)])
-    }
-
-    /// The half-extents in the world of a local box of half-extents `half`, and the image of its centre.
-    pub(crate) fn box_to_world(&self, centre: [S::Real; 3], half: [S::Real; 3]) -> ([S::Real; 3], [S::Real; 3]) {
-        let rows = transposed(self.axes.map(UnitVec3::real));
-        let ([cx, cy, cz], [hx, hy, hz]) = (centre, half);
-        let middle = pairs(self.position.real(), rows).map(|(p, [x, y, z])| p + cx * x + cy * y + cz * z);
-        let extent = rows.map(|[x, y, z]| hx * x.abs() + hy * y.abs() + hz * z.abs());
-        (middle, extent)
     }
 
     /// The frame's coordinates of the ray's point at `t`, rounded once before the rotation: as accurate far from the

@@ -33,6 +33,8 @@ pub trait Geometry<S: Scalar>: Copy {
     fn figure(&self) -> Figure<S>;
     /// The smallest box, as its lower and upper corner; infinite where the primitive is.
     fn bounds(&self) -> (Vec3<S>, Vec3<S>);
+    /// What its box follows from, however it is placed.
+    fn hull(&self) -> Hull<S>;
     /// The point of the part that is nearest, or nearly so, to a point close to it.
     fn on_surface(&self, point: Vec3<S>, part: Part) -> Vec3<S>;
     /// The outward unit normal at a point of the part.
@@ -43,6 +45,28 @@ pub trait Geometry<S: Scalar>: Copy {
     fn uv(&self, point: Vec3<S>, part: Part) -> (S::Unit, S::Unit);
     /// The directions in which `u` and `v` grow at a point of the part.
     fn tangents(&self, point: Vec3<S>, part: Part) -> (UnitVec3<S>, UnitVec3<S>);
+}
+
+/// The parts of a primitive that reach as far as it does along every axis: it lies in their convex hull and touches all of its sides.
+///
+/// Balls and discs about points of the y axis are written as a height and a radius. Both may be infinite.
+#[derive(Clone, Copy, Debug)]
+pub enum Hull<S> {
+    /// A ball of this radius about the origin.
+    Ball(S),
+    /// Two balls.
+    Balls([[S; 2]; 2]),
+    /// Two discs in planes of constant height.
+    Discs([[S; 2]; 2]),
+    /// The apex at the origin, and the disc at this height whose radius is the height times the slope, not rounded.
+    Cone {
+        /// Radius over height.
+        slope: S,
+        /// The height.
+        height: S,
+    },
+    /// Three points.
+    Points([Vec3<S>; 3]),
 }
 
 /// An axis-aligned box; components may be infinite.

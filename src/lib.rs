@@ -81,6 +81,7 @@ compile_error!(
 );
 
 pub mod affine;
+mod bounds;
 #[cfg(feature = "embedded-graphics")]
 pub mod display;
 pub mod effect;

@@ -1,9 +1,10 @@
 //! Floor 6: any primitive, placed.
 
 use crate::affine::Affine;
+use crate::bounds;
 use crate::figure::Figure;
 use crate::frame::Frame;
-use crate::geometry::{Bounds, Geometry};
+use crate::geometry::{Bounds, Geometry, Hull};
 use crate::hit::{Crossing, Hit, Hits};
 use crate::intersection::Intersection;
 use crate::line::{InWorld, Place};
@@ -16,7 +17,7 @@ use crate::ray::{Departure, Leaving, Ray};
 use crate::scalar::{Plain, PlainLine, Real, Scalar, largest};
 use crate::solve::{self, Line};
 use crate::tier::{Effort, Guards, Stable, Tier};
-use crate::vector::{UnitVec3, Vec3, pairs};
+use crate::vector::{UnitVec3, Vec3};
 
 /// Defines the enum of all primitives and hands every question to the one that it holds.
 macro_rules! primitives {
@@ -74,6 +75,9 @@ macro_rules! primitives {
             }
             fn bounds(&self) -> (Vec3<S>, Vec3<S>) {
                 match self { $(Self::$Variant(p) => Geometry::bounds(p),)+ }
+            }
+            fn hull(&self) -> Hull<S> {
+                match self { $(Self::$Variant(p) => p.hull(),)+ }
             }
             fn on_surface(&self, point: Vec3<S>, part: Part) -> Vec3<S> {
                 match self { $(Self::$Variant(p) => p.on_surface(point, part),)+ }
@@ -262,33 +266,32 @@ impl<S: Scalar> Shape<S> {
         through!(self, |primitive, place| query::effort(primitive, place, ray))
     }
 
-    /// The box that holds the shape, at most a few units too large; infinite where the shape is.
+    /// The box that holds the shape: every point of it, in every number type and placement, taken exactly as position, axes or
+    /// matrix and sizes are stored.
+    ///
+    /// It is the smallest box of the number type, or a unit larger on a side: a unit of what the side's coordinate is a sum of, where
+    /// these cancel. It is larger where axes of an [`Affine`] point nearly along a plane (some units where the volume that their
+    /// directions span is below 1/64), and beside subnormal numbers.
+    ///
+    /// It is infinite along every axis of the world that an infinite side of the shape leans to, where the number type ends, and where a
+    /// float overflows on the way.
+    ///
+    /// ```
+    /// use raylet::{Capsule, Frame, Shape, UnitVec3, Vec3};
+    /// let rod = Shape::new(Capsule::new(1.0_f64, 3.0)?);
+    /// let leaning = UnitVec3::new(Vec3::new(1.0, 1.0, 0.0)).expect("it is not zero");
+    /// let box_of_it = rod.placed(Frame::from_base_and_axis(Vec3::ZERO, leaning)?).bounds();
+    /// // 3 / sqrt(2) + 1, and 1: the box of the unplaced box would reach up to 5 / sqrt(2).
+    /// assert!(box_of_it.high.x < 3.122 && box_of_it.high.z < 1.000_001);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn bounds(&self) -> Bounds<S> {
-        let (low, high) = Geometry::bounds(&self.primitive);
-        if let Placement::World = self.placement {
-            return Bounds { low, high };
+        let hull = self.primitive.hull();
+        match &self.placement {
+            Placement::World => bounds::unplaced(&hull),
+            Placement::Frame(frame) => bounds::in_frame(&hull, frame),
+            Placement::Affine(affine) => bounds::in_affine(&hull, affine),
         }
-        let infinite = Vec3::new(S::INFINITY, S::INFINITY, S::INFINITY);
-        if !low.to_array().iter().chain(&high.to_array()).all(|c| c.is_finite()) {
-            // Turned, an infinite side points anywhere.
-            return Bounds { low: -infinite, high: infinite };
-        }
-        let (low, high) = (low.real(), high.real());
-        let centre = pairs(low, high).map(|(low, high)| (low + high).times_power_of_two(-1));
-        let half = pairs(low, high).map(|(low, high)| (high - low).times_power_of_two(-1));
-        let (centre, half) = match &self.placement {
-            Placement::Affine(affine) => affine.box_to_world(centre, half),
-            Placement::Frame(frame) => frame.box_to_world(centre, half),
-            Placement::World => (centre, half),
-        };
-        let [x, y, z] = pairs(centre, half).map(|(centre, half)| {
-            // The transform is rounded: one unit outwards on each side, and the rounding of the sum's terms.
-            let reach = half + (centre.abs() + half).times_power_of_two(-20);
-            let (low, high) = (-S::round(reach - centre).next_up(), S::round(centre + reach).next_up());
-            // Where a float overflows on the way nothing is known but that the box is large.
-            if low <= high { [low, high] } else { [-S::INFINITY, S::INFINITY] }
-        });
-        Bounds { low: Vec3::new(x[0], y[0], z[0]), high: Vec3::new(x[1], y[1], z[1]) }
     }
 
     /// What a hit of this shape can be asked for: point, normal, surface coordinates, tangents. Each is computed when
@@ -311,8 +314,7 @@ impl<S: Scalar> Surface<S> {
     /// The point relative to the primitive, on its surface: accurate however far the ray starts.
     pub fn local_point(&self) -> Vec3<S> {
         let rough = self.rough_local_point();
-        let Vec3 { x, y, z } = rough;
-        if !S::resolves(self.hit.t, largest([x, y, z])) || !S::resolves(self.hit.t, self.bend(rough)) {
+        if !self.is_resolved(rough) {
             return self.exact_local_point();
         }
         let (primitive, point, exponent) = query::near_one(&self.shape.primitive, rough);
@@ -321,36 +323,50 @@ impl<S: Scalar> Surface<S> {
 
     /// The point in the world, on the surface as nearly as the number type can say.
     pub fn point(&self) -> Vec3<S> {
-        let on_ray = self.ray.at(self.hit.t);
-        let Vec3 { x, y, z } = on_ray;
-        if !S::resolves(self.hit.t, largest([x, y, z])) {
-            return self.exact_point();
-        }
         let point = match &self.shape.placement {
+            // Nearest in the primitive's frame is not nearest in a stretched world.
+            Placement::Affine(_) => return self.exact_point(),
+            _ if !self.is_resolved(self.rough_local_point()) => return self.exact_point(),
             Placement::World => self.local_point(),
             Placement::Frame(frame) => frame.point_to_world(self.local_point()),
-            // Nearest in the primitive's frame is not nearest in a stretched world.
-            Placement::Affine(_) => return on_ray,
         };
         // At the end of the float range the image of a local point overflows where the ray itself need not.
-        if point.to_array().iter().all(|c| c.is_finite()) { point } else { on_ray }
+        if point.to_array().iter().all(|c| c.is_finite()) { point } else { self.exact_point() }
     }
 
     /// The outward unit normal in the world; for an open surface away from the axis, for a flat one to the front.
     pub fn normal(&self) -> UnitVec3<S> {
-        let bend = self.bend(self.rough_local_point());
-        if !S::resolves(self.hit.t, bend)
+        if self.needs_exact_normal()
             && let Some(normal) = self.exact_normal()
         {
             return normal;
         }
+        self.local_normal_to_world(self.rounded_local_normal())
+    }
+
+    /// True if the rounding of `t` would turn the normal by more than a few units.
+    fn needs_exact_normal(&self) -> bool {
+        !S::resolves(self.hit.t, self.bend(self.rough_local_point()))
+    }
+
+    fn rounded_local_normal(&self) -> UnitVec3<S> {
         let (primitive, point, _) = query::near_one(&self.shape.primitive, self.local_point());
-        let normal = primitive.normal(point, self.hit.part);
+        primitive.normal(point, self.hit.part)
+    }
+
+    fn local_normal_to_world(&self, normal: UnitVec3<S>) -> UnitVec3<S> {
         match &self.shape.placement {
             Placement::World => normal,
             Placement::Frame(frame) => frame.direction_to_world(normal),
             Placement::Affine(affine) => affine.normal_to_world(normal),
         }
+    }
+
+    /// True if the rounding of `t` is small beside the hit's local coordinates and the surface's curvature.
+    fn is_resolved(&self, local: Vec3<S>) -> bool {
+        let Vec3 { x, y, z } = local;
+        let bend = self.bend(local);
+        S::resolves(self.hit.t, largest([x, y, z])) && S::resolves(self.hit.t, bend)
     }
 
     /// The point relative to the primitive, as far off as the rounding of `t` takes it.
@@ -392,13 +408,19 @@ impl<S: Scalar> Surface<S> {
         solve::point_at(&Line { origin, direction, departure: None }, t).map(S::from_robust).into()
     }
 
-    /// The gradient of the surface's equation; `None` at an apex.
+    /// The gradient of the surface's equation in the primitive's frame, of any length; of a ball, which has no axes, in the world's.
     #[cold]
-    fn exact_normal(&self) -> Option<UnitVec3<S>> {
+    fn exact_gradient(&self) -> [S::Robust; 3] {
         let figure = self.shape.primitive.figure();
         let (line, t) = self.exact_t(&figure);
-        let gradient = solve::gradient(&figure, self.hit.part, solve::point_at(&line, t));
-        let is_ball = matches!(figure, Figure::Ball { .. });
+        solve::gradient(&figure, self.hit.part, solve::point_at(&line, t))
+    }
+
+    /// The normal at the exact hit; `None` at an apex.
+    #[cold]
+    fn exact_normal(&self) -> Option<UnitVec3<S>> {
+        let gradient = self.exact_gradient();
+        let is_ball = matches!(self.shape.primitive.figure(), Figure::Ball { .. });
         let shape = &self.shape;
         let gradient = through!(shape, |_primitive, place| if is_ball {
             place.ball_gradient_to_world(gradient)
@@ -424,7 +446,13 @@ impl<S: Scalar> Surface<S> {
     /// The unit directions in the world in which `u` and `v` grow.
     pub fn tangents(&self) -> (UnitVec3<S>, UnitVec3<S>) {
         let (primitive, point, _) = query::near_one(&self.shape.primitive, self.local_point());
-        let (u, v) = primitive.tangents(point, self.hit.part);
+        let mut tangents = primitive.tangents(point, self.hit.part);
+        if self.needs_exact_normal()
+            && let Some(normal) = self.exact_local_normal()
+        {
+            tangents = along_the_surface(normal);
+        }
+        let (u, v) = tangents;
         match &self.shape.placement {
             Placement::World => (u, v),
             Placement::Frame(frame) => (frame.direction_to_world(u), frame.direction_to_world(v)),
@@ -432,8 +460,26 @@ impl<S: Scalar> Surface<S> {
         }
     }
 
+    /// The normal at the exact hit in the primitive's frame; `None` at an apex.
+    #[cold]
+    fn exact_local_normal(&self) -> Option<UnitVec3<S>> {
+        let normal = UnitVec3::from_robust(self.exact_gradient())?;
+        Some(match (&self.shape.placement, self.shape.primitive.figure()) {
+            (Placement::Frame(frame), Figure::Ball { .. }) => frame.direction_to_local(normal),
+            _ => normal,
+        })
+    }
+
     /// The departure of a ray that leaves from here; `object` is the shape's index in its scene.
     pub const fn departure(&self, object: u32, leaving: Leaving) -> Departure {
         Departure { object, part: self.hit.part, leaving }
     }
+}
+
+/// Around the axis and up, on a surface about the y axis with this outward normal.
+fn along_the_surface<S: Scalar>(normal: UnitVec3<S>) -> (UnitVec3<S>, UnitVec3<S>) {
+    let [x, _, z] = normal.real();
+    let u = UnitVec3::from_real([z, S::Real::ZERO, -x]).unwrap_or(-UnitVec3::Z);
+    let v = UnitVec3::from_real(normal.cross(u)).unwrap_or(UnitVec3::Y);
+    (u, v)
 }

@@ -2,6 +2,7 @@
 
 use super::{Geometry, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates};
 use crate::figure::Figure;
+use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
 use crate::scalar::{Plain, PlainLine, Real, Scalar, found};
@@ -94,6 +95,10 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
     fn bounds(&self) -> (Vec3<S>, Vec3<S>) {
         let r = self.radius;
         (Vec3::new(-r, -r, -r), Vec3::new(r, self.height.plus(r), r))
+    }
+
+    fn hull(&self) -> Hull<S> {
+        Hull::Balls([[S::ZERO, self.radius], [self.height, self.radius]])
     }
 
     fn on_surface(&self, point: Vec3<S>, part: Part) -> Vec3<S> {

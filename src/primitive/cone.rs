@@ -6,6 +6,7 @@ use super::outline::{Outline, Profile};
 use super::{Geometry, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates};
 use crate::fast::{Slab, between_rims};
 use crate::figure::{self, Figure, Side};
+use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
 use crate::scalar::{Plain, PlainLine, PlainNappe, Real, Scalar, found, largest};
@@ -244,6 +245,14 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
             }
             _ if matches!(self.extent, Extent::Nappe) => (Vec3::new(-S::INFINITY, S::ZERO, -S::INFINITY), infinite),
             _ => (-infinite, infinite),
+        }
+    }
+
+    fn hull(&self) -> Hull<S> {
+        match (self.extent, self.outline) {
+            (Extent::Double, _) => Hull::Discs([[-S::INFINITY, S::INFINITY], [S::INFINITY; 2]]),
+            (_, Outline::Radii(base, top, height)) => Hull::Discs([[S::ZERO, base], [height, top]]),
+            (_, Outline::Slope(slope)) => Hull::Cone { slope, height: self.height().unwrap_or(S::INFINITY) },
         }
     }
 

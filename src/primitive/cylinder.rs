@@ -3,6 +3,7 @@
 use super::{Geometry, SizeError, checked_size, queries, surface_coordinates as coordinates};
 use crate::fast::{Slab, between_rims};
 use crate::figure::{self, Figure, Side};
+use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
 use crate::scalar::{Plain, PlainLine, Scalar, found};
@@ -124,6 +125,11 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
         let r = self.radius;
         let (low, high) = self.height().map_or((-S::INFINITY, S::INFINITY), |height| (S::ZERO, height));
         (Vec3::new(-r, low, -r), Vec3::new(r, high, r))
+    }
+
+    fn hull(&self) -> Hull<S> {
+        let (low, high) = self.height().map_or((-S::INFINITY, S::INFINITY), |height| (S::ZERO, height));
+        Hull::Discs([[low, self.radius], [high, self.radius]])
     }
 
     fn on_surface(&self, point: Vec3<S>, part: Part) -> Vec3<S> {

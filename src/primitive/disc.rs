@@ -3,6 +3,7 @@
 use super::{Geometry, SizeError, checked_size, queries, surface_coordinates as coordinates};
 use crate::fast::surface_hit;
 use crate::figure::Figure;
+use crate::geometry::Hull;
 use crate::intersection::Intersection;
 use crate::part::Part;
 use crate::scalar::{Plain, PlainLine, Scalar, UnitScalar, found};
@@ -62,6 +63,10 @@ impl<S: Scalar> Geometry<S> for Disc<S> {
     fn bounds(&self) -> (Vec3<S>, Vec3<S>) {
         let r = self.radius;
         (Vec3::new(-r, S::ZERO, -r), Vec3::new(r, S::ZERO, r))
+    }
+
+    fn hull(&self) -> Hull<S> {
+        Hull::Discs([[S::ZERO, self.radius]; 2])
     }
 
     fn on_surface(&self, point: Vec3<S>, _: Part) -> Vec3<S> {

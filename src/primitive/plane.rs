@@ -3,6 +3,7 @@
 use super::{Geometry, queries, surface_coordinates as coordinates};
 use crate::fast::surface_hit;
 use crate::figure::Figure;
+use crate::geometry::Hull;
 use crate::intersection::Intersection;
 use crate::part::Part;
 use crate::ray::Range;
@@ -71,6 +72,10 @@ impl<S: Scalar> Geometry<S> for Plane<S> {
 
     fn bounds(&self) -> (Vec3<S>, Vec3<S>) {
         (Vec3::new(-S::INFINITY, S::ZERO, -S::INFINITY), Vec3::new(S::INFINITY, S::ZERO, S::INFINITY))
+    }
+
+    fn hull(&self) -> Hull<S> {
+        Hull::Discs([[S::ZERO, S::INFINITY]; 2])
     }
 
     fn on_surface(&self, point: Vec3<S>, _: Part) -> Vec3<S> {

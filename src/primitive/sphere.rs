@@ -2,6 +2,7 @@
 
 use super::{Geometry, SizeError, checked_size, queries, surface_coordinates as coordinates};
 use crate::figure::Figure;
+use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
 use crate::line::Place;
 use crate::part::Part;
@@ -75,6 +76,10 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
     fn bounds(&self) -> (Vec3<S>, Vec3<S>) {
         let r = self.radius;
         (Vec3::new(-r, -r, -r), Vec3::new(r, r, r))
+    }
+
+    fn hull(&self) -> Hull<S> {
+        Hull::Ball(self.radius)
     }
 
     fn on_surface(&self, point: Vec3<S>, part: Part) -> Vec3<S> {

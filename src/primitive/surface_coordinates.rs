@@ -17,12 +17,13 @@ pub(super) fn fraction<S: Scalar>(part: S::Real, whole: S::Real) -> S::Unit {
         return S::Unit::ZERO;
     }
     let fraction = S::unit_round(part / whole);
-    if fraction < S::Unit::ZERO {
-        S::Unit::ZERO
-    } else if fraction > S::Unit::ONE {
+    // A NaN, of sizes whose products overflow, compares false.
+    if fraction > S::Unit::ONE {
         S::Unit::ONE
-    } else {
+    } else if fraction > S::Unit::ZERO {
         fraction
+    } else {
+        S::Unit::ZERO
     }
 }
 

@@ -10,6 +10,7 @@
 use super::{Geometry, SizeError, queries, surface_coordinates as coordinates};
 use crate::fast::surface_hit;
 use crate::figure::Figure;
+use crate::geometry::Hull;
 use crate::intersection::Intersection;
 use crate::part::Part;
 use crate::scalar::{Plain, PlainLine, Real, Scalar, found, largest};
@@ -115,6 +116,10 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
             Vec3::new(each(|v| v.x, &least), each(|v| v.y, &least), each(|v| v.z, &least)),
             Vec3::new(each(|v| v.x, &most), each(|v| v.y, &most), each(|v| v.z, &most)),
         )
+    }
+
+    fn hull(&self) -> Hull<S> {
+        Hull::Points(self.vertices)
     }
 
     fn on_surface(&self, point: Vec3<S>, _: Part) -> Vec3<S> {
