@@ -5,8 +5,8 @@
 
 use crate::frame::{Frame, FrameError, within_budget};
 use crate::line::Place;
-use crate::ray::Ray;
 use crate::number::{FromScalar, difference, dot};
+use crate::ray::Ray;
 use crate::scalar::{Real, Scalar};
 use crate::vector::{UnitVec3, Vec3, cross, pairs, transposed};
 

@@ -1,8 +1,8 @@
 //! Floor 3: placement by rotation and translation.
 
 use crate::line::Place;
-use crate::ray::Ray;
 use crate::number::{FromScalar, difference, dot};
+use crate::ray::Ray;
 use crate::scalar::{PlainLine, Real, Scalar};
 use crate::vector::{UnitVec3, Vec3, pairs, transposed};
 use core::fmt;

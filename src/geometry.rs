@@ -31,8 +31,6 @@ pub trait Geometry<S: Scalar>: Copy {
     }
     /// The equations and inequalities of its points.
     fn figure(&self) -> Figure<S>;
-    /// The smallest box, as its lower and upper corner; infinite where the primitive is.
-    fn bounds(&self) -> (Vec3<S>, Vec3<S>);
     /// What its box follows from, however it is placed.
     fn hull(&self) -> Hull<S>;
     /// The point of the part that is nearest, or nearly so, to a point close to it.

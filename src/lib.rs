@@ -93,9 +93,9 @@ pub mod frame;
 pub mod gallery;
 mod geometry;
 pub mod hit;
-mod intersection;
 #[cfg(any(feature = "mint", feature = "serde"))]
 mod interchange;
+mod intersection;
 mod line;
 pub mod number;
 mod part;

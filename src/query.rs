@@ -264,11 +264,6 @@ macro_rules! queries {
             pub fn contains_at<T: crate::tier::Tier<S>>(&self, point: Vec3<S>) -> bool {
                 T::contains(self, &crate::line::InWorld, point)
             }
-            /// The box that holds it; infinite where the primitive is.
-            pub fn bounds(&self) -> crate::geometry::Bounds<S> {
-                let (low, high) = crate::geometry::Geometry::bounds(self);
-                crate::geometry::Bounds { low, high }
-            }
         }
     };
 }

@@ -2,6 +2,7 @@
 
 use crate::affine::Affine;
 use crate::bounds;
+use crate::exact::Certain;
 use crate::figure::Figure;
 use crate::frame::Frame;
 use crate::geometry::{Bounds, Geometry, Hull};
@@ -9,7 +10,6 @@ use crate::hit::{Crossing, Hit, Hits};
 use crate::intersection::Intersection;
 use crate::line::{InWorld, Place};
 use crate::number::FromScalar;
-use crate::exact::Certain;
 use crate::part::Part;
 use crate::primitive::{Capsule, Cone, Cylinder, Disc, Plane, Sphere, Triangle};
 use crate::query;
@@ -47,6 +47,10 @@ macro_rules! primitives {
                 pub fn surface(&self, ray: &Ray<S>, hit: &Hit<S>) -> Surface<S> {
                     Shape::new(*self).surface(ray, hit)
                 }
+                /// The box that holds it: see [`Shape::bounds`].
+                pub fn bounds(&self) -> Bounds<S> {
+                    bounds::unplaced(&self.hull())
+                }
             }
         )+
 
@@ -72,9 +76,6 @@ macro_rules! primitives {
             }
             fn figure(&self) -> Figure<S> {
                 match self { $(Self::$Variant(p) => p.figure(),)+ }
-            }
-            fn bounds(&self) -> (Vec3<S>, Vec3<S>) {
-                match self { $(Self::$Variant(p) => Geometry::bounds(p),)+ }
             }
             fn hull(&self) -> Hull<S> {
                 match self { $(Self::$Variant(p) => p.hull(),)+ }

@@ -11,8 +11,8 @@
 use crate::query::Solve;
 use crate::scalar::Scalar;
 
-pub use crate::exact::{Effort, Exact};
 pub use crate::exact::Certain;
+pub use crate::exact::{Effort, Exact};
 
 mod sealed {
     pub trait Sealed {}

@@ -8,9 +8,9 @@ mod quick;
 use crate::figure::Figure;
 use crate::intersection::Intersection;
 use crate::line::Place;
-use crate::number::{Bounded, FLOAT_LIMBS, FromScalar, Integer, Number, ToScalar};
 #[cfg(feature = "fixed")]
 use crate::number::FIXED_LIMBS;
+use crate::number::{Bounded, FLOAT_LIMBS, FromScalar, Integer, Number, ToScalar};
 use crate::ray::Ray;
 use crate::scalar::{Plain, Scalar};
 

@@ -259,9 +259,7 @@ fn round(line: &Line, side: Side<f32>, extent: Extent<f32>, range: Range<f32>) -
     let (base, top) = match extent {
         Extent::Infinite => (None, None),
         Extent::Open(height) => (Some(0.0), Some(height as f64)),
-        Extent::Capped(base, top) => {
-            (base.map(f64::from), top.map(f64::from))
-        }
+        Extent::Capped(base, top) => (base.map(f64::from), top.map(f64::from)),
     };
     let is_rising = is_positive(line.direction[1], line.paces[1])?;
     let crossing = |height: Option<f64>, missing: f64| match height {
@@ -292,8 +290,11 @@ fn round(line: &Line, side: Side<f32>, extent: Extent<f32>, range: Range<f32>) -
 #[inline(always)]
 fn crossing(t: f64, along_normal: bool, range: Range<f32>) -> Option<Intersection<f32>> {
     let (end, none) = ((t, Part::Side), |t: f64| (t, Part::Side));
-    let span =
-        if along_normal { piece(none(f64::NEG_INFINITY), end, range)? } else { piece(end, none(f64::INFINITY), range)? };
+    let span = if along_normal {
+        piece(none(f64::NEG_INFINITY), end, range)?
+    } else {
+        piece(end, none(f64::INFINITY), range)?
+    };
     Some(Intersection::Surface(span))
 }
 

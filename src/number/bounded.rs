@@ -178,8 +178,7 @@ impl<const N: usize> Estimate for Bounded<N> {
         let value = self.value.square_root();
         let own = if self.value.is_zero() { EXACT } else { value.top() - Limbs::<N>::BITS + 3 };
         // sqrt(a) - sqrt(a - e) <= e / sqrt(a), and sqrt(a) is at least 2^(top - 1).
-        let inherited =
-            if self.value.is_zero() { halved(self.error) } else { times(1 - value.top(), self.error) };
+        let inherited = if self.value.is_zero() { halved(self.error) } else { times(1 - value.top(), self.error) };
         Self { value, error: Total::NONE.with(own).with(inherited).exponent() }
     }
 

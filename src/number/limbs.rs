@@ -52,7 +52,8 @@ impl<const N: usize> Limbs<N> {
         // The 64 bits that start `below` bits under the top one.
         let bits = |below: i32| {
             let highest = top - below / 32;
-            let three = ((word(highest) as u128) << 64) | ((word(highest - 1) as u128) << 32) | word(highest - 2) as u128;
+            let three =
+                ((word(highest) as u128) << 64) | ((word(highest - 1) as u128) << 32) | word(highest - 2) as u128;
             ((three << zeros) >> 32) as u64
         };
         let mut limbs = [0; N];

@@ -20,10 +20,10 @@ mod tests;
 pub(crate) mod word;
 
 pub use bounded::Bounded;
-pub use integer::Integer;
 #[cfg(feature = "fixed")]
 pub(crate) use integer::FIXED_LIMBS;
 pub(crate) use integer::FLOAT_LIMBS;
+pub use integer::Integer;
 pub use limbs::Limbs;
 pub use robust::Robust;
 

@@ -213,4 +213,3 @@ pub(crate) fn leading_zeros(mut n: u32) -> u32 {
     // Those of four bits, two bits each.
     zeros + ((0x55af_u32 >> (2 * (n >> 28))) & 3)
 }
-

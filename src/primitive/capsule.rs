@@ -92,11 +92,6 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
         Figure::Capsule { radius: self.radius, height: self.height }
     }
 
-    fn bounds(&self) -> (Vec3<S>, Vec3<S>) {
-        let r = self.radius;
-        (Vec3::new(-r, -r, -r), Vec3::new(r, self.height.plus(r), r))
-    }
-
     fn hull(&self) -> Hull<S> {
         Hull::Balls([[S::ZERO, self.radius], [self.height, self.radius]])
     }

@@ -233,21 +233,6 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         Figure::Round { side, extent }
     }
 
-    fn bounds(&self) -> (Vec3<S>, Vec3<S>) {
-        let infinite = Vec3::new(S::INFINITY, S::INFINITY, S::INFINITY);
-        match (self.height(), self.top_radius()) {
-            (Some(height), Some(top)) => {
-                let base = self.base_radius();
-                let r = if top > base { top } else { base };
-                // The radius of a slope's cap is rounded: up to be sure.
-                let r = if let Outline::Slope(_) = self.outline { r.next_up() } else { r };
-                (Vec3::new(-r, S::ZERO, -r), Vec3::new(r, height, r))
-            }
-            _ if matches!(self.extent, Extent::Nappe) => (Vec3::new(-S::INFINITY, S::ZERO, -S::INFINITY), infinite),
-            _ => (-infinite, infinite),
-        }
-    }
-
     fn hull(&self) -> Hull<S> {
         match (self.extent, self.outline) {
             (Extent::Double, _) => Hull::Discs([[-S::INFINITY, S::INFINITY], [S::INFINITY; 2]]),

@@ -121,12 +121,6 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
         Figure::Round { side: Side::Straight(self.radius), extent }
     }
 
-    fn bounds(&self) -> (Vec3<S>, Vec3<S>) {
-        let r = self.radius;
-        let (low, high) = self.height().map_or((-S::INFINITY, S::INFINITY), |height| (S::ZERO, height));
-        (Vec3::new(-r, low, -r), Vec3::new(r, high, r))
-    }
-
     fn hull(&self) -> Hull<S> {
         let (low, high) = self.height().map_or((-S::INFINITY, S::INFINITY), |height| (S::ZERO, height));
         Hull::Discs([[low, self.radius], [high, self.radius]])

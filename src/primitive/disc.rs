@@ -60,11 +60,6 @@ impl<S: Scalar> Geometry<S> for Disc<S> {
         Figure::Disc { radius: self.radius }
     }
 
-    fn bounds(&self) -> (Vec3<S>, Vec3<S>) {
-        let r = self.radius;
-        (Vec3::new(-r, S::ZERO, -r), Vec3::new(r, S::ZERO, r))
-    }
-
     fn hull(&self) -> Hull<S> {
         Hull::Discs([[S::ZERO, self.radius]; 2])
     }

@@ -50,5 +50,4 @@ impl<R: Real> Profile<R> {
     pub(super) fn at(self, y: R) -> R {
         self.g0() + self.g1() * y
     }
-
 }

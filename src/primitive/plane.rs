@@ -70,10 +70,6 @@ impl<S: Scalar> Geometry<S> for Plane<S> {
         Figure::Plane
     }
 
-    fn bounds(&self) -> (Vec3<S>, Vec3<S>) {
-        (Vec3::new(-S::INFINITY, S::ZERO, -S::INFINITY), Vec3::new(S::INFINITY, S::ZERO, S::INFINITY))
-    }
-
     fn hull(&self) -> Hull<S> {
         Hull::Discs([[S::ZERO, S::INFINITY]; 2])
     }

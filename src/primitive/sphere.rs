@@ -73,11 +73,6 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
         Figure::Ball { radius: self.radius }
     }
 
-    fn bounds(&self) -> (Vec3<S>, Vec3<S>) {
-        let r = self.radius;
-        (Vec3::new(-r, -r, -r), Vec3::new(r, r, r))
-    }
-
     fn hull(&self) -> Hull<S> {
         Hull::Ball(self.radius)
     }

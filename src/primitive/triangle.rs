@@ -107,17 +107,6 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
         Figure::Triangle { vertices: self.vertices.map(Vec3::to_array) }
     }
 
-    fn bounds(&self) -> (Vec3<S>, Vec3<S>) {
-        let [a, b, c] = self.vertices;
-        let least = |x: S, y: S| if y < x { y } else { x };
-        let most = |x: S, y: S| if y > x { y } else { x };
-        let each = |pick: fn(Vec3<S>) -> S, choose: &dyn Fn(S, S) -> S| choose(choose(pick(a), pick(b)), pick(c));
-        (
-            Vec3::new(each(|v| v.x, &least), each(|v| v.y, &least), each(|v| v.z, &least)),
-            Vec3::new(each(|v| v.x, &most), each(|v| v.y, &most), each(|v| v.z, &most)),
-        )
-    }
-
     fn hull(&self) -> Hull<S> {
         Hull::Points(self.vertices)
     }

@@ -3,8 +3,8 @@
 use super::plain_float::{plain_f32, plain_f64};
 use super::separation;
 use super::square_root::square_root_f32;
-use crate::number::{Limbs, Parts, Robust};
 use super::{Budget, Plain, PlainLine, PlainNappe, Real, Scalar, UnitScalar, found, largest, sealed::Sealed};
+use crate::number::{Limbs, Parts, Robust};
 
 /// Defines the float implementations. `$half` are the mantissa bits that a split moves to the low part.
 macro_rules! float {

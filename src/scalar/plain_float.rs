@@ -270,7 +270,10 @@ macro_rules! plain_float {
             /// Where the line crosses each of the heights, and how much of that may be off because of a frame. A line that stays in one height
             /// meets none of them.
             #[inline(always)]
-            pub(crate) fn crossings(line: PlainLine<$Float>, [low, high]: [$Float; 2]) -> Plain<([$Float; 2], [$Float; 2])> {
+            pub(crate) fn crossings(
+                line: PlainLine<$Float>,
+                [low, high]: [$Float; 2],
+            ) -> Plain<([$Float; 2], [$Float; 2])> {
                 let ([x, y, z], [_, dy, _]) = (line.origin, line.direction);
                 if line.finer == 0 && dy == 0.0 {
                     return Plain::Miss;

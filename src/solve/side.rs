@@ -111,7 +111,11 @@ fn choose<N: Number>(
 
 /// The side's interval between the planes (rule 1: one interval).
 #[inline]
-fn clip<N: Number>(quadratic: &Quadratic<'_, N>, side: Interval<N>, planes: Interval<N>) -> Option<Option<Interval<N>>> {
+fn clip<N: Number>(
+    quadratic: &Quadratic<'_, N>,
+    side: Interval<N>,
+    planes: Interval<N>,
+) -> Option<Option<Interval<N>>> {
     let enter = choose(quadratic, side.enter, planes.enter, Ordering::Less)?;
     let exit = choose(quadratic, side.exit, planes.exit, Ordering::Greater)?;
     let (Some(first), Some(last)) = (enter, exit) else {
