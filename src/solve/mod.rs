@@ -27,6 +27,8 @@ mod round;
 mod settle;
 mod side;
 mod surface;
+#[cfg(test)]
+mod tests;
 
 pub(crate) use contains::holds;
 pub(crate) use form::Line;

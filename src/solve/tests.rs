@@ -1,0 +1,172 @@
+//! The solver over numbers of which every sign, order and value is random: whatever they say, ends come out sorted and paired.
+
+use super::{Line, intersect, meets_nothing};
+use crate::figure::{Extent, Figure, Side};
+use crate::hit::Crossing;
+use crate::number::{Estimate, FromScalar, Number, Ring, ToScalar};
+use crate::part::Part;
+use crate::ray::{Leaving, Range};
+use core::cmp::Ordering;
+use core::ops::{Add, Mul, Neg, Sub};
+use std::cell::Cell;
+use std::format;
+use std::vec::Vec;
+
+std::thread_local! {
+    static STATE: Cell<u64> = const { Cell::new(1) };
+}
+
+/// Marsaglia, *Xorshift RNGs*, 2003.
+fn random() -> u64 {
+    let mut state = STATE.get();
+    state ^= state << 13;
+    state ^= state >> 7;
+    state ^= state << 17;
+    STATE.set(state);
+    state >> 8
+}
+
+fn random_order() -> Ordering {
+    [Ordering::Less, Ordering::Equal, Ordering::Greater][(random() % 3) as usize]
+}
+
+/// A number that contradicts itself.
+#[derive(Clone, Copy, Debug)]
+struct Fickle;
+
+impl Add for Fickle {
+    type Output = Self;
+    fn add(self, _: Self) -> Self {
+        Self
+    }
+}
+impl Sub for Fickle {
+    type Output = Self;
+    fn sub(self, _: Self) -> Self {
+        Self
+    }
+}
+impl Mul for Fickle {
+    type Output = Self;
+    fn mul(self, _: Self) -> Self {
+        Self
+    }
+}
+impl Neg for Fickle {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self
+    }
+}
+impl Ring for Fickle {
+    const ZERO: Self = Self;
+    const ONE: Self = Self;
+    fn scaled(self, _: i32) -> Self {
+        Self
+    }
+}
+impl Number for Fickle {
+    type Estimate = Self;
+    fn sign(self) -> Option<Ordering> {
+        Some(random_order())
+    }
+    fn estimate(self) -> Self {
+        Self
+    }
+}
+impl Estimate for Fickle {
+    fn over(self, _: Self) -> Self {
+        Self
+    }
+    fn square_root(self) -> Self {
+        Self
+    }
+    fn compare(self, _: Self) -> Option<Ordering> {
+        // At times nothing is known, so that the longer way is taken too.
+        (random() % 4 != 0).then(random_order)
+    }
+    fn top(self) -> Option<i32> {
+        None
+    }
+}
+impl FromScalar<f32> for Fickle {
+    fn scalar(_: f32) -> Self {
+        Self
+    }
+    fn unit(_: f32) -> Self {
+        Self
+    }
+}
+impl ToScalar<f32> for Fickle {
+    const ROUNDING_DECIDES: bool = true;
+    fn rounded(self) -> Option<f32> {
+        Some(match random() % 8 {
+            0 => f32::INFINITY,
+            1 => f32::NEG_INFINITY,
+            2 => 0.0,
+            n => (random() % 9) as f32 - n as f32,
+        })
+    }
+}
+
+fn figures() -> Vec<Figure<f32>> {
+    let mut all = Vec::from([
+        Figure::Ball { radius: 1.0 },
+        Figure::Capsule { radius: 1.0, height: 2.0 },
+        Figure::DoubleCone { slope: 1.0 },
+        Figure::Plane,
+        Figure::Disc { radius: 1.0 },
+        Figure::Triangle { vertices: [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]] },
+    ]);
+    for side in [Side::Straight(1.0), Side::Slope(1.0), Side::Radii(1.0, 0.5, 2.0)] {
+        for extent in [
+            Extent::Infinite,
+            Extent::Open(2.0),
+            Extent::Capped(Some(0.0), Some(2.0)),
+            Extent::Capped(None, Some(2.0)),
+        ] {
+            all.push(Figure::Round { side, extent });
+        }
+    }
+    all
+}
+
+#[test]
+fn contradicting_signs_leave_ends_sorted_and_paired() {
+    let ranges = [Range::FORWARD, Range::line(), Range::new(-1.0, 2.0).unwrap()];
+    let mut departures = Vec::from([None]);
+    for part in [Part::Side, Part::Base, Part::Top] {
+        departures.extend([Some((part, Leaving::Inwards)), Some((part, Leaving::Outwards))]);
+    }
+    let mut met = 0;
+    for figure in figures() {
+        let is_surface = matches!(
+            figure,
+            Figure::Plane | Figure::Disc { .. } | Figure::Triangle { .. } | Figure::Round { extent: Extent::Open(_), .. }
+        );
+        for departure in &departures {
+            if meets_nothing(&figure, *departure) {
+                continue;
+            }
+            let line = Line { origin: [Fickle; 3], direction: [Fickle; 3], departure: *departure };
+            for _ in 0..2_000 {
+                let range = ranges[(random() % 3) as usize];
+                // `None` where even the longer way is not told.
+                let Some(intersection) = intersect(&figure, &line, range) else { continue };
+                let hits = intersection.hits(range);
+                met += hits.len();
+                let told = || format!("{figure:?} {departure:?} {range:?}: {intersection:?} {hits:?}");
+                assert!(hits.iter().all(|hit| range.contains(hit.t)), "{}", told());
+                assert!(hits.windows(2).all(|pair| pair[0].t <= pair[1].t), "{}", told());
+                let mut is_inside = hits.starts_inside();
+                for hit in hits.iter().filter(|_| !is_surface) {
+                    assert!(is_inside == (hit.crossing == Crossing::Exit), "{}", told());
+                    is_inside = hit.crossing == Crossing::Enter;
+                }
+                let nearest = intersection.nearest(range, |_| true);
+                assert_eq!(nearest, hits.first().copied(), "{}", told());
+            }
+        }
+    }
+    assert!(met > 10_000, "{met}");
+}
