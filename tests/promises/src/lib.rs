@@ -6,6 +6,9 @@
 #[macro_use]
 extern crate support;
 
+#[macro_use]
+mod named;
+
 mod contract;
 mod effects;
 mod effects_cutoff;
@@ -20,6 +23,12 @@ mod hierarchy;
 mod laws;
 mod laws_symmetry;
 mod laws_tiers;
+mod named_bounds;
+mod named_contract;
+mod named_placed;
+mod named_surface;
+mod named_unplaced;
+mod named_watertight;
 mod nff;
 mod no_overflow;
 mod number_types;
