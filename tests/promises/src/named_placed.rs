@@ -128,37 +128,49 @@ fn rays_at_small_angles_to_a_placed_plane_or_disc_are_right<S: Number, T: Tier<S
     assert_none([1.0, 1e-2].map(|angle| meet_flat::<S, T>(large, [5_000.0, 5_000.0, 1_000.0, angle], units)));
 }
 
-/// `Fast` had no hit. The ray runs parallel to the wall, 25 inside: in at 1 / .894, out at 101 / .894.
+/// `Fast` had no hit. The ray runs parallel to the wall, 25 inside: in at 1 / .894, out at 101 / .894. A turn by quarters moves no number.
 #[test]
 fn fast_does_not_lose_a_frustum_whose_wall_the_ray_runs_along() {
-    let frame = Frame::from_base_and_axis(Vec3::new(0.0, 0.0, -50.0), UnitVec3::Z).unwrap();
-    let placed = Shape::new(Cone::frustum(100.0_f64, 150.0, 100.0).unwrap()).placed(frame);
+    let frustum = Shape::new(Cone::frustum(100.0_f64, 150.0, 100.0).unwrap());
+    let (x, z, base) = (UnitVec3::X, UnitVec3::Z, Vec3::new(0.0, 0.0, -50.0));
+    let frames =
+        [Frame::from_base_and_axis(base, z), Frame::looking(base, x, z), Frame::looking(base, -UnitVec3::Y, z)];
     let ray = ray([0.0, 75.0, -51.0], [0.0, 0.447_213_595_499_957_9, 0.894_427_190_999_915_9]);
     let want = [(1.118033988749895, Part::Base, Crossing::Enter), (112.92143286373938, Part::Top, Crossing::Exit)];
-    assert_hits::<f64, Stable>(&placed, &ray, &want, 16.0);
-    assert_hits::<f64, Fast>(&placed, &ray, &want, 1e4);
+    for frame in frames {
+        let placed = frustum.placed(frame.unwrap());
+        assert_hits::<f64, Stable>(&placed, &ray, &want, 16.0);
+        let found: Vec<_> = placed.hits_at::<Fast>(&ray).iter().map(|hit| hit.crossing).collect();
+        assert_eq!(found, [Crossing::Enter, Crossing::Exit], "{placed:?}");
+    }
 }
 
-/// 86 of 300 such rays were lost: at any turn about the axis, 5 to 50 inside the wall, in any frame.
-#[test]
-fn fast_finds_both_ends_of_every_ray_along_the_wall_of_a_frustum() {
-    fn check<S: Number>() {
-        let (mut random, mut found) = (Random(16), Found::default());
-        let solid = Cone::frustum(n::<S>(100.0), n(150.0), n(100.0)).unwrap();
-        let [base_radius, top_radius, height] = [100.0, 150.0, 100.0].map(|size| n::<S>(size).exact());
-        let exact = Solid::Frustum { base_radius, top_radius, height, capped: true };
-        for _ in 0..times(300) {
-            let turn = random.between(0.0, std::f64::consts::TAU);
-            let (x, z, inside) = (libm::cos(turn), libm::sin(turn), random.between(50.0, 95.0));
-            let frame = any_frame::<S>(&mut random, 50.0);
-            let ray = ray_in(&frame, [inside * x, -1.0, inside * z], [0.5 * x, 1.0, 0.5 * z]);
-            let line = line_in(&frame, &exact, &ray);
-            found.take::<S, Fast>(&Shape::new(solid).placed(frame), &exact, &line, &ray);
-        }
-        assert_none([found.complaint(&format!("Fast along the wall in {}", S::name()), 1e4)]);
+/// 86 of 300 such rays were lost: at any turn about the axis, 5 to 50 inside the wall; unplaced, moved or turned.
+fn fast_loses_no_ray_along_the_wall_of_a_frustum<S: Number>() {
+    let (mut random, mut lost) = (Random(16), vec![]);
+    let frustum = Shape::new(Cone::frustum(n::<S>(100.0), n(150.0), n(100.0)).unwrap());
+    for round in 0..times(300) {
+        let turn = random.between(0.0, std::f64::consts::TAU);
+        let (x, z, inside) = (libm::cos(turn), libm::sin(turn), random.between(50.0, 95.0));
+        let moved = Frame::at(v(scale(random.direction(), 50.0))).unwrap();
+        let frame = [Frame::at(Vec3::ZERO).unwrap(), moved, any_frame::<S>(&mut random, 50.0)][round as usize % 3];
+        let ray = ray_in(&frame, [inside * x, -1.0, inside * z], [0.5 * x, 1.0, 0.5 * z]);
+        let shape = if round % 3 == 0 { frustum } else { frustum.placed(frame) };
+        let hits = shape.hits_at::<Fast>(&ray);
+        let found = hits.iter().map(|hit| hit.crossing).eq([Crossing::Enter, Crossing::Exit]);
+        lost.extend((!found).then(|| format!("{hits:?} of {ray:?} at {shape:?}")));
     }
-    check::<f32>();
-    check::<f64>();
+    assert!(lost.is_empty(), "{} rays in {}, first {}", lost.len(), S::name(), lost[0]);
+}
+
+#[test]
+fn fast_loses_no_ray_along_the_wall_of_a_frustum_in_f32() {
+    fast_loses_no_ray_along_the_wall_of_a_frustum::<f32>();
+}
+
+#[test]
+fn fast_loses_no_ray_along_the_wall_of_a_frustum_in_f64() {
+    fast_loses_no_ray_along_the_wall_of_a_frustum::<f64>();
 }
 
 fn inwards<S: Number>(ray: Ray<S>) -> Ray<S> {
@@ -168,18 +180,17 @@ fn inwards<S: Number>(ray: Ray<S>) -> Ray<S> {
 /// The far end is -2 k / a of q = o - p as they are stored; a q rounded to `f32` gives one 24 units off.
 #[test]
 fn exact_departs_from_a_moved_ball_without_rounding() {
-    let (radius, position) = (5.0_f32, Vec3::new(0.3, 0.7, -0.2));
-    let ball = Shape::new(Sphere::new(radius).unwrap()).placed(Frame::at(position).unwrap());
+    let frame = Frame::at(Vec3::new(0.3, 0.7, -0.2)).unwrap();
+    let ball = Shape::new(Sphere::new(5.0_f32).unwrap()).placed(frame);
     let ray = ray(bits([0x3fe6_e66d, 0xbfe0_39cd, 0xc089_46b2]), bits([0x3edf_9597, 0xbf2c_b015, 0x3f18_5f67]));
-    let want = [(0.24743038969887665, Part::Side, Crossing::Exit)];
-    assert_hits::<f32, Exact>(&ball, &inwards(ray), &want, 1.0);
+    assert_hits::<f32, Exact>(&ball, &inwards(ray), &[(0.24743038969887665, Part::Side, Crossing::Exit)], 1.0);
 }
 
 /// Where a ray that departs inwards from the side ends: on the side's quadric the constant term is zero, so that the other root is
 /// -2 k / a; caps keep the stored coordinates; an end behind the start is at the start. `None` without end.
 fn far_end(solid: &Solid, line: &Line) -> Option<(Root, oracle::Part)> {
     let (o, d) = (&line.origin, &line.direction);
-    // The weight of y^2 beside x^2 + z^2 in the side's equation, the height, and whether there is a base.
+    // The weight of y^2 in the side's equation, the height, and whether there is a base.
     let (weight, height, has_base) = match solid {
         Solid::Sphere { .. } => (Dyadic::from(1), None, false),
         Solid::Cylinder { extent: CylinderExtent::Capped(height), .. } => (Dyadic::zero(), Some(height), true),
@@ -202,7 +213,7 @@ fn far_end(solid: &Solid, line: &Line) -> Option<(Root, oracle::Part)> {
 }
 
 /// Were up to 13 units.
-fn exact_departs_from_placed_solids_without_rounding<S: Number>()
+fn leave_placed_solids<S: Number>()
 where
     Exact: Tier<S>,
 {
@@ -216,12 +227,12 @@ where
             let flat = add(any, scale(normal, -dot(any, normal)));
             let along = normalize(add(normalize(flat), scale(normal, -depth)));
             let ray = inwards(ray_in(&frame, point, along));
-            let shape = subject.shape.placed(frame);
             let Some((t, part)) = far_end(&subject.solid, &line_in(&frame, &subject.solid, &ray)) else { continue };
             if t.cmp_dyadic(&S::BUDGET.distance.exact()).is_gt() {
                 continue;
             }
             left += 1;
+            let shape = subject.shape.placed(frame);
             let hits = shape.hits_at::<Exact>(&ray);
             let off = |t: &Root| hits.first().map_or(f64::INFINITY, |hit| t.error_in(&hit.t.exact(), &S::unit_at(t)));
             let alike = hits.len() == 1 && same_part(hits[0].part, part) && hits[0].crossing == Crossing::Exit;
@@ -233,11 +244,7 @@ where
 }
 
 #[test]
-fn exact_departs_from_placed_solids_without_rounding_in_f32() {
-    exact_departs_from_placed_solids_without_rounding::<f32>();
-}
-
-#[test]
-fn exact_departs_from_placed_solids_without_rounding_in_i16f16() {
-    exact_departs_from_placed_solids_without_rounding::<I16F16>();
+fn exact_departs_from_placed_solids_without_rounding() {
+    leave_placed_solids::<f32>();
+    leave_placed_solids::<I16F16>();
 }

@@ -4,11 +4,13 @@
 use crate::named::{Want, assert_hits, bits, extreme, extreme_ray, extreme_solid, judge, line_in, ray, seen};
 use fixed::types::I16F16;
 use raylet::tier::{Exact, Fast, Stable, Tier};
-use raylet::{Affine, Cone, Crossing, Frame, Object, Part, Range, Ray, Scalar, Shape, Sphere, UnitVec3, Vec3};
+use raylet::{
+    Affine, Capsule, Cone, Crossing, Cylinder, Frame, Object, Part, Range, Ray, Scalar, Shape, Sphere, UnitVec3, Vec3,
+};
 use support::amount::times;
 use support::cases::{direction, n, v};
 use support::exact_types::{Exact as Number, exact_line};
-use support::oracle::{self, Line, Solid};
+use support::oracle::{self, CylinderExtent, Line, Solid};
 use support::random::{Random, add, scale};
 
 const SIDE_IN: (Part, Crossing) = (Part::Side, Crossing::Enter);
@@ -18,14 +20,16 @@ fn at(t: f64, (part, crossing): (Part, Crossing)) -> Want {
     (t, part, crossing)
 }
 
-/// Was 34.1 units off. From .017 of the radius inside, .022 of it deep; the other end is at -2.137.
+/// Was 34.1 units off. From .017 of the radius inside, .022 of it deep; the line enters behind the start.
 #[test]
 fn a_ball_is_left_from_inside_within_16_units() {
     let ball = Shape::new(Sphere::new(f32::from_bits(0x419a_86ef)).unwrap());
     let ray = ray(bits([0xc0c7_4cf1, 0x4187_d86e, 0xc0b8_677a]), bits([0xbf5b_6608, 0xbef8_aace, 0xbe30_3f1f]));
-    let want = [at(5.972205340441352, SIDE_OUT)];
-    assert_hits::<f32, Stable>(&ball, &ray, &want, 16.0);
-    assert_hits::<f32, Exact>(&ball, &ray, &want, 1.0);
+    let both = [at(-2.1369514682962583, SIDE_IN), at(5.972205340441352, SIDE_OUT)];
+    for (ray, want) in [(ray, &both[1..]), (ray.with_range(Range::line()), &both[..])] {
+        assert_hits::<f32, Stable>(&ball, &ray, want, 16.0);
+        assert_hits::<f32, Exact>(&ball, &ray, want, 1.0);
+    }
     assert!(ball.hits(&ray).starts_inside());
 }
 
@@ -130,6 +134,43 @@ fn exact_is_right_for_every_size_that_is_taken_in_f32() {
 #[test]
 fn exact_is_right_for_every_size_that_is_taken_in_i16f16() {
     exact_is_right_for_every_size_that_is_taken::<I16F16>();
+}
+
+/// Every number that the equations of these solids have is as small, as ordinary or as large as the type holds it: all of them, with every
+/// start of such coordinates, along an axis and across. A size may be refused.
+#[test]
+fn exact_is_right_where_the_numbers_of_a_solid_are_at_their_extremes() {
+    let numbers = [0.0, f32::from_bits(1), 1.0, 2.0_f32.powi(126)];
+    let mut solids = vec![];
+    for [r, h, s] in (1..64).map(|i| [i % 4, i / 4 % 4, i / 16].map(|i: usize| numbers[i])) {
+        let [radius, height, top_radius] = [r, h, s].map(f32::exact);
+        let frustum = Cone::frustum(r, s, h).map(Shape::new);
+        let exact = |capped| {
+            let (base_radius, top_radius, height) = (radius.clone(), top_radius.clone(), height.clone());
+            Solid::Frustum { base_radius, top_radius, height, capped }
+        };
+        solids.extend(frustum.ok().map(|frustum| (frustum, exact(true))));
+        solids.extend(Cone::frustum_open(r, s, h).ok().map(|open| (Shape::new(open), exact(false))));
+        if s == 1.0 {
+            let capsule = Solid::Capsule { radius: radius.clone(), height: height.clone() };
+            solids.extend(Capsule::new(r, h).ok().map(|built| (Shape::new(built), capsule)));
+            let extent = CylinderExtent::Capped(height.clone());
+            let cylinder = Solid::Cylinder { radius: radius.clone(), extent };
+            solids.extend(Cylinder::capped(r, h).ok().map(|built| (Shape::new(built), cylinder)));
+        }
+    }
+    for (shape, solid) in &solids {
+        for origin in (0..64).map(|i| [i % 4, i / 4 % 4, i / 16].map(|i: usize| numbers[i])) {
+            for along in [UnitVec3::X, UnitVec3::Y, -UnitVec3::Y, direction([0.6, 0.0, 0.8])] {
+                let ray = Ray::new(origin.into(), along).unwrap().with_range(Range::line());
+                match judge::<f32, Exact>(shape, solid, &exact_line(&ray), &ray) {
+                    Ok(error) => assert!(error <= 1.0, "{error} units: {ray:?} at {shape:?}"),
+                    Err(told) => panic!("{told}"),
+                }
+            }
+        }
+    }
+    assert!(solids.len() > 20, "{} solids", solids.len());
 }
 
 /// The frustum of fault 9, and a ray that passes 7e10 from its base.

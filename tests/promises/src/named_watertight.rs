@@ -55,16 +55,16 @@ struct Fan {
 
 impl Fan {
     /// Corners around the centre at such radii, at heights up to a fifth of those; half of the fans with coordinates in eighths.
-    fn new(random: &mut Random, corners: usize, radii: &[f64]) -> Self {
+    fn new(random: &mut Random, &Aim { corners, radii, thin, .. }: &Aim<'_>) -> Self {
         let centre = [random.between(-1.0, 1.0), 0.0, random.between(-1.0, 1.0)];
-        let height = if random.below(2) == 0 { 0.0 } else { 0.2 };
-        let is_coarse = random.below(2) == 0 && corners < 9;
+        let height = if thin < 1.0 || random.below(2) == 0 { 0.0 } else { 0.2 };
+        let is_coarse = thin == 1.0 && random.below(2) == 0;
         let coarse = |p: [f64; 3]| if is_coarse { p.map(|c| (c * 8.0).round() / 8.0) } else { p };
         let ring = (0..corners).map(|i| {
             let turn = (i as f64 + random.between(-0.3, 0.3)) * std::f64::consts::TAU / corners as f64;
             let radius = random.pick(radii) * random.between(0.5, 1.0);
             let rise = height * radius * random.between(-1.0, 1.0);
-            coarse(add(centre, [radius * libm::cos(turn), rise, radius * libm::sin(turn)]))
+            coarse(add(centre, [radius * libm::cos(turn), rise, thin * radius * libm::sin(turn)]))
         });
         Self { ring: ring.collect(), centre: coarse(centre) }
     }
@@ -108,6 +108,8 @@ impl Fan {
 struct Aim<'a> {
     corners: usize,
     radii: &'a [f64],
+    /// By how much the fan is flattened to slivers; 1 if not.
+    thin: f64,
     frame: Option<f64>,
     away: f64,
 }
@@ -116,13 +118,24 @@ fn none_slips<S: Number, T: Tier<S>>(seed: u64, aim: &Aim<'_>) {
     let (mut random, mut aimed, mut slipped) = (Random(seed), 0, vec![]);
     while aimed < times(2_000) {
         let frame = aim.frame.map(|distance| any_frame::<S>(&mut random, distance));
-        let fan = Fan::new(&mut random, aim.corners, aim.radii);
+        let mut fan = Fan::new(&mut random, aim);
+        let mut up = [0.0, 1.0, 0.0];
+        if frame.is_none() {
+            // Turned before it is rounded, so that no coordinate is round.
+            let turn = any_frame::<S>(&mut random, 0.0);
+            fan = Fan {
+                centre: to_world(&turn, fan.centre),
+                ring: fan.ring.iter().map(|p| to_world(&turn, *p)).collect(),
+            };
+            up = to_world(&turn, up);
+        }
         let Some(triangles) = fan.triangles::<S>(&mut random) else { continue };
         let place =
             |triangle: &Triangle<S>| frame.map_or(Shape::new(*triangle), |frame| Shape::new(*triangle).placed(frame));
         let shapes: Vec<_> = triangles.iter().map(place).collect();
         for _ in 0..10 {
-            let along = normalize([random.between(-0.5, 0.5), -random.sign(), random.between(-0.5, 0.5)]);
+            let aside = scale(random.direction(), random.between(0.0, 0.6));
+            let along = normalize(add(aside, scale(up, random.sign())));
             if !fan.is_seen_whole(along) {
                 continue;
             }
@@ -142,18 +155,20 @@ fn none_slips<S: Number, T: Tier<S>>(seed: u64, aim: &Aim<'_>) {
 
 /// 160 of 36,458 rays slipped, in `f64` alike.
 fn no_ray_slips_between_triangles_of_a_placed_fan<S: Number, T: Tier<S>>(_: f64) {
-    none_slips::<S, T>(31, &Aim { corners: 6, radii: &[0.5, 1.0, 2.0], frame: Some(4.0), away: 8.0 });
-    none_slips::<S, T>(32, &Aim { corners: 5, radii: &[0.5, 2.0], frame: Some(1_000.0), away: 8.0 });
+    none_slips::<S, T>(31, &Aim { corners: 6, radii: &[0.5, 1.0, 2.0], thin: 1.0, frame: Some(4.0), away: 8.0 });
+    none_slips::<S, T>(32, &Aim { corners: 5, radii: &[0.5, 2.0], thin: 1.0, frame: Some(1_000.0), away: 8.0 });
     // Neighbours of very different sizes, each of which steps the ray by its own.
-    none_slips::<S, T>(33, &Aim { corners: 7, radii: &[0.5, 50.0], frame: Some(4.0), away: 100.0 });
+    none_slips::<S, T>(33, &Aim { corners: 7, radii: &[0.5, 50.0], thin: 1.0, frame: Some(4.0), away: 100.0 });
 }
 
 fn no_ray_from_far_away_slips_between_triangles_of_a_placed_fan<S: Number, T: Tier<S>>(_: f64) {
-    none_slips::<S, T>(34, &Aim { corners: 6, radii: &[0.5, 1.0, 2.0], frame: Some(4.0), away: 5_000.0 });
+    none_slips::<S, T>(34, &Aim { corners: 6, radii: &[0.5, 1.0, 2.0], thin: 1.0, frame: Some(4.0), away: 5_000.0 });
 }
 
 /// 22 of 7,639 hits were lost.
 fn no_ray_slips_between_slivers_in_the_world<S: Number, T: Tier<S>>(_: f64) {
-    none_slips::<S, T>(35, &Aim { corners: 24, radii: &[0.05, 2.0], frame: None, away: 8.0 });
-    none_slips::<S, T>(36, &Aim { corners: 12, radii: &[0.1, 10.0], frame: None, away: 30.0 });
+    let thin = if S::name() == "I16F16" { 1e-2 } else { 1e-3 };
+    none_slips::<S, T>(35, &Aim { corners: 24, radii: &[0.05, 2.0], thin: 1.0, frame: None, away: 8.0 });
+    none_slips::<S, T>(36, &Aim { corners: 6, radii: &[1.0, 2.0], thin, frame: None, away: 8.0 });
+    none_slips::<S, T>(37, &Aim { corners: 5, radii: &[2.0, 20.0], thin, frame: None, away: 30.0 });
 }
