@@ -9,7 +9,7 @@ use crate::geometry::{Bounds, Geometry, Hull};
 use crate::hit::{Crossing, Hit, Hits};
 use crate::intersection::Intersection;
 use crate::line::{InWorld, Place};
-use crate::number::FromScalar;
+use crate::number::{Estimate, FromScalar};
 use crate::part::Part;
 use crate::primitive::{Capsule, Cone, Cylinder, Disc, Plane, Sphere, Triangle};
 use crate::query;
@@ -390,8 +390,11 @@ impl<S: Scalar> Surface<S> {
         let shape = &self.shape;
         let line = through!(shape, |_primitive, place| query::line(figure, place, &self.ray));
         let t = <S::Robust as FromScalar<S>>::scalar(self.hit.t);
-        let correction = solve::correction(figure, &line, self.hit.part, t);
-        (line, t + correction)
+        let correction = solve::correction(figure, &line, &self.hit, t);
+        // Beyond some units it is no rounding: the tier is `Fast`, or rule 8 has put the hit at the start.
+        let most = S::last_place(t.top().unwrap_or(i32::MIN / 2)) + 6;
+        let is_rounding = correction.top().is_none_or(|top| top <= most);
+        if is_rounding { (line, t + correction) } else { (line, t) }
     }
 
     #[cold]
@@ -399,14 +402,14 @@ impl<S: Scalar> Surface<S> {
         let (_, t) = self.exact_t(&self.shape.primitive.figure());
         let shape = &self.shape;
         let [origin, direction] = through!(shape, |_primitive, place| place.line::<S::Robust>(&self.ray));
-        solve::point_at(&Line { origin, direction, departure: None }, t).map(S::from_robust).into()
+        rounded(solve::point_at(&Line { origin, direction, departure: None }, t))
     }
 
     #[cold]
     fn exact_point(&self) -> Vec3<S> {
         let (_, t) = self.exact_t(&self.shape.primitive.figure());
         let [origin, direction] = InWorld.line::<S::Robust>(&self.ray);
-        solve::point_at(&Line { origin, direction, departure: None }, t).map(S::from_robust).into()
+        rounded(solve::point_at(&Line { origin, direction, departure: None }, t))
     }
 
     /// The gradient of the surface's equation in the primitive's frame, of any length; of a ball, which has no axes, in the world's.
@@ -483,4 +486,19 @@ fn along_the_surface<S: Scalar>(normal: UnitVec3<S>) -> (UnitVec3<S>, UnitVec3<S
     let u = UnitVec3::from_real([z, S::Real::ZERO, -x]).unwrap_or(-UnitVec3::Z);
     let v = UnitVec3::from_real(normal.cross(u)).unwrap_or(UnitVec3::Y);
     (u, v)
+}
+
+/// Rounded; what lies beyond the number type is its largest number.
+fn rounded<S: Scalar>(point: [S::Robust; 3]) -> Vec3<S> {
+    let farthest = S::BUDGET.distance;
+    let within = |component: S| {
+        if component.is_finite() {
+            component
+        } else if component < S::ZERO {
+            -farthest
+        } else {
+            farthest
+        }
+    };
+    point.map(S::from_robust).map(within).into()
 }

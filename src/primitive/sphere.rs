@@ -7,7 +7,7 @@ use crate::intersection::{End, Intersection, Span};
 use crate::line::Place;
 use crate::part::Part;
 use crate::ray::Ray;
-use crate::scalar::{Plain, PlainLine, Real, Scalar, found};
+use crate::scalar::{Plain, PlainLine, Real, Scalar, found, largest};
 use crate::tier::Guards;
 use crate::vector::{UnitVec3, Vec3};
 
@@ -102,7 +102,9 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
 
 /// The angle from the lowest point, as a fraction of half a turn.
 pub(super) fn latitude<S: Scalar>(point: Vec3<S>) -> S::Unit {
-    let [x, y, z] = point.real();
+    // Near 1 no square overflows.
+    let e = S::binary_exponent(largest([point.x, point.y, point.z]));
+    let [x, y, z] = point.to_array().map(|component| component.scaled(-e).real());
     let from_axis = (x * x + z * z).sqrt();
     let half_turns = S::unit_real(S::turns(from_axis, -y)).times_power_of_two(1);
     coordinates::fraction::<S>(half_turns, S::Real::ONE)

@@ -90,13 +90,19 @@ macro_rules! plain_float {
                 if !(kk <= rr * FAR_SQUARE && 2.0 * discriminant >= rr * CANCELLED_SQUARE) {
                     return if discriminant < -(rr + kk) * DOUBT { Plain::Miss } else { Plain::Unclear };
                 }
-                clear_of_the_start(kk, discriminant, (k, discriminant))
+                clear_of_the_start(kk, discriminant, rr, (k, discriminant))
             }
 
-            /// `answer`, if neither of `-k -+ sqrt(D)` cancels to less than half of its terms.
+            /// `answer`, if neither of the ends `-k -+ sqrt(D)` is small beside what the rounding of `D`, a difference from `positive`, moves it.
+            ///
+            /// A root moves by some `eps positive / sqrt(D)`; the smaller end is `|k^2 - D| / (|k| + sqrt(D))`, and the square of that sum at
+            /// most `2 (k^2 + D)`.
             #[inline(always)]
-            fn clear_of_the_start<T>(kk: $Float, discriminant: $Float, answer: T) -> Plain<T> {
-                if kk < 4.0 * discriminant && discriminant < 4.0 * kk { Plain::Unclear } else { Plain::Found(answer) }
+            fn clear_of_the_start<T>(kk: $Float, discriminant: $Float, positive: $Float, answer: T) -> Plain<T> {
+                let c = kk - discriminant;
+                // What overflows fails.
+                let is_clear = positive * positive * (kk + discriminant) <= 8.0 * (c * c) * discriminant;
+                if is_clear { Plain::Found(answer) } else { Plain::Unclear }
             }
 
             /// The two ends of the line inside the ball.
@@ -145,7 +151,7 @@ macro_rules! plain_float {
                 }
                 let root = $sqrt(discriminant);
                 let inverse = 1.0 / a;
-                clear_of_the_start(kk, discriminant, [(-k - root) * inverse, (root - k) * inverse])
+                clear_of_the_start(kk, discriminant, positive, [(-k - root) * inverse, (root - k) * inverse])
             }
 
             /// Where the line is inside the nappe `h^2 (x^2 + z^2) <= (h r + g y)^2`, `h r + g y >= 0`, of a cone with radius `r` at

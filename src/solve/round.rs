@@ -42,11 +42,8 @@ pub(super) fn double_cone<S: Scalar, N: Of<S>>(line: &Line<N>, slope: N, range: 
         Inside::Beyond => {
             let [first, second] = ends();
             let first = span(Some(&quadratic), Interval::new(None, first), range)?;
-            let mut second = span(Some(&quadratic), Interval::new(second, None), range)?;
-            if second.enter.t < first.exit.t {
-                second.enter.t = first.exit.t;
-            }
-            Some(Intersection::Two(first, second))
+            let second = span(Some(&quadratic), Interval::new(second, None), range)?;
+            Some(in_order(first, second))
         }
         Inside::Until => one(Interval::new(None, ends()[0])),
         Inside::From => one(Interval::new(ends()[0], None)),
@@ -54,6 +51,14 @@ pub(super) fn double_cone<S: Scalar, N: Of<S>>(line: &Line<N>, slope: N, range: 
             Some(Intersection::LiesIn(span(None, Interval::<N>::EVERYWHERE, range)?))
         }
     }
+}
+
+/// Two intervals, of which the second does not begin before the first ends.
+fn in_order<S: Scalar>(first: Span<S>, mut second: Span<S>) -> Intersection<S> {
+    if second.enter.t < first.exit.t {
+        second.enter.t = first.exit.t;
+    }
+    Intersection::Two(first, second)
 }
 
 /// A double cone is not convex: a ray that leaves it outwards may meet the other nappe. One of the roots is the start.
@@ -75,9 +80,7 @@ fn departing_double_cone<S: Scalar, N: Of<S>>(
         // The other root is the entry into the other nappe.
         (Inside::Beyond, Leaving::Outwards) if is_ahead(&second)? => Intersection::One(from(second)?),
         // A ray that is said to enter, and leads away, ends where it starts.
-        (Inside::Beyond, Leaving::Inwards) if is_ahead(&second)? => {
-            Intersection::Two(until(Some(first))?, from(second)?)
-        }
+        (Inside::Beyond, Leaving::Inwards) if is_ahead(&second)? => in_order(until(Some(first))?, from(second)?),
         (Inside::Beyond | Inside::From, Leaving::Inwards) => Intersection::One(until(None)?),
         (Inside::Until, Leaving::Inwards) => Intersection::One(until(Some(first))?),
         (Inside::Nowhere, _) | (_, Leaving::Outwards) => Intersection::Miss,

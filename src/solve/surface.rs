@@ -4,6 +4,7 @@ use super::form::{Form, Homogeneous, Line, Weight};
 use super::settle::Of;
 use super::side::form_of;
 use crate::figure::{Extent, Figure};
+use crate::hit::{Crossing, Hit};
 use crate::number::{Estimate, Number, Ring, cross, difference, dot};
 use crate::part::Part;
 use crate::scalar::Scalar;
@@ -48,10 +49,10 @@ fn quotient<N: Estimate>(numerator: N, denominator: N) -> N {
     if denominator.sign() == Some(Ordering::Equal) { N::ZERO } else { numerator.over(denominator) }
 }
 
-/// What a rounded `t` lacks to lie on the surface: the smaller root of `f(t + x) = f + 2 h x + a x^2`, which is
-/// `-f / (h +- sqrt(h^2 - a f))`.
-pub(crate) fn correction<S: Scalar, N: Of<S> + Estimate>(figure: &Figure<S>, line: &Line<N>, part: Part, t: N) -> N {
-    let (surface, centre) = surface_of::<S, N>(figure, part);
+/// What a rounded `t` lacks to lie on the surface: the root of `f(t + x) = f + 2 h x + a x^2` where `f` falls, if the line enters, or
+/// rises, if it leaves.
+pub(crate) fn correction<S: Scalar, N: Of<S> + Estimate>(figure: &Figure<S>, line: &Line<N>, hit: &Hit<S>, t: N) -> N {
+    let (surface, centre) = surface_of::<S, N>(figure, hit.part);
     let [x, y, z] = point_at(line, t);
     let (p, d) = ([x, y - centre, z], line.direction);
     match surface {
@@ -59,10 +60,17 @@ pub(crate) fn correction<S: Scalar, N: Of<S> + Estimate>(figure: &Figure<S>, lin
         Surface::Plane(vertex, normal) => quotient(dot(normal, difference(vertex, p)), dot(normal, d)),
         Surface::Quadric(form) => {
             let (here, along) = (Homogeneous { v: p, w: Weight::One }, Homogeneous { v: d, w: Weight::Zero });
-            let (f, h) = (form.of(here, here), form.of(here, along));
-            let rest = N::sum([[h, h], [-form.of(along, along), f]]);
+            let (f, h, a) = (form.of(here, here), form.of(here, along), form.of(along, along));
+            let rest = N::sum([[h, h], [-a, f]]);
             let root = if rest.sign() == Some(Ordering::Greater) { rest.square_root() } else { N::ZERO };
-            quotient(-f, if h.sign() == Some(Ordering::Less) { h - root } else { h + root })
+            // Half the slope at the root.
+            let slope = match hit.crossing {
+                Crossing::Enter => -root,
+                Crossing::Exit => root,
+                Crossing::Touch => N::ZERO,
+            };
+            // (slope - h) / a, or -f / (slope + h): whichever does not cancel.
+            if slope.sign() == h.sign() { quotient(-f, slope + h) } else { quotient(slope - h, a) }
         }
     }
 }

@@ -119,12 +119,9 @@ fn figures() -> Vec<Figure<f32>> {
         Figure::Triangle { vertices: [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]] },
     ]);
     for side in [Side::Straight(1.0), Side::Slope(1.0), Side::Radii(1.0, 0.5, 2.0)] {
-        for extent in [
-            Extent::Infinite,
-            Extent::Open(2.0),
-            Extent::Capped(Some(0.0), Some(2.0)),
-            Extent::Capped(None, Some(2.0)),
-        ] {
+        for extent in
+            [Extent::Infinite, Extent::Open(2.0), Extent::Capped(Some(0.0), Some(2.0)), Extent::Capped(None, Some(2.0))]
+        {
             all.push(Figure::Round { side, extent });
         }
     }
@@ -142,7 +139,10 @@ fn contradicting_signs_leave_ends_sorted_and_paired() {
     for figure in figures() {
         let is_surface = matches!(
             figure,
-            Figure::Plane | Figure::Disc { .. } | Figure::Triangle { .. } | Figure::Round { extent: Extent::Open(_), .. }
+            Figure::Plane
+                | Figure::Disc { .. }
+                | Figure::Triangle { .. }
+                | Figure::Round { extent: Extent::Open(_), .. }
         );
         for departure in &departures {
             if meets_nothing(&figure, *departure) {

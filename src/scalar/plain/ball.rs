@@ -129,6 +129,13 @@ impl ByMoment {
         Plain::Found(Self { d, k, rr, residual, grid, unit: (30 + finer) as u32, down })
     }
 
+    /// How small the square of the root may be: a framed origin is off by a hundredth of a unit, of which a root a sixteenth of the radius
+    /// makes a sixth.
+    #[inline(always)]
+    fn most(&self, unframed: i32) -> i32 {
+        if self.unit == 30 { unframed } else { 8 }
+    }
+
     /// The two ends, in the radius's unit.
     #[inline(always)]
     pub(in crate::scalar) fn ends(self) -> Plain<[i32; 2]> {
@@ -137,7 +144,7 @@ impl ByMoment {
         let excess = |value: i64| product(high(value), e) >> 16;
         let discriminant = self.residual + excess(self.rr);
         // The moment's rounding, half a unit of the grid, moves t by no more than a thirtieth of a unit.
-        let certain = self.rr >> (2 * (self.grid - 5)).clamp(3, 22);
+        let certain = self.rr >> (2 * (self.grid - 5)).clamp(3, self.most(22));
         if discriminant < certain {
             return if discriminant < -certain { Plain::Miss } else { Plain::Unclear };
         }
@@ -150,7 +157,7 @@ impl ByMoment {
     #[inline(always)]
     pub(in crate::scalar) fn meets_ahead(self) -> Plain<()> {
         // Whatever the direction's length.
-        let certain = self.rr >> (2 * (self.grid - 5)).clamp(3, 17);
+        let certain = self.rr >> (2 * (self.grid - 5)).clamp(3, self.most(17));
         if self.residual < certain {
             return if self.residual < -certain { Plain::Miss } else { Plain::Unclear };
         }

@@ -63,6 +63,8 @@ pub(in crate::scalar) fn nappe(o: [i32; 3], finer: i32, d: [i32; 3], [r, g, h]: 
     }
     // ... and t by no more than half a unit (in all that was measured, by a twentieth), if the root is not small against the moment.
     let spare = unit as i32 - 3 - a_digits.shift as i32;
+    // A framed origin is off by a hundredth of a unit.
+    let spare = if finer == 0 { spare } else { spare.min(4 - a_digits.shift as i32) };
     if high(discriminant) <= 0 || spare < 0 {
         return Plain::Unclear;
     }

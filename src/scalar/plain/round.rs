@@ -40,7 +40,10 @@ pub(in crate::scalar) fn tube(o: [i32; 3], finer: i32, d: [i32; 3], r: i32) -> P
     // The moment's rounding, half a unit of the grid, moves t by no more than a thirtieth of a unit (near the upper limit of the
     // radius, a fifth).
     let spare = grid - digits.shift as i32;
-    if spare < 4 || high(discriminant) <= high(positive) >> (2 * (spare - 5)).clamp(3, 22) {
+    // A framed origin is off by a hundredth of a unit, of which a root a sixteenth of the radius makes a sixth, and so does a direction
+    // at an eighth to the axis.
+    let (most, steep) = if finer == 0 { (22, 63) } else { (8, 6) };
+    if spare < 4 || digits.shift > steep || high(discriminant) <= high(positive) >> (2 * (spare - 5)).clamp(3, most) {
         return Plain::Unclear;
     }
     let divisor = digits.divisor();
