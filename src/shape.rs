@@ -325,11 +325,10 @@ impl<S: Scalar> Surface<S> {
     /// The point in the world, on the surface as nearly as the number type can say.
     pub fn point(&self) -> Vec3<S> {
         let point = match &self.shape.placement {
-            // Nearest in the primitive's frame is not nearest in a stretched world.
-            Placement::Affine(_) => return self.exact_point(),
             _ if !self.is_resolved(self.rough_local_point()) => return self.exact_point(),
-            Placement::World => self.local_point(),
             Placement::Frame(frame) => frame.point_to_world(self.local_point()),
+            // Nearest in the primitive's frame is not nearest in a stretched world: that is not resolved.
+            Placement::World | Placement::Affine(_) => self.local_point(),
         };
         // At the end of the float range the image of a local point overflows where the ray itself need not.
         if point.to_array().iter().all(|c| c.is_finite()) { point } else { self.exact_point() }
@@ -347,7 +346,12 @@ impl<S: Scalar> Surface<S> {
 
     /// True if the rounding of `t` would turn the normal by more than a few units.
     fn needs_exact_normal(&self) -> bool {
-        !S::resolves(self.hit.t, self.bend(self.rough_local_point()))
+        self.is_stretched() || !S::resolves(self.hit.t, self.bend(self.rough_local_point()))
+    }
+
+    /// True if lengths, and with them the rounding of `t`, are others in the primitive's frame.
+    const fn is_stretched(&self) -> bool {
+        matches!(self.shape.placement, Placement::Affine(_))
     }
 
     fn rounded_local_normal(&self) -> UnitVec3<S> {
@@ -366,8 +370,10 @@ impl<S: Scalar> Surface<S> {
     /// True if the rounding of `t` is small beside the hit's local coordinates and the surface's curvature.
     fn is_resolved(&self, local: Vec3<S>) -> bool {
         let Vec3 { x, y, z } = local;
-        let bend = self.bend(local);
-        S::resolves(self.hit.t, largest([x, y, z])) && S::resolves(self.hit.t, bend)
+        let is_finite = x.is_finite() && y.is_finite() && z.is_finite();
+        let size = largest([x, y, z]);
+        let resolves = |size: S| S::resolves(self.hit.t, size);
+        !self.is_stretched() && is_finite && resolves(size) && resolves(self.bend(local))
     }
 
     /// The point relative to the primitive, as far off as the rounding of `t` takes it.

@@ -60,15 +60,11 @@ pub const CORNERS: [Case; 36] = [
     case("a rim of a cylinder touched", "a touch that is side and cap")
         .on(Can(1.0, 2.0))
         .ray([0.0, 3.0, 0.0], [1.0, -1.0, 0.0])
-        .hits(&[touch(Side, "1.4142135623730950488")])
-        // The directions are rounded: what is met at the rim is decided within a unit.
-        .stable(&[("f32", Gives("Enter Top, Exit Side / Enter Top, Exit Side"))]),
+        .hits(&[touch(Side, "1.4142135623730950488")]),
     case("rim to rim of a frustum", "hits doubled, or lost")
         .on(Frustum(3.0, 1.0, 4.0))
         .ray([-5.0, -2.0, 0.0], [1.0, 1.0, 0.0])
-        .hits(&[enter(Side, "2.8284271247461900976"), exit(Side, "8.4852813742385702928")])
-        // The directions are rounded: what is met at the rim is decided within a unit.
-        .stable(&[("f64", Gives("Enter Side, Exit Top / Enter Side, Exit Top"))]),
+        .hits(&[enter(Side, "2.8284271247461900976"), exit(Side, "8.4852813742385702928")]),
     case("rim of a capped cone touched", "a touch that is side and cap")
         .on(Cone(1.0, 2.0))
         .ray([1.0, 3.0, 0.0], [1.0, -1.0, 0.0])
@@ -93,12 +89,7 @@ pub const CORNERS: [Case; 36] = [
     case("seam to seam of a capsule", "both ends belong to the side")
         .on(Pill(1.0, 2.0))
         .ray([-2.0, -1.0, 0.0], [1.0, 1.0, 0.0])
-        .hits(&[enter(Side, "1.4142135623730950488"), exit(Side, "4.2426406871192851464")])
-        // The directions are rounded: what is met at the rim is decided within a unit.
-        .stable(&[
-            ("f32", Gives("Enter Side, Exit Top / Enter Side, Exit Top")),
-            ("f64", Gives("Enter Base, Exit Side / Enter Base, Exit Side")),
-        ]),
+        .hits(&[enter(Side, "1.4142135623730950488"), exit(Side, "4.2426406871192851464")]),
     case("a capsule without a side", "the seam is the equator")
         .on(Pill(1.0, 0.0))
         .ray([-2.0, 0.0, 0.0], [1.0, 0.0, 0.0])
@@ -108,18 +99,11 @@ pub const CORNERS: [Case; 36] = [
         .ray([0.0, 4.0, 0.0], [0.25, -1.0, 0.0])
         .hits(&[exit(Side, "4.1231056256176605498")])
         // The directions are rounded: what is met at the rim is decided within a unit.
-        .stable(&[
-            ("f32", Gives("nothing / nothing")),
-            ("I16F16", Gives("Exit Side / Exit Side")),
-            ("I20F12", Gives("Exit Side / Exit Side")),
-            ("I8F24", Gives("Exit Side / Exit Side")),
-        ]),
+        .stable(&[("I16F16", Gives("Exit Side / Exit Side")), ("I20F12", Gives("Exit Side / Exit Side"))]),
     case("from a rim inwards", "a start on side and cap")
         .on(Can(1.0, 2.0))
         .ray([1.0, 2.0, 0.0], [-1.0, -1.0, 0.0])
-        .hits(&[enter(Side, "0"), exit(Side, "2.8284271247461900976")])
-        // The directions are rounded: what is met at the rim is decided within a unit.
-        .stable(&[("f32", Gives("Enter Side, Exit Base / Enter Side, Exit Base"))]),
+        .hits(&[enter(Side, "0"), exit(Side, "2.8284271247461900976")]),
     case("from a cap inwards", "a start on a cap meets itself")
         .on(Can(1.0, 2.0))
         .ray([0.25, 0.0, 0.5], [0.0, 1.0, 0.0])

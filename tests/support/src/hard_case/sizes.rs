@@ -28,9 +28,7 @@ pub const SIZES: [Case; 33] = [
     case("sphere from 1e30 away", "the step closer is larger than the sphere by 1e30")
         .on(Ball(1.0))
         .ray([-1e30, 0.5, 0.0], [1.0, 0.0, 0.0])
-        .hits(&[enter(Side, "1e30"), exit(Side, "1e30")])
-        // Documented: beside lengths 2^60 times as large a radius has no square, and the sphere is a point.
-        .stable(&[("f32", Gives("Touch Side / Touch Side"))]),
+        .hits(&[enter(Side, "1e30"), exit(Side, "1e30")]),
     case("triangle from 1,000 away", "volumes of far edges cancel")
         .on(Triangle([[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [0.0, 1.5, 0.0]]))
         .ray([0.25, 0.125, -1000.0], [0.0, 0.0, 1.0])
@@ -124,10 +122,7 @@ pub const SIZES: [Case; 33] = [
         .on(Ball(6371000.0))
         .at([0.0, -6371000.0, 0.0], Y)
         .ray([0.0, 1.75, 0.0], [1.0, -0.0008, 0.0])
-        .hits(&[enter(Side, "3178.7630584719760027"), exit(Side, "7014.8364795766937339")])
-        // The difference of origin and position, both known exactly, is rounded to half a unit of 6,371,000.
-        // The ray grazes to 5e-8, which magnifies it.
-        .stable(&[("f32", Units(4980000.0))]),
+        .hits(&[enter(Side, "3178.7630584719760027"), exit(Side, "7014.8364795766937339")]),
     case("over the horizon of a planet", "two metres beside 6,371,000")
         .on(Ball(6371000.0))
         .at([0.0, -6371000.0, 0.0], Y)

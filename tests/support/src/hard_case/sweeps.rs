@@ -19,44 +19,22 @@ pub struct Sweep {
 
 /// Rows 16 to 18, and the ends of the types. All of the ties are those of the tier's documentation; see
 /// `check::is_within_a_unit`.
-pub const CENTRE: Sweep = Sweep {
-    name: "from the centre",
-    // From the middle of a cylinder to its rims.
-    limits: &[("f32", 40, 0, 0.0)],
-};
-pub const SURFACE: Sweep = Sweep {
-    name: "from the surface",
-    // Starts on a surface are where the tier promises less.
-    limits: &[("f32", 0, 0, 9.4), ("f64", 0, 0, 4.7)],
-};
+pub const CENTRE: Sweep = Sweep { name: "from the centre", limits: &[] };
+pub const SURFACE: Sweep = Sweep { name: "from the surface", limits: &[] };
 pub const ZEROS: Sweep = Sweep {
     name: "with zero components",
-    // Through rims, openings and the apex, at which this class is aimed.
-    limits: &[
-        ("f32", 372, 0, 6.2),
-        ("f64", 224, 0, 6.2),
-        ("I16F16", 76, 0, 0.0),
-        ("I32F32", 76, 0, 0.0),
-        ("I8F24", 68, 0, 0.0),
-        ("I20F12", 76, 0, 0.0),
-    ],
+    // Through rims, openings and the apex, at which this class is aimed; in floats the fast path's error is larger than elsewhere.
+    limits: &[("f32", 0, 0, 6.2), ("f64", 0, 0, 6.2), ("I16F16", 76, 0, 0.0), ("I20F12", 76, 0, 0.0)],
 };
 pub const FARTHER: Sweep = Sweep {
     name: "ever farther",
-    // From where a unit of `t` is larger than the solid.
-    limits: &[("f32", 720, 0, 0.0), ("f64", 1804, 0, 2.5)],
+    // From 2^64 sizes away and farther, where the robust number's own bits end.
+    limits: &[("f64", 564, 0, 0.0)],
 };
 pub const ENDS: Sweep = Sweep {
     name: "at the ends of the type",
-    // Solids of a single unit are all rim; touches of the largest; the apex.
-    limits: &[
-        ("f32", 76, 0, 0.0),
-        ("f64", 22, 0, 0.0),
-        ("I16F16", 30, 0, 0.0),
-        ("I32F32", 32, 0, 0.0),
-        ("I8F24", 30, 0, 0.0),
-        ("I20F12", 34, 0, 0.0),
-    ],
+    // Solids of a single unit are all rim.
+    limits: &[("I16F16", 18, 0, 0.0), ("I32F32", 12, 0, 0.0), ("I8F24", 18, 0, 0.0), ("I20F12", 18, 0, 0.0)],
 };
 
 /// What a class of rays came to.
