@@ -73,7 +73,7 @@ pub trait Certain: Scalar {
 
 #[cfg(feature = "libm")]
 impl Certain for f32 {
-    type Bounded = Bounded<2>;
+    type Bounded = Bounded<u128>;
     type Integer = Integer<FLOAT_LIMBS>;
 
     #[inline(always)]
@@ -92,6 +92,6 @@ impl Certain for f32 {
 
 #[cfg(feature = "fixed")]
 impl<F: fixed::types::extra::LeEqU32 + Send + Sync + 'static> Certain for fixed::FixedI32<F> {
-    type Bounded = Bounded<2>;
+    type Bounded = Bounded<u128>;
     type Integer = Integer<FIXED_LIMBS>;
 }

@@ -1,6 +1,7 @@
 //! The robust number with a bound of its error.
 
 use super::{Estimate, FromScalar, Limbs, Number, Parts, Ring, ToScalar};
+use super::word::Word;
 use crate::scalar::Scalar;
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
@@ -8,8 +9,8 @@ use core::ops::{Add, Mul, Neg, Sub};
 /// A number of `64 N` bits, and the exponent of a power of two that its distance from the true value does not exceed (running error
 /// analysis: Higham, *Accuracy and Stability of Numerical Algorithms*, 3.3).
 #[derive(Clone, Copy, Debug)]
-pub struct Bounded<const N: usize> {
-    value: Limbs<N>,
+pub struct Bounded<W> {
+    value: Limbs<W>,
     /// [`EXACT`] where nothing has been cut off.
     error: i32,
 }
@@ -17,15 +18,15 @@ pub struct Bounded<const N: usize> {
 /// The error of an exact number: a power of two below all others.
 const EXACT: i32 = i32::MIN;
 
-impl<const N: usize> Bounded<N> {
+impl<W: Word> Bounded<W> {
     #[inline(always)]
-    const fn exact(value: Limbs<N>) -> Self {
+    const fn exact(value: Limbs<W>) -> Self {
         Self { value, error: EXACT }
     }
 
     /// The highest bits of a number.
-    pub(super) fn cut_off((value, is_cut): (Limbs<N>, bool)) -> Self {
-        Self { value, error: if is_cut { value.top() - Limbs::<N>::BITS } else { EXACT } }
+    pub(super) fn cut_off((value, is_cut): (Limbs<W>, bool)) -> Self {
+        Self { value, error: if is_cut { value.top() - Limbs::<W>::BITS } else { EXACT } }
     }
 }
 
@@ -63,7 +64,7 @@ fn times(top: i32, error: i32) -> i32 {
     if error == EXACT { EXACT } else { error + top }
 }
 
-impl<const N: usize> Add for Bounded<N> {
+impl<W: Word> Add for Bounded<W> {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
@@ -72,13 +73,13 @@ impl<const N: usize> Add for Bounded<N> {
         if is_cut {
             // The shorter term where the sum ends, and the sum itself.
             let top = self.value.top().max(other.value.top());
-            total = total.with(top - 2 * Limbs::<N>::BITS).with(value.top() - Limbs::<N>::BITS);
+            total = total.with(top - 2 * Limbs::<W>::BITS + 4).with(value.top() - Limbs::<W>::BITS);
         }
         Self { value, error: total.exponent() }
     }
 }
 
-impl<const N: usize> Sub for Bounded<N> {
+impl<W: Word> Sub for Bounded<W> {
     type Output = Self;
     #[inline]
     fn sub(self, other: Self) -> Self {
@@ -86,7 +87,7 @@ impl<const N: usize> Sub for Bounded<N> {
     }
 }
 
-impl<const N: usize> Neg for Bounded<N> {
+impl<W: Word> Neg for Bounded<W> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -94,24 +95,24 @@ impl<const N: usize> Neg for Bounded<N> {
     }
 }
 
-impl<const N: usize> Mul for Bounded<N> {
+impl<W: Word> Mul for Bounded<W> {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
         let (value, is_cut) = self.value.product(&other.value);
-        let own = if is_cut { value.top() - Limbs::<N>::BITS } else { EXACT };
+        let own = if is_cut { value.top() - Limbs::<W>::BITS } else { EXACT };
         Self { value, error: product_error([self, other]).with(own).exponent() }
     }
 }
 
 /// What the errors of two factors make of their product's.
 #[inline(always)]
-fn product_error<const N: usize>([a, b]: [Bounded<N>; 2]) -> Total {
+fn product_error<W: Word>([a, b]: [Bounded<W>; 2]) -> Total {
     let both = if a.error == EXACT { EXACT } else { times(a.error, b.error) };
     Total::NONE.with(times(a.value.top(), b.error)).with(times(b.value.top(), a.error)).with(both)
 }
 
-impl<const N: usize> Ring for Bounded<N> {
+impl<W: Word> Ring for Bounded<W> {
     const ZERO: Self = Self::exact(Limbs::ZERO);
     const ONE: Self = Self::exact(Limbs::ONE);
 
@@ -126,8 +127,8 @@ impl<const N: usize> Ring for Bounded<N> {
             top = top.max(a.value.top() + b.value.top());
         }
         if is_cut {
-            // Each term where the sum ends (at most eight), and the sum itself.
-            total = total.with(top - 2 * Limbs::<N>::BITS + 3).with(value.top() - Limbs::<N>::BITS);
+            // Each term where the sum ends (at most four, with three bits of room above), and the sum itself.
+            total = total.with(top - 2 * Limbs::<W>::BITS + 5).with(value.top() - Limbs::<W>::BITS);
         }
         Self { value, error: total.exponent() }
     }
@@ -138,7 +139,7 @@ impl<const N: usize> Ring for Bounded<N> {
     }
 }
 
-impl<const N: usize> Number for Bounded<N> {
+impl<W: Word> Number for Bounded<W> {
     type Estimate = Self;
 
     #[inline]
@@ -162,12 +163,12 @@ impl<const N: usize> Number for Bounded<N> {
     }
 }
 
-impl<const N: usize> Estimate for Bounded<N> {
+impl<W: Word> Estimate for Bounded<W> {
     #[inline]
     fn over(self, other: Self) -> Self {
         let value = self.value.quotient(&other.value);
-        // Residuals leave an error of a few of the last places.
-        let own = value.top() - Limbs::<N>::BITS + 3;
+        // Residuals leave an error of a few of the last places, beside the rounding.
+        let own = value.top() - Limbs::<W>::BITS + W::SPARE as i32 + 1;
         // (error + |quotient| error') / |divisor|, whose magnitude is at least 2^(top - 1) less its error, which is below half of that.
         let inherited = Total::NONE.with(self.error).with(times(value.top(), other.error)).exponent();
         Self { value, error: Total::NONE.with(own).with(times(2 - other.value.top(), inherited)).exponent() }
@@ -176,7 +177,7 @@ impl<const N: usize> Estimate for Bounded<N> {
     #[inline]
     fn square_root(self) -> Self {
         let value = self.value.square_root();
-        let own = if self.value.is_zero() { EXACT } else { value.top() - Limbs::<N>::BITS + 3 };
+        let own = if self.value.is_zero() { EXACT } else { value.top() - Limbs::<W>::BITS + W::SPARE as i32 + 1 };
         // sqrt(a) - sqrt(a - e) <= e / sqrt(a), and sqrt(a) is at least 2^(top - 1).
         let inherited = if self.value.is_zero() { halved(self.error) } else { times(1 - value.top(), self.error) };
         Self { value, error: Total::NONE.with(own).with(inherited).exponent() }
@@ -198,20 +199,20 @@ fn halved(error: i32) -> i32 {
     if error == EXACT { EXACT } else { (error >> 1) + 1 }
 }
 
-impl<S: Scalar, const N: usize> FromScalar<S> for Bounded<N> {
+impl<S: Scalar, W: Word> FromScalar<S> for Bounded<W> {
     #[inline]
     fn scalar(value: S) -> Self {
         let Parts { mantissa, exponent, negative } = value.parts();
-        Self::exact(Limbs::from_mantissa(mantissa, exponent, negative))
+        Self::exact(Limbs::from_integer(mantissa, exponent, negative))
     }
     #[inline]
     fn unit(value: S::Unit) -> Self {
         let Parts { mantissa, exponent, negative } = S::unit_parts(value);
-        Self::exact(Limbs::from_mantissa(mantissa, exponent, negative))
+        Self::exact(Limbs::from_integer(mantissa, exponent, negative))
     }
 }
 
-impl<S: Scalar, const N: usize> ToScalar<S> for Bounded<N> {
+impl<S: Scalar, W: Word> ToScalar<S> for Bounded<W> {
     const ROUNDING_DECIDES: bool = false;
 
     #[inline]

@@ -196,7 +196,7 @@ impl<const N: usize> Ring for Integer<N> {
 }
 
 impl<const N: usize> Number for Integer<N> {
-    type Estimate = Bounded<2>;
+    type Estimate = Bounded<u128>;
 
     fn sign(self) -> Option<Ordering> {
         Some(match (self.length, self.negative) {
@@ -206,7 +206,7 @@ impl<const N: usize> Number for Integer<N> {
         })
     }
 
-    fn estimate(self) -> Bounded<2> {
+    fn estimate(self) -> Bounded<u128> {
         let used = self.limbs.get(..self.length).unwrap_or(&self.limbs);
         Bounded::cut_off(Limbs::from_words(used, 32 * self.exponent, self.negative))
     }

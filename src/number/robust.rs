@@ -1,6 +1,7 @@
 //! The robust number: enough bits that the sign of the rounded value is taken at its word.
 
 use super::{Estimate, FromScalar, Limbs, Number, Parts, Ring, ToScalar};
+use super::word::Word;
 use crate::scalar::Scalar;
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
@@ -10,17 +11,17 @@ use core::ops::{Add, Mul, Neg, Sub};
 /// One word for `f32`, two for `f64` and 32-bit fixed point, three for 64-bit fixed point: what these must hold is derived and
 /// measured in `docs/design/robust-number.md`.
 #[derive(Clone, Copy, Debug)]
-pub struct Robust<const N: usize>(Limbs<N>);
+pub struct Robust<W>(Limbs<W>);
 
-impl<const N: usize> Robust<N> {
+impl<W: Word> Robust<W> {
     /// The number itself.
     #[inline(always)]
-    pub(crate) const fn limbs(self) -> Limbs<N> {
+    pub(crate) const fn limbs(self) -> Limbs<W> {
         self.0
     }
 }
 
-impl<const N: usize> Add for Robust<N> {
+impl<W: Word> Add for Robust<W> {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
@@ -28,7 +29,7 @@ impl<const N: usize> Add for Robust<N> {
     }
 }
 
-impl<const N: usize> Sub for Robust<N> {
+impl<W: Word> Sub for Robust<W> {
     type Output = Self;
     #[inline]
     fn sub(self, other: Self) -> Self {
@@ -36,7 +37,7 @@ impl<const N: usize> Sub for Robust<N> {
     }
 }
 
-impl<const N: usize> Neg for Robust<N> {
+impl<W: Word> Neg for Robust<W> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -44,7 +45,7 @@ impl<const N: usize> Neg for Robust<N> {
     }
 }
 
-impl<const N: usize> Mul for Robust<N> {
+impl<W: Word> Mul for Robust<W> {
     type Output = Self;
     #[inline]
     fn mul(self, other: Self) -> Self {
@@ -52,7 +53,7 @@ impl<const N: usize> Mul for Robust<N> {
     }
 }
 
-impl<const N: usize> Ring for Robust<N> {
+impl<W: Word> Ring for Robust<W> {
     const ZERO: Self = Self(Limbs::ZERO);
     const ONE: Self = Self(Limbs::ONE);
 
@@ -67,7 +68,7 @@ impl<const N: usize> Ring for Robust<N> {
     }
 }
 
-impl<const N: usize> Number for Robust<N> {
+impl<W: Word> Number for Robust<W> {
     type Estimate = Self;
 
     #[inline(always)]
@@ -87,7 +88,7 @@ impl<const N: usize> Number for Robust<N> {
     }
 }
 
-impl<const N: usize> Estimate for Robust<N> {
+impl<W: Word> Estimate for Robust<W> {
     #[inline]
     fn over(self, other: Self) -> Self {
         Self(self.0.quotient(&other.0))
@@ -117,20 +118,20 @@ impl<const N: usize> Estimate for Robust<N> {
     }
 }
 
-impl<S: Scalar, const N: usize> FromScalar<S> for Robust<N> {
+impl<S: Scalar, W: Word> FromScalar<S> for Robust<W> {
     #[inline]
     fn scalar(value: S) -> Self {
         let Parts { mantissa, exponent, negative } = value.parts();
-        Self(Limbs::from_mantissa(mantissa, exponent, negative))
+        Self(Limbs::from_integer(mantissa, exponent, negative))
     }
     #[inline]
     fn unit(value: S::Unit) -> Self {
         let Parts { mantissa, exponent, negative } = S::unit_parts(value);
-        Self(Limbs::from_mantissa(mantissa, exponent, negative))
+        Self(Limbs::from_integer(mantissa, exponent, negative))
     }
 }
 
-impl<S: Scalar, const N: usize> ToScalar<S> for Robust<N> {
+impl<S: Scalar, W: Word> ToScalar<S> for Robust<W> {
     const ROUNDING_DECIDES: bool = true;
 
     #[inline]

@@ -1,3 +1,4 @@
+use super::word::Word;
 use super::{Bounded, Estimate, FromScalar, Integer, Limbs, Number, Ring, Robust, ToScalar};
 use core::cmp::Ordering;
 
@@ -41,7 +42,7 @@ fn a_bounded_number_holds_the_exact_one() {
     for _ in 0..20_000 {
         let inputs = [0; 6].map(|_| random.float());
         let truth = polynomial::<Integer<64>>(inputs);
-        let (narrow, wide) = (polynomial::<Bounded<1>>(inputs), polynomial::<Bounded<2>>(inputs));
+        let (narrow, wide) = (polynomial::<Bounded<u64>>(inputs), polynomial::<Bounded<u128>>(inputs));
         for sign in [narrow.sign(), wide.sign()].into_iter().flatten() {
             known += 1;
             assert_eq!(Some(sign), truth.sign(), "{inputs:?}");
@@ -61,7 +62,7 @@ fn a_robust_number_is_the_rounded_exact_one() {
         let [a, b, c, d, e, f] = [0; 6].map(|_| random.float() as f64);
         let sum = |terms: [[f64; 2]; 3]| {
             let robust: f32 =
-                Robust::<1>::sum(terms.map(|term| term.map(|x| number::<Robust<1>>(x as f32)))).rounded().unwrap();
+                Robust::<u64>::sum(terms.map(|term| term.map(|x| number::<Robust<u64>>(x as f32)))).rounded().unwrap();
             let exact = Integer::<64>::sum(terms.map(|term| term.map(|x| number::<Integer<64>>(x as f32))));
             let exact: f32 = exact.estimate().rounded().unwrap();
             assert!((robust.to_bits() as i64 - exact.to_bits() as i64).abs() <= 1, "{terms:?}: {robust} {exact}");
@@ -72,9 +73,9 @@ fn a_robust_number_is_the_rounded_exact_one() {
     }
 }
 
-fn check_quotients_and_roots<const N: usize>(seed: u64) {
+fn check_quotients_and_roots<W: Word>(seed: u64) {
     let mut random = Random(seed);
-    let unit = |value: &Limbs<N>| value.top() - Limbs::<N>::BITS;
+    let unit = |value: &Limbs<W>| value.top() - Limbs::<W>::BITS;
     for round in 0..5_000 {
         // At the ends of the mantissa's range too.
         let mut mantissa = || match round % 5 {
@@ -82,28 +83,27 @@ fn check_quotients_and_roots<const N: usize>(seed: u64) {
             1 => (1 << 63) + random.next() % 5,
             _ => random.next() | 1,
         };
-        let n = Limbs::<N>::from_mantissa(mantissa(), (random.next() % 200) as i32 - 100, round & 1 != 0);
-        let (d, _) = n.product(&Limbs::from_mantissa(random.next() | 1, -70, round & 2 != 0));
+        let n = Limbs::<W>::from_integer(mantissa(), (random.next() % 200) as i32 - 100, round & 1 != 0);
+        let (d, _) = n.product(&Limbs::from_integer(random.next() | 1, -70, round & 2 != 0));
         let q = n.quotient(&d);
         // n - q d is below a few last places of q times d.
         let (rest, _) = Limbs::sum_of_products(&[[n, Limbs::ONE], [q.negated(), d]]);
-        assert!(rest.is_zero() || rest.top() <= unit(&q) + d.top() + 2, "{n:?} / {d:?}: {rest:?}");
+        assert!(rest.is_zero() || rest.top() <= unit(&q) + d.top() + W::SPARE as i32 + 1, "{n:?} / {d:?}: {rest:?}");
         let s = n.square_root();
         let (rest, _) = Limbs::sum_of_products(&[[n.magnitude(), Limbs::ONE], [s.negated(), s]]);
-        assert!(rest.is_zero() || rest.top() <= unit(&s) + s.top() + 3, "{n:?}: {s:?} {rest:?}");
+        assert!(rest.is_zero() || rest.top() <= unit(&s) + s.top() + W::SPARE as i32 + 2, "{n:?}: {s:?} {rest:?}");
     }
 }
 
 #[test]
 fn quotients_and_roots_are_good_to_the_last_places() {
-    check_quotients_and_roots::<1>(3);
-    check_quotients_and_roots::<2>(4);
-    check_quotients_and_roots::<3>(5);
+    check_quotients_and_roots::<u64>(3);
+    check_quotients_and_roots::<u128>(4);
 }
 
 #[test]
 fn rounding_is_to_nearest_and_ties_to_even() {
-    let number = |mantissa: u64, exponent: i32| Limbs::<2>::from_mantissa(mantissa, exponent, false);
+    let number = |mantissa: u64, exponent: i32| Limbs::<u128>::from_integer(mantissa, exponent, false);
     assert_eq!(number(5, -1).to_units(0), Some(2));
     assert_eq!(number(7, -1).to_units(0), Some(4));
     assert_eq!(number(1, -1).to_units(0), Some(0));
@@ -112,7 +112,7 @@ fn rounding_is_to_nearest_and_ties_to_even() {
     assert_eq!(number(u64::MAX, 0).to_units(0), Some(u64::MAX));
     let (above, _) = number(1, -1).total(&number(1, -100));
     assert_eq!(above.to_units(0), Some(1));
-    assert_eq!(Limbs::<1>::ZERO.to_units(0), Some(0));
+    assert_eq!(Limbs::<u64>::ZERO.to_units(0), Some(0));
 }
 
 #[test]
@@ -121,16 +121,16 @@ fn floats_come_back_to_the_bit() {
     for bits in (0..10_000).map(|_| random.next() as u32).chain([0, 1, 0x007f_ffff, 0x0080_0000, 0x7f7f_ffff]) {
         let value = f32::from_bits(bits);
         if value.is_finite() && value != 0.0 {
-            assert_eq!(Robust::<1>::scalar(value).rounded(), Some(value));
-            assert_eq!(Robust::<2>::scalar(value as f64).rounded(), Some(value as f64));
+            assert_eq!(Robust::<u64>::scalar(value).rounded(), Some(value));
+            assert_eq!(Robust::<u128>::scalar(value as f64).rounded(), Some(value as f64));
         }
     }
-    let largest = number::<Robust<1>>(f32::MAX);
+    let largest = number::<Robust<u64>>(f32::MAX);
     assert_eq!((largest + largest).rounded(), Some(f32::INFINITY));
     assert_eq!((-largest - largest).rounded(), Some(f32::NEG_INFINITY));
     // Half of the smallest number is a tie with zero.
-    assert_eq!(number::<Robust<1>>(f32::from_bits(1)).scaled(-1).rounded(), Some(0.0_f32));
-    assert_eq!(number::<Robust<1>>(f32::from_bits(3)).scaled(-1).rounded(), Some(f32::from_bits(2)));
+    assert_eq!(number::<Robust<u64>>(f32::from_bits(1)).scaled(-1).rounded(), Some(0.0_f32));
+    assert_eq!(number::<Robust<u64>>(f32::from_bits(3)).scaled(-1).rounded(), Some(f32::from_bits(2)));
 }
 
 #[test]
@@ -138,8 +138,8 @@ fn mirrored_operands_have_mirrored_results() {
     let mut random = Random(7);
     for _ in 0..5_000 {
         let inputs = [0; 6].map(|_| random.float());
-        let (a, b) = (number::<Robust<1>>(inputs[0]), number::<Robust<1>>(inputs[1]));
-        let (c, d) = (number::<Robust<1>>(inputs[2]), number::<Robust<1>>(inputs[3]));
+        let (a, b) = (number::<Robust<u64>>(inputs[0]), number::<Robust<u64>>(inputs[1]));
+        let (c, d) = (number::<Robust<u64>>(inputs[2]), number::<Robust<u64>>(inputs[3]));
         let (sum, mirrored) = (Robust::sum([[a, b], [c, d]]), Robust::sum([[-a, b], [c, -d]]));
         assert_eq!(sum.compare(-mirrored), Some(Ordering::Equal));
     }

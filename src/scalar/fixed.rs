@@ -8,6 +8,7 @@ use super::{
     Budget, Plain, PlainLine, PlainNappe, Real, Scalar, UnitScalar, elementary, found, plain, sealed::Sealed,
     separation,
 };
+use crate::number::word::Word;
 use crate::number::{Limbs, Parts, Robust};
 use fixed::types::extra::{LeEqU32, LeEqU64, U30, U62};
 use fixed::{FixedI32, FixedI64};
@@ -26,7 +27,7 @@ fn product(a: i64, b: i64) -> i128 {
 /// Defines the implementations for one width.
 macro_rules! fixed {
     (
-        $Fixed:ident, $LeEq:ident, $UnitBits:ident, $Block:ident, $robust:literal, $raw:ty, $wide:ty, $unsigned:ty,
+        $Fixed:ident, $LeEq:ident, $UnitBits:ident, $Block:ident, $robust:ty, $raw:ty, $wide:ty, $unsigned:ty,
         $bits:literal, $unit_bits:literal, $product:path, $misses_box:path, { $($plain:tt)* }
     ) => {
         impl<F: $LeEq + Send + Sync + 'static> Sealed for $Fixed<F> {}
@@ -61,7 +62,7 @@ macro_rules! fixed {
                 value.parts()
             }
             #[inline]
-            fn from_limbs<const N: usize>(value: Limbs<N>) -> Self {
+            fn from_limbs<W: Word>(value: Limbs<W>) -> Self {
                 let units = value.to_units(-(F::I32)).and_then(|units| <$raw>::try_from(units).ok());
                 let magnitude = units.map_or(Self::INFINITY, Self::from_bits);
                 if value.is_negative() { -magnitude } else { magnitude }
@@ -368,7 +369,7 @@ macro_rules! plain {
     };
 }
 
-fixed!(FixedI32, LeEqU32, U30, Block64, 2, i32, i64, u64, 32, 30, plain::product, separation::misses_box_32, {
+fixed!(FixedI32, LeEqU32, U30, Block64, u64, i32, i64, u64, 32, 30, plain::product, separation::misses_box_32, {
     #[inline(always)]
     fn along(self, component: Self::Unit) -> Self {
         Self::from_bits(plain::round_off(plain::product(self.to_bits(), component.to_bits()), 30) as i32)
@@ -404,6 +405,6 @@ fixed!(FixedI32, LeEqU32, U30, Block64, 2, i32, i64, u64, 32, 30, plain::product
         Plain::Found(PlainNappe { ends: [Self::from_bits(low), Self::from_bits(high)], certain })
     }
 });
-fixed!(FixedI64, LeEqU64, U62, Block128, 3, i64, i128, u128, 64, 62, product, separation::misses_box_64, {
+fixed!(FixedI64, LeEqU64, U62, Block128, u128, i64, i128, u128, 64, 62, product, separation::misses_box_64, {
     plain!(FixedI64, plain::wide);
 });

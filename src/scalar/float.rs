@@ -4,13 +4,14 @@ use super::plain_float::{plain_f32, plain_f64};
 use super::separation;
 use super::square_root::square_root_f32;
 use super::{Budget, Plain, PlainLine, PlainNappe, Real, Scalar, UnitScalar, found, largest, sealed::Sealed};
+use crate::number::word::Word;
 use crate::number::{Limbs, Parts, Robust};
 
 /// Defines the float implementations. `$half` are the mantissa bits that a split moves to the low part.
 macro_rules! float {
     (
         $Float:ident, $exact:ident, $bits:ty, $half:literal, $mantissa:literal, $bias:literal, $largest_exponent:literal,
-        $slope:literal, $robust:literal, $plain:ident, $misses_box:ident, sqrt: $sqrt:path, atan2: $atan2:path, sincos: $sincos:path, pow: $pow:path
+        $slope:literal, $robust:ty, $plain:ident, $misses_box:ident, sqrt: $sqrt:path, atan2: $atan2:path, sincos: $sincos:path, pow: $pow:path
     ) => {
         impl Sealed for $Float {}
 
@@ -94,7 +95,7 @@ macro_rules! float {
                 value.parts()
             }
             #[inline]
-            fn from_limbs<const N: usize>(value: Limbs<N>) -> Self {
+            fn from_limbs<W: Word>(value: Limbs<W>) -> Self {
                 // The fraction, and above it the exponent's field, into which a subnormal number or a carry grows by itself.
                 const LEAST: i32 = 1 - $bias - $mantissa;
                 let unit = Self::last_place(value.top());
@@ -419,10 +420,10 @@ macro_rules! float {
 }
 
 float!(
-    f32, exact_f32, u32, 12, 23, 127, 126, 30, 1, plain_f32, misses_box_f32,
+    f32, exact_f32, u32, 12, 23, 127, 126, 30, u64, plain_f32, misses_box_f32,
     sqrt: square_root_f32, atan2: libm::atan2f, sincos: libm::sincosf, pow: libm::powf
 );
 float!(
-    f64, exact_f64, u64, 27, 52, 1023, 1022, 200, 2, plain_f64, misses_box_f64,
+    f64, exact_f64, u64, 27, 52, 1023, 1022, 200, u128, plain_f64, misses_box_f64,
     sqrt: libm::sqrt, atan2: libm::atan2, sincos: libm::sincos, pow: libm::pow
 );

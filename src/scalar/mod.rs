@@ -19,6 +19,7 @@
 //! | `elementary` | angle, sine, power, in integers for the fixed types |
 //! | `square_root` | the one hardware instruction that `core` does not give |
 
+use crate::number::word::Word;
 use crate::number::{FromScalar, Limbs, Number, Parts, ToScalar};
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -125,7 +126,7 @@ pub trait Scalar:
     /// The exact value of a unit component.
     fn unit_parts(value: Self::Unit) -> Parts;
     /// Rounded to nearest, ties to even; beyond the type's range, [`Scalar::INFINITY`] with the sign.
-    fn from_limbs<const N: usize>(value: Limbs<N>) -> Self;
+    fn from_limbs<W: Word>(value: Limbs<W>) -> Self;
     /// Rounded as [`Scalar::from_limbs`].
     fn from_robust(value: Self::Robust) -> Self;
     /// Rounded as [`Scalar::from_limbs`], to a unit component.

@@ -2,7 +2,6 @@
 
 use super::Axis::{To, X, Y, Z};
 use super::Kind::{Ball, Can, Cone, Disc, Frustum, Pill, Plane, Skirt};
-use super::Limit::Units;
 use super::{Case, TO_THE_END, case, enter, exit, touch};
 use raylet::Part::{Base, Side, Top};
 

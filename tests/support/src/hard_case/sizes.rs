@@ -3,7 +3,6 @@
 
 use super::Axis::Y;
 use super::Kind::{Ball, Can, Cone, Disc, Frustum, Pill, Triangle};
-use super::Limit::{Gives, Units};
 use super::{Case, case, enter, exit, touch, two_to};
 use raylet::Part::{Base, Side, Top};
 
