@@ -9,7 +9,7 @@ use crate::geometry::{Bounds, Geometry, Hull};
 use crate::hit::{Crossing, Hit, Hits};
 use crate::intersection::Intersection;
 use crate::line::{InWorld, Place};
-use crate::number::{Estimate, FromScalar};
+use crate::number::{Estimate, FromScalar, Native, dot};
 use crate::part::Part;
 use crate::primitive::{Capsule, Cone, Cylinder, Disc, Plane, Sphere, Triangle};
 use crate::query;
@@ -314,9 +314,10 @@ pub struct Surface<S: Scalar> {
 impl<S: Scalar> Surface<S> {
     /// The point relative to the primitive, on its surface: accurate however far the ray starts.
     pub fn local_point(&self) -> Vec3<S> {
-        let rough = self.rough_local_point();
+        let mut rough = self.rough_local_point();
         if !self.is_resolved(rough) {
-            return self.exact_local_point();
+            let Some(point) = self.native_local_point(rough) else { return self.exact_local_point() };
+            rough = Vec3::round(point.map(|coordinate| coordinate.0));
         }
         let (primitive, point, exponent) = query::near_one(&self.shape.primitive, rough);
         query::scaled(primitive.on_surface(point, self.hit.part), exponent)
@@ -324,8 +325,9 @@ impl<S: Scalar> Surface<S> {
 
     /// The point in the world, on the surface as nearly as the number type can say.
     pub fn point(&self) -> Vec3<S> {
+        let rough = self.rough_local_point();
         let point = match &self.shape.placement {
-            _ if !self.is_resolved(self.rough_local_point()) => return self.exact_point(),
+            _ if !self.is_resolved(rough) && self.native_local_point(rough).is_none() => return self.exact_point(),
             Placement::Frame(frame) => frame.point_to_world(self.local_point()),
             // Nearest in the primitive's frame is not nearest in a stretched world: that is not resolved.
             Placement::World | Placement::Affine(_) => self.local_point(),
@@ -336,10 +338,13 @@ impl<S: Scalar> Surface<S> {
 
     /// The outward unit normal in the world; for an open surface away from the axis, for a flat one to the front.
     pub fn normal(&self) -> UnitVec3<S> {
-        if self.needs_exact_normal()
-            && let Some(normal) = self.exact_normal()
-        {
-            return normal;
+        if self.needs_exact_normal() {
+            if let Some(normal) = self.native_local_normal() {
+                return self.local_normal_to_world(normal);
+            }
+            if let Some(normal) = self.exact_normal() {
+                return normal;
+            }
         }
         self.local_normal_to_world(self.rounded_local_normal())
     }
@@ -391,12 +396,40 @@ impl<S: Scalar> Surface<S> {
         if is_known { self.shape.primitive.bend(point, self.hit.part) } else { S::ZERO }
     }
 
+    /// The local point with what `t` lacks, in the type's own computing number; `None` in fixed point, which has no bits left for that,
+    /// and where a ray that grazes makes too much of the rounding of the point.
+    #[inline(always)]
+    fn native_local_point(&self, rough: Vec3<S>) -> Option<[Native<S::Real>; 3]> {
+        if !S::RELATIVE || self.is_stretched() {
+            return None;
+        }
+        let figure = self.shape.primitive.figure();
+        let shape = &self.shape;
+        let [_, d] = through!(shape, |_primitive, place| place.line::<Native<S::Real>>(&self.ray));
+        let p = rough.to_array().map(<Native<S::Real> as FromScalar<S>>::scalar);
+        let correction = solve::correction(&figure, &self.hit, p, d);
+        let point = [p[0] + d[0] * correction, p[1] + d[1] * correction, p[2] + d[2] * correction];
+        let gradient = solve::gradient(&figure, self.hit.part, point);
+        let (slope, squares) = (dot(gradient, d).0, dot(gradient, gradient).0);
+        // From an angle of 70 degrees on; what overflows compares false.
+        let is_steep = slope * slope >= squares.times_power_of_two(-3) && squares > S::Real::ZERO;
+        // Beyond some units it is no rounding.
+        let is_rounding = correction.0.abs() <= self.hit.t.magnitude().real().times_power_of_two(S::Real::ROUNDING + 6);
+        (is_steep && is_rounding).then_some(point)
+    }
+
+    fn native_local_normal(&self) -> Option<UnitVec3<S>> {
+        let point = self.native_local_point(self.rough_local_point())?;
+        let gradient = solve::gradient(&self.shape.primitive.figure(), self.hit.part, point);
+        UnitVec3::from_real(gradient.map(|component| component.0))
+    }
+
     /// The hit's `t` in the robust number.
     fn exact_t(&self, figure: &Figure<S>) -> (Line<S::Robust>, S::Robust) {
         let shape = &self.shape;
         let line = through!(shape, |_primitive, place| query::line(figure, place, &self.ray));
         let t = <S::Robust as FromScalar<S>>::scalar(self.hit.t);
-        let correction = solve::correction(figure, &line, &self.hit, t);
+        let correction = solve::correction(figure, &self.hit, solve::point_at(&line, t), line.direction);
         // Beyond some units it is no rounding: the tier is `Fast`, or rule 8 has put the hit at the start.
         let most = S::last_place(t.top().unwrap_or(i32::MIN / 2)) + 6;
         let is_rounding = correction.top().is_none_or(|top| top <= most);
@@ -458,7 +491,7 @@ impl<S: Scalar> Surface<S> {
         let (primitive, point, _) = query::near_one(&self.shape.primitive, self.local_point());
         let mut tangents = primitive.tangents(point, self.hit.part);
         if self.needs_exact_normal()
-            && let Some(normal) = self.exact_local_normal()
+            && let Some(normal) = self.native_local_normal().or_else(|| self.exact_local_normal())
         {
             tangents = along_the_surface(normal);
         }

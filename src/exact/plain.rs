@@ -31,6 +31,15 @@ struct Line {
 /// Where a line is inside a convex surface: nowhere, or between two parameters, of which one may be infinite.
 type Between = Option<[f64; 2]>;
 
+/// How a line meets both nappes of a cone.
+struct Cone {
+    roots: [f64; 2],
+    is_flat: bool,
+    slope: f64,
+    /// A number with the sign of the nappe, and its bound.
+    middle: (f64, f64),
+}
+
 /// An end, and the part that it lies on.
 type End = (f64, Part);
 
@@ -42,7 +51,7 @@ pub(super) fn find(figure: &Figure<f32>, line: [[Quick; 3]; 2], range: Range<f32
         Figure::Ball { radius } => ball(&line, radius as f64, range),
         Figure::Capsule { radius, height } => capsule(&line, radius as f64, height as f64, range),
         Figure::Round { side, extent } => round(&line, side, extent, range),
-        Figure::DoubleCone { .. } => None,
+        Figure::DoubleCone { slope } => double_cone(&line, slope as f64, range),
         Figure::Plane => plane(&line, range),
         Figure::Disc { radius } => disc(&line, radius as f64, range),
         Figure::Triangle { vertices } => triangle(&line, vertices, range),
@@ -137,10 +146,10 @@ impl Line {
         Self::between(a, k, a * rr - w * w, pace * (rr + self.size() * self.size()))
     }
 
-    /// Where it is inside the upper nappe of `h^2 (x^2 + z^2) = (g0 + g y)^2`: `D = h^2 (p^2 + q^2 - s^2)`, as in
+    /// The roots of `h^2 (x^2 + z^2) = (g0 + g y)^2` in order, if any, and whether it is inside between them: `D = h^2 (p^2 + q^2 - s^2)`, as in
     /// [`super::form::Form`].
     #[inline(always)]
-    fn in_nappe(&self, [g0, g, h]: [f64; 3]) -> Option<Between> {
+    fn cone_roots(&self, [g0, g, h]: [f64; 3]) -> Option<Option<Cone>> {
         let ([x, y, z], [dx, dy, dz], size, pace) = (self.origin, self.direction, self.size(), self.pace());
         let [wx, wy, wz] = cross(self.origin, self.direction);
         let (p, q, s) = (g * wz - g0 * dx, g * wx + g0 * dz, h * wy);
@@ -169,10 +178,19 @@ impl Line {
         let q = if k > 0.0 { -sum } else { sum };
         let (by_a, by_c) = (q / a, c / q);
         let [first, second] = if (k > 0.0) == is_flat { [by_a, by_c] } else { [by_c, by_a] };
+        // The outline halfway between the ends, at t = -k / a, has the sign of the nappe.
+        let middle = (outline * a - slope * k, 2.0 * steep * steep * reach * (pace * pace));
+        Some(Some(Cone { roots: [first, second], is_flat, slope, middle }))
+    }
+
+    /// Where it is inside the upper nappe of that cone.
+    #[inline(always)]
+    fn in_nappe(&self, outline: [f64; 3]) -> Option<Between> {
+        let Some(Cone { roots: [first, second], is_flat, slope, middle }) = self.cone_roots(outline)? else {
+            return Some(None);
+        };
         Some(if is_flat {
-            // The outline halfway between the ends, at t = -k / a, has the sign of the nappe.
-            let middle = outline * a - slope * k;
-            is_positive(middle, 2.0 * steep * steep * reach * (pace * pace))?.then_some([first, second])
+            is_positive(middle.0, middle.1)?.then_some([first, second])
         } else if slope > 0.0 {
             // A half-line in each nappe; the outline grows with t if it rises.
             Some([second, f64::INFINITY])
@@ -284,6 +302,21 @@ fn round(line: &Line, side: Side<f32>, extent: Extent<f32>, range: Range<f32>) -
         return Some(Intersection::Miss);
     }
     Some(Intersection::One(piece(enter, exit, range)?))
+}
+
+/// As in [`crate::solve`].
+#[inline(always)]
+fn double_cone(line: &Line, slope: f64, range: Range<f32>) -> Option<Intersection<f32>> {
+    let Some(Cone { roots: [first, second], is_flat, .. }) = line.cone_roots([0.0, slope, 1.0])? else {
+        return Some(Intersection::Miss);
+    };
+    let side = |t: f64| (t, Part::Side);
+    if is_flat {
+        return Some(Intersection::One(piece(side(first), side(second), range)?));
+    }
+    is_after(second, first)?;
+    let until = piece(side(f64::NEG_INFINITY), side(first), range)?;
+    Some(Intersection::Two(until, piece(side(second), side(f64::INFINITY), range)?))
 }
 
 /// The one crossing of a plane, from the front if the direction runs against the normal.

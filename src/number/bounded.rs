@@ -1,7 +1,7 @@
 //! The robust number with a bound of its error.
 
-use super::{Estimate, FromScalar, Limbs, Number, Parts, Ring, ToScalar};
 use super::word::Word;
+use super::{Estimate, FromScalar, Limbs, Number, Parts, Ring, ToScalar};
 use crate::scalar::Scalar;
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
@@ -68,7 +68,7 @@ impl<W: Word> Add for Bounded<W> {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
-        let (value, is_cut) = self.value.total(&other.value);
+        let (value, is_cut) = self.value.total::<true>(&other.value);
         let mut total = Total::NONE.with(self.error).with(other.error);
         if is_cut {
             // The shorter term where the sum ends, and the sum itself.
@@ -118,7 +118,7 @@ impl<W: Word> Ring for Bounded<W> {
 
     #[inline]
     fn sum<const M: usize>(terms: [[Self; 2]; M]) -> Self {
-        let (value, is_cut) = Limbs::sum_of_products(&terms.map(|term| term.map(|factor| factor.value)));
+        let (value, is_cut) = Limbs::sum_of_products::<M, true>(&terms.map(|term| term.map(|factor| factor.value)));
         let mut total = Total::NONE;
         let mut top = i32::MIN;
         for [a, b] in terms {

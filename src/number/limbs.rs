@@ -35,7 +35,7 @@ impl<W: Word> Limbs<W> {
             return Self::ZERO;
         }
         let zeros = integer.leading_zeros();
-        let mantissa = W::from_highest((integer as u128) << (64 + zeros));
+        let mantissa = W::from_word(integer << zeros);
         Self { mantissa, exponent: exponent + 64 - zeros as i32, negative }
     }
 
@@ -127,9 +127,9 @@ impl<W: Word> Limbs<W> {
         (Self { mantissa, exponent, negative: self.negative != other.negative }, is_cut)
     }
 
-    /// The sum of two numbers, and whether bits of it were cut off.
+    /// The sum of two numbers, and whether bits of it were cut off, if that is to be checked.
     #[inline(never)]
-    pub(crate) fn total(&self, other: &Self) -> (Self, bool) {
+    pub(crate) fn total<const CHECK: bool>(&self, other: &Self) -> (Self, bool) {
         if self.is_zero() {
             return (*other, false);
         }
@@ -137,14 +137,16 @@ impl<W: Word> Limbs<W> {
             return (*self, false);
         }
         let top = if self.exponent > other.exponent { self.exponent } else { other.exponent };
-        let (one, is_one_cut) = term(W::Wide::from_high(self.mantissa), top, self.exponent, self.negative);
-        let (two, is_two_cut) = term(W::Wide::from_high(other.mantissa), top, other.exponent, other.negative);
+        let (one, is_one_cut) =
+            term::<_, _, CHECK>(W::Wide::from_high(self.mantissa), top, self.exponent, self.negative);
+        let (two, is_two_cut) =
+            term::<_, _, CHECK>(W::Wide::from_high(other.mantissa), top, other.exponent, other.negative);
         finished(one.plus(two), top, is_one_cut | is_two_cut)
     }
 
-    /// The sum of at most four products, and whether bits of it were cut off.
+    /// The sum of at most four products, and whether bits of it were cut off, if that is to be checked.
     #[inline(never)]
-    pub(crate) fn sum_of_products<const M: usize>(terms: &[[Self; 2]; M]) -> (Self, bool) {
+    pub(crate) fn sum_of_products<const M: usize, const CHECK: bool>(terms: &[[Self; 2]; M]) -> (Self, bool) {
         const { assert!(M <= 4) };
         let mut top = 2 * ZERO_EXPONENT;
         for [a, b] in terms {
@@ -155,7 +157,8 @@ impl<W: Word> Limbs<W> {
         for [a, b] in terms {
             if !(a.is_zero() || b.is_zero()) {
                 let product = a.mantissa.product(b.mantissa);
-                let (term, is_term_cut) = term(product, top, a.exponent + b.exponent, a.negative != b.negative);
+                let (term, is_term_cut) =
+                    term::<_, _, CHECK>(product, top, a.exponent + b.exponent, a.negative != b.negative);
                 sum = sum.plus(term);
                 is_cut |= is_term_cut;
             }
@@ -201,9 +204,10 @@ impl<W: Word> Limbs<W> {
 
 /// A product of this exponent in a sum of which `2^top` is above all, and whether bits of it fall off.
 #[inline(always)]
-fn term<V: Copy, D: Wide<V>>(product: D, top: i32, exponent: i32, negative: bool) -> (D, bool) {
+fn term<V, D: Wide<V>, const CHECK: bool>(product: D, top: i32, exponent: i32, negative: bool) -> (D, bool) {
     let down = top.wrapping_sub(exponent) as u32 + HEADROOM;
-    let (shifted, is_cut) = product.shifted_right(down);
+    let shifted = product.shifted_right(down);
+    let is_cut = CHECK && product.loses(down);
     (if negative { shifted.negated() } else { shifted }, is_cut)
 }
 

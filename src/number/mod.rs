@@ -5,6 +5,7 @@
 //!
 //! | number | sign | used by |
 //! |---|---|---|
+//! | [`Native`] | that of the rounded value | points and normals, where it is enough |
 //! | [`Robust`] | that of the rounded value | `Fast` and `Stable`, where their fast path is unsure |
 //! | [`Bounded`] | unknown where the error bound allows both | `Exact` |
 //! | [`Integer`] | always certain | `Exact`, where [`Bounded`] does not know |
@@ -14,6 +15,7 @@
 mod bounded;
 mod integer;
 mod limbs;
+mod native;
 mod robust;
 #[cfg(test)]
 mod tests;
@@ -25,6 +27,7 @@ pub(crate) use integer::FIXED_LIMBS;
 pub(crate) use integer::FLOAT_LIMBS;
 pub use integer::Integer;
 pub use limbs::Limbs;
+pub use native::Native;
 pub use robust::Robust;
 
 use crate::scalar::Scalar;

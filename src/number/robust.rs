@@ -1,7 +1,7 @@
 //! The robust number: enough bits that the sign of the rounded value is taken at its word.
 
-use super::{Estimate, FromScalar, Limbs, Number, Parts, Ring, ToScalar};
 use super::word::Word;
+use super::{Estimate, FromScalar, Limbs, Number, Parts, Ring, ToScalar};
 use crate::scalar::Scalar;
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
@@ -25,7 +25,7 @@ impl<W: Word> Add for Robust<W> {
     type Output = Self;
     #[inline]
     fn add(self, other: Self) -> Self {
-        Self(self.0.total(&other.0).0)
+        Self(self.0.total::<false>(&other.0).0)
     }
 }
 
@@ -59,7 +59,7 @@ impl<W: Word> Ring for Robust<W> {
 
     #[inline]
     fn sum<const M: usize>(terms: [[Self; 2]; M]) -> Self {
-        Self(Limbs::sum_of_products(&terms.map(|term| term.map(Self::limbs))).0)
+        Self(Limbs::sum_of_products::<M, false>(&terms.map(|term| term.map(Self::limbs))).0)
     }
 
     #[inline]

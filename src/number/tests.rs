@@ -87,10 +87,10 @@ fn check_quotients_and_roots<W: Word>(seed: u64) {
         let (d, _) = n.product(&Limbs::from_integer(random.next() | 1, -70, round & 2 != 0));
         let q = n.quotient(&d);
         // n - q d is below a few last places of q times d.
-        let (rest, _) = Limbs::sum_of_products(&[[n, Limbs::ONE], [q.negated(), d]]);
+        let (rest, _) = Limbs::sum_of_products::<2, true>(&[[n, Limbs::ONE], [q.negated(), d]]);
         assert!(rest.is_zero() || rest.top() <= unit(&q) + d.top() + W::SPARE as i32 + 1, "{n:?} / {d:?}: {rest:?}");
         let s = n.square_root();
-        let (rest, _) = Limbs::sum_of_products(&[[n.magnitude(), Limbs::ONE], [s.negated(), s]]);
+        let (rest, _) = Limbs::sum_of_products::<2, true>(&[[n.magnitude(), Limbs::ONE], [s.negated(), s]]);
         assert!(rest.is_zero() || rest.top() <= unit(&s) + s.top() + W::SPARE as i32 + 2, "{n:?}: {s:?} {rest:?}");
     }
 }
@@ -110,7 +110,7 @@ fn rounding_is_to_nearest_and_ties_to_even() {
     assert_eq!(number(3, -2).to_units(0), Some(1));
     assert_eq!(number(1, 64).to_units(0), None);
     assert_eq!(number(u64::MAX, 0).to_units(0), Some(u64::MAX));
-    let (above, _) = number(1, -1).total(&number(1, -100));
+    let (above, _) = number(1, -1).total::<true>(&number(1, -100));
     assert_eq!(above.to_units(0), Some(1));
     assert_eq!(Limbs::<u64>::ZERO.to_units(0), Some(0));
 }

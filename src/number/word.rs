@@ -15,6 +15,8 @@ pub trait Word: Copy + Ord + Debug + Send + Sync + 'static {
 
     /// From 128 bits, the lowest of which may be lost.
     fn from_highest(bits: u128) -> Self;
+    /// From its highest 64 bits.
+    fn from_word(bits: u64) -> Self;
     /// As the highest of 128 bits.
     fn highest(self) -> u128;
     /// Shifted right by one.
@@ -41,8 +43,10 @@ pub trait Wide<W>: Copy {
     const ZERO: Self;
     /// `word * 2^BITS`
     fn from_high(word: W) -> Self;
-    /// Shifted right without regard to a sign, and whether a bit was lost.
-    fn shifted_right(self, by: u32) -> (Self, bool);
+    /// Shifted right without regard to a sign.
+    fn shifted_right(self, by: u32) -> Self;
+    /// True if a shift right loses a bit.
+    fn loses(self, by: u32) -> bool;
     /// The sum.
     fn plus(self, other: Self) -> Self;
     /// The negative.
@@ -65,6 +69,10 @@ impl Word for u64 {
     #[inline(always)]
     fn from_highest(bits: u128) -> Self {
         (bits >> 64) as Self
+    }
+    #[inline(always)]
+    fn from_word(bits: u64) -> Self {
+        bits
     }
     #[inline(always)]
     fn highest(self) -> u128 {
@@ -135,12 +143,12 @@ impl Wide<u64> for u128 {
         (word as Self) << 64
     }
     #[inline(always)]
-    fn shifted_right(self, by: u32) -> (Self, bool) {
-        if by > 127 {
-            return (0, self != 0);
-        }
-        let shifted = self >> by;
-        (shifted, shifted << by != self)
+    fn shifted_right(self, by: u32) -> Self {
+        if by < 128 { self >> by } else { 0 }
+    }
+    #[inline(always)]
+    fn loses(self, by: u32) -> bool {
+        self != 0 && self.trailing_zeros() < by
     }
     #[inline(always)]
     fn plus(self, other: Self) -> Self {
@@ -183,6 +191,10 @@ impl Word for u128 {
     #[inline(always)]
     fn from_highest(bits: u128) -> Self {
         bits
+    }
+    #[inline(always)]
+    fn from_word(bits: u64) -> Self {
+        (bits as Self) << 64
     }
     #[inline(always)]
     fn highest(self) -> u128 {
@@ -274,20 +286,19 @@ impl Wide<u128> for Double {
         Self { high: word, low: 0 }
     }
     #[inline(always)]
-    fn shifted_right(self, by: u32) -> (Self, bool) {
+    fn shifted_right(self, by: u32) -> Self {
         let Self { high, low } = self;
         match by {
-            0 => (self, false),
-            1..128 => {
-                let shifted = Self { high: high >> by, low: low >> by | high << (128 - by) };
-                (shifted, low << (128 - by) != 0)
-            }
-            128..256 => {
-                let lost = if by == 128 { 0 } else { high << (256 - by) };
-                (Self { high: 0, low: high >> (by - 128) }, low != 0 || lost != 0)
-            }
-            _ => (Self::ZERO, high != 0 || low != 0),
+            0 => self,
+            1..128 => Self { high: high >> by, low: low >> by | high << (128 - by) },
+            128..256 => Self { high: 0, low: high >> (by - 128) },
+            _ => Self::ZERO,
         }
+    }
+    #[inline(always)]
+    fn loses(self, by: u32) -> bool {
+        let zeros = if self.low == 0 { 128 + self.high.trailing_zeros() } else { self.low.trailing_zeros() };
+        !self.is_zero() && zeros < by
     }
     #[inline(always)]
     fn plus(self, other: Self) -> Self {

@@ -184,8 +184,15 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
             Outline::Slope(slope) => (S::ZERO, slope, None),
             Outline::Radii(base, top, height) => (base, top.minus(base), Some(height)),
         };
-        if let Extent::Double = self.extent {
-            return Plain::Unclear;
+        if let (Extent::Double, Outline::Slope(slope)) = (self.extent, self.outline) {
+            let ([first, second], beyond) = found!(S::plain_double_cone(*line, slope));
+            let (first, second) = (End::new(first, Part::Side), End::new(second, Part::Side));
+            return Plain::Found(if beyond {
+                let (until, from) = (End::none(-S::INFINITY), End::none(S::INFINITY));
+                Intersection::Two(Span::new(until, first), Span::new(second, from))
+            } else {
+                Intersection::One(Span::new(first, second))
+            });
         }
         let PlainNappe { ends: [low, high], certain } = found!(S::plain_nappe(*line, outline, self.height()));
         let side = Span::new(End::new(low, Part::Side), End::new(high, Part::Side));

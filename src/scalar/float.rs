@@ -252,6 +252,10 @@ macro_rules! float {
                 $plain::nappe(line, [base, growth, height.unwrap_or(1.0)], top)
             }
             #[inline(always)]
+            fn plain_double_cone(line: PlainLine<Self>, slope: Self) -> Plain<([Self; 2], bool)> {
+                $plain::double_cone(line, slope)
+            }
+            #[inline(always)]
             fn plain_crossings(line: PlainLine<Self>, y: [Self; 2]) -> Plain<([Self; 2], [Self; 2])> {
                 $plain::crossings(line, y)
             }
@@ -292,7 +296,7 @@ macro_rules! float {
             }
             #[inline(always)]
             fn plain_certain(t: Self, off: Self) -> bool {
-                off <= $Float::abs(t) * (6.0 * $Float::EPSILON)
+                off <= $Float::abs(t) * (24.0 * $Float::EPSILON)
             }
             #[inline(always)]
             fn misses_box(o: [Self; 3], d: [Self; 3], range: [Self; 2], centre: [Self; 3], half: [Self; 3]) -> bool {

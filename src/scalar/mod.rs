@@ -221,6 +221,11 @@ pub trait Scalar:
     ) -> Plain<PlainNappe<Self>> {
         Plain::Unclear
     }
+    /// Where the line is inside both nappes of a cone of this slope: between its ends, or (`true`) beyond them.
+    #[inline(always)]
+    fn plain_double_cone(_: PlainLine<Self>, _slope: Self) -> Plain<([Self; 2], bool)> {
+        Plain::Unclear
+    }
     /// The height of the line's point at `t`, rounded; unclear next to a seam where rounding decides on which side of it that is.
     #[inline(always)]
     fn plain_height(_: PlainLine<Self>, _t: Self, _seams: [Self; 2]) -> Plain<Self> {

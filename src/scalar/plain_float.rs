@@ -5,7 +5,7 @@
 //! "nothing cancels" means, a comparison for each difference; the other rays (grazing ones, starts far away or next to a
 //! surface, sizes whose powers leave the type) are [`Plain::Unclear`].
 
-use super::{Plain, PlainLine, PlainNappe};
+use super::{Plain, PlainLine, PlainNappe, found};
 
 /// Differences of numbers up to this many times larger than themselves are taken; their relative error grows by as much.
 const CANCELLED: u8 = 16;
@@ -15,7 +15,7 @@ const FAR: u8 = 16;
 macro_rules! plain_float {
     ($name:ident, $Float:ident, $bits:ty, $bias:literal, $mantissa:literal, sqrt: $sqrt:path) => {
         pub(super) mod $name {
-            use super::{CANCELLED, FAR, Plain, PlainLine, PlainNappe};
+            use super::{CANCELLED, FAR, Plain, PlainLine, PlainNappe, found};
             use crate::scalar::Real;
 
             /// How much a difference of squares may be off, by more than a hundred roundings.
@@ -162,6 +162,55 @@ macro_rules! plain_float {
                 [r, g, h]: [$Float; 3],
                 top: Option<$Float>,
             ) -> Plain<PlainNappe<$Float>> {
+                let Roots { first, second, a, a_terms, k, k_terms, outline, rim, slope } =
+                    found!(roots(line, [r, g, h], top));
+                let (enter, exit) = if a < 0.0 {
+                    // Steeper than the side: a half-line in each nappe; the outline grows along the one in the upper.
+                    if slope > 0.0 { (second, ($Float::INFINITY, 0.0)) } else { ((-$Float::INFINITY, 0.0), first) }
+                } else {
+                    // The sign of the outline halfway between the ends, at t = -k / a.
+                    let middle = outline * a - slope * k;
+                    let is_clear =
+                        $Float::abs(middle) >= (rim * a_terms + $Float::abs(slope) * k_terms) * (2.0 * DOUBT);
+                    if !is_clear {
+                        return Plain::Unclear;
+                    }
+                    if middle < 0.0 {
+                        return Plain::Miss;
+                    }
+                    (first, second)
+                };
+                Plain::Found(PlainNappe {
+                    ends: [enter.0 + enter.1, exit.0 - exit.1],
+                    certain: [enter.1 == 0.0, exit.1 == 0.0],
+                })
+            }
+
+            /// Where the line is inside both nappes of the cone `x^2 + z^2 = m^2 y^2`: between its ends, or (`true`) beyond them.
+            #[inline(always)]
+            pub(crate) fn double_cone(line: PlainLine<$Float>, m: $Float) -> Plain<([$Float; 2], bool)> {
+                let Roots { first, second, a, .. } = found!(roots(line, [0.0, m, 1.0], None));
+                let is_clear = first.1 == 0.0 && second.1 == 0.0;
+                if is_clear { Plain::Found(([first.0, second.0], a < 0.0)) } else { Plain::Unclear }
+            }
+
+            /// The roots of a cone's quadric in order, each with how much it may be off if that is too much to take it, and what tells the
+            /// nappes apart.
+            struct Roots {
+                first: ($Float, $Float),
+                second: ($Float, $Float),
+                a: $Float,
+                a_terms: $Float,
+                k: $Float,
+                k_terms: $Float,
+                outline: $Float,
+                rim: $Float,
+                slope: $Float,
+            }
+
+            /// The roots of the quadric of [`nappe`].
+            #[inline(always)]
+            fn roots(line: PlainLine<$Float>, [r, g, h]: [$Float; 3], top: Option<$Float>) -> Plain<Roots> {
                 let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
                 let (g0, steepness) = (r * h, $Float::abs(g) + h);
                 let [ax, ay, az] = [$Float::abs(x), $Float::abs(y), $Float::abs(z)];
@@ -244,26 +293,7 @@ macro_rules! plain_float {
                 let by_a = (q / a, doubt(a, a_terms) * $Float::abs(q / a));
                 let by_c = (c / q, doubt(c, c_terms) * $Float::abs(c / q));
                 let (first, second) = if (k > 0.0) == (a > 0.0) { (by_a, by_c) } else { (by_c, by_a) };
-                let (enter, exit) = if a < 0.0 {
-                    // Steeper than the side: a half-line in each nappe; the outline grows along the one in the upper.
-                    if slope > 0.0 { (second, ($Float::INFINITY, 0.0)) } else { ((-$Float::INFINITY, 0.0), first) }
-                } else {
-                    // The sign of the outline halfway between the ends, at t = -k / a.
-                    let middle = outline * a - slope * k;
-                    let is_clear =
-                        $Float::abs(middle) >= (rim * a_terms + $Float::abs(slope) * k_terms) * (2.0 * DOUBT);
-                    if !is_clear {
-                        return Plain::Unclear;
-                    }
-                    if middle < 0.0 {
-                        return Plain::Miss;
-                    }
-                    (first, second)
-                };
-                Plain::Found(PlainNappe {
-                    ends: [enter.0 + enter.1, exit.0 - exit.1],
-                    certain: [enter.1 == 0.0, exit.1 == 0.0],
-                })
+                Plain::Found(Roots { first, second, a, a_terms, k, k_terms, outline, rim, slope })
             }
 
             /// How much a quotient may be off for a difference that is taken for what it is; nothing, if that keeps enough of its terms.

@@ -5,14 +5,14 @@ use super::quadratic::{End, Fraction, Inside, Interval, Place, Quadratic};
 use super::settle::{self, Of, inwards, span};
 use crate::figure::{Extent, Side};
 use crate::intersection::{self, Intersection, Span};
-use crate::number::Number;
+use crate::number::{FromScalar, Number};
 use crate::part::Part;
 use crate::ray::Range;
 use crate::scalar::Scalar;
 use core::cmp::Ordering;
 
 /// The side's quadric.
-pub(super) fn form_of<S: Scalar, N: Of<S>>(side: Side<S>) -> Form<N> {
+pub(super) fn form_of<S: Scalar, N: FromScalar<S> + Number>(side: Side<S>) -> Form<N> {
     match side {
         Side::Straight(radius) => Form::Tube { r: N::scalar(radius) },
         Side::Slope(slope) => Form::slope(N::scalar(slope)),

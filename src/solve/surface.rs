@@ -1,11 +1,10 @@
 //! Where exactly on a surface a hit lies, and the surface's gradient there.
 
 use super::form::{Form, Homogeneous, Line, Weight};
-use super::settle::Of;
 use super::side::form_of;
 use crate::figure::{Extent, Figure};
 use crate::hit::{Crossing, Hit};
-use crate::number::{Estimate, Number, Ring, cross, difference, dot};
+use crate::number::{Estimate, FromScalar, Number, Ring, cross, difference, dot};
 use crate::part::Part;
 use crate::scalar::Scalar;
 use core::cmp::Ordering;
@@ -20,7 +19,7 @@ enum Surface<N> {
 }
 
 /// The surface of a part, and the height of its centre.
-fn surface_of<S: Scalar, N: Of<S>>(figure: &Figure<S>, part: Part) -> (Surface<N>, N) {
+fn surface_of<S: Scalar, N: FromScalar<S> + Number>(figure: &Figure<S>, part: Part) -> (Surface<N>, N) {
     let zero = N::ZERO;
     let surface = match (*figure, part) {
         (Figure::Ball { radius }, _) | (Figure::Capsule { radius, .. }, Part::Base) => {
@@ -44,23 +43,36 @@ fn surface_of<S: Scalar, N: Of<S>>(figure: &Figure<S>, part: Part) -> (Surface<N
     (surface, zero)
 }
 
+/// Bits by which `a f` is smaller than `h^2`, for `-f / 2 h` to be the root but for as many.
+const SMALL: i32 = 36;
+
 /// `numerator / denominator`, or zero where there is nothing to divide by.
 fn quotient<N: Estimate>(numerator: N, denominator: N) -> N {
     if denominator.sign() == Some(Ordering::Equal) { N::ZERO } else { numerator.over(denominator) }
 }
 
-/// What a rounded `t` lacks to lie on the surface: the root of `f(t + x) = f + 2 h x + a x^2` where `f` falls, if the line enters, or
+/// What the `t` of a point `p` of the line along `d` lacks to lie on the surface: the root of `f(t + x) = f + 2 h x + a x^2` where `f` falls, if the line enters, or
 /// rises, if it leaves.
-pub(crate) fn correction<S: Scalar, N: Of<S> + Estimate>(figure: &Figure<S>, line: &Line<N>, hit: &Hit<S>, t: N) -> N {
+pub(crate) fn correction<S: Scalar, N: FromScalar<S> + Estimate>(
+    figure: &Figure<S>,
+    hit: &Hit<S>,
+    [x, y, z]: [N; 3],
+    d: [N; 3],
+) -> N {
     let (surface, centre) = surface_of::<S, N>(figure, hit.part);
-    let [x, y, z] = point_at(line, t);
-    let (p, d) = ([x, y - centre, z], line.direction);
+    let p = [x, y - centre, z];
     match surface {
         Surface::Across(height) => quotient(height - p[1], d[1]),
         Surface::Plane(vertex, normal) => quotient(dot(normal, difference(vertex, p)), dot(normal, d)),
         Surface::Quadric(form) => {
             let (here, along) = (Homogeneous { v: p, w: Weight::One }, Homogeneous { v: d, w: Weight::Zero });
             let (f, h, a) = (form.of(here, here), form.of(here, along), form.of(along, along));
+            // Where the curvature is nothing beside the slope, the slope alone.
+            if let (Some(f_top), Some(h_top), Some(a_top)) = (f.top(), h.top(), a.top())
+                && a_top + f_top < 2 * h_top - SMALL
+            {
+                return quotient(-f, h + h);
+            }
             let rest = N::sum([[h, h], [-a, f]]);
             let root = if rest.sign() == Some(Ordering::Greater) { rest.square_root() } else { N::ZERO };
             // Half the slope at the root.
@@ -82,7 +94,11 @@ pub(crate) fn point_at<N: Ring>(line: &Line<N>, t: N) -> [N; 3] {
 }
 
 /// The outward normal at a point of a part, of any length; zero at an apex.
-pub(crate) fn gradient<S: Scalar, N: Of<S> + Number>(figure: &Figure<S>, part: Part, [x, y, z]: [N; 3]) -> [N; 3] {
+pub(crate) fn gradient<S: Scalar, N: FromScalar<S> + Number>(
+    figure: &Figure<S>,
+    part: Part,
+    [x, y, z]: [N; 3],
+) -> [N; 3] {
     let (surface, centre) = surface_of::<S, N>(figure, part);
     let zero = N::ZERO;
     match surface {
