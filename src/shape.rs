@@ -327,10 +327,14 @@ impl<S: Scalar> Surface<S> {
     pub fn point(&self) -> Vec3<S> {
         let rough = self.rough_local_point();
         let point = match &self.shape.placement {
-            _ if !self.is_resolved(rough) && self.native_local_point(rough).is_none() => return self.exact_point(),
+            Placement::World if !self.is_resolved(rough) && self.native_local_point(rough).is_none() => {
+                return self.exact_point();
+            }
+            Placement::Frame(_) if !self.is_resolved(rough) => return self.exact_point(),
             Placement::Frame(frame) => frame.point_to_world(self.local_point()),
-            // Nearest in the primitive's frame is not nearest in a stretched world: that is not resolved.
-            Placement::World | Placement::Affine(_) => self.local_point(),
+            Placement::World => self.local_point(),
+            // Nearest in the primitive's frame is not nearest in a stretched world.
+            Placement::Affine(_) => return self.exact_point(),
         };
         // At the end of the float range the image of a local point overflows where the ray itself need not.
         if point.to_array().iter().all(|c| c.is_finite()) { point } else { self.exact_point() }
