@@ -1,4 +1,4 @@
-//! Floor 3: placement by any invertible matrix: ellipsoids, elliptic cylinders and cones.
+//! Placement by any invertible matrix: ellipsoids, elliptic cylinders and cones.
 //!
 //! Only the inverse is kept, one row at a time: a fixed-point row has its own power of two, so that a scale of 1000
 //! along one axis and of 1/1000 along another both keep all their bits.

@@ -1,4 +1,4 @@
-//! Floor 5: the axis-aligned box of a primitive as it is placed.
+//! The axis-aligned box of a primitive as it is placed.
 //!
 //! A placement is stored as a position `o` and rows `R` that take the world to the primitive: `local = R (p - o)`. The primitive's points
 //! are at `p = o + M v` with `M = adj(R) / det(R)`, the exact inverse: a frame's rows are perpendicular and unit only to their last bits (a

@@ -1,4 +1,4 @@
-//! Floor 4: a primitive as the exact solver sees it: which equations and inequalities its points satisfy.
+//! A primitive as the exact solver sees it: which equations and inequalities its points satisfy.
 
 /// A primitive in the numbers that it was built from.
 #[derive(Clone, Copy, Debug)]

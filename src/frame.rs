@@ -1,4 +1,4 @@
-//! Floor 3: placement by rotation and translation.
+//! Placement by rotation and translation.
 
 use crate::line::Place;
 use crate::number::{FromScalar, difference, dot};

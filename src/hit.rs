@@ -1,4 +1,4 @@
-//! Floor 3: hits and hit lists.
+//! Hits and hit lists.
 
 use crate::part::Part;
 use crate::ray::Range;
@@ -71,8 +71,9 @@ impl<S: Scalar> Hits<S> {
         self.starts_inside = true;
     }
 
-    /// True if the start of the ray's range lies inside the solid, so that the first hit is an exit without an enter.
-    /// A start exactly on the surface reports the hit at that `t` instead. Always false for open surfaces.
+    /// True if an interval of the solid holds points before the start of the ray's range, and the start itself: then the first hit is an
+    /// exit without an enter. So a start on the surface counts where the ray leaves the solid, and not where it enters it or touches it.
+    /// Always false for open surfaces.
     #[inline]
     pub const fn starts_inside(&self) -> bool {
         self.starts_inside

@@ -1,4 +1,4 @@
-//! Floor 3: intervals along a line, and the one rule by which ends become hits.
+//! Intervals along a line, and the one rule by which ends become hits.
 
 use crate::hit::{Crossing, Hit, Hits};
 use crate::part::Part;

@@ -38,21 +38,21 @@
 //! `tests/promises/src/contract.rs` has tests named after rules 1 to 10; for rule 11 `tests/promises/src/firmware.rs` and the firmware in
 //! `tools/firmware` compare digests of all answers on the host, Cortex-M0+, M3, M4F and RV32IMC.
 //!
-//! # The rooms
+//! # Modules
 //!
-//! Imports run down only.
+//! Imports run down only. `ARCHITECTURE.md` says more.
 //!
-//! | floor | room | what it holds |
+//! | layer | module | what it holds |
 //! |---|---|---|
 //! | 9 | [`render`] | pixels |
 //! | 8 | [`effect`] | what makes a hit a colour, a file an effect; which of them a scene calls for |
 //! | 7 | [`scene`] | objects, materials, lights, camera, the NFF reader |
-//! | 6 | [`shape`] | any primitive, placed |
-//! | 5 | [`primitive`], [`tier`], `geometry`, `query` | a file a primitive: its solve, parts, normal, surface coordinates, tangents; accuracy tiers; the questions |
-//! | 4 | `quadric`, `arithmetic`, `exact`, `figure` | the one quadratic solver and its numbers; the exact tier's solver |
-//! | 3 | [`ray`], [`frame`], [`affine`], [`hit`], `span`, `line` | rays and ranges, placement, hits and hit lists, intervals |
+//! | 6 | [`shape`], `bounds` | any primitive, placed; its box |
+//! | 5 | [`primitive`], [`tier`], `geometry`, `query`, `exact` | a file a primitive: its sizes, equations, normal, surface coordinates, tangents; accuracy tiers and how they answer |
+//! | 4 | `solve`, `figure`, `fast` | the one solver; the equations of a solid; what fast paths share |
+//! | 3 | [`ray`], [`frame`], [`affine`], [`hit`], `intersection`, `line` | rays and ranges, placement, hits and hit lists, intervals |
 //! | 2 | [`vector`] | [`Vec3`], [`UnitVec3`] |
-//! | 1 | [`scalar`] | what a number must do here: `f32`, `f64`, fixed point |
+//! | 1 | [`number`], [`scalar`] | the ladder of computing numbers; the stored number types: `f32`, `f64`, fixed point |
 //!
 //! # Features
 //!

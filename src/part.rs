@@ -1,4 +1,4 @@
-//! Floor 3: the parts of a surface.
+//! The parts of a surface.
 
 /// A part of a primitive's surface, so that each can have a material of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -1,4 +1,4 @@
-//! Floor 3: rays, their ranges, and where they depart from.
+//! Rays, their ranges, and where they depart from.
 
 use crate::part::Part;
 use crate::scalar::Scalar;

@@ -1,4 +1,4 @@
-//! Floor 9: pixels.
+//! Pixels.
 //!
 //! No frame buffer is needed: a [`Picture`] gives any pixel or any row when asked, and [`Picture::render`] hands them over one
 //! by one, row after row, so that they may go straight to a display. Rows do not depend on each other.

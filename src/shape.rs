@@ -1,4 +1,4 @@
-//! Floor 6: any primitive, placed.
+//! Any primitive, placed.
 
 use crate::affine::Affine;
 use crate::bounds;

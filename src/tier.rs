@@ -1,4 +1,4 @@
-//! Floor 5: accuracy tiers, chosen by type.
+//! Accuracy tiers, chosen by type.
 //!
 //! | tier | numbers | what it does | promise |
 //! |---|---|---|---|

@@ -1,4 +1,4 @@
-//! Floor 2: points, vectors and directions.
+//! Points, vectors and directions.
 
 use crate::number::{Estimate, Ring};
 use crate::scalar::{Plain, Real, Scalar, UnitScalar};

@@ -1,4 +1,4 @@
-//! Floor 8: what makes a hit a colour, a file an effect.
+//! What makes a hit a colour, a file an effect.
 //!
 //! | room | what it does |
 //! |---|---|

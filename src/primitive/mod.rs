@@ -1,4 +1,4 @@
-//! Floor 5: the primitives, a file each.
+//! The primitives, a file each.
 //!
 //! Canonical pose: axis +y, base at the origin, cone apex at the origin. Size is explicit. A primitive is a closed set
 //! of points, and knows how a line meets it, its normals, surface coordinates and tangents; nothing of materials or
@@ -24,8 +24,11 @@
 //! | along a cone's generator | `coincident` for an open or infinite cone; apex to cap for a capped one |
 //! | in a cap's plane | enters and leaves where it crosses the side |
 //! | through the apex from outside | one touch |
+//! | through the apex of a double cone, inside both nappes | leaves one and enters the other at the same `t` |
+//! | through the apex of a double cone, outside of both | one touch |
 //! | rim to rim, seam to seam | two hits, on the side |
 //! | in a plane, disc or triangle | `coincident` |
+//! | in the plane of a disc or triangle, touching its rim or a corner | `coincident` over a single point |
 
 use crate::scalar::Scalar;
 use core::fmt;

@@ -1,4 +1,4 @@
-//! Floor 1: what a number must do here.
+//! What a number must do here.
 //!
 //! A [`Scalar`] *stores*: coordinates, sizes, distances. A [`Real`] *computes*: it is the number in which the
 //! solvers work, and it never overflows inside the [`Budget`]. For floats the two are the same type. For fixed

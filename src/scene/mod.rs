@@ -1,4 +1,4 @@
-//! Floor 7: what is to be seen: objects, materials, lights, a background and a camera, all borrowed.
+//! What is to be seen: objects, materials, lights, a background and a camera, all borrowed.
 //!
 //! | room | what it holds |
 //! |---|---|
