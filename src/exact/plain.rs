@@ -149,6 +149,7 @@ impl Line {
     /// The roots of `h^2 (x^2 + z^2) = (g0 + g y)^2` in order, if any, and whether it is inside between them: `D = h^2 (p^2 + q^2 - s^2)`, as in
     /// [`super::form::Form`].
     #[inline(always)]
+    #[expect(clippy::option_option, reason = "a miss, and an unclear ray")]
     fn cone_roots(&self, [g0, g, h]: [f64; 3]) -> Option<Option<Cone>> {
         let ([x, y, z], [dx, dy, dz], size, pace) = (self.origin, self.direction, self.size(), self.pace());
         let [wx, wy, wz] = cross(self.origin, self.direction);

@@ -26,7 +26,7 @@ impl<W: Word> Bounded<W> {
 
     /// The highest bits of a number.
     pub(super) fn cut_off((value, is_cut): (Limbs<W>, bool)) -> Self {
-        Self { value, error: if is_cut { value.top() - Limbs::<W>::BITS } else { EXACT } }
+        Self { value, error: cut(&value, is_cut) }
     }
 }
 
@@ -100,9 +100,14 @@ impl<W: Word> Mul for Bounded<W> {
     #[inline]
     fn mul(self, other: Self) -> Self {
         let (value, is_cut) = self.value.product(&other.value);
-        let own = if is_cut { value.top() - Limbs::<W>::BITS } else { EXACT };
-        Self { value, error: product_error([self, other]).with(own).exponent() }
+        Self { value, error: product_error([self, other]).with(cut(&value, is_cut)).exponent() }
     }
+}
+
+/// The error of a number of which bits were cut off.
+#[inline(always)]
+fn cut<W: Word>(value: &Limbs<W>, is_cut: bool) -> i32 {
+    if is_cut { value.top() - Limbs::<W>::BITS } else { EXACT }
 }
 
 /// What the errors of two factors make of their product's.

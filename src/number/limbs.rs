@@ -9,7 +9,7 @@
 use super::word::{Wide, Word};
 use core::cmp::Ordering;
 
-/// `(-1)^negative * 0.mantissa * 2^exponent`. Zero has no bit set and [`ZERO_EXPONENT`].
+/// `(-1)^negative * 0.mantissa * 2^exponent`. Zero has no bit set and the lowest exponent.
 #[derive(Clone, Copy, Debug)]
 pub struct Limbs<W> {
     mantissa: W,

@@ -15,6 +15,7 @@
 mod bounded;
 mod integer;
 mod limbs;
+pub(crate) mod machine;
 mod native;
 mod robust;
 #[cfg(test)]

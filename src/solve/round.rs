@@ -162,10 +162,6 @@ impl<S: Scalar, N: Of<S>> Capsule<'_, S, N> {
 
     /// The true end for one of the infinite tube (`None`: the line is parallel to it), and whether its ball is touched there: on the
     /// side between the seams, which it owns, and on the ball beyond them. `None` if the line misses that ball.
-    #[expect(
-        clippy::type_complexity,
-        reason = "an end that is not known, one that is not there, and whether it is a touch"
-    )]
     fn end(&self, end: Option<End<N>>, entering: bool) -> Option<Option<(intersection::End<S>, bool)>> {
         let part = match end {
             Some(end) => {

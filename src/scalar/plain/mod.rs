@@ -25,8 +25,8 @@ pub(super) use flat::{crossings, height, lowered};
 pub(super) use round::tube;
 pub(super) use turned::{FINER, turned};
 
-pub(super) use crate::number::word::product;
-use crate::number::word::{
+pub(super) use crate::number::machine::product;
+use crate::number::machine::{
     high_product, high_product_signed, leading_zeros, product_unsigned, reciprocal_of_normalized, reciprocal_root,
     root_of_normalized, square,
 };

@@ -1,0 +1,308 @@
+//! Any primitive, placed.
+
+mod surface;
+
+pub use surface::Surface;
+
+use crate::affine::Affine;
+use crate::bounds;
+use crate::exact::Certain;
+use crate::figure::Figure;
+use crate::frame::Frame;
+use crate::geometry::{Bounds, Geometry, Hull};
+use crate::hit::{Crossing, Hit, Hits};
+use crate::intersection::Intersection;
+use crate::line::{InWorld, Place};
+use crate::part::Part;
+use crate::primitive::{Capsule, Cone, Cylinder, Disc, Plane, Sphere, Triangle};
+use crate::query;
+use crate::ray::Ray;
+use crate::scalar::{Plain, PlainLine, Scalar};
+use crate::tier::{Effort, Guards, Stable, Tier};
+use crate::vector::{UnitVec3, Vec3};
+
+/// Defines the enum of all primitives and hands every question to the one that it holds.
+macro_rules! primitives {
+    ($($Variant:ident),+) => {
+        /// Any primitive, without allocation or dynamic dispatch.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        #[non_exhaustive]
+        pub enum Primitive<S: Scalar> {
+            $(
+                #[doc = concat!("A [`", stringify!($Variant), "`].")]
+                $Variant($Variant<S>),
+            )+
+        }
+
+        $(
+            impl<S: Scalar> From<$Variant<S>> for Primitive<S> {
+                fn from(primitive: $Variant<S>) -> Self {
+                    Self::$Variant(primitive)
+                }
+            }
+        )+
+
+        $(
+            impl<S: Scalar> $Variant<S> {
+                /// What a hit can be asked for: point, normal, surface coordinates, tangents.
+                pub fn surface(&self, ray: &Ray<S>, hit: &Hit<S>) -> Surface<S> {
+                    Shape::new(*self).surface(ray, hit)
+                }
+                /// The box that holds it: see [`Shape::bounds`].
+                pub fn bounds(&self) -> Bounds<S> {
+                    bounds::unplaced(&self.hull())
+                }
+            }
+        )+
+
+        impl<S: Scalar> Geometry<S> for Primitive<S> {
+            fn reach(&self) -> S {
+                match self { $(Self::$Variant(p) => p.reach(),)+ }
+            }
+            fn scaled(&self, e: i32) -> Self {
+                match self { $(Self::$Variant(p) => Self::$Variant(p.scaled(e)),)+ }
+            }
+            #[inline(always)]
+            fn plain_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<PlainLine<S>> {
+                match self { $(Self::$Variant(p) => p.plain_line(place, ray),)+ }
+            }
+            // One copy for all placements and questions: inlined it would be in each of them.
+            #[inline(never)]
+            fn meet_plainly<T: Guards>(&self, line: &PlainLine<S>) -> Plain<Intersection<S>> {
+                match self { $(Self::$Variant(p) => p.meet_plainly::<T>(line),)+ }
+            }
+            #[inline(never)]
+            fn meets_ahead_plainly<T: Guards>(&self, line: &PlainLine<S>) -> Plain<()> {
+                match self { $(Self::$Variant(p) => p.meets_ahead_plainly::<T>(line),)+ }
+            }
+            fn figure(&self) -> Figure<S> {
+                match self { $(Self::$Variant(p) => p.figure(),)+ }
+            }
+            fn hull(&self) -> Hull<S> {
+                match self { $(Self::$Variant(p) => p.hull(),)+ }
+            }
+            fn on_surface(&self, point: Vec3<S>, part: Part) -> Vec3<S> {
+                match self { $(Self::$Variant(p) => p.on_surface(point, part),)+ }
+            }
+            fn normal(&self, point: Vec3<S>, part: Part) -> UnitVec3<S> {
+                match self { $(Self::$Variant(p) => p.normal(point, part),)+ }
+            }
+            fn bend(&self, point: Vec3<S>, part: Part) -> S {
+                match self { $(Self::$Variant(p) => p.bend(point, part),)+ }
+            }
+            fn uv(&self, point: Vec3<S>, part: Part) -> (S::Unit, S::Unit) {
+                match self { $(Self::$Variant(p) => p.uv(point, part),)+ }
+            }
+            fn tangents(&self, point: Vec3<S>, part: Part) -> (UnitVec3<S>, UnitVec3<S>) {
+                match self { $(Self::$Variant(p) => p.tangents(point, part),)+ }
+            }
+        }
+    };
+}
+primitives!(Sphere, Cylinder, Cone, Capsule, Plane, Disc, Triangle);
+
+/// Where a primitive stands in the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum Placement<S: Scalar> {
+    /// In its canonical pose.
+    World,
+    /// Turned and moved.
+    Frame(Frame<S>),
+    /// Stretched, sheared, turned and moved.
+    Affine(Affine<S>),
+}
+
+impl<S: Scalar> From<Frame<S>> for Placement<S> {
+    fn from(frame: Frame<S>) -> Self {
+        Self::Frame(frame)
+    }
+}
+
+impl<S: Scalar> From<Affine<S>> for Placement<S> {
+    fn from(affine: Affine<S>) -> Self {
+        Self::Affine(affine)
+    }
+}
+
+/// From which sides a surface is seen. A one-sided surface ignores the crossings seen from the back.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Visible {
+    /// From both.
+    #[default]
+    Both,
+    /// From outside, or from the front, only: no [`Crossing::Exit`].
+    Outside,
+    /// From inside, or from the back, only: no [`Crossing::Enter`].
+    Inside,
+}
+
+impl Visible {
+    /// True if a crossing from that side is reported; a touch is seen from both.
+    #[inline]
+    const fn sees(self, crossing: Crossing) -> bool {
+        !matches!((self, crossing), (Self::Outside, Crossing::Exit) | (Self::Inside, Crossing::Enter))
+    }
+}
+
+/// Any primitive, placed in the world, seen from one side or from both.
+///
+/// ```
+/// use raylet::{Cone, Frame, Ray, Shape, UnitVec3, Vec3, Visible};
+/// let frame = Frame::from_base_and_axis(Vec3::new(0.0_f32, 0.0, 10.0), UnitVec3::X)?;
+/// let horn = Shape::new(Cone::open(0.5, 2.0)?).placed(frame).seen_from(Visible::Outside);
+/// let ray = Ray::new(Vec3::new(1.0, 0.0, 0.0), UnitVec3::Z)?;
+/// assert_eq!(horn.nearest(&ray).map(|hit| hit.t), Some(9.5));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Shape<S: Scalar> {
+    primitive: Primitive<S>,
+    placement: Placement<S>,
+    visible: Visible,
+}
+
+/// Asks a question of the shape's primitive, through its placement.
+macro_rules! through {
+    ($shape:ident, |$primitive:ident, $place:ident| $question:expr) => {{
+        let $primitive = &$shape.primitive;
+        match &$shape.placement {
+            Placement::World => {
+                let $place = &InWorld;
+                $question
+            }
+            Placement::Frame($place) => $question,
+            Placement::Affine($place) => $question,
+        }
+    }};
+}
+
+use through;
+
+impl<S: Scalar> Shape<S> {
+    /// A primitive in its canonical pose, seen from both sides.
+    pub fn new(primitive: impl Into<Primitive<S>>) -> Self {
+        Self { primitive: primitive.into(), placement: Placement::World, visible: Visible::Both }
+    }
+
+    /// The same shape, placed by a [`Frame`] or an [`Affine`].
+    #[must_use]
+    pub fn placed(self, placement: impl Into<Placement<S>>) -> Self {
+        Self { placement: placement.into(), ..self }
+    }
+
+    /// The same shape, seen only from the given sides.
+    #[must_use]
+    pub const fn seen_from(self, visible: Visible) -> Self {
+        Self { visible, ..self }
+    }
+
+    /// The primitive.
+    pub const fn primitive(&self) -> &Primitive<S> {
+        &self.primitive
+    }
+
+    /// Its placement.
+    pub const fn placement(&self) -> &Placement<S> {
+        &self.placement
+    }
+
+    /// The sides from which it is seen.
+    pub const fn visible(&self) -> Visible {
+        self.visible
+    }
+
+    /// All hits, sorted by `t`.
+    pub fn hits(&self, ray: &Ray<S>) -> Hits<S> {
+        self.hits_at::<Stable>(ray)
+    }
+
+    /// All hits, in a chosen accuracy tier.
+    pub fn hits_at<T: Tier<S>>(&self, ray: &Ray<S>) -> Hits<S> {
+        let mut hits = through!(self, |primitive, place| T::hits(primitive, place, ray));
+        if self.visible != Visible::Both {
+            hits.retain(|hit| self.visible.sees(hit.crossing));
+        }
+        hits
+    }
+
+    /// The visible hit with the smallest `t`.
+    pub fn nearest(&self, ray: &Ray<S>) -> Option<Hit<S>> {
+        self.nearest_at::<Stable>(ray)
+    }
+
+    /// The visible hit with the smallest `t`, in a chosen accuracy tier.
+    pub fn nearest_at<T: Tier<S>>(&self, ray: &Ray<S>) -> Option<Hit<S>> {
+        let accept = |crossing| self.visible.sees(crossing);
+        through!(self, |primitive, place| T::nearest(primitive, place, ray, accept))
+    }
+
+    /// True if there is any visible hit.
+    pub fn occludes(&self, ray: &Ray<S>) -> bool {
+        self.occludes_at::<Stable>(ray)
+    }
+
+    /// True if there is any visible hit, in a chosen accuracy tier.
+    pub fn occludes_at<T: Tier<S>>(&self, ray: &Ray<S>) -> bool {
+        let accept = |crossing| self.visible.sees(crossing);
+        through!(self, |primitive, place| T::occludes(primitive, place, ray, accept))
+    }
+
+    /// True if the point belongs to the shape: inside or on a solid, on an open surface.
+    pub fn contains(&self, point: Vec3<S>) -> bool {
+        self.contains_at::<Stable>(point)
+    }
+
+    /// True if the point belongs to the shape, in a chosen accuracy tier.
+    pub fn contains_at<T: Tier<S>>(&self, point: Vec3<S>) -> bool {
+        through!(self, |primitive, place| T::contains(primitive, place, point))
+    }
+
+    /// What numbers the tier [`Exact`](crate::tier::Exact) needs for this ray.
+    pub fn effort(&self, ray: &Ray<S>) -> Effort
+    where
+        S: Certain,
+    {
+        through!(self, |primitive, place| query::effort(primitive, place, ray))
+    }
+
+    /// The box that holds the shape: every point of it, in every number type and placement, taken exactly as position, axes or
+    /// matrix and sizes are stored.
+    ///
+    /// It is the smallest box of the number type, or a unit larger on a side: a unit of what the side's coordinate is a sum of, where
+    /// these cancel. It is larger where axes of an [`Affine`] point nearly along a plane (some units where the volume that their
+    /// directions span is below 1/64), and beside subnormal numbers.
+    ///
+    /// It is infinite along every axis of the world that an infinite side of the shape leans to, where the number type ends, and where a
+    /// float overflows on the way.
+    ///
+    /// ```
+    /// use raylet::{Capsule, Frame, Shape, UnitVec3, Vec3};
+    /// let rod = Shape::new(Capsule::new(1.0_f64, 3.0)?);
+    /// let leaning = UnitVec3::new(Vec3::new(1.0, 1.0, 0.0)).expect("it is not zero");
+    /// let box_of_it = rod.placed(Frame::from_base_and_axis(Vec3::ZERO, leaning)?).bounds();
+    /// // 3 / sqrt(2) + 1, and 1: the box of the unplaced box would reach up to 5 / sqrt(2).
+    /// assert!(box_of_it.high.x < 3.122 && box_of_it.high.z < 1.000_001);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn bounds(&self) -> Bounds<S> {
+        let hull = self.primitive.hull();
+        match &self.placement {
+            Placement::World => bounds::unplaced(&hull),
+            Placement::Frame(frame) => bounds::in_frame(&hull, frame),
+            Placement::Affine(affine) => bounds::in_affine(&hull, affine),
+        }
+    }
+
+    /// What a hit of this shape can be asked for: point, normal, surface coordinates, tangents. Each is computed when
+    /// asked for, and nothing else is.
+    #[inline]
+    pub fn surface<'a>(&'a self, ray: &'a Ray<S>, hit: &'a Hit<S>) -> Surface<S> {
+        Surface::new(self, ray, hit)
+    }
+}
