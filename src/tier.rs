@@ -2,9 +2,12 @@
 //!
 //! | tier | numbers | what it does | promise |
 //! |---|---|---|---|
-//! | [`Fast`] | all | closest approach and moments, nothing compensated | error grows with distance and towards grazing |
-//! | [`Stable`], the default | all | moments, roots without cancellation, compensated coefficients where they cancel | about half a unit in the last place in the middle, at most 16 away from grazing |
+//! | [`Fast`] | all | the fast path in the type's own width; the robust number where that cannot tell | error grows with distance and towards grazing, most of all for spheres |
+//! | [`Stable`], the default | all | the fast path with guards; where one fails, the robust number | about half a unit in the last place in the middle, at most 16 away from grazing and 31 at any ray that grazes to 10^-7; at most 1 unit in fixed point |
 //! | [`Exact`] | `f32`, `FixedI32<F>` | every decision by a certain sign | hit, miss, touch, part and order are those of exact arithmetic; `t` within one unit |
+//!
+//! The promises hold for solids as they are placed: a frame's position and axes are taken as stored, and the way into the frame is part of the
+//! computation. A ball under a frame has no axes.
 //!
 //! What was measured is in `docs/accuracy.md`.
 
@@ -28,11 +31,11 @@ pub trait Guards: 'static {
 pub trait Tier<S: Scalar>: Copy + sealed::Sealed + Solve<S> + 'static {}
 
 /// The cheapest tier that is not the textbook: closest approach for the sphere, moments for the rest, in the scalar's own
-/// width (fixed point: lengths on a common grid of 28 to 30 bits, or of 56 to 60), and nothing compensated.
+/// width (fixed point: lengths on a common grid of 28 to 30 bits, or of 56 to 60). Where the fast path of the other solids is unsure, the
+/// robust number decides.
 ///
 /// Of a sphere it takes the direction for exactly unit, which costs `t` an error of about a unit in the last place of the
-/// direction. Error grows with distance and towards grazing; rays nearly parallel to a cone's generator, and
-/// starts near a surface, are as wrong as plain subtraction makes them. What was measured is in `docs/accuracy.md`.
+/// direction, and takes its word however far away and however closely the ray grazes. What was measured is in `docs/accuracy.md`.
 ///
 /// ```
 /// use raylet::{Ray, Sphere, UnitVec3, Vec3, tier::Fast};
@@ -50,20 +53,13 @@ impl Guards for Fast {
 }
 impl<S: Scalar> Tier<S> for Fast {}
 
-/// The default tier: moments instead of differences of squares, roots without cancellation, compensated
-/// coefficients where they cancel; in the scalar's own computing number.
+/// The default tier: a fast path with a guard at each difference that may cancel; where a guard fails, the solver in a number of 64 bits (of
+/// 128 for 64-bit types), whose signs are taken at their word.
 ///
-/// The usual ray is answered by the plain formulas, where a comparison for each difference says that nothing cancels; the others by
-/// the solver.
+/// For floats: about half a unit in the last place in the middle, at most 16 away from grazing, and at most 31 however closely a ray grazes, to
+/// 10^-7. For fixed point: at most one unit. What was measured is in `docs/accuracy.md`.
 ///
-/// Promise for floats: about half a unit in the last place in the middle, and at most 16 away from grazing at any distance to
-/// 10,000 (measured: 13); at most 31 however closely a ray grazes, to 10^-7. Not for starts on the surface of a round solid, whose
-/// `t` is next to nothing. For fixed point: at most one unit, but within 10^-4 of a generator of a cone, where `t` is as
-/// ill-conditioned as it is long (measured: 2.1 in `I16F16`), or of the axis of a cylinder (1.12). What was measured is in
-/// `docs/accuracy.md`.
-///
-/// What is decided within one unit of a rim or a seam, or of the range's start, is decided by rounding: two ends that
-/// round to the same `t` at a rim are reported as a touch, and a hit at a capsule's seam may be given to either part.
+/// What is decided within one unit of a rim or a seam, of touching, or of the range's start, is decided by rounding.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Stable;
 

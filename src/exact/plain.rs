@@ -1,6 +1,6 @@
 //! The usual ray in plain doubles: far from every decision, no error needs to be carried along.
 //!
-//! Each sign that is asked for is that of a sum of products of single-precision numbers, of which the sizes of its terms add up
+//! Each sign is that of a sum of products of single-precision numbers, of which the sizes of its terms add up
 //! to a bound. No product here has more than eight factors, and no factor more than a dozen roundings of 2^-53 behind it, the way into a
 //! frame included: together they move the sum by less than 2^-44 of the bound. A sum above 2^-40 of it has a certain sign, and
 //! one above 2^-14 is good to 2^-30. ("Semi-static filter": Devillers and Pion, *Efficient Exact

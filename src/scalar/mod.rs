@@ -61,8 +61,7 @@ mod sealed {
 /// | `f64` | 2^1022 | smallest subnormal to 2^1022 | 2^-200 to 2^200 | largest finite |
 ///
 /// The coordinate is a quarter of the largest finite float, so that the difference of two points is finite.
-/// Beside the largest length of a query (the origin's distance from the solid, a height) a radius that is 2^60 times
-/// smaller (`f64`: 2^500) has a square that is subnormal or zero: such a solid is a line or a point.
+/// The robust number has an exponent of its own: no size inside the budget has a square that vanishes.
 ///
 /// # Fixed point
 ///

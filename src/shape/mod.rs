@@ -21,7 +21,7 @@ use crate::scalar::{Plain, PlainLine, Scalar};
 use crate::tier::{Effort, Guards, Stable, Tier};
 use crate::vector::{UnitVec3, Vec3};
 
-/// Defines the enum of all primitives and hands every question to the one that it holds.
+/// Defines the enum of all primitives and passes every call on to the one that it holds.
 macro_rules! primitives {
     ($($Variant:ident),+) => {
         /// Any primitive, without allocation or dynamic dispatch.
@@ -45,7 +45,7 @@ macro_rules! primitives {
 
         $(
             impl<S: Scalar> $Variant<S> {
-                /// What a hit can be asked for: point, normal, surface coordinates, tangents.
+                /// What is known of a hit: point, normal, surface coordinates, tangents.
                 pub fn surface(&self, ray: &Ray<S>, hit: &Hit<S>) -> Surface<S> {
                     Shape::new(*self).surface(ray, hit)
                 }
@@ -67,7 +67,7 @@ macro_rules! primitives {
             fn plain_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<PlainLine<S>> {
                 match self { $(Self::$Variant(p) => p.plain_line(place, ray),)+ }
             }
-            // One copy for all placements and questions: inlined it would be in each of them.
+            // One copy for all placements and queries: inlined it would be in each of them.
             #[inline(never)]
             fn meet_plainly<T: Guards>(&self, line: &PlainLine<S>) -> Plain<Intersection<S>> {
                 match self { $(Self::$Variant(p) => p.meet_plainly::<T>(line),)+ }
@@ -167,17 +167,17 @@ pub struct Shape<S: Scalar> {
     visible: Visible,
 }
 
-/// Asks a question of the shape's primitive, through its placement.
+/// A query of the shape's primitive, through its placement.
 macro_rules! through {
-    ($shape:ident, |$primitive:ident, $place:ident| $question:expr) => {{
+    ($shape:ident, |$primitive:ident, $place:ident| $query:expr) => {{
         let $primitive = &$shape.primitive;
         match &$shape.placement {
             Placement::World => {
                 let $place = &InWorld;
-                $question
+                $query
             }
-            Placement::Frame($place) => $question,
-            Placement::Affine($place) => $question,
+            Placement::Frame($place) => $query,
+            Placement::Affine($place) => $query,
         }
     }};
 }
@@ -299,8 +299,8 @@ impl<S: Scalar> Shape<S> {
         }
     }
 
-    /// What a hit of this shape can be asked for: point, normal, surface coordinates, tangents. Each is computed when
-    /// asked for, and nothing else is.
+    /// What is known of a hit of this shape: point, normal, surface coordinates, tangents. Each is computed when its method is called,
+    /// and nothing else is.
     #[inline]
     pub fn surface<'a>(&'a self, ray: &'a Ray<S>, hit: &'a Hit<S>) -> Surface<S> {
         Surface::new(self, ray, hit)

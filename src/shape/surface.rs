@@ -12,7 +12,7 @@ use crate::scalar::{Real, Scalar, largest};
 use crate::solve::{self, Line};
 use crate::vector::{UnitVec3, Vec3};
 
-/// A hit on a shape, to be asked for what is needed there.
+/// A hit on a shape; its methods compute what is needed there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface<S: Scalar> {
     shape: Shape<S>,
