@@ -246,7 +246,7 @@ fn by_fault() -> Vec<Advice> {
         ),
         advice(
             "Solids that are turned or stretched:",
-            "Frames cost floats half a unit, fixed point nothing. Stretching by more than 100 costs every tier, since the inverse that is stored is rounded: \
+            "Frames cost floats a few units at worst, fixed point nothing. Stretching by more than 100 costs every tier, since the inverse that is stored is rounded: \
              if that matters, give the solid its size instead.",
             vec![
                 Row("f32", "Stable", CYLINDER, "benign"),

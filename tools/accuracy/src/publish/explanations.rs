@@ -36,20 +36,19 @@ pub const WHY: [Why; 15] = [
     ),
     (
         |row| is_fixed(row) && row.faster.tier == "Exact" && row.slower.primitive == "triangle",
-        "Where the volumes of a triangle's edges are in doubt, from far away or behind a stretched placement, `Stable` computes them twice: \
-         quickly, and then carefully. `Exact` computes them once, in wide numbers.",
+        "`Stable` tries its fast path first, and where that is unsure its solver answers. `Exact` has no fast path in fixed point: its \
+         numbers of 128 bits answer at once.",
     ),
     (
         |row| row.slower.number == "f32" && row.faster.tier == "Exact" && row.slower.tier == "Stable",
-        "`Stable` holds the careful coefficients of cones, grazing rays and triangles to twice the precision in pairs of `f32`, at some ten \
-         to twenty operations a product. `Exact` has them in one `f64` each: where a sum is a 16,000th of its terms or more its sign is clear \
-         without further ado, else the size of what went into it is the bound of its error. Where most coefficients are careful, or the short way of `Stable` was asked in vain before, that is \
-         less, even where doubles are software.",
+        "What the fast path of `Stable` leaves open is computed in integers of 64 bits, which give the same bits on every machine. The fast \
+         path of `Exact` computes in doubles: where a sum is a 16,000th of its terms or more its sign is clear without further ado. \
+         It answers more rays, and on a host for less.",
     ),
     (
         |row| row.faster.tier == "Exact" && row.slower.tier == "Fast" && row.slower.primitive == "triangle",
-        "The products and sums of a float triangle are error-free in every tier, `Fast` too: each product is split and its rounding kept. \
-         `Exact` has each in one `f64`.",
+        "What the fast path of `Fast` leaves open of a triangle is computed in integers of 64 bits. The fast path of `Exact` computes in \
+         doubles, and leaves less open.",
     ),
     (
         |row| {
@@ -58,8 +57,8 @@ pub const WHY: [Why; 15] = [
                 && row.slower.tier == "Fast"
                 && row.machine == Machine::Host
         },
-        "A placed line, and one from far away, leave the short way of `Fast`, whose solver scales the line and its `t`. The doubles of `Exact` \
-         need neither, and a host has a unit for them; no chip here is quicker with them.",
+        "A stretched solid, and a line from far away, leave the fast path of `Fast` for integers of 64 bits. The doubles of `Exact` answer them, \
+         and a host has a unit for doubles.",
     ),
     (
         |row| {
@@ -68,14 +67,13 @@ pub const WHY: [Why; 15] = [
                 && row.slower.tier == "Fast"
                 && row.machine == Machine::Host
         },
-        "The plain kernel of `Fast` holds lengths of 28 bits (for a sphere: to 4,096), and beyond them the long way in block-floating numbers \
-         answers; that of `Stable` holds the whole range. Where both take the long way (discs, the axis of a cylinder), the narrower \
-         blocks of `Fast` save nothing on a processor of 64 bits.",
+        "The fast path of `Fast` holds lengths of 28 bits (for a sphere: to 4,096), and beyond them the robust number answers; that of \
+         `Stable` holds the whole range. Where the robust number answers both, they cost the same.",
     ),
     (
         |row| row.slower.number == "I32F32" && row.faster.tier == "Stable" && row.machine == Machine::Host,
-        "On a processor of 64 bits, with products of 128, a step in the narrow blocks of `Fast` costs as many instructions as one in the wide \
-         ones of `Stable` (a sphere took 2,100 in both when they were counted), and the closest approach has more steps that wait for each other.",
+        "On a processor of 64 bits, with products of 128, the closest approach of `Fast` saves nothing and has more steps that wait for \
+         each other; what the fast path leaves open costs both tiers the same.",
     ),
     (
         |row| row.slower.number == "I16F16" && row.faster.tier == "Stable" && row.slower.tier == "Fast",
@@ -88,23 +86,23 @@ pub const WHY: [Why; 15] = [
     ),
     (
         |row| row.faster.tier == "Fast" && row.slower.tier == "Stable" && is_unbounded_and_placed(row),
-        "Of an unbounded cone a hit may be very far away, and its `t` as ill-conditioned as it is long: nearly all of the error is that of \
-         the ray, rounded alike in both tiers on its way into the frame. Which of the two comes out better is chance.",
+        "Of an unbounded cone a hit may be very far away, and its `t` as ill-conditioned as it is long. What the fast path leaves open is \
+         answered by the same numbers in both tiers. Which of the two comes out better is chance.",
     ),
     (
         |row| !is_fixed(row) && row.faster.tier == "Stable" && row.slower.tier == "Textbook",
-        "Where nothing cancels, `Stable` asks the plain formulas too, but the moment instead of `k^2 - a c`, and most misses are seen before \
+        "Where nothing cancels, `Stable` computes in plain floats too, but by the moment instead of `k^2 - a c`, and most misses are seen before \
          the root.",
     ),
     (
         |row| !is_fixed(row) && row.faster.tier == "Stable" && row.slower.tier == "Fast",
-        "Both ask the same short way first, and what that leaves open goes to each one's solver. The few rows come from this host and \
+        "Both have nearly the same fast path, and what that leaves open is answered by the same numbers. The few rows come from this host and \
          its compiler (read from the code, not taken apart); no chip has one.",
     ),
     (
         |row| is_nearly_as_accurate(row) || is_flat(row),
         "Nothing cancels for these rays, so that care buys nothing: the errors differ by a last rounding or two (the dearer tier \
-         scales the ray or steps it closer, and then rounds once more), within a third of each other, or for flat primitives \
+         rounds once more), within a third of each other, or for flat primitives \
          by less than the rounding of their placement.",
     ),
     (

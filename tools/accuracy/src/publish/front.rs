@@ -132,9 +132,8 @@ const PLACED: &str = "\
 The largest of five closed solids (sphere, capped cylinder, capsule, capped cone, capped frustum), median / 99.9% / worst, for
 rays at a point well inside. *Not placed* is the share of the solve alone. What `Exact` is left with is the share of what the
 placement stores: a frame is taken at its word, so nothing; a stretched placement stores a rounded inverse. What the other tiers have more
-than both is the rounding of the ray on its way into the solid's frame: for floats about half a unit in the median; for
-fixed point next to nothing, since the local line is kept in the finest unit that fits, until factors of 1,000
-against 1/1,000 leave a direction few bits across.
+than both is that their fast path takes the ray into the frame in the type's own width: some units for floats; for fixed point next to nothing,
+for the local line has bits to spare. What the fast path leaves open goes into the frame without rounding.
 
 ";
 
