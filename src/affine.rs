@@ -136,7 +136,7 @@ impl<S: Scalar> Affine<S> {
     }
 
     /// The rows of the inverse as they are stored: components, each to be multiplied by the row's power of two.
-    pub(crate) fn inverse(&self) -> [([S::Unit; 3], i32); 3] {
+    pub fn inverse(&self) -> [([S::Unit; 3], i32); 3] {
         self.inverse.map(|row| (row.components, row.exponent))
     }
 

@@ -34,6 +34,7 @@ mod no_overflow;
 mod number_types;
 mod numbers;
 mod oracle;
+mod oracle_departing;
 mod picture;
 mod placement;
 mod reintersection;

@@ -1,18 +1,22 @@
-//! The bound table: tier x primitive x number type x workload, in `data/bounds`, a table a tier.
+//! The bound table: tier x number type x primitive x placement x workload, in `data/bounds`, a table a tier.
 //!
 //! `cargo run --release -p raylet-accuracy -- --write` renews the tables; `tests/promises/src/number_types.rs` holds the library
 //! to them.
 
-use super::figures::{Figures, TIERS};
+use super::figures::{Figures, Rays, TIERS};
 use super::subject::SUBJECTS;
 use raylet_tables::Table;
 
 /// Rays a row.
-pub const RAYS: usize = 2000;
+pub const RAYS: Rays = Rays::new(2000);
 
-const COLUMNS: [&str; 15] = [
+/// So many of them, the first, in the quick form of the tests.
+pub const QUICK: Rays = Rays { unplaced: 100, placed: 40 };
+
+const COLUMNS: [&str; 17] = [
     "number",
     "primitive",
+    "placed",
     "workload",
     "hits",
     "median",
@@ -26,6 +30,7 @@ const COLUMNS: [&str; 15] = [
     "edge",
     "part",
     "integers",
+    "broken",
 ];
 
 /// The command that writes the tables.
@@ -55,11 +60,14 @@ fn figures(tier: &'static str, row: &[String]) -> Option<Figures> {
         tier,
         number: row[0].clone(),
         primitive: SUBJECTS.into_iter().find(|name| *name == row[1])?,
-        workload: row[2].clone(),
-        hits: count(3)?,
-        errors: [real(4)?, real(5)?, real(6)?],
-        lengths: [real(7)?, real(8)?, real(9)?],
-        counts: [count(10)?, count(11)?, count(12)?, count(13)?, count(14)?],
+        placed: row[2].clone(),
+        workload: row[3].clone(),
+        hits: count(4)?,
+        errors: [real(5)?, real(6)?, real(7)?],
+        lengths: [real(8)?, real(9)?, real(10)?],
+        counts: [count(11)?, count(12)?, count(13)?, count(14)?, count(15)?],
+        broken: count(16)?,
+        worst: None,
     })
 }
 
@@ -67,10 +75,13 @@ fn figures(tier: &'static str, row: &[String]) -> Option<Figures> {
 pub fn table(tier: &str, rows: &[Figures]) -> String {
     let mut table = Table::new(&COLUMNS);
     for row in rows.iter().filter(|row| row.tier == tier) {
-        let mut cells = vec![row.number.clone(), row.primitive.into(), row.workload.clone(), row.hits.to_string()];
+        let names = [&row.number, row.primitive, &row.placed, &row.workload];
+        let mut cells = names.map(String::from).to_vec();
+        cells.push(row.hits.to_string());
         cells.extend(row.errors.map(|error| format!("{error:.3}")));
         cells.extend(row.lengths.map(|length| format!("{length:.2e}")));
         cells.extend(row.counts.map(|count| count.to_string()));
+        cells.push(row.broken.to_string());
         table.rows.push(cells);
     }
     table.text()

@@ -3,7 +3,7 @@
 use super::oracle::{self, Dyadic};
 use fixed::types::extra::{LeEqU32, LeEqU64};
 use fixed::{FixedI32, FixedI64};
-use raylet::{Crossing, Part, Ray, Scalar};
+use raylet::{Crossing, Departure, Leaving, Part, Ray, Scalar};
 
 /// A number type whose values the oracle can take exactly.
 pub trait Exact: Scalar {
@@ -15,6 +15,10 @@ pub trait Exact: Scalar {
     fn exact_unit(unit: Self::Unit) -> Dyadic;
     /// One unit in the last place at the exact value: a float's spacing there, or the fixed type's unit.
     fn unit_at(exact: &oracle::Root) -> Dyadic;
+    /// The stored bits, as tests write them down.
+    fn bits(self) -> String;
+    /// Those of a component of a direction.
+    fn unit_bits(unit: Self::Unit) -> String;
 }
 
 impl Exact for f32 {
@@ -29,6 +33,12 @@ impl Exact for f32 {
     }
     fn unit_at(exact: &oracle::Root) -> Dyadic {
         exact.ulp_f32()
+    }
+    fn bits(self) -> String {
+        format!("{:#x}", self.to_bits())
+    }
+    fn unit_bits(unit: f32) -> String {
+        unit.bits()
     }
 }
 
@@ -45,6 +55,12 @@ impl Exact for f64 {
     fn unit_at(exact: &oracle::Root) -> Dyadic {
         exact.ulp_f64()
     }
+    fn bits(self) -> String {
+        format!("{:#x}", self.to_bits())
+    }
+    fn unit_bits(unit: f64) -> String {
+        unit.bits()
+    }
 }
 
 impl<F: LeEqU32 + Send + Sync + 'static> Exact for FixedI32<F> {
@@ -59,6 +75,12 @@ impl<F: LeEqU32 + Send + Sync + 'static> Exact for FixedI32<F> {
     }
     fn unit_at(_: &oracle::Root) -> Dyadic {
         Dyadic::power_of_two(-(F::I32 as isize))
+    }
+    fn bits(self) -> String {
+        self.to_bits().to_string()
+    }
+    fn unit_bits(unit: Self::Unit) -> String {
+        unit.to_bits().to_string()
     }
 }
 
@@ -75,6 +97,12 @@ impl<F: LeEqU64 + Send + Sync + 'static> Exact for FixedI64<F> {
     fn unit_at(_: &oracle::Root) -> Dyadic {
         Dyadic::power_of_two(-(F::I32 as isize))
     }
+    fn bits(self) -> String {
+        self.to_bits().to_string()
+    }
+    fn unit_bits(unit: Self::Unit) -> String {
+        unit.to_bits().to_string()
+    }
 }
 
 /// The ray's line, exactly as stored.
@@ -82,10 +110,32 @@ pub fn exact_line<S: Exact>(ray: &Ray<S>) -> oracle::Line {
     oracle::Line::new(ray.origin().to_array().map(S::exact), ray.direction().to_array().map(S::exact_unit))
 }
 
-/// What the oracle expects in the ray's range.
+/// What the oracle expects in the ray's range; of a ray that departs, as if it did not.
 pub fn expected<S: Exact>(solid: &oracle::Solid, ray: &Ray<S>) -> oracle::InRange {
-    let answer = oracle::solve(solid, &exact_line(ray));
+    expected_of(solid, &exact_line(ray), &ray.without_departure())
+}
+
+/// What the oracle expects in the ray's range, given its line as the solid sees it.
+pub fn expected_of<S: Exact>(solid: &oracle::Solid, line: &oracle::Line, ray: &Ray<S>) -> oracle::InRange {
+    let answer = match ray.departure() {
+        None => oracle::solve(solid, line),
+        Some(Departure { part, leaving, .. }) => {
+            let leaving = match leaving {
+                Leaving::Outwards => oracle::Leaving::Outwards,
+                Leaving::Inwards => oracle::Leaving::Inwards,
+            };
+            oracle::solve_departing(solid, line, oracle_part(part), leaving)
+        }
+    };
     oracle::hits_in_range(&answer, &ray.range().start().exact(), Some(&ray.range().end().exact()))
+}
+
+fn oracle_part(part: Part) -> oracle::Part {
+    match part {
+        Part::Base => oracle::Part::Base,
+        Part::Top => oracle::Part::Top,
+        _ => oracle::Part::Side,
+    }
 }
 
 pub fn same_part(part: Part, exact: oracle::Part) -> bool {

@@ -1,10 +1,10 @@
-//! The rows of the accuracy tables: every number type, way to answer, primitive and workload.
+//! The rows of the accuracy tables: every number type, way to answer, primitive, placement and workload.
 
-use super::measure::{Measured, measure_each, measure_placed};
-use super::method::Measurable;
-use super::placed::PLACINGS;
+use super::measure::{Broken, Measured, measure_each, measure_placed};
+use super::method::{Measurable, Method};
+use super::placed::{PLACINGS, Placing, UNPLACED};
 use super::subject::{SUBJECTS, Subject};
-use super::workload::WORKLOADS;
+use super::workload::{FURTHER, WORKLOADS, Workload};
 use fixed::types::{I16F16, I32F32};
 
 /// The ways to answer, the plainest first. `Textbook` is `k^2 - a c` in the operators of the number type.
@@ -19,6 +19,7 @@ pub struct Figures {
     pub tier: &'static str,
     pub number: String,
     pub primitive: &'static str,
+    pub placed: String,
     pub workload: String,
     pub hits: usize,
     /// Median, 99.9 % and worst error of `t`, in units in the last place.
@@ -28,6 +29,10 @@ pub struct Figures {
     /// Lost, phantom, on the other side of the range's start, on another part or with another crossing; and in the exact
     /// tier rays that were decided in integers.
     pub counts: [usize; 5],
+    /// Rays of which the tier's promise is broken.
+    pub broken: usize,
+    /// The worst of them; not in the tables.
+    pub worst: Option<Broken>,
 }
 
 impl Figures {
@@ -36,19 +41,46 @@ impl Figures {
         self.counts[0] + self.counts[1]
     }
 
-    fn new<S: Measurable>(tier: &'static str, primitive: &'static str, workload: String, row: &Measured) -> Self {
+    /// True if the solid is not placed.
+    pub fn is_unplaced(&self) -> bool {
+        self.placed == UNPLACED
+    }
+
+    /// The workload, and how the solid is placed.
+    pub fn name(&self) -> String {
+        name(&self.workload, &self.placed)
+    }
+
+    /// True if rays like these are timed: those of [`WORKLOADS`], and the benign ones at placed solids.
+    pub fn is_timed(&self) -> bool {
+        if self.is_unplaced() {
+            WORKLOADS.iter().any(|workload| workload.name() == self.workload)
+        } else {
+            self.workload == Workload::Benign.name()
+        }
+    }
+
+    fn new<S: Measurable>(tier: &'static str, primitive: &'static str, row: Row, measured: &Measured) -> Self {
         const QUANTILES: [f64; 3] = [0.5, 0.999, 1.0];
         Self {
             tier,
             number: S::name(),
             primitive,
-            workload,
-            hits: row.hits,
-            errors: QUANTILES.map(|fraction| rounded_up(row.quantile(fraction))),
-            lengths: QUANTILES.map(|fraction| length_rounded_up(row.length(fraction))),
-            counts: [row.lost, row.phantom, row.edge, row.part, row.integers],
+            placed: row.placing.map_or(UNPLACED.into(), Placing::name),
+            workload: row.workload.name(),
+            hits: measured.hits,
+            errors: QUANTILES.map(|fraction| rounded_up(measured.quantile(fraction))),
+            lengths: QUANTILES.map(|fraction| length_rounded_up(measured.length(fraction))),
+            counts: [measured.lost, measured.phantom, measured.edge, measured.part, measured.integers],
+            broken: measured.broken,
+            worst: measured.worst.clone(),
         }
     }
+}
+
+/// A workload at solids that are placed so.
+pub fn name(workload: &str, placed: &str) -> String {
+    if placed == UNPLACED { workload.into() } else { format!("{workload}, {placed}") }
 }
 
 /// Rounded up in the third significant digit, and in the third decimal.
@@ -75,33 +107,85 @@ pub fn length_rounded_up(value: f64) -> f64 {
     format!("{:.2e}", written + digit).parse().unwrap_or(value)
 }
 
+/// A row of a primitive.
+#[derive(Clone, Copy)]
+struct Row {
+    placing: Option<Placing>,
+    workload: Workload,
+    seed: u64,
+}
+
+impl Row {
+    /// All of them: those that are not placed first.
+    fn all() -> Vec<Self> {
+        let workloads = || WORKLOADS.into_iter().zip(0..).chain(FURTHER.into_iter().zip(100..));
+        let mut all: Vec<_> =
+            workloads().map(|(workload, index)| Self { placing: None, workload, seed: 1000 + index }).collect();
+        for (place, placing) in PLACINGS.into_iter().enumerate() {
+            let seed = 2000 + 1000 * place as u64;
+            let has = workloads().filter(|(workload, _)| placing.has(*workload));
+            all.extend(has.map(|(workload, index)| Self { placing: Some(placing), workload, seed: seed + index }));
+        }
+        all
+    }
+
+    /// The textbook knows no departures, and where it stands placed is told by one row.
+    fn has(self, tier: &str) -> bool {
+        let is_apart = matches!(self.workload, Workload::Departing(_));
+        tier != "Textbook" || !is_apart && (self.placing.is_none() || self.workload == Workload::Benign)
+    }
+
+    fn measure<S: Measurable>(self, subject: &Subject<S>, methods: &[Method<S>], rays: Rays) -> Option<Vec<Measured>> {
+        let Self { placing, workload, seed } = self;
+        match placing {
+            None => measure_each(methods, subject, workload, rays.unplaced, seed, |_| true),
+            Some(placing) => measure_placed(methods, subject, workload, placing, rays.placed, seed),
+        }
+    }
+}
+
+/// How many rays a row has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Rays {
+    pub unplaced: usize,
+    /// Fewer: there are several placements for each row that has none.
+    pub placed: usize,
+}
+
+impl Rays {
+    /// So many, and a quarter of them for each row that is placed.
+    pub const fn new(unplaced: usize) -> Self {
+        Self { unplaced, placed: unplaced.div_ceil(4) }
+    }
+}
+
 /// Which rows are measured, by number type and primitive.
 pub type Wanted<'a> = &'a dyn Fn(&str, &str) -> bool;
 
-fn rows<S: Measurable>(rays: usize, wanted: Wanted<'_>, all: &mut Vec<Figures>, tick: &mut dyn FnMut()) {
-    let methods = S::methods();
+fn rows<S: Measurable>(rays: Rays, wanted: Wanted<'_>, all: &mut Vec<Figures>, tick: &mut dyn FnMut()) {
     for primitive in SUBJECTS.into_iter().filter(|primitive| wanted(&S::name(), primitive)) {
         let subject = Subject::<S>::new(primitive);
-        let mut put = |workload: String, measured: Option<Vec<Measured>>| {
-            for (method, row) in methods.iter().zip(measured.into_iter().flatten()) {
-                all.push(Figures::new::<S>(method.tier, primitive, workload.clone(), &row));
-            }
+        for row in Row::all() {
+            let methods: Vec<_> = S::methods().into_iter().filter(|method| row.has(method.tier)).collect();
+            let measured = row.measure(&subject, &methods, rays).into_iter().flatten();
+            all.extend(
+                methods
+                    .iter()
+                    .zip(measured)
+                    .map(|(method, measured)| Figures::new::<S>(method.tier, primitive, row, &measured)),
+            );
             tick();
-        };
-        for (index, workload) in WORKLOADS.into_iter().enumerate() {
-            put(workload.name(), measure_each(&methods, &subject, workload, rays, 1000 + index as u64, |_| true));
-        }
-        for (index, placing) in PLACINGS.into_iter().enumerate() {
-            put(placing.name(), measure_placed(&methods, &subject, placing, rays, 2000 + index as u64));
         }
     }
 }
 
 /// How often `tick` is called for each primitive of a number type.
-pub const TICKS: usize = WORKLOADS.len() + PLACINGS.len();
+pub fn ticks() -> usize {
+    Row::all().len()
+}
 
-/// Every way to answer in every number type that it exists in, on every primitive and workload; by tier, then by number type.
-pub fn measure_all(rays: usize, wanted: Wanted<'_>, tick: &mut dyn FnMut()) -> Vec<Figures> {
+/// Every way to answer in every number type that it exists in, on every primitive, placement and workload; by tier, then by number type.
+pub fn measure_all(rays: Rays, wanted: Wanted<'_>, tick: &mut dyn FnMut()) -> Vec<Figures> {
     let mut all = vec![];
     rows::<f32>(rays, wanted, &mut all, tick);
     rows::<f64>(rays, wanted, &mut all, tick);

@@ -20,6 +20,7 @@ pub mod measure;
 pub mod method;
 pub mod oracle;
 pub mod placed;
+pub mod promise;
 pub mod random;
 pub mod subject;
 pub mod textbook;

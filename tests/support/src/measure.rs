@@ -1,14 +1,24 @@
 //! How wrong the ways to answer in one number type are, on one primitive and one workload.
 
-use super::exact_types::{Exact as Number, expected, same_crossing, same_part};
+use super::exact_types::{Exact as Number, exact_line, expected_of, same_crossing, same_part};
 use super::method::{Asked, Method, Told};
-use super::oracle::{self, InRange};
+use super::oracle::{Dyadic, InRange, Root};
 use super::placed::{Placed, Placing};
+use super::promise::Judged;
 use super::random::Random;
 use super::subject::Subject;
 use super::workload::Workload;
 use raylet::tier::Tier;
-use raylet::{Ray, Shape};
+use raylet::{Departure, Ray, Shape, UnitVec3, Vec3};
+
+/// A ray of which a tier says what it promises not to.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Broken {
+    /// The error over the limit; infinite for a hit that is lost, invented or on another part.
+    pub by: f64,
+    /// The answers, and the ray and what it is asked to meet, by their bits.
+    pub told: String,
+}
 
 /// What was measured over one row.
 #[derive(Default)]
@@ -29,36 +39,82 @@ pub struct Measured {
     pub part: usize,
     /// Rays that the exact tier decided in integers.
     pub integers: usize,
+    /// Rays of which the tier's promise is broken.
+    pub broken: usize,
+    /// The worst of them.
+    pub worst: Option<Broken>,
 }
 
 impl Measured {
     /// Compares the hits of one ray with the exact ones.
-    fn count<S: Number>(&mut self, mut got: Vec<Told<S>>, want: &InRange) {
+    fn count<S: Number>(&mut self, tier: &str, got: &[Told<S>], judged: &Judged<'_, S>, told: &dyn Fn() -> String) {
         self.rays += 1;
-        let mut want: Vec<_> = want.hits.iter().collect();
+        let before = (self.errors.len(), self.part);
+        let wrong = !self.compare(tier, got.to_vec(), judged);
+        let errors = &self.errors[before.0..];
+        let by = if wrong || self.part > before.1 {
+            if judged.excuses(tier) { 0.0 } else { f64::INFINITY }
+        } else {
+            let most = errors.iter().copied().fold(0.0, f64::max);
+            // The limit takes longer to find than that it is kept.
+            if most <= 0.5 { 0.0 } else { judged.limit(tier).map_or(0.0, |limit| most / limit) }
+        };
+        if by > 1.0 {
+            self.broken += 1;
+            if self.worst.as_ref().is_none_or(|worst| by > worst.by) {
+                let answers = |hits: &[f64]| format!("{hits:?}");
+                let got: Vec<_> = got.iter().map(|hit| hit.t.to_f64()).collect();
+                let want: Vec<_> = judged.want.hits.iter().map(|hit| hit.t.to_f64()).collect();
+                let clear = super::promise::clearance(judged.solid, judged.line);
+                self.worst = Some(Broken {
+                    by,
+                    told: format!(
+                        "{errors:.3?} units, {clear:.1e} from grazing: t {}, exactly {}; {}",
+                        answers(&got),
+                        answers(&want),
+                        told()
+                    ),
+                });
+            }
+        }
+    }
+
+    /// Counts what differs; false if a hit is lost or invented.
+    fn compare<S: Number>(&mut self, tier: &str, mut got: Vec<Told<S>>, judged: &Judged<'_, S>) -> bool {
+        let mut want: Vec<_> = judged.want.hits.iter().collect();
+        // The exact tier is held to its `t`, however small.
+        let is_exact = tier == "Exact";
+        let unit_of_size = judged.unit_of_size();
         if want.len() != got.len() {
-            // A t of less than half a unit rounds onto the range's start, or off it.
-            let unit = |t: &oracle::Root| t.error_in(&S::ZERO.exact(), &S::unit_at(t)) <= 1.0;
+            // A t of less than a unit rounds onto the range's start, or off it.
+            let unit = |t: &Root| {
+                let unit = if is_exact { S::unit_at(t) } else { unit_of_size.clone() };
+                t.error_in(&S::ZERO.exact(), &unit) <= 1.0
+            };
             let before = want.len() + got.len();
             want.retain(|hit| !unit(&hit.t));
-            got.retain(|hit| hit.t.to_f64().abs() > f64::from(f32::MIN_POSITIVE).max(unit_of::<S>()));
+            got.retain(|hit| !unit(&(&hit.t.exact()).into()));
             self.edge += before - want.len() - got.len();
         }
         if want.len() != got.len() {
             self.lost += want.len().saturating_sub(got.len());
             self.phantom += got.len().saturating_sub(want.len());
-            return;
+            return false;
         }
         for (want, got) in want.iter().zip(&got) {
             self.hits += 1;
             let differs = |(part, crossing)| !same_part(part, want.part) || !same_crossing(crossing, want.crossing);
             self.part += usize::from(got.surface.is_some_and(differs));
-            let unit = S::unit_at(&want.t);
-            let error = want.t.error_in(&got.t.exact(), &unit);
+            let own = S::unit_at(&want.t);
+            // Of a hit next to the start the position counts, in units of the solid's size.
+            let unit: &Dyadic =
+                if !is_exact && own < unit_of_size && judged.is_near(want.t.to_f64()) { &unit_of_size } else { &own };
+            let error = want.t.error_in(&got.t.exact(), unit);
             self.errors.push(error);
             // A unit is a power of two: the product is as exact as the error.
             self.lengths.push(error * unit.to_f64());
         }
+        true
     }
 
     fn sorted(mut self) -> Self {
@@ -82,11 +138,6 @@ fn quantile(sorted: &[f64], fraction: f64) -> f64 {
     if sorted.is_empty() { 0.0 } else { sorted[((sorted.len() - 1) as f64 * fraction) as usize] }
 }
 
-/// The smallest positive value of a fixed type; of a float, next to nothing.
-fn unit_of<S: Number>() -> f64 {
-    S::BUDGET.smallest_size.to_f64()
-}
-
 /// One row for each method, all at the same rays: the exact answer, which takes longest, is found once.
 struct Rows<'a, S: Number> {
     methods: &'a [Method<S>],
@@ -98,9 +149,17 @@ impl<'a, S: Number> Rows<'a, S> {
         Self { methods, rows: methods.iter().map(|_| Measured::default()).collect() }
     }
 
-    fn ask(&mut self, asked: &Asked<'_, S>, ray: &Ray<S>, want: &InRange) {
+    fn ask(&mut self, asked: &Asked<'_, S>, ray: &Ray<S>) {
+        let (line, size) = match asked.placed {
+            None => (exact_line(ray), 1.0),
+            Some(placed) => (placed.line(ray), placed.largest),
+        };
+        let solid = &asked.subject.solid;
+        let want: InRange = expected_of(solid, &line, ray);
+        let judged = Judged { solid, line: &line, ray, want: &want, size };
         for (method, row) in self.methods.iter().zip(&mut self.rows) {
-            row.count((method.hits)(asked, ray), want);
+            let got = (method.hits)(asked, ray);
+            row.count(method.tier, &got, &judged, &|| bits(asked, ray));
             row.integers += usize::from((method.in_integers)(asked.shape(), ray));
         }
     }
@@ -109,6 +168,26 @@ impl<'a, S: Number> Rows<'a, S> {
         let any = self.rows.first().is_some_and(|row| row.rays > 0);
         any.then(|| self.rows.into_iter().map(Measured::sorted).collect())
     }
+}
+
+/// What was asked, by its bits.
+fn bits<S: Number>(asked: &Asked<'_, S>, ray: &Ray<S>) -> String {
+    let three = |v: [String; 3]| format!("({})", v.join(", "));
+    let coordinates = |v: Vec3<S>| three(v.to_array().map(S::bits));
+    let along = |v: UnitVec3<S>| three(v.to_array().map(S::unit_bits));
+    let mut told = vec![format!("o {} d {}", coordinates(ray.origin()), along(ray.direction()))];
+    if let Some(Departure { part, leaving, .. }) = ray.departure() {
+        told.push(format!("departing {leaving:?} from {part:?}"));
+    }
+    if let Some(placed) = asked.placed {
+        let frame = placed.frame();
+        let axes = [frame.right(), frame.up(), frame.forward()].map(along);
+        told.push(format!("at {} axes {}", coordinates(frame.position()), axes.join(" ")));
+        if let Some(factors) = placed.factors() {
+            told.push(format!("stretched by {}", three(factors.map(S::bits))));
+        }
+    }
+    told.join(", ")
 }
 
 /// The workload's rays for which `counts` holds; `None` if it has no sense for the subject, or no ray fits the type.
@@ -124,16 +203,17 @@ pub fn measure_each<S: Number>(
     let mut rows = Rows::new(methods);
     for _ in 0..rays {
         if let Some(ray) = workload.ray(subject, &mut random).filter(&counts) {
-            rows.ask(&Asked { subject, placed: None }, &ray, &expected(&subject.solid, &ray));
+            rows.ask(&Asked { subject, placed: None }, &ray);
         }
     }
     rows.done()
 }
 
-/// Rays at the primitive, placed anew for each.
+/// The workload's rays at the primitive, placed anew for each.
 pub fn measure_placed<S: Number>(
     methods: &[Method<S>],
     subject: &Subject<S>,
+    workload: Workload,
     placing: Placing,
     rays: usize,
     seed: u64,
@@ -142,10 +222,9 @@ pub fn measure_placed<S: Number>(
     let mut rows = Rows::new(methods);
     for _ in 0..rays {
         let Some(placed) = Placed::new(subject, placing, &mut random) else { continue };
-        let Some(ray) = placed.ray(subject, &mut random) else { continue };
-        let answer = oracle::solve(&subject.solid, &placed.line(&ray));
-        let want = oracle::hits_in_range(&answer, &ray.range().start().exact(), Some(&ray.range().end().exact()));
-        rows.ask(&Asked { subject, placed: Some(&placed) }, &ray, &want);
+        if let Some(ray) = placed.ray(subject, workload, &mut random) {
+            rows.ask(&Asked { subject, placed: Some(&placed) }, &ray);
+        }
     }
     rows.done()
 }

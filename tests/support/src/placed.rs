@@ -1,35 +1,67 @@
 //! Placed primitives: the shape, and the exact way from the world into its frame.
 
 use super::exact_types::Exact;
-use super::oracle::{self, Dyadic};
-use super::random::{Random, add, scale};
+use super::oracle::{self, Dyadic, Solid};
+use super::random::{Random, add, normalize, scale};
 use super::subject::Subject;
 use super::workload::Workload;
 use raylet::{Affine, Frame, Ray, Shape, UnitVec3, Vec3};
 
-/// How a primitive is placed.
+/// How a primitive is placed: a half of the placements within 4 of the world's origin, the others within 1,000 and 1,000,000, or as far
+/// as the number type reaches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Placing {
-    /// By a frame within this distance of the world's origin, turned anyhow.
-    Framed(f64),
-    /// By a matrix that stretches each axis of such a frame (nearby) by its own factor, from the inverse of this one to it.
+    /// By a frame that only moves it.
+    Moved,
+    /// By a frame, turned anyhow.
+    Turned,
+    /// By a matrix that stretches each axis of such a frame by its own factor, from the inverse of this one to it.
     Stretched(f64),
 }
 
-pub const PLACINGS: [Placing; 5] = [
-    Placing::Framed(4.0),
-    Placing::Framed(1_000.0),
-    Placing::Stretched(4.0),
-    Placing::Stretched(100.0),
-    Placing::Stretched(1_000.0),
-];
+pub const PLACINGS: [Placing; 4] =
+    [Placing::Moved, Placing::Turned, Placing::Stretched(30.0), Placing::Stretched(1_000.0)];
+
+/// How a primitive that is not placed is told in tables.
+pub const UNPLACED: &str = "-";
 
 impl Placing {
     pub fn name(self) -> String {
         match self {
-            Self::Framed(distance) => format!("framed within {distance}"),
+            Self::Moved => "moved".into(),
+            Self::Turned => "turned".into(),
             Self::Stretched(factor) => format!("stretched by 1/{factor} to {factor}"),
         }
+    }
+
+    /// True if there is a row of the workload at solids that are placed so. Tiers promise something of factors of a ratio up to 1,000.
+    pub fn has(self, workload: Workload) -> bool {
+        match self {
+            Self::Moved | Self::Turned => true,
+            Self::Stretched(factor) if factor * factor <= 1_000.0 => matches!(
+                workload,
+                Workload::Benign | Workload::Away(_) | Workload::Grazing(_) | Workload::NearPlane(_) | Workload::Rims
+            ),
+            Self::Stretched(_) => workload == Workload::Benign,
+        }
+    }
+
+    /// A position: its coordinates are rounded to the type.
+    fn position<S: Exact>(random: &mut Random) -> Option<Vec3<S>> {
+        let farthest = (S::BUDGET.coordinate.to_f64() / 4.0).min(1e6);
+        let distance = random.pick(&[4.0, 4.0, farthest.min(1_000.0), farthest]);
+        Vec3::from_f64(scale(random.direction(), distance * random.unit()))
+    }
+
+    /// A frame anywhere.
+    fn frame<S: Exact>(self, random: &mut Random) -> Option<Frame<S>> {
+        let position = Self::position(random)?;
+        if self == Self::Moved {
+            return Frame::at(position).ok();
+        }
+        // To the last bit of the type's directions: a turn from the coordinates' bits would be too round.
+        let [axis, forward] = [random.direction(), random.direction()];
+        Frame::looking(position, UnitVec3::new(Vec3::from_f64(forward)?)?, UnitVec3::new(Vec3::from_f64(axis)?)?).ok()
     }
 
     /// A number of the type between the factor's inverse and the factor, evenly in its logarithm.
@@ -45,61 +77,47 @@ pub struct Placed<S: Exact> {
     /// Images of the local axes, in `f64`.
     axes: [[f64; 3]; 3],
     position: [f64; 3],
-    largest: f64,
+    /// The largest factor that it is stretched by, or 1.
+    pub largest: f64,
     /// The frame, and what its axes are stretched by.
     frame: Frame<S>,
     factors: Option<[S; 3]>,
-    /// The rows of the inverse and the position, exactly (those of a stretched one to 256 bits).
+    /// The rows of the way into the frame, and the position, as they are stored.
     rows: [[Dyadic; 3]; 3],
     exact_position: [Dyadic; 3],
-}
-
-/// `1 / value` to 256 bits.
-fn reciprocal(value: &Dyadic) -> Dyadic {
-    let one = dashu::integer::IBig::ONE << 320_usize;
-    Dyadic::new(one / &value.mantissa, -value.exponent - 320)
 }
 
 impl<S: Exact> Placed<S> {
     /// `None` if the placing does not fit the type.
     pub fn new(subject: &Subject<S>, placing: Placing, random: &mut Random) -> Option<Self> {
-        let distance = match placing {
-            Placing::Framed(distance) => distance,
-            Placing::Stretched(_) => 4.0,
-        };
-        let position = Vec3::<S>::from_f64(scale(random.direction(), distance * random.unit()))?;
-        let axis = UnitVec3::new(Vec3::<S>::from_f64(random.direction())?)?;
-        // To the last bit of the type's directions: a turn from the coordinates' bits would be too round.
-        let frame = Frame::looking(position, UnitVec3::new(Vec3::from_f64(random.direction())?)?, axis).ok()?;
+        let frame = placing.frame::<S>(random)?;
         let stored = [frame.right(), frame.up(), frame.forward()];
         let exact = stored.map(|axis| axis.to_array().map(S::exact_unit));
+        // A ball in a frame has no axes: a turned ball is a ball, although stored axes are orthogonal only to their last bits.
+        let is_ball = matches!(subject.solid, Solid::Sphere { .. });
+        let none = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(|row| row.map(Dyadic::from));
         let base = Self {
             shape: subject.shape.placed(frame),
             axes: stored.map(UnitVec3::to_f64),
-            position: position.to_f64(),
+            position: frame.position().to_f64(),
             largest: 1.0,
             frame,
             factors: None,
-            rows: exact.clone(),
-            exact_position: position.to_array().map(S::exact),
+            rows: if is_ball { none } else { exact },
+            exact_position: frame.position().to_array().map(S::exact),
         };
         let Placing::Stretched(factor) = placing else {
             return Some(base);
         };
         let factors = [(); 3].map(|()| Placing::factor::<S>(factor, random));
         let affine = Affine::stretched(frame, Vec3::new(factors[0], factors[1], factors[2])).ok()?;
-        let mut rows = exact;
-        for (row, factor) in rows.iter_mut().zip(factors) {
-            let by = reciprocal(&factor.exact());
-            *row = row.each_ref().map(|component| component * &by);
-        }
         let stretched = |i: usize| scale(base.axes[i], factors[i].to_f64());
         Some(Self {
             shape: subject.shape.placed(affine),
             axes: [stretched(0), stretched(1), stretched(2)],
             largest: factors.iter().map(|factor| factor.to_f64()).fold(1.0, f64::max),
             factors: Some(factors),
-            rows,
+            rows: affine.inverse().map(|(row, exponent)| row.map(|c| S::exact_unit(c).scaled(exponent as isize))),
             ..base
         })
     }
@@ -114,13 +132,13 @@ impl<S: Exact> Placed<S> {
         self.factors
     }
 
-    /// A ray at a point well inside, from 3 to 8 sizes of the solid away.
-    pub fn ray(&self, subject: &Subject<S>, random: &mut Random) -> Option<Ray<S>> {
-        let local = subject.inner_point(random);
-        let image = (0..3).fold(self.position, |sum, i| add(sum, scale(self.axes[i], local[i])));
-        let (origin, direction) = Workload::aimed(image, random.direction(), self.largest * random.between(3.0, 8.0));
-        let direction = direction.map(<S::Unit as raylet::scalar::UnitScalar>::from_f64);
-        Ray::new(Vec3::from_f64(origin)?, UnitVec3::from_components(direction)?).ok()
+    /// The next ray of the workload at the subject where it stands; `None` where the workload has no sense for it, or the draw does not
+    /// fit the type. It is rounded in the world: from far away, what the workload says of it is only what it was drawn from.
+    pub fn ray(&self, subject: &Subject<S>, workload: Workload, random: &mut Random) -> Option<Ray<S>> {
+        let (origin, direction) = workload.line(subject, random)?;
+        let image = |v: [f64; 3]| (0..3).fold([0.0; 3], |sum, i| add(sum, scale(self.axes[i], v[i])));
+        let ray = Workload::rounded((add(self.position, image(origin)), normalize(image(direction))))?;
+        workload.from_there(&self.shape, ray, random)
     }
 
     /// The ray's line in the primitive's frame, exactly.

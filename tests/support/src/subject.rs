@@ -2,7 +2,7 @@
 
 use super::exact_types::Exact;
 use super::oracle::{ConeExtent, CylinderExtent, Dyadic, Solid};
-use super::random::Random;
+use super::random::{Random, add, cross, normalize, scale};
 use raylet::{Capsule, Cone, Cylinder, Disc, Plane, Shape, Sphere, Triangle, Vec3};
 
 /// Every primitive of the design, with a name for tables.
@@ -177,6 +177,29 @@ impl<S: Exact> Subject<S> {
             [libm::cos(angle) * radius, v * height, libm::sin(angle) * radius],
             [libm::cos(angle) * scale, -slope * scale, libm::sin(angle) * scale],
         )
+    }
+
+    /// A point of a flat or a cap, and the normal there; `None` for solids that have none.
+    pub fn flat_point(&self, random: &mut Random) -> Option<([f64; 3], [f64; 3])> {
+        let (base, top, height) = self.outline;
+        if let Solid::Triangle { vertices } = &self.solid {
+            let [a, b, c] = vertices.each_ref().map(|vertex| vertex.each_ref().map(Dyadic::to_f64));
+            let (along, across) = (add(b, scale(a, -1.0)), add(c, scale(a, -1.0)));
+            // Folded at its third edge, the parallelogram is the triangle twice.
+            let (u, v) = (random.unit(), random.unit());
+            let (u, v) = if u + v > 1.0 { (1.0 - u, 1.0 - v) } else { (u, v) };
+            return Some((add(a, add(scale(along, u), scale(across, v))), normalize(cross(along, across))));
+        }
+        let caps: &[(f64, f64)] = match self.name {
+            "plane" | "disc" => &[(base, 0.0)],
+            "cone capped" => &[(top, height)],
+            "frustum pointed" => &[(base, 0.0)],
+            "cylinder capped" | "frustum capped" | "frustum widening" => &[(base, 0.0), (top, height)],
+            _ => return None,
+        };
+        let (radius, y) = random.pick(caps);
+        let (angle, around) = (random.between(0.0, std::f64::consts::TAU), random.unit().sqrt() * radius);
+        Some(([libm::cos(angle) * around, y, libm::sin(angle) * around], [0.0, 1.0, 0.0]))
     }
 
     /// A point of a rim (or seam, or the apex), where parts meet.

@@ -24,29 +24,30 @@ impl Instructions {
 
 /// True if the firmware's rays are like those of the workload: from 2 to 6 away. Other rays may take more (those that graze, those
 /// from so far that a short product does not hold them), and for them the same figure is only where it starts.
-pub fn is_like(workload: &str) -> bool {
-    workload == "benign" || workload.starts_with("framed") || workload.starts_with("stretched")
+pub fn is_like(row: &Figures) -> bool {
+    row.workload == "benign"
 }
 
-/// A subject of the firmware's, by a row's names.
-fn subject(primitive: &str, workload: &str) -> Option<String> {
-    let name = match primitive {
+/// A subject of the firmware's.
+fn subject(row: &Figures) -> Option<String> {
+    let name = match row.primitive {
         "frustum capped" => "frustum".into(),
         "frustum open" | "frustum widening" | "frustum pointed" => return None,
-        _ => primitive.replacen(' ', ", ", 1),
+        primitive => primitive.replacen(' ', ", ", 1),
     };
-    let place = ["framed", "stretched"].into_iter().find(|place| workload.starts_with(place));
-    match place {
-        None => Some(name),
-        Some(place) if primitive == "cylinder capped" => Some(format!("{name}, {place}")),
-        Some(_) => None,
+    if row.is_unplaced() {
+        return Some(name);
     }
+    // The firmware's frames turn; none only moves.
+    let places = [("turned", "framed"), ("stretched", "stretched")];
+    let (_, place) = places.into_iter().find(|(placed, _)| row.placed.starts_with(placed))?;
+    (row.primitive == "cylinder capped").then(|| format!("{name}, {place}"))
 }
 
 impl Chip {
     /// What a row costs; `None` if the firmware does not measure it.
     pub fn instructions(&self, row: &Figures) -> Option<Instructions> {
-        let subject = subject(row.primitive, &row.workload)?;
+        let subject = subject(row)?;
         let figure = |tier: &str, rays: &str| {
             self.cost.get(&format!("{subject} | nearest | {} | {tier} | {rays}", row.number)).copied()
         };

@@ -5,17 +5,20 @@
 //! cargo run --release -p raylet-accuracy -- --quick      # the same of few rays, to look at
 //! cargo run --release -p raylet-accuracy -- --write      # renews everything that the repository shows
 //! cargo run --release -p raylet-accuracy -- --check      # fails if a figure of errors is not what is measured
+//! cargo run --release -p raylet-accuracy -- --broken     # the rays of which a tier's promise is broken, worst first
 //! ```
 //!
 //! | module | what it holds |
 //! |---|---|
 //! | `time` | times, by ratio to a reference in the same run |
+//! | `broken` | rays of which a tier's promise is broken |
 //! | `sweep` | errors against distance and grazing |
 //! | `chips` | instructions on microcontrollers, from the firmware's baselines |
 //! | `study`, `stored` | all of these; times and sweeps as the repository stores them |
 //! | `publish` | the documents and plots that are made of them |
 //! | `difference` | how a document differs from another |
 
+mod broken;
 mod chips;
 mod difference;
 #[cfg(test)]
@@ -32,6 +35,7 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use study::{Study, Times};
+use support::figures::{NUMBERS, Rays};
 use support::subject::SUBJECTS;
 use support::{bounds, figures, in_repository};
 
@@ -51,7 +55,7 @@ struct Options {
     /// Few rays and few rounds of timing: some seconds instead of minutes. The worst errors come out too small.
     #[arg(short, long, conflicts_with_all = ["write", "check", "document"])]
     quick: bool,
-    /// Rays a row; the published tables have 2000.
+    /// Rays a row; the published tables have 2000. Rows of placed solids have a quarter of them.
     #[arg(short, long, conflicts_with_all = ["write", "check", "document", "quick"])]
     rays: Option<usize>,
     /// Print everything as JSON instead of writing documents.
@@ -70,11 +74,19 @@ struct Options {
     document: bool,
     /// Measure the errors, not the times, and compare the documents and plots with what they should be. Fails, and shows how
     /// they differ, if one does not match.
-    #[arg(short, long, conflicts_with = "document")]
+    #[arg(short, long, conflicts_with = "document", group = "part")]
     check: bool,
-    /// With --check: measure this primitive only; what is not measured is taken from the bounds. May be given several times.
-    #[arg(long, requires = "check", value_name = "PRIMITIVE", value_parser = SUBJECTS)]
+    /// Measure the errors, and print for each row in which a tier does not keep its promise how often, and the ray that breaks it worst,
+    /// by its bits. Fails if there is one.
+    #[arg(short, long, conflicts_with_all = ["write", "document", "json", "quick"], group = "part")]
+    broken: bool,
+    /// With --check or --broken: measure this primitive only (--check takes what is not measured from the bounds). May be given several
+    /// times.
+    #[arg(long, requires = "part", value_name = "PRIMITIVE", value_parser = SUBJECTS)]
     only: Vec<String>,
+    /// With --broken: measure this number type only. May be given several times.
+    #[arg(long, requires = "broken", value_name = "NUMBER", value_parser = NUMBERS)]
+    number: Vec<String>,
 }
 
 fn main() -> ExitCode {
@@ -95,7 +107,11 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     if options.check {
         return check(root, &options.only);
     }
-    let (rays, rounds) = if options.quick { (40, 3) } else { (options.rays.unwrap_or(bounds::RAYS), 9) };
+    let rays = options.rays.map_or(bounds::RAYS, Rays::new);
+    if options.broken {
+        return broken::report(&errors(rays, &options.only, &options.number)?);
+    }
+    let (rays, rounds) = if options.quick { (Rays::new(40), 3) } else { (rays, 9) };
     let study = measure(rays, rounds)?;
     if options.json {
         print!("{}", study::as_json(&study));
@@ -122,11 +138,12 @@ fn bar(what: &'static str, length: usize) -> Result<ProgressBar, Box<dyn Error>>
     Ok(progress)
 }
 
-/// The rows of errors, of every primitive or of those named.
-fn errors(rays: usize, only: &[String]) -> Result<Vec<figures::Figures>, Box<dyn Error>> {
-    let primitives = if only.is_empty() { SUBJECTS.len() } else { only.len() };
-    let progress = bar("errors", figures::NUMBERS.len() * primitives * figures::TICKS)?;
-    let wanted = |_: &str, primitive: &str| only.is_empty() || only.iter().any(|name| name == primitive);
+/// The rows of errors, of every primitive and number type or of those named.
+fn errors(rays: Rays, only: &[String], numbers: &[String]) -> Result<Vec<figures::Figures>, Box<dyn Error>> {
+    let is_named = |names: &[String], name: &str| names.is_empty() || names.iter().any(|it| it == name);
+    let count = |all: &[&str], names: &[String]| all.iter().filter(|name| is_named(names, name)).count();
+    let progress = bar("errors", count(&NUMBERS, numbers) * count(&SUBJECTS, only) * figures::ticks())?;
+    let wanted = |number: &str, primitive: &str| is_named(numbers, number) && is_named(only, primitive);
     let rows = figures::measure_all(rays, &wanted, &mut || progress.inc(1));
     progress.finish_and_clear();
     Ok(rows)
@@ -147,13 +164,13 @@ fn times(rounds: usize) -> Result<Times, Box<dyn Error>> {
     Ok(times)
 }
 
-fn measure(rays: usize, rounds: usize) -> Result<Study, Box<dyn Error>> {
+fn measure(rays: Rays, rounds: usize) -> Result<Study, Box<dyn Error>> {
     if cfg!(debug_assertions) {
         eprintln!("note: times of a build without --release say little");
     }
     let chips = chips::read()?;
-    let rows = errors(rays, &[])?;
-    let sweeps = sweeps(rays)?;
+    let rows = errors(rays, &[], &[])?;
+    let sweeps = sweeps(rays.unplaced)?;
     let times = times(rounds)?;
     Ok(Study::new(rays, rows, times, sweeps, chips))
 }
@@ -161,13 +178,13 @@ fn measure(rays: usize, rounds: usize) -> Result<Study, Box<dyn Error>> {
 /// Measures the errors anew and compares the documents with what they should be.
 fn check(root: &Path, only: &[String]) -> Result<(), Box<dyn Error>> {
     let committed = Study::committed()?;
-    let measured = errors(bounds::RAYS, only)?;
+    let measured = errors(bounds::RAYS, only, &[])?;
     let is_measured = |row: &figures::Figures| only.is_empty() || only.iter().any(|name| name == row.primitive);
     let mut fresh = measured.iter();
     let rows = committed.rows.iter().filter_map(|row| if is_measured(row) { fresh.next() } else { Some(row) });
     let mut rows: Vec<_> = rows.cloned().collect();
     rows.extend(fresh.cloned());
-    let sweeps = if only.is_empty() { sweeps(bounds::RAYS)? } else { committed.sweeps };
+    let sweeps = if only.is_empty() { sweeps(bounds::RAYS.unplaced)? } else { committed.sweeps };
     let study = Study::new(bounds::RAYS, rows, committed.times, sweeps, committed.chips);
     let mut files = publish::documents(&study, root)?;
     files.push((stored::SWEEPS.into(), stored::sweeps_table(&study.sweeps)));

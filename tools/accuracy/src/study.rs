@@ -5,7 +5,7 @@ use crate::stored;
 use serde_json::{Value, json};
 use std::collections::HashMap;
 use std::error::Error;
-use support::figures::Figures;
+use support::figures::{Figures, Rays};
 
 /// What a question costs on the machine that measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,7 +51,7 @@ pub struct Point {
     pub errors: [f64; 2],
 }
 
-/// A row's names: number type, tier, primitive, workload.
+/// A row's names: number type, tier, primitive, and the workload with the placement (`benign`; `benign, turned`).
 pub type Key = [String; 4];
 
 pub fn key(number: &str, tier: &str, primitive: &str, workload: &str) -> Key {
@@ -60,7 +60,7 @@ pub fn key(number: &str, tier: &str, primitive: &str, workload: &str) -> Key {
 
 /// Everything that the documents show.
 pub struct Study {
-    pub rays: usize,
+    pub rays: Rays,
     pub rows: Vec<Figures>,
     pub times: Times,
     pub sweeps: Vec<Point>,
@@ -70,8 +70,8 @@ pub struct Study {
 }
 
 impl Study {
-    pub fn new(rays: usize, rows: Vec<Figures>, times: Times, sweeps: Vec<Point>, chips: Vec<Chip>) -> Self {
-        let row_key = |row: &Figures| key(&row.number, row.tier, row.primitive, &row.workload);
+    pub fn new(rays: Rays, rows: Vec<Figures>, times: Times, sweeps: Vec<Point>, chips: Vec<Chip>) -> Self {
+        let row_key = |row: &Figures| key(&row.number, row.tier, row.primitive, &row.name());
         let row_of = rows.iter().enumerate().map(|(index, row)| (row_key(row), index)).collect();
         let time_key = |time: &Time| key(&time.number, &time.tier, &time.primitive, &time.workload);
         let time_of = times.rows.iter().enumerate().map(|(index, time)| (time_key(time), index)).collect();
@@ -89,14 +89,19 @@ impl Study {
     }
 
     pub fn time(&self, row: &Figures) -> Option<&Time> {
-        let key = key(&row.number, row.tier, row.primitive, &row.workload);
+        let key = key(&row.number, row.tier, row.primitive, &row.name());
         self.time_of.get(&key).map(|index| &self.times.rows[*index])
     }
 
-    /// The workloads of a primitive in a number type, in the order of the tables.
-    pub fn workloads(&self, number: &str, primitive: &str) -> Vec<&str> {
+    /// The row of the same rays in another number type and tier.
+    pub fn same(&self, row: &Figures, number: &str, tier: &str) -> Option<&Figures> {
+        self.row(number, tier, row.primitive, &row.name())
+    }
+
+    /// The workloads of a primitive in a number type that are timed, with their placements, in the order of the tables.
+    pub fn timed(&self, number: &str, primitive: &str) -> Vec<String> {
         let of = |row: &&Figures| row.number == number && row.primitive == primitive && row.tier == "Stable";
-        self.rows.iter().filter(of).map(|row| row.workload.as_str()).collect()
+        self.rows.iter().filter(of).filter(|row| row.is_timed()).map(Figures::name).collect()
     }
 }
 
@@ -121,10 +126,12 @@ pub fn as_json(study: &Study) -> String {
             .filter_map(|chip| Some((chip.name.to_string(), json!(chip.instructions(row)?.both()))))
             .collect();
         json!({
-            "tier": row.tier, "number": row.number, "primitive": row.primitive, "workload": row.workload,
+            "tier": row.tier, "number": row.number, "primitive": row.primitive, "placed": row.placed,
+            "workload": row.workload,
             "hits": row.hits, "median": median, "p999": most, "worst": worst,
             "median_length": median_length, "p999_length": most_length, "worst_length": worst_length,
             "lost": lost, "phantom": phantom, "edge": edge, "part": part, "integers": integers,
+            "broken": row.broken,
             "time_hit": time.map_or(Value::Null, |time| cost(time.hit)),
             "time_miss": time.map_or(Value::Null, |time| cost(time.miss)),
             "instructions": instructions,
@@ -138,9 +145,10 @@ pub fn as_json(study: &Study) -> String {
         })
     });
     format!(
-        "{{\n\"machine\": {},\n\"rays\": {},\n\"rows\": [\n{}\n],\n\"sweeps\": [\n{}\n]}}\n",
+        "{{\n\"machine\": {},\n\"rays\": {},\n\"rays_placed\": {},\n\"rows\": [\n{}\n],\n\"sweeps\": [\n{}\n]}}\n",
         json!(study.times.machine),
-        study.rays,
+        study.rays.unplaced,
+        study.rays.placed,
         lines(rows),
         lines(sweeps)
     )

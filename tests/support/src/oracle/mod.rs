@@ -8,6 +8,7 @@
 //! - [`algebraic`]: the numbers answered, `(p + s * sqrt(D)) / q`.
 //! - [`solids`]: what the solids are, and which points belong to them.
 //! - [`solve`]: where a line meets them; of which [`quadric`] and [`flat`] do the equations.
+//! - [`departing`]: where a line that departs from a solid meets it again.
 //! - [`expected`]: what of that a ray with a range of `t` must report.
 //! - [`normal`]: which way the surface faces there.
 
@@ -15,6 +16,7 @@
 #![allow(dead_code, unused_imports)]
 
 pub mod algebraic;
+pub mod departing;
 pub mod dyadic;
 pub mod expected;
 mod flat;
@@ -24,6 +26,7 @@ pub mod solids;
 pub mod solve;
 
 pub use algebraic::Root;
+pub use departing::{Leaving, solve_departing};
 pub use dyadic::{Dyadic, exact_f32, exact_f64, exact_fixed};
 pub use expected::{ExpectedCrossing, ExpectedHit, InRange, hits_in_range};
 pub use normal::{gradient, normal};

@@ -99,17 +99,21 @@ impl Quadratic {
     }
 }
 
-/// The ball of the radius around `(0, height, 0)`.
-pub(super) fn sphere_overlap(line: &IntegerLine, radius: &IBig, height: &IBig) -> Option<Interval> {
+/// The quadratic of the ball of the radius around `(0, height, 0)`.
+pub(super) fn sphere(line: &IntegerLine, radius: &IBig, height: &IBig) -> Quadratic {
     let [x, y, z] = &line.origin;
     let [dx, dy, dz] = &line.direction;
     let y = &(y - height);
-    let quadratic = Quadratic {
+    Quadratic {
         a: dx * dx + dy * dy + dz * dz,
         k: x * dx + y * dy + z * dz,
         c: x * x + y * y + z * z - radius * radius,
-    };
-    let (enter, exit) = quadratic.roots(line.exponent)?;
+    }
+}
+
+/// The piece of the line within the ball of the radius around `(0, height, 0)`.
+pub(super) fn sphere_overlap(line: &IntegerLine, radius: &IBig, height: &IBig) -> Option<Interval> {
+    let (enter, exit) = sphere(line, radius, height).roots(line.exponent)?;
     Some(Interval::between(enter, exit))
 }
 

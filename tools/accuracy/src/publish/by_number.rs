@@ -12,9 +12,10 @@ fn head(study: &Study, number: &str) -> String {
         _ => "the formulas that everyone writes first, in the wrapping operators of the crate `fixed`",
     };
     format!(
-        "# All rows of `{number}`\n\n\
+        "# Rows of `{number}`\n\n\
          Written by `cargo run --release -p raylet-accuracy -- --write`; what the columns and the workloads are, and what to make of them, \
-         stands in [accuracy.md](../accuracy.md). *Textbook*: {textbook}; it tells `t` alone, no part. Errors are the same on every \
+         stands in [accuracy.md](../accuracy.md). Further angles, departing rays and the other workloads at placed solids stand in \
+         [data/bounds](../../data/bounds) alone. *Textbook*: {textbook}; it tells `t` alone, no part. Errors are the same on every \
          machine. Times are of {}: hit / miss, as a ratio to the textbook's sphere in `f32` ({} ns), and in nanoseconds.\n\n",
         study.times.machine, study.times.reference_nanoseconds
     )
@@ -45,7 +46,7 @@ fn errors(rows: &[&Figures]) -> String {
         let part = if row.tier == "Textbook" { super::markdown::NONE.into() } else { part };
         let [median_length, most_length, worst_length] = lengths;
         table.row(&[
-            row.workload.clone(),
+            row.name(),
             row.tier.into(),
             row.hits.to_string(),
             median,
@@ -66,10 +67,10 @@ fn errors(rows: &[&Figures]) -> String {
 fn times(study: &Study, number: &str, primitive: &str, tiers: &[&str]) -> String {
     let titles = tiers.iter().flat_map(|tier| [tier.to_string(), "ns".into()]);
     let mut table = Table::new(&std::iter::once("workload".into()).chain(titles).collect::<Vec<String>>(), 1);
-    for workload in study.workloads(number, primitive) {
-        let mut cells = vec![workload.to_string()];
+    for workload in study.timed(number, primitive) {
+        let mut cells = vec![workload.clone()];
         for tier in tiers {
-            let Some(row) = study.row(number, tier, primitive, workload) else { continue };
+            let Some(row) = study.row(number, tier, primitive, &workload) else { continue };
             cells.push(row_ratios(study, row));
             cells.push(study.time(row).map_or(String::new(), |time| nanoseconds(time.hit, time.miss)));
         }
@@ -83,14 +84,14 @@ fn chips(study: &Study, rows: &[&Figures]) -> String {
     let titles: Vec<_> = ["", "tier"].into_iter().chain(study.chips.iter().map(|chip| chip.name)).collect();
     let mut table = Table::new(&titles, 2);
     let mut any = false;
-    for workload in ["benign", "framed within 4", "stretched by 1/4 to 4"] {
-        for row in rows.iter().filter(|row| row.workload == workload) {
+    for place in ["-", "turned", "stretched by 1/30 to 30"] {
+        for row in rows.iter().filter(|row| row.workload == "benign" && row.placed == place) {
             let cells: Vec<_> = study.chips.iter().map(|chip| instructions(chip, row)).collect();
             if cells.iter().all(|cell| cell == super::markdown::NONE) {
                 continue;
             }
             any = true;
-            let place = if workload == "benign" { "as it is" } else { workload.split(' ').next().unwrap_or(workload) };
+            let place = if row.is_unplaced() { "as it is" } else { place.split(' ').next().unwrap_or(place) };
             table.row(&[vec![place.into(), row.tier.to_string()], cells].concat());
         }
     }
@@ -102,8 +103,8 @@ pub fn document(study: &Study, number: &str) -> String {
     let mut text = head(study, number);
     for primitive in SUBJECTS {
         let mut rows: Vec<&Figures> = vec![];
-        for workload in study.workloads(number, primitive) {
-            rows.extend(TIERS.iter().filter_map(|tier| study.row(number, tier, primitive, workload)));
+        for workload in study.timed(number, primitive) {
+            rows.extend(TIERS.iter().filter_map(|tier| study.row(number, tier, primitive, &workload)));
         }
         let tiers: Vec<_> = TIERS.into_iter().filter(|tier| rows.iter().any(|row| row.tier == *tier)).collect();
         let _ = write!(

@@ -14,8 +14,7 @@ fn is_nearly_as_accurate(row: &Beaten<'_>) -> bool {
 }
 
 fn is_unbounded_and_placed(row: &Beaten<'_>) -> bool {
-    matches!(row.slower.primitive, "cone double" | "cone nappe")
-        && (row.slower.workload.starts_with("framed") || row.slower.workload.starts_with("stretched"))
+    matches!(row.slower.primitive, "cone double" | "cone nappe") && !row.slower.is_unplaced()
 }
 
 fn is_flat(row: &Beaten<'_>) -> bool {
@@ -30,9 +29,9 @@ pub const WHY: [Why; 15] = [
          keep products whole, see most misses by signs of plain integers, and take one root and one quotient.",
     ),
     (
-        |row| row.slower.workload.starts_with("stretched") && row.slower.tier == "Exact",
-        "A stretched placement stores a rounded inverse and every tier takes it at its word. What is left is the matrix's rounding, \
-         the same for all; where its effect and a tier's own rounding cancel is chance.",
+        |row| row.slower.placed.starts_with("stretched") && row.slower.tier == "Exact",
+        "A stretched placement is taken as it is stored, and no tier has a fast path for it: the robust number answers for all, correctly \
+         rounded but for ties. What differs between two of them is chance.",
     ),
     (
         |row| is_fixed(row) && row.faster.tier == "Exact" && row.slower.primitive == "triangle",

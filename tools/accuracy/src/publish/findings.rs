@@ -69,12 +69,12 @@ fn beaten(study: &Study) -> Vec<Beaten<'_>> {
     let mut all = vec![];
     for slower in &study.rows {
         for tier in TIERS.into_iter().filter(|tier| *tier != slower.tier) {
-            let Some(faster) = study.row(&slower.number, tier, slower.primitive, &slower.workload) else { continue };
+            let Some(faster) = study.same(slower, &slower.number, tier) else { continue };
             if !is_more_accurate(faster, slower) {
                 continue;
             }
             for machine in Machine::all(study) {
-                if machine != Machine::Host && !is_like(&slower.workload) {
+                if machine != Machine::Host && !is_like(slower) {
                     continue;
                 }
                 let limit = if machine == Machine::Host { SHORTER } else { 1.0 };
@@ -156,7 +156,7 @@ fn dominated<'a>(study: &'a Study, machine: Machine, number: &str, tier: &str) -
         told.rows += 1;
         let mut any = false;
         for other in NUMBERS.iter().flat_map(|number| TIERS.iter().map(move |tier| (*number, *tier))) {
-            let Some(other) = study.row(other.0, other.1, row.primitive, &row.workload) else { continue };
+            let Some(other) = study.same(row, other.0, other.1) else { continue };
             let Some(less) = machine.costs(study, other)[0] else { continue };
             let as_good = other.wrong() <= row.wrong() && other.lengths[1] <= row.lengths[1] && less <= cost;
             if as_good && (other.wrong() < row.wrong() || other.lengths[1] < row.lengths[1] || less < cost) {

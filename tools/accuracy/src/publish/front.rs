@@ -1,10 +1,11 @@
-//! `docs/accuracy.md`: what to expect, the plots, and what the figures need a word for. All rows stand on pages of their own.
+//! `docs/accuracy.md`: what to expect, the plots, and what the figures need a word for. Rows stand on pages of their own.
 
 use super::markdown::{NONE, Table, page, row_ratios, short};
-use super::{findings, plots, readme};
+use super::{findings, placed, plots, readme};
 use crate::chips::Chip;
 use crate::study::Study;
 use std::fmt::Write;
+use support::bounds;
 use support::figures::{Figures, NUMBERS};
 
 fn head(study: &Study) -> String {
@@ -14,13 +15,14 @@ fn head(study: &Study) -> String {
 
 How wrong is each tier in each number type, and how long does it take? Written by `cargo run --release -p raylet-accuracy -- --write`
 (`--json` prints all of it); `tests/promises/src/number_types.rs` holds the library to the errors: in `.ci/long` the test fails if a figure is exceeded, or if
-one is more than 5% too large; in its quick form, if one of the first 200 rays of a row is worse than its worst. [Which one do I take?](which-one.md) puts it into advice.
+one is more than 5% too large; in its quick form, if one of the first {} rays of a row (placed: {}) is worse than its worst. [Which one do I take?](which-one.md) puts it into advice.
 
-Every row is {} seeded rays at one primitive, of size about 1. The reference is exact arithmetic on the very bits that the library
-received. *Median*, *99.9%* and *worst* are errors of `t` in units in the last place: of a float's spacing at `t`, or of the fixed type's
-unit; an answer rounded correctly is off by at most .5. *Length* is the same error as a length. *Lost* are hits of exact arithmetic that are
+Every row is {} seeded rays at one primitive, of size about 1; at placed ones {}, each with a placement of its own. The reference is
+exact arithmetic on the very bits that the library received. *Median*, *99.9%* and *worst* are errors of `t` in units in the last place: of a float's spacing at `t`, or of the fixed type's
+unit (of a hit nearer to the ray's start than a thousandth of the size: of the size's spacing, but in `Exact`); an answer rounded correctly is off by at most .5. *Length* is the same error as a length. *Lost* are hits of exact arithmetic that are
 missing, *phantom* hits that it does not have (both together: *wrong*), *edge* hits within one unit of the ray's start on the wrong side of
-it, *part* hits on another part or with another crossing. Errors are the same on every machine and in every run.
+it (of a start on a surface: hits of that surface itself), *part* hits on another part or with another crossing, *broken* rays of which the tier does not keep
+its promise. Errors are the same on every machine and in every run.
 
 Times are those of a nearest hit on one machine ({}), as a ratio to the textbook's sphere in `f32` that hits ({} ns), which is timed
 before each short batch; the median of several rounds; hit / miss. Misses are the workload's own, and where it is aimed at the solid, rays from
@@ -31,10 +33,13 @@ the same origins past it. They vary by a tenth between runs, and nothing is deci
 *Textbook* is `k^2 - a c` as everyone writes it first, in the operators of the number type: for fixed point those of the crate `fixed`,
 which wrap. It tells `t` alone.
 
-All rows: {}.
+Rows that are timed: {}. All rows: [data/bounds](../data/bounds).
 
 ",
-        raylet_tables::grouped(study.rays as u64),
+        bounds::QUICK.unplaced,
+        bounds::QUICK.placed,
+        raylet_tables::grouped(study.rays.unplaced as u64),
+        study.rays.placed,
         study.times.machine,
         study.times.reference_nanoseconds,
         NUMBERS.map(|number| format!("[`{number}`]({})", page(number))).join(", ")
@@ -54,31 +59,35 @@ const WORKLOADS: &str = "\
 | on the surface | from a point of the side, rounded to the type: one `t` is next to nothing |
 | off the axis | nearly parallel to the axis |
 | off a generator | nearly parallel to a generator of a cone: a hit may be very far away |
+| off a plane | at that angle to the plane of a flat or of a cap, at a point of it |
 | rims | within a thousandth of a rim, a seam or the apex |
 | zero components | directions with one or two zero components |
-| framed within 4 or 1000 | as benign, the solid turned anyhow and that far from the world's origin |
-| stretched by 1/f to f | as benign, each axis of such a frame (nearby) stretched by a factor of its own between these |
+| departing | from a hit, inwards or outwards, and said to depart there; every fourth nearly along the surface. The reference takes the start for a point of the surface |
+| moved | at the solid in a frame that only moves it: half of them within 4 of the world's origin, the others within 1,000 and 1,000,000, or as far as the type reaches |
+| turned | at the solid in such a frame, turned anyhow |
+| stretched by 1/f to f | each axis of such a frame stretched by a factor of its own between these |
 
 ";
 
 /// A name, and whether a workload belongs to it.
-type Kind = (&'static str, fn(&str) -> bool);
+pub type Kind = (&'static str, fn(&str) -> bool);
 
 /// The kinds of workloads in the summary.
-const KINDS: [Kind; 4] = [
+pub const KINDS: [Kind; 5] = [
     ("well aimed", |name| name == "benign" || name.ends_with(" away") || name == "inside" || name == "zero components"),
     ("grazing", |name| name.starts_with("grazing")),
-    ("rims, near axis or generator", |name| name == "rims" || name.contains(" off ")),
+    ("rims, near axis, generator or plane", |name| name == "rims" || name.contains(" off ")),
     ("on the surface", |name| name == "on the surface"),
+    ("departing", |name| name.starts_with("departing")),
 ];
 
 /// The rows of one tier and number type each.
-fn groups(rows: &[Figures]) -> Vec<&[Figures]> {
+pub fn groups(rows: &[Figures]) -> Vec<&[Figures]> {
     rows.chunk_by(|a, b| a.tier == b.tier && a.number == b.number).collect()
 }
 
 /// The largest median, 99.9 % and worst error of rows, and the sum of the wrong.
-fn largest<'a>(rows: impl Iterator<Item = &'a Figures>) -> ([f64; 3], usize) {
+pub fn largest<'a>(rows: impl Iterator<Item = &'a Figures>) -> ([f64; 3], usize) {
     rows.fold(([0.0; 3], 0), |(errors, wrong), row| {
         ([0, 1, 2].map(|i| f64::max(errors[i], row.errors[i])), wrong + row.wrong())
     })
@@ -86,13 +95,14 @@ fn largest<'a>(rows: impl Iterator<Item = &'a Figures>) -> ([f64; 3], usize) {
 
 /// Per tier and number type: what to expect.
 pub fn summary(study: &Study) -> String {
-    let mut table = Table::new(&["tier", "number"].into_iter().chain(KINDS.map(|kind| kind.0)).collect::<Vec<_>>(), 6);
+    let mut table = Table::new(&["tier", "number"].into_iter().chain(KINDS.map(|kind| kind.0)).collect::<Vec<_>>(), 7);
     for group in groups(&study.rows) {
         let mut cells = vec![group[0].tier.to_string(), format!("`{}`", group[0].number)];
         for (_, belongs) in KINDS {
-            let ([median, _, worst], wrong) = largest(group.iter().filter(|row| belongs(&row.workload)));
+            let of = group.iter().filter(|row| row.is_unplaced() && belongs(&row.workload));
+            let (([median, _, worst], wrong), any) = (largest(of.clone()), of.count() > 0);
             let told = if wrong > 0 { format!("; {wrong} wrong") } else { String::new() };
-            cells.push(format!("{} / {}{told}", short(median), short(worst)));
+            cells.push(if any { format!("{} / {}{told}", short(median), short(worst)) } else { NONE.into() });
         }
         table.row(&cells);
     }
@@ -122,41 +132,6 @@ fn ordered<'a>(study: &'a Study, primitive: &'a str) -> impl Iterator<Item = &'a
     all.filter_map(move |(number, tier)| study.row(number, tier, primitive, "benign"))
 }
 
-/// The closed solids, whose `t` is well-conditioned.
-const CLOSED: [&str; 5] = ["sphere", "cylinder capped", "capsule", "cone capped", "frustum capped"];
-
-/// What is said of placed solids.
-const PLACED: &str = "\
-## Placed solids
-
-The largest of five closed solids (sphere, capped cylinder, capsule, capped cone, capped frustum), median / 99.9% / worst, for
-rays at a point well inside. *Not placed* is the share of the solve alone. What `Exact` is left with is the share of what the
-placement stores: a frame is taken at its word, so nothing; a stretched placement stores a rounded inverse. What the other tiers have more
-than both is that their fast path takes the ray into the frame in the type's own width: some units for floats; for fixed point next to nothing,
-for the local line has bits to spare. What the fast path leaves open goes into the frame without rounding.
-
-";
-
-/// Per tier and number type, what placing costs.
-fn placed(study: &Study) -> String {
-    let mut workloads: Vec<&str> = vec!["benign"];
-    let placings = study.workloads("f32", "sphere").into_iter();
-    workloads.extend(placings.filter(|name| name.starts_with("framed") || name.starts_with("stretched")));
-    let titles = ["tier", "number", "not placed"].into_iter().chain(workloads[1..].iter().copied());
-    let mut table = Table::new(&titles.collect::<Vec<_>>(), 2 + workloads.len());
-    for group in groups(&study.rows) {
-        let mut cells = vec![group[0].tier.to_string(), format!("`{}`", group[0].number)];
-        for workload in &workloads {
-            let of = group.iter().filter(|row| row.workload == **workload && CLOSED.contains(&row.primitive));
-            let (errors, wrong) = largest(of);
-            let told = if wrong > 0 { format!(" ({wrong} wrong)") } else { String::new() };
-            cells.push(format!("{}{told}", errors.map(short).join(" / ")));
-        }
-        table.row(&cells);
-    }
-    table.done()
-}
-
 /// What is said of the exact tier's integers.
 const INTEGERS: &str = "\
 ## How often integers decide
@@ -167,22 +142,25 @@ Rays of a million that the filter of the `Exact` tier cannot decide, so that int
 
 /// Per workload, how often the exact tier needs its integers.
 fn integers(study: &Study) -> String {
-    let mut table = Table::new(&["workload", "`f32`", "`I16F16`"], 3);
+    const SHOWN: [(&str, bool); 4] = [("f32", true), ("f32", false), ("I16F16", true), ("I16F16", false)];
+    let mut table = Table::new(&["workload", "`f32`", "`f32`, placed", "`I16F16`", "`I16F16`, placed"], 1);
+    let exact: Vec<_> = study.rows.iter().filter(|row| row.tier == "Exact").collect();
     let mut workloads: Vec<&str> = vec![];
-    for row in study.rows.iter().filter(|row| row.tier == "Exact") {
+    for row in &exact {
         if !workloads.contains(&row.workload.as_str()) {
             workloads.push(&row.workload);
         }
     }
     for workload in workloads {
         let mut cells = vec![workload.to_string()];
-        for number in ["f32", "I16F16"] {
-            let is_of = |row: &&Figures| row.tier == "Exact" && row.number == number && row.workload == workload;
-            let of: Vec<_> = study.rows.iter().filter(is_of).collect();
+        for (number, is_unplaced) in SHOWN {
+            let is_of =
+                |row: &&&Figures| row.number == number && row.workload == workload && row.is_unplaced() == is_unplaced;
+            let of: Vec<_> = exact.iter().filter(is_of).collect();
             let decided: usize = of.iter().map(|row| row.counts[4]).sum();
             // A row has as many rays, whatever of them fits the type.
-            let share = 1e6 * decided as f64 / (of.len() * study.rays) as f64;
-            cells.push(if of.is_empty() { NONE.into() } else { format!("{share:.0}") });
+            let rays = of.len() * if is_unplaced { study.rays.unplaced } else { study.rays.placed };
+            cells.push(if of.is_empty() { NONE.into() } else { format!("{:.0}", 1e6 * decided as f64 / rays as f64) });
         }
         table.row(&cells);
     }
@@ -231,12 +209,12 @@ pub fn document(study: &Study) -> String {
          shorter below nine tenths. {told}\n\n{faster}\
          ## Beaten by another\n\nThe share of rows in which another combination, of any number type, costs no more and is no more wrong as a length, and is better \
          in one of them. A number type that cannot hold a row's rays does not beat there. On the chips, the instructions of benign rays \
-         stand for those of every workload.\n\n{}{WORKLOADS}{PLACED}{}{INTEGERS}{}",
+         stand for those of every workload.\n\n{}{WORKLOADS}{}{INTEGERS}{}",
         summary(study),
         costs(study),
         pictures(study),
         findings::dominated_everywhere(study),
-        placed(study),
+        placed::section(study),
         integers(study)
     );
     text.trim_end().to_string() + "\n"

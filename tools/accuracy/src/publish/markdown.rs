@@ -51,7 +51,7 @@ fn pair(hit: Option<String>, miss: Option<String>) -> String {
 pub fn instructions(chip: &Chip, row: &Figures) -> String {
     let told = chip.instructions(row);
     let text = pair(told.map(|told| grouped(told.hit)), told.map(|told| grouped(told.miss)));
-    if told.is_some() && !is_like(&row.workload) { format!("({text})") } else { text }
+    if told.is_some() && !is_like(row) { format!("({text})") } else { text }
 }
 
 /// The time of a row on the host: hit / miss.

@@ -3,7 +3,8 @@
 //! | module | what it holds |
 //! |---|---|
 //! | `front` | docs/accuracy.md |
-//! | `by_number` | docs/accuracy/: all rows, a page a number type |
+//! | `placed` | of that the table of placed solids |
+//! | `by_number` | docs/accuracy/: the rows that are timed, a page a number type |
 //! | `which_one`, `advice` | docs/which-one.md: how it is made, what it says |
 //! | `readme` | the README's tables |
 //! | `findings`, `explanations` | what needs a word, and the words |
@@ -16,6 +17,7 @@ mod explanations;
 mod findings;
 mod front;
 mod markdown;
+mod placed;
 mod plots;
 mod readme;
 mod which_one;

@@ -39,7 +39,7 @@ fn evidence(study: &Study, rows: &[Row]) -> Result<String, Box<dyn Error>> {
         let mut cells = vec![
             format!("`{}`", row.number),
             row.tier.to_string(),
-            format!("[{}, {}]({})", row.primitive, row.workload, link(&row.number, row.primitive)),
+            format!("[{}, {}]({})", row.primitive, row.name(), link(&row.number, row.primitive)),
             short(row.errors[1]),
             length(row.lengths[1]),
             row.wrong().to_string(),
@@ -72,10 +72,9 @@ fn broken(study: &Study, claim: &Claim) -> Option<String> {
                 .then(|| format!("`{}` {}, {}, {}: {} units", row.0, row.1, row.2, row.3, found.errors[1]))
         }
         Claim::NeverWrong(number, tier) => {
-            let of =
-                |row: &&Figures| row.number == *number && row.tier == *tier && !row.workload.starts_with("stretched");
+            let of = |row: &&Figures| row.number == *number && row.tier == *tier;
             let wrong = study.rows.iter().filter(of).find(|row| row.counts[..4] != [0; 4])?;
-            Some(format!("`{number}` {tier} is wrong in {}, {}", wrong.primitive, wrong.workload))
+            Some(format!("`{number}` {tier} is wrong in {}, {}", wrong.primitive, wrong.name()))
         }
         Claim::Wrong(row) => {
             let found = find(study, row).ok()?;

@@ -3,6 +3,7 @@
 use raylet::scalar::UnitScalar;
 use raylet::{Ray, Shape, UnitVec3};
 use support::exact_types::Exact;
+use support::figures;
 use support::placed::{Placed, Placing};
 use support::random::{Random, add, normalize, scale};
 use support::subject::Subject;
@@ -19,6 +20,7 @@ const DRAWS: usize = 2_000;
 #[derive(Clone, Copy)]
 pub enum Kind {
     Unplaced(Workload),
+    /// Benign rays at solids that are placed so.
     Placed(Placing),
 }
 
@@ -26,7 +28,7 @@ impl Kind {
     pub fn name(self) -> String {
         match self {
             Self::Unplaced(workload) => workload.name(),
-            Self::Placed(placing) => placing.name(),
+            Self::Placed(placing) => figures::name(&Workload::Benign.name(), &placing.name()),
         }
     }
 }
@@ -46,7 +48,11 @@ fn draw<S: Plain>(subject: &Subject<S>, kind: Kind, random: &mut Random) -> Opti
         }
         Kind::Placed(placing) => {
             let placed = Placed::new(subject, placing, random)?;
-            Some(Query { shape: placed.shape, place: Some(Place::of(&placed)), ray: placed.ray(subject, random)? })
+            Some(Query {
+                shape: placed.shape,
+                place: Some(Place::of(&placed)),
+                ray: placed.ray(subject, Workload::Benign, random)?,
+            })
         }
     }
 }

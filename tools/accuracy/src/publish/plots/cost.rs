@@ -116,10 +116,10 @@ fn legend(area: &Area<'_>, axis: &str) -> Result<(), Box<dyn Error>> {
 
 /// The plot of one primitive, on the host or on a chip.
 pub fn plot(study: &Study, chip: Option<&Chip>, primitive: &str) -> Result<String, Box<dyn Error>> {
-    let workloads = study.workloads("f32", primitive);
+    let workloads = study.timed("f32", primitive);
     let panels: Vec<_> = workloads
         .iter()
-        .map(|workload| (*workload, points(study, chip, primitive, workload)))
+        .map(|workload| (workload.as_str(), points(study, chip, primitive, workload)))
         .filter(|(_, points)| !points.is_empty())
         .collect();
     let costs = panels.iter().flat_map(|(_, points)| points).map(|point| point.cost.max(1e-3));
