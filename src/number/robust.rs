@@ -6,10 +6,8 @@ use crate::scalar::Scalar;
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
 
-/// A number of `64 N` bits.
-///
-/// One word for `f32`, two for `f64` and 32-bit fixed point, three for 64-bit fixed point: what these must hold is derived and
-/// measured in `docs/design/robust-number.md`.
+/// A number of 64 bits, for `f32` and 32-bit fixed point, or of 128, for `f64` and 64-bit fixed point: `docs/design/robust-number.md`
+/// derives why these are enough.
 #[derive(Clone, Copy, Debug)]
 pub struct Robust<W>(Limbs<W>);
 

@@ -118,10 +118,11 @@ impl<S: Scalar> Surface<S> {
     /// and where a ray that grazes makes too much of the rounding of the point.
     #[inline(always)]
     fn native_local_point(&self, rough: Vec3<S>) -> Option<[Native<S::Real>; 3]> {
-        if !S::RELATIVE || self.is_stretched() {
+        let figure = self.shape.primitive.figure();
+        // The distance to a triangle's plane cancels to less than its own rounding.
+        if !S::RELATIVE || self.is_stretched() || matches!(figure, Figure::Triangle { .. }) {
             return None;
         }
-        let figure = self.shape.primitive.figure();
         let shape = &self.shape;
         let [_, d] = through!(shape, |_primitive, place| place.line::<Native<S::Real>>(&self.ray));
         let p = rough.to_array().map(<Native<S::Real> as FromScalar<S>>::scalar);

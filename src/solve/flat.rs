@@ -59,15 +59,19 @@ pub(super) fn disc<S: Scalar, N: Of<S>>(line: &Line<N>, r: N, range: Range<S>) -
 /// test ray-triangle intersection*, 2001). The volume of an edge depends on its two end points and the line alone and changes its
 /// sign exactly when they are swapped, so that no line slips between two triangles that share an edge. No other sign takes part: the
 /// volumes add up to `d . n`, which decides the side that is seen and divides.
+///
+/// With the line's moment `m = o x d`, the volume of an edge is the product of two lines in Plucker coordinates; far origins cancel in
+/// `m` alone, before anything is rounded.
 pub(super) fn triangle<S: Scalar, N: Of<S>>(
     line: &Line<N>,
     vertices: [[N; 3]; 3],
     range: Range<S>,
 ) -> Option<Intersection<S>> {
-    let [a, b, c] = vertices.map(|vertex| difference(vertex, line.origin));
-    // d . (p x q): the side on which the line passes the edge from p to q.
-    let volume = |p: [N; 3], q: [N; 3]| dot(line.direction, cross(p, q));
-    let volumes = [volume(a, b), volume(b, c), volume(c, a)];
+    let (d, m) = (line.direction, cross(line.origin, line.direction));
+    // d . (p x q) + m . (q - p): the side on which the line passes the edge from p to q.
+    let volume = |p: [N; 3], q: [N; 3]| dot(d, cross(p, q)) + dot(m, difference(q, p));
+    let [va, vb, vc] = vertices;
+    let volumes = [volume(va, vb), volume(vb, vc), volume(vc, va)];
     let mut along_normal = Ordering::Equal;
     for volume in volumes {
         match volume.sign()? {
@@ -77,9 +81,8 @@ pub(super) fn triangle<S: Scalar, N: Of<S>>(
             _ => return Some(Intersection::Miss),
         }
     }
-    let [va, vb, vc] = vertices;
     let normal = cross(difference(vb, va), difference(vc, va));
-    let distance = dot(normal, a);
+    let distance = dot(normal, difference(va, line.origin));
     if along_normal == Ordering::Equal {
         // In its plane; or corners on a line, as exact arithmetic sees them: no area, no hit.
         let misses = is_zero(normal)? || distance.sign()? != Ordering::Equal;

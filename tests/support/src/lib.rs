@@ -5,6 +5,7 @@
 pub mod amount;
 pub mod bounds;
 pub mod cases;
+pub mod climb;
 pub mod crowd;
 pub mod exact_types;
 pub mod figures;

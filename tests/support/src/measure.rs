@@ -46,8 +46,14 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// Compares the hits of one ray with the exact ones.
-    fn count<S: Number>(&mut self, tier: &str, got: &[Told<S>], judged: &Judged<'_, S>, told: &dyn Fn() -> String) {
+    /// Compares the hits of one ray with the exact ones. The error over what the tier promises, or zero where half a unit is not exceeded.
+    fn count<S: Number>(
+        &mut self,
+        tier: &str,
+        got: &[Told<S>],
+        judged: &Judged<'_, S>,
+        told: &dyn Fn() -> String,
+    ) -> f64 {
         self.rays += 1;
         let before = (self.errors.len(), self.part);
         let wrong = !self.compare(tier, got.to_vec(), judged);
@@ -77,6 +83,7 @@ impl Measured {
                 });
             }
         }
+        by
     }
 
     /// Counts what differs; false if a hit is lost or invented.
@@ -144,12 +151,20 @@ struct Rows<'a, S: Number> {
     rows: Vec<Measured>,
 }
 
+/// How far one ray goes with a method, of what its tier promises; and the ray, if that is too far.
+pub fn ask_one<S: Number>(method: &Method<S>, asked: &Asked<'_, S>, ray: &Ray<S>) -> (f64, Option<Broken>) {
+    let mut rows = Rows::new(std::slice::from_ref(method));
+    let by = rows.ask(asked, ray);
+    (by, rows.rows.pop().and_then(|row| row.worst))
+}
+
 impl<'a, S: Number> Rows<'a, S> {
     fn new(methods: &'a [Method<S>]) -> Self {
         Self { methods, rows: methods.iter().map(|_| Measured::default()).collect() }
     }
 
-    fn ask(&mut self, asked: &Asked<'_, S>, ray: &Ray<S>) {
+    /// The most that a method goes of what its tier promises.
+    fn ask(&mut self, asked: &Asked<'_, S>, ray: &Ray<S>) -> f64 {
         let (line, size) = match asked.placed {
             None => (exact_line(ray), 1.0),
             Some(placed) => (placed.line(ray), placed.largest),
@@ -157,11 +172,13 @@ impl<'a, S: Number> Rows<'a, S> {
         let solid = &asked.subject.solid;
         let want: InRange = expected_of(solid, &line, ray);
         let judged = Judged { solid, line: &line, ray, want: &want, size };
+        let mut most = 0.0_f64;
         for (method, row) in self.methods.iter().zip(&mut self.rows) {
             let got = (method.hits)(asked, ray);
-            row.count(method.tier, &got, &judged, &|| bits(asked, ray));
+            most = most.max(row.count(method.tier, &got, &judged, &|| bits(asked, ray)));
             row.integers += usize::from((method.in_integers)(asked.shape(), ray));
         }
+        most
     }
 
     fn done(self) -> Option<Vec<Measured>> {

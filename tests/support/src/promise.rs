@@ -2,7 +2,7 @@
 //!
 //! | tier | hits | `t` |
 //! |---|---|---|
-//! | `Fast` | none lost or invented where the exact chord is at least a hundredth of the solid's size and the start within 100 sizes | |
+//! | `Fast` | none lost or invented where the exact chord is at least a hundredth of the solid's size and the start within 100 sizes, but within 16 units of a rim or of the start | |
 //! | `Stable` | none lost, invented or on another part but within a unit of touching or of a rim | floats: 16 units away from grazing, 31 at any ray that grazes to 1e-7; fixed point: one unit |
 //! | `Exact` | those of exact arithmetic | one unit |
 //!
@@ -113,16 +113,16 @@ impl<S: Number> Judged<'_, S> {
         }
         match tier {
             "Exact" => false,
-            "Stable" => self.is_within_a_unit(),
-            "Fast" => !self.is_plain(),
+            "Stable" => self.is_within_units(0),
+            "Fast" => !self.is_plain() || self.is_within_units(4),
             _ => true,
         }
     }
 
-    /// Whether the ray has other hits two units of the size beside, along an axis of the solid's frame: then it is within a unit or two of
-    /// touching or of a rim.
-    fn is_within_a_unit(&self) -> bool {
-        let unit = self.unit_of_size().scaled(1);
+    /// Whether the ray has other hits twice `2^power` units of the size beside, along an axis of the solid's frame: then it is within so
+    /// many units, or twice as many, of touching, of a rim, or of a start on the surface.
+    fn is_within_units(&self, power: isize) -> bool {
+        let unit = self.unit_of_size().scaled(power + 1);
         (0..6).any(|side| {
             let mut beside = self.line.clone();
             let off = if side < 3 { unit.clone() } else { -&unit };
