@@ -18,6 +18,7 @@ fn crossing<S: Scalar, N: Of<S>>(t: Fraction<N>, along_normal: Ordering, range: 
 }
 
 /// The plane `y = 0`.
+#[inline(never)]
 pub(super) fn plane<S: Scalar, N: Of<S>>(line: &Line<N>, range: Range<S>) -> Option<Intersection<S>> {
     let ([_, y, _], [_, dy, _]) = (line.origin, line.direction);
     match dy.sign()? {
@@ -30,6 +31,7 @@ pub(super) fn plane<S: Scalar, N: Of<S>>(line: &Line<N>, range: Range<S>) -> Opt
 }
 
 /// The disc of this radius in the plane `y = 0`.
+#[inline(never)]
 pub(super) fn disc<S: Scalar, N: Of<S>>(line: &Line<N>, r: N, range: Range<S>) -> Option<Intersection<S>> {
     if line.direction[1].sign()? != Ordering::Equal {
         // |p|^2 <= r^2 where the line crosses the plane, times dy^2.
@@ -62,6 +64,7 @@ pub(super) fn disc<S: Scalar, N: Of<S>>(line: &Line<N>, r: N, range: Range<S>) -
 ///
 /// With the line's moment `m = o x d`, the volume of an edge is the product of two lines in Plucker coordinates; far origins cancel in
 /// `m` alone, before anything is rounded.
+#[inline(never)]
 pub(super) fn triangle<S: Scalar, N: Of<S>>(
     line: &Line<N>,
     vertices: [[N; 3]; 3],

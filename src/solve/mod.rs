@@ -45,7 +45,7 @@ use crate::scalar::Scalar;
 
 /// True where rule 8 of the contract says that a departing ray meets nothing, without any arithmetic: outwards from anything convex,
 /// and from anything flat.
-#[inline]
+#[inline(always)]
 pub(crate) fn meets_nothing<S>(figure: &Figure<S>, departure: Option<(Part, Leaving)>) -> bool {
     match (departure, figure) {
         (None, _) => false,
@@ -57,7 +57,9 @@ pub(crate) fn meets_nothing<S>(figure: &Figure<S>, departure: Option<(Part, Leav
 
 /// How the line meets the figure; `None` if the number cannot tell. A line that departs must not be one that
 /// [`meets_nothing`].
-#[inline(never)]
+///
+/// Inlined, so that where the figure is known only its own functions are linked.
+#[inline(always)]
 pub(crate) fn intersect<S: Scalar, N: Of<S>>(
     figure: &Figure<S>,
     line: &Line<N>,

@@ -11,6 +11,7 @@ use crate::scalar::Scalar;
 use core::cmp::Ordering;
 
 /// The ball about the origin.
+#[inline(never)]
 pub(super) fn ball<S: Scalar, N: Of<S>>(line: &Line<N>, r: N, range: Range<S>) -> Option<Intersection<S>> {
     let departs = line.departure.is_some();
     let quadratic = Quadratic::new(Form::Ball { r }, line, departs)?;
@@ -27,6 +28,7 @@ pub(super) fn ball<S: Scalar, N: Of<S>>(line: &Line<N>, r: N, range: Range<S>) -
 }
 
 /// Both nappes of a cone about its apex at the origin.
+#[inline(never)]
 pub(super) fn double_cone<S: Scalar, N: Of<S>>(line: &Line<N>, slope: N, range: Range<S>) -> Option<Intersection<S>> {
     let leaving = line.departure.map(|(_, leaving)| leaving);
     let quadratic = Quadratic::new(Form::slope(slope), line, leaving.is_some())?;
@@ -91,6 +93,7 @@ fn departing_double_cone<S: Scalar, N: Of<S>>(
 ///
 /// The balls at its ends lie in the infinite tube, and where a line runs in the tube beyond a ball without meeting it,
 /// it does not come back to the side: each end of the tube has one true end, or there is none at all.
+#[inline(never)]
 pub(super) fn capsule<S: Scalar, N: Of<S>>(
     line: &Line<N>,
     r: N,
