@@ -7,7 +7,7 @@ use crate::frame::{Frame, FrameError, within_budget};
 use crate::line::Place;
 use crate::number::{FromScalar, difference, dot};
 use crate::ray::Ray;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Real, Scalar, UnitScalar};
 use crate::vector::{UnitVec3, Vec3, cross, pairs, transposed};
 
 /// One row of the inverse: components below 1 and a power of two.
@@ -199,6 +199,16 @@ impl<S: Scalar> Affine<S> {
 }
 
 impl<S: Scalar> Place<S> for Affine<S> {
+    type Doubles = Affine<f64>;
+
+    #[inline(always)]
+    fn in_doubles(&self) -> Self::Doubles {
+        let inverse = self
+            .inverse
+            .map(|Row { components, exponent }| Row { components: components.map(UnitScalar::to_f64), exponent });
+        Affine { position: self.position.in_doubles(), inverse }
+    }
+
     fn line<N: FromScalar<S>>(&self, ray: &Ray<S>) -> [[N; 3]; 2] {
         [self.point(ray.origin()), self.applied(ray.direction().to_array().map(N::unit))]
     }

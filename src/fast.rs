@@ -5,28 +5,29 @@ use crate::part::Part;
 use crate::scalar::{Plain, PlainLine, Scalar, UnitScalar};
 
 /// Where along a line `low <= y <= high`, and how much more than a few units its ends may be off.
-pub(crate) struct Slab<S> {
+pub(crate) struct Slab<'a, S: Scalar> {
+    line: &'a PlainLine<S>,
     pub(crate) span: Span<S>,
     off: [S; 2],
 }
 
-impl<S: Scalar> Slab<S> {
+impl<'a, S: Scalar> Slab<'a, S> {
     /// Between two heights, if the fast path tells. The ends bear the parts of the two planes.
     #[inline(always)]
-    pub(crate) fn new(line: &PlainLine<S>, low: S, high: S) -> Plain<Self> {
+    pub(crate) fn new(line: &'a PlainLine<S>, low: S, high: S) -> Plain<Self> {
         let ([_, y, _], [_, dy, _]) = (line.origin, line.direction);
         match S::plain_crossings(*line, [low, high]) {
             Plain::Found(([low, high], [off_low, off_high])) => {
                 let (base, top) = (End::new(low, Part::Base), End::new(high, Part::Top));
                 Plain::Found(if dy < S::Unit::ZERO {
-                    Self { span: Span::new(top, base), off: [off_high, off_low] }
+                    Self { line, span: Span::new(top, base), off: [off_high, off_low] }
                 } else {
-                    Self { span: Span::new(base, top), off: [off_low, off_high] }
+                    Self { line, span: Span::new(base, top), off: [off_low, off_high] }
                 })
             }
             Plain::Miss if line.finer == 0 => {
                 if low <= y && y <= high {
-                    Plain::Found(Self { span: Span::everywhere(), off: [S::ZERO; 2] })
+                    Plain::Found(Self { line, span: Span::everywhere(), off: [S::ZERO; 2] })
                 } else {
                     Plain::Miss
                 }
@@ -35,14 +36,15 @@ impl<S: Scalar> Slab<S> {
         }
     }
 
-    /// Whether rounding may decide how the ends of a side and of these planes follow each other.
+    /// Whether rounding may decide how the ends of a side and of these planes follow each other; the planes may be next to each other too.
     #[inline(always)]
     pub(crate) fn is_close_to(&self, side: &Span<S>) -> bool {
         let (planes, [enter, exit]) = (&self.span, self.off);
-        S::plain_close(side.enter.t, planes.enter.t, enter)
-            || S::plain_close(side.exit.t, planes.exit.t, exit)
-            || S::plain_close(side.enter.t, planes.exit.t, exit)
-            || S::plain_close(side.exit.t, planes.enter.t, enter)
+        S::plain_close(self.line, side.enter.t, planes.enter.t, enter)
+            || S::plain_close(self.line, side.exit.t, planes.exit.t, exit)
+            || S::plain_close(self.line, side.enter.t, planes.exit.t, exit)
+            || S::plain_close(self.line, side.exit.t, planes.enter.t, enter)
+            || S::plain_close(self.line, planes.enter.t, planes.exit.t, enter)
     }
 
     /// The part of a side's interval that lies between the planes, if its ends are good enough.
@@ -50,7 +52,7 @@ impl<S: Scalar> Slab<S> {
     pub(crate) fn clip(&self, side: Span<S>) -> Plain<Intersection<S>> {
         let Some(span) = side.intersection(self.span) else { return Plain::Miss };
         let [enter, exit] = self.off;
-        let is_good = |end: End<S>, off: S| end.part == Part::Side || S::plain_certain(end.t, off);
+        let is_good = |end: End<S>, off: S| end.part == Part::Side || S::plain_certain(self.line, end.t, off);
         if is_good(span.enter, enter) && is_good(span.exit, exit) {
             Plain::Found(Intersection::One(span))
         } else {

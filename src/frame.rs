@@ -169,6 +169,13 @@ impl<S: Scalar> Frame<S> {
 }
 
 impl<S: Scalar> Place<S> for Frame<S> {
+    type Doubles = Frame<f64>;
+
+    #[inline(always)]
+    fn in_doubles(&self) -> Self::Doubles {
+        Frame { position: self.position.in_doubles(), axes: self.axes.map(UnitVec3::in_doubles) }
+    }
+
     #[inline]
     fn plain_line(&self, ray: &Ray<S>) -> Option<PlainLine<S>> {
         let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
@@ -178,7 +185,7 @@ impl<S: Scalar> Place<S> for Frame<S> {
     fn plain_ball_line(&self, ray: &Ray<S>) -> Option<PlainLine<S>> {
         let [x, y, z] = pairs(ray.origin().to_array(), self.position.to_array()).map(|(o, p)| o.minus(p));
         let origin = if x.is_finite() && y.is_finite() && z.is_finite() { [x, y, z] } else { return None };
-        Some(PlainLine { origin, finer: 0, direction: ray.direction().to_array() })
+        Some(PlainLine { origin, finer: 0, direction: ray.direction().to_array(), has_spare_bits: false })
     }
 
     #[inline]

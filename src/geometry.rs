@@ -11,6 +11,11 @@ use crate::vector::{UnitVec3, Vec3};
 
 /// What every primitive knows of itself, in its own frame.
 pub trait Geometry<S: Scalar>: Copy {
+    /// The same primitive in doubles.
+    type Doubles: Geometry<f64>;
+
+    /// Itself in doubles, which hold the numbers of 32-bit types.
+    fn in_doubles(&self) -> Self::Doubles;
     /// A distance from the origin within which the primitive lies; its characteristic size if it is unbounded.
     fn reach(&self) -> S;
     /// The primitive with all lengths multiplied by `2^e`, for an exponent from [`Scalar::binary_exponent`].

@@ -87,6 +87,22 @@ pub enum Intersection<S> {
     LiesIn(Span<S>),
 }
 
+impl<R> Intersection<R> {
+    /// With other numbers for its ends, if `f` knows them all.
+    #[inline(always)]
+    pub(crate) fn try_map<S>(self, f: impl Fn(R) -> Option<S>) -> Option<Intersection<S>> {
+        let end = |End { t, part }: End<R>| Some(End { t: f(t)?, part });
+        let span = |Span { enter, exit, touch }: Span<R>| Some(Span { enter: end(enter)?, exit: end(exit)?, touch });
+        Some(match self {
+            Self::Miss => Intersection::Miss,
+            Self::One(one) => Intersection::One(span(one)?),
+            Self::Two(one, two) => Intersection::Two(span(one)?, span(two)?),
+            Self::Surface(one) => Intersection::Surface(span(one)?),
+            Self::LiesIn(one) => Intersection::LiesIn(span(one)?),
+        })
+    }
+}
+
 impl<S: Scalar> Intersection<S> {
     /// Hands the ends, in order, to `report`.
     #[inline]

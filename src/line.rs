@@ -7,6 +7,11 @@ use crate::vector::Vec3;
 
 /// The way from the world to a primitive's frame.
 pub trait Place<S: Scalar> {
+    /// The same placement in doubles.
+    type Doubles: Place<f64>;
+
+    /// Itself in doubles, which hold the numbers of 32-bit types.
+    fn in_doubles(&self) -> Self::Doubles;
     /// The line for the fast path, where the placement is simple enough for it.
     #[inline(always)]
     fn plain_line(&self, _: &Ray<S>) -> Option<PlainLine<S>> {
@@ -47,9 +52,20 @@ pub trait Place<S: Scalar> {
 pub struct InWorld;
 
 impl<S: Scalar> Place<S> for InWorld {
+    type Doubles = Self;
+
+    #[inline(always)]
+    fn in_doubles(&self) -> Self::Doubles {
+        Self
+    }
     #[inline(always)]
     fn plain_line(&self, ray: &Ray<S>) -> Option<PlainLine<S>> {
-        Some(PlainLine { origin: ray.origin().to_array(), finer: 0, direction: ray.direction().to_array() })
+        Some(PlainLine {
+            origin: ray.origin().to_array(),
+            finer: 0,
+            direction: ray.direction().to_array(),
+            has_spare_bits: false,
+        })
     }
     #[inline]
     fn line<N: FromScalar<S>>(&self, ray: &Ray<S>) -> [[N; 3]; 2] {

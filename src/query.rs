@@ -11,7 +11,7 @@ use crate::intersection::Intersection;
 use crate::line::Place;
 use crate::number::FromScalar;
 use crate::ray::{Range, Ray};
-use crate::scalar::{Plain, Scalar, largest};
+use crate::scalar::{Plain, PlainLine, Scalar, found, largest};
 use crate::solve::{self, Line, Of};
 use crate::tier::{Fast, Guards, Stable};
 use crate::vector::Vec3;
@@ -107,7 +107,7 @@ macro_rules! solve_exactly {
                 place: &impl Place<$S>,
                 ray: &Ray<$S>,
             ) -> Plain<Intersection<$S>> {
-                <$S>::exact_fast_path(&geometry.figure(), place, ray)
+                fast_in_doubles(geometry, place, ray)
             }
             #[inline(always)]
             fn fast_ahead<G: Geometry<$S>>(_: &G, _: &impl Place<$S>, _: &Ray<$S>) -> Plain<()> {
@@ -120,7 +120,8 @@ macro_rules! solve_exactly {
             }
             fn contains<G: Geometry<$S>>(geometry: &G, place: &impl Place<$S>, point: Vec3<$S>) -> bool {
                 let figure = geometry.figure();
-                holds::<$S, <$S as Certain>::Bounded>(&figure, place, point)
+                holds::<$S, <$S as Certain>::Filter>(&figure, place, point)
+                    .or_else(|| holds::<$S, <$S as Certain>::Bounded>(&figure, place, point))
                     .or_else(|| holds::<$S, <$S as Certain>::Integer>(&figure, place, point))
                     .unwrap_or(false)
             }
@@ -134,15 +135,58 @@ solve_exactly!(fixed::FixedI32<F>, F: fixed::types::extra::LeEqU32);
 /// What an exact answer takes.
 pub(crate) fn effort<S: Certain, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Effort {
     let figure = geometry.figure();
-    match S::exact_fast_path(&figure, place, ray) {
+    match fast_in_doubles(geometry, place, ray) {
         Plain::Unclear => exactly(&figure, place, ray).1,
         _ => Effort::Filter,
     }
 }
 
-/// Where the ray's line meets the figure, and what it took to know.
+/// What the fast path counts as certain.
+struct Certainly;
+
+impl Guards for Certainly {
+    const GUARDED: bool = true;
+    const HAS_SPARE_BITS: bool = true;
+}
+
+/// The fast path of `Exact`: that of doubles, with guards that count with 40 of their 53 bits.
+#[inline(always)]
+fn fast_in_doubles<S: Certain, G: Geometry<S>>(
+    geometry: &G,
+    place: &impl Place<S>,
+    ray: &Ray<S>,
+) -> Plain<Intersection<S>> {
+    let intersection =
+        found!(fast::<f64, Certainly, _>(&geometry.in_doubles(), &place.in_doubles(), &ray.in_doubles()));
+    let (start, end) = (ray.range().start().to_f64(), ray.range().end().to_f64());
+    // Its exact value decides whether an end lies in the range: infinite are those before and beyond.
+    let settled = |t: f64| {
+        if is_close(t, start) || is_close(t, end) {
+            return None;
+        }
+        let beyond = if t < start { -S::INFINITY } else { S::INFINITY };
+        Some(if t < start || t > end { beyond } else { S::from_f64(t).unwrap_or(beyond) })
+    };
+    match intersection.try_map(settled) {
+        Some(intersection) => Plain::Found(intersection),
+        None => Plain::Unclear,
+    }
+}
+
+/// True if the rounding of `t` may decide on which side of a bound it lies.
+#[inline(always)]
+fn is_close(t: f64, bound: f64) -> bool {
+    const PART: f64 = 1.0 / (1u32 << 30) as f64;
+    // An end that is not there is infinite: then this compares false.
+    (t - bound).abs() <= t.abs() * PART && t.is_finite()
+}
+
+/// Where the ray's line meets the figure, where the fast path cannot tell; and what it took to know.
 #[inline(never)]
 fn exactly<S: Certain>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> (Intersection<S>, Effort) {
+    if let Some(intersection) = climb::<S, S::Filter>(figure, place, ray) {
+        return (intersection, Effort::Filter);
+    }
     match climb::<S, S::Bounded>(figure, place, ray) {
         Some(intersection) => (intersection, Effort::Filter),
         None => (in_integers(figure, place, ray), Effort::Integers),
@@ -194,7 +238,7 @@ fn fast<S: Scalar, T: Guards, G: Geometry<S>>(
         return Plain::Unclear;
     }
     let Some(line) = geometry.plain_line(place, ray) else { return Plain::Unclear };
-    geometry.meet_plainly::<T>(&line)
+    geometry.meet_plainly::<T>(&PlainLine { has_spare_bits: T::HAS_SPARE_BITS, ..line })
 }
 
 /// Whether the ray meets the geometry, if the fast path tells.

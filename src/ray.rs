@@ -96,6 +96,17 @@ pub struct Ray<S: Scalar> {
 }
 
 impl<S: Scalar> Ray<S> {
+    /// The ray's whole line in doubles.
+    #[inline(always)]
+    pub(crate) fn in_doubles(&self) -> Ray<f64> {
+        Ray {
+            origin: self.origin.in_doubles(),
+            direction: self.direction.in_doubles(),
+            range: Range::line(),
+            departure: self.departure,
+        }
+    }
+
     /// The ray from `origin` towards `direction`, with the range `[0, MAX]`.
     ///
     /// # Errors

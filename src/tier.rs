@@ -25,6 +25,8 @@ mod sealed {
 pub trait Guards: 'static {
     /// True if the fast path leaves such rays to the robust number.
     const GUARDED: bool;
+    /// See [`PlainLine::has_spare_bits`](crate::scalar::PlainLine::has_spare_bits).
+    const HAS_SPARE_BITS: bool = false;
 }
 
 /// An accuracy tier for a number type: what it costs is decided when the code is compiled. Sealed.

@@ -45,6 +45,12 @@ impl<S: Scalar> Vec3<S> {
         self.to_array().map(S::to_f64)
     }
 
+    /// The vector in doubles.
+    #[inline(always)]
+    pub(crate) fn in_doubles(self) -> Vec3<f64> {
+        Vec3 { x: self.x.to_f64(), y: self.y.to_f64(), z: self.z.to_f64() }
+    }
+
     /// The components in order.
     #[inline(always)]
     pub const fn to_array(self) -> [S; 3] {
@@ -197,6 +203,12 @@ impl<S: Scalar> UnitVec3<S> {
     #[inline(always)]
     pub(crate) const fn rotated(components: [S::Unit; 3]) -> Self {
         Self { components }
+    }
+
+    /// The stored components in doubles, of which the length is next to one.
+    #[inline(always)]
+    pub(crate) fn in_doubles(self) -> UnitVec3<f64> {
+        UnitVec3 { components: self.components.map(UnitScalar::to_f64) }
     }
 
     /// Component along the x axis.

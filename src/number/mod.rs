@@ -7,12 +7,15 @@
 //! |---|---|---|
 //! | [`Native`] | that of the rounded value | points and normals, where it is enough |
 //! | [`Robust`] | that of the rounded value | `Fast` and `Stable`, where their fast path is unsure |
-//! | [`Bounded`] | unknown where the error bound allows both | `Exact` |
+//! | [`Filtered`] | unknown where a value is small beside its terms | `Exact` |
+//! | [`Bounded`] | unknown where the error bound allows both | `Exact`, where [`Filtered`] does not know |
 //! | [`Integer`] | always certain | `Exact`, where [`Bounded`] does not know |
 //!
 //! The first rung of all tiers, the fast path in a type's own width, is not made of these numbers.
 
 mod bounded;
+#[cfg(feature = "libm")]
+mod filtered;
 mod integer;
 mod limbs;
 pub(crate) mod machine;
@@ -23,6 +26,8 @@ mod tests;
 pub(crate) mod word;
 
 pub use bounded::Bounded;
+#[cfg(feature = "libm")]
+pub use filtered::Filtered;
 #[cfg(feature = "fixed")]
 pub(crate) use integer::FIXED_LIMBS;
 pub(crate) use integer::FLOAT_LIMBS;

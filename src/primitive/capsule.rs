@@ -71,13 +71,27 @@ impl<S: Scalar> Capsule<S> {
     }
 }
 
+impl<S: Copy> Capsule<S> {
+    /// Of the sizes that `f` makes of these.
+    #[inline(always)]
+    fn map<R>(self, f: impl Fn(S) -> R) -> Capsule<R> {
+        Capsule { radius: f(self.radius), height: f(self.height) }
+    }
+}
+
 impl<S: Scalar> Geometry<S> for Capsule<S> {
+    type Doubles = Capsule<f64>;
+
+    #[inline(always)]
+    fn in_doubles(&self) -> Self::Doubles {
+        self.map(S::to_f64)
+    }
     fn reach(&self) -> S {
         self.radius.plus(self.height)
     }
 
     fn scaled(&self, e: i32) -> Self {
-        Self { radius: self.radius.scaled(e), height: self.height.scaled(e) }
+        self.map(|size| size.scaled(e))
     }
 
     #[inline(always)]

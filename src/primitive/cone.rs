@@ -154,7 +154,32 @@ impl<S: Scalar> Cone<S> {
     }
 }
 
+impl<S: Copy> Cone<S> {
+    /// Of the slope or the sizes that these functions make of its own.
+    #[inline(always)]
+    fn map<R>(self, of_slope: impl Fn(S) -> R, of_size: impl Fn(S) -> R) -> Cone<R> {
+        let outline = match self.outline {
+            Outline::Slope(slope) => Outline::Slope(of_slope(slope)),
+            Outline::Radii(base, top, height) => Outline::Radii(of_size(base), of_size(top), of_size(height)),
+        };
+        let extent = match self.extent {
+            Extent::Double => Extent::Double,
+            Extent::Nappe => Extent::Nappe,
+            Extent::Open(height) => Extent::Open(of_size(height)),
+            Extent::Capped(height) => Extent::Capped(of_size(height)),
+        };
+        Cone { outline, extent }
+    }
+}
+
 impl<S: Scalar> Geometry<S> for Cone<S> {
+    type Doubles = Cone<f64>;
+
+    #[inline(always)]
+    fn in_doubles(&self) -> Self::Doubles {
+        self.map(S::to_f64, S::to_f64)
+    }
+
     fn reach(&self) -> S {
         match (self.outline, self.height()) {
             (Outline::Radii(base, top, height), _) => base.plus(top).plus(height),
@@ -165,17 +190,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
     }
 
     fn scaled(&self, e: i32) -> Self {
-        let outline = match self.outline {
-            Outline::Slope(slope) => Outline::Slope(slope),
-            Outline::Radii(base, top, height) => Outline::Radii(base.scaled(e), top.scaled(e), height.scaled(e)),
-        };
-        let extent = match self.extent {
-            Extent::Double => Extent::Double,
-            Extent::Nappe => Extent::Nappe,
-            Extent::Open(height) => Extent::Open(height.scaled(e)),
-            Extent::Capped(height) => Extent::Capped(height.scaled(e)),
-        };
-        Self { outline, extent }
+        self.map(|slope| slope, |size| size.scaled(e))
     }
 
     #[inline(always)]

@@ -81,18 +81,33 @@ impl<S: Scalar> Cylinder<S> {
     }
 }
 
+impl<S: Copy> Cylinder<S> {
+    /// Of the sizes that `f` makes of these.
+    #[inline(always)]
+    fn map<R>(self, f: impl Fn(S) -> R) -> Cylinder<R> {
+        let extent = match self.extent {
+            Extent::Infinite => Extent::Infinite,
+            Extent::Open(height) => Extent::Open(f(height)),
+            Extent::Capped(height) => Extent::Capped(f(height)),
+        };
+        Cylinder { radius: f(self.radius), extent }
+    }
+}
+
 impl<S: Scalar> Geometry<S> for Cylinder<S> {
+    type Doubles = Cylinder<f64>;
+
+    #[inline(always)]
+    fn in_doubles(&self) -> Self::Doubles {
+        self.map(S::to_f64)
+    }
+
     fn reach(&self) -> S {
         self.height().map_or(self.radius, |height| self.radius.plus(height))
     }
 
     fn scaled(&self, e: i32) -> Self {
-        let extent = match self.extent {
-            Extent::Infinite => Extent::Infinite,
-            Extent::Open(height) => Extent::Open(height.scaled(e)),
-            Extent::Capped(height) => Extent::Capped(height.scaled(e)),
-        };
-        Self { radius: self.radius.scaled(e), extent }
+        self.map(|size| size.scaled(e))
     }
 
     #[inline(always)]

@@ -41,13 +41,27 @@ impl<S: Scalar> Disc<S> {
     }
 }
 
+impl<S: Copy> Disc<S> {
+    /// Of the radius that `f` makes of this one.
+    #[inline(always)]
+    fn map<R>(self, f: impl Fn(S) -> R) -> Disc<R> {
+        Disc { radius: f(self.radius) }
+    }
+}
+
 impl<S: Scalar> Geometry<S> for Disc<S> {
+    type Doubles = Disc<f64>;
+
+    #[inline(always)]
+    fn in_doubles(&self) -> Self::Doubles {
+        self.map(S::to_f64)
+    }
     fn reach(&self) -> S {
         self.radius
     }
 
     fn scaled(&self, e: i32) -> Self {
-        Self { radius: self.radius.scaled(e) }
+        self.map(|radius| radius.scaled(e))
     }
 
     #[inline(always)]

@@ -35,6 +35,13 @@ impl<S: Scalar> Plane<S> {
 }
 
 impl<S: Scalar> Geometry<S> for Plane<S> {
+    type Doubles = Plane<f64>;
+
+    #[inline(always)]
+    fn in_doubles(&self) -> Self::Doubles {
+        Plane::new()
+    }
+
     fn reach(&self) -> S {
         S::ZERO
     }
@@ -46,7 +53,7 @@ impl<S: Scalar> Geometry<S> for Plane<S> {
     #[inline(always)]
     fn meet_plainly<T: Guards>(&self, line: &PlainLine<S>) -> Plain<Intersection<S>> {
         match S::plain_crossings(*line, [S::ZERO; 2]) {
-            Plain::Found(([t, _], [off, _])) if S::plain_certain(t, off) => {
+            Plain::Found(([t, _], [off, _])) if S::plain_certain(line, t, off) => {
                 Plain::Found(surface_hit(t, line.direction[1] < S::Unit::ZERO))
             }
             // A line that stays in one height may lie in the plane.

@@ -44,13 +44,27 @@ impl<S: Scalar> Sphere<S> {
     }
 }
 
+impl<S: Copy> Sphere<S> {
+    /// Of the radius that `f` makes of this one.
+    #[inline(always)]
+    fn map<R>(self, f: impl Fn(S) -> R) -> Sphere<R> {
+        Sphere { radius: f(self.radius) }
+    }
+}
+
 impl<S: Scalar> Geometry<S> for Sphere<S> {
+    type Doubles = Sphere<f64>;
+
+    #[inline(always)]
+    fn in_doubles(&self) -> Self::Doubles {
+        self.map(S::to_f64)
+    }
     fn reach(&self) -> S {
         self.radius
     }
 
     fn scaled(&self, e: i32) -> Self {
-        Self { radius: self.radius.scaled(e) }
+        self.map(|radius| radius.scaled(e))
     }
 
     #[inline(always)]

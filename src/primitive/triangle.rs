@@ -87,6 +87,13 @@ fn dot<R: Real>(a: [R; 3], b: [R; 3]) -> R {
 }
 
 impl<S: Scalar> Geometry<S> for Triangle<S> {
+    type Doubles = Triangle<f64>;
+
+    #[inline(always)]
+    fn in_doubles(&self) -> Self::Doubles {
+        Triangle { vertices: self.vertices.map(Vec3::in_doubles) }
+    }
+
     /// The world's origin: two triangles that share an edge must see the ray from the same place.
     fn reach(&self) -> S {
         let [a, b, c] = self.vertices;

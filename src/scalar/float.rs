@@ -278,11 +278,7 @@ macro_rules! float {
             }
             #[inline(always)]
             fn plain_height(line: PlainLine<Self>, t: Self, seams: [Self; 2]) -> Plain<Self> {
-                let ([x, y, z], climb) = (line.origin, t * line.direction[1]);
-                let all = $Float::abs(x) + $Float::abs(y) + $Float::abs(z) + $Float::abs(t);
-                let off = if line.finer == 0 { 0.0 } else { all * (4.0 * $Float::EPSILON) };
-                let [low, high] = seams.map(|seam| Self::plain_close(climb, seam - y, off));
-                if low || high { Plain::Unclear } else { Plain::Found(y + climb) }
+                $plain::height(line, t, seams)
             }
             #[inline(always)]
             fn plain_lowered(line: PlainLine<Self>, y: Self) -> Plain<PlainLine<Self>> {
@@ -290,13 +286,12 @@ macro_rules! float {
                 Plain::Found(PlainLine { origin: [ox, oy - y, oz], ..line })
             }
             #[inline(always)]
-            fn plain_close(a: Self, b: Self, off: Self) -> bool {
-                // Not if one is infinite, or both are: that compares false.
-                $Float::abs(a - b) < ($Float::abs(a) + $Float::abs(b)) * (64.0 * $Float::EPSILON) + off
+            fn plain_close(line: &PlainLine<Self>, a: Self, b: Self, off: Self) -> bool {
+                $plain::are_close(line, a, b, off)
             }
             #[inline(always)]
-            fn plain_certain(t: Self, off: Self) -> bool {
-                off <= $Float::abs(t) * (24.0 * $Float::EPSILON)
+            fn plain_certain(line: &PlainLine<Self>, t: Self, off: Self) -> bool {
+                $plain::is_good(line, t, off)
             }
             #[inline(always)]
             fn misses_box(o: [Self; 3], d: [Self; 3], range: [Self; 2], centre: [Self; 3], half: [Self; 3]) -> bool {

@@ -255,13 +255,13 @@ pub trait Scalar:
 
     /// Whether two ends of the fast path are so close that rounding, and what they may be `off` beside it, decides which comes first.
     #[inline(always)]
-    fn plain_close(_: Self, _: Self, _off: Self) -> bool {
+    fn plain_close(_: &PlainLine<Self>, _: Self, _: Self, _off: Self) -> bool {
         false
     }
 
     /// Whether an end that may be `off` by so much is good enough.
     #[inline(always)]
-    fn plain_certain(_: Self, _off: Self) -> bool {
+    fn plain_certain(_: &PlainLine<Self>, _: Self, _off: Self) -> bool {
         true
     }
 
@@ -350,6 +350,8 @@ pub struct PlainLine<S: Scalar> {
     pub finer: i32,
     /// The direction.
     pub direction: [S::Unit; 3],
+    /// True of doubles that stand for numbers of 32 bits: guards may be strict, and yet let nearly all through.
+    pub has_spare_bits: bool,
 }
 
 /// A component of a unit vector or a colour channel. Sealed.

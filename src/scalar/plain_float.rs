@@ -7,25 +7,61 @@
 
 use super::{Plain, PlainLine, PlainNappe, found};
 
-/// Differences of numbers up to this many times larger than themselves are taken; their relative error grows by as much.
-const CANCELLED: u8 = 16;
-/// Rays of balls and tubes start at most this many sizes away, and those of which the moment is compensated.
-const FAR: u8 = 16;
-
 macro_rules! plain_float {
-    ($name:ident, $Float:ident, $bits:ty, $bias:literal, $mantissa:literal, sqrt: $sqrt:path) => {
+    ($name:ident, $Float:ident, $bits:ty, $bias:literal, $mantissa:literal, sqrt: $sqrt:path, may_have_spare_bits: $spare:literal) => {
         pub(super) mod $name {
-            use super::{CANCELLED, FAR, Plain, PlainLine, PlainNappe, found};
+            use super::{Plain, PlainLine, PlainNappe, found};
             use crate::scalar::Real;
 
-            /// How much a difference of squares may be off, by more than a hundred roundings.
-            const DOUBT: $Float = 128.0 * $Float::EPSILON;
-            const CANCELLED_SQUARE: $Float = 1.0 / CANCELLED as $Float;
+            /// What the guards allow.
+            struct Limits {
+                /// The rounding that they count with.
+                epsilon: $Float,
+                /// Differences of numbers up to this many times larger than themselves are taken; their relative error grows by as much.
+                cancelled: $Float,
+                /// The square of a component that a frame's rounding leaves good to a few units.
+                level: $Float,
+                /// How much more than a unit the rounding of a difference of squares may move an end next to the start, squared.
+                near: $Float,
+            }
+
+            #[inline(always)]
+            const fn has_spare_bits(line: &PlainLine<$Float>) -> bool {
+                $spare && line.has_spare_bits
+            }
+
+            impl Limits {
+                /// Of answers in as many bits as the computation has.
+                const OWN: Self = Self { epsilon: $Float::EPSILON, cancelled: 16.0, level: 0.25, near: 8.0 };
+                /// Of answers in so many bits less that guards may count with roundings 2^13 times as large: whatever a guard leaves out of
+                /// account is less than that, and what it decides is certain.
+                const SPARE: Self =
+                    Self { epsilon: 8192.0 * $Float::EPSILON, cancelled: 64.0, level: 0.0625, near: 2048.0 };
+
+                #[inline(always)]
+                const fn of(line: &PlainLine<$Float>) -> Self {
+                    if has_spare_bits(line) { Self::SPARE } else { Self::OWN }
+                }
+
+                /// How much a difference of squares may be off, by more than a hundred roundings.
+                #[inline(always)]
+                fn doubt(&self) -> $Float {
+                    128.0 * self.epsilon
+                }
+
+                /// How much a quotient may be off for a difference that is taken for what it is; nothing, if that keeps enough of its terms.
+                #[inline(always)]
+                fn off(&self, difference: $Float, terms: $Float) -> $Float {
+                    let magnitude = $Float::abs(difference);
+                    if magnitude * self.cancelled >= 2.0 * terms { 0.0 } else { terms * self.doubt() / magnitude }
+                }
+            }
+
+            /// Rays of balls and tubes start at most this many sizes away, and those of which the moment is compensated.
+            const FAR: $Float = 16.0;
+            const FAR_SQUARE: $Float = FAR * FAR;
             /// Sums of three products of three factors are taken where their terms are up to this many times larger.
             const FLAT_CANCELLED: $Float = 4.0;
-            const FAR_SQUARE: $Float = (FAR as $Float) * (FAR as $Float);
-            /// The square of a component that a frame's rounding leaves good to a few units.
-            const LEVEL: $Float = 0.25;
 
             /// The line from `o` along `d` in the frame with these axes at `position`.
             #[inline(always)]
@@ -38,7 +74,7 @@ macro_rules! plain_float {
                 let from = minus(o, position);
                 let origin = [dot(axes[0], from), dot(axes[1], from), dot(axes[2], from)];
                 let direction = [dot(axes[0], d), dot(axes[1], d), dot(axes[2], d)];
-                PlainLine { origin, finer: 1, direction }
+                PlainLine { origin, finer: 1, direction, has_spare_bits: false }
             }
 
             /// True for a positive size whose eighth powers stay in the type (its squares, for `NARROW` of 2).
@@ -78,19 +114,24 @@ macro_rules! plain_float {
                     return Plain::Unclear;
                 }
                 let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
-                // The formula takes the direction for unit; one that was given by its components may be next to it.
-                if $Float::abs(dot(line.direction, line.direction) - 1.0) > 4.0 * $Float::EPSILON {
-                    return Plain::Unclear;
+                let limits = Limits::of(&line);
+                let (along, mut a) = (dot(line.origin, line.direction), dot(line.direction, line.direction));
+                if !has_spare_bits(&line) {
+                    // The formula takes the direction for unit; one that was given by its components may be next to it.
+                    if $Float::abs(a - 1.0) > 4.0 * $Float::EPSILON {
+                        return Plain::Unclear;
+                    }
+                    a = 1.0;
                 }
-                let k = dot(line.origin, line.direction);
+                let k = along / a;
                 let p = [x - k * dx, y - k * dy, z - k * dz];
-                let (rr, kk) = (r * r, k * k);
+                let (rr, kk) = (r * r, k * along);
                 let discriminant = rr - dot(p, p);
                 // Not the comparisons' negations: what overflowed must fail.
-                if !(kk <= rr * FAR_SQUARE && 2.0 * discriminant >= rr * CANCELLED_SQUARE) {
-                    return if discriminant < -(rr + kk) * DOUBT { Plain::Miss } else { Plain::Unclear };
+                if !(kk <= rr * FAR_SQUARE && 2.0 * discriminant * limits.cancelled >= rr) {
+                    return if discriminant < -(rr + kk) * limits.doubt() { Plain::Miss } else { Plain::Unclear };
                 }
-                clear_of_the_start(kk, discriminant, rr, (k, discriminant))
+                clear_of_the_start(kk, discriminant, rr, limits.near, (k, discriminant / a))
             }
 
             /// `answer`, if neither of the ends `-k -+ sqrt(D)` is small beside what the rounding of `D`, a difference from `positive`, moves it.
@@ -98,10 +139,16 @@ macro_rules! plain_float {
             /// A root moves by some `eps positive / sqrt(D)`; the smaller end is `|k^2 - D| / (|k| + sqrt(D))`, and the square of that sum at
             /// most `2 (k^2 + D)`.
             #[inline(always)]
-            fn clear_of_the_start<T>(kk: $Float, discriminant: $Float, positive: $Float, answer: T) -> Plain<T> {
+            fn clear_of_the_start<T>(
+                kk: $Float,
+                discriminant: $Float,
+                positive: $Float,
+                near: $Float,
+                answer: T,
+            ) -> Plain<T> {
                 let c = kk - discriminant;
                 // What overflows fails.
-                let is_clear = positive * positive * (kk + discriminant) <= 8.0 * (c * c) * discriminant;
+                let is_clear = positive * positive * (kk + discriminant) <= near * (c * c) * discriminant;
                 if is_clear { Plain::Found(answer) } else { Plain::Unclear }
             }
 
@@ -140,18 +187,25 @@ macro_rules! plain_float {
                 let k = x * dx + z * dz;
                 let w = z * dx - x * dz;
                 let y = line.origin[1];
+                let limits = Limits::of(&line);
                 // Rounded on their way into a frame, coordinates are off by roundings of the longest, and components by those of one.
-                if line.finer != 0 && !(a >= LEVEL && y * y <= r * r * FAR_SQUARE) {
+                if line.finer != 0 && !(a >= limits.level && y * y <= r * r * FAR_SQUARE) {
                     return Plain::Unclear;
                 }
                 let (positive, kk) = (a * (r * r), k * k);
                 let discriminant = positive - w * w;
-                if !(kk <= positive * FAR_SQUARE && discriminant >= positive * CANCELLED_SQUARE) {
-                    return if discriminant < -(positive + kk) * DOUBT { Plain::Miss } else { Plain::Unclear };
+                if !(kk <= positive * FAR_SQUARE && discriminant * limits.cancelled >= positive) {
+                    return if discriminant < -(positive + kk) * limits.doubt() { Plain::Miss } else { Plain::Unclear };
                 }
                 let root = $sqrt(discriminant);
                 let inverse = 1.0 / a;
-                clear_of_the_start(kk, discriminant, positive, [(-k - root) * inverse, (root - k) * inverse])
+                clear_of_the_start(
+                    kk,
+                    discriminant,
+                    positive,
+                    limits.near,
+                    [(-k - root) * inverse, (root - k) * inverse],
+                )
             }
 
             /// Where the line is inside the nappe `h^2 (x^2 + z^2) <= (h r + g y)^2`, `h r + g y >= 0`, of a cone with radius `r` at
@@ -164,6 +218,7 @@ macro_rules! plain_float {
             ) -> Plain<PlainNappe<$Float>> {
                 let Roots { first, second, a, a_terms, k, k_terms, outline, rim, slope } =
                     found!(roots(line, [r, g, h], top));
+                let limits = Limits::of(&line);
                 let (enter, exit) = if a < 0.0 {
                     // Steeper than the side: a half-line in each nappe; the outline grows along the one in the upper.
                     if slope > 0.0 { (second, ($Float::INFINITY, 0.0)) } else { ((-$Float::INFINITY, 0.0), first) }
@@ -171,7 +226,7 @@ macro_rules! plain_float {
                     // The sign of the outline halfway between the ends, at t = -k / a.
                     let middle = outline * a - slope * k;
                     let is_clear =
-                        $Float::abs(middle) >= (rim * a_terms + $Float::abs(slope) * k_terms) * (2.0 * DOUBT);
+                        $Float::abs(middle) >= (rim * a_terms + $Float::abs(slope) * k_terms) * (2.0 * limits.doubt());
                     if !is_clear {
                         return Plain::Unclear;
                     }
@@ -228,8 +283,9 @@ macro_rules! plain_float {
                 let (across, along) = (h * h * (dx * dx + dz * dz), slope * slope);
                 let a = across - along;
                 let a_terms = if is_turned { steepness * steepness } else { across + along };
+                let limits = Limits::of(&line);
                 // Nearly parallel to a generator.
-                let is_clear = $Float::abs(a) >= a_terms * DOUBT;
+                let is_clear = $Float::abs(a) >= a_terms * limits.doubt();
                 if !is_clear {
                     return Plain::Unclear;
                 }
@@ -240,13 +296,13 @@ macro_rules! plain_float {
                 };
                 let (mut discriminant, moment) = difference([y * dz - z * dy, z * dx - x * dz, x * dy - y * dx]);
                 let terms = moment * reach;
-                if $Float::abs(discriminant) * (16.0 * CANCELLED as $Float) <= terms {
-                    if discriminant < -terms * DOUBT && a > 0.0 {
+                if $Float::abs(discriminant) * (16.0 * limits.cancelled) <= terms {
+                    if discriminant < -terms * limits.doubt() && a > 0.0 {
                         return Plain::Miss;
                     }
                     // From far away it takes more than that; what is infinite has no measure for far.
                     let is_near = match top {
-                        Some(top) => length <= (FAR as $Float) * top,
+                        Some(top) => length <= FAR * top,
                         None => false,
                     };
                     // Compensation makes up for the moment's own rounding, not for that of a frame.
@@ -260,7 +316,7 @@ macro_rules! plain_float {
                     let (p, q) =
                         ($Float::abs(g * w[2]) + g0 * $Float::abs(dx), $Float::abs(g * w[0]) + g0 * $Float::abs(dz));
                     let terms = p * p + q * q + h * h * (w[1] * w[1]);
-                    let is_clear = $Float::abs(discriminant) * (CANCELLED as $Float) > terms;
+                    let is_clear = $Float::abs(discriminant) * limits.cancelled > terms;
                     if !is_clear {
                         return Plain::Unclear;
                     }
@@ -283,24 +339,17 @@ macro_rules! plain_float {
                 let k_along = rim * if is_turned { $Float::abs(g) } else { $Float::abs(slope) };
                 let k_terms = h * h * (ax + az) + k_along;
                 // Where a cancels, so does k.
-                let margin = if $Float::abs(a) * (CANCELLED as $Float) >= 2.0 * a_terms { 1.0 } else { 2.0 };
-                let is_clear = sum * (CANCELLED as $Float) >= margin * k_terms;
+                let margin = if $Float::abs(a) * limits.cancelled >= 2.0 * a_terms { 1.0 } else { 2.0 };
+                let is_clear = sum * limits.cancelled >= margin * k_terms;
                 if !is_clear {
                     return Plain::Unclear;
                 }
                 let q = if k > 0.0 { -sum } else { sum };
                 // Of an end whose numbers cancel only that is said which lies surely inside: the planes may cut it off.
-                let by_a = (q / a, doubt(a, a_terms) * $Float::abs(q / a));
-                let by_c = (c / q, doubt(c, c_terms) * $Float::abs(c / q));
+                let by_a = (q / a, limits.off(a, a_terms) * $Float::abs(q / a));
+                let by_c = (c / q, limits.off(c, c_terms) * $Float::abs(c / q));
                 let (first, second) = if (k > 0.0) == (a > 0.0) { (by_a, by_c) } else { (by_c, by_a) };
                 Plain::Found(Roots { first, second, a, a_terms, k, k_terms, outline, rim, slope })
-            }
-
-            /// How much a quotient may be off for a difference that is taken for what it is; nothing, if that keeps enough of its terms.
-            #[inline(always)]
-            fn doubt(difference: $Float, terms: $Float) -> $Float {
-                let magnitude = $Float::abs(difference);
-                if magnitude >= terms * (2.0 * CANCELLED_SQUARE) { 0.0 } else { terms * DOUBT / magnitude }
             }
 
             /// Where the line crosses each of the heights, and how much of that may be off because of a frame. A line that stays in one height
@@ -323,9 +372,10 @@ macro_rules! plain_float {
                 if line.finer == 0 {
                     return Plain::Found(([(low - y) / dy, (high - y) / dy], [0.0; 2]));
                 }
+                let Limits { epsilon, .. } = Limits::of(&line);
                 // Three roundings of the terms of y, and three of dy.
                 let length = $Float::abs(x) + $Float::abs(y) + $Float::abs(z);
-                let off = |t: $Float| (length + $Float::abs(t)) * $Float::abs(inverse) * (3.0 * $Float::EPSILON);
+                let off = |t: $Float| (length + $Float::abs(t)) * $Float::abs(inverse) * (3.0 * epsilon);
                 Plain::Found((ends, [off(ends[0]), off(ends[1])]))
             }
 
@@ -340,18 +390,19 @@ macro_rules! plain_float {
                 let (across, along) = (t * dx, t * dz);
                 let (px, pz) = (x + across, z + along);
                 let inside = r * r - (px * px + pz * pz);
+                let Limits { epsilon, level, .. } = Limits::of(&line);
                 // Each coordinate is off by at most three roundings of its terms.
                 let length = if line.finer == 0 {
                     $Float::abs(x) + $Float::abs(z) + $Float::abs(across) + $Float::abs(along)
                 } else {
                     // So is the crossing, by as many units.
                     let all = $Float::abs(x) + $Float::abs(y) + $Float::abs(z) + $Float::abs(t);
-                    if !(dy * dy >= LEVEL && $Float::abs(y) * 4.0 >= all) {
+                    if !(dy * dy >= level && $Float::abs(y) * 4.0 >= all) {
                         return Plain::Unclear;
                     }
                     2.0 * all
                 };
-                let doubt = length * length * (16.0 * $Float::EPSILON);
+                let doubt = length * length * (16.0 * epsilon);
                 if inside > doubt {
                     Plain::Found(t)
                 } else if inside < -doubt {
@@ -359,6 +410,29 @@ macro_rules! plain_float {
                 } else {
                     Plain::Unclear
                 }
+            }
+
+            /// The height of the line's point at `t`, unless rounding decides how it lies to a seam.
+            #[inline(always)]
+            pub(crate) fn height(line: PlainLine<$Float>, t: $Float, seams: [$Float; 2]) -> Plain<$Float> {
+                let ([x, y, z], climb) = (line.origin, t * line.direction[1]);
+                let all = $Float::abs(x) + $Float::abs(y) + $Float::abs(z) + $Float::abs(t);
+                let off = if line.finer == 0 { 0.0 } else { all * (4.0 * Limits::of(&line).epsilon) };
+                let [low, high] = seams.map(|seam| are_close(&line, climb, seam - y, off));
+                if low || high { Plain::Unclear } else { Plain::Found(y + climb) }
+            }
+
+            /// Whether rounding, or what they may be off beside it, decides which comes first.
+            #[inline(always)]
+            pub(crate) fn are_close(line: &PlainLine<$Float>, a: $Float, b: $Float, off: $Float) -> bool {
+                // Not if one is infinite, or both are: that compares false.
+                $Float::abs(a - b) < ($Float::abs(a) + $Float::abs(b)) * (64.0 * Limits::of(line).epsilon) + off
+            }
+
+            /// Whether an end that may be off by so much is good to some units.
+            #[inline(always)]
+            pub(crate) fn is_good(line: &PlainLine<$Float>, t: $Float, off: $Float) -> bool {
+                off <= $Float::abs(t) * (24.0 * Limits::of(line).epsilon)
             }
 
             #[inline(always)]
@@ -391,9 +465,10 @@ macro_rules! plain_float {
                 if !(is_handy::<2>(terms[0]) && is_handy::<2>(terms[1]) && is_handy::<2>(terms[2])) {
                     return Plain::Unclear;
                 }
+                let Limits { epsilon, .. } = Limits::of(&line);
                 let (mut left, mut right) = (0, 0);
                 for (volume, terms) in core::iter::zip(volumes, terms) {
-                    let doubt = terms * (16.0 * $Float::EPSILON);
+                    let doubt = terms * (16.0 * epsilon);
                     left += (volume > doubt) as u32;
                     right += (volume < -doubt) as u32;
                 }
@@ -426,5 +501,5 @@ macro_rules! plain_float {
         }
     };
 }
-plain_float!(plain_f32, f32, u32, 127, 23, sqrt: crate::scalar::square_root::square_root_f32);
-plain_float!(plain_f64, f64, u64, 1023, 52, sqrt: libm::sqrt);
+plain_float!(plain_f32, f32, u32, 127, 23, sqrt: crate::scalar::square_root::square_root_f32, may_have_spare_bits: false);
+plain_float!(plain_f64, f64, u64, 1023, 52, sqrt: libm::sqrt, may_have_spare_bits: true);

@@ -57,6 +57,12 @@ macro_rules! primitives {
         )+
 
         impl<S: Scalar> Geometry<S> for Primitive<S> {
+            type Doubles = Primitive<f64>;
+
+            #[inline(always)]
+            fn in_doubles(&self) -> Self::Doubles {
+                match self { $(Self::$Variant(p) => Primitive::$Variant(p.in_doubles()),)+ }
+            }
             fn reach(&self) -> S {
                 match self { $(Self::$Variant(p) => p.reach(),)+ }
             }

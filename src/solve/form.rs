@@ -62,17 +62,19 @@ pub(super) enum Form<N> {
 
 impl<N: Number> Form<N> {
     /// A cone of this slope.
+    #[inline(always)]
     pub(super) fn slope(slope: N) -> Self {
         Self::Cone { h: N::ONE, g0: N::ZERO, g1: slope }
     }
 
     /// A cone through two radii.
+    #[inline(always)]
     pub(super) fn radii(base: N, top: N, height: N) -> Self {
         Self::Cone { h: height, g0: base * height, g1: top - base }
     }
 
     /// The outline `g0 w + g1 y`; constant but for a cone.
-    #[inline]
+    #[inline(always)]
     pub(super) fn outline(self, p: Homogeneous<N>) -> N {
         match self {
             Self::Ball { r } | Self::Tube { r } => p.w.times(r),
@@ -85,7 +87,7 @@ impl<N: Number> Form<N> {
     }
 
     /// `f(p, q)`
-    #[inline]
+    #[inline(always)]
     pub(super) fn of(self, p: Homogeneous<N>, q: Homogeneous<N>) -> N {
         let ([x, y, z], [u, v, w]) = (p.v, q.v);
         match self {
@@ -100,7 +102,7 @@ impl<N: Number> Form<N> {
 
     /// `(k^2 - a c) / h^2` along the line, with the `h` of a cone and 1 for the others, from the line's Pluecker moment `w = o x d`:
     /// Lagrange's identity in the metric of the form. `a` is the form of the direction.
-    #[inline]
+    #[inline(always)]
     pub(super) fn discriminant(self, line: &Line<N>, a: N) -> N {
         let ([x, _, z], [dx, _, dz]) = (line.origin, line.direction);
         match self {
@@ -124,6 +126,7 @@ impl<N: Number> Form<N> {
     }
 
     /// The `h` of [`Form::discriminant`], where it is not 1.
+    #[inline(always)]
     pub(super) fn factor(self) -> Option<N> {
         match self {
             Self::Cone { h, .. } => Some(h),

@@ -119,7 +119,7 @@ pub(super) struct Quadratic<'a, N> {
 }
 
 impl<'a, N: Number> Quadratic<'a, N> {
-    #[inline]
+    #[inline(always)]
     pub(super) fn new(form: Form<N>, line: &'a Line<N>, departs: bool) -> Option<Self> {
         let (o, d) = (Self::point(line), Self::along(line));
         let a = form.of(d, d);
@@ -137,14 +137,17 @@ impl<'a, N: Number> Quadratic<'a, N> {
         Some(Self { form, line, departs, a, k, discriminant, a_sign, discriminant_sign })
     }
 
+    #[inline(always)]
     fn point(line: &Line<N>) -> Homogeneous<N> {
         Homogeneous { v: line.origin, w: Weight::One }
     }
 
+    #[inline(always)]
     fn along(line: &Line<N>) -> Homogeneous<N> {
         Homogeneous { v: line.direction, w: Weight::Zero }
     }
 
+    #[inline(always)]
     fn c(&self) -> N {
         if self.departs {
             return N::ZERO;
@@ -153,7 +156,7 @@ impl<'a, N: Number> Quadratic<'a, N> {
         self.form.of(o, o)
     }
 
-    #[inline]
+    #[inline(always)]
     pub(super) fn inside(&self) -> Option<Inside> {
         Some(match (self.a_sign, self.discriminant_sign) {
             (Ordering::Greater, Ordering::Less) => Inside::Nowhere,
@@ -238,7 +241,7 @@ impl<'a, N: Number> Quadratic<'a, N> {
     }
 
     /// The roots in order; of a linear function its only one, twice.
-    #[inline]
+    #[inline(always)]
     pub(super) fn ends(&self) -> [End<N>; 2] {
         let [first, second] = self.roots();
         let end = |place: Place<N>, t: N::Estimate| End { place, t, part: Part::Side };
@@ -246,14 +249,14 @@ impl<'a, N: Number> Quadratic<'a, N> {
     }
 
     /// The interval between the roots.
-    #[inline]
+    #[inline(always)]
     pub(super) fn between(&self, touch: bool) -> Interval<N> {
         let [first, second] = self.ends();
         Interval { enter: Some(first), exit: Some(second), touch }
     }
 
     /// The roots' parameters, approximately.
-    #[inline]
+    #[inline(always)]
     fn roots(&self) -> [N::Estimate; 2] {
         let (a, k) = (self.a.estimate(), self.k.estimate());
         let zero = N::Estimate::ZERO;

@@ -12,7 +12,7 @@ pub(crate) trait Of<S: Scalar>: FromScalar<S> + Number<Estimate: ToScalar<S> + F
 impl<S: Scalar, N: FromScalar<S> + Number<Estimate: ToScalar<S> + FromScalar<S>>> Of<S> for N {}
 
 /// How an end compares with a bound of the range. `None` for `quadratic` where no end is one of its roots.
-#[inline]
+#[inline(always)]
 pub(super) fn compare<S: Scalar, N: Of<S>>(
     quadratic: Option<&Quadratic<'_, N>>,
     end: &End<N>,
@@ -28,7 +28,7 @@ pub(super) fn compare<S: Scalar, N: Of<S>>(
 }
 
 /// The `t` of an end and its part. Where its exact value decides whether it lies in the range, it is infinite before and beyond.
-#[inline]
+#[inline(always)]
 fn settle<S: Scalar, N: Of<S>>(
     quadratic: Option<&Quadratic<'_, N>>,
     end: &End<N>,
@@ -47,6 +47,7 @@ fn settle<S: Scalar, N: Of<S>>(
 }
 
 /// The entry, or that there is none.
+#[inline(always)]
 pub(super) fn entry<S: Scalar, N: Of<S>>(
     quadratic: Option<&Quadratic<'_, N>>,
     end: Option<End<N>>,
@@ -60,6 +61,7 @@ pub(super) fn entry<S: Scalar, N: Of<S>>(
 
 /// The exit, or that there is none; not before the entry: two ends next to the same midpoint of two numbers may be rounded to each
 /// other's side, and signs taken at their word may contradict each other.
+#[inline(always)]
 pub(super) fn exit<S: Scalar, N: Of<S>>(
     quadratic: Option<&Quadratic<'_, N>>,
     end: Option<End<N>>,
@@ -74,6 +76,7 @@ pub(super) fn exit<S: Scalar, N: Of<S>>(
 }
 
 /// Both ends.
+#[inline(always)]
 pub(super) fn span<S: Scalar, N: Of<S>>(
     quadratic: Option<&Quadratic<'_, N>>,
     interval: Interval<N>,

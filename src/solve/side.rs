@@ -12,6 +12,7 @@ use crate::scalar::Scalar;
 use core::cmp::Ordering;
 
 /// The side's quadric.
+#[inline(always)]
 pub(super) fn form_of<S: Scalar, N: FromScalar<S> + Number>(side: Side<S>) -> Form<N> {
     match side {
         Side::Straight(radius) => Form::Tube { r: N::scalar(radius) },
@@ -58,7 +59,7 @@ enum Within<N: Number> {
 }
 
 /// Where the line is inside a side. Of a cone only the nappe counts in which the outline is positive.
-#[inline]
+#[inline(always)]
 fn within<N: Number>(quadratic: &Quadratic<'_, N>, side: Form<N>, line: &Line<N>) -> Option<Within<N>> {
     let is_cone = matches!(side, Form::Cone { .. });
     let g = || side.outline(Homogeneous { v: line.origin, w: Weight::One });
@@ -135,13 +136,49 @@ fn clip<N: Number>(
 }
 
 /// What lies within a side, or the side alone.
+#[inline(always)]
 pub(super) fn intersect<S: Scalar, N: Of<S>>(
     line: &Line<N>,
     side: Side<S>,
     extent: Extent<S>,
     range: Range<S>,
 ) -> Option<Intersection<S>> {
-    let form = form_of(side);
+    match form_of(side) {
+        Form::Tube { r } => about_a_tube(line, r, extent, range),
+        form => about_a_cone(line, form, extent, range),
+    }
+}
+
+/// [`within_a_side`] of a cylinder, by itself: what concerns cones is not in it.
+#[inline(never)]
+fn about_a_tube<S: Scalar, N: Of<S>>(
+    line: &Line<N>,
+    r: N,
+    extent: Extent<S>,
+    range: Range<S>,
+) -> Option<Intersection<S>> {
+    within_a_side(line, Form::Tube { r }, extent, range)
+}
+
+/// [`within_a_side`] of a cone.
+#[inline(never)]
+fn about_a_cone<S: Scalar, N: Of<S>>(
+    line: &Line<N>,
+    form: Form<N>,
+    extent: Extent<S>,
+    range: Range<S>,
+) -> Option<Intersection<S>> {
+    let Form::Cone { h, g0, g1 } = form else { return None };
+    within_a_side(line, Form::Cone { h, g0, g1 }, extent, range)
+}
+
+#[inline(always)]
+fn within_a_side<S: Scalar, N: Of<S>>(
+    line: &Line<N>,
+    form: Form<N>,
+    extent: Extent<S>,
+    range: Range<S>,
+) -> Option<Intersection<S>> {
     let (low, high) = match extent {
         Extent::Infinite => (None, None),
         Extent::Open(height) => (Some(N::ZERO), Some(N::scalar(height))),

@@ -1,18 +1,9 @@
-//! The tier `Exact`: its number types, and its fast path.
+//! The tier `Exact`: its number types, and the numbers that decide for each.
 
-#[cfg(feature = "libm")]
-mod plain;
-#[cfg(feature = "libm")]
-mod quick;
-
-use crate::figure::Figure;
-use crate::intersection::Intersection;
-use crate::line::Place;
 #[cfg(feature = "fixed")]
 use crate::number::FIXED_LIMBS;
-use crate::number::{Bounded, FLOAT_LIMBS, FromScalar, Integer, Number, ToScalar};
-use crate::ray::Ray;
-use crate::scalar::{Plain, Scalar};
+use crate::number::{Bounded, FLOAT_LIMBS, Filtered, FromScalar, Integer, Number, ToScalar};
+use crate::scalar::Scalar;
 
 /// The tier that is never wrong: hit, miss, touch, part, order, pairing and inside or outside are those of exact
 /// arithmetic on the given numbers, always; `t` is within one unit in the last place of the exact value.
@@ -29,8 +20,8 @@ use crate::scalar::{Plain, Scalar};
 /// Sphere::new(1.0).unwrap().hits_at::<Exact>(&ray);
 /// ```
 ///
-/// A number with an error bound decides nearly always; where it cannot tell, integers that are wide enough for everything do, at some
-/// hundred times the cost. [`Shape::effort`](crate::Shape::effort) tells which it was.
+/// Doubles with an error bound decide nearly always, and 128 bits with an error bound what these cannot tell; what is left is decided by
+/// integers that are wide enough for everything, at some hundred times the cost. [`Shape::effort`](crate::Shape::effort) tells which it was.
 ///
 /// A ray that [departs](crate::Departure) starts on its surface by decree and not by its coordinates: of the quadric that it leaves the
 /// constant term is zero, of the plane that it leaves the height, and all other equations keep the stored coordinates. What it meets is
@@ -59,39 +50,24 @@ pub enum Effort {
 
 /// A scalar that has an exact tier.
 pub trait Certain: Scalar {
-    /// The number with an error bound, which decides nearly always.
+    /// The first number, which decides nearly always.
+    type Filter: FromScalar<Self> + Number<Estimate: ToScalar<Self> + FromScalar<Self>>;
+    /// The number that decides where [`Certain::Filter`] cannot tell.
     type Bounded: FromScalar<Self> + ToScalar<Self>;
     /// The integer that decides when [`Certain::Bounded`] cannot tell: wide enough for every polynomial of the solvers.
     type Integer: FromScalar<Self> + Number<Estimate = Self::Bounded>;
-
-    /// The fast path of the tier `Exact`, where the type has one.
-    #[inline(always)]
-    fn exact_fast_path(_: &Figure<Self>, _: &impl Place<Self>, _: &Ray<Self>) -> Plain<Intersection<Self>> {
-        Plain::Unclear
-    }
 }
 
 #[cfg(feature = "libm")]
 impl Certain for f32 {
+    type Filter = Filtered;
     type Bounded = Bounded<u128>;
     type Integer = Integer<FLOAT_LIMBS>;
-
-    #[inline(always)]
-    fn exact_fast_path(figure: &Figure<f32>, place: &impl Place<f32>, ray: &Ray<f32>) -> Plain<Intersection<f32>> {
-        if ray.departure().is_some() {
-            return Plain::Unclear;
-        }
-        let line = if let Figure::Ball { .. } = figure { place.ball_line(ray) } else { place.line(ray) };
-        match plain::find(figure, line, ray.range()) {
-            Some(Intersection::Miss) => Plain::Miss,
-            Some(intersection) => Plain::Found(intersection),
-            None => Plain::Unclear,
-        }
-    }
 }
 
 #[cfg(feature = "fixed")]
 impl<F: fixed::types::extra::LeEqU32 + Send + Sync + 'static> Certain for fixed::FixedI32<F> {
+    type Filter = Filtered;
     type Bounded = Bounded<u128>;
     type Integer = Integer<FIXED_LIMBS>;
 }

@@ -1,0 +1,253 @@
+//! Doubles with a filter: the first rung of `Exact` for `f32`.
+//!
+//! A polynomial is computed twice: once, and once of the magnitudes of its inputs with every sign positive. The rounding errors of the
+//! first are together a small part of the second, so that a value above that part has a certain sign (semi-static filter: Burnikel,
+//! Funke and Seel, *Exact Geometric Computation Using Cascading*, 2001; Devillers and Pion, *Efficient Exact Geometric Predicates for
+//! Delaunay Triangulations*, 2003).
+
+use super::{Estimate, FromScalar, Number, Ring, ToScalar};
+use crate::scalar::{Real, Scalar, UnitScalar};
+use core::cmp::Ordering;
+use core::ops::{Add, Mul, Neg, Sub};
+
+/// A double, and the same polynomial of the magnitudes of its inputs.
+#[derive(Clone, Copy, Debug)]
+pub struct Filtered {
+    value: f64,
+    magnitude: f64,
+}
+
+/// Inputs below this are left to other numbers: no polynomial of the solver has so high a power of 2^-60 that it underflows.
+const SMALLEST: f64 = 1.0 / (1u64 << 60) as f64;
+
+/// No term has more than sixteen factors, and no factor more than four roundings of 2^-53 behind it, the way into a frame included; sums
+/// add a dozen. Together they are less than 2^-46 of the magnitude.
+const DOUBT: f64 = 1.0 / (1u64 << 44) as f64;
+
+impl Filtered {
+    /// One whose magnitude is too small to trust has an infinite one, and so has all that it goes into.
+    #[inline(always)]
+    fn guarded(value: f64, magnitude: f64) -> Self {
+        Self { value, magnitude: if magnitude < SMALLEST && magnitude != 0.0 { f64::INFINITY } else { magnitude } }
+    }
+}
+
+impl Add for Filtered {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self { value: self.value + other.value, magnitude: self.magnitude + other.magnitude }
+    }
+}
+
+impl Sub for Filtered {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self { value: self.value - other.value, magnitude: self.magnitude + other.magnitude }
+    }
+}
+
+impl Neg for Filtered {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self { value: -self.value, ..self }
+    }
+}
+
+impl Mul for Filtered {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        Self { value: self.value * other.value, magnitude: self.magnitude * other.magnitude }
+    }
+}
+
+impl Ring for Filtered {
+    const ZERO: Self = Self { value: 0.0, magnitude: 0.0 };
+    const ONE: Self = Self { value: 1.0, magnitude: 1.0 };
+
+    #[inline(always)]
+    fn scaled(self, e: i32) -> Self {
+        Self::guarded(self.value.times_power_of_two(e), self.magnitude.times_power_of_two(e))
+    }
+}
+
+impl Number for Filtered {
+    type Estimate = Rounded;
+
+    #[inline(always)]
+    fn sign(self) -> Option<Ordering> {
+        sign(self.value, self.magnitude * DOUBT)
+    }
+
+    #[inline(always)]
+    fn estimate(self) -> Rounded {
+        Rounded { value: self.value, error: self.magnitude * DOUBT }
+    }
+}
+
+/// For types of at most 32 bits: a double holds what they store.
+impl<S: Scalar> FromScalar<S> for Filtered {
+    #[inline(always)]
+    fn scalar(value: S) -> Self {
+        let value = value.to_f64();
+        Self::guarded(value, value.abs())
+    }
+    #[inline(always)]
+    fn unit(value: S::Unit) -> Self {
+        let value = value.to_f64();
+        Self::guarded(value, value.abs())
+    }
+}
+
+/// The sign of a value that is off by at most so much. Of what overflowed nothing is known: comparisons with it are false.
+#[inline(always)]
+fn sign(value: f64, error: f64) -> Option<Ordering> {
+    if value > error {
+        Some(Ordering::Greater)
+    } else if value < -error {
+        Some(Ordering::Less)
+    } else if error == 0.0 {
+        // No term of it is other than zero.
+        Some(Ordering::Equal)
+    } else {
+        None
+    }
+}
+
+/// A double that is off by at most so much, but for roundings of `error` itself: it is twice what it need be to make up for them.
+#[derive(Clone, Copy, Debug)]
+pub struct Rounded {
+    value: f64,
+    error: f64,
+}
+
+impl Rounded {
+    #[inline(always)]
+    fn new(value: f64, inherited: f64) -> Self {
+        Self { value, error: inherited + value.abs() * f64::EPSILON }
+    }
+}
+
+impl Add for Rounded {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self::new(self.value + other.value, self.error + other.error)
+    }
+}
+
+impl Sub for Rounded {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Neg for Rounded {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self { value: -self.value, ..self }
+    }
+}
+
+impl Mul for Rounded {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        let inherited = self.value.abs() * other.error + self.error * (other.value.abs() + other.error);
+        Self::new(self.value * other.value, inherited)
+    }
+}
+
+impl Ring for Rounded {
+    const ZERO: Self = Self { value: 0.0, error: 0.0 };
+    const ONE: Self = Self { value: 1.0, error: 0.0 };
+
+    #[inline(always)]
+    fn scaled(self, e: i32) -> Self {
+        Self { value: self.value.times_power_of_two(e), error: self.error.times_power_of_two(e) }
+    }
+}
+
+impl Number for Rounded {
+    type Estimate = Self;
+
+    #[inline(always)]
+    fn sign(self) -> Option<Ordering> {
+        sign(self.value, self.error)
+    }
+
+    #[inline(always)]
+    fn estimate(self) -> Self {
+        self
+    }
+}
+
+impl Estimate for Rounded {
+    #[inline(always)]
+    fn over(self, other: Self) -> Self {
+        let inverse = 1.0 / other.value;
+        let value = self.value * inverse;
+        // (error + |quotient| error') / (|divisor| - error'), whose divisor is at least half of |divisor| or not known. The quotient
+        // has two roundings more.
+        let inherited = 2.0 * ((self.error + value.abs() * other.error) * inverse.abs() + value.abs() * f64::EPSILON);
+        let is_known = 2.0 * other.error <= other.value.abs();
+        Self::new(value, if is_known { inherited } else { f64::INFINITY })
+    }
+
+    #[inline(always)]
+    fn square_root(self) -> Self {
+        let value = Real::sqrt(self.value);
+        // sqrt(a) - sqrt(a - e) <= e / sqrt(a)
+        Self::new(value, if self.error == 0.0 { 0.0 } else { self.error / value })
+    }
+
+    #[inline(always)]
+    fn compare(self, other: Self) -> Option<Ordering> {
+        sign(self.value - other.value, self.error + other.error)
+    }
+
+    fn top(self) -> Option<i32> {
+        None
+    }
+}
+
+impl<S: Scalar> FromScalar<S> for Rounded {
+    #[inline(always)]
+    fn scalar(value: S) -> Self {
+        Self { value: value.to_f64(), error: 0.0 }
+    }
+    #[inline(always)]
+    fn unit(value: S::Unit) -> Self {
+        Self { value: value.to_f64(), error: 0.0 }
+    }
+}
+
+impl<S: Scalar> ToScalar<S> for Rounded {
+    const ROUNDING_DECIDES: bool = false;
+
+    #[inline(always)]
+    fn rounded(self) -> Option<S> {
+        let beyond = if self.value < 0.0 { -S::INFINITY } else { S::INFINITY };
+        // A 64th of a unit.
+        let most = power_of_two(S::last_place(top(self.value)) - 6);
+        (self.error <= most).then(|| S::from_f64(self.value).unwrap_or(beyond))
+    }
+}
+
+/// The exponent of a power of two just above the magnitude.
+#[inline(always)]
+fn top(value: f64) -> i32 {
+    ((value.to_bits() >> 52) & 0x7ff) as i32 - 1022
+}
+
+/// `2^e`, for exponents of normal numbers.
+#[inline(always)]
+fn power_of_two(e: i32) -> f64 {
+    f64::from_bits(((e + 1023) as u64) << 52)
+}
