@@ -7,7 +7,7 @@ use crate::frame::{Frame, FrameError, within_budget};
 use crate::line::Place;
 use crate::number::{FromScalar, difference, dot};
 use crate::ray::Ray;
-use crate::scalar::{Real, Scalar, UnitScalar};
+use crate::scalar::{PlainLine, Real, Scalar, UnitScalar};
 use crate::vector::{UnitVec3, Vec3, cross, pairs, transposed};
 
 /// One row of the inverse: components below 1 and a power of two.
@@ -201,12 +201,20 @@ impl<S: Scalar> Affine<S> {
 impl<S: Scalar> Place<S> for Affine<S> {
     type Doubles = Affine<f64>;
 
+    const STRETCHES: bool = true;
+
     #[inline(always)]
     fn in_doubles(&self) -> Self::Doubles {
         let inverse = self
             .inverse
             .map(|Row { components, exponent }| Row { components: components.map(UnitScalar::to_f64), exponent });
         Affine { position: self.position.in_doubles(), inverse }
+    }
+
+    #[inline]
+    fn plain_line(&self, ray: &Ray<S>) -> Option<PlainLine<S>> {
+        let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
+        S::plain_stretched(o, d, self.position.to_array(), self.inverse())
     }
 
     fn line<N: FromScalar<S>>(&self, ray: &Ray<S>) -> [[N; 3]; 2] {

@@ -185,7 +185,8 @@ impl<S: Scalar> Place<S> for Frame<S> {
     fn plain_ball_line(&self, ray: &Ray<S>) -> Option<PlainLine<S>> {
         let [x, y, z] = pairs(ray.origin().to_array(), self.position.to_array()).map(|(o, p)| o.minus(p));
         let origin = if x.is_finite() && y.is_finite() && z.is_finite() { [x, y, z] } else { return None };
-        Some(PlainLine { origin, finer: 0, direction: ray.direction().to_array(), has_spare_bits: false })
+        let direction = ray.direction().to_array();
+        Some(PlainLine { origin, finer: 0, direction, pace: S::ZERO, has_spare_bits: false })
     }
 
     #[inline]

@@ -10,13 +10,13 @@ pub trait Place<S: Scalar> {
     /// The same placement in doubles.
     type Doubles: Place<f64>;
 
+    /// True if the line's own `t` is not the ray's: see [`PlainLine::pace`].
+    const STRETCHES: bool = false;
+
     /// Itself in doubles, which hold the numbers of 32-bit types.
     fn in_doubles(&self) -> Self::Doubles;
     /// The line for the fast path, where the placement is simple enough for it.
-    #[inline(always)]
-    fn plain_line(&self, _: &Ray<S>) -> Option<PlainLine<S>> {
-        None
-    }
+    fn plain_line(&self, ray: &Ray<S>) -> Option<PlainLine<S>>;
     /// The line as a ball about the frame's origin sees it, for the fast path.
     #[inline(always)]
     fn plain_ball_line(&self, ray: &Ray<S>) -> Option<PlainLine<S>> {
@@ -60,12 +60,8 @@ impl<S: Scalar> Place<S> for InWorld {
     }
     #[inline(always)]
     fn plain_line(&self, ray: &Ray<S>) -> Option<PlainLine<S>> {
-        Some(PlainLine {
-            origin: ray.origin().to_array(),
-            finer: 0,
-            direction: ray.direction().to_array(),
-            has_spare_bits: false,
-        })
+        let (origin, direction) = (ray.origin().to_array(), ray.direction().to_array());
+        Some(PlainLine { origin, finer: 0, direction, pace: S::ZERO, has_spare_bits: false })
     }
     #[inline]
     fn line<N: FromScalar<S>>(&self, ray: &Ray<S>) -> [[N; 3]; 2] {

@@ -238,7 +238,22 @@ fn fast<S: Scalar, T: Guards, G: Geometry<S>>(
         return Plain::Unclear;
     }
     let Some(line) = geometry.plain_line(place, ray) else { return Plain::Unclear };
-    geometry.meet_plainly::<T>(&PlainLine { has_spare_bits: T::HAS_SPARE_BITS, ..line })
+    in_own_t(place, &line, geometry.meet_plainly::<T>(&PlainLine { has_spare_bits: T::HAS_SPARE_BITS, ..line }))
+}
+
+/// What was found along a line, in the ray's own `t`.
+#[inline(always)]
+fn in_own_t<S: Scalar, P: Place<S>>(
+    _: &P,
+    line: &PlainLine<S>,
+    found: Plain<Intersection<S>>,
+) -> Plain<Intersection<S>> {
+    if !P::STRETCHES {
+        return found;
+    }
+    let pace = line.pace.real();
+    let intersection = found!(found);
+    intersection.try_map(|t| Some(S::round(t.real() * pace))).map_or(Plain::Unclear, Plain::Found)
 }
 
 /// Whether the ray meets the geometry, if the fast path tells.

@@ -364,7 +364,7 @@ macro_rules! plain {
             let [origin, direction] =
                 $($kernels)::+::turned(o, position, axes.map(|axis| axis.map($Fixed::to_bits)), d.map($Fixed::to_bits))?;
             let (origin, direction) = (origin.map(Self::from_bits), direction.map($Fixed::from_bits));
-            Some(PlainLine { origin, finer: $($kernels)::+::FINER, direction, has_spare_bits: false })
+            Some(PlainLine { origin, finer: $($kernels)::+::FINER, direction, pace: Self::from_bits(0), has_spare_bits: false })
         }
     };
 }

@@ -269,6 +269,15 @@ macro_rules! float {
                 Some($plain::turned(o, d, position, axes))
             }
             #[inline(always)]
+            fn plain_stretched(
+                o: [Self; 3],
+                d: [Self; 3],
+                position: [Self; 3],
+                rows: [([Self; 3], i32); 3],
+            ) -> Option<PlainLine<Self>> {
+                $plain::stretched(o, d, position, rows)
+            }
+            #[inline(always)]
             fn plain_disc(line: PlainLine<Self>, r: Self) -> Plain<Self> {
                 $plain::disc(line, r)
             }

@@ -276,6 +276,17 @@ pub trait Scalar:
         None
     }
 
+    /// The line from `o` along `d` in the frame of a matrix, whose inverse has these rows, each to be multiplied by its power of two. `None` where products cancel, whose rounding would be much of the line.
+    #[inline(always)]
+    fn plain_stretched(
+        _o: [Self; 3],
+        _d: [Self::Unit; 3],
+        _position: [Self; 3],
+        _rows: [([Self::Unit; 3], i32); 3],
+    ) -> Option<PlainLine<Self>> {
+        None
+    }
+
     /// True only if the ray from `o` along `d` surely misses, within the closed `range` of `t`, the box about `centre` with these half
     /// extents: then no solid in it, found by a solver that rounds, has a hit there either.
     ///
@@ -350,6 +361,8 @@ pub struct PlainLine<S: Scalar> {
     pub finer: i32,
     /// The direction.
     pub direction: [S::Unit; 3],
+    /// The ray's `t` over the line's own, where a placement stretches; not used elsewhere.
+    pub pace: S,
     /// True of doubles that stand for numbers of 32 bits: guards may be strict, and yet let nearly all through.
     pub has_spare_bits: bool,
 }

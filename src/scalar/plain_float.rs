@@ -32,7 +32,7 @@ macro_rules! plain_float {
 
             impl Limits {
                 /// Of answers in as many bits as the computation has.
-                const OWN: Self = Self { epsilon: $Float::EPSILON, cancelled: 16.0, level: 0.25, near: 8.0 };
+                const OWN: Self = Self { epsilon: $Float::EPSILON, cancelled: 16.0, level: 0.0625, near: 8.0 };
                 /// Of answers in so many bits less that guards may count with roundings 2^13 times as large: whatever a guard leaves out of
                 /// account is less than that, and what it decides is certain.
                 const SPARE: Self =
@@ -49,6 +49,13 @@ macro_rules! plain_float {
                     128.0 * self.epsilon
                 }
 
+                /// How much the square of a line's distance may be off, next to `rr` or beyond: a distance `p` from a start of which the closest point
+                /// is `k` away is off by less than 3 epsilon (|k| + p), and 2 |k| p <= k^2 / 64 + 64 p^2.
+                #[inline(always)]
+                fn of_distance(&self, pp: $Float, rr: $Float, kk: $Float) -> $Float {
+                    (pp + rr) * self.doubt() + kk * (self.epsilon / 16.0)
+                }
+
                 /// How much a quotient may be off for a difference that is taken for what it is; nothing, if that keeps enough of its terms.
                 #[inline(always)]
                 fn off(&self, difference: $Float, terms: $Float) -> $Float {
@@ -57,9 +64,13 @@ macro_rules! plain_float {
                 }
             }
 
-            /// Rays of balls and tubes start at most this many sizes away, and those of which the moment is compensated.
-            const FAR: $Float = 16.0;
-            const FAR_SQUARE: $Float = FAR * FAR;
+            /// Rays of balls and tubes start at most this many sizes away, squared: their error grows as `t` itself does, until it is as large as
+            /// the chord.
+            const FAR_SQUARE: $Float = 1024.0 * 1024.0;
+            /// Starts next to the axis are at most this many sizes up, squared, if a frame's rounding makes units of that; and moments of
+            /// rays that start at most so many sizes away are compensated.
+            const HIGH_SQUARE: $Float = HIGH * HIGH;
+            const HIGH: $Float = 16.0;
             /// Sums of three products of three factors are taken where their terms are up to this many times larger.
             const FLAT_CANCELLED: $Float = 4.0;
 
@@ -74,7 +85,43 @@ macro_rules! plain_float {
                 let from = minus(o, position);
                 let origin = [dot(axes[0], from), dot(axes[1], from), dot(axes[2], from)];
                 let direction = [dot(axes[0], d), dot(axes[1], d), dot(axes[2], d)];
-                PlainLine { origin, finer: 1, direction, has_spare_bits: false }
+                PlainLine { origin, finer: 1, direction, pace: 0.0, has_spare_bits: false }
+            }
+
+            /// The line from `o` along `d` in the frame of a matrix that has this inverse; `None` where the products
+            /// are together more than three times as large as the coordinates, or the powers of two leave the type.
+            #[inline]
+            pub(crate) fn stretched(
+                o: [$Float; 3],
+                d: [$Float; 3],
+                position: [$Float; 3],
+                rows: [([$Float; 3], i32); 3],
+            ) -> Option<PlainLine<$Float>> {
+                const MOST: i32 = $bias / 4;
+                let [x, y, z] = rows;
+                let is_within = |e: i32| -MOST < e && e < MOST;
+                if !(is_within(x.1) && is_within(y.1) && is_within(z.1)) {
+                    return None;
+                }
+                let scale = |e: i32| $Float::from_bits((($bias + e) as $bits) << $mantissa);
+                let scales = [scale(x.1), scale(y.1), scale(z.1)];
+                let applied = |v: [$Float; 3]| {
+                    let [a, b, c] = [dot(x.0, v), dot(y.0, v), dot(z.0, v)];
+                    let image = [a * scales[0], b * scales[1], c * scales[2]];
+                    let v = magnitudes(v);
+                    let [a, b, c] = [dot(magnitudes(x.0), v), dot(magnitudes(y.0), v), dot(magnitudes(z.0), v)];
+                    let terms = a * scales[0] + b * scales[1] + c * scales[2];
+                    let [a, b, c] = magnitudes(image);
+                    (terms <= 3.0 * (a + b + c)).then_some(image)
+                };
+                let (origin, [dx, dy, dz]) = (applied(minus(o, position))?, applied(d)?);
+                let square = dx * dx + dy * dy + dz * dz;
+                if !is_handy::<4>(square) {
+                    return None;
+                }
+                let pace = 1.0 / $sqrt(square);
+                let direction = [dx * pace, dy * pace, dz * pace];
+                Some(PlainLine { origin, finer: 1, direction, pace, has_spare_bits: false })
             }
 
             /// True for a positive size whose eighth powers stay in the type (its squares, for `NARROW` of 2).
@@ -126,10 +173,11 @@ macro_rules! plain_float {
                 let k = along / a;
                 let p = [x - k * dx, y - k * dy, z - k * dz];
                 let (rr, kk) = (r * r, k * along);
-                let discriminant = rr - dot(p, p);
+                let pp = dot(p, p);
+                let discriminant = rr - pp;
                 // Not the comparisons' negations: what overflowed must fail.
                 if !(kk <= rr * FAR_SQUARE && 2.0 * discriminant * limits.cancelled >= rr) {
-                    return if discriminant < -(rr + kk) * limits.doubt() { Plain::Miss } else { Plain::Unclear };
+                    return if discriminant < -limits.of_distance(pp, rr, kk) { Plain::Miss } else { Plain::Unclear };
                 }
                 clear_of_the_start(kk, discriminant, rr, limits.near, (k, discriminant / a))
             }
@@ -188,14 +236,19 @@ macro_rules! plain_float {
                 let w = z * dx - x * dz;
                 let y = line.origin[1];
                 let limits = Limits::of(&line);
-                // Rounded on their way into a frame, coordinates are off by roundings of the longest, and components by those of one.
-                if line.finer != 0 && !(a >= limits.level && y * y <= r * r * FAR_SQUARE) {
-                    return Plain::Unclear;
+                let (positive, kk, ww) = (a * (r * r), k * k, w * w);
+                let discriminant = positive - ww;
+                let mut doubt = limits.of_distance(ww, positive, kk);
+                if line.finer != 0 {
+                    // Rounded on their way into a frame, coordinates are off by roundings of the longest, and components by those of one.
+                    doubt *= 8.0;
+                    let is_level = a >= limits.level && a * (y * y) <= positive * HIGH_SQUARE + 4.0 * kk;
+                    if !is_level || (discriminant > 0.0 && discriminant * a * (4.0 * limits.cancelled) < positive) {
+                        return Plain::Unclear;
+                    }
                 }
-                let (positive, kk) = (a * (r * r), k * k);
-                let discriminant = positive - w * w;
                 if !(kk <= positive * FAR_SQUARE && discriminant * limits.cancelled >= positive) {
-                    return if discriminant < -(positive + kk) * limits.doubt() { Plain::Miss } else { Plain::Unclear };
+                    return if discriminant < -doubt { Plain::Miss } else { Plain::Unclear };
                 }
                 let root = $sqrt(discriminant);
                 let inverse = 1.0 / a;
@@ -302,7 +355,7 @@ macro_rules! plain_float {
                     }
                     // From far away it takes more than that; what is infinite has no measure for far.
                     let is_near = match top {
-                        Some(top) => length <= FAR * top,
+                        Some(top) => length <= HIGH * top,
                         None => false,
                     };
                     // Compensation makes up for the moment's own rounding, not for that of a frame.
@@ -373,9 +426,9 @@ macro_rules! plain_float {
                     return Plain::Found(([(low - y) / dy, (high - y) / dy], [0.0; 2]));
                 }
                 let Limits { epsilon, .. } = Limits::of(&line);
-                // Three roundings of the terms of y, and three of dy.
+                // Four roundings of the longest coordinate, and three of one.
                 let length = $Float::abs(x) + $Float::abs(y) + $Float::abs(z);
-                let off = |t: $Float| (length + $Float::abs(t)) * $Float::abs(inverse) * (3.0 * epsilon);
+                let off = |t: $Float| (length + $Float::abs(t)) * $Float::abs(inverse) * (2.0 * epsilon);
                 Plain::Found((ends, [off(ends[0]), off(ends[1])]))
             }
 
