@@ -8,6 +8,7 @@ use crate::part::Part;
 use crate::scalar::{Plain, PlainLine, Real, Scalar, found};
 use crate::tier::Guards;
 use crate::vector::{UnitVec3, Vec3};
+use core::cmp::Ordering;
 
 /// A cylinder with hemispherical caps; its height excludes them. Also: a sphere swept along a segment.
 ///
@@ -53,13 +54,10 @@ impl<S: Scalar> Capsule<S> {
     /// [`Capsule::end`], if the short way tells.
     #[inline]
     fn plain_end<T: Guards>(&self, line: &PlainLine<S>, tube: S, entering: bool) -> Plain<End<S>> {
-        let y = found!(S::plain_height(*line, tube, [S::ZERO, self.height]));
-        let (part, centre) = if y < S::ZERO {
-            (Part::Base, S::ZERO)
-        } else if y > self.height {
-            (Part::Top, self.height)
-        } else {
-            return Plain::Found(End::new(tube, Part::Side));
+        let (part, centre) = match found!(S::plain_seams(*line, tube, self.height)) {
+            Ordering::Less => (Part::Base, S::ZERO),
+            Ordering::Greater => (Part::Top, self.height),
+            Ordering::Equal => return Plain::Found(End::new(tube, Part::Side)),
         };
         let [low, high] = found!(S::plain_ball(found!(S::plain_lowered(*line, centre)), self.radius, T::GUARDED));
         Plain::Found(End::new(if entering { low } else { high }, part))

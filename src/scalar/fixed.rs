@@ -10,6 +10,7 @@ use super::{
 };
 use crate::number::word::Word;
 use crate::number::{Limbs, Parts, Robust};
+use core::cmp::Ordering;
 use fixed::types::extra::{LeEqU32, LeEqU64, U30, U62};
 use fixed::{FixedI32, FixedI64};
 
@@ -337,9 +338,16 @@ macro_rules! plain {
             Plain::Found([Self::from_bits(low), Self::from_bits(high)])
         }
         #[inline(always)]
-        fn plain_height(line: PlainLine<Self>, t: Self, _: [Self; 2]) -> Plain<Self> {
+        fn plain_seams(line: PlainLine<Self>, t: Self, height: Self) -> Plain<Ordering> {
             let (oy, dy) = (line.origin[1].to_bits(), line.direction[1].to_bits());
-            Plain::Found(Self::from_bits(found!($($kernels)::+::height(oy, line.finer, dy, t.to_bits()))))
+            let y = found!($($kernels)::+::height(oy, line.finer, dy, t.to_bits()));
+            Plain::Found(if y < 0 {
+                Ordering::Less
+            } else if y > height.to_bits() {
+                Ordering::Greater
+            } else {
+                Ordering::Equal
+            })
         }
         #[inline(always)]
         fn plain_lowered(line: PlainLine<Self>, y: Self) -> Plain<PlainLine<Self>> {

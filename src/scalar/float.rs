@@ -6,6 +6,7 @@ use super::square_root::square_root_f32;
 use super::{Budget, Plain, PlainLine, PlainNappe, Real, Scalar, UnitScalar, found, largest, sealed::Sealed};
 use crate::number::word::Word;
 use crate::number::{Limbs, Parts, Robust};
+use core::cmp::Ordering;
 
 /// Defines the float implementations. `$half` are the mantissa bits that a split moves to the low part.
 macro_rules! float {
@@ -286,8 +287,8 @@ macro_rules! float {
                 $plain::triangle(line, vertices)
             }
             #[inline(always)]
-            fn plain_height(line: PlainLine<Self>, t: Self, seams: [Self; 2]) -> Plain<Self> {
-                $plain::height(line, t, seams)
+            fn plain_seams(line: PlainLine<Self>, t: Self, height: Self) -> Plain<Ordering> {
+                $plain::between_seams(line, t, height)
             }
             #[inline(always)]
             fn plain_lowered(line: PlainLine<Self>, y: Self) -> Plain<PlainLine<Self>> {

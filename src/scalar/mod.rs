@@ -21,6 +21,7 @@
 
 use crate::number::word::Word;
 use crate::number::{FromScalar, Limbs, Number, Parts, ToScalar};
+use core::cmp::Ordering;
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -225,9 +226,9 @@ pub trait Scalar:
     fn plain_double_cone(_: PlainLine<Self>, _slope: Self) -> Plain<([Self; 2], bool)> {
         Plain::Unclear
     }
-    /// The height of the line's point at `t`, rounded; unclear next to a seam where rounding decides on which side of it that is.
+    /// Whether the line's point at `t` lies below `y = 0`, between that and the height, or above; unclear where rounding decides.
     #[inline(always)]
-    fn plain_height(_: PlainLine<Self>, _t: Self, _seams: [Self; 2]) -> Plain<Self> {
+    fn plain_seams(_: PlainLine<Self>, _t: Self, _height: Self) -> Plain<Ordering> {
         Plain::Unclear
     }
     /// The line seen from the height `y`.

@@ -12,6 +12,7 @@ macro_rules! plain_float {
         pub(super) mod $name {
             use super::{Plain, PlainLine, PlainNappe, found};
             use crate::scalar::Real;
+            use core::cmp::Ordering;
 
             /// What the guards allow.
             struct Limits {
@@ -465,14 +466,22 @@ macro_rules! plain_float {
                 }
             }
 
-            /// The height of the line's point at `t`, unless rounding decides how it lies to a seam.
+            /// Whether the line's point at `t` lies below `y = 0`, between that and the height, or above.
             #[inline(always)]
-            pub(crate) fn height(line: PlainLine<$Float>, t: $Float, seams: [$Float; 2]) -> Plain<$Float> {
+            pub(crate) fn between_seams(line: PlainLine<$Float>, t: $Float, height: $Float) -> Plain<Ordering> {
                 let ([x, y, z], climb) = (line.origin, t * line.direction[1]);
                 let all = $Float::abs(x) + $Float::abs(y) + $Float::abs(z) + $Float::abs(t);
                 let off = if line.finer == 0 { 0.0 } else { all * (4.0 * Limits::of(&line).epsilon) };
-                let [low, high] = seams.map(|seam| are_close(&line, climb, seam - y, off));
-                if low || high { Plain::Unclear } else { Plain::Found(y + climb) }
+                let (low, high) = (-y, height - y);
+                if are_close(&line, climb, low, off) || are_close(&line, climb, high, off) {
+                    Plain::Unclear
+                } else if climb < low {
+                    Plain::Found(Ordering::Less)
+                } else if climb > high {
+                    Plain::Found(Ordering::Greater)
+                } else {
+                    Plain::Found(Ordering::Equal)
+                }
             }
 
             /// Whether rounding, or what they may be off beside it, decides which comes first.

@@ -56,20 +56,21 @@ impl<S: Scalar> Surface<S> {
 
     /// The outward unit normal in the world; for an open surface away from the axis, for a flat one to the front.
     pub fn normal(&self) -> UnitVec3<S> {
-        if self.needs_exact_normal() {
-            if let Some(normal) = self.native_local_normal() {
+        let rough = self.rough_local_point();
+        if self.needs_exact_normal(rough) {
+            if let Some(normal) = self.native_local_normal(rough) {
                 return self.local_normal_to_world(normal);
             }
             if let Some(normal) = self.exact_normal() {
                 return normal;
             }
         }
-        self.local_normal_to_world(self.rounded_local_normal())
+        self.local_normal_to_world(self.rounded_local_normal(rough))
     }
 
     /// True if the rounding of `t` would turn the normal by more than a few units.
-    fn needs_exact_normal(&self) -> bool {
-        self.is_stretched() || !S::resolves(self.hit.t, self.bend(self.rough_local_point()))
+    fn needs_exact_normal(&self, rough: Vec3<S>) -> bool {
+        self.is_stretched() || !S::resolves(self.hit.t, self.bend(rough))
     }
 
     /// True if lengths, and with them the rounding of `t`, are others in the primitive's frame.
@@ -77,8 +78,8 @@ impl<S: Scalar> Surface<S> {
         matches!(self.shape.placement, Placement::Affine(_))
     }
 
-    fn rounded_local_normal(&self) -> UnitVec3<S> {
-        let (primitive, point, _) = query::near_one(&self.shape.primitive, self.local_point());
+    fn rounded_local_normal(&self, rough: Vec3<S>) -> UnitVec3<S> {
+        let (primitive, point, _) = query::near_one(&self.shape.primitive, rough);
         primitive.normal(point, self.hit.part)
     }
 
@@ -130,15 +131,15 @@ impl<S: Scalar> Surface<S> {
         let point = [p[0] + d[0] * correction, p[1] + d[1] * correction, p[2] + d[2] * correction];
         let gradient = solve::gradient(&figure, self.hit.part, point);
         let (slope, squares) = (dot(gradient, d).0, dot(gradient, gradient).0);
-        // From an angle of 70 degrees on; what overflows compares false.
-        let is_steep = slope * slope >= squares.times_power_of_two(-3) && squares > S::Real::ZERO;
+        // Up to 60 degrees off the normal; what overflows compares false.
+        let is_steep = slope * slope >= squares.times_power_of_two(-2) && squares > S::Real::ZERO;
         // Beyond some units it is no rounding.
         let is_rounding = correction.0.abs() <= self.hit.t.magnitude().real().times_power_of_two(S::Real::ROUNDING + 6);
         (is_steep && is_rounding).then_some(point)
     }
 
-    fn native_local_normal(&self) -> Option<UnitVec3<S>> {
-        let point = self.native_local_point(self.rough_local_point())?;
+    fn native_local_normal(&self, rough: Vec3<S>) -> Option<UnitVec3<S>> {
+        let point = self.native_local_point(rough)?;
         let gradient = solve::gradient(&self.shape.primitive.figure(), self.hit.part, point);
         UnitVec3::from_real(gradient.map(|component| component.0))
     }
@@ -209,8 +210,9 @@ impl<S: Scalar> Surface<S> {
     pub fn tangents(&self) -> (UnitVec3<S>, UnitVec3<S>) {
         let (primitive, point, _) = query::near_one(&self.shape.primitive, self.local_point());
         let mut tangents = primitive.tangents(point, self.hit.part);
-        if self.needs_exact_normal()
-            && let Some(normal) = self.native_local_normal().or_else(|| self.exact_local_normal())
+        let rough = self.rough_local_point();
+        if self.needs_exact_normal(rough)
+            && let Some(normal) = self.native_local_normal(rough).or_else(|| self.exact_local_normal())
         {
             tangents = along_the_surface(normal);
         }

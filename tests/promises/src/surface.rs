@@ -354,9 +354,11 @@ fn parts_are_those_of_exact_arithmetic<S: Exact>() {
                 continue;
             }
             for (hit, exact) in hits.iter().zip(&exact.hits) {
-                seen.insert(format!("{:?}", hit.part));
                 let [_, y, _] = shape_point(&case, &ray, hit);
                 let at_seam = case.seams.iter().any(|seam| (y - seam).abs() < 1e-4);
+                if !at_seam {
+                    seen.insert(format!("{:?}", hit.part));
+                }
                 assert!(
                     at_seam || same_part(hit.part, exact.part),
                     "{} in {}: {hit:?} {exact:?}",
