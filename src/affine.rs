@@ -7,7 +7,7 @@ use crate::frame::{Frame, FrameError, within_budget};
 use crate::line::Place;
 use crate::number::{FromScalar, difference, dot};
 use crate::ray::Ray;
-use crate::scalar::{PlainLine, Real, Scalar, UnitScalar};
+use crate::scalar::{LocalLine, Real, Scalar, UnitScalar};
 use crate::vector::{UnitVec3, Vec3, cross, pairs, transposed};
 
 /// One row of the inverse: components below 1 and a power of two.
@@ -212,9 +212,9 @@ impl<S: Scalar> Place<S> for Affine<S> {
     }
 
     #[inline]
-    fn plain_line(&self, ray: &Ray<S>) -> Option<PlainLine<S>> {
+    fn fast_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
         let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
-        S::plain_stretched(o, d, self.position.to_array(), self.inverse())
+        S::fast_stretched(o, d, self.position.to_array(), self.inverse())
     }
 
     fn line<N: FromScalar<S>>(&self, ray: &Ray<S>) -> [[N; 3]; 2] {

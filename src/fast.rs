@@ -2,11 +2,11 @@
 
 use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
-use crate::scalar::{Plain, PlainLine, Scalar, UnitScalar};
+use crate::scalar::{Attempt, LocalLine, Scalar, UnitScalar};
 
 /// Where along a line `low <= y <= high`, and how much more than a few units its ends may be off.
 pub(crate) struct Slab<'a, S: Scalar> {
-    line: &'a PlainLine<S>,
+    line: &'a LocalLine<S>,
     pub(crate) span: Span<S>,
     off: [S; 2],
 }
@@ -14,25 +14,25 @@ pub(crate) struct Slab<'a, S: Scalar> {
 impl<'a, S: Scalar> Slab<'a, S> {
     /// Between two heights, if the fast path tells. The ends bear the parts of the two planes.
     #[inline(always)]
-    pub(crate) fn new(line: &'a PlainLine<S>, low: S, high: S) -> Plain<Self> {
+    pub(crate) fn new(line: &'a LocalLine<S>, low: S, high: S) -> Attempt<Self> {
         let ([_, y, _], [_, dy, _]) = (line.origin, line.direction);
-        match S::plain_crossings(*line, [low, high]) {
-            Plain::Found(([low, high], [off_low, off_high])) => {
+        match S::fast_crossings(*line, [low, high]) {
+            Attempt::Found(([low, high], [off_low, off_high])) => {
                 let (base, top) = (End::new(low, Part::Base), End::new(high, Part::Top));
-                Plain::Found(if dy < S::Unit::ZERO {
+                Attempt::Found(if dy < S::Unit::ZERO {
                     Self { line, span: Span::new(top, base), off: [off_high, off_low] }
                 } else {
                     Self { line, span: Span::new(base, top), off: [off_low, off_high] }
                 })
             }
-            Plain::Miss if line.finer == 0 => {
+            Attempt::Miss if line.finer == 0 => {
                 if low <= y && y <= high {
-                    Plain::Found(Self { line, span: Span::everywhere(), off: [S::ZERO; 2] })
+                    Attempt::Found(Self { line, span: Span::everywhere(), off: [S::ZERO; 2] })
                 } else {
-                    Plain::Miss
+                    Attempt::Miss
                 }
             }
-            _ => Plain::Unclear,
+            _ => Attempt::Unsure,
         }
     }
 
@@ -40,23 +40,23 @@ impl<'a, S: Scalar> Slab<'a, S> {
     #[inline(always)]
     pub(crate) fn is_close_to(&self, side: &Span<S>) -> bool {
         let (planes, [enter, exit]) = (&self.span, self.off);
-        S::plain_close(self.line, side.enter.t, planes.enter.t, enter)
-            || S::plain_close(self.line, side.exit.t, planes.exit.t, exit)
-            || S::plain_close(self.line, side.enter.t, planes.exit.t, exit)
-            || S::plain_close(self.line, side.exit.t, planes.enter.t, enter)
-            || S::plain_close(self.line, planes.enter.t, planes.exit.t, enter)
+        S::are_close(self.line, side.enter.t, planes.enter.t, enter)
+            || S::are_close(self.line, side.exit.t, planes.exit.t, exit)
+            || S::are_close(self.line, side.enter.t, planes.exit.t, exit)
+            || S::are_close(self.line, side.exit.t, planes.enter.t, enter)
+            || S::are_close(self.line, planes.enter.t, planes.exit.t, enter)
     }
 
     /// The part of a side's interval that lies between the planes, if its ends are good enough.
     #[inline(always)]
-    pub(crate) fn clip(&self, side: Span<S>) -> Plain<Intersection<S>> {
-        let Some(span) = side.intersection(self.span) else { return Plain::Miss };
+    pub(crate) fn clip(&self, side: Span<S>) -> Attempt<Intersection<S>> {
+        let Some(span) = side.intersection(self.span) else { return Attempt::Miss };
         let [enter, exit] = self.off;
-        let is_good = |end: End<S>, off: S| end.part == Part::Side || S::plain_certain(self.line, end.t, off);
+        let is_good = |end: End<S>, off: S| end.part == Part::Side || S::is_good(self.line, end.t, off);
         if is_good(span.enter, enter) && is_good(span.exit, exit) {
-            Plain::Found(Intersection::One(span))
+            Attempt::Found(Intersection::One(span))
         } else {
-            Plain::Unclear
+            Attempt::Unsure
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::line::Place;
 use crate::number::{FromScalar, difference, dot};
 use crate::ray::Ray;
-use crate::scalar::{PlainLine, Real, Scalar};
+use crate::scalar::{LocalLine, Real, Scalar};
 use crate::vector::{UnitVec3, Vec3, pairs, transposed};
 use core::fmt;
 
@@ -177,16 +177,16 @@ impl<S: Scalar> Place<S> for Frame<S> {
     }
 
     #[inline]
-    fn plain_line(&self, ray: &Ray<S>) -> Option<PlainLine<S>> {
+    fn fast_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
         let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
-        S::plain_turned(o, d, self.position.to_array(), self.axes.map(UnitVec3::to_array))
+        S::fast_turned(o, d, self.position.to_array(), self.axes.map(UnitVec3::to_array))
     }
     #[inline]
-    fn plain_ball_line(&self, ray: &Ray<S>) -> Option<PlainLine<S>> {
+    fn fast_ball_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
         let [x, y, z] = pairs(ray.origin().to_array(), self.position.to_array()).map(|(o, p)| o.minus(p));
         let origin = if x.is_finite() && y.is_finite() && z.is_finite() { [x, y, z] } else { return None };
         let direction = ray.direction().to_array();
-        Some(PlainLine { origin, finer: 0, direction, pace: S::ZERO, has_spare_bits: false })
+        Some(LocalLine { origin, finer: 0, direction, pace: S::ZERO, has_spare_bits: false })
     }
 
     #[inline]

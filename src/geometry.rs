@@ -5,7 +5,7 @@ use crate::intersection::Intersection;
 use crate::line::Place;
 use crate::part::Part;
 use crate::ray::{Range, Ray};
-use crate::scalar::{Plain, PlainLine, Scalar, found};
+use crate::scalar::{Attempt, LocalLine, Scalar, found};
 use crate::tier::Guards;
 use crate::vector::{UnitVec3, Vec3};
 
@@ -23,16 +23,16 @@ pub trait Geometry<S: Scalar>: Copy {
     fn scaled(&self, e: i32) -> Self;
     /// The line for the fast path, as this primitive sees it.
     #[inline(always)]
-    fn plain_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<PlainLine<S>> {
-        place.plain_line(ray)
+    fn fast_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
+        place.fast_line(ray)
     }
     /// Where the line meets it, if the fast path tells.
-    fn meet_plainly<T: Guards>(&self, line: &PlainLine<S>) -> Plain<Intersection<S>>;
-    /// Whether the half-line `t >= 0` hits it, if the fast path tells; agrees with [`Geometry::meet_plainly`].
+    fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>>;
+    /// Whether the half-line `t >= 0` hits it, if the fast path tells; agrees with [`Geometry::fast_intersection`].
     #[inline(always)]
-    fn meets_ahead_plainly<T: Guards>(&self, line: &PlainLine<S>) -> Plain<()> {
-        let intersection = found!(self.meet_plainly::<T>(line));
-        if intersection.nearest(Range::FORWARD, |_| true).is_some() { Plain::Found(()) } else { Plain::Miss }
+    fn fast_occlusion<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<()> {
+        let intersection = found!(self.fast_intersection::<T>(line));
+        if intersection.nearest(Range::FORWARD, |_| true).is_some() { Attempt::Found(()) } else { Attempt::Miss }
     }
     /// The equations and inequalities of its points.
     fn figure(&self) -> Figure<S>;

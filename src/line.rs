@@ -2,7 +2,7 @@
 
 use crate::number::FromScalar;
 use crate::ray::Ray;
-use crate::scalar::{PlainLine, Scalar};
+use crate::scalar::{LocalLine, Scalar};
 use crate::vector::Vec3;
 
 /// The way from the world to a primitive's frame.
@@ -10,17 +10,17 @@ pub trait Place<S: Scalar> {
     /// The same placement in doubles.
     type Doubles: Place<f64>;
 
-    /// True if the line's own `t` is not the ray's: see [`PlainLine::pace`].
+    /// True if the line's own `t` is not the ray's: see [`LocalLine::pace`].
     const STRETCHES: bool = false;
 
     /// Itself in doubles, which hold the numbers of 32-bit types.
     fn in_doubles(&self) -> Self::Doubles;
     /// The line for the fast path, where the placement is simple enough for it.
-    fn plain_line(&self, ray: &Ray<S>) -> Option<PlainLine<S>>;
+    fn fast_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>>;
     /// The line as a ball about the frame's origin sees it, for the fast path.
     #[inline(always)]
-    fn plain_ball_line(&self, ray: &Ray<S>) -> Option<PlainLine<S>> {
-        self.plain_line(ray)
+    fn fast_ball_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
+        self.fast_line(ray)
     }
     /// Origin and direction of the ray's line in the primitive's frame, without rounding but for that of the number. The direction has
     /// any length: `t` is the ray's own.
@@ -59,9 +59,9 @@ impl<S: Scalar> Place<S> for InWorld {
         Self
     }
     #[inline(always)]
-    fn plain_line(&self, ray: &Ray<S>) -> Option<PlainLine<S>> {
+    fn fast_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
         let (origin, direction) = (ray.origin().to_array(), ray.direction().to_array());
-        Some(PlainLine { origin, finer: 0, direction, pace: S::ZERO, has_spare_bits: false })
+        Some(LocalLine { origin, finer: 0, direction, pace: S::ZERO, has_spare_bits: false })
     }
     #[inline]
     fn line<N: FromScalar<S>>(&self, ray: &Ray<S>) -> [[N; 3]; 2] {

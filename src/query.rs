@@ -11,7 +11,7 @@ use crate::intersection::Intersection;
 use crate::line::Place;
 use crate::number::FromScalar;
 use crate::ray::{Range, Ray};
-use crate::scalar::{Plain, PlainLine, Scalar, found, largest};
+use crate::scalar::{Attempt, LocalLine, Scalar, found, largest};
 use crate::solve::{self, Line, Of};
 use crate::tier::{Fast, Guards, Stable};
 use crate::vector::Vec3;
@@ -19,9 +19,9 @@ use crate::vector::Vec3;
 /// How a tier intersects.
 pub trait Solve<S: Scalar> {
     /// The fast path: where the ray's line meets the geometry, if it can tell.
-    fn fast<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Plain<Intersection<S>>;
+    fn fast<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<Intersection<S>>;
     /// The fast path's occlusion of the half-line `t >= 0`; agrees with [`Solve::fast`].
-    fn fast_ahead<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Plain<()>;
+    fn fast_ahead<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<()>;
     /// Where the ray's line meets the geometry, in wider numbers.
     fn climb<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Intersection<S>;
     /// True if the point belongs to the geometry.
@@ -31,9 +31,9 @@ pub trait Solve<S: Scalar> {
     #[inline]
     fn hits<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Hits<S> {
         match Self::fast(geometry, place, ray) {
-            Plain::Miss => Hits::none(),
-            Plain::Found(intersection) => intersection.hits(ray.range()),
-            Plain::Unclear => apart(|| Self::climb(geometry, place, ray).hits(ray.range())),
+            Attempt::Miss => Hits::none(),
+            Attempt::Found(intersection) => intersection.hits(ray.range()),
+            Attempt::Unsure => apart(|| Self::climb(geometry, place, ray).hits(ray.range())),
         }
     }
 
@@ -46,9 +46,9 @@ pub trait Solve<S: Scalar> {
         accept: impl Fn(Crossing) -> bool,
     ) -> Option<Hit<S>> {
         match Self::fast(geometry, place, ray) {
-            Plain::Miss => None,
-            Plain::Found(intersection) => intersection.nearest(ray.range(), accept),
-            Plain::Unclear => apart(|| Self::climb(geometry, place, ray).nearest(ray.range(), accept)),
+            Attempt::Miss => None,
+            Attempt::Found(intersection) => intersection.nearest(ray.range(), accept),
+            Attempt::Unsure => apart(|| Self::climb(geometry, place, ray).nearest(ray.range(), accept)),
         }
     }
 
@@ -62,9 +62,9 @@ pub trait Solve<S: Scalar> {
     ) -> bool {
         if ray.range() == Range::FORWARD && accept(Crossing::Enter) && accept(Crossing::Exit) {
             match Self::fast_ahead(geometry, place, ray) {
-                Plain::Miss => return false,
-                Plain::Found(()) => return true,
-                Plain::Unclear => {}
+                Attempt::Miss => return false,
+                Attempt::Found(()) => return true,
+                Attempt::Unsure => {}
             }
         }
         apart(|| Self::nearest(geometry, place, ray, accept).is_some())
@@ -76,11 +76,11 @@ macro_rules! solve_robustly {
     ($Tier:ident) => {
         impl<S: Scalar> Solve<S> for $Tier {
             #[inline(always)]
-            fn fast<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Plain<Intersection<S>> {
+            fn fast<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<Intersection<S>> {
                 fast::<S, $Tier, G>(geometry, place, ray)
             }
             #[inline(always)]
-            fn fast_ahead<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Plain<()> {
+            fn fast_ahead<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<()> {
                 fast_ahead::<S, $Tier, G>(geometry, place, ray)
             }
             #[inline]
@@ -106,12 +106,12 @@ macro_rules! solve_exactly {
                 geometry: &G,
                 place: &impl Place<$S>,
                 ray: &Ray<$S>,
-            ) -> Plain<Intersection<$S>> {
+            ) -> Attempt<Intersection<$S>> {
                 fast_in_doubles(geometry, place, ray)
             }
             #[inline(always)]
-            fn fast_ahead<G: Geometry<$S>>(_: &G, _: &impl Place<$S>, _: &Ray<$S>) -> Plain<()> {
-                Plain::Unclear
+            fn fast_ahead<G: Geometry<$S>>(_: &G, _: &impl Place<$S>, _: &Ray<$S>) -> Attempt<()> {
+                Attempt::Unsure
             }
             #[inline]
             fn climb<G: Geometry<$S>>(geometry: &G, place: &impl Place<$S>, ray: &Ray<$S>) -> Intersection<$S> {
@@ -136,7 +136,7 @@ solve_exactly!(fixed::FixedI32<F>, F: fixed::types::extra::LeEqU32);
 pub(crate) fn effort<S: Certain, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Effort {
     let figure = geometry.figure();
     match fast_in_doubles(geometry, place, ray) {
-        Plain::Unclear => exactly(&figure, place, ray).1,
+        Attempt::Unsure => exactly(&figure, place, ray).1,
         _ => Effort::Filter,
     }
 }
@@ -155,7 +155,7 @@ fn fast_in_doubles<S: Certain, G: Geometry<S>>(
     geometry: &G,
     place: &impl Place<S>,
     ray: &Ray<S>,
-) -> Plain<Intersection<S>> {
+) -> Attempt<Intersection<S>> {
     let intersection =
         found!(fast::<f64, Certainly, _>(&geometry.in_doubles(), &place.in_doubles(), &ray.in_doubles()));
     let (start, end) = (ray.range().start().to_f64(), ray.range().end().to_f64());
@@ -168,8 +168,8 @@ fn fast_in_doubles<S: Certain, G: Geometry<S>>(
         Some(if t < start || t > end { beyond } else { S::from_f64(t).unwrap_or(beyond) })
     };
     match intersection.try_map(settled) {
-        Some(intersection) => Plain::Found(intersection),
-        None => Plain::Unclear,
+        Some(intersection) => Attempt::Found(intersection),
+        None => Attempt::Unsure,
     }
 }
 
@@ -233,37 +233,37 @@ fn fast<S: Scalar, T: Guards, G: Geometry<S>>(
     geometry: &G,
     place: &impl Place<S>,
     ray: &Ray<S>,
-) -> Plain<Intersection<S>> {
+) -> Attempt<Intersection<S>> {
     if ray.departure().is_some() {
-        return Plain::Unclear;
+        return Attempt::Unsure;
     }
-    let Some(line) = geometry.plain_line(place, ray) else { return Plain::Unclear };
-    in_own_t(place, &line, geometry.meet_plainly::<T>(&PlainLine { has_spare_bits: T::HAS_SPARE_BITS, ..line }))
+    let Some(line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
+    in_own_t(place, &line, geometry.fast_intersection::<T>(&LocalLine { has_spare_bits: T::HAS_SPARE_BITS, ..line }))
 }
 
 /// What was found along a line, in the ray's own `t`.
 #[inline(always)]
 fn in_own_t<S: Scalar, P: Place<S>>(
     _: &P,
-    line: &PlainLine<S>,
-    found: Plain<Intersection<S>>,
-) -> Plain<Intersection<S>> {
+    line: &LocalLine<S>,
+    found: Attempt<Intersection<S>>,
+) -> Attempt<Intersection<S>> {
     if !P::STRETCHES {
         return found;
     }
     let pace = line.pace.real();
     let intersection = found!(found);
-    intersection.try_map(|t| Some(S::round(t.real() * pace))).map_or(Plain::Unclear, Plain::Found)
+    intersection.try_map(|t| Some(S::round(t.real() * pace))).map_or(Attempt::Unsure, Attempt::Found)
 }
 
 /// Whether the ray meets the geometry, if the fast path tells.
 #[inline(always)]
-fn fast_ahead<S: Scalar, T: Guards, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Plain<()> {
+fn fast_ahead<S: Scalar, T: Guards, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<()> {
     if ray.departure().is_some() {
-        return Plain::Unclear;
+        return Attempt::Unsure;
     }
-    let Some(line) = geometry.plain_line(place, ray) else { return Plain::Unclear };
-    geometry.meets_ahead_plainly::<T>(&line)
+    let Some(line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
+    geometry.fast_occlusion::<T>(&line)
 }
 
 /// Apart from the fast path, so that this stays short.

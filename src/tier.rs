@@ -25,7 +25,7 @@ mod sealed {
 pub trait Guards: 'static {
     /// True if the fast path leaves such rays to the robust number.
     const GUARDED: bool;
-    /// See [`PlainLine::has_spare_bits`](crate::scalar::PlainLine::has_spare_bits).
+    /// See [`LocalLine::has_spare_bits`](crate::scalar::LocalLine::has_spare_bits).
     const HAS_SPARE_BITS: bool = false;
 }
 

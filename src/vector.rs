@@ -1,7 +1,7 @@
 //! Points, vectors and directions.
 
 use crate::number::{Estimate, Ring};
-use crate::scalar::{Plain, Real, Scalar, UnitScalar};
+use crate::scalar::{Attempt, Real, Scalar, UnitScalar};
 use core::ops::{Add, Neg, Sub};
 
 /// A point or a vector of any length.
@@ -157,10 +157,10 @@ impl<S: Scalar> UnitVec3<S> {
     /// ```
     #[inline]
     pub fn new(v: Vec3<S>) -> Option<Self> {
-        match S::plain_direction(v.to_array()) {
-            Plain::Found(components) => return Some(Self { components }),
-            Plain::Miss => return None,
-            Plain::Unclear => {}
+        match S::fast_direction(v.to_array()) {
+            Attempt::Found(components) => return Some(Self { components }),
+            Attempt::Miss => return None,
+            Attempt::Unsure => {}
         }
         if !v.to_array().iter().all(|c| c.is_finite()) {
             return None;

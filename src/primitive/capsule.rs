@@ -5,7 +5,7 @@ use crate::figure::Figure;
 use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
-use crate::scalar::{Plain, PlainLine, Real, Scalar, found};
+use crate::scalar::{Attempt, LocalLine, Real, Scalar, found};
 use crate::tier::Guards;
 use crate::vector::{UnitVec3, Vec3};
 use core::cmp::Ordering;
@@ -53,14 +53,14 @@ impl<S: Scalar> Capsule<S> {
 
     /// [`Capsule::end`], if the short way tells.
     #[inline]
-    fn plain_end<T: Guards>(&self, line: &PlainLine<S>, tube: S, entering: bool) -> Plain<End<S>> {
-        let (part, centre) = match found!(S::plain_seams(*line, tube, self.height)) {
+    fn fast_end<T: Guards>(&self, line: &LocalLine<S>, tube: S, entering: bool) -> Attempt<End<S>> {
+        let (part, centre) = match found!(S::fast_seams(*line, tube, self.height)) {
             Ordering::Less => (Part::Base, S::ZERO),
             Ordering::Greater => (Part::Top, self.height),
-            Ordering::Equal => return Plain::Found(End::new(tube, Part::Side)),
+            Ordering::Equal => return Attempt::Found(End::new(tube, Part::Side)),
         };
-        let [low, high] = found!(S::plain_ball(found!(S::plain_lowered(*line, centre)), self.radius, T::GUARDED));
-        Plain::Found(End::new(if entering { low } else { high }, part))
+        let [low, high] = found!(S::fast_ball(found!(S::fast_lowered(*line, centre)), self.radius, T::GUARDED));
+        Attempt::Found(End::new(if entering { low } else { high }, part))
     }
 
     /// The point of the axis's segment nearest to a point of the part.
@@ -93,11 +93,11 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
     }
 
     #[inline(always)]
-    fn meet_plainly<T: Guards>(&self, line: &PlainLine<S>) -> Plain<Intersection<S>> {
-        let [low, high] = found!(S::plain_tube(*line, self.radius));
-        let enter = found!(self.plain_end::<T>(line, low, true));
-        let exit = found!(self.plain_end::<T>(line, high, false));
-        Plain::Found(if enter.t > exit.t { Intersection::Miss } else { Intersection::One(Span::new(enter, exit)) })
+    fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
+        let [low, high] = found!(S::fast_tube(*line, self.radius));
+        let enter = found!(self.fast_end::<T>(line, low, true));
+        let exit = found!(self.fast_end::<T>(line, high, false));
+        Attempt::Found(if enter.t > exit.t { Intersection::Miss } else { Intersection::One(Span::new(enter, exit)) })
     }
 
     fn figure(&self) -> Figure<S> {

@@ -9,7 +9,7 @@ use crate::figure::{self, Figure, Side};
 use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
-use crate::scalar::{Plain, PlainLine, PlainNappe, Real, Scalar, found, largest};
+use crate::scalar::{Attempt, InNappe, LocalLine, Real, Scalar, found, largest};
 use crate::tier::Guards;
 use crate::vector::{UnitVec3, Vec3};
 
@@ -194,25 +194,25 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
     }
 
     #[inline(always)]
-    fn meet_plainly<T: Guards>(&self, line: &PlainLine<S>) -> Plain<Intersection<S>> {
+    fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
         let outline = match self.outline {
             Outline::Slope(slope) => (S::ZERO, slope, None),
             Outline::Radii(base, top, height) => (base, top.minus(base), Some(height)),
         };
         if let (Extent::Double, Outline::Slope(slope)) = (self.extent, self.outline) {
-            let ([first, second], beyond) = found!(S::plain_double_cone(*line, slope));
+            let ([first, second], beyond) = found!(S::fast_double_cone(*line, slope));
             let (first, second) = (End::new(first, Part::Side), End::new(second, Part::Side));
-            return Plain::Found(if beyond {
+            return Attempt::Found(if beyond {
                 let (until, from) = (End::none(-S::INFINITY), End::none(S::INFINITY));
                 Intersection::Two(Span::new(until, first), Span::new(second, from))
             } else {
                 Intersection::One(Span::new(first, second))
             });
         }
-        let PlainNappe { ends: [low, high], certain } = found!(S::plain_nappe(*line, outline, self.height()));
+        let InNappe { ends: [low, high], certain } = found!(S::fast_nappe(*line, outline, self.height()));
         let side = Span::new(End::new(low, Part::Side), End::new(high, Part::Side));
         let (Extent::Open(height) | Extent::Capped(height)) = self.extent else {
-            return if certain == [true; 2] { Plain::Found(Intersection::One(side)) } else { Plain::Unclear };
+            return if certain == [true; 2] { Attempt::Found(Intersection::One(side)) } else { Attempt::Unsure };
         };
         let mut slab = found!(Slab::new(line, S::ZERO, height));
         let between = &mut slab.span;
@@ -230,10 +230,10 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         // An end that is somewhere beyond must not be asked for.
         let is_cut = (certain[0] || slab.span.enter.t > low) && (certain[1] || slab.span.exit.t < high);
         if slab.is_close_to(&side) || !is_cut {
-            return Plain::Unclear;
+            return Attempt::Unsure;
         }
         match self.extent {
-            Extent::Open(_) => Plain::Found(between_rims(side, slab.span)),
+            Extent::Open(_) => Attempt::Found(between_rims(side, slab.span)),
             _ => slab.clip(side),
         }
     }

@@ -6,7 +6,7 @@ use crate::figure::{self, Figure, Side};
 use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
-use crate::scalar::{Plain, PlainLine, Scalar, found};
+use crate::scalar::{Attempt, LocalLine, Scalar, found};
 use crate::tier::Guards;
 use crate::vector::{UnitVec3, Vec3};
 
@@ -111,18 +111,18 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
     }
 
     #[inline(always)]
-    fn meet_plainly<T: Guards>(&self, line: &PlainLine<S>) -> Plain<Intersection<S>> {
-        let [low, high] = found!(S::plain_tube(*line, self.radius));
+    fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
+        let [low, high] = found!(S::fast_tube(*line, self.radius));
         let side = Span::new(End::new(low, Part::Side), End::new(high, Part::Side));
         let (Extent::Open(height) | Extent::Capped(height)) = self.extent else {
-            return Plain::Found(Intersection::One(side));
+            return Attempt::Found(Intersection::One(side));
         };
         let slab = found!(Slab::new(line, S::ZERO, height));
         if slab.is_close_to(&side) {
-            return Plain::Unclear;
+            return Attempt::Unsure;
         }
         match self.extent {
-            Extent::Open(_) => Plain::Found(between_rims(side, slab.span)),
+            Extent::Open(_) => Attempt::Found(between_rims(side, slab.span)),
             _ => slab.clip(side),
         }
     }

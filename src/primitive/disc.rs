@@ -6,7 +6,7 @@ use crate::figure::Figure;
 use crate::geometry::Hull;
 use crate::intersection::Intersection;
 use crate::part::Part;
-use crate::scalar::{Plain, PlainLine, Scalar, UnitScalar, found};
+use crate::scalar::{Attempt, LocalLine, Scalar, UnitScalar, found};
 use crate::tier::Guards;
 use crate::vector::{UnitVec3, Vec3};
 
@@ -65,9 +65,9 @@ impl<S: Scalar> Geometry<S> for Disc<S> {
     }
 
     #[inline(always)]
-    fn meet_plainly<T: Guards>(&self, line: &PlainLine<S>) -> Plain<Intersection<S>> {
-        let t = found!(S::plain_disc(*line, self.radius));
-        Plain::Found(surface_hit(t, line.direction[1] < S::Unit::ZERO))
+    fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
+        let t = found!(S::fast_disc(*line, self.radius));
+        Attempt::Found(surface_hit(t, line.direction[1] < S::Unit::ZERO))
     }
 
     fn figure(&self) -> Figure<S> {

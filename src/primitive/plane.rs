@@ -7,7 +7,7 @@ use crate::geometry::Hull;
 use crate::intersection::Intersection;
 use crate::part::Part;
 use crate::ray::Range;
-use crate::scalar::{Plain, PlainLine, Scalar, UnitScalar, found};
+use crate::scalar::{Attempt, LocalLine, Scalar, UnitScalar, found};
 use crate::tier::Guards;
 use crate::vector::{UnitVec3, Vec3};
 use core::marker::PhantomData;
@@ -51,26 +51,26 @@ impl<S: Scalar> Geometry<S> for Plane<S> {
     }
 
     #[inline(always)]
-    fn meet_plainly<T: Guards>(&self, line: &PlainLine<S>) -> Plain<Intersection<S>> {
-        match S::plain_crossings(*line, [S::ZERO; 2]) {
-            Plain::Found(([t, _], [off, _])) if S::plain_certain(line, t, off) => {
-                Plain::Found(surface_hit(t, line.direction[1] < S::Unit::ZERO))
+    fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
+        match S::fast_crossings(*line, [S::ZERO; 2]) {
+            Attempt::Found(([t, _], [off, _])) if S::is_good(line, t, off) => {
+                Attempt::Found(surface_hit(t, line.direction[1] < S::Unit::ZERO))
             }
             // A line that stays in one height may lie in the plane.
-            _ => Plain::Unclear,
+            _ => Attempt::Unsure,
         }
     }
 
     /// Moving away from the plane: no.
     #[inline(always)]
-    fn meets_ahead_plainly<T: Guards>(&self, line: &PlainLine<S>) -> Plain<()> {
+    fn fast_occlusion<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<()> {
         let (y, dy) = (line.origin[1], line.direction[1]);
         let moves_away = if y < S::ZERO { dy <= S::Unit::ZERO } else { y > S::ZERO && dy >= S::Unit::ZERO };
         if !S::RELATIVE && line.finer == 0 && moves_away {
-            return Plain::Miss;
+            return Attempt::Miss;
         }
-        let meeting = found!(self.meet_plainly::<T>(line));
-        if meeting.nearest(Range::FORWARD, |_| true).is_some() { Plain::Found(()) } else { Plain::Miss }
+        let meeting = found!(self.fast_intersection::<T>(line));
+        if meeting.nearest(Range::FORWARD, |_| true).is_some() { Attempt::Found(()) } else { Attempt::Miss }
     }
 
     fn figure(&self) -> Figure<S> {

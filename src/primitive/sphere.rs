@@ -7,7 +7,7 @@ use crate::intersection::{End, Intersection, Span};
 use crate::line::Place;
 use crate::part::Part;
 use crate::ray::Ray;
-use crate::scalar::{Plain, PlainLine, Real, Scalar, found, largest};
+use crate::scalar::{Attempt, LocalLine, Real, Scalar, found, largest};
 use crate::tier::Guards;
 use crate::vector::{UnitVec3, Vec3};
 
@@ -68,19 +68,19 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
     }
 
     #[inline(always)]
-    fn plain_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<PlainLine<S>> {
-        place.plain_ball_line(ray)
+    fn fast_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
+        place.fast_ball_line(ray)
     }
 
     #[inline(always)]
-    fn meet_plainly<T: Guards>(&self, line: &PlainLine<S>) -> Plain<Intersection<S>> {
-        let [low, high] = found!(S::plain_ball(*line, self.radius, T::GUARDED));
-        Plain::Found(Intersection::One(Span::new(End::new(low, Part::Side), End::new(high, Part::Side))))
+    fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
+        let [low, high] = found!(S::fast_ball(*line, self.radius, T::GUARDED));
+        Attempt::Found(Intersection::One(Span::new(End::new(low, Part::Side), End::new(high, Part::Side))))
     }
 
     #[inline(always)]
-    fn meets_ahead_plainly<T: Guards>(&self, line: &PlainLine<S>) -> Plain<()> {
-        S::plain_ball_ahead(*line, self.radius, T::GUARDED)
+    fn fast_occlusion<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<()> {
+        S::fast_ball_ahead(*line, self.radius, T::GUARDED)
     }
 
     fn figure(&self) -> Figure<S> {

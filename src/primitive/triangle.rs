@@ -13,7 +13,7 @@ use crate::figure::Figure;
 use crate::geometry::Hull;
 use crate::intersection::Intersection;
 use crate::part::Part;
-use crate::scalar::{Plain, PlainLine, Real, Scalar, found, largest};
+use crate::scalar::{Attempt, LocalLine, Real, Scalar, found, largest};
 use crate::tier::Guards;
 use crate::vector::{UnitVec3, Vec3, cross};
 
@@ -105,9 +105,9 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
     }
 
     #[inline(always)]
-    fn meet_plainly<T: Guards>(&self, line: &PlainLine<S>) -> Plain<Intersection<S>> {
-        let (t, from_front) = found!(S::plain_triangle(*line, self.vertices.map(Vec3::to_array)));
-        Plain::Found(surface_hit(t, from_front))
+    fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
+        let (t, from_front) = found!(S::fast_triangle(*line, self.vertices.map(Vec3::to_array)));
+        Attempt::Found(surface_hit(t, from_front))
     }
 
     fn figure(&self) -> Figure<S> {

@@ -5,7 +5,7 @@
 
 use super::block::{Block64, Block128};
 use super::{
-    Budget, Plain, PlainLine, PlainNappe, Real, Scalar, UnitScalar, elementary, found, plain, sealed::Sealed,
+    Attempt, Budget, InNappe, LocalLine, Real, Scalar, UnitScalar, elementary, found, integers, sealed::Sealed,
     separation,
 };
 use crate::number::word::Word;
@@ -29,7 +29,7 @@ fn product(a: i64, b: i64) -> i128 {
 macro_rules! fixed {
     (
         $Fixed:ident, $LeEq:ident, $UnitBits:ident, $Block:ident, $robust:ty, $raw:ty, $wide:ty, $unsigned:ty,
-        $bits:literal, $unit_bits:literal, $product:path, $misses_box:path, { $($plain:tt)* }
+        $bits:literal, $unit_bits:literal, $product:path, $misses_box:path, { $($fast:tt)* }
     ) => {
         impl<F: $LeEq + Send + Sync + 'static> Sealed for $Fixed<F> {}
 
@@ -201,7 +201,7 @@ macro_rules! fixed {
                 let unit = if is_full { unit.wrapping_add(1) } else { unit };
                 (units(unit).map(|raw| Self::from_bits(raw as $raw)), (-(F::I32)).wrapping_sub(unit))
             }
-            $($plain)*
+            $($fast)*
 
             #[inline(always)]
             fn misses_box(
@@ -310,20 +310,20 @@ macro_rules! fixed {
 }
 
 /// The short ways that types of both widths have.
-macro_rules! plain {
+macro_rules! fast {
     ($Fixed:ident, $($kernels:ident)::+) => {
         #[inline(always)]
-        fn plain_ball(line: PlainLine<Self>, r: Self, by_moment: bool) -> Plain<[Self; 2]> {
+        fn fast_ball(line: LocalLine<Self>, r: Self, by_moment: bool) -> Attempt<[Self; 2]> {
             let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits), r.to_bits());
             let [low, high] = if by_moment {
                 found!(found!($($kernels)::+::ByMoment::new(o, line.finer, d, r)).ends())
             } else {
                 found!(found!($($kernels)::+::ByApproach::new(o, line.finer, d, r)).ends())
             };
-            Plain::Found([Self::from_bits(low), Self::from_bits(high)])
+            Attempt::Found([Self::from_bits(low), Self::from_bits(high)])
         }
         #[inline(always)]
-        fn plain_ball_ahead(line: PlainLine<Self>, r: Self, by_moment: bool) -> Plain<()> {
+        fn fast_ball_ahead(line: LocalLine<Self>, r: Self, by_moment: bool) -> Attempt<()> {
             let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits), r.to_bits());
             if by_moment {
                 found!($($kernels)::+::ByMoment::new(o, line.finer, d, r)).meets_ahead()
@@ -332,16 +332,16 @@ macro_rules! plain {
             }
         }
         #[inline(always)]
-        fn plain_tube(line: PlainLine<Self>, r: Self) -> Plain<[Self; 2]> {
+        fn fast_tube(line: LocalLine<Self>, r: Self) -> Attempt<[Self; 2]> {
             let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits), r.to_bits());
             let [low, high] = found!($($kernels)::+::tube(o, line.finer, d, r));
-            Plain::Found([Self::from_bits(low), Self::from_bits(high)])
+            Attempt::Found([Self::from_bits(low), Self::from_bits(high)])
         }
         #[inline(always)]
-        fn plain_seams(line: PlainLine<Self>, t: Self, height: Self) -> Plain<Ordering> {
+        fn fast_seams(line: LocalLine<Self>, t: Self, height: Self) -> Attempt<Ordering> {
             let (oy, dy) = (line.origin[1].to_bits(), line.direction[1].to_bits());
             let y = found!($($kernels)::+::height(oy, line.finer, dy, t.to_bits()));
-            Plain::Found(if y < 0 {
+            Attempt::Found(if y < 0 {
                 Ordering::Less
             } else if y > height.to_bits() {
                 Ordering::Greater
@@ -350,69 +350,69 @@ macro_rules! plain {
             })
         }
         #[inline(always)]
-        fn plain_lowered(line: PlainLine<Self>, y: Self) -> Plain<PlainLine<Self>> {
+        fn fast_lowered(line: LocalLine<Self>, y: Self) -> Attempt<LocalLine<Self>> {
             let [ox, oy, oz] = line.origin;
             let lowered = found!($($kernels)::+::lowered(oy.to_bits(), line.finer, y.to_bits()));
-            Plain::Found(PlainLine { origin: [ox, Self::from_bits(lowered), oz], ..line })
+            Attempt::Found(LocalLine { origin: [ox, Self::from_bits(lowered), oz], ..line })
         }
         #[inline(always)]
-        fn plain_crossings(line: PlainLine<Self>, y: [Self; 2]) -> Plain<([Self; 2], [Self; 2])> {
+        fn fast_crossings(line: LocalLine<Self>, y: [Self; 2]) -> Attempt<([Self; 2], [Self; 2])> {
             let (oy, dy) = (line.origin[1].to_bits(), line.direction[1].to_bits());
             let [first, second] = found!($($kernels)::+::crossings(oy, line.finer, dy, y.map(Self::to_bits)));
-            Plain::Found(([Self::from_bits(first), Self::from_bits(second)], [Self::from_bits(0); 2]))
+            Attempt::Found(([Self::from_bits(first), Self::from_bits(second)], [Self::from_bits(0); 2]))
         }
         #[inline(always)]
-        fn plain_turned(
+        fn fast_turned(
             o: [Self; 3],
             d: [Self::Unit; 3],
             position: [Self; 3],
             axes: [[Self::Unit; 3]; 3],
-        ) -> Option<PlainLine<Self>> {
+        ) -> Option<LocalLine<Self>> {
             let (o, position) = (o.map(Self::to_bits), position.map(Self::to_bits));
             let [origin, direction] =
                 $($kernels)::+::turned(o, position, axes.map(|axis| axis.map($Fixed::to_bits)), d.map($Fixed::to_bits))?;
             let (origin, direction) = (origin.map(Self::from_bits), direction.map($Fixed::from_bits));
-            Some(PlainLine { origin, finer: $($kernels)::+::FINER, direction, pace: Self::from_bits(0), has_spare_bits: false })
+            Some(LocalLine { origin, finer: $($kernels)::+::FINER, direction, pace: Self::from_bits(0), has_spare_bits: false })
         }
     };
 }
 
-fixed!(FixedI32, LeEqU32, U30, Block64, u64, i32, i64, u64, 32, 30, plain::product, separation::misses_box_32, {
+fixed!(FixedI32, LeEqU32, U30, Block64, u64, i32, i64, u64, 32, 30, integers::product, separation::misses_box_32, {
     #[inline(always)]
     fn along(self, component: Self::Unit) -> Self {
-        Self::from_bits(plain::round_off(plain::product(self.to_bits(), component.to_bits()), 30) as i32)
+        Self::from_bits(integers::round_off(integers::product(self.to_bits(), component.to_bits()), 30) as i32)
     }
     #[inline]
     fn direction(v: [Block64; 3]) -> Option<[Self::Unit; 3]> {
         // Rounded to 31 bits of the longest component, which is another half a unit.
-        match Self::plain_direction(Self::finest(v).0) {
-            Plain::Found(direction) => Some(direction),
-            Plain::Miss => None,
-            Plain::Unclear => Self::normalize(v).map(|(direction, _)| direction),
+        match Self::fast_direction(Self::finest(v).0) {
+            Attempt::Found(direction) => Some(direction),
+            Attempt::Miss => None,
+            Attempt::Unsure => Self::normalize(v).map(|(direction, _)| direction),
         }
     }
     #[inline(always)]
-    fn plain_direction(v: [Self; 3]) -> Plain<[Self::Unit; 3]> {
-        Plain::Found(found!(plain::direction(v.map(Self::to_bits))).map(FixedI32::from_bits))
+    fn fast_direction(v: [Self; 3]) -> Attempt<[Self::Unit; 3]> {
+        Attempt::Found(found!(integers::direction(v.map(Self::to_bits))).map(FixedI32::from_bits))
     }
-    plain!(FixedI32, plain);
+    fast!(FixedI32, integers);
     #[inline(always)]
-    fn plain_nappe(
-        line: PlainLine<Self>,
+    fn fast_nappe(
+        line: LocalLine<Self>,
         (base, growth, height): (Self, Self, Option<Self>),
         _: Option<Self>,
-    ) -> Plain<PlainNappe<Self>> {
+    ) -> Attempt<InNappe<Self>> {
         let (o, d) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits));
         let Some(height) = height.map_or(1_i32.checked_shl(F::U32), |height| Some(height.to_bits())) else {
-            return Plain::Unclear;
+            return Attempt::Unsure;
         };
-        let height = if height > 0 { height } else { return Plain::Unclear };
-        let PlainNappe { ends, certain } =
-            found!(plain::nappe(o, line.finer, d, [base.to_bits(), growth.to_bits(), height]));
+        let height = if height > 0 { height } else { return Attempt::Unsure };
+        let InNappe { ends, certain } =
+            found!(integers::nappe(o, line.finer, d, [base.to_bits(), growth.to_bits(), height]));
         let [low, high] = ends;
-        Plain::Found(PlainNappe { ends: [Self::from_bits(low), Self::from_bits(high)], certain })
+        Attempt::Found(InNappe { ends: [Self::from_bits(low), Self::from_bits(high)], certain })
     }
 });
 fixed!(FixedI64, LeEqU64, U62, Block128, u128, i64, i128, u128, 64, 62, product, separation::misses_box_64, {
-    plain!(FixedI64, plain::wide);
+    fast!(FixedI64, integers::wide);
 });

@@ -1,9 +1,9 @@
 //! `f32` and `f64` as scalars: plain arithmetic, and the error-free sums and products that keep hard cases right.
 
-use super::plain_float::{plain_f32, plain_f64};
+use super::floats::{fast_f32, fast_f64};
 use super::separation;
 use super::square_root::square_root_f32;
-use super::{Budget, Plain, PlainLine, PlainNappe, Real, Scalar, UnitScalar, found, largest, sealed::Sealed};
+use super::{Attempt, Budget, InNappe, LocalLine, Real, Scalar, UnitScalar, found, largest, sealed::Sealed};
 use crate::number::word::Word;
 use crate::number::{Limbs, Parts, Robust};
 use core::cmp::Ordering;
@@ -12,7 +12,7 @@ use core::cmp::Ordering;
 macro_rules! float {
     (
         $Float:ident, $exact:ident, $bits:ty, $half:literal, $mantissa:literal, $bias:literal, $largest_exponent:literal,
-        $slope:literal, $robust:ty, $plain:ident, $misses_box:ident, sqrt: $sqrt:path, atan2: $atan2:path, sincos: $sincos:path, pow: $pow:path
+        $slope:literal, $robust:ty, $fast:ident, $misses_box:ident, sqrt: $sqrt:path, atan2: $atan2:path, sincos: $sincos:path, pow: $pow:path
     ) => {
         impl Sealed for $Float {}
 
@@ -217,91 +217,91 @@ macro_rules! float {
                 (values, 0)
             }
             #[inline(always)]
-            fn plain_ball(line: PlainLine<Self>, r: Self, by_moment: bool) -> Plain<[Self; 2]> {
+            fn fast_ball(line: LocalLine<Self>, r: Self, by_moment: bool) -> Attempt<[Self; 2]> {
                 if by_moment {
-                    return $plain::ball(line, r);
+                    return $fast::ball(line, r);
                 }
-                let (k, discriminant) = found!($plain::closest_approach(line, r));
+                let (k, discriminant) = found!($fast::closest_approach(line, r));
                 if discriminant == 0.0 {
-                    return Plain::Unclear;
+                    return Attempt::Unsure;
                 }
                 let root = $sqrt(discriminant);
-                Plain::Found([-k - root, root - k])
+                Attempt::Found([-k - root, root - k])
             }
             #[inline(always)]
-            fn plain_ball_ahead(line: PlainLine<Self>, r: Self, by_moment: bool) -> Plain<()> {
+            fn fast_ball_ahead(line: LocalLine<Self>, r: Self, by_moment: bool) -> Attempt<()> {
                 if by_moment {
-                    return $plain::ball_ahead(line, r);
+                    return $fast::ball_ahead(line, r);
                 }
-                let (k, discriminant) = found!($plain::closest_approach(line, r));
+                let (k, discriminant) = found!($fast::closest_approach(line, r));
                 if discriminant == 0.0 {
-                    return Plain::Unclear;
+                    return Attempt::Unsure;
                 }
                 // Moving away, the far end counts.
-                if k <= 0.0 || $sqrt(discriminant) >= k { Plain::Found(()) } else { Plain::Miss }
+                if k <= 0.0 || $sqrt(discriminant) >= k { Attempt::Found(()) } else { Attempt::Miss }
             }
             #[inline(always)]
-            fn plain_tube(line: PlainLine<Self>, r: Self) -> Plain<[Self; 2]> {
-                $plain::tube(line, r)
+            fn fast_tube(line: LocalLine<Self>, r: Self) -> Attempt<[Self; 2]> {
+                $fast::tube(line, r)
             }
             #[inline(always)]
-            fn plain_nappe(
-                line: PlainLine<Self>,
+            fn fast_nappe(
+                line: LocalLine<Self>,
                 (base, growth, height): (Self, Self, Option<Self>),
                 top: Option<Self>,
-            ) -> Plain<PlainNappe<Self>> {
-                $plain::nappe(line, [base, growth, height.unwrap_or(1.0)], top)
+            ) -> Attempt<InNappe<Self>> {
+                $fast::nappe(line, [base, growth, height.unwrap_or(1.0)], top)
             }
             #[inline(always)]
-            fn plain_double_cone(line: PlainLine<Self>, slope: Self) -> Plain<([Self; 2], bool)> {
-                $plain::double_cone(line, slope)
+            fn fast_double_cone(line: LocalLine<Self>, slope: Self) -> Attempt<([Self; 2], bool)> {
+                $fast::double_cone(line, slope)
             }
             #[inline(always)]
-            fn plain_crossings(line: PlainLine<Self>, y: [Self; 2]) -> Plain<([Self; 2], [Self; 2])> {
-                $plain::crossings(line, y)
+            fn fast_crossings(line: LocalLine<Self>, y: [Self; 2]) -> Attempt<([Self; 2], [Self; 2])> {
+                $fast::crossings(line, y)
             }
             #[inline(always)]
-            fn plain_turned(
+            fn fast_turned(
                 o: [Self; 3],
                 d: [Self; 3],
                 position: [Self; 3],
                 axes: [[Self; 3]; 3],
-            ) -> Option<PlainLine<Self>> {
-                Some($plain::turned(o, d, position, axes))
+            ) -> Option<LocalLine<Self>> {
+                Some($fast::turned(o, d, position, axes))
             }
             #[inline(always)]
-            fn plain_stretched(
+            fn fast_stretched(
                 o: [Self; 3],
                 d: [Self; 3],
                 position: [Self; 3],
                 rows: [([Self; 3], i32); 3],
-            ) -> Option<PlainLine<Self>> {
-                $plain::stretched(o, d, position, rows)
+            ) -> Option<LocalLine<Self>> {
+                $fast::stretched(o, d, position, rows)
             }
             #[inline(always)]
-            fn plain_disc(line: PlainLine<Self>, r: Self) -> Plain<Self> {
-                $plain::disc(line, r)
+            fn fast_disc(line: LocalLine<Self>, r: Self) -> Attempt<Self> {
+                $fast::disc(line, r)
             }
             #[inline(always)]
-            fn plain_triangle(line: PlainLine<Self>, vertices: [[Self; 3]; 3]) -> Plain<(Self, bool)> {
-                $plain::triangle(line, vertices)
+            fn fast_triangle(line: LocalLine<Self>, vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {
+                $fast::triangle(line, vertices)
             }
             #[inline(always)]
-            fn plain_seams(line: PlainLine<Self>, t: Self, height: Self) -> Plain<Ordering> {
-                $plain::between_seams(line, t, height)
+            fn fast_seams(line: LocalLine<Self>, t: Self, height: Self) -> Attempt<Ordering> {
+                $fast::between_seams(line, t, height)
             }
             #[inline(always)]
-            fn plain_lowered(line: PlainLine<Self>, y: Self) -> Plain<PlainLine<Self>> {
+            fn fast_lowered(line: LocalLine<Self>, y: Self) -> Attempt<LocalLine<Self>> {
                 let [ox, oy, oz] = line.origin;
-                Plain::Found(PlainLine { origin: [ox, oy - y, oz], ..line })
+                Attempt::Found(LocalLine { origin: [ox, oy - y, oz], ..line })
             }
             #[inline(always)]
-            fn plain_close(line: &PlainLine<Self>, a: Self, b: Self, off: Self) -> bool {
-                $plain::are_close(line, a, b, off)
+            fn are_close(line: &LocalLine<Self>, a: Self, b: Self, off: Self) -> bool {
+                $fast::are_close(line, a, b, off)
             }
             #[inline(always)]
-            fn plain_certain(line: &PlainLine<Self>, t: Self, off: Self) -> bool {
-                $plain::is_good(line, t, off)
+            fn is_good(line: &LocalLine<Self>, t: Self, off: Self) -> bool {
+                $fast::is_good(line, t, off)
             }
             #[inline(always)]
             fn misses_box(o: [Self; 3], d: [Self; 3], range: [Self; 2], centre: [Self; 3], half: [Self; 3]) -> bool {
@@ -429,10 +429,10 @@ macro_rules! float {
 }
 
 float!(
-    f32, exact_f32, u32, 12, 23, 127, 126, 30, u64, plain_f32, misses_box_f32,
+    f32, exact_f32, u32, 12, 23, 127, 126, 30, u64, fast_f32, misses_box_f32,
     sqrt: square_root_f32, atan2: libm::atan2f, sincos: libm::sincosf, pow: libm::powf
 );
 float!(
-    f64, exact_f64, u64, 27, 52, 1023, 1022, 200, u128, plain_f64, misses_box_f64,
+    f64, exact_f64, u64, 27, 52, 1023, 1022, 200, u128, fast_f64, misses_box_f64,
     sqrt: libm::sqrt, atan2: libm::atan2, sincos: libm::sincos, pow: libm::pow
 );

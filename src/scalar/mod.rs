@@ -12,7 +12,7 @@
 //! | `float` | `f32` and `f64`: error-free products and sums, stepping closer, binary scale |
 //! | `fixed` | `FixedI32<F>` and `FixedI64<F>`, for every `F` |
 //! | `plain` | the usual case of fixed point in plain integers |
-//! | `plain_float` | the usual case of floats, uncompensated |
+//! | `floats` | the usual case of floats, uncompensated |
 //! | `separation` | whether a ray surely misses a box |
 //! | [`block`] | integer mantissa and exponent; square root and quotient of integers |
 //! | `decimal` | decimal text to fixed point, correctly rounded |
@@ -34,10 +34,10 @@ mod elementary;
 mod fixed;
 #[cfg(feature = "libm")]
 mod float;
-#[cfg(feature = "fixed")]
-mod plain;
 #[cfg(feature = "libm")]
-mod plain_float;
+mod floats;
+#[cfg(feature = "fixed")]
+mod integers;
 pub(crate) mod separation;
 #[cfg(feature = "libm")]
 mod square_root;
@@ -173,8 +173,8 @@ pub trait Scalar:
     }
     /// The direction of a vector in this type, as [`Scalar::normalize`] has it or next to that; a miss for the zero vector.
     #[inline(always)]
-    fn plain_direction(_: [Self; 3]) -> Plain<[Self::Unit; 3]> {
-        Plain::Unclear
+    fn fast_direction(_: [Self; 3]) -> Attempt<[Self::Unit; 3]> {
+        Attempt::Unsure
     }
     /// This length along a direction: `self` times its component, rounded once.
     #[inline(always)]
@@ -196,95 +196,95 @@ pub trait Scalar:
     /// This and the other `plain` functions are a short way for the usual case: plain integers for fixed types, for floats
     /// numbers that need no scaling. What they do not answer is left to the solver.
     #[inline(always)]
-    fn plain_ball(_: PlainLine<Self>, _r: Self, _by_moment: bool) -> Plain<[Self; 2]> {
-        Plain::Unclear
+    fn fast_ball(_: LocalLine<Self>, _r: Self, _by_moment: bool) -> Attempt<[Self; 2]> {
+        Attempt::Unsure
     }
 
     /// Whether that line has an end at `t >= 0`, where no end is beyond the type.
     #[inline(always)]
-    fn plain_ball_ahead(_: PlainLine<Self>, _r: Self, _by_moment: bool) -> Plain<()> {
-        Plain::Unclear
+    fn fast_ball_ahead(_: LocalLine<Self>, _r: Self, _by_moment: bool) -> Attempt<()> {
+        Attempt::Unsure
     }
 
     /// The two ends of the line inside the infinite cylinder of radius `r` about the y axis.
     #[inline(always)]
-    fn plain_tube(_: PlainLine<Self>, _r: Self) -> Plain<[Self; 2]> {
-        Plain::Unclear
+    fn fast_tube(_: LocalLine<Self>, _r: Self) -> Attempt<[Self; 2]> {
+        Attempt::Unsure
     }
     /// Where the line is inside the nappe of a cone that has the radius `base` at `y = 0` and grows by `growth` over `height` (`None`: 1).
     /// Of a cone that ends somewhere only what lies between `y = 0` and `top` is wanted.
     #[inline(always)]
-    fn plain_nappe(
-        _: PlainLine<Self>,
+    fn fast_nappe(
+        _: LocalLine<Self>,
         _outline: (Self, Self, Option<Self>),
         _top: Option<Self>,
-    ) -> Plain<PlainNappe<Self>> {
-        Plain::Unclear
+    ) -> Attempt<InNappe<Self>> {
+        Attempt::Unsure
     }
     /// Where the line is inside both nappes of a cone of this slope: between its ends, or (`true`) beyond them.
     #[inline(always)]
-    fn plain_double_cone(_: PlainLine<Self>, _slope: Self) -> Plain<([Self; 2], bool)> {
-        Plain::Unclear
+    fn fast_double_cone(_: LocalLine<Self>, _slope: Self) -> Attempt<([Self; 2], bool)> {
+        Attempt::Unsure
     }
     /// Whether the line's point at `t` lies below `y = 0`, between that and the height, or above; unclear where rounding decides.
     #[inline(always)]
-    fn plain_seams(_: PlainLine<Self>, _t: Self, _height: Self) -> Plain<Ordering> {
-        Plain::Unclear
+    fn fast_seams(_: LocalLine<Self>, _t: Self, _height: Self) -> Attempt<Ordering> {
+        Attempt::Unsure
     }
     /// The line seen from the height `y`.
     #[inline(always)]
-    fn plain_lowered(_: PlainLine<Self>, _y: Self) -> Plain<PlainLine<Self>> {
-        Plain::Unclear
+    fn fast_lowered(_: LocalLine<Self>, _y: Self) -> Attempt<LocalLine<Self>> {
+        Attempt::Unsure
     }
     /// Where the line crosses two heights, and how much more than a few units each may be off; a line that stays in one height crosses
     /// neither.
     #[inline(always)]
-    fn plain_crossings(_: PlainLine<Self>, _y: [Self; 2]) -> Plain<([Self; 2], [Self; 2])> {
-        Plain::Unclear
+    fn fast_crossings(_: LocalLine<Self>, _y: [Self; 2]) -> Attempt<([Self; 2], [Self; 2])> {
+        Attempt::Unsure
     }
 
     /// Where the line crosses the disc of radius `r` about the origin in the plane `y = 0`.
     #[inline(always)]
-    fn plain_disc(_: PlainLine<Self>, _r: Self) -> Plain<Self> {
-        Plain::Unclear
+    fn fast_disc(_: LocalLine<Self>, _r: Self) -> Attempt<Self> {
+        Attempt::Unsure
     }
     /// Where the line crosses the triangle with these vertices, and whether it comes from where they run counter-clockwise.
     #[inline(always)]
-    fn plain_triangle(_: PlainLine<Self>, _vertices: [[Self; 3]; 3]) -> Plain<(Self, bool)> {
-        Plain::Unclear
+    fn fast_triangle(_: LocalLine<Self>, _vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {
+        Attempt::Unsure
     }
 
     /// Whether two ends of the fast path are so close that rounding, and what they may be `off` beside it, decides which comes first.
     #[inline(always)]
-    fn plain_close(_: &PlainLine<Self>, _: Self, _: Self, _off: Self) -> bool {
+    fn are_close(_: &LocalLine<Self>, _: Self, _: Self, _off: Self) -> bool {
         false
     }
 
     /// Whether an end that may be `off` by so much is good enough.
     #[inline(always)]
-    fn plain_certain(_: &PlainLine<Self>, _: Self, _off: Self) -> bool {
+    fn is_good(_: &LocalLine<Self>, _: Self, _off: Self) -> bool {
         true
     }
 
     /// The line from `o` along `d` in the frame with these axes at `position`.
     #[inline(always)]
-    fn plain_turned(
+    fn fast_turned(
         _o: [Self; 3],
         _d: [Self::Unit; 3],
         _position: [Self; 3],
         _axes: [[Self::Unit; 3]; 3],
-    ) -> Option<PlainLine<Self>> {
+    ) -> Option<LocalLine<Self>> {
         None
     }
 
     /// The line from `o` along `d` in the frame of a matrix, whose inverse has these rows, each to be multiplied by its power of two. `None` where products cancel, whose rounding would be much of the line.
     #[inline(always)]
-    fn plain_stretched(
+    fn fast_stretched(
         _o: [Self; 3],
         _d: [Self::Unit; 3],
         _position: [Self; 3],
         _rows: [([Self::Unit; 3], i32); 3],
-    ) -> Option<PlainLine<Self>> {
+    ) -> Option<LocalLine<Self>> {
         None
     }
 
@@ -320,20 +320,20 @@ pub trait Scalar:
     fn to_f64(self) -> f64;
 }
 
-/// What plain integers say of a question, see [`Scalar::plain_ball`].
+/// What plain integers say of a question, see [`Scalar::fast_ball`].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Plain<T> {
+pub enum Attempt<T> {
     /// There is nothing.
     Miss,
     /// The answer.
     Found(T),
     /// It takes more than plain integers.
-    Unclear,
+    Unsure,
 }
 
 /// Where a line is inside a nappe of a cone.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PlainNappe<S> {
+pub struct InNappe<S> {
     /// The ends; infinite where there is none.
     pub ends: [S; 2],
     /// Whether the line ends there; otherwise somewhere beyond.
@@ -345,9 +345,9 @@ pub struct PlainNappe<S> {
 macro_rules! found {
     ($question:expr) => {
         match $question {
-            $crate::scalar::Plain::Found(answer) => answer,
-            $crate::scalar::Plain::Miss => return $crate::scalar::Plain::Miss,
-            $crate::scalar::Plain::Unclear => return $crate::scalar::Plain::Unclear,
+            $crate::scalar::Attempt::Found(answer) => answer,
+            $crate::scalar::Attempt::Miss => return $crate::scalar::Attempt::Miss,
+            $crate::scalar::Attempt::Unsure => return $crate::scalar::Attempt::Unsure,
         }
     };
 }
@@ -355,7 +355,7 @@ pub(crate) use found;
 
 /// A line for plain integers: `origin` is to be read as `2^-finer` times itself.
 #[derive(Clone, Copy, Debug)]
-pub struct PlainLine<S: Scalar> {
+pub struct LocalLine<S: Scalar> {
     /// The origin.
     pub origin: [S; 3],
     /// How much finer the origin's unit is than the type's.

@@ -70,7 +70,7 @@ pub(super) use in_integers::{misses_box_32, misses_box_64};
 #[cfg(feature = "fixed")]
 mod in_integers {
     use super::MARGIN_BITS;
-    use crate::scalar::plain::product;
+    use crate::scalar::integers::product;
 
     /// What halving, shifting and the rounding of `t` leave over, and as much again.
     const FEW_UNITS: i32 = 8;

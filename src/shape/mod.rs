@@ -17,7 +17,7 @@ use crate::part::Part;
 use crate::primitive::{Capsule, Cone, Cylinder, Disc, Plane, Sphere, Triangle};
 use crate::query;
 use crate::ray::Ray;
-use crate::scalar::{Plain, PlainLine, Scalar};
+use crate::scalar::{Attempt, LocalLine, Scalar};
 use crate::tier::{Effort, Guards, Stable, Tier};
 use crate::vector::{UnitVec3, Vec3};
 
@@ -70,17 +70,17 @@ macro_rules! primitives {
                 match self { $(Self::$Variant(p) => Self::$Variant(p.scaled(e)),)+ }
             }
             #[inline(always)]
-            fn plain_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<PlainLine<S>> {
-                match self { $(Self::$Variant(p) => p.plain_line(place, ray),)+ }
+            fn fast_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
+                match self { $(Self::$Variant(p) => p.fast_line(place, ray),)+ }
             }
             // One copy for all placements and queries: inlined it would be in each of them.
             #[inline(never)]
-            fn meet_plainly<T: Guards>(&self, line: &PlainLine<S>) -> Plain<Intersection<S>> {
-                match self { $(Self::$Variant(p) => p.meet_plainly::<T>(line),)+ }
+            fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
+                match self { $(Self::$Variant(p) => p.fast_intersection::<T>(line),)+ }
             }
             #[inline(never)]
-            fn meets_ahead_plainly<T: Guards>(&self, line: &PlainLine<S>) -> Plain<()> {
-                match self { $(Self::$Variant(p) => p.meets_ahead_plainly::<T>(line),)+ }
+            fn fast_occlusion<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<()> {
+                match self { $(Self::$Variant(p) => p.fast_occlusion::<T>(line),)+ }
             }
             fn figure(&self) -> Figure<S> {
                 match self { $(Self::$Variant(p) => p.figure(),)+ }

@@ -1,5 +1,5 @@
 use super::*;
-use crate::scalar::Plain;
+use crate::scalar::Attempt;
 
 /// Words of all sizes.
 fn words() -> impl Iterator<Item = u64> {
@@ -60,7 +60,7 @@ fn directions_are_within_a_hair_of_half_a_unit() {
         [shrunk(a, by % 3), shrunk(b, by / 3 % 5), shrunk(b >> 32, by / 15)].map(|c| shrunk(c as u64, 2 + by % 29))
     });
     for v in special.chain(mixed) {
-        let Plain::Found(got) = direction(v) else {
+        let Attempt::Found(got) = direction(v) else {
             let large = v.iter().fold(0, |all, &c| all | c.unsigned_abs()) >= i32::MAX as u32;
             assert!(large || v == [0; 3], "no direction of {v:?}");
             continue;
@@ -71,7 +71,7 @@ fn directions_are_within_a_hair_of_half_a_unit() {
             let error = (f64::from(*got) - exact / length * f64::from(1 << 30)).abs();
             assert!(error <= 0.51, "{v:?} has the direction {got}, {error} off");
         }
-        let Plain::Found(mirrored) = direction(v.map(i32::wrapping_neg)) else { continue };
+        let Attempt::Found(mirrored) = direction(v.map(i32::wrapping_neg)) else { continue };
         assert_eq!(mirrored, got.map(|c| -c), "{v:?}");
     }
 }
@@ -81,7 +81,7 @@ fn directions_are_within_a_hair_of_half_a_unit() {
 #[test]
 fn a_nappe_that_begins_somewhere_beyond_is_unclear() {
     let (o, d) = ([15487837, -82574188, 2456411], [-802209627, 669821284, 246415638]);
-    assert_eq!(nappe(o, 6, d, [273, 73268, 16384]), Plain::Unclear);
+    assert_eq!(nappe(o, 6, d, [273, 73268, 16384]), Attempt::Unsure);
     // Back along the same line, it ends there.
-    assert_eq!(nappe(o, 6, d.map(|c| -c), [273, 73268, 16384]), Plain::Unclear);
+    assert_eq!(nappe(o, 6, d.map(|c| -c), [273, 73268, 16384]), Attempt::Unsure);
 }

@@ -2,32 +2,32 @@
 
 use super::quotient::Normalized;
 use super::{half, high, high_product, leading_zeros, product, root, square};
-use crate::scalar::Plain;
+use crate::scalar::Attempt;
 
 /// Where the line is inside the infinite cylinder about the y axis: `a = dx^2 + dz^2`, `D = a r^2 - w_y^2`, `t = (-k -+ sqrt(D)) / a`.
 ///
 /// The origin is in units of `2^-finer` of the radius's; the answer is in the radius's.
 #[inline(always)]
-pub(in crate::scalar) fn tube(o: [i32; 3], finer: i32, d: [i32; 3], r: i32) -> Plain<[i32; 2]> {
+pub(in crate::scalar) fn tube(o: [i32; 3], finer: i32, d: [i32; 3], r: i32) -> Attempt<[i32; 2]> {
     let ([x, _, z], [dx, _, dz]) = (o, d);
     // As for a ball: a grid on which the radius has 29 bits, and the moment shifted down to it.
     let grid = leading_zeros(r as u32) as i32 - 3;
     let down = 30 + finer - grid;
     if grid < 4 || !(3..32).contains(&down) {
-        return Plain::Unclear;
+        return Attempt::Unsure;
     }
     let down = down as u32;
     let wy = (product(z, dx) - product(x, dz)).unsigned_abs();
     // Twice the radius or more.
     let above = (wy >> 32) as u32;
     if above >> (down - 2) != 0 {
-        return Plain::Miss;
+        return Attempt::Miss;
     }
     let wy = half((above << (33 - down)) | (wy as u32 >> (down - 1)));
     let r = r << grid;
     let a = square(dx) + square(dz);
     let Some(digits) = Normalized::new(a) else {
-        return Plain::Unclear;
+        return Attempt::Unsure;
     };
     // 2 a r, and a r^2; without the shift both have full precision.
     let twice = high_product(digits.digits, (r as u32) << 2) as i32;
@@ -35,7 +35,7 @@ pub(in crate::scalar) fn tube(o: [i32; 3], finer: i32, d: [i32; 3], r: i32) -> P
     let discriminant = positive - square(wy);
     // Their rounding is below 2^31.
     if high(discriminant) < -1 {
-        return Plain::Miss;
+        return Attempt::Miss;
     }
     // The moment's rounding, half a unit of the grid, moves t by no more than a thirtieth of a unit (near the upper limit of the
     // radius, a fifth).
@@ -44,14 +44,14 @@ pub(in crate::scalar) fn tube(o: [i32; 3], finer: i32, d: [i32; 3], r: i32) -> P
     // at an eighth to the axis.
     let (most, steep) = if finer == 0 { (22, 63) } else { (8, 6) };
     if spare < 4 || digits.shift > steep || high(discriminant) <= high(positive) >> (2 * (spare - 5)).clamp(3, most) {
-        return Plain::Unclear;
+        return Attempt::Unsure;
     }
     let divisor = digits.divisor();
     let root = (root(discriminant as u64) as i64) << down;
     let k = product(x, dx) + product(z, dz);
     let unit = (30 + finer) as u32;
     match (divisor.quotient(-k - root, unit), divisor.quotient(root - k, unit)) {
-        (Some(low), Some(high)) => Plain::Found([low, high]),
-        _ => Plain::Unclear,
+        (Some(low), Some(high)) => Attempt::Found([low, high]),
+        _ => Attempt::Unsure,
     }
 }

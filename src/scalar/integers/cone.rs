@@ -2,7 +2,7 @@
 
 use super::quotient::Normalized;
 use super::{high, leading_zeros, magnitude_bits, product, root, round_off, square};
-use crate::scalar::{Plain, PlainNappe};
+use crate::scalar::{Attempt, InNappe};
 
 /// Where the line is inside the nappe `h^2 (x^2 + z^2) <= (h r + g y)^2`, `h r + g y >= 0`, of a cone with radius `r` at `y = 0` that
 /// grows by `g` over the height `h`.
@@ -11,19 +11,19 @@ use crate::scalar::{Plain, PlainNappe};
 /// `X^2 + Z^2 = Y^2`, and the line's moment `W` gives `D = Wx^2 + Wz^2 - Wy^2`. The origin is in units of `2^-finer` of the
 /// sizes'; the answer is in the sizes'.
 #[inline(always)]
-pub(in crate::scalar) fn nappe(o: [i32; 3], finer: i32, d: [i32; 3], [r, g, h]: [i32; 3]) -> Plain<PlainNappe<i32>> {
+pub(in crate::scalar) fn nappe(o: [i32; 3], finer: i32, d: [i32; 3], [r, g, h]: [i32; 3]) -> Attempt<InNappe<i32>> {
     // The proportions, the larger one above 1/2 and at most 1 in units of 2^-30.
     let free = leading_zeros(magnitude_bits(g) | (h - 1) as u32 | 1);
     let radius = r << (finer & 0x1f);
     if free < 2 || !(0..28).contains(&finer) || radius >> finer != r {
-        return Plain::Unclear;
+        return Attempt::Unsure;
     }
     let (g, h) = (g << (free - 2), h << (free - 2));
     // From the whole unit of t next to the point closest to the frame's origin: the products are exact, and lengths are those of
     // the cone and of the line's distance from it, however far away the ray starts.
     let closest = -((product(o[0], d[0]) + product(o[1], d[1]) + product(o[2], d[2])) >> (30 + finer));
     if closest != closest as i32 as i64 || finer + 32 - (closest.unsigned_abs() as u32).leading_zeros() as i32 > 31 {
-        return Plain::Unclear;
+        return Attempt::Unsure;
     }
     let start = closest as i32;
     let walked = |length: i32, d: i32| ((length as i64) << 30) + product(start << finer, d);
@@ -33,7 +33,7 @@ pub(in crate::scalar) fn nappe(o: [i32; 3], finer: i32, d: [i32; 3], [r, g, h]: 
     let [hx, hy, hz] = near.map(|length| magnitude_bits(high(length)));
     let zeros = leading_zeros(hx | hy | hz | high(radius) as u32 | 1);
     if zeros < 4 {
-        return Plain::Unclear;
+        return Attempt::Unsure;
     }
     let up = zeros - 3;
     let unit = (up as i32 - 2 + finer) as u32;
@@ -50,7 +50,7 @@ pub(in crate::scalar) fn nappe(o: [i32; 3], finer: i32, d: [i32; 3], [r, g, h]: 
 
     let a = square(dx) + square(dz) - square(dy);
     let Some(a_digits) = Normalized::new(a) else {
-        return Plain::Unclear;
+        return Attempt::Unsure;
     };
     let wx = nearest(product(y, dz) - product(z, dy));
     let wy = nearest(product(z, dx) - product(x, dz));
@@ -59,18 +59,18 @@ pub(in crate::scalar) fn nappe(o: [i32; 3], finer: i32, d: [i32; 3], [r, g, h]: 
     // The coordinates' rounding moves D by no more than eight times this.
     let moment = wx.unsigned_abs() as i64 + wy.unsigned_abs() as i64 + wz.unsigned_abs() as i64;
     if discriminant < -(moment << 3) && a > 0 {
-        return Plain::Miss;
+        return Attempt::Miss;
     }
     // ... and t by no more than half a unit (in all that was measured, by a twentieth), if the root is not small against the moment.
     let spare = unit as i32 - 3 - a_digits.shift as i32;
     // A framed origin is off by a hundredth of a unit.
     let spare = if finer == 0 { spare } else { spare.min(4 - a_digits.shift as i32) };
     if high(discriminant) <= 0 || spare < 0 {
-        return Plain::Unclear;
+        return Attempt::Unsure;
     }
     let root = root(discriminant as u64) as i64;
     if root < moment >> spare {
-        return Plain::Unclear;
+        return Attempt::Unsure;
     }
     let k = product(x, dx) + product(z, dz) - product(y, dy);
     let divisor = a_digits.divisor();
@@ -90,16 +90,16 @@ pub(in crate::scalar) fn nappe(o: [i32; 3], finer: i32, d: [i32; 3], [r, g, h]: 
         // The sign of the outline halfway between the ends, at t = -k / a, is that of Y a - dY k.
         let middle = product(y, high(a << 2)) - product(dy, high(k << 2));
         if middle.unsigned_abs() >> 34 == 0 {
-            return Plain::Unclear;
+            return Attempt::Unsure;
         }
         if middle < 0 {
-            return Plain::Miss;
+            return Attempt::Miss;
         }
         (end(first), end(second))
     };
     // What begins somewhere beyond one end, or ends somewhere beyond the other, may be anywhere or nowhere.
     if (!low.1 && low.0 > start) || (!high.1 && high.0 < start) {
-        return Plain::Unclear;
+        return Attempt::Unsure;
     }
-    Plain::Found(PlainNappe { ends: [low.0, high.0], certain: [low.1, high.1] })
+    Attempt::Found(InNappe { ends: [low.0, high.0], certain: [low.1, high.1] })
 }

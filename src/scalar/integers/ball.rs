@@ -1,7 +1,7 @@
 //! A line and a ball.
 
 use super::{half, high, high_product_signed, leading_zeros, magnitude_bits, product, root, round_off, square};
-use crate::scalar::Plain;
+use crate::scalar::Attempt;
 
 /// `|v|^2`
 #[inline(always)]
@@ -23,20 +23,20 @@ pub(in crate::scalar) struct ByApproach {
 impl ByApproach {
     /// The origin is in units of `2^-finer` of the radius's.
     #[inline(always)]
-    pub(in crate::scalar) fn new(o: [i32; 3], finer: i32, d: [i32; 3], r: i32) -> Plain<Self> {
+    pub(in crate::scalar) fn new(o: [i32; 3], finer: i32, d: [i32; 3], r: i32) -> Attempt<Self> {
         // All lengths in the origin's unit, then on a grid on which none has more than 28 bits.
         if !(0..28).contains(&finer) {
-            return Plain::Unclear;
+            return Attempt::Unsure;
         }
         let radius = r << finer;
         let all = magnitude_bits(o[0]) | magnitude_bits(o[1]) | magnitude_bits(o[2]) | radius as u32;
         if all >= 1 << 28 || radius >> finer != r {
-            return Plain::Unclear;
+            return Attempt::Unsure;
         }
         let grid = leading_zeros(all) - 4;
         let unit = grid + finer as u32;
         if unit > 30 {
-            return Plain::Unclear;
+            return Attempt::Unsure;
         }
         // Products with the direction are cut off at the grid: a unit and a half together, made up for by one.
         let along = |length: i32, d: i32| high_product_signed(length << 2, d);
@@ -44,45 +44,45 @@ impl ByApproach {
         let k = along(x, d[0]) + along(y, d[1]) + along(z, d[2]) + 1;
         let p = [x - along(k, d[0]), y - along(k, d[1]), z - along(k, d[2])];
         let rr = square(radius << grid);
-        Plain::Found(Self { o: [x, y, z], rr, k, discriminant: rr - squared_length(p), unit })
+        Attempt::Found(Self { o: [x, y, z], rr, k, discriminant: rr - squared_length(p), unit })
     }
 
     /// The two ends, in the radius's unit.
     #[inline(always)]
-    pub(in crate::scalar) fn ends(self) -> Plain<[i32; 2]> {
+    pub(in crate::scalar) fn ends(self) -> Attempt<[i32; 2]> {
         if self.discriminant < 0 {
-            return Plain::Miss;
+            return Attempt::Miss;
         }
         if high(self.discriminant) == 0 {
-            return Plain::Unclear;
+            return Attempt::Unsure;
         }
         let root = root(self.discriminant as u64) as i32;
         let half = (1 << self.unit) >> 1;
-        Plain::Found([(half - self.k - root) >> self.unit, (half - self.k + root) >> self.unit])
+        Attempt::Found([(half - self.k - root) >> self.unit, (half - self.k + root) >> self.unit])
     }
 
     /// Whether there is an end at `t >= 0`; the same as [`ByApproach::ends`] says.
     #[inline(always)]
-    pub(in crate::scalar) fn meets_ahead(self) -> Plain<()> {
+    pub(in crate::scalar) fn meets_ahead(self) -> Attempt<()> {
         if self.discriminant < 0 {
-            return Plain::Miss;
+            return Attempt::Miss;
         }
         if high(self.discriminant) == 0 {
-            return Plain::Unclear;
+            return Attempt::Unsure;
         }
         if self.k < 0 {
-            return Plain::Found(());
+            return Attempt::Found(());
         }
         // Moving away: the far end is at -c / (k + sqrt(D)), where within half a unit of the type zero is zero. (The grid must be
         // so much finer that its rounding decides nothing.)
         let near = (self.k as i64 + 1) << (self.unit + 1);
         let c = squared_length(self.o) - self.rr;
         if self.unit < 4 || (c >= 0 && c <= near) {
-            Plain::Unclear
+            Attempt::Unsure
         } else if c < 0 {
-            Plain::Found(())
+            Attempt::Found(())
         } else {
-            Plain::Miss
+            Attempt::Miss
         }
     }
 }
@@ -105,12 +105,12 @@ pub(in crate::scalar) struct ByMoment {
 impl ByMoment {
     /// The origin is in units of `2^-finer` of the radius's.
     #[inline(always)]
-    pub(in crate::scalar) fn new(o: [i32; 3], finer: i32, d: [i32; 3], r: i32) -> Plain<Self> {
+    pub(in crate::scalar) fn new(o: [i32; 3], finer: i32, d: [i32; 3], r: i32) -> Attempt<Self> {
         // A grid on which the radius has 29 bits; the moment is brought there by a shift down.
         let grid = leading_zeros(r as u32) as i32 - 3;
         let down = 30 + finer - grid;
         if grid < 4 || !(3..32).contains(&down) {
-            return Plain::Unclear;
+            return Attempt::Unsure;
         }
         let down = down as u32;
         let ([x, y, z], [dx, dy, dz]) = (o, d);
@@ -118,7 +118,7 @@ impl ByMoment {
         let [wx, wy, wz] = w.map(i64::unsigned_abs);
         // Twice the radius or more.
         if ((wx | wy | wz) >> 32) as u32 >> (down - 2) != 0 {
-            return Plain::Miss;
+            return Attempt::Miss;
         }
         // The bits above are zero.
         let on_grid = |minor: u64| half((((minor >> 32) as u32) << (33 - down)) | (minor as u32 >> (down - 1)));
@@ -126,7 +126,7 @@ impl ByMoment {
         let rr = square(r << grid);
         let residual = rr - squared_length(w);
         let k = product(x, dx) + product(y, dy) + product(z, dz);
-        Plain::Found(Self { d, k, rr, residual, grid, unit: (30 + finer) as u32, down })
+        Attempt::Found(Self { d, k, rr, residual, grid, unit: (30 + finer) as u32, down })
     }
 
     /// How small the square of the root may be: a framed origin is off by a hundredth of a unit, of which a root a sixteenth of the radius
@@ -138,7 +138,7 @@ impl ByMoment {
 
     /// The two ends, in the radius's unit.
     #[inline(always)]
-    pub(in crate::scalar) fn ends(self) -> Plain<[i32; 2]> {
+    pub(in crate::scalar) fn ends(self) -> Attempt<[i32; 2]> {
         // In units of 2^-48.
         let e = ((squared_length(self.d) - (1 << 60)) >> 12) as i32;
         let excess = |value: i64| product(high(value), e) >> 16;
@@ -146,42 +146,42 @@ impl ByMoment {
         // The moment's rounding, half a unit of the grid, moves t by no more than a thirtieth of a unit.
         let certain = self.rr >> (2 * (self.grid - 5)).clamp(3, self.most(22));
         if discriminant < certain {
-            return if discriminant < -certain { Plain::Miss } else { Plain::Unclear };
+            return if discriminant < -certain { Attempt::Miss } else { Attempt::Unsure };
         }
         let root = (root(discriminant as u64) as i64) << self.down;
         let end = |numerator: i64| within_type(round_off(numerator - excess(numerator), self.unit));
-        Plain::Found([end(-self.k - root), end(root - self.k)])
+        Attempt::Found([end(-self.k - root), end(root - self.k)])
     }
 
     /// Whether there is an end at `t >= 0`; the same as [`ByMoment::ends`] says.
     #[inline(always)]
-    pub(in crate::scalar) fn meets_ahead(self) -> Plain<()> {
+    pub(in crate::scalar) fn meets_ahead(self) -> Attempt<()> {
         // Whatever the direction's length.
         let certain = self.rr >> (2 * (self.grid - 5)).clamp(3, self.most(17));
         if self.residual < certain {
-            return if self.residual < -certain { Plain::Miss } else { Plain::Unclear };
+            return if self.residual < -certain { Attempt::Miss } else { Attempt::Unsure };
         }
         // So far away that an end may be beyond the type.
         if magnitude_bits(high(self.k)) >= 1 << 28 {
-            return Plain::Unclear;
+            return Attempt::Unsure;
         }
         if self.k < 0 {
-            return Plain::Found(());
+            return Attempt::Found(());
         }
         // Moving away: the far end is at (D - k^2) / (k + sqrt(D)), where within half a unit of the type zero is zero.
         let k = self.k >> self.down;
         if k >= 1 << 30 {
-            return Plain::Miss;
+            return Attempt::Miss;
         }
         let beyond = square(k as i32) - self.residual;
         // Two units, or what the direction's length makes of the discriminant.
         let near = ((k + 2) << (self.grid + 2)) + (self.rr >> 18);
         if beyond > near {
-            Plain::Miss
+            Attempt::Miss
         } else if beyond < -near {
-            Plain::Found(())
+            Attempt::Found(())
         } else {
-            Plain::Unclear
+            Attempt::Unsure
         }
     }
 }

@@ -1,23 +1,23 @@
 //! The direction of a vector.
 
 use super::{high, high_product, leading_zeros, product, reciprocal_root, square};
-use crate::scalar::Plain;
+use crate::scalar::Attempt;
 
 /// The unit vector along `v`, each component within .51 units of 2^-30 (a miss for the zero vector): `r = 1 / |v|` by Newton's
 /// steps `r (1 + e / 2)` with `e = 1 - |v|^2 r^2`, of which the last is taken by the products with `v`.
 #[inline]
-pub(in crate::scalar) fn direction(v: [i32; 3]) -> Plain<[i32; 3]> {
+pub(in crate::scalar) fn direction(v: [i32; 3]) -> Attempt<[i32; 3]> {
     let [x, y, z] = v.map(i32::unsigned_abs);
     let all = x | y | z;
     if all >= i32::MAX as u32 {
-        return Plain::Unclear;
+        return Attempt::Unsure;
     }
     // The longest between 2^30 and 2^31.
     let up = leading_zeros(all | 1) - 1;
     let [x, y, z] = [(x << up) as i32, (y << up) as i32, (z << up) as i32];
     let squares = square(x) as u64 + square(y) as u64 + square(z) as u64;
     if squares == 0 {
-        return Plain::Miss;
+        return Attempt::Miss;
     }
     // |v|^2 = 2^62 m or 2^64 m, with m in [1/4, 1).
     let long = squares >> 62 != 0;
@@ -44,5 +44,5 @@ pub(in crate::scalar) fn direction(v: [i32; 3]) -> Plain<[i32; 3]> {
         let magnitude = (((sum >> 31) + 1) >> 1) as i32;
         if signed < 0 { -magnitude } else { magnitude }
     };
-    Plain::Found([along(x, v[0]), along(y, v[1]), along(z, v[2])])
+    Attempt::Found([along(x, v[0]), along(y, v[1]), along(z, v[2])])
 }

@@ -3,7 +3,7 @@
 use super::{
     down_to_64, high_product, joined, leading_zeros, moved_up, product, product_unsigned, up, upper_bits, words,
 };
-use crate::scalar::plain::reciprocal_of_normalized;
+use crate::scalar::integers::reciprocal_of_normalized;
 
 /// A number that is to be divided by, with its top bit set.
 #[derive(Clone, Copy)]

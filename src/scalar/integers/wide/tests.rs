@@ -1,5 +1,5 @@
 use super::*;
-use crate::scalar::{Plain, found};
+use crate::scalar::{Attempt, found};
 use dashu_int::IBig;
 
 /// Lines a test; two million were tried.
@@ -122,9 +122,9 @@ impl Exactly {
 }
 
 /// What the kernel says of a line: its ends, and whether one is ahead.
-fn asked(o: [i64; 3], finer: i32, d: [i64; 3], r: i64, by_moment: bool) -> (Plain<[i64; 2]>, Plain<()>) {
+fn asked(o: [i64; 3], finer: i32, d: [i64; 3], r: i64, by_moment: bool) -> (Attempt<[i64; 2]>, Attempt<()>) {
     let ends = || {
-        Plain::Found(if by_moment {
+        Attempt::Found(if by_moment {
             found!(found!(ByMoment::new(o, finer, d, r)).ends())
         } else {
             found!(found!(ByApproach::new(o, finer, d, r)).ends())
@@ -156,9 +156,9 @@ fn balls_are_met_where_they_are() {
             let (ends, ahead) = asked(o, finer, d, r, by_moment);
             let line = std::format!("{o:?} {d:?} {r}, finer: {finer}, by moment: {by_moment}");
             match ends {
-                Plain::Unclear => {}
-                Plain::Miss => assert!(exactly.misses(), "lost: {line}"),
-                Plain::Found([low, high]) => {
+                Attempt::Unsure => {}
+                Attempt::Miss => assert!(exactly.misses(), "lost: {line}"),
+                Attempt::Found([low, high]) => {
                     found += 1;
                     assert!(!exactly.misses(), "phantom: {line}");
                     assert!(exactly.is_end(low, finer, false, within), "{low} is no end: {line}");
@@ -166,10 +166,10 @@ fn balls_are_met_where_they_are() {
                 }
             }
             match (ahead, ends) {
-                (Plain::Unclear, _) | (_, Plain::Unclear) => {}
-                (ahead, Plain::Miss) => assert_eq!(ahead, Plain::Miss, "missed, but met ahead: {line}"),
-                (Plain::Miss, Plain::Found([_, high])) => assert!(high < 0, "{high} is ahead: {line}"),
-                (Plain::Found(()), Plain::Found([_, high])) => assert!(high >= 0, "{high} is not ahead: {line}"),
+                (Attempt::Unsure, _) | (_, Attempt::Unsure) => {}
+                (ahead, Attempt::Miss) => assert_eq!(ahead, Attempt::Miss, "missed, but met ahead: {line}"),
+                (Attempt::Miss, Attempt::Found([_, high])) => assert!(high < 0, "{high} is ahead: {line}"),
+                (Attempt::Found(()), Attempt::Found([_, high])) => assert!(high >= 0, "{high} is not ahead: {line}"),
             }
         }
     }
@@ -186,9 +186,9 @@ fn cylinders_are_met_where_they_are() {
         let (finer, r) = units(r);
         let line = std::format!("{o:?} {d:?} {r}, finer: {finer}");
         match tube(o, finer, d, r) {
-            Plain::Unclear => {}
-            Plain::Miss => assert!(exactly.misses(), "lost: {line}"),
-            Plain::Found([low, high]) => {
+            Attempt::Unsure => {}
+            Attempt::Miss => assert!(exactly.misses(), "lost: {line}"),
+            Attempt::Found([low, high]) => {
                 found += 1;
                 assert!(!exactly.misses(), "phantom: {line}");
                 assert!(exactly.is_end(low, finer, false, 560), "{low} is no end: {line}");
@@ -206,7 +206,7 @@ fn planes_are_met_where_they_are() {
     for _ in 0..LINES {
         let (o, d, fine) = line_and_ball(&mut random);
         let (finer, y) = units(fine);
-        let Plain::Found([first, second]) = crossings(o[1], finer, d[1], [y, 0]) else { continue };
+        let Attempt::Found([first, second]) = crossings(o[1], finer, d[1], [y, 0]) else { continue };
         found += 1;
         for (t, y) in [(first, fine), (second, 0)] {
             // dy (t -+ 1/2 and a bit) on both sides of the height
@@ -215,7 +215,7 @@ fn planes_are_met_where_they_are() {
             assert!(beyond.clone() << 10 <= half && -beyond << 10 <= half, "{t}: {o:?} {d:?} {y}");
         }
         match height(o[1], finer, d[1], first) {
-            Plain::Found(there) => assert!((there - y).abs() <= 1, "{there}: {o:?} {d:?} {y}"),
+            Attempt::Found(there) => assert!((there - y).abs() <= 1, "{there}: {o:?} {d:?} {y}"),
             _ => assert!(first.unsigned_abs() >> 52 != 0, "{o:?} {d:?} {y}"),
         }
     }

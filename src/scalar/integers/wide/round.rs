@@ -5,17 +5,17 @@ use super::{
     Digits, FINER, carried, digits, dot, down, down_by_few, down_to_64, high, leading_zeros, minor, product, root,
     squared, up_to_128, upper_bits, words,
 };
-use crate::scalar::Plain;
+use crate::scalar::Attempt;
 
 /// Where the line is inside the infinite cylinder about the y axis: `a = dx^2 + dz^2`, `D = a r^2 - w_y^2`, `t = (-k -+ sqrt(D)) / a`.
 ///
 /// The origin is in units of `2^-finer` of the radius's; the answer is in the radius's.
 #[inline(always)]
-pub(in crate::scalar) fn tube(o: [i64; 3], finer: i32, d: [i64; 3], r: i64) -> Plain<[i64; 2]> {
+pub(in crate::scalar) fn tube(o: [i64; 3], finer: i32, d: [i64; 3], r: i64) -> Attempt<[i64; 2]> {
     // As for a ball: a grid on which the radius has 61 bits, and the moment shifted down to it.
     let [low, above] = words(r as u64);
     if above >= 1 << 21 || (upper_bits(o[0]) | upper_bits(o[2])) >= 1 << 29 || !(finer == 0 || finer == FINER) {
-        return Plain::Unclear;
+        return Attempt::Unsure;
     }
     let (top, grid) = if above != 0 { (above, 0) } else { (low, 32) };
     let grid = leading_zeros(top | 1) + grid - 3;
@@ -24,12 +24,12 @@ pub(in crate::scalar) fn tube(o: [i64; 3], finer: i32, d: [i64; 3], r: i64) -> P
     let wy = minor([z, x], [dz, dx]).unsigned_abs();
     // Twice the radius or more.
     if down_to_64(wy >> 64, less - 2) != 0 {
-        return Plain::Miss;
+        return Attempt::Miss;
     }
     let wy = Digits::new(((down_to_64(wy, less - 1) + 1) >> 1) as i64);
     let r = up_to_128(r as u64, grid) as u64;
     let Some(digits) = Normalized::new(squared(dx) + squared(dz)) else {
-        return Plain::Unclear;
+        return Attempt::Unsure;
     };
     // a r, and a r^2; before it is shifted down both have full precision.
     let scaled = Digits::new(upper_product(digits.digits, r << 1) as i64);
@@ -41,17 +41,17 @@ pub(in crate::scalar) fn tube(o: [i64; 3], finer: i32, d: [i64; 3], r: i64) -> P
     // more than a twentieth.
     let spare = grid.wrapping_sub(digits.shift) as i32;
     if spare < 8 || finer != 0 && digits.shift > 6 {
-        return Plain::Unclear;
+        return Attempt::Unsure;
     }
     let certain = down(high(positive), if finer == 0 { (2 * (spare as u32 - 5)).min(30) } else { 8 - digits.shift });
     if high(discriminant) < certain {
-        return if high(discriminant) < -certain { Plain::Miss } else { Plain::Unclear };
+        return if high(discriminant) < -certain { Attempt::Miss } else { Attempt::Unsure };
     }
     let divisor = digits.divisor();
     let root = up_to_128(root(discriminant), less) as i128;
     let k = dot([x, z], [dx, dz]);
     match (divisor.quotient(-k - root, finer), divisor.quotient(root - k, finer)) {
-        (Some(low), Some(high)) => Plain::Found([low, high]),
-        _ => Plain::Unclear,
+        (Some(low), Some(high)) => Attempt::Found([low, high]),
+        _ => Attempt::Unsure,
     }
 }

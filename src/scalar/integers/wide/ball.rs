@@ -4,7 +4,7 @@ use super::{
     Digits, FINER, digits, dot, down, down_to_64, high, leading_zeros, minor, product, refined, root, rounded, square,
     squared, squared_length, up, up_to_128, upper_bits, words,
 };
-use crate::scalar::Plain;
+use crate::scalar::Attempt;
 
 /// How a line comes close to a ball, for a direction taken to be exactly unit: `k = o . d` and `D = r^2 - |o - k d|^2`, so that
 /// `t = -k -+ sqrt(D)`.
@@ -23,12 +23,12 @@ pub(in crate::scalar) struct ByApproach {
 impl ByApproach {
     /// The origin is in units of `2^-finer` of the radius's.
     #[inline(always)]
-    pub(in crate::scalar) fn new(o: [i64; 3], finer: i32, d: [i64; 3], r: i64) -> Plain<Self> {
+    pub(in crate::scalar) fn new(o: [i64; 3], finer: i32, d: [i64; 3], r: i64) -> Attempt<Self> {
         // On a grid on which no length has more than 60 bits. With less than four bits below the unit its rounding would count.
-        let Some(r) = refined(r, finer) else { return Plain::Unclear };
+        let Some(r) = refined(r, finer) else { return Attempt::Unsure };
         let all = upper_bits(o[0]) | upper_bits(o[1]) | upper_bits(o[2]) | (r >> 32) as u32;
         if all >= 1 << 24 {
-            return Plain::Unclear;
+            return Attempt::Unsure;
         }
         // The unit's exponent has five bits.
         let grid = leading_zeros(all | 1 << 4) - 4;
@@ -49,7 +49,7 @@ impl ByApproach {
         let more = leading_zeros((r >> 32) as u32 | 1) - 3;
         // Twice the radius or more.
         if (upper_bits(p[0]) | upper_bits(p[1]) | upper_bits(p[2])) >> (30 - more) != 0 {
-            return Plain::Miss;
+            return Attempt::Miss;
         }
         let radius = Digits::new(up(r, more));
         let discriminant = squared(radius) - squared_length(digits(p.map(|length| up(length, more))));
@@ -57,28 +57,28 @@ impl ByApproach {
         // five-hundredth of a unit has been rounded off.
         let known = if finer == 0 { unit } else { FINER as u32 + 1 };
         let certain = down(square(radius.high), (2 * (known - 3)).min(30)) + 2;
-        Plain::Found(Self { o, r: Digits::new(r), k, discriminant, certain, unit, up: more })
+        Attempt::Found(Self { o, r: Digits::new(r), k, discriminant, certain, unit, up: more })
     }
 
     /// The two ends, in the radius's unit.
     #[inline(always)]
-    pub(in crate::scalar) fn ends(self) -> Plain<[i64; 2]> {
+    pub(in crate::scalar) fn ends(self) -> Attempt<[i64; 2]> {
         if high(self.discriminant) < self.certain {
-            return if high(self.discriminant) < -self.certain { Plain::Miss } else { Plain::Unclear };
+            return if high(self.discriminant) < -self.certain { Attempt::Miss } else { Attempt::Unsure };
         }
         let root = down(root(self.discriminant) as i64, self.up);
         let middle = ((1_u32 << self.unit) >> 1) as i64 - self.k;
-        Plain::Found([down(middle - root, self.unit), down(middle + root, self.unit)])
+        Attempt::Found([down(middle - root, self.unit), down(middle + root, self.unit)])
     }
 
     /// Whether there is an end at `t >= 0`; the same as [`ByApproach::ends`] says.
     #[inline(always)]
-    pub(in crate::scalar) fn meets_ahead(self) -> Plain<()> {
+    pub(in crate::scalar) fn meets_ahead(self) -> Attempt<()> {
         if high(self.discriminant) < self.certain {
-            return if high(self.discriminant) < -self.certain { Plain::Miss } else { Plain::Unclear };
+            return if high(self.discriminant) < -self.certain { Attempt::Miss } else { Attempt::Unsure };
         }
         if self.k < 0 {
-            return Plain::Found(());
+            return Attempt::Found(());
         }
         // Moving away: the far end is at -c / (k + sqrt(D)), where within half a unit of the type zero is zero; here within one, with
         // what the upper half of c leaves out, and what a direction 2^-49 longer or shorter makes of k^2.
@@ -86,11 +86,11 @@ impl ByApproach {
         let near = (k >> (31 - self.unit)) as i64 + (square(k) >> 48) + 2;
         let c = high(squared_length(self.o) - squared(self.r));
         if c > near {
-            Plain::Miss
+            Attempt::Miss
         } else if c < -near {
-            Plain::Found(())
+            Attempt::Found(())
         } else {
-            Plain::Unclear
+            Attempt::Unsure
         }
     }
 }
@@ -116,14 +116,14 @@ const ONE: i128 = 1 << 124;
 impl ByMoment {
     /// The origin is in units of `2^-finer` of the radius's.
     #[inline(always)]
-    pub(in crate::scalar) fn new(o: [i64; 3], finer: i32, d: [i64; 3], r: i64) -> Plain<Self> {
+    pub(in crate::scalar) fn new(o: [i64; 3], finer: i32, d: [i64; 3], r: i64) -> Attempt<Self> {
         // A grid on which the radius has 61 bits; the moment is brought there by a shift down. With less than eight bits below the
         // unit its rounding would count.
         let [low, above] = words(r as u64);
         // Farther away on all axes sums of products would not fit.
         let all = upper_bits(o[0]) | upper_bits(o[1]) | upper_bits(o[2]);
         if above >= 1 << 21 || all >= 1 << 29 || !(finer == 0 || finer == FINER) {
-            return Plain::Unclear;
+            return Attempt::Unsure;
         }
         let (top, grid) = if above != 0 { (above, 0) } else { (low, 32) };
         let grid = leading_zeros(top | 1) + grid - 3;
@@ -134,12 +134,12 @@ impl ByMoment {
         let [wx, wy, wz] = w.map(i128::unsigned_abs);
         // Twice the radius or more.
         if down_to_64((wx | wy | wz) >> 64, down - 2) != 0 {
-            return Plain::Miss;
+            return Attempt::Miss;
         }
         let on_grid = |minor: u128| Digits::new(((down_to_64(minor, down - 1) + 1) >> 1) as i64);
         let w = [on_grid(wx), on_grid(wy), on_grid(wz)];
         let rr = squared(Digits::new(up_to_128(r as u64, grid) as i64));
-        Plain::Found(Self { d, k: dot(o, d), rr, residual: rr - squared_length(w), grid, down, finer })
+        Attempt::Found(Self { d, k: dot(o, d), rr, residual: rr - squared_length(w), grid, down, finer })
     }
 
     /// How many bits smaller than `r^2` the discriminant may be: the moment's rounding, half a unit of the grid, then moves t by no
@@ -151,53 +151,53 @@ impl ByMoment {
 
     /// The two ends, in the radius's unit.
     #[inline(always)]
-    pub(in crate::scalar) fn ends(self) -> Plain<[i64; 2]> {
+    pub(in crate::scalar) fn ends(self) -> Attempt<[i64; 2]> {
         // In units of 2^-70.
         let e = ((squared_length(self.d) - ONE) >> 54) as i64;
         if e != e as i32 as i64 {
-            return Plain::Unclear;
+            return Attempt::Unsure;
         }
         let e = e as i32;
         let excess = (product((self.rr >> 96) as i32, e) as i128) << 26;
         let discriminant = self.residual + excess;
         let certain = down(high(self.rr), self.spare().min(30));
         if high(discriminant) < certain {
-            return if high(discriminant) < -certain { Plain::Miss } else { Plain::Unclear };
+            return if high(discriminant) < -certain { Attempt::Miss } else { Attempt::Unsure };
         }
         let root = up_to_128(root(discriminant), self.down) as i128;
         let end = |numerator: i128| {
             let excess = (product((numerator >> 94) as i32, e) as i128) << 24;
             rounded(numerator - excess, self.finer)
         };
-        Plain::Found([end(-self.k - root), end(root - self.k)])
+        Attempt::Found([end(-self.k - root), end(root - self.k)])
     }
 
     /// Whether there is an end at `t >= 0`; the same as [`ByMoment::ends`] says.
     #[inline(always)]
-    pub(in crate::scalar) fn meets_ahead(self) -> Plain<()> {
+    pub(in crate::scalar) fn meets_ahead(self) -> Attempt<()> {
         // Whatever the direction's length.
         let certain = down(high(self.rr), self.spare().min(17));
         if high(self.residual) < certain {
-            return if high(self.residual) < -certain { Plain::Miss } else { Plain::Unclear };
+            return if high(self.residual) < -certain { Attempt::Miss } else { Attempt::Unsure };
         }
         if self.k < 0 {
-            return Plain::Found(());
+            return Attempt::Found(());
         }
         // Moving away: the far end is at (D - k^2) / (k + sqrt(D)), where within half a unit of the type zero is zero.
         let k = self.k as u128;
         if down_to_64(k >> 64, self.down - 2) != 0 {
-            return Plain::Miss;
+            return Attempt::Miss;
         }
         let k = down_to_64(k, self.down);
         let beyond = high(squared(Digits::new(k as i64)) - self.residual);
         // Two units, or what the direction's length makes of the discriminant.
         let near = down_to_64(k as u128, self.down - self.finer as u32) as i64 + (high(self.rr) >> 18) + 1;
         if beyond > near {
-            Plain::Miss
+            Attempt::Miss
         } else if beyond < -near {
-            Plain::Found(())
+            Attempt::Found(())
         } else {
-            Plain::Unclear
+            Attempt::Unsure
         }
     }
 }

@@ -1,0 +1,150 @@
+//! Cones on the fast path of floats.
+
+/// Defines them for a float.
+macro_rules! cone {
+    ($Float:ident, sqrt: $sqrt:path) => {
+        /// Where the line is inside the nappe `h^2 (x^2 + z^2) <= (h r + g y)^2`, `h r + g y >= 0`, of a cone with radius `r` at
+        /// `y = 0` that grows by `g` over the height `h`; see `integers::nappe`, whose moment is here that of the unscaled line.
+        #[inline(always)]
+        pub(crate) fn nappe(
+            line: LocalLine<$Float>,
+            [r, g, h]: [$Float; 3],
+            top: Option<$Float>,
+        ) -> Attempt<InNappe<$Float>> {
+            let Roots { first, second, a, a_terms, k, k_terms, outline, rim, slope } =
+                found!(roots(line, [r, g, h], top));
+            let limits = Limits::of(&line);
+            let (enter, exit) = if a < 0.0 {
+                // Steeper than the side: a half-line in each nappe; the outline grows along the one in the upper.
+                if slope > 0.0 { (second, ($Float::INFINITY, 0.0)) } else { ((-$Float::INFINITY, 0.0), first) }
+            } else {
+                // The sign of the outline halfway between the ends, at t = -k / a.
+                let middle = outline * a - slope * k;
+                let is_clear =
+                    $Float::abs(middle) >= (rim * a_terms + $Float::abs(slope) * k_terms) * (2.0 * limits.doubt());
+                if !is_clear {
+                    return Attempt::Unsure;
+                }
+                if middle < 0.0 {
+                    return Attempt::Miss;
+                }
+                (first, second)
+            };
+            Attempt::Found(InNappe {
+                ends: [enter.0 + enter.1, exit.0 - exit.1],
+                certain: [enter.1 == 0.0, exit.1 == 0.0],
+            })
+        }
+
+        /// Where the line is inside both nappes of the cone `x^2 + z^2 = m^2 y^2`: between its ends, or (`true`) beyond them.
+        #[inline(always)]
+        pub(crate) fn double_cone(line: LocalLine<$Float>, m: $Float) -> Attempt<([$Float; 2], bool)> {
+            let Roots { first, second, a, .. } = found!(roots(line, [0.0, m, 1.0], None));
+            let is_clear = first.1 == 0.0 && second.1 == 0.0;
+            if is_clear { Attempt::Found(([first.0, second.0], a < 0.0)) } else { Attempt::Unsure }
+        }
+
+        /// The roots of a cone's quadric in order, each with how much it may be off if that is too much to take it, and what tells the
+        /// nappes apart.
+        struct Roots {
+            first: ($Float, $Float),
+            second: ($Float, $Float),
+            a: $Float,
+            a_terms: $Float,
+            k: $Float,
+            k_terms: $Float,
+            outline: $Float,
+            rim: $Float,
+            slope: $Float,
+        }
+
+        /// The roots of the quadric of [`nappe`].
+        #[inline(always)]
+        fn roots(line: LocalLine<$Float>, [r, g, h]: [$Float; 3], top: Option<$Float>) -> Attempt<Roots> {
+            let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
+            let (g0, steepness) = (r * h, $Float::abs(g) + h);
+            let [ax, ay, az] = [$Float::abs(x), $Float::abs(y), $Float::abs(z)];
+            // Each term of p, q and s is at most this: the rounding of all of them moves D by a few halves of epsilon times it and the
+            // moment. (That is crude: let through with D a 256th of it, the worst ray measured was 12 units off.)
+            let length = ax + ay + az;
+            // In a frame any coordinate is off by roundings of the longest, and any component by those of one.
+            let is_turned = line.finer != 0;
+            let [ax, ay, az] = if is_turned { [length; 3] } else { [ax, ay, az] };
+            let reach = steepness * length + g0;
+            if !is_handy::<8>(steepness) || !is_handy::<8>(reach) {
+                return Attempt::Unsure;
+            }
+            let (slope, outline) = (g * dy, g0 + g * y);
+            let (across, along) = (h * h * (dx * dx + dz * dz), slope * slope);
+            let a = across - along;
+            let a_terms = if is_turned { steepness * steepness } else { across + along };
+            let limits = Limits::of(&line);
+            // Nearly parallel to a generator.
+            let is_clear = $Float::abs(a) >= a_terms * limits.doubt();
+            if !is_clear {
+                return Attempt::Unsure;
+            }
+            let difference = |[wx, wy, wz]: [$Float; 3]| {
+                let (p, q, s) = (g * wz - g0 * dx, g * wx + g0 * dz, h * wy);
+                let moment = $Float::abs(p) + $Float::abs(q) + $Float::abs(s);
+                ((p * p + q * q) - s * s, moment)
+            };
+            let (mut discriminant, moment) = difference([y * dz - z * dy, z * dx - x * dz, x * dy - y * dx]);
+            let terms = moment * reach;
+            if $Float::abs(discriminant) * (16.0 * limits.cancelled) <= terms {
+                if discriminant < -terms * limits.doubt() && a > 0.0 {
+                    return Attempt::Miss;
+                }
+                // From far away it takes more than that; what is infinite has no measure for far.
+                let is_near = match top {
+                    Some(top) => length <= HIGH * top,
+                    None => false,
+                };
+                // Compensation makes up for the moment's own rounding, not for that of a frame.
+                if !is_near || is_turned {
+                    return Attempt::Unsure;
+                }
+                // The moment of a line that passes closely is small, and its rounding is not: without that.
+                let careful = |[a, b]: [$Float; 2], [c, d]: [$Float; 2]| Real::sum_of_products([[a, b], [-c, d]]);
+                let w = [careful([y, dz], [z, dy]), careful([z, dx], [x, dz]), careful([x, dy], [y, dx])];
+                (discriminant, _) = difference(w);
+                let (p, q) =
+                    ($Float::abs(g * w[2]) + g0 * $Float::abs(dx), $Float::abs(g * w[0]) + g0 * $Float::abs(dz));
+                let terms = p * p + q * q + h * h * (w[1] * w[1]);
+                let is_clear = $Float::abs(discriminant) * limits.cancelled > terms;
+                if !is_clear {
+                    return Attempt::Unsure;
+                }
+            }
+            if discriminant < 0.0 && a > 0.0 {
+                return Attempt::Miss;
+            }
+            if discriminant < 0.0 {
+                return Attempt::Unsure;
+            }
+            let k = h * h * (x * dx + z * dz) - outline * slope;
+            let root = h * $sqrt(discriminant);
+            // -k and the root are added where they have one sign; the other end is c over that sum.
+            let sum = $Float::abs(k) + root;
+            // The outline cancels towards the apex.
+            let rim = g0 + $Float::abs(g) * ay;
+            let (outside, inside) = (h * h * (x * x + z * z), outline * outline);
+            let c_across = if is_turned { h * h * (length * length) } else { outside };
+            let (c, c_terms) = (outside - inside, c_across + $Float::abs(outline) * rim);
+            let k_along = rim * if is_turned { $Float::abs(g) } else { $Float::abs(slope) };
+            let k_terms = h * h * (ax + az) + k_along;
+            // Where a cancels, so does k.
+            let margin = if $Float::abs(a) * limits.cancelled >= 2.0 * a_terms { 1.0 } else { 2.0 };
+            let is_clear = sum * limits.cancelled >= margin * k_terms;
+            if !is_clear {
+                return Attempt::Unsure;
+            }
+            let q = if k > 0.0 { -sum } else { sum };
+            // Of an end whose numbers cancel only that is said which lies surely inside: the planes may cut it off.
+            let by_a = (q / a, limits.off(a, a_terms) * $Float::abs(q / a));
+            let by_c = (c / q, limits.off(c, c_terms) * $Float::abs(c / q));
+            let (first, second) = if (k > 0.0) == (a > 0.0) { (by_a, by_c) } else { (by_c, by_a) };
+            Attempt::Found(Roots { first, second, a, a_terms, k, k_terms, outline, rim, slope })
+        }
+    };
+}

@@ -1,0 +1,133 @@
+//! Planes, discs and triangles on the fast path of floats.
+
+/// Defines them for a float.
+macro_rules! flat {
+    ($Float:ident) => {
+        /// Where the line crosses each of the heights, and how much of that may be off because of a frame. A line that stays in one height
+        /// meets none of them.
+        #[inline(always)]
+        pub(crate) fn crossings(
+            line: LocalLine<$Float>,
+            [low, high]: [$Float; 2],
+        ) -> Attempt<([$Float; 2], [$Float; 2])> {
+            let ([x, y, z], [_, dy, _]) = (line.origin, line.direction);
+            if line.finer == 0 && dy == 0.0 {
+                return Attempt::Miss;
+            }
+            let inverse = 1.0 / dy;
+            let ends = [(low - y) * inverse, (high - y) * inverse];
+            let is_finite = $Float::abs(ends[0]) < $Float::MAX && $Float::abs(ends[1]) < $Float::MAX;
+            if !is_finite {
+                return Attempt::Unsure;
+            }
+            if line.finer == 0 {
+                return Attempt::Found(([(low - y) / dy, (high - y) / dy], [0.0; 2]));
+            }
+            let Limits { epsilon, .. } = Limits::of(&line);
+            // Four roundings of the longest coordinate, and three of one.
+            let length = $Float::abs(x) + $Float::abs(y) + $Float::abs(z);
+            let off = |t: $Float| (length + $Float::abs(t)) * $Float::abs(inverse) * (2.0 * epsilon);
+            Attempt::Found((ends, [off(ends[0]), off(ends[1])]))
+        }
+
+        /// Where the line crosses the disc of this radius about the origin in the plane `y = 0`.
+        #[inline(always)]
+        pub(crate) fn disc(line: LocalLine<$Float>, r: $Float) -> Attempt<$Float> {
+            let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
+            if !is_handy::<2>(r) || dy == 0.0 {
+                return Attempt::Unsure;
+            }
+            let t = -y / dy;
+            let (across, along) = (t * dx, t * dz);
+            let (px, pz) = (x + across, z + along);
+            let inside = r * r - (px * px + pz * pz);
+            let Limits { epsilon, level, .. } = Limits::of(&line);
+            // Each coordinate is off by at most three roundings of its terms.
+            let length = if line.finer == 0 {
+                $Float::abs(x) + $Float::abs(z) + $Float::abs(across) + $Float::abs(along)
+            } else {
+                // So is the crossing, by as many units.
+                let all = $Float::abs(x) + $Float::abs(y) + $Float::abs(z) + $Float::abs(t);
+                if !(dy * dy >= level && $Float::abs(y) * 4.0 >= all) {
+                    return Attempt::Unsure;
+                }
+                2.0 * all
+            };
+            let doubt = length * length * (16.0 * epsilon);
+            if inside > doubt {
+                Attempt::Found(t)
+            } else if inside < -doubt {
+                Attempt::Miss
+            } else {
+                Attempt::Unsure
+            }
+        }
+
+        /// Whether the line's point at `t` lies below `y = 0`, between that and the height, or above.
+        #[inline(always)]
+        pub(crate) fn between_seams(line: LocalLine<$Float>, t: $Float, height: $Float) -> Attempt<Ordering> {
+            let ([x, y, z], climb) = (line.origin, t * line.direction[1]);
+            let all = $Float::abs(x) + $Float::abs(y) + $Float::abs(z) + $Float::abs(t);
+            let off = if line.finer == 0 { 0.0 } else { all * (4.0 * Limits::of(&line).epsilon) };
+            let (low, high) = (-y, height - y);
+            if are_close(&line, climb, low, off) || are_close(&line, climb, high, off) {
+                Attempt::Unsure
+            } else if climb < low {
+                Attempt::Found(Ordering::Less)
+            } else if climb > high {
+                Attempt::Found(Ordering::Greater)
+            } else {
+                Attempt::Found(Ordering::Equal)
+            }
+        }
+
+        /// Where the line crosses the triangle, and whether it comes from the front.
+        #[inline(always)]
+        pub(crate) fn triangle(line: LocalLine<$Float>, vertices: [[$Float; 3]; 3]) -> Attempt<($Float, bool)> {
+            let (o, d) = (line.origin, line.direction);
+            let [a, b, c] = [minus(vertices[0], o), minus(vertices[1], o), minus(vertices[2], o)];
+            let size = |v: [$Float; 3]| $Float::abs(v[0]) + $Float::abs(v[1]) + $Float::abs(v[2]);
+            // In a frame the origin is off by roundings of all of it, and the direction by those of one.
+            let (own, one) = if line.finer == 0 { (0.0, 0.0) } else { (4.0 * size(o), 1.0) };
+            let sizes = [size(a) + own, size(b) + own, size(c) + own];
+            // d . (p x q): the side on which the line passes the edge from p to q; off by at most seven roundings of its terms.
+            let volumes = [dot(d, cross(a, b)), dot(d, cross(b, c)), dot(d, cross(c, a))];
+            let terms = [sizes[0] * sizes[1], sizes[1] * sizes[2], sizes[2] * sizes[0]];
+            if !(is_handy::<2>(terms[0]) && is_handy::<2>(terms[1]) && is_handy::<2>(terms[2])) {
+                return Attempt::Unsure;
+            }
+            let Limits { epsilon, .. } = Limits::of(&line);
+            let (mut left, mut right) = (0, 0);
+            for (volume, terms) in core::iter::zip(volumes, terms) {
+                let doubt = terms * (16.0 * epsilon);
+                left += (volume > doubt) as u32;
+                right += (volume < -doubt) as u32;
+            }
+            if left != 0 && right != 0 {
+                return Attempt::Miss;
+            }
+            if left + right != 3 {
+                return Attempt::Unsure;
+            }
+            let from_front = right == 3;
+            // From the vertices themselves, which are close together however far the ray starts.
+            let (u, v) = (minus(vertices[1], vertices[0]), minus(vertices[2], vertices[0]));
+            let normal = cross(u, v);
+            let (facing, distance) = (dot(normal, d), dot(normal, a));
+            let (u, v) = (magnitudes(u), magnitudes(v));
+            let terms = [u[1] * v[2] + u[2] * v[1], u[2] * v[0] + u[0] * v[2], u[0] * v[1] + u[1] * v[0]];
+            let most = |v: [$Float; 3], least: $Float| v.map(|c| if c > least { c } else { least });
+            let (d_sizes, a_sizes) = (most(magnitudes(d), one), most(magnitudes(a), own));
+            let (facing_terms, distance_terms) = (dot(terms, d_sizes), dot(terms, a_sizes));
+            let is_clear = is_handy::<2>(facing_terms)
+                && is_handy::<2>(distance_terms)
+                && $Float::abs(facing) * FLAT_CANCELLED >= facing_terms
+                && $Float::abs(distance) * FLAT_CANCELLED >= distance_terms;
+            if is_clear && (facing < 0.0) == from_front {
+                Attempt::Found((distance / facing, from_front))
+            } else {
+                Attempt::Unsure
+            }
+        }
+    };
+}

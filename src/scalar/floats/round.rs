@@ -1,0 +1,122 @@
+//! Balls and cylinders on the fast path of floats.
+
+/// Defines them for a float.
+macro_rules! round {
+    ($Float:ident, sqrt: $sqrt:path) => {
+        /// `k = o . d` and `D = r^2 - |o - k d|^2`; a miss if `D < 0`.
+        #[inline(always)]
+        pub(crate) fn closest_approach(line: LocalLine<$Float>, r: $Float) -> Attempt<($Float, $Float)> {
+            if !is_handy::<2>(r) {
+                return Attempt::Unsure;
+            }
+            let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
+            let k = dot(line.origin, line.direction);
+            let p = [x - k * dx, y - k * dy, z - k * dz];
+            // Where this overflows the line is far away from the ball: a miss.
+            let pp = dot(p, p);
+            let rr = r * r;
+            if pp > rr { Attempt::Miss } else { Attempt::Found((k, rr - pp)) }
+        }
+
+        /// `k` and `D` of a closest approach, if both are good to a few units, and so are `-k -+ sqrt(D)`.
+        #[inline(always)]
+        fn clear_approach(line: LocalLine<$Float>, r: $Float) -> Attempt<($Float, $Float)> {
+            if !is_handy::<2>(r) {
+                return Attempt::Unsure;
+            }
+            let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
+            let limits = Limits::of(&line);
+            let (along, mut a) = (dot(line.origin, line.direction), dot(line.direction, line.direction));
+            if !has_spare_bits(&line) {
+                // The formula takes the direction for unit; one that was given by its components may be next to it.
+                if $Float::abs(a - 1.0) > 4.0 * $Float::EPSILON {
+                    return Attempt::Unsure;
+                }
+                a = 1.0;
+            }
+            let k = along / a;
+            let p = [x - k * dx, y - k * dy, z - k * dz];
+            let (rr, kk) = (r * r, k * along);
+            let pp = dot(p, p);
+            let discriminant = rr - pp;
+            // Not the comparisons' negations: what overflowed must fail.
+            if !(kk <= rr * FAR_SQUARE && 2.0 * discriminant * limits.cancelled >= rr) {
+                return if discriminant < -limits.of_distance(pp, rr, kk) { Attempt::Miss } else { Attempt::Unsure };
+            }
+            clear_of_the_start(kk, discriminant, rr, limits.near, (k, discriminant / a))
+        }
+
+        /// `answer`, if neither of the ends `-k -+ sqrt(D)` is small beside what the rounding of `D`, a difference from `positive`, moves it.
+        ///
+        /// A root moves by some `eps positive / sqrt(D)`; the smaller end is `|k^2 - D| / (|k| + sqrt(D))`, and the square of that sum at
+        /// most `2 (k^2 + D)`.
+        #[inline(always)]
+        fn clear_of_the_start<T>(
+            kk: $Float,
+            discriminant: $Float,
+            positive: $Float,
+            near: $Float,
+            answer: T,
+        ) -> Attempt<T> {
+            let c = kk - discriminant;
+            // What overflows fails.
+            let is_clear = positive * positive * (kk + discriminant) <= near * (c * c) * discriminant;
+            if is_clear { Attempt::Found(answer) } else { Attempt::Unsure }
+        }
+
+        /// The two ends of the line inside the ball.
+        #[inline(always)]
+        pub(crate) fn ball(line: LocalLine<$Float>, r: $Float) -> Attempt<[$Float; 2]> {
+            match clear_approach(line, r) {
+                Attempt::Found((k, discriminant)) => {
+                    let root = $sqrt(discriminant);
+                    Attempt::Found([-k - root, root - k])
+                }
+                Attempt::Miss => Attempt::Miss,
+                Attempt::Unsure => Attempt::Unsure,
+            }
+        }
+
+        /// Whether the line has an end in the ball's surface at `t >= 0`; the same as [`ball`] says.
+        #[inline(always)]
+        pub(crate) fn ball_ahead(line: LocalLine<$Float>, r: $Float) -> Attempt<()> {
+            match clear_approach(line, r) {
+                Attempt::Found((k, discriminant)) if k <= 0.0 || k * k <= discriminant => Attempt::Found(()),
+                Attempt::Found(_) | Attempt::Miss => Attempt::Miss,
+                Attempt::Unsure => Attempt::Unsure,
+            }
+        }
+
+        /// The two ends of the line inside the cylinder about the y axis: `a = dx^2 + dz^2`, `D = a r^2 - w_y^2`,
+        /// `t = (-k -+ sqrt(D)) / a`.
+        #[inline(always)]
+        pub(crate) fn tube(line: LocalLine<$Float>, r: $Float) -> Attempt<[$Float; 2]> {
+            let ([x, _, z], [dx, _, dz]) = (line.origin, line.direction);
+            let a = dx * dx + dz * dz;
+            if !is_handy::<4>(r) || !is_handy::<4>(a) {
+                return Attempt::Unsure;
+            }
+            let k = x * dx + z * dz;
+            let w = z * dx - x * dz;
+            let y = line.origin[1];
+            let limits = Limits::of(&line);
+            let (positive, kk, ww) = (a * (r * r), k * k, w * w);
+            let discriminant = positive - ww;
+            let mut doubt = limits.of_distance(ww, positive, kk);
+            if line.finer != 0 {
+                // Rounded on their way into a frame, coordinates are off by roundings of the longest, and components by those of one.
+                doubt *= 8.0;
+                let is_level = a >= limits.level && a * (y * y) <= positive * HIGH_SQUARE + 4.0 * kk;
+                if !is_level || (discriminant > 0.0 && discriminant * a * (4.0 * limits.cancelled) < positive) {
+                    return Attempt::Unsure;
+                }
+            }
+            if !(kk <= positive * FAR_SQUARE && discriminant * limits.cancelled >= positive) {
+                return if discriminant < -doubt { Attempt::Miss } else { Attempt::Unsure };
+            }
+            let root = $sqrt(discriminant);
+            let inverse = 1.0 / a;
+            clear_of_the_start(kk, discriminant, positive, limits.near, [(-k - root) * inverse, (root - k) * inverse])
+        }
+    };
+}
