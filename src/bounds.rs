@@ -21,11 +21,11 @@
 use crate::affine::Affine;
 use crate::frame::Frame;
 use crate::geometry::{Bounds, Hull};
-use crate::scalar::{Real, Scalar, largest};
+use crate::scalar::{Real, Scalar, Unit, largest};
 use crate::vector::{UnitVec3, Vec3, pairs, transposed};
 
 /// A row of the map to a primitive: its components are to be multiplied by the power of two.
-type Row<S> = ([<S as Scalar>::Unit; 3], i32);
+type Row<S> = ([Unit<S>; 3], i32);
 
 /// The box of a primitive in its canonical pose.
 pub(crate) fn unplaced<S: Scalar>(hull: &Hull<S>) -> Bounds<S> {

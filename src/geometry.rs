@@ -18,7 +18,7 @@ pub trait Geometry<S: Scalar>: Copy {
     fn in_doubles(&self) -> Self::Doubles;
     /// A distance from the origin within which the primitive lies; its characteristic size if it is unbounded.
     fn reach(&self) -> S;
-    /// The primitive with all lengths multiplied by `2^e`, for an exponent from [`Scalar::binary_exponent`].
+    /// The primitive with all lengths multiplied by `2^e`, for an exponent from [`Computing::binary_exponent`](crate::scalar::Computing::binary_exponent).
     #[must_use]
     fn scaled(&self, e: i32) -> Self;
     /// The line for the fast path, as this primitive sees it.

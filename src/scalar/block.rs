@@ -12,6 +12,9 @@ use super::{Real, sealed::Sealed};
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+#[macro_use]
+mod division;
+
 /// Defines one block type.
 ///
 /// `$mantissa`/`$unsigned` are the double width, `$bits` their bits; a reduced factor has `$bits / 2 - 1` bits.
@@ -299,38 +302,6 @@ macro_rules! block {
     };
 }
 
-/// The quotient of integers whose divisor is never zero, without the panic path of `/`.
-macro_rules! quotient {
-    ($numerator:expr, $divisor:expr) => {
-        $numerator.checked_div($divisor).unwrap_or(0)
-    };
-}
-
-/// Arithmetic shift right by 1 or more bits (fewer than the width), rounded to nearest, ties to even: a mirrored ray
-/// must have mirrored hits, to the bit.
-macro_rules! shift_right_rounded {
-    ($value:expr, $shift:expr) => {{
-        let (value, shift) = ($value, $shift);
-        // Add the last bit that is dropped: no overflow, unlike adding half a unit before the shift.
-        let rounded = (value >> shift) + ((value >> (shift - 1)) & 1);
-        let is_tie = value & !(!0 << shift) == 1 << (shift - 1);
-        if is_tie { rounded & !1 } else { rounded }
-    }};
-}
-
-/// The root of the top half of a radicand, in the type of the radicand.
-macro_rules! root_of_half {
-    (128, $top:expr) => {
-        Block64::integer_square_root($top as u64) as u128
-    };
-    (64, $top:expr) => {
-        root_of_32($top as u32) as u64
-    };
-    (16, $top:expr) => {
-        ROOT_OF_BYTE[$top as usize] as u16
-    };
-}
-
 /// Sum of products with an exact accumulator where the machine has a wider integer.
 macro_rules! sum_of_products {
     (64, $Block:ident, $terms:expr) => {{
@@ -420,34 +391,6 @@ impl Block128 {
 block! {
     /// The same code on 16 bits, where every operand can be tried.
     Block16, i16, u16, 16
-}
-
-/// Square roots, rounded down, of a byte with one of its two top bits set (others: zero).
-const ROOT_OF_BYTE: [u8; 256] = {
-    let mut table = [0; 256];
-    let mut n = 0x40;
-    while n < 256 {
-        let mut root = 15;
-        while root * root > n {
-            root -= 1;
-        }
-        table[n] = root as u8;
-        n += 1;
-    }
-    table
-};
-
-/// The square root of a 32-bit integer with one of its two top bits set, rounded down: a table for the first four
-/// bits, then two Newton steps on prefixes.
-fn root_of_32(n: u32) -> u32 {
-    let root = ROOT_OF_BYTE[(n >> 24) as usize] as u32;
-    let root = floor_root((root << 3) + quotient!((n >> 21), root), n >> 16);
-    floor_root((root << 7) + quotient!((n >> 9), root), n)
-}
-
-/// One less where a Newton step came out one too large (`root` has at most half as many bits as a `u32`, or one more).
-fn floor_root(root: u32, n: u32) -> u32 {
-    if root as u64 * root as u64 > n as u64 { root - 1 } else { root }
 }
 
 #[cfg(test)]

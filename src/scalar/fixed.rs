@@ -5,12 +5,11 @@
 
 use super::block::{Block64, Block128};
 use super::{
-    Attempt, Budget, InNappe, LocalLine, Real, Scalar, UnitScalar, elementary, found, integers, sealed::Sealed,
-    separation,
+    Attempt, Budget, Computing, Elementary, FastPath, Numbers, Real, Scalar, UnitScalar, elementary, integers,
+    sealed::Sealed,
 };
 use crate::number::word::Word;
 use crate::number::{Limbs, Parts, Robust};
-use core::cmp::Ordering;
 use fixed::types::extra::{LeEqU32, LeEqU64, U30, U62};
 use fixed::{FixedI32, FixedI64};
 
@@ -29,13 +28,16 @@ fn product(a: i64, b: i64) -> i128 {
 macro_rules! fixed {
     (
         $Fixed:ident, $LeEq:ident, $UnitBits:ident, $Block:ident, $robust:ty, $raw:ty, $wide:ty, $unsigned:ty,
-        $bits:literal, $unit_bits:literal, $product:path, $misses_box:path, { $($fast:tt)* }
+        $bits:literal, $unit_bits:literal, $product:path, { $($direction:tt)* }
     ) => {
         impl<F: $LeEq + Send + Sync + 'static> Sealed for $Fixed<F> {}
 
-        impl<F: $LeEq + Send + Sync + 'static> Scalar for $Fixed<F> {
+        impl<F: $LeEq + Send + Sync + 'static> Numbers for $Fixed<F> {
             type Unit = $Fixed<$UnitBits>;
             type Real = $Block;
+        }
+
+        impl<F: $LeEq + Send + Sync + 'static> Scalar for $Fixed<F> {
             type Robust = Robust<$robust>;
             const ZERO: Self = Self::from_bits(0);
             const INFINITY: Self = Self::from_bits(<$raw>::MAX);
@@ -48,7 +50,6 @@ macro_rules! fixed {
                 smallest_slope: Self::from_bits(1),
                 distance: Self::from_bits(<$raw>::MAX - 1),
             };
-
             #[inline(always)]
             fn is_finite(self) -> bool {
                 self.magnitude().to_bits() < <$raw>::MAX
@@ -75,11 +76,6 @@ macro_rules! fixed {
             #[inline]
             fn unit_from_robust(value: Self::Robust) -> Self::Unit {
                 <$Fixed<$UnitBits> as Scalar>::from_limbs(value.limbs())
-            }
-            #[inline(always)]
-            fn resolves(_: Self, size: Self) -> bool {
-                // Half of one, in units; a type without that many fraction bits resolves one unit.
-                size.to_bits() >= (1 as $raw).checked_shl(F::U32.saturating_sub(1)).unwrap_or(<$raw>::MAX)
             }
             #[inline(always)]
             fn last_place(_: i32) -> i32 {
@@ -124,6 +120,29 @@ macro_rules! fixed {
             #[inline(always)]
             fn magnitude(self) -> Self {
                 self.saturating_abs()
+            }
+            fn parse_scaled(text: &str, power: i32) -> Option<Self> {
+                let fraction_bits = F::U32.checked_add_signed(power).filter(|bits| *bits <= 64)?;
+                let (negative, units) = super::decimal::parse(text, fraction_bits)?;
+                let raw = <$raw>::try_from(units).ok().filter(|raw| *raw < <$raw>::MAX)?;
+                Some(Self::from_bits(if negative { -raw } else { raw }))
+            }
+            fn from_f64(value: f64) -> Option<Self> {
+                if !value.is_finite() {
+                    return None;
+                }
+                Self::checked_from_num(value).filter(|value| value.is_finite())
+            }
+            fn to_f64(self) -> f64 {
+                self.to_num()
+            }
+        }
+
+        impl<F: $LeEq + Send + Sync + 'static> Computing for $Fixed<F> {
+            #[inline(always)]
+            fn resolves(_: Self, size: Self) -> bool {
+                // Half of one, in units; a type without that many fraction bits resolves one unit.
+                size.to_bits() >= (1 as $raw).checked_shl(F::U32.saturating_sub(1)).unwrap_or(<$raw>::MAX)
             }
             #[inline(always)]
             fn dot(o: [Self; 3], d: [Self::Unit; 3]) -> $Block {
@@ -180,7 +199,6 @@ macro_rules! fixed {
             fn scaled(self, _: i32) -> Self {
                 self
             }
-
             #[inline]
             fn finest(values: [$Block; 3]) -> ([Self; 3], i32) {
                 // The exponent of the power of two above all of them.
@@ -201,20 +219,10 @@ macro_rules! fixed {
                 let unit = if is_full { unit.wrapping_add(1) } else { unit };
                 (units(unit).map(|raw| Self::from_bits(raw as $raw)), (-(F::I32)).wrapping_sub(unit))
             }
-            $($fast)*
+            $($direction)*
+        }
 
-            #[inline(always)]
-            fn misses_box(
-                o: [Self; 3],
-                d: [Self::Unit; 3],
-                range: [Self; 2],
-                centre: [Self; 3],
-                half: [Self; 3],
-            ) -> bool {
-                let [o, centre, half] = [o, centre, half].map(|v| v.map(Self::to_bits));
-                $misses_box(o, d.map($Fixed::to_bits), range.map(Self::to_bits), centre, half)
-            }
-
+        impl<F: $LeEq + Send + Sync + 'static> Elementary for $Fixed<F> {
             fn fraction(self) -> Self::Unit {
                 // Keep the fraction bits and move them to the unit type's place.
                 let rest = (self.to_bits() as $wide) & (((1 as $wide) << F::U32) - 1);
@@ -251,22 +259,6 @@ macro_rules! fixed {
                 let base = (base.to_bits().max(0) as u64) << (62 - $unit_bits);
                 let value = elementary::power(base, exponent.to_bits() as u64, F::U32);
                 Self::unit_round($Block::new(value as $wide, -62))
-            }
-
-            fn parse_scaled(text: &str, power: i32) -> Option<Self> {
-                let fraction_bits = F::U32.checked_add_signed(power).filter(|bits| *bits <= 64)?;
-                let (negative, units) = super::decimal::parse(text, fraction_bits)?;
-                let raw = <$raw>::try_from(units).ok().filter(|raw| *raw < <$raw>::MAX)?;
-                Some(Self::from_bits(if negative { -raw } else { raw }))
-            }
-            fn from_f64(value: f64) -> Option<Self> {
-                if !value.is_finite() {
-                    return None;
-                }
-                Self::checked_from_num(value).filter(|value| value.is_finite())
-            }
-            fn to_f64(self) -> f64 {
-                self.to_num()
             }
         }
 
@@ -309,75 +301,7 @@ macro_rules! fixed {
     };
 }
 
-/// The short ways that types of both widths have.
-macro_rules! fast {
-    ($Fixed:ident, $($kernels:ident)::+) => {
-        #[inline(always)]
-        fn fast_ball(line: LocalLine<Self>, r: Self, by_moment: bool) -> Attempt<[Self; 2]> {
-            let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits), r.to_bits());
-            let [low, high] = if by_moment {
-                found!(found!($($kernels)::+::ByMoment::new(o, line.finer, d, r)).ends())
-            } else {
-                found!(found!($($kernels)::+::ByApproach::new(o, line.finer, d, r)).ends())
-            };
-            Attempt::Found([Self::from_bits(low), Self::from_bits(high)])
-        }
-        #[inline(always)]
-        fn fast_ball_ahead(line: LocalLine<Self>, r: Self, by_moment: bool) -> Attempt<()> {
-            let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits), r.to_bits());
-            if by_moment {
-                found!($($kernels)::+::ByMoment::new(o, line.finer, d, r)).meets_ahead()
-            } else {
-                found!($($kernels)::+::ByApproach::new(o, line.finer, d, r)).meets_ahead()
-            }
-        }
-        #[inline(always)]
-        fn fast_tube(line: LocalLine<Self>, r: Self) -> Attempt<[Self; 2]> {
-            let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits), r.to_bits());
-            let [low, high] = found!($($kernels)::+::tube(o, line.finer, d, r));
-            Attempt::Found([Self::from_bits(low), Self::from_bits(high)])
-        }
-        #[inline(always)]
-        fn fast_seams(line: LocalLine<Self>, t: Self, height: Self) -> Attempt<Ordering> {
-            let (oy, dy) = (line.origin[1].to_bits(), line.direction[1].to_bits());
-            let y = found!($($kernels)::+::height(oy, line.finer, dy, t.to_bits()));
-            Attempt::Found(if y < 0 {
-                Ordering::Less
-            } else if y > height.to_bits() {
-                Ordering::Greater
-            } else {
-                Ordering::Equal
-            })
-        }
-        #[inline(always)]
-        fn fast_lowered(line: LocalLine<Self>, y: Self) -> Attempt<LocalLine<Self>> {
-            let [ox, oy, oz] = line.origin;
-            let lowered = found!($($kernels)::+::lowered(oy.to_bits(), line.finer, y.to_bits()));
-            Attempt::Found(LocalLine { origin: [ox, Self::from_bits(lowered), oz], ..line })
-        }
-        #[inline(always)]
-        fn fast_crossings(line: LocalLine<Self>, y: [Self; 2]) -> Attempt<([Self; 2], [Self; 2])> {
-            let (oy, dy) = (line.origin[1].to_bits(), line.direction[1].to_bits());
-            let [first, second] = found!($($kernels)::+::crossings(oy, line.finer, dy, y.map(Self::to_bits)));
-            Attempt::Found(([Self::from_bits(first), Self::from_bits(second)], [Self::from_bits(0); 2]))
-        }
-        #[inline(always)]
-        fn fast_turned(
-            o: [Self; 3],
-            d: [Self::Unit; 3],
-            position: [Self; 3],
-            axes: [[Self::Unit; 3]; 3],
-        ) -> Option<LocalLine<Self>> {
-            let (o, position) = (o.map(Self::to_bits), position.map(Self::to_bits));
-            let [origin, direction] =
-                $($kernels)::+::turned(o, position, axes.map(|axis| axis.map($Fixed::to_bits)), d.map($Fixed::to_bits))?;
-            let (origin, direction) = (origin.map(Self::from_bits), direction.map($Fixed::from_bits));
-            Some(LocalLine { origin, finer: $($kernels)::+::FINER, direction, pace: Self::from_bits(0), has_spare_bits: false })
-        }
-    };
-}
-
-fixed!(FixedI32, LeEqU32, U30, Block64, u64, i32, i64, u64, 32, 30, integers::product, separation::misses_box_32, {
+fixed!(FixedI32, LeEqU32, U30, Block64, u64, i32, i64, u64, 32, 30, integers::product, {
     #[inline(always)]
     fn along(self, component: Self::Unit) -> Self {
         Self::from_bits(integers::round_off(integers::product(self.to_bits(), component.to_bits()), 30) as i32)
@@ -391,28 +315,10 @@ fixed!(FixedI32, LeEqU32, U30, Block64, u64, i32, i64, u64, 32, 30, integers::pr
             Attempt::Unsure => Self::normalize(v).map(|(direction, _)| direction),
         }
     }
-    #[inline(always)]
-    fn fast_direction(v: [Self; 3]) -> Attempt<[Self::Unit; 3]> {
-        Attempt::Found(found!(integers::direction(v.map(Self::to_bits))).map(FixedI32::from_bits))
-    }
-    fast!(FixedI32, integers);
-    #[inline(always)]
-    fn fast_nappe(
-        line: LocalLine<Self>,
-        (base, growth, height): (Self, Self, Option<Self>),
-        _: Option<Self>,
-    ) -> Attempt<InNappe<Self>> {
-        let (o, d) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits));
-        let Some(height) = height.map_or(1_i32.checked_shl(F::U32), |height| Some(height.to_bits())) else {
-            return Attempt::Unsure;
-        };
-        let height = if height > 0 { height } else { return Attempt::Unsure };
-        let InNappe { ends, certain } =
-            found!(integers::nappe(o, line.finer, d, [base.to_bits(), growth.to_bits(), height]));
-        let [low, high] = ends;
-        Attempt::Found(InNappe { ends: [Self::from_bits(low), Self::from_bits(high)], certain })
-    }
 });
-fixed!(FixedI64, LeEqU64, U62, Block128, u128, i64, i128, u128, 64, 62, product, separation::misses_box_64, {
-    fast!(FixedI64, integers::wide);
+fixed!(FixedI64, LeEqU64, U62, Block128, u128, i64, i128, u128, 64, 62, product, {
+    #[inline(always)]
+    fn along(self, component: Self::Unit) -> Self {
+        <Self as Scalar>::round(self.real() * Self::unit_real(component))
+    }
 });

@@ -1,18 +1,15 @@
 //! `f32` and `f64` as scalars: plain arithmetic, and the error-free sums and products that keep hard cases right.
 
-use super::floats::{fast_f32, fast_f64};
-use super::separation;
 use super::square_root::square_root_f32;
-use super::{Attempt, Budget, InNappe, LocalLine, Real, Scalar, UnitScalar, found, largest, sealed::Sealed};
+use super::{Budget, Computing, Elementary, Numbers, Real, Scalar, UnitScalar, largest, sealed::Sealed};
 use crate::number::word::Word;
 use crate::number::{Limbs, Parts, Robust};
-use core::cmp::Ordering;
 
 /// Defines the float implementations. `$half` are the mantissa bits that a split moves to the low part.
 macro_rules! float {
     (
         $Float:ident, $exact:ident, $bits:ty, $half:literal, $mantissa:literal, $bias:literal, $largest_exponent:literal,
-        $slope:literal, $robust:ty, $fast:ident, $misses_box:ident, sqrt: $sqrt:path, atan2: $atan2:path, sincos: $sincos:path, pow: $pow:path
+        $slope:literal, $robust:ty, sqrt: $sqrt:path, atan2: $atan2:path, sincos: $sincos:path, pow: $pow:path
     ) => {
         impl Sealed for $Float {}
 
@@ -62,9 +59,12 @@ macro_rules! float {
             }
         }
 
-        impl Scalar for $Float {
+        impl Numbers for $Float {
             type Unit = $Float;
             type Real = $Float;
+        }
+
+        impl Scalar for $Float {
             type Robust = Robust<$robust>;
             const ZERO: Self = 0.0;
             const INFINITY: Self = $Float::INFINITY;
@@ -77,7 +77,6 @@ macro_rules! float {
                 smallest_slope: $Float::from_bits((($bias - $slope) as $bits) << $mantissa),
                 distance: $Float::MAX,
             };
-
             #[inline(always)]
             fn is_finite(self) -> bool {
                 $Float::is_finite(self)
@@ -116,10 +115,6 @@ macro_rules! float {
                 Self::from_limbs(value.limbs())
             }
             #[inline(always)]
-            fn resolves(t: Self, size: Self) -> bool {
-                $Float::abs(t) <= 4.0 * size
-            }
-            #[inline(always)]
             fn last_place(top: i32) -> i32 {
                 let (last, least) = (top - 1 - $mantissa, 1 - $bias - $mantissa);
                 if last > least { last } else { least }
@@ -155,6 +150,30 @@ macro_rules! float {
             #[inline(always)]
             fn magnitude(self) -> Self {
                 $Float::abs(self)
+            }
+            fn parse_scaled(text: &str, power: i32) -> Option<Self> {
+                if !super::is_decimal(text) {
+                    return None;
+                }
+                // Exact, but for what becomes subnormal.
+                let value = text.parse::<Self>().ok()?.times_power_of_two(power);
+                Some(value).filter(|value| Scalar::is_finite(*value))
+            }
+            #[allow(clippy::unnecessary_cast)]
+            fn from_f64(value: f64) -> Option<Self> {
+                let value = value as $Float;
+                Scalar::is_finite(value).then_some(value)
+            }
+            #[allow(clippy::unnecessary_cast)]
+            fn to_f64(self) -> f64 {
+                self as f64
+            }
+        }
+
+        impl Computing for $Float {
+            #[inline(always)]
+            fn resolves(t: Self, size: Self) -> bool {
+                $Float::abs(t) <= 4.0 * size
             }
             #[inline(always)]
             fn dot(o: [Self; 3], d: [Self; 3]) -> Self {
@@ -211,103 +230,17 @@ macro_rules! float {
             fn scaled(self, e: i32) -> Self {
                 $exact::scale(self, e)
             }
-
             #[inline(always)]
             fn finest(values: [Self; 3]) -> ([Self; 3], i32) {
                 (values, 0)
             }
             #[inline(always)]
-            fn fast_ball(line: LocalLine<Self>, r: Self, by_moment: bool) -> Attempt<[Self; 2]> {
-                if by_moment {
-                    return $fast::ball(line, r);
-                }
-                let (k, discriminant) = found!($fast::closest_approach(line, r));
-                if discriminant == 0.0 {
-                    return Attempt::Unsure;
-                }
-                let root = $sqrt(discriminant);
-                Attempt::Found([-k - root, root - k])
+            fn along(self, component: Self) -> Self {
+                self * component
             }
-            #[inline(always)]
-            fn fast_ball_ahead(line: LocalLine<Self>, r: Self, by_moment: bool) -> Attempt<()> {
-                if by_moment {
-                    return $fast::ball_ahead(line, r);
-                }
-                let (k, discriminant) = found!($fast::closest_approach(line, r));
-                if discriminant == 0.0 {
-                    return Attempt::Unsure;
-                }
-                // Moving away, the far end counts.
-                if k <= 0.0 || $sqrt(discriminant) >= k { Attempt::Found(()) } else { Attempt::Miss }
-            }
-            #[inline(always)]
-            fn fast_tube(line: LocalLine<Self>, r: Self) -> Attempt<[Self; 2]> {
-                $fast::tube(line, r)
-            }
-            #[inline(always)]
-            fn fast_nappe(
-                line: LocalLine<Self>,
-                (base, growth, height): (Self, Self, Option<Self>),
-                top: Option<Self>,
-            ) -> Attempt<InNappe<Self>> {
-                $fast::nappe(line, [base, growth, height.unwrap_or(1.0)], top)
-            }
-            #[inline(always)]
-            fn fast_double_cone(line: LocalLine<Self>, slope: Self) -> Attempt<([Self; 2], bool)> {
-                $fast::double_cone(line, slope)
-            }
-            #[inline(always)]
-            fn fast_crossings(line: LocalLine<Self>, y: [Self; 2]) -> Attempt<([Self; 2], [Self; 2])> {
-                $fast::crossings(line, y)
-            }
-            #[inline(always)]
-            fn fast_turned(
-                o: [Self; 3],
-                d: [Self; 3],
-                position: [Self; 3],
-                axes: [[Self; 3]; 3],
-            ) -> Option<LocalLine<Self>> {
-                Some($fast::turned(o, d, position, axes))
-            }
-            #[inline(always)]
-            fn fast_stretched(
-                o: [Self; 3],
-                d: [Self; 3],
-                position: [Self; 3],
-                rows: [([Self; 3], i32); 3],
-            ) -> Option<LocalLine<Self>> {
-                $fast::stretched(o, d, position, rows)
-            }
-            #[inline(always)]
-            fn fast_disc(line: LocalLine<Self>, r: Self) -> Attempt<Self> {
-                $fast::disc(line, r)
-            }
-            #[inline(always)]
-            fn fast_triangle(line: LocalLine<Self>, vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {
-                $fast::triangle(line, vertices)
-            }
-            #[inline(always)]
-            fn fast_seams(line: LocalLine<Self>, t: Self, height: Self) -> Attempt<Ordering> {
-                $fast::between_seams(line, t, height)
-            }
-            #[inline(always)]
-            fn fast_lowered(line: LocalLine<Self>, y: Self) -> Attempt<LocalLine<Self>> {
-                let [ox, oy, oz] = line.origin;
-                Attempt::Found(LocalLine { origin: [ox, oy - y, oz], ..line })
-            }
-            #[inline(always)]
-            fn are_close(line: &LocalLine<Self>, a: Self, b: Self, off: Self) -> bool {
-                $fast::are_close(line, a, b, off)
-            }
-            #[inline(always)]
-            fn is_good(line: &LocalLine<Self>, t: Self, off: Self) -> bool {
-                $fast::is_good(line, t, off)
-            }
-            #[inline(always)]
-            fn misses_box(o: [Self; 3], d: [Self; 3], range: [Self; 2], centre: [Self; 3], half: [Self; 3]) -> bool {
-                separation::$misses_box(o, d, range, centre, half)
-            }
+        }
 
+        impl Elementary for $Float {
             fn fraction(self) -> Self {
                 // % is exact. A tiny negative value rounds up to one.
                 let rest = self % 1.0;
@@ -331,24 +264,6 @@ macro_rules! float {
             }
             fn power(base: Self, exponent: Self) -> Self {
                 $pow(base, exponent)
-            }
-
-            fn parse_scaled(text: &str, power: i32) -> Option<Self> {
-                if !super::is_decimal(text) {
-                    return None;
-                }
-                // Exact, but for what becomes subnormal.
-                let value = text.parse::<Self>().ok()?.times_power_of_two(power);
-                Some(value).filter(|value| Scalar::is_finite(*value))
-            }
-            #[allow(clippy::unnecessary_cast)]
-            fn from_f64(value: f64) -> Option<Self> {
-                let value = value as $Float;
-                Scalar::is_finite(value).then_some(value)
-            }
-            #[allow(clippy::unnecessary_cast)]
-            fn to_f64(self) -> f64 {
-                self as f64
             }
         }
 
@@ -429,10 +344,10 @@ macro_rules! float {
 }
 
 float!(
-    f32, exact_f32, u32, 12, 23, 127, 126, 30, u64, fast_f32, misses_box_f32,
+    f32, exact_f32, u32, 12, 23, 127, 126, 30, u64,
     sqrt: square_root_f32, atan2: libm::atan2f, sincos: libm::sincosf, pow: libm::powf
 );
 float!(
-    f64, exact_f64, u64, 27, 52, 1023, 1022, 200, u128, fast_f64, misses_box_f64,
+    f64, exact_f64, u64, 27, 52, 1023, 1022, 200, u128,
     sqrt: libm::sqrt, atan2: libm::atan2, sincos: libm::sincos, pow: libm::pow
 );

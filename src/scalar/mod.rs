@@ -7,11 +7,13 @@
 //!
 //! Everything in which number types differ stands in this folder and nowhere else:
 //!
-//! | room | what it holds |
+//! | file | what it holds |
 //! |---|---|
 //! | `float` | `f32` and `f64`: error-free products and sums, stepping closer, binary scale |
 //! | `fixed` | `FixedI32<F>` and `FixedI64<F>`, for every `F` |
-//! | `plain` | the usual case of fixed point in plain integers |
+//! | `computing` | what is computed with stored numbers |
+//! | `fast` | what the fast path of a number type tells |
+//! | `integers` | the fast path of fixed point, in plain integers |
 //! | `floats` | the usual case of floats, uncompensated |
 //! | `separation` | whether a ray surely misses a box |
 //! | [`block`] | integer mantissa and exponent; square root and quotient of integers |
@@ -21,15 +23,16 @@
 
 use crate::number::word::Word;
 use crate::number::{FromScalar, Limbs, Number, Parts, ToScalar};
-use core::cmp::Ordering;
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 pub mod block;
+mod computing;
 #[cfg(feature = "fixed")]
 mod decimal;
 #[cfg(feature = "fixed")]
 mod elementary;
+mod fast;
 #[cfg(feature = "fixed")]
 mod fixed;
 #[cfg(feature = "libm")]
@@ -44,6 +47,10 @@ mod square_root;
 
 #[cfg(feature = "fixed")]
 pub use fixed::{DISTANCE_BITS, SIZE_BITS};
+
+pub use computing::{Computing, Elementary};
+pub(crate) use fast::found;
+pub use fast::{Attempt, FastPath, InNappe, LocalLine};
 
 /// Keeps [`Scalar`] and its companions closed: their contracts bind several impls together.
 mod sealed {
@@ -97,19 +104,25 @@ pub struct Budget<S> {
     pub distance: S,
 }
 
-/// A number that stores coordinates, sizes and distances.
-///
-/// Implemented for `f32`, `f64`, `FixedI32<F>` and `FixedI64<F>` for every `F` that `fixed` allows. Sealed.
-pub trait Scalar:
+/// The types that go with a number.
+pub trait Numbers:
     Copy + Debug + Default + PartialEq + PartialOrd + Neg<Output = Self> + Send + Sync + 'static + sealed::Sealed
 {
     /// A component of a unit vector, or a colour: the float itself, Q2.30 for 32-bit and Q2.62 for 64-bit fixed types.
     type Unit: UnitScalar;
     /// The number in which solvers compute.
     type Real: Real;
+}
+
+/// A component of a direction beside coordinates of this type.
+pub type Unit<S> = <S as Numbers>::Unit;
+
+/// A number that stores coordinates, sizes and distances.
+///
+/// Implemented for `f32`, `f64`, `FixedI32<F>` and `FixedI64<F>` for every `F` that `fixed` allows. Sealed.
+pub trait Scalar: Numbers + Computing + Elementary + FastPath {
     /// The number in which solvers compute where the fast path is unsure.
     type Robust: FromScalar<Self> + Number<Estimate = Self::Robust> + ToScalar<Self>;
-
     /// Zero.
     const ZERO: Self;
     /// Beyond every range: `f32::INFINITY`, or the largest raw value of a fixed type.
@@ -118,7 +131,6 @@ pub trait Scalar:
     const RELATIVE: bool;
     /// What constructors accept.
     const BUDGET: Budget<Self>;
-
     /// False for NaN and for [`Scalar::INFINITY`] of either sign.
     fn is_finite(self) -> bool;
     /// The exact value: sign, integer and exponent.
@@ -131,8 +143,6 @@ pub trait Scalar:
     fn from_robust(value: Self::Robust) -> Self;
     /// Rounded as [`Scalar::from_limbs`], to a unit component.
     fn unit_from_robust(value: Self::Robust) -> Self::Unit;
-    /// True if the rounding of a parameter `t` is small beside a length of this size: at most four units of the type in the quotient.
-    fn resolves(t: Self, size: Self) -> bool;
     /// The exponent of the last place of values below `2^top`.
     fn last_place(top: i32) -> i32;
     /// The exact value, to compute with.
@@ -151,159 +161,6 @@ pub trait Scalar:
     fn next_up(self) -> Self;
     /// The magnitude.
     fn magnitude(self) -> Self;
-
-    /// `o . d`; exact for fixed types.
-    fn dot(o: [Self; 3], d: [Self::Unit; 3]) -> Self::Real;
-    /// `o x d`, the moment of the line about the origin; exact for fixed types.
-    fn cross(o: [Self; 3], d: [Self::Unit; 3]) -> [Self::Real; 3];
-    /// `d . e` of two directions; exact for fixed types.
-    fn unit_dot(d: [Self::Unit; 3], e: [Self::Unit; 3]) -> Self::Real;
-    /// `o + t d`, rounded once (floats: but for an error of the second order).
-    fn advance(o: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3];
-    /// `o - base + t d`, rounded once (floats: but for an error of the second order).
-    fn approach(o: [Self; 3], base: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3];
-    /// The vector's direction and its length; `None` for the zero vector and for a vector with a component
-    /// that is not finite. Right for every length, from the smallest to the largest.
-    fn normalize(v: [Self::Real; 3]) -> Option<([Self::Unit; 3], Self::Real)>;
-
-    /// The direction alone, which may be next to the one of [`Scalar::normalize`].
-    #[inline]
-    fn direction(v: [Self::Real; 3]) -> Option<[Self::Unit; 3]> {
-        Self::normalize(v).map(|(direction, _)| direction)
-    }
-    /// The direction of a vector in this type, as [`Scalar::normalize`] has it or next to that; a miss for the zero vector.
-    #[inline(always)]
-    fn fast_direction(_: [Self; 3]) -> Attempt<[Self::Unit; 3]> {
-        Attempt::Unsure
-    }
-    /// This length along a direction: `self` times its component, rounded once.
-    #[inline(always)]
-    fn along(self, component: Self::Unit) -> Self {
-        Self::round(self.real() * Self::unit_real(component))
-    }
-
-    /// The exponent `e` for which `2^-e` brings the largest of the given magnitudes near 1; always zero for fixed types, whose
-    /// [`Real`] carries its own exponent.
-    fn binary_exponent(largest: Self) -> i32;
-    /// `self * 2^e`, where `e` comes from [`Scalar::binary_exponent`].
-    fn scaled(self, e: i32) -> Self;
-    /// Three values in the finest unit in which the type holds them: numbers to be read as `2^-n` times themselves,
-    /// and `n`; zero for floats, which are as fine as they can be.
-    fn finest(values: [Self::Real; 3]) -> ([Self; 3], i32);
-    /// The two ends of the line inside the ball of radius `r` about the origin: from its closest approach, or, if `by_moment`, from its
-    /// moment.
-    ///
-    /// This and the other `plain` functions are a short way for the usual case: plain integers for fixed types, for floats
-    /// numbers that need no scaling. What they do not answer is left to the solver.
-    #[inline(always)]
-    fn fast_ball(_: LocalLine<Self>, _r: Self, _by_moment: bool) -> Attempt<[Self; 2]> {
-        Attempt::Unsure
-    }
-
-    /// Whether that line has an end at `t >= 0`, where no end is beyond the type.
-    #[inline(always)]
-    fn fast_ball_ahead(_: LocalLine<Self>, _r: Self, _by_moment: bool) -> Attempt<()> {
-        Attempt::Unsure
-    }
-
-    /// The two ends of the line inside the infinite cylinder of radius `r` about the y axis.
-    #[inline(always)]
-    fn fast_tube(_: LocalLine<Self>, _r: Self) -> Attempt<[Self; 2]> {
-        Attempt::Unsure
-    }
-    /// Where the line is inside the nappe of a cone that has the radius `base` at `y = 0` and grows by `growth` over `height` (`None`: 1).
-    /// Of a cone that ends somewhere only what lies between `y = 0` and `top` is wanted.
-    #[inline(always)]
-    fn fast_nappe(
-        _: LocalLine<Self>,
-        _outline: (Self, Self, Option<Self>),
-        _top: Option<Self>,
-    ) -> Attempt<InNappe<Self>> {
-        Attempt::Unsure
-    }
-    /// Where the line is inside both nappes of a cone of this slope: between its ends, or (`true`) beyond them.
-    #[inline(always)]
-    fn fast_double_cone(_: LocalLine<Self>, _slope: Self) -> Attempt<([Self; 2], bool)> {
-        Attempt::Unsure
-    }
-    /// Whether the line's point at `t` lies below `y = 0`, between that and the height, or above; unclear where rounding decides.
-    #[inline(always)]
-    fn fast_seams(_: LocalLine<Self>, _t: Self, _height: Self) -> Attempt<Ordering> {
-        Attempt::Unsure
-    }
-    /// The line seen from the height `y`.
-    #[inline(always)]
-    fn fast_lowered(_: LocalLine<Self>, _y: Self) -> Attempt<LocalLine<Self>> {
-        Attempt::Unsure
-    }
-    /// Where the line crosses two heights, and how much more than a few units each may be off; a line that stays in one height crosses
-    /// neither.
-    #[inline(always)]
-    fn fast_crossings(_: LocalLine<Self>, _y: [Self; 2]) -> Attempt<([Self; 2], [Self; 2])> {
-        Attempt::Unsure
-    }
-
-    /// Where the line crosses the disc of radius `r` about the origin in the plane `y = 0`.
-    #[inline(always)]
-    fn fast_disc(_: LocalLine<Self>, _r: Self) -> Attempt<Self> {
-        Attempt::Unsure
-    }
-    /// Where the line crosses the triangle with these vertices, and whether it comes from where they run counter-clockwise.
-    #[inline(always)]
-    fn fast_triangle(_: LocalLine<Self>, _vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {
-        Attempt::Unsure
-    }
-
-    /// Whether two ends of the fast path are so close that rounding, and what they may be `off` beside it, decides which comes first.
-    #[inline(always)]
-    fn are_close(_: &LocalLine<Self>, _: Self, _: Self, _off: Self) -> bool {
-        false
-    }
-
-    /// Whether an end that may be `off` by so much is good enough.
-    #[inline(always)]
-    fn is_good(_: &LocalLine<Self>, _: Self, _off: Self) -> bool {
-        true
-    }
-
-    /// The line from `o` along `d` in the frame with these axes at `position`.
-    #[inline(always)]
-    fn fast_turned(
-        _o: [Self; 3],
-        _d: [Self::Unit; 3],
-        _position: [Self; 3],
-        _axes: [[Self::Unit; 3]; 3],
-    ) -> Option<LocalLine<Self>> {
-        None
-    }
-
-    /// The line from `o` along `d` in the frame of a matrix, whose inverse has these rows, each to be multiplied by its power of two. `None` where products cancel, whose rounding would be much of the line.
-    #[inline(always)]
-    fn fast_stretched(
-        _o: [Self; 3],
-        _d: [Self::Unit; 3],
-        _position: [Self; 3],
-        _rows: [([Self::Unit; 3], i32); 3],
-    ) -> Option<LocalLine<Self>> {
-        None
-    }
-
-    /// True only if the ray from `o` along `d` surely misses, within the closed `range` of `t`, the box about `centre` with these half
-    /// extents: then no solid in it, found by a solver that rounds, has a hit there either.
-    ///
-    /// Conservative, and without a division: a ray that passes next to the box is not said to miss it. All numbers within the
-    /// [`Budget`] of coordinates, but the range.
-    fn misses_box(o: [Self; 3], d: [Self::Unit; 3], range: [Self; 2], centre: [Self; 3], half: [Self; 3]) -> bool;
-
-    /// The value less the largest integer below it, in `[0, 1)`.
-    fn fraction(self) -> Self::Unit;
-    /// The angle of the point (x, y) seen from the origin, in turns from the x axis, in `[0, 1)`. Zero at the origin.
-    fn turns(y: Self::Real, x: Self::Real) -> Self::Unit;
-    /// Sine and cosine of an angle in turns.
-    fn sine_cosine(turns: Self::Unit) -> (Self::Unit, Self::Unit);
-    /// `base^exponent` for a base in `[0, 1]` and an exponent of at least zero.
-    fn power(base: Self::Unit, exponent: Self) -> Self::Unit;
-
     /// A decimal number such as `-12.5` or `1.5e-3`, correctly rounded to nearest, ties to even.
     ///
     /// `None` if the text is no number or its magnitude is beyond the type's range.
@@ -318,54 +175,6 @@ pub trait Scalar:
     fn from_f64(value: f64) -> Option<Self>;
     /// The value as an `f64`, for tools on the host; rounded for 64-bit fixed types.
     fn to_f64(self) -> f64;
-}
-
-/// What plain integers say of a question, see [`Scalar::fast_ball`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Attempt<T> {
-    /// There is nothing.
-    Miss,
-    /// The answer.
-    Found(T),
-    /// It takes more than plain integers.
-    Unsure,
-}
-
-/// Where a line is inside a nappe of a cone.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct InNappe<S> {
-    /// The ends; infinite where there is none.
-    pub ends: [S; 2],
-    /// Whether the line ends there; otherwise somewhere beyond.
-    pub certain: [bool; 2],
-}
-
-/// What was found; otherwise the caller's answer is the same miss or doubt. (As `?`, and without closures, which are not surely
-/// compiled inline.)
-macro_rules! found {
-    ($question:expr) => {
-        match $question {
-            $crate::scalar::Attempt::Found(answer) => answer,
-            $crate::scalar::Attempt::Miss => return $crate::scalar::Attempt::Miss,
-            $crate::scalar::Attempt::Unsure => return $crate::scalar::Attempt::Unsure,
-        }
-    };
-}
-pub(crate) use found;
-
-/// A line for plain integers: `origin` is to be read as `2^-finer` times itself.
-#[derive(Clone, Copy, Debug)]
-pub struct LocalLine<S: Scalar> {
-    /// The origin.
-    pub origin: [S; 3],
-    /// How much finer the origin's unit is than the type's.
-    pub finer: i32,
-    /// The direction.
-    pub direction: [S::Unit; 3],
-    /// The ray's `t` over the line's own, where a placement stretches; not used elsewhere.
-    pub pace: S,
-    /// True of doubles that stand for numbers of 32 bits: guards may be strict, and yet let nearly all through.
-    pub has_spare_bits: bool,
 }
 
 /// A component of a unit vector or a colour channel. Sealed.

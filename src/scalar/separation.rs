@@ -26,7 +26,7 @@ pub(crate) const MARGIN_BITS: i32 = 14;
 #[cfg(feature = "libm")]
 macro_rules! separation {
     ($name:ident, $Float:ident) => {
-        /// See [`Scalar::misses_box`](crate::Scalar::misses_box).
+        /// See [`FastPath::misses_box`](crate::scalar::FastPath::misses_box).
         #[inline(always)]
         pub(super) fn $name(
             [ox, oy, oz]: [$Float; 3],
@@ -105,7 +105,7 @@ mod in_integers {
         middle + reach < start || middle - reach > end
     }
 
-    /// See [`Scalar::misses_box`](crate::Scalar::misses_box), for raw numbers; directions have 30 fraction bits.
+    /// See [`FastPath::misses_box`](crate::scalar::FastPath::misses_box), for raw numbers; directions have 30 fraction bits.
     #[inline(always)]
     pub(in crate::scalar) fn misses_box_32(
         o: [i32; 3],
@@ -120,7 +120,7 @@ mod in_integers {
         is_apart(c, half.map(|half| half >> 1), d, range.map(|t| (t as i64) << 29))
     }
 
-    /// See [`Scalar::misses_box`](crate::Scalar::misses_box), for raw numbers; directions have 62 fraction bits.
+    /// See [`FastPath::misses_box`](crate::scalar::FastPath::misses_box), for raw numbers; directions have 62 fraction bits.
     #[inline(always)]
     pub(in crate::scalar) fn misses_box_64(
         o: [i64; 3],

@@ -4,7 +4,7 @@ use crate::scalar::{Scalar, UnitScalar};
 
 /// Red, green and blue, linear in light; 0 is black and 1 the brightest that a display shows.
 ///
-/// Channels are [`Scalar::Unit`]: fixed types keep 30 (or 62) fraction bits and saturate just below 2, so that
+/// Channels are [`Unit`](crate::scalar::Unit): fixed types keep 30 (or 62) fraction bits and saturate just below 2, so that
 /// a sum of bright lights stays bright instead of wrapping round.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Color<S: Scalar> {

@@ -40,7 +40,7 @@ fn square_root_of_32_bits_is_right_for_every_radicand_near_a_square() {
     for root in 0x8000_u64..=0xffff {
         for n in [root * root - 1, root * root, root * root + 1, root * root + 2 * root] {
             if (0x4000_0000..=u32::MAX as u64).contains(&n) {
-                assert_eq!(root_of_32(n as u32) as u128, floor_sqrt(n as u128), "{n}");
+                assert_eq!(super::division::root_of_32(n as u32) as u128, floor_sqrt(n as u128), "{n}");
             }
         }
     }

@@ -21,10 +21,13 @@ mod cone;
 #[macro_use]
 mod flat;
 
+use crate::scalar::{Attempt, FastPath, InNappe, LocalLine, found, separation};
+use core::cmp::Ordering;
+
 macro_rules! floats {
     (
         $name:ident, $Float:ident, $bits:ty, $bias:literal, $mantissa:literal, sqrt: $sqrt:path,
-        may_have_spare_bits: $spare:literal
+        may_have_spare_bits: $spare:literal, misses_box: $misses_box:ident
     ) => {
         pub(super) mod $name {
             use crate::scalar::{Attempt, InNappe, LocalLine, Real, found};
@@ -35,7 +38,101 @@ macro_rules! floats {
             cone!($Float, sqrt: $sqrt);
             flat!($Float);
         }
+
+        impl FastPath for $Float {
+            #[inline(always)]
+            fn fast_ball(line: LocalLine<Self>, r: Self, by_moment: bool) -> Attempt<[Self; 2]> {
+                if by_moment {
+                    return $name::ball(line, r);
+                }
+                let (k, discriminant) = found!($name::closest_approach(line, r));
+                if discriminant == 0.0 {
+                    return Attempt::Unsure;
+                }
+                let root = $sqrt(discriminant);
+                Attempt::Found([-k - root, root - k])
+            }
+            #[inline(always)]
+            fn fast_ball_ahead(line: LocalLine<Self>, r: Self, by_moment: bool) -> Attempt<()> {
+                if by_moment {
+                    return $name::ball_ahead(line, r);
+                }
+                let (k, discriminant) = found!($name::closest_approach(line, r));
+                if discriminant == 0.0 {
+                    return Attempt::Unsure;
+                }
+                // Moving away, the far end counts.
+                if k <= 0.0 || $sqrt(discriminant) >= k { Attempt::Found(()) } else { Attempt::Miss }
+            }
+            #[inline(always)]
+            fn fast_tube(line: LocalLine<Self>, r: Self) -> Attempt<[Self; 2]> {
+                $name::tube(line, r)
+            }
+            #[inline(always)]
+            fn fast_nappe(
+                line: LocalLine<Self>,
+                (base, growth, height): (Self, Self, Option<Self>),
+                top: Option<Self>,
+            ) -> Attempt<InNappe<Self>> {
+                $name::nappe(line, [base, growth, height.unwrap_or(1.0)], top)
+            }
+            #[inline(always)]
+            fn fast_double_cone(line: LocalLine<Self>, slope: Self) -> Attempt<([Self; 2], bool)> {
+                $name::double_cone(line, slope)
+            }
+            #[inline(always)]
+            fn fast_crossings(line: LocalLine<Self>, y: [Self; 2]) -> Attempt<([Self; 2], [Self; 2])> {
+                $name::crossings(line, y)
+            }
+            #[inline(always)]
+            fn fast_turned(
+                o: [Self; 3],
+                d: [Self; 3],
+                position: [Self; 3],
+                axes: [[Self; 3]; 3],
+            ) -> Option<LocalLine<Self>> {
+                Some($name::turned(o, d, position, axes))
+            }
+            #[inline(always)]
+            fn fast_stretched(
+                o: [Self; 3],
+                d: [Self; 3],
+                position: [Self; 3],
+                rows: [([Self; 3], i32); 3],
+            ) -> Option<LocalLine<Self>> {
+                $name::stretched(o, d, position, rows)
+            }
+            #[inline(always)]
+            fn fast_disc(line: LocalLine<Self>, r: Self) -> Attempt<Self> {
+                $name::disc(line, r)
+            }
+            #[inline(always)]
+            fn fast_triangle(line: LocalLine<Self>, vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {
+                $name::triangle(line, vertices)
+            }
+            #[inline(always)]
+            fn fast_seams(line: LocalLine<Self>, t: Self, height: Self) -> Attempt<Ordering> {
+                $name::between_seams(line, t, height)
+            }
+            #[inline(always)]
+            fn fast_lowered(line: LocalLine<Self>, y: Self) -> Attempt<LocalLine<Self>> {
+                let [ox, oy, oz] = line.origin;
+                Attempt::Found(LocalLine { origin: [ox, oy - y, oz], ..line })
+            }
+            #[inline(always)]
+            fn are_close(line: &LocalLine<Self>, a: Self, b: Self, off: Self) -> bool {
+                $name::are_close(line, a, b, off)
+            }
+            #[inline(always)]
+            fn is_good(line: &LocalLine<Self>, t: Self, off: Self) -> bool {
+                $name::is_good(line, t, off)
+            }
+            #[inline(always)]
+            fn misses_box(o: [Self; 3], d: [Self; 3], range: [Self; 2], centre: [Self; 3], half: [Self; 3]) -> bool {
+                separation::$misses_box(o, d, range, centre, half)
+            }
+        }
     };
 }
-floats!(fast_f32, f32, u32, 127, 23, sqrt: crate::scalar::square_root::square_root_f32, may_have_spare_bits: false);
-floats!(fast_f64, f64, u64, 1023, 52, sqrt: libm::sqrt, may_have_spare_bits: true);
+floats!(fast_f32, f32, u32, 127, 23, sqrt: crate::scalar::square_root::square_root_f32, may_have_spare_bits: false, misses_box: misses_box_f32);
+floats!(fast_f64, f64, u64, 1023, 52, sqrt: libm::sqrt, may_have_spare_bits: true, misses_box: misses_box_f64);

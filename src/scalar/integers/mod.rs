@@ -13,6 +13,7 @@ mod ball;
 mod cone;
 mod direction;
 mod flat;
+mod path;
 mod quotient;
 mod round;
 mod turned;

@@ -2,6 +2,7 @@
 
 use super::super::{Scalar, UnitScalar};
 use super::MARGIN_BITS;
+use crate::scalar::FastPath;
 use std::vec::Vec;
 
 /// The same stream of numbers in `[0, 1)` every time (Marsaglia, *Xorshift RNGs*, 2003).

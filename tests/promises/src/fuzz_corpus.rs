@@ -164,9 +164,9 @@ fn a_capsule_that_is_left_beyond_the_type_has_no_end_on_a_ball() {
 
 #[test]
 fn components_that_are_far_too_long_are_refused() {
-    let longest = <<I16F16 as Scalar>::Unit>::MIN;
+    let longest = raylet::scalar::Unit::<I16F16>::MIN;
     assert_eq!(UnitVec3::<I16F16>::from_components([longest; 3]), None);
-    let longest = <<I32F32 as Scalar>::Unit>::MAX;
+    let longest = raylet::scalar::Unit::<I32F32>::MAX;
     assert_eq!(UnitVec3::<I32F32>::from_components([longest; 3]), None);
 }
 

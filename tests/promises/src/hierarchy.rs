@@ -108,7 +108,7 @@ fn rays_that_touch_a_ball_and_its_box_get_the_same_answers() {
 #[test]
 fn a_hit_beside_a_sharp_rim_is_not_lost() {
     let number = |value| I16F16::from_f64(value).expect("in the type");
-    let along = [0.47599643, -0.8794472115, 0.0].map(<I16F16 as Scalar>::Unit::from_num::<f64>);
+    let along = [0.47599643, -0.8794472115, 0.0].map(raylet::scalar::Unit::<I16F16>::from_num::<f64>);
     let along = UnitVec3::from_components(along).expect("a unit vector");
     for (top, least) in [(1.5491, 60), (1.2, 40), (0.8, 20)] {
         let dish = Cone::frustum(number(0.5), number(top), number(0.00298)).expect("sizes");

@@ -79,7 +79,7 @@ fn a_small_ball_and_a_thin_can_far_away_have_the_normal_of_the_exact_hit() {
 fn a_hit_beyond_the_type_has_its_normal_and_a_finite_point() {
     let cone = Shape::new(Cone::double(I16F16::from_bits(424_213)).unwrap());
     let origin = [1_023_577_785, 194_954_568, 11_444_758].map(I16F16::from_bits);
-    let along = [-1_056_807_075, -132_908_000, 135_704_734].map(<I16F16 as Scalar>::Unit::from_bits);
+    let along = [-1_056_807_075, -132_908_000, 135_704_734].map(raylet::scalar::Unit::<I16F16>::from_bits);
     let ray = ray(origin, along).with_range(Range::line());
     let normals = [
         [0.1523485992221374, -0.988276107891181, -0.010011937200725669],

@@ -5,7 +5,7 @@ use crate::named::{Want, assert_hits, bits, extreme, extreme_ray, extreme_solid,
 use fixed::types::I16F16;
 use raylet::tier::{Exact, Fast, Stable, Tier};
 use raylet::{
-    Affine, Capsule, Cone, Crossing, Cylinder, Frame, Object, Part, Range, Ray, Scalar, Shape, Sphere, UnitVec3, Vec3,
+    Affine, Capsule, Cone, Crossing, Cylinder, Frame, Object, Part, Range, Ray, Shape, Sphere, UnitVec3, Vec3,
 };
 use support::amount::times;
 use support::cases::{direction, n, v};
@@ -44,8 +44,8 @@ fn a_double_cone_is_met_within_16_units() {
 }
 
 /// Components of a direction by their bits.
-fn unit_bits(raw: [i32; 3]) -> [<I16F16 as Scalar>::Unit; 3] {
-    raw.map(<I16F16 as Scalar>::Unit::from_bits)
+fn unit_bits(raw: [i32; 3]) -> [raylet::scalar::Unit<I16F16>; 3] {
+    raw.map(raylet::scalar::Unit::<I16F16>::from_bits)
 }
 
 /// Was 1.22 units off.

@@ -1,0 +1,49 @@
+//! What is computed with stored numbers.
+
+use super::Numbers;
+
+/// Products, lengths and directions.
+pub trait Computing: Numbers {
+    /// True if the rounding of a parameter `t` is small beside a length of this size: at most four units of the type in the quotient.
+    fn resolves(t: Self, size: Self) -> bool;
+    /// `o . d`; exact for fixed types.
+    fn dot(o: [Self; 3], d: [Self::Unit; 3]) -> Self::Real;
+    /// `o x d`, the moment of the line about the origin; exact for fixed types.
+    fn cross(o: [Self; 3], d: [Self::Unit; 3]) -> [Self::Real; 3];
+    /// `d . e` of two directions; exact for fixed types.
+    fn unit_dot(d: [Self::Unit; 3], e: [Self::Unit; 3]) -> Self::Real;
+    /// `o + t d`, rounded once (floats: but for an error of the second order).
+    fn advance(o: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3];
+    /// `o - base + t d`, rounded once (floats: but for an error of the second order).
+    fn approach(o: [Self; 3], base: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3];
+    /// The vector's direction and its length; `None` for the zero vector and for a vector with a component
+    /// that is not finite. Right for every length, from the smallest to the largest.
+    fn normalize(v: [Self::Real; 3]) -> Option<([Self::Unit; 3], Self::Real)>;
+    /// The direction alone, which may be next to the one of [`Computing::normalize`].
+    #[inline]
+    fn direction(v: [Self::Real; 3]) -> Option<[Self::Unit; 3]> {
+        Self::normalize(v).map(|(direction, _)| direction)
+    }
+    /// This length along a direction: `self` times its component, rounded once.
+    fn along(self, component: Self::Unit) -> Self;
+    /// The exponent `e` for which `2^-e` brings the largest of the given magnitudes near 1; always zero for fixed types, whose
+    /// [`Real`](super::Real) carries its own exponent.
+    fn binary_exponent(largest: Self) -> i32;
+    /// `self * 2^e`, where `e` comes from [`Computing::binary_exponent`].
+    fn scaled(self, e: i32) -> Self;
+    /// Three values in the finest unit in which the type holds them: numbers to be read as `2^-n` times themselves,
+    /// and `n`; zero for floats, which are as fine as they can be.
+    fn finest(values: [Self::Real; 3]) -> ([Self; 3], i32);
+}
+
+/// Functions that texture, light and surface coordinates take.
+pub trait Elementary: Numbers {
+    /// The value less the largest integer below it, in `[0, 1)`.
+    fn fraction(self) -> Self::Unit;
+    /// The angle of the point (x, y) seen from the origin, in turns from the x axis, in `[0, 1)`. Zero at the origin.
+    fn turns(y: Self::Real, x: Self::Real) -> Self::Unit;
+    /// Sine and cosine of an angle in turns.
+    fn sine_cosine(turns: Self::Unit) -> (Self::Unit, Self::Unit);
+    /// `base^exponent` for a base in `[0, 1]` and an exponent of at least zero.
+    fn power(base: Self::Unit, exponent: Self) -> Self::Unit;
+}

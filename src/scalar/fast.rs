@@ -1,0 +1,169 @@
+//! The fast path: the usual case in the type's own width. What it does not answer is left to the solver.
+
+use super::Numbers;
+use core::cmp::Ordering;
+
+/// What the fast path makes of a line and a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Attempt<T> {
+    /// The line misses.
+    Miss,
+    /// The answer.
+    Found(T),
+    /// A guard fails: the solver decides.
+    Unsure,
+}
+
+/// Where a line is inside a nappe of a cone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct InNappe<S> {
+    /// The ends; infinite where there is none.
+    pub ends: [S; 2],
+    /// Whether the line ends there; otherwise somewhere beyond.
+    pub certain: [bool; 2],
+}
+
+/// What was found; otherwise the caller's answer is the same miss or doubt. (As `?`, and without closures, which are not surely
+/// compiled inline.)
+macro_rules! found {
+    ($attempt:expr) => {
+        match $attempt {
+            $crate::scalar::Attempt::Found(answer) => answer,
+            $crate::scalar::Attempt::Miss => return $crate::scalar::Attempt::Miss,
+            $crate::scalar::Attempt::Unsure => return $crate::scalar::Attempt::Unsure,
+        }
+    };
+}
+pub(crate) use found;
+
+/// A line in a primitive's frame, for the fast path.
+#[derive(Clone, Copy, Debug)]
+pub struct LocalLine<S: Numbers> {
+    /// The origin, in units of `2^-finer` of the type's.
+    pub origin: [S; 3],
+    /// How much finer the origin's unit is than the type's; for floats 1 if a placement has rounded the line.
+    pub finer: i32,
+    /// The direction.
+    pub direction: [S::Unit; 3],
+    /// The ray's `t` over the line's own, where a placement stretches; not used elsewhere.
+    pub pace: S,
+    /// True of doubles that stand for numbers of 32 bits: guards may be strict, and yet let nearly all through.
+    pub has_spare_bits: bool,
+}
+
+/// How a line in a primitive's frame meets its surfaces, where rounding does not decide.
+pub trait FastPath: Numbers {
+    /// The direction of a vector in this type, as [`Computing::normalize`](super::Computing::normalize) has it or next to that; a miss for the zero vector.
+    #[inline(always)]
+    fn fast_direction(_: [Self; 3]) -> Attempt<[Self::Unit; 3]> {
+        Attempt::Unsure
+    }
+
+    /// The two ends of the line inside the ball of radius `r` about the origin: from its closest approach, or, if `by_moment`, from its
+    /// moment.
+    #[inline(always)]
+    fn fast_ball(_: LocalLine<Self>, _r: Self, _by_moment: bool) -> Attempt<[Self; 2]> {
+        Attempt::Unsure
+    }
+
+    /// Whether that line has an end at `t >= 0`, where no end is beyond the type.
+    #[inline(always)]
+    fn fast_ball_ahead(_: LocalLine<Self>, _r: Self, _by_moment: bool) -> Attempt<()> {
+        Attempt::Unsure
+    }
+
+    /// The two ends of the line inside the infinite cylinder of radius `r` about the y axis.
+    #[inline(always)]
+    fn fast_tube(_: LocalLine<Self>, _r: Self) -> Attempt<[Self; 2]> {
+        Attempt::Unsure
+    }
+
+    /// Where the line is inside the nappe of a cone that has the radius `base` at `y = 0` and grows by `growth` over `height` (`None`: 1).
+    /// Of a cone that ends somewhere only what lies between `y = 0` and `top` is wanted.
+    #[inline(always)]
+    fn fast_nappe(
+        _: LocalLine<Self>,
+        _outline: (Self, Self, Option<Self>),
+        _top: Option<Self>,
+    ) -> Attempt<InNappe<Self>> {
+        Attempt::Unsure
+    }
+
+    /// Where the line is inside both nappes of a cone of this slope: between its ends, or (`true`) beyond them.
+    #[inline(always)]
+    fn fast_double_cone(_: LocalLine<Self>, _slope: Self) -> Attempt<([Self; 2], bool)> {
+        Attempt::Unsure
+    }
+
+    /// Whether the line's point at `t` lies below `y = 0`, between that and the height, or above; unclear where rounding decides.
+    #[inline(always)]
+    fn fast_seams(_: LocalLine<Self>, _t: Self, _height: Self) -> Attempt<Ordering> {
+        Attempt::Unsure
+    }
+
+    /// The line seen from the height `y`.
+    #[inline(always)]
+    fn fast_lowered(_: LocalLine<Self>, _y: Self) -> Attempt<LocalLine<Self>> {
+        Attempt::Unsure
+    }
+
+    /// Where the line crosses two heights, and how much more than a few units each may be off; a line that stays in one height crosses
+    /// neither.
+    #[inline(always)]
+    fn fast_crossings(_: LocalLine<Self>, _y: [Self; 2]) -> Attempt<([Self; 2], [Self; 2])> {
+        Attempt::Unsure
+    }
+
+    /// Where the line crosses the disc of radius `r` about the origin in the plane `y = 0`.
+    #[inline(always)]
+    fn fast_disc(_: LocalLine<Self>, _r: Self) -> Attempt<Self> {
+        Attempt::Unsure
+    }
+
+    /// Where the line crosses the triangle with these vertices, and whether it comes from where they run counter-clockwise.
+    #[inline(always)]
+    fn fast_triangle(_: LocalLine<Self>, _vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {
+        Attempt::Unsure
+    }
+
+    /// Whether two ends of the fast path are so close that rounding, and what they may be `off` beside it, decides which comes first.
+    #[inline(always)]
+    fn are_close(_: &LocalLine<Self>, _: Self, _: Self, _off: Self) -> bool {
+        false
+    }
+
+    /// Whether an end that may be `off` by so much is good enough.
+    #[inline(always)]
+    fn is_good(_: &LocalLine<Self>, _: Self, _off: Self) -> bool {
+        true
+    }
+
+    /// The line from `o` along `d` in the frame with these axes at `position`.
+    #[inline(always)]
+    fn fast_turned(
+        _o: [Self; 3],
+        _d: [Self::Unit; 3],
+        _position: [Self; 3],
+        _axes: [[Self::Unit; 3]; 3],
+    ) -> Option<LocalLine<Self>> {
+        None
+    }
+
+    /// The line from `o` along `d` in the frame of a matrix, whose inverse has these rows, each to be multiplied by its power of two. `None` where products cancel, whose rounding would be much of the line.
+    #[inline(always)]
+    fn fast_stretched(
+        _o: [Self; 3],
+        _d: [Self::Unit; 3],
+        _position: [Self; 3],
+        _rows: [([Self::Unit; 3], i32); 3],
+    ) -> Option<LocalLine<Self>> {
+        None
+    }
+
+    /// True only if the ray from `o` along `d` surely misses, within the closed `range` of `t`, the box about `centre` with these half
+    /// extents: then no solid in it, found by a solver that rounds, has a hit there either.
+    ///
+    /// Conservative, and without a division: a ray that passes next to the box is not said to miss it. All numbers within the
+    /// [`Budget`](super::Budget) of coordinates, but the range.
+    fn misses_box(o: [Self; 3], d: [Self::Unit; 3], range: [Self; 2], centre: [Self; 3], half: [Self; 3]) -> bool;
+}

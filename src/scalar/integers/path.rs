@@ -1,0 +1,113 @@
+//! The fast path of fixed point: from stored numbers to raw integers and back.
+
+use super::{self as integers};
+use crate::scalar::{Attempt, FastPath, InNappe, LocalLine, found, separation};
+use core::cmp::Ordering;
+use fixed::types::extra::{LeEqU32, LeEqU64};
+use fixed::{FixedI32, FixedI64};
+
+/// Defines it for the types of one width, with what only one of them has.
+macro_rules! fast {
+    ($Fixed:ident, $LeEq:ident, $misses_box:path, $($kernels:ident)::+, { $($own:tt)* }) => {
+        impl<F: $LeEq + Send + Sync + 'static> FastPath for $Fixed<F> {
+        $($own)*
+        #[inline(always)]
+        fn fast_ball(line: LocalLine<Self>, r: Self, by_moment: bool) -> Attempt<[Self; 2]> {
+            let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits), r.to_bits());
+            let [low, high] = if by_moment {
+                found!(found!($($kernels)::+::ByMoment::new(o, line.finer, d, r)).ends())
+            } else {
+                found!(found!($($kernels)::+::ByApproach::new(o, line.finer, d, r)).ends())
+            };
+            Attempt::Found([Self::from_bits(low), Self::from_bits(high)])
+        }
+        #[inline(always)]
+        fn fast_ball_ahead(line: LocalLine<Self>, r: Self, by_moment: bool) -> Attempt<()> {
+            let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits), r.to_bits());
+            if by_moment {
+                found!($($kernels)::+::ByMoment::new(o, line.finer, d, r)).meets_ahead()
+            } else {
+                found!($($kernels)::+::ByApproach::new(o, line.finer, d, r)).meets_ahead()
+            }
+        }
+        #[inline(always)]
+        fn fast_tube(line: LocalLine<Self>, r: Self) -> Attempt<[Self; 2]> {
+            let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits), r.to_bits());
+            let [low, high] = found!($($kernels)::+::tube(o, line.finer, d, r));
+            Attempt::Found([Self::from_bits(low), Self::from_bits(high)])
+        }
+        #[inline(always)]
+        fn fast_seams(line: LocalLine<Self>, t: Self, height: Self) -> Attempt<Ordering> {
+            let (oy, dy) = (line.origin[1].to_bits(), line.direction[1].to_bits());
+            let y = found!($($kernels)::+::height(oy, line.finer, dy, t.to_bits()));
+            Attempt::Found(if y < 0 {
+                Ordering::Less
+            } else if y > height.to_bits() {
+                Ordering::Greater
+            } else {
+                Ordering::Equal
+            })
+        }
+        #[inline(always)]
+        fn fast_lowered(line: LocalLine<Self>, y: Self) -> Attempt<LocalLine<Self>> {
+            let [ox, oy, oz] = line.origin;
+            let lowered = found!($($kernels)::+::lowered(oy.to_bits(), line.finer, y.to_bits()));
+            Attempt::Found(LocalLine { origin: [ox, Self::from_bits(lowered), oz], ..line })
+        }
+        #[inline(always)]
+        fn fast_crossings(line: LocalLine<Self>, y: [Self; 2]) -> Attempt<([Self; 2], [Self; 2])> {
+            let (oy, dy) = (line.origin[1].to_bits(), line.direction[1].to_bits());
+            let [first, second] = found!($($kernels)::+::crossings(oy, line.finer, dy, y.map(Self::to_bits)));
+            Attempt::Found(([Self::from_bits(first), Self::from_bits(second)], [Self::from_bits(0); 2]))
+        }
+        #[inline(always)]
+        fn fast_turned(
+            o: [Self; 3],
+            d: [Self::Unit; 3],
+            position: [Self; 3],
+            axes: [[Self::Unit; 3]; 3],
+        ) -> Option<LocalLine<Self>> {
+            let (o, position) = (o.map(Self::to_bits), position.map(Self::to_bits));
+            let [origin, direction] =
+                $($kernels)::+::turned(o, position, axes.map(|axis| axis.map($Fixed::to_bits)), d.map($Fixed::to_bits))?;
+            let (origin, direction) = (origin.map(Self::from_bits), direction.map($Fixed::from_bits));
+            Some(LocalLine { origin, finer: $($kernels)::+::FINER, direction, pace: Self::from_bits(0), has_spare_bits: false })
+        }
+        #[inline(always)]
+        fn misses_box(
+            o: [Self; 3],
+            d: [Self::Unit; 3],
+            range: [Self; 2],
+            centre: [Self; 3],
+            half: [Self; 3],
+        ) -> bool {
+            let [o, centre, half] = [o, centre, half].map(|v| v.map(Self::to_bits));
+            $misses_box(o, d.map($Fixed::to_bits), range.map(Self::to_bits), centre, half)
+        }
+        }
+    };
+}
+
+fast!(FixedI32, LeEqU32, separation::misses_box_32, integers, {
+    #[inline(always)]
+    fn fast_direction(v: [Self; 3]) -> Attempt<[Self::Unit; 3]> {
+        Attempt::Found(found!(integers::direction(v.map(Self::to_bits))).map(FixedI32::from_bits))
+    }
+    #[inline(always)]
+    fn fast_nappe(
+        line: LocalLine<Self>,
+        (base, growth, height): (Self, Self, Option<Self>),
+        _: Option<Self>,
+    ) -> Attempt<InNappe<Self>> {
+        let (o, d) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits));
+        let Some(height) = height.map_or(1_i32.checked_shl(F::U32), |height| Some(height.to_bits())) else {
+            return Attempt::Unsure;
+        };
+        let height = if height > 0 { height } else { return Attempt::Unsure };
+        let InNappe { ends, certain } =
+            found!(integers::nappe(o, line.finer, d, [base.to_bits(), growth.to_bits(), height]));
+        let [low, high] = ends;
+        Attempt::Found(InNappe { ends: [Self::from_bits(low), Self::from_bits(high)], certain })
+    }
+});
+fast!(FixedI64, LeEqU64, separation::misses_box_64, integers::wide, {});
