@@ -5,9 +5,9 @@
 
 use crate::frame::{Frame, FrameError, within_budget};
 use crate::line::Place;
-use crate::number::{FromScalar, difference, dot};
+use crate::number::{difference, dot};
 use crate::ray::Ray;
-use crate::scalar::{LocalLine, Real, Scalar, UnitScalar};
+use crate::scalar::{FromScalar, LocalLine, Real, Scalar, UnitScalar};
 use crate::vector::{UnitVec3, Vec3, cross, pairs, transposed};
 
 /// One row of the inverse: components below 1 and a power of two.

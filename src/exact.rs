@@ -2,8 +2,8 @@
 
 #[cfg(feature = "fixed")]
 use crate::number::FIXED_LIMBS;
-use crate::number::{Bounded, FLOAT_LIMBS, Filtered, FromScalar, Integer, Number, ToScalar};
-use crate::scalar::Scalar;
+use crate::number::{Bounded, FLOAT_LIMBS, Filtered, Integer, Number};
+use crate::scalar::{FromScalar, Scalar, ToScalar};
 
 /// The tier that is never wrong: hit, miss, touch, part, order, pairing and inside or outside are those of exact
 /// arithmetic on the given numbers, always; `t` is within one unit in the last place of the exact value.

@@ -1,9 +1,9 @@
 //! Placement by rotation and translation.
 
 use crate::line::Place;
-use crate::number::{FromScalar, difference, dot};
+use crate::number::{difference, dot};
 use crate::ray::Ray;
-use crate::scalar::{LocalLine, Real, Scalar};
+use crate::scalar::{FromScalar, LocalLine, Real, Scalar};
 use crate::vector::{UnitVec3, Vec3, pairs, transposed};
 use core::fmt;
 

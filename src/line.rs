@@ -1,8 +1,7 @@
 //! The way of a ray into the frame of a primitive.
 
-use crate::number::FromScalar;
 use crate::ray::Ray;
-use crate::scalar::{LocalLine, Scalar};
+use crate::scalar::{FromScalar, LocalLine, Scalar};
 use crate::vector::Vec3;
 
 /// The way from the world to a primitive's frame.

@@ -1,8 +1,7 @@
 //! The robust number with a bound of its error.
 
 use super::word::Word;
-use super::{Estimate, FromScalar, Limbs, Number, Parts, Ring, ToScalar};
-use crate::scalar::Scalar;
+use super::{Estimate, Limbs, Number, Parts, Ring};
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
 
@@ -19,6 +18,18 @@ pub struct Bounded<W> {
 const EXACT: i32 = i32::MIN;
 
 impl<W: Word> Bounded<W> {
+    /// A stored number.
+    #[inline]
+    pub(crate) fn of(Parts { mantissa, exponent, negative }: Parts) -> Self {
+        Self::exact(Limbs::from_integer(mantissa, exponent, negative))
+    }
+
+    /// The value, if it is off by at most the power of two that `most` makes of its top.
+    #[inline]
+    pub(crate) fn within(self, most: impl Fn(i32) -> i32) -> Option<Limbs<W>> {
+        (self.error == EXACT || self.error <= most(self.value.top())).then_some(self.value)
+    }
+
     #[inline(always)]
     const fn exact(value: Limbs<W>) -> Self {
         Self { value, error: EXACT }
@@ -202,27 +213,4 @@ impl<W: Word> Estimate for Bounded<W> {
 /// The root of an error, rounded up.
 fn halved(error: i32) -> i32 {
     if error == EXACT { EXACT } else { (error >> 1) + 1 }
-}
-
-impl<S: Scalar, W: Word> FromScalar<S> for Bounded<W> {
-    #[inline]
-    fn scalar(value: S) -> Self {
-        let Parts { mantissa, exponent, negative } = value.parts();
-        Self::exact(Limbs::from_integer(mantissa, exponent, negative))
-    }
-    #[inline]
-    fn unit(value: S::Unit) -> Self {
-        let Parts { mantissa, exponent, negative } = S::unit_parts(value);
-        Self::exact(Limbs::from_integer(mantissa, exponent, negative))
-    }
-}
-
-impl<S: Scalar, W: Word> ToScalar<S> for Bounded<W> {
-    const ROUNDING_DECIDES: bool = false;
-
-    #[inline]
-    fn rounded(self) -> Option<S> {
-        // A 64th of a unit.
-        (self.error == EXACT || self.error <= S::last_place(self.value.top()) - 6).then(|| S::from_limbs(self.value))
-    }
 }

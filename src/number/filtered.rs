@@ -5,8 +5,7 @@
 //! Funke and Seel, *Exact Geometric Computation Using Cascading*, 2001; Devillers and Pion, *Efficient Exact Geometric Predicates for
 //! Delaunay Triangulations*, 2003).
 
-use super::{Estimate, FromScalar, Number, Ring, ToScalar};
-use crate::scalar::{Real, Scalar, UnitScalar};
+use super::{Estimate, Number, Ring};
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
 
@@ -25,6 +24,12 @@ const SMALLEST: f64 = 1.0 / (1u64 << 60) as f64;
 const DOUBT: f64 = 1.0 / (1u64 << 44) as f64;
 
 impl Filtered {
+    /// A stored number.
+    #[inline(always)]
+    pub(crate) fn of(value: f64) -> Self {
+        Self::guarded(value, value.abs())
+    }
+
     /// One whose magnitude is too small to trust has an infinite one, and so has all that it goes into.
     #[inline(always)]
     fn guarded(value: f64, magnitude: f64) -> Self {
@@ -70,7 +75,8 @@ impl Ring for Filtered {
 
     #[inline(always)]
     fn scaled(self, e: i32) -> Self {
-        Self::guarded(self.value.times_power_of_two(e), self.magnitude.times_power_of_two(e))
+        let scale = scale(e);
+        Self::guarded(self.value * scale, self.magnitude * scale)
     }
 }
 
@@ -85,20 +91,6 @@ impl Number for Filtered {
     #[inline(always)]
     fn estimate(self) -> Rounded {
         Rounded { value: self.value, error: self.magnitude * DOUBT }
-    }
-}
-
-/// For types of at most 32 bits: a double holds what they store.
-impl<S: Scalar> FromScalar<S> for Filtered {
-    #[inline(always)]
-    fn scalar(value: S) -> Self {
-        let value = value.to_f64();
-        Self::guarded(value, value.abs())
-    }
-    #[inline(always)]
-    fn unit(value: S::Unit) -> Self {
-        let value = value.to_f64();
-        Self::guarded(value, value.abs())
     }
 }
 
@@ -125,6 +117,18 @@ pub struct Rounded {
 }
 
 impl Rounded {
+    /// A stored number.
+    #[inline(always)]
+    pub(crate) const fn of(value: f64) -> Self {
+        Self { value, error: 0.0 }
+    }
+
+    /// The value, if it is off by at most the power of two that `most` makes of its top.
+    #[inline(always)]
+    pub(crate) fn within(self, most: impl Fn(i32) -> i32) -> Option<f64> {
+        (self.error <= power_of_two(most(top(self.value)))).then_some(self.value)
+    }
+
     #[inline(always)]
     fn new(value: f64, inherited: f64) -> Self {
         Self { value, error: inherited + value.abs() * f64::EPSILON }
@@ -170,7 +174,8 @@ impl Ring for Rounded {
 
     #[inline(always)]
     fn scaled(self, e: i32) -> Self {
-        Self { value: self.value.times_power_of_two(e), error: self.error.times_power_of_two(e) }
+        let scale = scale(e);
+        Self { value: self.value * scale, error: self.error * scale }
     }
 }
 
@@ -202,7 +207,7 @@ impl Estimate for Rounded {
 
     #[inline(always)]
     fn square_root(self) -> Self {
-        let value = Real::sqrt(self.value);
+        let value = libm::sqrt(self.value);
         // sqrt(a) - sqrt(a - e) <= e / sqrt(a)
         Self::new(value, if self.error == 0.0 { 0.0 } else { self.error / value })
     }
@@ -217,33 +222,16 @@ impl Estimate for Rounded {
     }
 }
 
-impl<S: Scalar> FromScalar<S> for Rounded {
-    #[inline(always)]
-    fn scalar(value: S) -> Self {
-        Self { value: value.to_f64(), error: 0.0 }
-    }
-    #[inline(always)]
-    fn unit(value: S::Unit) -> Self {
-        Self { value: value.to_f64(), error: 0.0 }
-    }
-}
-
-impl<S: Scalar> ToScalar<S> for Rounded {
-    const ROUNDING_DECIDES: bool = false;
-
-    #[inline(always)]
-    fn rounded(self) -> Option<S> {
-        let beyond = if self.value < 0.0 { -S::INFINITY } else { S::INFINITY };
-        // A 64th of a unit.
-        let most = power_of_two(S::last_place(top(self.value)) - 6);
-        (self.error <= most).then(|| S::from_f64(self.value).unwrap_or(beyond))
-    }
-}
-
 /// The exponent of a power of two just above the magnitude.
 #[inline(always)]
 fn top(value: f64) -> i32 {
     ((value.to_bits() >> 52) & 0x7ff) as i32 - 1022
+}
+
+/// `2^e`; not a number, of which nothing is known, where that is beyond normal numbers.
+#[inline(always)]
+fn scale(e: i32) -> f64 {
+    if -1022 <= e && e <= 1023 { power_of_two(e) } else { f64::NAN }
 }
 
 /// `2^e`, for exponents of normal numbers.

@@ -4,8 +4,7 @@
 //! as much as the bounded number, which is why it is tried first. Schoolbook arithmetic on 32-bit limbs: numbers keep only the limbs
 //! that they use, and those of everyday inputs are few.
 
-use super::{Bounded, FromScalar, Limbs, Number, Parts, Ring};
-use crate::scalar::Scalar;
+use super::{Bounded, Limbs, Number, Parts, Ring};
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
 
@@ -68,7 +67,7 @@ impl<const N: usize> Integer<N> {
         self
     }
 
-    fn from_parts(Parts { mantissa, exponent, negative }: Parts) -> Self {
+    pub(crate) fn of(Parts { mantissa, exponent, negative }: Parts) -> Self {
         let result = Self::new(mantissa, exponent);
         if negative { -result } else { result }
     }
@@ -209,14 +208,5 @@ impl<const N: usize> Number for Integer<N> {
     fn estimate(self) -> Bounded<u128> {
         let used = self.limbs.get(..self.length).unwrap_or(&self.limbs);
         Bounded::cut_off(Limbs::from_words(used, 32 * self.exponent, self.negative))
-    }
-}
-
-impl<S: Scalar, const N: usize> FromScalar<S> for Integer<N> {
-    fn scalar(value: S) -> Self {
-        Self::from_parts(value.parts())
-    }
-    fn unit(value: S::Unit) -> Self {
-        Self::from_parts(S::unit_parts(value))
     }
 }

@@ -5,7 +5,7 @@
 //!
 //! | number | sign | used by |
 //! |---|---|---|
-//! | [`Native`] | that of the rounded value | points and normals, where it is enough |
+//! | [`Native`](crate::scalar::Native) | that of the rounded value | points and normals, where it is enough |
 //! | [`Robust`] | that of the rounded value | `Fast` and `Stable`, where their fast path is unsure |
 //! | [`Filtered`] | unknown where a value is small beside its terms | `Exact` |
 //! | [`Bounded`] | unknown where the error bound allows both | `Exact`, where [`Filtered`] does not know |
@@ -19,7 +19,6 @@ mod filtered;
 mod integer;
 mod limbs;
 pub(crate) mod machine;
-mod native;
 mod robust;
 #[cfg(test)]
 mod tests;
@@ -27,16 +26,14 @@ pub(crate) mod word;
 
 pub use bounded::Bounded;
 #[cfg(feature = "libm")]
-pub use filtered::Filtered;
+pub use filtered::{Filtered, Rounded};
 #[cfg(feature = "fixed")]
 pub(crate) use integer::FIXED_LIMBS;
 pub(crate) use integer::FLOAT_LIMBS;
 pub use integer::Integer;
 pub use limbs::Limbs;
-pub use native::Native;
 pub use robust::Robust;
 
-use crate::scalar::Scalar;
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
 
@@ -81,23 +78,6 @@ pub trait Estimate: Number<Estimate = Self> {
     fn compare(self, other: Self) -> Option<Ordering>;
     /// The exponent of a power of two just above the magnitude; `None` for zero.
     fn top(self) -> Option<i32>;
-}
-
-/// A number made from a scalar, exactly.
-pub trait FromScalar<S: Scalar>: Ring {
-    /// A coordinate, size or parameter.
-    fn scalar(value: S) -> Self;
-    /// A component of a direction.
-    fn unit(value: S::Unit) -> Self;
-}
-
-/// A number that rounds to a scalar.
-pub trait ToScalar<S: Scalar>: Estimate {
-    /// True if a parameter next to the end of a range is inside or outside as its rounded value is; false if its exact value decides.
-    const ROUNDING_DECIDES: bool;
-    /// Rounded to nearest, [`Scalar::INFINITY`] with its sign beyond the type; `None` if the error is too large for the result to be
-    /// within one unit in the last place.
-    fn rounded(self) -> Option<S>;
 }
 
 /// The parts of a stored number: `(-1)^negative * mantissa * 2^exponent`.

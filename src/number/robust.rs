@@ -1,8 +1,7 @@
 //! The robust number: enough bits that the sign of the rounded value is taken at its word.
 
 use super::word::Word;
-use super::{Estimate, FromScalar, Limbs, Number, Parts, Ring, ToScalar};
-use crate::scalar::Scalar;
+use super::{Estimate, Limbs, Number, Parts, Ring};
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
 
@@ -12,6 +11,12 @@ use core::ops::{Add, Mul, Neg, Sub};
 pub struct Robust<W>(Limbs<W>);
 
 impl<W: Word> Robust<W> {
+    /// A stored number.
+    #[inline]
+    pub(crate) fn of(Parts { mantissa, exponent, negative }: Parts) -> Self {
+        Self(Limbs::from_integer(mantissa, exponent, negative))
+    }
+
     /// The number itself.
     #[inline(always)]
     pub(crate) const fn limbs(self) -> Limbs<W> {
@@ -113,27 +118,5 @@ impl<W: Word> Estimate for Robust<W> {
                 Ordering::Greater => order,
             }
         }))
-    }
-}
-
-impl<S: Scalar, W: Word> FromScalar<S> for Robust<W> {
-    #[inline]
-    fn scalar(value: S) -> Self {
-        let Parts { mantissa, exponent, negative } = value.parts();
-        Self(Limbs::from_integer(mantissa, exponent, negative))
-    }
-    #[inline]
-    fn unit(value: S::Unit) -> Self {
-        let Parts { mantissa, exponent, negative } = S::unit_parts(value);
-        Self(Limbs::from_integer(mantissa, exponent, negative))
-    }
-}
-
-impl<S: Scalar, W: Word> ToScalar<S> for Robust<W> {
-    const ROUNDING_DECIDES: bool = true;
-
-    #[inline]
-    fn rounded(self) -> Option<S> {
-        Some(S::from_limbs(self.0))
     }
 }

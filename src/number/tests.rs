@@ -1,5 +1,6 @@
 use super::word::Word;
-use super::{Bounded, Estimate, FromScalar, Integer, Limbs, Number, Ring, Robust, ToScalar};
+use super::{Bounded, Estimate, Integer, Limbs, Number, Ring, Robust};
+use crate::scalar::{FromScalar, ToScalar};
 use core::cmp::Ordering;
 
 /// A generator of test inputs (Marsaglia, *Xorshift RNGs*, 2003).

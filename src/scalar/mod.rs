@@ -15,6 +15,7 @@
 //! | `fast` | what the fast path of a number type tells |
 //! | `integers` | the fast path of fixed point, in plain integers |
 //! | `floats` | the usual case of floats, uncompensated |
+//! | `rungs`, `native` | how a number of the ladder is made from a stored one, and rounded to one |
 //! | `separation` | whether a ray surely misses a box |
 //! | [`block`] | integer mantissa and exponent; square root and quotient of integers |
 //! | `decimal` | decimal text to fixed point, correctly rounded |
@@ -22,7 +23,7 @@
 //! | `square_root` | the one hardware instruction that `core` does not give |
 
 use crate::number::word::Word;
-use crate::number::{FromScalar, Limbs, Number, Parts, ToScalar};
+use crate::number::{Limbs, Number, Parts};
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -41,6 +42,8 @@ mod float;
 mod floats;
 #[cfg(feature = "fixed")]
 mod integers;
+mod native;
+mod rungs;
 pub(crate) mod separation;
 #[cfg(feature = "libm")]
 mod square_root;
@@ -51,6 +54,8 @@ pub use fixed::{DISTANCE_BITS, SIZE_BITS};
 pub use computing::{Computing, Elementary};
 pub(crate) use fast::found;
 pub use fast::{Attempt, FastPath, InNappe, LocalLine};
+pub use native::Native;
+pub use rungs::{FromScalar, ToScalar};
 
 /// Keeps [`Scalar`] and its companions closed: their contracts bind several impls together.
 mod sealed {

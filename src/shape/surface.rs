@@ -5,10 +5,10 @@ use crate::figure::Figure;
 use crate::geometry::Geometry;
 use crate::hit::{Crossing, Hit};
 use crate::line::{InWorld, Place};
-use crate::number::{Estimate, FromScalar, Native, dot};
+use crate::number::{Estimate, dot};
 use crate::query;
 use crate::ray::{Departure, Leaving, Ray};
-use crate::scalar::{Real, Scalar, largest};
+use crate::scalar::{FromScalar, Native, Real, Scalar, largest};
 use crate::solve::{self, Line};
 use crate::vector::{UnitVec3, Vec3};
 

@@ -2,9 +2,9 @@
 
 use super::quadratic::{End, Fraction, Interval, Quadratic};
 use crate::intersection::{self, Span};
-use crate::number::{Estimate, FromScalar, Number, ToScalar};
+use crate::number::{Estimate, Number};
 use crate::ray::Range;
-use crate::scalar::Scalar;
+use crate::scalar::{FromScalar, Scalar, ToScalar};
 use core::cmp::Ordering;
 
 /// A number that stands for the scalars of one type.

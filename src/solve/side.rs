@@ -5,10 +5,10 @@ use super::quadratic::{End, Fraction, Inside, Interval, Place, Quadratic};
 use super::settle::{self, Of, inwards, span};
 use crate::figure::{Extent, Side};
 use crate::intersection::{self, Intersection, Span};
-use crate::number::{FromScalar, Number};
+use crate::number::Number;
 use crate::part::Part;
 use crate::ray::Range;
-use crate::scalar::Scalar;
+use crate::scalar::{FromScalar, Scalar};
 use core::cmp::Ordering;
 
 /// The side's quadric.

@@ -4,9 +4,9 @@ use super::form::{Form, Homogeneous, Line, Weight};
 use super::side::form_of;
 use crate::figure::{Extent, Figure};
 use crate::hit::{Crossing, Hit};
-use crate::number::{Estimate, FromScalar, Number, Ring, cross, difference, dot};
+use crate::number::{Estimate, Number, Ring, cross, difference, dot};
 use crate::part::Part;
-use crate::scalar::Scalar;
+use crate::scalar::{FromScalar, Scalar};
 use core::cmp::Ordering;
 
 /// The surface that a part lies on.

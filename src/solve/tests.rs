@@ -3,9 +3,10 @@
 use super::{Line, intersect, meets_nothing};
 use crate::figure::{Extent, Figure, Side};
 use crate::hit::Crossing;
-use crate::number::{Estimate, FromScalar, Number, Ring, ToScalar};
+use crate::number::{Estimate, Number, Ring};
 use crate::part::Part;
 use crate::ray::{Leaving, Range};
+use crate::scalar::{FromScalar, ToScalar};
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
 use std::cell::Cell;

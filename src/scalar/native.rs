@@ -1,7 +1,7 @@
 //! The number type's own computing number, as a rung of the ladder: for what needs no more.
 
-use super::{Estimate, FromScalar, Number, Ring};
-use crate::scalar::{Real, Scalar};
+use super::Real;
+use crate::number::{Estimate, Number, Ring};
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
 
@@ -80,16 +80,5 @@ impl<R: Real> Estimate for Native<R> {
     #[inline(always)]
     fn top(self) -> Option<i32> {
         None
-    }
-}
-
-impl<S: Scalar> FromScalar<S> for Native<S::Real> {
-    #[inline(always)]
-    fn scalar(value: S) -> Self {
-        Self(value.real())
-    }
-    #[inline(always)]
-    fn unit(value: S::Unit) -> Self {
-        Self(S::unit_real(value))
     }
 }
