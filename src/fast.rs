@@ -4,6 +4,14 @@ use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
 use crate::scalar::{Attempt, LocalLine, Scalar, UnitScalar};
 
+/// Whether a tier's fast path answers where its rounding may decide.
+pub trait Guards: 'static {
+    /// True if the fast path leaves such rays to the robust number.
+    const GUARDED: bool;
+    /// See [`LocalLine::has_spare_bits`](crate::scalar::LocalLine::has_spare_bits).
+    const HAS_SPARE_BITS: bool = false;
+}
+
 /// Where along a line `low <= y <= high`, and how much more than a few units its ends may be off.
 pub(crate) struct Slab<'a, S: Scalar> {
     line: &'a LocalLine<S>,

@@ -1,12 +1,12 @@
 //! What every primitive knows of itself.
 
+use crate::fast::Guards;
 use crate::figure::Figure;
 use crate::intersection::Intersection;
 use crate::line::Place;
 use crate::part::Part;
 use crate::ray::{Range, Ray};
 use crate::scalar::{Attempt, LocalLine, Scalar, found};
-use crate::tier::Guards;
 use crate::vector::{UnitVec3, Vec3};
 
 /// What every primitive knows of itself, in its own frame.

@@ -48,7 +48,7 @@
 //! | 8 | [`effect`] | what makes a hit a colour, a file an effect; which of them a scene calls for |
 //! | 7 | [`scene`] | objects, materials, lights, camera, the NFF reader |
 //! | 6 | [`shape`], `bounds` | any primitive, placed; its box |
-//! | 5 | [`primitive`], [`tier`], `geometry`, `query`, `exact` | a file a primitive: its sizes, equations, normal, surface coordinates, tangents; accuracy tiers and how they answer |
+//! | 5 | [`primitive`], [`tier`], `geometry`, `query`, `exact`, `ladder` | a file a primitive: its sizes, equations, normal, surface coordinates, tangents; accuracy tiers, and how each climbs the ladder of numbers |
 //! | 4 | `solve`, `figure`, `fast` | the one solver; the equations of a solid; what fast paths share |
 //! | 3 | [`ray`], [`frame`], [`affine`], [`hit`], `intersection`, `line` | rays and ranges, placement, hits and hit lists, intervals |
 //! | 2 | [`vector`] | [`Vec3`], [`UnitVec3`] |
@@ -96,6 +96,7 @@ pub mod hit;
 #[cfg(any(feature = "mint", feature = "serde"))]
 mod interchange;
 mod intersection;
+mod ladder;
 mod line;
 pub mod number;
 mod part;

@@ -11,6 +11,7 @@
 //!
 //! What was measured is in `docs/accuracy.md`.
 
+use crate::fast::Guards;
 use crate::query::Solve;
 use crate::scalar::Scalar;
 
@@ -19,14 +20,6 @@ pub use crate::exact::{Effort, Exact};
 
 mod sealed {
     pub trait Sealed {}
-}
-
-/// Whether a tier's fast path answers where its rounding may decide.
-pub trait Guards: 'static {
-    /// True if the fast path leaves such rays to the robust number.
-    const GUARDED: bool;
-    /// See [`LocalLine::has_spare_bits`](crate::scalar::LocalLine::has_spare_bits).
-    const HAS_SPARE_BITS: bool = false;
 }
 
 /// An accuracy tier for a number type: what it costs is decided when the code is compiled. Sealed.

@@ -1,12 +1,12 @@
 //! The capsule: a cylinder with round ends, all points within `r` of the segment from the origin to (0, height, 0).
 
 use super::{Geometry, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates};
+use crate::fast::Guards;
 use crate::figure::Figure;
 use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
 use crate::scalar::{Attempt, LocalLine, Real, Scalar, found};
-use crate::tier::Guards;
 use crate::vector::{UnitVec3, Vec3};
 use core::cmp::Ordering;
 

@@ -4,13 +4,13 @@
 
 use super::outline::{Outline, Profile};
 use super::{Geometry, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates};
+use crate::fast::Guards;
 use crate::fast::{Slab, between_rims};
 use crate::figure::{self, Figure, Side};
 use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
 use crate::scalar::{Attempt, InNappe, LocalLine, Real, Scalar, found, largest};
-use crate::tier::Guards;
 use crate::vector::{UnitVec3, Vec3};
 
 /// How far a cone reaches, and whether it is closed.

@@ -1,13 +1,13 @@
 //! The cylinder about the y axis: `x^2 + z^2 = r^2`.
 
 use super::{Geometry, SizeError, checked_size, queries, surface_coordinates as coordinates};
+use crate::fast::Guards;
 use crate::fast::{Slab, between_rims};
 use crate::figure::{self, Figure, Side};
 use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
 use crate::scalar::{Attempt, LocalLine, Scalar, found};
-use crate::tier::Guards;
 use crate::vector::{UnitVec3, Vec3};
 
 /// How far a cylinder reaches along its axis, and whether it is closed.

@@ -1,13 +1,13 @@
 //! The disc in the plane `y = 0`.
 
 use super::{Geometry, SizeError, checked_size, queries, surface_coordinates as coordinates};
+use crate::fast::Guards;
 use crate::fast::surface_hit;
 use crate::figure::Figure;
 use crate::geometry::Hull;
 use crate::intersection::Intersection;
 use crate::part::Part;
 use crate::scalar::{Attempt, LocalLine, Scalar, UnitScalar, found};
-use crate::tier::Guards;
 use crate::vector::{UnitVec3, Vec3};
 
 /// A disc about the origin in the plane `y = 0`, its rim included; an open surface whose front is +y.

@@ -1,6 +1,7 @@
 //! The plane `y = 0`.
 
 use super::{Geometry, queries, surface_coordinates as coordinates};
+use crate::fast::Guards;
 use crate::fast::surface_hit;
 use crate::figure::Figure;
 use crate::geometry::Hull;
@@ -8,7 +9,6 @@ use crate::intersection::Intersection;
 use crate::part::Part;
 use crate::ray::Range;
 use crate::scalar::{Attempt, LocalLine, Scalar, UnitScalar, found};
-use crate::tier::Guards;
 use crate::vector::{UnitVec3, Vec3};
 use core::marker::PhantomData;
 

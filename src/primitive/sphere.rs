@@ -1,6 +1,7 @@
 //! The sphere about the origin: `x^2 + y^2 + z^2 = r^2`.
 
 use super::{Geometry, SizeError, checked_size, queries, surface_coordinates as coordinates};
+use crate::fast::Guards;
 use crate::figure::Figure;
 use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
@@ -8,7 +9,6 @@ use crate::line::Place;
 use crate::part::Part;
 use crate::ray::Ray;
 use crate::scalar::{Attempt, LocalLine, Real, Scalar, found, largest};
-use crate::tier::Guards;
 use crate::vector::{UnitVec3, Vec3};
 
 /// A ball of the given radius about the origin.

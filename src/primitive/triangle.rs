@@ -8,13 +8,13 @@
 //! still the same ray. (In the tier `Fast` it does not step, and nothing is made again.)
 
 use super::{Geometry, SizeError, queries, surface_coordinates as coordinates};
+use crate::fast::Guards;
 use crate::fast::surface_hit;
 use crate::figure::Figure;
 use crate::geometry::Hull;
 use crate::intersection::Intersection;
 use crate::part::Part;
 use crate::scalar::{Attempt, LocalLine, Real, Scalar, found, largest};
-use crate::tier::Guards;
 use crate::vector::{UnitVec3, Vec3, cross};
 
 /// A triangle, its edges included; an open surface whose front is where its vertices run counter-clockwise.

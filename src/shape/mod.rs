@@ -7,18 +7,19 @@ pub use surface::Surface;
 use crate::affine::Affine;
 use crate::bounds;
 use crate::exact::Certain;
+use crate::fast::Guards;
 use crate::figure::Figure;
 use crate::frame::Frame;
 use crate::geometry::{Bounds, Geometry, Hull};
 use crate::hit::{Crossing, Hit, Hits};
 use crate::intersection::Intersection;
+use crate::ladder;
 use crate::line::{InWorld, Place};
 use crate::part::Part;
 use crate::primitive::{Capsule, Cone, Cylinder, Disc, Plane, Sphere, Triangle};
-use crate::query;
 use crate::ray::Ray;
 use crate::scalar::{Attempt, LocalLine, Scalar};
-use crate::tier::{Effort, Guards, Stable, Tier};
+use crate::tier::{Effort, Stable, Tier};
 use crate::vector::{UnitVec3, Vec3};
 
 /// Defines the enum of all primitives and passes every call on to the one that it holds.
@@ -274,7 +275,7 @@ impl<S: Scalar> Shape<S> {
     where
         S: Certain,
     {
-        through!(self, |primitive, place| query::effort(primitive, place, ray))
+        through!(self, |primitive, place| ladder::effort(primitive, place, ray))
     }
 
     /// The box that holds the shape: every point of it, in every number type and placement, taken exactly as position, axes or

@@ -4,6 +4,7 @@ use super::{Placement, Shape, through};
 use crate::figure::Figure;
 use crate::geometry::Geometry;
 use crate::hit::{Crossing, Hit};
+use crate::ladder;
 use crate::line::{InWorld, Place};
 use crate::number::{Estimate, dot};
 use crate::query;
@@ -147,7 +148,7 @@ impl<S: Scalar> Surface<S> {
     /// The hit's `t` in the robust number.
     fn exact_t(&self, figure: &Figure<S>) -> (Line<S::Robust>, S::Robust) {
         let shape = &self.shape;
-        let line = through!(shape, |_primitive, place| query::line(figure, place, &self.ray));
+        let line = through!(shape, |_primitive, place| ladder::line(figure, place, &self.ray));
         let t = <S::Robust as FromScalar<S>>::scalar(self.hit.t);
         let correction = solve::correction(figure, &self.hit, solve::point_at(&line, t), line.direction);
         // Beyond some units it is no rounding: the tier is `Fast`, or rule 8 has put the hit at the start.
@@ -208,9 +209,9 @@ impl<S: Scalar> Surface<S> {
 
     /// The unit directions in the world in which `u` and `v` grow.
     pub fn tangents(&self) -> (UnitVec3<S>, UnitVec3<S>) {
-        let (primitive, point, _) = query::near_one(&self.shape.primitive, self.local_point());
-        let mut tangents = primitive.tangents(point, self.hit.part);
         let rough = self.rough_local_point();
+        let (primitive, point, _) = query::near_one(&self.shape.primitive, rough);
+        let mut tangents = primitive.tangents(point, self.hit.part);
         if self.needs_exact_normal(rough)
             && let Some(normal) = self.native_local_normal(rough).or_else(|| self.exact_local_normal())
         {

@@ -14,19 +14,20 @@ macro_rules! flat {
             if line.finer == 0 && dy == 0.0 {
                 return Attempt::Miss;
             }
-            let inverse = 1.0 / dy;
-            let ends = [(low - y) * inverse, (high - y) * inverse];
+            // Divided, not multiplied by a reciprocal: then planes that lie in each other are crossed at the same `t`, whatever they belong to.
+            let ends = [(low - y) / dy, (high - y) / dy];
             let is_finite = $Float::abs(ends[0]) < $Float::MAX && $Float::abs(ends[1]) < $Float::MAX;
             if !is_finite {
                 return Attempt::Unsure;
             }
             if line.finer == 0 {
-                return Attempt::Found(([(low - y) / dy, (high - y) / dy], [0.0; 2]));
+                return Attempt::Found((ends, [0.0; 2]));
             }
             let Limits { epsilon, .. } = Limits::of(&line);
             // Four roundings of the longest coordinate, and three of one.
             let length = $Float::abs(x) + $Float::abs(y) + $Float::abs(z);
-            let off = |t: $Float| (length + $Float::abs(t)) * $Float::abs(inverse) * (2.0 * epsilon);
+            let each = (2.0 * epsilon) / $Float::abs(dy);
+            let off = |t: $Float| (length + $Float::abs(t)) * each;
             Attempt::Found((ends, [off(ends[0]), off(ends[1])]))
         }
 

@@ -1,0 +1,212 @@
+//! How each tier climbs the ladder of numbers.
+//!
+//! `Fast` and `Stable` take the word of their fast path, and where that is unsure the word of the robust number. `Exact` climbs until every
+//! sign is certain.
+
+use crate::exact::{Certain, Effort, Exact};
+use crate::fast::Guards;
+use crate::figure::Figure;
+use crate::geometry::Geometry;
+use crate::intersection::Intersection;
+use crate::line::Place;
+use crate::query::Solve;
+use crate::ray::Ray;
+use crate::scalar::{Attempt, FromScalar, LocalLine, Scalar, found};
+use crate::solve::{self, Line, Of};
+use crate::tier::{Fast, Stable};
+use crate::vector::Vec3;
+
+/// The tiers that take a rounded sign at its word.
+macro_rules! solve_robustly {
+    ($Tier:ident) => {
+        impl<S: Scalar> Solve<S> for $Tier {
+            #[inline(always)]
+            fn fast<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<Intersection<S>> {
+                fast::<S, $Tier, G>(geometry, place, ray)
+            }
+            #[inline(always)]
+            fn fast_ahead<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<()> {
+                fast_ahead::<S, $Tier, G>(geometry, place, ray)
+            }
+            #[inline]
+            fn climb<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Intersection<S> {
+                // The robust number knows every sign: there is always an answer.
+                climb::<S, S::Robust>(&geometry.figure(), place, ray).unwrap_or(Intersection::Miss)
+            }
+            fn contains<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, point: Vec3<S>) -> bool {
+                holds::<S, S::Robust>(&geometry.figure(), place, point).unwrap_or(false)
+            }
+        }
+    };
+}
+solve_robustly!(Fast);
+solve_robustly!(Stable);
+
+/// The tier that decides by certain signs. (For each of its types: an impl for all of them together would overlap.)
+macro_rules! solve_exactly {
+    ($S:ty $(, $F:ident: $Bits:path)?) => {
+        impl$(<$F: $Bits + Send + Sync + 'static>)? Solve<$S> for Exact {
+            #[inline(always)]
+            fn fast<G: Geometry<$S>>(
+                geometry: &G,
+                place: &impl Place<$S>,
+                ray: &Ray<$S>,
+            ) -> Attempt<Intersection<$S>> {
+                fast_in_doubles(geometry, place, ray)
+            }
+            #[inline(always)]
+            fn fast_ahead<G: Geometry<$S>>(_: &G, _: &impl Place<$S>, _: &Ray<$S>) -> Attempt<()> {
+                Attempt::Unsure
+            }
+            #[inline]
+            fn climb<G: Geometry<$S>>(geometry: &G, place: &impl Place<$S>, ray: &Ray<$S>) -> Intersection<$S> {
+                let (intersection, _) = exactly(&geometry.figure(), place, ray);
+                intersection
+            }
+            fn contains<G: Geometry<$S>>(geometry: &G, place: &impl Place<$S>, point: Vec3<$S>) -> bool {
+                let figure = geometry.figure();
+                holds::<$S, <$S as Certain>::Filter>(&figure, place, point)
+                    .or_else(|| holds::<$S, <$S as Certain>::Bounded>(&figure, place, point))
+                    .or_else(|| holds::<$S, <$S as Certain>::Integer>(&figure, place, point))
+                    .unwrap_or(false)
+            }
+        }
+    };
+}
+solve_exactly!(f32);
+#[cfg(feature = "fixed")]
+solve_exactly!(fixed::FixedI32<F>, F: fixed::types::extra::LeEqU32);
+
+/// What an exact answer takes.
+pub(crate) fn effort<S: Certain, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Effort {
+    let figure = geometry.figure();
+    match fast_in_doubles(geometry, place, ray) {
+        Attempt::Unsure => exactly(&figure, place, ray).1,
+        _ => Effort::Filter,
+    }
+}
+
+/// What the fast path counts as certain.
+struct Certainly;
+
+impl Guards for Certainly {
+    const GUARDED: bool = true;
+    const HAS_SPARE_BITS: bool = true;
+}
+
+/// The fast path of `Exact`: that of doubles, with guards that count with 40 of their 53 bits.
+#[inline(always)]
+fn fast_in_doubles<S: Certain, G: Geometry<S>>(
+    geometry: &G,
+    place: &impl Place<S>,
+    ray: &Ray<S>,
+) -> Attempt<Intersection<S>> {
+    let intersection =
+        found!(fast::<f64, Certainly, _>(&geometry.in_doubles(), &place.in_doubles(), &ray.in_doubles()));
+    let (start, end) = (ray.range().start().to_f64(), ray.range().end().to_f64());
+    // Its exact value decides whether an end lies in the range: infinite are those before and beyond.
+    let settled = |t: f64| {
+        if is_close(t, start) || is_close(t, end) {
+            return None;
+        }
+        let beyond = if t < start { -S::INFINITY } else { S::INFINITY };
+        Some(if t < start || t > end { beyond } else { S::from_f64(t).unwrap_or(beyond) })
+    };
+    match intersection.try_map(settled) {
+        Some(intersection) => Attempt::Found(intersection),
+        None => Attempt::Unsure,
+    }
+}
+
+/// True if the rounding of `t` may decide on which side of a bound it lies.
+#[inline(always)]
+fn is_close(t: f64, bound: f64) -> bool {
+    const PART: f64 = 1.0 / (1u32 << 30) as f64;
+    // An end that is not there is infinite: then this compares false.
+    (t - bound).abs() <= t.abs() * PART && t.is_finite()
+}
+
+/// Where the ray's line meets the figure, where the fast path cannot tell; and what it took to know.
+#[inline(never)]
+fn exactly<S: Certain>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> (Intersection<S>, Effort) {
+    if let Some(intersection) = climb::<S, S::Filter>(figure, place, ray) {
+        return (intersection, Effort::Filter);
+    }
+    match climb::<S, S::Bounded>(figure, place, ray) {
+        Some(intersection) => (intersection, Effort::Filter),
+        None => (in_integers(figure, place, ray), Effort::Integers),
+    }
+}
+
+#[cold]
+#[inline(never)]
+fn in_integers<S: Certain>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> Intersection<S> {
+    // Integers know every sign: there is always an answer.
+    let intersection = climb::<S, S::Integer>(figure, place, ray);
+    debug_assert!(intersection.is_some());
+    intersection.unwrap_or(Intersection::Miss)
+}
+
+/// Where the ray's line meets the figure, in numbers of this kind.
+#[inline]
+fn climb<S: Scalar, N: Of<S>>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> Option<Intersection<S>> {
+    let departure = ray.departure().map(|departure| (departure.part, departure.leaving));
+    if solve::meets_nothing(figure, departure) {
+        return Some(Intersection::Miss);
+    }
+    solve::intersect::<S, N>(figure, &line(figure, place, ray), ray.range())
+}
+
+/// The ray's line as the figure sees it.
+#[inline]
+pub(crate) fn line<S: Scalar, N: FromScalar<S>>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> Line<N> {
+    let departure = ray.departure().map(|departure| (departure.part, departure.leaving));
+    let [origin, direction] =
+        if let Figure::Ball { .. } = figure { place.ball_line::<N>(ray) } else { place.line::<N>(ray) };
+    Line { origin, direction, departure }
+}
+
+/// Whether the point belongs to the figure, in numbers of this kind.
+fn holds<S: Scalar, N: Of<S>>(figure: &Figure<S>, place: &impl Place<S>, point: Vec3<S>) -> Option<bool> {
+    let point = if let Figure::Ball { .. } = figure { place.ball_point::<N>(point) } else { place.point::<N>(point) };
+    solve::holds(figure, point)
+}
+
+/// Where the ray's line meets the geometry, if the fast path tells.
+#[inline(always)]
+fn fast<S: Scalar, T: Guards, G: Geometry<S>>(
+    geometry: &G,
+    place: &impl Place<S>,
+    ray: &Ray<S>,
+) -> Attempt<Intersection<S>> {
+    if ray.departure().is_some() {
+        return Attempt::Unsure;
+    }
+    let Some(line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
+    in_own_t(place, &line, geometry.fast_intersection::<T>(&LocalLine { has_spare_bits: T::HAS_SPARE_BITS, ..line }))
+}
+
+/// What was found along a line, in the ray's own `t`.
+#[inline(always)]
+fn in_own_t<S: Scalar, P: Place<S>>(
+    _: &P,
+    line: &LocalLine<S>,
+    found: Attempt<Intersection<S>>,
+) -> Attempt<Intersection<S>> {
+    if !P::STRETCHES {
+        return found;
+    }
+    let pace = line.pace.real();
+    let intersection = found!(found);
+    intersection.try_map(|t| Some(S::round(t.real() * pace))).map_or(Attempt::Unsure, Attempt::Found)
+}
+
+/// Whether the ray meets the geometry, if the fast path tells.
+#[inline(always)]
+fn fast_ahead<S: Scalar, T: Guards, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<()> {
+    if ray.departure().is_some() {
+        return Attempt::Unsure;
+    }
+    let Some(line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
+    geometry.fast_occlusion::<T>(&line)
+}
