@@ -231,7 +231,7 @@ fn top(value: f64) -> i32 {
 /// `2^e`; not a number, of which nothing is known, where that is beyond normal numbers.
 #[inline(always)]
 fn scale(e: i32) -> f64 {
-    if -1022 <= e && e <= 1023 { power_of_two(e) } else { f64::NAN }
+    if (-1022..=1023).contains(&e) { power_of_two(e) } else { f64::NAN }
 }
 
 /// `2^e`, for exponents of normal numbers.

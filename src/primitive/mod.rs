@@ -39,6 +39,7 @@ mod cylinder;
 mod disc;
 mod outline;
 mod plane;
+mod queries;
 mod sphere;
 mod surface_coordinates;
 mod triangle;
@@ -52,7 +53,7 @@ pub use sphere::Sphere;
 pub use triangle::Triangle;
 
 pub(crate) use crate::geometry::Geometry;
-pub(crate) use crate::query::queries;
+pub(crate) use queries::queries;
 
 /// Why a primitive cannot be built: which size, and what is wrong with it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
