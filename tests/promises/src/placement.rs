@@ -1,8 +1,8 @@
-//! Frames and affine placements: built as people have them in hand, orthonormal, accurate far away, and right about `t`,
-//! normals, tangents and boxes.
+//! Placed solids: accurate far away, and right about `t`, normals, tangents and boxes.
 
+use crate::frames::{close, component, direction, exact_dot, unit};
 use raylet::scalar::UnitScalar;
-use raylet::{Affine, Capsule, Cone, Cylinder, Frame, FrameError, Part, Ray, Shape, Sphere, Triangle, UnitVec3, Vec3};
+use raylet::{Affine, Capsule, Cone, Cylinder, Frame, Part, Ray, Shape, Sphere, Triangle, UnitVec3, Vec3};
 use support::amount::times;
 use support::cases::{Kind, cases, cases_of, n, random_ray, v};
 use support::exact_types::Exact;
@@ -10,14 +10,6 @@ use support::oracle;
 use support::random::Random;
 
 every_type!(
-    a_frame_at_a_position_is_not_turned,
-    a_frame_from_base_and_axis_has_that_axis,
-    a_frame_between_two_points_has_their_distance,
-    a_frame_looking_forward_leans_up,
-    a_frame_from_right_up_forward_keeps_them,
-    frames_are_orthonormal,
-    frames_refuse_what_spans_no_frame,
-    singular_matrices_are_refused,
     turning_the_world_turns_the_hits,
     moving_everything_far_away_changes_no_hit,
     points_and_normals_are_accurate_far_from_the_origin,
@@ -28,162 +20,6 @@ every_type!(
     bounds_contain_the_surface,
     a_placed_solid_contains_its_points,
 );
-
-fn unit<S: Exact>() -> f64 {
-    S::unit_at(&oracle::Root::from(&1.0_f32.exact())).to_f64()
-}
-
-/// The direction to all the bits of the type, where one given in `f64` has 53.
-fn direction<S: Exact>(components: [f64; 3]) -> UnitVec3<S> {
-    UnitVec3::new(v(components)).expect("the vector has a length")
-}
-
-fn any_direction<S: Exact>(random: &mut Random) -> UnitVec3<S> {
-    UnitVec3::from_real(random.unit_vector::<S>().real()).expect("the vector has a length")
-}
-
-fn component<S: Exact>() -> f64 {
-    match S::name().as_str() {
-        "f32" => 2.0_f64.powi(-24),
-        "f64" => 2.0_f64.powi(-53),
-        "I16F16" => 2.0_f64.powi(-30),
-        _ => 2.0_f64.powi(-62),
-    }
-}
-
-fn exact_dot<S: Exact>(a: UnitVec3<S>, b: UnitVec3<S>) -> oracle::Dyadic {
-    let (a, b) = (a.to_array().map(S::exact_unit), b.to_array().map(S::exact_unit));
-    &(&(&a[0] * &b[0]) + &(&a[1] * &b[1])) + &(&a[2] * &b[2])
-}
-
-fn close(a: [f64; 3], b: [f64; 3], tolerance: f64) -> bool {
-    a.iter().zip(b).all(|(a, b)| (a - b).abs() <= tolerance)
-}
-
-fn a_frame_at_a_position_is_not_turned<S: Exact>() {
-    let frame = Frame::at(v::<S>([1.0, 2.0, -3.0])).expect("position");
-    assert_eq!((frame.right(), frame.up(), frame.forward()), (UnitVec3::X, UnitVec3::Y, UnitVec3::Z));
-    assert_eq!(frame.position(), v([1.0, 2.0, -3.0]));
-    assert_eq!(frame.point_to_local(v([2.0, 2.5, -3.0])), v([1.0, 0.5, 0.0]));
-    assert_eq!(frame.point_to_world(v([1.0, 0.5, 0.0])), v([2.0, 2.5, -3.0]));
-    assert_eq!(frame.direction_to_world(UnitVec3::Z), UnitVec3::Z);
-}
-
-fn a_frame_from_base_and_axis_has_that_axis<S: Exact>() {
-    for along in support::cases::lattice_directions() {
-        let axis = direction::<S>(along);
-        let frame = Frame::from_base_and_axis(v([1.0, 2.0, 3.0]), axis).expect("position");
-        assert_eq!((frame.up(), frame.position()), (axis, v([1.0, 2.0, 3.0])));
-        assert_right_handed(&frame);
-    }
-}
-
-fn a_frame_between_two_points_has_their_distance<S: Exact>() {
-    let (frame, height) = Frame::between(v::<S>([1.0, 1.0, 1.0]), v([3.0, 4.0, 7.0])).expect("points");
-    assert_eq!((height, frame.position()), (n(7.0), v([1.0, 1.0, 1.0])));
-    assert!(close(frame.up().to_f64(), [2.0 / 7.0, 3.0 / 7.0, 6.0 / 7.0], 2.0 * component::<S>()));
-    assert!(close(
-        frame.point_to_world(Vec3::new(S::ZERO, height, S::ZERO)).to_f64(),
-        [3.0, 4.0, 7.0],
-        4.0 * unit::<S>()
-    ));
-    assert_right_handed(&frame);
-}
-
-fn a_frame_looking_forward_leans_up<S: Exact>() {
-    let frame = Frame::looking(v::<S>([0.0, 1.0, 0.0]), UnitVec3::Z, direction([0.0, 1.0, 1.0])).expect("axes");
-    assert_eq!((frame.right(), frame.up(), frame.forward()), (UnitVec3::X, UnitVec3::Y, UnitVec3::Z));
-    let forward = direction::<S>([1.0, -2.0, 2.0]);
-    let frame = Frame::looking(v([0.0, 1.0, 0.0]), forward, UnitVec3::Y).expect("axes");
-    assert_eq!(frame.forward(), forward);
-    assert!(frame.up().to_f64()[1] > 0.5 && frame.right().to_f64()[1].abs() < 4.0 * component::<S>());
-    assert_right_handed(&frame);
-}
-
-fn a_frame_from_right_up_forward_keeps_them<S: Exact>() {
-    let [right, up, forward] = [[1.0, 2.0, 2.0], [2.0, 1.0, -2.0], [-2.0, 2.0, -1.0]].map(direction::<S>);
-    let frame = Frame::from_right_up_forward(Vec3::ZERO, right, up, forward).expect("axes");
-    assert_eq!(frame.up(), up);
-    assert!(close(frame.right().to_f64(), right.to_f64(), 4.0 * component::<S>()));
-    assert!(close(frame.forward().to_f64(), forward.to_f64(), 4.0 * component::<S>()));
-    assert_right_handed(&frame);
-}
-
-fn assert_right_handed<S: Exact>(frame: &Frame<S>) {
-    let (x, y, z) = (frame.right(), frame.up(), frame.forward());
-    let one = oracle::Dyadic::from(1);
-    let mut worst = 0.0_f64;
-    for (a, b) in [(x, y), (y, z), (z, x)] {
-        worst = worst.max(exact_dot(a, b).to_f64().abs());
-    }
-    for a in [x, y, z] {
-        worst = worst.max((&exact_dot(a, a) - &one).to_f64().abs());
-    }
-    // Measured 4.2 for floats, 2.5 for fixed point.
-    let bound = if S::name().starts_with('f') { 5.0 } else { 3.0 };
-    assert!(worst <= bound * component::<S>(), "{}: {} units off: {frame:?}", S::name(), worst / component::<S>());
-    let ([a, b, c], [d, e, f], [g, h, i]) = (x.to_f64(), y.to_f64(), z.to_f64());
-    let handed = (b * f - c * e) * g + (c * d - a * f) * h + (a * e - b * d) * i;
-    assert!(handed > 0.999, "{}: {frame:?}", S::name());
-}
-
-fn frames_are_orthonormal<S: Exact>() {
-    let mut random = Random(1);
-    for _ in 0..times(3000) {
-        let (a, b) = (any_direction::<S>(&mut random), any_direction::<S>(&mut random));
-        let position = random.point(100.0);
-        assert_right_handed(&Frame::from_base_and_axis(position, a).expect("position"));
-        assert_right_handed(&Frame::between(position, random.point(100.0)).expect("points").0);
-        if let Ok(frame) = Frame::looking(position, a, b) {
-            // Of nearly parallel directions the cross product is all rounding, and still perpendicular to both.
-            if exact_dot(a, b).to_f64().abs() < 0.99 {
-                assert_right_handed(&frame);
-            }
-        }
-    }
-}
-
-fn frames_refuse_what_spans_no_frame<S: Exact>() {
-    let most = S::BUDGET.coordinate;
-    for bad in [most.next_up(), -most.next_up(), S::INFINITY, -S::INFINITY] {
-        let bad = Vec3::new(S::ZERO, bad, S::ZERO);
-        assert_eq!(Frame::at(bad), Err(FrameError::Position));
-        assert_eq!(Frame::from_base_and_axis(bad, UnitVec3::X), Err(FrameError::Position));
-        assert_eq!(Frame::between(bad, Vec3::ZERO), Err(FrameError::Position));
-        assert_eq!(Frame::between(Vec3::ZERO, bad), Err(FrameError::Position));
-        assert_eq!(Frame::looking(bad, UnitVec3::X, UnitVec3::Y), Err(FrameError::Position));
-    }
-    assert!(Frame::at(Vec3::new(most, -most, most)).is_ok());
-    let p = v::<S>([1.0, 2.0, 3.0]);
-    assert_eq!(Frame::between(p, p), Err(FrameError::Axes));
-    assert_eq!(Frame::looking(p, UnitVec3::X, UnitVec3::X), Err(FrameError::Axes));
-    assert_eq!(Frame::looking(p, UnitVec3::X, -UnitVec3::X), Err(FrameError::Axes));
-    // Left-handed, or skew.
-    let (x, y, z) = (UnitVec3::X, UnitVec3::Y, UnitVec3::Z);
-    assert_eq!(Frame::from_right_up_forward(p, x, y, -z), Err(FrameError::Axes));
-    assert_eq!(Frame::from_right_up_forward(p, x, x, z), Err(FrameError::Axes));
-    assert_eq!(Frame::from_right_up_forward(p, x, direction([0.5, 1.0, 0.0]), z), Err(FrameError::Axes));
-    assert!(Frame::from_right_up_forward(p, x, y, z).is_ok());
-}
-
-fn singular_matrices_are_refused<S: Exact>() {
-    let (x, y, z) = (v::<S>([1.0, 0.0, 0.0]), v::<S>([0.0, 1.0, 0.0]), v::<S>([0.0, 0.0, 1.0]));
-    let o = Vec3::ZERO;
-    for axes in [[o, y, z], [x, o, z], [x, y, o], [x, x, z], [x, y, y], [x, y, v([3.0, 4.0, 0.0])], [x, -x, z]] {
-        assert_eq!(Affine::new(axes, o), Err(FrameError::Singular), "{axes:?}");
-    }
-    assert!(Affine::new([x, y, z], o).is_ok() && Affine::new([x, y, v([3.0, 4.0, 0.5])], o).is_ok());
-    // Left-handed is no reason: a mirror image has an inverse.
-    assert!(Affine::new([x, y, -z], o).is_ok());
-    let far = Vec3::new(S::BUDGET.coordinate.next_up(), S::ZERO, S::ZERO);
-    assert_eq!(Affine::new([x, y, z], far), Err(FrameError::Position));
-    assert_eq!(Affine::new([far, y, z], o), Err(FrameError::Position));
-    let frame = Frame::at(o).expect("position");
-    for bad in [S::ZERO, -n::<S>(1.0), S::BUDGET.size.next_up(), S::INFINITY] {
-        assert_eq!(Affine::stretched(frame, Vec3::new(n(1.0), bad, n(1.0))), Err(FrameError::Singular), "{bad:?}");
-    }
-    assert!(Affine::stretched(frame, v([0.5, 1.0, 2.0])).is_ok());
-}
 
 /// A turn by quarter turns, exact in every type.
 fn quarter_turns<S: Exact>() -> Vec<Frame<S>> {
