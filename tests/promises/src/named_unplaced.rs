@@ -235,3 +235,25 @@ fn fast_touches_no_frustum_that_is_missed_by_far_either() {
     lines_that_miss_by_far_touch_nothing::<f32, Fast>(9.0, 16.0);
     lines_that_miss_by_far_touch_nothing::<f64, Fast>(9.0, 40.0);
 }
+
+/// Was one touch of the side where the line enters through one cap and leaves through the other: both are at the same rounded `t`.
+#[test]
+fn a_coin_thinner_than_a_unit_is_entered_and_left() {
+    let coin = Shape::new(Cylinder::capped(2.0_f32, 1e-40).unwrap());
+    let ray = Ray::new(Vec3::new(0.75, 1.0, 0.0), direction([-1.0, -1.0, 1.0])).unwrap();
+    let t = 1.732050737544377;
+    let want = [(t, Part::Top, Crossing::Enter), (t, Part::Base, Crossing::Exit)];
+    assert_hits::<f32, Exact>(&coin, &ray, &want, 1.0);
+    assert_hits::<f32, Stable>(&coin, &ray, &want, 1.0);
+}
+
+/// Was on the side: the height at which the line leaves was rounded to that of the seam.
+#[test]
+fn a_capsule_is_left_through_its_top_however_high_that_is() {
+    let height = 8.507059e37_f32;
+    let pill = Shape::new(Capsule::new(1.25, height).unwrap());
+    let ray = Ray::new(Vec3::new(0.0, height, 0.0), direction([0.0, 0.6, 0.8])).unwrap();
+    let want = [(1.25, Part::Top, Crossing::Exit)];
+    assert_hits::<f32, Exact>(&pill, &ray, &want, 1.0);
+    assert_hits::<f32, Stable>(&pill, &ray, &want, 1.0);
+}
