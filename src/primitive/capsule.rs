@@ -51,7 +51,7 @@ impl<S: Scalar> Capsule<S> {
         self.height
     }
 
-    /// [`Capsule::end`], if the short way tells.
+    /// [`Capsule::end`], if the fast path tells.
     #[inline]
     fn fast_end<T: Guards>(&self, line: &LocalLine<S>, tube: S, entering: bool) -> Attempt<End<S>> {
         let (part, centre) = match found!(S::fast_seams(*line, tube, self.height)) {

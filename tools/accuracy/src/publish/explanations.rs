@@ -30,19 +30,17 @@ pub const WHY: [Why; 15] = [
     ),
     (
         |row| row.slower.placed.starts_with("stretched") && row.slower.tier == "Exact",
-        "A stretched placement is taken as it is stored, and no tier has a fast path for it: the robust number answers for all, correctly \
-         rounded but for ties. What differs between two of them is chance.",
+        "A stretched placement is taken as it is stored; both answers are rounded correctly but for ties. What differs between them is chance.",
     ),
     (
-        |row| is_fixed(row) && row.faster.tier == "Exact" && row.slower.primitive == "triangle",
-        "`Stable` tries its fast path first, and where that is unsure its solver answers. `Exact` has no fast path in fixed point: its \
-         numbers of 128 bits answer at once.",
+        |row| is_fixed(row) && row.faster.tier == "Exact",
+        "`Exact` computes in doubles first, which hold 32 bits with room for what products and sums lose; a host has a unit for them. `Fast` and \
+         `Stable` compute in integers alone.",
     ),
     (
         |row| row.slower.number == "f32" && row.faster.tier == "Exact" && row.slower.tier == "Stable",
-        "What the fast path of `Stable` leaves open is computed in integers of 64 bits, which give the same bits on every machine. The fast \
-         path of `Exact` computes in doubles: where a sum is a 16,000th of its terms or more its sign is clear without further ado. \
-         It answers more rays, and on a host for less.",
+        "What the fast path of `Stable` leaves open is computed in integers of 64 bits. `Exact` takes the same path in doubles, which have so \
+         many bits to spare that strict guards let nearly every ray through; and a host has a unit for them.",
     ),
     (
         |row| row.faster.tier == "Exact" && row.slower.tier == "Fast" && row.slower.primitive == "triangle",
@@ -126,7 +124,7 @@ pub fn why_take(number: &str, tier: &str) -> &'static str {
             "It is the one whose decisions (hit, part, order) are proved right; the others are right in these rows, by measurement."
         }
         ("I16F16", "Exact") => {
-            "Its decisions are proved right, in integers alone; `f32` `Exact` is finer near the solid and needs doubles."
+            "Its decisions are proved right, and its unit is the same from end to end of its range; `f32` `Exact` is finer near the solid."
         }
         ("I32F32", _) => {
             "Take it where a program must be free of floats, or must have the same unit from end to end of a long range. Where doubles are \
