@@ -6,12 +6,14 @@
 //! cargo run --release -p raylet-accuracy -- --write      # renews everything that the repository shows
 //! cargo run --release -p raylet-accuracy -- --check      # fails if a figure of errors is not what is measured
 //! cargo run --release -p raylet-accuracy -- --broken     # the rays of which a tier's promise is broken, worst first
+//! cargo run --release -p raylet-accuracy -- --search     # the same, searched from the worst random rays uphill
 //! ```
 //!
 //! | module | what it holds |
 //! |---|---|
 //! | `time` | times, by ratio to a reference in the same run |
 //! | `broken` | rays of which a tier's promise is broken |
+//! | `search` | such rays, searched |
 //! | `sweep` | errors against distance and grazing |
 //! | `chips` | instructions on microcontrollers, from the firmware's baselines |
 //! | `study`, `stored` | all of these; times and sweeps as the repository stores them |
@@ -24,6 +26,7 @@ mod difference;
 #[cfg(test)]
 mod documents_test;
 mod publish;
+mod search;
 mod stored;
 mod study;
 mod sweep;
@@ -80,12 +83,16 @@ struct Options {
     /// by its bits. Fails if there is one.
     #[arg(short, long, conflicts_with_all = ["write", "document", "json", "quick"], group = "part")]
     broken: bool,
-    /// With --check or --broken: measure this primitive only (--check takes what is not measured from the bounds). May be given several
-    /// times.
+    /// Search for rays that break the promise of Stable or Exact: each step from the worst random rays of a row changes a coordinate or the
+    /// direction a little, and stays where that is worse. Prints them as --broken does. Fails if there is one.
+    #[arg(short, long, conflicts_with_all = ["write", "document", "json", "quick"], group = "part")]
+    search: bool,
+    /// With --check, --broken or --search: measure this primitive only (--check takes what is not measured from the bounds). May be given
+    /// several times.
     #[arg(long, requires = "part", value_name = "PRIMITIVE", value_parser = SUBJECTS)]
     only: Vec<String>,
-    /// With --broken: measure this number type only. May be given several times.
-    #[arg(long, requires = "broken", value_name = "NUMBER", value_parser = NUMBERS)]
+    /// With --broken or --search: measure this number type only. May be given several times.
+    #[arg(long, requires = "part", conflicts_with = "check", value_name = "NUMBER", value_parser = NUMBERS)]
     number: Vec<String>,
 }
 
@@ -110,6 +117,9 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let rays = options.rays.map_or(bounds::RAYS, Rays::new);
     if options.broken {
         return broken::report(&errors(rays, &options.only, &options.number)?);
+    }
+    if options.search {
+        return search(&options.only, &options.number);
     }
     let (rays, rounds) = if options.quick { (Rays::new(40), 3) } else { (rays, 9) };
     let study = measure(rays, rounds)?;
@@ -138,11 +148,29 @@ fn bar(what: &'static str, length: usize) -> Result<ProgressBar, Box<dyn Error>>
     Ok(progress)
 }
 
+/// True if it is one of the names, or if there are none.
+fn is_named(names: &[String], name: &str) -> bool {
+    names.is_empty() || names.iter().any(|it| it == name)
+}
+
+/// How many pairs of a primitive and a number type are named.
+fn pairs(only: &[String], numbers: &[String]) -> usize {
+    let count = |all: &[&str], names: &[String]| all.iter().filter(|name| is_named(names, name)).count();
+    count(&NUMBERS, numbers) * count(&SUBJECTS, only)
+}
+
+/// Rays that break a promise, of every primitive and number type or of those named.
+fn search(only: &[String], numbers: &[String]) -> Result<(), Box<dyn Error>> {
+    let progress = bar("search", pairs(only, numbers) * search::TICKS)?;
+    let wanted = |number: &str, primitive: &str| is_named(numbers, number) && is_named(only, primitive);
+    let told = search::report(&wanted, &mut || progress.inc(1));
+    progress.finish_and_clear();
+    told
+}
+
 /// The rows of errors, of every primitive and number type or of those named.
 fn errors(rays: Rays, only: &[String], numbers: &[String]) -> Result<Vec<figures::Figures>, Box<dyn Error>> {
-    let is_named = |names: &[String], name: &str| names.is_empty() || names.iter().any(|it| it == name);
-    let count = |all: &[&str], names: &[String]| all.iter().filter(|name| is_named(names, name)).count();
-    let progress = bar("errors", count(&NUMBERS, numbers) * count(&SUBJECTS, only) * figures::ticks())?;
+    let progress = bar("errors", pairs(only, numbers) * figures::ticks())?;
     let wanted = |number: &str, primitive: &str| is_named(numbers, number) && is_named(only, primitive);
     let rows = figures::measure_all(rays, &wanted, &mut || progress.inc(1));
     progress.finish_and_clear();
