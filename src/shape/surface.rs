@@ -212,7 +212,10 @@ impl<S: Scalar> Surface<S> {
         let rough = self.rough_local_point();
         let (primitive, point, _) = query::near_one(&self.shape.primitive, rough);
         let mut tangents = primitive.tangents(point, self.hit.part);
-        if self.needs_exact_normal(rough)
+        // On a flat part they are the same everywhere.
+        let is_curved = self.bend(rough).is_finite();
+        if is_curved
+            && self.needs_exact_normal(rough)
             && let Some(normal) = self.native_local_normal(rough).or_else(|| self.exact_local_normal())
         {
             tangents = along_the_surface(normal);

@@ -245,3 +245,38 @@ fn a_triangle_of_any_size_has_its_coordinates_in_any_placement() {
         }
     }
 }
+
+/// Was turned a quarter on flat parts, so that waves on water ran across each other. A solid half as large again has the tangents of the
+/// solid itself.
+fn tangents_of_an_evenly_stretched_solid_are_its_own<S: Number>() {
+    let mut random = Random(31);
+    for name in ["sphere", "capsule", "cylinder capped", "cone capped", "frustum capped", "plane", "disc", "triangle"] {
+        let (subject, mut seen) = (Subject::<S>::new(name), 0);
+        let larger = Affine::stretched(Frame::at(Vec3::ZERO).unwrap(), v([1.5; 3])).unwrap();
+        let placed = subject.shape.placed(larger);
+        for _ in 0..200 {
+            let Some(own) = Workload::Benign.ray(&subject, &mut random) else { continue };
+            let Some(origin) = Vec3::from_f64(own.origin().to_f64().map(|c| 1.5 * c)) else { continue };
+            let ray = Ray::new(origin, own.direction()).unwrap();
+            let (Some(hit), Some(same)) = (placed.nearest(&ray), subject.shape.nearest(&own)) else { continue };
+            if hit.part != same.part {
+                continue;
+            }
+            seen += 1;
+            let (found, wanted) =
+                (placed.surface(&ray, &hit).tangents(), subject.shape.surface(&own, &same).tangents());
+            for (found, wanted) in [(found.0, wanted.0), (found.1, wanted.1)] {
+                let apart = found.to_f64().into_iter().zip(wanted.to_f64()).map(|(a, b)| (a - b).abs());
+                assert!(apart.fold(0.0, f64::max) < 1e-2, "{name} in {}: {found:?} {wanted:?} at {hit:?}", S::name());
+            }
+        }
+        assert!(seen > 50, "{name}: {seen}");
+    }
+}
+
+#[test]
+fn tangents_of_evenly_stretched_solids_are_their_own() {
+    tangents_of_an_evenly_stretched_solid_are_its_own::<f32>();
+    tangents_of_an_evenly_stretched_solid_are_its_own::<f64>();
+    tangents_of_an_evenly_stretched_solid_are_its_own::<I16F16>();
+}
