@@ -1,6 +1,6 @@
 //! The fast path of fixed point: from stored numbers to raw integers and back.
 
-use super::{self as integers};
+use crate::scalar::integers;
 use crate::scalar::{Attempt, FastPath, InNappe, LocalLine, found, separation};
 use core::cmp::Ordering;
 use fixed::types::extra::{LeEqU32, LeEqU64};
