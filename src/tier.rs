@@ -32,6 +32,9 @@ pub trait Tier<S: Scalar>: Copy + sealed::Sealed + Solve<S> + 'static {}
 /// Of a sphere it takes the direction for exactly unit, which costs `t` an error of about a unit in the last place of the
 /// direction, and takes its word however far away and however closely the ray grazes. What was measured is in `docs/accuracy.md`.
 ///
+/// No hit is lost or invented where the chord is at least a hundredth of the solid's size and the start within 100 sizes, but within 16 units
+/// of a rim or of a start on the surface.
+///
 /// ```
 /// use raylet::{Ray, Sphere, UnitVec3, Vec3, tier::Fast};
 /// let ray = Ray::new(Vec3::new(0.0_f32, 0.5, 4.0), -UnitVec3::Z)?;
