@@ -7,7 +7,7 @@ use crate::frame::{Frame, FrameError, within_budget};
 use crate::line::Place;
 use crate::number::{difference, dot};
 use crate::ray::Ray;
-use crate::scalar::{FromScalar, LocalLine, Real, Scalar, UnitScalar};
+use crate::scalar::{FromScalar, LocalLine, Real, Ring, Scalar, UnitScalar};
 use crate::vector::{UnitVec3, Vec3, cross, pairs, transposed};
 
 /// One row of the inverse: components below 1 and a power of two.
@@ -63,7 +63,7 @@ impl<S: Scalar> Affine<S> {
         let normals = [cross(y, z), cross(z, x), cross(x, y)];
         let volume = S::Real::sum_of_products([[x[0], normals[0][0]], [x[1], normals[0][1]], [x[2], normals[0][2]]]);
         // Within the rounding of unit components nothing can be said of the plane that the axes span.
-        if volume.abs() < S::Real::ONE.times_power_of_two(-16) {
+        if volume.abs() < S::Real::ONE.scaled(-16) {
             return Err(FrameError::Singular);
         }
         let mut rows = [UnitVec3::<S>::X.real(); 3];
@@ -107,21 +107,21 @@ impl<S: Scalar> Affine<S> {
                 largest = component;
             }
         }
-        let (one, half) = (S::Real::ONE, S::Real::ONE.times_power_of_two(-1));
+        let (one, half) = (S::Real::ONE, S::Real::ONE.scaled(-1));
         let mut exponent = 0;
         // No scale inside the budget needs more steps; a NaN or an infinity never comes down.
         while largest >= one && exponent < 2048 {
-            largest = largest.times_power_of_two(-1);
+            largest = largest.scaled(-1);
             exponent += 1;
         }
         while largest < half && exponent > -2048 {
-            largest = largest.times_power_of_two(1);
+            largest = largest.scaled(1);
             exponent -= 1;
         }
         if !(largest >= half && largest < one) {
             return None;
         }
-        Some(Row { components: v.map(|c| S::unit_round(c.times_power_of_two(-exponent))), exponent })
+        Some(Row { components: v.map(|c| S::unit_round(c.scaled(-exponent))), exponent })
     }
 
     /// Where the local origin lies.
@@ -132,7 +132,7 @@ impl<S: Scalar> Affine<S> {
     /// The inverse applied to a vector that starts at the position.
     #[inline]
     fn vector_to_local(&self, v: [S; 3]) -> [S::Real; 3] {
-        self.inverse.map(|row| S::dot(v, row.components).times_power_of_two(row.exponent))
+        self.inverse.map(|row| S::dot(v, row.components).scaled(row.exponent))
     }
 
     /// The rows of the inverse as they are stored: components, each to be multiplied by the row's power of two.
@@ -142,7 +142,7 @@ impl<S: Scalar> Affine<S> {
 
     /// The rows of the inverse, in the computing number.
     fn rows(&self) -> [[S::Real; 3]; 3] {
-        self.inverse.map(|row| row.components.map(|c| S::unit_real(c).times_power_of_two(row.exponent)))
+        self.inverse.map(|row| row.components.map(|c| S::unit_real(c).scaled(row.exponent)))
     }
 
     /// A world point in local coordinates.
@@ -173,7 +173,7 @@ impl<S: Scalar> Affine<S> {
         let columns = [cross(y, z), cross(z, x), cross(x, y)];
         let determinant =
             S::Real::sum_of_products([[x[0], columns[0][0]], [x[1], columns[0][1]], [x[2], columns[0][2]]]);
-        let [a, b, c] = pairs(v, self.inverse).map(|(v, row)| v.times_power_of_two(-row.exponent));
+        let [a, b, c] = pairs(v, self.inverse).map(|(v, row)| v.scaled(-row.exponent));
         let component =
             |i: usize| S::Real::sum_of_products([[a, columns[0][i]], [b, columns[1][i]], [c, columns[2][i]]]);
         [component(0), component(1), component(2)].map(|c| c / determinant)
@@ -192,7 +192,7 @@ impl<S: Scalar> Affine<S> {
         let product = |[ax, ay, az]: [S::Real; 3], [bx, by, bz]: [S::Real; 3]| ax * bx + ay * by + az * bz;
         let volume = product(x, cross(y, z));
         let (square, most) = (volume * volume, product(x, x) * product(y, y) * product(z, z));
-        let flat = (0..=3).find(|n| square.times_power_of_two(2 * n + 1) >= most)?;
+        let flat = (0..=3).find(|n| square.scaled(2 * n + 1) >= most)?;
         let [a, b, c] = self.inverse.map(|row| row.exponent);
         Some(a.max(b).max(c).saturating_sub(a.min(b).min(c)).saturating_add(flat + 1))
     }

@@ -21,7 +21,7 @@
 use crate::affine::Affine;
 use crate::frame::Frame;
 use crate::geometry::{Bounds, Hull};
-use crate::scalar::{Real, Scalar, Unit, largest};
+use crate::scalar::{Real, Ring, Scalar, Unit, largest};
 use crate::vector::{UnitVec3, Vec3, pairs, transposed};
 
 /// A row of the map to a primitive: its components are to be multiplied by the power of two.
@@ -108,9 +108,9 @@ fn inverse<S: Scalar>(rows: [Row<S>; 3]) -> Option<[[Near<S>; 3]; 3]> {
     let columns = [minors::<S>(y, z), minors::<S>(z, x), minors::<S>(x, y)];
     let determinant = sum(pairs(x, columns[0]));
     // Not the negation: a NaN must fail.
-    let is_certain = determinant.off.times_power_of_two(2) < determinant.high.abs();
+    let is_certain = determinant.off.scaled(2) < determinant.high.abs();
     let columns = pairs(columns, rows)
-        .map(|(column, (_, exponent))| column.map(|minor| minor.over(determinant).times_power_of_two(-exponent)));
+        .map(|(column, (_, exponent))| column.map(|minor| minor.over(determinant).scaled(-exponent)));
     is_certain.then_some(transposed(columns))
 }
 
@@ -126,7 +126,7 @@ fn no_less<S: Scalar, const N: usize>(terms: [(S, Near<S>); N]) -> S {
     let mut infinite = None;
     for (length, factor) in terms {
         if !length.is_finite() && !factor.is_zero() {
-            let is_sure = factor.off.times_power_of_two(1) < factor.high.abs();
+            let is_sure = factor.off.scaled(1) < factor.high.abs();
             let is_down = is_sure && (length < S::ZERO) != factor.high.is_negative();
             // One that leads up has the say.
             if infinite != Some(S::INFINITY) {
@@ -156,12 +156,12 @@ struct Near<S: Scalar> {
 /// More than what a product of two floats, held as a rounded product and its rest, loses where these are subnormal: each of five
 /// roundings at most half of the smallest number, each for both parts of a factor.
 fn lost_next_to_zero<S: Scalar>() -> S::Real {
-    if S::RELATIVE { S::BUDGET.smallest_size.real().times_power_of_two(3) } else { S::Real::ZERO }
+    if S::RELATIVE { S::BUDGET.smallest_size.real().scaled(3) } else { S::Real::ZERO }
 }
 
 /// `times u^2`
 fn rounding<S: Scalar>(times: i32) -> S::Real {
-    S::Real::from_int(times).times_power_of_two(2 * S::Real::ROUNDING)
+    S::Real::from_int(times).scaled(2 * S::Real::ROUNDING)
 }
 
 impl<S: Scalar> Near<S> {
@@ -171,7 +171,7 @@ impl<S: Scalar> Near<S> {
 
     /// Off by this much, and by the rounding of the bound.
     fn off_by(self, off: S::Real) -> Self {
-        Self { off: off + off.times_power_of_two(-8), ..self }
+        Self { off: off + off.scaled(-8), ..self }
     }
 
     /// True for what is surely zero.
@@ -183,11 +183,11 @@ impl<S: Scalar> Near<S> {
         self.high == value && self.low.is_zero() && self.off.is_zero()
     }
 
-    fn times_power_of_two(self, n: i32) -> Self {
+    fn scaled(self, n: i32) -> Self {
         if n == 0 || self.is_zero() {
             return self;
         }
-        let [high, low, off] = [self.high, self.low, self.off].map(|part| part.times_power_of_two(n));
+        let [high, low, off] = [self.high, self.low, self.off].map(|part| part.scaled(n));
         Self { high, low, off: off + lost_next_to_zero::<S>() }
     }
 
@@ -202,7 +202,7 @@ impl<S: Scalar> Near<S> {
         }
         let high = self.high / d.high;
         let rest = S::Real::sum_of_products([[self.high, one], [self.low, one], [-high, d.high], [-high, d.low]]);
-        let least = d.high.abs() - d.off.times_power_of_two(1);
+        let least = d.high.abs() - d.off.scaled(1);
         let off = (self.off + high.abs() * d.off + lost_next_to_zero::<S>()) / least;
         Self { high, low: rest / d.high, off: S::Real::ZERO }.off_by(off + high.abs() * rounding::<S>(64))
     }
@@ -270,16 +270,16 @@ fn length<S: Scalar, const N: usize>(v: [Near<S>; N]) -> Near<S> {
     }
     // Near 1, where the square of no float is too large or too small.
     let exponent = S::binary_exponent(largest(v.map(|component| S::round(component.high))));
-    let near_one = v.map(|c| [c.high, c.low].map(|part| part.times_power_of_two(-exponent)));
-    let square = sum(near_one.map(|[high, low]| (high, Near::<S> { high, low: low.times_power_of_two(1), off: zero })));
+    let near_one = v.map(|c| [c.high, c.low].map(|part| part.scaled(-exponent)));
+    let square = sum(near_one.map(|[high, low]| (high, Near::<S> { high, low: low.scaled(1), off: zero })));
     let high = square.high.sqrt();
     if high.is_zero() {
         // All are next to zero; or one overflowed, and the bound with it.
         return Near::exact(zero).off_by(off + square.off);
     }
     let rest = S::Real::sum_of_products([[square.high, one], [square.low, one], [-high, high]]);
-    let low = (rest / high).times_power_of_two(-1);
-    let root = Near { high, low, off: square.off / high + high * rounding::<S>(32) }.times_power_of_two(exponent);
+    let low = (rest / high).scaled(-1);
+    let root = Near { high, low, off: square.off / high + high * rounding::<S>(32) }.scaled(exponent);
     root.off_by(root.off + off)
 }
 

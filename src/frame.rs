@@ -3,7 +3,7 @@
 use crate::line::Place;
 use crate::number::{difference, dot};
 use crate::ray::Ray;
-use crate::scalar::{FromScalar, LocalLine, Real, Scalar};
+use crate::scalar::{FromScalar, LocalLine, Real, Ring, Scalar};
 use crate::vector::{UnitVec3, Vec3, pairs, transposed};
 use core::fmt;
 
@@ -92,7 +92,7 @@ impl<S: Scalar> Frame<S> {
     ) -> Result<Self, FrameError> {
         let z = UnitVec3::from_real(right.cross(up)).ok_or(FrameError::Axes)?;
         let x = UnitVec3::from_real(up.cross(z)).ok_or(FrameError::Axes)?;
-        let close = S::Real::ONE - S::Real::ONE.times_power_of_two(-10);
+        let close = S::Real::ONE - S::Real::ONE.scaled(-10);
         if x.dot(right) < close || z.dot(forward) < close {
             return Err(FrameError::Axes);
         }
@@ -164,7 +164,13 @@ impl<S: Scalar> Frame<S> {
     pub(crate) fn ray_point_to_local(&self, ray: &Ray<S>, t: S) -> Vec3<S> {
         let from_position =
             S::approach(ray.origin().to_array(), self.position.to_array(), ray.direction().to_array(), t);
-        Vec3::round(self.axes.map(|axis| S::dot(from_position.map(within_budget), axis.to_array())))
+        self.vector_to_local(from_position.into())
+    }
+
+    /// A vector of the world in the frame's coordinates.
+    pub(crate) fn vector_to_local(&self, vector: Vec3<S>) -> Vec3<S> {
+        let vector = vector.to_array().map(within_budget);
+        Vec3::round(self.axes.map(|axis| S::dot(vector, axis.to_array())))
     }
 }
 
@@ -185,8 +191,12 @@ impl<S: Scalar> Place<S> for Frame<S> {
     fn fast_ball_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
         let [x, y, z] = pairs(ray.origin().to_array(), self.position.to_array()).map(|(o, p)| o.minus(p));
         let origin = if x.is_finite() && y.is_finite() && z.is_finite() { [x, y, z] } else { return None };
-        let direction = ray.direction().to_array();
-        Some(LocalLine { origin, finer: 0, direction, pace: S::ZERO, has_spare_bits: false })
+        let line = LocalLine::along(origin, ray.direction().to_array(), S::ZERO);
+        if !S::RELATIVE {
+            return Some(line);
+        }
+        let rests = pairs(ray.origin().real(), self.position.real()).map(|(o, p)| o.plus_with_rest(-p)[1]);
+        Some(LocalLine { rest: rests.map(S::round), ..line })
     }
 
     #[inline]

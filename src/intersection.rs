@@ -101,6 +101,12 @@ impl<R> Intersection<R> {
             Self::LiesIn(one) => Intersection::LiesIn(span(one)?),
         })
     }
+
+    /// With other numbers for its ends.
+    #[inline(always)]
+    pub(crate) fn map<S>(self, f: impl Fn(R) -> S) -> Intersection<S> {
+        self.try_map(|t| Some(f(t))).unwrap_or(Intersection::Miss)
+    }
 }
 
 impl<S: Scalar> Intersection<S> {

@@ -10,7 +10,7 @@ use crate::geometry::Geometry;
 use crate::intersection::Intersection;
 use crate::line::Place;
 use crate::query::Solve;
-use crate::ray::Ray;
+use crate::ray::{Departure, Range, Ray};
 use crate::scalar::{Attempt, FromScalar, LocalLine, Scalar, found};
 use crate::solve::{self, Line, Of};
 use crate::tier::{Fast, Stable};
@@ -179,11 +179,18 @@ fn fast<S: Scalar, T: Guards, G: Geometry<S>>(
     place: &impl Place<S>,
     ray: &Ray<S>,
 ) -> Attempt<Intersection<S>> {
-    if ray.departure().is_some() {
-        return Attempt::Unsure;
+    if let Some(departure) = ray.departure() {
+        return departing(&geometry.figure(), departure);
     }
     let Some(line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
     in_own_t(place, &line, geometry.fast_intersection::<T>(&LocalLine { has_spare_bits: T::HAS_SPARE_BITS, ..line }))
+}
+
+/// What the fast path knows of a ray that departs from the figure.
+#[inline(always)]
+fn departing<S, T>(figure: &Figure<S>, departure: Departure) -> Attempt<T> {
+    let cannot_meet = solve::meets_nothing(figure, Some((departure.part, departure.leaving)));
+    if cannot_meet { Attempt::Miss } else { Attempt::Unsure }
 }
 
 /// What was found along a line, in the ray's own `t`.
@@ -193,20 +200,29 @@ fn in_own_t<S: Scalar, P: Place<S>>(
     line: &LocalLine<S>,
     found: Attempt<Intersection<S>>,
 ) -> Attempt<Intersection<S>> {
-    if !P::STRETCHES {
+    if P::STRETCHES {
+        let pace = line.pace.real();
+        return Attempt::Found(found!(found).map(|t| S::round(t.real() * pace)));
+    }
+    if line.is_coarse && !matches!(found, Attempt::Miss) {
+        return Attempt::Unsure;
+    }
+    if line.start == S::ZERO {
         return found;
     }
-    let pace = line.pace.real();
-    let intersection = found!(found);
-    intersection.try_map(|t| Some(S::round(t.real() * pace))).map_or(Attempt::Unsure, Attempt::Found)
+    Attempt::Found(found!(found).map(|t| if t.is_finite() { t.plus(line.start) } else { t }))
 }
 
 /// Whether the ray meets the geometry, if the fast path tells.
 #[inline(always)]
 fn fast_ahead<S: Scalar, T: Guards, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<()> {
-    if ray.departure().is_some() {
-        return Attempt::Unsure;
+    if let Some(departure) = ray.departure() {
+        return departing(&geometry.figure(), departure);
     }
     let Some(line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
-    geometry.fast_occlusion::<T>(&line)
+    if line.start == S::ZERO && !line.is_coarse {
+        return geometry.fast_occlusion::<T>(&line);
+    }
+    let intersection = found!(in_own_t(place, &line, geometry.fast_intersection::<T>(&line)));
+    if intersection.nearest(Range::FORWARD, |_| true).is_some() { Attempt::Found(()) } else { Attempt::Miss }
 }

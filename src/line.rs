@@ -59,8 +59,7 @@ impl<S: Scalar> Place<S> for InWorld {
     }
     #[inline(always)]
     fn fast_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
-        let (origin, direction) = (ray.origin().to_array(), ray.direction().to_array());
-        Some(LocalLine { origin, finer: 0, direction, pace: S::ZERO, has_spare_bits: false })
+        Some(LocalLine::along(ray.origin().to_array(), ray.direction().to_array(), S::ZERO))
     }
     #[inline]
     fn line<N: FromScalar<S>>(&self, ray: &Ray<S>) -> [[N; 3]; 2] {

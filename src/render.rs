@@ -6,7 +6,7 @@
 use crate::effect::{All, Effect, EffectError, EffectSet, Effects, Sight, Tracer, Work, differ};
 use crate::part::Part;
 use crate::ray::Ray;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Real, Ring, Scalar};
 use crate::scene::{Color, Counters, Observer, Raster, Scene, Size};
 
 /// A scene, seen through its camera at a given size, with the effects `E` compiled in.

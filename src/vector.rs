@@ -196,7 +196,7 @@ impl<S: Scalar> UnitVec3<S> {
             return None;
         }
         let error = (S::unit_dot(components, components) - S::Real::ONE).abs();
-        (error < S::Real::ONE.times_power_of_two(-19)).then_some(Self { components })
+        (error < S::Real::ONE.scaled(-19)).then_some(Self { components })
     }
 
     /// Components that the caller derived from unit vectors by a rotation.

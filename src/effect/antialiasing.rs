@@ -1,7 +1,7 @@
 //! More rays where a pixel's corners differ: Whitted, *An Improved Illumination Model for Shaded Display* (1980), section 4.
 
 use super::Sight;
-use crate::scalar::{Real, Scalar, UnitScalar};
+use crate::scalar::{Ring, Scalar, UnitScalar};
 
 /// How far apart the corners' channels may be, as a power of two: 1/32, eight levels of 255.
 const THRESHOLD: i32 = -5;
@@ -12,7 +12,7 @@ const THRESHOLD: i32 = -5;
 /// What lies between four corners that agree is missed. The mean of such corners is off by at most the threshold from what
 /// the whole grid of samples would give, as long as nothing lies between them.
 pub(crate) fn differ<S: Scalar>(corners: &[Sight<S>; 4]) -> bool {
-    let threshold = S::unit_round(S::Real::ONE.times_power_of_two(THRESHOLD));
+    let threshold = S::unit_round(S::Real::ONE.scaled(THRESHOLD));
     let [first, others @ ..] = corners;
     let (mut low, mut high) = (first.color.clamped().to_array(), first.color.clamped().to_array());
     for other in others {

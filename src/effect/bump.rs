@@ -1,7 +1,7 @@
 //! Normals that lean as if the surface had waves: Blinn, *Simulation of Wrinkled Surfaces* (1978).
 
 use super::field::field;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Real, Ring, Scalar};
 use crate::scene::Waves;
 use crate::shape::Surface;
 use crate::vector::{UnitVec3, pairs};
@@ -33,5 +33,5 @@ fn steepness<S: Scalar>(coordinate: S::Unit, count: u16) -> S::Real {
     }
     let (one, two) = (S::Real::ONE, S::Real::from_int(2));
     let (_, within) = field::<S>(coordinate, count);
-    (within.times_power_of_two(2) - two).abs() - one
+    (within.scaled(2) - two).abs() - one
 }

@@ -1,6 +1,6 @@
 //! Where paths end: how deep rays are followed at most, and which may be left out because they cannot change a level of the picture.
 
-use crate::scalar::{Real, Scalar, UnitScalar};
+use crate::scalar::{Real, Ring, Scalar, UnitScalar};
 use crate::scene::{Color, Fog, Material, Scene};
 use crate::vector::pairs;
 
@@ -14,7 +14,7 @@ pub const DEPTH: u8 = 16;
 /// True if the light has the same level in each channel whether or not something up to `doubt` is added to it.
 pub(super) fn is_settled<S: Scalar>(light: [S::Real; 3], doubt: [S::Real; 3], levels: u16) -> bool {
     // In another order the sum may be rounded otherwise.
-    let rounding = S::Real::ONE.times_power_of_two(S::Real::ROUNDING + 3);
+    let rounding = S::Real::ONE.scaled(S::Real::ROUNDING + 3);
     let level = |channel: S::Real| S::unit_round(channel).level(levels);
     pairs(light, doubt)
         .into_iter()

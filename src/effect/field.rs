@@ -23,7 +23,7 @@ mod tests {
     #[test]
     fn fields_divide_the_unit_interval() {
         fn check<S: Scalar>() {
-            use crate::scalar::UnitScalar;
+            use crate::scalar::{Ring, UnitScalar};
             for count in [1_u16, 2, 3, 7, 100, 65535] {
                 for step in 0..=1000_u32 {
                     let at = f64::from(step) / 1000.0;
@@ -34,7 +34,7 @@ mod tests {
                     // The product may round on to a boundary.
                     let near = (place - place.round()).abs() < 0.01;
                     assert!(index == expected || near, "{at} of {count}: {index} {expected}");
-                    let rest = S::unit_round(rest.times_power_of_two(-1)).to_f64() * 2.0;
+                    let rest = S::unit_round(rest.scaled(-1)).to_f64() * 2.0;
                     assert!((-1e-6..=1.0 + 1e-6).contains(&rest), "{at} of {count}: {rest}");
                 }
             }

@@ -1,6 +1,6 @@
 //! How much of a colour the air lets through: Beer's law (1852).
 
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Ring, Scalar};
 use crate::scene::Fog;
 
 /// Over the distance `t` (`None`: without end), the part of a colour that comes through.

@@ -1,7 +1,7 @@
 //! Mirrors: Whitted, *An Improved Illumination Model for Shaded Display* (1980).
 
 use super::site::Site;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Ring, Scalar};
 use crate::scene::Material;
 use crate::vector::{UnitVec3, pairs};
 

@@ -8,7 +8,7 @@
 use super::reflection::part;
 use super::site::Site;
 use crate::hit::Crossing;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Real, Ring, Scalar};
 use crate::scene::Material;
 use crate::vector::{UnitVec3, pairs};
 
@@ -80,6 +80,6 @@ fn bend<S: Scalar>(site: &Site<S>, normal: UnitVec3<S>, denser: S::Real) -> Opti
     // Fresnel's equations for light that is not polarised: the mean of both polarisations' reflectances.
     let across = (cosine - denser * refracted) / (cosine + denser * refracted);
     let within = (refracted - denser * cosine) / (refracted + denser * cosine);
-    let reflectance = (across * across + within * within).times_power_of_two(-1);
+    let reflectance = (across * across + within * within).scaled(-1);
     Some((direction, if reflectance < one { reflectance } else { one }))
 }

@@ -3,7 +3,7 @@
 use crate::hit::Crossing;
 use crate::part::Part;
 use crate::ray::{Departure, Leaving, Ray};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Real, Ring, Scalar};
 use crate::scene::{Object, Scene, SceneHit};
 use crate::shape::Surface;
 use crate::vector::{UnitVec3, Vec3};

@@ -1,7 +1,7 @@
 //! Highlights: Phong, *Illumination for computer generated pictures* (1975).
 
 use super::site::{Site, Towards};
-use crate::scalar::{Real, Scalar, UnitScalar};
+use crate::scalar::{Ring, Scalar, UnitScalar};
 use crate::scene::Material;
 
 /// `Ks (R . V)^shine`, with the light's direction mirrored in the normal: `R = 2 (N . L) N - L`.

@@ -9,7 +9,7 @@ use super::work::Work;
 use super::{Sight, bump, diffuse, fog, reflection, refraction, shadow, specular, texture};
 use crate::hit::Crossing;
 use crate::ray::Ray;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Ring, Scalar};
 use crate::scene::{Color, Material, Observer, Scene, SceneHit, Waves};
 use crate::shape::Surface;
 use core::marker::PhantomData;
@@ -179,7 +179,7 @@ impl<'a, S: Scalar, E: Effects> Tracer<'a, S, E> {
     /// Faint rays are put aside, and cast last, the strongest first. Not inlined: a ray that is not sent on does without the lists.
     #[inline(never)]
     fn follow_tree<O: Observer>(&self, ray: &Ray<S>, gathered: &mut Gathered<S>, levels: u16, work: &mut Work<O>) {
-        let faint = S::unit_round(S::Real::ONE.times_power_of_two(FAINT));
+        let faint = S::unit_round(S::Real::ONE.scaled(FAINT));
         let mut waiting = heapless::Vec::<Segment<S>, { DEPTH as usize + 1 }>::new();
         let mut aside = heapless::Vec::<Segment<S>, { DEPTH as usize }>::new();
         let mut next = Some(Segment::from_eye(*ray));

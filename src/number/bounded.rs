@@ -3,7 +3,6 @@
 use super::word::Word;
 use super::{Estimate, Limbs, Number, Parts, Ring};
 use core::cmp::Ordering;
-use core::ops::{Add, Mul, Neg, Sub};
 
 /// A number of `64 N` bits, and the exponent of a power of two that its distance from the true value does not exceed (running error
 /// analysis: Higham, *Accuracy and Stability of Numerical Algorithms*, 3.3).
@@ -27,7 +26,7 @@ impl<W: Word> Bounded<W> {
     /// The value, if it is off by at most the power of two that `most` makes of its top.
     #[inline]
     pub(crate) fn within(self, most: impl Fn(i32) -> i32) -> Option<Limbs<W>> {
-        (self.error == EXACT || self.error <= most(self.value.top())).then_some(self.value)
+        (self.error == EXACT || self.error <= most(self.value.exponent())).then_some(self.value)
     }
 
     #[inline(always)]
@@ -39,7 +38,32 @@ impl<W: Word> Bounded<W> {
     pub(super) fn cut_off((value, is_cut): (Limbs<W>, bool)) -> Self {
         Self { value, error: cut(&value, is_cut) }
     }
+
+    #[inline]
+    fn plus(self, other: Self) -> Self {
+        let (value, is_cut) = self.value.total::<true>(&other.value);
+        let mut total = Total::NONE.with(self.error).with(other.error);
+        if is_cut {
+            // The shorter term where the sum ends, and the sum itself.
+            let top = self.value.exponent().max(other.value.exponent());
+            total = total.with(top - 2 * Limbs::<W>::BITS + 4).with(value.exponent() - Limbs::<W>::BITS);
+        }
+        Self { value, error: total.exponent() }
+    }
+
+    #[inline]
+    fn times(self, other: Self) -> Self {
+        let (value, is_cut) = self.value.product(&other.value);
+        Self { value, error: product_error([self, other]).with(cut(&value, is_cut)).exponent() }
+    }
+
+    #[inline(always)]
+    fn negative(self) -> Self {
+        Self { value: self.value.negative(), ..self }
+    }
 }
+
+operators!(Bounded<W>, W: Word);
 
 /// A bound of the sum of errors, at most 64 of them.
 #[derive(Clone, Copy)]
@@ -75,57 +99,17 @@ fn times(top: i32, error: i32) -> i32 {
     if error == EXACT { EXACT } else { error + top }
 }
 
-impl<W: Word> Add for Bounded<W> {
-    type Output = Self;
-    #[inline]
-    fn add(self, other: Self) -> Self {
-        let (value, is_cut) = self.value.total::<true>(&other.value);
-        let mut total = Total::NONE.with(self.error).with(other.error);
-        if is_cut {
-            // The shorter term where the sum ends, and the sum itself.
-            let top = self.value.top().max(other.value.top());
-            total = total.with(top - 2 * Limbs::<W>::BITS + 4).with(value.top() - Limbs::<W>::BITS);
-        }
-        Self { value, error: total.exponent() }
-    }
-}
-
-impl<W: Word> Sub for Bounded<W> {
-    type Output = Self;
-    #[inline]
-    fn sub(self, other: Self) -> Self {
-        self + -other
-    }
-}
-
-impl<W: Word> Neg for Bounded<W> {
-    type Output = Self;
-    #[inline(always)]
-    fn neg(self) -> Self {
-        Self { value: self.value.negated(), ..self }
-    }
-}
-
-impl<W: Word> Mul for Bounded<W> {
-    type Output = Self;
-    #[inline]
-    fn mul(self, other: Self) -> Self {
-        let (value, is_cut) = self.value.product(&other.value);
-        Self { value, error: product_error([self, other]).with(cut(&value, is_cut)).exponent() }
-    }
-}
-
 /// The error of a number of which bits were cut off.
 #[inline(always)]
 fn cut<W: Word>(value: &Limbs<W>, is_cut: bool) -> i32 {
-    if is_cut { value.top() - Limbs::<W>::BITS } else { EXACT }
+    if is_cut { value.exponent() - Limbs::<W>::BITS } else { EXACT }
 }
 
 /// What the errors of two factors make of their product's.
 #[inline(always)]
 fn product_error<W: Word>([a, b]: [Bounded<W>; 2]) -> Total {
     let both = if a.error == EXACT { EXACT } else { times(a.error, b.error) };
-    Total::NONE.with(times(a.value.top(), b.error)).with(times(b.value.top(), a.error)).with(both)
+    Total::NONE.with(times(a.value.exponent(), b.error)).with(times(b.value.exponent(), a.error)).with(both)
 }
 
 impl<W: Word> Ring for Bounded<W> {
@@ -140,11 +124,11 @@ impl<W: Word> Ring for Bounded<W> {
         for [a, b] in terms {
             let inherited = product_error([a, b]).exponent();
             total = total.with(inherited);
-            top = top.max(a.value.top() + b.value.top());
+            top = top.max(a.value.exponent() + b.value.exponent());
         }
         if is_cut {
             // Each term where the sum ends (at most four, with three bits of room above), and the sum itself.
-            total = total.with(top - 2 * Limbs::<W>::BITS + 5).with(value.top() - Limbs::<W>::BITS);
+            total = total.with(top - 2 * Limbs::<W>::BITS + 5).with(value.exponent() - Limbs::<W>::BITS);
         }
         Self { value, error: total.exponent() }
     }
@@ -161,16 +145,10 @@ impl<W: Word> Number for Bounded<W> {
     #[inline]
     fn sign(self) -> Option<Ordering> {
         // At least 2^(top - 1) in magnitude.
-        if self.error != EXACT && (self.value.is_zero() || self.value.top() - 1 <= self.error) {
+        if self.error != EXACT && (self.value.is_zero() || self.value.exponent() - 1 <= self.error) {
             return None;
         }
-        Some(if self.value.is_zero() {
-            Ordering::Equal
-        } else if self.value.is_negative() {
-            Ordering::Less
-        } else {
-            Ordering::Greater
-        })
+        self.value.sign()
     }
 
     #[inline(always)]
@@ -184,24 +162,24 @@ impl<W: Word> Estimate for Bounded<W> {
     fn over(self, other: Self) -> Self {
         let value = self.value.quotient(&other.value);
         // Residuals leave an error of a few of the last places, beside the rounding.
-        let own = value.top() - Limbs::<W>::BITS + W::SPARE as i32 + 1;
+        let own = value.exponent() - Limbs::<W>::BITS + W::SPARE as i32 + 1;
         // (error + |quotient| error') / |divisor|, whose magnitude is at least 2^(top - 1) less its error, which is below half of that.
-        let inherited = Total::NONE.with(self.error).with(times(value.top(), other.error)).exponent();
-        Self { value, error: Total::NONE.with(own).with(times(2 - other.value.top(), inherited)).exponent() }
+        let inherited = Total::NONE.with(self.error).with(times(value.exponent(), other.error)).exponent();
+        Self { value, error: Total::NONE.with(own).with(times(2 - other.value.exponent(), inherited)).exponent() }
     }
 
     #[inline]
     fn square_root(self) -> Self {
-        let value = self.value.square_root();
-        let own = if self.value.is_zero() { EXACT } else { value.top() - Limbs::<W>::BITS + W::SPARE as i32 + 1 };
+        let value = self.value.root();
+        let own = if self.value.is_zero() { EXACT } else { value.exponent() - Limbs::<W>::BITS + W::SPARE as i32 + 1 };
         // sqrt(a) - sqrt(a - e) <= e / sqrt(a), and sqrt(a) is at least 2^(top - 1).
-        let inherited = if self.value.is_zero() { halved(self.error) } else { times(1 - value.top(), self.error) };
+        let inherited = if self.value.is_zero() { halved(self.error) } else { times(1 - value.exponent(), self.error) };
         Self { value, error: Total::NONE.with(own).with(inherited).exponent() }
     }
 
     #[inline]
     fn top(self) -> Option<i32> {
-        (!self.value.is_zero()).then(|| self.value.top())
+        self.value.top()
     }
 
     #[inline]

@@ -7,7 +7,6 @@
 
 use super::{Estimate, Number, Ring};
 use core::cmp::Ordering;
-use core::ops::{Add, Mul, Neg, Sub};
 
 /// A double, and the same polynomial of the magnitudes of its inputs.
 #[derive(Clone, Copy, Debug)]
@@ -35,39 +34,24 @@ impl Filtered {
     fn guarded(value: f64, magnitude: f64) -> Self {
         Self { value, magnitude: if magnitude < SMALLEST && magnitude != 0.0 { f64::INFINITY } else { magnitude } }
     }
-}
 
-impl Add for Filtered {
-    type Output = Self;
     #[inline(always)]
-    fn add(self, other: Self) -> Self {
+    fn plus(self, other: Self) -> Self {
         Self { value: self.value + other.value, magnitude: self.magnitude + other.magnitude }
     }
-}
 
-impl Sub for Filtered {
-    type Output = Self;
     #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        Self { value: self.value - other.value, magnitude: self.magnitude + other.magnitude }
+    fn times(self, other: Self) -> Self {
+        Self { value: self.value * other.value, magnitude: self.magnitude * other.magnitude }
     }
-}
 
-impl Neg for Filtered {
-    type Output = Self;
     #[inline(always)]
-    fn neg(self) -> Self {
+    fn negative(self) -> Self {
         Self { value: -self.value, ..self }
     }
 }
 
-impl Mul for Filtered {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        Self { value: self.value * other.value, magnitude: self.magnitude * other.magnitude }
-    }
-}
+operators!(Filtered);
 
 impl Ring for Filtered {
     const ZERO: Self = Self { value: 0.0, magnitude: 0.0 };
@@ -133,40 +117,25 @@ impl Rounded {
     fn new(value: f64, inherited: f64) -> Self {
         Self { value, error: inherited + value.abs() * f64::EPSILON }
     }
-}
 
-impl Add for Rounded {
-    type Output = Self;
     #[inline(always)]
-    fn add(self, other: Self) -> Self {
+    fn plus(self, other: Self) -> Self {
         Self::new(self.value + other.value, self.error + other.error)
     }
-}
 
-impl Sub for Rounded {
-    type Output = Self;
     #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        self + -other
+    fn times(self, other: Self) -> Self {
+        let inherited = self.value.abs() * other.error + self.error * (other.value.abs() + other.error);
+        Self::new(self.value * other.value, inherited)
     }
-}
 
-impl Neg for Rounded {
-    type Output = Self;
     #[inline(always)]
-    fn neg(self) -> Self {
+    fn negative(self) -> Self {
         Self { value: -self.value, ..self }
     }
 }
 
-impl Mul for Rounded {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        let inherited = self.value.abs() * other.error + self.error * (other.value.abs() + other.error);
-        Self::new(self.value * other.value, inherited)
-    }
-}
+operators!(Rounded);
 
 impl Ring for Rounded {
     const ZERO: Self = Self { value: 0.0, error: 0.0 };

@@ -6,7 +6,6 @@
 
 use super::{Bounded, Limbs, Number, Parts, Ring};
 use core::cmp::Ordering;
-use core::ops::{Add, Mul, Neg, Sub};
 
 /// Limbs of an integer that holds every polynomial of the solvers over `f32`.
 ///
@@ -115,12 +114,9 @@ impl<const N: usize> Integer<N> {
         debug_assert!(carry == 0, "the capacity holds every polynomial of the solvers");
         result.trimmed()
     }
-}
 
-impl<const N: usize> Add for Integer<N> {
-    type Output = Self;
     #[inline(never)]
-    fn add(self, other: Self) -> Self {
+    fn plus(self, other: Self) -> Self {
         let order = self.compare_magnitude(&other);
         let subtract = self.negative != other.negative;
         if order == Ordering::Less {
@@ -129,27 +125,9 @@ impl<const N: usize> Add for Integer<N> {
             Self::combined(&self, &other, subtract)
         }
     }
-}
 
-impl<const N: usize> Neg for Integer<N> {
-    type Output = Self;
-    fn neg(mut self) -> Self {
-        self.negative = !self.negative && self.length != 0;
-        self
-    }
-}
-
-impl<const N: usize> Sub for Integer<N> {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        self + -other
-    }
-}
-
-impl<const N: usize> Mul for Integer<N> {
-    type Output = Self;
     #[inline(never)]
-    fn mul(self, other: Self) -> Self {
+    fn times(self, other: Self) -> Self {
         let negative = self.negative != other.negative;
         let mut result = Self { exponent: self.exponent + other.exponent, negative, ..Self::NOTHING };
         for (i, a) in self.limbs.iter().take(self.length).enumerate() {
@@ -169,7 +147,14 @@ impl<const N: usize> Mul for Integer<N> {
         }
         result.trimmed()
     }
+
+    fn negative(mut self) -> Self {
+        self.negative = !self.negative && self.length != 0;
+        self
+    }
 }
+
+operators!(Integer<N>, const N: usize);
 
 impl<const N: usize> Ring for Integer<N> {
     const ZERO: Self = Self::NOTHING;

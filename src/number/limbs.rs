@@ -6,27 +6,26 @@
 //! there, and cut off once (as the "long accumulator" of Kulisch, *Advanced Arithmetic for the Digital Computer*, 2002, but of one
 //! width). Where products cancel, the sum keeps the bits that are left.
 
+use super::Ring;
 use super::word::{Wide, Word};
 use core::cmp::Ordering;
 
 /// `(-1)^negative * 0.mantissa * 2^exponent`. Zero has no bit set and the lowest exponent.
 #[derive(Clone, Copy, Debug)]
 pub struct Limbs<W> {
-    mantissa: W,
-    exponent: i32,
-    negative: bool,
+    pub(super) mantissa: W,
+    pub(super) exponent: i32,
+    pub(super) negative: bool,
 }
 
-/// Below the exponent of any number of the solvers, and far from the end of its type.
-const ZERO_EXPONENT: i32 = -(1 << 28);
+/// Of zero, below the exponent of any number of the solvers, and far from the end of its type.
+pub(super) const ZERO_EXPONENT: i32 = -(1 << 28);
 
 /// Bits above a product in a sum: four of them stay below the sign.
 const HEADROOM: u32 = 3;
 
 impl<W: Word> Limbs<W> {
     pub(crate) const BITS: i32 = W::BITS as i32;
-    pub(crate) const ZERO: Self = Self { mantissa: W::ZERO, exponent: ZERO_EXPONENT, negative: false };
-    pub(crate) const ONE: Self = Self { mantissa: W::TOP, exponent: 1, negative: false };
 
     /// `(-1)^negative * integer * 2^exponent`, exactly.
     #[inline]
@@ -71,7 +70,7 @@ impl<W: Word> Limbs<W> {
 
     /// The exponent of a power of two above the magnitude, of which the half is not above it.
     #[inline(always)]
-    pub(crate) const fn top(&self) -> i32 {
+    pub(crate) const fn exponent(&self) -> i32 {
         self.exponent
     }
 
@@ -95,19 +94,13 @@ impl<W: Word> Limbs<W> {
     }
 
     #[inline(always)]
-    pub(crate) fn negated(self) -> Self {
+    pub(crate) fn negative(self) -> Self {
         Self { negative: !self.negative, ..self }
     }
 
     #[cfg(test)]
     pub(crate) fn magnitude(self) -> Self {
         Self { negative: false, ..self }
-    }
-
-    /// `self * 2^e`
-    #[inline(always)]
-    pub(crate) fn scaled(self, e: i32) -> Self {
-        if self.is_zero() { self } else { Self { exponent: self.exponent + e, ..self } }
     }
 
     /// How the magnitude compares with another.
@@ -173,19 +166,19 @@ impl<W: Word> Limbs<W> {
             return Self::ZERO;
         }
         // Halved, it is surely below the divisor.
-        let quotient = self.mantissa.half().quotient(divisor.mantissa);
+        let quotient = (self.mantissa >> 1).quotient(divisor.mantissa);
         Self::shortened(quotient, self.exponent - divisor.exponent + 1, self.negative != divisor.negative)
     }
 
     /// The square root of the magnitude to the last places.
     #[inline(never)]
-    pub(crate) fn square_root(&self) -> Self {
+    pub(crate) fn root(&self) -> Self {
         if self.is_zero() {
             return Self::ZERO;
         }
         // m 2^(2 h) with m in [1/4, 1)
         let is_odd = self.exponent & 1 != 0;
-        let mantissa = if is_odd { self.mantissa.half() } else { self.mantissa };
+        let mantissa = if is_odd { self.mantissa >> 1 } else { self.mantissa };
         Self::shortened(mantissa.root(), (self.exponent + is_odd as i32) >> 1, false)
     }
 
@@ -194,8 +187,11 @@ impl<W: Word> Limbs<W> {
     #[inline(always)]
     fn shortened(mantissa: W, exponent: i32, negative: bool) -> Self {
         let zeros = mantissa.leading_zeros();
-        match mantissa.shifted_left(zeros).shortened() {
-            Some(mantissa) => Self { mantissa, exponent: exponent - zeros as i32, negative },
+        let half = W::TOP >> (W::BITS - W::SPARE);
+        match (mantissa << zeros).checked_plus(half) {
+            Some(rounded) => {
+                Self { mantissa: rounded >> W::SPARE << W::SPARE, exponent: exponent - zeros as i32, negative }
+            }
             // All bits were ones.
             None => Self { mantissa: W::TOP, exponent: exponent - zeros as i32 + 1, negative },
         }

@@ -5,13 +5,48 @@
 //!
 //! | number | sign | used by |
 //! |---|---|---|
-//! | [`Native`](crate::scalar::Native) | that of the rounded value | points and normals, where it is enough |
+//! | [`Twofold`](crate::scalar::Twofold) | | points and normals, where it is enough |
 //! | [`Robust`] | that of the rounded value | `Fast` and `Stable`, where their fast path is unsure |
 //! | [`Filtered`] | unknown where a value is small beside its terms | `Exact` |
 //! | [`Bounded`] | unknown where the error bound allows both | `Exact`, where [`Filtered`] does not know |
 //! | [`Integer`] | always certain | `Exact`, where [`Bounded`] does not know |
 //!
 //! The first rung of all tiers, the fast path in a type's own width, is not made of these numbers.
+
+/// The operators of a number with the methods `plus`, `negative` and `times`.
+macro_rules! operators {
+    ($Number:ty $(, $($parameters:tt)+)?) => {
+        impl$(<$($parameters)+>)? core::ops::Add for $Number {
+            type Output = Self;
+            #[inline(always)]
+            fn add(self, other: Self) -> Self {
+                self.plus(other)
+            }
+        }
+        impl$(<$($parameters)+>)? core::ops::Sub for $Number {
+            type Output = Self;
+            #[inline(always)]
+            fn sub(self, other: Self) -> Self {
+                self.plus(other.negative())
+            }
+        }
+        impl$(<$($parameters)+>)? core::ops::Neg for $Number {
+            type Output = Self;
+            #[inline(always)]
+            fn neg(self) -> Self {
+                self.negative()
+            }
+        }
+        impl$(<$($parameters)+>)? core::ops::Mul for $Number {
+            type Output = Self;
+            #[inline(always)]
+            fn mul(self, other: Self) -> Self {
+                self.times(other)
+            }
+        }
+    };
+}
+pub(crate) use operators;
 
 mod bounded;
 #[cfg(feature = "libm")]

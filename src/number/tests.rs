@@ -77,7 +77,7 @@ fn a_robust_number_is_the_rounded_exact_one() {
 
 fn check_quotients_and_roots<W: Word>(seed: u64) {
     let mut random = Random(seed);
-    let unit = |value: &Limbs<W>| value.top() - Limbs::<W>::BITS;
+    let unit = |value: &Limbs<W>| value.exponent() - Limbs::<W>::BITS;
     for round in 0..5_000 {
         // At the ends of the mantissa's range too.
         let mut mantissa = || match round % 5 {
@@ -89,11 +89,17 @@ fn check_quotients_and_roots<W: Word>(seed: u64) {
         let (d, _) = n.product(&Limbs::from_integer(random.next() | 1, -70, round & 2 != 0));
         let q = n.quotient(&d);
         // n - q d is below a few last places of q times d.
-        let (rest, _) = Limbs::sum_of_products::<2, true>(&[[n, Limbs::ONE], [q.negated(), d]]);
-        assert!(rest.is_zero() || rest.top() <= unit(&q) + d.top() + W::SPARE as i32 + 1, "{n:?} / {d:?}: {rest:?}");
-        let s = n.square_root();
-        let (rest, _) = Limbs::sum_of_products::<2, true>(&[[n.magnitude(), Limbs::ONE], [s.negated(), s]]);
-        assert!(rest.is_zero() || rest.top() <= unit(&s) + s.top() + W::SPARE as i32 + 2, "{n:?}: {s:?} {rest:?}");
+        let (rest, _) = Limbs::sum_of_products::<2, true>(&[[n, Limbs::ONE], [q.negative(), d]]);
+        assert!(
+            rest.is_zero() || rest.exponent() <= unit(&q) + d.exponent() + W::SPARE as i32 + 1,
+            "{n:?} / {d:?}: {rest:?}"
+        );
+        let s = n.root();
+        let (rest, _) = Limbs::sum_of_products::<2, true>(&[[n.magnitude(), Limbs::ONE], [s.negative(), s]]);
+        assert!(
+            rest.is_zero() || rest.exponent() <= unit(&s) + s.exponent() + W::SPARE as i32 + 2,
+            "{n:?}: {s:?} {rest:?}"
+        );
     }
 }
 

@@ -2,9 +2,10 @@
 
 use super::machine::{full_product, reciprocal_of_normalized, root_of_normalized};
 use core::fmt::Debug;
+use core::ops::{Shl, Shr};
 
 /// A mantissa.
-pub trait Word: Copy + Ord + Debug + Send + Sync + 'static {
+pub trait Word: Copy + Ord + Debug + Shl<u32, Output = Self> + Shr<u32, Output = Self> + Send + Sync + 'static {
     /// An integer of twice as many bits, and a sign.
     type Wide: Wide<Self>;
     /// Its bits.
@@ -20,16 +21,12 @@ pub trait Word: Copy + Ord + Debug + Send + Sync + 'static {
     fn from_word(bits: u64) -> Self;
     /// As the highest of 128 bits.
     fn highest(self) -> u128;
-    /// Shifted right by one.
-    fn half(self) -> Self;
-    /// Shifted left, by less than its bits.
-    fn shifted_left(self, by: u32) -> Self;
     /// Zeros above the highest bit.
     fn leading_zeros(self) -> u32;
     /// Bits by which a quotient or a root is rounded.
     const SPARE: u32;
-    /// Rounded by [`Word::SPARE`] bits; `None` if that carries.
-    fn shortened(self) -> Option<Self>;
+    /// The sum; `None` if that carries.
+    fn checked_plus(self, other: Self) -> Option<Self>;
     /// `self * other`
     fn product(self, other: Self) -> Self::Wide;
     /// `self 2^BITS / divisor` but for some units, for a divisor with its highest bit that is larger.
@@ -80,20 +77,12 @@ impl Word for u64 {
         (self as u128) << 64
     }
     #[inline(always)]
-    fn half(self) -> Self {
-        self >> 1
-    }
-    #[inline(always)]
-    fn shifted_left(self, by: u32) -> Self {
-        self << by
-    }
-    #[inline(always)]
     fn leading_zeros(self) -> u32 {
         Self::leading_zeros(self)
     }
     #[inline(always)]
-    fn shortened(self) -> Option<Self> {
-        self.checked_add(1 << (Self::SPARE - 1)).map(|rounded| rounded >> Self::SPARE << Self::SPARE)
+    fn checked_plus(self, other: Self) -> Option<Self> {
+        self.checked_add(other)
     }
     #[inline(always)]
     fn product(self, other: Self) -> u128 {
@@ -202,20 +191,12 @@ impl Word for u128 {
         self
     }
     #[inline(always)]
-    fn half(self) -> Self {
-        self >> 1
-    }
-    #[inline(always)]
-    fn shifted_left(self, by: u32) -> Self {
-        self << by
-    }
-    #[inline(always)]
     fn leading_zeros(self) -> u32 {
         Self::leading_zeros(self)
     }
     #[inline(always)]
-    fn shortened(self) -> Option<Self> {
-        self.checked_add(1 << (Self::SPARE - 1)).map(|rounded| rounded >> Self::SPARE << Self::SPARE)
+    fn checked_plus(self, other: Self) -> Option<Self> {
+        self.checked_add(other)
     }
 
     #[inline(always)]
@@ -237,7 +218,7 @@ impl Word for u128 {
     fn quotient(self, divisor: Self) -> Self {
         // 2^127 / d' of the divisor's highest word.
         let highest = (divisor >> 64) as u64;
-        let reciprocal = u64::TOP.half().quotient(highest);
+        let reciprocal = (u64::TOP >> 1).quotient(highest);
         let mut quotient = 0_u128;
         let mut residual = Double { high: self, low: 0 };
         for _ in 0..3 {
@@ -263,7 +244,7 @@ impl Word for u128 {
     #[inline]
     fn root(self) -> Self {
         let high = ((self >> 64) as u64).root().max(u64::TOP);
-        let reciprocal = u64::TOP.half().quotient(high);
+        let reciprocal = (u64::TOP >> 1).quotient(high);
         let mut root = (high as u128) << 64;
         for _ in 0..2 {
             let residual = Double { high: self, low: 0 }.plus(root.product(root).negated());

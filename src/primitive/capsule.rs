@@ -6,7 +6,7 @@ use crate::figure::Figure;
 use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
-use crate::scalar::{Attempt, LocalLine, Real, Scalar, found};
+use crate::scalar::{Attempt, LocalLine, Real, Ring, Scalar, found};
 use crate::vector::{UnitVec3, Vec3};
 use core::cmp::Ordering;
 
@@ -131,18 +131,15 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
     /// `v` is the length of the outline from the lowest point, as a fraction of the whole.
     fn uv(&self, point: Vec3<S>, part: Part) -> (S::Unit, S::Unit) {
         // An eighth of each, so that the whole outline of the largest capsule is a number.
-        let [radius, height, y] = [self.radius, self.height, point.y].map(|size| size.real().times_power_of_two(-3));
+        let [radius, height, y] = [self.radius, self.height, point.y].map(|size| size.real().scaled(-3));
         // An arc of a quarter turn: r pi / 2, with pi / 2 = 11 / 7 within 1/2000; texture needs no more, but ends must meet.
         let quarter = radius * (S::Real::from_int(11) / S::Real::from_int(7));
         let along = match part {
-            Part::Base => S::unit_real(super::sphere::latitude(point)) * quarter.times_power_of_two(1),
+            Part::Base => S::unit_real(super::sphere::latitude(point)) * quarter.scaled(1),
             Part::Side => quarter + y,
-            Part::Top => {
-                height
-                    + S::unit_real(super::sphere::latitude(point - self.centre(part))) * quarter.times_power_of_two(1)
-            }
+            Part::Top => height + S::unit_real(super::sphere::latitude(point - self.centre(part))) * quarter.scaled(1),
         };
-        (coordinates::azimuth(point), coordinates::fraction::<S>(along, height + quarter.times_power_of_two(1)))
+        (coordinates::azimuth(point), coordinates::fraction::<S>(along, height + quarter.scaled(1)))
     }
 
     fn tangents(&self, point: Vec3<S>, part: Part) -> (UnitVec3<S>, UnitVec3<S>) {

@@ -8,7 +8,7 @@ use crate::intersection::{End, Intersection, Span};
 use crate::line::Place;
 use crate::part::Part;
 use crate::ray::Ray;
-use crate::scalar::{Attempt, LocalLine, Real, Scalar, found, largest};
+use crate::scalar::{Attempt, LocalLine, Real, Ring, Scalar, found, largest};
 use crate::vector::{UnitVec3, Vec3};
 
 /// A ball of the given radius about the origin.
@@ -120,7 +120,7 @@ pub(super) fn latitude<S: Scalar>(point: Vec3<S>) -> S::Unit {
     let e = S::binary_exponent(largest([point.x, point.y, point.z]));
     let [x, y, z] = point.to_array().map(|component| component.scaled(-e).real());
     let from_axis = (x * x + z * z).sqrt();
-    let half_turns = S::unit_real(S::turns(from_axis, -y)).times_power_of_two(1);
+    let half_turns = S::unit_real(S::turns(from_axis, -y)).scaled(1);
     coordinates::fraction::<S>(half_turns, S::Real::ONE)
 }
 

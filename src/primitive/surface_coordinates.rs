@@ -3,7 +3,7 @@
 //! `u` runs once around the axis, from the x axis, counter-clockwise as seen from +y; `v` runs up. So `u`, `v` and the
 //! outward normal are right-handed. Flat caps are mapped straight: (x, z) from `[-r, r]` to `[0, 1]`.
 
-use crate::scalar::{Real, Scalar, UnitScalar};
+use crate::scalar::{Real, Ring, Scalar, UnitScalar};
 use crate::vector::{UnitVec3, Vec3};
 
 /// The angle about the y axis, in turns; zero on the axis.
@@ -34,7 +34,7 @@ pub(super) fn planar<S: Scalar>(point: Vec3<S>, radius: S::Real) -> (S::Unit, S:
     }
     // (x / r + 1) / 2 rather than (x + r) / 2r: the largest radius has no double.
     let one = S::Real::ONE;
-    let along = |component: S| fraction::<S>((component.real() / radius + one).times_power_of_two(-1), one);
+    let along = |component: S| fraction::<S>((component.real() / radius + one).scaled(-1), one);
     (along(point.x), along(point.z))
 }
 

@@ -9,6 +9,7 @@
 //! code for three widths; the smallest is small enough to be tested on every operand.
 
 use super::{Real, sealed::Sealed};
+use crate::number::Ring;
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -248,9 +249,17 @@ macro_rules! block {
             }
         }
 
-        impl Real for $Block {
+        impl Ring for $Block {
             const ZERO: Self = Self::new(0, 0);
             const ONE: Self = Self::new(1, 0);
+
+            #[inline]
+            fn scaled(self, n: i32) -> Self {
+                Self::new(self.mantissa, self.exponent.wrapping_add(n))
+            }
+        }
+
+        impl Real for $Block {
             const ROUNDING: i32 = -(Self::HALF as i32);
 
             #[inline]
@@ -282,11 +291,6 @@ macro_rules! block {
             #[inline]
             fn abs(self) -> Self {
                 Self::new(self.mantissa.abs(), self.exponent)
-            }
-
-            #[inline]
-            fn times_power_of_two(self, n: i32) -> Self {
-                Self::new(self.mantissa, self.exponent.wrapping_add(n))
             }
 
             #[inline(always)]

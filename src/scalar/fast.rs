@@ -41,14 +41,37 @@ pub(crate) use found;
 pub struct LocalLine<S: Numbers> {
     /// The origin, in units of `2^-finer` of the type's.
     pub origin: [S; 3],
+    /// What rounding left over of the origin of a ball's line, to be added to it.
+    pub rest: [S; 3],
     /// How much finer the origin's unit is than the type's; for floats 1 if a placement has rounded the line.
     pub finer: i32,
     /// The direction.
     pub direction: [S::Unit; 3],
     /// The ray's `t` over the line's own, where a placement stretches; not used elsewhere.
     pub pace: S,
+    /// The ray's `t` at the line's origin.
+    pub start: S,
+    /// True if the line is only good enough to tell a miss.
+    pub is_coarse: bool,
     /// True of doubles that stand for numbers of 32 bits: guards may be strict, and yet let nearly all through.
     pub has_spare_bits: bool,
+}
+
+impl<S: Numbers + Copy> LocalLine<S> {
+    /// The line of a ray as it stands in the world.
+    #[inline(always)]
+    pub(crate) const fn along(origin: [S; 3], direction: [S::Unit; 3], zero: S) -> Self {
+        Self {
+            origin,
+            rest: [zero, zero, zero],
+            finer: 0,
+            direction,
+            pace: zero,
+            start: zero,
+            is_coarse: false,
+            has_spare_bits: false,
+        }
+    }
 }
 
 /// How a line in a primitive's frame meets its surfaces, where rounding does not decide.

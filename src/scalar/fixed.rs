@@ -71,11 +71,11 @@ macro_rules! fixed {
             }
             #[inline]
             fn from_robust(value: Self::Robust) -> Self {
-                Self::from_limbs(value.limbs())
+                Self::from_limbs(value)
             }
             #[inline]
             fn unit_from_robust(value: Self::Robust) -> Self::Unit {
-                <$Fixed<$UnitBits> as Scalar>::from_limbs(value.limbs())
+                <$Fixed<$UnitBits> as Scalar>::from_limbs(value)
             }
             #[inline(always)]
             fn last_place(_: i32) -> i32 {

@@ -3,7 +3,7 @@
 use super::square_root::square_root_f32;
 use super::{Budget, Computing, Elementary, Numbers, Real, Scalar, UnitScalar, largest, sealed::Sealed};
 use crate::number::word::Word;
-use crate::number::{Limbs, Parts, Robust};
+use crate::number::{Limbs, Parts, Ring, Robust};
 
 /// Defines the float implementations. `$half` are the mantissa bits that a split moves to the low part.
 macro_rules! float {
@@ -98,7 +98,7 @@ macro_rules! float {
             fn from_limbs<W: Word>(value: Limbs<W>) -> Self {
                 // The fraction, and above it the exponent's field, into which a subnormal number or a carry grows by itself.
                 const LEAST: i32 = 1 - $bias - $mantissa;
-                let unit = Self::last_place(value.top());
+                let unit = Self::last_place(value.exponent());
                 let field = unit.saturating_sub(LEAST);
                 let Some(units) = value.to_units(unit).filter(|_| field < 2 * $bias) else {
                     return if value.is_negative() { -Self::INFINITY } else { Self::INFINITY };
@@ -108,11 +108,11 @@ macro_rules! float {
             }
             #[inline]
             fn from_robust(value: Self::Robust) -> Self {
-                Self::from_limbs(value.limbs())
+                Self::from_limbs(value)
             }
             #[inline]
             fn unit_from_robust(value: Self::Robust) -> Self {
-                Self::from_limbs(value.limbs())
+                Self::from_limbs(value)
             }
             #[inline(always)]
             fn last_place(top: i32) -> i32 {
@@ -156,7 +156,7 @@ macro_rules! float {
                     return None;
                 }
                 // Exact, but for what becomes subnormal.
-                let value = text.parse::<Self>().ok()?.times_power_of_two(power);
+                let value = Ring::scaled(text.parse::<Self>().ok()?, power);
                 Some(value).filter(|value| Scalar::is_finite(*value))
             }
             #[allow(clippy::unnecessary_cast)]
@@ -298,9 +298,17 @@ macro_rules! float {
             }
         }
 
-        impl Real for $Float {
+        impl Ring for $Float {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
+
+            #[inline]
+            fn scaled(self, n: i32) -> Self {
+                $exact::scale(self, n)
+            }
+        }
+
+        impl Real for $Float {
             const ROUNDING: i32 = -1 - $mantissa;
 
             #[inline(always)]
@@ -310,6 +318,14 @@ macro_rules! float {
             #[inline(always)]
             fn sqrt(self) -> Self {
                 if self > 0.0 { $sqrt(self) } else { 0.0 }
+            }
+            #[inline(always)]
+            fn plus_with_rest(self, other: Self) -> [Self; 2] {
+                $exact::two_sum(self, other).into()
+            }
+            #[inline(always)]
+            fn times_with_rest(self, other: Self) -> [Self; 2] {
+                $exact::two_product(self, other).into()
             }
             #[inline]
             fn sum_with_rest<const N: usize>(terms: [[Self; 2]; N]) -> [Self; 2] {
@@ -326,10 +342,6 @@ macro_rules! float {
             #[inline(always)]
             fn abs(self) -> Self {
                 $Float::abs(self)
-            }
-            #[inline]
-            fn times_power_of_two(self, n: i32) -> Self {
-                $exact::scale(self, n)
             }
             #[inline(always)]
             fn is_negative(self) -> bool {

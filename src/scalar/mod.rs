@@ -15,7 +15,7 @@
 //! | `fast` | what the fast path of a number type tells |
 //! | `integers` | the fast path of fixed point, in plain integers |
 //! | `floats` | the usual case of floats, uncompensated |
-//! | `rungs`, `native` | how a number of the ladder is made from a stored one, and rounded to one |
+//! | `rungs`, `twofold` | how a number of the ladder is made from a stored one, and rounded to one |
 //! | `separation` | whether a ray surely misses a box |
 //! | [`block`] | integer mantissa and exponent; square root and quotient of integers |
 //! | `decimal` | decimal text to fixed point, correctly rounded |
@@ -25,7 +25,7 @@
 use crate::number::word::Word;
 use crate::number::{Limbs, Number, Parts};
 use core::fmt::Debug;
-use core::ops::{Add, Div, Mul, Neg, Sub};
+use core::ops::{Div, Neg};
 
 pub mod block;
 mod computing;
@@ -42,20 +42,21 @@ mod float;
 mod floats;
 #[cfg(feature = "fixed")]
 mod integers;
-mod native;
 mod rungs;
 pub(crate) mod separation;
 #[cfg(feature = "libm")]
 mod square_root;
+mod twofold;
 
 #[cfg(feature = "fixed")]
 pub use fixed::{DISTANCE_BITS, SIZE_BITS};
 
+pub use crate::number::Ring;
 pub use computing::{Computing, Elementary};
 pub(crate) use fast::found;
 pub use fast::{Attempt, FastPath, InNappe, LocalLine};
-pub use native::Native;
 pub use rungs::{FromScalar, ToScalar};
+pub use twofold::Twofold;
 
 /// Keeps [`Scalar`] and its companions closed: their contracts bind several impls together.
 mod sealed {
@@ -210,24 +211,8 @@ pub trait UnitScalar:
 /// No operation overflows for operands that come from values inside the [`Budget`]. For fixed types sums,
 /// differences and products of stored values are exact as long as their bits fit the double width.
 pub trait Real:
-    Copy
-    + Debug
-    + PartialEq
-    + PartialOrd
-    + Neg<Output = Self>
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Send
-    + Sync
-    + 'static
-    + sealed::Sealed
+    Ring + Debug + PartialEq + PartialOrd + Div<Output = Self> + Send + Sync + 'static + sealed::Sealed
 {
-    /// Zero.
-    const ZERO: Self;
-    /// One.
-    const ONE: Self;
     /// The exponent of the relative rounding of a product.
     const ROUNDING: i32;
 
@@ -235,6 +220,16 @@ pub trait Real:
     fn from_int(n: i32) -> Self;
     /// The square root; zero for a negative number.
     fn sqrt(self) -> Self;
+    /// The rounded sum, and what rounding left over.
+    #[inline(always)]
+    fn plus_with_rest(self, other: Self) -> [Self; 2] {
+        Self::sum_with_rest([[self, Self::ONE], [other, Self::ONE]])
+    }
+    /// The rounded product, and what rounding left over.
+    #[inline(always)]
+    fn times_with_rest(self, other: Self) -> [Self; 2] {
+        Self::sum_with_rest([[self, other]])
+    }
     /// The sum of products as a rounded value and the rest that rounding left over: about twice the working
     /// precision, so that cancellation costs nothing ("Dot2": Ogita, Rump, Oishi, *Accurate Sum and Dot Product*, 2005).
     fn sum_with_rest<const N: usize>(terms: [[Self; 2]; N]) -> [Self; 2];
@@ -246,8 +241,6 @@ pub trait Real:
     }
     /// The magnitude.
     fn abs(self) -> Self;
-    /// `self * 2^n`, exactly.
-    fn times_power_of_two(self, n: i32) -> Self;
     /// True below zero.
     fn is_negative(self) -> bool;
     /// True at zero.

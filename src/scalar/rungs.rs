@@ -1,6 +1,6 @@
 //! The way from stored numbers to those of the ladder, and back.
 
-use super::{Native, Scalar, UnitScalar};
+use super::{Scalar, Twofold, UnitScalar};
 use crate::number::word::Word;
 use crate::number::{Bounded, Estimate, Filtered, Integer, Ring, Robust, Rounded};
 
@@ -37,7 +37,7 @@ impl<S: Scalar, W: Word> ToScalar<S> for Robust<W> {
 
     #[inline]
     fn rounded(self) -> Option<S> {
-        Some(S::from_limbs(self.limbs()))
+        Some(S::from_limbs(self))
     }
 }
 
@@ -105,14 +105,14 @@ impl<S: Scalar> ToScalar<S> for Rounded {
     }
 }
 
-impl<S: Scalar> FromScalar<S> for Native<S::Real> {
+impl<S: Scalar> FromScalar<S> for Twofold<S::Real> {
     #[inline(always)]
     fn scalar(value: S) -> Self {
-        Self(value.real())
+        Self::of(value.real())
     }
     #[inline(always)]
     fn unit(value: S::Unit) -> Self {
-        Self(S::unit_real(value))
+        Self::of(S::unit_real(value))
     }
 }
 

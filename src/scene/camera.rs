@@ -1,7 +1,7 @@
 //! From where, whither, and how wide: the ray of each pixel.
 
 use crate::ray::Ray;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Real, Ring, Scalar};
 use crate::vector::{UnitVec3, Vec3};
 use core::fmt;
 
@@ -38,7 +38,7 @@ impl<S: Scalar> Camera<S> {
         let right = UnitVec3::from_real(forward.cross(up)).ok_or(CameraError::Up)?;
         let up = UnitVec3::from_real(right.cross(forward)).ok_or(CameraError::Up)?;
         let turns = angle.real() / S::Real::from_int(720);
-        if !angle.is_finite() || angle <= S::ZERO || turns >= S::Real::ONE.times_power_of_two(-2) {
+        if !angle.is_finite() || angle <= S::ZERO || turns >= S::Real::ONE.scaled(-2) {
             return Err(CameraError::Angle);
         }
         let (sine, cosine) = S::sine_cosine(S::unit_round(turns));

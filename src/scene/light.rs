@@ -1,6 +1,6 @@
 //! What shines.
 
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Real, Ring, Scalar};
 use crate::vector::Vec3;
 
 /// A point that shines in all directions, with the same strength at every distance.

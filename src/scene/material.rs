@@ -2,7 +2,7 @@
 
 use super::color::Color;
 use super::texture::Waves;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Ring, Scalar};
 
 /// The surface of an object: the eight numbers of an NFF `f` entity, and what that format cannot say.
 ///

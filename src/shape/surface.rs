@@ -2,6 +2,7 @@
 
 use super::{Placement, Shape, through};
 use crate::figure::Figure;
+use crate::frame::Frame;
 use crate::geometry::Geometry;
 use crate::hit::{Crossing, Hit};
 use crate::ladder;
@@ -9,9 +10,9 @@ use crate::line::{InWorld, Place};
 use crate::number::{Estimate, dot};
 use crate::query;
 use crate::ray::{Departure, Leaving, Ray};
-use crate::scalar::{FromScalar, Native, Real, Scalar, largest};
+use crate::scalar::{FromScalar, Real, Ring, Scalar, Twofold, largest};
 use crate::solve::{self, Line};
-use crate::vector::{UnitVec3, Vec3};
+use crate::vector::{UnitVec3, Vec3, pairs};
 
 /// A hit on a shape; its methods compute what is needed there.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,8 +32,11 @@ impl<S: Scalar> Surface<S> {
     pub fn local_point(&self) -> Vec3<S> {
         let mut rough = self.rough_local_point();
         if !self.is_resolved(rough) {
-            let Some(point) = self.native_local_point(rough) else { return self.exact_local_point() };
-            rough = Vec3::round(point.map(|coordinate| coordinate.0));
+            let Some(correction) = self.correction(rough) else { return self.exact_local_point() };
+            rough = Vec3::round(correction.local_point());
+            if let Some(frame) = self.frame_of_a_ball() {
+                rough = frame.vector_to_local(rough);
+            }
         }
         let (primitive, point, exponent) = query::near_one(&self.shape.primitive, rough);
         query::scaled(primitive.on_surface(point, self.hit.part), exponent)
@@ -41,15 +45,17 @@ impl<S: Scalar> Surface<S> {
     /// The point in the world, on the surface as nearly as the number type can say.
     pub fn point(&self) -> Vec3<S> {
         let rough = self.rough_local_point();
-        let point = match &self.shape.placement {
-            Placement::World if !self.is_resolved(rough) && self.native_local_point(rough).is_none() => {
-                return self.exact_point();
+        let point = if self.is_resolved(rough) {
+            match &self.shape.placement {
+                Placement::Frame(frame) => frame.point_to_world(self.local_point()),
+                _ => self.local_point(),
             }
-            Placement::Frame(_) if !self.is_resolved(rough) => return self.exact_point(),
-            Placement::Frame(frame) => frame.point_to_world(self.local_point()),
-            Placement::World => self.local_point(),
-            // Nearest in the primitive's frame is not nearest in a stretched world.
-            Placement::Affine(_) => return self.exact_point(),
+        } else if let Some(Correction { step, .. }) = self.correction(rough) {
+            let (one, t) = (S::Real::ONE, self.hit.t.real());
+            let along = |(o, d)| S::Real::sum_of_products([[o, one], [t, d], [step, d]]);
+            Vec3::round(pairs(self.ray.origin().real(), self.ray.direction().real()).map(along))
+        } else {
+            return self.exact_point();
         };
         // At the end of the float range the image of a local point overflows where the ray itself need not.
         if point.to_array().iter().all(|c| c.is_finite()) { point } else { self.exact_point() }
@@ -58,13 +64,10 @@ impl<S: Scalar> Surface<S> {
     /// The outward unit normal in the world; for an open surface away from the axis, for a flat one to the front.
     pub fn normal(&self) -> UnitVec3<S> {
         let rough = self.rough_local_point();
-        if self.needs_exact_normal(rough) {
-            if let Some(normal) = self.native_local_normal(rough) {
-                return self.local_normal_to_world(normal);
-            }
-            if let Some(normal) = self.exact_normal() {
-                return normal;
-            }
+        if self.needs_exact_normal(rough)
+            && let Some(normal) = self.corrected_normal(rough).or_else(|| self.exact_normal())
+        {
+            return normal;
         }
         self.local_normal_to_world(self.rounded_local_normal(rough))
     }
@@ -116,33 +119,74 @@ impl<S: Scalar> Surface<S> {
         if is_known { self.shape.primitive.bend(point, self.hit.part) } else { S::ZERO }
     }
 
-    /// The local point with what `t` lacks, in the type's own computing number; `None` in fixed point, which has no bits left for that,
-    /// and where a ray that grazes makes too much of the rounding of the point.
-    #[inline(always)]
-    fn native_local_point(&self, rough: Vec3<S>) -> Option<[Native<S::Real>; 3]> {
-        let figure = self.shape.primitive.figure();
-        // The distance to a triangle's plane cancels to less than its own rounding.
-        if !S::RELATIVE || self.is_stretched() || matches!(figure, Figure::Triangle { .. }) {
-            return None;
+    /// The frame, if the solid is a ball, which has no axes: its line is that of the world's, moved.
+    fn frame_of_a_ball(&self) -> Option<&Frame<S>> {
+        match (&self.shape.placement, self.shape.primitive.figure()) {
+            (Placement::Frame(frame), Figure::Ball { .. }) => Some(frame),
+            _ => None,
         }
-        let shape = &self.shape;
-        let [_, d] = through!(shape, |_primitive, place| place.line::<Native<S::Real>>(&self.ray));
-        let p = rough.to_array().map(<Native<S::Real> as FromScalar<S>>::scalar);
-        let correction = solve::correction(&figure, &self.hit, p, d);
-        let point = [p[0] + d[0] * correction, p[1] + d[1] * correction, p[2] + d[2] * correction];
-        let gradient = solve::gradient(&figure, self.hit.part, point);
-        let (slope, squares) = (dot(gradient, d).0, dot(gradient, gradient).0);
-        // Up to 60 degrees off the normal; what overflows compares false.
-        let is_steep = slope * slope >= squares.times_power_of_two(-2) && squares > S::Real::ZERO;
-        // Beyond some units it is no rounding.
-        let is_rounding = correction.0.abs() <= self.hit.t.magnitude().real().times_power_of_two(S::Real::ROUNDING + 6);
-        (is_steep && is_rounding).then_some(point)
     }
 
-    fn native_local_normal(&self, rough: Vec3<S>) -> Option<UnitVec3<S>> {
-        let point = self.native_local_point(rough)?;
-        let gradient = solve::gradient(&self.shape.primitive.figure(), self.hit.part, point);
-        UnitVec3::from_real(gradient.map(|component| component.0))
+    /// What `t` lacks by one step of Newton's; `None` in fixed point, which has no bits left for that, and where it is not good to a
+    /// few units.
+    #[inline(always)]
+    fn correction(&self, rough: Vec3<S>) -> Option<Correction<S::Real>> {
+        if !S::RELATIVE {
+            return None;
+        }
+        let (shape, part, figure) = (&self.shape, self.hit.part, self.shape.primitive.figure());
+        // Through a frame the rounding of a local point would matter by more than itself.
+        let (point, direction) = if let Placement::World = shape.placement {
+            (rough.real().map(Twofold::of), self.ray.direction().real().map(Twofold::of))
+        } else {
+            let line: Line<Twofold<S::Real>> =
+                through!(shape, |_primitive, place| ladder::line(&figure, place, &self.ray));
+            let t = <Twofold<S::Real> as FromScalar<S>>::scalar(self.hit.t);
+            (solve::point_at(&line, t), line.direction)
+        };
+        let [p, d] = [point, direction].map(|vector| vector.map(|component| component.high));
+        let gradient = solve::gradient(&figure, part, p, S::real);
+        let (slope, squares, square) = (dot(gradient, d), dot(gradient, gradient), dot(d, d));
+        // The line leaves the surface by more than 14 degrees, so that the rounding of the local point matters by a few units, and what is
+        // rounded of the equation is no underflow. What overflows compares false.
+        let is_steep = (slope * slope).scaled(4) >= squares * square;
+        if !(is_steep && squares >= S::Real::ONE.scaled(-90)) {
+            return None;
+        }
+        let value = solve::value(&figure, part, point, |size| Twofold::of(size.real()));
+        let step = -value.high / slope.scaled(1);
+        let length = step.abs();
+        // Its square over the radius of curvature is what it leaves.
+        let radius = self.bend(rough).real().scaled(S::Real::ROUNDING / 2 - 1);
+        let is_small = length * length * square <= radius * radius;
+        // Beyond some units it is no rounding.
+        let is_rounding = length <= self.hit.t.magnitude().real().scaled(S::Real::ROUNDING + 6);
+        let correction = Correction { point, direction, step };
+        let is_number = correction.local_point().into_iter().all(|component| S::round(component).is_finite());
+        (is_small && is_rounding && is_number).then_some(correction)
+    }
+
+    fn corrected_local_normal(&self, rough: Vec3<S>) -> Option<UnitVec3<S>> {
+        let normal = self.gradient_at(self.correction(rough)?.local_point())?;
+        Some(self.frame_of_a_ball().map_or(normal, |frame| frame.direction_to_local(normal)))
+    }
+
+    fn gradient_at(&self, point: [S::Real; 3]) -> Option<UnitVec3<S>> {
+        UnitVec3::from_real(solve::gradient(&self.shape.primitive.figure(), self.hit.part, point, S::real))
+    }
+
+    fn corrected_normal(&self, rough: Vec3<S>) -> Option<UnitVec3<S>> {
+        let correction = self.correction(rough)?;
+        let Placement::Affine(affine) = &self.shape.placement else {
+            let normal = self.gradient_at(correction.local_point())?;
+            let is_local = self.frame_of_a_ball().is_none();
+            return Some(if is_local { self.local_normal_to_world(normal) } else { normal });
+        };
+        let Correction { point, direction, step } = correction;
+        let point = pairs(point, direction).map(|(p, d)| p + d * Twofold::of(step));
+        let figure = self.shape.primitive.figure();
+        let gradient = solve::gradient(&figure, self.hit.part, point, |size: S| Twofold::of(size.real()));
+        UnitVec3::from_real(affine.gradient_to_world(gradient).map(|component| component.high))
     }
 
     /// The hit's `t` in the robust number.
@@ -177,7 +221,7 @@ impl<S: Scalar> Surface<S> {
     fn exact_gradient(&self) -> [S::Robust; 3] {
         let figure = self.shape.primitive.figure();
         let (line, t) = self.exact_t(&figure);
-        solve::gradient(&figure, self.hit.part, solve::point_at(&line, t))
+        solve::gradient(&figure, self.hit.part, solve::point_at(&line, t), S::Robust::scalar)
     }
 
     /// The normal at the exact hit; `None` at an apex.
@@ -216,7 +260,7 @@ impl<S: Scalar> Surface<S> {
         let is_curved = self.bend(rough).is_finite();
         if is_curved
             && self.needs_exact_normal(rough)
-            && let Some(normal) = self.native_local_normal(rough).or_else(|| self.exact_local_normal())
+            && let Some(normal) = self.corrected_local_normal(rough).or_else(|| self.exact_local_normal())
         {
             tangents = along_the_surface(normal);
         }
@@ -232,15 +276,26 @@ impl<S: Scalar> Surface<S> {
     #[cold]
     fn exact_local_normal(&self) -> Option<UnitVec3<S>> {
         let normal = UnitVec3::from_robust(self.exact_gradient())?;
-        Some(match (&self.shape.placement, self.shape.primitive.figure()) {
-            (Placement::Frame(frame), Figure::Ball { .. }) => frame.direction_to_local(normal),
-            _ => normal,
-        })
+        Some(self.frame_of_a_ball().map_or(normal, |frame| frame.direction_to_local(normal)))
     }
 
     /// The departure of a ray that leaves from here; `object` is the shape's index in its scene.
     pub const fn departure(&self, object: u32, leaving: Leaving) -> Departure {
         Departure { object, part: self.hit.part, leaving }
+    }
+}
+
+/// A hit's local point as its `t` has it, the line's direction there, and what `t` lacks.
+struct Correction<R> {
+    point: [Twofold<R>; 3],
+    direction: [Twofold<R>; 3],
+    step: R,
+}
+
+impl<R: Real> Correction<R> {
+    fn local_point(&self) -> [R; 3] {
+        let Self { point, direction, step } = *self;
+        pairs(point, direction).map(|(p, d)| p.high + (p.low + d.high * step))
     }
 }
 

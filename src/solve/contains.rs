@@ -26,7 +26,7 @@ pub(crate) fn holds<S: Scalar, N: Of<S>>(figure: &Figure<S>, point: [N; 3]) -> O
         }
         Figure::DoubleCone { slope } => is_inside(Form::slope(N::scalar(slope)), here),
         Figure::Round { side, extent } => {
-            let form = form_of(side);
+            let form = form_of(side, N::scalar);
             let (low, high) = match extent {
                 Extent::Infinite => (None, None),
                 Extent::Open(height) => (Some(S::ZERO), Some(height)),

@@ -1,6 +1,6 @@
 //! The line and the quadrics along it.
 
-use crate::number::{Number, cross};
+use crate::number::{Ring, cross};
 use crate::part::Part;
 use crate::ray::Leaving;
 
@@ -37,7 +37,7 @@ pub(super) enum Weight<N> {
     By(N),
 }
 
-impl<N: Number> Weight<N> {
+impl<N: Ring> Weight<N> {
     /// The number times the weight.
     #[inline(always)]
     fn times(self, number: N) -> N {
@@ -60,7 +60,7 @@ pub(super) enum Form<N> {
     Cone { h: N, g0: N, g1: N },
 }
 
-impl<N: Number> Form<N> {
+impl<N: Ring> Form<N> {
     /// A cone of this slope.
     #[inline(always)]
     pub(super) fn slope(slope: N) -> Self {

@@ -35,7 +35,7 @@ mod tests;
 pub(crate) use contains::holds;
 pub(crate) use form::Line;
 pub(crate) use settle::Of;
-pub(crate) use surface::{correction, gradient, point_at};
+pub(crate) use surface::{correction, gradient, point_at, value};
 
 use crate::figure::Figure;
 use crate::intersection::Intersection;

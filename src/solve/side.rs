@@ -5,19 +5,19 @@ use super::quadratic::{End, Fraction, Inside, Interval, Place, Quadratic};
 use super::settle::{self, Of, inwards, span};
 use crate::figure::{Extent, Side};
 use crate::intersection::{self, Intersection, Span};
-use crate::number::Number;
+use crate::number::{Number, Ring};
 use crate::part::Part;
 use crate::ray::Range;
-use crate::scalar::{FromScalar, Scalar};
+use crate::scalar::Scalar;
 use core::cmp::Ordering;
 
 /// The side's quadric.
 #[inline(always)]
-pub(super) fn form_of<S: Scalar, N: FromScalar<S> + Number>(side: Side<S>) -> Form<N> {
+pub(super) fn form_of<S, N: Ring>(side: Side<S>, number: impl Fn(S) -> N) -> Form<N> {
     match side {
-        Side::Straight(radius) => Form::Tube { r: N::scalar(radius) },
-        Side::Slope(slope) => Form::slope(N::scalar(slope)),
-        Side::Radii(base, top, height) => Form::radii(N::scalar(base), N::scalar(top), N::scalar(height)),
+        Side::Straight(radius) => Form::Tube { r: number(radius) },
+        Side::Slope(slope) => Form::slope(number(slope)),
+        Side::Radii(base, top, height) => Form::radii(number(base), number(top), number(height)),
     }
 }
 
@@ -143,7 +143,7 @@ pub(super) fn intersect<S: Scalar, N: Of<S>>(
     extent: Extent<S>,
     range: Range<S>,
 ) -> Option<Intersection<S>> {
-    match form_of(side) {
+    match form_of(side, N::scalar) {
         Form::Tube { r } => about_a_tube(line, r, extent, range),
         form => about_a_cone(line, form, extent, range),
     }

@@ -4,7 +4,7 @@ use super::form::{Form, Homogeneous, Line, Weight};
 use super::side::form_of;
 use crate::figure::{Extent, Figure};
 use crate::hit::{Crossing, Hit};
-use crate::number::{Estimate, Number, Ring, cross, difference, dot};
+use crate::number::{Estimate, Ring, cross, difference, dot};
 use crate::part::Part;
 use crate::scalar::{FromScalar, Scalar};
 use core::cmp::Ordering;
@@ -19,24 +19,24 @@ enum Surface<N> {
 }
 
 /// The surface of a part, and the height of its centre.
-fn surface_of<S: Scalar, N: FromScalar<S> + Number>(figure: &Figure<S>, part: Part) -> (Surface<N>, N) {
+fn surface_of<S: Copy, N: Ring>(figure: &Figure<S>, part: Part, number: impl Fn(S) -> N + Copy) -> (Surface<N>, N) {
     let zero = N::ZERO;
     let surface = match (*figure, part) {
         (Figure::Ball { radius }, _) | (Figure::Capsule { radius, .. }, Part::Base) => {
-            Surface::Quadric(Form::Ball { r: N::scalar(radius) })
+            Surface::Quadric(Form::Ball { r: number(radius) })
         }
         (Figure::Capsule { radius, height }, Part::Top) => {
-            return (Surface::Quadric(Form::Ball { r: N::scalar(radius) }), N::scalar(height));
+            return (Surface::Quadric(Form::Ball { r: number(radius) }), number(height));
         }
-        (Figure::Capsule { radius, .. }, Part::Side) => Surface::Quadric(Form::Tube { r: N::scalar(radius) }),
-        (Figure::DoubleCone { slope }, _) => Surface::Quadric(Form::slope(N::scalar(slope))),
+        (Figure::Capsule { radius, .. }, Part::Side) => Surface::Quadric(Form::Tube { r: number(radius) }),
+        (Figure::DoubleCone { slope }, _) => Surface::Quadric(Form::slope(number(slope))),
         (Figure::Round { extent: Extent::Open(height) | Extent::Capped(_, Some(height)), .. }, Part::Top) => {
-            Surface::Across(N::scalar(height))
+            Surface::Across(number(height))
         }
-        (Figure::Round { side, .. }, Part::Side) => Surface::Quadric(form_of(side)),
+        (Figure::Round { side, .. }, Part::Side) => Surface::Quadric(form_of(side, number)),
         (Figure::Round { .. } | Figure::Plane | Figure::Disc { .. }, _) => Surface::Across(zero),
         (Figure::Triangle { vertices }, _) => {
-            let [a, b, c] = vertices.map(|vertex| vertex.map(N::scalar));
+            let [a, b, c] = vertices.map(|vertex| vertex.map(number));
             Surface::Plane(a, cross(difference(b, a), difference(c, a)))
         }
     };
@@ -51,40 +51,64 @@ fn quotient<N: Estimate>(numerator: N, denominator: N) -> N {
     if denominator.sign() == Some(Ordering::Equal) { N::ZERO } else { numerator.over(denominator) }
 }
 
-/// What the `t` of a point `p` of the line along `d` lacks to lie on the surface: the root of `f(t + x) = f + 2 h x + a x^2` where `f` falls, if the line enters, or
-/// rises, if it leaves.
+/// The equation `f` of a part's surface at a point, below zero within; of a flat part twice the distance from it, times the length of
+/// its [`gradient`].
+pub(crate) fn value<S: Copy, N: Ring>(
+    figure: &Figure<S>,
+    part: Part,
+    [x, y, z]: [N; 3],
+    number: impl Fn(S) -> N + Copy,
+) -> N {
+    let (surface, centre) = surface_of(figure, part, number);
+    let p = [x, y - centre, z];
+    match surface {
+        Surface::Across(height) => {
+            let above = p[1] - height;
+            let outside = if part == Part::Base { -above } else { above };
+            outside + outside
+        }
+        Surface::Plane(vertex, normal) => {
+            let distance = dot(normal, difference(p, vertex));
+            distance + distance
+        }
+        Surface::Quadric(form) => {
+            let here = Homogeneous { v: p, w: Weight::One };
+            form.of(here, here)
+        }
+    }
+}
+
+/// What the `t` of a point `p` of the line along `d` lacks to lie on the surface: the root of `f(t + x) = f + 2 h x + a x^2` where `f`
+/// falls, if the line enters, or rises, if it leaves.
 pub(crate) fn correction<S: Scalar, N: FromScalar<S> + Estimate>(
     figure: &Figure<S>,
     hit: &Hit<S>,
-    [x, y, z]: [N; 3],
+    p: [N; 3],
     d: [N; 3],
 ) -> N {
-    let (surface, centre) = surface_of::<S, N>(figure, hit.part);
-    let p = [x, y - centre, z];
-    match surface {
-        Surface::Across(height) => quotient(height - p[1], d[1]),
-        Surface::Plane(vertex, normal) => quotient(dot(normal, difference(vertex, p)), dot(normal, d)),
-        Surface::Quadric(form) => {
-            let (here, along) = (Homogeneous { v: p, w: Weight::One }, Homogeneous { v: d, w: Weight::Zero });
-            let (f, h, a) = (form.of(here, here), form.of(here, along), form.of(along, along));
-            // Where the curvature is nothing beside the slope, the slope alone.
-            if let (Some(f_top), Some(h_top), Some(a_top)) = (f.top(), h.top(), a.top())
-                && a_top + f_top < 2 * h_top - SMALL
-            {
-                return quotient(-f, h + h);
-            }
-            let rest = N::sum([[h, h], [-a, f]]);
-            let root = if rest.sign() == Some(Ordering::Greater) { rest.square_root() } else { N::ZERO };
-            // Half the slope at the root.
-            let slope = match hit.crossing {
-                Crossing::Enter => -root,
-                Crossing::Exit => root,
-                Crossing::Touch => N::ZERO,
-            };
-            // (slope - h) / a, or -f / (slope + h): whichever does not cancel.
-            if slope.sign() == h.sign() { quotient(-f, slope + h) } else { quotient(slope - h, a) }
-        }
+    let f = value(figure, hit.part, p, N::scalar);
+    let h = dot(gradient(figure, hit.part, p, N::scalar), d);
+    let (Surface::Quadric(form), _) = surface_of(figure, hit.part, N::scalar) else {
+        return quotient(-f, h + h);
+    };
+    let along = Homogeneous { v: d, w: Weight::Zero };
+    let a = form.of(along, along);
+    // Where the curvature is nothing beside the slope, the slope alone.
+    if let (Some(f_top), Some(h_top), Some(a_top)) = (f.top(), h.top(), a.top())
+        && a_top + f_top < 2 * h_top - SMALL
+    {
+        return quotient(-f, h + h);
     }
+    let rest = N::sum([[h, h], [-a, f]]);
+    let root = if rest.sign() == Some(Ordering::Greater) { rest.square_root() } else { N::ZERO };
+    // Half the slope at the root.
+    let slope = match hit.crossing {
+        Crossing::Enter => -root,
+        Crossing::Exit => root,
+        Crossing::Touch => N::ZERO,
+    };
+    // (slope - h) / a, or -f / (slope + h): whichever does not cancel.
+    if slope.sign() == h.sign() { quotient(-f, slope + h) } else { quotient(slope - h, a) }
 }
 
 /// The line's point at `t`.
@@ -93,13 +117,14 @@ pub(crate) fn point_at<N: Ring>(line: &Line<N>, t: N) -> [N; 3] {
     [at(0), at(1), at(2)]
 }
 
-/// The outward normal at a point of a part, of any length; zero at an apex.
-pub(crate) fn gradient<S: Scalar, N: FromScalar<S> + Number>(
+/// The outward normal at a point of a part, half the gradient of its equation; zero at an apex.
+pub(crate) fn gradient<S: Copy, N: Ring>(
     figure: &Figure<S>,
     part: Part,
     [x, y, z]: [N; 3],
+    number: impl Fn(S) -> N + Copy,
 ) -> [N; 3] {
-    let (surface, centre) = surface_of::<S, N>(figure, part);
+    let (surface, centre) = surface_of(figure, part, number);
     let zero = N::ZERO;
     match surface {
         Surface::Quadric(Form::Ball { .. }) => [x, y - centre, z],

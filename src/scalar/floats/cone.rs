@@ -91,7 +91,7 @@ macro_rules! cone {
             };
             let (mut discriminant, moment) = difference([y * dz - z * dy, z * dx - x * dz, x * dy - y * dx]);
             let terms = moment * reach;
-            if $Float::abs(discriminant) * (16.0 * limits.cancelled) <= terms {
+            if $Float::abs(discriminant) * (8.0 * limits.cancelled) <= terms {
                 if discriminant < -terms * limits.doubt() && a > 0.0 {
                     return Attempt::Miss;
                 }
@@ -133,16 +133,20 @@ macro_rules! cone {
             let (c, c_terms) = (outside - inside, c_across + $Float::abs(outline) * rim);
             let k_along = rim * if is_turned { $Float::abs(g) } else { $Float::abs(slope) };
             let k_terms = h * h * (ax + az) + k_along;
-            // Where a cancels, so does k.
-            let margin = if $Float::abs(a) * limits.cancelled >= 2.0 * a_terms { 1.0 } else { 2.0 };
-            let is_clear = sum * limits.cancelled >= margin * k_terms;
+            let is_clear = sum * limits.cancelled >= k_terms;
             if !is_clear {
                 return Attempt::Unsure;
             }
             let q = if k > 0.0 { -sum } else { sum };
-            // Of an end whose numbers cancel only that is said which lies surely inside: the planes may cut it off.
-            let by_a = (q / a, limits.off(a, a_terms) * $Float::abs(q / a));
-            let by_c = (c / q, limits.off(c, c_terms) * $Float::abs(c / q));
+            // Of an end whose numbers cancel only that is said which lies surely inside: the planes may cut it off. The relative
+            // errors of both parts of the quotient add up.
+            let off = |difference: $Float, terms: $Float| {
+                let magnitude = $Float::abs(difference);
+                let is_good = terms * sum + k_terms * magnitude <= limits.together * (magnitude * sum);
+                if is_good { 0.0 } else { terms * limits.doubt() / magnitude }
+            };
+            let by_a = (q / a, off(a, a_terms) * $Float::abs(q / a));
+            let by_c = (c / q, off(c, c_terms) * $Float::abs(c / q));
             let (first, second) = if (k > 0.0) == (a > 0.0) { (by_a, by_c) } else { (by_c, by_a) };
             Attempt::Found(Roots { first, second, a, a_terms, k, k_terms, outline, rim, slope })
         }

@@ -9,6 +9,8 @@ macro_rules! guards {
             epsilon: $Float,
             /// Differences of numbers up to this many times larger than themselves are taken; their relative error grows by as much.
             cancelled: $Float,
+            /// The same of the two parts of a quotient, added up.
+            together: $Float,
             /// The square of a component that a frame's rounding leaves good to a few units.
             level: $Float,
             /// How much more than a unit the rounding of a difference of squares may move an end next to the start, squared.
@@ -22,11 +24,17 @@ macro_rules! guards {
 
         impl Limits {
             /// Of answers in as many bits as the computation has.
-            const OWN: Self = Self { epsilon: $Float::EPSILON, cancelled: 16.0, level: 0.0625, near: 8.0 };
+            const OWN: Self =
+                Self { epsilon: $Float::EPSILON, cancelled: 16.0, together: 9.0, level: 0.0625, near: 8.0 };
             /// Of answers in so many bits less that guards may count with roundings 2^13 times as large: whatever a guard leaves out of
             /// account is less than that, and what it decides is certain.
-            const SPARE: Self =
-                Self { epsilon: 8192.0 * $Float::EPSILON, cancelled: 64.0, level: 0.0625, near: 2048.0 };
+            const SPARE: Self = Self {
+                epsilon: 8192.0 * $Float::EPSILON,
+                cancelled: 64.0,
+                together: 36.0,
+                level: 0.0625,
+                near: 2048.0,
+            };
 
             #[inline(always)]
             const fn of(line: &LocalLine<$Float>) -> Self {
@@ -44,13 +52,6 @@ macro_rules! guards {
             #[inline(always)]
             fn of_distance(&self, pp: $Float, rr: $Float, kk: $Float) -> $Float {
                 (pp + rr) * self.doubt() + kk * (self.epsilon / 16.0)
-            }
-
-            /// How much a quotient may be off for a difference that is taken for what it is; nothing, if that keeps enough of its terms.
-            #[inline(always)]
-            fn off(&self, difference: $Float, terms: $Float) -> $Float {
-                let magnitude = $Float::abs(difference);
-                if magnitude * self.cancelled >= 2.0 * terms { 0.0 } else { terms * self.doubt() / magnitude }
             }
         }
 
@@ -75,7 +76,7 @@ macro_rules! guards {
             let from = minus(o, position);
             let origin = [dot(axes[0], from), dot(axes[1], from), dot(axes[2], from)];
             let direction = [dot(axes[0], d), dot(axes[1], d), dot(axes[2], d)];
-            LocalLine { origin, finer: 1, direction, pace: 0.0, has_spare_bits: false }
+            LocalLine { finer: 1, ..LocalLine::along(origin, direction, 0.0) }
         }
 
         /// The line from `o` along `d` in the frame of a matrix that has this inverse; `None` where the products
@@ -111,7 +112,7 @@ macro_rules! guards {
             }
             let pace = 1.0 / $sqrt(square);
             let direction = [dx * pace, dy * pace, dz * pace];
-            Some(LocalLine { origin, finer: 1, direction, pace, has_spare_bits: false })
+            Some(LocalLine { finer: 1, pace, ..LocalLine::along(origin, direction, 0.0) })
         }
 
         /// True for a positive size whose eighth powers stay in the type (its squares, for `NARROW` of 2).

@@ -18,9 +18,9 @@ macro_rules! round {
             if pp > rr { Attempt::Miss } else { Attempt::Found((k, rr - pp)) }
         }
 
-        /// `k` and `D` of a closest approach, if both are good to a few units, and so are `-k -+ sqrt(D)`.
+        /// `k` and `D` of a closest approach, if both are good to a few units, and, if `-k -+ sqrt(D)` are not, `c`.
         #[inline(always)]
-        fn clear_approach(line: LocalLine<$Float>, r: $Float) -> Attempt<($Float, $Float)> {
+        fn clear_approach(line: LocalLine<$Float>, r: $Float) -> Attempt<($Float, $Float, Option<$Float>)> {
             if !is_handy::<2>(r) {
                 return Attempt::Unsure;
             }
@@ -43,24 +43,37 @@ macro_rules! round {
             if !(kk <= rr * FAR_SQUARE && 2.0 * discriminant * limits.cancelled >= rr) {
                 return if discriminant < -limits.of_distance(pp, rr, kk) { Attempt::Miss } else { Attempt::Unsure };
             }
-            clear_of_the_start(kk, discriminant, rr, limits.near, (k, discriminant / a))
+            let mut moved = rr * rr;
+            if line.finer != 0 {
+                // Rounded on their way into a frame, coordinates are off by roundings of the longest.
+                moved += rr * (kk + pp) / 2.0;
+            }
+            let answer = (k, discriminant / a);
+            if let Attempt::Found((k, over_a)) = clear_of_the_start(kk, discriminant, moved, limits.near, answer) {
+                return Attempt::Found((k, over_a, None));
+            }
+            if line.finer != 0 || has_spare_bits(&line) {
+                return Attempt::Unsure;
+            }
+            // Next to the surface the nearer end is c over the farther one, and c = |o|^2 - r^2 is mostly rounding: without that.
+            let c = Real::sum_of_products([[x, x], [y, y], [z, z], [-r, r]]) + 2.0 * dot(line.origin, line.rest);
+            let is_known = $Float::abs(c) * 4096.0 >= rr && is_handy::<4>(r);
+            if is_known { Attempt::Found((k, discriminant, Some(c))) } else { Attempt::Unsure }
         }
 
-        /// `answer`, if neither of the ends `-k -+ sqrt(D)` is small beside what the rounding of `D`, a difference from `positive`, moves it.
-        ///
-        /// A root moves by some `eps positive / sqrt(D)`; the smaller end is `|k^2 - D| / (|k| + sqrt(D))`, and the square of that sum at
-        /// most `2 (k^2 + D)`.
+        /// `answer`, if neither of the ends `-k -+ sqrt(D)` is small beside what rounding moves it: some `eps` times the root of
+        /// `moved`, over `sqrt(D)`. The smaller end is `|k^2 - D| / (|k| + sqrt(D))`, and the square of that sum at most `2 (k^2 + D)`.
         #[inline(always)]
         fn clear_of_the_start<T>(
             kk: $Float,
             discriminant: $Float,
-            positive: $Float,
+            moved: $Float,
             near: $Float,
             answer: T,
         ) -> Attempt<T> {
             let c = kk - discriminant;
             // What overflows fails.
-            let is_clear = positive * positive * (kk + discriminant) <= near * (c * c) * discriminant;
+            let is_clear = moved * (kk + discriminant) <= near * (c * c) * discriminant;
             if is_clear { Attempt::Found(answer) } else { Attempt::Unsure }
         }
 
@@ -68,9 +81,13 @@ macro_rules! round {
         #[inline(always)]
         pub(crate) fn ball(line: LocalLine<$Float>, r: $Float) -> Attempt<[$Float; 2]> {
             match clear_approach(line, r) {
-                Attempt::Found((k, discriminant)) => {
+                Attempt::Found((k, discriminant, c)) => {
                     let root = $sqrt(discriminant);
-                    Attempt::Found([-k - root, root - k])
+                    Attempt::Found(match c {
+                        None => [-k - root, root - k],
+                        Some(c) if k > 0.0 => [-k - root, c / (-k - root)],
+                        Some(c) => [c / (root - k), root - k],
+                    })
                 }
                 Attempt::Miss => Attempt::Miss,
                 Attempt::Unsure => Attempt::Unsure,
@@ -81,7 +98,8 @@ macro_rules! round {
         #[inline(always)]
         pub(crate) fn ball_ahead(line: LocalLine<$Float>, r: $Float) -> Attempt<()> {
             match clear_approach(line, r) {
-                Attempt::Found((k, discriminant)) if k <= 0.0 || k * k <= discriminant => Attempt::Found(()),
+                Attempt::Found((k, ..)) if k <= 0.0 => Attempt::Found(()),
+                Attempt::Found((k, discriminant, c)) if c.unwrap_or(k * k - discriminant) <= 0.0 => Attempt::Found(()),
                 Attempt::Found(_) | Attempt::Miss => Attempt::Miss,
                 Attempt::Unsure => Attempt::Unsure,
             }
@@ -103,10 +121,13 @@ macro_rules! round {
             let (positive, kk, ww) = (a * (r * r), k * k, w * w);
             let discriminant = positive - ww;
             let mut doubt = limits.of_distance(ww, positive, kk);
+            let mut moved = positive * positive;
             if line.finer != 0 {
                 // Rounded on their way into a frame, coordinates are off by roundings of the longest, and components by those of one.
                 doubt *= 8.0;
-                let is_level = a >= limits.level && a * (y * y) <= positive * HIGH_SQUARE + 4.0 * kk;
+                let above = a * (y * y);
+                moved += positive * (above + kk) / 2.0;
+                let is_level = a >= limits.level && above <= positive * HIGH_SQUARE + 4.0 * kk;
                 if !is_level || (discriminant > 0.0 && discriminant * a * (4.0 * limits.cancelled) < positive) {
                     return Attempt::Unsure;
                 }
@@ -116,7 +137,7 @@ macro_rules! round {
             }
             let root = $sqrt(discriminant);
             let inverse = 1.0 / a;
-            clear_of_the_start(kk, discriminant, positive, limits.near, [(-k - root) * inverse, (root - k) * inverse])
+            clear_of_the_start(kk, discriminant, moved, limits.near, [(-k - root) * inverse, (root - k) * inverse])
         }
     };
 }

@@ -1,8 +1,8 @@
 //! A line and planes across the y axis.
 
 use super::quotient::Normalized;
-use super::{magnitude_bits, product, round_off};
-use crate::scalar::Attempt;
+use super::{half, high_product_signed, leading_zeros, magnitude_bits, product, product_unsigned, round_off, square};
+use crate::scalar::{Attempt, found};
 
 /// Where the line crosses each of the heights: `t = (y - oy) / dy`. A line that stays in one height meets none of them.
 ///
@@ -33,6 +33,41 @@ pub(in crate::scalar) fn crossings(oy: i32, finer: i32, dy: i32, [low, high]: [i
         (Some(low), Some(high)) => Attempt::Found([low, high]),
         _ => Attempt::Unsure,
     }
+}
+
+/// Where the line crosses the disc of radius `r` about the origin: the point where it crosses the plane lies inside where
+/// `w_x^2 + w_z^2 <= (r dy)^2`, with the line's moment `w = o x d`.
+///
+/// The origin is in units of `2^-finer` of the radius's; the answer is in the radius's.
+#[inline(always)]
+pub(in crate::scalar) fn disc(o: [i32; 3], finer: i32, d: [i32; 3], r: i32) -> Attempt<i32> {
+    let ([x, y, z], [dx, dy, dz]) = (o, d);
+    // As for a ball: a grid on which the radius has 29 bits, and the moment shifted down to it.
+    let grid = leading_zeros(r as u32) as i32 - 3;
+    let down = 30 + finer - grid;
+    if grid < 0 || !(3..32).contains(&down) {
+        return Attempt::Unsure;
+    }
+    let down = down as u32;
+    let [wx, wz] = [product(y, dz) - product(z, dy), product(x, dy) - product(y, dx)].map(i64::unsigned_abs);
+    // Twice the radius or more.
+    if ((wx | wz) >> 32) as u32 >> (down - 2) != 0 {
+        return Attempt::Miss;
+    }
+    let on_grid = |minor: u64| half((((minor >> 32) as u32) << (33 - down)) | (minor as u32 >> (down - 1)));
+    let [wx, wz, reach] = [on_grid(wx), on_grid(wz), high_product_signed(r << grid << 2, dy)];
+    let inside = square(reach) - square(wx) - square(wz);
+    // Each of the three is off by less than 4 units, and through a frame by two roundings of the origin more.
+    let off = if finer == 0 { 4 } else { 4 + (2 << (grid - finer).clamp(0, 24)) };
+    let all = reach.unsigned_abs() | wx as u32 | wz as u32;
+    if inside.unsigned_abs() >> 3 <= product_unsigned(all, off) {
+        return Attempt::Unsure;
+    }
+    if inside < 0 {
+        return Attempt::Miss;
+    }
+    let [t, _] = found!(crossings(y, finer, dy, [0, 0]));
+    Attempt::Found(t)
 }
 
 /// The height `oy + t dy`, rounded to the unit of `t`; the origin is in units of `2^-finer` of that.

@@ -16,14 +16,16 @@ mod flat;
 mod path;
 mod quotient;
 mod round;
+mod triangle;
 mod turned;
 pub(super) mod wide;
 
 pub(super) use ball::{ByApproach, ByMoment};
 pub(super) use cone::nappe;
 pub(super) use direction::direction;
-pub(super) use flat::{crossings, height, lowered};
+pub(super) use flat::{crossings, disc, height, lowered};
 pub(super) use round::tube;
+pub(super) use triangle::triangle;
 pub(super) use turned::{FINER, turned};
 
 pub(super) use crate::number::machine::product;

@@ -67,11 +67,17 @@ macro_rules! fast {
             position: [Self; 3],
             axes: [[Self::Unit; 3]; 3],
         ) -> Option<LocalLine<Self>> {
-            let (o, position) = (o.map(Self::to_bits), position.map(Self::to_bits));
-            let [origin, direction] =
-                $($kernels)::+::turned(o, position, axes.map(|axis| axis.map($Fixed::to_bits)), d.map($Fixed::to_bits))?;
-            let (origin, direction) = (origin.map(Self::from_bits), direction.map($Fixed::from_bits));
-            Some(LocalLine { origin, finer: $($kernels)::+::FINER, direction, pace: Self::from_bits(0), has_spare_bits: false })
+            let (raw, position) = (o.map(Self::to_bits), position.map(Self::to_bits));
+            let line =
+                $($kernels)::+::turned(raw, position, axes.map(|axis| axis.map($Fixed::to_bits)), d.map($Fixed::to_bits))?;
+            Some(LocalLine {
+                origin: line.origin.map(Self::from_bits),
+                finer: line.finer,
+                direction: line.direction.map($Fixed::from_bits),
+                start: Self::from_bits(line.start),
+                is_coarse: line.finer < $($kernels)::+::FINER,
+                ..LocalLine::along(o, d, Self::from_bits(0))
+            })
         }
         #[inline(always)]
         fn misses_box(
@@ -108,6 +114,18 @@ fast!(FixedI32, LeEqU32, separation::misses_box_32, integers, {
             found!(integers::nappe(o, line.finer, d, [base.to_bits(), growth.to_bits(), height]));
         let [low, high] = ends;
         Attempt::Found(InNappe { ends: [Self::from_bits(low), Self::from_bits(high)], certain })
+    }
+    #[inline(always)]
+    fn fast_disc(line: LocalLine<Self>, r: Self) -> Attempt<Self> {
+        let (o, d) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits));
+        Attempt::Found(Self::from_bits(found!(integers::disc(o, line.finer, d, r.to_bits()))))
+    }
+    #[inline(always)]
+    fn fast_triangle(line: LocalLine<Self>, vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {
+        let (o, d) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits));
+        let vertices = vertices.map(|vertex| vertex.map(Self::to_bits));
+        let (t, from_front) = found!(integers::triangle(o, line.finer, d, vertices));
+        Attempt::Found((Self::from_bits(t), from_front))
     }
 });
 fast!(FixedI64, LeEqU64, separation::misses_box_64, integers::wide, {});

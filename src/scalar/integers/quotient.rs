@@ -1,6 +1,6 @@
 //! Quotients by one divisor.
 
-use super::{high, high_product, leading_zeros, product, reciprocal_of_normalized};
+use super::{high, high_product, leading_zeros, product, reciprocal_of_normalized, round_off};
 
 /// A number that is to be divided by, with its top bit set.
 #[derive(Clone, Copy)]
@@ -50,11 +50,22 @@ impl Divisor {
     /// The quotient of a number below 2^62 in units of `2^-unit`, rounded to nearest; `None` if it is too large for that.
     #[inline(always)]
     pub(super) fn quotient(self, numerator: i64, unit: u32) -> Option<i32> {
+        let quotient = rounded(self.times_reciprocal(numerator), unit.wrapping_sub(self.shift))?;
+        Some(if self.negative { -quotient } else { quotient })
+    }
+
+    /// The same of any size: from 2^28 on it is off by more than a fourth of a unit, beside its rounding.
+    #[inline(always)]
+    pub(super) fn long_quotient(self, numerator: i64, unit: u32) -> i64 {
+        let quotient = round_off(self.times_reciprocal(numerator), unit.wrapping_sub(self.shift) & 0x3f);
+        if self.negative { -quotient } else { quotient }
+    }
+
+    #[inline(always)]
+    fn times_reciprocal(self, numerator: i64) -> i64 {
         // The reciprocal has its top bit set: as a signed number it is 2^32 less.
         let above = product(high(numerator), self.reciprocal as i32) + ((high(numerator) as i64) << 32);
-        let value = above + high_product(numerator as u32, self.reciprocal) as i64;
-        let quotient = rounded(value, unit.wrapping_sub(self.shift))?;
-        Some(if self.negative { -quotient } else { quotient })
+        above + high_product(numerator as u32, self.reciprocal) as i64
     }
 }
 

@@ -85,3 +85,56 @@ fn a_nappe_that_begins_somewhere_beyond_is_unclear() {
     // Back along the same line, it ends there.
     assert_eq!(nappe(o, 6, d.map(|c| -c), [273, 73268, 16384]), Attempt::Unsure);
 }
+
+/// `a . (b x c)`, exactly.
+fn volume(a: [i128; 3], b: [i128; 3], c: [i128; 3]) -> i128 {
+    let minor = |i: usize, j: usize| b[i] * c[j] - b[j] * c[i];
+    a[0] * minor(1, 2) + a[1] * minor(2, 0) + a[2] * minor(0, 1)
+}
+
+/// Triangles of all sizes and proportions, near and far, met, missed and aimed at their edges: what is told is what exact arithmetic
+/// says, and `t` is within a unit.
+#[test]
+fn a_triangle_is_met_where_exact_arithmetic_says() {
+    let mut random = words();
+    let mut next = |bits: u64| random.next().map_or(0, |word| (word as i64 >> (64 - bits)) as i32);
+    let (mut found, mut missed, mut unsure) = (0, 0, 0);
+    for round in 0..20_000 {
+        let bits = 3 + round % 27;
+        let vertices = [(); 3].map(|()| [next(bits), next(bits), next(bits)]);
+        let origin = [(); 3].map(|()| next(4 + (round * 7) % 26));
+        // At a point of its plane, about half of which lie inside.
+        let (u, v) = (next(31) as i128, next(31) as i128);
+        let aim = [0, 1, 2].map(|i| {
+            let [a, b, c] = vertices.map(|vertex| vertex[i] as i128);
+            (a << 30) + (b - a) * u + (c - a) * v - ((origin[i] as i128) << 30)
+        });
+        let length = (aim.iter().map(|c| c * c).sum::<i128>() >> 40).isqrt() << 20;
+        if length == 0 {
+            continue;
+        }
+        let d = aim.map(|c| (((c << 20) / (length >> 10)) as i64).clamp(-1 << 30, 1 << 30) as i32);
+        let seen = vertices.map(|vertex| [0, 1, 2].map(|i| vertex[i] as i128 - origin[i] as i128));
+        let along = d.map(|c| c as i128);
+        let [a, b, c] = seen;
+        let volumes = [volume(along, a, b), volume(along, b, c), volume(along, c, a)];
+        let inside = volumes.iter().all(|v| *v > 0) || volumes.iter().all(|v| *v < 0);
+        match triangle(origin, 0, d, vertices) {
+            Attempt::Found((t, from_front)) => {
+                found += 1;
+                assert!(inside, "{vertices:?} from {origin:?} along {d:?}");
+                assert_eq!(from_front, volumes[0] < 0);
+                // t = a . n / d . n, with d in units of 2^-30
+                let (numerator, denominator) = (volume(a, b, c) << 30, volumes.iter().sum::<i128>());
+                let off = (t as i128 * denominator - numerator).unsigned_abs();
+                assert!(off <= denominator.unsigned_abs(), "{t}: {vertices:?} from {origin:?} along {d:?}");
+            }
+            Attempt::Miss => {
+                missed += 1;
+                assert!(!inside, "{vertices:?} from {origin:?} along {d:?}");
+            }
+            Attempt::Unsure => unsure += 1,
+        }
+    }
+    assert!(found > 2_000 && missed > 4_000 && unsure < 6_000, "{found} found, {missed} missed, {unsure} unsure");
+}

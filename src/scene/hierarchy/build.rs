@@ -1,8 +1,8 @@
 //! Objects into boxes.
 
 use super::{Hierarchy, HierarchyError, Node};
-use crate::scalar::separation::MARGIN_BITS;
 use crate::scalar::{Real, Scalar};
+use crate::scalar::{Ring, separation::MARGIN_BITS};
 use crate::scene::Object;
 use crate::shape::{Placement, Primitive, Shape};
 use crate::vector::{Vec3, pairs};
@@ -169,7 +169,7 @@ impl<S: Scalar> Node<S> {
             Placement::Affine(affine) => Some(affine.position()),
         };
         // Two units of a fixed type, of a float nothing.
-        let units = sharpness * S::BUDGET.smallest_size.real().times_power_of_two(1);
+        let units = sharpness * S::BUDGET.smallest_size.real().scaled(1);
         let (centre, half) = padded(bounds.low, bounds.high, position, units);
         Self { centre, half, objects: 1, object: index }
     }
@@ -191,9 +191,9 @@ fn sharpness<S: Scalar>(shape: &Shape<S>) -> Option<S::Real> {
         Placement::Affine(affine) => affine.sharpness()?,
         Placement::World | Placement::Frame(_) => 0,
     };
-    let most = one.times_power_of_two(8);
+    let most = one.scaled(8);
     // Not the negation: a slope beyond a float's range must fail.
-    let sharpness = rim.times_power_of_two(placed.min(16));
+    let sharpness = rim.scaled(placed.min(16));
     if sharpness <= most { Some(sharpness) } else { None }
 }
 
@@ -201,7 +201,7 @@ fn sharpness<S: Scalar>(shape: &Shape<S>) -> Option<S::Real> {
 /// it need not be near, of its distance from that; and by `units`.
 fn padded<S: Scalar>(low: Vec3<S>, high: Vec3<S>, position: Option<Vec3<S>>, units: S::Real) -> ([S; 3], [S; 3]) {
     // Halved one by one: the sum of both may be beyond the type.
-    let half_of = |c: S::Real| c.times_power_of_two(-1);
+    let half_of = |c: S::Real| c.scaled(-1);
     let centre = pairs(low.real(), high.real()).map(|(low, high)| S::round(half_of(low) + half_of(high)));
     let middle = centre.map(S::real);
     let larger = |a: S::Real, b: S::Real| if b > a { b } else { a };
@@ -212,7 +212,7 @@ fn padded<S: Scalar>(low: Vec3<S>, high: Vec3<S>, position: Option<Vec3<S>>, uni
     let away = position.map_or(S::Real::ZERO, |position| {
         largest(pairs(middle, position.real()).map(|(centre, position)| (centre - position).abs()))
     });
-    let margin = (largest(reach) + away).times_power_of_two(-MARGIN_BITS) + units;
+    let margin = (largest(reach) + away).scaled(-MARGIN_BITS) + units;
     // Rounded to nearest, which may be down.
     (centre, reach.map(|reach| S::round(reach + margin).next_up()))
 }

@@ -3,7 +3,7 @@
 use super::error::{NffError, Place, Reason};
 use super::lexer::{Lexer, Word};
 use super::scale::Scale;
-use crate::scalar::{Real, Scalar, is_decimal, is_zero_decimal};
+use crate::scalar::{Ring, Scalar, is_decimal, is_zero_decimal};
 use crate::vector::Vec3;
 use core::marker::PhantomData;
 

@@ -6,7 +6,7 @@
 //! That takes time with the square of the corners, or worse: a star of 20,000 takes seconds on a host. Convex polygons
 //! take time in proportion.
 
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Real, Ring, Scalar};
 use crate::vector::{UnitVec3, Vec3, cross};
 
 /// A corner of a polygon. The reader needs a slice of them as scratch: as many as the largest polygon has corners

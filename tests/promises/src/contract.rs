@@ -416,7 +416,7 @@ fn rule_07_normals_point_outwards_and_the_flipped_one_towards_the_ray<S: Exact>(
                     );
                 }
                 let flipped = shape.surface(&ray, hit).normal_towards_ray();
-                let zero = <S::Real as raylet::scalar::Real>::ZERO;
+                let zero = <S::Real as raylet::scalar::Ring>::ZERO;
                 assert!(ray.direction().dot(flipped) <= zero, "{}: {along:?}", case.name);
                 assert!(flipped == normal || flipped == -normal);
             }

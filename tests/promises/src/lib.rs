@@ -29,6 +29,7 @@ mod laws_tiers;
 mod named_bounds;
 mod named_contract;
 mod named_placed;
+mod named_searched;
 mod named_surface;
 mod named_unplaced;
 mod named_watertight;

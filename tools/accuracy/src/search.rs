@@ -10,8 +10,8 @@ use support::workload::{FURTHER, WORKLOADS};
 
 use fixed::types::{I16F16, I32F32};
 
-/// From the four worst of 400 rays of each row.
-const EFFORT: Effort = Effort { rays: 400, starts: 4, steps: 300 };
+/// From the eight worst of 1,000 rays of each row.
+const EFFORT: Effort = Effort { rays: 1_000, starts: 8, steps: 600 };
 
 const PLACES: [Option<Placing>; 3] = [None, Some(Placing::Moved), Some(Placing::Turned)];
 

@@ -5,15 +5,19 @@ use super::{Digits, digits, dot, round_off, upper_bits};
 /// How much finer than the type's unit the origin is kept: its rounding is then a five-hundredth of a unit.
 pub(in crate::scalar) const FINER: i32 = 8;
 
-/// Origin, in units of `2^-FINER` of the type's, and direction in the frame of these axes; `None` if the origin is too far away
+/// As that of 32 bits.
+pub(in crate::scalar) struct Turned {
+    pub(in crate::scalar) start: i64,
+    pub(in crate::scalar) origin: [i64; 3],
+    pub(in crate::scalar) finer: i32,
+    pub(in crate::scalar) direction: [i64; 3],
+}
+
+/// The line with its
+/// origin in units of `2^-FINER` of the type's, and direction in the frame of these axes; `None` if the origin is too far away
 /// for that.
 #[inline(always)]
-pub(in crate::scalar) fn turned(
-    o: [i64; 3],
-    position: [i64; 3],
-    axes: [[i64; 3]; 3],
-    d: [i64; 3],
-) -> Option<[[i64; 3]; 2]> {
+pub(in crate::scalar) fn turned(o: [i64; 3], position: [i64; 3], axes: [[i64; 3]; 3], d: [i64; 3]) -> Option<Turned> {
     let apart = |o: i64, position: i64| o.wrapping_sub(position);
     let from = [apart(o[0], position[0]), apart(o[1], position[1]), apart(o[2], position[2])];
     // Up to 2^52 from the frame's origin on each axis, all products fit, and so does the moment of the result.
@@ -25,5 +29,5 @@ pub(in crate::scalar) fn turned(
         let along = |axis: [i64; 3]| round_off::<62>(dot(v, digits(axis)));
         [along(axes[0]), along(axes[1]), along(axes[2])]
     };
-    Some([seen(from), seen(d)])
+    Some(Turned { start: 0, origin: seen(from), finer: FINER, direction: seen(d) })
 }
