@@ -20,6 +20,7 @@ use crate::effect::{Effects, Work};
 use crate::render::Picture;
 use crate::scalar::{Scalar, UnitScalar};
 use crate::scene::{Color, Counters, Observer};
+use crate::tier::Tier;
 use core::ops::Range;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
@@ -61,7 +62,7 @@ impl DisplayColor for Rgb888 {
     }
 }
 
-impl<S: Scalar, E: Effects> Picture<'_, S, E> {
+impl<S: Scalar, E: Effects, T: Tier<S>> Picture<'_, S, E, T> {
     /// Draws the picture with its upper left corner at `corner`, and returns what it cost. Needs no frame buffer, and not even a
     /// row: each pixel goes out as it is traced.
     ///

@@ -8,11 +8,13 @@ use crate::part::Part;
 use crate::ray::Ray;
 use crate::scalar::{Real, Ring, Scalar};
 use crate::scene::{Color, Counters, Observer, Raster, Scene, Size};
+use crate::tier::{Stable, Tier};
 
-/// A scene, seen through its camera at a given size, with the effects `E` compiled in.
+/// A scene, seen through its camera at a given size, with the effects `E` compiled in, in the scene's
+/// accuracy tier `T`.
 #[derive(Clone, Copy, Debug)]
-pub struct Picture<'a, S: Scalar, E = All> {
-    tracer: Tracer<'a, S, E>,
+pub struct Picture<'a, S: Scalar, E = All, T = Stable> {
+    tracer: Tracer<'a, S, E, T>,
     raster: Raster<S>,
     /// How many levels of a channel the picture is right to, where it is not antialiased.
     levels: u16,
@@ -31,14 +33,14 @@ pub struct Pixel<S: Scalar> {
     pub lit_by: u32,
 }
 
-impl<'a, S: Scalar> Picture<'a, S> {
+impl<'a, S: Scalar, T: Tier<S>> Picture<'a, S, All, T> {
     /// The picture of a scene at this size, with every effect compiled in; those that the scene calls for are used.
-    pub fn new(scene: &'a Scene<'a, S>, size: Size) -> Self {
+    pub fn new(scene: &'a Scene<'a, S, T>, size: Size) -> Self {
         Self::leaving_out(scene, size)
     }
 }
 
-impl<'a, S: Scalar, E: Effects> Picture<'a, S, E> {
+impl<'a, S: Scalar, E: Effects, T: Tier<S>> Picture<'a, S, E, T> {
     /// The picture of a scene at this size, with the effects `E` compiled in.
     ///
     /// # Errors
@@ -61,7 +63,7 @@ impl<'a, S: Scalar, E: Effects> Picture<'a, S, E> {
     /// );
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn try_new(scene: &'a Scene<'a, S>, size: Size) -> Result<Self, EffectError> {
+    pub fn try_new(scene: &'a Scene<'a, S, T>, size: Size) -> Result<Self, EffectError> {
         if size.samples > 1 && !E::SET.contains(Effect::Antialiasing) {
             return Err(EffectError::Antialiasing { samples: size.samples });
         }
@@ -71,7 +73,7 @@ impl<'a, S: Scalar, E: Effects> Picture<'a, S, E> {
 
     /// The picture of a scene at this size, with the effects `E` compiled in, that knowingly leaves out whatever else is called
     /// for; without antialiasing each pixel has one sample.
-    pub fn leaving_out(scene: &'a Scene<'a, S>, size: Size) -> Self {
+    pub fn leaving_out(scene: &'a Scene<'a, S, T>, size: Size) -> Self {
         let (tracer, raster) = (Tracer::leaving_out(scene), scene.camera().raster(size));
         let picture = Self { tracer, raster, levels: EIGHT_BITS };
         if E::SET.contains(Effect::Antialiasing) { picture } else { picture.with_one_sample() }
@@ -157,7 +159,7 @@ impl<'a, S: Scalar, E: Effects> Picture<'a, S, E> {
     /// With several samples a pixel, its corners are traced first, which neighbours share. Where the corners see
     /// the same part of the same object in the same lights, and no channel differs by more than 1/32, their mean is
     /// the pixel; elsewhere the whole grid of `samples * samples` rays is traced, and the mean of that is.
-    pub fn row<'w, O: Observer>(&'w self, y: u16, work: &'w mut Work<O>) -> Row<'w, 'a, S, E, O> {
+    pub fn row<'w, O: Observer>(&'w self, y: u16, work: &'w mut Work<O>) -> Row<'w, 'a, S, E, O, T> {
         work.forget();
         let left = if self.is_antialiased() { Some(self.edge(0, y, work)) } else { None };
         Row { picture: self, work, next: 0, y, left }
@@ -253,8 +255,8 @@ impl<S: Scalar> Mean<S> {
 
 /// The pixels of a row, traced as they are asked for: see [`Picture::row`].
 #[derive(Debug)]
-pub struct Row<'w, 'a, S: Scalar, E, O> {
-    picture: &'w Picture<'a, S, E>,
+pub struct Row<'w, 'a, S: Scalar, E, O, T = Stable> {
+    picture: &'w Picture<'a, S, E, T>,
     work: &'w mut Work<O>,
     next: u32,
     y: u16,
@@ -262,7 +264,7 @@ pub struct Row<'w, 'a, S: Scalar, E, O> {
     left: Option<[Sight<S>; 2]>,
 }
 
-impl<S: Scalar, E: Effects, O: Observer> Iterator for Row<'_, '_, S, E, O> {
+impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>> Iterator for Row<'_, '_, S, E, O, T> {
     type Item = Pixel<S>;
 
     fn next(&mut self) -> Option<Pixel<S>> {
@@ -283,9 +285,9 @@ impl<S: Scalar, E: Effects, O: Observer> Iterator for Row<'_, '_, S, E, O> {
     }
 }
 
-impl<S: Scalar, E: Effects, O: Observer> ExactSizeIterator for Row<'_, '_, S, E, O> {}
+impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>> ExactSizeIterator for Row<'_, '_, S, E, O, T> {}
 
-impl<S: Scalar, E: Effects, O: Observer> core::iter::FusedIterator for Row<'_, '_, S, E, O> {}
+impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>> core::iter::FusedIterator for Row<'_, '_, S, E, O, T> {}
 
 #[cfg(test)]
 #[allow(clippy::expect_used)]

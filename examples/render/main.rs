@@ -4,6 +4,7 @@
 //! cargo run --release --example render
 //! cargo run --release --example render -- examples/scenes/star.nff --number i16f16 --samples 3
 //! cargo run --release --example render -- examples/scenes/tubes.nff --compare i16f16 f64
+//! cargo run --release --example render -- --scene glass --compare f32-fast f32-exact
 //! ```
 
 mod compare;
@@ -15,10 +16,12 @@ mod trace;
 
 use clap::Parser;
 use compare::Difference;
+use fixed::types::{I16F16, I32F32};
 use load::Source;
-use options::{Number, Options};
+use options::{Arithmetic, Number, Options, TierName};
 use raylet::effect::EffectSet;
 use raylet::scene::nff::Scale;
+use raylet::tier;
 use std::error::Error;
 use std::process::ExitCode;
 use trace::Traced;
@@ -35,11 +38,12 @@ fn main() -> ExitCode {
 
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let source = Source::new(options.file.as_deref(), options.scene)?;
-    if let [number, reference] = options.compare[..] {
-        return compare_two(options, &source, number, reference);
+    if let [arithmetic, reference] = options.compare[..] {
+        return compare_two(options, &source, arithmetic, reference);
     }
-    let traced = trace(options, &source, options.number, options.effects)?;
-    report(&traced, options.number);
+    let arithmetic = options.arithmetic();
+    let traced = trace(options, &source, arithmetic, options.effects)?;
+    report(&traced, arithmetic);
     if options.report {
         report::costs(options, &source, &traced)?;
         report::objects(&traced);
@@ -49,17 +53,32 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Traces in the number type that was asked for: the one place where the choice becomes a type.
-fn trace(options: &Options, source: &Source, number: Number, effects: EffectSet) -> Result<Traced, Box<dyn Error>> {
-    match number {
-        Number::F32 => trace::trace::<f32>(source, options, effects),
-        Number::F64 => trace::trace::<f64>(source, options, effects),
-        Number::I16f16 => trace::trace::<fixed::types::I16F16>(source, options, effects),
-        Number::I32f32 => trace::trace::<fixed::types::I32F32>(source, options, effects),
+/// Traces in the number type and tier that were named: the one place where the choice becomes types.
+fn trace(
+    options: &Options,
+    source: &Source,
+    Arithmetic { number, tier }: Arithmetic,
+    effects: EffectSet,
+) -> Result<Traced, Box<dyn Error>> {
+    use TierName::{Exact, Fast, Stable};
+    match (number, tier) {
+        (Number::F32, Fast) => trace::trace::<f32, tier::Fast>(source, options, effects),
+        (Number::F32, Stable) => trace::trace::<f32, tier::Stable>(source, options, effects),
+        (Number::F32, Exact) => trace::trace::<f32, tier::Exact>(source, options, effects),
+        (Number::F64, Fast) => trace::trace::<f64, tier::Fast>(source, options, effects),
+        (Number::F64, Stable) => trace::trace::<f64, tier::Stable>(source, options, effects),
+        (Number::I16f16, Fast) => trace::trace::<I16F16, tier::Fast>(source, options, effects),
+        (Number::I16f16, Stable) => trace::trace::<I16F16, tier::Stable>(source, options, effects),
+        (Number::I16f16, Exact) => trace::trace::<I16F16, tier::Exact>(source, options, effects),
+        (Number::I32f32, Fast) => trace::trace::<I32F32, tier::Fast>(source, options, effects),
+        (Number::I32f32, Stable) => trace::trace::<I32F32, tier::Stable>(source, options, effects),
+        (Number::F64 | Number::I32f32, Exact) => {
+            Err(format!("there is no exact tier for {number}: take f32 or i16f16, or --tier stable").into())
+        }
     }
 }
 
-fn report(traced: &Traced, number: Number) {
+fn report(traced: &Traced, number: Arithmetic) {
     let (counters, seconds) = (traced.counters, traced.seconds);
     println!(
         "{}x{} pixels in {number}: {} rays ({} primary, {} shadow, {} reflection, {} refraction), \
@@ -89,7 +108,12 @@ fn report(traced: &Traced, number: Number) {
     }
 }
 
-fn compare_two(options: &Options, source: &Source, number: Number, reference: Number) -> Result<(), Box<dyn Error>> {
+fn compare_two(
+    options: &Options,
+    source: &Source,
+    number: Arithmetic,
+    reference: Arithmetic,
+) -> Result<(), Box<dyn Error>> {
     let first = trace(options, source, number, options.effects)?;
     report(&first, number);
     let second = trace(options, source, reference, options.effects)?;

@@ -45,6 +45,10 @@ pub(crate) struct Options {
     #[arg(short, long, value_enum, default_value_t = Number::F32)]
     pub(crate) number: Number,
 
+    /// Accuracy tier to trace in. `exact` is there for f32 and i16f16
+    #[arg(short, long, value_enum, default_value_t = TierName::Stable)]
+    pub(crate) tier: TierName,
+
     /// Size of the picture in pixels; by default the file's own resolution, or 160x120
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     pub(crate) size: Option<(u16, u16)>,
@@ -58,10 +62,10 @@ pub(crate) struct Options {
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
-    /// Render in number types A and B, with B as the reference: report how many pixels differ and by how much,
-    /// and write both pictures and their difference, 32 times amplified
-    #[arg(long, value_enum, num_args = 2, value_names = ["A", "B"], conflicts_with = "number")]
-    pub(crate) compare: Vec<Number>,
+    /// Render in A and in B, each a number type, or a number type and a tier (`i16f16-exact`), with B as the reference: report how
+    /// many pixels differ and by how much, and write both pictures and their difference, 32 times amplified
+    #[arg(long, num_args = 2, value_names = ["A", "B"], conflicts_with_all = ["number", "tier"], value_parser = parse_arithmetic)]
+    pub(crate) compare: Vec<Arithmetic>,
 
     /// Scene units to one unit of the file: `auto` (in fixed point the largest power of two that leaves room, otherwise 1), or
     /// a power of two from 1/65536 to 4294967296. In exact arithmetic it would not change the picture
@@ -81,6 +85,13 @@ pub(crate) struct Options {
     /// its time: to see what the boxes save
     #[arg(long)]
     pub(crate) no_hierarchy: bool,
+}
+
+impl Options {
+    /// What a single picture is traced in.
+    pub(crate) const fn arithmetic(&self) -> Arithmetic {
+        Arithmetic { number: self.number, tier: self.tier }
+    }
 }
 
 /// How large a file is read.
@@ -115,6 +126,47 @@ impl fmt::Display for Number {
             Self::I32f32 => "i32f32",
         })
     }
+}
+
+/// The accuracy tiers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum TierName {
+    /// The cheapest: grazing and far rays are less accurate
+    Fast,
+    /// Accurate to some units in the last place at any ray
+    #[default]
+    Stable,
+    /// Every decision as exact arithmetic makes it
+    Exact,
+}
+
+/// What a picture is traced in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Arithmetic {
+    pub(crate) number: Number,
+    pub(crate) tier: TierName,
+}
+
+impl fmt::Display for Arithmetic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let number = self.number;
+        match self.tier {
+            TierName::Fast => write!(f, "{number}-fast"),
+            TierName::Stable => write!(f, "{number}"),
+            TierName::Exact => write!(f, "{number}-exact"),
+        }
+    }
+}
+
+fn parse_arithmetic(text: &str) -> Result<Arithmetic, String> {
+    let (number, tier) = text.split_once('-').unwrap_or((text, "stable"));
+    let named = |names: &[&str]| names.join(", ");
+    let number = Number::from_str(number, true).map_err(|_| {
+        format!("there is no number type `{number}`: choose among {}", named(&["f32", "f64", "i16f16", "i32f32"]))
+    })?;
+    let tier = TierName::from_str(tier, true)
+        .map_err(|_| format!("there is no tier `{tier}`: choose among {}", named(&["fast", "stable", "exact"])))?;
+    Ok(Arithmetic { number, tier })
 }
 
 /// The names of the built-in scenes, each with what it shows.

@@ -28,8 +28,8 @@ pub(crate) fn costs(options: &Options, source: &Source, traced: &Traced) -> Resu
             if round > 0 && (round == MOST_ROUNDS || start.elapsed().as_secs_f64() > LONG_ENOUGH) {
                 break;
             }
-            whole = whole.min(crate::trace(options, source, options.number, options.effects)?.seconds);
-            less = less.min(crate::trace(options, source, options.number, without)?.seconds);
+            whole = whole.min(crate::trace(options, source, options.arithmetic(), options.effects)?.seconds);
+            less = less.min(crate::trace(options, source, options.arithmetic(), without)?.seconds);
         }
         let share = 100.0 * (1.0 - less / whole.max(1e-9));
         let (count, what) = work(effect, &traced.counters);

@@ -7,6 +7,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use raylet::effect::EffectSet;
 use raylet::scene::nff::Scale;
 use raylet::scene::{Hierarchy, Node, Observer};
+use raylet::tier::Tier;
 use raylet::{Counters, Part, Picture, Pixel, Scalar, Size, Work};
 use std::error::Error;
 use std::num::NonZero;
@@ -59,15 +60,15 @@ impl Observer for PerObject {
     }
 }
 
-/// Traces a scene with those of its effects that are in the set.
-pub(crate) fn trace<S: Scalar>(
+/// Traces a scene in a tier with those of its effects that are in the set.
+pub(crate) fn trace<S: Scalar, T: Tier<S> + Send + Sync>(
     source: &Source,
     options: &Options,
     effects: EffectSet,
 ) -> Result<Traced, Box<dyn Error>> {
     let loaded = source.load::<S>(options.scale)?;
     let mut nodes = vec![Node::EMPTY; Hierarchy::<S>::nodes_for(loaded.objects.len())];
-    let mut scene = loaded.scene()?;
+    let mut scene = loaded.scene()?.at_tier::<T>();
     let hierarchy;
     if !options.no_hierarchy && loaded.objects.len() > FEW_OBJECTS {
         hierarchy = Hierarchy::build(&loaded.objects, &mut nodes)?;

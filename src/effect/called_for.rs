@@ -3,10 +3,11 @@
 use super::set::{Effect, EffectSet};
 use crate::scalar::Scalar;
 use crate::scene::{Material, Object, Scene};
+use crate::tier::Tier;
 use core::fmt;
 
 /// Which effects a scene calls for: found out once, before the first ray.
-impl<S: Scalar> Scene<'_, S> {
+impl<S: Scalar, T: Tier<S>> Scene<'_, S, T> {
     /// The effects that the objects (their materials, under these lights) and the fog call for; never
     /// [`Effect::Antialiasing`], which is asked for by the picture's [`Size`](crate::Size).
     ///
@@ -79,7 +80,7 @@ impl<S: Scalar> Scene<'_, S> {
 }
 
 /// The first effect that a scene calls for and that is missing from the set, with who calls for it.
-pub(crate) fn missing<S: Scalar>(scene: &Scene<'_, S>, compiled: EffectSet) -> Result<(), EffectError> {
+pub(crate) fn missing<S: Scalar, T: Tier<S>>(scene: &Scene<'_, S, T>, compiled: EffectSet) -> Result<(), EffectError> {
     for (index, object) in (0_u32..).zip(scene.objects()) {
         if let Some(effect) = scene.called_for_by(object).difference(compiled).iter().next() {
             return Err(EffectError::Object { effect, object: index });

@@ -2,6 +2,7 @@
 
 use crate::scalar::{Real, Ring, Scalar, UnitScalar};
 use crate::scene::{Color, Fog, Material, Scene};
+use crate::tier::Tier;
 use crate::vector::pairs;
 
 /// How often a ray is followed on: a primary ray and what comes of it meet at most `DEPTH + 1` surfaces in a row.
@@ -23,7 +24,10 @@ pub(super) fn is_settled<S: Scalar>(light: [S::Real; 3], doubt: [S::Real; 3], le
 
 /// Upper bounds for the light that any ray of a scene brings back in each channel: the brightest of its surfaces, with what can
 /// be seen in it and in that, as often as rays are followed on; `sent_on` is the part of it that a material sends on.
-pub(super) fn brightest<S: Scalar>(scene: &Scene<'_, S>, sent_on: impl Fn(&Material<S>) -> S::Real) -> [S::Real; 3] {
+pub(super) fn brightest<S: Scalar>(
+    scene: &Scene<'_, S, impl Tier<S>>,
+    sent_on: impl Fn(&Material<S>) -> S::Real,
+) -> [S::Real; 3] {
     let [sky, fog] = [scene.background(), scene.fog().map_or(Color::BLACK, Fog::color)].map(Color::to_array);
     let zero = S::Real::ZERO;
     let lamps = scene

@@ -6,6 +6,7 @@ use super::work::Work;
 use crate::ray::Range;
 use crate::scalar::Scalar;
 use crate::scene::{Observer, Scene};
+use crate::tier::Tier;
 
 /// True if anything stands between the point and the light of this index.
 ///
@@ -14,8 +15,8 @@ use crate::scene::{Observer, Scene};
 /// transparent ones too: how glass bends and gathers light is not followed, and a scene file means the same
 /// whether or not refraction is compiled in. Surfaces seen from one side only cast a shadow from that side only. A
 /// point beyond the number type's budget, from which no ray can start, lies in no shadow.
-pub(super) fn is_shadowed<S: Scalar, O: Observer>(
-    scene: &Scene<'_, S>,
+pub(super) fn is_shadowed<S: Scalar, T: Tier<S>, O: Observer>(
+    scene: &Scene<'_, S, T>,
     site: &Site<S>,
     light: u32,
     towards: &Towards<S>,

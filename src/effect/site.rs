@@ -6,6 +6,7 @@ use crate::ray::{Departure, Leaving, Ray};
 use crate::scalar::{Real, Ring, Scalar};
 use crate::scene::{Object, Scene, SceneHit};
 use crate::shape::Surface;
+use crate::tier::Tier;
 use crate::vector::{UnitVec3, Vec3};
 
 /// A point on a surface.
@@ -41,7 +42,7 @@ pub(super) struct Towards<S: Scalar> {
 impl<S: Scalar> Site<S> {
     /// The site of a hit, without textures and bumps.
     pub(super) fn new(
-        scene: &Scene<'_, S>,
+        scene: &Scene<'_, S, impl Tier<S>>,
         object: &Object<S>,
         surface: &Surface<S>,
         ray: &Ray<S>,

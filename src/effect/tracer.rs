@@ -12,12 +12,13 @@ use crate::ray::Ray;
 use crate::scalar::{Ring, Scalar};
 use crate::scene::{Color, Material, Observer, Scene, SceneHit, Waves};
 use crate::shape::Surface;
+use crate::tier::{Stable, Tier};
 use core::marker::PhantomData;
 
 /// Below this weight a ray is faint, as a power of two.
 const FAINT: i32 = -7;
 
-/// Finds out what rays see in a scene, with the effects `E` compiled in.
+/// Finds out what rays see in a scene, with the effects `E` compiled in; in the scene's accuracy tier `T`.
 ///
 /// ```
 /// # use raylet::{Camera, Color, Light, Material, Object, Ray, Scene, Shape, Sphere, Tracer, UnitVec3, Vec3, Work};
@@ -37,8 +38,8 @@ const FAINT: i32 = -7;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Tracer<'a, S: Scalar, E = All> {
-    scene: &'a Scene<'a, S>,
+pub struct Tracer<'a, S: Scalar, E = All, T = Stable> {
+    scene: &'a Scene<'a, S, T>,
     /// What is called for and not left off.
     active: EffectSet,
     /// No ray brings back more light than this in a channel.
@@ -71,27 +72,27 @@ struct Gathered<S: Scalar> {
     lit_by: u32,
 }
 
-impl<'a, S: Scalar> Tracer<'a, S> {
+impl<'a, S: Scalar, T: Tier<S>> Tracer<'a, S, All, T> {
     /// A tracer with all effects compiled in, of which it uses those that the scene calls for.
-    pub fn new(scene: &'a Scene<'a, S>) -> Self {
+    pub fn new(scene: &'a Scene<'a, S, T>) -> Self {
         Self::leaving_out(scene)
     }
 }
 
-impl<'a, S: Scalar, E: Effects> Tracer<'a, S, E> {
+impl<'a, S: Scalar, E: Effects, T: Tier<S>> Tracer<'a, S, E, T> {
     /// A tracer with the effects `E` compiled in.
     ///
     /// # Errors
     ///
     /// [`EffectError`] if the scene calls for an effect that is not among them.
-    pub fn try_new(scene: &'a Scene<'a, S>) -> Result<Self, EffectError> {
+    pub fn try_new(scene: &'a Scene<'a, S, T>) -> Result<Self, EffectError> {
         missing(scene, E::SET)?;
         Ok(Self::leaving_out(scene))
     }
 
     /// A tracer with the effects `E` compiled in that knowingly leaves out whatever else the scene calls for: lit without
     /// shadows, for instance, where there is no time for them.
-    pub fn leaving_out(scene: &'a Scene<'a, S>) -> Self {
+    pub fn leaving_out(scene: &'a Scene<'a, S, T>) -> Self {
         let active = scene.effects().intersection(E::SET);
         let refracts = E::SET.contains(Effect::Refraction) && active.contains(Effect::Refraction);
         let brightest = if refracts {
@@ -118,7 +119,7 @@ impl<'a, S: Scalar, E: Effects> Tracer<'a, S, E> {
     }
 
     /// The scene.
-    pub const fn scene(&self) -> &'a Scene<'a, S> {
+    pub const fn scene(&self) -> &'a Scene<'a, S, T> {
         self.scene
     }
 

@@ -1,7 +1,7 @@
 //! Whether a ray surely misses an axis-aligned box: without a division, by axes that separate the two.
 //!
 //! A convex set and another are apart if they are so along some axis (Gottschalk, Lin, Manocha, *OBBTree*, 1996). Of a box and a
-//! piece of a line these are asked here, the cheapest first: those of the box, away from which a ray may lead; the three that are
+//! piece of a line these are tried, the cheapest first: those of the box, away from which a ray may lead; the three that are
 //! perpendicular to the line and to an edge; and the line's own direction, along which the piece is its range of `t`. With `c` the
 //! centre seen from the ray's origin and `h` the half extents:
 //!
@@ -22,7 +22,7 @@
 /// rim, or through a skewed placement, is up to 2^8 times as much (more is given no box).
 pub(crate) const MARGIN_BITS: i32 = 14;
 
-/// Defines the question for a float.
+/// Defines the test for a float.
 #[cfg(feature = "libm")]
 macro_rules! separation {
     ($name:ident, $Float:ident) => {

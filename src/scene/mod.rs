@@ -40,14 +40,18 @@ use crate::hit::Hit;
 use crate::part::Part;
 use crate::ray::{Range, Ray};
 use crate::scalar::Scalar;
+use crate::tier::{Stable, Tier};
 use core::fmt;
+use core::marker::PhantomData;
 
 /// Everything that a picture is made from. Borrows its lists: they may live in flash, in a `heapless::Vec` or in a
 /// `Vec`.
 ///
 /// The indices in its objects are checked once, by [`Scene::new`]; no query can fail.
+///
+/// Its objects are met in the accuracy tier `T`; see [`Scene::at_tier`].
 #[derive(Clone, Copy, Debug)]
-pub struct Scene<'a, S: Scalar> {
+pub struct Scene<'a, S: Scalar, T = Stable> {
     objects: &'a [Object<S>],
     materials: &'a [Material<S>],
     lights: &'a [Light<S>],
@@ -57,6 +61,7 @@ pub struct Scene<'a, S: Scalar> {
     background: Color<S>,
     camera: Camera<S>,
     hierarchy: Option<Hierarchy<'a, S>>,
+    tier: PhantomData<T>,
 }
 
 impl<'a, S: Scalar> Scene<'a, S> {
@@ -97,7 +102,30 @@ impl<'a, S: Scalar> Scene<'a, S> {
             background: Color::BLACK,
             camera,
             hierarchy: None,
+            tier: PhantomData,
         })
+    }
+}
+
+impl<'a, S: Scalar, T: Tier<S>> Scene<'a, S, T> {
+    /// The same scene with its objects met in another accuracy tier.
+    ///
+    /// ```
+    /// # use raylet::{Camera, Material, Object, Picture, Scene, Shape, Size, Sphere, Vec3, tier::Exact};
+    /// # let y = Vec3::new(0.0_f32, 1.0, 0.0);
+    /// # let camera = Camera::new(Vec3::new(0.0, 0.0, 5.0), Vec3::ZERO, y, 40.0)?;
+    /// let objects = [Object::new(Shape::new(Sphere::new(1.0_f32)?), 0)];
+    /// let materials = [Material::default()];
+    /// let scene = Scene::new(&objects, &materials, &[], camera)?.at_tier::<Exact>();
+    /// let counters = Picture::new(&scene, Size::new(8, 6)).render(|_, _, _| {});
+    /// assert_eq!(counters.primary_rays, 48);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub const fn at_tier<U: Tier<S>>(self) -> Scene<'a, S, U> {
+        let Self { objects, materials, lights, normals, textures, fog, background, camera, hierarchy, .. } = self;
+        let tier = PhantomData;
+        Scene { objects, materials, lights, normals, textures, fog, background, camera, hierarchy, tier }
     }
 
     /// The same scene before another background.
@@ -236,7 +264,7 @@ impl<'a, S: Scalar> Scene<'a, S> {
         let mut test = |index: u32, counters: &mut Counters| {
             let object = self.object(index)?;
             counters.intersection_tests += 1;
-            let hit = object.shape.nearest(&for_object(&shortened, index));
+            let hit = object.shape.nearest_at::<T>(&for_object(&shortened, index));
             observer.tested(index, hit.is_some());
             if let Some(hit) = hit
                 && nearest.is_none_or(|best| hit.t < best.hit.t || (hit.t == best.hit.t && index < best.object))
@@ -286,7 +314,7 @@ impl<'a, S: Scalar> Scene<'a, S> {
     pub fn stands_on(&self, index: u32, ray: &Ray<S>, counters: &mut Counters, observer: &mut impl Observer) -> bool {
         let Some(object) = self.object(index) else { return false };
         counters.intersection_tests += 1;
-        let found = object.shape.occludes(&for_object(ray, index));
+        let found = object.shape.occludes_at::<T>(&for_object(ray, index));
         observer.tested(index, found);
         found
     }

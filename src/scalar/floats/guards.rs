@@ -140,7 +140,7 @@ macro_rules! guards {
         /// Whether an end that may be off by so much is good to some units.
         #[inline(always)]
         pub(crate) fn is_good(line: &LocalLine<$Float>, t: $Float, off: $Float) -> bool {
-            off <= $Float::abs(t) * (24.0 * Limits::of(line).epsilon)
+            off <= $Float::abs(t) * (16.0 * Limits::of(line).epsilon)
         }
 
         #[inline(always)]

@@ -46,7 +46,7 @@ macro_rules! round {
             let mut moved = rr * rr;
             if line.finer != 0 {
                 // Rounded on their way into a frame, coordinates are off by roundings of the longest.
-                moved += rr * (kk + pp) / 2.0;
+                moved += rr * (kk + pp) * 5.0;
             }
             let answer = (k, discriminant / a);
             if let Attempt::Found((k, over_a)) = clear_of_the_start(kk, discriminant, moved, limits.near, answer) {
@@ -58,6 +58,8 @@ macro_rules! round {
             // Next to the surface the nearer end is c over the farther one, and c = |o|^2 - r^2 is mostly rounding: without that.
             let c = Real::sum_of_products([[x, x], [y, y], [z, z], [-r, r]]) + 2.0 * dot(line.origin, line.rest);
             let is_known = $Float::abs(c) * 4096.0 >= rr && is_handy::<4>(r);
+            // The farther end is at least sqrt(k^2 + D) away.
+            let is_known = is_known && moved <= limits.near * discriminant * (kk + discriminant);
             if is_known { Attempt::Found((k, discriminant, Some(c))) } else { Attempt::Unsure }
         }
 

@@ -3,7 +3,7 @@
 //! A block keeps every bit that a product has and finds out at each step how many those are. For most rays that is not
 //! needed: lengths brought to a common grid fit 32 bits, their products 64, and what the grid rounds away is far less than a
 //! unit. The kernels here answer those rays and say [`Attempt::Unsure`] to the others: grazing ones, sizes near the budget,
-//! directions along an axis. Whoever asks then takes the long way.
+//! directions along an axis; those are left to the robust number.
 //!
 //! All rounding is symmetric, so that a mirrored line has mirrored ends. Multiplications are those of [`product`], which stays
 //! inline on chips without a 64-bit product. Shifts of 64 bits by a count known only when running are done by halves, which the

@@ -136,5 +136,5 @@ fn a_triangle_is_met_where_exact_arithmetic_says() {
             Attempt::Unsure => unsure += 1,
         }
     }
-    assert!(found > 2_000 && missed > 4_000 && unsure < 6_000, "{found} found, {missed} missed, {unsure} unsure");
+    assert!(found > 1_500 && missed > 10_000 && unsure < 5_000, "{found} found, {missed} missed, {unsure} unsure");
 }
