@@ -25,14 +25,14 @@ macro_rules! guards {
         impl Limits {
             /// Of answers in as many bits as the computation has.
             const OWN: Self =
-                Self { epsilon: $Float::EPSILON, cancelled: 16.0, together: 9.0, level: 0.0625, near: 8.0 };
+                Self { epsilon: $Float::EPSILON, cancelled: 16.0, together: 9.0, level: 0.1, near: 8.0 };
             /// Of answers in so many bits less that guards may count with roundings 2^13 times as large: whatever a guard leaves out of
             /// account is less than that, and what it decides is certain.
             const SPARE: Self = Self {
                 epsilon: 8192.0 * $Float::EPSILON,
                 cancelled: 64.0,
                 together: 36.0,
-                level: 0.0625,
+                level: 0.1,
                 near: 2048.0,
             };
 
@@ -140,7 +140,7 @@ macro_rules! guards {
         /// Whether an end that may be off by so much is good to some units.
         #[inline(always)]
         pub(crate) fn is_good(line: &LocalLine<$Float>, t: $Float, off: $Float) -> bool {
-            off <= $Float::abs(t) * (16.0 * Limits::of(line).epsilon)
+            off <= $Float::abs(t) * (19.0 * Limits::of(line).epsilon)
         }
 
         #[inline(always)]

@@ -128,7 +128,7 @@ macro_rules! round {
                 // Rounded on their way into a frame, coordinates are off by roundings of the longest, and components by those of one.
                 doubt *= 8.0;
                 let above = a * (y * y);
-                moved += positive * (above + kk) / 2.0;
+                moved += positive * above / 8.0;
                 let is_level = a >= limits.level && above <= positive * HIGH_SQUARE + 4.0 * kk;
                 if !is_level || (discriminant > 0.0 && discriminant * a * (4.0 * limits.cancelled) < positive) {
                     return Attempt::Unsure;
