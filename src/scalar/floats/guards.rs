@@ -24,17 +24,11 @@ macro_rules! guards {
 
         impl Limits {
             /// Of answers in as many bits as the computation has.
-            const OWN: Self =
-                Self { epsilon: $Float::EPSILON, cancelled: 16.0, together: 9.0, level: 0.1, near: 8.0 };
+            const OWN: Self = Self { epsilon: $Float::EPSILON, cancelled: 16.0, together: 9.0, level: 0.1, near: 8.0 };
             /// Of answers in so many bits less that guards may count with roundings 2^13 times as large: whatever a guard leaves out of
             /// account is less than that, and what it decides is certain.
-            const SPARE: Self = Self {
-                epsilon: 8192.0 * $Float::EPSILON,
-                cancelled: 64.0,
-                together: 36.0,
-                level: 0.1,
-                near: 2048.0,
-            };
+            const SPARE: Self =
+                Self { epsilon: 8192.0 * $Float::EPSILON, cancelled: 64.0, together: 36.0, level: 0.1, near: 2048.0 };
 
             #[inline(always)]
             const fn of(line: &LocalLine<$Float>) -> Self {

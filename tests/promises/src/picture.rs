@@ -1,7 +1,9 @@
 //! The promise: a scene is the same picture in every number type, and only the rays that it calls for are cast.
 
 use fixed::types::{I16F16, I32F32};
+use raylet::gallery::BuiltIn;
 use raylet::scene::nff::{self, Corner, Counts, Scale, Stores};
+use raylet::tier::{Exact, Fast, Tier};
 use raylet::{
     Camera, Color, Counters, Cylinder, Light, Material, Object, Part, Picture, Pixel, Plane, Ray, Scalar, Scene, Shape,
     Size, Sphere, Tracer, Triangle, UnitVec3, Vec3, Visible, Work,
@@ -485,4 +487,40 @@ fn scenes_with_wrong_indices_are_refused() {
     let lights = [Light::new(Vec3::new(f32::NAN, 0.0, 0.0), 1.0)];
     let error = Scene::new(&[], &materials, &lights, camera()).err().unwrap();
     assert_eq!(error.to_string(), "light 0 is beyond the number type's budget: move it closer");
+}
+
+/// The nearest of what each object says in the tier, and whether anything lies on the ray.
+fn in_tier<S: Scalar, T: Tier<S>>(scene: &Scene<'_, S, T>, ray: &Ray<S>) {
+    let hits = scene.objects().iter().filter_map(|object| object.shape.nearest_at::<T>(ray));
+    let nearest = hits.min_by(|one, other| one.t.partial_cmp(&other.t).unwrap());
+    let counters = &mut Counters::default();
+    assert_eq!(scene.nearest(ray, counters).map(|on| on.hit.t), nearest.map(|hit| hit.t), "{ray:?}");
+    assert_eq!(scene.occludes(ray, counters), nearest.is_some(), "{ray:?}");
+}
+
+#[test]
+fn a_scene_meets_its_objects_in_its_own_tier() {
+    fn check<S: Scalar>()
+    where
+        Exact: Tier<S>,
+    {
+        let stage = BuiltIn::StillLife.build::<S>().unwrap();
+        let scene = stage.scene().unwrap();
+        let (fast, exact) = (scene.at_tier::<Fast>(), scene.at_tier::<Exact>());
+        let size = Size::new(16, 12);
+        let raster = scene.camera().raster(size);
+        for (x, y) in (0..size.height).flat_map(|y| (0..size.width).map(move |x| (x, y))) {
+            let ray = raster.ray([x, y], [0, 0]).unwrap();
+            in_tier(&fast, &ray);
+            in_tier(&scene, &ray);
+            in_tier(&exact, &ray);
+        }
+        let mut pictures = [vec![], vec![]];
+        Picture::new(&scene, size).render(|_, _, pixel| pictures[0].push(pixel.color.to_rgb888()));
+        Picture::new(&exact, size).render(|_, _, pixel| pictures[1].push(pixel.color.to_rgb888()));
+        let differ = pictures[0].iter().zip(&pictures[1]).filter(|(stable, exact)| stable != exact).count();
+        assert!(differ <= 2, "{differ} pixels differ");
+    }
+    check::<f32>();
+    check::<I16F16>();
 }
