@@ -148,8 +148,9 @@ impl<S: Scalar> Surface<S> {
         let gradient = solve::gradient(&figure, part, p, S::real);
         let (slope, squares, square) = (dot(gradient, d), dot(gradient, gradient), dot(d, d));
         // The line leaves the surface by more than 14 degrees, so that the rounding of the local point matters by a few units, and what is
-        // rounded of the equation is no underflow. What overflows compares false.
-        let is_steep = (slope * slope).scaled(4) >= squares * square;
+        // rounded of the equation is no underflow.
+        let most = squares * square;
+        let is_steep = (slope * slope).scaled(4) >= most && S::round(most).is_finite();
         if !(is_steep && squares >= S::Real::ONE.scaled(-90)) {
             return None;
         }

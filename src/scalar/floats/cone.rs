@@ -91,7 +91,7 @@ macro_rules! cone {
             };
             let (mut discriminant, moment) = difference([y * dz - z * dy, z * dx - x * dz, x * dy - y * dx]);
             let terms = moment * reach;
-            let cancelled = if is_turned { 4.0 * limits.cancelled } else { 8.0 * limits.cancelled };
+            let cancelled = if is_turned { 7.0 * limits.cancelled } else { 8.0 * limits.cancelled };
             if $Float::abs(discriminant) * cancelled <= terms {
                 if discriminant < -terms * limits.doubt() && a > 0.0 {
                     return Attempt::Miss;
@@ -141,7 +141,7 @@ macro_rules! cone {
             let q = if k > 0.0 { -sum } else { sum };
             // Of an end whose numbers cancel only that is said which lies surely inside: the planes may cut it off. The relative
             // errors of both parts of the quotient add up.
-            let together = if is_turned { limits.together / 2.0 } else { limits.together };
+            let together = if is_turned { limits.together * 0.75 } else { limits.together };
             let off = |difference: $Float, terms: $Float| {
                 let magnitude = $Float::abs(difference);
                 let is_good = terms * sum + k_terms * magnitude <= together * (magnitude * sum);

@@ -119,6 +119,12 @@ macro_rules! guards {
             size.to_bits().wrapping_sub(least(NARROW)) < 2 * (($bias << $mantissa) - least(NARROW))
         }
 
+        /// The power of two that brings a positive number near 1.
+        #[inline(always)]
+        fn near_one(size: $Float) -> $Float {
+            $Float::from_bits((2 * $bias << $mantissa) - (size.to_bits() & (((2 * $bias + 1) as $bits) << $mantissa)))
+        }
+
         #[inline(always)]
         fn dot(a: [$Float; 3], b: [$Float; 3]) -> $Float {
             a[0] * b[0] + a[1] * b[1] + a[2] * b[2]

@@ -73,9 +73,18 @@ macro_rules! round {
             near: $Float,
             answer: T,
         ) -> Attempt<T> {
-            let c = kk - discriminant;
-            // What overflows fails.
-            let is_clear = moved * (kk + discriminant) <= near * (c * c) * discriminant;
+            let is_clear = |kk: $Float, discriminant: $Float, moved: $Float| {
+                let c = kk - discriminant;
+                let most = near * (c * c) * discriminant;
+                // Neither overflown nor next to nothing, which would compare with anything.
+                let is_number = ($Float::MIN_POSITIVE / $Float::EPSILON..$Float::MAX).contains(&most);
+                is_number.then_some(moved * (kk + discriminant) <= most)
+            };
+            let is_clear = is_clear(kk, discriminant, moved).or_else(|| {
+                let scale = near_one(discriminant);
+                is_clear(kk * scale, discriminant * scale, moved * scale * scale)
+            });
+            let is_clear = is_clear == Some(true) && moved >= $Float::MIN_POSITIVE;
             if is_clear { Attempt::Found(answer) } else { Attempt::Unsure }
         }
 

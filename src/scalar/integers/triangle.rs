@@ -87,7 +87,7 @@ fn crossing(a: [i32; 3], finer: i32, d: [i32; 3], [u, v, w]: [[i32; 3]; 3], from
         return Attempt::Unsure;
     };
     // A framed origin and direction are off by a hundredth of a unit and by 2^-31, which an angle makes more of.
-    if finer != 0 && digits.shift > 3 {
+    if finer != 0 && digits.shift > 2 {
         return Attempt::Unsure;
     }
     let farthest = if finer == 0 { 1 << 28 } else { (1 << 26) >> digits.shift };

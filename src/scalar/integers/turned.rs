@@ -5,8 +5,8 @@ use super::{high, magnitude_bits, product};
 /// How much finer than the type's unit the origin is kept: its rounding is then a hundredth of a unit.
 pub(in crate::scalar) const FINER: i32 = 6;
 
-/// The same of a line that passes far away: its rounding, an eighth of a unit, is too much for a hit, but not for a miss.
-pub(in crate::scalar) const COARSE: i32 = 2;
+/// The same of a line that passes far away: its rounding, a sixteenth of a unit, is too much for a hit, but not for a miss.
+pub(in crate::scalar) const COARSE: i32 = 3;
 
 /// Where a line is taken up, next to the frame's origin if it begins far from there.
 pub(in crate::scalar) struct Turned {
@@ -55,7 +55,7 @@ fn closest(from: [i32; 3], d: [i32; 3]) -> Option<(i32, [i32; 3], i32)> {
     let exact = [walked(from[0], d[0]), walked(from[1], d[1]), walked(from[2], d[2])];
     let is_within = |bits: i32| exact.iter().all(|length| length.unsigned_abs() >> (30 + bits) == 0);
     let finer = if is_within(24) { FINER } else { COARSE };
-    if !is_within(28) {
+    if !is_within(27) {
         return None;
     }
     let rounded = |length: i64| ((length + (1 << (29 - finer))) >> (30 - finer)) as i32;

@@ -257,3 +257,26 @@ fn a_capsule_is_left_through_its_top_however_high_that_is() {
     assert_hits::<f32, Exact>(&pill, &ray, &want, 1.0);
     assert_hits::<f32, Stable>(&pill, &ray, &want, 1.0);
 }
+
+/// The guard of a ball next to the start is a product of six lengths: from a radius of 2.5 million on it overflowed in `f32`, below 3e-8 it
+/// vanished, and every end was taken for good.
+#[test]
+fn balls_of_any_size_are_met_within_16_units() {
+    let mut random = Random(17);
+    for exponent in (-40..45).step_by(3) {
+        let r = n::<f32>(1.37 * 2.0_f64.powi(exponent));
+        let (ball, solid) = (Shape::new(Sphere::new(r).unwrap()), Solid::Sphere { radius: r.exact() });
+        for _ in 0..times(200) {
+            let out = random.direction();
+            let origin = scale(out, f64::from(r) * (1.0 + random.between(0.001, 0.1)));
+            let aside = add(random.direction(), scale(out, -1.5));
+            let ray = Ray::new(v::<f32>(origin), direction(aside)).unwrap();
+            let line = exact_line(&ray);
+            if oracle::margin(&solid, &line).is_some_and(|margin| (margin - 1.0).abs() > 1e-2)
+                && let Ok(units) = crate::named::judge::<f32, Stable>(&ball, &solid, &line, &ray)
+            {
+                assert!(units <= 16.0, "{units} units at a radius of {r}: {ray:?}");
+            }
+        }
+    }
+}
