@@ -73,19 +73,27 @@ macro_rules! round {
             near: $Float,
             answer: T,
         ) -> Attempt<T> {
-            let is_clear = |kk: $Float, discriminant: $Float, moved: $Float| {
-                let c = kk - discriminant;
-                let most = near * (c * c) * discriminant;
-                // Neither overflown nor next to nothing, which would compare with anything.
-                let is_number = ($Float::MIN_POSITIVE / $Float::EPSILON..$Float::MAX).contains(&most);
-                is_number.then_some(moved * (kk + discriminant) <= most)
+            let c = kk - discriminant;
+            let most = near * (c * c) * discriminant;
+            let is_clear = if IN_RANGE.contains(&most) {
+                moved * (kk + discriminant) <= most
+            } else {
+                is_clear_near_one(kk, discriminant, moved, near)
             };
-            let is_clear = is_clear(kk, discriminant, moved).or_else(|| {
-                let scale = near_one(discriminant);
-                is_clear(kk * scale, discriminant * scale, moved * scale * scale)
-            });
-            let is_clear = is_clear == Some(true) && moved >= $Float::MIN_POSITIVE;
             if is_clear { Attempt::Found(answer) } else { Attempt::Unsure }
+        }
+
+        /// Neither overflown nor next to nothing, which would compare with anything.
+        const IN_RANGE: core::ops::Range<$Float> = $Float::MIN_POSITIVE / $Float::EPSILON..$Float::MAX;
+
+        /// The comparison of [`clear_of_the_start`] with lengths brought near 1.
+        #[cold]
+        fn is_clear_near_one(kk: $Float, discriminant: $Float, moved: $Float, near: $Float) -> bool {
+            let scale = near_one(discriminant);
+            let (kk, discriminant, scaled) = (kk * scale, discriminant * scale, moved * scale * scale);
+            let c = kk - discriminant;
+            let most = near * (c * c) * discriminant;
+            moved >= $Float::MIN_POSITIVE && IN_RANGE.contains(&most) && scaled * (kk + discriminant) <= most
         }
 
         /// The two ends of the line inside the ball.
