@@ -1,12 +1,11 @@
 //! Block-floating integers: the [`Real`] of the fixed-point types.
 //!
-//! A block is `mantissa * 2^exponent`. Its mantissa is twice as wide as the scalar, so that the product of two
-//! scalars, and sums of such products, are exact. Only when a product would need more than the double width is an
-//! operand reduced to half the width, rounded to nearest: a relative error of at most 2^-32 (2^-64 for the wide block).
-//! Blocks need no scaling by their user and never overflow: the exponent has 32 bits.
+//! A block is `mantissa * 2^exponent`. Its mantissa is twice as wide as the scalar, so that the product of two scalars, and sums of such
+//! products, are exact. Only when a product would need more than the double width is an operand reduced to half the width, rounded to
+//! nearest: a relative error of at most 2^-32 (2^-64 for the wide block). Blocks never overflow: the exponent has 32 bits.
 //!
-//! Square root and quotient are made here from integers, normalised by leading zeros. The macro makes the same
-//! code for three widths; the smallest is small enough to be tested on every operand.
+//! Square root and quotient are made here from integers, normalised by leading zeros. The macro makes the same code for
+//! three widths; the smallest is small enough to be tested on every operand.
 
 use super::{Real, sealed::Sealed};
 use crate::number::Ring;
