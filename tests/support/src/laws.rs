@@ -114,14 +114,26 @@ impl<S: Number> Setting<S> {
         self.pose.point_to_own_frame(&super::exact_types::exact_line(ray).point_at(t))
     }
 
+    /// [`Setting::local_point`]; of a ball, which has no axes, only moved: stored axes are perpendicular but for their last bits.
+    fn point_as_the_solid_sees_it(&self, ray: &Ray<S>, t: &Dyadic) -> Point {
+        match (&self.solid, self.pose) {
+            (Solid::Sphere { .. }, Pose::Frame(frame)) => {
+                let position = frame.position().to_array().map(Number::exact);
+                let point = super::exact_types::exact_line(ray).point_at(t);
+                [0, 1, 2].map(|i| &point[i] - &position[i])
+            }
+            _ => self.local_point(ray, t),
+        }
+    }
+
     /// How far the ray's point at `t` is from a part, in exact numbers.
     pub fn off(&self, ray: &Ray<S>, t: &Dyadic, part: Part) -> f64 {
-        distance_from(&self.solid, exact_part(part), &self.local_point(ray, t))
+        distance_from(&self.solid, exact_part(part), &self.point_as_the_solid_sees_it(ray, t))
     }
 
     /// How deep the ray's point at `t` lies, in exact numbers.
     pub fn depth(&self, ray: &Ray<S>, t: &Dyadic) -> f64 {
-        depth(&self.solid, &self.local_point(ray, t))
+        depth(&self.solid, &self.point_as_the_solid_sees_it(ray, t))
     }
 }
 
@@ -255,7 +267,7 @@ pub fn met<S: Number>(hits: &Hits<S>) -> Vec<Met> {
 
 impl<S: Number> Setting<S> {
     /// Whether two answers of a bounded solid have the same crossings on the same parts, or differ in no more than what moving the
-    /// line by `bound` in space decides: a chord no deeper than that, a hit as near to both parts, or a range that starts as near to the
+    /// line by `bound` in space decides: a chord no deeper than that, a hit as near to both parts or to the surface between them, or a range that starts as near to the
     /// surface.
     pub fn alike(&self, ray: &Ray<S>, a: &[Met], b: &[Met], bound: f64) -> Result<bool, String> {
         let same = |(a, b): (&Met, &Met)| a.part == b.part && a.crossing == b.crossing;
@@ -270,7 +282,9 @@ impl<S: Number> Setting<S> {
         if kinds(a) == kinds(b) {
             let near_both = |(a, b): (&Met, &Met)| {
                 let off = |t: &Dyadic| self.off(ray, t, a.part).max(self.off(ray, t, b.part));
-                a.part == b.part || off(&a.t).min(off(&b.t)) <= bound
+                // Or the line runs so near to the surface from one to the other.
+                let middle = (&a.t + &b.t).scaled(-1);
+                a.part == b.part || off(&a.t).min(off(&b.t)) <= bound || self.depth(ray, &middle).abs() <= bound
             };
             return if a.iter().zip(b).all(near_both) { Ok(false) } else { Err("another part".into()) };
         }
