@@ -150,6 +150,11 @@ macro_rules! cone {
             let by_a = (q / a, off(a, a_terms) * $Float::abs(q / a));
             let by_c = (c / q, off(c, c_terms) * $Float::abs(c / q));
             let (first, second) = if (k > 0.0) == (a > 0.0) { (by_a, by_c) } else { (by_c, by_a) };
+            // So close to each other, beside their distance, that rounding may exchange them.
+            let are_apart = first.0 < second.0;
+            if !are_apart {
+                return Attempt::Unsure;
+            }
             Attempt::Found(Roots { first, second, a, a_terms, k, k_terms, outline, rim, slope })
         }
     };

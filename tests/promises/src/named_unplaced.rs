@@ -136,6 +136,20 @@ fn exact_is_right_for_every_size_that_is_taken_in_i16f16() {
     exact_is_right_for_every_size_that_is_taken::<I16F16>();
 }
 
+/// Was no hit: the two ends, 1e-13 apart at a `t` of 1e10, came out of the doubles in the wrong order.
+#[test]
+fn exact_finds_a_chord_below_the_rounding_of_doubles() {
+    let (top, height) = (1e-3_f32, 1e20_f32);
+    let needle = Shape::new(Cone::frustum(0.0, top, height).unwrap());
+    let solid =
+        Solid::Frustum { base_radius: 0.0_f32.exact(), top_radius: top.exact(), height: height.exact(), capped: true };
+    let half = core::f32::consts::FRAC_1_SQRT_2;
+    let across = UnitVec3::from_components([-half, half, 0.0]).unwrap();
+    let ray = Ray::new(Vec3::new(1e10, 3.0, 1e-20), across).unwrap();
+    assert_eq!(needle.hits_at::<Exact>(&ray).len(), 2);
+    assert!(judge::<f32, Exact>(&needle, &solid, &exact_line(&ray), &ray).is_ok_and(|error| error <= 1.0));
+}
+
 /// Every number that the equations of these solids have is as small, as ordinary or as large as the type holds it: all of them, with every
 /// start of such coordinates, along an axis and across. A size may be refused.
 #[test]
