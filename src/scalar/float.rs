@@ -1,63 +1,18 @@
 //! `f32` and `f64` as scalars: plain arithmetic, and the error-free sums and products that keep hard cases right.
 
+use super::error_free::{exact_f32, exact_f64};
 use super::square_root::square_root_f32;
 use super::{Budget, Computing, Elementary, Numbers, Real, Scalar, UnitScalar, largest, sealed::Sealed};
 use crate::number::word::Word;
 use crate::number::{Limbs, Parts, Ring, Robust};
 
-/// Defines the float implementations. `$half` are the mantissa bits that a split moves to the low part.
+/// Defines the float implementations.
 macro_rules! float {
     (
-        $Float:ident, $exact:ident, $bits:ty, $half:literal, $mantissa:literal, $bias:literal, $largest_exponent:literal,
+        $Float:ident, $exact:ident, $bits:ty, $mantissa:literal, $bias:literal, $largest_exponent:literal,
         $slope:literal, $robust:ty, sqrt: $sqrt:path, atan2: $atan2:path, sincos: $sincos:path, pow: $pow:path
     ) => {
         impl Sealed for $Float {}
-
-        mod $exact {
-
-            /// `a = high + low`, each with at most half of the bits, so that products of halves are exact.
-            /// Rounded in the integer representation: unlike Veltkamp's split it cannot overflow inside the budget.
-            #[inline(always)]
-            pub(super) fn split(a: $Float) -> ($Float, $Float) {
-                let high = $Float::from_bits((a.to_bits() + (1 << ($half - 1))) & (<$bits>::MAX << $half));
-                (high, a - high)
-            }
-
-            /// `a * b = p + e` exactly (Dekker, *A floating-point technique for extending the available precision*, 1971).
-            #[inline(always)]
-            pub(super) fn two_product(a: $Float, b: $Float) -> ($Float, $Float) {
-                let p = a * b;
-                let ((ah, al), (bh, bl)) = (split(a), split(b));
-                (p, (((ah * bh - p) + ah * bl) + al * bh) + al * bl)
-            }
-
-            /// `a + b = s + e` exactly (Knuth, *The Art of Computer Programming* 2, 4.2.2, Theorem B).
-            #[inline(always)]
-            pub(super) fn two_sum(a: $Float, b: $Float) -> ($Float, $Float) {
-                let s = a + b;
-                let b_part = s - a;
-                (s, (a - (s - b_part)) + (b - b_part))
-            }
-
-            /// `2^e` for an exponent of a normal number.
-            #[inline(always)]
-            pub(super) fn power_of_two(e: i32) -> $Float {
-                $Float::from_bits(((e + $bias) as $bits) << $mantissa)
-            }
-
-            /// `x * 2^e` for any exponent; rounds only where the result is subnormal.
-            #[inline]
-            pub(super) fn scale(mut x: $Float, mut e: i32) -> $Float {
-                if e > $bias {
-                    x *= power_of_two($bias);
-                    e = (e - $bias).min($bias);
-                } else if e < 1 - $bias {
-                    x *= power_of_two(1 - $bias);
-                    e = (e - (1 - $bias)).max(1 - $bias);
-                }
-                x * power_of_two(e)
-            }
-        }
 
         impl Numbers for $Float {
             type Unit = $Float;
@@ -356,10 +311,10 @@ macro_rules! float {
 }
 
 float!(
-    f32, exact_f32, u32, 12, 23, 127, 126, 30, u64,
+    f32, exact_f32, u32, 23, 127, 126, 30, u64,
     sqrt: square_root_f32, atan2: libm::atan2f, sincos: libm::sincosf, pow: libm::powf
 );
 float!(
-    f64, exact_f64, u64, 27, 52, 1023, 1022, 200, u128,
+    f64, exact_f64, u64, 52, 1023, 1022, 200, u128,
     sqrt: libm::sqrt, atan2: libm::atan2, sincos: libm::sincos, pow: libm::pow
 );

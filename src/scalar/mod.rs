@@ -10,6 +10,7 @@
 //! | file | what it holds |
 //! |---|---|
 //! | `float` | `f32` and `f64`: error-free products and sums, stepping closer, binary scale |
+//! | `error_free` | sums and products of floats with their rests |
 //! | `fixed` | `FixedI32<F>` and `FixedI64<F>`, for every `F` |
 //! | `computing` | what is computed with stored numbers |
 //! | `fast` | what the fast path of a number type tells |
@@ -33,6 +34,8 @@ mod computing;
 mod decimal;
 #[cfg(feature = "fixed")]
 mod elementary;
+#[cfg(feature = "libm")]
+mod error_free;
 mod fast;
 #[cfg(feature = "fixed")]
 mod fixed;
