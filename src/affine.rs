@@ -217,6 +217,12 @@ impl<S: Scalar> Place<S> for Affine<S> {
         S::fast_stretched(o, d, self.position.to_array(), self.inverse())
     }
 
+    #[inline(always)]
+    fn second_line(&self, ray: &Ray<S>, base: Vec3<S>) -> Option<LocalLine<S>> {
+        let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
+        S::fast_stretched_again(o, d, self.position.to_array(), self.inverse(), base.to_array())
+    }
+
     fn line<N: FromScalar<S>>(&self, ray: &Ray<S>) -> [[N; 3]; 2] {
         [self.point(ray.origin()), self.applied(ray.direction().to_array().map(N::unit))]
     }

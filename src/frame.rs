@@ -1,6 +1,6 @@
 //! Placement by rotation and translation.
 
-use crate::line::Place;
+use crate::line::{InWorld, Place};
 use crate::number::{difference, dot};
 use crate::ray::Ray;
 use crate::scalar::{FromScalar, LocalLine, Real, Ring, Scalar};
@@ -197,6 +197,17 @@ impl<S: Scalar> Place<S> for Frame<S> {
         }
         let rests = pairs(ray.origin().real(), self.position.real()).map(|(o, p)| o.plus_with_rest(-p)[1]);
         Some(LocalLine { rest: rests.map(S::round), ..line })
+    }
+
+    #[inline(always)]
+    fn second_line(&self, ray: &Ray<S>, base: Vec3<S>) -> Option<LocalLine<S>> {
+        let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
+        let axes = self.axes.map(UnitVec3::to_array);
+        S::fast_turned_again(o, d, self.position.to_array(), axes, base.to_array())
+    }
+    #[inline(always)]
+    fn second_ball_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
+        InWorld.second_line(ray, self.position)
     }
 
     #[inline]

@@ -26,6 +26,11 @@ pub trait Geometry<S: Scalar>: Copy {
     fn fast_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
         place.fast_line(ray)
     }
+    /// The line for the fast path's second attempt, as this primitive sees it.
+    #[inline(always)]
+    fn second_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
+        place.second_line(ray, Vec3::ZERO)
+    }
     /// Where the line meets it, if the fast path tells.
     fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>>;
     /// Whether the half-line `t >= 0` hits it, if the fast path tells; agrees with [`Geometry::fast_intersection`].

@@ -1,6 +1,6 @@
 //! How each tier climbs the ladder of numbers.
 //!
-//! `Fast` and `Stable` take the word of their fast path, and where that is unsure the word of the robust number. `Exact` climbs until every
+//! `Fast` and `Stable` take the word of their fast path, of its second attempt, or of the robust number. `Exact` climbs until every
 //! sign is certain.
 
 use crate::exact::{Certain, Effort, Exact};
@@ -30,8 +30,14 @@ macro_rules! solve_robustly {
             }
             #[inline]
             fn climb<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Intersection<S> {
-                // The robust number knows every sign: there is always an answer.
-                climb::<S, S::Robust>(&geometry.figure(), place, ray).unwrap_or(Intersection::Miss)
+                match second_attempt::<S, $Tier, G>(geometry, place, ray) {
+                    Attempt::Found(intersection) => intersection,
+                    Attempt::Miss => Intersection::Miss,
+                    // The robust number knows every sign: there is always an answer.
+                    Attempt::Unsure => {
+                        climb::<S, S::Robust>(&geometry.figure(), place, ray).unwrap_or(Intersection::Miss)
+                    }
+                }
             }
             fn contains<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, point: Vec3<S>) -> bool {
                 holds::<S, S::Robust>(&geometry.figure(), place, point).unwrap_or(false)
@@ -186,6 +192,20 @@ fn fast<S: Scalar, T: Guards, G: Geometry<S>>(
     in_own_t(place, &line, geometry.fast_intersection::<T>(&LocalLine { has_spare_bits: T::HAS_SPARE_BITS, ..line }))
 }
 
+/// The same on a second attempt, of floats, whose line is dearer and rounded less.
+#[inline(always)]
+fn second_attempt<S: Scalar, T: Guards, G: Geometry<S>>(
+    geometry: &G,
+    place: &impl Place<S>,
+    ray: &Ray<S>,
+) -> Attempt<Intersection<S>> {
+    if !S::RELATIVE || ray.departure().is_some() {
+        return Attempt::Unsure;
+    }
+    let Some(line) = geometry.second_line(place, ray) else { return Attempt::Unsure };
+    in_own_t(place, &line, geometry.fast_intersection::<T>(&line))
+}
+
 /// What the fast path knows of a ray that departs from the figure.
 #[inline(always)]
 fn departing<S, T>(figure: &Figure<S>, departure: Departure) -> Attempt<T> {
@@ -200,17 +220,33 @@ fn in_own_t<S: Scalar, P: Place<S>>(
     line: &LocalLine<S>,
     found: Attempt<Intersection<S>>,
 ) -> Attempt<Intersection<S>> {
+    if line.is_coarse && !matches!(found, Attempt::Miss) {
+        return Attempt::Unsure;
+    }
+    if !P::STRETCHES && line.start == S::ZERO {
+        return found;
+    }
+    let found = if line.start == S::ZERO { found } else { from_start(found!(found), line.start) };
     if P::STRETCHES {
         let pace = line.pace.real();
         return Attempt::Found(found!(found).map(|t| S::round(t.real() * pace)));
     }
-    if line.is_coarse && !matches!(found, Attempt::Miss) {
-        return Attempt::Unsure;
-    }
-    if line.start == S::ZERO {
-        return found;
-    }
-    Attempt::Found(found!(found).map(|t| if t.is_finite() { t.plus(line.start) } else { t }))
+    found
+}
+
+/// What was found along a line that is taken up at `start`, in the `t` of the whole.
+#[inline(never)]
+fn from_start<S: Scalar>(intersection: Intersection<S>, start: S) -> Attempt<Intersection<S>> {
+    let whole = |t: S| {
+        if !t.is_finite() {
+            return Some(t);
+        }
+        let whole = t.plus(start);
+        // Next to the ray's own start the rounding of a float's sum would be much of it.
+        let is_precise = !S::RELATIVE || whole.magnitude().plus(whole.magnitude()) >= start.magnitude();
+        is_precise.then_some(whole)
+    };
+    intersection.try_map(whole).map_or(Attempt::Unsure, Attempt::Found)
 }
 
 /// Whether the ray meets the geometry, if the fast path tells.

@@ -21,6 +21,14 @@ pub trait Place<S: Scalar> {
     fn fast_ball_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
         self.fast_line(ray)
     }
+    /// The line for the fast path's second attempt, which costs more and is rounded less: taken up next to the primitive's point `base`,
+    /// and relative to it.
+    fn second_line(&self, ray: &Ray<S>, base: Vec3<S>) -> Option<LocalLine<S>>;
+    /// [`Place::second_line`] for a ball about the frame's origin.
+    #[inline(always)]
+    fn second_ball_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
+        self.second_line(ray, Vec3::ZERO)
+    }
     /// Origin and direction of the ray's line in the primitive's frame, without rounding but for that of the number. The direction has
     /// any length: `t` is the ray's own.
     fn line<N: FromScalar<S>>(&self, ray: &Ray<S>) -> [[N; 3]; 2];
@@ -60,6 +68,10 @@ impl<S: Scalar> Place<S> for InWorld {
     #[inline(always)]
     fn fast_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
         Some(LocalLine::along(ray.origin().to_array(), ray.direction().to_array(), S::ZERO))
+    }
+    #[inline(always)]
+    fn second_line(&self, ray: &Ray<S>, base: Vec3<S>) -> Option<LocalLine<S>> {
+        S::fast_closer(ray.origin().to_array(), ray.direction().to_array(), base.to_array())
     }
     #[inline]
     fn line<N: FromScalar<S>>(&self, ray: &Ray<S>) -> [[N; 3]; 2] {

@@ -73,6 +73,11 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
     }
 
     #[inline(always)]
+    fn second_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
+        place.second_ball_line(ray)
+    }
+
+    #[inline(always)]
     fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
         let [low, high] = found!(S::fast_ball(*line, self.radius, T::GUARDED));
         Attempt::Found(Intersection::One(Span::new(End::new(low, Part::Side), End::new(high, Part::Side))))

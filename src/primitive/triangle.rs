@@ -13,7 +13,9 @@ use crate::fast::surface_hit;
 use crate::figure::Figure;
 use crate::geometry::Hull;
 use crate::intersection::Intersection;
+use crate::line::Place;
 use crate::part::Part;
+use crate::ray::Ray;
 use crate::scalar::{Attempt, LocalLine, Real, Scalar, found, largest};
 use crate::vector::{UnitVec3, Vec3, cross};
 
@@ -105,8 +107,15 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
     }
 
     #[inline(always)]
+    fn second_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
+        place.second_line(ray, self.vertices[0])
+    }
+
+    #[inline(always)]
     fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
-        let (t, from_front) = found!(S::fast_triangle(*line, self.vertices.map(Vec3::to_array)));
+        let [a, b, c] = self.vertices;
+        let vertices = if line.is_compensated { [Vec3::ZERO, b - a, c - a] } else { self.vertices };
+        let (t, from_front) = found!(S::fast_triangle(*line, vertices.map(Vec3::to_array)));
         Attempt::Found(surface_hit(t, from_front))
     }
 

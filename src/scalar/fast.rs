@@ -43,7 +43,7 @@ pub struct LocalLine<S: Numbers> {
     pub origin: [S; 3],
     /// What rounding left over of the origin of a ball's line, to be added to it.
     pub rest: [S; 3],
-    /// How much finer the origin's unit is than the type's; for floats 1 if a placement has rounded the line.
+    /// How much finer the origin's unit is than the type's; for floats 1 if the line has been rounded.
     pub finer: i32,
     /// The direction.
     pub direction: [S::Unit; 3],
@@ -53,6 +53,8 @@ pub struct LocalLine<S: Numbers> {
     pub start: S,
     /// True if the line is only good enough to tell a miss.
     pub is_coarse: bool,
+    /// True of a float line on its second attempt: its components are sums of twice the precision, each rounded by itself.
+    pub is_compensated: bool,
     /// True of doubles that stand for numbers of 32 bits: guards may be strict, and yet let nearly all through.
     pub has_spare_bits: bool,
 }
@@ -69,6 +71,7 @@ impl<S: Numbers + Copy> LocalLine<S> {
             pace: zero,
             start: zero,
             is_coarse: false,
+            is_compensated: false,
             has_spare_bits: false,
         }
     }
@@ -179,6 +182,37 @@ pub trait FastPath: Numbers {
         _d: [Self::Unit; 3],
         _position: [Self; 3],
         _rows: [([Self::Unit; 3], i32); 3],
+    ) -> Option<LocalLine<Self>> {
+        None
+    }
+
+    /// The line from `o` along `d`, for a second attempt: taken up next to `base` and relative to it; `None` if it begins there.
+    #[inline(always)]
+    fn fast_closer(_o: [Self; 3], _d: [Self::Unit; 3], _base: [Self; 3]) -> Option<LocalLine<Self>> {
+        None
+    }
+
+    /// The line in the frame of this position and these axes, for a second attempt: by compensated sums, next to the frame's point `base`
+    /// and relative to it.
+    #[inline(always)]
+    fn fast_turned_again(
+        _o: [Self; 3],
+        _d: [Self::Unit; 3],
+        _position: [Self; 3],
+        _axes: [[Self::Unit; 3]; 3],
+        _base: [Self; 3],
+    ) -> Option<LocalLine<Self>> {
+        None
+    }
+
+    /// The same in the frame of a position and a matrix, as [`FastPath::fast_stretched`] has it.
+    #[inline(always)]
+    fn fast_stretched_again(
+        _o: [Self; 3],
+        _d: [Self::Unit; 3],
+        _position: [Self; 3],
+        _rows: [([Self::Unit; 3], i32); 3],
+        _base: [Self; 3],
     ) -> Option<LocalLine<Self>> {
         None
     }

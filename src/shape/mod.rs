@@ -74,6 +74,10 @@ macro_rules! primitives {
             fn fast_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
                 match self { $(Self::$Variant(p) => p.fast_line(place, ray),)+ }
             }
+            #[inline(always)]
+            fn second_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
+                match self { $(Self::$Variant(p) => p.second_line(place, ray),)+ }
+            }
             // One copy for all placements and queries: inlined it would be in each of them.
             #[inline(never)]
             fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {

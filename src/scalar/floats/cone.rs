@@ -44,6 +44,13 @@ macro_rules! cone {
             if is_clear { Attempt::Found(([first.0, second.0], a < 0.0)) } else { Attempt::Unsure }
         }
 
+        /// `h^2 (dx^2 + dz^2) - (g dy)^2`, where it is mostly rounding: without that.
+        #[inline(never)]
+        fn compensated_a([dx, dy, dz]: [$Float; 3], g: $Float, h: $Float) -> $Float {
+            let [[x, e], [y, f], [z, i]] = [h.times_with_rest(dx), g.times_with_rest(dy), h.times_with_rest(dz)];
+            Real::sum_of_products([[x, x], [z, z], [-y, y]]) + 2.0 * (x * e + z * i - y * f)
+        }
+
         /// The roots of a cone's quadric in order, each with how much it may be off if that is too much to take it, and what tells the
         /// nappes apart.
         struct Roots {
@@ -68,7 +75,7 @@ macro_rules! cone {
             // moment. (That is crude: let through with D a 256th of it, the worst ray measured was 12 units off.)
             let length = ax + ay + az;
             // In a frame any coordinate is off by roundings of the longest, and any component by those of one.
-            let is_turned = line.finer != 0;
+            let is_turned = is_turned(&line);
             let [ax, ay, az] = if is_turned { [length; 3] } else { [ax, ay, az] };
             let reach = steepness * length + g0;
             if !is_handy::<8>(steepness) || !is_handy::<8>(reach) {
@@ -76,8 +83,12 @@ macro_rules! cone {
             }
             let (slope, outline) = (g * dy, g0 + g * y);
             let (across, along) = (h * h * (dx * dx + dz * dz), slope * slope);
-            let a = across - along;
-            let a_terms = if is_turned { steepness * steepness } else { across + along };
+            let mut a = across - along;
+            let mut a_terms = if is_turned { steepness * steepness } else { across + along };
+            if a_terms > 4.0 * $Float::abs(a) && line.finer == 0 && !has_spare_bits(&line) {
+                a = compensated_a(line.direction, g, h);
+                a_terms = 2.0 * $Float::abs(a);
+            }
             let limits = Limits::of(&line);
             // Nearly parallel to a generator.
             let is_clear = $Float::abs(a) >= a_terms * limits.doubt();
@@ -99,10 +110,10 @@ macro_rules! cone {
                 // From far away it takes more than that; what is infinite has no measure for far.
                 let is_near = match top {
                     Some(top) => length <= HIGH * top,
-                    None => false,
+                    None => line.start != 0.0,
                 };
                 // Compensation makes up for the moment's own rounding, not for that of a frame.
-                if !is_near || is_turned {
+                if !is_near || line.finer != 0 {
                     return Attempt::Unsure;
                 }
                 // The moment of a line that passes closely is small, and its rounding is not: without that.
@@ -139,16 +150,24 @@ macro_rules! cone {
                 return Attempt::Unsure;
             }
             let q = if k > 0.0 { -sum } else { sum };
+            let start = line.start;
+            // Next to its closest point the root may be rounded by more than k.
+            let sum_terms = if start == 0.0 { k_terms } else { k_terms + h * h * terms / root };
             // Of an end whose numbers cancel only that is said which lies surely inside: the planes may cut it off. The relative
             // errors of both parts of the quotient add up.
             let together = if is_turned { limits.together * 0.75 } else { limits.together };
-            let off = |difference: $Float, terms: $Float| {
+            let off = |difference: $Float, terms: $Float, divisor: $Float| {
                 let magnitude = $Float::abs(difference);
-                let is_good = terms * sum + k_terms * magnitude <= together * (magnitude * sum);
+                let whole = if start == 0.0 {
+                    magnitude * sum
+                } else {
+                    $Float::abs(difference * q + start * (divisor * divisor))
+                };
+                let is_good = terms * sum + sum_terms * magnitude <= together * whole;
                 if is_good { 0.0 } else { terms * limits.doubt() / magnitude }
             };
-            let by_a = (q / a, off(a, a_terms) * $Float::abs(q / a));
-            let by_c = (c / q, off(c, c_terms) * $Float::abs(c / q));
+            let by_a = (q / a, off(a, a_terms, a) * $Float::abs(q / a));
+            let by_c = (c / q, off(c, c_terms, q) * $Float::abs(c / q));
             let (first, second) = if (k > 0.0) == (a > 0.0) { (by_a, by_c) } else { (by_c, by_a) };
             // So close to each other, beside their distance, that rounding may exchange them.
             let are_apart = first.0 < second.0;

@@ -20,12 +20,20 @@ macro_rules! flat {
             if !is_finite {
                 return Attempt::Unsure;
             }
+            let Limits { epsilon, .. } = Limits::of(&line);
+            let length = $Float::abs(x) + $Float::abs(y) + $Float::abs(z);
+            if line.is_compensated {
+                // A rounding of each, and some units of twice the precision of the longest.
+                if $Float::abs(dy) < 32.0 * epsilon {
+                    return Attempt::Unsure;
+                }
+                let off = ($Float::abs(y) + 16.0 * epsilon * length) * epsilon / $Float::abs(dy);
+                return Attempt::Found((ends, [off; 2]));
+            }
             if line.finer == 0 {
                 return Attempt::Found((ends, [0.0; 2]));
             }
-            let Limits { epsilon, .. } = Limits::of(&line);
             // Four roundings of the longest coordinate, and three of one.
-            let length = $Float::abs(x) + $Float::abs(y) + $Float::abs(z);
             let each = (2.0 * epsilon) / $Float::abs(dy);
             let off = |t: $Float| (length + $Float::abs(t)) * each;
             Attempt::Found((ends, [off(ends[0]), off(ends[1])]))
@@ -44,7 +52,7 @@ macro_rules! flat {
             let inside = r * r - (px * px + pz * pz);
             let Limits { epsilon, level, .. } = Limits::of(&line);
             // Each coordinate is off by at most three roundings of its terms.
-            let length = if line.finer == 0 {
+            let length = if !is_turned(&line) {
                 $Float::abs(x) + $Float::abs(z) + $Float::abs(across) + $Float::abs(along)
             } else {
                 // So is the crossing, by as many units.
@@ -69,7 +77,14 @@ macro_rules! flat {
         pub(crate) fn between_seams(line: LocalLine<$Float>, t: $Float, height: $Float) -> Attempt<Ordering> {
             let ([x, y, z], climb) = (line.origin, t * line.direction[1]);
             let all = $Float::abs(x) + $Float::abs(y) + $Float::abs(z) + $Float::abs(t);
-            let off = if line.finer == 0 { 0.0 } else { all * (4.0 * Limits::of(&line).epsilon) };
+            let Limits { epsilon, .. } = Limits::of(&line);
+            let off = if is_turned(&line) {
+                all * (4.0 * epsilon)
+            } else if line.is_compensated {
+                $Float::abs(y) * (2.0 * epsilon)
+            } else {
+                0.0
+            };
             let (low, high) = (-y, height - y);
             if are_close(&line, climb, low, off) || are_close(&line, climb, high, off) {
                 Attempt::Unsure
@@ -82,6 +97,17 @@ macro_rules! flat {
             }
         }
 
+        /// Whether a quotient of sums of three products of three factors is good to a few units of itself, or of what begins at the line's start.
+        #[inline(always)]
+        fn is_quotient_clear(line: &LocalLine<$Float>, n: $Float, d: $Float, n_terms: $Float, d_terms: $Float) -> bool {
+            let whole = $Float::abs(n * d + line.start * (d * d));
+            let (n, d) = ($Float::abs(n), $Float::abs(d));
+            if !line.is_compensated {
+                return d * FLAT_CANCELLED >= d_terms && n * FLAT_CANCELLED >= n_terms;
+            }
+            n_terms * d + n * d_terms <= (1.5 * FLAT_CANCELLED) * whole
+        }
+
         /// Where the line crosses the triangle, and whether it comes from the front.
         #[inline(always)]
         pub(crate) fn triangle(line: LocalLine<$Float>, vertices: [[$Float; 3]; 3]) -> Attempt<($Float, bool)> {
@@ -89,7 +115,13 @@ macro_rules! flat {
             let [a, b, c] = [minus(vertices[0], o), minus(vertices[1], o), minus(vertices[2], o)];
             let size = |v: [$Float; 3]| $Float::abs(v[0]) + $Float::abs(v[1]) + $Float::abs(v[2]);
             // In a frame the origin is off by roundings of all of it, and the direction by those of one.
-            let (own, one) = if line.finer == 0 { (0.0, 0.0) } else { (4.0 * size(o), 1.0) };
+            let (own, one) = if is_turned(&line) {
+                (4.0 * size(o), 1.0)
+            } else if line.is_compensated {
+                (size(o), 0.0)
+            } else {
+                (0.0, 0.0)
+            };
             let sizes = [size(a) + own, size(b) + own, size(c) + own];
             // d . (p x q): the side on which the line passes the edge from p to q; off by at most seven roundings of its terms.
             let volumes = [dot(d, cross(a, b)), dot(d, cross(b, c)), dot(d, cross(c, a))];
@@ -122,8 +154,7 @@ macro_rules! flat {
             let (facing_terms, distance_terms) = (dot(terms, d_sizes), dot(terms, a_sizes));
             let is_clear = is_handy::<2>(facing_terms)
                 && is_handy::<2>(distance_terms)
-                && $Float::abs(facing) * FLAT_CANCELLED >= facing_terms
-                && $Float::abs(distance) * FLAT_CANCELLED >= distance_terms;
+                && is_quotient_clear(&line, distance, facing, distance_terms, facing_terms);
             if is_clear && (facing < 0.0) == from_front {
                 Attempt::Found((distance / facing, from_front))
             } else {

@@ -22,9 +22,17 @@ macro_rules! guards {
             $spare && line.has_spare_bits
         }
 
+        /// True if coordinates are off by roundings of the longest, and components of the direction by those of one.
+        #[inline(always)]
+        const fn is_turned(line: &LocalLine<$Float>) -> bool {
+            line.finer != 0 && !line.is_compensated
+        }
+
         impl Limits {
             /// Of answers in as many bits as the computation has.
             const OWN: Self = Self { epsilon: $Float::EPSILON, cancelled: 16.0, together: 9.0, level: 0.1, near: 8.0 };
+            /// The same of a line whose components have been rounded once.
+            const COMPENSATED: Self = Self { cancelled: 8.0, together: 4.5, near: 4.0, ..Self::OWN };
             /// Of answers in so many bits less that guards may count with roundings 2^13 times as large: whatever a guard leaves out of
             /// account is less than that, and what it decides is certain.
             const SPARE: Self =
@@ -32,7 +40,13 @@ macro_rules! guards {
 
             #[inline(always)]
             const fn of(line: &LocalLine<$Float>) -> Self {
-                if has_spare_bits(line) { Self::SPARE } else { Self::OWN }
+                if has_spare_bits(line) {
+                    Self::SPARE
+                } else if line.is_compensated {
+                    Self::COMPENSATED
+                } else {
+                    Self::OWN
+                }
             }
 
             /// How much a difference of squares may be off, by more than a hundred roundings.
@@ -82,14 +96,7 @@ macro_rules! guards {
             position: [$Float; 3],
             rows: [([$Float; 3], i32); 3],
         ) -> Option<LocalLine<$Float>> {
-            const MOST: i32 = $bias / 4;
-            let [x, y, z] = rows;
-            let is_within = |e: i32| -MOST < e && e < MOST;
-            if !(is_within(x.1) && is_within(y.1) && is_within(z.1)) {
-                return None;
-            }
-            let scale = |e: i32| $Float::from_bits((($bias + e) as $bits) << $mantissa);
-            let scales = [scale(x.1), scale(y.1), scale(z.1)];
+            let (scales, [x, y, z]) = (scales(rows)?, rows);
             let applied = |v: [$Float; 3]| {
                 let [a, b, c] = [dot(x.0, v), dot(y.0, v), dot(z.0, v)];
                 let image = [a * scales[0], b * scales[1], c * scales[2]];
@@ -107,6 +114,15 @@ macro_rules! guards {
             let pace = 1.0 / $sqrt(square);
             let direction = [dx * pace, dy * pace, dz * pace];
             Some(LocalLine { finer: 1, pace, ..LocalLine::along(origin, direction, 0.0) })
+        }
+
+        /// The powers of two of the rows; `None` if one leaves a quarter of the type's range.
+        #[inline(always)]
+        fn scales([x, y, z]: [([$Float; 3], i32); 3]) -> Option<[$Float; 3]> {
+            const MOST: i32 = $bias / 4;
+            let is_within = |e: i32| -MOST < e && e < MOST;
+            let scale = |e: i32| $Float::from_bits((($bias + e) as $bits) << $mantissa);
+            (is_within(x.1) && is_within(y.1) && is_within(z.1)).then(|| [scale(x.1), scale(y.1), scale(z.1)])
         }
 
         /// True for a positive size whose eighth powers stay in the type (its squares, for `NARROW` of 2).
@@ -140,7 +156,7 @@ macro_rules! guards {
         /// Whether an end that may be off by so much is good to some units.
         #[inline(always)]
         pub(crate) fn is_good(line: &LocalLine<$Float>, t: $Float, off: $Float) -> bool {
-            off <= $Float::abs(t) * (19.0 * Limits::of(line).epsilon)
+            off <= $Float::abs(t + line.start) * (19.0 * Limits::of(line).epsilon)
         }
 
         #[inline(always)]

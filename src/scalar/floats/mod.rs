@@ -1,19 +1,22 @@
-//! The fast path of floats: nothing scaled, and nothing compensated but the moment of a line that passes
-//! a cone so closely that it is mostly rounding.
+//! The fast path of floats: nothing scaled, and little compensated: the moment of a line that passes a cone so closely that it is
+//! mostly rounding, the constant term of a ball next to the start, and the leading one of a cone next to a generator.
 //!
 //! A benign ray needs neither: where nothing cancels, the textbook is right to a few units in the last place. Here stands what
 //! "nothing cancels" means, a comparison for each difference; the other rays (grazing ones, starts far away or next to a
-//! surface, sizes whose powers leave the type) are [`Attempt::Unsure`].
+//! surface, sizes whose powers leave the type) are [`Attempt::Unsure`]. They are tried once more along a line that is rounded less.
 //!
 //! | file | what it holds |
 //! |---|---|
 //! | `guards` | what is taken, and the lines |
+//! | `second` | the lines of the second attempt |
 //! | `round` | balls and cylinders |
 //! | `cone` | cones |
 //! | `flat` | planes, discs, triangles |
 
 #[macro_use]
 mod guards;
+#[macro_use]
+mod second;
 #[macro_use]
 mod round;
 #[macro_use]
@@ -34,6 +37,7 @@ macro_rules! floats {
             use core::cmp::Ordering;
 
             guards!($Float, $bits, $bias, $mantissa, sqrt: $sqrt, may_have_spare_bits: $spare);
+            second!($Float, sqrt: $sqrt);
             round!($Float, sqrt: $sqrt);
             cone!($Float, sqrt: $sqrt);
             flat!($Float);
@@ -101,6 +105,30 @@ macro_rules! floats {
                 rows: [([Self; 3], i32); 3],
             ) -> Option<LocalLine<Self>> {
                 $name::stretched(o, d, position, rows)
+            }
+            #[inline(always)]
+            fn fast_closer(o: [Self; 3], d: [Self; 3], base: [Self; 3]) -> Option<LocalLine<Self>> {
+                $name::closer(o, d, base)
+            }
+            #[inline(always)]
+            fn fast_turned_again(
+                o: [Self; 3],
+                d: [Self; 3],
+                position: [Self; 3],
+                axes: [[Self; 3]; 3],
+                base: [Self; 3],
+            ) -> Option<LocalLine<Self>> {
+                $name::turned_again(o, d, position, axes, base)
+            }
+            #[inline(always)]
+            fn fast_stretched_again(
+                o: [Self; 3],
+                d: [Self; 3],
+                position: [Self; 3],
+                rows: [([Self; 3], i32); 3],
+                base: [Self; 3],
+            ) -> Option<LocalLine<Self>> {
+                $name::stretched_again(o, d, position, rows, base)
             }
             #[inline(always)]
             fn fast_disc(line: LocalLine<Self>, r: Self) -> Attempt<Self> {

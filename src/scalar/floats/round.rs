@@ -44,15 +44,21 @@ macro_rules! round {
                 return if discriminant < -limits.of_distance(pp, rr, kk) { Attempt::Miss } else { Attempt::Unsure };
             }
             let mut moved = rr * rr;
-            if line.finer != 0 {
+            if is_turned(&line) {
                 // Rounded on their way into a frame, coordinates are off by roundings of the longest.
                 moved += rr * (kk + pp) * 5.0;
+            } else if line.is_compensated {
+                moved += rr * (kk + pp);
             }
             let answer = (k, discriminant / a);
+            if line.start != 0.0 {
+                let is_clear = is_clear_of_start(line.start, kk, discriminant, moved, limits.near);
+                return if is_clear { Attempt::Found((k, discriminant / a, None)) } else { Attempt::Unsure };
+            }
             if let Attempt::Found((k, over_a)) = clear_of_the_start(kk, discriminant, moved, limits.near, answer) {
                 return Attempt::Found((k, over_a, None));
             }
-            if line.finer != 0 || has_spare_bits(&line) {
+            if is_turned(&line) || has_spare_bits(&line) {
                 return Attempt::Unsure;
             }
             // Next to the surface the nearer end is c over the farther one, and c = |o|^2 - r^2 is mostly rounding: without that.
@@ -81,6 +87,13 @@ macro_rules! round {
                 is_clear_near_one(kk, discriminant, moved, near)
             };
             if is_clear { Attempt::Found(answer) } else { Attempt::Unsure }
+        }
+
+        /// Whether what rounding moves the ends of a line that is taken up at `start` is small beside that, as for [`clear_of_the_start`].
+        #[inline(always)]
+        fn is_clear_of_start(start: $Float, kk: $Float, discriminant: $Float, moved: $Float, near: $Float) -> bool {
+            let most = near * discriminant * (start * start);
+            IN_RANGE.contains(&most) && moved + kk * discriminant <= most
         }
 
         /// Neither overflown nor next to nothing, which would compare with anything.
@@ -141,7 +154,9 @@ macro_rules! round {
             let discriminant = positive - ww;
             let mut doubt = limits.of_distance(ww, positive, kk);
             let mut moved = positive * positive;
-            if line.finer != 0 {
+            if line.is_compensated {
+                moved *= 4.0;
+            } else if line.finer != 0 {
                 // Rounded on their way into a frame, coordinates are off by roundings of the longest, and components by those of one.
                 doubt *= 8.0;
                 let above = a * (y * y);
@@ -156,7 +171,12 @@ macro_rules! round {
             }
             let root = $sqrt(discriminant);
             let inverse = 1.0 / a;
-            clear_of_the_start(kk, discriminant, moved, limits.near, [(-k - root) * inverse, (root - k) * inverse])
+            let ends = [(-k - root) * inverse, (root - k) * inverse];
+            if line.start != 0.0 {
+                let is_clear = is_clear_of_start(a * line.start, kk, discriminant, moved, limits.near);
+                return if is_clear { Attempt::Found(ends) } else { Attempt::Unsure };
+            }
+            clear_of_the_start(kk, discriminant, moved, limits.near, ends)
         }
     };
 }

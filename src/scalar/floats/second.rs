@@ -1,0 +1,143 @@
+//! The lines of the second attempt on the fast path of floats: taken up next to the solid, by sums of twice the precision.
+//!
+//! After that each component is off by one rounding of itself, whatever the frame and however far away the ray begins.
+
+/// Defines them for a float.
+macro_rules! second {
+    ($Float:ident, sqrt: $sqrt:path) => {
+        /// A vector, and what rounding left over of each component.
+        type Compensated = [[$Float; 2]; 3];
+
+        /// The line of a world's ray next to `base`, and relative to it; `None` if it begins there.
+        #[inline(never)]
+        pub(crate) fn closer(o: [$Float; 3], d: [$Float; 3], base: [$Float; 3]) -> Option<LocalLine<$Float>> {
+            let start = closest(minus(o, base), d);
+            if start == 0.0 {
+                return None;
+            }
+            compensated(point(o, d, base, start), d, start, 0)
+        }
+
+        /// The line in the frame of these axes at `position`, next to the frame's point `base` and relative to it.
+        #[inline(never)]
+        pub(crate) fn turned_again(
+            o: [$Float; 3],
+            d: [$Float; 3],
+            position: [$Float; 3],
+            axes: [[$Float; 3]; 3],
+            base: [$Float; 3],
+        ) -> Option<LocalLine<$Float>> {
+            let [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] = axes;
+            let [x, y, z] = base;
+            let target = [x * ax + y * bx + z * cx, x * ay + y * by + z * cy, x * az + y * bz + z * cz];
+            let start = closest(minus(minus(o, position), target), d);
+            let from = point(o, d, position, start);
+            let seen = [dot_with_rest(axes[0], from), dot_with_rest(axes[1], from), dot_with_rest(axes[2], from)];
+            let direction = [dot_compensated(axes[0], d), dot_compensated(axes[1], d), dot_compensated(axes[2], d)];
+            compensated(relative(seen, base), direction, start, 1)
+        }
+
+        /// The line in the frame of a matrix at `position` whose inverse has these rows, next to its point `base` and relative to it;
+        /// `None` if the powers of two leave the type.
+        #[inline(never)]
+        pub(crate) fn stretched_again(
+            o: [$Float; 3],
+            d: [$Float; 3],
+            position: [$Float; 3],
+            rows: [([$Float; 3], i32); 3],
+            base: [$Float; 3],
+        ) -> Option<LocalLine<$Float>> {
+            let scales = scales(rows)?;
+            let each = |i: usize| dot_compensated(rows[i].0, d) * scales[i];
+            let direction = [each(0), each(1), each(2)];
+            let from = minus(o, position);
+            let each = |i: usize| dot(rows[i].0, from) * scales[i];
+            let start = closest(minus([each(0), each(1), each(2)], base), direction);
+            let from = point(o, d, position, start);
+            let each = |i: usize| dot_with_rest(rows[i].0, from).map(|part| part * scales[i]);
+            let origin = relative([each(0), each(1), each(2)], base);
+            let square = dot(direction, direction);
+            if !is_handy::<4>(square) {
+                return None;
+            }
+            let length = $sqrt(square);
+            let line = compensated(origin, direction.map(|component| component / length), start * length, 1)?;
+            Some(LocalLine { pace: 1.0 / length, ..line })
+        }
+
+        /// The `t` of the line's point next to the origin, if it begins more than four times as far away as it passes; otherwise zero.
+        #[inline(always)]
+        fn closest(from: [$Float; 3], d: [$Float; 3]) -> $Float {
+            let square = dot(d, d);
+            let k = dot(from, d) / square;
+            let p = [from[0] - k * d[0], from[1] - k * d[1], from[2] - k * d[2]];
+            if k * k * square > 16.0 * dot(p, p) { -k } else { 0.0 }
+        }
+
+        /// The line's point at `t` relative to `base`.
+        #[inline(always)]
+        fn point(o: [$Float; 3], d: [$Float; 3], base: [$Float; 3], t: $Float) -> Compensated {
+            let component = |i: usize| {
+                let [from, e] = o[i].plus_with_rest(-base[i]);
+                if t == 0.0 {
+                    return [from, e];
+                }
+                let [step, f] = t.times_with_rest(d[i]);
+                let [sum, g] = from.plus_with_rest(step);
+                sum.plus_with_rest(e + f + g)
+            };
+            [component(0), component(1), component(2)]
+        }
+
+        #[inline(always)]
+        fn relative(v: Compensated, base: [$Float; 3]) -> Compensated {
+            let component = |i: usize| {
+                if base[i] == 0.0 {
+                    return v[i];
+                }
+                let [from, rest] = v[i][0].plus_with_rest(-base[i]);
+                from.plus_with_rest(rest + v[i][1])
+            };
+            [component(0), component(1), component(2)]
+        }
+
+        /// The sum of the products, and what is left of it, both rounded (Ogita, Rump and Oishi, *Accurate sum and dot product*, 2005,
+        /// algorithm 5.3).
+        #[inline(always)]
+        fn sum_and_rest(a: [$Float; 3], b: [$Float; 3]) -> [$Float; 2] {
+            let ([x, e], [y, f], [z, g]) =
+                (a[0].times_with_rest(b[0]), a[1].times_with_rest(b[1]), a[2].times_with_rest(b[2]));
+            let [sum, h] = x.plus_with_rest(y);
+            let [sum, i] = sum.plus_with_rest(z);
+            [sum, e + f + g + (h + i)]
+        }
+
+        #[inline(always)]
+        fn dot_compensated(a: [$Float; 3], b: [$Float; 3]) -> $Float {
+            let [sum, rest] = sum_and_rest(a, b);
+            sum + rest
+        }
+
+        #[inline(always)]
+        fn dot_with_rest(row: [$Float; 3], v: Compensated) -> [$Float; 2] {
+            let ([x, y, z], [a, b, c]) = (row, v.map(|[_, low]| low));
+            let [sum, rest] = sum_and_rest(row, v.map(|[high, _]| high));
+            sum.plus_with_rest(rest + (x * a + y * b + z * c))
+        }
+
+        #[inline(always)]
+        fn compensated(
+            origin: Compensated,
+            direction: [$Float; 3],
+            start: $Float,
+            finer: i32,
+        ) -> Option<LocalLine<$Float>> {
+            let part = |i: usize| [origin[0][i], origin[1][i], origin[2][i]];
+            let along = LocalLine::along(part(0), direction, 0.0);
+            let line = LocalLine { rest: part(1), start, finer, is_compensated: true, ..along };
+            // Where something overflowed a rest is not a number.
+            let is_finite = line.rest.iter().chain(&line.direction).all(|part| part.is_finite());
+            (is_finite && start.is_finite()).then_some(line)
+        }
+    };
+}
