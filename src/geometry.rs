@@ -26,6 +26,11 @@ pub trait Geometry<S: Scalar>: Copy {
     fn fast_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
         place.fast_line(ray)
     }
+    /// The line for the fast path where [`Geometry::fast_line`] has none because the ray begins far away.
+    #[inline(always)]
+    fn far_line(&self, _place: &impl Place<S>, _ray: &Ray<S>) -> Option<LocalLine<S>> {
+        None
+    }
     /// The line for the fast path's second attempt, as this primitive sees it.
     #[inline(always)]
     fn second_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {

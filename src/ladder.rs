@@ -188,8 +188,21 @@ fn fast<S: Scalar, T: Guards, G: Geometry<S>>(
     if let Some(departure) = ray.departure() {
         return departing(&geometry.figure(), departure);
     }
-    let Some(line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
-    in_own_t(place, &line, geometry.fast_intersection::<T>(&LocalLine { has_spare_bits: T::HAS_SPARE_BITS, ..line }))
+    let Some(mut line) = geometry.fast_line(place, ray) else { return from_afar::<S, T, G>(geometry, place, ray) };
+    line.has_spare_bits = T::HAS_SPARE_BITS;
+    in_own_t(place, &line, geometry.fast_intersection::<T>(&line))
+}
+
+/// The same of a line that begins far away, apart from the usual one.
+#[inline(never)]
+fn from_afar<S: Scalar, T: Guards, G: Geometry<S>>(
+    geometry: &G,
+    place: &impl Place<S>,
+    ray: &Ray<S>,
+) -> Attempt<Intersection<S>> {
+    let Some(mut line) = geometry.far_line(place, ray) else { return Attempt::Unsure };
+    line.has_spare_bits = T::HAS_SPARE_BITS;
+    in_own_t(place, &line, geometry.fast_intersection::<T>(&line))
 }
 
 /// The same on a second attempt, of floats, whose line is dearer and rounded less.

@@ -16,6 +16,16 @@ pub trait Place<S: Scalar> {
     fn in_doubles(&self) -> Self::Doubles;
     /// The line for the fast path, where the placement is simple enough for it.
     fn fast_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>>;
+    /// [`Place::fast_line`]; `None` if a ray begins so far from the primitive's point `base` that [`Place::far_line`] should be tried.
+    #[inline(always)]
+    fn fast_line_near(&self, ray: &Ray<S>, _base: Vec3<S>) -> Option<LocalLine<S>> {
+        self.fast_line(ray)
+    }
+    /// The line of a ray that begins far away, taken up next to the primitive's point `base` and relative to it.
+    #[inline(always)]
+    fn far_line(&self, _ray: &Ray<S>, _base: Vec3<S>) -> Option<LocalLine<S>> {
+        None
+    }
     /// The line as a ball about the frame's origin sees it, for the fast path.
     #[inline(always)]
     fn fast_ball_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
@@ -68,6 +78,15 @@ impl<S: Scalar> Place<S> for InWorld {
     #[inline(always)]
     fn fast_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
         Some(LocalLine::along(ray.origin().to_array(), ray.direction().to_array(), S::ZERO))
+    }
+    #[inline(always)]
+    fn fast_line_near(&self, ray: &Ray<S>, base: Vec3<S>) -> Option<LocalLine<S>> {
+        let is_far = S::is_far(ray.origin().to_array(), ray.direction().to_array(), base.to_array());
+        if is_far { None } else { self.fast_line(ray) }
+    }
+    #[inline(always)]
+    fn far_line(&self, ray: &Ray<S>, base: Vec3<S>) -> Option<LocalLine<S>> {
+        S::fast_from_afar(ray.origin().to_array(), ray.direction().to_array(), base.to_array())
     }
     #[inline(always)]
     fn second_line(&self, ray: &Ray<S>, base: Vec3<S>) -> Option<LocalLine<S>> {

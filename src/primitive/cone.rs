@@ -9,7 +9,9 @@ use crate::fast::{Slab, between_rims};
 use crate::figure::{self, Figure, Side};
 use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
+use crate::line::Place;
 use crate::part::Part;
+use crate::ray::Ray;
 use crate::scalar::{Attempt, InNappe, LocalLine, Real, Scalar, found, largest};
 use crate::vector::{UnitVec3, Vec3};
 
@@ -191,6 +193,16 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
 
     fn scaled(&self, e: i32) -> Self {
         self.map(|slope| slope, |size| size.scaled(e))
+    }
+
+    #[inline(always)]
+    fn fast_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
+        place.fast_line_near(ray, Vec3::ZERO)
+    }
+
+    #[inline(always)]
+    fn far_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
+        place.far_line(ray, Vec3::ZERO)
     }
 
     #[inline(always)]

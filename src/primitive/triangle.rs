@@ -107,6 +107,16 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
     }
 
     #[inline(always)]
+    fn fast_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
+        place.fast_line_near(ray, self.vertices[0])
+    }
+
+    #[inline(always)]
+    fn far_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
+        place.far_line(ray, self.vertices[0])
+    }
+
+    #[inline(always)]
     fn second_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
         place.second_line(ray, self.vertices[0])
     }
@@ -114,7 +124,7 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
     #[inline(always)]
     fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
         let [a, b, c] = self.vertices;
-        let vertices = if line.is_compensated { [Vec3::ZERO, b - a, c - a] } else { self.vertices };
+        let vertices = if line.is_relative { [Vec3::ZERO, b - a, c - a] } else { self.vertices };
         let (t, from_front) = found!(S::fast_triangle(*line, vertices.map(Vec3::to_array)));
         Attempt::Found(surface_hit(t, from_front))
     }

@@ -37,6 +37,7 @@ macro_rules! found {
 pub(crate) use found;
 
 /// A line in a primitive's frame, for the fast path.
+#[expect(clippy::struct_excessive_bools, reason = "properties that do not depend on each other")]
 #[derive(Clone, Copy, Debug)]
 pub struct LocalLine<S: Numbers> {
     /// The origin, in units of `2^-finer` of the type's.
@@ -53,8 +54,13 @@ pub struct LocalLine<S: Numbers> {
     pub start: S,
     /// True if the line is only good enough to tell a miss.
     pub is_coarse: bool,
-    /// True of a float line on its second attempt: its components are sums of twice the precision, each rounded by itself.
-    pub is_compensated: bool,
+    /// How far the coordinates of the origin and the components of the direction may be off because of a float's way to them, in
+    /// roundings of one. Zero after compensated sums.
+    pub off: [S; 2],
+    /// True if the origin is relative to a point that the primitive has named.
+    pub is_relative: bool,
+    /// True if the components of a float line are not the ray's own: each is off by a rounding of itself, and by `off`.
+    pub is_rounded: bool,
     /// True of doubles that stand for numbers of 32 bits: guards may be strict, and yet let nearly all through.
     pub has_spare_bits: bool,
 }
@@ -71,7 +77,9 @@ impl<S: Numbers + Copy> LocalLine<S> {
             pace: zero,
             start: zero,
             is_coarse: false,
-            is_compensated: false,
+            off: [zero, zero],
+            is_relative: false,
+            is_rounded: false,
             has_spare_bits: false,
         }
     }
@@ -164,7 +172,19 @@ pub trait FastPath: Numbers {
         true
     }
 
-    /// The line from `o` along `d` in the frame with these axes at `position`.
+    /// Whether the line from `o` along `d` begins so far from `base` that the rounding of its coordinates should not grow with that.
+    #[inline(always)]
+    fn is_far(_o: [Self; 3], _d: [Self::Unit; 3], _base: [Self; 3]) -> bool {
+        false
+    }
+
+    /// Such a line, taken up next to `base` and relative to it.
+    #[inline(always)]
+    fn fast_from_afar(_o: [Self; 3], _d: [Self::Unit; 3], _base: [Self; 3]) -> Option<LocalLine<Self>> {
+        None
+    }
+
+    /// The line from `o` along `d` in the frame with these axes at `position`; of floats taken up next to that, if it begins far away.
     #[inline(always)]
     fn fast_turned(
         _o: [Self; 3],

@@ -75,17 +75,20 @@ macro_rules! primitives {
                 match self { $(Self::$Variant(p) => p.fast_line(place, ray),)+ }
             }
             #[inline(always)]
+            fn far_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
+                match self { $(Self::$Variant(p) => p.far_line(place, ray),)+ }
+            }
+            #[inline(always)]
             fn second_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
                 match self { $(Self::$Variant(p) => p.second_line(place, ray),)+ }
             }
-            // One copy for all placements and queries: inlined it would be in each of them.
-            #[inline(never)]
+            #[inline(always)]
             fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
-                match self { $(Self::$Variant(p) => p.fast_intersection::<T>(line),)+ }
+                match self { $(Self::$Variant(p) => fast_intersection::<S, T, _>(p, line),)+ }
             }
-            #[inline(never)]
+            #[inline(always)]
             fn fast_occlusion<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<()> {
-                match self { $(Self::$Variant(p) => p.fast_occlusion::<T>(line),)+ }
+                match self { $(Self::$Variant(p) => fast_occlusion::<S, T, _>(p, line),)+ }
             }
             fn figure(&self) -> Figure<S> {
                 match self { $(Self::$Variant(p) => p.figure(),)+ }
@@ -111,6 +114,20 @@ macro_rules! primitives {
         }
     };
 }
+
+// One copy a primitive for all placements and queries: inlined it would be in each of them.
+#[inline(never)]
+fn fast_intersection<S: Scalar, T: Guards, G: Geometry<S>>(
+    geometry: &G,
+    line: &LocalLine<S>,
+) -> Attempt<Intersection<S>> {
+    geometry.fast_intersection::<T>(line)
+}
+#[inline(never)]
+fn fast_occlusion<S: Scalar, T: Guards, G: Geometry<S>>(geometry: &G, line: &LocalLine<S>) -> Attempt<()> {
+    geometry.fast_occlusion::<T>(line)
+}
+
 primitives!(Sphere, Cylinder, Cone, Capsule, Plane, Disc, Triangle);
 
 /// Where a primitive stands in the world.

@@ -65,54 +65,44 @@ macro_rules! cone {
             slope: $Float,
         }
 
-        /// The roots of the quadric of [`nappe`].
+        /// The discriminant of the quadric of [`nappe`], whose leading coefficient is `a`, and how large the terms are whose rounding moves it.
         #[inline(always)]
-        fn roots(line: LocalLine<$Float>, [r, g, h]: [$Float; 3], top: Option<$Float>) -> Attempt<Roots> {
+        fn discriminant(
+            line: &LocalLine<$Float>,
+            [r, g, h]: [$Float; 3],
+            a: $Float,
+            top: Option<$Float>,
+        ) -> Attempt<($Float, $Float)> {
             let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
-            let (g0, steepness) = (r * h, $Float::abs(g) + h);
-            let [ax, ay, az] = [$Float::abs(x), $Float::abs(y), $Float::abs(z)];
-            // Each term of p, q and s is at most this: the rounding of all of them moves D by a few halves of epsilon times it and the
-            // moment. (That is crude: let through with D a 256th of it, the worst ray measured was 12 units off.)
-            let length = ax + ay + az;
-            // In a frame any coordinate is off by roundings of the longest, and any component by those of one.
-            let is_turned = is_turned(&line);
-            let [ax, ay, az] = if is_turned { [length; 3] } else { [ax, ay, az] };
-            let reach = steepness * length + g0;
-            if !is_handy::<8>(steepness) || !is_handy::<8>(reach) {
-                return Attempt::Unsure;
-            }
-            let (slope, outline) = (g * dy, g0 + g * y);
-            let (across, along) = (h * h * (dx * dx + dz * dz), slope * slope);
-            let mut a = across - along;
-            let mut a_terms = if is_turned { steepness * steepness } else { across + along };
-            if a_terms > 4.0 * $Float::abs(a) && line.finer == 0 && !has_spare_bits(&line) {
-                a = compensated_a(line.direction, g, h);
-                a_terms = 2.0 * $Float::abs(a);
-            }
-            let limits = Limits::of(&line);
-            // Nearly parallel to a generator.
-            let is_clear = $Float::abs(a) >= a_terms * limits.doubt();
-            if !is_clear {
-                return Attempt::Unsure;
-            }
+            let (g0, steepness, length) = (r * h, $Float::abs(g) + h, size(line.origin));
+            let limits = Limits::of(line);
             let difference = |[wx, wy, wz]: [$Float; 3]| {
                 let (p, q, s) = (g * wz - g0 * dx, g * wx + g0 * dz, h * wy);
                 let moment = $Float::abs(p) + $Float::abs(q) + $Float::abs(s);
                 ((p * p + q * q) - s * s, moment)
             };
             let (mut discriminant, moment) = difference([y * dz - z * dy, z * dx - x * dz, x * dy - y * dx]);
-            let terms = moment * reach;
-            let cancelled = if is_turned { 7.0 * limits.cancelled } else { 8.0 * limits.cancelled };
-            if $Float::abs(discriminant) * cancelled <= terms {
-                if discriminant < -terms * limits.doubt() && a > 0.0 {
-                    return Attempt::Miss;
-                }
-                // From far away it takes more than that; what is infinite has no measure for far.
-                let is_near = match top {
-                    Some(top) => length <= HIGH * top,
-                    None => line.start != 0.0,
-                };
-                // Compensation makes up for the moment's own rounding, not for that of a frame.
+            // Each term of p, q and s is at most the reach: the rounding of all of them moves D by a few halves of epsilon times it and the
+            // moment. (That is crude: let through with D a 256th of it, the worst ray measured was 12 units off.)
+            let terms = moment * (steepness * length + g0);
+            let is_close = $Float::abs(discriminant) * (8.0 * limits.cancelled) <= terms;
+            let off = steepness * off_at(line, length);
+            let moved = off * (4.0 * limits.epsilon);
+            let doubt = (terms + moment * off) * limits.doubt() + moved * moved;
+            if discriminant < -doubt && a > 0.0 {
+                return Attempt::Miss;
+            }
+            if discriminant < 0.0 && !is_close {
+                return Attempt::Unsure;
+            }
+            if is_close && line.start != 0.0 {
+                // Of a line that is taken up next to the cone only the sign must be certain: its ends are measured against its start.
+                return if discriminant > doubt { Attempt::Found((discriminant, terms)) } else { Attempt::Unsure };
+            }
+            if is_close {
+                // From far away it takes more than that; what is infinite has no measure for far. Compensation makes up for the
+                // moment's own rounding, not for that of a frame.
+                let is_near = top.is_some_and(|top| length <= HIGH * top);
                 if !is_near || line.finer != 0 {
                     return Attempt::Unsure;
                 }
@@ -128,12 +118,39 @@ macro_rules! cone {
                     return Attempt::Unsure;
                 }
             }
-            if discriminant < 0.0 && a > 0.0 {
-                return Attempt::Miss;
+            match (discriminant < 0.0, a > 0.0) {
+                (false, _) => Attempt::Found((discriminant, terms)),
+                (true, true) => Attempt::Miss,
+                (true, false) => Attempt::Unsure,
             }
-            if discriminant < 0.0 {
+        }
+
+        /// The roots of the quadric of [`nappe`].
+        #[inline(always)]
+        fn roots(line: LocalLine<$Float>, [r, g, h]: [$Float; 3], top: Option<$Float>) -> Attempt<Roots> {
+            let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
+            let (g0, steepness) = (r * h, $Float::abs(g) + h);
+            let [ax, ay, az] = [$Float::abs(x), $Float::abs(y), $Float::abs(z)];
+            let reach = steepness * (ax + ay + az) + g0;
+            if !is_handy::<8>(steepness) || !is_handy::<8>(reach) {
                 return Attempt::Unsure;
             }
+            let (slope, outline) = (g * dy, g0 + g * y);
+            let (across, along) = (h * h * (dx * dx + dz * dz), slope * slope);
+            let mut a = across - along;
+            let mut a_terms = across + along;
+            if a_terms > 4.0 * $Float::abs(a) && line.finer == 0 && !has_spare_bits(&line) {
+                a = compensated_a(line.direction, g, h);
+                a_terms = 2.0 * $Float::abs(a);
+            }
+            let limits = Limits::of(&line);
+            // Nearly parallel to a generator, of which a direction that is off may be on either side.
+            let most = if line.off[0] == 0.0 { a_terms } else { steepness * steepness };
+            let is_clear = $Float::abs(a) >= most * limits.doubt();
+            if !is_clear {
+                return Attempt::Unsure;
+            }
+            let (discriminant, terms) = found!(discriminant(&line, [r, g, h], a, top));
             let k = h * h * (x * dx + z * dz) - outline * slope;
             let root = h * $sqrt(discriminant);
             // -k and the root are added where they have one sign; the other end is c over that sum.
@@ -141,10 +158,8 @@ macro_rules! cone {
             // The outline cancels towards the apex.
             let rim = g0 + $Float::abs(g) * ay;
             let (outside, inside) = (h * h * (x * x + z * z), outline * outline);
-            let c_across = if is_turned { h * h * (length * length) } else { outside };
-            let (c, c_terms) = (outside - inside, c_across + $Float::abs(outline) * rim);
-            let k_along = rim * if is_turned { $Float::abs(g) } else { $Float::abs(slope) };
-            let k_terms = h * h * (ax + az) + k_along;
+            let (c, c_terms) = (outside - inside, outside + $Float::abs(outline) * rim);
+            let k_terms = h * h * (ax + az) + rim * $Float::abs(slope);
             let is_clear = sum * limits.cancelled >= k_terms;
             if !is_clear {
                 return Attempt::Unsure;
@@ -155,7 +170,6 @@ macro_rules! cone {
             let sum_terms = if start == 0.0 { k_terms } else { k_terms + h * h * terms / root };
             // Of an end whose numbers cancel only that is said which lies surely inside: the planes may cut it off. The relative
             // errors of both parts of the quotient add up.
-            let together = if is_turned { limits.together * 0.75 } else { limits.together };
             let off = |difference: $Float, terms: $Float, divisor: $Float| {
                 let magnitude = $Float::abs(difference);
                 let whole = if start == 0.0 {
@@ -163,17 +177,30 @@ macro_rules! cone {
                 } else {
                     $Float::abs(difference * q + start * (divisor * divisor))
                 };
-                let is_good = terms * sum + sum_terms * magnitude <= together * whole;
+                let is_good = terms * sum + sum_terms * magnitude <= limits.together * whole;
                 if is_good { 0.0 } else { terms * limits.doubt() / magnitude }
             };
-            let by_a = (q / a, off(a, a_terms, a) * $Float::abs(q / a));
-            let by_c = (c / q, off(c, c_terms, q) * $Float::abs(c / q));
+            // The quadric's half gradient is as long as its derivative along a generator, the outline there times h^2 + g^2, at most.
+            let moved = |t: $Float| {
+                let gradient = $Float::abs(outline + t * slope) * steepness;
+                // Next to the apex the gradient itself is off.
+                let is_off_apex = off_at(&line, t) * (steepness * steepness * 32.0 * limits.epsilon) <= gradient;
+                if is_off_apex && is_steady(&line, t, gradient, root, $Float::abs(a)) {
+                    0.0
+                } else {
+                    off_at(&line, t) * (gradient + steepness * steepness) * limits.doubt() / root
+                }
+            };
+            let (by_a, by_c) = (q / a, c / q);
+            let by_a = (by_a, off(a, a_terms, a) * $Float::abs(by_a) + moved(by_a));
+            let by_c = (by_c, off(c, c_terms, q) * $Float::abs(by_c) + moved(by_c));
             let (first, second) = if (k > 0.0) == (a > 0.0) { (by_a, by_c) } else { (by_c, by_a) };
             // So close to each other, beside their distance, that rounding may exchange them.
             let are_apart = first.0 < second.0;
             if !are_apart {
                 return Attempt::Unsure;
             }
+            let (a_terms, rim) = (most, rim + steepness * off_at(&line, k / a));
             Attempt::Found(Roots { first, second, a, a_terms, k, k_terms, outline, rim, slope })
         }
     };

@@ -11,8 +11,8 @@ macro_rules! guards {
             cancelled: $Float,
             /// The same of the two parts of a quotient, added up.
             together: $Float,
-            /// The square of a component that a frame's rounding leaves good to a few units.
-            level: $Float,
+            /// The roundings of itself by which an end may be off because its line is.
+            moved: $Float,
             /// How much more than a unit the rounding of a difference of squares may move an end next to the start, squared.
             near: $Float,
         }
@@ -22,28 +22,41 @@ macro_rules! guards {
             $spare && line.has_spare_bits
         }
 
-        /// True if coordinates are off by roundings of the longest, and components of the direction by those of one.
+        /// How far the line's point at `t` may be off, in roundings of one.
         #[inline(always)]
-        const fn is_turned(line: &LocalLine<$Float>) -> bool {
-            line.finer != 0 && !line.is_compensated
+        fn off_at(line: &LocalLine<$Float>, t: $Float) -> $Float {
+            if line.is_rounded { line.off[0] + line.off[1] * $Float::abs(t) } else { 0.0 }
+        }
+
+        /// Whether an end is good although its line may be off: it moves by as much, over the cosine of the angle between the line and the
+        /// surface's normal. That is the derivative along the line over the gradient's length. `a` is the half second derivative: next to a
+        /// double root an end moves more than that.
+        #[inline(always)]
+        fn is_steady(line: &LocalLine<$Float>, t: $Float, gradient: $Float, derivative: $Float, a: $Float) -> bool {
+            if !line.is_rounded {
+                return true;
+            }
+            let (limits, off) = (Limits::of(line), off_at(line, t) * gradient);
+            off <= limits.moved * derivative * $Float::abs(line.start + t)
+                && off * a * (32.0 * limits.epsilon) <= derivative * derivative
         }
 
         impl Limits {
             /// Of answers in as many bits as the computation has.
-            const OWN: Self = Self { epsilon: $Float::EPSILON, cancelled: 16.0, together: 9.0, level: 0.1, near: 8.0 };
+            const OWN: Self = Self { epsilon: $Float::EPSILON, cancelled: 16.0, together: 9.0, moved: 8.0, near: 8.0 };
             /// The same of a line whose components have been rounded once.
-            const COMPENSATED: Self = Self { cancelled: 8.0, together: 4.5, near: 4.0, ..Self::OWN };
+            const ROUNDED: Self = Self { cancelled: 12.0, together: 6.0, near: 8.0, ..Self::OWN };
             /// Of answers in so many bits less that guards may count with roundings 2^13 times as large: whatever a guard leaves out of
             /// account is less than that, and what it decides is certain.
             const SPARE: Self =
-                Self { epsilon: 8192.0 * $Float::EPSILON, cancelled: 64.0, together: 36.0, level: 0.1, near: 2048.0 };
+                Self { epsilon: 8192.0 * $Float::EPSILON, cancelled: 64.0, together: 36.0, moved: 64.0, near: 2048.0 };
 
             #[inline(always)]
             const fn of(line: &LocalLine<$Float>) -> Self {
                 if has_spare_bits(line) {
                     Self::SPARE
-                } else if line.is_compensated {
-                    Self::COMPENSATED
+                } else if line.is_rounded {
+                    Self::ROUNDED
                 } else {
                     Self::OWN
                 }
@@ -66,9 +79,7 @@ macro_rules! guards {
         /// Rays of balls and tubes start at most this many sizes away, squared: their error grows as `t` itself does, until it is as large as
         /// the chord.
         const FAR_SQUARE: $Float = 1024.0 * 1024.0;
-        /// Starts next to the axis are at most this many sizes up, squared, if a frame's rounding makes units of that; and moments of
-        /// rays that start at most so many sizes away are compensated.
-        const HIGH_SQUARE: $Float = HIGH * HIGH;
+        /// Moments of rays that start at most so many sizes away are compensated.
         const HIGH: $Float = 16.0;
         /// Sums of three products of three factors are taken where their terms are up to this many times larger.
         const FLAT_CANCELLED: $Float = 4.0;
@@ -82,13 +93,57 @@ macro_rules! guards {
             axes: [[$Float; 3]; 3],
         ) -> LocalLine<$Float> {
             let from = minus(o, position);
+            let start = closest(from, d, 4.0);
+            let from = at(from, d, start);
             let origin = [dot(axes[0], from), dot(axes[1], from), dot(axes[2], from)];
             let direction = [dot(axes[0], d), dot(axes[1], d), dot(axes[2], d)];
-            LocalLine { finer: 1, ..LocalLine::along(origin, direction, 0.0) }
+            LocalLine {
+                start,
+                finer: 1,
+                off: [off(start, origin), 1.0],
+                is_rounded: true,
+                ..LocalLine::along(origin, direction, 0.0)
+            }
         }
 
-        /// The line from `o` along `d` in the frame of a matrix that has this inverse; `None` where the products
-        /// are together more than three times as large as the coordinates, or the powers of two leave the type.
+        /// Whether the line from `o` along `d` begins more than sixteen times as far from `base` as it passes.
+        #[inline(always)]
+        pub(crate) fn is_far(o: [$Float; 3], d: [$Float; 3], base: [$Float; 3]) -> bool {
+            closest(minus(o, base), d, 256.0) != 0.0
+        }
+
+        /// The line from `o` along `d`, taken up next to `base` and relative to it.
+        #[inline(always)]
+        pub(crate) fn from_afar(o: [$Float; 3], d: [$Float; 3], base: [$Float; 3]) -> LocalLine<$Float> {
+            let from = minus(o, base);
+            let start = -dot(from, d);
+            let origin = at(from, d, start);
+            let line = LocalLine::along(origin, d, 0.0);
+            LocalLine { start, off: [off(start, origin), 0.0], is_relative: true, is_rounded: true, ..line }
+        }
+
+        /// The `t` of the line's point next to the origin, if it begins far away, by the square of how many times as far as it passes;
+        /// otherwise zero. (A direction is next to unit; any `t` is as good as one next to it.)
+        #[inline(always)]
+        fn closest(from: [$Float; 3], d: [$Float; 3], far: $Float) -> $Float {
+            let k = dot(from, d);
+            // It passes at a distance of the root of |from|^2 - k^2.
+            if k * k * (1.0 + far) > far * dot(from, from) { -k } else { 0.0 }
+        }
+
+        #[inline(always)]
+        fn at(from: [$Float; 3], d: [$Float; 3], t: $Float) -> [$Float; 3] {
+            [from[0] + t * d[0], from[1] + t * d[1], from[2] + t * d[2]]
+        }
+
+        /// How far a line taken up at `start` is off: a difference, a product and their sum, half a rounding each; and a rotation, four halves.
+        #[inline(always)]
+        fn off(start: $Float, origin: [$Float; 3]) -> $Float {
+            0.75 * $Float::abs(start) + size(origin)
+        }
+
+        /// The line from `o` along `d` in the frame of a matrix that has this inverse, taken up next to its position if it begins far away;
+        /// `None` if the powers of two leave the type.
         #[inline]
         pub(crate) fn stretched(
             o: [$Float; 3],
@@ -97,23 +152,27 @@ macro_rules! guards {
             rows: [([$Float; 3], i32); 3],
         ) -> Option<LocalLine<$Float>> {
             let (scales, [x, y, z]) = (scales(rows)?, rows);
-            let applied = |v: [$Float; 3]| {
-                let [a, b, c] = [dot(x.0, v), dot(y.0, v), dot(z.0, v)];
-                let image = [a * scales[0], b * scales[1], c * scales[2]];
-                let v = magnitudes(v);
-                let [a, b, c] = [dot(magnitudes(x.0), v), dot(magnitudes(y.0), v), dot(magnitudes(z.0), v)];
-                let terms = a * scales[0] + b * scales[1] + c * scales[2];
-                let [a, b, c] = magnitudes(image);
-                (terms <= 3.0 * (a + b + c)).then_some(image)
+            let applied = |v: [$Float; 3]| [dot(x.0, v) * scales[0], dot(y.0, v) * scales[1], dot(z.0, v) * scales[2]];
+            let matrix = [magnitudes(x.0), magnitudes(y.0), magnitudes(z.0)];
+            let terms = |v: [$Float; 3]| {
+                let [x, y, z] =
+                    [dot(matrix[0], v) * scales[0], dot(matrix[1], v) * scales[1], dot(matrix[2], v) * scales[2]];
+                x.max(y).max(z)
             };
-            let (origin, [dx, dy, dz]) = (applied(minus(o, position))?, applied(d)?);
-            let square = dx * dx + dy * dy + dz * dz;
+            let (from, direction) = (minus(o, position), applied(d));
+            let square = dot(direction, direction);
             if !is_handy::<4>(square) {
                 return None;
             }
-            let pace = 1.0 / $sqrt(square);
-            let direction = [dx * pace, dy * pace, dz * pace];
-            Some(LocalLine { finer: 1, pace, ..LocalLine::along(origin, direction, 0.0) })
+            let start = closest_along(applied(from), direction);
+            let from = at(from, d, start);
+            let origin = applied(from);
+            let (length, far) = ($sqrt(square), $Float::abs(start));
+            let pace = 1.0 / length;
+            let d_terms = terms(magnitudes(d));
+            let off = [terms(magnitudes(from)) + 0.75 * far * d_terms, d_terms * pace];
+            let line = LocalLine::along(origin, direction.map(|component| component * pace), 0.0);
+            Some(LocalLine { start: start * length, finer: 1, pace, off, is_rounded: true, ..line })
         }
 
         /// The powers of two of the rows; `None` if one leaves a quarter of the type's range.
@@ -150,18 +209,24 @@ macro_rules! guards {
         #[inline(always)]
         pub(crate) fn are_close(line: &LocalLine<$Float>, a: $Float, b: $Float, off: $Float) -> bool {
             // Not if one is infinite, or both are: that compares false.
-            $Float::abs(a - b) < ($Float::abs(a) + $Float::abs(b)) * (64.0 * Limits::of(line).epsilon) + off
+            $Float::abs(a - b)
+                < ($Float::abs(a) + $Float::abs(b) + line.off[0]) * (64.0 * Limits::of(line).epsilon) + off
         }
 
         /// Whether an end that may be off by so much is good to some units.
         #[inline(always)]
         pub(crate) fn is_good(line: &LocalLine<$Float>, t: $Float, off: $Float) -> bool {
-            off <= $Float::abs(t + line.start) * (19.0 * Limits::of(line).epsilon)
+            off <= $Float::abs(t + line.start) * (11.0 * Limits::of(line).epsilon)
         }
 
         #[inline(always)]
         fn minus(a: [$Float; 3], b: [$Float; 3]) -> [$Float; 3] {
             [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+        }
+
+        #[inline(always)]
+        fn size([x, y, z]: [$Float; 3]) -> $Float {
+            $Float::abs(x) + $Float::abs(y) + $Float::abs(z)
         }
 
         #[inline(always)]

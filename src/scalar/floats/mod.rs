@@ -2,8 +2,11 @@
 //! mostly rounding, the constant term of a ball next to the start, and the leading one of a cone next to a generator.
 //!
 //! A benign ray needs neither: where nothing cancels, the textbook is right to a few units in the last place. Here stands what
-//! "nothing cancels" means, a comparison for each difference; the other rays (grazing ones, starts far away or next to a
-//! surface, sizes whose powers leave the type) are [`Attempt::Unsure`]. They are tried once more along a line that is rounded less.
+//! "nothing cancels" means, a comparison for each difference; the other rays (grazing ones, starts next to a surface,
+//! sizes whose powers leave the type) are [`Attempt::Unsure`]. They are tried once more along a line that is rounded less.
+//!
+//! A line that begins far away, or in a frame, is taken up next to the solid. It is off by some roundings of its length, and the
+//! guards count with as many.
 //!
 //! | file | what it holds |
 //! |---|---|
@@ -105,6 +108,14 @@ macro_rules! floats {
                 rows: [([Self; 3], i32); 3],
             ) -> Option<LocalLine<Self>> {
                 $name::stretched(o, d, position, rows)
+            }
+            #[inline(always)]
+            fn is_far(o: [Self; 3], d: [Self; 3], base: [Self; 3]) -> bool {
+                $name::is_far(o, d, base)
+            }
+            #[inline(always)]
+            fn fast_from_afar(o: [Self; 3], d: [Self; 3], base: [Self; 3]) -> Option<LocalLine<Self>> {
+                Some($name::from_afar(o, d, base))
             }
             #[inline(always)]
             fn fast_closer(o: [Self; 3], d: [Self; 3], base: [Self; 3]) -> Option<LocalLine<Self>> {

@@ -41,13 +41,18 @@ macro_rules! round {
             let discriminant = rr - pp;
             // Not the comparisons' negations: what overflowed must fail.
             if !(kk <= rr * FAR_SQUARE && 2.0 * discriminant * limits.cancelled >= rr) {
-                return if discriminant < -limits.of_distance(pp, rr, kk) { Attempt::Miss } else { Attempt::Unsure };
+                let off = off_at(&line, k);
+                let doubt = limits.of_distance(pp, rr, kk + off * off);
+                if discriminant < -doubt {
+                    return Attempt::Miss;
+                }
+                // Of a line that is taken up next to the ball only the sign must be certain: below all is measured against its start.
+                if !(line.start != 0.0 && discriminant > doubt) {
+                    return Attempt::Unsure;
+                }
             }
             let mut moved = rr * rr;
-            if is_turned(&line) {
-                // Rounded on their way into a frame, coordinates are off by roundings of the longest.
-                moved += rr * (kk + pp) * 5.0;
-            } else if line.is_compensated {
+            if line.is_rounded {
                 moved += rr * (kk + pp);
             }
             let answer = (k, discriminant / a);
@@ -58,7 +63,7 @@ macro_rules! round {
             if let Attempt::Found((k, over_a)) = clear_of_the_start(kk, discriminant, moved, limits.near, answer) {
                 return Attempt::Found((k, over_a, None));
             }
-            if is_turned(&line) || has_spare_bits(&line) {
+            if line.off[0] != 0.0 || has_spare_bits(&line) {
                 return Attempt::Unsure;
             }
             // Next to the surface the nearer end is c over the farther one, and c = |o|^2 - r^2 is mostly rounding: without that.
@@ -115,11 +120,16 @@ macro_rules! round {
             match clear_approach(line, r) {
                 Attempt::Found((k, discriminant, c)) => {
                     let root = $sqrt(discriminant);
-                    Attempt::Found(match c {
+                    let ends = match c {
                         None => [-k - root, root - k],
                         Some(c) if k > 0.0 => [-k - root, c / (-k - root)],
                         Some(c) => [c / (root - k), root - k],
-                    })
+                    };
+                    if is_steady(&line, ends[0], r, root, 1.0) && is_steady(&line, ends[1], r, root, 1.0) {
+                        Attempt::Found(ends)
+                    } else {
+                        Attempt::Unsure
+                    }
                 }
                 Attempt::Miss => Attempt::Miss,
                 Attempt::Unsure => Attempt::Unsure,
@@ -129,6 +139,10 @@ macro_rules! round {
         /// Whether the line has an end in the ball's surface at `t >= 0`; the same as [`ball`] says.
         #[inline(always)]
         pub(crate) fn ball_ahead(line: LocalLine<$Float>, r: $Float) -> Attempt<()> {
+            if line.off[0] != 0.0 {
+                let [_, far] = found!(ball(line, r));
+                return if far >= 0.0 { Attempt::Found(()) } else { Attempt::Miss };
+            }
             match clear_approach(line, r) {
                 Attempt::Found((k, ..)) if k <= 0.0 => Attempt::Found(()),
                 Attempt::Found((k, discriminant, c)) if c.unwrap_or(k * k - discriminant) <= 0.0 => Attempt::Found(()),
@@ -148,30 +162,27 @@ macro_rules! round {
             }
             let k = x * dx + z * dz;
             let w = z * dx - x * dz;
-            let y = line.origin[1];
             let limits = Limits::of(&line);
             let (positive, kk, ww) = (a * (r * r), k * k, w * w);
             let discriminant = positive - ww;
-            let mut doubt = limits.of_distance(ww, positive, kk);
-            let mut moved = positive * positive;
-            if line.is_compensated {
-                moved *= 4.0;
-            } else if line.finer != 0 {
-                // Rounded on their way into a frame, coordinates are off by roundings of the longest, and components by those of one.
-                doubt *= 8.0;
-                let above = a * (y * y);
-                moved += positive * above / 8.0;
-                let is_level = a >= limits.level && above <= positive * HIGH_SQUARE + 4.0 * kk;
-                if !is_level || (discriminant > 0.0 && discriminant * a * (4.0 * limits.cancelled) < positive) {
+            if !(kk <= positive * FAR_SQUARE && discriminant * limits.cancelled >= positive) {
+                let off = off_at(&line, k / a);
+                let doubt = limits.of_distance(ww, positive, kk + a * (off * off));
+                if discriminant < -doubt {
+                    return Attempt::Miss;
+                }
+                // As for a ball.
+                if !(line.start != 0.0 && discriminant > doubt) {
                     return Attempt::Unsure;
                 }
             }
-            if !(kk <= positive * FAR_SQUARE && discriminant * limits.cancelled >= positive) {
-                return if discriminant < -doubt { Attempt::Miss } else { Attempt::Unsure };
-            }
+            let moved = positive * positive * if line.is_rounded { 4.0 } else { 1.0 };
             let root = $sqrt(discriminant);
             let inverse = 1.0 / a;
             let ends = [(-k - root) * inverse, (root - k) * inverse];
+            if !(is_steady(&line, ends[0], r, root, a) && is_steady(&line, ends[1], r, root, a)) {
+                return Attempt::Unsure;
+            }
             if line.start != 0.0 {
                 let is_clear = is_clear_of_start(a * line.start, kk, discriminant, moved, limits.near);
                 return if is_clear { Attempt::Found(ends) } else { Attempt::Unsure };

@@ -11,7 +11,7 @@ macro_rules! second {
         /// The line of a world's ray next to `base`, and relative to it; `None` if it begins there.
         #[inline(never)]
         pub(crate) fn closer(o: [$Float; 3], d: [$Float; 3], base: [$Float; 3]) -> Option<LocalLine<$Float>> {
-            let start = closest(minus(o, base), d);
+            let start = closest_along(minus(o, base), d);
             if start == 0.0 {
                 return None;
             }
@@ -30,7 +30,7 @@ macro_rules! second {
             let [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] = axes;
             let [x, y, z] = base;
             let target = [x * ax + y * bx + z * cx, x * ay + y * by + z * cy, x * az + y * bz + z * cz];
-            let start = closest(minus(minus(o, position), target), d);
+            let start = closest_along(minus(minus(o, position), target), d);
             let from = point(o, d, position, start);
             let seen = [dot_with_rest(axes[0], from), dot_with_rest(axes[1], from), dot_with_rest(axes[2], from)];
             let direction = [dot_compensated(axes[0], d), dot_compensated(axes[1], d), dot_compensated(axes[2], d)];
@@ -52,7 +52,7 @@ macro_rules! second {
             let direction = [each(0), each(1), each(2)];
             let from = minus(o, position);
             let each = |i: usize| dot(rows[i].0, from) * scales[i];
-            let start = closest(minus([each(0), each(1), each(2)], base), direction);
+            let start = closest_along(minus([each(0), each(1), each(2)], base), direction);
             let from = point(o, d, position, start);
             let each = |i: usize| dot_with_rest(rows[i].0, from).map(|part| part * scales[i]);
             let origin = relative([each(0), each(1), each(2)], base);
@@ -65,9 +65,9 @@ macro_rules! second {
             Some(LocalLine { pace: 1.0 / length, ..line })
         }
 
-        /// The `t` of the line's point next to the origin, if it begins more than four times as far away as it passes; otherwise zero.
+        /// [`closest`] along a direction of any length.
         #[inline(always)]
-        fn closest(from: [$Float; 3], d: [$Float; 3]) -> $Float {
+        fn closest_along(from: [$Float; 3], d: [$Float; 3]) -> $Float {
             let square = dot(d, d);
             let k = dot(from, d) / square;
             let p = [from[0] - k * d[0], from[1] - k * d[1], from[2] - k * d[2]];
@@ -134,7 +134,7 @@ macro_rules! second {
         ) -> Option<LocalLine<$Float>> {
             let part = |i: usize| [origin[0][i], origin[1][i], origin[2][i]];
             let along = LocalLine::along(part(0), direction, 0.0);
-            let line = LocalLine { rest: part(1), start, finer, is_compensated: true, ..along };
+            let line = LocalLine { rest: part(1), start, finer, is_relative: true, is_rounded: true, ..along };
             // Where something overflowed a rest is not a number.
             let is_finite = line.rest.iter().chain(&line.direction).all(|part| part.is_finite());
             (is_finite && start.is_finite()).then_some(line)

@@ -60,18 +60,56 @@ const UNPLACED_F64: [Case<u64, 2>; 5] = [
     ),
 ];
 
-/// 22.7 units: turned, a cone's coordinates are rounded before its discriminant is.
-const TURNED_F32: [Case<u32, 6>; 1] = [(
-    "frustum widening",
-    [
-        [0x3db9_fe83, 0xbfb6_788e, 0x3fa3_71a0],
-        [0x3e33_131d, 0x3f5f_0ade, 0x3eea_cf22],
-        [0x3f7d_a807, 0xbf2b_0bf8, 0x3f85_30e3],
-        [0x3f2b_aa3d, 0xbf3c_13eb, 0xbdd2_bb0a],
-        [0x3e22_08ec, 0x3bc9_3345, 0x3f7c_c512],
-        [0xbf39_8afc, 0xbf2d_aac8, 0x3df6_8501],
-    ],
-)];
+const TURNED_F32: [Case<u32, 6>; 4] = [
+    // 22.7 units: turned, a cone's coordinates are rounded before its discriminant is.
+    (
+        "frustum widening",
+        [
+            [0x3db9_fe83, 0xbfb6_788e, 0x3fa3_71a0],
+            [0x3e33_131d, 0x3f5f_0ade, 0x3eea_cf22],
+            [0x3f7d_a807, 0xbf2b_0bf8, 0x3f85_30e3],
+            [0x3f2b_aa3d, 0xbf3c_13eb, 0xbdd2_bb0a],
+            [0x3e22_08ec, 0x3bc9_3345, 0x3f7c_c512],
+            [0xbf39_8afc, 0xbf2d_aac8, 0x3df6_8501],
+        ],
+    ),
+    // Invented: off by as much as the apex was away.
+    (
+        "cone double",
+        [
+            [0x48c2_4fe1, 0xc922_2516, 0x48fe_85f5],
+            [0xbeda_27be, 0x3f36_4140, 0xbf0e_e722],
+            [0x40bd_6b0f, 0x4440_a384, 0xc2a9_f2ea],
+            [0xbe0f_8eab, 0x3f7c_138a, 0x3dd4_7ccc],
+            [0x3f00_7b23, 0x3e24_dd0b, 0xbf59_8de9],
+            [0xbf5a_7f07, 0xbd89_5a6c, 0xbf04_4a3a],
+        ],
+    ),
+    // 24.2 units: nearly level.
+    (
+        "plane",
+        [
+            [0x4810_5b0c, 0x4903_65d5, 0xc92e_f4be],
+            [0xbe26_f06d, 0xbf17_bc31, 0x3f49_eadf],
+            [0xbe75_9148, 0x3ffe_11a9, 0xbcc0_a254],
+            [0xbdcb_a377, 0xbf1f_9856, 0x3f46_89d0],
+            [0x3e53_f7b9, 0xbf46_7ac8, 0xbf18_c0f4],
+            [0x3f79_288d, 0x3dcf_44de, 0x3e53_160b],
+        ],
+    ),
+    // 18.4: the same of a cap.
+    (
+        "frustum widening",
+        [
+            [0x3faf_201c, 0x3fcc_3f99, 0x40cb_851c],
+            [0xbf28_5880, 0xbe5d_5f71, 0xbf38_c034],
+            [0xc070_5d93, 0xbd80_b6cc, 0x3f34_9694],
+            [0xbf32_339d, 0x3f24_12f9, 0xbea5_a60b],
+            [0xbf2a_3669, 0xbecf_9bcb, 0x3f20_966b],
+            [0x3e8a_ad7d, 0x3f26_dab3, 0x3f35_5990],
+        ],
+    ),
+];
 
 const TURNED_F64: [Case<u64, 6>; 1] = [
     // 17.2 units: .29 off the axis of the frame, 7 radii up, and next to the start.
