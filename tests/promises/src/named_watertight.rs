@@ -3,7 +3,7 @@
 use crate::named::{any_frame, bits, ray, to_world, units_off};
 use raylet::tier::{Exact, Stable, Tier};
 use raylet::{Frame, Ray, Shape, Triangle, UnitVec3, Vec3};
-use support::amount::times;
+use support::amount::amount;
 use support::cases::{direction, v};
 use support::exact_types::Exact as Number;
 use support::random::{Random, add, cross, dot, normalize, scale};
@@ -116,7 +116,7 @@ struct Aim<'a> {
 
 fn none_slips<S: Number, T: Tier<S>>(seed: u64, aim: &Aim<'_>) {
     let (mut random, mut aimed, mut slipped) = (Random(seed), 0, vec![]);
-    while aimed < times(2_000) {
+    while aimed < amount(2_000, 750_000) {
         let frame = aim.frame.map(|distance| any_frame::<S>(&mut random, distance));
         let mut fan = Fan::new(&mut random, aim);
         let mut up = [0.0, 1.0, 0.0];

@@ -20,7 +20,7 @@ pub struct Chip {
 /// The parts of a baseline.
 #[derive(Clone, Copy)]
 pub enum Part {
-    /// Instructions a query.
+    /// Instructions and bytes of stack of a query.
     Cost,
     /// Bytes a primitive, and a set of effects.
     Size,
@@ -42,7 +42,7 @@ impl Part {
 
     const fn unit(self) -> &'static str {
         match self {
-            Self::Cost => "instructions",
+            Self::Cost => "instructions and bytes of stack",
             Self::Size => "bytes",
             Self::Effects => "instructions and bytes of stack",
             Self::Gallery => "instructions and rays",

@@ -11,13 +11,13 @@ struct Row {
     query: String,
     number: String,
     tier: String,
-    rays: String,
-    instructions: u64,
+    of: String,
+    figure: u64,
 }
 
-/// The name of a figure in a baseline.
-pub fn key(subject: &str, query: &str, number: &str, tier: &str, rays: &str) -> String {
-    format!("{subject} | {query} | {number} | {tier} | {rays}")
+/// The name of a figure in a baseline; `of` is `hit`, `miss` or `stack`.
+pub fn key(subject: &str, query: &str, number: &str, tier: &str, of: &str) -> String {
+    format!("{subject} | {query} | {number} | {tier} | {of}")
 }
 
 /// Reads a line of JSON for each figure.
@@ -25,7 +25,7 @@ pub fn read(path: &Path) -> Outcome<Figures> {
     let mut figures = Figures::new();
     for line in fs::read_to_string(path)?.lines() {
         let row: Row = serde_json::from_str(line).map_err(|error| format!("{line}: {error}"))?;
-        figures.insert(key(&row.subject, &row.query, &row.number, &row.tier, &row.rays), row.instructions);
+        figures.insert(key(&row.subject, &row.query, &row.number, &row.tier, &row.of), row.figure);
     }
     Ok(figures)
 }

@@ -21,7 +21,7 @@ const NUMBERS: [(&str, &[&str]); 4] = [
 const INTRODUCTION: &str = "\
 # On microcontrollers
 
-What a query costs on four chips, how much flash a primitive takes, and what an effect costs a pixel. Written by
+What a query costs on four chips in instructions and in stack, how much flash a primitive takes, and what an effect costs a pixel. Written by
 `.ci/measure --renew`; do not edit. `.ci/measure` fails if a figure gets more than 2 % worse: `.ci/run` calls it for the M0+, `.ci/long` for all four.
 
 The figures are **instructions, never cycles**: a chip takes one or more cycles for each, depending on its pipeline and on its
@@ -79,6 +79,19 @@ fn one_chip(text: &mut String, chip: &str, baseline: &Baseline) {
     head(text, std::iter::once(String::new()).chain(titles));
     for subject in SUBJECTS {
         let cells = kinds.iter().map(|(number, tier)| cell(baseline, subject, "nearest", number, tier));
+        row(text, std::iter::once(subject.to_string()).chain(cells));
+    }
+    text.push_str(
+        "\nThe stack of a nearest hit, bytes at most for these rays, the caller's frames not counted. A ray that the fast path leaves to the robust \
+         number takes more: plan with the largest figure of the column.\n\n",
+    );
+    let titles = kinds.iter().map(|(number, tier)| format!("{number} {tier}"));
+    head(text, std::iter::once(String::new()).chain(titles));
+    for subject in SUBJECTS {
+        let cells = kinds.iter().map(|(number, tier)| {
+            let key = cost::key(subject, "nearest", number, tier, "stack");
+            Part::Cost.figure(baseline, &key).map_or("–".into(), grouped)
+        });
         row(text, std::iter::once(subject.to_string()).chain(cells));
     }
     text.push_str("\nThe other questions, in `Stable`; instructions: hit / miss, and from a hit.\n\n");

@@ -2,7 +2,7 @@
 //!
 //! | module | what it holds |
 //! |---|---|
-//! | `cost` | instructions a query: every primitive, number type and tier, beside the textbook's formulas |
+//! | `cost` | instructions and stack of a query: every primitive, number type and tier, beside the textbook's formulas |
 //! | `effects` | instructions and stack of a pixel, with each set of effects |
 //! | `shown` | the scenes of the gallery |
 #![no_std]
@@ -10,3 +10,4 @@
 pub mod cost;
 pub mod effects;
 pub mod shown;
+mod stack;

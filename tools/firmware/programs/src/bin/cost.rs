@@ -1,4 +1,4 @@
-//! Prints what every query costs, in instructions, a line of JSON a figure: the same lines on every run.
+//! Prints what every query costs, in instructions and in stack, a line of JSON a figure: the same lines on every run.
 #![no_std]
 #![no_main]
 
@@ -10,13 +10,13 @@ fn run() -> ! {
     clock::start();
     cost::all(&mut |row| {
         println!(
-            r#"{{"subject":"{}","query":"{}","number":"{}","tier":"{}","rays":"{}","instructions":{}}}"#,
+            r#"{{"subject":"{}","query":"{}","number":"{}","tier":"{}","of":"{}","figure":{}}}"#,
             row.subject,
             row.query,
             row.number,
             row.tier,
-            if row.hits { "hit" } else { "miss" },
-            row.instructions
+            row.of,
+            row.figure
         );
     });
     semihosting::process::exit(0)

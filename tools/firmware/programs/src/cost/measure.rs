@@ -1,5 +1,6 @@
-//! Instructions a query.
+//! Instructions and stack of a query.
 
+use crate::stack::{depth, used_since};
 use core::hint::black_box;
 use raylet_firmware::clock;
 
@@ -42,4 +43,11 @@ pub fn instructions<P, I>(subject: &P, inputs: &[I], query: fn(&P, &I)) -> u64 {
     let queries = rounds * inputs.len() as u64;
     let net = taken.saturating_sub(run(subject, inputs, nothing, rounds));
     (net + queries / 2) / queries
+}
+
+/// Bytes of stack that a query takes at most for these inputs, the caller's frames not counted.
+pub fn stack<P, I>(subject: &P, inputs: &[I], query: fn(&P, &I)) -> u64 {
+    let start = depth();
+    run(subject, inputs, black_box(query), 1);
+    used_since(start) as u64
 }

@@ -1,9 +1,9 @@
-//! What a query costs, in instructions: every primitive, query, number type and tier, hits and misses apart, beside the
-//! formulas of the textbook.
+//! What a query costs, in instructions and in stack: every primitive, query, number type and tier, hits and misses apart, beside
+//! the formulas of the textbook.
 //!
 //! | module | what it holds |
 //! |---|---|
-//! | `measure` | instructions a query |
+//! | `measure` | instructions and stack of a query |
 //! | `textbook` | the formulas that everyone writes first |
 //!
 //! The primitives, the queries and the rays are those of the crate `shared`, which the host is measured with too.
@@ -11,8 +11,9 @@
 mod measure;
 mod textbook;
 
+use core::fmt::{self, Display};
 use fixed::types::{I16F16, I32F32};
-use measure::instructions;
+use measure::{instructions, stack};
 use raylet::tier::{Exact, Fast, Stable, Tier};
 use raylet::{Hit, Ray, Scalar};
 use shared::every_subject;
@@ -31,10 +32,31 @@ pub struct Row {
     pub number: &'static str,
     /// The tier; `any` where an answer does not depend on it, `textbook` for the formulas to compare with.
     pub tier: &'static str,
-    /// True for rays that hit, false for rays that miss.
-    pub hits: bool,
-    /// Instructions a query, in the mean.
-    pub instructions: u64,
+    /// What the figure is.
+    pub of: Of,
+    /// The figure.
+    pub figure: u64,
+}
+
+/// What a figure is.
+#[derive(Clone, Copy, Debug)]
+pub enum Of {
+    /// Instructions a query in the mean over rays that hit.
+    Hit,
+    /// Instructions a query in the mean over rays that miss.
+    Miss,
+    /// Bytes of stack of a query, at most.
+    Stack,
+}
+
+impl Display for Of {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Hit => "hit",
+            Self::Miss => "miss",
+            Self::Stack => "stack",
+        })
+    }
 }
 
 /// Takes rows.
@@ -55,9 +77,9 @@ struct Names {
 }
 
 impl Names {
-    fn row(self, query: &'static str, hits: bool, instructions: u64) -> Row {
+    fn row(self, query: &'static str, of: Of, figure: u64) -> Row {
         let Self { subject, number, tier } = self;
-        Row { subject, query, number, tier, hits, instructions }
+        Row { subject, query, number, tier, of, figure }
     }
 }
 
@@ -70,8 +92,10 @@ fn tier<S: Scalar, T: Tier<S>, P: Subject<S>>(names: Names, subject: &P, rays: &
         ("occlusion", question::occludes::<S, T, P>),
     ];
     for (name, query) in queries {
-        report(names.row(name, true, instructions(subject, &rays.hitting, query)));
-        report(names.row(name, false, instructions(subject, &rays.missing, query)));
+        report(names.row(name, Of::Hit, instructions(subject, &rays.hitting, query)));
+        report(names.row(name, Of::Miss, instructions(subject, &rays.missing, query)));
+        let deepest = stack(subject, &rays.hitting, query).max(stack(subject, &rays.missing, query));
+        report(names.row(name, Of::Stack, deepest));
     }
 }
 
@@ -79,8 +103,12 @@ fn tier<S: Scalar, T: Tier<S>, P: Subject<S>>(names: Names, subject: &P, rays: &
 #[inline(never)]
 fn surface<S: Scalar, P: Subject<S>>(names: Names, subject: &P, rays: &Rays<S>, report: Report<'_>) {
     let hits: [(Ray<S>, Option<Hit<S>>); RAYS] = rays.hitting.map(|ray| (ray, subject.nearest::<Stable>(&ray)));
-    report(names.row("normal", true, instructions(subject, &hits, question::normal::<S, P>)));
-    report(names.row("uv", true, instructions(subject, &hits, question::uv::<S, P>)));
+    let queries: [(&str, fn(&P, &(Ray<S>, Option<Hit<S>>))); 2] =
+        [("normal", question::normal::<S, P>), ("uv", question::uv::<S, P>)];
+    for (name, query) in queries {
+        report(names.row(name, Of::Hit, instructions(subject, &hits, query)));
+        report(names.row(name, Of::Stack, stack(subject, &hits, query)));
+    }
 }
 
 /// Everything for one subject: each tier that its number type has, and what no tier changes.
@@ -106,8 +134,8 @@ macro_rules! number {
 
 /// The textbook's formulas at the same rays.
 fn textbook<S: Plain>(number: &'static str, report: Report<'_>) {
-    textbook::every_formula::<S>(&mut |subject, hits, instructions| {
-        report(Names { subject, number, tier: "textbook" }.row("nearest", hits, instructions));
+    textbook::every_formula::<S>(&mut |subject, of, instructions| {
+        report(Names { subject, number, tier: "textbook" }.row("nearest", of, instructions));
     });
 }
 
@@ -117,7 +145,7 @@ pub fn all(report: Report<'_>) {
     number!(report, I16F16, "I16F16": Fast Stable Exact);
     number!(report, I32F32, "I32F32": Fast Stable);
     number!(report, f64, "f64": Fast Stable);
-    textbook::sphere_with_the_chips_root(&mut |subject, hits, instructions| {
-        report(Names { subject, number: "f32", tier: "textbook, VSQRT" }.row("nearest", hits, instructions));
+    textbook::sphere_with_the_chips_root(&mut |subject, of, instructions| {
+        report(Names { subject, number: "f32", tier: "textbook, VSQRT" }.row("nearest", of, instructions));
     });
 }

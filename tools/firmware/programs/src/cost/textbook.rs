@@ -3,6 +3,7 @@
 //! They are here for their cost. In fixed point they wrap where a square overflows (`fixed::Wrapping`; the plain operators of a
 //! release build do the same), and their errors are what raylet was written to avoid: see `docs/accuracy.md`.
 
+use super::Of;
 use super::measure::instructions;
 use core::hint::black_box;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -210,33 +211,33 @@ fn measure<S: Plain, P: Subject<S>>(
     subject: Option<P>,
     sizes: Sizes<S>,
     formula: fn(&Sizes<S::Number>, &PlainRay<S::Number>),
-    report: &mut dyn FnMut(bool, u64),
+    report: &mut dyn FnMut(Of, u64),
 ) {
     let Some(subject) = subject else { return };
-    for hits in [true, false] {
+    for (hits, of) in [(true, Of::Hit), (false, Of::Miss)] {
         let rays: [PlainRay<S::Number>; RAYS] = rays(&subject, hits).map(|ray| PlainRay::of(&ray));
-        report(hits, instructions(&sizes.map(S::plain), &rays, formula));
+        report(of, instructions(&sizes.map(S::plain), &rays, formula));
     }
 }
 
-/// Hands the name of each formula, whether the rays hit, and its instructions to `report`. The subjects are those of the same names in
+/// Hands the name of each formula, which rays they are, and its instructions to `report`. The subjects are those of the same names in
 /// `subject`.
-pub fn every_formula<S: Plain>(report: &mut dyn FnMut(&'static str, bool, u64)) {
+pub fn every_formula<S: Plain>(report: &mut dyn FnMut(&'static str, Of, u64)) {
     let (radius, slope, height) = (eighths::<S>(8), eighths::<S>(6), eighths::<S>(12));
-    measure(Sphere::new(radius).ok(), [radius, S::ZERO], nearest_of_sphere, &mut |hits, n| report("sphere", hits, n));
-    measure(Cylinder::capped(radius, height).ok(), [radius, height], nearest_of_cylinder, &mut |hits, n| {
-        report("cylinder, capped", hits, n);
+    measure(Sphere::new(radius).ok(), [radius, S::ZERO], nearest_of_sphere, &mut |of, n| report("sphere", of, n));
+    measure(Cylinder::capped(radius, height).ok(), [radius, height], nearest_of_cylinder, &mut |of, n| {
+        report("cylinder, capped", of, n);
     });
-    measure(Cone::capped(slope, height).ok(), [slope, height], nearest_of_cone, &mut |hits, n| {
-        report("cone, capped", hits, n);
+    measure(Cone::capped(slope, height).ok(), [slope, height], nearest_of_cone, &mut |of, n| {
+        report("cone, capped", of, n);
     });
 }
 
 /// As [`every_formula`], for the one chip whose square root is an instruction that `libm` does not use.
-pub fn sphere_with_the_chips_root(report: &mut dyn FnMut(&'static str, bool, u64)) {
+pub fn sphere_with_the_chips_root(report: &mut dyn FnMut(&'static str, Of, u64)) {
     if cfg!(all(target_arch = "arm", target_abi = "eabihf")) {
-        measure(Sphere::new(1.0_f32).ok(), [1.0_f32, 0.0], nearest_of_sphere_with_the_chips_root, &mut |hits, n| {
-            report("sphere", hits, n);
+        measure(Sphere::new(1.0_f32).ok(), [1.0_f32, 0.0], nearest_of_sphere_with_the_chips_root, &mut |of, n| {
+            report("sphere", of, n);
         });
     }
 }

@@ -1,12 +1,11 @@
 //! Instructions, stack and colours of a picture.
 
+use crate::stack::{depth, used_since};
 use core::fmt::{self, Display};
 use core::hint::black_box;
 use raylet::effect::Effects;
 use raylet::{Counters, Picture, Scalar, Work};
 use raylet_firmware::clock;
-#[cfg(target_os = "none")]
-use raylet_firmware::stack;
 
 /// What a picture took.
 #[derive(Clone, Copy, Debug)]
@@ -50,27 +49,4 @@ pub fn picture<S: Scalar, E: Effects>(picture: &Picture<'_, S, E>) -> Measured {
 fn row<S: Scalar, E: Effects>(picture: &Picture<'_, S, E>, y: u16, work: &mut Work, levels: u32) -> u32 {
     let mix = |sum: u32, level: u8| (sum ^ u32::from(level)).wrapping_mul(0x0100_0193);
     picture.row(y, work).fold(levels, |sum, pixel| pixel.color.to_rgb888().into_iter().fold(sum, mix))
-}
-
-/// Paints the stack, and returns how much of it is in use.
-#[cfg(target_os = "none")]
-#[inline(never)]
-fn depth() -> usize {
-    stack::paint();
-    stack::used()
-}
-
-#[cfg(target_os = "none")]
-fn used_since(depth: usize) -> usize {
-    stack::used().saturating_sub(depth)
-}
-
-#[cfg(not(target_os = "none"))]
-fn depth() -> usize {
-    0
-}
-
-#[cfg(not(target_os = "none"))]
-fn used_since(depth: usize) -> usize {
-    depth
 }
