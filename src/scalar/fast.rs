@@ -237,10 +237,16 @@ pub trait FastPath: Numbers {
         None
     }
 
-    /// True only if the ray from `o` along `d` surely misses, within the closed `range` of `t`, the box about `centre` with these half
-    /// extents: then no solid in it, found by a solver that rounds, has a hit there either.
+    /// What the tests of a ray against boxes have in common.
+    type Slabs: Copy;
+
+    /// The slabs of the ray from `o` along `d`.
+    fn slabs(o: [Self; 3], d: [Self::Unit; 3]) -> Self::Slabs;
+
+    /// True only if the ray surely misses, within the closed `range` of `t`, the box about `centre` with these half extents: then no solid
+    /// in it, found by a solver that rounds, has a hit there either.
     ///
-    /// Conservative, and without a division: a ray that passes next to the box is not said to miss it. All numbers within the
-    /// [`Budget`](super::Budget) of coordinates, but the range.
-    fn misses_box(o: [Self; 3], d: [Self::Unit; 3], range: [Self; 2], centre: [Self; 3], half: [Self; 3]) -> bool;
+    /// Conservative: a ray that passes next to the box is not said to miss it. All numbers within the [`Budget`](super::Budget) of
+    /// coordinates, but the range.
+    fn misses_box(slabs: &Self::Slabs, range: [Self; 2], centre: [Self; 3], half: [Self; 3]) -> bool;
 }

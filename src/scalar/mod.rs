@@ -17,7 +17,7 @@
 //! | `integers` | the fast path of fixed point, in plain integers |
 //! | `floats` | the usual case of floats, uncompensated |
 //! | `rungs`, `twofold` | how a number of the ladder is made from a stored one, and rounded to one |
-//! | `separation` | whether a ray surely misses a box |
+//! | `slabs` | whether a ray surely misses a box |
 //! | [`block`] | integer mantissa and exponent; square root and quotient of integers |
 //! | `decimal` | decimal text to fixed point, correctly rounded |
 //! | `elementary` | angle, sine, power, in integers for the fixed types |
@@ -46,7 +46,7 @@ mod floats;
 #[cfg(feature = "fixed")]
 mod integers;
 mod rungs;
-pub(crate) mod separation;
+pub(crate) mod slabs;
 #[cfg(feature = "libm")]
 mod square_root;
 mod twofold;

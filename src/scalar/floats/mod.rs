@@ -27,13 +27,13 @@ mod cone;
 #[macro_use]
 mod flat;
 
-use crate::scalar::{Attempt, FastPath, InNappe, LocalLine, found, separation};
+use crate::scalar::{Attempt, FastPath, InNappe, LocalLine, found, slabs::Slabs};
 use core::cmp::Ordering;
 
 macro_rules! floats {
     (
         $name:ident, $Float:ident, $bits:ty, $bias:literal, $mantissa:literal, sqrt: $sqrt:path,
-        may_have_spare_bits: $spare:literal, misses_box: $misses_box:ident
+        may_have_spare_bits: $spare:literal
     ) => {
         pub(super) mod $name {
             use crate::scalar::{Attempt, InNappe, LocalLine, Real, found};
@@ -166,12 +166,17 @@ macro_rules! floats {
             fn is_good(line: &LocalLine<Self>, t: Self, off: Self) -> bool {
                 $name::is_good(line, t, off)
             }
+            type Slabs = Slabs<$Float, $Float>;
             #[inline(always)]
-            fn misses_box(o: [Self; 3], d: [Self; 3], range: [Self; 2], centre: [Self; 3], half: [Self; 3]) -> bool {
-                separation::$misses_box(o, d, range, centre, half)
+            fn slabs(o: [Self; 3], d: [Self; 3]) -> Self::Slabs {
+                Slabs::<$Float, $Float>::new(o, d)
+            }
+            #[inline(always)]
+            fn misses_box(slabs: &Self::Slabs, range: [Self; 2], centre: [Self; 3], half: [Self; 3]) -> bool {
+                slabs.misses(range, centre, half)
             }
         }
     };
 }
-floats!(fast_f32, f32, u32, 127, 23, sqrt: crate::scalar::square_root::square_root_f32, may_have_spare_bits: false, misses_box: misses_box_f32);
-floats!(fast_f64, f64, u64, 1023, 52, sqrt: libm::sqrt, may_have_spare_bits: true, misses_box: misses_box_f64);
+floats!(fast_f32, f32, u32, 127, 23, sqrt: crate::scalar::square_root::square_root_f32, may_have_spare_bits: false);
+floats!(fast_f64, f64, u64, 1023, 52, sqrt: libm::sqrt, may_have_spare_bits: true);

@@ -1,14 +1,14 @@
 //! The fast path of fixed point: from stored numbers to raw integers and back.
 
 use crate::scalar::integers;
-use crate::scalar::{Attempt, FastPath, InNappe, LocalLine, found, separation};
+use crate::scalar::{Attempt, FastPath, InNappe, LocalLine, found, slabs::Slabs};
 use core::cmp::Ordering;
 use fixed::types::extra::{LeEqU32, LeEqU64};
 use fixed::{FixedI32, FixedI64};
 
 /// Defines it for the types of one width, with what only one of them has.
 macro_rules! fast {
-    ($Fixed:ident, $LeEq:ident, $misses_box:path, $($kernels:ident)::+, { $($own:tt)* }) => {
+    ($Fixed:ident, $LeEq:ident, $raw:ty, $($kernels:ident)::+, { $($own:tt)* }) => {
         impl<F: $LeEq + Send + Sync + 'static> FastPath for $Fixed<F> {
         $($own)*
         #[inline(always)]
@@ -79,22 +79,20 @@ macro_rules! fast {
                 ..LocalLine::along(o, d, Self::from_bits(0))
             })
         }
+        type Slabs = Slabs<$raw, i32>;
         #[inline(always)]
-        fn misses_box(
-            o: [Self; 3],
-            d: [Self::Unit; 3],
-            range: [Self; 2],
-            centre: [Self; 3],
-            half: [Self; 3],
-        ) -> bool {
-            let [o, centre, half] = [o, centre, half].map(|v| v.map(Self::to_bits));
-            $misses_box(o, d.map($Fixed::to_bits), range.map(Self::to_bits), centre, half)
+        fn slabs(o: [Self; 3], d: [Self::Unit; 3]) -> Self::Slabs {
+            Slabs::<$raw, i32>::new(o.map(Self::to_bits), d.map($Fixed::to_bits))
+        }
+        #[inline(always)]
+        fn misses_box(slabs: &Self::Slabs, range: [Self; 2], centre: [Self; 3], half: [Self; 3]) -> bool {
+            slabs.misses(range.map(Self::to_bits), centre.map(Self::to_bits), half.map(Self::to_bits))
         }
         }
     };
 }
 
-fast!(FixedI32, LeEqU32, separation::misses_box_32, integers, {
+fast!(FixedI32, LeEqU32, i32, integers, {
     #[inline(always)]
     fn fast_direction(v: [Self; 3]) -> Attempt<[Self::Unit; 3]> {
         Attempt::Found(found!(integers::direction(v.map(Self::to_bits))).map(FixedI32::from_bits))
@@ -128,4 +126,4 @@ fast!(FixedI32, LeEqU32, separation::misses_box_32, integers, {
         Attempt::Found((Self::from_bits(t), from_front))
     }
 });
-fast!(FixedI64, LeEqU64, separation::misses_box_64, integers::wide, {});
+fast!(FixedI64, LeEqU64, i64, integers::wide, {});

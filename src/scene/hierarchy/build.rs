@@ -1,24 +1,24 @@
 //! Objects into boxes.
 
-use super::{Hierarchy, HierarchyError, Node};
+use super::split::{nothing, split, united};
+use super::{AXIS, Hierarchy, HierarchyError, LEVELS, MOST_OBJECTS, Node};
 use crate::scalar::{Real, Scalar};
-use crate::scalar::{Ring, separation::MARGIN_BITS};
+use crate::scalar::{Ring, slabs::MARGIN_BITS};
 use crate::scene::Object;
 use crate::shape::{Placement, Primitive, Shape};
 use crate::vector::{Vec3, pairs};
-use core::mem;
 
 impl<'a, S: Scalar> Hierarchy<'a, S> {
     /// Boxes around these objects, in borrowed storage: [`Hierarchy::nodes_for`] of them.
     ///
-    /// Divides the objects in two halves across the axis along which their middles are farthest apart, these again, and so on:
-    /// steps in proportion to `n log n`. The same objects always give the same boxes.
+    /// Divides the objects in two across the axis along which their middles are farthest apart, where the boxes of the two are cheapest to
+    /// search, these again, and so on: steps in proportion to `n log n`. The same objects always give the same boxes.
     ///
     /// # Errors
     ///
-    /// [`HierarchyError::Storage`] if there is room for too few nodes; [`HierarchyError::TooManyObjects`] beyond 2^31 - 1.
+    /// [`HierarchyError::Storage`] if there is room for too few nodes; [`HierarchyError::TooManyObjects`] beyond 2^30 - 1.
     pub fn build(objects: &[Object<S>], nodes: &'a mut [Node<S>]) -> Result<Self, HierarchyError> {
-        if objects.len() > i32::MAX as usize {
+        if objects.len() > MOST_OBJECTS {
             return Err(HierarchyError::TooManyObjects);
         }
         let (needed, given) = (Self::nodes_for(objects.len()), nodes.len());
@@ -51,7 +51,7 @@ impl<'a, S: Scalar> Hierarchy<'a, S> {
 fn grow<S: Scalar>(tree: &mut [Node<S>], leaves: u32) {
     let mut written = 0;
     for place in 0..tree.len() {
-        let objects = objects_below(place, leaves);
+        let (objects, levels) = below(tree, place, leaves);
         let first = (leaves as usize).saturating_sub(1) + written;
         let Some(below) = tree.get_mut(first..first + objects as usize) else { return };
         let node = match below {
@@ -59,7 +59,7 @@ fn grow<S: Scalar>(tree: &mut [Node<S>], leaves: u32) {
                 written += 1;
                 *leaf
             }
-            _ => divide(below),
+            _ => divide(below, levels),
         };
         if let Some(slot) = tree.get_mut(place) {
             *slot = node;
@@ -67,95 +67,40 @@ fn grow<S: Scalar>(tree: &mut [Node<S>], leaves: u32) {
     }
 }
 
-/// How many objects the node at this place has below it, in a tree of `objects` leaves.
-fn objects_below(mut place: usize, mut objects: u32) -> u32 {
-    // One step down at a time, until it is the root of what is looked at.
-    while place > 0 && objects > 1 {
-        let (half, second) = (objects / 2, (objects & !1) as usize);
-        if place < second {
-            objects = half;
-            place -= 1;
-        } else {
-            objects -= half;
-            place -= second;
-        }
+/// How many objects the node at this place has below it, in a tree of `objects` leaves, and how many levels there may be below it.
+fn below<S: Scalar>(tree: &[Node<S>], place: usize, mut objects: u32) -> (u32, u32) {
+    let (mut at, mut levels) = (0, LEVELS);
+    // One step down at a time, from the root.
+    while at < place
+        && let Some(node) = tree.get(at)
+    {
+        let (lower, upper) = (node.lower(), at + 2 * node.lower() as usize);
+        levels -= 1;
+        (at, objects) = if place < upper { (at + 1, lower) } else { (upper, objects - lower) };
     }
-    objects
+    (objects, levels)
 }
 
-/// Brings the leaves that belong to the first half before the others; the node above all of them.
-fn divide<S: Scalar>(leaves: &mut [Node<S>]) -> Node<S> {
-    let infinite = [S::INFINITY; 3];
-    let nothing = [infinite, infinite.map(|c| -c)];
-    let [mut corners, mut middles] = [nothing; 2];
+/// Brings the leaves that belong to the lower part before the others; the node above all of them.
+fn divide<S: Scalar>(leaves: &mut [Node<S>], levels: u32) -> Node<S> {
+    let mut corners = nothing();
     for leaf in leaves.iter() {
-        let reaches = pairs(leaf.centre, leaf.half);
-        let both = [reaches.map(|(centre, half)| centre.minus(half)), reaches.map(|(centre, half)| centre.plus(half))];
-        corners = united(corners, both);
-        middles = united(middles, [leaf.centre; 2]);
+        corners = united(corners, leaf.corners());
     }
-    let [low, high] = middles;
-    let [x, y, z] = pairs(low, high).map(|(low, high)| high.minus(low));
-    let along: fn(&Node<S>) -> S = if x >= y && x >= z {
-        |leaf| leaf.centre[0]
-    } else if y >= z {
-        |leaf| leaf.centre[1]
-    } else {
-        |leaf| leaf.centre[2]
-    };
-    let half = leaves.len() / 2;
-    // Of those in the same place the one with the lower index first.
-    select(leaves, half, |a, b| {
-        let (at_a, at_b) = (along(a), along(b));
-        at_a < at_b || (at_a == at_b && a.object < b.object)
-    });
     let [low, high] = corners;
     let objects = leaves.len() as u32;
     let (centre, half) = padded(low.into(), high.into(), None, S::Real::ZERO);
-    Node { centre, half, objects, object: 0 }
-}
-
-/// The box of two boxes, as corners.
-fn united<S: Scalar>([low, high]: [[S; 3]; 2], [other_low, other_high]: [[S; 3]; 2]) -> [[S; 3]; 2] {
-    [
-        pairs(low, other_low).map(|(a, b)| if b < a { b } else { a }),
-        pairs(high, other_high).map(|(a, b)| if b > a { b } else { a }),
-    ]
-}
-
-/// Brings the items that come before the one of rank `rank` before it, and the others behind it (Hoare, *Algorithm 65: find*,
-/// 1961). No two may be equal.
-fn select<T: Copy>(items: &mut [T], rank: usize, is_before: impl Fn(&T, &T) -> bool) {
-    let (mut first, mut end) = (0, items.len());
-    while first + 1 < end {
-        let Some(pivot) = items.get(rank).copied() else { return };
-        let (mut i, mut j) = (first, end);
-        // Before i is nothing that comes after the pivot, from j on nothing that comes before it.
-        while i < j {
-            while items.get(i).is_some_and(|item| is_before(item, &pivot)) {
-                i += 1;
-            }
-            while j > i && items.get(j - 1).is_some_and(|item| is_before(&pivot, item)) {
-                j -= 1;
-            }
-            if i < j {
-                if let Ok([a, b]) = items.get_disjoint_mut([i, j - 1]) {
-                    mem::swap(a, b);
-                }
-                i += 1;
-                j -= 1;
-            }
-        }
-        if j <= rank {
-            first = i;
-        }
-        if rank < i {
-            end = j;
-        }
-    }
+    let (axis, lower) = split(leaves, corners, levels);
+    Node { centre, half, objects, object: lower | axis << AXIS }
 }
 
 impl<S: Scalar> Node<S> {
+    /// The lowest and the highest corner.
+    pub(super) fn corners(&self) -> [[S; 3]; 2] {
+        let reaches = pairs(self.centre, self.half);
+        [reaches.map(|(centre, half)| centre.minus(half)), reaches.map(|(centre, half)| centre.plus(half))]
+    }
+
     /// The box of an object; of no objects if it has none.
     pub(super) fn leaf(index: u32, shape: &Shape<S>) -> Self {
         let nothing = Self { object: index, ..Self::EMPTY };

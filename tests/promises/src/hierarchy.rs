@@ -227,7 +227,7 @@ fn too_little_storage_is_refused() {
     );
     assert_eq!(
         HierarchyError::TooManyObjects.to_string(),
-        "a hierarchy holds at most 2^31 - 1 objects: divide the scene"
+        "a hierarchy holds at most 2^30 - 1 objects: divide the scene"
     );
 }
 

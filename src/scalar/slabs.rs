@@ -1,0 +1,167 @@
+//! Whether a ray surely misses an axis-aligned box, by the slabs between the box's faces.
+//!
+//! A box is what three slabs have in common, and a line is in each for an interval of `t` (Kay and Kajiya, *Ray tracing complex scenes*,
+//! 1986). With `c` the centre seen from the ray's origin, `h` the half extents and `d` the direction:
+//!
+//! ```text
+//! [c_x / d_x - h_x / |d_x|, c_x / d_x + h_x / |d_x|]     and cyclic
+//! ```
+//!
+//! The ray misses where these and its range have nothing in common. The reciprocals are made once a ray. A component of the direction below
+//! 2^-16 (2^-20 for floats) counts as one of that: nothing is divided by zero.
+//!
+//! The answer must never be "missed" for a ray for which a solid in the box reports a hit, and the solver rounds. Where it says that a
+//! ray meets a solid, the point of the ray at that `t` lies next to the solid, nearer than a part of its distance from the origin
+//! and of its size: [`MARGIN_BITS`]. The box is made larger by that: here by the part of the distance and by a few units, before
+//! (by whoever makes the box) by the part of the size. What the reciprocals are off is less than half of it.
+
+/// A box is made larger by the part `2^-MARGIN_BITS` of its size and of its distance.
+///
+/// `f32` is the coarsest number: a line seen from a frame is off by some units of 2^-24 of its length, and what that moves at a sharp
+/// rim, or through a skewed placement, is up to 2^8 times as much (more is given no box).
+pub(crate) const MARGIN_BITS: i32 = 14;
+
+/// What a ray's tests against boxes have in common.
+#[derive(Clone, Copy, Debug)]
+pub struct Slabs<N, R> {
+    pub(super) origin: [N; 3],
+    /// Of the direction's components; of floats as they are, of integers times `2^45` over the direction's fraction bits.
+    pub(super) reciprocals: [R; 3],
+}
+
+/// Defines the test for a float.
+#[cfg(feature = "libm")]
+macro_rules! slabs {
+    ($Float:ident) => {
+        impl Slabs<$Float, $Float> {
+            #[inline(always)]
+            pub(super) fn new(origin: [$Float; 3], d: [$Float; 3]) -> Self {
+                const LEAST: $Float = 1.0 / (1_u32 << 20) as $Float;
+                let reciprocal = |d: $Float| 1.0 / if $Float::abs(d) < LEAST { $Float::copysign(LEAST, d) } else { d };
+                Self { origin, reciprocals: d.map(reciprocal) }
+            }
+
+            /// See [`FastPath::misses_box`](crate::scalar::FastPath::misses_box).
+            #[inline(always)]
+            pub(super) fn misses(
+                &self,
+                [start, end]: [$Float; 2],
+                [x, y, z]: [$Float; 3],
+                [hx, hy, hz]: [$Float; 3],
+            ) -> bool {
+                const PART: $Float = 1.0 / (1_u32 << MARGIN_BITS) as $Float;
+                // Next to zero products vanish: what they lose is less than this.
+                const TINY: $Float = 64.0 * $Float::MIN_POSITIVE;
+                let ([ox, oy, oz], [ix, iy, iz]) = (self.origin, self.reciprocals);
+                let (cx, cy, cz) = (x - ox, y - oy, z - oz);
+                let margin = ($Float::abs(cx) + $Float::abs(cy) + $Float::abs(cz)) * PART + TINY;
+                let (mut first, mut last) = (start, end);
+                for (c, h, reciprocal) in [(cx, hx, ix), (cy, hy, iy), (cz, hz, iz)] {
+                    let (middle, reach) = (c * reciprocal, (h + margin) * $Float::abs(reciprocal));
+                    // A comparison with NaN is false.
+                    if middle - reach > first {
+                        first = middle - reach;
+                    }
+                    if middle + reach < last {
+                        last = middle + reach;
+                    }
+                }
+                // What overflowed, beyond some 2^106, is not missed.
+                first > last && first < $Float::INFINITY && last > -$Float::INFINITY
+            }
+        }
+    };
+}
+#[cfg(feature = "libm")]
+slabs!(f32);
+#[cfg(feature = "libm")]
+slabs!(f64);
+
+/// For fixed types: numbers of at most 2^30 in magnitude, their products in 64 bits.
+#[cfg(feature = "fixed")]
+mod in_integers {
+    use super::{MARGIN_BITS, Slabs};
+    use crate::number::machine::reciprocal_of_normalized;
+    use crate::scalar::integers::product;
+
+    /// What halving, shifting and the rounding of `t` leave over, and as much again.
+    const FEW_UNITS: i32 = 8;
+
+    /// Fraction bits of a `t` here.
+    const FINER: u32 = 15;
+
+    /// The largest of three.
+    #[inline(always)]
+    fn largest<T: Ord>([x, y, z]: [T; 3]) -> T {
+        x.max(y).max(z)
+    }
+
+    /// `2^45 / d`, for a component of a direction with 30 fraction bits: at least 2^15, and good to 2^-15.
+    #[inline(always)]
+    fn reciprocal(d: i32) -> i32 {
+        let magnitude = d.unsigned_abs().max(1 << 14);
+        let zeros = magnitude.leading_zeros();
+        // 2^63 / (magnitude 2^zeros), below 2^32
+        let reciprocal = (reciprocal_of_normalized(magnitude << zeros) >> 1 >> 17_u32.saturating_sub(zeros)) as i32;
+        if d < 0 { -reciprocal } else { reciprocal }
+    }
+
+    /// True if the slabs and `range` have nothing in common; `c`, `half` and `range` are in one unit, the range with [`FINER`] fraction bits.
+    #[inline(always)]
+    fn are_apart(c: [i32; 3], half: [i32; 3], reciprocals: [i32; 3], [start, end]: [i64; 2]) -> bool {
+        // A part more than that of floats: the reciprocals and the least components are coarser.
+        let margin = (largest(c.map(i32::abs)) >> (MARGIN_BITS - 1)) + FEW_UNITS;
+        let ([cx, cy, cz], [hx, hy, hz], [ix, iy, iz]) = (c, half, reciprocals);
+        let (mut first, mut last) = (start, end);
+        for (c, h, reciprocal) in [(cx, hx, ix), (cy, hy, iy), (cz, hz, iz)] {
+            // Two products of at most 2^61 each.
+            let (middle, reach) = (product(c, reciprocal), product(h + margin, reciprocal.abs()));
+            first = first.max(middle - reach);
+            last = last.min(middle + reach);
+        }
+        first > last
+    }
+
+    impl Slabs<i32, i32> {
+        /// From raw numbers; directions have 30 fraction bits.
+        #[inline(always)]
+        pub(in crate::scalar) fn new(o: [i32; 3], d: [i32; 3]) -> Self {
+            // In units of two, so that the difference of any two coordinates in the budget fits.
+            Self { origin: o.map(|o| o >> 1), reciprocals: d.map(reciprocal) }
+        }
+
+        /// See [`FastPath::misses_box`](crate::scalar::FastPath::misses_box), for raw numbers.
+        #[inline(always)]
+        pub(in crate::scalar) fn misses(&self, range: [i32; 2], [x, y, z]: [i32; 3], half: [i32; 3]) -> bool {
+            let [ox, oy, oz] = self.origin;
+            let c = [(x >> 1) - ox, (y >> 1) - oy, (z >> 1) - oz];
+            are_apart(c, half.map(|half| half >> 1), self.reciprocals, range.map(|t| (t as i64) << (FINER - 1)))
+        }
+    }
+
+    impl Slabs<i64, i32> {
+        /// From raw numbers; directions have 62 fraction bits.
+        #[inline(always)]
+        pub(in crate::scalar) fn new(o: [i64; 3], d: [i64; 3]) -> Self {
+            Self { origin: o.map(|o| o >> 1), reciprocals: d.map(|d| reciprocal((d >> 32) as i32)) }
+        }
+
+        /// See [`FastPath::misses_box`](crate::scalar::FastPath::misses_box), for raw numbers.
+        #[inline(always)]
+        pub(in crate::scalar) fn misses(&self, range: [i64; 2], [x, y, z]: [i64; 3], half: [i64; 3]) -> bool {
+            let [ox, oy, oz] = self.origin;
+            let c = [(x >> 1) - ox, (y >> 1) - oy, (z >> 1) - oz];
+            let half = half.map(|half| half >> 1);
+            // In the finest unit in which all of them are below 2^30.
+            let bits = 64 - (largest(c.map(i64::unsigned_abs)) | largest(half) as u64).leading_zeros();
+            let shift = bits.saturating_sub(30);
+            let coarse = |n: i64| (n >> shift) as i32;
+            // What lies farther than any box is as good as infinite.
+            let time = |t: i64| (t >> 1 >> shift).clamp(-(1 << 47), 1 << 47) << FINER;
+            are_apart(c.map(coarse), half.map(coarse), self.reciprocals, range.map(time))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;
