@@ -138,9 +138,27 @@ impl<W: Word> Limbs<W> {
     }
 
     /// The sum of at most four products, and whether bits of it were cut off, if that is to be checked.
-    #[inline(never)]
+    ///
+    /// One function for any number of products of the short words, which are linked on the smallest chips; of the long ones one for each
+    /// number, which is a quarter faster.
+    #[inline]
     pub(crate) fn sum_of_products<const M: usize, const CHECK: bool>(terms: &[[Self; 2]; M]) -> (Self, bool) {
         const { assert!(M <= 4) };
+        if W::BITS == 64 { Self::sum_of_any::<CHECK>(terms) } else { Self::sum_of_so_many::<M, CHECK>(terms) }
+    }
+
+    #[inline(never)]
+    fn sum_of_any<const CHECK: bool>(terms: &[[Self; 2]]) -> (Self, bool) {
+        Self::summed::<CHECK>(terms)
+    }
+
+    #[inline(never)]
+    fn sum_of_so_many<const M: usize, const CHECK: bool>(terms: &[[Self; 2]; M]) -> (Self, bool) {
+        Self::summed::<CHECK>(terms)
+    }
+
+    #[inline(always)]
+    fn summed<const CHECK: bool>(terms: &[[Self; 2]]) -> (Self, bool) {
         let mut top = 2 * ZERO_EXPONENT;
         for [a, b] in terms {
             let exponent = a.exponent + b.exponent;

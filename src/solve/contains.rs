@@ -1,9 +1,8 @@
 //! The inside test, decided by signs.
 
 use super::flat::is_zero;
-use super::form::{Form, Homogeneous, Weight};
+use super::form::{Ball, Cone, Form, Homogeneous, Quadric, Tube, Weight};
 use super::settle::Of;
-use super::side::form_of;
 use crate::figure::{Extent, Figure};
 use crate::number::{cross, difference, dot};
 use crate::scalar::Scalar;
@@ -13,20 +12,25 @@ use core::cmp::Ordering;
 pub(crate) fn holds<S: Scalar, N: Of<S>>(figure: &Figure<S>, point: [N; 3]) -> Option<bool> {
     let here = Homogeneous { v: point, w: Weight::One };
     let [_, y, _] = point;
-    let is_inside = |form: Form<N>, p: Homogeneous<N>| Some(form.of(p, p).sign()? != Ordering::Greater);
+    let is_inside = |form: Form<N>, p: Homogeneous<N>| Some(form.at(p).sign()? != Ordering::Greater);
     match *figure {
-        Figure::Ball { radius } => is_inside(Form::Ball { r: N::scalar(radius) }, here),
+        Figure::Ball { radius } => is_inside(Form::Ball(Ball { r: N::scalar(radius) }), here),
         Figure::Capsule { radius, height } => {
             let (r, height) = (N::scalar(radius), N::scalar(height));
             let below = y.sign()? == Ordering::Less;
             let above = (y - height).sign()? == Ordering::Greater;
             let [x, _, z] = point;
             let seen = Homogeneous { v: [x, if above { y - height } else { y }, z], w: Weight::One };
-            is_inside(if below || above { Form::Ball { r } } else { Form::Tube { r } }, seen)
+            is_inside(if below || above { Form::Ball(Ball { r }) } else { Form::Tube(Tube { r }) }, seen)
         }
-        Figure::DoubleCone { slope } => is_inside(Form::slope(N::scalar(slope)), here),
+        Figure::DoubleCone { slope } => is_inside(Form::Cone(Cone::slope(N::scalar(slope))), here),
         Figure::Round { side, extent } => {
-            let form = form_of(side, N::scalar);
+            let form = Form::of_side(side, N::scalar);
+            let outline = match form {
+                Form::Ball(ball) => ball.outline(here),
+                Form::Tube(tube) => tube.outline(here),
+                Form::Cone(cone) => cone.outline(here),
+            };
             let (low, high) = match extent {
                 Extent::Infinite => (None, None),
                 Extent::Open(height) => (Some(S::ZERO), Some(height)),
@@ -36,13 +40,10 @@ pub(crate) fn holds<S: Scalar, N: Of<S>>(figure: &Figure<S>, point: [N; 3]) -> O
                 Some(bound) => Some((y - N::scalar(bound)).sign()? == side),
                 None => Some(false),
             };
-            if outside(low, Ordering::Less)?
-                || outside(high, Ordering::Greater)?
-                || form.outline(here).sign()? == Ordering::Less
-            {
+            if outside(low, Ordering::Less)? || outside(high, Ordering::Greater)? || outline.sign()? == Ordering::Less {
                 return Some(false);
             }
-            Some(match form.of(here, here).sign()? {
+            Some(match form.at(here).sign()? {
                 Ordering::Less => !matches!(extent, Extent::Open(_)),
                 Ordering::Equal => true,
                 Ordering::Greater => false,
@@ -50,7 +51,7 @@ pub(crate) fn holds<S: Scalar, N: Of<S>>(figure: &Figure<S>, point: [N; 3]) -> O
         }
         Figure::Plane => Some(y.sign()? == Ordering::Equal),
         Figure::Disc { radius } => {
-            Some(y.sign()? == Ordering::Equal && is_inside(Form::Tube { r: N::scalar(radius) }, here)?)
+            Some(y.sign()? == Ordering::Equal && is_inside(Form::Tube(Tube { r: N::scalar(radius) }), here)?)
         }
         Figure::Triangle { vertices } => {
             let corners = vertices.map(|vertex| vertex.map(N::scalar));

@@ -1,10 +1,10 @@
 //! The flat solids: where a line crosses a plane, a disc and a triangle, decided by signs.
 
-use super::form::{Form, Line};
-use super::quadratic::{End, Fraction, Inside, Interval, Quadratic};
+use super::form::{Line, Tube};
+use super::quadratic::{End, Flat, Fraction, Inside, Interval, Quadratic};
 use super::settle::{Of, span};
 use crate::intersection::Intersection;
-use crate::number::{Number, cross, difference, dot};
+use crate::number::{self, Number, difference, dot};
 use crate::part::Part;
 use crate::ray::Range;
 use crate::scalar::Scalar;
@@ -14,7 +14,7 @@ use core::cmp::Ordering;
 fn crossing<S: Scalar, N: Of<S>>(t: Fraction<N>, along_normal: Ordering, range: Range<S>) -> Option<Intersection<S>> {
     let end = Some(End::at(t, Part::Side));
     let interval = if along_normal == Ordering::Less { Interval::new(end, None) } else { Interval::new(None, end) };
-    Some(Intersection::Surface(span(None, interval, range)?))
+    Some(Intersection::Surface(span(&Flat, interval, range)?))
 }
 
 /// The plane `y = 0`.
@@ -23,7 +23,7 @@ pub(super) fn plane<S: Scalar, N: Of<S>>(line: &Line<N>, range: Range<S>) -> Opt
     let ([_, y, _], [_, dy, _]) = (line.origin, line.direction);
     match dy.sign()? {
         Ordering::Equal if y.sign()? == Ordering::Equal => {
-            Some(Intersection::LiesIn(span(None, Interval::<N>::EVERYWHERE, range)?))
+            Some(Intersection::LiesIn(span(&Flat, Interval::<N>::EVERYWHERE, range)?))
         }
         Ordering::Equal => Some(Intersection::Miss),
         climb => crossing(Fraction { n: -y, e: dy }, climb, range),
@@ -35,18 +35,18 @@ pub(super) fn plane<S: Scalar, N: Of<S>>(line: &Line<N>, range: Range<S>) -> Opt
 pub(super) fn disc<S: Scalar, N: Of<S>>(line: &Line<N>, r: N, range: Range<S>) -> Option<Intersection<S>> {
     if line.direction[1].sign()? != Ordering::Equal {
         // |p|^2 <= r^2 where the line crosses the plane, times dy^2.
-        let [wx, _, wz] = cross(line.origin, line.direction);
+        let [wx, _, wz] = number::cross(line.origin, line.direction);
         let reach = r * line.direction[1];
         let outside = N::sum([[wx, wx], [wz, wz], [-reach, reach]]).sign()? == Ordering::Greater;
         return if outside { Some(Intersection::Miss) } else { plane(line, range) };
     }
     match plane(line, range)? {
         Intersection::LiesIn(..) => {
-            let chord = Quadratic::new(Form::Tube { r }, line, false)?;
+            let chord = Quadratic::new(Tube { r }, line, false)?;
             Some(match chord.inside()? {
                 Inside::Between(touch) => {
                     let [enter, exit] = chord.ends().map(Some);
-                    Intersection::LiesIn(span(Some(&chord), Interval { enter, exit, touch }, range)?)
+                    Intersection::LiesIn(span(&chord, Interval { enter, exit, touch }, range)?)
                 }
                 _ => Intersection::Miss,
             })
@@ -71,10 +71,8 @@ pub(super) fn triangle<S: Scalar, N: Of<S>>(
     range: Range<S>,
 ) -> Option<Intersection<S>> {
     let (d, m) = (line.direction, cross(line.origin, line.direction));
-    // d . (p x q) + m . (q - p): the side on which the line passes the edge from p to q.
-    let volume = |p: [N; 3], q: [N; 3]| dot(d, cross(p, q)) + dot(m, difference(q, p));
     let [va, vb, vc] = vertices;
-    let volumes = [volume(va, vb), volume(vb, vc), volume(vc, va)];
+    let volumes = [[va, vb], [vb, vc], [vc, va]].map(|edge| volume(d, m, edge));
     let mut along_normal = Ordering::Equal;
     for volume in volumes {
         match volume.sign()? {
@@ -95,12 +93,25 @@ pub(super) fn triangle<S: Scalar, N: Of<S>>(
     crossing(Fraction { n: distance, e: u + v + w }, along_normal, range)
 }
 
+/// `a x b`
+#[inline(never)]
+fn cross<N: Number>(a: [N; 3], b: [N; 3]) -> [N; 3] {
+    number::cross(a, b)
+}
+
+/// On which side the line along `d` of the moment `m` passes the edge from `p` to `q`: `d . (p x q) + m . (q - p)`
+#[inline(never)]
+fn volume<N: Number>(d: [N; 3], m: [N; 3], [p, q]: [[N; 3]; 2]) -> N {
+    dot(d, cross(p, q)) + dot(m, difference(q, p))
+}
+
 /// True for the zero vector.
 pub(super) fn is_zero<N: Number>(v: [N; 3]) -> Option<bool> {
     Some(v[0].sign()? == Ordering::Equal && v[1].sign()? == Ordering::Equal && v[2].sign()? == Ordering::Equal)
 }
 
 /// The piece of a line of its plane that lies in the triangle: cut off by each edge in turn.
+#[inline(never)]
 fn lies_in<S: Scalar, N: Of<S>>(
     normal: [N; 3],
     line: &Line<N>,
@@ -133,5 +144,5 @@ fn lies_in<S: Scalar, N: Of<S>>(
         return Some(Intersection::Miss);
     }
     let end = |t: Fraction<N>| End::at(t, Part::Side);
-    Some(Intersection::LiesIn(span(None, Interval::new(enter.map(end), exit.map(end)), range)?))
+    Some(Intersection::LiesIn(span(&Flat, Interval::new(enter.map(end), exit.map(end)), range)?))
 }

@@ -1,5 +1,6 @@
 //! The line and the quadrics along it.
 
+use crate::figure::Side;
 use crate::number::{Ring, cross};
 use crate::part::Part;
 use crate::ray::Leaving;
@@ -50,87 +51,155 @@ impl<N: Ring> Weight<N> {
 }
 
 /// A quadric as a bilinear form `f(p, q)`, with `f(p, p) <= 0` inside.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Form<N> {
-    /// `x x' + y y' + z z' - r w r w'`
-    Ball { r: N },
-    /// `x x' + z z' - r w r w'`
-    Tube { r: N },
-    /// `h^2 (x x' + z z') - g g'` with the outline `g = g0 w + g1 y`: the radius at `y` is `g / h`.
-    Cone { h: N, g0: N, g1: N },
+///
+/// Each is of a type of its own, so that a program links the equations of those only that it names.
+pub(super) trait Quadric<N: Ring>: Copy {
+    /// Of the quadrics only a cone has two nappes.
+    const IS_CONE: bool = false;
+
+    /// `f(p, q)`
+    fn of(self, p: Homogeneous<N>, q: Homogeneous<N>) -> N;
+    /// `(k^2 - a c) / h^2` along the line, with the `h` of a cone and 1 for the others, from the line's Pluecker moment `w = o x d`:
+    /// Lagrange's identity in the metric of the form. `a` is the form of the direction.
+    fn discriminant(self, line: &Line<N>, a: N) -> N;
+    /// The radius, times the `h` of a cone: constant but for that.
+    fn outline(self, p: Homogeneous<N>) -> N;
+    /// The `h` of [`Quadric::discriminant`], where it is not 1.
+    #[inline(always)]
+    fn factor(self) -> Option<N> {
+        None
+    }
 }
 
-impl<N: Ring> Form<N> {
+/// `x x' + y y' + z z' - r w r w'`
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ball<N> {
+    pub(super) r: N,
+}
+
+impl<N: Ring> Quadric<N> for Ball<N> {
+    #[inline(always)]
+    fn of(self, p: Homogeneous<N>, q: Homogeneous<N>) -> N {
+        let ([x, y, z], [u, v, w]) = (p.v, q.v);
+        N::sum([[x, u], [y, v], [z, w], [-p.w.times(self.r), q.w.times(self.r)]])
+    }
+    /// `a r^2 - |w|^2`
+    #[inline(always)]
+    fn discriminant(self, line: &Line<N>, a: N) -> N {
+        let [wx, wy, wz] = cross(line.origin, line.direction);
+        N::sum([[a, self.r * self.r], [-wx, wx], [-wy, wy], [-wz, wz]])
+    }
+    #[inline(always)]
+    fn outline(self, p: Homogeneous<N>) -> N {
+        p.w.times(self.r)
+    }
+}
+
+/// `x x' + z z' - r w r w'`
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Tube<N> {
+    pub(super) r: N,
+}
+
+impl<N: Ring> Quadric<N> for Tube<N> {
+    #[inline(always)]
+    fn of(self, p: Homogeneous<N>, q: Homogeneous<N>) -> N {
+        let ([x, _, z], [u, _, w]) = (p.v, q.v);
+        N::sum([[x, u], [z, w], [-p.w.times(self.r), q.w.times(self.r)]])
+    }
+    /// `a r^2 - w_y^2`
+    #[inline(always)]
+    fn discriminant(self, line: &Line<N>, a: N) -> N {
+        let ([x, _, z], [dx, _, dz]) = (line.origin, line.direction);
+        let wy = N::sum([[z, dx], [-x, dz]]);
+        N::sum([[a, self.r * self.r], [-wy, wy]])
+    }
+    #[inline(always)]
+    fn outline(self, p: Homogeneous<N>) -> N {
+        p.w.times(self.r)
+    }
+}
+
+/// `h^2 (x x' + z z') - g g'` with the outline `g = g0 w + g1 y`: the radius at `y` is `g / h`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cone<N> {
+    pub(super) h: N,
+    pub(super) g0: N,
+    pub(super) g1: N,
+}
+
+impl<N: Ring> Cone<N> {
     /// A cone of this slope.
     #[inline(always)]
     pub(super) fn slope(slope: N) -> Self {
-        Self::Cone { h: N::ONE, g0: N::ZERO, g1: slope }
+        Self { h: N::ONE, g0: N::ZERO, g1: slope }
     }
 
     /// A cone through two radii.
     #[inline(always)]
     pub(super) fn radii(base: N, top: N, height: N) -> Self {
-        Self::Cone { h: height, g0: base * height, g1: top - base }
+        Self { h: height, g0: base * height, g1: top - base }
     }
+}
 
-    /// The outline `g0 w + g1 y`; constant but for a cone.
+impl<N: Ring> Quadric<N> for Cone<N> {
+    const IS_CONE: bool = true;
+
     #[inline(always)]
-    pub(super) fn outline(self, p: Homogeneous<N>) -> N {
-        match self {
-            Self::Ball { r } | Self::Tube { r } => p.w.times(r),
-            Self::Cone { g0, g1, .. } => match p.w {
-                Weight::Zero => g1 * p.v[1],
-                Weight::One => N::sum([[g0, N::ONE], [g1, p.v[1]]]),
-                Weight::By(w) => N::sum([[g0, w], [g1, p.v[1]]]),
-            },
+    fn of(self, p: Homogeneous<N>, q: Homogeneous<N>) -> N {
+        let ([x, _, z], [u, _, w], h) = (p.v, q.v, self.h);
+        let (g, f) = (self.outline(p), self.outline(q));
+        N::sum([[h * x, h * u], [h * z, h * w], [-g, f]])
+    }
+    /// `(g1 wz - g0 dx)^2 + (g1 wx + g0 dz)^2 - (h wy)^2`
+    #[inline(always)]
+    fn discriminant(self, line: &Line<N>, _: N) -> N {
+        let Self { h, g0, g1 } = self;
+        let ([dx, _, dz], [wx, wy, wz]) = (line.direction, cross(line.origin, line.direction));
+        let (p, q, s) = (N::sum([[g1, wz], [-g0, dx]]), N::sum([[g1, wx], [g0, dz]]), h * wy);
+        N::sum([[p, p], [q, q], [-s, s]])
+    }
+    #[inline(always)]
+    fn outline(self, p: Homogeneous<N>) -> N {
+        let Self { g0, g1, .. } = self;
+        match p.w {
+            Weight::Zero => g1 * p.v[1],
+            Weight::One => N::sum([[g0, N::ONE], [g1, p.v[1]]]),
+            Weight::By(w) => N::sum([[g0, w], [g1, p.v[1]]]),
+        }
+    }
+    #[inline(always)]
+    fn factor(self) -> Option<N> {
+        Some(self.h)
+    }
+}
+
+/// Any of the quadrics, for what looks at points rather than along lines.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Form<N> {
+    Ball(Ball<N>),
+    Tube(Tube<N>),
+    Cone(Cone<N>),
+}
+
+impl<N: Ring> Form<N> {
+    /// The side's quadric.
+    #[inline(always)]
+    pub(super) fn of_side<S>(side: Side<S>, number: impl Fn(S) -> N) -> Self {
+        match side {
+            Side::Straight(radius) => Self::Tube(Tube { r: number(radius) }),
+            Side::Slope(slope) => Self::Cone(Cone::slope(number(slope))),
+            Side::Radii(base, top, height) => Self::Cone(Cone::radii(number(base), number(top), number(height))),
         }
     }
 
-    /// `f(p, q)`
+    /// `f(p, p)`
     #[inline(always)]
-    pub(super) fn of(self, p: Homogeneous<N>, q: Homogeneous<N>) -> N {
-        let ([x, y, z], [u, v, w]) = (p.v, q.v);
+    pub(super) fn at(self, p: Homogeneous<N>) -> N {
         match self {
-            Self::Ball { r } => N::sum([[x, u], [y, v], [z, w], [-p.w.times(r), q.w.times(r)]]),
-            Self::Tube { r } => N::sum([[x, u], [z, w], [-p.w.times(r), q.w.times(r)]]),
-            Self::Cone { h, .. } => {
-                let (g, f) = (self.outline(p), self.outline(q));
-                N::sum([[h * x, h * u], [h * z, h * w], [-g, f]])
-            }
-        }
-    }
-
-    /// `(k^2 - a c) / h^2` along the line, with the `h` of a cone and 1 for the others, from the line's Pluecker moment `w = o x d`:
-    /// Lagrange's identity in the metric of the form. `a` is the form of the direction.
-    #[inline(always)]
-    pub(super) fn discriminant(self, line: &Line<N>, a: N) -> N {
-        let ([x, _, z], [dx, _, dz]) = (line.origin, line.direction);
-        match self {
-            // a r^2 - |w|^2
-            Self::Ball { r } => {
-                let [wx, wy, wz] = cross(line.origin, line.direction);
-                N::sum([[a, r * r], [-wx, wx], [-wy, wy], [-wz, wz]])
-            }
-            // a r^2 - w_y^2
-            Self::Tube { r } => {
-                let wy = N::sum([[z, dx], [-x, dz]]);
-                N::sum([[a, r * r], [-wy, wy]])
-            }
-            // (g1 wz - g0 dx)^2 + (g1 wx + g0 dz)^2 - (h wy)^2
-            Self::Cone { h, g0, g1 } => {
-                let [wx, wy, wz] = cross(line.origin, line.direction);
-                let (p, q, s) = (N::sum([[g1, wz], [-g0, dx]]), N::sum([[g1, wx], [g0, dz]]), h * wy);
-                N::sum([[p, p], [q, q], [-s, s]])
-            }
-        }
-    }
-
-    /// The `h` of [`Form::discriminant`], where it is not 1.
-    #[inline(always)]
-    pub(super) fn factor(self) -> Option<N> {
-        match self {
-            Self::Cone { h, .. } => Some(h),
-            Self::Ball { .. } | Self::Tube { .. } => None,
+            Self::Ball(ball) => ball.of(p, p),
+            Self::Tube(tube) => tube.of(p, p),
+            Self::Cone(cone) => cone.of(p, p),
         }
     }
 }

@@ -4,7 +4,7 @@
 //! quadric and of its slope where the line crosses the plane. Any sign may be unknown (`None`); then the whole query is repeated in
 //! wider numbers.
 
-use super::form::{Form, Homogeneous, Line, Weight};
+use super::form::{Homogeneous, Line, Quadric, Weight};
 use crate::number::{Estimate, Number, Ring};
 use crate::part::Part;
 use core::cmp::Ordering;
@@ -54,7 +54,7 @@ pub(super) struct End<N: Number> {
 
 impl<N: Number> End<N> {
     /// Where the line crosses a plane.
-    #[inline]
+    #[inline(never)]
     pub(super) fn at(t: Fraction<N>, part: Part) -> Self {
         Self { place: Place::At(t), t: t.n.estimate().over(t.e.estimate()), part }
     }
@@ -102,30 +102,49 @@ pub(super) enum Inside {
     InSurface,
 }
 
+/// What tells the order of its roots and of planes along a line.
+pub(super) trait Curve<N> {
+    /// How the place compares with the parameter `t`.
+    fn order_for_certain(&self, place: Place<N>, t: Fraction<N>) -> Option<Ordering>;
+}
+
+/// Nothing is curved: there are no roots.
+pub(super) struct Flat;
+
+impl<N: Number> Curve<N> for Flat {
+    fn order_for_certain(&self, place: Place<N>, t: Fraction<N>) -> Option<Ordering> {
+        match place {
+            Place::At(own) => own.order(t),
+            Place::First | Place::Second => None,
+        }
+    }
+}
+
 /// A quadric along the line: `f = a t^2 + 2 k t + c`.
 ///
 /// Of a line that departs from the quadric the start is a root by decree (rule 8 of the contract), whatever its rounded coordinates
 /// say: `c = 0`, the discriminant is `k^2`, and the other root is `-2 k / a`.
-pub(super) struct Quadratic<'a, N> {
-    form: Form<N>,
+pub(super) struct Quadratic<'a, N, F> {
+    form: F,
     line: &'a Line<N>,
     departs: bool,
     pub(super) a: N,
     pub(super) k: N,
-    /// Over the square of [`Form::factor`].
+    /// Over the square of [`Quadric::factor`].
     discriminant: N,
     pub(super) a_sign: Ordering,
     discriminant_sign: Ordering,
 }
 
-impl<'a, N: Number> Quadratic<'a, N> {
-    #[inline(always)]
-    pub(super) fn new(form: Form<N>, line: &'a Line<N>, departs: bool) -> Option<Self> {
+// Not inlined, although generic: a query has several of each, and what is left to a solver is seldom worth its code twice.
+impl<'a, N: Number, F: Quadric<N>> Quadratic<'a, N, F> {
+    #[inline(never)]
+    pub(super) fn new(form: F, line: &'a Line<N>, departs: bool) -> Option<Self> {
         let (o, d) = (Self::point(line), Self::along(line));
-        let a = form.of(d, d);
+        let a = of(form, d, d);
         let a_sign = a.sign()?;
         if departs {
-            let k = form.of(o, d);
+            let k = of(form, o, d);
             let discriminant_sign = if k.sign()? == Ordering::Equal { Ordering::Equal } else { Ordering::Greater };
             return Some(Self { form, line, departs, a, k, discriminant: N::ZERO, a_sign, discriminant_sign });
         }
@@ -133,7 +152,7 @@ impl<'a, N: Number> Quadratic<'a, N> {
         let discriminant_sign = discriminant.sign()?;
         // A miss needs no k.
         let misses = (a_sign, discriminant_sign) == (Ordering::Greater, Ordering::Less);
-        let k = if misses { N::ZERO } else { form.of(o, d) };
+        let k = if misses { N::ZERO } else { of(form, o, d) };
         Some(Self { form, line, departs, a, k, discriminant, a_sign, discriminant_sign })
     }
 
@@ -153,7 +172,7 @@ impl<'a, N: Number> Quadratic<'a, N> {
             return N::ZERO;
         }
         let o = Self::point(self.line);
-        self.form.of(o, o)
+        of(self.form, o, o)
     }
 
     #[inline(always)]
@@ -195,12 +214,67 @@ impl<'a, N: Number> Quadratic<'a, N> {
         // At the point e (o + t d), times e^2.
         let along = |i: usize| N::sum([[self.line.origin[i], t.e], [self.line.direction[i], t.n]]);
         let point = Homogeneous { v: [along(0), along(1), along(2)], w: Weight::By(t.e) };
-        self.form.of(point, point).sign()
+        of(self.form, point, point).sign()
     }
 
-    /// How the place compares with the parameter `t`.
+    /// The roots in order; of a linear function its only one, twice.
+    #[inline(always)]
+    pub(super) fn ends(&self) -> [End<N>; 2] {
+        let [first, second] = self.roots();
+        let end = |place: Place<N>, t: N::Estimate| End { place, t, part: Part::Side };
+        [end(Place::First, first), end(Place::Second, second)]
+    }
+
+    /// The interval between the roots.
+    #[inline(always)]
+    pub(super) fn between(&self, touch: bool) -> Interval<N> {
+        let [first, second] = self.ends();
+        Interval { enter: Some(first), exit: Some(second), touch }
+    }
+
+    /// The roots' parameters, approximately.
     #[inline(never)]
-    pub(super) fn order_for_certain(&self, place: Place<N>, t: Fraction<N>) -> Option<Ordering> {
+    fn roots(&self) -> [N::Estimate; 2] {
+        let (a, k) = (self.a.estimate(), self.k.estimate());
+        let zero = N::Estimate::ZERO;
+        if self.departs {
+            if self.a_sign == Ordering::Equal {
+                return [zero; 2];
+            }
+            let other = (-(k + k)).over(a);
+            return if k.sign() == Some(self.a_sign) { [other, zero] } else { [zero, other] };
+        }
+        let c = self.c().estimate();
+        if self.a_sign == Ordering::Equal {
+            return [(-c).over(k + k); 2];
+        }
+        let root = if self.discriminant_sign == Ordering::Greater {
+            let root = self.discriminant.estimate().square_root();
+            self.form.factor().map_or(root, |h| h.estimate() * root)
+        } else {
+            zero
+        };
+        // -k and the root are added where they have one sign; the other root is c over that sum (Press et al., *Numerical Recipes*,
+        // 5.6).
+        let [lower, upper] = match k.sign() {
+            Some(Ordering::Greater) => {
+                let q = -k - root;
+                [q.over(a), c.over(q)]
+            }
+            Some(Ordering::Less) => {
+                let q = root - k;
+                [c.over(q), q.over(a)]
+            }
+            // Next to nothing, or nothing: there is nothing to cancel.
+            _ => [(-k - root).over(a), (root - k).over(a)],
+        };
+        if self.a_sign == Ordering::Greater { [lower, upper] } else { [upper, lower] }
+    }
+}
+
+impl<N: Number, F: Quadric<N>> Curve<N> for Quadratic<'_, N, F> {
+    #[inline(never)]
+    fn order_for_certain(&self, place: Place<N>, t: Fraction<N>) -> Option<Ordering> {
         let second = match place {
             Place::At(own) => return own.order(t),
             Place::First => false,
@@ -239,58 +313,10 @@ impl<'a, N: Number> Quadratic<'a, N> {
             }
         })
     }
+}
 
-    /// The roots in order; of a linear function its only one, twice.
-    #[inline(always)]
-    pub(super) fn ends(&self) -> [End<N>; 2] {
-        let [first, second] = self.roots();
-        let end = |place: Place<N>, t: N::Estimate| End { place, t, part: Part::Side };
-        [end(Place::First, first), end(Place::Second, second)]
-    }
-
-    /// The interval between the roots.
-    #[inline(always)]
-    pub(super) fn between(&self, touch: bool) -> Interval<N> {
-        let [first, second] = self.ends();
-        Interval { enter: Some(first), exit: Some(second), touch }
-    }
-
-    /// The roots' parameters, approximately.
-    #[inline(always)]
-    fn roots(&self) -> [N::Estimate; 2] {
-        let (a, k) = (self.a.estimate(), self.k.estimate());
-        let zero = N::Estimate::ZERO;
-        if self.departs {
-            if self.a_sign == Ordering::Equal {
-                return [zero; 2];
-            }
-            let other = (-(k + k)).over(a);
-            return if k.sign() == Some(self.a_sign) { [other, zero] } else { [zero, other] };
-        }
-        let c = self.c().estimate();
-        if self.a_sign == Ordering::Equal {
-            return [(-c).over(k + k); 2];
-        }
-        let root = if self.discriminant_sign == Ordering::Greater {
-            let root = self.discriminant.estimate().square_root();
-            self.form.factor().map_or(root, |h| h.estimate() * root)
-        } else {
-            zero
-        };
-        // -k and the root are added where they have one sign; the other root is c over that sum (Press et al., *Numerical Recipes*,
-        // 5.6).
-        let [lower, upper] = match k.sign() {
-            Some(Ordering::Greater) => {
-                let q = -k - root;
-                [q.over(a), c.over(q)]
-            }
-            Some(Ordering::Less) => {
-                let q = root - k;
-                [c.over(q), q.over(a)]
-            }
-            // Next to nothing, or nothing: there is nothing to cancel.
-            _ => [(-k - root).over(a), (root - k).over(a)],
-        };
-        if self.a_sign == Ordering::Greater { [lower, upper] } else { [upper, lower] }
-    }
+/// `f(p, q)`
+#[inline(never)]
+fn of<N: Ring, F: Quadric<N>>(form: F, p: Homogeneous<N>, q: Homogeneous<N>) -> N {
+    form.of(p, q)
 }

@@ -1,7 +1,8 @@
 //! Balls, capsules and double cones.
 
-use super::form::{Form, Line};
-use super::quadratic::{End, Fraction, Inside, Interval, Quadratic, times};
+use super::form::{Ball, Cone, Line, Tube};
+use super::quadratic::Curve;
+use super::quadratic::{End, Flat, Fraction, Inside, Interval, Quadratic, times};
 use super::settle::{self, Of, inwards, span};
 use super::side::slab;
 use crate::intersection::{self, Intersection, Span};
@@ -14,16 +15,16 @@ use core::cmp::Ordering;
 #[inline(never)]
 pub(super) fn ball<S: Scalar, N: Of<S>>(line: &Line<N>, r: N, range: Range<S>) -> Option<Intersection<S>> {
     let departs = line.departure.is_some();
-    let quadratic = Quadratic::new(Form::Ball { r }, line, departs)?;
+    let quadratic = Quadratic::new(Ball { r }, line, departs)?;
     let Inside::Between(touch) = quadratic.inside()? else {
         // a > 0: no other case.
         return Some(Intersection::Miss);
     };
     let interval = quadratic.between(touch);
     Some(Intersection::One(if departs {
-        inwards(Some(&quadratic), interval.exit, range)?
+        inwards(&quadratic, interval.exit, range)?
     } else {
-        span(Some(&quadratic), interval, range)?
+        span(&quadratic, interval, range)?
     }))
 }
 
@@ -31,26 +32,26 @@ pub(super) fn ball<S: Scalar, N: Of<S>>(line: &Line<N>, r: N, range: Range<S>) -
 #[inline(never)]
 pub(super) fn double_cone<S: Scalar, N: Of<S>>(line: &Line<N>, slope: N, range: Range<S>) -> Option<Intersection<S>> {
     let leaving = line.departure.map(|(_, leaving)| leaving);
-    let quadratic = Quadratic::new(Form::slope(slope), line, leaving.is_some())?;
+    let quadratic = Quadratic::new(Cone::slope(slope), line, leaving.is_some())?;
     let inside = quadratic.inside()?;
     if let Some(leaving) = leaving {
         return departing_double_cone(&quadratic, inside, leaving, range);
     }
     let ends = || quadratic.ends().map(Some);
-    let one = |interval: Interval<N>| Some(Intersection::One(span(Some(&quadratic), interval, range)?));
+    let one = |interval: Interval<N>| Some(Intersection::One(span(&quadratic, interval, range)?));
     match inside {
         Inside::Nowhere => Some(Intersection::Miss),
         Inside::Between(touch) => one(quadratic.between(touch)),
         Inside::Beyond => {
             let [first, second] = ends();
-            let first = span(Some(&quadratic), Interval::new(None, first), range)?;
-            let second = span(Some(&quadratic), Interval::new(second, None), range)?;
+            let first = span(&quadratic, Interval::new(None, first), range)?;
+            let second = span(&quadratic, Interval::new(second, None), range)?;
             Some(in_order(first, second))
         }
         Inside::Until => one(Interval::new(None, ends()[0])),
         Inside::From => one(Interval::new(ends()[0], None)),
         Inside::Everywhere | Inside::InSurface => {
-            Some(Intersection::LiesIn(span(None, Interval::<N>::EVERYWHERE, range)?))
+            Some(Intersection::LiesIn(span(&Flat, Interval::<N>::EVERYWHERE, range)?))
         }
     }
 }
@@ -65,18 +66,18 @@ fn in_order<S: Scalar>(first: Span<S>, mut second: Span<S>) -> Intersection<S> {
 
 /// A double cone is not convex: a ray that leaves it outwards may meet the other nappe. One of the roots is the start.
 fn departing_double_cone<S: Scalar, N: Of<S>>(
-    quadratic: &Quadratic<'_, N>,
+    quadratic: &Quadratic<'_, N, Cone<N>>,
     inside: Inside,
     leaving: Leaving,
     range: Range<S>,
 ) -> Option<Intersection<S>> {
     let [first, second] = quadratic.ends();
-    let is_ahead = |end: &End<N>| Some(settle::compare(Some(quadratic), end, S::ZERO)? == Ordering::Greater);
-    let until = |end: Option<End<N>>| inwards(Some(quadratic), end, range);
-    let from = |end: End<N>| span(Some(quadratic), Interval::new(Some(end), None), range);
+    let is_ahead = |end: &End<N>| Some(settle::compare(quadratic, end, S::ZERO)? == Ordering::Greater);
+    let until = |end: Option<End<N>>| inwards(quadratic, end, range);
+    let from = |end: End<N>| span(quadratic, Interval::new(Some(end), None), range);
     Some(match (inside, leaving) {
         (Inside::Everywhere | Inside::InSurface, _) => {
-            Intersection::LiesIn(span(None, Interval::<N>::EVERYWHERE, range)?)
+            Intersection::LiesIn(span(&Flat, Interval::<N>::EVERYWHERE, range)?)
         }
         (Inside::Between(_), Leaving::Inwards) => Intersection::One(until(Some(second))?),
         // The other root is the entry into the other nappe.
@@ -100,7 +101,7 @@ pub(super) fn capsule<S: Scalar, N: Of<S>>(
     height: N,
     range: Range<S>,
 ) -> Option<Intersection<S>> {
-    let tube = Quadratic::new(Form::Tube { r }, line, line.departs_from(Part::Side))?;
+    let tube = Quadratic::new(Tube { r }, line, line.departs_from(Part::Side))?;
     let solver = Capsule { line, r, height, tube: &tube, climb: line.direction[1].sign()?, range };
     let interval = match tube.inside()? {
         Inside::Between(touch) => tube.between(touch),
@@ -113,9 +114,9 @@ pub(super) fn capsule<S: Scalar, N: Of<S>>(
             let touch = height.sign()? == Ordering::Equal;
             let [enter, exit] = [seams.enter, seams.exit].map(|end| end.map(End::of_side));
             if line.departure.is_some() {
-                return Some(Intersection::One(inwards(None, exit, range)?));
+                return Some(Intersection::One(inwards(&Flat, exit, range)?));
             }
-            return Some(Intersection::One(span(None, Interval { enter, exit, touch }, range)?));
+            return Some(Intersection::One(span(&Flat, Interval { enter, exit, touch }, range)?));
         }
         _ if line.departure.is_some() => Interval::new(None, Some(End::start(Part::Side))),
         _ => return Some(Intersection::Miss),
@@ -124,7 +125,7 @@ pub(super) fn capsule<S: Scalar, N: Of<S>>(
         // Where its coordinates say that it misses the ball that ends it, it ends where it starts.
         let exit = match solver.end(interval.exit, false)? {
             Some((exit, _)) => exit,
-            None => settle::exit(None, Some(End::<N>::start(part)), range, intersection::End::none(-S::INFINITY))?,
+            None => settle::exit(&Flat, Some(End::<N>::start(part)), range, intersection::End::none(-S::INFINITY))?,
         };
         return Some(Intersection::One(Span::new(intersection::End::none(-S::INFINITY), exit)));
     }
@@ -144,7 +145,7 @@ struct Capsule<'a, S: Scalar, N> {
     line: &'a Line<N>,
     r: N,
     height: N,
-    tube: &'a Quadratic<'a, N>,
+    tube: &'a Quadratic<'a, N, Tube<N>>,
     /// The sign of the direction's height.
     climb: Ordering,
     range: Range<S>,
@@ -182,7 +183,7 @@ impl<S: Scalar, N: Of<S>> Capsule<'_, S, N> {
         let [x, y, z] = self.line.origin;
         let y = if part == Part::Top { y - self.height } else { y };
         let seen = Line { origin: [x, y, z], ..*self.line };
-        let ball = Quadratic::new(Form::Ball { r: self.r }, &seen, self.line.departs_from(part))?;
+        let ball = Quadratic::new(Ball { r: self.r }, &seen, self.line.departs_from(part))?;
         let Inside::Between(touch) = ball.inside()? else {
             return Some(None);
         };
@@ -191,13 +192,13 @@ impl<S: Scalar, N: Of<S>> Capsule<'_, S, N> {
         Some(Some((self.settled(&ball, end, entering)?, touch)))
     }
 
-    fn settled(&self, quadratic: &Quadratic<'_, N>, end: End<N>, entering: bool) -> Option<intersection::End<S>> {
+    fn settled(&self, quadratic: &impl Curve<N>, end: End<N>, entering: bool) -> Option<intersection::End<S>> {
         if entering {
-            return settle::entry(Some(quadratic), Some(end), self.range);
+            return settle::entry(quadratic, Some(end), self.range);
         }
         if self.line.departure.is_some() {
-            return Some(inwards(Some(quadratic), Some(end), self.range)?.exit);
+            return Some(inwards(quadratic, Some(end), self.range)?.exit);
         }
-        settle::exit(Some(quadratic), Some(end), self.range, intersection::End::none(-S::INFINITY))
+        settle::exit(quadratic, Some(end), self.range, intersection::End::none(-S::INFINITY))
     }
 }

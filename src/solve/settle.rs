@@ -1,6 +1,6 @@
 //! From ends in computing numbers to an intersection in the ray's own.
 
-use super::quadratic::{End, Fraction, Interval, Quadratic};
+use super::quadratic::{Curve, End, Fraction, Interval};
 use crate::intersection::{self, Span};
 use crate::number::{Estimate, Number};
 use crate::ray::Range;
@@ -11,34 +11,22 @@ use core::cmp::Ordering;
 pub(crate) trait Of<S: Scalar>: FromScalar<S> + Number<Estimate: ToScalar<S> + FromScalar<S>> {}
 impl<S: Scalar, N: FromScalar<S> + Number<Estimate: ToScalar<S> + FromScalar<S>>> Of<S> for N {}
 
-/// How an end compares with a bound of the range. `None` for `quadratic` where no end is one of its roots.
-#[inline(always)]
-pub(super) fn compare<S: Scalar, N: Of<S>>(
-    quadratic: Option<&Quadratic<'_, N>>,
-    end: &End<N>,
-    bound: S,
-) -> Option<Ordering> {
-    end.t.compare(<N::Estimate as FromScalar<S>>::scalar(bound)).or_else(|| {
-        let bound = Fraction { n: N::scalar(bound), e: N::ONE };
-        match (end.place, quadratic) {
-            (super::quadratic::Place::At(t), _) => t.order(bound),
-            (place, quadratic) => quadratic?.order_for_certain(place, bound),
-        }
-    })
+/// How an end, a root of the curve or on a plane, compares with a bound of the range.
+#[inline(never)]
+pub(super) fn compare<S: Scalar, N: Of<S>>(curve: &impl Curve<N>, end: &End<N>, bound: S) -> Option<Ordering> {
+    end.t
+        .compare(<N::Estimate as FromScalar<S>>::scalar(bound))
+        .or_else(|| curve.order_for_certain(end.place, Fraction { n: N::scalar(bound), e: N::ONE }))
 }
 
 /// The `t` of an end and its part. Where its exact value decides whether it lies in the range, it is infinite before and beyond.
-#[inline(always)]
-fn settle<S: Scalar, N: Of<S>>(
-    quadratic: Option<&Quadratic<'_, N>>,
-    end: &End<N>,
-    range: Range<S>,
-) -> Option<intersection::End<S>> {
+#[inline(never)]
+fn settle<S: Scalar, N: Of<S>>(curve: &impl Curve<N>, end: &End<N>, range: Range<S>) -> Option<intersection::End<S>> {
     let t = if <N::Estimate as ToScalar<S>>::ROUNDING_DECIDES {
         end.t.rounded()?
-    } else if compare(quadratic, end, range.start())? == Ordering::Less {
+    } else if compare(curve, end, range.start())? == Ordering::Less {
         -S::INFINITY
-    } else if compare(quadratic, end, range.end())? == Ordering::Greater {
+    } else if compare(curve, end, range.end())? == Ordering::Greater {
         S::INFINITY
     } else {
         end.t.rounded()?
@@ -49,13 +37,13 @@ fn settle<S: Scalar, N: Of<S>>(
 /// The entry, or that there is none.
 #[inline(always)]
 pub(super) fn entry<S: Scalar, N: Of<S>>(
-    quadratic: Option<&Quadratic<'_, N>>,
+    curve: &impl Curve<N>,
     end: Option<End<N>>,
     range: Range<S>,
 ) -> Option<intersection::End<S>> {
     match end {
         None => Some(intersection::End::none(-S::INFINITY)),
-        Some(end) => settle(quadratic, &end, range),
+        Some(end) => settle(curve, &end, range),
     }
 }
 
@@ -63,27 +51,27 @@ pub(super) fn entry<S: Scalar, N: Of<S>>(
 /// other's side, and signs taken at their word may contradict each other.
 #[inline(always)]
 pub(super) fn exit<S: Scalar, N: Of<S>>(
-    quadratic: Option<&Quadratic<'_, N>>,
+    curve: &impl Curve<N>,
     end: Option<End<N>>,
     range: Range<S>,
     entry: intersection::End<S>,
 ) -> Option<intersection::End<S>> {
     let end = match end {
         None => intersection::End::none(S::INFINITY),
-        Some(end) => settle(quadratic, &end, range)?,
+        Some(end) => settle(curve, &end, range)?,
     };
     Some(if end.t < entry.t { intersection::End { t: entry.t, ..end } } else { end })
 }
 
 /// Both ends.
-#[inline(always)]
+#[inline(never)]
 pub(super) fn span<S: Scalar, N: Of<S>>(
-    quadratic: Option<&Quadratic<'_, N>>,
+    curve: &impl Curve<N>,
     interval: Interval<N>,
     range: Range<S>,
 ) -> Option<Span<S>> {
-    let enter = entry(quadratic, interval.enter, range)?;
-    let exit = exit(quadratic, interval.exit, range, enter)?;
+    let enter = entry(curve, interval.enter, range)?;
+    let exit = exit(curve, interval.exit, range, enter)?;
     // One point, whatever its two roundings.
     let exit = if interval.touch { intersection::End { t: enter.t, ..exit } } else { exit };
     Some(Span { enter, exit, touch: interval.touch })
@@ -91,14 +79,14 @@ pub(super) fn span<S: Scalar, N: Of<S>>(
 
 /// The interval of a ray that departs inwards: it has no entry, and an exit that rounding puts behind the start is at the start.
 pub(super) fn inwards<S: Scalar, N: Of<S>>(
-    quadratic: Option<&Quadratic<'_, N>>,
+    curve: &impl Curve<N>,
     end: Option<End<N>>,
     range: Range<S>,
 ) -> Option<Span<S>> {
     let end = match end {
-        Some(end) if compare(quadratic, &end, S::ZERO)? == Ordering::Less => Some(End::start(end.part)),
+        Some(end) if compare(curve, &end, S::ZERO)? == Ordering::Less => Some(End::start(end.part)),
         end => end,
     };
     let enter = intersection::End::none(-S::INFINITY);
-    Some(Span { enter, exit: exit(quadratic, end, range, enter)?, touch: false })
+    Some(Span { enter, exit: exit(curve, end, range, enter)?, touch: false })
 }

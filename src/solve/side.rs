@@ -1,25 +1,15 @@
 //! What lies within a side about the y axis, cylinder or cone, and between planes.
 
-use super::form::{Form, Homogeneous, Line, Weight};
+use super::form::{Form, Homogeneous, Line, Quadric, Weight};
 use super::quadratic::{End, Fraction, Inside, Interval, Place, Quadratic};
 use super::settle::{self, Of, inwards, span};
 use crate::figure::{Extent, Side};
 use crate::intersection::{self, Intersection, Span};
-use crate::number::{Number, Ring};
+use crate::number::Number;
 use crate::part::Part;
 use crate::ray::Range;
 use crate::scalar::Scalar;
 use core::cmp::Ordering;
-
-/// The side's quadric.
-#[inline(always)]
-pub(super) fn form_of<S, N: Ring>(side: Side<S>, number: impl Fn(S) -> N) -> Form<N> {
-    match side {
-        Side::Straight(radius) => Form::Tube { r: number(radius) },
-        Side::Slope(slope) => Form::slope(number(slope)),
-        Side::Radii(base, top, height) => Form::radii(number(base), number(top), number(height)),
-    }
-}
 
 /// The piece of the line with `low <= y <= high`, if any; its ends bear the parts of the two planes. The planes belong to the slab. The
 /// start of a line that departs from one of them lies on it.
@@ -60,8 +50,7 @@ enum Within<N: Number> {
 
 /// Where the line is inside a side. Of a cone only the nappe counts in which the outline is positive.
 #[inline(always)]
-fn within<N: Number>(quadratic: &Quadratic<'_, N>, side: Form<N>, line: &Line<N>) -> Option<Within<N>> {
-    let is_cone = matches!(side, Form::Cone { .. });
+fn within<N: Number, F: Quadric<N>>(quadratic: &Quadratic<'_, N, F>, side: F, line: &Line<N>) -> Option<Within<N>> {
     let g = || side.outline(Homogeneous { v: line.origin, w: Weight::One });
     let slope = || side.outline(Homogeneous { v: line.direction, w: Weight::Zero });
     let from = |end: End<N>| Within::In(Interval::new(Some(end), None));
@@ -71,7 +60,7 @@ fn within<N: Number>(quadratic: &Quadratic<'_, N>, side: Form<N>, line: &Line<N>
         Inside::Between(touch) => {
             // The outline at the vertex t = -k/a, which lies between the roots, has the sign of the nappe.
             let vertex = || N::sum([[g(), quadratic.a], [-slope(), quadratic.k]]);
-            let is_lower = is_cone && vertex().sign()? == Ordering::Less;
+            let is_lower = F::IS_CONE && vertex().sign()? == Ordering::Less;
             if is_lower { Within::Nowhere } else { Within::In(quadratic.between(touch)) }
         }
         // Steeper than the side: one half-line in each nappe; the outline grows with t if it rises.
@@ -97,8 +86,8 @@ fn within<N: Number>(quadratic: &Quadratic<'_, N>, side: Form<N>, line: &Line<N>
 /// The side's end or the plane's: the plane's if it comes as `counts` says. Where both end it at the same point, that is a rim, which
 /// the side owns (rule 5 of the contract).
 #[inline]
-fn choose<N: Number>(
-    quadratic: &Quadratic<'_, N>,
+fn choose<N: Number, F: Quadric<N>>(
+    quadratic: &Quadratic<'_, N, F>,
     own: Option<End<N>>,
     plane: Option<End<N>>,
     counts: Ordering,
@@ -112,8 +101,8 @@ fn choose<N: Number>(
 
 /// The side's interval between the planes (rule 1: one interval).
 #[inline]
-fn clip<N: Number>(
-    quadratic: &Quadratic<'_, N>,
+fn clip<N: Number, F: Quadric<N>>(
+    quadratic: &Quadratic<'_, N, F>,
     side: Interval<N>,
     planes: Interval<N>,
 ) -> Option<Option<Interval<N>>> {
@@ -143,39 +132,19 @@ pub(super) fn intersect<S: Scalar, N: Of<S>>(
     extent: Extent<S>,
     range: Range<S>,
 ) -> Option<Intersection<S>> {
-    match form_of(side, N::scalar) {
-        Form::Tube { r } => about_a_tube(line, r, extent, range),
-        form => about_a_cone(line, form, extent, range),
+    match Form::of_side(side, N::scalar) {
+        Form::Tube(tube) => within_a_side(line, tube, extent, range),
+        Form::Cone(cone) => within_a_side(line, cone, extent, range),
+        // No side is one.
+        Form::Ball(_) => None,
     }
 }
 
-/// [`within_a_side`] of a cylinder, by itself: what concerns cones is not in it.
+/// What lies within a side of this form.
 #[inline(never)]
-fn about_a_tube<S: Scalar, N: Of<S>>(
+fn within_a_side<S: Scalar, N: Of<S>, F: Quadric<N>>(
     line: &Line<N>,
-    r: N,
-    extent: Extent<S>,
-    range: Range<S>,
-) -> Option<Intersection<S>> {
-    within_a_side(line, Form::Tube { r }, extent, range)
-}
-
-/// [`within_a_side`] of a cone.
-#[inline(never)]
-fn about_a_cone<S: Scalar, N: Of<S>>(
-    line: &Line<N>,
-    form: Form<N>,
-    extent: Extent<S>,
-    range: Range<S>,
-) -> Option<Intersection<S>> {
-    let Form::Cone { h, g0, g1 } = form else { return None };
-    within_a_side(line, Form::Cone { h, g0, g1 }, extent, range)
-}
-
-#[inline(always)]
-fn within_a_side<S: Scalar, N: Of<S>>(
-    line: &Line<N>,
-    form: Form<N>,
+    form: F,
     extent: Extent<S>,
     range: Range<S>,
 ) -> Option<Intersection<S>> {
@@ -203,33 +172,33 @@ fn within_a_side<S: Scalar, N: Of<S>>(
             let [enter, exit] = [interval.enter, interval.exit].map(|end| end.map(End::of_side));
             let interval = Interval { enter, exit, ..interval };
             if matches!(extent, Extent::Capped(..)) && departs {
-                return Some(Intersection::One(inwards(Some(&quadratic), exit, range)?));
+                return Some(Intersection::One(inwards(&quadratic, exit, range)?));
             }
-            let span = span(Some(&quadratic), interval, range)?;
+            let span = span(&quadratic, interval, range)?;
             Some(if let Extent::Capped(..) = extent { Intersection::One(span) } else { Intersection::LiesIn(span) })
         }
         Within::Nowhere if departs && !is_open => {
             // Parallel to the axis, next to the wall, it ends at the plane; else its coordinates say that it only touches.
             let own = if quadratic.a_sign == Ordering::Equal { None } else { Some(End::start(Part::Side)) };
             let exit = choose(&quadratic, own, planes.exit, Ordering::Greater)?;
-            Some(Intersection::One(inwards(Some(&quadratic), exit, range)?))
+            Some(Intersection::One(inwards(&quadratic, exit, range)?))
         }
         Within::Nowhere => Some(Intersection::Miss),
         Within::In(interval) if departs && !is_open => {
             let exit = choose(&quadratic, interval.exit, planes.exit, Ordering::Greater)?;
-            Some(Intersection::One(inwards(Some(&quadratic), exit, range)?))
+            Some(Intersection::One(inwards(&quadratic, exit, range)?))
         }
         Within::In(interval) if is_open => on_the_side(&quadratic, interval, planes, range, departs),
         Within::In(interval) => Some(match clip(&quadratic, interval, planes)? {
-            Some(interval) => Intersection::One(span(Some(&quadratic), interval, range)?),
+            Some(interval) => Intersection::One(span(&quadratic, interval, range)?),
             None => Intersection::Miss,
         }),
     }
 }
 
 /// The ends of the interval that lie between the rims of an open side; the rims belong to it.
-fn on_the_side<S: Scalar, N: Of<S>>(
-    quadratic: &Quadratic<'_, N>,
+fn on_the_side<S: Scalar, N: Of<S>, F: Quadric<N>>(
+    quadratic: &Quadratic<'_, N, F>,
     interval: Interval<N>,
     planes: Interval<N>,
     range: Range<S>,
@@ -248,18 +217,18 @@ fn on_the_side<S: Scalar, N: Of<S>>(
         // From the inside of the wall the far wall is met; the start itself is not.
         let exit = on_surface(interval.exit)?;
         let is_ahead = match &exit {
-            Some(exit) => settle::compare(Some(quadratic), exit, S::ZERO)? == Ordering::Greater,
+            Some(exit) => settle::compare(quadratic, exit, S::ZERO)? == Ordering::Greater,
             None => false,
         };
         if !is_ahead {
             return Some(Intersection::Miss);
         }
         let enter = intersection::End::none(-S::INFINITY);
-        return Some(Intersection::Surface(Span::new(enter, settle::exit(Some(quadratic), exit, range, enter)?)));
+        return Some(Intersection::Surface(Span::new(enter, settle::exit(quadratic, exit, range, enter)?)));
     }
     let (enter, exit) = (on_surface(interval.enter)?, on_surface(interval.exit)?);
     if enter.is_none() && exit.is_none() {
         return Some(Intersection::Miss);
     }
-    Some(Intersection::Surface(span(Some(quadratic), Interval { enter, exit, touch: interval.touch }, range)?))
+    Some(Intersection::Surface(span(quadratic, Interval { enter, exit, touch: interval.touch }, range)?))
 }

@@ -1,7 +1,6 @@
 //! Where exactly on a surface a hit lies, and the surface's gradient there.
 
-use super::form::{Form, Homogeneous, Line, Weight};
-use super::side::form_of;
+use super::form::{Ball, Cone, Form, Homogeneous, Line, Quadric, Tube, Weight};
 use crate::figure::{Extent, Figure};
 use crate::hit::{Crossing, Hit};
 use crate::number::{Estimate, Ring, cross, difference, dot};
@@ -23,17 +22,17 @@ fn surface_of<S: Copy, N: Ring>(figure: &Figure<S>, part: Part, number: impl Fn(
     let zero = N::ZERO;
     let surface = match (*figure, part) {
         (Figure::Ball { radius }, _) | (Figure::Capsule { radius, .. }, Part::Base) => {
-            Surface::Quadric(Form::Ball { r: number(radius) })
+            Surface::Quadric(Form::Ball(Ball { r: number(radius) }))
         }
         (Figure::Capsule { radius, height }, Part::Top) => {
-            return (Surface::Quadric(Form::Ball { r: number(radius) }), number(height));
+            return (Surface::Quadric(Form::Ball(Ball { r: number(radius) })), number(height));
         }
-        (Figure::Capsule { radius, .. }, Part::Side) => Surface::Quadric(Form::Tube { r: number(radius) }),
-        (Figure::DoubleCone { slope }, _) => Surface::Quadric(Form::slope(number(slope))),
+        (Figure::Capsule { radius, .. }, Part::Side) => Surface::Quadric(Form::Tube(Tube { r: number(radius) })),
+        (Figure::DoubleCone { slope }, _) => Surface::Quadric(Form::Cone(Cone::slope(number(slope)))),
         (Figure::Round { extent: Extent::Open(height) | Extent::Capped(_, Some(height)), .. }, Part::Top) => {
             Surface::Across(number(height))
         }
-        (Figure::Round { side, .. }, Part::Side) => Surface::Quadric(form_of(side, number)),
+        (Figure::Round { side, .. }, Part::Side) => Surface::Quadric(Form::of_side(side, number)),
         (Figure::Round { .. } | Figure::Plane | Figure::Disc { .. }, _) => Surface::Across(zero),
         (Figure::Triangle { vertices }, _) => {
             let [a, b, c] = vertices.map(|vertex| vertex.map(number));
@@ -73,7 +72,7 @@ pub(crate) fn value<S: Copy, N: Ring>(
         }
         Surface::Quadric(form) => {
             let here = Homogeneous { v: p, w: Weight::One };
-            form.of(here, here)
+            form.at(here)
         }
     }
 }
@@ -92,7 +91,7 @@ pub(crate) fn correction<S: Scalar, N: FromScalar<S> + Estimate>(
         return quotient(-f, h + h);
     };
     let along = Homogeneous { v: d, w: Weight::Zero };
-    let a = form.of(along, along);
+    let a = form.at(along);
     // Where the curvature is nothing beside the slope, the slope alone.
     if let (Some(f_top), Some(h_top), Some(a_top)) = (f.top(), h.top(), a.top())
         && a_top + f_top < 2 * h_top - SMALL
@@ -127,10 +126,10 @@ pub(crate) fn gradient<S: Copy, N: Ring>(
     let (surface, centre) = surface_of(figure, part, number);
     let zero = N::ZERO;
     match surface {
-        Surface::Quadric(Form::Ball { .. }) => [x, y - centre, z],
-        Surface::Quadric(Form::Tube { .. }) => [x, zero, z],
-        Surface::Quadric(form @ Form::Cone { h, g1, .. }) => {
-            let g = form.outline(Homogeneous { v: [x, y, z], w: Weight::One });
+        Surface::Quadric(Form::Ball(_)) => [x, y - centre, z],
+        Surface::Quadric(Form::Tube(_)) => [x, zero, z],
+        Surface::Quadric(Form::Cone(cone @ Cone { h, g1, .. })) => {
+            let g = cone.outline(Homogeneous { v: [x, y, z], w: Weight::One });
             let hh = h * h;
             [hh * x, -(g1 * g), hh * z]
         }
