@@ -6,9 +6,13 @@
 //! | `picture` | a scene in flash, and its picture row by row |
 //! | `subject` | what is measured: solids, unplaced and placed, and the queries |
 //! | `rays` | seeded rays that hit, and others that miss |
+//! | `workload` | what users do: solids as they are placed, rays from near and far, departing rays |
+//! | `range_sensor` | a yard of forty solids, and the 64 zones of a sensor |
 #![no_std]
 
 pub mod digest;
 pub mod picture;
+pub mod range_sensor;
 pub mod rays;
 pub mod subject;
+pub mod workload;

@@ -1,14 +1,16 @@
 //! Runs this program under valgrind's callgrind and reads what it counted.
 //!
-//! Nothing is counted but within [`counted`], and whenever that function returns callgrind writes down what was counted since the
-//! last time: one valgrind for all cases, and nothing unsafe in here.
+//! Nothing is counted but within [`counted`] and whenever it returns callgrind writes down what was
+//! counted since the last time: one valgrind for all cases, and nothing unsafe in here.
 
 use crate::cost::{self, Case, Name, QUESTIONS};
+use crate::workloads::{self, Workload};
 use raylet_tables::Figures;
 use std::env;
 use std::error::Error;
-use std::fs;
+use std::fs::{self, File};
 use std::hint::black_box;
+use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -41,8 +43,49 @@ const COUNTED: &str = "instructions::callgrind::counted";
 
 /// What callgrind counts.
 #[inline(never)]
-fn counted(case: &Case) {
-    black_box(case).ask();
+fn counted(ask: &dyn Fn()) {
+    black_box(ask)();
+}
+
+/// Asks the queries of a workload, each by a function of its own, so that callgrind knows them apart.
+#[inline(never)]
+fn singly(workload: &Workload) {
+    for (index, question) in numbered::ALL.as_flattened().iter().enumerate().take(workload.queries) {
+        black_box(question)(black_box(workload), index);
+    }
+}
+
+/// What the hundred functions begin with in callgrind's text.
+const NUMBERED: &str = "instructions::callgrind::numbered::";
+
+/// A hundred functions that do the same, of different names.
+mod numbered {
+    use crate::workloads::Workload;
+    use std::hint::black_box;
+
+    macro_rules! units {
+        ($tens:ident: $($name:ident)+) => {
+            pub mod $tens {
+                use super::{Workload, black_box};
+                $(
+                    #[inline(never)]
+                    pub fn $name(workload: &Workload, index: usize) {
+                        // Another text in each: equal functions are merged.
+                        black_box(concat!(stringify!($tens), stringify!($name)));
+                        workload.ask(index);
+                    }
+                )+
+                pub const ALL: [fn(&Workload, usize); 10] = [$($name),+];
+            }
+        };
+    }
+    macro_rules! tens {
+        ($($tens:ident)+) => {
+            $(units!($tens: n0 n1 n2 n3 n4 n5 n6 n7 n8 n9);)+
+            pub const ALL: [[fn(&Workload, usize); 10]; 10] = [$($tens::ALL),+];
+        };
+    }
+    tens!(t0 t1 t2 t3 t4 t5 t6 t7 t8 t9);
 }
 
 /// Asks everything once: what this program does under valgrind.
@@ -50,35 +93,90 @@ fn counted(case: &Case) {
 /// In a thread: where the first one's stack begins depends on the length of the program's path and of the environment, and so
 /// would what copying takes, which looks at alignments.
 pub fn run_queries() {
-    let asking = std::thread::spawn(|| cases().iter().for_each(counted));
+    let asking = std::thread::spawn(|| {
+        for case in cases() {
+            counted(&|| case.ask());
+        }
+        let workloads = workloads::all();
+        // Callgrind counts calls, not instructions, outside of what is counted too, and forgets them when it has written them down: this
+        // part takes the calls by which the workloads were made.
+        counted(&|| workloads.iter().for_each(singly));
+        for workload in &workloads {
+            counted(&|| singly(workload));
+        }
+    });
     // Should it have failed, the figures are not complete, which is noticed.
     let _ = asking.join();
 }
 
-/// Instructions a question, for every case.
-pub fn count() -> Result<Figures, Box<dyn Error>> {
-    let file = env::temp_dir().join(format!("raylet-callgrind-{}", std::process::id()));
-    let totals = run(&file);
-    // The file is of no use to anyone, whatever became of it.
-    let _ = fs::remove_file(&file);
-    let (totals, cases) = (totals?, cases());
-    if totals.len() != cases.len() {
-        return Err(format!("callgrind counted {} cases of {}", totals.len(), cases.len()).into());
-    }
-    let nothing = totals.first().copied().unwrap_or_default();
-    let questions = QUESTIONS as u64;
-    let figures = cases.iter().zip(&totals).skip(1).map(|(case, total)| {
-        let net = total.saturating_sub(nothing);
-        (case.name.to_string(), (net + questions / 2) / questions)
-    });
-    Ok(figures.collect())
+/// What was counted.
+pub struct Counted {
+    /// Instructions a question, for every case.
+    pub cost: Figures,
+    /// Of every workload the mean, the 99 %, the worst, and how many of a hundred queries are left to the solver.
+    pub workloads: Figures,
 }
 
-/// Runs valgrind and reads the instructions of each case.
-fn run(file: &Path) -> Result<Vec<u64>, Box<dyn Error>> {
+/// Instructions a question, for every case and workload.
+pub fn count() -> Result<Counted, Box<dyn Error>> {
+    let file = env::temp_dir().join(format!("raylet-callgrind-{}", std::process::id()));
+    let parts = run(&file);
+    // The file is of no use to anyone, whatever became of it.
+    let _ = fs::remove_file(&file);
+    let (parts, cases, workloads) = (parts?, cases(), workloads::all());
+    let expected = cases.len() + 1 + workloads.len();
+    if parts.len() != expected {
+        return Err(format!("callgrind counted {} cases of {expected}", parts.len()).into());
+    }
+    let (of_cases, of_workloads) = parts.split_at(cases.len());
+    let nothing = of_cases.first().map_or(0, |part| part.instructions);
+    let questions = QUESTIONS as u64;
+    let cost = cases.iter().zip(of_cases).skip(1).map(|(case, part)| {
+        let net = part.instructions.saturating_sub(nothing);
+        (case.name.to_string(), (net + questions / 2) / questions)
+    });
+    let mut figures = Figures::new();
+    for (workload, part) in workloads.iter().zip(&of_workloads[1..]) {
+        if part.singly.len() != workload.queries {
+            return Err(format!("callgrind counted {} queries of {}", part.singly.len(), workload.name).into());
+        }
+        figures.extend(summary(&workload.name, part));
+    }
+    Ok(Counted { cost: cost.collect(), workloads: figures })
+}
+
+/// The figures of a workload, each under its name.
+fn summary(name: &str, part: &Part) -> Vec<(String, u64)> {
+    let mut counts: Vec<_> = part.singly.iter().map(|count| count.saturating_sub(ASKING)).collect();
+    counts.sort_unstable();
+    let Some(&worst) = counts.last() else { return vec![] };
+    let count = counts.len() as u64;
+    let mean = (counts.iter().sum::<u64>() + count / 2) / count;
+    let nearly_worst = counts[(counts.len() * 99).div_ceil(100).saturating_sub(1)];
+    let solved = (100 * part.solved + count / 2) / count;
+    [("mean", mean), ("99 %", nearly_worst), ("worst", worst), ("solved, %", solved)]
+        .map(|(what, figure)| (format!("{name} | {what}"), figure))
+        .into()
+}
+
+/// What it takes to come to a query and back: the numbered function, the closure and the call through a pointer.
+const ASKING: u64 = 25;
+
+/// What was counted until a function returned.
+#[derive(Default)]
+struct Part {
+    instructions: u64,
+    /// The same of each numbered function.
+    singly: Vec<u64>,
+    /// How often the solver was called by what is not of it.
+    solved: u64,
+}
+
+/// Runs valgrind and reads what it counted in each part.
+fn run(file: &Path) -> Result<Vec<Part>, Box<dyn Error>> {
     let program: PathBuf = env::current_exe()?;
     let status = Command::new("valgrind")
-        .args(["--quiet", "--tool=callgrind", "--combine-dumps=yes"])
+        .args(["--quiet", "--tool=callgrind", "--combine-dumps=yes", "--compress-strings=no"])
         .args([format!("--toggle-collect={COUNTED}"), format!("--dump-after={COUNTED}")])
         .arg(format!("--callgrind-out-file={}", file.display()))
         .arg(program)
@@ -89,20 +187,61 @@ fn run(file: &Path) -> Result<Vec<u64>, Box<dyn Error>> {
     if !status.success() {
         return Err(format!("valgrind: {status}").into());
     }
-    totals(&fs::read_to_string(file)?)
+    parts(BufReader::new(File::open(file)?))
 }
 
-/// The instructions of each part that the returning function ended; what follows the last is the end of the program.
-fn totals(text: &str) -> Result<Vec<u64>, Box<dyn Error>> {
-    let mut totals = Vec::new();
-    let mut by_the_function = false;
+/// The parts that a returning function ended; what follows the last is the end of the program.
+///
+/// `fn=` names a function, `cfn=` one that it calls, `calls=` says how often, and the line behind that ends with what these calls took.
+fn parts(text: impl BufRead) -> Result<Vec<Part>, Box<dyn Error>> {
+    let mut parts: Vec<Part> = Vec::new();
+    let (mut by_a_function, mut is_solver, mut callee, mut is_call) = (false, false, String::new(), false);
     for line in text.lines() {
+        let line = line?;
+        let number = |text: Option<&str>| -> Result<u64, Box<dyn Error>> {
+            Ok(text.unwrap_or_default().parse().map_err(|error| format!("{line}: {error}"))?)
+        };
         if let Some(trigger) = line.strip_prefix("desc: Trigger:") {
-            by_the_function = trigger.contains(COUNTED);
-        } else if let Some(total) = line.strip_prefix("summary:").filter(|_| by_the_function) {
-            let instructions = total.split_whitespace().next().unwrap_or_default();
-            totals.push(instructions.parse().map_err(|error| format!("{line}: {error}"))?);
+            by_a_function = trigger.contains(COUNTED);
+            continue;
+        }
+        if !by_a_function {
+            continue;
+        }
+        if let Some(total) = line.strip_prefix("summary:") {
+            let instructions = number(total.split_whitespace().next())?;
+            parts.push(Part { instructions, ..Part::default() });
+        }
+        let Some(part) = parts.last_mut() else { continue };
+        if let Some(name) = line.strip_prefix("fn=") {
+            is_solver = name.contains(SOLVER);
+        } else if let Some(name) = line.strip_prefix("cfn=") {
+            callee = name.into();
+        } else if let Some(calls) = line.strip_prefix("calls=") {
+            is_call = true;
+            if !is_solver && SOLVERS.iter().any(|solver| callee.contains(solver)) {
+                part.solved += number(calls.split_whitespace().next())?;
+            }
+        } else if is_call {
+            is_call = false;
+            if callee.starts_with(NUMBERED) {
+                part.singly.push(number(line.split_whitespace().last())?);
+            }
         }
     }
-    Ok(totals)
+    Ok(parts)
 }
+
+/// What is of the solver.
+const SOLVER: &str = "raylet::solve::";
+
+/// The solvers of the figures.
+const SOLVERS: [&str; 7] = [
+    "raylet::solve::round::ball",
+    "raylet::solve::round::capsule",
+    "raylet::solve::round::double_cone",
+    "raylet::solve::side::within_a_side",
+    "raylet::solve::flat::plane",
+    "raylet::solve::flat::disc",
+    "raylet::solve::flat::triangle",
+];

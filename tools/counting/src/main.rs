@@ -10,6 +10,7 @@
 mod callgrind;
 mod cost;
 mod document;
+mod workloads;
 
 use clap::Parser;
 use std::error::Error;

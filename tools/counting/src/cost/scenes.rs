@@ -42,7 +42,7 @@ fn of_objects<S: Scalar>(objects: Vec<Object<S>>) -> Option<Scene<'static, S>> {
 
 /// A ball with nine balls of a third of its radius on it, each with nine of its own, and so on: six on its equator and three above (after
 /// the "sphere flake" of Haines, *A Proposal for Standard Graphics Environments*, 1987, who turns each to its own axis).
-fn flake<S: Scalar>() -> Option<Scene<'static, S>> {
+pub fn flake<S: Scalar>(count: usize) -> Option<Vec<Object<S>>> {
     let directions = || {
         let around = |count: usize, start: f64, rise: f64| {
             let (up, aside) = (libm::sin(rise), libm::cos(rise));
@@ -54,7 +54,7 @@ fn flake<S: Scalar>() -> Option<Scene<'static, S>> {
         around(6, 0.0, 0.0).chain(around(3, 0.5, 1.0))
     };
     let mut balls = vec![([0.0; 3], 1.0)];
-    for parent in 0..FLAKE / 9 {
+    for parent in 0..count / 9 {
         let ([x, y, z], radius): ([f64; 3], f64) = balls[parent];
         let away = radius * 4.0 / 3.0;
         balls.extend(directions().map(|[dx, dy, dz]| ([x + away * dx, y + away * dy, z + away * dz], radius / 3.0)));
@@ -63,7 +63,7 @@ fn flake<S: Scalar>() -> Option<Scene<'static, S>> {
         let sphere = Shape::new(Sphere::new(S::from_f64(radius)?).ok()?);
         Some(Object::new(sphere.placed(Frame::at(Vec3::from_f64(centre)?).ok()?), 0))
     };
-    of_objects(balls.into_iter().map(object).collect::<Option<_>>()?)
+    balls.into_iter().map(object).collect()
 }
 
 /// The same scene with a hierarchy of boxes.
@@ -106,7 +106,7 @@ pub fn cases<S: Scalar>(number: &'static str) -> Vec<Case> {
             cases.extend(scene.into_iter().flat_map(|scene| of_scene(number, objects, walk, scene)));
         }
     }
-    if let Some(flake) = flake::<S>().and_then(in_boxes) {
+    if let Some(flake) = flake::<S>(FLAKE).and_then(of_objects).and_then(in_boxes) {
         cases.extend(of_scene(number, FLAKE, WALKS[1], flake));
     }
     cases

@@ -1,0 +1,95 @@
+//! What users do, query by query: the mean, the 99th of a hundred and the worst, and how many are left to the solver.
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | `pictures` | the tests that the rays of pictures put to objects |
+
+mod pictures;
+
+use fixed::types::{I16F16, I32F32};
+pub use pictures::PICTURES;
+use raylet::Scalar;
+use raylet::tier::{Exact, Fast, Stable, Tier};
+use shared::subject::question;
+use shared::workload::{PLACEMENTS, Placed, QUERIES, Query, RAYS, Rays, SENSED, SOLIDS_BY_NAME, query, sensed};
+use std::hint::black_box;
+
+/// Of the range sensor's queries every so many is asked, a hundred in all: no divisor of the number of solids or of zones.
+const EVERY: usize = 27;
+
+/// One row to be measured.
+pub struct Workload {
+    /// What is asked, in which number type and tier.
+    pub name: String,
+    /// How many queries.
+    pub queries: usize,
+    ask: Box<dyn Fn(usize) + Send + Sync>,
+}
+
+impl Workload {
+    fn new<S: Scalar, T: Tier<S>>(of: &str, number: &str, tier: &str, queries: Vec<Query<S>>) -> Self {
+        // The compiler must not know which function it is: it would make a copy of the call for each.
+        let question = black_box(question::nearest::<S, T, raylet::Shape<S>> as fn(&_, &_));
+        let count = queries.len();
+        let ask = move |index: usize| {
+            let Query { shape, ray } = &queries[index];
+            question(black_box(shape), black_box(ray));
+        };
+        Self { name: format!("{of} | {number} | {tier}"), queries: count, ask: Box::new(ask) }
+    }
+
+    /// One query.
+    #[inline]
+    pub fn ask(&self, index: usize) {
+        (self.ask)(index);
+    }
+}
+
+/// What a workload of one solid is called.
+pub fn of_solid(solid: &str, placed: Placed, rays: Rays) -> String {
+    format!("{solid}, {}, {}", placed.name(), rays.name())
+}
+
+/// What the range sensor is called.
+pub const RANGE_SENSOR: &str = "range sensor";
+
+/// What a picture is called.
+pub fn of_picture(picture: &str) -> String {
+    format!("picture of {picture}")
+}
+
+/// The queries of one number type, each kind with its name.
+fn queries<S: Scalar>() -> Vec<(String, Vec<Query<S>>)> {
+    let mut all = vec![];
+    for solid in SOLIDS_BY_NAME {
+        for placed in PLACEMENTS {
+            for rays in RAYS {
+                let queries = (0..QUERIES).filter_map(|index| query(solid, placed, rays, index)).collect();
+                all.push((of_solid(solid, placed, rays), queries));
+            }
+        }
+    }
+    all.push((RANGE_SENSOR.into(), (0..SENSED).step_by(EVERY).filter_map(sensed).take(QUERIES).collect()));
+    for (picture, tests) in PICTURES.iter().zip(pictures::tests()) {
+        all.push((of_picture(picture), tests));
+    }
+    all
+}
+
+macro_rules! number {
+    ($all:ident, $S:ty, $number:literal: $($T:ident)+) => {
+        for (of, queries) in queries::<$S>() {
+            $($all.push(Workload::new::<$S, $T>(&of, $number, stringify!($T), queries.clone()));)+
+        }
+    };
+}
+
+/// Every workload in every number type and tier, always in the same order.
+pub fn all() -> Vec<Workload> {
+    let mut all = vec![];
+    number!(all, f32, "f32": Fast Stable Exact);
+    number!(all, I16F16, "I16F16": Fast Stable Exact);
+    number!(all, f64, "f64": Stable);
+    number!(all, I32F32, "I32F32": Stable);
+    all
+}
