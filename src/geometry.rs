@@ -26,6 +26,11 @@ pub trait Geometry<S: Scalar>: Copy {
     fn fast_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
         place.fast_line(ray)
     }
+    /// Makes the line suit its lengths ([`FastPath::fast_fit`](crate::scalar::FastPath::fast_fit)).
+    #[inline(always)]
+    fn fit(&self, line: &mut LocalLine<S>) {
+        S::fast_fit(line, self.reach());
+    }
     /// The line for the fast path where [`Geometry::fast_line`] has none because the ray begins far away.
     #[inline(always)]
     fn far_line(&self, _place: &impl Place<S>, _ray: &Ray<S>) -> Option<LocalLine<S>> {

@@ -189,6 +189,7 @@ fn fast<S: Scalar, T: Guards, G: Geometry<S>>(
         return departing(&geometry.figure(), departure);
     }
     let Some(mut line) = geometry.fast_line(place, ray) else { return from_afar::<S, T, G>(geometry, place, ray) };
+    geometry.fit(&mut line);
     line.has_spare_bits = T::HAS_SPARE_BITS;
     in_own_t(place, &line, geometry.fast_intersection::<T>(&line))
 }
@@ -268,7 +269,8 @@ fn fast_ahead<S: Scalar, T: Guards, G: Geometry<S>>(geometry: &G, place: &impl P
     if let Some(departure) = ray.departure() {
         return departing(&geometry.figure(), departure);
     }
-    let Some(line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
+    let Some(mut line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
+    geometry.fit(&mut line);
     if line.start == S::ZERO && !line.is_coarse {
         return geometry.fast_occlusion::<T>(&line);
     }

@@ -201,6 +201,15 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
     }
 
     #[inline(always)]
+    fn fit(&self, line: &mut LocalLine<S>) {
+        let lengths = match self.outline {
+            Outline::Radii(base, top, height) => base.plus(top).plus(height),
+            Outline::Slope(_) => self.height().unwrap_or(S::ZERO),
+        };
+        S::fast_fit(line, lengths);
+    }
+
+    #[inline(always)]
     fn far_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
         place.far_line(ray, Vec3::ZERO)
     }

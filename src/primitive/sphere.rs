@@ -72,6 +72,10 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
         place.fast_ball_line(ray)
     }
 
+    /// Its line is only moved, and needs no finer units.
+    #[inline(always)]
+    fn fit(&self, _: &mut LocalLine<S>) {}
+
     #[inline(always)]
     fn second_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
         place.second_ball_line(ray)

@@ -111,6 +111,10 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
         place.fast_line_near(ray, self.vertices[0])
     }
 
+    /// Its kernel makes room itself, where that is wanted.
+    #[inline(always)]
+    fn fit(&self, _: &mut LocalLine<S>) {}
+
     #[inline(always)]
     fn far_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
         place.far_line(ray, self.vertices[0])

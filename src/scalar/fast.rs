@@ -212,6 +212,10 @@ pub trait FastPath: Numbers {
         None
     }
 
+    /// Makes the line suit a solid that reaches so far: of integers its origin keeps no more bits than leave room for the solid's lengths.
+    #[inline(always)]
+    fn fast_fit(_line: &mut LocalLine<Self>, _reach: Self) {}
+
     /// The line in the frame of this position and these axes, for a second attempt: by compensated sums, next to the frame's point `base`
     /// and relative to it.
     #[inline(always)]

@@ -75,6 +75,10 @@ macro_rules! primitives {
                 match self { $(Self::$Variant(p) => p.fast_line(place, ray),)+ }
             }
             #[inline(always)]
+            fn fit(&self, line: &mut LocalLine<S>) {
+                match self { $(Self::$Variant(p) => p.fit(line),)+ }
+            }
+            #[inline(always)]
             fn far_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
                 match self { $(Self::$Variant(p) => p.far_line(place, ray),)+ }
             }

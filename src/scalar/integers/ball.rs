@@ -1,6 +1,9 @@
 //! A line and a ball.
 
-use super::{half, high, high_product_signed, leading_zeros, magnitude_bits, product, root, round_off, square};
+use super::{
+    FINER, coarser, half, high, high_product_signed, leading_zeros, magnitude_bits, more_bits, product, root,
+    round_off, square,
+};
 use crate::scalar::Attempt;
 
 /// `|v|^2`
@@ -24,6 +27,8 @@ impl ByApproach {
     /// The origin is in units of `2^-finer` of the radius's.
     #[inline(always)]
     pub(in crate::scalar) fn new(o: [i32; 3], finer: i32, d: [i32; 3], r: i32) -> Attempt<Self> {
+        // For an origin that is kept finer there is no room here.
+        let (o, finer) = if finer > FINER { (coarser(o, (finer - FINER) as u32), FINER) } else { (o, finer) };
         // All lengths in the origin's unit, then on a grid on which none has more than 28 bits.
         if !(0..28).contains(&finer) {
             return Attempt::Unsure;
@@ -130,10 +135,11 @@ impl ByMoment {
     }
 
     /// How small the square of the root may be: a framed origin is off by a hundredth of a unit, of which a root a sixteenth of the radius
-    /// makes a sixth.
+    /// makes a sixth. With each bit that it is finer, the root may be half as large.
     #[inline(always)]
     fn most(&self, unframed: i32) -> i32 {
-        if self.unit == 30 { unframed } else { 8 }
+        let finer = self.unit as i32 - 30;
+        if finer == 0 { unframed } else { (8 + 2 * more_bits(finer, self.grid)).min(unframed) }
     }
 
     /// The two ends, in the radius's unit.

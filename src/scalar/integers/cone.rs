@@ -63,8 +63,8 @@ pub(in crate::scalar) fn nappe(o: [i32; 3], finer: i32, d: [i32; 3], [r, g, h]: 
     }
     // ... and t by no more than half a unit (in all that was measured, by a twentieth), if the root is not small against the moment.
     let spare = unit as i32 - 3 - a_digits.shift as i32;
-    // A framed origin is off by a hundredth of a unit.
-    let spare = if finer == 0 { spare } else { spare.min(4 - a_digits.shift as i32) };
+    // A framed origin is off by half of its own unit.
+    let spare = if finer == 0 { spare } else { spare.min(finer - 2 - a_digits.shift as i32) };
     if high(discriminant) <= 0 || spare < 0 {
         return Attempt::Unsure;
     }
@@ -74,8 +74,9 @@ pub(in crate::scalar) fn nappe(o: [i32; 3], finer: i32, d: [i32; 3], [r, g, h]: 
     }
     let k = product(x, dx) + product(z, dz) - product(y, dy);
     let divisor = a_digits.divisor();
-    // Farther away, the rounding of the direction counts.
-    let farthest = (1 << 24) >> divisor.shift;
+    // Farther away, the rounding of a turned direction counts, 2^-31 of t, of which a small root makes as much more.
+    let more = leading_zeros(root as u32) as i32 - leading_zeros(moment as u32) as i32 + 1;
+    let farthest = (1 << if finer == 0 { 24 } else { (28 - more).clamp(0, 24) }) >> divisor.shift;
     let end = |numerator: i64| match divisor.quotient(numerator, 30 + unit) {
         Some(t) if -farthest < t && t < farthest => (start.saturating_add(t), true),
         _ if (numerator < 0) == (a < 0) => (start.saturating_add(farthest), false),

@@ -18,8 +18,9 @@ pub(in crate::scalar) fn crossings(oy: i32, finer: i32, dy: i32, [low, high]: [i
     let Some(divisor) = Normalized::new((dy as i64) << 30).map(Normalized::divisor) else {
         return Attempt::Unsure;
     };
-    // A framed origin is rounded to a hundredth of a unit, which a line almost in the plane makes more of.
-    if finer != 0 && divisor.shift > 3 {
+    // A framed origin is rounded to half of its own unit, which a line almost in the plane makes more of; to an eighth of a unit at most.
+    let is_level = finer != 0 && divisor.shift > 3;
+    if is_level && divisor.shift as i32 > finer - 3 {
         return Attempt::Unsure;
     }
     let above = |y: i32| ((y as i64) << finer) - oy as i64;
@@ -30,6 +31,13 @@ pub(in crate::scalar) fn crossings(oy: i32, finer: i32, dy: i32, [low, high]: [i
     // With 28 bits more, so that the quotient has room for its fraction.
     let unit = 28 + finer as u32;
     match (divisor.quotient(low << 28, unit), divisor.quotient(high << 28, unit)) {
+        // The direction's rounding, 2^-31 of t, grows as the origin's does.
+        (Some(low), Some(high))
+            if is_level
+                && (magnitude_bits(low) | magnitude_bits(high)) >> 27_u32.saturating_sub(divisor.shift) != 0 =>
+        {
+            Attempt::Unsure
+        }
         (Some(low), Some(high)) => Attempt::Found([low, high]),
         _ => Attempt::Unsure,
     }
@@ -73,12 +81,11 @@ pub(in crate::scalar) fn disc(o: [i32; 3], finer: i32, d: [i32; 3], r: i32) -> A
 /// The height `oy + t dy`, rounded to the unit of `t`; the origin is in units of `2^-finer` of that.
 #[inline(always)]
 pub(in crate::scalar) fn height(oy: i32, finer: i32, dy: i32, t: i32) -> Attempt<i32> {
-    // Up to 2^24 the sum fits, and so does the height.
-    if !(0..7).contains(&finer) || magnitude_bits(t) >> 24 != 0 {
+    // Farther away, the rounding of a turned direction counts.
+    if !(0..=30).contains(&finer) || magnitude_bits(t) >> 24 != 0 {
         return Attempt::Unsure;
     }
-    let height = ((oy as i64) << 30) + (product(t, dy) << finer);
-    let height = round_off(height, (30 + finer) as u32);
+    let height = round_off(((oy as i64) << (30 - finer)) + product(t, dy), 30);
     if height == height as i32 as i64 { Attempt::Found(height as i32) } else { Attempt::Unsure }
 }
 

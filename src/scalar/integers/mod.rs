@@ -26,13 +26,20 @@ pub(super) use direction::direction;
 pub(super) use flat::{crossings, disc, height, lowered};
 pub(super) use round::tube;
 pub(super) use triangle::triangle;
-pub(super) use turned::{FINER, turned};
+pub(super) use turned::{FINER, coarser, fitting, turned};
 
 pub(super) use crate::number::machine::product;
 use crate::number::machine::{
     high_product, high_product_signed, leading_zeros, product_unsigned, reciprocal_of_normalized, reciprocal_root,
     root_of_normalized, square,
 };
+
+/// By how many bits an origin that is kept `finer` is so beyond [`FINER`], as far as a radius has them too: it has 29 bits on a grid `grid`
+/// bits finer.
+#[inline(always)]
+fn more_bits(finer: i32, grid: i32) -> i32 {
+    (finer - FINER).min(grid - 5).max(0)
+}
 
 /// The square root of a number of at least 2^32 and below 2^62, to within one.
 #[inline(always)]

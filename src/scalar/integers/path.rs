@@ -94,6 +94,14 @@ macro_rules! fast {
 
 fast!(FixedI32, LeEqU32, i32, integers, {
     #[inline(always)]
+    fn fast_fit(line: &mut LocalLine<Self>, reach: Self) {
+        let fitting = integers::fitting(reach.to_bits());
+        if line.finer > fitting {
+            let origin = integers::coarser(line.origin.map(Self::to_bits), (line.finer - fitting) as u32);
+            (line.origin, line.finer) = (origin.map(Self::from_bits), fitting);
+        }
+    }
+    #[inline(always)]
     fn fast_direction(v: [Self; 3]) -> Attempt<[Self::Unit; 3]> {
         Attempt::Found(found!(integers::direction(v.map(Self::to_bits))).map(FixedI32::from_bits))
     }
@@ -122,7 +130,15 @@ fast!(FixedI32, LeEqU32, i32, integers, {
     fn fast_triangle(line: LocalLine<Self>, vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {
         let (o, d) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits));
         let vertices = vertices.map(|vertex| vertex.map(Self::to_bits));
-        let (t, from_front) = found!(integers::triangle(o, line.finer, d, vertices));
+        let found = match integers::triangle(o, line.finer, d, vertices) {
+            // Its vertices may have left the origin too little room.
+            Attempt::Unsure if line.finer > integers::FINER => {
+                let origin = integers::coarser(o, (line.finer - integers::FINER) as u32);
+                integers::triangle(origin, integers::FINER, d, vertices)
+            }
+            found => found,
+        };
+        let (t, from_front) = found!(found);
         Attempt::Found((Self::from_bits(t), from_front))
     }
 });

@@ -1,7 +1,7 @@
 //! A line and the round sides: cylinder and cone, without their ends.
 
 use super::quotient::Normalized;
-use super::{half, high, high_product, leading_zeros, product, root, square};
+use super::{half, high, high_product, leading_zeros, more_bits, product, root, square};
 use crate::scalar::Attempt;
 
 /// Where the line is inside the infinite cylinder about the y axis: `a = dx^2 + dz^2`, `D = a r^2 - w_y^2`, `t = (-k -+ sqrt(D)) / a`.
@@ -41,8 +41,8 @@ pub(in crate::scalar) fn tube(o: [i32; 3], finer: i32, d: [i32; 3], r: i32) -> A
     // radius, a fifth).
     let spare = grid - digits.shift as i32;
     // A framed origin is off by a hundredth of a unit, of which a root a sixteenth of the radius makes a sixth, and so does a direction
-    // at an eighth to the axis.
-    let (most, steep) = if finer == 0 { (22, 63) } else { (8, 6) };
+    // at an eighth to the axis. With each bit that it is finer, the root may be half as large.
+    let (most, steep) = if finer == 0 { (22, 63) } else { (8 + 2 * more_bits(finer, grid), 6) };
     if spare < 4 || digits.shift > steep || high(discriminant) <= high(positive) >> (2 * (spare - 5)).clamp(3, most) {
         return Attempt::Unsure;
     }

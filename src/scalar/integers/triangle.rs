@@ -86,8 +86,8 @@ fn crossing(a: [i32; 3], finer: i32, d: [i32; 3], [u, v, w]: [[i32; 3]; 3], from
     let Some(digits) = Normalized::new(slope).filter(|_| (slope < 0) == from_front) else {
         return Attempt::Unsure;
     };
-    // A framed origin and direction are off by a hundredth of a unit and by 2^-31, which an angle makes more of.
-    if finer != 0 && digits.shift > 2 {
+    // A framed origin and direction are off by half of the origin's unit and by 2^-31, which an angle makes more of.
+    if finer != 0 && digits.shift as i32 > finer - 4 {
         return Attempt::Unsure;
     }
     let farthest = if finer == 0 { 1 << 28 } else { (1 << 26) >> digits.shift };

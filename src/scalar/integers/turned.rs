@@ -1,9 +1,15 @@
 //! A line seen from a frame.
 
-use super::{high, magnitude_bits, product};
+use super::{high, leading_zeros, magnitude_bits, product, round_off};
 
-/// How much finer than the type's unit the origin is kept: its rounding is then a hundredth of a unit.
+/// How much finer than the type's unit the origin is kept at least: its rounding is then a hundredth of a unit.
 pub(in crate::scalar) const FINER: i32 = 6;
+
+/// The same next to the frame's origin, at most.
+const FINEST: i32 = 12;
+
+/// Bits of the lengths of a line that is kept finer than [`FINER`]: one less than there is room for, so that two may be added.
+const LENGTH_BITS: i32 = 29;
 
 /// The same of a line that passes far away: its rounding, a sixteenth of a unit, is too much for a hit, but not for a miss.
 pub(in crate::scalar) const COARSE: i32 = 3;
@@ -14,7 +20,7 @@ pub(in crate::scalar) struct Turned {
     pub(in crate::scalar) start: i32,
     /// The point in units of `2^-finer` of the type's.
     pub(in crate::scalar) origin: [i32; 3],
-    /// [`FINER`] or [`COARSE`].
+    /// From [`FINER`] to [`FINEST`], or [`COARSE`].
     pub(in crate::scalar) finer: i32,
     pub(in crate::scalar) direction: [i32; 3],
 }
@@ -25,8 +31,13 @@ pub(in crate::scalar) fn turned(o: [i32; 3], position: [i32; 3], axes: [[i32; 3]
     let apart = |o: i32, position: i32| o.wrapping_sub(position);
     let from = [apart(o[0], position[0]), apart(o[1], position[1]), apart(o[2], position[2])];
     // Up to 2^24 from the frame's origin on each axis, all products fit, and so does the result.
-    let (start, point, finer) =
-        if is_near(from) { (0, from.map(|length| length << FINER), FINER) } else { closest(from, d)? };
+    let bits = magnitude_bits(from[0]) | magnitude_bits(from[1]) | magnitude_bits(from[2]);
+    let (start, point, finer) = if bits >> 24 == 0 {
+        let finer = room(bits).clamp(FINER, FINEST);
+        (0, from.map(|length| length << finer), finer)
+    } else {
+        closest(from, d)?
+    };
     let nearest = |n: i64| high((n + (1 << 29)) << 2);
     let (origin, direction) = (axes.map(|axis| nearest(dot(point, axis))), axes.map(|axis| nearest(dot(d, axis))));
     Some(Turned { start, origin, finer, direction })
@@ -37,9 +48,23 @@ fn dot([x, y, z]: [i32; 3], [a, b, c]: [i32; 3]) -> i64 {
     product(x, a) + product(y, b) + product(z, c)
 }
 
+/// How much finer lengths may be, of which the longest has these bits.
 #[inline(always)]
-fn is_near([x, y, z]: [i32; 3]) -> bool {
-    (magnitude_bits(x) | magnitude_bits(y) | magnitude_bits(z)) >> 24 == 0
+fn room(bits: u32) -> i32 {
+    LENGTH_BITS - 32 + leading_zeros(bits | 1) as i32
+}
+
+/// How much finer a turned line may be kept, for a solid that reaches so far: so fine that its lengths have room too.
+#[inline(always)]
+pub(in crate::scalar) fn fitting(reach: i32) -> i32 {
+    room(reach as u32).max(FINER)
+}
+
+/// The point in a unit by so many bits larger.
+#[cold]
+#[inline(never)]
+pub(in crate::scalar) fn coarser(origin: [i32; 3], bits: u32) -> [i32; 3] {
+    origin.map(|length| round_off(length as i64, bits) as i32)
 }
 
 /// The whole unit of `t` next to the point closest to the frame's origin, and that point in units of `2^-finer`.
@@ -53,11 +78,13 @@ fn closest(from: [i32; 3], d: [i32; 3]) -> Option<(i32, [i32; 3], i32)> {
     // Exact in units of 2^-30.
     let walked = |from: i32, d: i32| ((from as i64) << 30) + product(t, d);
     let exact = [walked(from[0], d[0]), walked(from[1], d[1]), walked(from[2], d[2])];
-    let is_within = |bits: i32| exact.iter().all(|length| length.unsigned_abs() >> (30 + bits) == 0);
-    let finer = if is_within(24) { FINER } else { COARSE };
-    if !is_within(27) {
-        return None;
-    }
+    // What is left over of its whole units is rounded away only once, however far the ray begins.
+    let bits = exact.into_iter().fold(0, |all, length| all | length.unsigned_abs()) >> 30;
+    let finer = match bits {
+        0..0x100_0000 => room(bits as u32).clamp(FINER, FINEST),
+        0x100_0000..0x800_0000 => COARSE,
+        _ => return None,
+    };
     let rounded = |length: i64| ((length + (1 << (29 - finer))) >> (30 - finer)) as i32;
     Some((t, [rounded(exact[0]), rounded(exact[1]), rounded(exact[2])], finer))
 }
