@@ -137,7 +137,11 @@ macro_rules! every_subject {
             "disc" Disc::new(n::<$S>(8)).ok();
             "triangle" triangle::<$S>();
             "cylinder, capped, as a shape" Cylinder::capped(n::<$S>(8), n(12)).ok().map(Shape::new);
+            "sphere, framed" Sphere::new(n::<$S>(8)).ok().map(Shape::new).and_then(framed);
             "cylinder, capped, framed" Cylinder::capped(n::<$S>(8), n(12)).ok().map(Shape::new).and_then(framed);
+            "cone, capped, framed" Cone::capped(n::<$S>(6), n(12)).ok().map(Shape::new).and_then(framed);
+            "disc, framed" Disc::new(n::<$S>(8)).ok().map(Shape::new).and_then(framed);
+            "triangle, framed" triangle::<$S>().map(Shape::new).and_then(framed);
             "cylinder, capped, stretched" Cylinder::capped(n::<$S>(8), n(12)).ok().map(Shape::new).and_then(stretched);
         );
     }};

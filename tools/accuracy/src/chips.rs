@@ -41,7 +41,7 @@ fn subject(row: &Figures) -> Option<String> {
     // The firmware's frames turn; none only moves.
     let places = [("turned", "framed"), ("stretched", "stretched")];
     let (_, place) = places.into_iter().find(|(placed, _)| row.placed.starts_with(placed))?;
-    (row.primitive == "cylinder capped").then(|| format!("{name}, {place}"))
+    Some(format!("{name}, {place}"))
 }
 
 impl Chip {

@@ -9,7 +9,7 @@ pub const CHIPS: [(&str, &str); 4] = [
 ];
 
 /// The subjects, as the programs that count instructions name them.
-pub const SUBJECTS: [&str; 16] = [
+pub const SUBJECTS: [&str; 20] = [
     "sphere",
     "cylinder, infinite",
     "cylinder, open",
@@ -24,6 +24,10 @@ pub const SUBJECTS: [&str; 16] = [
     "disc",
     "triangle",
     "cylinder, capped, as a shape",
+    "sphere, framed",
     "cylinder, capped, framed",
+    "cone, capped, framed",
+    "disc, framed",
+    "triangle, framed",
     "cylinder, capped, stretched",
 ];

@@ -24,14 +24,14 @@ fn errors(study: &Study) -> Option<String> {
     Some(table.done())
 }
 
-/// What a sphere costs.
+/// What a placed sphere costs.
 pub fn costs(study: &Study) -> String {
     let chips = study.chips.iter().map(|chip| chip.name.to_string());
     let titles = ["number", "tier", "99.9 % error", "host"].map(String::from).into_iter().chain(chips);
     let mut table = Table::new(&titles.collect::<Vec<_>>(), 2);
     for number in NUMBERS {
         for tier in TIERS {
-            let Some(row) = study.row(number, tier, "sphere", "benign") else { continue };
+            let Some(row) = study.row(number, tier, "sphere", "benign, turned") else { continue };
             let mut cells = vec![format!("`{number}`"), format!("`{tier}`"), length(row.lengths[1])];
             if tier == "Textbook" {
                 cells[1] = "textbook".into();
