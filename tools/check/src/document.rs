@@ -1,7 +1,7 @@
 //! `docs/microcontrollers.md`: the baselines as tables.
 
 use crate::chip::{self, Part};
-use crate::{cost, effects_table, marks, size};
+use crate::{cost, effects, effects_table, marks, size};
 use raylet_tables::markdown::{head, row};
 use raylet_tables::{Baseline, CHIPS, Outcome, SUBJECTS, grouped, in_repository};
 use std::fmt::Write;
@@ -47,6 +47,38 @@ fn cell(baseline: &Baseline, subject: &str, query: &str, number: &str, tier: &st
         (Some(hit), None) => hit,
         _ => "–".into(),
     }
+}
+
+/// What the uses of the library take: all solids placed anyhow, and pictures of them.
+fn whole_uses(text: &mut String, chips: &[(&str, Baseline)]) {
+    text.push_str(
+        "## Whole uses\n\nBytes of flash over those of a program that does nothing, bytes of stack at most, and instructions, in `Stable`. The *range sensor* has any solid, placed \
+         anyhow (`Shape`): instructions of one test of one of its zones against one of its forty solids, 1 to 200 metres away, most of them upright; its stack is the \
+         largest of all nearest hits below. The *picture* is that of the effects below, with any solid in it: instructions a pixel, with all effects of several samples at edges. Flash depends on the \
+         profile: `opt-level = 3`, which is the fastest.\n\n",
+    );
+    head(text, ["use", "number", "chip", "flash", "stack", "instructions"].map(String::from));
+    for number in effects::NUMBERS {
+        for (chip, baseline) in chips {
+            let cost = |subject: &str, of: &str| {
+                Part::Cost.figure(baseline, &cost::key(subject, "nearest", number, "Stable", of))
+            };
+            let deepest = SUBJECTS.iter().filter_map(|subject| cost(subject, "stack")).max();
+            let flash = Part::Size.figure(baseline, &size::key(size::SHAPE, [number, "Stable"]));
+            let mut line = |of: &str, figures: [Option<u64>; 3]| {
+                let figures = figures.map(|figure| figure.map_or("–".into(), grouped));
+                row(text, [of, number, chip].map(String::from).into_iter().chain(figures));
+            };
+            line("range sensor", [flash, deepest, cost("range sensor", "hit")]);
+            let ends = [("picture, no effects", effects::SETS.first()), ("picture, all effects", effects::SETS.last())];
+            for (name, set) in ends.into_iter().filter_map(|(name, set)| Some((name, set?.1))) {
+                let figure = |what: &str| Part::Effects.figure(baseline, &effects::key(set, number, what));
+                let flash = Part::Size.figure(baseline, &effects::key(set, number, "bytes"));
+                line(name, [flash, figure("stack"), figure("instructions")]);
+            }
+        }
+    }
+    text.push('\n');
 }
 
 /// A few primitives on all chips, beside the textbook.
@@ -113,8 +145,8 @@ fn one_chip(text: &mut String, chip: &str, baseline: &Baseline) {
 /// Bytes of flash.
 fn sizes(text: &mut String, chips: &[(&str, Baseline)]) {
     text.push_str(
-        "\n## Flash\n\nBytes of code and constants of a program that asks one primitive for its nearest hit, over those of a program that does nothing. \
-         Two primitives share much of it: the number type's arithmetic is counted with each.\n\n",
+        "\n## Flash\n\nBytes of code and constants of a program that asks one primitive for its nearest hit, over those of a program that does nothing; \
+         `shape` is any of them, placed anyhow. Two primitives share much of it: the number type's arithmetic is counted with each.\n\n",
     );
     let titles = chips.iter().map(|(chip, _)| (*chip).to_string());
     head(text, ["", "number", "tier"].map(String::from).into_iter().chain(titles));
@@ -137,6 +169,7 @@ fn text() -> Outcome<String> {
     if let Some((_, baseline)) = chips.first() {
         let _ = write!(text, "Compiler: {}.\n\n", baseline.compiler);
     }
+    whole_uses(&mut text, &chips);
     marks::table(&mut text, &chips);
     comparison(&mut text, &chips);
     for (chip, baseline) in &chips {

@@ -5,8 +5,11 @@ use crate::{effects, programs};
 use raylet_tables::{Figures, Outcome};
 use std::path::Path;
 
-/// The primitives.
-pub const PRIMITIVES: [&str; 7] = ["sphere", "cylinder", "cone", "capsule", "plane", "disc", "triangle"];
+/// The primitives, and any of them as it is placed.
+pub const PRIMITIVES: [&str; 8] = ["sphere", "cylinder", "cone", "capsule", "plane", "disc", "triangle", SHAPE];
+
+/// Any primitive as it is placed.
+pub const SHAPE: &str = "shape";
 
 /// Number types and tiers.
 pub const KINDS: [[&str; 2]; 4] = [["f32", "Fast"], ["f32", "Stable"], ["I16F16", "Fast"], ["I16F16", "Stable"]];

@@ -19,6 +19,7 @@ use raylet::{Hit, Ray, Scalar};
 use shared::every_subject;
 use shared::rays::{RAYS, rays};
 use shared::subject::{Subject, question};
+use shared::workload::{Query, SENSED, sensed};
 use textbook::Plain;
 
 /// One figure.
@@ -124,9 +125,26 @@ macro_rules! measure {
     }};
 }
 
+/// Of the range sensor's tests every so many is measured: no divisor of the number of solids or of zones.
+const EVERY: usize = 37;
+
+/// The tests of the range sensor: each zone tests each solid. None is told apart from another: most miss.
+#[inline(never)]
+fn sensor<S: Scalar, T: Tier<S>>(names: Names, report: Report<'_>) {
+    let mut tests = heapless::Vec::<Query<S>, { SENSED.div_ceil(EVERY) }>::new();
+    for query in (0..SENSED).step_by(EVERY).filter_map(sensed) {
+        // There is room for all of them.
+        let _ = tests.push(query);
+    }
+    let query: fn(&(), &Query<S>) = |(), test| question::nearest::<S, T, _>(&test.shape, &test.ray);
+    report(names.row("nearest", Of::Hit, instructions(&(), &tests, query)));
+    report(names.row("nearest", Of::Stack, stack(&(), &tests, query)));
+}
+
 /// Every subject in one number type.
 macro_rules! number {
     ($report:expr, $S:ty, $number:literal: $($T:ident)+) => {{
+        $(sensor::<$S, $T>(Names { subject: "range sensor", number: $number, tier: stringify!($T) }, $report);)+
         every_subject!($S, |name, subject| measure!(subject, name, $report, $S, $number: $($T)+));
         textbook::<$S>($number, $report);
     }};
