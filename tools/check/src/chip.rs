@@ -22,6 +22,8 @@ pub struct Chip {
 pub enum Part {
     /// Instructions and bytes of stack of a query.
     Cost,
+    /// Instructions of what users do, query by query.
+    Workload,
     /// Bytes a primitive, and a set of effects.
     Size,
     /// Instructions and bytes of stack a pixel, for each set of effects.
@@ -34,6 +36,7 @@ impl Part {
     const fn name(self) -> &'static str {
         match self {
             Self::Cost => "cost",
+            Self::Workload => "workload",
             Self::Size => "size",
             Self::Effects => "effects",
             Self::Gallery => "gallery",
@@ -43,10 +46,16 @@ impl Part {
     const fn unit(self) -> &'static str {
         match self {
             Self::Cost => "instructions and bytes of stack",
+            Self::Workload => "instructions of what users do",
             Self::Size => "bytes",
             Self::Effects => "instructions and bytes of stack",
             Self::Gallery => "instructions and rays",
         }
+    }
+
+    /// All figures of this part.
+    pub fn figures(self, baseline: &Baseline) -> &Figures {
+        baseline.part(self.name())
     }
 
     /// A figure of this part.
@@ -92,7 +101,7 @@ mod tests {
         for (target, _) in CHIPS {
             let baseline = baseline(target).expect("it is in the repository");
             assert_eq!(baseline.machine, target);
-            for part in [Part::Cost, Part::Size, Part::Effects] {
+            for part in [Part::Cost, Part::Workload, Part::Size, Part::Effects] {
                 assert!(!baseline.part(part.name()).is_empty(), "{target}: {}", part.name());
             }
         }

@@ -1,4 +1,4 @@
-//! What the program `cost` printed.
+//! What the programs `cost` and `workloads` printed.
 
 use raylet_tables::{Figures, Outcome};
 use serde::Deserialize;
@@ -28,4 +28,31 @@ pub fn read(path: &Path) -> Outcome<Figures> {
         figures.insert(key(&row.subject, &row.query, &row.number, &row.tier, &row.of), row.figure);
     }
     Ok(figures)
+}
+
+#[derive(Deserialize)]
+struct WorkloadRow {
+    of: String,
+    number: String,
+    tier: String,
+    mean: u64,
+    nearly: u64,
+    worst: u64,
+}
+
+/// Reads what the program `workloads` printed: three figures a line.
+pub fn read_workloads(path: &Path) -> Outcome<Figures> {
+    let mut figures = Figures::new();
+    for line in fs::read_to_string(path)?.lines() {
+        let row: WorkloadRow = serde_json::from_str(line).map_err(|error| format!("{line}: {error}"))?;
+        for (what, figure) in [("mean", row.mean), ("99 %", row.nearly), ("worst", row.worst)] {
+            figures.insert(workload_key(&row.of, &row.number, &row.tier, what), figure);
+        }
+    }
+    Ok(figures)
+}
+
+/// The name of a figure of a workload in a baseline; `what` is `mean`, `99 %` or `worst`.
+pub fn workload_key(of: &str, number: &str, tier: &str, what: &str) -> String {
+    format!("{of} | {number} | {tier} | {what}")
 }

@@ -26,7 +26,8 @@ What a query costs on four chips in instructions and in stack, how much flash a 
 
 The figures are **instructions, never cycles**: a chip takes one or more cycles for each, depending on its pipeline and on its
 memory. They are counted by QEMU (`-icount shift=0`: its clock advances by one nanosecond an instruction), so that they are
-the same on every run. Each is the mean over 64 seeded rays that start 2 to 6 units away; all of them hit, or all miss. A
+the same on every run. Where nothing else is said, each is the mean over 64 seeded rays that start 2 to 6 units away; all of them hit, or all miss. What users do is
+described in [benches.md](benches.md). A
 function that is not inlined asks the question, and what a function takes that does nothing is subtracted, with the loop. The
 programs are built with `opt-level = 3`, link-time optimisation and one codegen unit.
 
@@ -102,6 +103,38 @@ fn comparison(text: &mut String, chips: &[(&str, Baseline)]) {
     }
 }
 
+/// What users do, on one chip.
+fn workloads(text: &mut String, chip: &str, baseline: &Baseline) {
+    const KINDS: [(&str, &str); 8] = [
+        ("I16F16", "Fast"),
+        ("I16F16", "Stable"),
+        ("I16F16", "Exact"),
+        ("f32", "Fast"),
+        ("f32", "Stable"),
+        ("f32", "Exact"),
+        ("I32F32", "Stable"),
+        ("f64", "Stable"),
+    ];
+    let _ = write!(
+        text,
+        "\n## What users do: {chip}\n\nInstructions of a nearest hit, each of a hundred queries by itself: the mean (the worst).\n\n"
+    );
+    head(text, std::iter::once(String::new()).chain(KINDS.map(|(number, tier)| format!("{number} {tier}"))));
+    let names: std::collections::BTreeSet<_> =
+        Part::Workload.figures(baseline).keys().filter_map(|key| key.split(" | ").next()).collect();
+    for of in names {
+        let cells = KINDS.map(|(number, tier)| {
+            let figure =
+                |what| Part::Workload.figure(baseline, &cost::workload_key(of, number, tier, what)).map(grouped);
+            match (figure("mean"), figure("worst")) {
+                (Some(mean), Some(worst)) => format!("{mean} ({worst})"),
+                _ => "–".into(),
+            }
+        });
+        row(text, std::iter::once(of.to_string()).chain(cells));
+    }
+}
+
 /// Every primitive on one chip.
 fn one_chip(text: &mut String, chip: &str, baseline: &Baseline) {
     let _ = write!(text, "\n## {chip}\n\nThe nearest hit; instructions: hit / miss.\n\n");
@@ -172,6 +205,9 @@ fn text() -> Outcome<String> {
     whole_uses(&mut text, &chips);
     marks::table(&mut text, &chips);
     comparison(&mut text, &chips);
+    for (chip, baseline) in &chips {
+        workloads(&mut text, chip, baseline);
+    }
     for (chip, baseline) in &chips {
         one_chip(&mut text, chip, baseline);
     }

@@ -72,6 +72,13 @@ enum Command {
         /// What the program `effects` printed.
         output: PathBuf,
     },
+    /// Compares what users' queries cost with the baseline.
+    Workloads {
+        #[command(flatten)]
+        chip: Chip,
+        /// What the program `workloads` printed.
+        output: PathBuf,
+    },
     /// Compares what the pictures of the gallery cost with the baseline.
     Gallery {
         #[command(flatten)]
@@ -92,6 +99,7 @@ fn run(command: &Command) -> Outcome {
         Command::Programs => programs::write(),
         Command::Proofs { programs } => proofs::check(programs),
         Command::Cost { chip, output } => chip::check(chip, Part::Cost, cost::read(output)?),
+        Command::Workloads { chip, output } => chip::check(chip, Part::Workload, cost::read_workloads(output)?),
         Command::Size { chip, programs } => chip::check(chip, Part::Size, size::read(programs)?),
         Command::LeftOut { programs } => effects::check_left_out(programs),
         Command::Effects { chip, output } => chip::check(chip, Part::Effects, effects::read(output)?),

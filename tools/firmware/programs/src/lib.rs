@@ -11,3 +11,4 @@ pub mod cost;
 pub mod effects;
 pub mod shown;
 mod stack;
+pub mod workloads;

@@ -11,12 +11,7 @@ fn run() -> ! {
     cost::all(&mut |row| {
         println!(
             r#"{{"subject":"{}","query":"{}","number":"{}","tier":"{}","of":"{}","figure":{}}}"#,
-            row.subject,
-            row.query,
-            row.number,
-            row.tier,
-            row.of,
-            row.figure
+            row.subject, row.query, row.number, row.tier, row.of, row.figure
         );
     });
     semihosting::process::exit(0)

@@ -8,11 +8,11 @@ use raylet_firmware::clock;
 const ENOUGH: u64 = 2_000 * clock::GRAIN;
 
 /// Without a clock, on the host, it goes on no longer than this.
-const MOST_ROUNDS: u64 = 1 << 16;
+pub const MOST_ROUNDS: u64 = 1 << 16;
 
 /// Instructions for all inputs, `rounds` times.
 #[inline(never)]
-fn run<P, I>(subject: &P, inputs: &[I], query: fn(&P, &I), rounds: u64) -> u64 {
+pub fn run<P, I>(subject: &P, inputs: &[I], query: fn(&P, &I), rounds: u64) -> u64 {
     let start = clock::instructions();
     for _ in 0..rounds {
         for input in inputs {
@@ -24,7 +24,7 @@ fn run<P, I>(subject: &P, inputs: &[I], query: fn(&P, &I), rounds: u64) -> u64 {
 
 /// A query that does nothing.
 #[inline(never)]
-fn nothing<P, I>(subject: &P, input: &I) {
+pub fn nothing<P, I>(subject: &P, input: &I) {
     black_box((subject, input));
 }
 

@@ -8,7 +8,7 @@
 //!
 //! The primitives, the queries and the rays are those of the crate `shared`, which the host is measured with too.
 
-mod measure;
+pub(crate) mod measure;
 mod textbook;
 
 use core::fmt::{self, Display};

@@ -1,0 +1,106 @@
+//! Instructions of what users do, query by query: solids as they are placed, rays from near and from far, departing rays, a range
+//! sensor. The workloads are those of the crate `shared`, which the host is measured with too.
+
+use crate::cost::measure::{MOST_ROUNDS, nothing, run};
+use core::hint::black_box;
+use core::slice;
+use fixed::types::{I16F16, I32F32};
+use heapless::Vec;
+use raylet::tier::{Exact, Fast, Stable, Tier};
+use raylet::{Scalar, Shape};
+use raylet_firmware::clock;
+use shared::subject::question;
+use shared::workload::{Placed, QUERIES, Query, Rays, SENSED, SOLIDS_BY_NAME, query, sensed};
+
+/// A query is asked until that took so many instructions: then the grain of the clock is one hundredth.
+const ENOUGH: u64 = 100 * clock::GRAIN;
+
+/// So many times a function is called that does nothing.
+const ASKED: u64 = 500;
+
+/// Of the range sensor's queries every so many is asked, a hundred in all: no divisor of the number of solids or of zones.
+const EVERY: usize = 27;
+
+/// Which solids and rays: of each solid.
+const KINDS: [(Placed, Rays); 7] = [
+    (Placed::World, Rays::Near),
+    (Placed::World, Rays::Far),
+    (Placed::Turned, Rays::Near),
+    (Placed::Turned, Rays::Far),
+    (Placed::Turned, Rays::Departing),
+    (Placed::Stretched, Rays::Near),
+    (Placed::Stretched, Rays::Far),
+];
+
+/// The figures of one workload.
+#[derive(Clone, Copy, Debug)]
+pub struct Row<'a> {
+    /// The solid and how it is placed, or the range sensor.
+    pub solid: &'a str,
+    /// How it is placed, and where the rays begin; nothing for the range sensor.
+    pub kind: Option<(Placed, Rays)>,
+    /// The number type.
+    pub number: &'static str,
+    /// The tier.
+    pub tier: &'static str,
+    /// Instructions a query in the mean, of the 99th of a hundred, and of the worst.
+    pub instructions: [u64; 3],
+}
+
+/// Takes rows.
+pub type Report<'a> = &'a mut dyn FnMut(Row<'_>);
+
+type Queries<S> = Vec<Query<S>, QUERIES>;
+
+/// Instructions of one query.
+fn singly<S: Scalar>(test: &Query<S>, question: fn(&Shape<S>, &Query<S>)) -> u64 {
+    let (tests, nothing) = (slice::from_ref(test), black_box(nothing::<Shape<S>, Query<S>> as fn(&_, &_)));
+    let mut rounds = 1;
+    let taken = loop {
+        let taken = run(&test.shape, tests, question, rounds);
+        if taken >= ENOUGH || rounds >= MOST_ROUNDS {
+            break taken;
+        }
+        rounds *= 2;
+    };
+    // A function that does nothing takes less than the grain of the clock.
+    let asking = run(&test.shape, tests, nothing, ASKED);
+    (taken.saturating_sub(asking * rounds / ASKED) + rounds / 2) / rounds
+}
+
+#[inline(never)]
+fn tier<S: Scalar, T: Tier<S>>(tests: &Queries<S>) -> [u64; 3] {
+    // The compiler must not know which function it is: it would make a copy of the loop for each.
+    let question =
+        black_box((|shape, test| question::nearest::<S, T, _>(shape, &test.ray)) as fn(&Shape<S>, &Query<S>));
+    let mut counts: Vec<u64, QUERIES> = tests.iter().map(|test| singly(test, question)).collect();
+    counts.sort_unstable();
+    let count = counts.len().max(1);
+    let mean = (counts.iter().sum::<u64>() + count as u64 / 2) / count as u64;
+    let at = |rank: usize| counts.get(rank).copied().unwrap_or_default();
+    [mean, at((count * 99).div_ceil(100) - 1), at(count - 1)]
+}
+
+/// Every workload in one number type.
+macro_rules! number {
+    ($report:expr, $S:ty, $number:literal: $($T:ident)+) => {{
+        let mut all = |solid: &str, kind: Option<(Placed, Rays)>, tests: &Queries<$S>| {
+            $($report(Row { solid, kind, number: $number, tier: stringify!($T), instructions: tier::<$S, $T>(tests) });)+
+        };
+        all("range sensor", None, &(0..SENSED).step_by(EVERY).filter_map(sensed).take(QUERIES).collect());
+        for solid in SOLIDS_BY_NAME {
+            for (placed, rays) in KINDS {
+                let tests = (0..QUERIES).filter_map(|index| query(solid, placed, rays, index)).collect();
+                all(solid, Some((placed, rays)), &tests);
+            }
+        }
+    }};
+}
+
+/// Measures everything, always in the same order. The clock must have been started.
+pub fn all(report: Report<'_>) {
+    number!(report, f32, "f32": Fast Stable Exact);
+    number!(report, I16F16, "I16F16": Fast Stable Exact);
+    number!(report, I32F32, "I32F32": Stable);
+    number!(report, f64, "f64": Stable);
+}
