@@ -141,6 +141,10 @@ pub fn count() -> Result<Counted, Box<dyn Error>> {
             return Err(format!("callgrind counted {} queries of {}", part.singly.len(), workload.name).into());
         }
         figures.extend(summary(&workload.name, part));
+        if let Some(off) = workload.off {
+            let told = [("off, units", off.units), ("wrong", off.wrong)];
+            figures.extend(told.map(|(what, figure)| (format!("{} | {what}", workload.name), figure)));
+        }
     }
     Ok(Counted { cost: cost.collect(), workloads: figures })
 }
