@@ -46,3 +46,4 @@ mod placement;
 mod reintersection;
 mod surface;
 mod watertight;
+mod workloads;

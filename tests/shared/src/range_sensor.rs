@@ -57,7 +57,7 @@ pub fn solid<S: Scalar>(index: usize) -> Option<Shape<S>> {
     let frame = match index {
         // Lying, in any direction along the ground.
         34..38 => {
-            let forward = UnitVec3::new(point([1.0, 0.0, 0.375 * (index - 36) as f64 + 0.125]))?;
+            let forward = UnitVec3::new(point([1.0, 0.0, 0.375 * (index as f64 - 36.0) + 0.125]))?;
             Frame::looking(position, forward, UnitVec3::X).or_else(|_| Frame::looking(position, forward, UnitVec3::Z))
         }
         // Turned away, and leaning.
