@@ -7,7 +7,7 @@ use crate::frame::{Frame, FrameError, within_budget};
 use crate::line::Place;
 use crate::number::{difference, dot};
 use crate::ray::Ray;
-use crate::scalar::{FromScalar, LocalLine, Real, Ring, Scalar, UnitScalar};
+use crate::scalar::{FinerLine, FromScalar, LocalLine, Real, Ring, Scalar, UnitScalar};
 use crate::vector::{UnitVec3, Vec3, cross, pairs, transposed};
 
 /// One row of the inverse: components below 1 and a power of two.
@@ -215,6 +215,12 @@ impl<S: Scalar> Place<S> for Affine<S> {
     fn fast_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
         let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
         S::fast_stretched(o, d, self.position.to_array(), self.inverse())
+    }
+
+    #[inline]
+    fn finer_line(&self, ray: &Ray<S>, reach: S) -> Option<FinerLine<S>> {
+        let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
+        S::fast_stretched_finely(o, d, self.position.to_array(), self.inverse(), reach)
     }
 
     #[inline(always)]

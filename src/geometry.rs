@@ -18,7 +18,7 @@ pub trait Geometry<S: Scalar>: Copy {
     fn in_doubles(&self) -> Self::Doubles;
     /// A distance from the origin within which the primitive lies; its characteristic size if it is unbounded.
     fn reach(&self) -> S;
-    /// The primitive with all lengths multiplied by `2^e`, for an exponent from [`Computing::binary_exponent`](crate::scalar::Computing::binary_exponent).
+    /// The primitive with all lengths multiplied by `2^e`, as [`Computing::scaled`](crate::scalar::Computing::scaled) has it.
     #[must_use]
     fn scaled(&self, e: i32) -> Self;
     /// The line for the fast path, as this primitive sees it.
@@ -26,10 +26,15 @@ pub trait Geometry<S: Scalar>: Copy {
     fn fast_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
         place.fast_line(ray)
     }
+    /// The largest length that its equations have beside the line's, or more.
+    #[inline(always)]
+    fn lengths(&self) -> S {
+        self.reach()
+    }
     /// Makes the line suit its lengths ([`FastPath::fast_fit`](crate::scalar::FastPath::fast_fit)).
     #[inline(always)]
     fn fit(&self, line: &mut LocalLine<S>) {
-        S::fast_fit(line, self.reach());
+        S::fast_fit(line, self.lengths());
     }
     /// The line for the fast path where [`Geometry::fast_line`] has none because the ray begins far away.
     #[inline(always)]

@@ -188,10 +188,31 @@ fn fast<S: Scalar, T: Guards, G: Geometry<S>>(
     if let Some(departure) = ray.departure() {
         return departing(&geometry.figure(), departure);
     }
+    if stretches_integers(place) {
+        return stretched::<S, T, G>(geometry, place, ray);
+    }
     let Some(mut line) = geometry.fast_line(place, ray) else { return from_afar::<S, T, G>(geometry, place, ray) };
     geometry.fit(&mut line);
     line.has_spare_bits = T::HAS_SPARE_BITS;
     in_own_t(place, &line, geometry.fast_intersection::<T>(&line))
+}
+
+/// True of fixed point under a placement that stretches.
+#[inline(always)]
+const fn stretches_integers<S: Scalar, P: Place<S>>(_: &P) -> bool {
+    P::STRETCHES && !S::RELATIVE
+}
+
+/// Where the line meets a geometry of fixed point that is stretched.
+#[inline(never)]
+fn stretched<S: Scalar, T: Guards, G: Geometry<S>>(
+    geometry: &G,
+    place: &impl Place<S>,
+    ray: &Ray<S>,
+) -> Attempt<Intersection<S>> {
+    let Some(line) = place.finer_line(ray, geometry.lengths()) else { return Attempt::Unsure };
+    let intersection = found!(geometry.scaled(line.scale).fast_intersection::<T>(&line.line));
+    intersection.try_map(|t| S::fast_along_ray(&line, t)).map_or(Attempt::Unsure, Attempt::Found)
 }
 
 /// The same of a line that begins far away, apart from the usual one.
@@ -269,11 +290,15 @@ fn fast_ahead<S: Scalar, T: Guards, G: Geometry<S>>(geometry: &G, place: &impl P
     if let Some(departure) = ray.departure() {
         return departing(&geometry.figure(), departure);
     }
-    let Some(mut line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
-    geometry.fit(&mut line);
-    if line.start == S::ZERO && !line.is_coarse {
-        return geometry.fast_occlusion::<T>(&line);
-    }
-    let intersection = found!(in_own_t(place, &line, geometry.fast_intersection::<T>(&line)));
+    let intersection = if stretches_integers(place) {
+        found!(stretched::<S, T, G>(geometry, place, ray))
+    } else {
+        let Some(mut line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
+        geometry.fit(&mut line);
+        if line.start == S::ZERO && !line.is_coarse {
+            return geometry.fast_occlusion::<T>(&line);
+        }
+        found!(in_own_t(place, &line, geometry.fast_intersection::<T>(&line)))
+    };
     if intersection.nearest(Range::FORWARD, |_| true).is_some() { Attempt::Found(()) } else { Attempt::Miss }
 }

@@ -1,7 +1,7 @@
 //! The way of a ray into the frame of a primitive.
 
 use crate::ray::Ray;
-use crate::scalar::{FromScalar, LocalLine, Scalar};
+use crate::scalar::{FinerLine, FromScalar, LocalLine, Scalar};
 use crate::vector::Vec3;
 
 /// The way from the world to a primitive's frame.
@@ -20,6 +20,11 @@ pub trait Place<S: Scalar> {
     #[inline(always)]
     fn fast_line_near(&self, ray: &Ray<S>, _base: Vec3<S>) -> Option<LocalLine<S>> {
         self.fast_line(ray)
+    }
+    /// [`Place::fast_line`] where the placement stretches and the number type is fixed point, for a solid whose lengths are at most `reach`.
+    #[inline(always)]
+    fn finer_line(&self, _ray: &Ray<S>, _reach: S) -> Option<FinerLine<S>> {
+        None
     }
     /// The line of a ray that begins far away, taken up next to the primitive's point `base` and relative to it.
     #[inline(always)]

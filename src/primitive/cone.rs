@@ -201,12 +201,11 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
     }
 
     #[inline(always)]
-    fn fit(&self, line: &mut LocalLine<S>) {
-        let lengths = match self.outline {
+    fn lengths(&self) -> S {
+        match self.outline {
             Outline::Radii(base, top, height) => base.plus(top).plus(height),
             Outline::Slope(_) => self.height().unwrap_or(S::ZERO),
-        };
-        S::fast_fit(line, lengths);
+        }
     }
 
     #[inline(always)]

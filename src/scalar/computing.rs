@@ -29,7 +29,7 @@ pub trait Computing: Numbers {
     /// The exponent `e` for which `2^-e` brings the largest of the given magnitudes near 1; always zero for fixed types, whose
     /// [`Real`](super::Real) carries its own exponent.
     fn binary_exponent(largest: Self) -> i32;
-    /// `self * 2^e`, where `e` comes from [`Computing::binary_exponent`].
+    /// `self * 2^e`, where `e` comes from [`Computing::binary_exponent`], or the product is known to fit.
     fn scaled(self, e: i32) -> Self;
     /// Three values in the finest unit in which the type holds them: numbers to be read as `2^-n` times themselves,
     /// and `n`; zero for floats, which are as fine as they can be.

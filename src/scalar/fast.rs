@@ -85,6 +85,26 @@ impl<S: Numbers + Copy> LocalLine<S> {
     }
 }
 
+/// A line in the frame of a placement that stretches, in a unit of length that is finer than the type's.
+#[derive(Clone, Copy, Debug)]
+pub struct FinerLine<S: Numbers> {
+    /// The line, for a solid that is `2^scale` times as large.
+    pub line: LocalLine<S>,
+    /// By how many bits the unit is finer than the type's.
+    pub scale: i32,
+    /// The ray's `t` over the line's own, in units of the type's over the line's.
+    pub pace: Pace,
+}
+
+/// A ratio of lengths: `digits * 2^-shift`.
+#[derive(Clone, Copy, Debug)]
+pub struct Pace {
+    /// At least 2^31.
+    pub digits: u32,
+    /// From 33 to 62.
+    pub shift: u32,
+}
+
 /// How a line in a primitive's frame meets its surfaces, where rounding does not decide.
 pub trait FastPath: Numbers {
     /// The direction of a vector in this type, as [`Computing::normalize`](super::Computing::normalize) has it or next to that; a miss for the zero vector.
@@ -203,6 +223,24 @@ pub trait FastPath: Numbers {
         _position: [Self; 3],
         _rows: [([Self::Unit; 3], i32); 3],
     ) -> Option<LocalLine<Self>> {
+        None
+    }
+
+    /// The same of integers, for a solid whose lengths are at most `reach`. `None` if there is no room for them.
+    #[inline(always)]
+    fn fast_stretched_finely(
+        _o: [Self; 3],
+        _d: [Self::Unit; 3],
+        _position: [Self; 3],
+        _rows: [([Self::Unit; 3], i32); 3],
+        _reach: Self,
+    ) -> Option<FinerLine<Self>> {
+        None
+    }
+
+    /// The ray's `t` for one of that line; `None` if it is too large for that.
+    #[inline(always)]
+    fn fast_along_ray(_line: &FinerLine<Self>, _t: Self) -> Option<Self> {
         None
     }
 

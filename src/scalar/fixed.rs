@@ -196,8 +196,9 @@ macro_rules! fixed {
                 0
             }
             #[inline(always)]
-            fn scaled(self, _: i32) -> Self {
-                self
+            fn scaled(self, e: i32) -> Self {
+                let raw = self.to_bits();
+                Self::from_bits(if e < 0 { raw.wrapping_shr(e.unsigned_abs()) } else { raw.wrapping_shl(e as u32) })
             }
             #[inline]
             fn finest(values: [$Block; 3]) -> ([Self; 3], i32) {

@@ -57,7 +57,7 @@ pub use fixed::{DISTANCE_BITS, SIZE_BITS};
 pub use crate::number::Ring;
 pub use computing::{Computing, Elementary};
 pub(crate) use fast::found;
-pub use fast::{Attempt, FastPath, InNappe, LocalLine};
+pub use fast::{Attempt, FastPath, FinerLine, InNappe, LocalLine, Pace};
 pub use rungs::{FromScalar, ToScalar};
 pub use twofold::Twofold;
 

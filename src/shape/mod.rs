@@ -74,6 +74,9 @@ macro_rules! primitives {
             fn fast_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
                 match self { $(Self::$Variant(p) => p.fast_line(place, ray),)+ }
             }
+            fn lengths(&self) -> S {
+                match self { $(Self::$Variant(p) => p.lengths(),)+ }
+            }
             #[inline(always)]
             fn fit(&self, line: &mut LocalLine<S>) {
                 match self { $(Self::$Variant(p) => p.fit(line),)+ }

@@ -1,12 +1,27 @@
 //! The direction of a vector.
 
 use super::{high, high_product, leading_zeros, product, reciprocal_root, square};
-use crate::scalar::Attempt;
+use crate::scalar::{Attempt, found};
+
+/// The direction and the length of a vector.
+pub(super) struct Unit {
+    /// In units of 2^-30.
+    pub(super) components: [i32; 3],
+    /// One over the length is `reciprocal * 2^-(31 + halvings)`. At least 2^31, and off by two units at most.
+    pub(super) reciprocal: u32,
+    pub(super) halvings: i32,
+}
+
+/// The unit vector along `v`, as [`unit`] has it.
+#[inline]
+pub(in crate::scalar) fn direction(v: [i32; 3]) -> Attempt<[i32; 3]> {
+    Attempt::Found(found!(unit(v)).components)
+}
 
 /// The unit vector along `v`, each component within .51 units of 2^-30 (a miss for the zero vector): `r = 1 / |v|` by Newton's
 /// steps `r (1 + e / 2)` with `e = 1 - |v|^2 r^2`, of which the last is taken by the products with `v`.
-#[inline]
-pub(in crate::scalar) fn direction(v: [i32; 3]) -> Attempt<[i32; 3]> {
+#[inline(always)]
+pub(super) fn unit(v: [i32; 3]) -> Attempt<Unit> {
     let [x, y, z] = v.map(i32::unsigned_abs);
     let all = x | y | z;
     if all >= i32::MAX as u32 {
@@ -44,5 +59,9 @@ pub(in crate::scalar) fn direction(v: [i32; 3]) -> Attempt<[i32; 3]> {
         let magnitude = (((sum >> 31) + 1) >> 1) as i32;
         if signed < 0 { -magnitude } else { magnitude }
     };
-    Attempt::Found([along(x, v[0]), along(y, v[1]), along(z, v[2])])
+    let components = [along(x, v[0]), along(y, v[1]), along(z, v[2])];
+    // r (1 + e / 2), in units of 2^-31; the length is 2^31 or 2^32 times the root of m, less what it was shifted up.
+    let reciprocal = ((r as i64) << 1) + (product(r as i32, lack) >> 38);
+    let reciprocal = if reciprocal > u32::MAX as i64 { u32::MAX } else { reciprocal as u32 };
+    Attempt::Found(Unit { components, reciprocal, halvings: 31 + long as i32 - up as i32 })
 }

@@ -16,15 +16,17 @@ mod flat;
 mod path;
 mod quotient;
 mod round;
+mod stretched;
 mod triangle;
 mod turned;
 pub(super) mod wide;
 
 pub(super) use ball::{ByApproach, ByMoment};
-pub(super) use cone::nappe;
+pub(super) use cone::{double_cone, nappe};
 pub(super) use direction::direction;
 pub(super) use flat::{crossings, disc, height, lowered};
 pub(super) use round::tube;
+pub(super) use stretched::{along_ray, stretched};
 pub(super) use triangle::triangle;
 pub(super) use turned::{FINER, coarser, fitting, turned};
 

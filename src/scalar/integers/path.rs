@@ -1,7 +1,7 @@
 //! The fast path of fixed point: from stored numbers to raw integers and back.
 
 use crate::scalar::integers;
-use crate::scalar::{Attempt, FastPath, InNappe, LocalLine, found, slabs::Slabs};
+use crate::scalar::{Attempt, FastPath, FinerLine, InNappe, LocalLine, found, slabs::Slabs};
 use core::cmp::Ordering;
 use fixed::types::extra::{LeEqU32, LeEqU64};
 use fixed::{FixedI32, FixedI64};
@@ -94,6 +94,31 @@ macro_rules! fast {
 
 fast!(FixedI32, LeEqU32, i32, integers, {
     #[inline(always)]
+    fn fast_stretched_finely(
+        o: [Self; 3],
+        d: [Self::Unit; 3],
+        position: [Self; 3],
+        rows: [([Self::Unit; 3], i32); 3],
+        reach: Self,
+    ) -> Option<FinerLine<Self>> {
+        let (raw, position, reach) = (o.map(Self::to_bits), position.map(Self::to_bits), reach.to_bits());
+        let rows = rows.map(|(row, exponent)| (row.map(FixedI32::to_bits), exponent));
+        let line = integers::stretched(raw, d.map(FixedI32::to_bits), position, rows, reach)?;
+        let (scale, pace) = (line.scale, line.pace);
+        let line = LocalLine {
+            origin: line.origin.map(Self::from_bits),
+            finer: line.finer,
+            direction: line.direction.map(FixedI32::from_bits),
+            start: Self::from_bits(line.start),
+            ..LocalLine::along(o, d, Self::from_bits(0))
+        };
+        Some(FinerLine { line, scale, pace })
+    }
+    #[inline(always)]
+    fn fast_along_ray(line: &FinerLine<Self>, t: Self) -> Option<Self> {
+        integers::along_ray(line.pace, line.line.start.to_bits(), t.to_bits()).map(Self::from_bits)
+    }
+    #[inline(always)]
     fn fast_fit(line: &mut LocalLine<Self>, reach: Self) {
         let fitting = integers::fitting(reach.to_bits());
         if line.finer > fitting {
@@ -112,14 +137,22 @@ fast!(FixedI32, LeEqU32, i32, integers, {
         _: Option<Self>,
     ) -> Attempt<InNappe<Self>> {
         let (o, d) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits));
-        let Some(height) = height.map_or(1_i32.checked_shl(F::U32), |height| Some(height.to_bits())) else {
-            return Attempt::Unsure;
-        };
+        let height = height.map_or(1_i32.checked_shl(F::U32).unwrap_or(0), Self::to_bits);
         let height = if height > 0 { height } else { return Attempt::Unsure };
         let InNappe { ends, certain } =
             found!(integers::nappe(o, line.finer, d, [base.to_bits(), growth.to_bits(), height]));
         let [low, high] = ends;
         Attempt::Found(InNappe { ends: [Self::from_bits(low), Self::from_bits(high)], certain })
+    }
+    #[inline(always)]
+    fn fast_double_cone(line: LocalLine<Self>, slope: Self) -> Attempt<([Self; 2], bool)> {
+        let (o, d) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits));
+        let one = match 1_i32.checked_shl(F::U32) {
+            Some(one) if one > 0 => one,
+            _ => return Attempt::Unsure,
+        };
+        let (ends, beyond) = found!(integers::double_cone(o, line.finer, d, [slope.to_bits(), one]));
+        Attempt::Found((ends.map(Self::from_bits), beyond))
     }
     #[inline(always)]
     fn fast_disc(line: LocalLine<Self>, r: Self) -> Attempt<Self> {

@@ -6,10 +6,10 @@ use super::{high, leading_zeros, magnitude_bits, product, round_off};
 pub(in crate::scalar) const FINER: i32 = 6;
 
 /// The same next to the frame's origin, at most.
-const FINEST: i32 = 12;
+pub(super) const FINEST: i32 = 12;
 
 /// Bits of the lengths of a line that is kept finer than [`FINER`]: one less than there is room for, so that two may be added.
-const LENGTH_BITS: i32 = 29;
+pub(super) const LENGTH_BITS: i32 = 29;
 
 /// The same of a line that passes far away: its rounding, a sixteenth of a unit, is too much for a hit, but not for a miss.
 pub(in crate::scalar) const COARSE: i32 = 3;
@@ -36,7 +36,7 @@ pub(in crate::scalar) fn turned(o: [i32; 3], position: [i32; 3], axes: [[i32; 3]
         let finer = room(bits).clamp(FINER, FINEST);
         (0, from.map(|length| length << finer), finer)
     } else {
-        closest(from, d)?
+        closest(from, d, FINEST)?
     };
     let nearest = |n: i64| high((n + (1 << 29)) << 2);
     let (origin, direction) = (axes.map(|axis| nearest(dot(point, axis))), axes.map(|axis| nearest(dot(d, axis))));
@@ -44,13 +44,13 @@ pub(in crate::scalar) fn turned(o: [i32; 3], position: [i32; 3], axes: [[i32; 3]
 }
 
 #[inline(always)]
-fn dot([x, y, z]: [i32; 3], [a, b, c]: [i32; 3]) -> i64 {
+pub(super) fn dot([x, y, z]: [i32; 3], [a, b, c]: [i32; 3]) -> i64 {
     product(x, a) + product(y, b) + product(z, c)
 }
 
 /// How much finer lengths may be, of which the longest has these bits.
 #[inline(always)]
-fn room(bits: u32) -> i32 {
+pub(super) fn room(bits: u32) -> i32 {
     LENGTH_BITS - 32 + leading_zeros(bits | 1) as i32
 }
 
@@ -67,9 +67,9 @@ pub(in crate::scalar) fn coarser(origin: [i32; 3], bits: u32) -> [i32; 3] {
     origin.map(|length| round_off(length as i64, bits) as i32)
 }
 
-/// The whole unit of `t` next to the point closest to the frame's origin, and that point in units of `2^-finer`.
+/// The whole unit of `t` next to the point closest to the frame's origin, and that point in units of `2^-finer`, at most `2^-finest`.
 #[inline]
-fn closest(from: [i32; 3], d: [i32; 3]) -> Option<(i32, [i32; 3], i32)> {
+pub(super) fn closest(from: [i32; 3], d: [i32; 3], finest: i32) -> Option<(i32, [i32; 3], i32)> {
     // Between points within the budget of coordinates, which is 2^30, nothing has overflowed but at its very ends.
     if from.iter().any(|&length| magnitude_bits(length) >> 30 != 0) {
         return None;
@@ -81,7 +81,7 @@ fn closest(from: [i32; 3], d: [i32; 3]) -> Option<(i32, [i32; 3], i32)> {
     // What is left over of its whole units is rounded away only once, however far the ray begins.
     let bits = exact.into_iter().fold(0, |all, length| all | length.unsigned_abs()) >> 30;
     let finer = match bits {
-        0..0x100_0000 => room(bits as u32).clamp(FINER, FINEST),
+        0..0x100_0000 => room(bits as u32).clamp(FINER, finest),
         0x100_0000..0x800_0000 => COARSE,
         _ => return None,
     };

@@ -1,0 +1,113 @@
+//! A line seen from the frame of a matrix.
+
+use super::direction::{Unit, unit};
+use super::turned::{FINER, FINEST, LENGTH_BITS, closest, dot, room};
+use super::{leading_zeros, magnitude_bits, round_off};
+use crate::scalar::{Attempt, Pace};
+
+/// From so many bits on, of the longest distance from the frame's position along an axis, a line is taken up next to that position.
+const FAR: u32 = 17;
+
+/// The line, its direction of unit length, in a unit of length that is a power of two finer than the type's: half a unit that an end
+/// along it is off is then at most a fourth of one of the ray's own `t`.
+pub(in crate::scalar) struct Stretched {
+    /// The ray's `t` at the origin.
+    pub(in crate::scalar) start: i32,
+    /// In units of `2^-finer` of the finer unit.
+    pub(in crate::scalar) origin: [i32; 3],
+    pub(in crate::scalar) finer: i32,
+    pub(in crate::scalar) direction: [i32; 3],
+    /// By how many bits the unit is finer than the type's.
+    pub(in crate::scalar) scale: i32,
+    pub(in crate::scalar) pace: Pace,
+}
+
+/// Ends beyond this are left to longer numbers: the error of pace and direction would be an eighth of a unit.
+const TOO_FAR: i32 = 1 << 26;
+
+/// The ray's `t` for one along the line, which is infinite or not; `None` if it is too large for this.
+#[inline(always)]
+pub(in crate::scalar) fn along_ray(Pace { digits, shift }: Pace, start: i32, t: i32) -> Option<i32> {
+    if t == i32::MAX || t == -i32::MAX {
+        return Some(t);
+    }
+    if t <= -TOO_FAR || t >= TOO_FAR {
+        return None;
+    }
+    let whole = round_off(t as i64 * digits as i64, shift) + start as i64;
+    (whole.unsigned_abs() < i32::MAX as u64 - 1).then_some(whole as i32)
+}
+
+/// The line in the frame at `position` of a matrix whose inverse has these rows, each to be multiplied by its power of two, for a solid
+/// whose lengths are at most `reach`; `None` if there is no room for them.
+#[inline]
+pub(in crate::scalar) fn stretched(
+    o: [i32; 3],
+    d: [i32; 3],
+    position: [i32; 3],
+    rows: [([i32; 3], i32); 3],
+    reach: i32,
+) -> Option<Stretched> {
+    let apart = |o: i32, position: i32| o.wrapping_sub(position);
+    let from = [apart(o[0], position[0]), apart(o[1], position[1]), apart(o[2], position[2])];
+    let bits = magnitude_bits(from[0]) | magnitude_bits(from[1]) | magnitude_bits(from[2]);
+    let is_far = bits >> FAR != 0;
+    let (start, point, finer) = if is_far { closest(from, d, 2 * FINEST)? } else { (0, from, 0) };
+
+    // Exact but for what smaller rows have below the unit of the largest: in units of 2^(exponent - 30 - finer) and 2^(exponent - 60).
+    let [x, y, z] = rows.map(|(_, exponent)| exponent);
+    let exponent = x.max(y).max(z);
+    let down = [x, y, z].map(|own| (exponent - own).min(63) as u32);
+    let image =
+        |v: [i32; 3]| [dot(v, rows[0].0) >> down[0], dot(v, rows[1].0) >> down[1], dot(v, rows[2].0) >> down[2]];
+    let (origin, direction) = (image(point), image(d));
+
+    // The direction, first with 31 bits in its longest component, and the pace, one over its length.
+    let excess = bits_of_longest(direction) - 31;
+    if excess < 1 {
+        return None;
+    }
+    let Attempt::Found(Unit { components, reciprocal, halvings }) = unit(shifted(direction, excess)) else {
+        return None;
+    };
+    // The length is that of what unit() is given, times 2^(excess + exponent - 60).
+    let shift = halvings + excess + exponent - 29;
+
+    // A unit along the line is at most half of one along the ray.
+    let scale = (33 - shift).max(0);
+    // As fine as the lengths of line and solid leave bits for; and what has been rounded is not made finer again.
+    let top = bits_of_longest(origin) + exponent - 30 - finer;
+    let rounded = if is_far { finer - 2 - exponent } else { i32::MAX };
+    let finer_than_type = (LENGTH_BITS - top).min(room(reach as u32)).min(rounded).min(scale + FINEST);
+    if finer_than_type < scale + FINER || shift + scale > 62 {
+        return None;
+    }
+    Some(Stretched {
+        start,
+        origin: shifted(origin, 30 + finer - exponent - finer_than_type),
+        finer: finer_than_type - scale,
+        direction: components,
+        scale,
+        pace: Pace { digits: reciprocal, shift: (shift + scale) as u32 },
+    })
+}
+
+/// The bits of the longest component, or one less.
+#[inline(always)]
+fn bits_of_longest([x, y, z]: [i64; 3]) -> i32 {
+    let bits = |n: i64| (n ^ (n >> 63)) as u64;
+    let all = bits(x) | bits(y) | bits(z);
+    let (high, low) = ((all >> 32) as u32, all as u32);
+    if high != 0 { 64 - leading_zeros(high) as i32 } else { 32 - leading_zeros(low | 1) as i32 }
+}
+
+/// Components times `2^-by`, rounded to nearest, where the results fit.
+#[inline(always)]
+fn shifted(v: [i64; 3], by: i32) -> [i32; 3] {
+    if let 1..63 = by {
+        let half = 1 << (by - 1);
+        v.map(|n| ((n + half) >> by) as i32)
+    } else {
+        v.map(|n| n.wrapping_shl(by.unsigned_abs()) as i32)
+    }
+}
