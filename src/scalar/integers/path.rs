@@ -61,6 +61,35 @@ macro_rules! fast {
             Attempt::Found(([Self::from_bits(first), Self::from_bits(second)], [Self::from_bits(0); 2]))
         }
         #[inline(always)]
+        fn fast_nappe(
+            line: LocalLine<Self>,
+            (base, growth, height): (Self, Self, Option<Self>),
+            _: Option<Self>,
+        ) -> Attempt<InNappe<Self>> {
+            let (o, d) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits));
+            let height = height.map_or((1 as $raw).checked_shl(F::U32).unwrap_or(0), Self::to_bits);
+            let height = if height > 0 { height } else { return Attempt::Unsure };
+            let InNappe { ends, certain } =
+                found!($($kernels)::+::nappe(o, line.finer, d, [base.to_bits(), growth.to_bits(), height]));
+            let [low, high] = ends;
+            Attempt::Found(InNappe { ends: [Self::from_bits(low), Self::from_bits(high)], certain })
+        }
+        #[inline(always)]
+        fn fast_double_cone(line: LocalLine<Self>, slope: Self) -> Attempt<([Self; 2], bool)> {
+            let (o, d) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits));
+            let one = match (1 as $raw).checked_shl(F::U32) {
+                Some(one) if one > 0 => one,
+                _ => return Attempt::Unsure,
+            };
+            let (ends, beyond) = found!($($kernels)::+::double_cone(o, line.finer, d, [slope.to_bits(), one]));
+            Attempt::Found((ends.map(Self::from_bits), beyond))
+        }
+        #[inline(always)]
+        fn fast_disc(line: LocalLine<Self>, r: Self) -> Attempt<Self> {
+            let (o, d) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits));
+            Attempt::Found(Self::from_bits(found!($($kernels)::+::disc(o, line.finer, d, r.to_bits()))))
+        }
+        #[inline(always)]
         fn fast_turned(
             o: [Self; 3],
             d: [Self::Unit; 3],
@@ -131,35 +160,6 @@ fast!(FixedI32, LeEqU32, i32, integers, {
         Attempt::Found(found!(integers::direction(v.map(Self::to_bits))).map(FixedI32::from_bits))
     }
     #[inline(always)]
-    fn fast_nappe(
-        line: LocalLine<Self>,
-        (base, growth, height): (Self, Self, Option<Self>),
-        _: Option<Self>,
-    ) -> Attempt<InNappe<Self>> {
-        let (o, d) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits));
-        let height = height.map_or(1_i32.checked_shl(F::U32).unwrap_or(0), Self::to_bits);
-        let height = if height > 0 { height } else { return Attempt::Unsure };
-        let InNappe { ends, certain } =
-            found!(integers::nappe(o, line.finer, d, [base.to_bits(), growth.to_bits(), height]));
-        let [low, high] = ends;
-        Attempt::Found(InNappe { ends: [Self::from_bits(low), Self::from_bits(high)], certain })
-    }
-    #[inline(always)]
-    fn fast_double_cone(line: LocalLine<Self>, slope: Self) -> Attempt<([Self; 2], bool)> {
-        let (o, d) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits));
-        let one = match 1_i32.checked_shl(F::U32) {
-            Some(one) if one > 0 => one,
-            _ => return Attempt::Unsure,
-        };
-        let (ends, beyond) = found!(integers::double_cone(o, line.finer, d, [slope.to_bits(), one]));
-        Attempt::Found((ends.map(Self::from_bits), beyond))
-    }
-    #[inline(always)]
-    fn fast_disc(line: LocalLine<Self>, r: Self) -> Attempt<Self> {
-        let (o, d) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits));
-        Attempt::Found(Self::from_bits(found!(integers::disc(o, line.finer, d, r.to_bits()))))
-    }
-    #[inline(always)]
     fn fast_triangle(line: LocalLine<Self>, vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {
         let (o, d) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits));
         let vertices = vertices.map(|vertex| vertex.map(Self::to_bits));
@@ -175,4 +175,12 @@ fast!(FixedI32, LeEqU32, i32, integers, {
         Attempt::Found((Self::from_bits(t), from_front))
     }
 });
-fast!(FixedI64, LeEqU64, i64, integers::wide, {});
+fast!(FixedI64, LeEqU64, i64, integers::wide, {
+    #[inline(always)]
+    fn fast_triangle(line: LocalLine<Self>, vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {
+        let (o, d) = (line.origin.map(Self::to_bits), line.direction.map(FixedI64::to_bits));
+        let vertices = vertices.map(|vertex| vertex.map(Self::to_bits));
+        let (t, from_front) = found!(integers::wide::triangle(o, line.finer, d, vertices));
+        Attempt::Found((Self::from_bits(t), from_front))
+    }
+});

@@ -6,7 +6,7 @@ use super::{leading_zeros, magnitude_bits, round_off};
 use crate::scalar::{Attempt, Pace};
 
 /// From so many bits on, of the longest distance from the frame's position along an axis, a line is taken up next to that position.
-const FAR: u32 = 17;
+const FAR: u32 = 19;
 
 /// The line, its direction of unit length, in a unit of length that is a power of two finer than the type's: half a unit that an end
 /// along it is off is then at most a fourth of one of the ray's own `t`.

@@ -1,8 +1,11 @@
 //! A line and planes across the y axis.
 
-use super::quotient::Normalized;
-use super::{Digits, FINER, carried, product, refined, rounded, upper_bits};
-use crate::scalar::Attempt;
+use super::quotient::{Normalized, upper_product};
+use super::{
+    Digits, FINER, carried, digits, down_to_64, leading_zeros, minor, product, refined, rounded, squared, up_to_128,
+    upper_bits, words,
+};
+use crate::scalar::{Attempt, found};
 
 /// Where the line crosses each of the heights: `t = (y - oy) / dy`. A line that stays in one height meets none of them.
 ///
@@ -30,6 +33,44 @@ pub(in crate::scalar) fn crossings(oy: i64, finer: i32, dy: i64, [low, high]: [i
         (Some(low), Some(high)) => Attempt::Found([low, high]),
         _ => Attempt::Unsure,
     }
+}
+
+/// Where the line crosses the disc of radius `r` about the origin: as with 32 bits where `w_x^2 + w_z^2 <= (r dy)^2`, with the line's
+/// moment `w = o x d`.
+///
+/// The origin is in units of `2^-finer` of the radius's; the answer is in the radius's.
+#[inline(always)]
+pub(in crate::scalar) fn disc(o: [i64; 3], finer: i32, d: [i64; 3], r: i64) -> Attempt<i64> {
+    // As for a ball: a grid on which the radius has 61 bits, and the moment shifted down to it.
+    let [low, above] = words(r as u64);
+    let far = upper_bits(o[0]) | upper_bits(o[1]) | upper_bits(o[2]);
+    if above >= 1 << 21 || far >= 1 << 28 || !(finer == 0 || finer == FINER) {
+        return Attempt::Unsure;
+    }
+    let (top, grid) = if above != 0 { (above, 0) } else { (low, 32) };
+    let grid = leading_zeros(top | 1) + grid - 3;
+    let less = 62 + finer as u32 - grid;
+    let ([x, y, z], [dx, dy, dz]) = (digits(o), digits(d));
+    let [wx, wz] = [minor([y, z], [dy, dz]), minor([x, y], [dx, dy])].map(i128::unsigned_abs);
+    // Twice the radius or more.
+    if down_to_64((wx | wz) >> 64, less - 2) != 0 {
+        return Attempt::Miss;
+    }
+    let on_grid = |minor: u128| (down_to_64(minor, less - 1) + 1) >> 1;
+    let reach = upper_product((up_to_128(r as u64, grid) as u64) << 1, d[1].unsigned_abs() << 1);
+    let (wx, wz) = (on_grid(wx), on_grid(wz));
+    let square = |n: u64| squared(Digits::new(n as i64));
+    let inside = square(reach) - square(wx) - square(wz);
+    // Each of the three is off by less than 4 units, and through a frame by two roundings of the origin more.
+    let off = if finer == 0 { 2 } else { grid.saturating_sub(finer as u32) + 3 };
+    if off > 56 || inside.unsigned_abs() <= up_to_128(reach | wx | wz, off + 3) {
+        return Attempt::Unsure;
+    }
+    if inside < 0 {
+        return Attempt::Miss;
+    }
+    let [t, _] = found!(crossings(o[1], finer, d[1], [0, 0]));
+    Attempt::Found(t)
 }
 
 /// The height `oy + t dy`, rounded to the unit of `t`; the origin is in units of `2^-finer` of that.

@@ -6,16 +6,20 @@
 //! Sums of 128 bits are a chain of additions on any chip; products and shifts of 128 bits would be calls of functions.
 
 mod ball;
+mod cone;
 mod flat;
 mod quotient;
 mod round;
+mod triangle;
 mod turned;
 
 use super::{high_product, leading_zeros, magnitude_bits, product, product_unsigned, reciprocal_root, square};
 
 pub(in crate::scalar) use ball::{ByApproach, ByMoment};
-pub(in crate::scalar) use flat::{crossings, height, lowered};
+pub(in crate::scalar) use cone::{double_cone, nappe};
+pub(in crate::scalar) use flat::{crossings, disc, height, lowered};
 pub(in crate::scalar) use round::tube;
+pub(in crate::scalar) use triangle::triangle;
 pub(in crate::scalar) use turned::{FINER, turned};
 
 /// `high * 2^32 + low`, with a low digit of either sign.

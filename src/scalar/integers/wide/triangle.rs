@@ -1,0 +1,107 @@
+//! A line and a triangle.
+
+use super::quotient::Normalized;
+use super::{Digits, digits, dot, leading_zeros, minor, refined, upper_bits, words};
+use crate::scalar::Attempt;
+
+/// Bits of a vertex on the grid of the edges.
+const GRID: u32 = 59;
+
+/// `a x b`
+#[inline(always)]
+fn cross([x, y, z]: [Digits; 3], [u, v, w]: [Digits; 3]) -> [i128; 3] {
+    [minor([y, z], [v, w]), minor([z, x], [w, u]), minor([x, y], [u, v])]
+}
+
+/// Where the line crosses the triangle, and whether it comes from the front; as with 32 bits.
+///
+/// The origin is in units of `2^-finer` of the vertices'; the answer is in the vertices'.
+#[inline(always)]
+pub(in crate::scalar) fn triangle(
+    o: [i64; 3],
+    finer: i32,
+    d: [i64; 3],
+    vertices: [[i64; 3]; 3],
+) -> Attempt<(i64, bool)> {
+    // Exactly, in the origin's unit.
+    let (mut all, mut fits) = (0, true);
+    let mut from_origin = |v: i64, o: i64| {
+        let Some(v) = refined(v, finer) else {
+            fits = false;
+            return 0;
+        };
+        fits &= (upper_bits(v) | upper_bits(o)) >> 28 == 0;
+        let length = v.wrapping_sub(o);
+        all |= (length ^ (length >> 63)) as u64;
+        length
+    };
+    let [a, b, c] = vertices.map(|[x, y, z]| [from_origin(x, o[0]), from_origin(y, o[1]), from_origin(z, o[2])]);
+    if !fits {
+        return Attempt::Unsure;
+    }
+    // On a grid on which none has more than 59 bits, cut off by less than one. A framed origin is off by half of its own unit: a finer
+    // grid would gain nothing.
+    let [low, high] = words(all);
+    let bits = if high != 0 { 64 - leading_zeros(high) } else { 32 - leading_zeros(low | 1) };
+    let up = if finer == 0 { GRID as i32 - bits as i32 } else { 0 };
+    let cut = bits.saturating_sub(GRID);
+    let on_grid = |vertex: [i64; 3]| vertex.map(|length| if up > 0 { length << up } else { length >> cut });
+    let corners = [on_grid(a), on_grid(b), on_grid(c)].map(digits);
+    let direction = digits(d);
+    // d x p in halves of the grid's unit.
+    let moments = corners.map(|p| digits(cross(direction, p).map(|component| (component >> 61) as i64)));
+    // A component of d x p is off by less than 8 (2 for what p is cut off by, twice, and as much for a framed origin and direction), and
+    // one of q by less than 2: less than 2^6 of the largest q, or of half the largest d x p.
+    let doubt = 1_i128 << if up > 0 { GRID + 6 } else { bits - cut + 6 };
+    let (mut left, mut right) = (0, 0);
+    for (q, m) in [(corners[1], moments[0]), (corners[2], moments[1]), (corners[0], moments[2])] {
+        let volume = dot(q, m);
+        left += (volume > doubt) as u32;
+        right += (volume < -doubt) as u32;
+    }
+    if left != 0 && right != 0 {
+        return Attempt::Miss;
+    }
+    if left + right != 3 {
+        return Attempt::Unsure;
+    }
+    crossing(a, finer, direction, vertices, right == 3)
+}
+
+/// Where the line crosses the plane of a triangle that it meets, `t = a . n / d . n`, from a vertex `a` seen from its origin.
+#[inline(always)]
+fn crossing(
+    a: [i64; 3],
+    finer: i32,
+    d: [Digits; 3],
+    [u, v, w]: [[i64; 3]; 3],
+    from_front: bool,
+) -> Attempt<(i64, bool)> {
+    let edge = |from: [i64; 3], to: [i64; 3]| {
+        [to[0].wrapping_sub(from[0]), to[1].wrapping_sub(from[1]), to[2].wrapping_sub(from[2])]
+    };
+    let edges = [edge(u, v), edge(u, w)];
+    if edges.into_iter().flatten().fold(0, |all, component| all | upper_bits(component)) >> 28 != 0 {
+        return Attempt::Unsure;
+    }
+    // The normal, exactly but for its last bits, as 2^61 times one of 61 bits and a rest.
+    let normal = cross(digits(edges[0]), digits(edges[1]));
+    let longest = normal.into_iter().fold(0, |all, component| all | component.unsigned_abs());
+    let up = longest.leading_zeros().saturating_sub(6) & 0x7f;
+    let scaled = normal.map(|component| component << up);
+    let high = digits(scaled.map(|n| (n >> 61) as i64));
+    let low = digits(scaled.map(|n| n as i64 & ((1 << 61) - 1)));
+    let along = |vector: [Digits; 3]| dot(high, vector) + (dot(low, vector) >> 61);
+    let (distance, slope) = (along(digits(a)), along(d));
+    let Some(divisor) = Normalized::new(slope).filter(|_| (slope < 0) == from_front) else {
+        return Attempt::Unsure;
+    };
+    // A framed origin is off by a five-hundredth of a unit, of which an angle makes more. (A normal of 61 bits has 1 or 2 in its shift.)
+    if finer != 0 && divisor.shift > 8 {
+        return Attempt::Unsure;
+    }
+    match divisor.divisor().quotient(distance, finer) {
+        Some(t) if upper_bits(t) >> 20 == 0 => Attempt::Found((t, from_front)),
+        _ => Attempt::Unsure,
+    }
+}
