@@ -163,8 +163,8 @@ mod law {
     }
 
     /// Law 5, where every number is exact: an axis-parallel ray from a grid, moved by a number of the grid, in a world that is turned
-    /// by quarter turns and powers of two at most. In fixed point `t` shifts to the last bit (`Stable`: but for ties; `Fast`, which rounds
-    /// on the way: within the bound); a float's `t` is rounded where it stands.
+    /// by quarter turns and powers of two at most. In fixed point `t` shifts to the last bit (`Stable`: but for ties; `Fast`, and `Stable`
+    /// where the world is stretched, which round on the way: within the bound); a float's `t` is rounded where it stands.
     pub(super) fn a_shift_along_an_axis_shifts_t_exactly<S: Number, T: Graded<S>>(
         setting: &Setting<S>,
         random: &mut Random,
@@ -191,7 +191,8 @@ mod law {
         let moved = Ray::new(v::<S>(from), along).expect("near").with_range(Range::line());
         let (here, there) = (setting.shape.hits_at::<T>(&ray), setting.shape.hits_at::<T>(&moved));
         let shift = number::<S>(shift).expect("small");
-        if T::GRADE == Grade::Fast || is_float::<S>() && T::GRADE != Grade::Exact {
+        let rounds_on_the_way = is_float::<S>() || matches!(setting.pose, Pose::Affine { .. });
+        if T::GRADE == Grade::Fast || rounds_on_the_way && T::GRADE != Grade::Exact {
             let shifted: Vec<Met> =
                 met(&there).into_iter().map(|hit| Met { t: &hit.t + &shift.exact(), ..hit }).collect();
             return on_one_line::<S, T>(setting, &ray, &met(&here), &shifted, 0.0);
