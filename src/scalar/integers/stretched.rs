@@ -10,6 +10,7 @@ const FAR: u32 = 19;
 
 /// The line, its direction of unit length, in a unit of length that is a power of two finer than the type's: half a unit that an end
 /// along it is off is then at most a fourth of one of the ray's own `t`.
+#[derive(Debug)]
 pub(in crate::scalar) struct Stretched {
     /// The ray's `t` at the origin.
     pub(in crate::scalar) start: i32,

@@ -138,3 +138,54 @@ fn a_triangle_is_met_where_exact_arithmetic_says() {
     }
     assert!(found > 1_500 && missed > 10_000 && unsure < 5_000, "{found} found, {missed} missed, {unsure} unsure");
 }
+
+/// The line under a matrix, against doubles, which hold all that is asked of it: the origin to its own unit, the direction to little more
+/// than a unit of its type, the pace to as many bits as it has.
+#[test]
+fn a_stretched_line_is_the_matrix_times_the_line() {
+    let mut words = words();
+    let mut next = move || words.next().unwrap_or(1);
+    let (mut tried, mut found) = (0, 0);
+    while tried < 20_000 {
+        let mut vector = |bits: u32| [next(), next(), next()].map(|word| word as i32 >> (31 - bits));
+        let sizes = 8 + (tried as u32 * 7) % 23;
+        let (o, position) = (vector(sizes), vector(sizes.min(12 + tried as u32 % 17)));
+        let Attempt::Found(d) = direction(vector(29)) else { continue };
+        let rows = [vector(30), vector(30), vector(30)];
+        let spread = tried % 12;
+        let exponents = [0, 1, 2].map(|i| (tried / 7 + i * spread) % 13 - 6);
+        tried += 1;
+        let stored = [0, 1, 2].map(|i| (rows[i], exponents[i]));
+        let reach = 1 << (4 + tried % 20);
+        let Some(line) = stretched(o, d, position, stored, reach) else { continue };
+        found += 1;
+        let of = |v: [f64; 3]| {
+            [0, 1, 2].map(|i| {
+                let row = rows[i].map(|c| f64::from(c) * 2.0_f64.powi(exponents[i] - 30));
+                row[0] * v[0] + row[1] * v[1] + row[2] * v[2]
+            })
+        };
+        let d = d.map(|c| f64::from(c) * 2.0_f64.powi(-30));
+        let start = f64::from(line.start);
+        let origin = of([0, 1, 2].map(|i| f64::from(o[i]) - f64::from(position[i]) + start * d[i]));
+        let unit = 2.0_f64.powi(-line.scale - line.finer);
+        for (got, exact) in line.origin.into_iter().zip(origin) {
+            assert!((f64::from(got) * unit - exact).abs() <= 1.1 * unit, "{line:?} of {o:?} {position:?} {stored:?}");
+            assert!(got.unsigned_abs() >> 30 == 0);
+        }
+        let along = of(d);
+        let length = along.iter().map(|c| c * c).sum::<f64>().sqrt();
+        for (got, exact) in line.direction.into_iter().zip(along) {
+            let off = (f64::from(got) - exact / length * 2.0_f64.powi(30)).abs();
+            assert!(off <= 1.3, "{line:?} {along:?} {off}");
+        }
+        let pace = f64::from(line.pace.digits) * 2.0_f64.powi(line.scale - line.pace.shift as i32);
+        assert!((pace * length - 1.0).abs() <= 2.0_f64.powi(-29), "{line:?} {pace} {length}");
+        assert!(
+            pace * 2.0_f64.powi(-line.scale) <= 0.5
+                && line.finer >= FINER
+                && (reach << line.scale << line.finer) >> 30 == 0
+        );
+    }
+    assert!(found > tried / 4, "{found} of {tried}");
+}

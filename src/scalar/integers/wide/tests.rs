@@ -1,5 +1,5 @@
 use super::*;
-use crate::scalar::{Attempt, found};
+use crate::scalar::{Attempt, InNappe, found};
 use dashu_int::IBig;
 
 /// Lines a test; two million were tried.
@@ -248,4 +248,79 @@ fn reciprocal_is_within_its_bound() {
         let exact = ((1_u128 << 127) / n as u128).min(u64::MAX as u128) as u64;
         assert!(got.abs_diff(exact) <= 32, "1 / {n:#x} = {got}, not {exact}");
     }
+}
+
+/// Numbers of all sizes that a type accepts, of either sign.
+fn coordinate(random: &mut Random, bits: u64) -> i64 {
+    let n = random.sized(bits);
+    if random.below(2) == 0 { n } else { -n }
+}
+
+/// Whatever the sizes, nothing overflows, and what is found lies on the surface; for lines from afar and near, in the world and through
+/// frames.
+#[test]
+fn cones_discs_and_triangles_of_every_size_are_met_on_their_surfaces() {
+    let mut random = Random(7);
+    let (mut cones, mut discs, mut triangles) = (0, 0, 0);
+    for index in 0..4 * LINES {
+        let finer = if index % 2 == 0 { 0 } else { FINER };
+        // Of alike sizes, or of any.
+        let bits = 20 + random.below(42);
+        let mut size = |random: &mut Random| if index % 3 == 0 { random.sized(62) } else { random.sized(bits.max(4)) };
+        let sizes = [size(&mut random), size(&mut random), size(&mut random)];
+        let vertices = [(); 3].map(|()| [(); 3].map(|()| coordinate(&mut random, bits)));
+        let o = [(); 3].map(|()| coordinate(&mut random, if index % 5 == 0 { 62 } else { (bits + 3).min(62) }));
+        let unit_of = 2.0_f64.powi(-finer);
+        let from = o.map(|c| c as f64 * unit_of);
+        // Towards the solid, about.
+        let aim = [0, 1, 2]
+            .map(|i| vertices[index as usize % 3][i] as f64 / 3.0 - from[i] + random.either() * sizes[0] as f64);
+        let d = unit(aim).map(|c| (c * 2.0_f64.powi(62)) as i64);
+        let e = d.map(|c| c as f64 * 2.0_f64.powi(-62));
+        let at = |t: i64| [0, 1, 2].map(|i| from[i] + t as f64 * e[i]);
+        let off = |t: i64| 1e-12 * (from.iter().map(|c| c.abs()).sum::<f64>() + t as f64) + 8.0;
+        if let Attempt::Found(t) = disc(o, finer, d, sizes[0]) {
+            discs += 1;
+            let [x, y, z] = at(t);
+            assert!(
+                y.abs() <= off(t.abs()) && x.hypot(z) <= sizes[0] as f64 + 2.0 * off(t.abs()) / e[1].abs(),
+                "{o:?} {d:?} {sizes:?}"
+            );
+        }
+        if let Attempt::Found((t, _)) = triangle(o, finer, d, vertices) {
+            triangles += 1;
+            let p = at(t);
+            let [a, b, c] = vertices.map(|v| [0, 1, 2].map(|i| v[i] as f64 - p[i]));
+            let cross = |[x, y, z]: [f64; 3], [u, v, w]: [f64; 3]| [y * w - z * v, z * u - x * w, x * v - y * u];
+            let normal = cross([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
+            let height: f64 = unit(normal).iter().zip(a).map(|(n, a)| n * a).sum();
+            let largest = a.iter().chain(&b).chain(&c).fold(0.0_f64, |all, c| all.max(c.abs()));
+            assert!(height.abs() <= off(t.abs()) + 1e-3 * largest, "{o:?} {d:?} {vertices:?}: {height}");
+        }
+        let [r, g, h] = [sizes[0], if index % 7 == 0 { -sizes[1] } else { sizes[1] }, sizes[2]];
+        let on_cone = |t: i64, r: i64| {
+            let [x, y, z] = at(t);
+            let (ratio, off) = (g as f64 / h as f64, off(t.abs()));
+            let outline = r as f64 + ratio * y;
+            let near = (x.hypot(z) - outline.abs()).abs()
+                <= (1.0 + ratio.abs()) * (off + 1e-9 * (x.abs() + y.abs() + z.abs()));
+            assert!(near, "{o:?} {d:?} {:?}: {x} {y} {z} {outline}", [r, g, h]);
+        };
+        if let Attempt::Found(InNappe { ends, certain }) = nappe(o, finer, d, [r, g, h]) {
+            cones += 1;
+            for (end, certain) in ends.into_iter().zip(certain) {
+                if certain && end.unsigned_abs() != i64::MAX as u64 {
+                    on_cone(end, r);
+                }
+            }
+        }
+        if let Attempt::Found((ends, _)) = double_cone(o, finer, d, [g.abs(), h]) {
+            cones += 1;
+            assert!(ends[0] <= ends[1]);
+        }
+    }
+    assert!(
+        cones > LINES as i32 / 4 && discs > LINES as i32 / 40 && triangles > LINES as i32 / 40,
+        "{cones} {discs} {triangles}"
+    );
 }
