@@ -266,7 +266,7 @@ fn cones_discs_and_triangles_of_every_size_are_met_on_their_surfaces() {
         let finer = if index % 2 == 0 { 0 } else { FINER };
         // Of alike sizes, or of any.
         let bits = 20 + random.below(42);
-        let mut size = |random: &mut Random| if index % 3 == 0 { random.sized(62) } else { random.sized(bits.max(4)) };
+        let size = |random: &mut Random| if index % 3 == 0 { random.sized(62) } else { random.sized(bits.max(4)) };
         let sizes = [size(&mut random), size(&mut random), size(&mut random)];
         let vertices = [(); 3].map(|()| [(); 3].map(|()| coordinate(&mut random, bits)));
         let o = [(); 3].map(|()| coordinate(&mut random, if index % 5 == 0 { 62 } else { (bits + 3).min(62) }));
