@@ -27,7 +27,8 @@ struct Roots {
 
 impl Roots {
     /// The origin is in units of `2^-finer` of the sizes'.
-    #[inline(always)]
+    // Not inlined: a shape that may be any cone has it twice.
+    #[inline(never)]
     fn new(o: [i32; 3], finer: i32, d: [i32; 3], [r, g, h]: [i32; 3]) -> Attempt<Self> {
         // The proportions, the larger one above 1/2 and at most 1 in units of 2^-30.
         let free = leading_zeros(magnitude_bits(g) | (h - 1) as u32 | 1);

@@ -39,7 +39,8 @@ fn along(length: i64, proportion: Digits) -> i64 {
 
 impl Roots {
     /// The origin is in units of `2^-finer` of the sizes'.
-    #[inline(always)]
+    // Not inlined: a shape that may be any cone has it twice.
+    #[inline(never)]
     fn new(o: [i64; 3], finer: i32, d: [i64; 3], [r, g, h]: [i64; 3]) -> Attempt<Self> {
         let Some(radius) = refined(r, finer) else { return Attempt::Unsure };
         if (upper_bits(o[0]) | upper_bits(o[1]) | upper_bits(o[2]) | upper_bits(radius)) >> 28 != 0 {
