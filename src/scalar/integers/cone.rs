@@ -75,9 +75,9 @@ impl Roots {
         let wy = nearest(product(z, dx) - product(x, dz));
         let wz = nearest(product(x, dy) - product(y, dx));
         let discriminant = square(wx) + square(wz) - square(wy);
-        // The coordinates' rounding moves D by no more than eight times this.
+        // The coordinates' rounding, of up to 1.5 units across the axis and 3 along it, moves D by no more than ten times this.
         let moment = wx.unsigned_abs() as i64 + wy.unsigned_abs() as i64 + wz.unsigned_abs() as i64;
-        if discriminant < -(moment << 3) && a > 0 {
+        if discriminant < -(moment << 4) && a > 0 {
             return Attempt::Miss;
         }
         // ... and t by no more than half a unit (in all that was measured, by a twentieth), if the root is not small against the moment.

@@ -94,9 +94,9 @@ impl Roots {
         let w = [minor([y, z], [ey, ez]), minor([z, x], [ez, ex]), minor([x, y], [ex, ey])].map(round_off::<62>);
         let [wx, wy, wz] = digits(w);
         let discriminant = squared(wx) + squared(wz) - squared(wy);
-        // The coordinates' rounding moves D by no more than eight times this.
+        // The coordinates' rounding, of up to 1.5 units across the axis and 3 along it, moves D by no more than ten times this.
         let moment = w.into_iter().fold(0, |sum, w| sum + w.unsigned_abs() as i128);
-        if discriminant < -(moment << 3) && a > 0 {
+        if discriminant < -(moment << 4) && a > 0 {
             return Attempt::Miss;
         }
         // The same bounds as with 32 bits.
