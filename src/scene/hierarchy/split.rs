@@ -55,7 +55,7 @@ pub(super) fn split<S: Scalar>(leaves: &mut [Node<S>], corners: Corners<S>, leve
 
 /// True if halving leads to single objects within one level less than these.
 fn has_levels(objects: usize, levels: u32) -> bool {
-    objects.next_power_of_two().ilog2() < levels
+    usize::BITS - objects.saturating_sub(1).leading_zeros() < levels
 }
 
 /// The box of the leaves' middles.
