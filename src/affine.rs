@@ -230,23 +230,37 @@ impl<S: Scalar> Place<S> for Affine<S> {
     }
 
     fn line<N: FromScalar<S>>(&self, ray: &Ray<S>) -> [[N; 3]; 2] {
-        [self.point(ray.origin()), self.applied(ray.direction().to_array().map(N::unit))]
+        let (rows, direction) = (self.rows_in(), ray.direction().to_array().map(N::unit));
+        [applied(rows, self.from_position(ray.origin())), applied(rows, direction)]
     }
 
     fn point<N: FromScalar<S>>(&self, point: Vec3<S>) -> [N; 3] {
-        let [o, p] = [point, self.position].map(|v| v.to_array().map(N::scalar));
-        self.applied(difference(o, p))
+        applied(self.rows_in(), self.from_position(point))
     }
 
     fn gradient_to_world<N: FromScalar<S>>(&self, gradient: [N; 3]) -> [N; 3] {
-        let rows = self.inverse.map(|row| row.components.map(|component| N::unit(component).scaled(row.exponent)));
+        let rows = self.rows_in().map(|Row { components, exponent }: Row<N>| components.map(|c| c.scaled(exponent)));
         transposed(rows).map(|row| dot(row, gradient))
     }
 }
 
 impl<S: Scalar> Affine<S> {
-    /// The inverse applied to a vector, in any numbers.
-    fn applied<N: FromScalar<S>>(&self, v: [N; 3]) -> [N; 3] {
-        self.inverse.map(|row| dot(row.components.map(N::unit), v).scaled(row.exponent))
+    /// The inverse in other numbers.
+    #[inline(always)]
+    fn rows_in<N: FromScalar<S>>(&self) -> [Row<N>; 3] {
+        self.inverse.map(|Row { components, exponent }| Row { components: components.map(N::unit), exponent })
     }
+
+    /// A point seen from the position.
+    #[inline(always)]
+    fn from_position<N: FromScalar<S>>(&self, point: Vec3<S>) -> [N; 3] {
+        let [o, p] = [point, self.position].map(|v| v.to_array().map(N::scalar));
+        difference(o, p)
+    }
+}
+
+/// The rows applied to a vector.
+#[inline(always)]
+fn applied<N: Ring>(rows: [Row<N>; 3], v: [N; 3]) -> [N; 3] {
+    rows.map(|row| dot(row.components, v).scaled(row.exponent))
 }

@@ -167,6 +167,12 @@ impl<S: Scalar> Frame<S> {
         self.vector_to_local(from_position.into())
     }
 
+    /// The axes in other numbers.
+    #[inline(always)]
+    fn axes_in<N: FromScalar<S>>(&self) -> [[N; 3]; 3] {
+        self.axes.map(|axis| axis.to_array().map(N::unit))
+    }
+
     /// A vector of the world in the frame's coordinates.
     pub(crate) fn vector_to_local(&self, vector: Vec3<S>) -> Vec3<S> {
         let vector = vector.to_array().map(within_budget);
@@ -213,13 +219,14 @@ impl<S: Scalar> Place<S> for Frame<S> {
     #[inline]
     fn line<N: FromScalar<S>>(&self, ray: &Ray<S>) -> [[N; 3]; 2] {
         let direction = ray.direction().to_array().map(N::unit);
-        [self.point(ray.origin()), self.axes.map(|axis| dot(axis.to_array().map(N::unit), direction))]
+        let (axes, origin) = (self.axes_in::<N>(), self.ball_point(ray.origin()));
+        [axes.map(|axis| dot(axis, origin)), axes.map(|axis| dot(axis, direction))]
     }
 
     #[inline]
     fn point<N: FromScalar<S>>(&self, point: Vec3<S>) -> [N; 3] {
         let from_position = self.ball_point(point);
-        self.axes.map(|axis| dot(axis.to_array().map(N::unit), from_position))
+        self.axes_in::<N>().map(|axis| dot(axis, from_position))
     }
 
     #[inline]
@@ -234,7 +241,7 @@ impl<S: Scalar> Place<S> for Frame<S> {
     }
 
     fn gradient_to_world<N: FromScalar<S>>(&self, gradient: [N; 3]) -> [N; 3] {
-        transposed(self.axes.map(|axis| axis.to_array().map(N::unit))).map(|row| dot(row, gradient))
+        transposed(self.axes_in::<N>()).map(|row| dot(row, gradient))
     }
 
     fn ball_gradient_to_world<N: FromScalar<S>>(&self, gradient: [N; 3]) -> [N; 3] {

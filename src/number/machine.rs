@@ -216,3 +216,10 @@ pub(crate) fn leading_zeros(mut n: u32) -> u32 {
     // Those of four bits, two bits each.
     zeros + ((0x55af_u32 >> (2 * (n >> 28))) & 3)
 }
+
+/// The leading zeros of a number that is not zero.
+#[inline(always)]
+pub(crate) fn leading_zeros_of_64(n: u64) -> u32 {
+    let (high, low) = ((n >> 32) as u32, n as u32);
+    if high != 0 { leading_zeros(high) } else { 32 + leading_zeros(low) }
+}

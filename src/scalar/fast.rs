@@ -2,6 +2,7 @@
 
 use super::Numbers;
 use core::cmp::Ordering;
+use core::ops::Neg;
 
 /// What the fast path makes of a line and a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,6 +36,24 @@ macro_rules! found {
     };
 }
 pub(crate) use found;
+
+/// Whether the line passes within a triangle, on the same side of its three edges, and comes from the front: from the volume that it
+/// spans with each edge, negative from the front, and what that may be off.
+#[inline(always)]
+pub(crate) fn within_edges<V: Copy + PartialOrd + Neg<Output = V>>(edges: [(V, V); 3]) -> Attempt<bool> {
+    let (mut left, mut right) = (0, 0);
+    for (volume, doubt) in edges {
+        left += (volume > doubt) as u32;
+        right += (volume < -doubt) as u32;
+    }
+    if left != 0 && right != 0 {
+        Attempt::Miss
+    } else if left + right == 3 {
+        Attempt::Found(right == 3)
+    } else {
+        Attempt::Unsure
+    }
+}
 
 /// A line in a primitive's frame, for the fast path.
 #[expect(clippy::struct_excessive_bools, reason = "properties that do not depend on each other")]

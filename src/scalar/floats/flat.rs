@@ -107,21 +107,10 @@ macro_rules! flat {
                 return Attempt::Unsure;
             }
             let Limits { epsilon, .. } = Limits::of(&line);
-            let (mut left, mut right) = (0, 0);
             // It moves with each of its two vertices as the line is off.
             let off = off_at(&line, sizes[0]) * (sizes[0] + sizes[1] + sizes[2]);
-            for (volume, terms) in core::iter::zip(volumes, terms) {
-                let doubt = (terms + off) * (16.0 * epsilon);
-                left += (volume > doubt) as u32;
-                right += (volume < -doubt) as u32;
-            }
-            if left != 0 && right != 0 {
-                return Attempt::Miss;
-            }
-            if left + right != 3 {
-                return Attempt::Unsure;
-            }
-            let from_front = right == 3;
+            let edge = |i: usize| (volumes[i], (terms[i] + off) * (16.0 * epsilon));
+            let from_front = found!(within_edges([edge(0), edge(1), edge(2)]));
             // From the vertices themselves, which are close together however far the ray starts.
             let (u, v) = (minus(vertices[1], vertices[0]), minus(vertices[2], vertices[0]));
             let normal = cross(u, v);

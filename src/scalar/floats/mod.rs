@@ -36,6 +36,7 @@ macro_rules! floats {
         may_have_spare_bits: $spare:literal
     ) => {
         pub(super) mod $name {
+            use crate::scalar::fast::within_edges;
             use crate::scalar::{Attempt, InNappe, LocalLine, Real, found};
             use core::cmp::Ordering;
 

@@ -1,5 +1,6 @@
 //! A line and a cone's side.
 
+use super::nappes::Roots;
 use super::quotient::{Divisor, Normalized};
 use super::{high, leading_zeros, magnitude_bits, product, root, round_off, square};
 use crate::scalar::{Attempt, InNappe, found};
@@ -9,7 +10,7 @@ use crate::scalar::{Attempt, InNappe, found};
 ///
 /// In coordinates scaled by `h` across the axis and by the outline along it, `X = h x`, `Z = h z`, `Y = h r + g y`, the cone is
 /// `X^2 + Z^2 = Y^2`, and the line's moment `W` gives `D = Wx^2 + Wz^2 - Wy^2`, so that `t = (-k -+ sqrt(D)) / a`.
-struct Roots {
+struct AtCone {
     /// Of the point where the line is taken up.
     y: i32,
     dy: i32,
@@ -25,7 +26,7 @@ struct Roots {
     farthest: i32,
 }
 
-impl Roots {
+impl AtCone {
     /// The origin is in units of `2^-finer` of the sizes'.
     // Not inlined: a shape that may be any cone has it twice.
     #[inline(never)]
@@ -99,19 +100,6 @@ impl Roots {
         Attempt::Found(Self { y, dy, a, k, root, divisor, unit, start, farthest })
     }
 
-    /// The end at the lower root of `a t^2 + 2 k t + c` for a positive `a`, and at the higher for a negative one; and whether the line ends
-    /// there, or somewhere beyond.
-    #[inline(always)]
-    fn first(&self) -> (i32, bool) {
-        self.end(-self.k - (self.root << 30))
-    }
-
-    /// The other one.
-    #[inline(always)]
-    fn second(&self) -> (i32, bool) {
-        self.end((self.root << 30) - self.k)
-    }
-
     #[inline(always)]
     fn end(&self, numerator: i64) -> (i32, bool) {
         let Self { start, farthest, .. } = *self;
@@ -123,32 +111,50 @@ impl Roots {
     }
 }
 
-/// Where the line is inside the nappe of [`Roots`] in which `h r + g y >= 0`.
+impl Roots for AtCone {
+    type Length = i32;
+
+    const INFINITY: i32 = i32::MAX;
+
+    #[inline(always)]
+    fn start(&self) -> i32 {
+        self.start
+    }
+
+    #[inline(always)]
+    fn is_steep(&self) -> bool {
+        self.a < 0
+    }
+
+    #[inline(always)]
+    fn rises(&self) -> bool {
+        self.dy > 0
+    }
+
+    #[inline(always)]
+    fn is_middle_inside(&self) -> Attempt<bool> {
+        let (a, k) = (high(self.a << 2), high(self.k << 2));
+        let middle = product(self.y, a) - product(self.dy, k);
+        if middle.unsigned_abs() >> 34 == 0 { Attempt::Unsure } else { Attempt::Found(middle > 0) }
+    }
+
+    #[inline(always)]
+    fn first(&self) -> (i32, bool) {
+        self.end(-self.k - (self.root << 30))
+    }
+
+    #[inline(always)]
+    fn second(&self) -> (i32, bool) {
+        self.end((self.root << 30) - self.k)
+    }
+}
+
+/// Where the line is inside the nappe of [`AtCone`] in which `h r + g y >= 0`.
 ///
 /// The origin is in units of `2^-finer` of the sizes'; the answer is in the sizes'.
 #[inline(always)]
 pub(in crate::scalar) fn nappe(o: [i32; 3], finer: i32, d: [i32; 3], outline: [i32; 3]) -> Attempt<InNappe<i32>> {
-    let roots = found!(Roots::new(o, finer, d, outline));
-    let Roots { y, dy, a, k, start, .. } = roots;
-    let (low, high) = if a < 0 {
-        // Steeper than the side: a half-line in each nappe; the outline grows along the one in the upper.
-        if dy > 0 { (roots.first(), (i32::MAX, true)) } else { ((-i32::MAX, true), roots.second()) }
-    } else {
-        // The sign of the outline halfway between the ends, at t = -k / a, is that of Y a - dY k.
-        let middle = product(y, high(a << 2)) - product(dy, high(k << 2));
-        if middle.unsigned_abs() >> 34 == 0 {
-            return Attempt::Unsure;
-        }
-        if middle < 0 {
-            return Attempt::Miss;
-        }
-        (roots.first(), roots.second())
-    };
-    // What begins somewhere beyond one end, or ends somewhere beyond the other, may be anywhere or nowhere.
-    if (!low.1 && low.0 > start) || (!high.1 && high.0 < start) {
-        return Attempt::Unsure;
-    }
-    Attempt::Found(InNappe { ends: [low.0, high.0], certain: [low.1, high.1] })
+    found!(AtCone::new(o, finer, d, outline)).in_nappe()
 }
 
 /// Where the line is inside both nappes of the cone of slope `g / h` about its apex at the origin: between its ends, or (`true`) beyond
@@ -160,10 +166,5 @@ pub(in crate::scalar) fn double_cone(
     d: [i32; 3],
     [g, h]: [i32; 2],
 ) -> Attempt<([i32; 2], bool)> {
-    let roots = found!(Roots::new(o, finer, d, [0, g, h]));
-    match (roots.first(), roots.second()) {
-        ((first, true), (second, true)) if roots.a < 0 => Attempt::Found(([second, first], true)),
-        ((first, true), (second, true)) => Attempt::Found(([first, second], false)),
-        _ => Attempt::Unsure,
-    }
+    found!(AtCone::new(o, finer, d, [0, g, h])).in_both()
 }

@@ -13,6 +13,7 @@ mod ball;
 mod cone;
 mod direction;
 mod flat;
+mod nappes;
 mod path;
 mod quotient;
 mod round;
@@ -32,8 +33,8 @@ pub(super) use turned::{FINER, coarser, fitting, turned};
 
 pub(super) use crate::number::machine::product;
 use crate::number::machine::{
-    high_product, high_product_signed, leading_zeros, product_unsigned, reciprocal_of_normalized, reciprocal_root,
-    root_of_normalized, square,
+    high_product, high_product_signed, leading_zeros, leading_zeros_of_64, product_unsigned, reciprocal_of_normalized,
+    reciprocal_root, root_of_normalized, square,
 };
 
 /// By how many bits an origin that is kept `finer` is so beyond [`FINER`], as far as a radius has them too: it has 29 bits on a grid `grid`

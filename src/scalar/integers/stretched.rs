@@ -2,7 +2,7 @@
 
 use super::direction::{Unit, unit};
 use super::turned::{FINER, FINEST, LENGTH_BITS, closest, dot, room};
-use super::{leading_zeros, magnitude_bits, round_off};
+use super::{leading_zeros_of_64, magnitude_bits, round_off};
 use crate::scalar::{Attempt, Pace};
 
 /// From so many bits on, of the longest distance from the frame's position along an axis, a line is taken up next to that position.
@@ -97,9 +97,7 @@ pub(in crate::scalar) fn stretched(
 #[inline(always)]
 fn bits_of_longest([x, y, z]: [i64; 3]) -> i32 {
     let bits = |n: i64| (n ^ (n >> 63)) as u64;
-    let all = bits(x) | bits(y) | bits(z);
-    let (high, low) = ((all >> 32) as u32, all as u32);
-    if high != 0 { 64 - leading_zeros(high) as i32 } else { 32 - leading_zeros(low | 1) as i32 }
+    64 - leading_zeros_of_64(bits(x) | bits(y) | bits(z) | 1) as i32
 }
 
 /// Components times `2^-by`, rounded to nearest, where the results fit.

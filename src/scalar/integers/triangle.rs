@@ -2,7 +2,8 @@
 
 use super::quotient::Normalized;
 use super::{leading_zeros, magnitude_bits, product};
-use crate::scalar::Attempt;
+use crate::scalar::fast::within_edges;
+use crate::scalar::{Attempt, found};
 
 /// `a . b`
 #[inline(always)]
@@ -50,19 +51,9 @@ pub(in crate::scalar) fn triangle(
     // A component of d x p is off by less than 16 (4 for what p is cut off by, twice, and as much for a framed origin and direction), and
     // one of q by less than 2: less than 2^7 of the largest q, or of a fourth of the largest d x p.
     let doubt = 1_i64 << if up > 0 { 35 } else { bits - cut + 7 };
-    let (mut left, mut right) = (0, 0);
-    for (q, m) in [(corners[1], moments[0]), (corners[2], moments[1]), (corners[0], moments[2])] {
-        let volume = dot(q, m);
-        left += (volume > doubt) as u32;
-        right += (volume < -doubt) as u32;
-    }
-    if left != 0 && right != 0 {
-        return Attempt::Miss;
-    }
-    if left + right != 3 {
-        return Attempt::Unsure;
-    }
-    crossing(a, finer, d, vertices, right == 3)
+    let edges = [(corners[1], moments[0]), (corners[2], moments[1]), (corners[0], moments[2])];
+    let from_front = found!(within_edges(edges.map(|(q, moment)| (dot(q, moment), doubt))));
+    crossing(a, finer, d, vertices, from_front)
 }
 
 /// Where the line crosses the plane of a triangle that it meets, `t = a . n / d . n`, from a vertex `a` seen from its origin.

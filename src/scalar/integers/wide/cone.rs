@@ -1,14 +1,15 @@
 //! A line and a cone's side.
 
+use super::super::nappes::Roots;
 use super::quotient::{Divisor, Normalized};
 use super::{
-    Digits, FINER, digits, dot, down_to_64, high, leading_zeros, minor, refined, root, round_off, squared, up_to_128,
-    upper_bits, words,
+    Digits, FINER, digits, dot, down_to_64, high, leading_zeros_of_64, minor, refined, root, round_off, squared,
+    up_to_128, upper_bits,
 };
 use crate::scalar::{Attempt, InNappe, found};
 
 /// A line and both nappes of a cone, in the coordinates that the kernel of 32 bits describes.
-struct Roots {
+struct AtCone {
     /// Of the point where the line is taken up.
     y: Digits,
     dy: i64,
@@ -24,20 +25,13 @@ struct Roots {
     farthest: i64,
 }
 
-/// The zeros above a number that is not zero.
-#[inline(always)]
-fn zeros_above(n: u64) -> u32 {
-    let [low, high] = words(n);
-    if high != 0 { leading_zeros(high) } else { 32 + leading_zeros(low | 1) }
-}
-
 /// `length * proportion`, of which that has 62 bits below the point, rounded to nearest.
 #[inline(always)]
 fn along(length: i64, proportion: Digits) -> i64 {
     round_off::<62>(dot([Digits::new(length)], [proportion]))
 }
 
-impl Roots {
+impl AtCone {
     /// The origin is in units of `2^-finer` of the sizes'.
     // Not inlined: a shape that may be any cone has it twice.
     #[inline(never)]
@@ -47,7 +41,7 @@ impl Roots {
             return Attempt::Unsure;
         }
         // The proportions, the larger one above 1/2 and at most 1 in units of 2^-62.
-        let free = zeros_above((g ^ (g >> 63)) as u64 | (h - 1) as u64 | 1);
+        let free = leading_zeros_of_64((g ^ (g >> 63)) as u64 | (h - 1) as u64 | 1);
         if free < 2 {
             return Attempt::Unsure;
         }
@@ -65,7 +59,7 @@ impl Roots {
         let radius = (radius as i128) << 62;
         // Lengths on a grid on which none has more than 61 bits.
         let bits = |n: i128| (high(n) ^ (high(n) >> 63)) as u64;
-        let zeros = zeros_above(bits(near[0]) | bits(near[1]) | bits(near[2]) | bits(radius) | 1);
+        let zeros = leading_zeros_of_64(bits(near[0]) | bits(near[1]) | bits(near[2]) | bits(radius) | 1);
         if zeros < 4 {
             return Attempt::Unsure;
         }
@@ -114,21 +108,9 @@ impl Roots {
         let k = dot([x, z], [ex, ez]) - dot([y], [ey]);
         let divisor = a_digits.divisor();
         // Farther away, the rounding of a turned direction counts, 2^-63 of t, of which a small root makes as much more.
-        let more = zeros_above(root) as i32 - zeros_above(moment | 1) as i32 + 3;
+        let more = leading_zeros_of_64(root) as i32 - leading_zeros_of_64(moment | 1) as i32 + 3;
         let farthest = (1 << if finer == 0 { 52 } else { (58 - more).clamp(0, 52) }) >> shift.max(0);
         Attempt::Found(Self { y, dy, a, k, root, divisor, unit: unit as u32, start, farthest })
-    }
-
-    /// As with 32 bits.
-    #[inline(always)]
-    fn first(&self) -> (i64, bool) {
-        self.end(-self.k - up_to_128(self.root, 62) as i128)
-    }
-
-    /// The other one.
-    #[inline(always)]
-    fn second(&self) -> (i64, bool) {
-        self.end(up_to_128(self.root, 62) as i128 - self.k)
     }
 
     #[inline(always)]
@@ -143,33 +125,50 @@ impl Roots {
     }
 }
 
-/// Where the line is inside the nappe of [`Roots`] in which `h r + g y >= 0`.
+impl Roots for AtCone {
+    type Length = i64;
+
+    const INFINITY: i64 = i64::MAX;
+
+    #[inline(always)]
+    fn start(&self) -> i64 {
+        self.start
+    }
+
+    #[inline(always)]
+    fn is_steep(&self) -> bool {
+        self.a < 0
+    }
+
+    #[inline(always)]
+    fn rises(&self) -> bool {
+        self.dy > 0
+    }
+
+    #[inline(always)]
+    fn is_middle_inside(&self) -> Attempt<bool> {
+        let [a, k] = [self.a, self.k].map(|n| Digits::new(high(n << 2)));
+        let middle = dot([self.y], [a]) - dot([Digits::new(self.dy)], [k]);
+        if middle.unsigned_abs() >> 66 == 0 { Attempt::Unsure } else { Attempt::Found(middle > 0) }
+    }
+
+    #[inline(always)]
+    fn first(&self) -> (i64, bool) {
+        self.end(-self.k - up_to_128(self.root, 62) as i128)
+    }
+
+    #[inline(always)]
+    fn second(&self) -> (i64, bool) {
+        self.end(up_to_128(self.root, 62) as i128 - self.k)
+    }
+}
+
+/// Where the line is inside the nappe of [`AtCone`] in which `h r + g y >= 0`.
 ///
 /// The origin is in units of `2^-finer` of the sizes'; the answer is in the sizes'.
 #[inline(always)]
 pub(in crate::scalar) fn nappe(o: [i64; 3], finer: i32, d: [i64; 3], outline: [i64; 3]) -> Attempt<InNappe<i64>> {
-    let roots = found!(Roots::new(o, finer, d, outline));
-    let Roots { y, dy, a, k, start, .. } = roots;
-    let (low, high) = if a < 0 {
-        // Steeper than the side: a half-line in each nappe; the outline grows along the one in the upper.
-        if dy > 0 { (roots.first(), (i64::MAX, true)) } else { ((-i64::MAX, true), roots.second()) }
-    } else {
-        // The sign of the outline halfway between the ends, at t = -k / a, is that of Y a - dY k.
-        let [a, k] = [a, k].map(|n| Digits::new(high(n << 2)));
-        let middle = dot([y], [a]) - dot([Digits::new(dy)], [k]);
-        if middle.unsigned_abs() >> 66 == 0 {
-            return Attempt::Unsure;
-        }
-        if middle < 0 {
-            return Attempt::Miss;
-        }
-        (roots.first(), roots.second())
-    };
-    // What begins somewhere beyond one end, or ends somewhere beyond the other, may be anywhere or nowhere.
-    if (!low.1 && low.0 > start) || (!high.1 && high.0 < start) {
-        return Attempt::Unsure;
-    }
-    Attempt::Found(InNappe { ends: [low.0, high.0], certain: [low.1, high.1] })
+    found!(AtCone::new(o, finer, d, outline)).in_nappe()
 }
 
 /// Where the line is inside both nappes of the cone of slope `g / h` about its apex at the origin: between its ends, or (`true`) beyond
@@ -181,10 +180,5 @@ pub(in crate::scalar) fn double_cone(
     d: [i64; 3],
     [g, h]: [i64; 2],
 ) -> Attempt<([i64; 2], bool)> {
-    let roots = found!(Roots::new(o, finer, d, [0, g, h]));
-    match (roots.first(), roots.second()) {
-        ((first, true), (second, true)) if roots.a < 0 => Attempt::Found(([second, first], true)),
-        ((first, true), (second, true)) => Attempt::Found(([first, second], false)),
-        _ => Attempt::Unsure,
-    }
+    found!(AtCone::new(o, finer, d, [0, g, h])).in_both()
 }

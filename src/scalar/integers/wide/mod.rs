@@ -13,7 +13,10 @@ mod round;
 mod triangle;
 mod turned;
 
-use super::{high_product, leading_zeros, magnitude_bits, product, product_unsigned, reciprocal_root, square};
+use super::{
+    high_product, leading_zeros, leading_zeros_of_64, magnitude_bits, product, product_unsigned, reciprocal_root,
+    square,
+};
 
 pub(in crate::scalar) use ball::{ByApproach, ByMoment};
 pub(in crate::scalar) use cone::{double_cone, nappe};

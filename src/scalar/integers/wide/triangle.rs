@@ -1,8 +1,9 @@
 //! A line and a triangle.
 
 use super::quotient::Normalized;
-use super::{Digits, digits, dot, leading_zeros, minor, refined, upper_bits, words};
-use crate::scalar::Attempt;
+use super::{Digits, digits, dot, leading_zeros_of_64, minor, refined, upper_bits};
+use crate::scalar::fast::within_edges;
+use crate::scalar::{Attempt, found};
 
 /// Bits of a vertex on the grid of the edges.
 const GRID: u32 = 59;
@@ -41,8 +42,7 @@ pub(in crate::scalar) fn triangle(
     }
     // On a grid on which none has more than 59 bits, cut off by less than one. A framed origin is off by half of its own unit: a finer
     // grid would gain nothing.
-    let [low, high] = words(all);
-    let bits = if high != 0 { 64 - leading_zeros(high) } else { 32 - leading_zeros(low | 1) };
+    let bits = 64 - leading_zeros_of_64(all | 1);
     let up = if finer == 0 { GRID as i32 - bits as i32 } else { 0 };
     let cut = bits.saturating_sub(GRID);
     let on_grid = |vertex: [i64; 3]| vertex.map(|length| if up > 0 { length << up } else { length >> cut });
@@ -53,19 +53,9 @@ pub(in crate::scalar) fn triangle(
     // A component of d x p is off by less than 8 (2 for what p is cut off by, twice, and as much for a framed origin and direction), and
     // one of q by less than 2: less than 2^6 of the largest q, or of half the largest d x p.
     let doubt = 1_i128 << if up > 0 { GRID + 6 } else { bits - cut + 6 };
-    let (mut left, mut right) = (0, 0);
-    for (q, m) in [(corners[1], moments[0]), (corners[2], moments[1]), (corners[0], moments[2])] {
-        let volume = dot(q, m);
-        left += (volume > doubt) as u32;
-        right += (volume < -doubt) as u32;
-    }
-    if left != 0 && right != 0 {
-        return Attempt::Miss;
-    }
-    if left + right != 3 {
-        return Attempt::Unsure;
-    }
-    crossing(a, finer, direction, vertices, right == 3)
+    let edges = [(corners[1], moments[0]), (corners[2], moments[1]), (corners[0], moments[2])];
+    let from_front = found!(within_edges(edges.map(|(q, moment)| (dot(q, moment), doubt))));
+    crossing(a, finer, direction, vertices, from_front)
 }
 
 /// Where the line crosses the plane of a triangle that it meets, `t = a . n / d . n`, from a vertex `a` seen from its origin.

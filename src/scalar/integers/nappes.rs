@@ -1,0 +1,61 @@
+//! Where a line is inside a cone's nappes, from its two ends inside both.
+
+use crate::scalar::{Attempt, InNappe, found};
+use core::ops::Neg;
+
+/// The roots of a line and both nappes of a cone, `a t^2 + 2 k t + c`.
+pub(super) trait Roots {
+    /// Of a `t`.
+    type Length: Copy + PartialOrd + Neg<Output = Self::Length>;
+
+    /// An end that is not there.
+    const INFINITY: Self::Length;
+
+    /// The `t` at which the line is taken up.
+    fn start(&self) -> Self::Length;
+
+    /// Whether the line is steeper than the side, `a < 0`: then it is inside beyond its ends.
+    fn is_steep(&self) -> bool;
+
+    /// Whether the cone's outline grows along the line.
+    fn rises(&self) -> bool;
+
+    /// Whether the point halfway between the ends, at `t = -k / a`, is in the nappe whose outline is positive: the sign there is that of
+    /// `Y a - dY k`.
+    fn is_middle_inside(&self) -> Attempt<bool>;
+
+    /// The end at the lower root for a positive `a`, and at the higher for a negative one; and whether the line ends there, or somewhere
+    /// beyond.
+    fn first(&self) -> (Self::Length, bool);
+
+    /// The other one.
+    fn second(&self) -> (Self::Length, bool);
+
+    /// Where the line is inside the nappe whose outline is positive.
+    #[inline(always)]
+    fn in_nappe(&self) -> Attempt<InNappe<Self::Length>> {
+        let (low, high) = if self.is_steep() {
+            // A half-line in each nappe; the outline grows along the one in the upper.
+            if self.rises() { (self.first(), (Self::INFINITY, true)) } else { ((-Self::INFINITY, true), self.second()) }
+        } else if found!(self.is_middle_inside()) {
+            (self.first(), self.second())
+        } else {
+            return Attempt::Miss;
+        };
+        // What begins somewhere beyond one end, or ends somewhere beyond the other, may be anywhere or nowhere.
+        if (!low.1 && low.0 > self.start()) || (!high.1 && high.0 < self.start()) {
+            return Attempt::Unsure;
+        }
+        Attempt::Found(InNappe { ends: [low.0, high.0], certain: [low.1, high.1] })
+    }
+
+    /// Where the line is inside both nappes: between its ends, or (`true`) beyond them.
+    #[inline(always)]
+    fn in_both(&self) -> Attempt<([Self::Length; 2], bool)> {
+        match (self.first(), self.second()) {
+            ((first, true), (second, true)) if self.is_steep() => Attempt::Found(([second, first], true)),
+            ((first, true), (second, true)) => Attempt::Found(([first, second], false)),
+            _ => Attempt::Unsure,
+        }
+    }
+}
