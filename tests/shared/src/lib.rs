@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `digest` | one number for all answers to a fixed set of rays |
 //! | `picture` | a scene in flash, and its picture row by row |
+//! | `pictured` | the tests that the rays of a picture put to objects |
 //! | `subject` | what is measured: solids, unplaced and placed, and the queries |
 //! | `rays` | seeded rays that hit, and others that miss |
 //! | `workload` | what users do: solids as they are placed, rays from near and far, departing rays |
@@ -12,6 +13,7 @@
 
 pub mod digest;
 pub mod picture;
+pub mod pictured;
 pub mod range_sensor;
 pub mod rays;
 pub mod subject;

@@ -2,7 +2,7 @@
 
 use crate::callgrind::Counted;
 use crate::cost::scenes::{FLAKE, OBJECTS, WALKS, subject};
-use crate::workloads::{PICTURES, RANGE_SENSOR, of_picture, of_solid};
+use crate::workloads::{PICTURES, RANGE_SENSOR, of_solid};
 use raylet_tables::markdown::{head, row};
 use raylet_tables::{Baseline, Figures, Outcome, SUBJECTS, grouped, in_repository};
 use shared::workload::{PLACEMENTS, RAYS, SOLIDS_BY_NAME};
@@ -162,8 +162,8 @@ fn workloads(text: &mut String, figures: &Figures) {
         "## What users do\n\nInstructions of a nearest hit, each query counted by itself: the mean and, in brackets, the worst of a hundred. *Left* is how many of a \
          hundred queries in `Stable` the fast path leaves to the solver: in `f32`, `I16F16`, `f64` and `I32F32`. `Exact` has its first look in doubles, which this machine computes in hardware; \
          on chips it is the dearer tier ([microcontrollers.md](microcontrollers.md)).\n\n\
-         The rays of a picture are those through its pixels, from what they meet to a lamp, and mirrored there; each of them tests the objects whose boxes it \
-         meets. The range sensor has 64 zones, one row of them level, and forty solids 1 to 200 metres away, most of them upright. The solids \
+         The rays of a picture are those through its pixels, from what they meet to a lamp, and mirrored there; in the built-in scenes, of which the still life has \
+         no mirrors, glass refracts rays too, up to three times. Each ray tests the objects whose boxes it meets, in the built-in scenes all. The range sensor has 64 zones, one row of them level, and forty solids 1 to 200 metres away, most of them upright. The solids \
          are about as large as the unit ball; *moved* and *turned* are frames, *stretched* is a matrix, *near* is 2 to 6 away and *far* 20 to 1,000; each query \
          has a placement of its own. *Departing* rays leave the solid's own surface, to either side.\n\n",
     );
@@ -173,7 +173,7 @@ fn workloads(text: &mut String, figures: &Figures) {
         .chain(["left, %".to_string()])
         .collect();
     head(text, cells("rays", titles));
-    let pictures = PICTURES.iter().map(|picture| of_picture(picture));
+    let pictures = PICTURES.map(String::from).into_iter();
     let solids = SOLIDS_BY_NAME.into_iter().flat_map(|solid| {
         PLACEMENTS.into_iter().flat_map(move |placed| RAYS.into_iter().map(move |rays| of_solid(solid, placed, rays)))
     });

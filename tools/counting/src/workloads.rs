@@ -94,11 +94,6 @@ pub fn of_solid(solid: &str, placed: Placed, rays: Rays) -> String {
 /// What the range sensor is called.
 pub const RANGE_SENSOR: &str = "range sensor";
 
-/// What a picture is called.
-pub fn of_picture(picture: &str) -> String {
-    format!("picture of {picture}")
-}
-
 /// The queries of one number type, each kind with its name.
 fn queries<S: Scalar>() -> Vec<(String, Vec<Query<S>>)> {
     let mut all = vec![];
@@ -111,8 +106,8 @@ fn queries<S: Scalar>() -> Vec<(String, Vec<Query<S>>)> {
         }
     }
     all.push((RANGE_SENSOR.into(), (0..SENSED).step_by(EVERY).filter_map(sensed).take(QUERIES).collect()));
-    for (picture, tests) in PICTURES.iter().zip(pictures::tests()) {
-        all.push((of_picture(picture), tests));
+    for (picture, tests) in pictures::tests_of_each() {
+        all.push((picture.into(), tests));
     }
     all
 }

@@ -1,20 +1,17 @@
-//! The tests that the rays of pictures put to objects: through the middles of pixels, from what they meet to a lamp, and mirrored there.
+//! The tests that the rays of pictures put to objects: of the built-in scenes, and of four larger ones.
 //!
-//! The scenes are after those of Haines, *A Proposal for Standard Graphics Environments* (1987), made anew and smaller.
+//! These are after those of Haines, *A Proposal for Standard Graphics Environments* (1987), made anew and smaller; every surface is a
+//! mirror.
 
 use crate::cost::scenes::flake;
-use raylet::scene::{Hierarchy, Node, Observer};
-use raylet::{
-    Camera, Cone, Counters, Cylinder, Frame, Leaving, Material, Object, Ray, Scalar, Scene, Shape, Sphere, Triangle,
-    UnitVec3, Vec3,
-};
-use shared::workload::{QUERIES, Query};
+use raylet::scene::{Hierarchy, Node};
+use raylet::{Camera, Cone, Cylinder, Frame, Material, Object, Ray, Scalar, Scene, Shape, Sphere, Triangle, Vec3};
+use shared::pictured::{BUILT_IN, SIZE, View, of_built_in, tests};
+use shared::workload::Query;
 
 /// What they are called.
-pub const PICTURES: [&str; 4] = ["balls", "rings", "tree", "mountains"];
-
-/// Columns and rows of pixels.
-const SIZE: [i32; 2] = [24, 18];
+pub const PICTURES: [&str; 6] =
+    ["picture of balls", "picture of rings", "picture of tree", "picture of mountains", BUILT_IN[0].1, BUILT_IN[1].1];
 
 type Objects<S> = Vec<Object<S>>;
 
@@ -99,70 +96,30 @@ fn mountains<S: Scalar>() -> Option<Objects<S>> {
     Some(objects)
 }
 
-/// Keeps what was put to the objects.
-struct Watched<'a, S: Scalar> {
-    objects: &'a [Object<S>],
-    ray: Ray<S>,
-    tests: Vec<Query<S>>,
-}
-
-impl<S: Scalar> Observer for Watched<'_, S> {
-    fn tested(&mut self, object: u32, _: bool) {
-        // A ray departs from one object, and is an ordinary one to the others.
-        let own = self.ray.departure().is_some_and(|departure| departure.object == object);
-        let ray = if own { self.ray } else { self.ray.without_departure() };
-        self.tests.push(Query { shape: self.objects[object as usize].shape, ray });
-    }
-}
-
 /// Some of the tests of a picture, evenly.
 fn tests_of<S: Scalar>(objects: &[Object<S>]) -> Option<Vec<Query<S>>> {
-    let eye = [2.3, 1.9, 3.1];
-    let (materials, up) = ([Material::default()], point([0.0, 1.0, 0.0])?);
-    let camera = Camera::new(point(eye)?, Vec3::ZERO, up, S::from_f64(45.0)?).ok()?;
+    let eye = point([2.3, 1.9, 3.1])?;
+    let up = point([0.0, 1.0, 0.0])?;
+    let materials = [Material::default().with_mirror(S::from_f64(0.5)?)];
+    let camera = Camera::new(eye, Vec3::ZERO, up, S::from_f64(45.0)?).ok()?;
     let mut nodes = vec![Node::EMPTY; Hierarchy::<S>::nodes_for(objects.len())];
     let hierarchy = Hierarchy::build(objects, &mut nodes).ok()?;
     let scene = Scene::new(objects, &materials, &[], camera).ok()?.with_hierarchy(&hierarchy).ok()?;
-    let lamp = point([4.0, 6.0, 1.0])?;
-    let mut counters = Counters::default();
-    let mut seen: Option<Watched<'_, S>> = None;
-    let [columns, rows] = SIZE;
-    for (column, row) in (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row))) {
+    let [columns, rows] = SIZE.map(i32::from);
+    let pixels = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row)));
+    let rays = pixels.filter_map(|(column, row)| {
         // On the plane through the middle of the scene that faces the eye, or nearly so.
         let (u, v) = (f64::from(2 * column + 1 - columns) / 12.0, f64::from(rows - 2 * row - 1) / 12.0);
-        let target = point([u * 0.8, v * 0.9, -u * 0.6])?;
-        let ray = Ray::towards(point(eye)?, target).ok()?;
-        let tests = seen.get_or_insert_with(|| Watched { objects, ray, tests: vec![] });
-        tests.ray = ray;
-        let Some(on) = scene.nearest_for(&ray, &mut counters, tests) else { continue };
-        let surface = scene.object(on.object)?.shape.surface(&ray, &on.hit);
-        let (start, normal) = (surface.point(), surface.normal());
-        let (d, n) = (ray.direction().to_f64(), normal.to_f64());
-        let along: f64 = (0..3).map(|i| d[i] * n[i]).sum();
-        let mirrored = point::<S>([0, 1, 2].map(|i| d[i] - 2.0 * along * n[i])).and_then(UnitVec3::new);
-        let leaving = if along < 0.0 { Leaving::Outwards } else { Leaving::Inwards };
-        let departure = surface.departure(on.object, leaving);
-        let to_the_lamp = Ray::towards(start, lamp).ok();
-        let mirrored = mirrored.and_then(|direction| Ray::new(start, direction).ok());
-        for (ray, is_shadow) in [(to_the_lamp, true), (mirrored, false)] {
-            let Some(ray) = ray else { continue };
-            tests.ray = ray.departing(departure);
-            if is_shadow {
-                scene.occluder(&tests.ray.clone(), &mut counters, tests);
-            } else {
-                scene.nearest_for(&tests.ray.clone(), &mut counters, tests);
-            }
-        }
-    }
-    let tests = seen?.tests;
-    let every = (tests.len() / QUERIES).max(1);
-    Some(tests.into_iter().step_by(every).take(QUERIES).collect())
+        Ray::towards(eye, point([u * 0.8, v * 0.9, -u * 0.6])?).ok()
+    });
+    let view = View { scene: &scene, lamp: point([4.0, 6.0, 1.0])?, depth: 1 };
+    Some(tests(view, rays).into_iter().collect())
 }
 
 /// The tests of each picture.
-pub fn tests<S: Scalar>() -> Vec<Vec<Query<S>>> {
-    [flake(820), rings(), tree(), mountains()]
-        .into_iter()
-        .map(|objects: Option<Objects<S>>| objects.and_then(|objects| tests_of(&objects)).unwrap_or_default())
-        .collect()
+pub fn tests_of_each<S: Scalar>() -> Vec<(&'static str, Vec<Query<S>>)> {
+    let own = [flake(820), rings(), tree(), mountains()]
+        .map(|objects: Option<Objects<S>>| objects.and_then(|objects| tests_of(&objects)));
+    let built_in = BUILT_IN.map(|(scene, _)| of_built_in(scene).map(|tests| tests.into_iter().collect()));
+    PICTURES.into_iter().zip(own.into_iter().chain(built_in).map(Option::unwrap_or_default)).collect()
 }

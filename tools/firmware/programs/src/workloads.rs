@@ -1,5 +1,5 @@
 //! Instructions of what users do, query by query: solids as they are placed, rays from near and from far, departing rays, a range
-//! sensor. The workloads are those of the crate `shared`, which the host is measured with too.
+//! sensor, pictures. The workloads are those of the crate `shared`, which the host is measured with too.
 
 use crate::cost::measure::{MOST_ROUNDS, nothing, run};
 use core::hint::black_box;
@@ -9,6 +9,7 @@ use heapless::Vec;
 use raylet::tier::{Exact, Fast, Stable, Tier};
 use raylet::{Scalar, Shape};
 use raylet_firmware::clock;
+use shared::pictured::{BUILT_IN, of_built_in};
 use shared::subject::question;
 use shared::workload::{Placed, QUERIES, Query, Rays, SENSED, SOLIDS_BY_NAME, query, sensed};
 
@@ -35,9 +36,9 @@ const KINDS: [(Placed, Rays); 7] = [
 /// The figures of one workload.
 #[derive(Clone, Copy, Debug)]
 pub struct Row<'a> {
-    /// The solid and how it is placed, or the range sensor.
-    pub solid: &'a str,
-    /// How it is placed, and where the rays begin; nothing for the range sensor.
+    /// The solid, the range sensor, or the scene of a picture.
+    pub of: &'a str,
+    /// How a solid is placed, and where the rays begin; nothing for the others.
     pub kind: Option<(Placed, Rays)>,
     /// The number type.
     pub number: &'static str,
@@ -84,10 +85,13 @@ fn tier<S: Scalar, T: Tier<S>>(tests: &Queries<S>) -> [u64; 3] {
 /// Every workload in one number type.
 macro_rules! number {
     ($report:expr, $S:ty, $number:literal: $($T:ident)+) => {{
-        let mut all = |solid: &str, kind: Option<(Placed, Rays)>, tests: &Queries<$S>| {
-            $($report(Row { solid, kind, number: $number, tier: stringify!($T), instructions: tier::<$S, $T>(tests) });)+
+        let mut all = |of: &str, kind: Option<(Placed, Rays)>, tests: &Queries<$S>| {
+            $($report(Row { of, kind, number: $number, tier: stringify!($T), instructions: tier::<$S, $T>(tests) });)+
         };
         all("range sensor", None, &(0..SENSED).step_by(EVERY).filter_map(sensed).take(QUERIES).collect());
+        for (scene, of) in BUILT_IN {
+            all(of, None, &of_built_in(scene).unwrap_or_default());
+        }
         for solid in SOLIDS_BY_NAME {
             for (placed, rays) in KINDS {
                 let tests = (0..QUERIES).filter_map(|index| query(solid, placed, rays, index)).collect();

@@ -14,7 +14,7 @@ fn run() -> ! {
             row.kind.map_or([""; 4], |(placed, rays)| [", ", placed.name(), ", ", rays.name()]);
         println!(
             r#"{{"of":"{}{gap}{placed}{comma}{rays}","number":"{}","tier":"{}","mean":{mean},"nearly":{nearly},"worst":{worst}}}"#,
-            row.solid, row.number, row.tier
+            row.of, row.number, row.tier
         );
     });
     semihosting::process::exit(0)
