@@ -55,6 +55,23 @@ impl<'a, S: Scalar> Slab<'a, S> {
             || S::are_close(self.line, planes.enter.t, planes.exit.t, enter)
     }
 
+    /// The exit of a line that begins on the part `from` of a side and these planes: the side's own, or the plane's before it.
+    #[inline(always)]
+    pub(crate) fn exit(&self, side: End<S>, from: Part) -> Attempt<End<S>> {
+        let (plane, [_, off]) = (self.span.exit, self.off);
+        // The plane that it begins on is not the one that it leaves by.
+        let leads_away = plane.part == from && from != Part::Side;
+        if leads_away || S::are_close(self.line, side.t, plane.t, off) {
+            Attempt::Unsure
+        } else if plane.t >= side.t {
+            Attempt::Found(side)
+        } else if S::is_good(self.line, plane.t, off) {
+            Attempt::Found(plane)
+        } else {
+            Attempt::Unsure
+        }
+    }
+
     /// The part of a side's interval that lies between the planes, if its ends are good enough.
     #[inline(always)]
     pub(crate) fn clip(&self, side: Span<S>) -> Attempt<Intersection<S>> {

@@ -2,7 +2,7 @@
 
 use crate::fast::Guards;
 use crate::figure::Figure;
-use crate::intersection::Intersection;
+use crate::intersection::{End, Intersection};
 use crate::line::Place;
 use crate::part::Part;
 use crate::ray::{Range, Ray};
@@ -53,6 +53,11 @@ pub trait Geometry<S: Scalar>: Copy {
     fn fast_occlusion<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<()> {
         let intersection = found!(self.fast_intersection::<T>(line));
         if intersection.nearest(Range::FORWARD, |_| true).is_some() { Attempt::Found(()) } else { Attempt::Miss }
+    }
+    /// Where a line that begins on this part and leads inwards leaves the primitive, if it is convex and the fast path tells.
+    #[inline(always)]
+    fn fast_exit<T: Guards>(&self, _line: &LocalLine<S>, _from: Part) -> Attempt<End<S>> {
+        Attempt::Unsure
     }
     /// The equations and inequalities of its points.
     fn figure(&self) -> Figure<S>;

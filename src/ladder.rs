@@ -7,10 +7,10 @@ use crate::exact::{Certain, Effort, Exact};
 use crate::fast::Guards;
 use crate::figure::Figure;
 use crate::geometry::Geometry;
-use crate::intersection::Intersection;
+use crate::intersection::{End, Intersection, Span};
 use crate::line::Place;
 use crate::query::Solve;
-use crate::ray::{Departure, Range, Ray};
+use crate::ray::{Departure, Leaving, Range, Ray};
 use crate::scalar::{Attempt, FromScalar, LocalLine, Scalar, found};
 use crate::solve::{self, Line, Of};
 use crate::tier::{Fast, Stable};
@@ -186,7 +186,10 @@ fn fast<S: Scalar, T: Guards, G: Geometry<S>>(
     ray: &Ray<S>,
 ) -> Attempt<Intersection<S>> {
     if let Some(departure) = ray.departure() {
-        return departing(&geometry.figure(), departure);
+        if meets_nothing(geometry, departure) {
+            return Attempt::Miss;
+        }
+        return inwards::<S, T, G>(geometry, place, ray, departure);
     }
     if stretches_integers(place) {
         return stretched::<S, T, G>(geometry, place, ray);
@@ -241,11 +244,39 @@ fn second_attempt<S: Scalar, T: Guards, G: Geometry<S>>(
     in_own_t(place, &line, geometry.fast_intersection::<T>(&line))
 }
 
-/// What the fast path knows of a ray that departs from the figure.
+/// True if a ray that departs like this cannot meet the geometry again.
 #[inline(always)]
-fn departing<S, T>(figure: &Figure<S>, departure: Departure) -> Attempt<T> {
-    let cannot_meet = solve::meets_nothing(figure, Some((departure.part, departure.leaving)));
-    if cannot_meet { Attempt::Miss } else { Attempt::Unsure }
+fn meets_nothing<S: Scalar, G: Geometry<S>>(geometry: &G, departure: Departure) -> bool {
+    solve::meets_nothing(&geometry.figure(), Some((departure.part, departure.leaving)))
+}
+
+/// Where a ray that departs inwards leaves the geometry, apart from the usual one.
+#[inline(never)]
+fn inwards<S: Scalar, T: Guards, G: Geometry<S>>(
+    geometry: &G,
+    place: &impl Place<S>,
+    ray: &Ray<S>,
+    departure: Departure,
+) -> Attempt<Intersection<S>> {
+    if departure.leaving != Leaving::Inwards {
+        return Attempt::Unsure;
+    }
+    // A line that begins in a surface does not miss what is behind it, whatever its coordinates say.
+    let exit = |geometry: &G, line: &LocalLine<S>| match geometry.fast_exit::<T>(line, departure.part) {
+        Attempt::Found(exit) if exit.t.plus(line.start) > S::ZERO => {
+            Attempt::Found(Intersection::One(Span::new(End::none(-S::INFINITY), exit)))
+        }
+        _ => Attempt::Unsure,
+    };
+    if stretches_integers(place) {
+        let Some(line) = place.finer_line(ray, geometry.lengths()) else { return Attempt::Unsure };
+        let intersection = found!(exit(&geometry.scaled(line.scale), &line.line));
+        return intersection.try_map(|t| S::fast_along_ray(&line, t)).map_or(Attempt::Unsure, Attempt::Found);
+    }
+    let Some(mut line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
+    geometry.fit(&mut line);
+    line.has_spare_bits = T::HAS_SPARE_BITS;
+    in_own_t(place, &line, exit(geometry, &line))
 }
 
 /// What was found along a line, in the ray's own `t`.
@@ -287,10 +318,12 @@ fn from_start<S: Scalar>(intersection: Intersection<S>, start: S) -> Attempt<Int
 /// Whether the ray meets the geometry, if the fast path tells.
 #[inline(always)]
 fn fast_ahead<S: Scalar, T: Guards, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<()> {
-    if let Some(departure) = ray.departure() {
-        return departing(&geometry.figure(), departure);
-    }
-    let intersection = if stretches_integers(place) {
+    let intersection = if let Some(departure) = ray.departure() {
+        if meets_nothing(geometry, departure) {
+            return Attempt::Miss;
+        }
+        found!(inwards::<S, T, G>(geometry, place, ray, departure))
+    } else if stretches_integers(place) {
         found!(stretched::<S, T, G>(geometry, place, ray))
     } else {
         let Some(mut line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };

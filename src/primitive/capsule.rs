@@ -51,16 +51,22 @@ impl<S: Scalar> Capsule<S> {
         self.height
     }
 
-    /// [`Capsule::end`], if the fast path tells.
-    #[inline]
-    fn fast_end<T: Guards>(&self, line: &LocalLine<S>, tube: S, entering: bool) -> Attempt<End<S>> {
+    /// The true end for one of the infinite tube, if the fast path tells: that itself between the seams, and beyond them the one of the
+    /// ball there, which is asked with the line as it sees it.
+    #[inline(always)]
+    fn fast_end(
+        &self,
+        line: &LocalLine<S>,
+        tube: S,
+        of_ball: impl FnOnce(&LocalLine<S>, Part) -> Attempt<S>,
+    ) -> Attempt<End<S>> {
         let (part, centre) = match found!(S::fast_seams(*line, tube, self.height)) {
             Ordering::Less => (Part::Base, S::ZERO),
             Ordering::Greater => (Part::Top, self.height),
             Ordering::Equal => return Attempt::Found(End::new(tube, Part::Side)),
         };
-        let [low, high] = found!(S::fast_ball(found!(S::fast_lowered(*line, centre)), self.radius, T::GUARDED));
-        Attempt::Found(End::new(if entering { low } else { high }, part))
+        let t = found!(of_ball(&found!(S::fast_lowered(*line, centre)), part));
+        Attempt::Found(End::new(t, part))
     }
 
     /// The point of the axis's segment nearest to a point of the part.
@@ -95,9 +101,26 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
     #[inline(always)]
     fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
         let [low, high] = found!(S::fast_tube(*line, self.radius));
-        let enter = found!(self.fast_end::<T>(line, low, true));
-        let exit = found!(self.fast_end::<T>(line, high, false));
+        let ball = |line: &LocalLine<S>| S::fast_ball(*line, self.radius, T::GUARDED);
+        let enter = found!(self.fast_end(line, low, |line, _| Attempt::Found(found!(ball(line))[0])));
+        let exit = found!(self.fast_end(line, high, |line, _| Attempt::Found(found!(ball(line))[1])));
         Attempt::Found(if enter.t > exit.t { Intersection::Miss } else { Intersection::One(Span::new(enter, exit)) })
+    }
+
+    #[inline(always)]
+    fn fast_exit<T: Guards>(&self, line: &LocalLine<S>, from: Part) -> Attempt<End<S>> {
+        let tube = if from == Part::Side {
+            found!(S::fast_exit_from_round(line, false))
+        } else {
+            found!(S::fast_tube(*line, self.radius))[1]
+        };
+        self.fast_end(line, tube, |line, part| {
+            if part == from {
+                return S::fast_exit_from_round(line, true);
+            }
+            let [_, high] = found!(S::fast_ball(*line, self.radius, T::GUARDED));
+            Attempt::Found(high)
+        })
     }
 
     fn figure(&self) -> Figure<S> {

@@ -156,6 +156,34 @@ impl<S: Scalar> Cone<S> {
     }
 }
 
+impl<S: Scalar> Cone<S> {
+    /// The radius at `y = 0`, its growth and the height over which it grows so much (`None`: 1), for the fast path.
+    #[inline(always)]
+    fn fast_outline(&self) -> (S, S, Option<S>) {
+        match self.outline {
+            Outline::Slope(slope) => (S::ZERO, slope, None),
+            Outline::Radii(base, top, height) => (base, top.minus(base), Some(height)),
+        }
+    }
+
+    /// The line between the heights that end it, if the fast path tells. Where the apex ends a solid there is no plane.
+    #[inline(always)]
+    fn fast_slab<'a>(&self, line: &'a LocalLine<S>, height: S) -> Attempt<Slab<'a, S>> {
+        let mut slab = found!(Slab::new(line, S::ZERO, height));
+        if let Extent::Capped(_) = self.extent {
+            let (between, (low, high)) = (&mut slab.span, self.planes());
+            let is_plane = |part: Part| if part == Part::Base { low.is_some() } else { high.is_some() };
+            if !is_plane(between.enter.part) {
+                between.enter = End::none(-S::INFINITY);
+            }
+            if !is_plane(between.exit.part) {
+                between.exit = End::none(S::INFINITY);
+            }
+        }
+        Attempt::Found(slab)
+    }
+}
+
 impl<S: Copy> Cone<S> {
     /// Of the slope or the sizes that these functions make of its own.
     #[inline(always)]
@@ -215,10 +243,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
 
     #[inline(always)]
     fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
-        let outline = match self.outline {
-            Outline::Slope(slope) => (S::ZERO, slope, None),
-            Outline::Radii(base, top, height) => (base, top.minus(base), Some(height)),
-        };
+        let outline = self.fast_outline();
         if let (Extent::Double, Outline::Slope(slope)) = (self.extent, self.outline) {
             let ([first, second], beyond) = found!(S::fast_double_cone(*line, slope));
             let (first, second) = (End::new(first, Part::Side), End::new(second, Part::Side));
@@ -234,19 +259,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         let (Extent::Open(height) | Extent::Capped(height)) = self.extent else {
             return if certain == [true; 2] { Attempt::Found(Intersection::One(side)) } else { Attempt::Unsure };
         };
-        let mut slab = found!(Slab::new(line, S::ZERO, height));
-        let between = &mut slab.span;
-        if let Extent::Capped(_) = self.extent {
-            // Where the apex ends it there is no plane.
-            let (low, high) = self.planes();
-            let is_plane = |part: Part| if part == Part::Base { low.is_some() } else { high.is_some() };
-            if !is_plane(between.enter.part) {
-                between.enter = End::none(-S::INFINITY);
-            }
-            if !is_plane(between.exit.part) {
-                between.exit = End::none(S::INFINITY);
-            }
-        }
+        let slab = found!(self.fast_slab(line, height));
         // An end that is somewhere beyond must not be asked for.
         let is_cut = (certain[0] || slab.span.enter.t > low) && (certain[1] || slab.span.exit.t < high);
         if slab.is_close_to(&side) || !is_cut {
@@ -256,6 +269,24 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
             Extent::Open(_) => Attempt::Found(between_rims(side, slab.span)),
             _ => slab.clip(side),
         }
+    }
+
+    #[inline(always)]
+    fn fast_exit<T: Guards>(&self, line: &LocalLine<S>, from: Part) -> Attempt<End<S>> {
+        if let Extent::Double | Extent::Open(_) = self.extent {
+            return Attempt::Unsure;
+        }
+        let (side, is_certain) = if from == Part::Side {
+            (found!(S::fast_exit_from_nappe(line, self.fast_outline())), true)
+        } else {
+            let InNappe { ends, certain } = found!(S::fast_nappe(*line, self.fast_outline(), self.height()));
+            (ends[1], certain[1])
+        };
+        let side = End::new(side, Part::Side);
+        let Extent::Capped(height) = self.extent else { return Attempt::Found(side) };
+        let slab = found!(self.fast_slab(line, height));
+        // An end that is somewhere beyond must not be asked for.
+        if is_certain || slab.span.exit.t < side.t { slab.exit(side, from) } else { Attempt::Unsure }
     }
 
     fn figure(&self) -> Figure<S> {

@@ -127,6 +127,21 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
         }
     }
 
+    #[inline(always)]
+    fn fast_exit<T: Guards>(&self, line: &LocalLine<S>, from: Part) -> Attempt<End<S>> {
+        let side = if from == Part::Side {
+            found!(S::fast_exit_from_round(line, false))
+        } else {
+            found!(S::fast_tube(*line, self.radius))[1]
+        };
+        let side = End::new(side, Part::Side);
+        match self.extent {
+            Extent::Infinite => Attempt::Found(side),
+            Extent::Open(_) => Attempt::Unsure,
+            Extent::Capped(height) => found!(Slab::new(line, S::ZERO, height)).exit(side, from),
+        }
+    }
+
     fn figure(&self) -> Figure<S> {
         let extent = match self.extent {
             Extent::Infinite => figure::Extent::Infinite,

@@ -92,6 +92,11 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
         S::fast_ball_ahead(*line, self.radius, T::GUARDED)
     }
 
+    #[inline(always)]
+    fn fast_exit<T: Guards>(&self, line: &LocalLine<S>, _: Part) -> Attempt<End<S>> {
+        Attempt::Found(End::new(found!(S::fast_exit_from_round(line, true)), Part::Side))
+    }
+
     fn figure(&self) -> Figure<S> {
         Figure::Ball { radius: self.radius }
     }

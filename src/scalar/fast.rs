@@ -168,6 +168,18 @@ pub trait FastPath: Numbers {
         Attempt::Unsure
     }
 
+    /// Where a line that begins in the surface of a ball about the origin, or of a cylinder about the y axis, and leads inwards leaves it.
+    #[inline(always)]
+    fn fast_exit_from_round(_: &LocalLine<Self>, _is_ball: bool) -> Attempt<Self> {
+        Attempt::Unsure
+    }
+
+    /// Where a line that begins in the side of [`FastPath::fast_nappe`] and leads inwards leaves that nappe; infinite if it does not.
+    #[inline(always)]
+    fn fast_exit_from_nappe(_: &LocalLine<Self>, _outline: (Self, Self, Option<Self>)) -> Attempt<Self> {
+        Attempt::Unsure
+    }
+
     /// Whether the line's point at `t` lies below `y = 0`, between that and the height, or above; unclear where rounding decides.
     #[inline(always)]
     fn fast_seams(_: LocalLine<Self>, _t: Self, _height: Self) -> Attempt<Ordering> {

@@ -14,6 +14,7 @@
 //! | `second` | the lines of the second attempt |
 //! | `round` | balls and cylinders |
 //! | `cone` | cones |
+//! | `departing` | lines that begin in a surface |
 //! | `flat` | planes, discs, triangles |
 
 #[macro_use]
@@ -24,6 +25,8 @@ mod second;
 mod round;
 #[macro_use]
 mod cone;
+#[macro_use]
+mod departing;
 #[macro_use]
 mod flat;
 
@@ -44,6 +47,7 @@ macro_rules! floats {
             second!($Float, sqrt: $sqrt);
             round!($Float, sqrt: $sqrt);
             cone!($Float, sqrt: $sqrt);
+            departing!($Float);
             flat!($Float);
         }
 
@@ -87,6 +91,17 @@ macro_rules! floats {
             #[inline(always)]
             fn fast_double_cone(line: LocalLine<Self>, slope: Self) -> Attempt<([Self; 2], bool)> {
                 $name::double_cone(line, slope)
+            }
+            #[inline(always)]
+            fn fast_exit_from_round(line: &LocalLine<Self>, is_ball: bool) -> Attempt<Self> {
+                $name::exit_from_round(line, is_ball)
+            }
+            #[inline(always)]
+            fn fast_exit_from_nappe(
+                line: &LocalLine<Self>,
+                (base, growth, height): (Self, Self, Option<Self>),
+            ) -> Attempt<Self> {
+                $name::exit_from_nappe(line, [base, growth, height.unwrap_or(1.0)])
             }
             #[inline(always)]
             fn fast_crossings(line: LocalLine<Self>, y: [Self; 2]) -> Attempt<([Self; 2], [Self; 2])> {

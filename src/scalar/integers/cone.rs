@@ -5,32 +5,47 @@ use super::quotient::{Divisor, Normalized};
 use super::{high, leading_zeros, magnitude_bits, product, root, round_off, square};
 use crate::scalar::{Attempt, InNappe, found};
 
+/// A number with 30 bits below the point, rounded to nearest.
+#[inline(always)]
+fn nearest(n: i64) -> i32 {
+    round_off(n, 30) as i32
+}
+
 /// A line and both nappes of a cone, `h^2 (x^2 + z^2) = (h r + g y)^2`, that has the radius `r` at `y = 0` and grows by `g` over the
 /// height `h`.
 ///
 /// In coordinates scaled by `h` across the axis and by the outline along it, `X = h x`, `Z = h z`, `Y = h r + g y`, the cone is
 /// `X^2 + Z^2 = Y^2`, and the line's moment `W` gives `D = Wx^2 + Wz^2 - Wy^2`, so that `t = (-k -+ sqrt(D)) / a`.
 struct AtCone {
-    /// Of the point where the line is taken up.
-    y: i32,
-    dy: i32,
-    a: i64,
+    line: Scaled,
     k: i64,
     root: i64,
     divisor: Divisor,
+    /// Ends are only good enough so far from where the line is taken up.
+    farthest: i32,
+}
+
+/// A line in these coordinates, and the `a` of its roots.
+#[derive(Clone, Copy)]
+struct Scaled {
+    /// Of the point where the line is taken up.
+    point: [i32; 3],
+    direction: [i32; 3],
+    a: i64,
+    digits: Normalized,
     /// Lengths are in units of `2^-unit`.
     unit: u32,
     /// The whole unit of `t` at that point.
     start: i32,
-    /// Ends are only good enough so far from there.
-    farthest: i32,
+    /// The origin was in units of `2^-finer`.
+    finer: i32,
 }
 
-impl AtCone {
-    /// The origin is in units of `2^-finer` of the sizes'.
+impl Scaled {
+    /// The origin is in units of `2^-finer` of the sizes'. The line is taken up next to its closest point or, if it `departs`, at its origin.
     // Not inlined: a shape that may be any cone has it twice.
     #[inline(never)]
-    fn new(o: [i32; 3], finer: i32, d: [i32; 3], [r, g, h]: [i32; 3]) -> Attempt<Self> {
+    fn new(o: [i32; 3], finer: i32, d: [i32; 3], [r, g, h]: [i32; 3], departs: bool) -> Attempt<Self> {
         // The proportions, the larger one above 1/2 and at most 1 in units of 2^-30.
         let free = leading_zeros(magnitude_bits(g) | (h - 1) as u32 | 1);
         let radius = r << (finer & 0x1f);
@@ -40,7 +55,11 @@ impl AtCone {
         let (g, h) = (g << (free - 2), h << (free - 2));
         // From the whole unit of t next to the point closest to the frame's origin: the products are exact, and lengths are those of
         // the cone and of the line's distance from it, however far away the ray starts.
-        let closest = -((product(o[0], d[0]) + product(o[1], d[1]) + product(o[2], d[2])) >> (30 + finer));
+        let closest = if departs {
+            0
+        } else {
+            -((product(o[0], d[0]) + product(o[1], d[1]) + product(o[2], d[2])) >> (30 + finer))
+        };
         if closest != closest as i32 as i64 || finer + 32 - (closest.unsigned_abs() as u32).leading_zeros() as i32 > 31
         {
             return Attempt::Unsure;
@@ -63,28 +82,61 @@ impl AtCone {
             let length_on_grid = (((magnitude >> 32) as u32) << up | (magnitude as u32) >> (32 - up)) as i32;
             if length < 0 { -length_on_grid } else { length_on_grid }
         };
-        let nearest = |n: i64| round_off(n, 30) as i32;
         let along = |length: i64, proportion: i32| nearest(product(on_grid(length), proportion));
         let (x, y, z) = (along(near[0], h), along(radius, h) + along(near[1], g), along(near[2], h));
         let [dx, dy, dz] = [nearest(product(d[0], h)), nearest(product(d[1], g)), nearest(product(d[2], h))];
 
         let a = square(dx) + square(dz) - square(dy);
-        let Some(a_digits) = Normalized::new(a) else {
+        let Some(digits) = Normalized::new(a) else {
             return Attempt::Unsure;
         };
+        Attempt::Found(Self { point: [x, y, z], direction: [dx, dy, dz], a, digits, unit, start, finer })
+    }
+
+    /// How many bits finer than an eighth of the type's unit the coordinates are, and a framed origin than a fourth, where the roots make
+    /// `2^shift` of that.
+    #[inline(always)]
+    fn spare(&self) -> i32 {
+        let shift = self.digits.shift as i32;
+        let spare = self.unit as i32 - 3 - shift;
+        // A framed origin is off by half of its own unit.
+        if self.finer == 0 { spare } else { spare.min(self.finer - 2 - shift) }
+    }
+
+    #[inline(always)]
+    fn k(&self) -> i64 {
+        let ([x, y, z], [dx, dy, dz]) = (self.point, self.direction);
+        product(x, dx) + product(z, dz) - product(y, dy)
+    }
+
+    /// Whether the point halfway between the roots, at `t = -k / a`, is in the nappe whose outline is positive: the sign there is that of
+    /// `Y a - dY k`.
+    #[inline(always)]
+    fn is_middle_inside(&self, k: i64) -> Attempt<bool> {
+        let (a, k) = (high(self.a << 2), high(k << 2));
+        let middle = product(self.point[1], a) - product(self.direction[1], k);
+        if middle.unsigned_abs() >> 34 == 0 { Attempt::Unsure } else { Attempt::Found(middle > 0) }
+    }
+}
+
+impl AtCone {
+    /// The origin is in units of `2^-finer` of the sizes'.
+    // Not inlined, as above.
+    #[inline(never)]
+    fn new(o: [i32; 3], finer: i32, d: [i32; 3], outline: [i32; 3]) -> Attempt<Self> {
+        let line = found!(Scaled::new(o, finer, d, outline, false));
+        let ([x, y, z], [dx, dy, dz]) = (line.point, line.direction);
         let wx = nearest(product(y, dz) - product(z, dy));
         let wy = nearest(product(z, dx) - product(x, dz));
         let wz = nearest(product(x, dy) - product(y, dx));
         let discriminant = square(wx) + square(wz) - square(wy);
         // The coordinates' rounding, of up to 1.5 units across the axis and 3 along it, moves D by no more than ten times this.
         let moment = wx.unsigned_abs() as i64 + wy.unsigned_abs() as i64 + wz.unsigned_abs() as i64;
-        if discriminant < -(moment << 4) && a > 0 {
+        if discriminant < -(moment << 4) && line.a > 0 {
             return Attempt::Miss;
         }
         // ... and t by no more than half a unit (in all that was measured, by a twentieth), if the root is not small against the moment.
-        let spare = unit as i32 - 3 - a_digits.shift as i32;
-        // A framed origin is off by half of its own unit.
-        let spare = if finer == 0 { spare } else { spare.min(finer - 2 - a_digits.shift as i32) };
+        let spare = line.spare();
         if high(discriminant) <= 0 || spare < 0 {
             return Attempt::Unsure;
         }
@@ -92,20 +144,20 @@ impl AtCone {
         if root < moment >> spare {
             return Attempt::Unsure;
         }
-        let k = product(x, dx) + product(z, dz) - product(y, dy);
-        let divisor = a_digits.divisor();
+        let k = line.k();
+        let divisor = line.digits.divisor();
         // Farther away, the rounding of a turned direction counts, 2^-31 of t, of which a small root makes as much more.
         let more = leading_zeros(root as u32) as i32 - leading_zeros(moment as u32) as i32 + 1;
         let farthest = (1 << if finer == 0 { 24 } else { (28 - more).clamp(0, 24) }) >> divisor.shift;
-        Attempt::Found(Self { y, dy, a, k, root, divisor, unit, start, farthest })
+        Attempt::Found(Self { line, k, root, divisor, farthest })
     }
 
     #[inline(always)]
     fn end(&self, numerator: i64) -> (i32, bool) {
-        let Self { start, farthest, .. } = *self;
-        match self.divisor.quotient(numerator, 30 + self.unit) {
+        let (Scaled { start, a, unit, .. }, farthest) = (self.line, self.farthest);
+        match self.divisor.quotient(numerator, 30 + unit) {
             Some(t) if -farthest < t && t < farthest => (start.saturating_add(t), true),
-            _ if (numerator < 0) == (self.a < 0) => (start.saturating_add(farthest), false),
+            _ if (numerator < 0) == (a < 0) => (start.saturating_add(farthest), false),
             _ => (start.saturating_sub(farthest), false),
         }
     }
@@ -118,24 +170,22 @@ impl Roots for AtCone {
 
     #[inline(always)]
     fn start(&self) -> i32 {
-        self.start
+        self.line.start
     }
 
     #[inline(always)]
     fn is_steep(&self) -> bool {
-        self.a < 0
+        self.line.a < 0
     }
 
     #[inline(always)]
     fn rises(&self) -> bool {
-        self.dy > 0
+        self.line.direction[1] > 0
     }
 
     #[inline(always)]
     fn is_middle_inside(&self) -> Attempt<bool> {
-        let (a, k) = (high(self.a << 2), high(self.k << 2));
-        let middle = product(self.y, a) - product(self.dy, k);
-        if middle.unsigned_abs() >> 34 == 0 { Attempt::Unsure } else { Attempt::Found(middle > 0) }
+        self.line.is_middle_inside(self.k)
     }
 
     #[inline(always)]
@@ -167,4 +217,24 @@ pub(in crate::scalar) fn double_cone(
     [g, h]: [i32; 2],
 ) -> Attempt<([i32; 2], bool)> {
     found!(AtCone::new(o, finer, d, [0, g, h])).in_both()
+}
+
+/// Where a line that begins in the side of [`nappe`] leaves that nappe: the other root of `a t^2 + 2 k t`, whatever its rounded coordinates
+/// say; the largest number if it does not.
+#[inline]
+pub(in crate::scalar) fn exit_from_nappe(o: [i32; 3], finer: i32, d: [i32; 3], outline: [i32; 3]) -> Attempt<i32> {
+    let line = found!(Scaled::new(o, finer, d, outline, true));
+    let (k, shift) = (line.k(), line.digits.shift);
+    // The coordinates' rounding moves t by a fourth of a unit at most.
+    if line.spare() < 3 {
+        return Attempt::Unsure;
+    }
+    let Some(t) = line.digits.divisor().quotient(-2 * k, 30 + line.unit) else {
+        return Attempt::Unsure;
+    };
+    if line.a < 0 {
+        // Steeper than the side: a half-line in each nappe, and this one's has no end.
+        return if t < -1 && line.direction[1] > 0 { Attempt::Found(i32::MAX) } else { Attempt::Unsure };
+    }
+    if 0 < t && t < 1 << 24 >> shift && found!(line.is_middle_inside(k)) { Attempt::Found(t) } else { Attempt::Unsure }
 }

@@ -11,6 +11,7 @@
 
 mod ball;
 mod cone;
+mod departing;
 mod direction;
 mod flat;
 mod nappes;
@@ -23,7 +24,8 @@ mod turned;
 pub(super) mod wide;
 
 pub(super) use ball::{ByApproach, ByMoment};
-pub(super) use cone::{double_cone, nappe};
+pub(super) use cone::{double_cone, exit_from_nappe, nappe};
+pub(super) use departing::exit_from_round;
 pub(super) use direction::direction;
 pub(super) use flat::{crossings, disc, height, lowered};
 pub(super) use round::tube;

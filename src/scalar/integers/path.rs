@@ -1,7 +1,7 @@
 //! The fast path of fixed point: from stored numbers to raw integers and back.
 
 use crate::scalar::integers;
-use crate::scalar::{Attempt, FastPath, FinerLine, InNappe, LocalLine, found, slabs::Slabs};
+use crate::scalar::{Attempt, FastPath, FinerLine, InNappe, LocalLine, Scalar, found, slabs::Slabs};
 use core::cmp::Ordering;
 use fixed::types::extra::{LeEqU32, LeEqU64};
 use fixed::{FixedI32, FixedI64};
@@ -35,6 +35,30 @@ macro_rules! fast {
             let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits), r.to_bits());
             let [low, high] = found!($($kernels)::+::tube(o, line.finer, d, r));
             Attempt::Found([Self::from_bits(low), Self::from_bits(high)])
+        }
+        #[inline(always)]
+        fn fast_exit_from_round(line: &LocalLine<Self>, is_ball: bool) -> Attempt<Self> {
+            if line.start != <Self as Scalar>::ZERO {
+                return Attempt::Unsure;
+            }
+            let (o, d) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits));
+            let exit = found!($($kernels)::+::exit_from_round(o, line.finer, d, is_ball));
+            Attempt::Found(Self::from_bits(exit))
+        }
+        #[inline(always)]
+        fn fast_exit_from_nappe(
+            line: &LocalLine<Self>,
+            (base, growth, height): (Self, Self, Option<Self>),
+        ) -> Attempt<Self> {
+            if line.start != <Self as Scalar>::ZERO {
+                return Attempt::Unsure;
+            }
+            let (o, d) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits));
+            let height = height.map_or((1 as $raw).checked_shl(F::U32).unwrap_or(0), Self::to_bits);
+            let height = if height > 0 { height } else { return Attempt::Unsure };
+            let outline = [base.to_bits(), growth.to_bits(), height];
+            let exit = found!($($kernels)::+::exit_from_nappe(o, line.finer, d, outline));
+            Attempt::Found(Self::from_bits(exit))
         }
         #[inline(always)]
         fn fast_seams(line: LocalLine<Self>, t: Self, height: Self) -> Attempt<Ordering> {

@@ -6,7 +6,7 @@
 
 mod pictures;
 
-use fixed::types::{I16F16, I32F32};
+use fixed::types::{I8F24, I16F16, I20F12, I32F32};
 pub use pictures::PICTURES;
 use raylet::Scalar;
 use raylet::tier::{Exact, Fast, Stable, Tier};
@@ -127,5 +127,7 @@ pub fn all() -> Vec<Workload> {
     number!(all, I16F16, "I16F16", with_exact: Fast Stable Exact);
     number!(all, f64, "f64", new: Stable);
     number!(all, I32F32, "I32F32", new: Stable);
+    number!(all, I8F24, "I8F24", new: Stable);
+    number!(all, I20F12, "I20F12", new: Stable);
     all
 }

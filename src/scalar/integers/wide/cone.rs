@@ -10,19 +10,27 @@ use crate::scalar::{Attempt, InNappe, found};
 
 /// A line and both nappes of a cone, in the coordinates that the kernel of 32 bits describes.
 struct AtCone {
-    /// Of the point where the line is taken up.
-    y: Digits,
-    dy: i64,
-    a: i128,
+    line: Scaled,
     k: i128,
     root: u64,
     divisor: Divisor,
-    /// Lengths are in units of `2^-unit`.
-    unit: u32,
-    /// The whole unit of `t` at that point.
-    start: i64,
-    /// Ends are only good enough so far from there.
+    /// Ends are only good enough so far from where the line is taken up.
     farthest: i64,
+}
+
+/// A line in these coordinates, and the `a` of its roots; as with 32 bits.
+#[derive(Clone, Copy)]
+struct Scaled {
+    point: [Digits; 3],
+    direction: [Digits; 3],
+    a: i128,
+    digits: Normalized,
+    /// Lengths are in units of `2^-unit`.
+    unit: i32,
+    /// The whole unit of `t` at the point where the line is taken up.
+    start: i64,
+    /// The origin was in units of `2^-finer`.
+    finer: i32,
 }
 
 /// `length * proportion`, of which that has 62 bits below the point, rounded to nearest.
@@ -31,11 +39,11 @@ fn along(length: i64, proportion: Digits) -> i64 {
     round_off::<62>(dot([Digits::new(length)], [proportion]))
 }
 
-impl AtCone {
-    /// The origin is in units of `2^-finer` of the sizes'.
+impl Scaled {
+    /// The origin is in units of `2^-finer` of the sizes'. The line is taken up next to its closest point or, if it `departs`, at its origin.
     // Not inlined: a shape that may be any cone has it twice.
     #[inline(never)]
-    fn new(o: [i64; 3], finer: i32, d: [i64; 3], [r, g, h]: [i64; 3]) -> Attempt<Self> {
+    fn new(o: [i64; 3], finer: i32, d: [i64; 3], [r, g, h]: [i64; 3], departs: bool) -> Attempt<Self> {
         let Some(radius) = refined(r, finer) else { return Attempt::Unsure };
         if (upper_bits(o[0]) | upper_bits(o[1]) | upper_bits(o[2]) | upper_bits(radius)) >> 28 != 0 {
             return Attempt::Unsure;
@@ -48,7 +56,7 @@ impl AtCone {
         let (g, h) = (Digits::new(g << (free - 2)), Digits::new(h << (free - 2)));
         // From the whole unit of t next to the point closest to the frame's origin, as with 32 bits.
         let direction = digits(d);
-        let closest = -(dot(digits(o), direction) >> 62 >> finer);
+        let closest = if departs { 0 } else { -(dot(digits(o), direction) >> 62 >> finer) };
         let start = closest as i64;
         if upper_bits(start << finer) >> 29 != 0 || (start << finer) >> finer != start || start as i128 != closest {
             return Attempt::Unsure;
@@ -77,25 +85,67 @@ impl AtCone {
         let y = along(on_grid(radius), h) + along(on_grid(near[1]), g);
         let z = along(on_grid(near[2]), h);
         let [dx, dy, dz] = [along(d[0], h), along(d[1], g), along(d[2], h)];
-        let ([x, y, z], [ex, ey, ez]) = (digits([x, y, z]), digits([dx, dy, dz]));
+        let (point, direction) = (digits([x, y, z]), digits([dx, dy, dz]));
+        let [ex, ey, ez] = direction;
 
         let a = squared(ex) + squared(ez) - squared(ey);
-        let Some(a_digits) = Normalized::new(a) else {
+        let Some(digits) = Normalized::new(a) else {
             return Attempt::Unsure;
         };
+        Attempt::Found(Self { point, direction, a, digits, unit, start, finer })
+    }
+
+    /// As 32 bits have it.
+    #[inline(always)]
+    fn shift(&self) -> i32 {
         // 1 has one.
-        let shift = a_digits.shift as i32 - 1;
+        self.digits.shift as i32 - 1
+    }
+
+    /// The same bounds as with 32 bits.
+    #[inline(always)]
+    fn spare(&self) -> i32 {
+        let spare = self.unit - 3 - self.shift();
+        if self.finer == 0 { spare } else { spare.min(FINER - 2 - self.shift()) }
+    }
+
+    #[inline(always)]
+    fn k(&self) -> i128 {
+        let ([x, y, z], [dx, dy, dz]) = (self.point, self.direction);
+        dot([x, z], [dx, dz]) - dot([y], [dy])
+    }
+
+    #[inline(always)]
+    fn rises(&self) -> bool {
+        let Digits { high, low } = self.direction[1];
+        high > 0 || (high == 0 && low > 0)
+    }
+
+    /// As with 32 bits.
+    #[inline(always)]
+    fn is_middle_inside(&self, k: i128) -> Attempt<bool> {
+        let [a, k] = [self.a, k].map(|n| Digits::new(high(n << 2)));
+        let middle = dot([self.point[1]], [a]) - dot([self.direction[1]], [k]);
+        if middle.unsigned_abs() >> 66 == 0 { Attempt::Unsure } else { Attempt::Found(middle > 0) }
+    }
+}
+
+impl AtCone {
+    /// The origin is in units of `2^-finer` of the sizes'.
+    // Not inlined, as above.
+    #[inline(never)]
+    fn new(o: [i64; 3], finer: i32, d: [i64; 3], outline: [i64; 3]) -> Attempt<Self> {
+        let line = found!(Scaled::new(o, finer, d, outline, false));
+        let ([x, y, z], [ex, ey, ez]) = (line.point, line.direction);
         let w = [minor([y, z], [ey, ez]), minor([z, x], [ez, ex]), minor([x, y], [ex, ey])].map(round_off::<62>);
         let [wx, wy, wz] = digits(w);
         let discriminant = squared(wx) + squared(wz) - squared(wy);
         // The coordinates' rounding, of up to 1.5 units across the axis and 3 along it, moves D by no more than ten times this.
         let moment = w.into_iter().fold(0, |sum, w| sum + w.unsigned_abs() as i128);
-        if discriminant < -(moment << 4) && a > 0 {
+        if discriminant < -(moment << 4) && line.a > 0 {
             return Attempt::Miss;
         }
-        // The same bounds as with 32 bits.
-        let spare = unit - 3 - shift;
-        let spare = if finer == 0 { spare } else { spare.min(FINER - 2 - shift) };
+        let spare = line.spare();
         if high(discriminant) <= 0 || high(discriminant) >> 62 != 0 || spare < 0 {
             return Attempt::Unsure;
         }
@@ -105,21 +155,21 @@ impl AtCone {
         if spare < 64 && root >> 2 < moment >> spare {
             return Attempt::Unsure;
         }
-        let k = dot([x, z], [ex, ez]) - dot([y], [ey]);
-        let divisor = a_digits.divisor();
+        let k = line.k();
+        let divisor = line.digits.divisor();
         // Farther away, the rounding of a turned direction counts, 2^-63 of t, of which a small root makes as much more.
         let more = leading_zeros_of_64(root) as i32 - leading_zeros_of_64(moment | 1) as i32 + 3;
-        let farthest = (1 << if finer == 0 { 52 } else { (58 - more).clamp(0, 52) }) >> shift.max(0);
-        Attempt::Found(Self { y, dy, a, k, root, divisor, unit: unit as u32, start, farthest })
+        let farthest = (1 << if finer == 0 { 52 } else { (58 - more).clamp(0, 52) }) >> line.shift().max(0);
+        Attempt::Found(Self { line, k, root, divisor, farthest })
     }
 
     #[inline(always)]
     fn end(&self, numerator: i128) -> (i64, bool) {
-        let Self { start, farthest, .. } = *self;
+        let (Scaled { start, a, unit, .. }, farthest) = (self.line, self.farthest);
         // What is cut off moves t by 2^-51 at most.
-        match self.divisor.quotient(numerator >> self.unit, 0) {
+        match self.divisor.quotient(numerator >> unit, 0) {
             Some(t) if -farthest < t && t < farthest => (start.saturating_add(t), true),
-            _ if (numerator < 0) == (self.a < 0) => (start.saturating_add(farthest), false),
+            _ if (numerator < 0) == (a < 0) => (start.saturating_add(farthest), false),
             _ => (start.saturating_sub(farthest), false),
         }
     }
@@ -132,24 +182,22 @@ impl Roots for AtCone {
 
     #[inline(always)]
     fn start(&self) -> i64 {
-        self.start
+        self.line.start
     }
 
     #[inline(always)]
     fn is_steep(&self) -> bool {
-        self.a < 0
+        self.line.a < 0
     }
 
     #[inline(always)]
     fn rises(&self) -> bool {
-        self.dy > 0
+        self.line.rises()
     }
 
     #[inline(always)]
     fn is_middle_inside(&self) -> Attempt<bool> {
-        let [a, k] = [self.a, self.k].map(|n| Digits::new(high(n << 2)));
-        let middle = dot([self.y], [a]) - dot([Digits::new(self.dy)], [k]);
-        if middle.unsigned_abs() >> 66 == 0 { Attempt::Unsure } else { Attempt::Found(middle > 0) }
+        self.line.is_middle_inside(self.k)
     }
 
     #[inline(always)]
@@ -181,4 +229,22 @@ pub(in crate::scalar) fn double_cone(
     [g, h]: [i64; 2],
 ) -> Attempt<([i64; 2], bool)> {
     found!(AtCone::new(o, finer, d, [0, g, h])).in_both()
+}
+
+/// Where a line that begins in the side of [`nappe`] leaves that nappe; as with 32 bits.
+#[inline]
+pub(in crate::scalar) fn exit_from_nappe(o: [i64; 3], finer: i32, d: [i64; 3], outline: [i64; 3]) -> Attempt<i64> {
+    let line = found!(Scaled::new(o, finer, d, outline, true));
+    let k = line.k();
+    if line.spare() < 3 {
+        return Attempt::Unsure;
+    }
+    let Some(t) = line.digits.divisor().quotient((-2 * k) >> line.unit, 0) else {
+        return Attempt::Unsure;
+    };
+    if line.a < 0 {
+        return if t < -1 && line.rises() { Attempt::Found(i64::MAX) } else { Attempt::Unsure };
+    }
+    let is_near = 0 < t && t < 1 << 52 >> line.shift().max(0);
+    if is_near && found!(line.is_middle_inside(k)) { Attempt::Found(t) } else { Attempt::Unsure }
 }

@@ -7,6 +7,7 @@
 
 mod ball;
 mod cone;
+mod departing;
 mod flat;
 mod quotient;
 mod round;
@@ -19,7 +20,8 @@ use super::{
 };
 
 pub(in crate::scalar) use ball::{ByApproach, ByMoment};
-pub(in crate::scalar) use cone::{double_cone, nappe};
+pub(in crate::scalar) use cone::{double_cone, exit_from_nappe, nappe};
+pub(in crate::scalar) use departing::exit_from_round;
 pub(in crate::scalar) use flat::{crossings, disc, height, lowered};
 pub(in crate::scalar) use round::tube;
 pub(in crate::scalar) use triangle::triangle;

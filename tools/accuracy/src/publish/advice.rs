@@ -43,15 +43,31 @@ fn by_chip(study: &Study) -> Vec<Advice> {
             |chip: &&&str| cost(study, chip, &benign("I32F32", tier)) < cost(study, chip, &benign("f64", tier));
         if NO_UNIT.iter().filter(is_fixed).count() * 2 > NO_UNIT.len() { "`I32F32`" } else { "`f64`" }
     };
-    let single = |primitive| {
-        let [fixed, float] =
-            ["I16F16", "f32"].map(|number| cost(study, "Cortex-M4F", &Row(number, "Stable", primitive, "benign")));
-        if fixed < float { "`I16F16`" } else { "`f32`" }
+    let wide = match [fewer("Fast"), fewer("Stable")] {
+        [fast, stable] if fast == stable => format!("{fast} takes fewer instructions for a sphere"),
+        [fast, stable] => format!("{fast} takes fewer instructions for a sphere in `Fast`, and {stable} in `Stable`"),
+    };
+    // The solids for which `f32` takes fewer instructions than `I16F16` on a chip that computes in it.
+    let (in_float, in_fixed): (Vec<_>, Vec<_>) =
+        [(SPHERE, "spheres"), (CYLINDER, "capped cylinders"), (CONE, "capped cones")].into_iter().partition(|(solid, _)| {
+            let [float, fixed] =
+                ["f32", "I16F16"].map(|number| cost(study, "Cortex-M4F", &Row(number, "Stable", solid, "benign")));
+            float <= fixed
+        });
+    let listed = |solids: &[(&str, &str)]| solids.iter().map(|(_, plural)| *plural).collect::<Vec<_>>().join(" and ");
+    let single = match (in_float.as_slice(), in_fixed.as_slice()) {
+        (_, []) => "In `Stable` it takes fewer instructions than `I16F16` for all solids.".to_string(),
+        ([], _) => "In `Stable` `I16F16` takes fewer instructions for all solids, if coordinates fit it.".to_string(),
+        (float, fixed) => format!(
+            "In `Stable` it takes fewer instructions than `I16F16` for {}; for {} fixed point takes fewer, if coordinates fit it.",
+            listed(float),
+            listed(fixed)
+        ),
     };
     vec![
         advice(
             "No floating-point unit (M0+, M3, RV32IMC):",
-            "`I16F16`, `Stable`. It takes a fraction of the instructions of any float, and is within about half a unit (of 1.5e-5) to \
+            "`I16F16`, `Stable`. It takes fewer instructions than `Fast` in `f32` for spheres, cylinders and cones, and is within about half a unit (of 1.5e-5) to \
              16,384 from the origin, but along the generators of cones. `Fast` halves a sphere's instructions again at next to no loss nearby; for a cylinder it \
              gains nothing.",
             vec![
@@ -66,6 +82,12 @@ fn by_chip(study: &Study) -> Vec<Advice> {
             ],
             vec![
                 Claim::Cheaper(NO_UNIT, benign("I16F16", "Stable"), benign("f32", "Fast")),
+                Claim::Cheaper(
+                    NO_UNIT,
+                    Row("I16F16", "Stable", CYLINDER, "benign"),
+                    Row("f32", "Fast", CYLINDER, "benign"),
+                ),
+                Claim::Cheaper(NO_UNIT, Row("I16F16", "Stable", CONE, "benign"), Row("f32", "Fast", CONE, "benign")),
                 Claim::Cheaper(NO_UNIT, benign("I16F16", "Fast"), benign("I16F16", "Stable")),
                 Claim::Within(benign("I16F16", "Stable"), 0.51),
                 Claim::Within(Row("I16F16", "Stable", SPHERE, "10000 away"), 0.51),
@@ -75,10 +97,8 @@ fn by_chip(study: &Study) -> Vec<Advice> {
         advice(
             "No floating-point unit, and 32 bits do not reach:",
             format!(
-                "Another split first: `I20F12` reaches 262,144 in units of 2.4e-4, at the same price. Beyond that of the 64-bit types {} takes \
-                 fewer instructions for a sphere in `Fast`, {} in `Stable`; both take several times those of 32 bits.",
-                fewer("Fast"),
-                fewer("Stable")
+                "Another split first: `I20F12` reaches 262,144 in units of 2.4e-4, at the same price. Beyond that, of `f64` and `I32F32`, \
+                 {wide}; both take several times the instructions of 32 bits."
             ),
             ["Fast", "Stable"].into_iter().flat_map(|tier| [benign("I32F32", tier), benign("f64", tier)]).collect(),
             vec![Claim::Cheaper(NO_UNIT, benign("I16F16", "Stable"), benign("f64", "Fast"))],
@@ -86,12 +106,8 @@ fn by_chip(study: &Study) -> Vec<Advice> {
         advice(
             "A single-precision unit (M4F):",
             format!(
-                "`f32`. `Fast` is the cheapest there is; `Stable` costs half as much again for a sphere and is right where rays graze. In `Stable` {} \
-                 takes fewer instructions for a sphere, {} for a capped cylinder and {} for a capped cone: if coordinates fit it, fixed point is \
-                 not slow on such a chip. Doubles are software, and `f32` `Exact` computes in them.",
-                single(SPHERE),
-                single(CYLINDER),
-                single(CONE)
+                "`f32`. `Fast` is the cheapest there is; `Stable` takes about twice as many instructions for a sphere and is right where rays graze. {single} \
+                 Doubles are software, and `f32` `Exact` computes in them."
             ),
             vec![
                 benign("f32", "Fast"),

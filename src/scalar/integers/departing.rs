@@ -1,0 +1,31 @@
+//! Lines that begin in a surface and lead inwards.
+
+use super::quotient::Normalized;
+use super::{high, magnitude_bits, product, square};
+use crate::scalar::Attempt;
+
+/// Where a line that begins in the surface of a ball about the origin, or of a cylinder about the y axis, leaves it: the other root of
+/// `a t^2 + 2 k t`, whatever its rounded coordinates say.
+///
+/// The origin is in units of `2^-finer` of the answer's.
+#[inline]
+pub(in crate::scalar) fn exit_from_round(o: [i32; 3], finer: i32, d: [i32; 3], is_ball: bool) -> Attempt<i32> {
+    let ([x, y, z], [dx, dy, dz]) = (o, d);
+    let (mut a, mut k) = (square(dx) + square(dz), product(x, dx) + product(z, dz));
+    if is_ball {
+        a += square(dy);
+        k += product(y, dy);
+    }
+    let Some(digits) = Normalized::new(a).filter(|_| magnitude_bits(high(k)) >> 28 == 0) else {
+        return Attempt::Unsure;
+    };
+    // A framed origin is off by half of its own unit, and lies less than 2^30 of them away, which the rounding of a framed direction,
+    // 2^-31, makes a unit and a half of: 2^(2 + shift) of these units together.
+    if finer != 0 && finer < digits.shift as i32 + 5 {
+        return Attempt::Unsure;
+    }
+    match digits.divisor().quotient(-2 * k, (30 + finer) as u32) {
+        Some(t) if t > 0 => Attempt::Found(t),
+        _ => Attempt::Unsure,
+    }
+}

@@ -1,0 +1,28 @@
+//! Lines that begin in a surface and lead inwards.
+
+use super::quotient::Normalized;
+use super::{FINER, digits, dot, squared, squared_length, upper_bits};
+use crate::scalar::Attempt;
+
+/// Where a line that begins in the surface of a ball about the origin, or of a cylinder about the y axis, leaves it; as with 32 bits.
+#[inline]
+pub(in crate::scalar) fn exit_from_round(o: [i64; 3], finer: i32, d: [i64; 3], is_ball: bool) -> Attempt<i64> {
+    if (upper_bits(o[0]) | upper_bits(o[1]) | upper_bits(o[2])) >> 28 != 0 || !(finer == 0 || finer == FINER) {
+        return Attempt::Unsure;
+    }
+    let ([x, y, z], [dx, dy, dz]) = (digits(o), digits(d));
+    let (a, k) = if is_ball {
+        (squared_length([dx, dy, dz]), dot([x, y, z], [dx, dy, dz]))
+    } else {
+        (squared(dx) + squared(dz), dot([x, z], [dx, dz]))
+    };
+    // A framed origin is off by a five-hundredth of a unit, of which a line next to the axis makes more. (1 has one in its shift.)
+    let Some(digits) = Normalized::new(a).filter(|digits| finer == 0 || digits.shift <= 6) else {
+        return Attempt::Unsure;
+    };
+    match digits.divisor().quotient(-2 * k, finer) {
+        // Up to here the rounding of a framed direction, 2^-63, is less than an eighth of a unit.
+        Some(t) if t > 0 && upper_bits(t) >> 16 == 0 => Attempt::Found(t),
+        _ => Attempt::Unsure,
+    }
+}
