@@ -12,7 +12,7 @@ use crate::figure::Figure;
 use crate::frame::Frame;
 use crate::geometry::{Bounds, Geometry, Hull};
 use crate::hit::{Crossing, Hit, Hits};
-use crate::intersection::Intersection;
+use crate::intersection::{End, Intersection};
 use crate::ladder;
 use crate::line::{InWorld, Place};
 use crate::part::Part;
@@ -96,6 +96,10 @@ macro_rules! primitives {
             #[inline(always)]
             fn fast_occlusion<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<()> {
                 match self { $(Self::$Variant(p) => fast_occlusion::<S, T, _>(p, line),)+ }
+            }
+            #[inline(always)]
+            fn fast_exit<T: Guards>(&self, line: &LocalLine<S>, from: Part) -> Attempt<End<S>> {
+                match self { $(Self::$Variant(p) => p.fast_exit::<T>(line, from),)+ }
             }
             fn figure(&self) -> Figure<S> {
                 match self { $(Self::$Variant(p) => p.figure(),)+ }

@@ -24,14 +24,16 @@ macro_rules! departing {
             // Of a line that is taken up at `start` the roots are -start and another one; the sum of both is -2 k / a.
             let n = line.start * a - k;
             let off = if line.is_rounded { line.off } else { [0.0; 2] };
-            // How far off these are, in roundings of one.
-            let a_off = 4.0 * size(squares) + 2.0 * scale * off[1] * size(sizes);
-            let k_off = 4.0 * dot(terms, sizes) + scale * (off[0] * size(sizes) + off[1] * size(terms));
+            // How far off these are, in roundings of one: three of their terms, and as much as the line is. (.6 of the sum of a vector's
+            // components is its length or a little more or less: roundings do not all have one sign.)
+            let length = |v: [$Float; 3]| 0.6 * size(v);
+            let a_off = 3.0 * size(squares) + 2.0 * scale * off[1] * length(sizes);
+            let k_off = 3.0 * dot(terms, sizes) + scale * (off[0] * length(sizes) + off[1] * length(terms));
             let n_off = k_off + $Float::abs(line.start) * (a_off + $Float::abs(a));
             let (a_size, n_size) = ($Float::abs(a), $Float::abs(n));
             let is_clear = is_handy::<2>(a_size)
                 && is_handy::<2>(n_size)
-                && n_off * a_size + n_size * a_off <= Limits::of(line).moved * (n_size * a_size);
+                && n_off * a_size + n_size * a_off <= 2.0 * Limits::of(line).moved * (n_size * a_size);
             if is_clear { Attempt::Found((2.0 * n / a - line.start, a, k)) } else { Attempt::Unsure }
         }
 

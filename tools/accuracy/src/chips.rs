@@ -7,6 +7,7 @@ use support::figures::Figures;
 pub struct Chip {
     pub name: &'static str,
     cost: raylet_tables::Figures,
+    workloads: raylet_tables::Figures,
 }
 
 /// Instructions of a nearest hit, for rays that hit and for rays that miss.
@@ -45,6 +46,11 @@ fn subject(row: &Figures) -> Option<String> {
 }
 
 impl Chip {
+    /// What a workload's nearest hits take in the mean; `None` if the firmware does not measure it.
+    pub fn of_workload(&self, workload: &str, number: &str, tier: &str) -> Option<u64> {
+        self.workloads.get(&format!("{workload} | {number} | {tier} | mean")).copied()
+    }
+
     /// What a row costs; `None` if the firmware does not measure it.
     pub fn instructions(&self, row: &Figures) -> Option<Instructions> {
         let subject = subject(row)?;
@@ -66,7 +72,8 @@ pub fn read() -> Outcome<Vec<Chip>> {
         .into_iter()
         .map(|(target, name)| {
             let baseline = Baseline::read(&format!("data/chips/{target}.tsv"), ".ci/measure --renew")?;
-            Ok(Chip { name, cost: baseline.part("cost").clone() })
+            let part = |part: &str| baseline.part(part).clone();
+            Ok(Chip { name, cost: part("cost"), workloads: part("workload") })
         })
         .collect()
 }

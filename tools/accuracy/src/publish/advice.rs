@@ -49,11 +49,13 @@ fn by_chip(study: &Study) -> Vec<Advice> {
     };
     // The solids for which `f32` takes fewer instructions than `I16F16` on a chip that computes in it.
     let (in_float, in_fixed): (Vec<_>, Vec<_>) =
-        [(SPHERE, "spheres"), (CYLINDER, "capped cylinders"), (CONE, "capped cones")].into_iter().partition(|(solid, _)| {
-            let [float, fixed] =
-                ["f32", "I16F16"].map(|number| cost(study, "Cortex-M4F", &Row(number, "Stable", solid, "benign")));
-            float <= fixed
-        });
+        [(SPHERE, "spheres"), (CYLINDER, "capped cylinders"), (CONE, "capped cones")].into_iter().partition(
+            |(solid, _)| {
+                let [float, fixed] =
+                    ["f32", "I16F16"].map(|number| cost(study, "Cortex-M4F", &Row(number, "Stable", solid, "benign")));
+                float <= fixed
+            },
+        );
     let listed = |solids: &[(&str, &str)]| solids.iter().map(|(_, plural)| *plural).collect::<Vec<_>>().join(" and ");
     let single = match (in_float.as_slice(), in_fixed.as_slice()) {
         (_, []) => "In `Stable` it takes fewer instructions than `I16F16` for all solids.".to_string(),

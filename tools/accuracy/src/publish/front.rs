@@ -27,8 +27,8 @@ its promise. Errors are the same on every machine and in every run.
 Times are those of a nearest hit on one machine ({}), as a ratio to the textbook's sphere in `f32` that hits ({} ns), which is timed
 before each short batch; the median of several rounds; hit / miss. Misses are the workload's own, and where it is aimed at the solid, rays from
 the same origins past it. They vary by a tenth between runs, and nothing is decided by them. Instructions are those of
-[microcontrollers.md](microcontrollers.md): hit / miss, of rays from 2 to 6 away, like *benign*; where they stand beside another workload
-(in brackets, and in the plots) its rays may take more.
+[microcontrollers.md](microcontrollers.md): hit / miss, of rays from 2 to 6 away, like *benign*; where they stand in brackets, beside another
+workload, its rays may take more. The plots of chips show each workload at its own cost, the mean of a query.
 
 *Textbook* is `k^2 - a c` as everyone writes it first, in the operators of the number type: for fixed point those of the crate `fixed`,
 which wrap. It tells `t` alone.

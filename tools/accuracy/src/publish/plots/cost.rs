@@ -1,5 +1,5 @@
-//! Error against cost: one point a combination of number type and tier, a panel a workload, and the front of those that nothing
-//! beats in both.
+//! Error against cost: one point a combination of number type and tier, a panel a workload at its own cost, and the front of those that
+//! nothing beats in both.
 
 use super::sheet::{self, Area, GRID, INK, Mark, label, power};
 use crate::chips::Chip;
@@ -31,18 +31,52 @@ struct Point<'a> {
     error: f64,
 }
 
-fn points<'a>(study: &'a Study, chip: Option<&Chip>, primitive: &str, workload: &str) -> Vec<Point<'a>> {
+/// Workloads of this study, and the ones like them that the chips' instructions are counted of.
+const ON_CHIPS: [(&str, &str); 6] = [
+    ("benign", "in the world, near"),
+    ("100 away", "in the world, far"),
+    ("benign, turned", "turned, near"),
+    ("100 away, turned", "turned, far"),
+    ("benign, stretched by 1/30 to 30", "stretched, near"),
+    ("departing inwards, turned", "turned, departing"),
+];
+
+/// The points of a workload, at what `cost` knows of a row.
+fn points<'a>(
+    study: &'a Study,
+    primitive: &str,
+    workload: &str,
+    cost: impl Fn(&Figures) -> Option<f64>,
+) -> Vec<Point<'a>> {
     let rows = NUMBERS.iter().flat_map(|number| TIERS.iter().map(move |tier| (number, tier)));
     rows.filter_map(|(number, tier)| {
         // Where every hit was lost there is no error.
         let row = study.row(number, tier, primitive, workload).filter(|row| row.hits > 0)?;
-        let cost = match chip {
-            Some(chip) => chip.instructions(row)?.hit as f64,
-            None => study.time(row)?.hit?.ratio,
-        };
-        Some(Point { row, cost, error: row.lengths[1].clamp(LENGTHS[0], LENGTHS[1]) })
+        Some(Point { row, cost: cost(row)?, error: row.lengths[1].clamp(LENGTHS[0], LENGTHS[1]) })
     })
     .collect()
+}
+
+/// The panels of a primitive, each with its title: the workloads that were timed, or those that chips count.
+fn panels<'a>(study: &'a Study, chip: Option<&Chip>, primitive: &str) -> Vec<(String, Vec<Point<'a>>)> {
+    let Some(chip) = chip else {
+        let time = |row: &Figures| Some(study.time(row)?.hit?.ratio);
+        return study
+            .timed("f32", primitive)
+            .into_iter()
+            .map(|workload| (workload.to_string(), points(study, primitive, &workload, time)))
+            .collect();
+    };
+    let solid = primitive.replacen(' ', ", ", 1);
+    let of = |(workload, counted): (&str, &str)| {
+        let own = |row: &Figures| {
+            let mean = chip.of_workload(&format!("{solid}, {counted}"), &row.number, row.tier);
+            // The textbook is only counted at solids in the world, from nearby.
+            mean.or_else(|| (workload == "benign").then(|| chip.instructions(row)).flatten().map(|cost| cost.hit))
+        };
+        (counted.to_string(), points(study, primitive, workload, |row| own(row).map(|cost| cost as f64)))
+    };
+    ON_CHIPS.map(of).into()
 }
 
 /// Those without wrong hits or misses that no other beats in cost and error, by cost.
@@ -116,19 +150,14 @@ fn legend(area: &Area<'_>, axis: &str) -> Result<(), Box<dyn Error>> {
 
 /// The plot of one primitive, on the host or on a chip.
 pub fn plot(study: &Study, chip: Option<&Chip>, primitive: &str) -> Result<String, Box<dyn Error>> {
-    let workloads = study.timed("f32", primitive);
-    let panels: Vec<_> = workloads
-        .iter()
-        .map(|workload| (workload.as_str(), points(study, chip, primitive, workload)))
-        .filter(|(_, points)| !points.is_empty())
-        .collect();
+    let panels: Vec<_> = panels(study, chip, primitive).into_iter().filter(|(_, points)| !points.is_empty()).collect();
     let costs = panels.iter().flat_map(|(_, points)| points).map(|point| point.cost.max(1e-3));
     let (least, most) = costs.fold((f64::INFINITY, 0.0_f64), |(least, most), cost| (least.min(cost), most.max(cost)));
     let costs = if panels.is_empty() { [1.0, 10.0] } else { [least / 1.5, most * 1.5] };
     let rows = panels.len().div_ceil(COLUMNS);
     let size = (PANEL.0 * COLUMNS as u32, HEAD + PANEL.1 * rows.max(1) as u32);
     let (place, axis) = match chip {
-        Some(chip) => (chip.name, "instructions of a nearest hit, of benign rays in every panel"),
+        Some(chip) => (chip.name, "instructions of a query in the mean, hits and misses of this workload"),
         None => ("this host", "time of a nearest hit; 1 is the textbook's sphere in f32"),
     };
     let title = format!("Error against cost: {primitive}, {place}");
