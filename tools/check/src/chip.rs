@@ -42,7 +42,7 @@ pub enum Part {
     Effects,
     /// Instructions a pixel, and rays, for each picture of the gallery; not of every chip.
     Gallery,
-    /// Modelled cycles of a query, with the least of each range.
+    /// Modelled cycles of a query, with the least of each range; only of chips whose manuals give ranges.
     LeastCost,
 }
 
@@ -156,7 +156,8 @@ mod tests {
                 let counted = part.figures(&instructions).keys().filter(|name| !is_stack(name));
                 assert!(counted.eq(part.figures(&cycles).keys()), "{target}: {}", part.name());
             }
-            assert!(Part::Cost.figures(&cycles).keys().eq(Part::LeastCost.figures(&cycles).keys()), "{target}");
+            let least = Part::LeastCost.figures(&cycles);
+            assert!(least.is_empty() || least.keys().eq(Part::Cost.figures(&cycles).keys()), "{target}");
         }
     }
 

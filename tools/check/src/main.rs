@@ -14,6 +14,7 @@
 
 mod chip;
 mod cost;
+mod cycles;
 mod document;
 mod effects;
 mod effects_table;
