@@ -81,6 +81,7 @@ JOINED: list[tuple[str, str, str, int]] = [
     (M3, "4a688b54", "ldr r2, [r1, #4]; strb r3, [r1, r2]: its address", 2 + 2),
     (M3, "4a681b18", "ldr r2, [r1, #4]; adds r3, r3, r0", 2 + 1),
     (M0, "4a680b60", "ldr r2, [r1, #4]; str r3, [r1]", 2 + 2),
+    (M4, "4a680b60", "ldr r2, [r1, #4]; str r3, [r1]", 2 + 1 - 1),
     (M4, "30ee010a20ee021a", "vadd s0, s0, s2; vmul s2, s0, s4: it uses s0", 1 + 1 + 1),
     (M4, "30ee010a21ee022a", "vadd s0, s0, s2; vmul s4, s2, s4", 1 + 1),
     (M4, "30ee010a01ee020a", "vadd s0, s0, s2; vmla s0, s2, s4: it adds to s0", 1 + 3),
@@ -89,6 +90,7 @@ JOINED: list[tuple[str, str, str, int]] = [
     (RISCV, "83a54500" "3385a200", "lw a1, 4(a1); add a0, t0, a0", 1 + 1),
     (RISCV, "83a54500" "2320b100", "lw a1, 4(a1); sw a1, 0(sp): it stores a1", 1 + 1),
     (RISCV, "83a54500" "23a0a500", "lw a1, 4(a1); sw a0, 0(a1): its address", 1 + 1 + 1),
+    (RISCV, "83a54500" "89c9", "lw a1, 4(a1); beqz a1: it uses a1", 1 + 1 + 1),
     (RISCV, "83a54500" "8505", "lw a1, 4(a1); addi a1, 1, compressed", 1 + 1 + 1),
     (RISCV, "83a54500" "8545", "lw a1, 4(a1); li a1, 1, compressed", 1 + 1),
 ]
@@ -133,6 +135,7 @@ class Latencies(unittest.TestCase):
     def test_a_branch_back_is_predicted(self) -> None:
         back, forth, jump = "e3d304fe", "630e0504", "8287"
         self.assertEqual([cost(RISCV, code).predicted for code in (back, forth, jump)], [True, False, False])
+        self.assertFalse(cost(RISCV, back, "instructions").predicted)
 
     def test_what_no_class_names_is_an_error(self) -> None:
         for target, code, text in [(M3, "00de", "udf"), (RISCV, "73005010", "wfi"), (M0, "c8bf", "it gt")]:
