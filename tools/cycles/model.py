@@ -57,13 +57,13 @@ class Model:
             for name in ("load_before_access", "load_before_use", "float_before_use", "unaligned_target")
         }
         self.predicts: bool = chip.get("predicts", False) and not self._as_one
-        self._classes: dict[str, Latency] = {}
+        self.classes: dict[str, Latency] = {}
         self._of: dict[str, Latency] = {}
         for name, row in chip["classes"].items():
             latency = Latency(name, *(_end(row.get(figure, 0), end) for figure in ("cycles", "each", "taken")))
             if self._as_one:
                 latency = Latency(name, 1, 0, 0)
-            self._classes[name] = latency
+            self.classes[name] = latency
             for instruction in row["of"].split():
                 assert instruction not in self._of, f"{target}: {instruction} is in two classes"
                 self._of[instruction] = latency
@@ -85,10 +85,10 @@ class Model:
             raise ValueError(f"{self.core}: no class has {instruction.mnemonic} {instruction.op_str} ({name})")
         if self.is_arm:
             indexed = any(op.type == arm_const.ARM_OP_MEM and op.mem.index for op in instruction.operands)
-            if latency.name == "store" and indexed and "store_by_register" in self._classes:
-                return self._classes["store_by_register"]
+            if latency.name == "store" and indexed and "store_by_register" in self.classes:
+                return self.classes["store_by_register"]
             if name == "vmov" and len(instruction.operands) > 2:
-                return self._classes["float_move_pair"]
+                return self.classes["float_move_pair"]
         return latency
 
     def block(self, code: bytes, address: int) -> Cost:

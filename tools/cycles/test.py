@@ -5,6 +5,7 @@ import sys
 import unittest
 from pathlib import Path
 
+from compare import differing, read
 from machine import EBREAK, as_unicorn_can
 from model import Cost, Model
 
@@ -90,7 +91,7 @@ JOINED: list[tuple[str, str, str, int]] = [
     (RISCV, "83a54500" "3385a200", "lw a1, 4(a1); add a0, t0, a0", 1 + 1),
     (RISCV, "83a54500" "2320b100", "lw a1, 4(a1); sw a1, 0(sp): it stores a1", 1 + 1),
     (RISCV, "83a54500" "23a0a500", "lw a1, 4(a1); sw a0, 0(a1): its address", 1 + 1 + 1),
-    (RISCV, "83a54500" "89c9", "lw a1, 4(a1); beqz a1: it uses a1", 1 + 1 + 1),
+    (RISCV, "83a54500" "6395c500", "lw a1, 4(a1); bne a1, a2: it uses a1", 1 + 1 + 1),
     (RISCV, "83a54500" "8505", "lw a1, 4(a1); addi a1, 1, compressed", 1 + 1 + 1),
     (RISCV, "83a54500" "8545", "lw a1, 4(a1); li a1, 1, compressed", 1 + 1),
 ]
@@ -112,7 +113,7 @@ class Latencies(unittest.TestCase):
     def test_every_class_is_tested(self) -> None:
         for target in (M0, M3, M4, RISCV):
             tested = {name for of, _, _, name, *_ in SINGLE if of == target}
-            self.assertEqual(tested, set(Model(target)._classes), target)
+            self.assertEqual(tested, set(Model(target).classes), target)
 
     def test_two_instructions_are_joined(self) -> None:
         for target, code, text, cycles in JOINED:
@@ -156,6 +157,25 @@ class Instructions(unittest.TestCase):
         call = as_unicorn_can(bytes.fromhex("1310f001" "73001000" "13507040"))
         self.assertEqual(struct.unpack("<III", call)[1], 0x73)
         self.assertEqual(as_unicorn_can(EBREAK), EBREAK)
+
+
+class Comparison(unittest.TestCase):
+    COST = '{"subject":"sphere","tier":"Fast","of":"%s","figure":%d}'
+    EFFECTS = '{"set":"none","alone":{"instructions":%d,"stack":8},"among_all":{"instructions":5,"stack":%d,"rays":3}}'
+
+    def test_figures_are_read_by_name_without_the_stack(self) -> None:
+        self.assertEqual(read(f"{self.COST}\n{self.COST}" % ("hit", 7, "stack", 9)), {" | sphere | Fast | hit | figure": 7})
+        of = " | none"
+        self.assertEqual(
+            read(self.EFFECTS % (4, 9)), {f"{of} | alone | instructions": 4, f"{of} | among_all | instructions": 5}
+        )
+
+    def test_a_hundredth_or_two_may_differ(self) -> None:
+        for qemu, here, faults in [(10, 12, 0), (10, 13, 1), (1000, 990, 0), (1000, 1011, 1)]:
+            self.assertEqual(len(differing({"a": qemu}, {"a": here})), faults, (qemu, here))
+
+    def test_what_only_one_has_is_a_fault(self) -> None:
+        self.assertEqual(differing({"a": 1}, {"b": 1}), ["only one has a", "only one has b"])
 
 
 if __name__ == "__main__":

@@ -173,7 +173,8 @@ mod tests {
     fn executions_count_while_the_program_measures() {
         let mut counter = Counter::new(0x100, 0x100, false);
         counter.learn(LOOP);
-        for _ in 0..2 {
+        // Before a measurement, in it, and after it.
+        for _ in 0..3 {
             counter.add(LOOP.address);
             counter.was_read();
         }
