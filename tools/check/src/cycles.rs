@@ -27,6 +27,8 @@ const NUMBERS: [&str; 4] = ["I16F16", "f32", "I32F32", "f64"];
 
 /// The chip with instructions for the divide and the root of floats.
 const FLOATS: &str = "Cortex-M4F";
+/// What either takes there, by `tools/cycles/latencies.toml`.
+const DIVIDE_OR_ROOT: u64 = 14;
 
 /// The names of nearest hits of a number type, the textbook's left out.
 fn nearest_hits<'a>(figures: &'a Figures, number: &'a str) -> impl Iterator<Item = &'a String> {
@@ -99,7 +101,7 @@ fn shown(text: &mut String, chip: &Measured) -> Option<()> {
     let [root, without] = [sphere(chip, "f32", "textbook, VSQRT")?, sphere(chip, "f32", "textbook")?];
     let _ = writeln!(
         text,
-        "On the {FLOATS} a divide or a root of floats is one instruction and 14 cycles. The nearest hit of a sphere in `Fast` is {} instructions \
+        "On the {FLOATS} a divide or a root of floats is one instruction and {DIVIDE_OR_ROOT} cycles. The nearest hit of a sphere in `Fast` is {} instructions \
          and {} cycles in `f32`, {} and {} in `I16F16`: `f32` takes {} the instructions of fixed point, and {} its cycles. The textbook's sphere \
          with the chip's root takes {} the instructions of the one with `libm`'s, and {} its cycles.\n",
         grouped(float[0]),
@@ -127,6 +129,12 @@ mod tests {
     }
 
     #[test]
+    fn a_median_is_the_middle() {
+        assert_eq!(median(vec![5.0, 1.0, 2.0, 9.0, 3.0]), Some(3.0));
+        assert_eq!(median(vec![]), None);
+    }
+
+    #[test]
     fn a_median_is_of_what_both_have() {
         let chip = measured(&[("f32 | Fast", 10, 15), ("f32 | Stable", 10, 20), ("f32 | Exact", 10, 30)]);
         let [counted, modelled] = [&chip.counted, &chip.modelled].map(|of| Part::Cost.figures(of));
@@ -138,6 +146,15 @@ mod tests {
     fn the_textbook_is_in_no_median() {
         let chip = measured(&[("f32 | Fast", 1, 1), ("f32 | textbook, VSQRT", 1, 1), ("f32 | textbook", 1, 1)]);
         assert_eq!(nearest_hits(Part::Cost.figures(&chip.counted), "f32").count(), 1);
+    }
+
+    #[test]
+    fn a_divide_and_a_root_take_what_the_table_of_latencies_says() {
+        let table = raylet_tables::in_repository("tools/cycles/latencies.toml");
+        let table = std::fs::read_to_string(table).expect("it is in the repository");
+        for class in ["float_divide", "float_root"] {
+            assert!(table.contains(&format!("\n{class} = {{ cycles = {DIVIDE_OR_ROOT},")), "{class}");
+        }
     }
 
     #[test]

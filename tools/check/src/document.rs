@@ -32,7 +32,8 @@ const INTRODUCTION: &str = "\
 # On microcontrollers
 
 What a query costs on four chips in instructions, in modelled cycles and in stack, how much flash a primitive takes, and what an effect costs a pixel. Written by
-`.ci/measure --renew`; do not edit. `.ci/measure` fails if a figure gets more than 2 % worse: `.ci/run` calls it for the M0+, `.ci/long` for all four.
+`.ci/measure --renew` and `.ci/cycles --renew`; do not edit. `.ci/measure` fails if a figure gets more than 2 % worse: `.ci/run` calls it for the M0+, `.ci/long` for all four;
+so does `.ci/cycles` for modelled cycles, which `.ci/long` calls.
 
 Where nothing else is said, the figures are **instructions, not cycles**: a chip takes one or more cycles for each, depending on its pipeline and on its
 memory. Cycles are [modelled](#modelled-cycles). Instructions are counted by QEMU (`-icount shift=0`: its clock advances by one nanosecond an instruction), so that they are
