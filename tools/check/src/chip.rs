@@ -1,6 +1,6 @@
-//! The figures of a chip: what was measured, and its baseline, a table of `data/chips`.
+//! The figures of a chip: what was measured, and its baseline, a table of `data/chips` or `data/cycles`.
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use raylet_tables::{Baseline, Figures, Outcome};
 
 /// Which baseline is meant.
@@ -15,6 +15,18 @@ pub struct Chip {
     /// Make what was measured the baseline.
     #[arg(long)]
     renew: bool,
+    /// What was measured is no instructions, but modelled cycles; which end of the manuals' ranges was taken.
+    #[arg(long)]
+    cycles: Option<Cycles>,
+}
+
+/// Which end of a range of cycles.
+#[derive(Clone, Copy, ValueEnum)]
+pub enum Cycles {
+    /// The most.
+    Most,
+    /// The least.
+    Least,
 }
 
 /// The parts of a baseline.
@@ -30,6 +42,8 @@ pub enum Part {
     Effects,
     /// Instructions a pixel, and rays, for each picture of the gallery; not of every chip.
     Gallery,
+    /// Modelled cycles of a query, with the least of each range; only of chips whose manuals give ranges.
+    LeastCost,
 }
 
 impl Part {
@@ -40,6 +54,7 @@ impl Part {
             Self::Size => "size",
             Self::Effects => "effects",
             Self::Gallery => "gallery",
+            Self::LeastCost => "cost at least",
         }
     }
 
@@ -50,6 +65,7 @@ impl Part {
             Self::Size => "bytes",
             Self::Effects => "instructions and bytes of stack",
             Self::Gallery => "instructions and rays",
+            Self::LeastCost => "modelled cycles",
         }
     }
 
@@ -64,31 +80,55 @@ impl Part {
     }
 }
 
-fn path(target: &str) -> String {
-    format!("data/chips/{target}.tsv")
+/// Where the figures of a target are, and the command that writes them.
+fn place(target: &str, cycles: bool) -> (String, String) {
+    let (folder, command) = if cycles { ("cycles", ".ci/cycles") } else { ("chips", ".ci/measure") };
+    (format!("data/{folder}/{target}.tsv"), format!("{command} --renew {target}"))
 }
 
 /// The baseline of a target.
 pub fn baseline(target: &str) -> Outcome<Baseline> {
-    Baseline::read(&path(target), &format!(".ci/measure --renew {target}"))
+    let (path, renew) = place(target, false);
+    Baseline::read(&path, &renew)
+}
+
+/// The modelled cycles of a target.
+pub fn cycles(target: &str) -> Outcome<Baseline> {
+    let (path, renew) = place(target, true);
+    Baseline::read(&path, &renew)
+}
+
+/// Whether a figure is bytes of stack.
+fn is_stack(name: &str) -> bool {
+    name.rsplit(" | ").next().is_some_and(|what| what.starts_with("stack"))
 }
 
 /// Compares what was measured with the baseline, or makes it the baseline.
-pub fn check(chip: &Chip, part: Part, figures: Figures) -> Outcome {
-    let Chip { target, compiler, renew } = chip;
+pub fn check(chip: &Chip, part: Part, mut figures: Figures) -> Outcome {
+    let Chip { target, compiler, renew, cycles } = chip;
+    let (path, command) = place(target, cycles.is_some());
+    let (part, unit) = match (cycles, part) {
+        (None, _) => (part, part.unit()),
+        (Some(Cycles::Most), _) => (part, Part::LeastCost.unit()),
+        (Some(Cycles::Least), Part::Cost) => (Part::LeastCost, Part::LeastCost.unit()),
+        (Some(Cycles::Least), _) => return Err(format!("{} has no least cycles", part.name()).into()),
+    };
+    if cycles.is_some() {
+        figures.retain(|name, _| !is_stack(name));
+    }
     let count = figures.len();
     let now = Baseline::new(target, compiler, part.name(), figures);
     if !renew {
-        return baseline(target)?.compare(&now, part.name(), part.unit(), &format!(".ci/measure --renew {target}"));
+        return Baseline::read(&path, &command)?.compare(&now, part.name(), unit, &command);
     }
     if count == 0 {
         return Err("nothing was measured".into());
     }
     // Of another compiler, the other parts follow in the same run.
-    let before = baseline(target).unwrap_or_default();
+    let before = Baseline::read(&path, &command).unwrap_or_default();
     let parts = before.parts.into_iter().chain(now.parts).collect();
-    println!("{target}: {count} figures in {}: the baseline is renewed", part.unit());
-    Baseline { parts, ..now }.write(&path(target))
+    println!("{target}: {count} figures in {unit}: the baseline is renewed");
+    Baseline { parts, ..now }.write(&path)
 }
 
 #[cfg(test)]
@@ -105,5 +145,36 @@ mod tests {
                 assert!(!baseline.part(part.name()).is_empty(), "{target}: {}", part.name());
             }
         }
+    }
+
+    #[test]
+    fn what_has_instructions_has_cycles_and_no_stack() {
+        for (target, _) in CHIPS {
+            let (instructions, cycles) = (baseline(target).expect("it is there"), cycles(target).expect("so is this"));
+            assert_eq!(cycles.machine, target);
+            for part in [Part::Cost, Part::Workload, Part::Effects] {
+                let counted = part.figures(&instructions).keys().filter(|name| !is_stack(name));
+                assert!(counted.eq(part.figures(&cycles).keys()), "{target}: {}", part.name());
+            }
+            let least = Part::LeastCost.figures(&cycles);
+            assert!(least.is_empty() || least.keys().eq(Part::Cost.figures(&cycles).keys()), "{target}");
+        }
+    }
+
+    #[test]
+    fn the_least_cycles_are_not_more_than_the_most() {
+        for (target, _) in CHIPS {
+            let cycles = cycles(target).expect("it is in the repository");
+            for (name, least) in Part::LeastCost.figures(&cycles) {
+                let most = Part::Cost.figure(&cycles, name).unwrap_or_default();
+                assert!(*least <= most, "{target}: {name}");
+            }
+        }
+    }
+
+    #[test]
+    fn stack_is_told_from_the_name() {
+        assert!(is_stack("sphere | nearest | f32 | Fast | stack") && is_stack("none | f32 | stack among all"));
+        assert!(!is_stack("sphere | nearest | f32 | Fast | hit"));
     }
 }

@@ -1,7 +1,7 @@
 //! `docs/microcontrollers.md`: the baselines as tables.
 
 use crate::chip::{self, Part};
-use crate::{cost, effects, effects_table, marks, size};
+use crate::{cost, cycles, effects, effects_table, marks, size};
 use raylet_tables::markdown::{head, row};
 use raylet_tables::{Baseline, CHIPS, Outcome, SUBJECTS, grouped, in_repository};
 use std::fmt::Write;
@@ -18,14 +18,25 @@ const NUMBERS: [(&str, &[&str]); 4] = [
     ("f64", &["Fast", "Stable"]),
 ];
 
+/// A chip, and what it takes.
+pub struct Measured {
+    /// Its name.
+    pub chip: &'static str,
+    /// In instructions and bytes.
+    pub counted: Baseline,
+    /// In modelled cycles.
+    pub modelled: Baseline,
+}
+
 const INTRODUCTION: &str = "\
 # On microcontrollers
 
-What a query costs on four chips in instructions and in stack, how much flash a primitive takes, and what an effect costs a pixel. Written by
-`.ci/measure --renew`; do not edit. `.ci/measure` fails if a figure gets more than 2 % worse: `.ci/run` calls it for the M0+, `.ci/long` for all four.
+What a query costs on four chips in instructions, in modelled cycles and in stack, how much flash a primitive takes, and what an effect costs a pixel. Written by
+`.ci/measure --renew` and `.ci/cycles --renew`; do not edit. `.ci/measure` fails if a figure gets more than 2 % worse: `.ci/run` calls it for the M0+, `.ci/long` for all four;
+so does `.ci/cycles` for modelled cycles, which `.ci/long` calls.
 
-The figures are **instructions, never cycles**: a chip takes one or more cycles for each, depending on its pipeline and on its
-memory. They are counted by QEMU (`-icount shift=0`: its clock advances by one nanosecond an instruction), so that they are
+Where nothing else is said, the figures are **instructions, not cycles**: a chip takes one or more cycles for each, depending on its pipeline and on its
+memory. Cycles are [modelled](#modelled-cycles). Instructions are counted by QEMU (`-icount shift=0`: its clock advances by one nanosecond an instruction), so that they are
 the same on every run. Where nothing else is said, each is the mean over 64 seeded rays that start 2 to 6 units away; all of them hit, or all miss. What users do is
 described in [benches.md](benches.md). A
 function that is not inlined asks the question, and what a function takes that does nothing is subtracted, with the loop. The
@@ -41,7 +52,7 @@ instructions.
 ";
 
 /// The figure for rays that hit, or for both kinds.
-fn cell(baseline: &Baseline, subject: &str, query: &str, number: &str, tier: &str) -> String {
+pub fn cell(baseline: &Baseline, subject: &str, query: &str, number: &str, tier: &str) -> String {
     let figure = |rays| Part::Cost.figure(baseline, &cost::key(subject, query, number, tier, rays)).map(grouped);
     match (figure("hit"), figure("miss")) {
         (Some(hit), Some(miss)) => format!("{hit} / {miss}"),
@@ -51,31 +62,33 @@ fn cell(baseline: &Baseline, subject: &str, query: &str, number: &str, tier: &st
 }
 
 /// What the uses of the library take: all solids placed anyhow, and pictures of them.
-fn whole_uses(text: &mut String, chips: &[(&str, Baseline)]) {
+fn whole_uses(text: &mut String, chips: &[Measured]) {
     text.push_str(
-        "## Whole uses\n\nBytes of flash over those of a program that does nothing, bytes of stack at most, and instructions, in `Stable`. The *range sensor* has any solid, placed \
+        "## Whole uses\n\nBytes of flash over those of a program that does nothing, bytes of stack at most, instructions and [modelled cycles](#modelled-cycles), in `Stable`. The *range sensor* has any solid, placed \
          anyhow (`Shape`): instructions of one test of one of its zones against one of its forty solids, 1 to 200 metres away, most of them upright; its stack is the \
          largest of all nearest hits below. The *picture* is that of the effects below, with any solid in it: instructions a pixel, with all effects of several samples at edges. Flash depends on the \
          profile: `opt-level = 3`, which is the fastest.\n\n",
     );
-    head(text, ["use", "number", "chip", "flash", "stack", "instructions"].map(String::from));
+    head(text, ["use", "number", "chip", "flash", "stack", "instructions", "cycles"].map(String::from));
     for number in effects::NUMBERS {
-        for (chip, baseline) in chips {
-            let cost = |subject: &str, of: &str| {
+        for Measured { chip, counted: baseline, modelled } in chips {
+            let cost = |baseline: &Baseline, subject: &str, of: &str| {
                 Part::Cost.figure(baseline, &cost::key(subject, "nearest", number, "Stable", of))
             };
-            let deepest = SUBJECTS.iter().filter_map(|subject| cost(subject, "stack")).max();
+            let deepest = SUBJECTS.iter().filter_map(|subject| cost(baseline, subject, "stack")).max();
             let flash = Part::Size.figure(baseline, &size::key(size::SHAPE, [number, "Stable"]));
-            let mut line = |of: &str, figures: [Option<u64>; 3]| {
+            let mut line = |of: &str, figures: [Option<u64>; 4]| {
                 let figures = figures.map(|figure| figure.map_or("–".into(), grouped));
                 row(text, [of, number, chip].map(String::from).into_iter().chain(figures));
             };
-            line("range sensor", [flash, deepest, cost("range sensor", "hit")]);
+            let sensor = |figures| cost(figures, "range sensor", "hit");
+            line("range sensor", [flash, deepest, sensor(baseline), sensor(modelled)]);
             let ends = [("picture, no effects", effects::SETS.first()), ("picture, all effects", effects::SETS.last())];
             for (name, set) in ends.into_iter().filter_map(|(name, set)| Some((name, set?.1))) {
                 let figure = |what: &str| Part::Effects.figure(baseline, &effects::key(set, number, what));
                 let flash = Part::Size.figure(baseline, &effects::key(set, number, "bytes"));
-                line(name, [flash, figure("stack"), figure("instructions")]);
+                let cycles = Part::Effects.figure(modelled, &effects::key(set, number, "instructions"));
+                line(name, [flash, figure("stack"), figure("instructions"), cycles]);
             }
         }
     }
@@ -83,17 +96,15 @@ fn whole_uses(text: &mut String, chips: &[(&str, Baseline)]) {
 }
 
 /// A few primitives on all chips, beside the textbook.
-fn comparison(text: &mut String, chips: &[(&str, Baseline)]) {
-    text.push_str("## The nearest hit, beside the textbook\n\nInstructions: hit / miss.\n\n");
-    head(
-        text,
-        ["", "number", "tier"].map(String::from).into_iter().chain(chips.iter().map(|(chip, _)| (*chip).into())),
-    );
+fn comparison(text: &mut String, chips: &[Measured]) {
+    text.push_str("## The nearest hit, beside the textbook\n\nInstructions, and [modelled cycles](#modelled-cycles): hit / miss.\n\n");
+    let titles = chips.iter().flat_map(|Measured { chip, .. }| [(*chip).to_string(), "cycles".into()]);
+    head(text, ["", "number", "tier"].map(String::from).into_iter().chain(titles));
     for subject in COMPARED {
         for (number, tiers) in NUMBERS {
             for tier in ["textbook", "textbook, VSQRT"].iter().chain(tiers) {
-                let cells: Vec<_> =
-                    chips.iter().map(|(_, baseline)| cell(baseline, subject, "nearest", number, tier)).collect();
+                let figures = chips.iter().flat_map(|Measured { counted, modelled, .. }| [counted, modelled]);
+                let cells: Vec<_> = figures.map(|of| cell(of, subject, "nearest", number, tier)).collect();
                 if cells.iter().any(|cell| cell != "–") {
                     let names = [subject, number, tier].map(String::from);
                     row(text, names.into_iter().chain(cells));
@@ -136,16 +147,21 @@ fn workloads(text: &mut String, chip: &str, baseline: &Baseline) {
 }
 
 /// Every primitive on one chip.
-fn one_chip(text: &mut String, chip: &str, baseline: &Baseline) {
+fn one_chip(text: &mut String, Measured { chip, counted: baseline, modelled }: &Measured) {
     let _ = write!(text, "\n## {chip}\n\nThe nearest hit; instructions: hit / miss.\n\n");
     let kinds: Vec<_> =
         NUMBERS.iter().flat_map(|(number, tiers)| tiers.iter().map(move |tier| (*number, *tier))).collect();
-    let titles = kinds.iter().map(|(number, tier)| format!("{number} {tier}"));
-    head(text, std::iter::once(String::new()).chain(titles));
-    for subject in SUBJECTS {
-        let cells = kinds.iter().map(|(number, tier)| cell(baseline, subject, "nearest", number, tier));
-        row(text, std::iter::once(subject.to_string()).chain(cells));
-    }
+    let nearest = |text: &mut String, figures: &Baseline| {
+        let titles = kinds.iter().map(|(number, tier)| format!("{number} {tier}"));
+        head(text, std::iter::once(String::new()).chain(titles));
+        for subject in SUBJECTS {
+            let cells = kinds.iter().map(|(number, tier)| cell(figures, subject, "nearest", number, tier));
+            row(text, std::iter::once(subject.to_string()).chain(cells));
+        }
+    };
+    nearest(text, baseline);
+    text.push_str("\nThe same in [modelled cycles](#modelled-cycles): hit / miss.\n\n");
+    nearest(text, modelled);
     text.push_str(
         "\nThe stack of a nearest hit, bytes at most for these rays, the caller's frames not counted. A ray that the fast path leaves to the robust \
          number takes more: plan with the largest figure of the column.\n\n",
@@ -176,17 +192,17 @@ fn one_chip(text: &mut String, chip: &str, baseline: &Baseline) {
 }
 
 /// Bytes of flash.
-fn sizes(text: &mut String, chips: &[(&str, Baseline)]) {
+fn sizes(text: &mut String, chips: &[Measured]) {
     text.push_str(
         "\n## Flash\n\nBytes of code and constants of a program that asks one primitive for its nearest hit, over those of a program that does nothing; \
          `shape` is any of them, placed anyhow. Two primitives share much of it: the number type's arithmetic is counted with each.\n\n",
     );
-    let titles = chips.iter().map(|(chip, _)| (*chip).to_string());
+    let titles = chips.iter().map(|Measured { chip, .. }| (*chip).to_string());
     head(text, ["", "number", "tier"].map(String::from).into_iter().chain(titles));
     for primitive in size::PRIMITIVES {
         for [number, tier] in size::KINDS {
-            let figures = chips.iter().map(|(_, baseline)| {
-                Part::Size.figure(baseline, &size::key(primitive, [number, tier])).map_or("–".into(), grouped)
+            let figures = chips.iter().map(|Measured { counted, .. }| {
+                Part::Size.figure(counted, &size::key(primitive, [number, tier])).map_or("–".into(), grouped)
             });
             row(text, [primitive, number, tier].map(String::from).into_iter().chain(figures));
         }
@@ -196,20 +212,21 @@ fn sizes(text: &mut String, chips: &[(&str, Baseline)]) {
 fn text() -> Outcome<String> {
     let mut chips = Vec::new();
     for (target, chip) in CHIPS {
-        chips.push((chip, chip::baseline(target)?));
+        chips.push(Measured { chip, counted: chip::baseline(target)?, modelled: chip::cycles(target)? });
     }
     let mut text = INTRODUCTION.to_string();
-    if let Some((_, baseline)) = chips.first() {
-        let _ = write!(text, "Compiler: {}.\n\n", baseline.compiler);
+    if let Some(Measured { counted, .. }) = chips.first() {
+        let _ = write!(text, "Compiler: {}.\n\n", counted.compiler);
     }
     whole_uses(&mut text, &chips);
+    cycles::section(&mut text, &chips);
     marks::table(&mut text, &chips);
     comparison(&mut text, &chips);
-    for (chip, baseline) in &chips {
-        workloads(&mut text, chip, baseline);
+    for Measured { chip, counted, .. } in &chips {
+        workloads(&mut text, chip, counted);
     }
-    for (chip, baseline) in &chips {
-        one_chip(&mut text, chip, baseline);
+    for chip in &chips {
+        one_chip(&mut text, chip);
     }
     sizes(&mut text, &chips);
     effects_table::tables(&mut text, &chips);

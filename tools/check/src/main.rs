@@ -8,11 +8,13 @@
 //! check left-out DIRECTORY                         # an effect that is left out leaves no code
 //! check effects --target TARGET OUTPUT [--renew]   # instructions and stack a pixel, against the baseline
 //! check gallery --target TARGET OUTPUT [--renew]   # instructions a pixel of the gallery, against the baseline
+//! check cost --cycles most ...                     # the same of modelled cycles, and of workloads and effects; also least
 //! check document [--verify]                        # docs/microcontrollers.md and docs/gallery.md from the baselines
 //! ```
 
 mod chip;
 mod cost;
+mod cycles;
 mod document;
 mod effects;
 mod effects_table;

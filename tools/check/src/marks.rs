@@ -2,6 +2,7 @@
 
 use crate::chip::Part;
 use crate::cost;
+use crate::document::Measured;
 use raylet_tables::Baseline;
 use std::fmt::Write;
 
@@ -54,7 +55,7 @@ fn cell(baseline: &Baseline, mark: &Mark, tier: &str) -> Option<String> {
 }
 
 /// A table of the marks: a row for each mark and chip.
-pub fn table(text: &mut String, chips: &[(&str, Baseline)]) {
+pub fn table(text: &mut String, chips: &[Measured]) {
     text.push_str(
         "## The marks\n\nWhat the kernels were written for: instructions of a nearest hit, or a ratio of them. In bold: reached.\n\n\
          | mark | chip | at most | Fast | Stable |\n|---|---|---:|---:|---:|\n",
@@ -64,9 +65,8 @@ pub fn table(text: &mut String, chips: &[(&str, Baseline)]) {
             Mark::Instructions { chip, most, .. } => (Some(*chip), most.to_string()),
             Mark::Ratio { chip, most, .. } => (*chip, most.to_string()),
         };
-        for (chip, baseline) in chips.iter().filter(|(chip, _)| only.is_none_or(|only| only == *chip)) {
-            let [fast, stable] =
-                ["Fast", "Stable"].map(|tier| cell(baseline, mark, tier).unwrap_or_else(|| "–".into()));
+        for Measured { chip, counted, .. } in chips.iter().filter(|of| only.is_none_or(|only| only == of.chip)) {
+            let [fast, stable] = ["Fast", "Stable"].map(|tier| cell(counted, mark, tier).unwrap_or_else(|| "–".into()));
             let _ = writeln!(text, "| {name} | {chip} | {most} | {fast} | {stable} |");
         }
     }
