@@ -33,6 +33,11 @@ impl<'t> Lexer<'t> {
         self.place
     }
 
+    /// The bytes that are left.
+    pub(super) fn remaining(&self) -> usize {
+        self.rest.len()
+    }
+
     fn skip_spaces_and_comments(&mut self) {
         let mut comment = false;
         let mut characters = self.rest.chars();
