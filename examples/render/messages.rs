@@ -16,17 +16,17 @@ fn because<S: Scalar>(reason: Reason, number: Number, scale: Scale) -> String {
     let or_wider = if wider.is_empty() { String::new() } else { format!(", or {wider}") };
     match reason {
         Reason::BeyondBudget { what } => {
-            let limit = S::BUDGET.coordinate.to_f64() / f64::from(scale.power()).exp2();
+            let limit = readable(S::BUDGET.coordinate.to_f64() / f64::from(scale.power()).exp2());
             let smaller = if S::RELATIVE || scale == Scale::LEAST {
                 "move everything closer to the origin"
             } else {
                 "give --scale auto, or a smaller --scale"
             };
-            format!("{what} is beyond {limit:e}, the most that {number} holds at --scale {scale}: {smaller}{or_wider}")
+            format!("{what} is beyond {limit}, the most that {number} holds at --scale {scale}: {smaller}{or_wider}")
         }
         Reason::BeyondType { what } => {
-            let limit = S::BUDGET.distance.to_f64();
-            format!("{what} is beyond {limit:e}, the most that {number} holds: give a smaller number{or_wider}")
+            let limit = readable(S::BUDGET.distance.to_f64().round());
+            format!("{what} is beyond {limit}, the most that {number} holds: give a smaller number{or_wider}")
         }
         Reason::Proportions => format!(
             "the cone or cylinder is too long, or too wide for its length, for {number}: give it other proportions{or_wider}"
@@ -42,4 +42,9 @@ fn because<S: Scalar>(reason: Reason, number: Number, scale: Scale) -> String {
         Reason::NoView => "the file ends without a view: add a \"v\" entity".into(),
         other => other.to_string(),
     }
+}
+
+/// A number in few digits.
+fn readable(number: f64) -> String {
+    if number < 1e12 { number.to_string() } else { format!("{number:.1e}") }
 }

@@ -75,7 +75,9 @@ fn an_output_that_cannot_be_written_is_found_before_tracing() {
     // Weeks of tracing.
     let huge = "scene.nff --size 30000x1 -s 16 --uncut --threads 1";
     let said = folder.run(&format!("{huge} -o scene.nff/a.png"));
-    assert!(said.error.starts_with("error: cannot make the folder scene.nff: "), "{said:?}");
+    assert!(said.error.starts_with("error: cannot write scene.nff/a.png: "), "{said:?}");
+    let said = folder.run(&format!("{huge} -o scene.nff/b/c/"));
+    assert!(said.error.starts_with("error: cannot make the folder scene.nff/b/c/: "), "{said:?}");
     fs::create_dir(folder.path("a.ppm")).unwrap();
     let said = folder.run(&format!("{huge} -o a"));
     assert!(said.error.starts_with("error: cannot write a.ppm: "), "{said:?}");

@@ -31,11 +31,11 @@ fn a_black_picture_says_why() {
 fn an_empty_picture_says_why() {
     let empty = "the picture shows no object: ";
     for (text, options, why) in [
-        (format!("{VIEW}{LIGHT}"), "", "the scene has no objects"),
+        (format!("{VIEW}{LIGHT}"), "", "the scene has none"),
         (format!("{VIEW}{LIGHT}s 0 0 0 1e-9"), "-n i16f16 --scale 1", "all 1 were left out, too small"),
         (format!("{VIEW}{LIGHT}s 0 0 9 1"), "", "none is in sight; check the view's from, at and angle"),
         // Clockwise, and from within.
-        (format!("{VIEW}{LIGHT}p 3 -9 -9 0 0 9 0 9 -9 0"), "", "every surface in sight is seen from its back (52 % of the picture)"),
+        (format!("{VIEW}{LIGHT}p 3 -1 -1 0 0 1 0 1 -1 0"), "", "every surface in sight is seen from its back (8 % of the picture)"),
         (format!("{VIEW}{LIGHT}s 0 0 0 9"), "", "every surface in sight is seen from its back (100 % of the picture)"),
         (format!("{VIEW}{LIGHT}s 0 0 0 -1"), "", "every surface in sight is seen from its back"),
     ] {
