@@ -2,6 +2,7 @@
 
 use super::split::{nothing, split, united};
 use super::{AXIS, Hierarchy, HierarchyError, LEVELS, MOST_OBJECTS, Node};
+use crate::geometry::Bounds;
 use crate::scalar::{Real, Scalar};
 use crate::scalar::{Ring, slabs::MARGIN_BITS};
 use crate::scene::Object;
@@ -104,7 +105,12 @@ impl<S: Scalar> Node<S> {
     /// The box of an object; of no objects if it has none.
     pub(super) fn leaf(index: u32, shape: &Shape<S>) -> Self {
         let nothing = Self { object: index, ..Self::EMPTY };
-        let (bounds, Some(sharpness)) = (shape.bounds(), sharpness(shape)) else { return nothing };
+        let bounds = match (shape.placement(), shape.primitive()) {
+            // The same to the bit, and what large scenes are made of.
+            (Placement::World, Primitive::Triangle(triangle)) => around(triangle.vertices()),
+            _ => shape.bounds(),
+        };
+        let Some(sharpness) = sharpness(shape) else { return nothing };
         if !(bounds.low.is_within_budget() && bounds.high.is_within_budget()) {
             return nothing;
         }
@@ -118,6 +124,13 @@ impl<S: Scalar> Node<S> {
         let (centre, half) = padded(bounds.low, bounds.high, position, units);
         Self { centre, half, objects: 1, object: index }
     }
+}
+
+/// The box of three points.
+fn around<S: Scalar>([a, b, c]: [Vec3<S>; 3]) -> Bounds<S> {
+    let corners = [a, b, c].map(|point| [point.to_array(); 2]).into_iter().fold(nothing(), united);
+    let [low, high] = corners.map(Vec3::from);
+    Bounds { low, high }
 }
 
 /// How much farther from a solid a hit may lie than the `t` is wrong that decided it: where two surfaces meet at a sharp rim, two ends

@@ -55,6 +55,10 @@ pub fn triangulate<S: Scalar, E>(
     mut each: impl FnMut([Corner<S>; 3]) -> Result<(), E>,
 ) -> Result<usize, E> {
     let Some(plane) = Projection::of(corners) else { return Ok(0) };
+    // Nothing to cut, and by far the most frequent.
+    if let [a, b, c] = &*corners {
+        return each([*a, *b, *c]).map(|()| 1);
+    }
     let mut count = 0;
     let mut emit = |triangle| {
         count += 1;
