@@ -166,9 +166,9 @@ fn turns_back<S: Scalar>(corners: &[Corner<S>]) -> bool {
 /// corner.
 fn area_vector<S: Scalar>(corners: &[Corner<S>]) -> [S::Real; 3] {
     let mut normal = [S::Real::ZERO; 3];
-    let Some(first) = corners.first() else { return normal };
+    let Some((first, rest)) = corners.split_first() else { return normal };
     let [ox, oy, oz] = first.point.real();
-    for pair in corners.windows(2) {
+    for pair in rest.windows(2) {
         let [a, b] = pair else { continue };
         let [u, v] = [a, b].map(|corner| corner.point.real()).map(|[x, y, z]| [x - ox, y - oy, z - oz]);
         for (sum, term) in normal.iter_mut().zip(cross(u, v)) {
