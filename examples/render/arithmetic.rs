@@ -83,7 +83,10 @@ impl Arithmetic {
     pub(crate) fn parse(text: &str) -> Result<Self, String> {
         let (number, tier) = text.split_once('-').unwrap_or((text, "stable"));
         let number = Number::from_str(number, true).map_err(|_| {
-            format!("there is no number type `{number}`: choose among {}", ["f32", "f64", "i16f16", "i32f32"].join(", "))
+            format!(
+                "there is no number type `{number}`: choose among {}",
+                ["f32", "f64", "i16f16", "i32f32"].join(", ")
+            )
         })?;
         let tier = TierName::from_str(tier, true).map_err(|_| {
             format!("there is no tier `{tier}`: choose among {}", ["fast", "stable", "exact"].join(", "))

@@ -48,10 +48,7 @@ pub(crate) fn darkness<S: Scalar, T: Tier<S>>(
     if !pixels.is_dark() {
         return None;
     }
-    let shows = EffectSet::of(Effect::Diffuse)
-        .with(Effect::Specular)
-        .with(Effect::Reflection)
-        .with(Effect::Refraction);
+    let shows = EffectSet::of(Effect::Diffuse).with(Effect::Specular).with(Effect::Reflection).with(Effect::Refraction);
     let out = |light: &Light<S>| light.strength.iter().all(|strength| *strength <= S::ZERO);
     let why = if loaded.lights.is_empty() {
         "the scene has no lights; add one, such as \"l 10 20 30\""

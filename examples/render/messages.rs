@@ -33,7 +33,9 @@ fn because<S: Scalar>(reason: Reason, number: Number, scale: Scale) -> String {
         ),
         Reason::Camera(CameraError::Position) => format!("the camera is too far away for {number}{or_wider}"),
         Reason::Camera(CameraError::Target) => {
-            format!("the view's from and at are the same point, or nearer to each other than {number} can tell: move one")
+            format!(
+                "the view's from and at are the same point, or nearer to each other than {number} can tell: move one"
+            )
         }
         Reason::EndsBeforeCorners { corners } => {
             format!("the file ends before {corners} corners: give as many as the polygon has")

@@ -103,10 +103,14 @@ impl Output {
         let mut opened = Self { targets: Vec::new(), folders: Vec::new() };
         if place == Place::StandardOutput {
             if labels.len() > 1 {
-                return Err("standard output holds one picture, and --compare writes three: give --output a name".into());
+                return Err(
+                    "standard output holds one picture, and --compare writes three: give --output a name".into()
+                );
             }
             if io::stdout().is_terminal() {
-                return Err("a picture would garble the terminal: redirect standard output, or give --output a name".into());
+                return Err(
+                    "a picture would garble the terminal: redirect standard output, or give --output a name".into()
+                );
             }
         }
         for (index, label) in labels.iter().enumerate() {
@@ -131,7 +135,8 @@ impl Output {
         let missing = folder.ancestors().take_while(|folder| !folder.as_os_str().is_empty() && !folder.exists());
         let missing: Vec<_> = missing.map(Path::to_owned).collect();
         if !missing.is_empty() {
-            fs::create_dir_all(folder).map_err(|error| format!("cannot make the folder {}: {error}", folder.display()))?;
+            fs::create_dir_all(folder)
+                .map_err(|error| format!("cannot make the folder {}: {error}", folder.display()))?;
         }
         self.folders.extend(missing);
         Ok(())

@@ -159,11 +159,7 @@ fn counted<S: Scalar>(pixel: &Pixel<S>, levels: [u8; 3]) -> Pixels {
 
 /// Does the same work on as many threads as are asked for, or as there are processors, and at most on `most`; fails if one of
 /// them panics.
-fn on_threads<R: Send>(
-    threads: Option<u16>,
-    most: u16,
-    work: impl Fn() -> R + Sync,
-) -> Result<Vec<R>, Box<dyn Error>> {
+fn on_threads<R: Send>(threads: Option<u16>, most: u16, work: impl Fn() -> R + Sync) -> Result<Vec<R>, Box<dyn Error>> {
     let processors = || thread::available_parallelism().map_or(1, NonZero::get);
     let threads = threads.map_or_else(processors, usize::from).min(usize::from(most));
     thread::scope(|scope| {
@@ -171,7 +167,9 @@ fn on_threads<R: Send>(
         let results: Vec<_> = workers.into_iter().map(thread::ScopedJoinHandle::join).collect();
         results.into_iter().collect::<Result<_, _>>()
     })
-    .map_err(|_| "a thread panicked, so that there is no picture: please report this with the scene and the options".into())
+    .map_err(|_| {
+        "a thread panicked, so that there is no picture: please report this with the scene and the options".into()
+    })
 }
 
 #[cfg(test)]

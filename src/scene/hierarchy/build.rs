@@ -174,3 +174,32 @@ fn padded<S: Scalar>(low: Vec3<S>, high: Vec3<S>, position: Option<Vec3<S>>, uni
     // Rounded to nearest, which may be down.
     (centre, reach.map(|reach| S::round(reach + margin).next_up()))
 }
+
+#[cfg(all(test, feature = "fixed"))]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::primitive::Triangle;
+    use fixed::types::{I16F16, I32F32};
+
+    #[test]
+    fn the_box_around_a_triangle_in_the_world_is_that_of_the_shape() {
+        fn check<S: Scalar>() {
+            let mut state = 1_u32;
+            let mut coordinate = || {
+                state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                S::from_f64(f64::from(state as i32) / f64::from(1 << (state % 29 + 16))).unwrap()
+            };
+            for _ in 0..500 {
+                let corners: [Vec3<S>; 3] = [(); 3].map(|()| Vec3::new(coordinate(), coordinate(), coordinate()));
+                let [a, b, c] = corners;
+                let Ok(triangle) = Triangle::new(a, b, c) else { continue };
+                assert_eq!(around(corners), Shape::new(triangle).bounds());
+            }
+        }
+        check::<f32>();
+        check::<f64>();
+        check::<I16F16>();
+        check::<I32F32>();
+    }
+}

@@ -1,8 +1,8 @@
 //! Entities into objects, materials, lights and a camera.
 
 use super::error::{NffError, Place, Reason};
-use super::numbers::{Number, Numbers};
 use super::lexer::Lexer;
+use super::numbers::{Number, Numbers};
 use super::polygon::{Corner, contradicts_its_normals, triangulate};
 use super::{Counts, SHORTEST_POINT, Scale, Stores, View};
 use crate::frame::Frame;

@@ -168,7 +168,9 @@ impl<'t> Extent<'t> {
 enum Kind {
     Light,
     /// With so many doublings to spare.
-    Other { spare: usize },
+    Other {
+        spare: usize,
+    },
 }
 
 /// Hands every word of a text that should be a coordinate or a size to `each`.

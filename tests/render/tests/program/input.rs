@@ -9,9 +9,9 @@ fn a_hyphen_reads_standard_input() {
     let said = folder.run_with_input("-", ball().as_bytes()).is_content();
     assert!(said.output.ends_with("written: out/stdin.ppm, out/stdin.png\n"), "{said:?}");
     assert_eq!(folder.pixels("out/stdin.ppm"), folder.pixels("a.ppm"));
-    folder.run_with_input("-", b"q").fails(
-        "standard input, line 1, column 1: this starts no entity: expected one of v, b, l, f, c, s, p, pp or #",
-    );
+    folder
+        .run_with_input("-", b"q")
+        .fails("standard input, line 1, column 1: this starts no entity: expected one of v, b, l, f, c, s, p, pp or #");
     folder.shell("\"$render\" - -o - <scene.nff >b.ppm").succeeds();
     assert_eq!(folder.pixels("b.ppm"), folder.pixels("a.ppm"));
 }

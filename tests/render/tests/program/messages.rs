@@ -73,7 +73,10 @@ fn no_message_names_a_type_of_the_library() {
 fn unknown_names_get_a_suggestion() {
     let folder = Folder::new();
     for (arguments, expected) in [
-        ("--scene glas", "there is no scene `glas`: did you mean `glass`? There are still-life, patterns, glass, waves"),
+        (
+            "--scene glas",
+            "there is no scene `glas`: did you mean `glass`? There are still-life, patterns, glass, waves",
+        ),
         ("--scene Pattern", "there is no scene `Pattern`: did you mean `patterns`?"),
         ("--scene teapot", "there is no scene `teapot`: choose among still-life, patterns, glass, waves"),
         ("--effects diffuse,shadow", "there is no effect `shadow`: did you mean `shadows`?"),
@@ -99,7 +102,8 @@ fn a_tier_that_a_number_type_lacks_is_refused_before_anything_is_read() {
 #[test]
 fn help_names_every_option_and_place() {
     let said = Folder::new().run("--help").is_content();
-    for word in ["--both-sides", "--output", "`-`", "standard input", "standard output", "--scale", "--report", "glass"] {
+    for word in ["--both-sides", "--output", "`-`", "standard input", "standard output", "--scale", "--report", "glass"]
+    {
         assert!(said.output.contains(word), "{word}: {}", said.output);
     }
 }

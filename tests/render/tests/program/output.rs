@@ -172,7 +172,10 @@ fn pictures_too_large_for_memory_are_refused_before_tracing() {
     let folder = Folder::with(ball());
     // A hundred gigabytes and more.
     let said = folder.run("scene.nff --size 65535x65535 --compare f32 f64");
-    assert!(said.error.contains("65535x65535 pixels need 159") && said.error.contains("give a smaller --size"), "{said:?}");
+    assert!(
+        said.error.contains("65535x65535 pixels need 159") && said.error.contains("give a smaller --size"),
+        "{said:?}"
+    );
     assert_eq!(said.code, Some(1));
     // Where the system hands out no more than so much.
     let said = folder.shell("ulimit -v 900000; \"$render\" scene.nff --size 20000x20000 --threads 1");

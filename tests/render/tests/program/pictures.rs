@@ -18,7 +18,11 @@ fn a_black_picture_says_why() {
         (format!("{VIEW}b 0 0 1 {BALL}"), "-s 3", "the scene has no lights"),
         (format!("{VIEW}l 3 4 5 0 0 0 {BALL}"), "", "all lights have the strength 0"),
         (format!("{VIEW}{LIGHT}f 1 1 1 0 0 1 0 1 s 0 0 0 1"), "", "no material sends light back"),
-        (format!("{VIEW}{LIGHT}f 0 0 0 1 0 1 0 1 s 0 0 0 1"), "", "no light reaches what is seen, or its materials are black"),
+        (
+            format!("{VIEW}{LIGHT}f 0 0 0 1 0 1 0 1 s 0 0 0 1"),
+            "",
+            "no light reaches what is seen, or its materials are black",
+        ),
         (format!("{VIEW}l 0 0 -9 {BALL}"), "", "no light reaches what is seen"),
         (ball(), "--effects shadows", "--effects leaves off all that shows a surface"),
     ] {
@@ -35,7 +39,11 @@ fn an_empty_picture_says_why() {
         (format!("{VIEW}{LIGHT}s 0 0 0 1e-9"), "-n i16f16 --scale 1", "all 1 were left out, too small"),
         (format!("{VIEW}{LIGHT}s 0 0 9 1"), "", "none is in sight; check the view's from, at and angle"),
         // Clockwise, and from within.
-        (format!("{VIEW}{LIGHT}p 3 -1 -1 0 0 1 0 1 -1 0"), "", "every surface in sight is seen from its back (8 % of the picture)"),
+        (
+            format!("{VIEW}{LIGHT}p 3 -1 -1 0 0 1 0 1 -1 0"),
+            "",
+            "every surface in sight is seen from its back (8 % of the picture)",
+        ),
         (format!("{VIEW}{LIGHT}s 0 0 0 9"), "", "every surface in sight is seen from its back (100 % of the picture)"),
         (format!("{VIEW}{LIGHT}s 0 0 0 -1"), "", "every surface in sight is seen from its back"),
     ] {
@@ -77,7 +85,9 @@ fn corner_normals_decide_where_the_winding_contradicts_them() {
         let said = wrong.run(&format!("scene.nff -n {number} -o a.ppm")).succeeds();
         assert_eq!(
             said.warnings(),
-            ["1 polygon with normals run the other way than their corner normals say; the normals decide which side is seen"]
+            [
+                "1 polygon with normals run the other way than their corner normals say; the normals decide which side is seen"
+            ]
         );
         let pairs = right.pixels("a.ppm").into_iter().zip(wrong.pixels("a.ppm"));
         assert!(pairs.clone().all(|(a, b)| a[0].abs_diff(b[0]) <= 1), "{number}: {:?}", pairs.collect::<Vec<_>>());
@@ -104,8 +114,14 @@ fn a_scale_below_one_says_what_it_costs() {
 
 #[test]
 fn a_light_too_far_for_the_type_counts_by_its_direction() {
-    let scene = |light: &str| format!("{VIEW}{light}\n{BALL}s 0.4 0.4 1 0.3\n").replace("resolution 8 6", "resolution 80 50");
-    for light in ["l 2000000 1000000 1500000", "l 2e12 1e12 1.5e12", "l 2e30 1e30 15e29", "l 2000000.00000000000000001 1e6 1.5e6"] {
+    let scene =
+        |light: &str| format!("{VIEW}{light}\n{BALL}s 0.4 0.4 1 0.3\n").replace("resolution 8 6", "resolution 80 50");
+    for light in [
+        "l 2000000 1000000 1500000",
+        "l 2e12 1e12 1.5e12",
+        "l 2e30 1e30 15e29",
+        "l 2000000.00000000000000001 1e6 1.5e6",
+    ] {
         let folder = Folder::with(scene(light));
         folder.run("scene.nff -n f64 -o f64.ppm").is_content();
         let said = folder.run("scene.nff -n i16f16 -o a.ppm").succeeds();
