@@ -22,12 +22,13 @@ impl Progress {
 
     /// What comes next, and of how many steps.
     pub(crate) fn begin(&self, steps: usize, unit: &'static str) {
+        // Before the length, or more steps were done than there are.
+        self.bar.set_position(0);
         let style = ProgressStyle::with_template(&format!("{{bar:40}} {{pos}}/{{len}} {unit}, {{eta}} left"));
         if let Ok(style) = style {
             self.bar.set_style(style);
         }
         self.bar.set_length(steps as u64);
-        self.bar.set_position(0);
         self.bar.reset_eta();
     }
 

@@ -105,11 +105,7 @@ impl<S: Scalar> Node<S> {
     /// The box of an object; of no objects if it has none.
     pub(super) fn leaf(index: u32, shape: &Shape<S>) -> Self {
         let nothing = Self { object: index, ..Self::EMPTY };
-        let bounds = match (shape.placement(), shape.primitive()) {
-            // The same to the bit, and what large scenes are made of.
-            (Placement::World, Primitive::Triangle(triangle)) => around(triangle.vertices()),
-            _ => shape.bounds(),
-        };
+        let bounds = simple_bounds(shape).unwrap_or_else(|| shape.bounds());
         let Some(sharpness) = sharpness(shape) else { return nothing };
         if !(bounds.low.is_within_budget() && bounds.high.is_within_budget()) {
             return nothing;
@@ -123,6 +119,19 @@ impl<S: Scalar> Node<S> {
         let units = sharpness * S::BUDGET.smallest_size.real().scaled(1);
         let (centre, half) = padded(bounds.low, bounds.high, position, units);
         Self { centre, half, objects: 1, object: index }
+    }
+}
+
+/// The bounds of what large scenes are made of, the same to the bit: where they are sums without rounding.
+fn simple_bounds<S: Scalar>(shape: &Shape<S>) -> Option<Bounds<S>> {
+    match (shape.placement(), shape.primitive()) {
+        (Placement::World, Primitive::Triangle(triangle)) => Some(around(triangle.vertices())),
+        (Placement::Frame(frame), Primitive::Sphere(sphere)) if !S::RELATIVE => {
+            let (centre, radius) = (frame.position().to_array(), sphere.radius());
+            let [low, high] = [centre.map(|c| c.minus(radius)), centre.map(|c| c.plus(radius))];
+            Some(Bounds { low: low.into(), high: high.into() })
+        }
+        _ => None,
     }
 }
 
@@ -179,23 +188,33 @@ fn padded<S: Scalar>(low: Vec3<S>, high: Vec3<S>, position: Option<Vec3<S>>, uni
 #[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
-    use crate::primitive::Triangle;
+    use crate::frame::Frame;
+    use crate::primitive::{Sphere, Triangle};
     use fixed::types::{I16F16, I32F32};
 
     #[test]
-    fn the_box_around_a_triangle_in_the_world_is_that_of_the_shape() {
+    fn simple_bounds_are_those_of_the_shape() {
         fn check<S: Scalar>() {
             let mut state = 1_u32;
             let mut coordinate = || {
                 state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-                S::from_f64(f64::from(state as i32) / f64::from(1 << (state % 29 + 16))).unwrap()
+                S::from_f64(f64::from(state as i32) / f64::from(1 << (state % 13 + 17))).unwrap()
             };
+            let mut simple = 0;
             for _ in 0..500 {
                 let corners: [Vec3<S>; 3] = [(); 3].map(|()| Vec3::new(coordinate(), coordinate(), coordinate()));
                 let [a, b, c] = corners;
-                let Ok(triangle) = Triangle::new(a, b, c) else { continue };
-                assert_eq!(around(corners), Shape::new(triangle).bounds());
+                let triangle = Triangle::new(a, b, c).map(Shape::new).ok();
+                let sphere = Sphere::new(coordinate().magnitude()).map(Shape::new).ok();
+                let placed = sphere.map(|sphere| sphere.placed(Frame::at(a).unwrap()));
+                for shape in [triangle, placed].into_iter().flatten() {
+                    if let Some(bounds) = simple_bounds(&shape) {
+                        simple += 1;
+                        assert_eq!(bounds, shape.bounds());
+                    }
+                }
             }
+            assert!(simple > if S::RELATIVE { 450 } else { 900 }, "{simple}");
         }
         check::<f32>();
         check::<f64>();
