@@ -23,7 +23,7 @@ struct Read<S: Scalar> {
     normals: Vec<CornerNormals<S>>,
 }
 
-const VIEW: &str = "v from 0 0 0 at 0 0 -1 up 0 1 0 angle 45 resolution 32 24\n";
+const VIEW: &str = "v from 0 0 0 at 0 0 -1 up 0 1 0 angle 5 resolution 32 24\n";
 
 fn read<S: Scalar>(rest: &str, scale: Scale) -> Read<S> {
     let text = format!("{VIEW}{rest}");
