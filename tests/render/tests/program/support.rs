@@ -5,6 +5,8 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::sync::atomic::{AtomicU32, Ordering};
+use std::thread;
+use std::time::{Duration, Instant};
 
 /// A camera that looks at the origin along -z, a light, a material.
 pub(crate) const VIEW: &str = "v from 0 0 5 at 0 0 0 up 0 1 0 angle 45 resolution 8 6\n";
@@ -65,9 +67,18 @@ impl Folder {
         command
     }
 
-    /// Runs the program with these arguments.
+    /// Runs the program with these arguments, for a minute at most.
     pub(crate) fn run(&self, arguments: &str) -> Said {
-        Said::of(&self.command(arguments).output().unwrap())
+        let mut child = self.command(arguments).spawn().unwrap();
+        let start = Instant::now();
+        while child.try_wait().unwrap().is_none() {
+            if start.elapsed() > Duration::from_secs(60) {
+                child.kill().unwrap();
+                panic!("it takes longer than a minute: {arguments}");
+            }
+            thread::sleep(Duration::from_millis(2));
+        }
+        Said::of(&child.wait_with_output().unwrap())
     }
 
     /// Runs a line of the shell, in which `$render` is the program.
