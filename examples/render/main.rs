@@ -32,6 +32,7 @@ use output::Output;
 use raylet::effect::EffectSet;
 use raylet::tier;
 use std::error::Error;
+use std::fmt::Write;
 use std::process::ExitCode;
 use trace::Traced;
 
@@ -101,7 +102,8 @@ fn compare_two(
     let difference = Difference::between(&first, &second)?;
     let mut written = String::new();
     for (index, image) in [&first.image, &second.image, &difference.image].into_iter().enumerate() {
-        written += &format!("written: {}\n", output.write(index, image)?);
+        let names = output.write(index, image)?;
+        let _ = writeln!(written, "written: {names}");
     }
     let console = Console { picture_on_standard_output: false };
     for (traced, number) in [(&first, number), (&second, reference)] {

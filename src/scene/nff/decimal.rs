@@ -217,7 +217,7 @@ mod tests {
         };
         for _ in 0..20_000 {
             let (power, places) = (below(52) as i32 - 16, below(23));
-            let digits = below(1 << 48) as u128 * below(1 << 48) as u128 >> below(90);
+            let digits = (u128::from(below(1 << 48)) * u128::from(below(1 << 48))) >> below(90);
             in_every_type(&format!("{digits}e-{places}"), power);
             // Ties of 16 fraction bits, which have 17 places, and their neighbours.
             let tie = (2 * below(1 << 20) + 1) * 762_939_453_125;

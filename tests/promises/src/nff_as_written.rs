@@ -144,8 +144,8 @@ fn normals_decide_which_side_of_a_patch_is_its_front() {
         // An arrow, which is cut into two triangles, clockwise as seen from above.
         let corners = ["0 0 0", "4 4 0", "1 0 0", "4 -4 0"];
         let patch = |normals: [&str; 4]| {
-            let corners: String = corners.iter().zip(normals).map(|(at, normal)| format!(" {at} {normal}")).collect();
-            read::<S>(&format!("pp 4{corners}"), Scale::ONE)
+            let corners = corners.iter().zip(normals).map(|(at, normal)| format!("{at} {normal}")).collect::<Vec<_>>();
+            read::<S>(&format!("pp 4 {}", corners.join(" ")), Scale::ONE)
         };
         // How the triangles run, and the normal of the corner at the origin.
         let runs = |read: &Read<S>| {

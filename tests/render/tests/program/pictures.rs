@@ -71,8 +71,8 @@ fn both_sides_show_what_is_seen_from_the_back() {
 /// A square of two patches before the eye, with corners in this order and normals towards it.
 fn patches(order: [usize; 4], normal: &str) -> String {
     let corners = ["-2 -2 0", "2 -2 0", "2 2 0", "-2 2 0"];
-    let corners: String = order.iter().map(|corner| format!(" {} {normal}", corners[*corner])).collect();
-    format!("{VIEW}{LIGHT}pp 4{corners}\n")
+    let corners = order.map(|corner| format!("{} {normal}", corners[corner])).join(" ");
+    format!("{VIEW}{LIGHT}pp 4 {corners}\n")
 }
 
 #[test]
