@@ -42,7 +42,7 @@ fn an_empty_picture_says_why() {
         (
             format!("{VIEW}{LIGHT}p 3 -1 -1 0 0 1 0 1 -1 0"),
             "",
-            "every surface in sight is seen from its back (8 % of the picture)",
+            "every surface in sight is seen from its back (4 % of the picture)",
         ),
         (format!("{VIEW}{LIGHT}s 0 0 0 9"), "", "every surface in sight is seen from its back (100 % of the picture)"),
         (format!("{VIEW}{LIGHT}s 0 0 0 -1"), "", "every surface in sight is seen from its back"),
