@@ -45,7 +45,6 @@ fn an_empty_picture_says_why() {
             "every surface in sight is seen from its back (4 % of the picture)",
         ),
         (format!("{VIEW}{LIGHT}s 0 0 0 9"), "", "every surface in sight is seen from its back (100 % of the picture)"),
-        (format!("{VIEW}{LIGHT}s 0 0 0 -1"), "", "every surface in sight is seen from its back"),
     ] {
         let warning = warning(&text, options);
         assert!(warning.starts_with(&format!("{empty}{why}")), "{warning}");
