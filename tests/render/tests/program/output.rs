@@ -72,8 +72,8 @@ fn an_unknown_suffix_is_refused() {
 #[test]
 fn an_output_that_cannot_be_written_is_found_before_tracing() {
     let folder = Folder::with(ball());
-    // Hours of tracing.
-    let huge = "scene.nff --size 20000x2000 -s 16 --uncut --threads 1";
+    // Minutes of tracing.
+    let huge = "scene.nff --size 60000x6000 -s 16 --uncut --threads 1";
     let said = folder.run(&format!("{huge} -o scene.nff/a.png"));
     assert!(said.error.starts_with("error: cannot write scene.nff/a.png: "), "{said:?}");
     let said = folder.run(&format!("{huge} -o scene.nff/b/c/"));
