@@ -2,6 +2,7 @@
 
 use crate::image::Image;
 use crate::trace::{Sighting, Traced};
+use std::error::Error;
 use std::fmt;
 
 /// Each level of difference becomes this many in the difference picture.
@@ -25,8 +26,8 @@ impl Difference {
     ///
     /// A pixel that differs by more than one level is explained if it lies on a silhouette, where a change in the last
     /// place may decide which of two colours is seen: see [`is_silhouette`].
-    pub(crate) fn between(picture: &Traced, reference: &Traced) -> Self {
-        let mut image = Image::black(reference.image.width, reference.image.height);
+    pub(crate) fn between(picture: &Traced, reference: &Traced) -> Result<Self, Box<dyn Error>> {
+        let mut image = Image::black(reference.image.width, reference.image.height)?;
         let pixels = image.pixels.len();
         let (mut differing, mut by_more_than_one, mut on_silhouettes, mut greatest, mut squared) = (0, 0, 0, 0, 0.0);
         for (index, (a, b)) in picture.image.pixels.iter().zip(&reference.image.pixels).enumerate() {
@@ -46,7 +47,7 @@ impl Difference {
                 ));
             }
         }
-        Self { image, pixels, differing, by_more_than_one, on_silhouettes, greatest, squared }
+        Ok(Self { image, pixels, differing, by_more_than_one, on_silhouettes, greatest, squared })
     }
 
     /// Peak signal-to-noise ratio in decibels; infinite for equal pictures.

@@ -1,9 +1,8 @@
-//! A picture in memory, and on disk as PPM and PNG.
+//! A picture in memory, and as PPM and PNG.
 
 use std::error::Error;
-use std::fs::{self, File};
-use std::io::{self, BufWriter, Write};
-use std::path::{Path, PathBuf};
+use std::fs;
+use std::io::{self, Write};
 
 /// Eight bits a channel, row after row from the upper left.
 #[derive(Clone, Debug)]
@@ -13,19 +12,34 @@ pub(crate) struct Image {
     pub(crate) pixels: Vec<[u8; 3]>,
 }
 
+/// The formats of picture files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Format {
+    Ppm,
+    Png,
+}
+
 impl Image {
-    pub(crate) fn black(width: u16, height: u16) -> Self {
-        Self { width, height, pixels: vec![[0; 3]; usize::from(width) * usize::from(height)] }
+    /// Fails if there is no memory for it.
+    pub(crate) fn black(width: u16, height: u16) -> Result<Self, Box<dyn Error>> {
+        Ok(Self { width, height, pixels: filled([0; 3], width, height)? })
+    }
+
+    pub(crate) fn write(&self, format: Format, to: &mut impl Write) -> Result<(), Box<dyn Error>> {
+        match format {
+            Format::Ppm => self.write_ppm(to)?,
+            Format::Png => self.write_png(to)?,
+        }
+        Ok(to.flush()?)
     }
 
     /// Portable pixmap, binary ("P6").
-    fn write_ppm(&self, mut to: impl Write) -> io::Result<()> {
+    fn write_ppm(&self, to: &mut impl Write) -> io::Result<()> {
         write!(to, "P6\n{} {}\n255\n", self.width, self.height)?;
-        to.write_all(self.pixels.as_flattened())?;
-        to.flush()
+        to.write_all(self.pixels.as_flattened())
     }
 
-    fn write_png(&self, to: impl Write) -> Result<(), png::EncodingError> {
+    fn write_png(&self, to: &mut impl Write) -> Result<(), png::EncodingError> {
         let mut encoder = png::Encoder::new(to, u32::from(self.width), u32::from(self.height));
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
@@ -35,53 +49,33 @@ impl Image {
     }
 }
 
-/// The files that a picture goes to.
-#[derive(Debug)]
-pub(crate) struct Files {
-    ppm: Option<PathBuf>,
-    png: Option<PathBuf>,
+/// One value a pixel. Fails if there is no memory for them.
+pub(crate) fn filled<T: Clone>(value: T, width: u16, height: u16) -> Result<Vec<T>, Box<dyn Error>> {
+    let pixels = usize::from(width) * usize::from(height);
+    let mut values = Vec::new();
+    values.try_reserve_exact(pixels).map_err(|_| too_large(width, height, pixels * size_of::<T>()))?;
+    values.resize(pixels, value);
+    Ok(values)
 }
 
-impl Files {
-    /// `output` as the user gave it, or `out/<scene>`; `label` goes behind the name, before the extension.
-    pub(crate) fn new(output: Option<&Path>, scene: &str, label: &str) -> Self {
-        let default = Path::new("out").join(scene);
-        let output = output.unwrap_or(&default);
-        let extension = output.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase);
-        let (ppm, png) = match extension.as_deref() {
-            Some("ppm") => (true, false),
-            Some("png") => (false, true),
-            _ => (true, true),
-        };
-        let stem = if ppm && png { output.to_owned() } else { output.with_extension("") };
-        let file = |extension: &str| {
-            let mut name = stem.clone().into_os_string();
-            name.push(format!("{label}.{extension}"));
-            PathBuf::from(name)
-        };
-        Self { ppm: ppm.then(|| file("ppm")), png: png.then(|| file("png")) }
+/// Fails if pictures of this size need more memory than there is, where the system tells how much there is: most systems hand
+/// out more than they have, and end the program that uses it.
+pub(crate) fn must_fit(width: u16, height: u16, bytes_a_pixel: usize) -> Result<(), Box<dyn Error>> {
+    let bytes = usize::from(width) * usize::from(height) * bytes_a_pixel;
+    match available_memory() {
+        Some(available) if bytes > available => Err(too_large(width, height, bytes)),
+        _ => Ok(()),
     }
+}
 
-    /// Writes the picture, creating folders on the way, and returns the names for a message.
-    pub(crate) fn write(&self, image: &Image) -> Result<String, Box<dyn Error>> {
-        let mut names = Vec::new();
-        for path in [&self.ppm, &self.png].into_iter().flatten() {
-            self.write_one(image, path).map_err(|error| format!("cannot write {}: {error}", path.display()))?;
-            names.push(path.display().to_string());
-        }
-        Ok(names.join(", "))
-    }
+fn too_large(width: u16, height: u16, bytes: usize) -> Box<dyn Error> {
+    let megabytes = bytes.div_ceil(1 << 20);
+    format!("{width}x{height} pixels need {megabytes} MB, more memory than there is: give a smaller --size").into()
+}
 
-    fn write_one(&self, image: &Image, path: &Path) -> Result<(), Box<dyn Error>> {
-        if let Some(folder) = path.parent() {
-            fs::create_dir_all(folder)?;
-        }
-        let file = BufWriter::new(File::create(path)?);
-        if self.ppm.as_deref() == Some(path) {
-            image.write_ppm(file)?;
-        } else {
-            image.write_png(file)?;
-        }
-        Ok(())
-    }
+/// In bytes; `None` where the system does not tell.
+fn available_memory() -> Option<usize> {
+    let text = fs::read_to_string("/proc/meminfo").ok()?;
+    let line = text.lines().find_map(|line| line.strip_prefix("MemAvailable:"))?;
+    line.trim().strip_suffix("kB")?.trim().parse::<usize>().ok()?.checked_mul(1024)
 }

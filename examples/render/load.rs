@@ -1,12 +1,17 @@
-//! Where a scene comes from: the built-in scene or an NFF file, in any number type.
+//! Where a scene comes from: a built-in one, a file or standard input, in any number type.
 
-use crate::options::Units;
+use crate::arithmetic::Number;
+use crate::messages;
+use crate::options::{Options, Units};
+use crate::progress::Progress;
+use crate::suggest;
 use raylet::gallery::{BuiltIn, Stage};
 use raylet::scene::nff::{self, Corner, Counts, Scale, Stores};
 use raylet::scene::{CornerNormals, Full, Store};
-use raylet::{Camera, Color, Fog, Light, Material, Object, Scalar, Scene, Texture};
+use raylet::{Camera, Color, Fog, Light, Material, Object, Scalar, Scene, Texture, Visible};
 use std::error::Error;
 use std::fs;
+use std::io::{self, Read};
 use std::path::Path;
 
 /// In which size built-in scenes are shown.
@@ -16,62 +21,122 @@ const BUILT_IN_SIZE: [u16; 2] = [160, 120];
 #[derive(Debug)]
 pub(crate) struct Source {
     name: String,
-    text: std::result::Result<String, BuiltIn>,
+    content: Content,
+}
+
+#[derive(Debug)]
+enum Content {
+    BuiltIn(BuiltIn),
+    Text { text: String, file: String },
 }
 
 impl Source {
+    /// Reads a file (`-` is standard input), or takes the built-in scene.
     pub(crate) fn new(file: Option<&Path>, built_in: BuiltIn) -> Result<Self, Box<dyn Error>> {
-        let Some(file) = file else { return Ok(Self { name: built_in.to_string(), text: Err(built_in) }) };
-        let text = fs::read_to_string(file).map_err(|error| format!("cannot read {}: {error}", file.display()))?;
-        let name = file.file_stem().map_or("scene".into(), |stem| stem.to_string_lossy().into_owned());
-        Ok(Self { name, text: Ok(text) })
+        let Some(path) = file else {
+            return Ok(Self { name: built_in.to_string(), content: Content::BuiltIn(built_in) });
+        };
+        let (name, file, bytes) = if path == Path::new("-") {
+            let mut bytes = Vec::new();
+            let read = io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes);
+            ("stdin".into(), "standard input".to_owned(), read)
+        } else {
+            let name = path.file_stem().map_or("scene".into(), |stem| stem.to_string_lossy().into_owned());
+            (name, path.display().to_string(), fs::read(path))
+        };
+        let bytes = bytes.map_err(|error| {
+            let names = BuiltIn::EVERY.map(BuiltIn::name);
+            let meant = if path.extension().is_none() { suggest::nearest(&file, names) } else { None };
+            let hint = meant.map_or(String::new(), |name| format!("; there is a built-in scene, --scene {name}"));
+            format!("cannot read {file}: {error}{hint}")
+        })?;
+        // The reader says where bytes are that are no text, and passes over them in comments.
+        let text = match String::from_utf8(bytes) {
+            Ok(text) => text,
+            Err(error) => String::from_utf8_lossy(error.as_bytes()).into_owned(),
+        };
+        Ok(Self { name, content: Content::Text { text, file } })
     }
 
-    /// The file's name without folder and extension.
+    /// The file's name without folder and suffix.
     pub(crate) fn name(&self) -> &str {
         &self.name
     }
 
-    pub(crate) fn load<S: Scalar>(&self, units: Units) -> Result<Loaded<S>, Box<dyn Error>> {
-        let text = match &self.text {
-            Ok(text) => text,
-            Err(_) if units != Units::Fitting => {
+    pub(crate) fn load<S: Scalar>(
+        &self,
+        options: &Options,
+        number: Number,
+        progress: &Progress,
+    ) -> Result<Loaded<S>, Box<dyn Error>> {
+        let mut loaded = match &self.content {
+            Content::Text { text, file } => read(text, file, options.scale, number, progress)?,
+            Content::BuiltIn(_) if options.scale != Units::Fitting => {
                 return Err("only a file is read to scale: name one, or drop --scale".into());
             }
-            Err(built_in) => {
-                let stage = built_in.build().ok_or("the number type cannot hold the built-in scene")?;
-                return Ok(stage.into());
+            Content::BuiltIn(scene) => {
+                let stage = scene.build::<S>();
+                stage.ok_or_else(|| format!("{number} cannot hold the scene {scene}: take -n f32"))?.into()
             }
         };
-        let counts = Counts::of(text);
-        let (mut objects, mut materials) = (Growing(Vec::new()), Growing(Vec::new()));
-        let (mut lights, mut normals) = (Growing(Vec::new()), Growing(Vec::new()));
-        let stores = Stores {
-            objects: &mut objects,
-            materials: &mut materials,
-            lights: &mut lights,
-            normals: &mut normals,
-            corners: &mut vec![Corner::default(); counts.corners],
-        };
-        let scale = match units {
-            Units::Fitting => Scale::fitting::<S>(text),
-            Units::Chosen(scale) => scale,
-        };
-        let view = nff::read_scaled(text, stores, scale).map_err(|error| format!("{}.nff, {error}", self.name))?;
-        Ok(Loaded {
-            objects: objects.0,
-            materials: materials.0,
-            lights: lights.0,
-            normals: normals.0,
-            textures: Vec::new(),
-            fog: None,
-            background: view.background,
-            camera: view.camera,
-            resolution: view.resolution,
-            invisible: view.invisible,
-            scale,
-        })
+        if options.both_sides {
+            for object in &mut loaded.objects {
+                object.shape = object.shape.seen_from(Visible::Both);
+            }
+        }
+        Ok(loaded)
     }
+}
+
+fn read<S: Scalar>(
+    text: &str,
+    file: &str,
+    units: Units,
+    number: Number,
+    progress: &Progress,
+) -> Result<Loaded<S>, Box<dyn Error>> {
+    let counts = Counts::of(text);
+    progress.begin(counts.objects, "objects read");
+    let (mut objects, mut materials) = (Growing::new(progress), Growing::silent());
+    let (mut lights, mut normals) = (Growing::silent(), Growing::silent());
+    let stores = Stores {
+        objects: &mut objects,
+        materials: &mut materials,
+        lights: &mut lights,
+        normals: &mut normals,
+        corners: &mut vec![Corner::default(); counts.corners],
+    };
+    let scale = match units {
+        Units::Fitting => Scale::fitting::<S>(text),
+        Units::Chosen(scale) => scale,
+    };
+    let view = nff::read_scaled(text, stores, scale);
+    let view = view.map_err(|error| messages::fault::<S>(file, &error, number, scale))?;
+    Ok(Loaded {
+        objects: objects.items,
+        materials: materials.items,
+        lights: lights.items,
+        normals: normals.items,
+        textures: Vec::new(),
+        fog: None,
+        background: view.background,
+        camera: view.camera,
+        resolution: view.resolution,
+        remarks: Remarks { invisible: view.invisible, turned: view.turned, distant: view.distant, scale },
+    })
+}
+
+/// What became of a file that its picture does not show.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Remarks {
+    /// Objects that were left out.
+    pub(crate) invisible: u32,
+    /// Polygons that were turned round.
+    pub(crate) turned: u32,
+    /// Lights that count by their direction.
+    pub(crate) distant: u32,
+    /// Units of the scene in one of the file.
+    pub(crate) scale: Scale,
 }
 
 /// A scene and the lists that it borrows.
@@ -86,9 +151,7 @@ pub(crate) struct Loaded<S: Scalar> {
     pub(crate) background: Color<S>,
     pub(crate) camera: Camera<S>,
     pub(crate) resolution: [u16; 2],
-    pub(crate) invisible: u32,
-    /// Units of the scene in one of the file.
-    pub(crate) scale: Scale,
+    pub(crate) remarks: Remarks,
 }
 
 impl<S: Scalar> From<Stage<S>> for Loaded<S> {
@@ -103,8 +166,7 @@ impl<S: Scalar> From<Stage<S>> for Loaded<S> {
             background: stage.background,
             camera: stage.camera,
             resolution: BUILT_IN_SIZE,
-            invisible: 0,
-            scale: Scale::ONE,
+            remarks: Remarks { invisible: 0, turned: 0, distant: 0, scale: Scale::ONE },
         }
     }
 }
@@ -120,11 +182,28 @@ impl<S: Scalar> Loaded<S> {
 
 /// A store that never fills up. The library has its own for `Vec` behind the feature `std`; with this one the example
 /// runs with the default features.
-struct Growing<T>(Vec<T>);
+struct Growing<'p, T> {
+    items: Vec<T>,
+    /// Told of every item.
+    progress: Option<&'p Progress>,
+}
 
-impl<T> Store<T> for Growing<T> {
+impl<'p, T> Growing<'p, T> {
+    const fn new(progress: &'p Progress) -> Self {
+        Self { items: Vec::new(), progress: Some(progress) }
+    }
+
+    const fn silent() -> Self {
+        Self { items: Vec::new(), progress: None }
+    }
+}
+
+impl<T> Store<T> for Growing<'_, T> {
     fn push(&mut self, item: T) -> Result<(), Full> {
-        self.0.push(item);
+        self.items.push(item);
+        if let Some(progress) = self.progress {
+            progress.step();
+        }
         Ok(())
     }
 }

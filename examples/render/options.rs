@@ -1,11 +1,14 @@
 //! What can be asked for on the command line.
 
-use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use clap::{Parser, ValueEnum};
+use crate::arithmetic::{Arithmetic, Number, TierName};
+use crate::suggest;
+use clap::builder::{PossibleValue, TypedValueParser};
+use clap::error::ErrorKind;
+use clap::{Arg, Command, Parser};
 use raylet::effect::{Effect, EffectSet};
 use raylet::gallery::BuiltIn;
 use raylet::scene::nff::Scale;
-use std::fmt;
+use std::ffi::OsStr;
 use std::path::PathBuf;
 
 /// Renders a scene with raylet and writes the picture as PPM and PNG.
@@ -18,18 +21,23 @@ use std::path::PathBuf;
         render --scene glass -s 4                       glass and mirrors, antialiased\n  \
         render --scene waves --effects diffuse,fog      the same scene with two of its effects\n  \
         render examples/scenes/tubes.nff --compare i16f16 f64\n                                                  \
-        how far is fixed point from double precision?\n\n\
+        how far is fixed point from double precision?\n  \
+        render - -o - < scene.nff | pnmtopng > a.png    from standard input to standard output\n\n\
+        The picture is written first and reported then. What makes it less true than it seems, or black, is a warning on\n\
+        standard error. The program fails (1) without a picture, or if one cannot be written; also (2) on wrong options.\n\n\
         Only the effects that the scene calls for are at work, and the program says which. In NFF files the highlights'\n\
         weight Ks is the mirror's weight too, and T that of the refracted ray. There is no ambient light; transparent\n\
         objects cast full shadows. Levels are linear: no gamma curve is applied."
 )]
+// Each is a flag of its own.
+#[allow(clippy::struct_excessive_bools)]
 pub(crate) struct Options {
-    /// Scene in the Neutral File Format (.nff); without it, a built-in one
+    /// Scene in the Neutral File Format (.nff), or `-` for standard input; without it, a built-in one
     #[arg(value_name = "FILE")]
     pub(crate) file: Option<PathBuf>,
 
     /// Built-in scene
-    #[arg(long, value_parser = built_in_scenes(), value_name = "NAME", default_value = "still-life", conflicts_with = "file")]
+    #[arg(long, value_parser = SceneNames, value_name = "NAME", default_value = "still-life", conflicts_with = "file")]
     pub(crate) scene: BuiltIn,
 
     /// Effects to use, of those that the scene calls for: `auto` for all of them, `none`, or names with commas between: diffuse, specular,
@@ -58,19 +66,26 @@ pub(crate) struct Options {
     #[arg(short, long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=16))]
     pub(crate) samples: u8,
 
-    /// Where to write: FILE.png or FILE.ppm for that format, any other name for both; by default out/<scene>
+    /// Where to write: FILE.png or FILE.ppm in that format, a name without a suffix in both, a folder both under the scene's name,
+    /// `-` a PPM to standard output (and the report to standard error); by default the folder `out`
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
     /// Render in A and in B, each a number type, or a number type and a tier (`i16f16-exact`), with B as the reference: report how
     /// many pixels differ and by how much, and write both pictures and their difference, 32 times amplified
-    #[arg(long, num_args = 2, value_names = ["A", "B"], conflicts_with_all = ["number", "tier"], value_parser = parse_arithmetic)]
+    #[arg(long, num_args = 2, value_names = ["A", "B"], conflicts_with_all = ["number", "tier"], value_parser = Arithmetic::parse)]
     pub(crate) compare: Vec<Arithmetic>,
 
     /// Scene units to one unit of the file: `auto` (in fixed point the largest power of two that leaves room, otherwise 1), or
-    /// a power of two from 1/65536 to 4294967296. In exact arithmetic it would not change the picture
+    /// a power of two from 1/65536 to 4294967296. In exact arithmetic it would not change the picture; in fixed point lengths
+    /// are rounded to steps of the number type, which a larger scale makes finer and a smaller one coarser
     #[arg(long, value_name = "FACTOR", default_value = "auto", value_parser = parse_scale)]
     pub(crate) scale: Units,
+
+    /// Show every surface from both sides: for files whose polygons run the wrong way. Without it a polygon is seen from its front
+    /// only, and a sphere, cone or cylinder from its outside, or from within if its radii are negative
+    #[arg(long)]
+    pub(crate) both_sides: bool,
 
     /// Cast every reflected and refracted ray, 16 surfaces deep, however little it adds: to see that what is usually not cast
     /// changes no level
@@ -102,78 +117,34 @@ pub(crate) enum Units {
     Chosen(Scale),
 }
 
-/// The number types that the library is compiled for here.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Number {
-    /// Single precision
-    F32,
-    /// Double precision
-    F64,
-    /// Fixed point, 32 bits: coordinates up to 16384 in steps of 1/65536
-    #[value(name = "i16f16")]
-    I16f16,
-    /// Fixed point, 64 bits: coordinates up to 10^9 in steps of 2^-32
-    #[value(name = "i32f32")]
-    I32f32,
-}
+/// Parses the names of the built-in scenes, and says of each what it shows.
+#[derive(Clone)]
+struct SceneNames;
 
-impl fmt::Display for Number {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::F32 => "f32",
-            Self::F64 => "f64",
-            Self::I16f16 => "i16f16",
-            Self::I32f32 => "i32f32",
+impl TypedValueParser for SceneNames {
+    type Value = BuiltIn;
+
+    fn parse_ref(&self, command: &Command, _: Option<&Arg>, value: &OsStr) -> Result<BuiltIn, clap::Error> {
+        let name = value.to_string_lossy();
+        BuiltIn::EVERY.into_iter().find(|scene| scene.name() == name).ok_or_else(|| {
+            let names = BuiltIn::EVERY.map(BuiltIn::name);
+            let message = format!("there is no scene `{name}`: {}\n", choice(&name, &names));
+            clap::Error::raw(ErrorKind::InvalidValue, message).with_cmd(command)
         })
     }
-}
 
-/// The accuracy tiers.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub(crate) enum TierName {
-    /// The cheapest: grazing and far rays are less accurate
-    Fast,
-    /// Accurate to some units in the last place at any ray
-    #[default]
-    Stable,
-    /// Every decision as exact arithmetic makes it
-    Exact,
-}
-
-/// What a picture is traced in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Arithmetic {
-    pub(crate) number: Number,
-    pub(crate) tier: TierName,
-}
-
-impl fmt::Display for Arithmetic {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let number = self.number;
-        match self.tier {
-            TierName::Fast => write!(f, "{number}-fast"),
-            TierName::Stable => write!(f, "{number}"),
-            TierName::Exact => write!(f, "{number}-exact"),
-        }
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        let named = |scene: BuiltIn| PossibleValue::new(scene.name()).help(scene.about());
+        Some(Box::new(BuiltIn::EVERY.into_iter().map(named)))
     }
 }
 
-fn parse_arithmetic(text: &str) -> Result<Arithmetic, String> {
-    let (number, tier) = text.split_once('-').unwrap_or((text, "stable"));
-    let named = |names: &[&str]| names.join(", ");
-    let number = Number::from_str(number, true).map_err(|_| {
-        format!("there is no number type `{number}`: choose among {}", named(&["f32", "f64", "i16f16", "i32f32"]))
-    })?;
-    let tier = TierName::from_str(tier, true)
-        .map_err(|_| format!("there is no tier `{tier}`: choose among {}", named(&["fast", "stable", "exact"])))?;
-    Ok(Arithmetic { number, tier })
-}
-
-/// The names of the built-in scenes, each with what it shows.
-fn built_in_scenes() -> impl TypedValueParser<Value = BuiltIn> {
-    let names = BuiltIn::EVERY.map(|scene| PossibleValue::new(scene.name()).help(scene.about()));
-    PossibleValuesParser::new(names)
-        .try_map(|name| BuiltIn::EVERY.into_iter().find(|scene| scene.name() == name).ok_or("there is no such scene"))
+/// The name that was meant, or all that there are.
+fn choice(name: &str, names: &[&str]) -> String {
+    match suggest::nearest(name, names.iter().copied()) {
+        Some(nearest) => format!("did you mean `{nearest}`? There are {}", names.join(", ")),
+        None => format!("choose among {}", names.join(", ")),
+    }
 }
 
 fn parse_effects(text: &str) -> Result<EffectSet, String> {
@@ -185,8 +156,11 @@ fn parse_effects(text: &str) -> Result<EffectSet, String> {
 }
 
 fn named(name: &str) -> Result<Effect, String> {
-    Effect::named(name)
-        .ok_or_else(|| format!("there is no effect `{name}`: choose among {}, auto, none", EffectSet::ALL))
+    Effect::named(name).ok_or_else(|| {
+        let every = EffectSet::ALL.to_string();
+        let names: Vec<_> = every.split(", ").chain(["auto", "none"]).collect();
+        format!("there is no effect `{name}`: {}", choice(name, &names))
+    })
 }
 
 fn parse_scale(text: &str) -> Result<Units, String> {

@@ -4,7 +4,7 @@ use crate::hit::Crossing;
 use crate::part::Part;
 use crate::ray::{Departure, Leaving, Ray};
 use crate::scalar::{Real, Ring, Scalar};
-use crate::scene::{Object, Scene, SceneHit};
+use crate::scene::{Light, Object, Scene, SceneHit};
 use crate::shape::Surface;
 use crate::tier::Tier;
 use crate::vector::{UnitVec3, Vec3};
@@ -67,15 +67,16 @@ impl<S: Scalar> Site<S> {
     }
 
     /// The way to a light; `None` if it stands behind the surface, or in the very point.
-    pub(super) fn towards(&self, light: Vec3<S>) -> Option<Towards<S>> {
-        let ([lx, ly, lz], [px, py, pz]) = (light.real(), self.point.real());
+    pub(super) fn towards(&self, light: &Light<S>) -> Option<Towards<S>> {
+        let from = if light.distant { Vec3::ZERO } else { self.point };
+        let ([lx, ly, lz], [px, py, pz]) = (light.position.real(), from.real());
         let (components, distance) = S::normalize([lx - px, ly - py, lz - pz])?;
         let direction = UnitVec3::rotated(components);
         let cosine = self.normal.dot(direction);
         let zero = S::Real::ZERO;
         (cosine > zero && self.facing.dot(direction) > zero).then(|| Towards {
             direction,
-            distance: S::round(distance),
+            distance: if light.distant { S::INFINITY } else { S::round(distance) },
             cosine,
         })
     }

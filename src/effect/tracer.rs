@@ -321,7 +321,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Tracer<'a, S, E, T> {
             return lit_by;
         }
         for (index, light) in (0_u32..).zip(self.scene.lights()) {
-            let Some(towards) = site.towards(light.position) else { continue };
+            let Some(towards) = site.towards(light) else { continue };
             let (mut scattered, mut mirrored) = (S::Real::ZERO, S::Real::ZERO);
             if self.uses(Effect::Diffuse) {
                 scattered = diffuse::weight(material, &towards);

@@ -2,6 +2,7 @@
 
 use super::split::{nothing, split, united};
 use super::{AXIS, Hierarchy, HierarchyError, LEVELS, MOST_OBJECTS, Node};
+use crate::geometry::Bounds;
 use crate::scalar::{Real, Scalar};
 use crate::scalar::{Ring, slabs::MARGIN_BITS};
 use crate::scene::Object;
@@ -104,7 +105,8 @@ impl<S: Scalar> Node<S> {
     /// The box of an object; of no objects if it has none.
     pub(super) fn leaf(index: u32, shape: &Shape<S>) -> Self {
         let nothing = Self { object: index, ..Self::EMPTY };
-        let (bounds, Some(sharpness)) = (shape.bounds(), sharpness(shape)) else { return nothing };
+        let bounds = simple_bounds(shape).unwrap_or_else(|| shape.bounds());
+        let Some(sharpness) = sharpness(shape) else { return nothing };
         if !(bounds.low.is_within_budget() && bounds.high.is_within_budget()) {
             return nothing;
         }
@@ -118,6 +120,26 @@ impl<S: Scalar> Node<S> {
         let (centre, half) = padded(bounds.low, bounds.high, position, units);
         Self { centre, half, objects: 1, object: index }
     }
+}
+
+/// The bounds of what large scenes are made of, the same to the bit: where they are sums without rounding.
+fn simple_bounds<S: Scalar>(shape: &Shape<S>) -> Option<Bounds<S>> {
+    match (shape.placement(), shape.primitive()) {
+        (Placement::World, Primitive::Triangle(triangle)) => Some(around(triangle.vertices())),
+        (Placement::Frame(frame), Primitive::Sphere(sphere)) if !S::RELATIVE => {
+            let (centre, radius) = (frame.position().to_array(), sphere.radius());
+            let [low, high] = [centre.map(|c| c.minus(radius)), centre.map(|c| c.plus(radius))];
+            Some(Bounds { low: low.into(), high: high.into() })
+        }
+        _ => None,
+    }
+}
+
+/// The box of three points.
+fn around<S: Scalar>([a, b, c]: [Vec3<S>; 3]) -> Bounds<S> {
+    let corners = [a, b, c].map(|point| [point.to_array(); 2]).into_iter().fold(nothing(), united);
+    let [low, high] = corners.map(Vec3::from);
+    Bounds { low, high }
 }
 
 /// How much farther from a solid a hit may lie than the `t` is wrong that decided it: where two surfaces meet at a sharp rim, two ends
@@ -160,4 +182,43 @@ fn padded<S: Scalar>(low: Vec3<S>, high: Vec3<S>, position: Option<Vec3<S>>, uni
     let margin = (largest(reach) + away).scaled(-MARGIN_BITS) + units;
     // Rounded to nearest, which may be down.
     (centre, reach.map(|reach| S::round(reach + margin).next_up()))
+}
+
+#[cfg(all(test, feature = "fixed"))]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::frame::Frame;
+    use crate::primitive::{Sphere, Triangle};
+    use fixed::types::{I16F16, I32F32};
+
+    #[test]
+    fn simple_bounds_are_those_of_the_shape() {
+        fn check<S: Scalar>() {
+            let mut state = 1_u32;
+            let mut coordinate = || {
+                state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                S::from_f64(f64::from(state as i32) / f64::from(1 << (state % 13 + 17))).unwrap()
+            };
+            let mut simple = 0;
+            for _ in 0..500 {
+                let corners: [Vec3<S>; 3] = [(); 3].map(|()| Vec3::new(coordinate(), coordinate(), coordinate()));
+                let [a, b, c] = corners;
+                let triangle = Triangle::new(a, b, c).map(Shape::new).ok();
+                let sphere = Sphere::new(coordinate().magnitude()).map(Shape::new).ok();
+                let placed = sphere.map(|sphere| sphere.placed(Frame::at(a).unwrap()));
+                for shape in [triangle, placed].into_iter().flatten() {
+                    if let Some(bounds) = simple_bounds(&shape) {
+                        simple += 1;
+                        assert_eq!(bounds, shape.bounds());
+                    }
+                }
+            }
+            assert!(simple > if S::RELATIVE { 450 } else { 900 }, "{simple}");
+        }
+        check::<f32>();
+        check::<f64>();
+        check::<I16F16>();
+        check::<I32F32>();
+    }
 }

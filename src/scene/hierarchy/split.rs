@@ -76,9 +76,14 @@ fn cheapest<S: Scalar>(leaves: &[Node<S>], corners: Corners<S>) -> Option<(usize
         let bins = in_bins(leaves, axis, &starts);
         // What the upper part costs if it begins with a slice; from the last slice on.
         let (mut corners, mut count, mut costs) = (nothing(), 0, [S::Real::ZERO; BINS]);
+        let mut last = S::Real::ZERO;
         for ((bin, more), cost) in bins.iter().zip(&mut costs).rev() {
-            (corners, count) = (united(corners, *bin), count + more);
-            *cost = cost_of(corners, count, size);
+            // Of few objects most slices have none.
+            if *more > 0 {
+                (corners, count) = (united(corners, *bin), count + more);
+                last = cost_of(corners, count, size);
+            }
+            *cost = last;
         }
         let (mut corners, mut count) = (nothing(), 0);
         for (((bin, more), upper), start) in bins.iter().zip(costs).zip(starts) {

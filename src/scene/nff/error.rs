@@ -30,6 +30,9 @@ pub struct NffError {
 pub enum Reason {
     /// A word that starts no entity.
     UnknownEntity,
+    /// A character that stands for bytes that are no text: U+FFFD, as `String::from_utf8_lossy` puts it. In comments it is none of
+    /// the reader's business.
+    NotText,
     /// The text ends inside an entity.
     Ended {
         /// The value that should come next.
@@ -80,6 +83,11 @@ pub enum Reason {
     Proportions,
     /// Fewer than three corners.
     TooFewCorners,
+    /// More corners than the rest of the text can hold.
+    EndsBeforeCorners {
+        /// The number of corners that the polygon announces.
+        corners: u32,
+    },
     /// More corners than the caller gave room for.
     TooManyCorners {
         /// The room that there is.
@@ -114,16 +122,17 @@ impl fmt::Display for Reason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::UnknownEntity => f.write_str("this starts no entity: expected one of v, b, l, f, c, s, p, pp or #"),
+            Self::NotText => f.write_str("this is no UTF-8 text: remove it, or move it into a comment behind a #"),
             Self::Ended { what } => write!(f, "the text ends where {what} should be: complete the entity"),
             Self::NotANumber { what } => write!(f, "{what} should be a number such as -12.5 or 1.5e-3"),
             Self::NotACount { what } => write!(f, "{what} should be a whole number, at least 1 and not too large"),
             Self::BeyondType { what } => {
-                write!(f, "{what} is beyond the number type: scale the scene down or take a wider type")
+                write!(f, "{what} is beyond the number type: give a smaller number or take a wider type")
             }
             Self::BeyondBudget { what } => {
                 write!(
                     f,
-                    "{what} is beyond the number type's budget: read it in larger units (nff::Scale) or take a wider type"
+                    "{what} is beyond the number type's budget: read the text at a smaller nff::Scale or take a wider type"
                 )
             }
             Self::Negative { what } => write!(f, "{what} is negative: give 0 or more"),
@@ -138,6 +147,9 @@ impl fmt::Display for Reason {
                 "the cone or cylinder is too long, or too wide for its length, for the number type: take a wider type",
             ),
             Self::TooFewCorners => f.write_str("a polygon has at least three corners"),
+            Self::EndsBeforeCorners { corners } => {
+                write!(f, "the text ends before {corners} corners: correct their number")
+            }
             Self::TooManyCorners { room } => {
                 write!(f, "the polygon has more corners than there is room for ({room}): give more scratch corners")
             }

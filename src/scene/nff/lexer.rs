@@ -33,6 +33,11 @@ impl<'t> Lexer<'t> {
         self.place
     }
 
+    /// The bytes that are left.
+    pub(super) fn remaining(&self) -> usize {
+        self.rest.len()
+    }
+
     fn skip_spaces_and_comments(&mut self) {
         let mut comment = false;
         let mut characters = self.rest.chars();
@@ -60,14 +65,26 @@ impl<'t> Iterator for Lexer<'t> {
 
     fn next(&mut self) -> Option<Word<'t>> {
         self.skip_spaces_and_comments();
-        let end = self.rest.find(|c: char| c.is_whitespace() || c == '#').unwrap_or(self.rest.len());
+        let [end, columns] = end_of_word(self.rest);
         let (text, rest) = self.rest.split_at_checked(end).filter(|(text, _)| !text.is_empty())?;
         let place = self.place;
-        let columns = u32::try_from(text.chars().count()).unwrap_or(u32::MAX);
+        let columns = u32::try_from(columns).unwrap_or(u32::MAX);
         self.place.column = place.column.saturating_add(columns);
         self.rest = rest;
         Some(Word { text, place })
     }
+}
+
+/// How many bytes and how many characters there are up to the end of the word.
+fn end_of_word(text: &str) -> [usize; 2] {
+    let bytes = text.as_bytes();
+    let end = bytes.iter().position(|byte| !byte.is_ascii_graphic() || *byte == b'#').unwrap_or(bytes.len());
+    // Nearly all words are of ASCII, a byte a character.
+    if matches!(bytes.get(end), None | Some(b' ' | b'\t' | b'\n' | b'\r' | b'#')) {
+        return [end; 2];
+    }
+    let end = text.find(|c: char| c.is_whitespace() || c == '#').unwrap_or(text.len());
+    [end, text.get(..end).map_or(0, |word| word.chars().count())]
 }
 
 #[cfg(test)]

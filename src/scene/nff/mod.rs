@@ -29,6 +29,10 @@
 //! - A shine beyond the number type's range (100000 in `I16F16`) becomes the largest that it holds: that highlight is
 //!   smaller than a pixel in either case.
 //! - A file's unit of length is the scene's, unless [`read_scaled`] is told another.
+//! - The corners of a `pp` run counterclockwise seen from the side that its normals point to. Where they run the other way, the
+//!   normals decide; [`View::turned`] counts these polygons.
+//! - A light too far for the number type counts by its direction: see [`View::distant`].
+//! - Bytes that are no UTF-8 do no harm in a comment: read them with `String::from_utf8_lossy`.
 //! - `hither` is read and kept, but nothing is cut away in front of it: ray tracing needs no near plane.
 //! - Polygons may be concave, with any number of corners. Corners on a line are allowed. A polygon without area, or a
 //!   sphere, cone or cylinder that is too small for the number type, cannot be seen: it is left out and counted in
@@ -56,6 +60,7 @@
 //! # }
 //! ```
 
+mod decimal;
 mod error;
 mod lexer;
 mod numbers;
@@ -107,6 +112,10 @@ pub struct View<S: Scalar> {
     pub background: Color<S>,
     /// Objects left out because they cannot be seen: polygons without area, and solids too small for the number type.
     pub invisible: u32,
+    /// Polygons with normals that were turned round, since their corners run the other way than their normals say.
+    pub turned: u32,
+    /// Lights beyond the number type's budget, of which only the direction counts.
+    pub distant: u32,
 }
 
 /// Reads a scene.
@@ -153,6 +162,9 @@ pub fn read_scaled<S: Scalar>(text: &str, stores: Stores<'_, S>, scale: Scale) -
     reader::Reader::new(text, stores, scale).read()
 }
 
+/// The bytes of ` 0 0 0`.
+const SHORTEST_POINT: usize = 6;
+
 /// How much room the scene of a text needs, at most.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -187,7 +199,7 @@ impl Counts {
                 "p" | "pp" => {
                     let corners = words.peek().and_then(|word| word.text.parse().ok()).unwrap_or(0_usize);
                     // A count that the rest of the text cannot hold is a mistake, and no reason to ask for memory.
-                    let corners = corners.min(text.len());
+                    let corners = corners.min(text.len() / SHORTEST_POINT);
                     let triangles = corners.saturating_sub(2);
                     counts.corners = counts.corners.max(corners);
                     counts.objects = counts.objects.saturating_add(triangles);

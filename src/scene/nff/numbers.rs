@@ -1,10 +1,11 @@
 //! Words into numbers: the first half of the reader, below the entities.
 
+use super::decimal::{Decimal, Magnitude, parse_scaled};
 use super::error::{NffError, Place, Reason};
 use super::lexer::{Lexer, Word};
 use super::scale::Scale;
 use crate::scalar::{Ring, Scalar, is_decimal, is_zero_decimal};
-use crate::vector::Vec3;
+use crate::vector::{UnitVec3, Vec3};
 use core::marker::PhantomData;
 
 /// A number with the place where it stands, and whether rounding made it vanish.
@@ -54,6 +55,11 @@ impl<'t, S: Scalar> Numbers<'t, S> {
         self.words.clone().map(|word| word.text)
     }
 
+    /// The bytes that are left.
+    pub(super) fn remaining(&self) -> usize {
+        self.words.remaining()
+    }
+
     fn expect(&mut self, what: &'static str) -> Result<Word<'t>, NffError> {
         self.word().ok_or(NffError { place: self.words.place(), reason: Reason::Ended { what } })
     }
@@ -65,7 +71,7 @@ impl<'t, S: Scalar> Numbers<'t, S> {
 
     fn scaled(&mut self, what: &'static str, scale: Scale) -> Result<Number<S>, NffError> {
         let Word { text, place } = self.expect(what)?;
-        let reason = match S::parse_scaled(text, scale.power().into()) {
+        let reason = match parse_scaled::<S>(text, scale.power().into()) {
             Some(value) => return Ok(Number { value, place, vanished: value == S::ZERO && !is_zero_decimal(text) }),
             None if is_decimal(text) => Reason::BeyondType { what },
             None => Reason::NotANumber { what },
@@ -84,7 +90,7 @@ impl<'t, S: Scalar> Numbers<'t, S> {
     }
 
     fn saturated_scaled(&mut self, what: &'static str, scale: Scale) -> Result<S, NffError> {
-        let beyond = |text| is_decimal(text) && S::parse_scaled(text, scale.power().into()).is_none();
+        let beyond = |text| is_decimal(text) && parse_scaled::<S>(text, scale.power().into()).is_none();
         if self.peek().is_some_and(|word| beyond(word.text) && !word.text.starts_with('-')) {
             self.word();
             return Ok(S::BUDGET.distance);
@@ -112,6 +118,19 @@ impl<'t, S: Scalar> Numbers<'t, S> {
     /// Three coordinates inside the budget.
     pub(super) fn point(&mut self, what: &'static str) -> Result<Vec3<S>, NffError> {
         Ok(Vec3::new(self.size(what)?.value, self.size(what)?.value, self.size(what)?.value))
+    }
+
+    /// The direction of a point, however far; `None` if the point is the origin. Nine digits of its coordinates count.
+    pub(super) fn direction(&mut self, what: &'static str) -> Result<Option<UnitVec3<S>>, NffError> {
+        let mut decimals = [None; 3];
+        for decimal in &mut decimals {
+            let Word { text, place } = self.expect(what)?;
+            let reason = if is_decimal(text) { Reason::BeyondBudget { what } } else { Reason::NotANumber { what } };
+            *decimal = Some(Decimal::parse(text).ok_or(NffError { place, reason })?);
+        }
+        let place = decimals.iter().flatten().filter_map(|decimal| decimal.magnitude()).max().map(Magnitude::place);
+        let Some(place) = place else { return Ok(None) };
+        Ok(UnitVec3::from_real(decimals.map(|decimal| decimal.map_or(S::Real::ZERO, |decimal| decimal.leading(place)))))
     }
 
     /// Three numbers, the components of a direction of any length.

@@ -55,6 +55,10 @@ pub fn triangulate<S: Scalar, E>(
     mut each: impl FnMut([Corner<S>; 3]) -> Result<(), E>,
 ) -> Result<usize, E> {
     let Some(plane) = Projection::of(corners) else { return Ok(0) };
+    // Nothing to cut, and by far the most frequent.
+    if let [a, b, c] = &*corners {
+        return each([*a, *b, *c]).map(|()| 1);
+    }
     let mut count = 0;
     let mut emit = |triangle| {
         count += 1;
@@ -157,6 +161,35 @@ fn turns_back<S: Scalar>(corners: &[Corner<S>]) -> bool {
     })
 }
 
+/// Twice the area, along the normal of the side from which the corners run counterclockwise. It is Newell's (Tampieri, *Newell's
+/// method for computing the plane equation of a polygon*, Graphics Gems III): it does not mind corners on a line or a reflex first
+/// corner.
+fn area_vector<S: Scalar>(corners: &[Corner<S>]) -> [S::Real; 3] {
+    let mut normal = [S::Real::ZERO; 3];
+    let Some((first, rest)) = corners.split_first() else { return normal };
+    let [ox, oy, oz] = first.point.real();
+    for pair in rest.windows(2) {
+        let [a, b] = pair else { continue };
+        let [u, v] = [a, b].map(|corner| corner.point.real()).map(|[x, y, z]| [x - ox, y - oy, z - oz]);
+        for (sum, term) in normal.iter_mut().zip(cross(u, v)) {
+            *sum = *sum + term;
+        }
+    }
+    normal
+}
+
+/// True if the corners run clockwise as seen from the side that the mean of their normals points to.
+pub(super) fn contradicts_its_normals<S: Scalar>(corners: &[Corner<S>]) -> bool {
+    let mut sum = [S::Real::ZERO; 3];
+    for corner in corners {
+        for (sum, component) in sum.iter_mut().zip(corner.normal.real()) {
+            *sum = *sum + component;
+        }
+    }
+    let [[x, y, z], [a, b, c]] = [area_vector(corners), sum];
+    S::Real::sum_of_products([[x, a], [y, b], [z, c]]) < S::Real::ZERO
+}
+
 /// A flat view of the polygon: along the axis nearest to its normal, from the front.
 #[derive(Clone, Copy, Debug)]
 enum Projection {
@@ -166,18 +199,9 @@ enum Projection {
 }
 
 impl Projection {
-    /// `None` for a polygon without area. The normal is Newell's (Tampieri, *Newell's method for computing the plane
-    /// equation of a polygon*, Graphics Gems III): it does not mind corners on a line or a reflex first corner.
+    /// `None` for a polygon without area.
     fn of<S: Scalar>(corners: &[Corner<S>]) -> Option<Self> {
-        let [ox, oy, oz] = corners.first()?.point.real();
-        let mut normal = [S::Real::ZERO; 3];
-        for pair in corners.windows(2) {
-            let [a, b] = pair else { continue };
-            let [u, v] = [a, b].map(|corner| corner.point.real()).map(|[x, y, z]| [x - ox, y - oy, z - oz]);
-            for (sum, term) in normal.iter_mut().zip(cross(u, v)) {
-                *sum = *sum + term;
-            }
-        }
+        let normal = area_vector(corners);
         let [x, y, z] = normal;
         let [wide, high, deep] = normal.map(Real::abs);
         // Seen from behind, left and right change places.

@@ -1,9 +1,10 @@
 //! Entities into objects, materials, lights and a camera.
 
 use super::error::{NffError, Place, Reason};
+use super::lexer::Lexer;
 use super::numbers::{Number, Numbers};
-use super::polygon::{Corner, triangulate};
-use super::{Counts, Scale, Stores, View};
+use super::polygon::{Corner, contradicts_its_normals, triangulate};
+use super::{Counts, SHORTEST_POINT, Scale, Stores, View};
 use crate::frame::Frame;
 use crate::primitive::{Cone, Cylinder, Sphere, Triangle};
 use crate::scalar::Scalar;
@@ -20,6 +21,8 @@ pub(super) struct Reader<'t, 'a, S: Scalar> {
     materials: u32,
     normals: u32,
     invisible: u32,
+    turned: u32,
+    distant: u32,
 }
 
 /// The parts of a `v` entity that make a camera.
@@ -31,11 +34,25 @@ struct Viewpoint<S: Scalar> {
 
 impl<'t, 'a, S: Scalar> Reader<'t, 'a, S> {
     pub(super) fn new(text: &'t str, stores: Stores<'a, S>, scale: Scale) -> Self {
-        let material = Material::default();
-        Self { text, numbers: Numbers::new(text, scale), stores, material, materials: 0, normals: 0, invisible: 0 }
+        Self {
+            text,
+            numbers: Numbers::new(text, scale),
+            stores,
+            material: Material::default(),
+            materials: 0,
+            normals: 0,
+            invisible: 0,
+            turned: 0,
+            distant: 0,
+        }
     }
 
-    pub(super) fn read(mut self) -> Result<View<S>, NffError> {
+    pub(super) fn read(self) -> Result<View<S>, NffError> {
+        let text = self.text;
+        self.entities().map_err(|error| not_text_at(text, error.place).unwrap_or(error))
+    }
+
+    fn entities(mut self) -> Result<View<S>, NffError> {
         let mut viewpoint = None;
         let mut background = None;
         // How bright a light without a colour is depends on lights that come later: count them first.
@@ -61,7 +78,8 @@ impl<'t, 'a, S: Scalar> Reader<'t, 'a, S> {
             return Err(NffError { place: self.numbers.place(), reason: Reason::NoView });
         };
         let background = background.unwrap_or(Color::BLACK);
-        Ok(View { camera, resolution, hither, background, invisible: self.invisible })
+        let Self { invisible, turned, distant, .. } = self;
+        Ok(View { camera, resolution, hither, background, invisible, turned, distant })
     }
 
     fn viewpoint(&mut self) -> Result<Viewpoint<S>, NffError> {
@@ -134,7 +152,17 @@ impl<'t, 'a, S: Scalar> Reader<'t, 'a, S> {
     }
 
     fn light(&mut self, place: Place, strength: S) -> Result<(), NffError> {
-        let mut light = Light::new(self.numbers.point("the light's position")?, strength);
+        let what = "the light's position";
+        let words = self.numbers.clone();
+        let mut light = match self.numbers.point(what) {
+            Ok(position) => Light::new(position, strength),
+            Err(error) if matches!(error.reason, Reason::BeyondBudget { .. }) => {
+                self.numbers = words;
+                self.distant = self.distant.saturating_add(1);
+                Light::distant(self.numbers.direction(what)?.ok_or(error)?, strength)
+            }
+            Err(error) => return Err(error),
+        };
         if self.numbers.number_follows() {
             for channel in &mut light.strength {
                 *channel = self.numbers.not_negative("the light's colour")?;
@@ -238,8 +266,11 @@ impl<'t, 'a, S: Scalar> Reader<'t, 'a, S> {
         if count < 3 {
             return Err(NffError { place: count_place, reason: Reason::TooFewCorners });
         }
-        let room = self.stores.corners.len();
-        let too_many = NffError { place: count_place, reason: Reason::TooManyCorners { room } };
+        let (room, remaining) = (self.stores.corners.len(), self.numbers.remaining());
+        let can_hold = usize::try_from(count).is_ok_and(|count| count <= remaining / SHORTEST_POINT);
+        let reason =
+            if can_hold { Reason::TooManyCorners { room } } else { Reason::EndsBeforeCorners { corners: count } };
+        let too_many = NffError { place: count_place, reason };
         // Out of `self`, so that its triangles can be added while they are cut.
         let scratch = core::mem::take(&mut self.stores.corners);
         let corners = usize::try_from(count).ok().and_then(|count| scratch.get_mut(..count)).ok_or(too_many)?;
@@ -252,6 +283,10 @@ impl<'t, 'a, S: Scalar> Reader<'t, 'a, S> {
                 normal = UnitVec3::new(vector).ok_or(NffError { place, reason: Reason::ZeroNormal })?;
             }
             *corner = Corner { point, normal };
+        }
+        if patch && contradicts_its_normals(corners) {
+            corners.reverse();
+            self.turned = self.turned.saturating_add(1);
         }
         let triangles = triangulate(corners, |[a, b, c]| {
             let Ok(triangle) = Triangle::new(a.point, b.point, c.point) else {
@@ -272,6 +307,15 @@ impl<'t, 'a, S: Scalar> Reader<'t, 'a, S> {
         self.stores.corners = scratch;
         Ok(())
     }
+}
+
+/// The error of a word that is no text, if the word at this place is none.
+fn not_text_at(text: &str, place: Place) -> Option<NffError> {
+    let word = Lexer::new(text).find(|word| word.place == place)?;
+    let (before, _) = word.text.split_once(char::REPLACEMENT_CHARACTER)?;
+    let columns = u32::try_from(before.chars().count()).unwrap_or(u32::MAX);
+    let place = Place { column: place.column.saturating_add(columns), ..place };
+    Some(NffError { place, reason: Reason::NotText })
 }
 
 /// Puts an item into a store, or says which store is full.

@@ -1,8 +1,13 @@
 //! In which units a scene is read.
 
+use super::decimal::{self, Decimal, Magnitude};
 use super::lexer::Lexer;
 use crate::scalar::{Scalar, is_decimal, is_zero_decimal};
 use core::fmt;
+
+/// A light this many doublings farther than all else counts by its direction: from wherever a surface is, it is the same to
+/// `2^-12`, which is less than a level.
+const DISTANT: i8 = 12;
 
 /// How many units of the scene one unit of a file is: a power of two.
 ///
@@ -53,41 +58,46 @@ impl Scale {
     /// [`Budget`](crate::scalar::Budget), and those of cones and cylinders within a quarter, so that distances and heights fit
     /// too; for floats, whose accuracy does not depend on it, 1.
     ///
+    /// A light more than 4096 times as far as everything else does not count: read at this scale it is
+    /// [distant](crate::Light::distant).
+    ///
     /// Of a malformed text, the scale of what can be read.
     pub fn fitting<S: Scalar>(text: &str) -> Self {
         if S::RELATIVE {
             return Self::ONE;
         }
-        let (mut scale, mut any) = (Self::LARGEST, false);
-        let mut look = |text: &str, spare: i32| {
-            if !is_decimal(text) || is_zero_decimal(text) {
+        let mut extent = Extent::new();
+        let mut lights = Extent::new();
+        each_length(text, |kind, text| match kind {
+            Kind::Light => lights.take::<S>(text, 1),
+            Kind::Other { spare } => extent.take::<S>(text, spare),
+        });
+        let Some(others) = extent.scale::<S>() else { return lights.scale::<S>().unwrap_or(Self::ONE) };
+        let Some(all) = lights.scale::<S>() else { return others };
+        if all >= others {
+            return others;
+        }
+        // Some light is beyond the scale of all else. Those that are not too far are fitted.
+        let least = Self::power_of_two(others.power.saturating_sub(DISTANT));
+        if all >= least {
+            return all;
+        }
+        let (mut scale, mut coordinates, mut of_light, mut near) = (others, 0, others, true);
+        each_length(text, |kind, text| {
+            if !matches!(kind, Kind::Light) {
                 return;
             }
-            any = true;
-            while !scale.fits::<S>(text, spare) && scale > Self::LEAST {
-                scale.power -= 1;
-            }
-        };
-        let mut words = Lexer::new(text);
-        while let Some(word) = words.next() {
-            let (groups, coordinates, others, spare) = match word.text {
-                "from" | "at" | "l" => (1, 3, 0, 1),
-                "s" => (1, 4, 0, 1),
-                // From corner to corner of a cube it is 3.5 times half its side.
-                "c" => (1, 8, 0, 2),
-                "p" => (corners(&mut words), 3, 0, 1),
-                "pp" => (corners(&mut words), 3, 3, 1),
-                _ => continue,
-            };
-            for _ in 0..groups {
-                let looked_at = words.by_ref().take(coordinates).map(|word| look(word.text, spare)).count();
-                // A text that ends has no more, whatever the number of corners that it announced.
-                if looked_at < coordinates || words.by_ref().take(others).count() < others {
-                    break;
+            near &= least.fits::<S>(text, 1);
+            of_light = of_light.shrunk_to_fit::<S>(text, 1);
+            coordinates += 1;
+            if coordinates == 3 {
+                if near {
+                    scale = scale.min(of_light);
                 }
+                (coordinates, of_light, near) = (0, others, true);
             }
-        }
-        if any { scale } else { Self::ONE }
+        });
+        scale
     }
 
     /// The binary logarithm of the scale.
@@ -97,8 +107,94 @@ impl Scale {
 
     /// True if a number is within the budget, and as many doublings of it.
     fn fits<S: Scalar>(self, text: &str, spare: i32) -> bool {
-        S::parse_scaled(text, i32::from(self.power) + spare)
+        decimal::parse_scaled::<S>(text, i32::from(self.power) + spare)
             .is_some_and(|value| value.magnitude() <= S::BUDGET.coordinate)
+    }
+
+    /// The largest scale, at most this one, at which the number is within the budget; [`Scale::LEAST`] if it never is.
+    fn shrunk_to_fit<S: Scalar>(mut self, text: &str, spare: i32) -> Self {
+        while self > Self::LEAST && !self.fits::<S>(text, spare) {
+            self.power -= 1;
+        }
+        self
+    }
+}
+
+/// The largest of some numbers, and what it is the scale of.
+struct Extent<'t> {
+    /// The scale of numbers that are too long to compare; [`Scale::LARGEST`] without them.
+    scale: Scale,
+    /// The largest of the others, for each number of doublings to spare.
+    largest: [Option<(Magnitude, &'t str)>; 3],
+    any: bool,
+}
+
+impl<'t> Extent<'t> {
+    const fn new() -> Self {
+        Self { scale: Scale::LARGEST, largest: [None; 3], any: false }
+    }
+
+    /// A word that should be a number; what is none, or zero, takes no room.
+    fn take<S: Scalar>(&mut self, text: &'t str, spare: usize) {
+        let decimal = Decimal::parse(text);
+        if let Some(decimal) = decimal.filter(|decimal| decimal.is_exact()) {
+            let Some(magnitude) = decimal.magnitude() else { return };
+            self.any = true;
+            if let Some(largest) = self.largest.get_mut(spare)
+                && largest.is_none_or(|(largest, _)| magnitude > largest)
+            {
+                *largest = Some((magnitude, text));
+            }
+        } else if is_decimal(text) && !is_zero_decimal(text) {
+            self.any = true;
+            self.scale = self.scale.shrunk_to_fit::<S>(text, spare as i32);
+        }
+    }
+
+    /// The largest scale at which all of them fit; `None` if there are none.
+    fn scale<S: Scalar>(&self) -> Option<Scale> {
+        let mut scale = self.scale;
+        for (spare, largest) in (0..).zip(self.largest) {
+            if let Some((_, text)) = largest {
+                scale = scale.shrunk_to_fit::<S>(text, spare);
+            }
+        }
+        self.any.then_some(scale)
+    }
+}
+
+/// Whose coordinate or size it is.
+#[derive(Clone, Copy)]
+enum Kind {
+    Light,
+    /// With so many doublings to spare.
+    Other {
+        spare: usize,
+    },
+}
+
+/// Hands every word of a text that should be a coordinate or a size to `each`.
+fn each_length<'t>(text: &'t str, mut each: impl FnMut(Kind, &'t str)) {
+    let mut words = Lexer::new(text);
+    while let Some(word) = words.next() {
+        let point = Kind::Other { spare: 1 };
+        let (groups, coordinates, others, kind) = match word.text {
+            "from" | "at" => (1, 3, 0, point),
+            "l" => (1, 3, 0, Kind::Light),
+            "s" => (1, 4, 0, point),
+            // From corner to corner of a cube it is 3.5 times half its side.
+            "c" => (1, 8, 0, Kind::Other { spare: 2 }),
+            "p" => (corners(&mut words), 3, 0, point),
+            "pp" => (corners(&mut words), 3, 3, point),
+            _ => continue,
+        };
+        for _ in 0..groups {
+            let looked_at = words.by_ref().take(coordinates).map(|word| each(kind, word.text)).count();
+            // A text that ends has no more, whatever the number of corners that it announced.
+            if looked_at < coordinates || words.by_ref().take(others).count() < others {
+                break;
+            }
+        }
     }
 }
 

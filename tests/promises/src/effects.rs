@@ -124,7 +124,7 @@ fn scenes_say_what_they_call_for_and_objects_what_is_theirs() {
     // A lamp of any colour is a lamp.
     let floor = [Object::new(Shape::new(Plane::new()), 0)];
     for strength in [[0.5_f32, 0.0, 0.0], [0.0, 0.5, 0.0], [0.0, 0.0, 0.5]] {
-        let (materials, lights) = ([matte()], [Light { position: point(0.0, 5.0, 0.0), strength }]);
+        let (materials, lights) = ([matte()], [Light { position: point(0.0, 5.0, 0.0), strength, distant: false }]);
         assert_eq!(
             Scene::new(&floor, &materials, &lights, camera()).unwrap().effects(),
             callers()[0].1,

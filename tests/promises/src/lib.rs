@@ -34,6 +34,7 @@ mod named_surface;
 mod named_unplaced;
 mod named_watertight;
 mod nff;
+mod nff_as_written;
 mod no_overflow;
 mod number_types;
 mod numbers;

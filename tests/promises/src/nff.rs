@@ -283,7 +283,7 @@ fn a_shine_beyond_the_type_is_the_largest() {
 #[test]
 fn malformed_files_say_where_and_why() {
     let number = "should be a number such as -12.5 or 1.5e-3";
-    let budget = "beyond the number type's budget: read it in larger units (nff::Scale) or take a wider type";
+    let budget = "beyond the number type's budget: read the text at a smaller nff::Scale or take a wider type";
     for (text, expected) in [
         ("q 1", "line 2, column 1: this starts no entity: expected one of v, b, l, f, c, s, p, pp or #".to_owned()),
         ("s 0 0", "line 2, column 6: the text ends where the sphere's centre should be: complete the entity".to_owned()),
@@ -296,7 +296,7 @@ fn malformed_files_say_where_and_why() {
         ("s 0 0 0 s", format!("line 2, column 9: the sphere's radius {number}")),
         ("s 0 0 0 0.0", "line 2, column 9: the sphere's radius is zero: give a size, negative to show the inside only".to_owned()),
         ("s 0 0 100000 1", format!("line 2, column 7: the sphere's centre is {budget}")),
-        ("l 0 20000 0", format!("line 2, column 5: the light's position is {budget}")),
+        ("l 0 1e99999 0", format!("line 2, column 5: the light's position is {budget}")),
         ("l 0 0 0 1 1", "line 2, column 12: the text ends where the light's colour should be: complete the entity".to_owned()),
         ("l 0 0 0 1 1 -1", "line 2, column 13: the light's colour is negative: give 0 or more".to_owned()),
         ("b 0 1.5 0", "line 2, column 5: the background is outside 0 to 1".to_owned()),
@@ -304,13 +304,15 @@ fn malformed_files_say_where_and_why() {
         ("f 1 1 -0.5 1 0 1 0 1", "line 2, column 7: the material's colour is outside 0 to 1".to_owned()),
         ("f 1 1 1 -1 0 1 0 1", "line 2, column 9: the material's Kd is negative: give 0 or more".to_owned()),
         ("f 1 1 1 1 -1 1 0 1", "line 2, column 11: the material's Ks is negative: give 0 or more".to_owned()),
-        ("f 1 1 1 1 0 -100000 0 1", "line 2, column 13: the material's shine is beyond the number type: scale the scene down or take a wider type".to_owned()),
+        ("f 1 1 1 1 0 -100000 0 1", "line 2, column 13: the material's shine is beyond the number type: give a smaller number or take a wider type".to_owned()),
         ("f 1 1 1 1 0 1 -0.5 1", "line 2, column 15: the material's T is negative: give 0 or more".to_owned()),
         ("f 1 1 1 1 0 1 0", "line 2, column 16: the text ends where the material's index of refraction should be: complete the entity".to_owned()),
         ("c 0 0 0 1 0 0 1 -1", "line 2, column 17: one radius is negative and the other is not: make both negative to show the inside only".to_owned()),
         ("c 0 0 0 1 0 0 0 1", "line 2, column 11: both ends of the cone or cylinder are the same point: move one".to_owned()),
         ("c 0 0 0 0 0 0 1 0", "line 2, column 9: the cone's larger radius is zero: give a size, negative to show the inside only".to_owned()),
         ("p 2 0 0 0 1 0 0", "line 2, column 3: a polygon has at least three corners".to_owned()),
+        ("p 4294967295 0 0 0", "line 2, column 3: the text ends before 4294967295 corners: correct their number".to_owned()),
+        ("s 0 0 \u{fffd}0 1", "line 2, column 7: this is no UTF-8 text: remove it, or move it into a comment behind a #".to_owned()),
         ("p 3.5", "line 2, column 3: the number of corners should be a whole number, at least 1 and not too large".to_owned()),
         ("p 3 0 0 0 1 0 0 p", format!("line 2, column 17: the corner's position {number}")),
         ("pp 3 0 0 0 0 0 0", "line 2, column 12: a normal has the length zero: give it a direction".to_owned()),

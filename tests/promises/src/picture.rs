@@ -366,7 +366,7 @@ fn scattered_light_has_the_colour_of_surface_and_lamp_and_a_highlight_that_of_th
         let material = Material { diffuse: number(0.5), ..Material::matte(Color::from_f64([1.0, 0.5, 0.25])) };
         let materials = [material.with_highlight(number(0.25), number(2.0))];
         let strength = [number(1.0), number(0.5), number(2.0)];
-        let lights = [Light { position: point(0.0, 8.0, 0.0), strength }];
+        let lights = [Light { position: point(0.0, 8.0, 0.0), strength, distant: false }];
         let scene = Scene::new(&objects, &materials, &lights, camera()).unwrap();
         let ray = Ray::new(point(0.0, 4.0, 0.0), -UnitVec3::Y).unwrap();
         let color = Tracer::new(&scene).look(&ray, &mut Work::new(())).color;

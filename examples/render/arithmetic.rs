@@ -1,0 +1,107 @@
+//! The number types and tiers that a picture may be traced in.
+
+use clap::ValueEnum;
+use std::fmt;
+
+/// The number types that the library is compiled for here.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Number {
+    /// Single precision
+    F32,
+    /// Double precision
+    F64,
+    /// Fixed point, 32 bits: coordinates up to 16384 in steps of 1/65536
+    #[value(name = "i16f16")]
+    I16f16,
+    /// Fixed point, 64 bits: coordinates up to 10^9 in steps of 2^-32
+    #[value(name = "i32f32")]
+    I32f32,
+}
+
+impl Number {
+    /// The options that hold more than this type, in words; empty for the widest.
+    pub(crate) const fn wider(self) -> &'static str {
+        match self {
+            Self::F64 => "",
+            Self::F32 | Self::I32f32 => "-n f64",
+            Self::I16f16 => "-n i32f32, f32 or f64",
+        }
+    }
+
+    /// The fraction bits of a fixed-point type.
+    pub(crate) const fn fraction_bits(self) -> Option<i32> {
+        match self {
+            Self::F32 | Self::F64 => None,
+            Self::I16f16 => Some(16),
+            Self::I32f32 => Some(32),
+        }
+    }
+}
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::F32 => "f32",
+            Self::F64 => "f64",
+            Self::I16f16 => "i16f16",
+            Self::I32f32 => "i32f32",
+        })
+    }
+}
+
+/// The accuracy tiers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum TierName {
+    /// The cheapest: grazing and far rays are less accurate
+    Fast,
+    /// Accurate to some units in the last place at any ray
+    #[default]
+    Stable,
+    /// Every decision as exact arithmetic makes it
+    Exact,
+}
+
+/// What a picture is traced in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Arithmetic {
+    pub(crate) number: Number,
+    pub(crate) tier: TierName,
+}
+
+impl Arithmetic {
+    /// The same, or what to do about a tier that the number type does not have.
+    pub(crate) fn checked(self) -> Result<Self, String> {
+        match self {
+            Self { number: Number::F64 | Number::I32f32, tier: TierName::Exact } => {
+                Err(format!("there is no exact tier for {}: take f32 or i16f16, or the tier `stable`", self.number))
+            }
+            _ => Ok(self),
+        }
+    }
+
+    /// From the command line: `i16f16`, or `i16f16-exact`.
+    pub(crate) fn parse(text: &str) -> Result<Self, String> {
+        let (number, tier) = text.split_once('-').unwrap_or((text, "stable"));
+        let number = Number::from_str(number, true).map_err(|_| {
+            format!(
+                "there is no number type `{number}`: choose among {}",
+                ["f32", "f64", "i16f16", "i32f32"].join(", ")
+            )
+        })?;
+        let tier = TierName::from_str(tier, true).map_err(|_| {
+            format!("there is no tier `{tier}`: choose among {}", ["fast", "stable", "exact"].join(", "))
+        })?;
+        Self { number, tier }.checked()
+    }
+}
+
+impl fmt::Display for Arithmetic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let number = self.number;
+        match self.tier {
+            TierName::Fast => write!(f, "{number}-fast"),
+            TierName::Stable => write!(f, "{number}"),
+            TierName::Exact => write!(f, "{number}-exact"),
+        }
+    }
+}

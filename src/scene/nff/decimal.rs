@@ -1,0 +1,244 @@
+//! Decimal numbers of up to 19 digits, as nearly all numbers of scene files are: soon read and soon compared.
+//!
+//! Scalars read any decimal ([`Scalar::parse_scaled`]), those of fixed point digit by digit and bit by bit. What this module
+//! reads has the same value, to the bit, for a small part of the time.
+
+use crate::number::Limbs;
+use crate::scalar::{Real, Scalar};
+
+/// `digits * 10^exponent`, and less than a unit of the last digit more if it is not exact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Decimal {
+    negative: bool,
+    digits: u64,
+    exponent: i32,
+    exact: bool,
+}
+
+/// The decimal place of a number's first digit, and the digits, aligned to the left: ordered as magnitudes are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Magnitude {
+    place: i32,
+    aligned: u64,
+}
+
+/// Any 19 digits fit into 64 bits.
+const DIGITS: u32 = 19;
+
+/// What has 19 digits or more takes no other.
+const FULL: u64 = 10_u64.pow(DIGITS - 1);
+
+/// Exponents of more digits than these are left to [`Scalar::parse_scaled`].
+const LARGEST_EXPONENT: i32 = 9999;
+
+const POWERS_OF_TEN: [u64; DIGITS as usize + 1] = {
+    let mut powers = [1_u64; DIGITS as usize + 1];
+    let mut i = 1;
+    while i < powers.len() {
+        powers[i] = powers[i - 1] * 10;
+        i += 1;
+    }
+    powers
+};
+
+fn power_of_ten(exponent: u32) -> Option<u64> {
+    POWERS_OF_TEN.get(exponent as usize).copied()
+}
+
+impl Decimal {
+    /// `None` if the text is no number, or its exponent is out of all bounds.
+    pub(super) fn parse(text: &str) -> Option<Self> {
+        let (negative, mut rest) = signed(text.as_bytes());
+        let (mut digits, mut shift, mut exponent) = (0_u64, 0_i32, 0_i32);
+        let (mut point, mut any, mut exact) = (false, false, true);
+        while let Some((byte, behind)) = rest.split_first() {
+            rest = behind;
+            match byte {
+                b'0'..=b'9' => {
+                    let digit = u64::from(byte - b'0');
+                    any = true;
+                    if digits < FULL {
+                        digits = digits * 10 + digit;
+                        shift = shift.saturating_sub(i32::from(point));
+                    } else {
+                        exact &= digit == 0;
+                        shift = shift.saturating_add(i32::from(!point));
+                    }
+                }
+                b'.' if !point => point = true,
+                b'e' | b'E' => {
+                    exponent = exponent_of(rest)?;
+                    break;
+                }
+                _ => return None,
+            }
+        }
+        any.then_some(Self { negative, digits, exponent: shift.saturating_add(exponent), exact })
+    }
+
+    /// False for a number of more than 19 digits that count.
+    pub(super) const fn is_exact(self) -> bool {
+        self.exact
+    }
+
+    /// `None` for zero.
+    pub(super) fn magnitude(self) -> Option<Magnitude> {
+        let last = self.digits.checked_ilog10()?;
+        let aligned = self.digits.saturating_mul(power_of_ten((DIGITS - 1).saturating_sub(last))?);
+        Some(Magnitude { place: self.exponent.saturating_add(last as i32), aligned })
+    }
+
+    /// The number times `2^power` in a fixed-point type, as [`Scalar::parse_scaled`] rounds it; `None` where that is to be asked.
+    fn fixed<S: Scalar>(self, power: i32) -> Option<S> {
+        if !self.exact {
+            return None;
+        }
+        let unit = S::last_place(0);
+        let bits = u32::try_from(power.checked_sub(unit)?).ok().filter(|bits| *bits <= 64)?;
+        if self.digits == 0 {
+            return Some(S::ZERO);
+        }
+        let factor = power_of_ten(self.exponent.unsigned_abs())?;
+        let (digits, divisor) =
+            if self.exponent > 0 { (self.digits.checked_mul(factor)?, 1) } else { (self.digits, factor) };
+        let (units, rest) = if bits <= digits.leading_zeros() {
+            let numerator = digits << bits;
+            let units = numerator.checked_div(divisor)?;
+            (units, numerator.wrapping_sub(units.wrapping_mul(divisor)))
+        } else {
+            let numerator = u128::from(digits) << bits;
+            let units = u64::try_from(numerator.checked_div(u128::from(divisor))?).ok()?;
+            // Less than the divisor, so that its low half is all of it.
+            (units, (numerator as u64).wrapping_sub(units.wrapping_mul(divisor)))
+        };
+        // Ties to even. Twice the rest may be more than 64 bits hold.
+        let missing = divisor.saturating_sub(rest);
+        let up = rest > missing || rest == missing && units & 1 != 0;
+        let units = units.checked_add(u64::from(up))?;
+        let value = S::from_limbs::<u64>(Limbs::from_integer(units, unit, self.negative));
+        value.is_finite().then_some(value)
+    }
+
+    /// What stands from the decimal place `place` to the eighth behind it, as an integer with the number's sign. No digit
+    /// may stand before that place.
+    pub(super) fn leading<R: Real>(self, place: i32) -> R {
+        let dropped = place.saturating_sub(8).saturating_sub(self.exponent);
+        let digits = match power_of_ten(dropped.unsigned_abs()) {
+            Some(factor) if dropped > 0 => self.digits.checked_div(factor).unwrap_or(0),
+            Some(factor) => self.digits.saturating_mul(factor),
+            None => 0,
+        };
+        let integer = i32::try_from(digits).unwrap_or(i32::MAX);
+        R::from_int(if self.negative { -integer } else { integer })
+    }
+}
+
+impl Magnitude {
+    /// The decimal place of the first digit: 0 for 1 to 9, 1 for 10 to 99.
+    pub(super) const fn place(self) -> i32 {
+        self.place
+    }
+}
+
+/// A sign, and what follows it: true for a minus.
+const fn signed(text: &[u8]) -> (bool, &[u8]) {
+    match text {
+        [b'-', rest @ ..] => (true, rest),
+        [b'+', rest @ ..] => (false, rest),
+        all => (false, all),
+    }
+}
+
+/// The exponent behind an `e`.
+fn exponent_of(text: &[u8]) -> Option<i32> {
+    let (negative, unsigned) = signed(text);
+    let mut exponent = (!unsigned.is_empty()).then_some(0_i32)?;
+    for byte in unsigned {
+        let digit = byte.checked_sub(b'0').filter(|digit| *digit <= 9)?;
+        exponent = exponent * 10 + i32::from(digit);
+        if exponent > LARGEST_EXPONENT {
+            return None;
+        }
+    }
+    Some(if negative { -exponent } else { exponent })
+}
+
+/// As [`Scalar::parse_scaled`], and sooner in fixed point.
+pub(super) fn parse_scaled<S: Scalar>(text: &str, power: i32) -> Option<S> {
+    if S::RELATIVE {
+        return S::parse_scaled(text, power);
+    }
+    let soon = Decimal::parse(text).and_then(|decimal| decimal.fixed(power));
+    soon.or_else(|| S::parse_scaled(text, power))
+}
+
+#[cfg(all(test, feature = "fixed"))]
+mod tests {
+    use super::*;
+    use fixed::types::{I4F28, I16F16, I20F12, I32F32};
+    use std::format;
+
+    fn is_parsed_as_the_scalar_does<S: Scalar>(text: &str, power: i32) {
+        assert_eq!(parse_scaled::<S>(text, power), S::parse_scaled(text, power), "{text} times 2^{power}");
+    }
+
+    fn in_every_type(text: &str, power: i32) {
+        is_parsed_as_the_scalar_does::<I4F28>(text, power);
+        is_parsed_as_the_scalar_does::<I16F16>(text, power);
+        is_parsed_as_the_scalar_does::<I20F12>(text, power);
+        is_parsed_as_the_scalar_does::<I32F32>(text, power);
+        is_parsed_as_the_scalar_does::<f32>(text, power);
+    }
+
+    #[test]
+    fn hard_numbers_are_rounded_as_the_scalar_rounds_them() {
+        // Ties, last places, the limits of the digits that are read at once, and what is no number.
+        let numbers = "0 -0 +.5 5. 1e0 1E-3 1e+4 12e-1 0.00000762939453125 0.00002288818359375 -0.00002288818359375 \
+            1.00000762939453125 1.000007629394531250000000000000001 0.000007629394531249999999999999999 \
+            9999999999999999999e-19 9999999999999999999e-16 1234567890123456789e-15 0.1234567890123456789 \
+            0.12345678901234567890000 0.12345678901234567891 18446744073709551616e-18 18446744073709551615e-18 \
+            0000000000000000000000001.5 1.5000000000000000000000000 0.00000000000000000000000000000001 1e-40 1e-9999 \
+            1e-10000 100000000000000000000e-19 0.0000000000000000000 3e-19 3e-20 32767.99998 32767.99999 32767.999992 32768 \
+            2147483647.9999999999 2147483648 1e9 1e19 1e20 1e99999 99999999999999999999999999 \
+            . + - e e5 1e 1e+ 1e5. 1.2.3 +-1 1e5e5 1_0 0x10 inf nan 1e99999999999999999999 0e99999999999999999999";
+        for number in numbers.split_whitespace() {
+            for power in [-40, -28, -16, -3, 0, 1, 10, 26, 32, 36, 48, 60] {
+                in_every_type(number, power);
+            }
+        }
+    }
+
+    #[test]
+    fn any_number_is_rounded_as_the_scalar_rounds_it() {
+        let mut state = 1_u64;
+        let mut below = |bound: u64| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 16) % bound
+        };
+        for _ in 0..20_000 {
+            let (power, places) = (below(52) as i32 - 16, below(23));
+            let digits = (u128::from(below(1 << 48)) * u128::from(below(1 << 48))) >> below(90);
+            in_every_type(&format!("{digits}e-{places}"), power);
+            // Ties of 16 fraction bits, which have 17 places, and their neighbours.
+            let tie = (2 * below(1 << 20) + 1) * 762_939_453_125;
+            in_every_type(&format!("-{}e-17", tie + below(3) - 1), 0);
+        }
+    }
+
+    #[test]
+    fn magnitudes_are_ordered_as_the_numbers_are() {
+        let numbers =
+            "1e-400 3e-20 0.1 0.11 9.99e-1 1 1.0000000000000000001 -1.5 2 9.99999999999999999 10 -11 99.5 1e2 1e300";
+        let magnitudes: std::vec::Vec<_> =
+            numbers.split_whitespace().map(|number| Decimal::parse(number).and_then(Decimal::magnitude)).collect();
+        assert!(magnitudes.iter().all(Option::is_some));
+        assert!(magnitudes.windows(2).all(|pair| pair[0] <= pair[1]), "{magnitudes:?}");
+        for equal in ["100", "1e2", "100.000", "0.0001e6", "+100"] {
+            assert_eq!(
+                Decimal::parse(equal).and_then(Decimal::magnitude),
+                Decimal::parse("-1e2").and_then(Decimal::magnitude)
+            );
+        }
+        assert_eq!(Decimal::parse("-0.00e7").and_then(Decimal::magnitude), None);
+    }
+}

@@ -1,0 +1,196 @@
+//! The promise: a picture goes where it was asked to go, before anything is said of it, or the program fails before it is traced.
+
+use crate::support::{Folder, ball, pixels};
+use std::fs;
+use std::process::Stdio;
+
+const PICTURES: [&str; 2] = ["out/scene.png", "out/scene.ppm"];
+
+/// The files that a run adds to a folder with a scene.
+fn written(arguments: &str) -> Vec<String> {
+    let folder = Folder::with(ball());
+    folder.run(&format!("scene.nff {arguments}")).is_content();
+    folder.files().into_iter().filter(|name| name != "scene.nff" && !name.ends_with('/')).collect()
+}
+
+#[test]
+fn a_picture_goes_to_the_folder_out_by_default() {
+    assert_eq!(written(""), PICTURES);
+}
+
+#[test]
+fn a_suffix_says_the_format_and_no_suffix_means_both() {
+    assert_eq!(written("-o a.png"), ["a.png"]);
+    assert_eq!(written("-o a.ppm"), ["a.ppm"]);
+    assert_eq!(written("-o A.PNG"), ["A.PNG"]);
+    assert_eq!(written("-o a"), ["a.png", "a.ppm"]);
+    assert_eq!(written("-o .hidden"), [".hidden.png", ".hidden.ppm"]);
+    assert_eq!(written("-o b/c/a.b.png"), ["b/c/a.b.png"]);
+}
+
+#[test]
+fn a_name_that_is_only_a_suffix_is_a_name() {
+    assert_eq!(written("-o .png"), [".png"]);
+    assert_eq!(written("-o .ppm"), [".ppm"]);
+    assert_eq!(written("-o new/.ppm"), ["new/.ppm"]);
+    assert_eq!(written("-o .ppm --compare f32 f64"), ["difference.ppm", "f32.ppm", "f64-reference.ppm"]);
+}
+
+#[test]
+fn a_folder_holds_the_picture_under_the_name_of_the_scene() {
+    assert_eq!(written("-o ."), ["scene.png", "scene.ppm"]);
+    assert_eq!(written("-o new/"), ["new/scene.png", "new/scene.ppm"]);
+    assert_eq!(written("-o new.png/"), ["new.png/scene.png", "new.png/scene.ppm"]);
+    let folder = Folder::with(ball());
+    fs::create_dir(folder.path("old.png")).unwrap();
+    folder.run("scene.nff -o old.png").is_content();
+    assert_eq!(folder.files(), ["old.png/", "old.png/scene.png", "old.png/scene.ppm", "scene.nff"]);
+    folder.run("--scene glass --size 4x3 -o old.png").is_content();
+    assert!(folder.path("old.png/glass.ppm").exists());
+}
+
+#[test]
+fn a_comparison_writes_three_pictures() {
+    let names = ["a-difference.png", "a-f32.png", "a-i16f16-reference.png"];
+    assert_eq!(written("-o a.png --compare f32 i16f16"), names);
+}
+
+#[test]
+fn an_unknown_suffix_is_refused() {
+    let folder = Folder::with(ball());
+    for name in ["a.jpg", "a.", "scene.nff"] {
+        let reason = format!(
+            "cannot write {name}: pictures are PNG or PPM; end the name in .png or .ppm, or leave the suffix away for both"
+        );
+        folder.run(&format!("scene.nff -o {name}")).fails(&reason);
+    }
+    assert_eq!(folder.read("scene.nff"), ball().as_bytes());
+    assert_eq!(folder.files(), ["scene.nff"]);
+}
+
+/// A picture that took long would be lost.
+#[test]
+fn an_output_that_cannot_be_written_is_found_before_tracing() {
+    let folder = Folder::with(ball());
+    // Minutes of tracing.
+    let huge = "scene.nff --size 60000x6000 -s 16 --uncut --threads 1";
+    let said = folder.run(&format!("{huge} -o scene.nff/a.png"));
+    assert!(said.error.starts_with("error: cannot write scene.nff/a.png: "), "{said:?}");
+    let said = folder.run(&format!("{huge} -o scene.nff/b/c/"));
+    assert!(said.error.starts_with("error: cannot make the folder scene.nff/b/c/: "), "{said:?}");
+    fs::create_dir(folder.path("a.ppm")).unwrap();
+    let said = folder.run(&format!("{huge} -o a"));
+    assert!(said.error.starts_with("error: cannot write a.ppm: "), "{said:?}");
+    assert_eq!((said.code, said.output.as_str()), (Some(1), ""));
+    assert_eq!(folder.files(), ["a.ppm/", "scene.nff"], "nothing is left behind");
+}
+
+#[test]
+fn without_a_picture_no_file_is_touched() {
+    let folder = Folder::with("s 0 0 zero 1");
+    fs::write(folder.path("old.png"), "an old picture").unwrap();
+    assert_eq!(folder.run("scene.nff -o old.png").code, Some(1));
+    assert_eq!(folder.run("scene.nff -o new/er/a.png").code, Some(1));
+    assert_eq!(folder.run("scene.nff").code, Some(1));
+    assert_eq!(folder.read("old.png"), b"an old picture");
+    assert_eq!(folder.files(), ["old.png", "scene.nff"]);
+}
+
+#[test]
+fn a_longer_file_is_replaced_whole() {
+    let folder = Folder::with(ball());
+    fs::write(folder.path("a.ppm"), [b'x'; 9999]).unwrap();
+    folder.run("scene.nff -o a.ppm").is_content();
+    assert_eq!(folder.pixels("a.ppm").len(), 48);
+}
+
+#[test]
+fn a_hyphen_writes_to_standard_output_and_reports_on_standard_error() {
+    let folder = Folder::with(ball());
+    folder.run("scene.nff -o a.ppm").is_content();
+    for output in ["-", "/dev/stdout"] {
+        let run = folder.command(&format!("scene.nff -o {output}")).output().unwrap();
+        assert_eq!(pixels(&run.stdout), folder.pixels("a.ppm"));
+        let report = String::from_utf8(run.stderr).unwrap();
+        assert!(report.starts_with("8x6 pixels in f32") && report.ends_with("written: standard output\n"), "{report}");
+    }
+    assert_eq!(folder.files(), ["a.ppm", "scene.nff"]);
+    folder
+        .run("scene.nff -o - --compare f32 f64")
+        .fails("standard output holds one picture, and --compare writes three: give --output a name");
+}
+
+#[test]
+fn a_device_takes_a_picture_and_stays_what_it_is() {
+    let folder = Folder::with(ball());
+    folder.run("scene.nff -o /dev/null").is_content();
+    assert_eq!(folder.files(), ["scene.nff"]);
+    assert!(!fs::exists("/dev/null.ppm").unwrap());
+}
+
+#[test]
+fn a_closed_standard_output_is_no_panic_and_no_lost_picture() {
+    let folder = Folder::with(ball());
+    let mut child = folder.command("scene.nff --report").spawn().unwrap();
+    drop(child.stdout.take());
+    assert!(child.wait().unwrap().success());
+    assert_eq!(folder.files(), ["out/", PICTURES[0], PICTURES[1], "scene.nff"]);
+    let mut child = folder.command("scene.nff --compare f32 f64 -o b").spawn().unwrap();
+    drop(child.stdout.take());
+    assert!(child.wait().unwrap().success());
+    assert!(folder.path("b-difference.png").exists());
+    folder.shell("\"$render\" scene.nff -o c.ppm >&- 2>&-");
+    assert_eq!(folder.pixels("c.ppm").len(), 48);
+    // Warnings have no reader either.
+    let mut child = folder.command("scene.nff -o d.ppm --effects none").stderr(Stdio::piped()).spawn().unwrap();
+    drop((child.stdout.take(), child.stderr.take()));
+    assert!(child.wait().unwrap().success());
+    assert_eq!(folder.pixels("d.ppm").len(), 48);
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_full_standard_output_is_no_panic_and_no_lost_picture() {
+    let folder = Folder::with(ball());
+    let full = "No space left on device (os error 28)";
+    let said = folder.shell("\"$render\" scene.nff -o a.ppm >/dev/full");
+    said.fails(&format!("cannot write the report to standard output: {full}"));
+    assert_eq!(folder.pixels("a.ppm").len(), 48);
+    let said = folder.shell("\"$render\" scene.nff -o b.ppm --effects none >/dev/full 2>&1");
+    assert_eq!(said.code, Some(1));
+    assert_eq!(folder.pixels("b.ppm").len(), 48);
+    folder
+        .shell("\"$render\" scene.nff -o - >/dev/full")
+        .fails(&format!("cannot write the picture to standard output: {full}"));
+    folder.run("scene.nff -o /dev/full").fails(&format!("cannot write /dev/full: {full}"));
+    assert_eq!(folder.shell("\"$render\" --help >/dev/full").code, Some(0));
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn pictures_too_large_for_memory_are_refused_before_tracing() {
+    let folder = Folder::with(ball());
+    // A hundred gigabytes and more.
+    let said = folder.run("scene.nff --size 65535x65535 --compare f32 f64");
+    assert!(
+        said.error.contains("65535x65535 pixels need 159") && said.error.contains("give a smaller --size"),
+        "{said:?}"
+    );
+    assert_eq!(said.code, Some(1));
+    // Where the system hands out no more than so much.
+    let said = folder.shell("ulimit -v 900000; \"$render\" scene.nff --size 20000x20000 --threads 1");
+    assert!(said.error.contains("20000x20000 pixels need") && said.error.contains("give a smaller --size"), "{said:?}");
+    assert_eq!(folder.files(), ["scene.nff"]);
+}
+
+#[test]
+fn loading_is_part_of_the_time() {
+    let text = ball() + &"s 9 9 9 1\n".repeat(100_000);
+    let folder = Folder::with(text);
+    let said = folder.run("scene.nff --size 1x1 --threads 1").is_content();
+    let time = said.output.lines().find_map(|line| line.strip_prefix("time: ")).unwrap();
+    let (all, rest) = time.split_once(" s, ").unwrap();
+    let (loading, _) = rest.split_once(" s of them loading; ").unwrap();
+    let [all, loading] = [all, loading].map(|seconds| seconds.parse::<f64>().unwrap());
+    assert!(loading > 0.0 && loading <= all && loading > 0.5 * all, "{time}");
+}
