@@ -231,11 +231,11 @@ impl<S: Scalar> Place<S> for Affine<S> {
 
     fn line<N: FromScalar<S>>(&self, ray: &Ray<S>) -> [[N; 3]; 2] {
         let (rows, direction) = (self.rows_in(), ray.direction().to_array().map(N::unit));
-        [applied(rows, self.from_position(ray.origin())), applied(rows, direction)]
+        [applied(rows, self.seen_from_position(ray.origin())), applied(rows, direction)]
     }
 
     fn point<N: FromScalar<S>>(&self, point: Vec3<S>) -> [N; 3] {
-        applied(self.rows_in(), self.from_position(point))
+        applied(self.rows_in(), self.seen_from_position(point))
     }
 
     fn gradient_to_world<N: FromScalar<S>>(&self, gradient: [N; 3]) -> [N; 3] {
@@ -253,7 +253,7 @@ impl<S: Scalar> Affine<S> {
 
     /// A point seen from the position.
     #[inline(always)]
-    fn from_position<N: FromScalar<S>>(&self, point: Vec3<S>) -> [N; 3] {
+    fn seen_from_position<N: FromScalar<S>>(&self, point: Vec3<S>) -> [N; 3] {
         let [o, p] = [point, self.position].map(|v| v.to_array().map(N::scalar));
         difference(o, p)
     }
