@@ -285,8 +285,10 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         let side = End::new(side, Part::Side);
         let Extent::Capped(height) = self.extent else { return Attempt::Found(side) };
         let slab = found!(self.fast_slab(line, height));
-        // An end that is somewhere beyond must not be asked for.
-        if is_certain || slab.span.exit.t < side.t { slab.exit(side, from) } else { Attempt::Unsure }
+        // An end that is somewhere beyond must not be taken; and one of floats, from the rounded coordinates of a start on a cap, may be
+        // some units more off than is promised.
+        let is_good = is_certain && (from == Part::Side || !S::RELATIVE);
+        if is_good || slab.span.exit.t < side.t { slab.exit(side, from) } else { Attempt::Unsure }
     }
 
     fn figure(&self) -> Figure<S> {

@@ -45,11 +45,14 @@ impl<S: Scalar> Surface<S> {
     /// The point in the world, on the surface as nearly as the number type can say.
     pub fn point(&self) -> Vec3<S> {
         let rough = self.rough_local_point();
-        let point = if self.is_resolved(rough) {
-            match &self.shape.placement {
-                Placement::Frame(frame) => frame.point_to_world(self.local_point()),
-                _ => self.local_point(),
-            }
+        let resolved = self.is_resolved(rough).then(|| match &self.shape.placement {
+            Placement::Frame(frame) => frame.point_to_world(self.local_point()),
+            _ => self.local_point(),
+        });
+        // Next to the world's origin a point has smaller units than next to the primitive's.
+        let is_fine = |point: &Vec3<S>| S::resolves(self.hit.t, largest([point.x, point.y, point.z]));
+        let point = if let Some(point) = resolved.filter(is_fine) {
+            point
         } else if let Some(Correction { step, .. }) = self.correction(rough) {
             let (one, t) = (S::Real::ONE, self.hit.t.real());
             let along = |(o, d)| S::Real::sum_of_products([[o, one], [t, d], [step, d]]);

@@ -1,8 +1,8 @@
 //! The worst rays that `raylet-accuracy --search` climbed to, each against the limit that it once broke.
 
-use crate::named::{judge, line_in, ray};
+use crate::named::{assert_hits, bits, judge, line_in, ray};
 use raylet::tier::Stable;
-use raylet::{Frame, UnitVec3};
+use raylet::{Crossing, Departure, Frame, Leaving, Part, UnitVec3};
 use support::exact_types::Exact as Number;
 use support::subject::Subject;
 
@@ -156,4 +156,13 @@ fn the_worst_rays_that_were_found_are_within_16_units() {
     for (name, bits) in TURNED_F64 {
         assert_within(name, &bits.map(|vector| vector.map(f64::from_bits)));
     }
+}
+
+/// 22.7 units: from a cap and next to its plane, by the side's ordinary roots of the rounded start.
+#[test]
+fn a_ray_from_a_cap_and_along_it_leaves_by_the_side_as_promised() {
+    let frustum = Subject::<f32>::new("frustum widening").shape;
+    let ray = ray(bits([0xbf88_c235, 0x3fdb_5233, 0xbe72_c11f]), bits([0xbd1e_354d, 0xbc2e_51f5, 0xbf7f_cb62]));
+    let ray = ray.departing(Departure { object: 0, part: Part::Top, leaving: Leaving::Inwards });
+    assert_hits::<f32, Stable>(&frustum, &ray, &[(0.482_492_069_350_683_6, Part::Side, Crossing::Exit)], 16.0);
 }

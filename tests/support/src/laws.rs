@@ -185,7 +185,8 @@ pub fn bound<S: Number, T: Graded<S>>(setting: &Setting<S>, ray: &Ray<S>, t: S) 
         Grade::Exact => unit_at(t) * growth * (1.0 + 2.0_f64.powi(-20)),
         Grade::Stable => {
             if is_float::<S>() {
-                4.0 * units
+                // Of the 16 units of `t` that are promised; the most that was seen in 10^6 rays is 4.9, along a generator.
+                6.0 * units
             } else {
                 2.0 * units
             }
