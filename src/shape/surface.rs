@@ -49,8 +49,8 @@ impl<S: Scalar> Surface<S> {
             Placement::Frame(frame) => frame.point_to_world(self.local_point()),
             _ => self.local_point(),
         });
-        // Next to the world's origin a point has smaller units than next to the primitive's.
-        let is_fine = |point: &Vec3<S>| S::resolves(self.hit.t, largest([point.x, point.y, point.z]));
+        // Next to the world's origin a point of floats has smaller units than next to the primitive's.
+        let is_fine = |point: &Vec3<S>| !S::RELATIVE || S::resolves(self.hit.t, largest([point.x, point.y, point.z]));
         let point = if let Some(point) = resolved.filter(is_fine) {
             point
         } else if let Some(Correction { step, .. }) = self.correction(rough) {
