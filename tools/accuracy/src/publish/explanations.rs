@@ -22,7 +22,7 @@ fn is_flat(row: &Beaten<'_>) -> bool {
 }
 
 /// The first that applies counts.
-pub const WHY: [Why; 15] = [
+pub const WHY: [Why; 16] = [
     (
         |row| is_fixed(row) && row.slower.tier == "Textbook",
         "The operators of `fixed` round every product, widening and shifting each, and the textbook divides both roots by `a`. The tiers \
@@ -90,6 +90,16 @@ pub const WHY: [Why; 15] = [
         |row| !is_fixed(row) && row.faster.tier == "Stable" && row.slower.tier == "Textbook",
         "Where nothing cancels, `Stable` computes in plain floats too, but by the moment instead of `k^2 - a c`, and most misses are seen before \
          the root.",
+    ),
+    (
+        |row| {
+            !is_fixed(row)
+                && row.faster.tier == "Exact"
+                && row.slower.tier == "Textbook"
+                && row.machine == Machine::Host
+        },
+        "`Exact` takes the path of `Stable` in doubles, for which a host has a unit: by the moment instead of `k^2 - a c`, and most misses \
+         are seen before the root.",
     ),
     (
         |row| !is_fixed(row) && row.faster.tier == "Stable" && row.slower.tier == "Fast",
