@@ -71,8 +71,13 @@ fn panels<'a>(study: &'a Study, chip: Option<&Chip>, primitive: &str) -> Vec<(St
     let of = |(workload, counted): (&str, &str)| {
         let own = |row: &Figures| {
             let mean = chip.of_workload(&format!("{solid}, {counted}"), &row.number, row.tier);
-            // The textbook is only counted at solids in the world, from nearby.
-            mean.or_else(|| (workload == "benign").then(|| chip.instructions(row)).flatten().map(|cost| cost.hit))
+            // The textbook is only counted at solids in the world, from nearby: rays that hit.
+            mean.or_else(|| {
+                (workload == "benign" && row.tier == "Textbook")
+                    .then(|| chip.instructions(row))
+                    .flatten()
+                    .map(|cost| cost.hit)
+            })
         };
         (counted.to_string(), points(study, primitive, workload, |row| own(row).map(|cost| cost as f64)))
     };
@@ -157,7 +162,9 @@ pub fn plot(study: &Study, chip: Option<&Chip>, primitive: &str) -> Result<Strin
     let rows = panels.len().div_ceil(COLUMNS);
     let size = (PANEL.0 * COLUMNS as u32, HEAD + PANEL.1 * rows.max(1) as u32);
     let (place, axis) = match chip {
-        Some(chip) => (chip.name, "instructions of a query in the mean, hits and misses of this workload"),
+        Some(chip) => {
+            (chip.name, "instructions of a query in the mean, hits and misses of this workload (textbook: of a hit)")
+        }
         None => ("this host", "time of a nearest hit; 1 is the textbook's sphere in f32"),
     };
     let title = format!("Error against cost: {primitive}, {place}");
