@@ -63,7 +63,7 @@ pub trait Solve<S: Scalar> {
     }
 }
 
-/// Apart from the fast path, so that this stays short.
+/// In a function of its own, so that the code of the fast path stays small.
 #[cold]
 #[inline(never)]
 fn apart<A>(work: impl FnOnce() -> A) -> A {
