@@ -1,9 +1,9 @@
-//! What can be wrong with a file, and where.
+//! Errors in a scene file, with their place.
 
 use crate::scene::camera::CameraError;
 use core::fmt;
 
-/// A place in a text, for people: both counts start at 1, and columns count characters.
+/// A place in a text. Lines and columns are counted from 1, columns in characters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Place {
@@ -13,7 +13,7 @@ pub struct Place {
     pub column: u32,
 }
 
-/// Why a text is not a scene, and where reading stopped.
+/// Why a text could not be read as a scene, and where reading stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct NffError {
@@ -30,8 +30,8 @@ pub struct NffError {
 pub enum Reason {
     /// A word that starts no entity.
     UnknownEntity,
-    /// A character that stands for bytes that are no text: U+FFFD, as `String::from_utf8_lossy` puts it. In comments it is none of
-    /// the reader's business.
+    /// A replacement character (U+FFFD), which `String::from_utf8_lossy` puts in place of bytes that are not UTF-8. In comments it is
+    /// allowed.
     NotText,
     /// The text ends inside an entity.
     Ended {
