@@ -1,4 +1,4 @@
-//! Lines that begin in a surface and lead inwards, on the fast path of floats.
+//! Lines that depart inwards from a surface, on the fast path of floats.
 
 /// Defines them for a float.
 macro_rules! departing {

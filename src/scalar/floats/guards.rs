@@ -1,17 +1,17 @@
-//! When the fast path of floats takes its own word, and the lines that it takes.
+//! The guards of the fast path of floats, and its local lines.
 
 /// Defines them for a float.
 macro_rules! guards {
     ($Float:ident, $bits:ty, $bias:literal, $mantissa:literal, sqrt: $sqrt:path, may_have_spare_bits: $spare:literal) => {
-        /// What the guards allow.
+        /// The limits of the guards.
         struct Limits {
-            /// The rounding that they count with.
+            /// The relative rounding error that they assume.
             epsilon: $Float,
-            /// Differences of numbers up to this many times larger than themselves are taken; their relative error grows by as much.
+            /// The largest ratio of a difference's operands to the difference that is accepted; the relative error grows by that factor.
             cancelled: $Float,
-            /// The same of the two parts of a quotient, added up.
+            /// The same for the sum of these ratios of a quotient's numerator and denominator.
             together: $Float,
-            /// The roundings of itself by which an end may be off because its line is.
+            /// The largest accepted error of an end due to the error of its line, in roundings of the end.
             moved: $Float,
             /// How much more than a unit the rounding of a difference of squares may move an end next to the start, squared.
             near: $Float,
@@ -22,15 +22,15 @@ macro_rules! guards {
             $spare && line.has_spare_bits
         }
 
-        /// How far the line's point at `t` may be off, in roundings of one.
+        /// The error bound of the line's point at `t`, in units of the relative rounding error.
         #[inline(always)]
         fn off_at(line: &LocalLine<$Float>, t: $Float) -> $Float {
             if line.is_rounded { line.off[0] + line.off[1] * $Float::abs(t) } else { 0.0 }
         }
 
-        /// Whether an end is good although its line may be off: it moves by as much, over the cosine of the angle between the line and the
-        /// surface's normal. That is the derivative along the line over the gradient's length. `a` is the half second derivative: next to a
-        /// double root an end moves more than that.
+        /// Whether an end is accurate enough in spite of the error of its line. The error of the end is that of the line, divided by the cosine of the
+        /// angle between the line and the surface's normal, which is the derivative along the line divided by the gradient's length. Next to
+        /// a double root it is larger; `a` is half the second derivative.
         #[inline(always)]
         fn is_steady(line: &LocalLine<$Float>, t: $Float, gradient: $Float, derivative: $Float, a: $Float) -> bool {
             if !line.is_rounded {

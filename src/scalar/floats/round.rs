@@ -1,4 +1,4 @@
-//! Balls and cylinders on the fast path of floats.
+//! Spheres and cylinders on the fast path of floats.
 
 /// Defines them for a float.
 macro_rules! round {

@@ -1,4 +1,4 @@
-//! Where a line is inside a cone's nappes, from its two ends inside both.
+//! The interval of a line in one nappe of a cone, from its intersections with the double cone.
 
 use crate::scalar::{Attempt, InNappe, found};
 use core::ops::Neg;

@@ -1,4 +1,4 @@
-//! A line seen from the frame of a matrix.
+//! Transformation of a line by an affine map, in fixed point.
 
 use super::direction::{Unit, unit};
 use super::turned::{FINER, FINEST, LENGTH_BITS, closest, dot, room};
