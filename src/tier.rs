@@ -2,12 +2,13 @@
 //!
 //! A query first takes a *fast path*, which computes in the number type's own width. A *guard* is a test in it that fails where rounding may
 //! decide the result. Where the fast path is unsure, the solver computes again in a wider number, the *robust number* (64 bits for 32-bit types, 128 bits
-//! for 64-bit types). A ray *grazes* to `g` if it passes at a distance of `g` times the radius inside or outside of touching.
+//! for 64-bit types). A ray *grazes to `g`* if it passes within `g` times the radius of touching the surface, or if the sine of its angle to the solid's axis, a
+//! generator or a plane is at most `g`. A *grazing ray* is one that grazes to 10^-2.
 //!
 //! | tier | numbers | what it does | promise for `t`, in units in the last place |
 //! |---|---|---|---|
 //! | [`Fast`] | all | the fast path, for spheres without guards; the robust number where it is unsure | error grows with distance and towards grazing, most of all for spheres |
-//! | [`Stable`], the default | all | the fast path with guards; the robust number where one fails | floats: about half a unit in the median, at most 16 except for grazing rays, at most 31 for any ray that grazes to 10^-7; fixed point: at most 1 unit |
+//! | [`Stable`], the default | all | the fast path with guards; the robust number where one fails | floats: about half a unit in the median, at most 16 except for grazing rays, at most 31 down to rays that graze to 10^-7; fixed point: at most 1 unit |
 //! | [`Exact`] | `f32`, `FixedI32<F>` | every decision by a sign that is certain | hit, miss, touch, part and order are those of exact arithmetic; `t` within one unit |
 //!
 //! The promises hold for placed solids too. A frame's position and axes are taken as stored, and the transformation into the frame is part of the
@@ -63,8 +64,9 @@ impl<S: Scalar> Tier<S> for Fast {}
 /// It takes a fast path with a guard at each difference that may cancel. Where a guard fails, the solver computes in a number of 64 bits (128 bits for
 /// 64-bit types) and decides by the signs of its rounded values.
 ///
-/// Error of `t` for floats: about half a unit in the last place in the median, at most 16 units except for grazing rays, and at most 31 units for any ray
-/// that grazes to 10^-7. For fixed point: at most one unit. Measured errors are in `docs/accuracy.md`.
+/// Error of `t` for floats: about half a unit in the last place in the median, at most 16 units except for grazing rays (see [`tier`](self)), and at most 31
+/// units down to rays that graze to 10^-7. For fixed point: at most one unit. For a hit within a thousandth of the solid's size of the ray's start these
+/// are units of the size. Measured errors are in `docs/accuracy.md`.
 ///
 /// Within one unit of a rim or a seam, of touching, or of the range's start, rounding may decide the hit, its part or its crossing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
