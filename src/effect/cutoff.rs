@@ -59,8 +59,8 @@ mod tests {
     use crate::scene::{Camera, Light, Material};
     use crate::vector::Vec3;
 
-    /// The bound is a geometric sum: what lamps add at each of `DEPTH + 1` surfaces, and behind the last the air. A smaller one
-    /// would cut what can be seen, a larger one cut less than it may.
+    /// The bound is a geometric sum: the light that is shaded at each of `DEPTH + 1` surfaces, and the background or fog behind the last. With a
+    /// smaller bound visible light would be left out; with a larger one fewer rays would be.
     #[test]
     fn the_brightest_light_is_that_of_surfaces_seen_in_surfaces() {
         let camera = Camera::new(Vec3::new(0.0_f64, 0.0, 5.0), Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0), 40.0);
@@ -72,7 +72,7 @@ mod tests {
         let scene = scene.expect("a scene").with_background(Color::new(0.2, 0.9, 0.1));
         let sent_on = |material: &Material<f64>| material.mirror + material.transmittance;
         let bound = brightest(&scene.with_fog(Fog::new(Color::new(0.8, 0.3, 0.1), 0.5)), sent_on);
-        // Three lamps of 1; 3/4 of what a surface meets is sent on.
+        // Three lights of strength 1; 3/4 of the light is reflected or transmitted.
         let (shaded, air) = ([2.25, 1.5, 0.75], [0.8, 0.9, 0.1]);
         for ((bound, shaded), air) in bound.into_iter().zip(shaded).zip(air) {
             let rest = 0.75_f64.powi(i32::from(DEPTH) + 1);

@@ -262,7 +262,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
             return if certain == [true; 2] { Attempt::Found(Intersection::One(side)) } else { Attempt::Unsure };
         };
         let slab = found!(self.fast_slab(line, height));
-        // An end that is somewhere beyond must not be asked for.
+        // An end of the nappe that is not certain must be cut off by the slab.
         let is_cut = (certain[0] || slab.span.enter.t > low) && (certain[1] || slab.span.exit.t < high);
         if slab.is_close_to(&side) || !is_cut {
             return Attempt::Unsure;
@@ -287,7 +287,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         let side = End::new(side, Part::Side);
         let Extent::Capped(height) = self.extent else { return Attempt::Found(side) };
         let slab = found!(self.fast_slab(line, height));
-        // An end that is somewhere beyond must not be asked for.
+        // An end of the nappe that is not certain must be cut off by the slab.
         if is_certain || slab.span.exit.t < side.t { slab.exit(side, from) } else { Attempt::Unsure }
     }
 

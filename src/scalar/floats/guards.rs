@@ -112,7 +112,7 @@ macro_rules! guards {
             closest(minus(o, base), d, 256.0) != 0.0
         }
 
-        /// The line from `o` along `d`, taken up next to `base` and relative to it.
+        /// The line from `o` along `d`, with its origin moved next to `base`, and relative to `base`.
         #[inline(always)]
         pub(crate) fn from_afar(o: [$Float; 3], d: [$Float; 3], base: [$Float; 3]) -> LocalLine<$Float> {
             let from = minus(o, base);
@@ -122,8 +122,8 @@ macro_rules! guards {
             LocalLine { start, off: [off(start, origin), 0.0], is_relative: true, is_rounded: true, ..line }
         }
 
-        /// The `t` of the line's point next to the origin, if it begins far away, by the square of how many times as far as it passes;
-        /// otherwise zero. (A direction is next to unit; any `t` is as good as one next to it.)
+        /// The `t` of the line's point closest to the origin, if the line starts far away (the squared ratio of its start's distance to the closest
+        /// distance is the criterion); otherwise zero. (The direction is nearly of length 1, and `t` need not be accurate.)
         #[inline(always)]
         fn closest(from: [$Float; 3], d: [$Float; 3], far: $Float) -> $Float {
             let k = dot(from, d);
@@ -136,14 +136,15 @@ macro_rules! guards {
             [from[0] + t * d[0], from[1] + t * d[1], from[2] + t * d[2]]
         }
 
-        /// How far a line taken up at `start` is off: a difference, a product and their sum, half a rounding each; and a rotation, four halves.
+        /// The error bound of a line whose origin was moved to `start`: a difference, a product and their sum, half a rounding each; and a
+        /// rotation, four halves.
         #[inline(always)]
         fn off(start: $Float, origin: [$Float; 3]) -> $Float {
             0.75 * $Float::abs(start) + size(origin)
         }
 
-        /// The line from `o` along `d` in the frame of a matrix that has this inverse, taken up next to its position if it begins far away;
-        /// `None` if the powers of two leave the type.
+        /// The line from `o` along `d` in the frame of the affine map with this inverse, with its origin moved next to the map's position if it
+        /// starts far away; `None` if the powers of two overflow or underflow.
         #[inline]
         pub(crate) fn stretched(
             o: [$Float; 3],

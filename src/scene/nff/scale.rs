@@ -134,7 +134,7 @@ impl<'t> Extent<'t> {
         Self { scale: Scale::LARGEST, largest: [None; 3], any: false }
     }
 
-    /// A word that should be a number; what is none, or zero, takes no room.
+    /// Includes a word that should be a number. Zeros and words that are not numbers have no influence on the scale.
     fn take<S: Scalar>(&mut self, text: &'t str, spare: usize) {
         let decimal = Decimal::parse(text);
         if let Some(decimal) = decimal.filter(|decimal| decimal.is_exact()) {
@@ -163,17 +163,17 @@ impl<'t> Extent<'t> {
     }
 }
 
-/// Whose coordinate or size it is.
+/// The kind of object that a coordinate or size belongs to.
 #[derive(Clone, Copy)]
 enum Kind {
     Light,
-    /// With so many doublings to spare.
+    /// An object whose numbers must stay below the budget by this many powers of two.
     Other {
         spare: usize,
     },
 }
 
-/// Hands every word of a text that should be a coordinate or a size to `each`.
+/// Calls `each` with every word of a text that should be a coordinate or a size.
 fn each_length<'t>(text: &'t str, mut each: impl FnMut(Kind, &'t str)) {
     let mut words = Lexer::new(text);
     while let Some(word) = words.next() {
