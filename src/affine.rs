@@ -1,7 +1,7 @@
 //! Placement by any invertible matrix: ellipsoids, elliptic cylinders and cones.
 //!
-//! Only the inverse is kept, one row at a time: a fixed-point row has its own power of two, so that a scale of 1000
-//! along one axis and of 1/1000 along another both keep all their bits.
+//! Only the inverse of the matrix is stored. Each of its rows has its own power of two, so that in fixed point a scale of 1000
+//! along one axis and one of 1/1000 along another both keep all their bits.
 
 use crate::frame::{Frame, FrameError, within_budget};
 use crate::line::Place;
@@ -18,7 +18,7 @@ struct Row<U> {
     exponent: i32,
 }
 
-/// Any invertible placement. `t` is corrected by the length of the transformed direction, normals by the inverse
+/// Placement by any invertible affine map. `t` remains the distance in the world, and normals are transformed by the inverse
 /// transpose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -28,12 +28,12 @@ pub struct Affine<S: Scalar> {
 }
 
 impl<S: Scalar> Affine<S> {
-    /// From the images of the local axes and of the local origin.
+    /// From the images of the local x, y and z unit vectors (the columns of the matrix) and of the local origin.
     ///
     /// # Errors
     ///
     /// [`FrameError::Position`] if a coordinate is not finite or beyond the budget; [`FrameError::Singular`] if the
-    /// axes lie in a plane, or so nearly that the inverse is beyond the number type.
+    /// axes lie in a plane, or so nearly in a plane that the number type cannot hold the inverse.
     ///
     /// ```
     /// # use raylet::{Affine, Ray, Shape, Sphere, UnitVec3, Vec3};
@@ -51,7 +51,7 @@ impl<S: Scalar> Affine<S> {
         if !(position.is_within_budget() && axes.iter().all(|axis| axis.is_within_budget())) {
             return Err(FrameError::Position);
         }
-        // Scaled to unit length first: a determinant of tiny axes must not vanish.
+        // Scaled to unit length first, so that the determinant of very short axes does not underflow.
         let mut units = [UnitVec3::<S>::X.real(); 3];
         let mut lengths = [S::Real::ONE; 3];
         for i in 0..3 {
@@ -62,7 +62,7 @@ impl<S: Scalar> Affine<S> {
         let [x, y, z] = units;
         let normals = [cross(y, z), cross(z, x), cross(x, y)];
         let volume = S::Real::sum_of_products([[x[0], normals[0][0]], [x[1], normals[0][1]], [x[2], normals[0][2]]]);
-        // Within the rounding of unit components nothing can be said of the plane that the axes span.
+        // A smaller volume may be due to the rounding of the unit components alone.
         if volume.abs() < S::Real::ONE.scaled(-16) {
             return Err(FrameError::Singular);
         }
@@ -124,7 +124,7 @@ impl<S: Scalar> Affine<S> {
         Some(Row { components: v.map(|c| S::unit_round(c.scaled(-exponent))), exponent })
     }
 
-    /// Where the local origin lies.
+    /// The image of the local origin.
     pub const fn position(&self) -> Vec3<S> {
         self.position
     }
@@ -135,7 +135,8 @@ impl<S: Scalar> Affine<S> {
         self.inverse.map(|row| S::dot(v, row.components).scaled(row.exponent))
     }
 
-    /// The rows of the inverse as they are stored: components, each to be multiplied by the row's power of two.
+    /// The rows of the inverse matrix as they are stored: the components of a row, and the exponent of the power of two by which they are
+    /// to be multiplied.
     pub fn inverse(&self) -> [([S::Unit; 3], i32); 3] {
         self.inverse.map(|row| (row.components, row.exponent))
     }
@@ -166,8 +167,8 @@ impl<S: Scalar> Affine<S> {
         UnitVec3::from_real([component(0), component(1), component(2)]).unwrap_or(normal)
     }
 
-    /// The image of a local vector. The inverse is `diag(2^e) C` with the rows' components `C`, so that the image is
-    /// `adj(C) / det(C)` applied to `2^-e v`: the determinant of the rows themselves may be beyond the number type.
+    /// The image of a local vector. The inverse is `diag(2^e) C`, where `C` holds the rows' components. The image is therefore
+    /// `adj(C) / det(C)` applied to `2^-e v`. (The determinant of `diag(2^e) C` may be beyond the number type.)
     fn image(&self, v: [S::Real; 3]) -> [S::Real; 3] {
         let [x, y, z] = self.inverse.map(|row| row.components.map(S::unit_real));
         let columns = [cross(y, z), cross(z, x), cross(x, y)];
@@ -184,8 +185,8 @@ impl<S: Scalar> Affine<S> {
         UnitVec3::from_real(self.image(tangent.real())).unwrap_or(tangent)
     }
 
-    /// The power of two by which the placement, or its rounding, makes more of an error at most: from how far its axes' lengths
-    /// differ, and how far their directions are from being perpendicular. `None` for axes that lie nearly in a plane: the volume that
+    /// The exponent of the power of two by which the placement, or its rounding, amplifies an error at most. It depends on how much the axes'
+    /// lengths differ, and on how far their directions are from perpendicular. `None` for axes that lie nearly in a plane: the volume that
     /// their directions span is less than about 1/8.
     pub(crate) fn sharpness(&self) -> Option<i32> {
         let [x, y, z] = self.inverse.map(|row| row.components.map(S::unit_real));

@@ -33,18 +33,17 @@ mod sealed {
     impl Sealed for super::Rgb888 {}
 }
 
-/// A colour that displays take and pictures give. Sealed: [`Rgb565`] and [`Rgb888`].
+/// A pixel format of displays that pictures can be drawn in. Sealed: [`Rgb565`] and [`Rgb888`].
 pub trait DisplayColor: PixelColor + sealed::Sealed {
-    /// What the pixel in column `x` of row `y` shows of a colour; no gamma curve is applied.
+    /// The colour in this format, for the pixel in column `x` of row `y`, on which dithering depends. No gamma curve is applied.
     fn shown<S: Scalar>(color: Color<S>, x: u16, y: u16) -> Self;
 }
 
-/// Bayer's pattern of four by four, *An Optimum Method for Two-Level Rendition of Continuous-Tone Pictures* (1973): sixteen
-/// thresholds, neighbours far apart.
+/// Bayer's four by four matrix for ordered dithering, *An Optimum Method for Two-Level Rendition of Continuous-Tone Pictures* (1973).
 const BAYER: [[u16; 4]; 4] = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]];
 
-/// Five, six and five bits with ordered dithering: the mean of four by four pixels is right to a sixteenth of a level, and a
-/// colour that has a level of its own keeps it.
+/// Five, six and five bits with ordered dithering: the mean of four by four pixels is right to a sixteenth of a level. A colour that
+/// is exactly a level is not dithered.
 impl DisplayColor for Rgb565 {
     fn shown<S: Scalar>(color: Color<S>, x: u16, y: u16) -> Self {
         let threshold = BAYER[(y & 3) as usize][(x & 3) as usize];
@@ -63,12 +62,12 @@ impl DisplayColor for Rgb888 {
 }
 
 impl<S: Scalar, E: Effects, T: Tier<S>> Picture<'_, S, E, T> {
-    /// Draws the picture with its upper left corner at `corner`, and returns what it cost. Needs no frame buffer, and not even a
-    /// row: each pixel goes out as it is traced.
+    /// Draws the picture with its upper left corner at `corner`, and returns the counters of rays and tests. It needs no buffer for the
+    /// frame or for a row: each pixel is sent as it is traced.
     ///
     /// # Errors
     ///
-    /// The display's, as soon as it reports one; the rows before are drawn.
+    /// The first error of the display. Rows before it are drawn.
     pub fn draw<D: DrawTarget<Color: DisplayColor>>(
         &self,
         corner: Point,
@@ -79,14 +78,14 @@ impl<S: Scalar, E: Effects, T: Tier<S>> Picture<'_, S, E, T> {
         Ok(work.counters)
     }
 
-    /// Draws some rows of the picture where they belong if its upper left corner is at `corner`, each row by one
-    /// [`DrawTarget::fill_contiguous`]; adds what they cost to `work`. Rows beyond the last are left out.
+    /// Draws some rows of the picture, whose upper left corner is at `corner`, each row by one [`DrawTarget::fill_contiguous`]. Adds rays and
+    /// tests to `work`. Rows beyond the last are ignored.
     ///
     /// Rows do not depend on each other: two processors may each draw a part of the picture, with a [`Work`] of its own.
     ///
     /// # Errors
     ///
-    /// The display's, as soon as it reports one; the rows before are drawn.
+    /// The first error of the display. Rows before it are drawn.
     pub fn draw_rows<D: DrawTarget<Color: DisplayColor>, O: Observer>(
         &self,
         rows: Range<u16>,
@@ -104,9 +103,9 @@ impl<S: Scalar, E: Effects, T: Tier<S>> Picture<'_, S, E, T> {
         Ok(())
     }
 
-    /// Traces row `y` into a buffer, which may then go to a display by DMA while the next row is traced into another; adds what
-    /// it cost to `work`. Returns how many pixels there are: as many as the buffer holds, and at most the picture's
-    /// width. None are there beyond the last row.
+    /// Traces row `y` into a buffer, for instance to send it to a display by DMA while the next row is traced into another buffer. Adds rays
+    /// and tests to `work`. Returns the number of pixels written: at most the length of the buffer and the picture's width, and 0 beyond the
+    /// last row.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};

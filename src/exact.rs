@@ -5,14 +5,13 @@ use crate::number::FIXED_LIMBS;
 use crate::number::{Bounded, FLOAT_LIMBS, Filtered, Integer, Number};
 use crate::scalar::{FromScalar, Scalar, ToScalar};
 
-/// The tier that is never wrong: hit, miss, touch, part, order, pairing and inside or outside are those of exact
-/// arithmetic on the given numbers, always; `t` is within one unit in the last place of the exact value.
+/// The exact tier: hit, miss, touch, part, order, pairing and inside or outside are always those of exact arithmetic on the
+/// stored numbers. `t` is within one unit in the last place of the exact value.
 ///
-/// The given numbers are those that ray, primitive and placement *store*. A placed solid is one whose frame or
-/// affine inverse is taken at its word, to the last bit.
+/// The stored numbers are those of ray, primitive and placement: the frame's position and axes, or the inverse matrix of an
+/// [`Affine`](crate::Affine), as they are after construction.
 ///
-/// Exists for `f32` and for every `FixedI32<F>`. For `f64` and the 64-bit fixed types it does not compile rather than
-/// promise less:
+/// It exists for `f32` and for every `FixedI32<F>`. For `f64` and the 64-bit fixed types it does not compile:
 ///
 /// ```compile_fail
 /// use raylet::{Ray, Sphere, UnitVec3, Vec3, tier::Exact};
@@ -20,12 +19,13 @@ use crate::scalar::{FromScalar, Scalar, ToScalar};
 /// Sphere::new(1.0).unwrap().hits_at::<Exact>(&ray);
 /// ```
 ///
-/// Doubles with an error bound decide nearly always, and 128 bits with an error bound what these cannot tell; what is left is decided by
-/// integers that are wide enough for everything, at some hundred times the cost. [`Shape::effort`](crate::Shape::effort) tells which it was.
+/// Doubles with an error bound decide nearly all rays, and numbers of 128 bits with an error bound nearly all of the others. Integers
+/// that are wide enough for every case decide the rest, at some hundred times the cost. [`Shape::effort`](crate::Shape::effort) tells which of
+/// them decided.
 ///
-/// A ray that [departs](crate::Departure) starts on its surface by decree and not by its coordinates: of the quadric that it leaves the
-/// constant term is zero, of the plane that it leaves the height, and all other equations keep the stored coordinates. What it meets is
-/// exact for these polynomials.
+/// A ray that [departs](crate::Departure) is taken to start exactly on its surface, whatever its coordinates: the constant term of the quadric
+/// that it leaves is set to zero, or the height of its origin above the plane that it leaves. All other equations use the stored coordinates. The result is
+/// exact for these equations.
 ///
 /// ```
 /// use raylet::{Crossing, Ray, Sphere, UnitVec3, Vec3, tier::Exact};
@@ -38,23 +38,23 @@ use crate::scalar::{FromScalar, Scalar, ToScalar};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Exact;
 
-/// Which numbers an exact answer took.
+/// The precision that the exact tier used for a query.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Effort {
-    /// Those with an error bound.
+    /// Numbers with an error bound decided every sign.
     Filter,
-    /// Wide integers too.
+    /// Wide integers were needed.
     Integers,
 }
 
 /// A scalar that has an exact tier.
 pub trait Certain: Scalar {
-    /// The first number, which decides nearly always.
+    /// The first number, which decides nearly all rays.
     type Filter: FromScalar<Self> + Number<Estimate: ToScalar<Self> + FromScalar<Self>>;
-    /// The number that decides where [`Certain::Filter`] cannot tell.
+    /// The number that is used where a sign is unknown in [`Certain::Filter`].
     type Bounded: FromScalar<Self> + ToScalar<Self>;
-    /// The integer that decides when [`Certain::Bounded`] cannot tell: wide enough for every polynomial of the solvers.
+    /// The integer that is used where a sign is unknown in [`Certain::Bounded`]. It is wide enough for every polynomial of the solvers.
     type Integer: FromScalar<Self> + Number<Estimate = Self::Bounded>;
 }
 

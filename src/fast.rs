@@ -4,15 +4,15 @@ use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
 use crate::scalar::{Attempt, LocalLine, Scalar, UnitScalar};
 
-/// Whether a tier's fast path answers where its rounding may decide.
+/// Whether a tier's fast path has guards against rounding.
 pub trait Guards: 'static {
-    /// True if the fast path leaves such rays to the robust number.
+    /// True if the fast path is unsure where its rounding may decide, so that the robust number decides.
     const GUARDED: bool;
     /// See [`LocalLine::has_spare_bits`](crate::scalar::LocalLine::has_spare_bits).
     const HAS_SPARE_BITS: bool = false;
 }
 
-/// Where along a line `low <= y <= high`, and how much more than a few units its ends may be off.
+/// The interval of a line with `low <= y <= high`, and the error of its ends beyond a few units.
 pub(crate) struct Slab<'a, S: Scalar> {
     line: &'a LocalLine<S>,
     pub(crate) span: Span<S>,
@@ -20,7 +20,7 @@ pub(crate) struct Slab<'a, S: Scalar> {
 }
 
 impl<'a, S: Scalar> Slab<'a, S> {
-    /// Between two heights, if the fast path tells. The ends bear the parts of the two planes.
+    /// The interval between two heights, if the fast path is sure. The parts of its ends are those of the two planes.
     #[inline(always)]
     pub(crate) fn new(line: &'a LocalLine<S>, low: S, high: S) -> Attempt<Self> {
         let ([_, y, _], [_, dy, _]) = (line.origin, line.direction);
@@ -44,7 +44,7 @@ impl<'a, S: Scalar> Slab<'a, S> {
         }
     }
 
-    /// Whether rounding may decide how the ends of a side and of these planes follow each other; the planes may be next to each other too.
+    /// Whether rounding may decide the order of the ends of a side and of these planes, or of the two planes.
     #[inline(always)]
     pub(crate) fn is_close_to(&self, side: &Span<S>) -> bool {
         let (planes, [enter, exit]) = (&self.span, self.off);
@@ -55,11 +55,11 @@ impl<'a, S: Scalar> Slab<'a, S> {
             || S::are_close(self.line, planes.enter.t, planes.exit.t, enter)
     }
 
-    /// The exit of a line that begins on the part `from` of a side and these planes: the side's own, or the plane's before it.
+    /// The exit of a line that starts on the part `from` of a side or of these planes: the nearer of the side's and the plane's.
     #[inline(always)]
     pub(crate) fn exit(&self, side: End<S>, from: Part) -> Attempt<End<S>> {
         let (plane, [_, off]) = (self.span.exit, self.off);
-        // The plane that it begins on is not the one that it leaves by.
+        // It cannot leave by the plane that it starts on.
         let leads_away = plane.part == from && from != Part::Side;
         if leads_away || S::are_close(self.line, side.t, plane.t, off) {
             Attempt::Unsure
@@ -72,7 +72,7 @@ impl<'a, S: Scalar> Slab<'a, S> {
         }
     }
 
-    /// The part of a side's interval that lies between the planes, if its ends are good enough.
+    /// The part of a side's interval that lies between the planes, if its ends are accurate enough.
     #[inline(always)]
     pub(crate) fn clip(&self, side: Span<S>) -> Attempt<Intersection<S>> {
         let Some(span) = side.intersection(self.span) else { return Attempt::Miss };

@@ -1,6 +1,6 @@
-//! A primitive as the exact solver sees it: which equations and inequalities its points satisfy.
+//! A primitive as a set of equations and inequalities, for the solver.
 
-/// A primitive in the numbers that it was built from.
+/// The equations and inequalities of a primitive, in the numbers that it was built from.
 #[derive(Clone, Copy, Debug)]
 pub enum Figure<S> {
     /// All points within `radius` of the origin.
@@ -15,11 +15,11 @@ pub enum Figure<S> {
         /// The length of the segment.
         height: S,
     },
-    /// What lies inside a side around the y axis, or that side alone.
+    /// The inside of a surface of revolution about the y axis, or that surface alone.
     Round {
         /// The side.
         side: Side<S>,
-        /// What ends it.
+        /// The ends.
         extent: Extent<S>,
     },
     /// Both nappes of a cone.
@@ -41,7 +41,7 @@ pub enum Figure<S> {
     },
 }
 
-/// A surface around the y axis.
+/// A surface of revolution about the y axis.
 #[derive(Clone, Copy, Debug)]
 pub enum Side<S> {
     /// A cylinder of this radius.
@@ -52,13 +52,13 @@ pub enum Side<S> {
     Radii(S, S, S),
 }
 
-/// What ends a side.
+/// The ends of a side.
 #[derive(Clone, Copy, Debug)]
 pub enum Extent<S> {
-    /// Nothing; the inside belongs to it.
+    /// No ends; a solid.
     Infinite,
-    /// Rims at `y = 0` and at this height; the inside does not belong to it.
+    /// Rims at `y = 0` and at this height; a surface without an inside.
     Open(S),
-    /// Caps, where there are numbers; the inside belongs to it. An apex needs no cap.
+    /// Caps at these heights; a solid. `None` at an apex, which needs no cap.
     Capped(Option<S>, Option<S>),
 }

@@ -7,9 +7,9 @@ use crate::scalar::{FromScalar, LocalLine, Real, Ring, Scalar};
 use crate::vector::{UnitVec3, Vec3, pairs, transposed};
 use core::fmt;
 
-/// A position and three perpendicular axes: the exact-minded way to place a primitive.
+/// Placement by rotation and translation: a position and three perpendicular axes.
 ///
-/// Orthonormal by construction, so that lengths, and with them `t`, are the same inside and outside.
+/// The constructors make the axes orthonormal, so that lengths, and with them `t`, are the same in the frame as in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Frame<S: Scalar> {
@@ -19,7 +19,7 @@ pub struct Frame<S: Scalar> {
 }
 
 impl<S: Scalar> Frame<S> {
-    /// Moved to `position`, not turned.
+    /// A translation to `position`, without a rotation.
     ///
     /// # Errors
     ///
@@ -28,7 +28,7 @@ impl<S: Scalar> Frame<S> {
         Self::from_axes(position, [UnitVec3::X, UnitVec3::Y, UnitVec3::Z])
     }
 
-    /// From the base and the axis of a solid: its y axis is `axis`, the other two are any that are perpendicular.
+    /// From the base and the axis of a solid. The frame's y axis is `axis`; the other two are chosen perpendicular to it.
     ///
     /// # Errors
     ///
@@ -42,8 +42,8 @@ impl<S: Scalar> Frame<S> {
         Self::from_axes(base, [x, axis, z])
     }
 
-    /// From two end points: the base at `from`, the axis towards `to`; and the distance between them, the height of
-    /// the solid.
+    /// From two end points: the base is at `from`, and the axis points to `to`. Also returns the distance between them, for the
+    /// height of the solid.
     ///
     /// # Errors
     ///
@@ -65,8 +65,8 @@ impl<S: Scalar> Frame<S> {
         Ok((Self::from_base_and_axis(from, UnitVec3::rotated(axis))?, S::round(height)))
     }
 
-    /// From a position, the direction of the z axis (`forward`) and a direction that `up` shall lean to: the y axis
-    /// is the part of `up` that is perpendicular to `forward`, and x = y x z is to the right.
+    /// From a position, the direction `forward` of the z axis, and an approximate up direction. The y axis is the part of `up` that is
+    /// perpendicular to `forward`, normalised; the x axis is the cross product of y and z.
     ///
     /// # Errors
     ///
@@ -77,13 +77,13 @@ impl<S: Scalar> Frame<S> {
         Self::from_axes(position, [right, up, forward])
     }
 
-    /// From a position and the three axes as people have them in hand; made perpendicular starting with `up`, the
-    /// axis of the solids.
+    /// From a position and three axes that are perpendicular only approximately. They are made perpendicular: `up`, the axis of the
+    /// solids, stays as it is, and the other two are adjusted.
     ///
     /// # Errors
     ///
-    /// [`FrameError::Position`] as for [`Frame::at`]; [`FrameError::Axes`] if the three are not a right-handed
-    /// frame: the cosine of the angle to it must not be below `1 - 2^-10`, which is 2.5 degrees.
+    /// [`FrameError::Position`] as for [`Frame::at`]; [`FrameError::Axes`] if the three are not nearly a right-handed frame: an axis
+    /// may be adjusted by at most 2.5 degrees (a cosine of `1 - 2^-10`).
     pub fn from_right_up_forward(
         position: Vec3<S>,
         right: UnitVec3<S>,
@@ -103,7 +103,7 @@ impl<S: Scalar> Frame<S> {
         if position.is_within_budget() { Ok(Self { position, axes }) } else { Err(FrameError::Position) }
     }
 
-    /// Where the frame's origin lies.
+    /// The frame's origin in the world.
     #[inline]
     pub const fn position(&self) -> Vec3<S> {
         self.position
@@ -159,8 +159,8 @@ impl<S: Scalar> Frame<S> {
         Vec3::round([component(0), component(1), component(2)])
     }
 
-    /// The frame's coordinates of the ray's point at `t`, rounded once before the rotation: as accurate far from the
-    /// world's origin as near it.
+    /// The ray's point at `t` in the frame's coordinates. The point relative to the frame's origin is rounded once, before the rotation, so
+    /// that the result is as accurate far from the world's origin as near it.
     pub(crate) fn ray_point_to_local(&self, ray: &Ray<S>, t: S) -> Vec3<S> {
         let from_position =
             S::approach(ray.origin().to_array(), self.position.to_array(), ray.direction().to_array(), t);
@@ -249,7 +249,7 @@ impl<S: Scalar> Place<S> for Frame<S> {
     }
 }
 
-/// The coordinate, or the budget's where it overflowed: at the end of the float range infinities would cancel to NaN.
+/// The coordinate, clamped to the budget if it overflowed: infinities of opposite sign would add up to NaN.
 pub(crate) fn within_budget<S: Scalar>(coordinate: S) -> S {
     let limit = S::BUDGET.coordinate;
     if coordinate.is_finite() {

@@ -1,4 +1,4 @@
-//! What every primitive knows of itself.
+//! The interface of a primitive.
 
 use crate::fast::Guards;
 use crate::figure::Figure;
@@ -9,65 +9,65 @@ use crate::ray::{Range, Ray};
 use crate::scalar::{Attempt, LocalLine, Scalar, found};
 use crate::vector::{UnitVec3, Vec3};
 
-/// What every primitive knows of itself, in its own frame.
+/// The interface of a primitive, in its own frame.
 pub trait Geometry<S: Scalar>: Copy {
     /// The same primitive in doubles.
     type Doubles: Geometry<f64>;
 
-    /// Itself in doubles, which hold the numbers of 32-bit types.
+    /// The primitive in doubles, which hold the numbers of 32-bit types exactly.
     fn in_doubles(&self) -> Self::Doubles;
-    /// A distance from the origin within which the primitive lies; its characteristic size if it is unbounded.
+    /// Bounding radius: the primitive lies within this distance of the origin. For an infinite primitive a characteristic size.
     fn reach(&self) -> S;
     /// The primitive with all lengths multiplied by `2^e`, as [`Computing::scaled`](crate::scalar::Computing::scaled) has it.
     #[must_use]
     fn scaled(&self, e: i32) -> Self;
-    /// The line for the fast path, as this primitive sees it.
+    /// The local line for the fast path.
     #[inline(always)]
     fn fast_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
         place.fast_line(ray)
     }
-    /// The largest length that its equations have beside the line's, or more.
+    /// An upper bound of the lengths in its equations, besides those of the line.
     #[inline(always)]
     fn lengths(&self) -> S {
         self.reach()
     }
-    /// Makes the line suit its lengths ([`FastPath::fast_fit`](crate::scalar::FastPath::fast_fit)).
+    /// Reduces the extra bits of the line as far as the primitive's lengths require ([`FastPath::fast_fit`](crate::scalar::FastPath::fast_fit)).
     #[inline(always)]
     fn fit(&self, line: &mut LocalLine<S>) {
         S::fast_fit(line, self.lengths());
     }
-    /// The line for the fast path where [`Geometry::fast_line`] has none because the ray begins far away.
+    /// The local line for a ray that starts too far away for [`Geometry::fast_line`].
     #[inline(always)]
     fn far_line(&self, _place: &impl Place<S>, _ray: &Ray<S>) -> Option<LocalLine<S>> {
         None
     }
-    /// The line for the fast path's second attempt, as this primitive sees it.
+    /// The local line for the fast path's second attempt.
     #[inline(always)]
     fn second_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
         place.second_line(ray, Vec3::ZERO)
     }
-    /// Where the line meets it, if the fast path tells.
+    /// The intersection by the fast path.
     fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>>;
-    /// Whether the half-line `t >= 0` hits it, if the fast path tells; agrees with [`Geometry::fast_intersection`].
+    /// Occlusion of the half-line `t >= 0` by the fast path; agrees with [`Geometry::fast_intersection`].
     #[inline(always)]
     fn fast_occlusion<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<()> {
         let intersection = found!(self.fast_intersection::<T>(line));
         if intersection.nearest(Range::FORWARD, |_| true).is_some() { Attempt::Found(()) } else { Attempt::Miss }
     }
-    /// Where a line that begins on this part and leads inwards leaves the primitive, if it is convex and the fast path tells.
+    /// The exit of a line that starts on the part `from` and leads inwards, by the fast path. For convex primitives.
     #[inline(always)]
     fn fast_exit<T: Guards>(&self, _line: &LocalLine<S>, _from: Part) -> Attempt<End<S>> {
         Attempt::Unsure
     }
-    /// The equations and inequalities of its points.
+    /// The equations and inequalities that its points satisfy.
     fn figure(&self) -> Figure<S>;
-    /// What its box follows from, however it is placed.
+    /// The points, discs or balls whose convex hull determines its bounding box in any placement.
     fn hull(&self) -> Hull<S>;
-    /// The point of the part that is nearest, or nearly so, to a point close to it.
+    /// The point of the part that is nearest, or nearly nearest, to a point close to it.
     fn on_surface(&self, point: Vec3<S>, part: Part) -> Vec3<S>;
     /// The outward unit normal at a point of the part.
     fn normal(&self, point: Vec3<S>, part: Part) -> UnitVec3<S>;
-    /// The radius of the surface's curvature at a point of the part, or less; infinite where it is flat.
+    /// A lower bound of the surface's radius of curvature at a point of the part; infinite where it is flat.
     fn bend(&self, point: Vec3<S>, part: Part) -> S;
     /// Surface coordinates at a point of the part, each in `[0, 1]`.
     fn uv(&self, point: Vec3<S>, part: Part) -> (S::Unit, S::Unit);
@@ -75,7 +75,7 @@ pub trait Geometry<S: Scalar>: Copy {
     fn tangents(&self, point: Vec3<S>, part: Part) -> (UnitVec3<S>, UnitVec3<S>);
 }
 
-/// The parts of a primitive that reach as far as it does along every axis: it lies in their convex hull and touches all of its sides.
+/// Simple sets whose convex hull has the same bounding box as the primitive in any placement.
 ///
 /// Balls and discs about points of the y axis are written as a height and a radius. Both may be infinite.
 #[derive(Clone, Copy, Debug)]

@@ -21,7 +21,7 @@ pub enum Crossing {
     Touch,
 }
 
-/// Where a ray meets a surface. Point, normal and the rest are computed when asked for.
+/// A hit: where a ray meets a surface. [`Shape::surface`](crate::Shape::surface) computes point, normal and surface coordinates from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -30,13 +30,13 @@ pub struct Hit<S> {
     pub t: S,
     /// The part of the surface.
     pub part: Part,
-    /// From which side.
+    /// How the ray crosses the surface.
     pub crossing: Crossing,
 }
 
 /// All hits of a ray with a primitive, sorted by `t`; a slice of [`Hit`].
 ///
-/// The list holds the most that any primitive can produce: nothing is ever dropped.
+/// The list has a fixed capacity of [`MOST_HITS`], so that no hit is ever dropped.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(bound = "S: Scalar + serde::Serialize"))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -71,15 +71,14 @@ impl<S: Scalar> Hits<S> {
         self.starts_inside = true;
     }
 
-    /// True if an interval of the solid holds points before the start of the ray's range, and the start itself: then the first hit is an
-    /// exit without an enter. So a start on the surface counts where the ray leaves the solid, and not where it enters it or touches it.
-    /// Always false for open surfaces.
+    /// True if the ray's range starts inside the solid, or on its surface where the ray leaves the solid. The first hit is then an exit
+    /// without an enter. False if the range starts where the ray enters or touches the solid, and always false for open surfaces.
     #[inline]
     pub const fn starts_inside(&self) -> bool {
         self.starts_inside
     }
 
-    /// The piece of the range over which the ray lies in an open or infinite surface: neither a hit nor a miss.
+    /// The interval of `t` over which the ray lies in an open or infinite surface, such as a ray in a plane. There are then no hits.
     #[inline]
     pub const fn coincident(&self) -> Option<Range<S>> {
         self.coincident
@@ -107,7 +106,7 @@ impl<S: Copy> IntoIterator for Hits<S> {
     }
 }
 
-/// The hits of a list, by value. (The iterator of `heapless` has a panic in its `drop`.)
+/// Iterator over the hits of a list, by value. (The iterator of `heapless` is not used because its `drop` can panic.)
 #[derive(Clone, Debug)]
 pub struct IntoIter<S> {
     list: heapless::Vec<Hit<S>, MOST_HITS>,

@@ -1,4 +1,4 @@
-//! Intervals along a line, and the one rule by which ends become hits.
+//! Intervals along a line, and the rule by which their ends become hits.
 
 use crate::hit::{Crossing, Hit, Hits};
 use crate::part::Part;
@@ -8,7 +8,7 @@ use crate::scalar::Scalar;
 /// One end of an interval: where the line crosses the surface, and on which part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct End<S> {
-    /// [`Scalar::INFINITY`] of either sign where there is no end.
+    /// The parameter; [`Scalar::INFINITY`] of either sign for a missing end.
     pub(crate) t: S,
     pub(crate) part: Part,
 }
@@ -19,7 +19,7 @@ impl<S: Scalar> End<S> {
         Self { t, part }
     }
 
-    /// No end: the interval goes on for ever.
+    /// A missing end: the interval is infinite.
     #[inline(always)]
     pub(crate) const fn none(t: S) -> Self {
         Self { t, part: Part::Side }
@@ -57,14 +57,14 @@ impl<S: Scalar> Span<S> {
             return None;
         }
         if enter.t == exit.t && enter.part != exit.part {
-            // Across a rim, which is the side's.
+            // Across a rim, which belongs to the side.
             let rim = End::new(enter.t, Part::Side);
             return Some(Self { enter: rim, exit: rim, touch: true });
         }
         Some(Self { enter, exit, touch: self.touch })
     }
 
-    /// The interval as a range, cut off at what the number type can represent.
+    /// The interval as a range, clamped to the limits of the number type.
     pub(crate) fn as_range(self, within: Range<S>) -> Option<Range<S>> {
         let start = if self.enter.t > within.start() { self.enter.t } else { within.start() };
         let end = if self.exit.t < within.end() { self.exit.t } else { within.end() };
@@ -72,23 +72,23 @@ impl<S: Scalar> Span<S> {
     }
 }
 
-/// How a line meets a primitive.
+/// The intersection of a line and a primitive.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Intersection<S> {
-    /// Not at all.
+    /// A miss.
     Miss,
-    /// In one interval, whose ends are the hits.
+    /// One interval, whose ends are the hits.
     One(Span<S>),
-    /// In two intervals, in order (a double cone).
+    /// Two intervals, in order (a double cone).
     Two(Span<S>, Span<S>),
-    /// In the crossings of an open surface: the ends of the interval that lie on it; the others are infinite.
+    /// The crossings of an open surface: those ends of the interval that lie on it. The others are infinite.
     Surface(Span<S>),
     /// The line lies in an open or infinite surface over this interval.
     LiesIn(Span<S>),
 }
 
 impl<R> Intersection<R> {
-    /// With other numbers for its ends, if `f` knows them all.
+    /// The intersection with `f` applied to its ends, unless `f` is unsure of one.
     #[inline(always)]
     pub(crate) fn try_map<S>(self, f: impl Fn(R) -> Option<S>) -> Option<Intersection<S>> {
         let end = |End { t, part }: End<R>| Some(End { t: f(t)?, part });
@@ -102,7 +102,7 @@ impl<R> Intersection<R> {
         })
     }
 
-    /// With other numbers for its ends.
+    /// The intersection with `f` applied to its ends.
     #[inline(always)]
     pub(crate) fn map<S>(self, f: impl Fn(R) -> S) -> Intersection<S> {
         self.try_map(|t| Some(f(t))).unwrap_or(Intersection::Miss)
@@ -110,7 +110,7 @@ impl<R> Intersection<R> {
 }
 
 impl<S: Scalar> Intersection<S> {
-    /// Hands the ends, in order, to `report`.
+    /// Calls `report` for each end, in order.
     #[inline]
     fn each_end(self, mut report: impl FnMut(Hit<S>)) {
         let mut span_ends = |span: Span<S>| {
@@ -131,7 +131,7 @@ impl<S: Scalar> Intersection<S> {
         }
     }
 
-    /// Rule 3: the ends in the range, sorted; and whether the range starts inside.
+    /// Rule 3 of the contract: the ends in the range, sorted, and whether the range starts inside.
     pub(crate) fn hits(self, range: Range<S>) -> Hits<S> {
         let mut hits = Hits::none();
         if let Self::LiesIn(span) = self {
@@ -154,7 +154,7 @@ impl<S: Scalar> Intersection<S> {
         hits
     }
 
-    /// The first end in the range that `accept` takes.
+    /// The first end in the range that `accept` accepts.
     #[inline(always)]
     pub(crate) fn nearest(self, range: Range<S>, accept: impl Fn(Crossing) -> bool) -> Option<Hit<S>> {
         let take = |end: End<S>, crossing: Crossing| {

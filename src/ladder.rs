@@ -1,7 +1,7 @@
-//! How each tier climbs the ladder of numbers.
+//! Which numbers each tier computes in.
 //!
-//! `Fast` and `Stable` take the word of their fast path, of its second attempt, or of the robust number. `Exact` climbs until every
-//! sign is certain.
+//! `Fast` and `Stable` accept the result of their fast path, or of its second attempt; if both are unsure, the robust number decides.
+//! `Exact` repeats the query in the next wider number until every sign is certain.
 
 use crate::exact::{Certain, Effort, Exact};
 use crate::fast::Guards;
@@ -16,7 +16,7 @@ use crate::solve::{self, Line, Of};
 use crate::tier::{Fast, Stable};
 use crate::vector::Vec3;
 
-/// The tiers that take a rounded sign at its word.
+/// Implements the tiers that decide by the signs of rounded values.
 macro_rules! solve_robustly {
     ($Tier:ident) => {
         impl<S: Scalar> Solve<S> for $Tier {
@@ -33,7 +33,7 @@ macro_rules! solve_robustly {
                 match second_attempt::<S, $Tier, G>(geometry, place, ray) {
                     Attempt::Found(intersection) => intersection,
                     Attempt::Miss => Intersection::Miss,
-                    // The robust number knows every sign: there is always an answer.
+                    // The robust number knows every sign, so that there is always a result.
                     Attempt::Unsure => {
                         climb::<S, S::Robust>(&geometry.figure(), place, ray).unwrap_or(Intersection::Miss)
                     }
@@ -48,7 +48,7 @@ macro_rules! solve_robustly {
 solve_robustly!(Fast);
 solve_robustly!(Stable);
 
-/// The tier that decides by certain signs. (For each of its types: an impl for all of them together would overlap.)
+/// Implements the tier that decides by certain signs. (For each of its types separately: a generic implementation would overlap.)
 macro_rules! solve_exactly {
     ($S:ty $(, $F:ident: $Bits:path)?) => {
         impl$(<$F: $Bits + Send + Sync + 'static>)? Solve<$S> for Exact {
@@ -83,7 +83,7 @@ solve_exactly!(f32);
 #[cfg(feature = "fixed")]
 solve_exactly!(fixed::FixedI32<F>, F: fixed::types::extra::LeEqU32);
 
-/// What an exact answer takes.
+/// The precision that an exact result needs.
 pub(crate) fn effort<S: Certain, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Effort {
     let figure = geometry.figure();
     match fast_in_doubles(geometry, place, ray) {
@@ -92,7 +92,7 @@ pub(crate) fn effort<S: Certain, G: Geometry<S>>(geometry: &G, place: &impl Plac
     }
 }
 
-/// What the fast path counts as certain.
+/// The guards of the fast path of `Exact`.
 struct Certainly;
 
 impl Guards for Certainly {
@@ -100,7 +100,7 @@ impl Guards for Certainly {
     const HAS_SPARE_BITS: bool = true;
 }
 
-/// The fast path of `Exact`: that of doubles, with guards that count with 40 of their 53 bits.
+/// The fast path of `Exact`: that of doubles. Its guards assume 40 correct bits of 53, so that what they decide is certain.
 #[inline(always)]
 fn fast_in_doubles<S: Certain, G: Geometry<S>>(
     geometry: &G,
@@ -110,7 +110,7 @@ fn fast_in_doubles<S: Certain, G: Geometry<S>>(
     let intersection =
         found!(fast::<f64, Certainly, _>(&geometry.in_doubles(), &place.in_doubles(), &ray.in_doubles()));
     let (start, end) = (ray.range().start().to_f64(), ray.range().end().to_f64());
-    // Its exact value decides whether an end lies in the range: infinite are those before and beyond.
+    // The exact value of an end decides whether it lies in the range. An end before or beyond the range is made infinite.
     let settled = |t: f64| {
         if is_close(t, start) || is_close(t, end) {
             return None;
@@ -128,11 +128,11 @@ fn fast_in_doubles<S: Certain, G: Geometry<S>>(
 #[inline(always)]
 fn is_close(t: f64, bound: f64) -> bool {
     const PART: f64 = 1.0 / (1u32 << 30) as f64;
-    // An end that is not there is infinite: then this compares false.
+    // A missing end is infinite, and compares false.
     (t - bound).abs() <= t.abs() * PART && t.is_finite()
 }
 
-/// Where the ray's line meets the figure, where the fast path cannot tell; and what it took to know.
+/// The intersection where the fast path is unsure, and the precision that was needed.
 #[inline(never)]
 fn exactly<S: Certain>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> (Intersection<S>, Effort) {
     if let Some(intersection) = climb::<S, S::Filter>(figure, place, ray) {
@@ -147,13 +147,13 @@ fn exactly<S: Certain>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) 
 #[cold]
 #[inline(never)]
 fn in_integers<S: Certain>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> Intersection<S> {
-    // Integers know every sign: there is always an answer.
+    // Integers know every sign, so that there is always a result.
     let intersection = climb::<S, S::Integer>(figure, place, ray);
     debug_assert!(intersection.is_some());
     intersection.unwrap_or(Intersection::Miss)
 }
 
-/// Where the ray's line meets the figure, in numbers of this kind.
+/// The intersection, computed in numbers of the type `N`; `None` if they do not know a sign.
 #[inline]
 fn climb<S: Scalar, N: Of<S>>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> Option<Intersection<S>> {
     let departure = ray.departure().map(|departure| (departure.part, departure.leaving));
@@ -163,7 +163,7 @@ fn climb<S: Scalar, N: Of<S>>(figure: &Figure<S>, place: &impl Place<S>, ray: &R
     solve::intersect::<S, N>(figure, &line(figure, place, ray), ray.range())
 }
 
-/// The ray's line as the figure sees it.
+/// The ray's line in the primitive's frame.
 #[inline]
 pub(crate) fn line<S: Scalar, N: FromScalar<S>>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> Line<N> {
     let departure = ray.departure().map(|departure| (departure.part, departure.leaving));
@@ -172,13 +172,13 @@ pub(crate) fn line<S: Scalar, N: FromScalar<S>>(figure: &Figure<S>, place: &impl
     Line { origin, direction, departure }
 }
 
-/// Whether the point belongs to the figure, in numbers of this kind.
+/// The inside test, computed in numbers of the type `N`; `None` if they do not know a sign.
 fn holds<S: Scalar, N: Of<S>>(figure: &Figure<S>, place: &impl Place<S>, point: Vec3<S>) -> Option<bool> {
     let point = if let Figure::Ball { .. } = figure { place.ball_point::<N>(point) } else { place.point::<N>(point) };
     solve::holds(figure, point)
 }
 
-/// Where the ray's line meets the geometry, if the fast path tells.
+/// The intersection by the fast path.
 #[inline(always)]
 fn fast<S: Scalar, T: Guards, G: Geometry<S>>(
     geometry: &G,
@@ -200,13 +200,13 @@ fn fast<S: Scalar, T: Guards, G: Geometry<S>>(
     in_own_t(place, &line, geometry.fast_intersection::<T>(&line))
 }
 
-/// True of fixed point under a placement that stretches.
+/// True for fixed point with an affine placement.
 #[inline(always)]
 const fn stretches_integers<S: Scalar, P: Place<S>>(_: &P) -> bool {
     P::STRETCHES && !S::RELATIVE
 }
 
-/// Where the line meets a geometry of fixed point that is stretched.
+/// The intersection by the fast path in fixed point with an affine placement.
 #[inline(never)]
 fn stretched<S: Scalar, T: Guards, G: Geometry<S>>(
     geometry: &G,
@@ -218,7 +218,7 @@ fn stretched<S: Scalar, T: Guards, G: Geometry<S>>(
     intersection.try_map(|t| S::fast_along_ray(&line, t)).map_or(Attempt::Unsure, Attempt::Found)
 }
 
-/// The same of a line that begins far away, apart from the usual one.
+/// The same for a ray that starts far away. It is a function of its own so that the common case stays short.
 #[inline(never)]
 fn from_afar<S: Scalar, T: Guards, G: Geometry<S>>(
     geometry: &G,
@@ -230,7 +230,7 @@ fn from_afar<S: Scalar, T: Guards, G: Geometry<S>>(
     in_own_t(place, &line, geometry.fast_intersection::<T>(&line))
 }
 
-/// The same on a second attempt, of floats, whose line is dearer and rounded less.
+/// The second attempt of floats, along a line that costs more and is rounded less.
 #[inline(always)]
 fn second_attempt<S: Scalar, T: Guards, G: Geometry<S>>(
     geometry: &G,
@@ -250,7 +250,7 @@ fn meets_nothing<S: Scalar, G: Geometry<S>>(geometry: &G, departure: Departure) 
     solve::meets_nothing(&geometry.figure(), Some((departure.part, departure.leaving)))
 }
 
-/// Where a ray that departs inwards leaves the geometry, apart from the usual one.
+/// The exit of a ray that departs inwards. It is a function of its own so that the common case stays short.
 #[inline(never)]
 fn inwards<S: Scalar, T: Guards, G: Geometry<S>>(
     geometry: &G,
@@ -261,7 +261,7 @@ fn inwards<S: Scalar, T: Guards, G: Geometry<S>>(
     if departure.leaving != Leaving::Inwards {
         return Attempt::Unsure;
     }
-    // A line that begins in a surface does not miss what is behind it, whatever its coordinates say.
+    // A line that starts on the surface of a solid cannot miss it, whatever its rounded coordinates.
     let exit = |geometry: &G, line: &LocalLine<S>| match geometry.fast_exit::<T>(line, departure.part) {
         Attempt::Found(exit) if exit.t.plus(line.start) > S::ZERO => {
             Attempt::Found(Intersection::One(Span::new(End::none(-S::INFINITY), exit)))
@@ -279,7 +279,7 @@ fn inwards<S: Scalar, T: Guards, G: Geometry<S>>(
     in_own_t(place, &line, exit(geometry, &line))
 }
 
-/// What was found along a line, in the ray's own `t`.
+/// An intersection along a local line, with its `t` converted to the ray's.
 #[inline(always)]
 fn in_own_t<S: Scalar, P: Place<S>>(
     _: &P,
@@ -300,7 +300,7 @@ fn in_own_t<S: Scalar, P: Place<S>>(
     found
 }
 
-/// What was found along a line that is taken up at `start`, in the `t` of the whole.
+/// An intersection along a line whose origin was moved to `start`, with `start` added to its `t`.
 #[inline(never)]
 fn from_start<S: Scalar>(intersection: Intersection<S>, start: S) -> Attempt<Intersection<S>> {
     let whole = |t: S| {
@@ -308,14 +308,14 @@ fn from_start<S: Scalar>(intersection: Intersection<S>, start: S) -> Attempt<Int
             return Some(t);
         }
         let whole = t.plus(start);
-        // Next to the ray's own start the rounding of a float's sum would be much of it.
+        // Next to the ray's own start the rounding of a float's sum would be large relative to the result.
         let is_precise = !S::RELATIVE || whole.magnitude().plus(whole.magnitude()) >= start.magnitude();
         is_precise.then_some(whole)
     };
     intersection.try_map(whole).map_or(Attempt::Unsure, Attempt::Found)
 }
 
-/// Whether the ray meets the geometry, if the fast path tells.
+/// The occlusion test by the fast path.
 #[inline(always)]
 fn fast_ahead<S: Scalar, T: Guards, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<()> {
     let intersection = if let Some(departure) = ray.departure() {

@@ -1,8 +1,8 @@
-//! Where does this ray meet that solid, on which part of its surface, and which way does the surface face there?
+//! Ray-primitive intersection: the distance `t` of each hit, the part of the surface, and the normal there.
 //!
-//! `raylet` answers that on any machine down to a microcontroller without a floating-point unit: no allocation, no
-//! panic, fixed capacities, in `f32`, `f64` or fixed point (`FixedI32<F>`, `FixedI64<F>` of the [`fixed`](https://docs.rs/fixed)
-//! crate), with nothing in it whose bits would depend on the chip.
+//! `raylet` runs on any machine down to a microcontroller without a floating-point unit. It does not allocate and does not
+//! panic. It computes in `f32`, `f64` or fixed point (`FixedI32<F>`, `FixedI64<F>` of the [`fixed`](https://docs.rs/fixed)
+//! crate), and its results have the same bits on every chip.
 //!
 //! ```
 //! use fixed::types::I16F16;
@@ -21,47 +21,53 @@
 //!
 //! # The contract
 //!
-//! 1. A bounded solid is a closed set; a line meets a convex one in one interval, whose ends are the hits:
-//!    [`Crossing::Enter`] and [`Crossing::Exit`], or one [`Crossing::Touch`]. Crossings always pair up.
-//! 2. An open surface reports its own crossings, each with the side it was hit from; an unbounded solid its finite ends.
-//! 3. Ends outside the ray's closed [`Range`] are dropped; [`Hits::starts_inside`] tells why an exit stands alone. Hits come
-//!    sorted by `t`.
-//! 4. `t` is distance: directions are unit vectors by type ([`UnitVec3`]); `t` is the parameter of the direction as stored.
-//! 5. The side owns the rim that it shares with a cap, the seam that it shares with a hemisphere, and the apex.
-//! 6. Degenerate rays have defined answers, none of them NaN: the table is in [`primitive`].
-//! 7. Normals are outward unit vectors; [`Surface::normal_towards_ray`] is the flipped one.
-//! 8. Leaving a surface needs no epsilon: a ray says where it departs from ([`Departure`]).
-//! 9. One-sided surfaces ignore the crossings seen from the back ([`Visible`]).
-//! 10. Bad input gets a typed error at construction; queries on built values cannot fail, panic or overflow.
-//! 11. The same bits everywhere, for every number type and tier: IEEE arithmetic, integers and `libm` only.
+//! 1. A solid is a closed set. A line meets a convex solid in one interval, whose ends are the hits: [`Crossing::Enter`] and
+//!    [`Crossing::Exit`], or one [`Crossing::Touch`]. Crossings always pair up. (A double cone is not convex: a line may meet
+//!    it in two intervals.)
+//! 2. An open surface, such as a tube without caps, reports each point where the line crosses it, with the side that was hit.
+//!    An infinite solid reports the ends of its interval that are finite.
+//! 3. Hits come sorted by `t`. Ends outside the ray's closed [`Range`] are no hits. If an exit has no enter before it, the ray starts
+//!    inside: [`Hits::starts_inside`].
+//! 4. `t` is distance, because directions are unit vectors by type ([`UnitVec3`]). Stored components are rounded, and `t` is the
+//!    parameter along the direction as stored.
+//! 5. A point on an edge between two parts belongs to the side: the rim between side and cap, and the seam between side and hemisphere.
+//!    So does the apex.
+//! 6. Degenerate rays have defined results, without NaN: the table is in [`primitive`].
+//! 7. Normals are outward unit vectors. [`Surface::normal_towards_ray`] is the normal on the side that the ray comes from.
+//! 8. A ray that starts on a surface needs no epsilon: it says which surface it departs from ([`Departure`]).
+//! 9. A one-sided surface ignores crossings from its other side ([`Visible`]).
+//! 10. Constructors check their input and return a typed error. Queries on constructed values cannot fail, panic or overflow.
+//! 11. Results have the same bits on every machine, for every number type and tier: they are computed by IEEE arithmetic, integers and
+//!     `libm` only.
 //!
 //! `tests/promises/src/contract.rs` has tests named after rules 1 to 10; for rule 11 `tests/promises/src/firmware.rs` and the firmware in
 //! `tools/firmware` compare digests of all answers on the host, Cortex-M0+, M3, M4F and RV32IMC.
 //!
 //! # Modules
 //!
-//! Imports run down only. `ARCHITECTURE.md` says more.
+//! A module imports only from its own layer and from layers below. Details are in `ARCHITECTURE.md`. "Primitive" is the word for
+//! any of the shapes, "solid" for one that has an inside.
 //!
 //! | layer | module | what it holds |
 //! |---|---|---|
-//! | 9 | [`render`] | pixels |
-//! | 8 | [`effect`] | what makes a hit a colour, a file an effect; which of them a scene calls for |
-//! | 7 | [`scene`] | objects, materials, lights, camera, the NFF reader |
-//! | 6 | [`shape`], `bounds` | any primitive, placed; its box |
-//! | 5 | [`primitive`], [`tier`], `geometry`, `query`, `exact`, `ladder` | a file a primitive: its sizes, equations, normal, surface coordinates, tangents; accuracy tiers, and how each climbs the ladder of numbers |
-//! | 4 | `solve`, `figure`, `fast` | the one solver; the equations of a solid; what fast paths share |
+//! | 9 | [`render`] | pictures, pixel by pixel |
+//! | 8 | [`effect`] | shading, shadows, mirrors, glass and other effects, a file for each; which effects a scene needs |
+//! | 7 | [`scene`] | objects, materials, lights, camera, bounding volume hierarchy, NFF reader |
+//! | 6 | [`shape`], `bounds` | any primitive, placed; its bounding box |
+//! | 5 | [`primitive`], [`tier`], `geometry`, `query`, `exact`, `ladder` | a file for each primitive: sizes, equations, normal, surface coordinates, tangents; accuracy tiers, and which numbers each computes in |
+//! | 4 | `solve`, `figure`, `fast` | the solver, which all tiers share; the equations of a solid; what fast paths share |
 //! | 3 | [`ray`], [`frame`], [`affine`], [`hit`], `intersection`, `line` | rays and ranges, placement, hits and hit lists, intervals |
 //! | 2 | [`vector`] | [`Vec3`], [`UnitVec3`] |
-//! | 1 | [`number`], [`scalar`] | the ladder of computing numbers; the stored number types: `f32`, `f64`, fixed point |
+//! | 1 | [`number`], [`scalar`] | the numbers that solvers compute in; the stored number types: `f32`, `f64`, fixed point |
 //!
 //! # Features
 //!
 //! | feature | default | what it adds |
 //! |---|---|---|
-//! | `libm` | yes | the float backend; a build without it fails, and says so |
+//! | `libm` | yes | square root and other functions of floats; required: a build without it stops with an error message |
 //! | `fixed` | yes | fixed-point scalars |
-//! | `std` | no | scene storage in `Vec`; brings `libm`, and changes no result bit |
-//! | `embedded-graphics` | no | pictures on any display, see `display` |
+//! | `std` | no | scene storage in `Vec`; enables `libm`, and changes no bit of a result |
+//! | `embedded-graphics` | no | pictures on any display: see `display` |
 //! | `mint` | no | conversions of points and vectors |
 //! | `serde` | no | serialisation of the public value types |
 //! | `defmt` | no | `defmt::Format` for the public value types (of float scalars: `fixed` has no `defmt` of its own) |

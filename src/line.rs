@@ -1,10 +1,10 @@
-//! The way of a ray into the frame of a primitive.
+//! Transformation of a ray's line into the frame of a primitive.
 
 use crate::ray::Ray;
 use crate::scalar::{FinerLine, FromScalar, LocalLine, Scalar};
 use crate::vector::Vec3;
 
-/// The way from the world to a primitive's frame.
+/// A placement: the transformation from the world to a primitive's frame.
 pub trait Place<S: Scalar> {
     /// The same placement in doubles.
     type Doubles: Place<f64>;
@@ -12,11 +12,11 @@ pub trait Place<S: Scalar> {
     /// True if the line's own `t` is not the ray's: see [`LocalLine::pace`].
     const STRETCHES: bool = false;
 
-    /// Itself in doubles, which hold the numbers of 32-bit types.
+    /// The placement in doubles, which hold the numbers of 32-bit types exactly.
     fn in_doubles(&self) -> Self::Doubles;
     /// The line for the fast path, where the placement is simple enough for it.
     fn fast_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>>;
-    /// [`Place::fast_line`]; `None` if a ray begins so far from the primitive's point `base` that [`Place::far_line`] should be tried.
+    /// [`Place::fast_line`]; `None` if a ray starts so far from the primitive's point `base` that [`Place::far_line`] should be tried.
     #[inline(always)]
     fn fast_line_near(&self, ray: &Ray<S>, _base: Vec3<S>) -> Option<LocalLine<S>> {
         self.fast_line(ray)
@@ -26,50 +26,50 @@ pub trait Place<S: Scalar> {
     fn finer_line(&self, _ray: &Ray<S>, _reach: S) -> Option<FinerLine<S>> {
         None
     }
-    /// The line of a ray that begins far away, taken up next to the primitive's point `base` and relative to it.
+    /// The line of a ray that starts far away, with its origin moved to a point next to the primitive's point `base`, and relative to that.
     #[inline(always)]
     fn far_line(&self, _ray: &Ray<S>, _base: Vec3<S>) -> Option<LocalLine<S>> {
         None
     }
-    /// The line as a ball about the frame's origin sees it, for the fast path.
+    /// The line for the fast path of a sphere about the frame's origin, which needs no rotation.
     #[inline(always)]
     fn fast_ball_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
         self.fast_line(ray)
     }
-    /// The line for the fast path's second attempt, which costs more and is rounded less: taken up next to the primitive's point `base`,
-    /// and relative to it.
+    /// The line for the fast path's second attempt, which costs more and is rounded less. Its origin is moved to a point next to the
+    /// primitive's point `base`, and is relative to that.
     fn second_line(&self, ray: &Ray<S>, base: Vec3<S>) -> Option<LocalLine<S>>;
-    /// [`Place::second_line`] for a ball about the frame's origin.
+    /// [`Place::second_line`] for a sphere about the frame's origin.
     #[inline(always)]
     fn second_ball_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
         self.second_line(ray, Vec3::ZERO)
     }
-    /// Origin and direction of the ray's line in the primitive's frame, without rounding but for that of the number. The direction has
-    /// any length: `t` is the ray's own.
+    /// Origin and direction of the ray's line in the primitive's frame, rounded only by the operations of the number `N`. The direction may
+    /// have any length, so that `t` is the ray's.
     fn line<N: FromScalar<S>>(&self, ray: &Ray<S>) -> [[N; 3]; 2];
     /// A point in the primitive's frame, as [`Place::line`].
     fn point<N: FromScalar<S>>(&self, point: Vec3<S>) -> [N; 3];
-    /// A gradient in the primitive's frame, in the world: the transpose of the map of points.
+    /// Transforms a gradient from the primitive's frame to the world: by the transpose of the matrix that takes points to the frame.
     fn gradient_to_world<N: FromScalar<S>>(&self, gradient: [N; 3]) -> [N; 3];
-    /// [`Place::line`] for a ball about the frame's origin, which has no axes: a turned ball is a ball, although stored axes are
-    /// orthogonal only to their last bits.
+    /// [`Place::line`] for a sphere about the frame's origin. In a [`Frame`](crate::Frame) it is translated only, since a rotated sphere is the
+    /// same sphere; stored axes, which are orthogonal only to their last bits, would deform it.
     #[inline]
     fn ball_line<N: FromScalar<S>>(&self, ray: &Ray<S>) -> [[N; 3]; 2] {
         self.line(ray)
     }
-    /// [`Place::point`] for a ball about the frame's origin.
+    /// [`Place::point`] for a sphere about the frame's origin.
     #[inline]
     fn ball_point<N: FromScalar<S>>(&self, point: Vec3<S>) -> [N; 3] {
         self.point(point)
     }
-    /// [`Place::gradient_to_world`] for a ball about the frame's origin.
+    /// [`Place::gradient_to_world`] for a sphere about the frame's origin.
     #[inline]
     fn ball_gradient_to_world<N: FromScalar<S>>(&self, gradient: [N; 3]) -> [N; 3] {
         self.gradient_to_world(gradient)
     }
 }
 
-/// The frame that is the world's.
+/// The identity placement.
 #[derive(Clone, Copy, Debug)]
 pub struct InWorld;
 

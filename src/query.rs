@@ -8,13 +8,13 @@ use crate::ray::{Range, Ray};
 use crate::scalar::{Attempt, Scalar, largest};
 use crate::vector::Vec3;
 
-/// How a tier intersects.
+/// The steps of a query in a tier.
 pub trait Solve<S: Scalar> {
-    /// The fast path: where the ray's line meets the geometry, if it can tell.
+    /// The intersection by the fast path.
     fn fast<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<Intersection<S>>;
-    /// The fast path's occlusion of the half-line `t >= 0`; agrees with [`Solve::fast`].
+    /// Occlusion of the half-line `t >= 0` by the fast path; agrees with [`Solve::fast`].
     fn fast_ahead<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<()>;
-    /// Where the ray's line meets the geometry, in wider numbers.
+    /// The intersection by the solver, in wider numbers.
     fn climb<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Intersection<S>;
     /// True if the point belongs to the geometry.
     fn contains<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, point: Vec3<S>) -> bool;
@@ -63,15 +63,15 @@ pub trait Solve<S: Scalar> {
     }
 }
 
-/// Apart from the fast path, so that this stays short.
+/// In a function of its own, so that the code of the fast path stays small.
 #[cold]
 #[inline(never)]
 fn apart<A>(work: impl FnOnce() -> A) -> A {
     work()
 }
 
-/// The geometry and a point of its frame, multiplied by the power of two that brings the larger of them near 1, so that
-/// no square overflows; and its exponent. Fixed types need none.
+/// The geometry and a point of its frame, both scaled by a power of two so that the larger of them is near 1 and no square overflows; and
+/// the exponent of that power, which is zero for fixed types.
 #[inline]
 pub(crate) fn near_one<S: Scalar, G: Geometry<S>>(geometry: &G, point: Vec3<S>) -> (G, Vec3<S>, i32) {
     let exponent = S::binary_exponent(largest([point.x, point.y, point.z, geometry.reach()]));

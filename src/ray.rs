@@ -5,7 +5,7 @@ use crate::scalar::Scalar;
 use crate::vector::{UnitVec3, Vec3};
 use core::fmt;
 
-/// A closed range of `t`; what lies outside is not reported.
+/// A closed range of `t`. Hits outside it are not reported.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Range<S> {
@@ -14,7 +14,7 @@ pub struct Range<S> {
 }
 
 impl<S: Scalar> Range<S> {
-    /// From the origin as far as the number type reaches: `[0, MAX]`. The default of every ray.
+    /// From the origin to the largest `t` of the number type: `[0, MAX]`. The default of every ray.
     pub const FORWARD: Self = Self { start: S::ZERO, end: S::BUDGET.distance };
 
     /// The closed range `[start, end]`.
@@ -66,16 +66,18 @@ pub enum Leaving {
     Inwards,
 }
 
-/// Where a ray departs from: the reason that no epsilon is needed.
+/// The surface that a secondary ray starts on, so that it needs no epsilon to avoid hitting that surface at once.
 ///
-/// A ray that starts at a hit starts *on* that surface, whatever the rounding of its origin says: on a convex solid a
-/// ray leaving outwards cannot meet that solid again, and one leaving inwards must meet its far end; on the quadric
-/// that it left, the constant term is exactly zero and the other root is `-2k/a`.
+/// The rounded origin of a ray that starts at a hit may lie on either side of the surface. With a departure the solver takes it
+/// to lie exactly *on* the surface. A ray that leaves a convex solid outwards then never meets that solid again, and one that leaves
+/// inwards always meets its far side. In the equation `a t^2 + 2 k t + c = 0` of the quadric that the ray departs from, `c` is zero and the other
+/// root is `-2k/a`. [`Surface::departure`](crate::Surface::departure) makes one from a hit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Departure {
-    /// The object in its scene. A primitive or a shape asked alone takes every departure for its own.
+    /// The index of the object in its scene. The queries of a primitive or a shape ignore it: they take every ray with a departure to
+    /// depart from that shape.
     pub object: u32,
     /// The part of the surface.
     pub part: Part,
@@ -83,7 +85,7 @@ pub struct Departure {
     pub leaving: Leaving,
 }
 
-/// A half-line (or a piece of a line): origin, direction, range of `t`, and where it departs from.
+/// A ray: origin, direction, range of `t`, and the surface that it departs from, if any.
 ///
 /// `t` is distance, since a direction is a unit vector by type.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -141,7 +143,7 @@ impl<S: Scalar> Ray<S> {
         if !target.is_within_budget() {
             return Err(RayError::Direction);
         }
-        // In the computing number: across the whole budget the difference is more than a fixed type holds.
+        // In the computing number: the difference of two points within the budget may be too large for a fixed type.
         let ([ox, oy, oz], [tx, ty, tz]) = (origin.real(), target.real());
         let direction = UnitVec3::from_real([tx - ox, ty - oy, tz - oz]).ok_or(RayError::Direction)?;
         Self::new(origin, direction)
@@ -161,20 +163,20 @@ impl<S: Scalar> Ray<S> {
         Self { departure: Some(departure), ..self }
     }
 
-    /// The same ray, departing from nowhere.
+    /// The same ray without a departure.
     #[inline]
     #[must_use]
     pub const fn without_departure(self) -> Self {
         Self { departure: None, ..self }
     }
 
-    /// Where `t` is zero.
+    /// The origin: the point at `t = 0`.
     #[inline(always)]
     pub const fn origin(&self) -> Vec3<S> {
         self.origin
     }
 
-    /// The direction in which `t` grows.
+    /// The direction.
     #[inline(always)]
     pub const fn direction(&self) -> UnitVec3<S> {
         self.direction
@@ -186,7 +188,7 @@ impl<S: Scalar> Ray<S> {
         self.range
     }
 
-    /// Where the ray departs from.
+    /// The surface that the ray departs from; `None` for a ray without departure.
     #[inline(always)]
     pub const fn departure(&self) -> Option<Departure> {
         self.departure

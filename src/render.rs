@@ -1,7 +1,7 @@
-//! Pixels.
+//! Pictures.
 //!
-//! No frame buffer is needed: a [`Picture`] gives any pixel or any row when asked, and [`Picture::render`] hands them over one
-//! by one, row after row, so that they may go straight to a display. Rows do not depend on each other.
+//! No frame buffer is needed: a [`Picture`] computes any single pixel or row, and [`Picture::render`] passes the pixels to a function one
+//! by one, row after row, so that they may be sent directly to a display. Rows do not depend on each other.
 
 use crate::effect::{All, Effect, EffectError, EffectSet, Effects, Sight, Tracer, Work, differ};
 use crate::part::Part;
@@ -10,31 +10,31 @@ use crate::scalar::{Real, Ring, Scalar};
 use crate::scene::{Color, Counters, Observer, Raster, Scene, Size};
 use crate::tier::{Stable, Tier};
 
-/// A scene, seen through its camera at a given size, with the effects `E` compiled in, in the scene's
+/// A picture of a scene from its camera in a given size, with the effects `E` compiled in, in the scene's
 /// accuracy tier `T`.
 #[derive(Clone, Copy, Debug)]
 pub struct Picture<'a, S: Scalar, E = All, T = Stable> {
     tracer: Tracer<'a, S, E, T>,
     raster: Raster<S>,
-    /// How many levels of a channel the picture is right to, where it is not antialiased.
+    /// The number of levels of a channel that the cut-off must not change, where the picture is not antialiased.
     levels: u16,
 }
 
 /// One pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pixel<S: Scalar> {
-    /// The mean of its samples, each brought into `[0, 1]` before, so that a highlight keeps its soft edge. Where its corners
-    /// agree, and are all that was sampled, the mean of those.
+    /// The mean of its samples, each clamped to `[0, 1]` before averaging, so that the edges of highlights are antialiased too. If the
+    /// corners agree, only they are sampled, and this is their mean.
     pub color: Color<S>,
-    /// What its middle sample (or all of its corners) saw: the object and the part of its surface; `None` for the
+    /// The first hit of its middle sample (or of all corners): the object and the part of its surface; `None` for the
     /// background.
     pub seen: Option<(u32, Part)>,
-    /// Which of the first 32 lights add something to the colour of the point that was seen, a bit for each.
+    /// Bit mask of the first 32 lights that contribute to the shading of that hit.
     pub lit_by: u32,
 }
 
 impl<'a, S: Scalar, T: Tier<S>> Picture<'a, S, All, T> {
-    /// The picture of a scene at this size, with every effect compiled in; those that the scene calls for are used.
+    /// The picture of a scene in this size, with every effect compiled in. Those that the scene needs are used.
     pub fn new(scene: &'a Scene<'a, S, T>, size: Size) -> Self {
         Self::leaving_out(scene, size)
     }
@@ -45,7 +45,8 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Picture<'a, S, E, T> {
     ///
     /// # Errors
     ///
-    /// [`EffectError`] if the scene calls for an effect that is not among them, or the size for antialiasing.
+    /// [`EffectError`] if the scene needs an effect that is not among them, or if the size has several samples for each pixel and antialiasing
+    /// is not among them.
     ///
     /// ```
     /// # use raylet::{Camera, Color, Light, Material, Object, Picture, Scene, Shape, Size, Sphere, Vec3};
@@ -71,16 +72,15 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Picture<'a, S, E, T> {
         Ok(Self { tracer, raster: scene.camera().raster(size), levels: EIGHT_BITS })
     }
 
-    /// The picture of a scene at this size, with the effects `E` compiled in, that knowingly leaves out whatever else is called
-    /// for; without antialiasing each pixel has one sample.
+    /// The picture of a scene in this size, with the effects `E` compiled in. Other effects that the scene needs are left out; without
+    /// antialiasing each pixel has one sample.
     pub fn leaving_out(scene: &'a Scene<'a, S, T>, size: Size) -> Self {
         let (tracer, raster) = (Tracer::leaving_out(scene), scene.camera().raster(size));
         let picture = Self { tracer, raster, levels: EIGHT_BITS };
         if E::SET.contains(Effect::Antialiasing) { picture } else { picture.with_one_sample() }
     }
 
-    /// The same picture with only those of its effects that are in the set. What is called for besides is left off; see
-    /// [`Tracer::only`].
+    /// The same picture with only those of its effects that are in the set. The others are switched off; see [`Tracer::only`].
     ///
     /// ```
     /// # use raylet::{Camera, Color, Light, Material, Object, Picture, Scene, Shape, Size, Sphere, Vec3};
@@ -103,13 +103,13 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Picture<'a, S, E, T> {
         if effects.contains(Effect::Antialiasing) { picture } else { picture.with_one_sample() }
     }
 
-    /// The same picture with every ray cast, however little it adds; see [`Tracer::uncut`].
+    /// The same picture without the cut-off, so that every ray is cast; see [`Tracer::uncut`].
     #[must_use]
     pub fn uncut(self) -> Self {
         Self { tracer: self.tracer.uncut(), ..self }
     }
 
-    /// The same picture, right to a sixteenth of a level: for displays, whose levels are others.
+    /// The same picture with a cut-off at a sixteenth of an eight-bit level, for displays with other levels.
     #[cfg(feature = "embedded-graphics")]
     pub(crate) fn finely(self) -> Self {
         Self { levels: FINE, ..self }
@@ -136,9 +136,9 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Picture<'a, S, E, T> {
         E::SET.contains(Effect::Antialiasing) && self.size().samples > 1
     }
 
-    /// Traces the pixel in column `x` of row `y`, counted from the upper left; adds what it cost to `work`.
+    /// Traces the pixel in column `x` of row `y`, counted from the upper left. Adds its rays and tests to `work`.
     ///
-    /// Of several samples a pixel, see [`Picture::row`], which gives the same pixels for fewer rays.
+    /// With several samples for each pixel, [`Picture::row`] gives the same pixels with fewer rays.
     pub fn pixel<O: Observer>(&self, x: u16, y: u16, work: &mut Work<O>) -> Pixel<S> {
         if self.is_antialiased() {
             return self.pixel_of_many(x, y, work);
@@ -147,26 +147,26 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Picture<'a, S, E, T> {
         Pixel { color, seen, lit_by }
     }
 
-    /// Not inlined: a pixel of one sample does without its frame.
+    /// Not inlined, so that pictures with one sample for each pixel do not take its stack frame.
     #[inline(never)]
     fn pixel_of_many<O: Observer>(&self, x: u16, y: u16, work: &mut Work<O>) -> Pixel<S> {
         let (left, right) = (self.edge(u32::from(x), y, work), self.edge(u32::from(x) + 1, y, work));
         self.between([left, right], [x, y], work)
     }
 
-    /// The pixels of row `y` from the left; adds what they cost to `work`, which starts without memory.
+    /// The pixels of row `y` from the left. Clears the shadow cache of `work`, and adds rays and tests to its counters.
     ///
-    /// With several samples a pixel, its corners are traced first, which neighbours share. Where the corners see
-    /// the same part of the same object in the same lights, and no channel differs by more than 1/32, their mean is
-    /// the pixel; elsewhere the whole grid of `samples * samples` rays is traced, and the mean of that is.
+    /// With several samples for each pixel, its corners are traced first, which neighbours share. If the corners see
+    /// the same part of the same object in the same lights, and no channel differs by more than 1/32, the pixel is their mean.
+    /// Otherwise the whole grid of `samples * samples` rays is traced, and the pixel is the mean of these.
     pub fn row<'w, O: Observer>(&'w self, y: u16, work: &'w mut Work<O>) -> Row<'w, 'a, S, E, O, T> {
         work.forget();
         let left = if self.is_antialiased() { Some(self.edge(0, y, work)) } else { None };
         Row { picture: self, work, next: 0, y, left }
     }
 
-    /// Traces every pixel, row after row from the upper left, hands each to `each` with its column and row, and returns
-    /// what it cost.
+    /// Traces every pixel, row after row from the upper left, and passes each to `each` with its column and row. Returns the counters of
+    /// rays and tests.
     pub fn render(&self, mut each: impl FnMut(u16, u16, Pixel<S>)) -> Counters {
         let mut work = Work::new(());
         for y in 0..self.size().height {
@@ -177,7 +177,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Picture<'a, S, E, T> {
         work.counters
     }
 
-    /// What a ray from the eye sees, its colour brought into `[0, 1]`.
+    /// What a primary ray sees, its colour clamped to `[0, 1]`.
     fn sample<O: Observer>(&self, ray: Option<Ray<S>>, levels: u16, work: &mut Work<O>) -> Sight<S> {
         let Some(ray) = ray else { return Sight { color: Color::BLACK, seen: None, lit_by: 0 } };
         work.counters.primary_rays += 1;
@@ -225,10 +225,10 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Picture<'a, S, E, T> {
     }
 }
 
-/// The levels of a pixel.
+/// The levels of a channel of a pixel.
 const EIGHT_BITS: u16 = 255;
 
-/// The levels in which a sample counts that is one of several, or that is dithered.
+/// The levels for the cut-off of a sample that is one of several, or that is dithered.
 const FINE: u16 = 16 * 255;
 
 /// A mean of colours.
@@ -253,7 +253,7 @@ impl<S: Scalar> Mean<S> {
     }
 }
 
-/// The pixels of a row, traced as they are asked for: see [`Picture::row`].
+/// Iterator over the pixels of a row, which are traced one by one: see [`Picture::row`].
 #[derive(Debug)]
 pub struct Row<'w, 'a, S: Scalar, E, O, T = Stable> {
     picture: &'w Picture<'a, S, E, T>,
@@ -296,7 +296,7 @@ mod tests {
     use crate::scene::Camera;
     use crate::vector::Vec3;
 
-    /// A picture does not tell the mean of the corners from one of them: they agree to 1/32.
+    /// Tested here because a picture does not show the difference between one corner and their mean, which is at most 1/32.
     #[test]
     fn corners_that_agree_are_averaged_and_cost_no_ray() {
         let camera = Camera::new(Vec3::new(0.0_f32, 0.0, 5.0), Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0), 40.0);

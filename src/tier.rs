@@ -1,15 +1,20 @@
 //! Accuracy tiers, chosen by type.
 //!
-//! | tier | numbers | what it does | promise |
+//! A query first takes a *fast path*, which computes in the number type's own width. A *guard* is a test in it that fails where rounding may
+//! decide the result. Where the fast path is unsure, the solver computes again in a wider number, the *robust number* (64 bits for 32-bit types, 128 bits
+//! for 64-bit types). A ray *grazes to `g`* if it passes within `g` times the radius of touching the surface, or if the sine of its angle to the solid's axis, a
+//! generator or a plane is at most `g`. A *grazing ray* is one that grazes to 10^-2.
+//!
+//! | tier | numbers | what it does | promise for `t`, in units in the last place |
 //! |---|---|---|---|
-//! | [`Fast`] | all | the fast path in the type's own width; the robust number where that cannot tell | error grows with distance and towards grazing, most of all for spheres |
-//! | [`Stable`], the default | all | the fast path with guards; where one fails, the robust number | about half a unit in the last place in the middle, at most 16 away from grazing and 31 at any ray that grazes to 10^-7; at most 1 unit in fixed point |
-//! | [`Exact`] | `f32`, `FixedI32<F>` | every decision by a certain sign | hit, miss, touch, part and order are those of exact arithmetic; `t` within one unit |
+//! | [`Fast`] | all | the fast path, for spheres without guards; the robust number where it is unsure | error grows with distance and towards grazing, most of all for spheres |
+//! | [`Stable`], the default | all | the fast path with guards; the robust number where one fails | floats: about half a unit in the median, at most 16 except for grazing rays, at most 31 down to rays that graze to 10^-7; fixed point: at most 1 unit |
+//! | [`Exact`] | `f32`, `FixedI32<F>` | every decision by a sign that is certain | hit, miss, touch, part and order are those of exact arithmetic; `t` within one unit |
 //!
-//! The promises hold for solids as they are placed: a frame's position and axes are taken as stored, and the way into the frame is part of the
-//! computation. A ball under a frame has no axes.
+//! The promises hold for placed solids too. A frame's position and axes are taken as stored, and the transformation into the frame is part of the
+//! computation. Stored axes are perpendicular only to their last bits; a sphere in a frame is nevertheless an exact sphere.
 //!
-//! What was measured is in `docs/accuracy.md`.
+//! Measured errors are in `docs/accuracy.md`.
 
 use crate::fast::Guards;
 use crate::query::Solve;
@@ -22,18 +27,21 @@ mod sealed {
     pub trait Sealed {}
 }
 
-/// An accuracy tier for a number type: what it costs is decided when the code is compiled. Sealed.
+/// An accuracy tier for a number type. Sealed.
 pub trait Tier<S: Scalar>: Copy + sealed::Sealed + Solve<S> + 'static {}
 
-/// The cheapest tier that is not the textbook: closest approach for the sphere, moments for the rest, in the scalar's own
-/// width (fixed point: lengths on a common grid of 28 to 30 bits, or of 56 to 60). Where the fast path of the other solids is unsure, the
-/// robust number decides.
+/// The cheapest tier.
 ///
-/// Of a sphere it takes the direction for exactly unit, which costs `t` an error of about a unit in the last place of the
-/// direction, and takes its word however far away and however closely the ray grazes. What was measured is in `docs/accuracy.md`.
+/// It computes in the scalar's own width (in fixed point with lengths on a common grid of 28 to 30 bits, or of 56 to 60 bits for 64-bit types).
+/// The discriminant of a sphere comes from the point of closest approach, that of other solids from the line's Pluecker moment `o x d`; both are more
+/// accurate than `k^2 - a c`.
 ///
-/// No hit is lost or invented where the chord is at least a hundredth of the solid's size and the start within 100 sizes, but within 16 units
-/// of a rim or of a start on the surface.
+/// A sphere has no guards: the fast path decides however far away the ray starts and however closely it grazes. It also takes the direction to be of
+/// length exactly 1, which costs `t` an error of about a unit in the last place of the direction. For the other solids the robust number decides where the
+/// fast path is unsure. Measured errors are in `docs/accuracy.md`.
+///
+/// No hit is lost or invented if the chord is at least a hundredth of the solid's size and the ray starts within 100 sizes, except within 16 units in the last
+/// place of a rim, or of a start on the surface.
 ///
 /// ```
 /// use raylet::{Ray, Sphere, UnitVec3, Vec3, tier::Fast};
@@ -51,13 +59,16 @@ impl Guards for Fast {
 }
 impl<S: Scalar> Tier<S> for Fast {}
 
-/// The default tier: a fast path with a guard at each difference that may cancel; where a guard fails, the solver in a number of 64 bits (of
-/// 128 for 64-bit types), whose signs are taken at their word.
+/// The default tier.
 ///
-/// For floats: about half a unit in the last place in the middle, at most 16 away from grazing, and at most 31 however closely a ray grazes, to
-/// 10^-7. For fixed point: at most one unit. What was measured is in `docs/accuracy.md`.
+/// It takes a fast path with a guard at each difference that may cancel. Where a guard fails, the solver computes in a number of 64 bits (128 bits for
+/// 64-bit types) and decides by the signs of its rounded values.
 ///
-/// What is decided within one unit of a rim or a seam, of touching, or of the range's start, is decided by rounding.
+/// Error of `t` for floats: about half a unit in the last place in the median, at most 16 units except for grazing rays (see [`tier`](self)), and at most 31
+/// units down to rays that graze to 10^-7. For fixed point: at most one unit. For a hit within a thousandth of the solid's size of the ray's start these
+/// are units of the size. Measured errors are in `docs/accuracy.md`.
+///
+/// Within one unit of a rim or a seam, of touching, or of the range's start, rounding may decide the hit, its part or its crossing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Stable;
 

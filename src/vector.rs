@@ -168,7 +168,7 @@ impl<S: Scalar> UnitVec3<S> {
         Self::from_real(v.real())
     }
 
-    /// The direction of a vector that is still in the computing number.
+    /// The direction of a vector in the computing number.
     #[inline]
     pub fn from_real(v: [S::Real; 3]) -> Option<Self> {
         S::direction(v).map(|components| Self { components })

@@ -287,7 +287,7 @@ fn boxes_hold_at_the_ends_of_a_float() {
     hold_at_the_extremes::<f64>(306.0);
 }
 
-/// Vertices whose images cancel the position: issue 14, item 10.
+/// Vertices whose images cancel the position.
 #[test]
 fn a_triangle_whose_vertices_cancel_the_position_is_held() {
     let v = Vec3::<f32>::new;

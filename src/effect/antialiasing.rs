@@ -1,16 +1,17 @@
-//! More rays where a pixel's corners differ: Whitted, *An Improved Illumination Model for Shaded Display* (1980), section 4.
+//! Adaptive supersampling where a pixel's corners differ: Whitted, *An Improved Illumination Model for Shaded Display* (1980),
+//! section 4.
 
 use super::Sight;
 use crate::scalar::{Ring, Scalar, UnitScalar};
 
-/// How far apart the corners' channels may be, as a power of two: 1/32, eight levels of 255.
+/// The largest difference of the corners' channels that is not refined, as a power of two: 1/32, eight levels of 255.
 const THRESHOLD: i32 = -5;
 
-/// True if a pixel whose corners see this needs a closer look: another object or part, other lights, or a channel,
-/// brought into `[0, 1]`, that differs by more than 1/32.
+/// True if the corners of a pixel differ, so that it must be refined: in object or part, in the lights that reach them, or by more than
+/// 1/32 in a channel (clamped to `[0, 1]`).
 ///
-/// What lies between four corners that agree is missed. The mean of such corners is off by at most the threshold from what
-/// the whole grid of samples would give, as long as nothing lies between them.
+/// Detail between four corners that agree is missed. Otherwise the mean of such corners differs by at most the threshold from the mean
+/// of the whole grid of samples.
 pub(crate) fn differ<S: Scalar>(corners: &[Sight<S>; 4]) -> bool {
     let threshold = S::unit_round(S::Real::ONE.scaled(THRESHOLD));
     let [first, others @ ..] = corners;

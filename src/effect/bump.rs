@@ -1,4 +1,4 @@
-//! Normals that lean as if the surface had waves: Blinn, *Simulation of Wrinkled Surfaces* (1978).
+//! Bump mapping: Blinn, *Simulation of Wrinkled Surfaces* (1978).
 
 use super::field::field;
 use crate::scalar::{Real, Ring, Scalar};
@@ -6,10 +6,10 @@ use crate::scene::Waves;
 use crate::shape::Surface;
 use crate::vector::{UnitVec3, pairs};
 
-/// The normal that leans against the slopes of the waves: the direction of `N - s_u T_u - s_v T_v`, on the side of `normal`.
+/// The normal perturbed by the slopes of the waves: the direction of `N - s_u T_u - s_v T_v`, on the side of `normal`.
 ///
-/// `normal` is the one for shading, on the viewer's side, and `from_outside` says which side that is: seen from
-/// behind a hill is a valley.
+/// `normal` is the shading normal on the viewer's side. `from_outside` is true if that is the outside; seen from the other side the
+/// slopes have the opposite sign.
 pub(super) fn bent<S: Scalar>(
     waves: &Waves<S>,
     surface: &Surface<S>,
@@ -25,8 +25,8 @@ pub(super) fn bent<S: Scalar>(
     UnitVec3::from_real(leaning).unwrap_or(normal)
 }
 
-/// The slope of so many waves here, as a part of the steepest: 1 where a wave begins, -1 in its middle, 1 at its end, and
-/// straight between. No sine is needed, and `f32` has none that does without doubles.
+/// The slope of `count` waves at a coordinate, relative to the largest: 1 where a wave begins, -1 in its middle, 1 at its end, and
+/// linear between. (A sine would need doubles in `f32` builds.)
 fn steepness<S: Scalar>(coordinate: S::Unit, count: u16) -> S::Real {
     if count == 0 {
         return S::Real::ZERO;

@@ -1,4 +1,4 @@
-//! What a scene calls for, and what happens if that is not compiled in.
+//! Which effects a scene needs, and the error if one of them is not compiled in.
 
 use super::set::{Effect, EffectSet};
 use crate::scalar::Scalar;
@@ -6,10 +6,10 @@ use crate::scene::{Material, Object, Scene};
 use crate::tier::Tier;
 use core::fmt;
 
-/// Which effects a scene calls for: found out once, before the first ray.
+/// Which effects a scene needs. This is determined once, before the first ray.
 impl<S: Scalar, T: Tier<S>> Scene<'_, S, T> {
-    /// The effects that the objects (their materials, under these lights) and the fog call for; never
-    /// [`Effect::Antialiasing`], which is asked for by the picture's [`Size`](crate::Size).
+    /// The effects that the scene needs for its materials, lights and fog. [`Effect::Antialiasing`] is never among them: it depends on the
+    /// picture's [`Size`](crate::Size).
     ///
     /// ```
     /// # use raylet::{Camera, Color, Light, Material, Object, Plane, Scene, Shape, Vec3};
@@ -28,19 +28,19 @@ impl<S: Scalar, T: Tier<S>> Scene<'_, S, T> {
         of_objects.fold(of_fog, EffectSet::union)
     }
 
-    /// The effects that the object of this index calls for, on any of its parts; none beyond the last object.
+    /// The effects that the object of this index needs on any of its parts; the empty set beyond the last object.
     ///
-    /// | effect | called for by |
+    /// | effect | is needed for |
     /// |---|---|
-    /// | diffuse | a `diffuse` above 0, if any light is stronger than 0 |
-    /// | specular | a `specular` above 0, if any light is |
-    /// | shadows | either of them |
-    /// | reflection | a `mirror` above 0 |
-    /// | refraction | a `transmittance` above 0 |
-    /// | texture | a texture that is named |
-    /// | bump | waves, of a slope and a number above 0 |
+    /// | diffuse | `diffuse` above 0, if any light is stronger than 0 |
+    /// | specular | `specular` above 0, if any light is stronger than 0 |
+    /// | shadows | diffuse or specular |
+    /// | reflection | `mirror` above 0 |
+    /// | refraction | `transmittance` above 0 |
+    /// | texture | a material with a texture |
+    /// | bump | waves with a slope and a number above 0 |
     ///
-    /// The materials of base and top count, if they are named apart, whether or not the shape has these parts.
+    /// The materials of base and top are included, whether or not the shape has these parts.
     pub fn effects_of(&self, object: u32) -> EffectSet {
         self.object(object).map_or(EffectSet::EMPTY, |object| self.called_for_by(object))
     }
@@ -79,7 +79,7 @@ impl<S: Scalar, T: Tier<S>> Scene<'_, S, T> {
     }
 }
 
-/// The first effect that a scene calls for and that is missing from the set, with who calls for it.
+/// The first effect that a scene needs and that is not in the set, with the object that needs it.
 pub(crate) fn missing<S: Scalar, T: Tier<S>>(scene: &Scene<'_, S, T>, compiled: EffectSet) -> Result<(), EffectError> {
     for (index, object) in (0_u32..).zip(scene.objects()) {
         if let Some(effect) = scene.called_for_by(object).difference(compiled).iter().next() {
@@ -92,21 +92,21 @@ pub(crate) fn missing<S: Scalar, T: Tier<S>>(scene: &Scene<'_, S, T>, compiled: 
     Ok(())
 }
 
-/// A scene calls for an effect that is not compiled in.
+/// A scene needs an effect that is not compiled in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum EffectError {
-    /// An object's material calls for it.
+    /// An object's material needs an effect.
     Object {
-        /// The effect; of several, the first in order.
+        /// The effect; the first in order, if several are missing.
         effect: Effect,
         /// Index of the object.
         object: u32,
     },
     /// The scene is in fog, and fog is not compiled in.
     Fog,
-    /// The picture's size asks for several samples a pixel, and antialiasing is not compiled in.
+    /// The picture's size has several samples for each pixel, and antialiasing is not compiled in.
     Antialiasing {
         /// The samples along each side of a pixel.
         samples: u8,

@@ -1,4 +1,4 @@
-//! The effects as types: what a program is compiled with.
+//! The effects as types, which select the effects that a program is compiled with.
 
 use super::set::{Effect, EffectSet};
 use core::fmt::Debug;
@@ -43,8 +43,8 @@ markers! {
 
 /// The set of effects that a tracer is compiled with: a tuple of up to nine marker types, in any order. Sealed.
 ///
-/// An effect that is not in the tuple contributes no instruction: its code is reached only behind a test of
-/// [`SET`](Effects::SET), a constant.
+/// An effect that is not in the tuple contributes no instruction to the program: its code runs only after a test of the constant
+/// [`SET`](Effects::SET), and the compiler removes it.
 ///
 /// ```
 /// use raylet::effect::{All, Diffuse, EffectSet, Effects, Shadows};

@@ -1,20 +1,21 @@
-//! Where paths end: how deep rays are followed at most, and which may be left out because they cannot change a level of the picture.
+//! Where paths end: at the maximum depth, or where the remaining rays cannot change a level of the picture.
 
 use crate::scalar::{Real, Ring, Scalar, UnitScalar};
 use crate::scene::{Color, Fog, Material, Scene};
 use crate::tier::Tier;
 use crate::vector::pairs;
 
-/// How often a ray is followed on: a primary ray and what comes of it meet at most `DEPTH + 1` surfaces in a row.
+/// The maximum depth of secondary rays: a path has at most `DEPTH + 1` surfaces.
 ///
-/// Where paths divide, rays wait in two lists of fixed capacity, at most `DEPTH + 1` of them (the deepest is cast first) and
-/// `DEPTH` faint ones: in `f32` and 32-bit fixed point 33 times 64 bytes of stack at most. Where they do not (refraction is not
-/// compiled in: a mirror alone sends one ray on for each that it receives) there is no list. No function calls itself.
+/// If refraction is compiled in, paths branch. Rays then wait in two lists of fixed capacity: at most `DEPTH + 1` rays (the deepest is
+/// cast first), and `DEPTH` deferred rays of small weight. In `f32` and 32-bit fixed point that takes at most 33 times 64 bytes of stack.
+/// Without refraction a path does not branch, since a mirror reflects one ray for each that it receives, and there is no list. No function
+/// is recursive.
 pub const DEPTH: u8 = 16;
 
-/// True if the light has the same level in each channel whether or not something up to `doubt` is added to it.
+/// True if no addition of up to `doubt` to the light changes its level in any channel.
 pub(super) fn is_settled<S: Scalar>(light: [S::Real; 3], doubt: [S::Real; 3], levels: u16) -> bool {
-    // In another order the sum may be rounded otherwise.
+    // The sum of the same terms in another order may be rounded differently.
     let rounding = S::Real::ONE.scaled(S::Real::ROUNDING + 3);
     let level = |channel: S::Real| S::unit_round(channel).level(levels);
     pairs(light, doubt)
@@ -22,8 +23,8 @@ pub(super) fn is_settled<S: Scalar>(light: [S::Real; 3], doubt: [S::Real; 3], le
         .all(|(light, doubt)| doubt.is_zero() || level(light - rounding) == level(light + doubt + rounding))
 }
 
-/// Upper bounds for the light that any ray of a scene brings back in each channel: the brightest of its surfaces, with what can
-/// be seen in it and in that, as often as rays are followed on; `sent_on` is the part of it that a material sends on.
+/// Upper bounds, for each channel, of the radiance of any ray of a scene: the brightest shading of any surface, plus what it reflects and
+/// transmits down to the maximum depth. `sent_on` returns the fraction of the light that a material reflects and transmits.
 pub(super) fn brightest<S: Scalar>(
     scene: &Scene<'_, S, impl Tier<S>>,
     sent_on: impl Fn(&Material<S>) -> S::Real,
@@ -34,7 +35,7 @@ pub(super) fn brightest<S: Scalar>(
         .lights()
         .iter()
         .fold([zero; 3], |sum, light| pairs(sum, light.strength).map(|(sum, strength)| sum + strength.real()));
-    // Fog and surface together are no brighter than the brighter one.
+    // A mixture of two colours is no brighter than the brighter one.
     let air = pairs(sky, fog).map(|(sky, fog)| S::unit_real(if sky > fog { sky } else { fog }));
     (0..=DEPTH).fold(air, |seen, _| {
         scene.materials().iter().fold(seen, |brightest, material| {
@@ -58,8 +59,8 @@ mod tests {
     use crate::scene::{Camera, Light, Material};
     use crate::vector::Vec3;
 
-    /// The bound is a geometric sum: what lamps add at each of `DEPTH + 1` surfaces, and behind the last the air. A smaller one
-    /// would cut what can be seen, a larger one cut less than it may.
+    /// The bound is a geometric sum: the light that is shaded at each of `DEPTH + 1` surfaces, and the background or fog behind the last. With a
+    /// smaller bound visible light would be left out; with a larger one fewer rays would be.
     #[test]
     fn the_brightest_light_is_that_of_surfaces_seen_in_surfaces() {
         let camera = Camera::new(Vec3::new(0.0_f64, 0.0, 5.0), Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0), 40.0);
@@ -71,7 +72,7 @@ mod tests {
         let scene = scene.expect("a scene").with_background(Color::new(0.2, 0.9, 0.1));
         let sent_on = |material: &Material<f64>| material.mirror + material.transmittance;
         let bound = brightest(&scene.with_fog(Fog::new(Color::new(0.8, 0.3, 0.1), 0.5)), sent_on);
-        // Three lamps of 1; 3/4 of what a surface meets is sent on.
+        // Three lights of strength 1; 3/4 of the light is reflected or transmitted.
         let (shaded, air) = ([2.25, 1.5, 0.75], [0.8, 0.9, 0.1]);
         for ((bound, shaded), air) in bound.into_iter().zip(shaded).zip(air) {
             let rest = 0.75_f64.powi(i32::from(DEPTH) + 1);

@@ -1,10 +1,10 @@
-//! How much of a colour the air lets through: Beer's law (1852).
+//! Attenuation by fog: Beer's law (1852).
 
 use crate::scalar::{Ring, Scalar};
 use crate::scene::Fog;
 
-/// Over the distance `t` (`None`: without end), the part of a colour that comes through.
+/// The fraction of the light that is transmitted over the distance `t`; `None` is an infinite distance.
 pub(super) fn visibility<S: Scalar>(fog: &Fog<S>, t: Option<S>) -> S::Real {
-    // What is infinitely far is seen through infinitely much of it.
+    // Over an infinite distance nothing is transmitted.
     t.map_or(S::Real::ZERO, |t| S::unit_real(fog.visibility(t)))
 }

@@ -1,50 +1,50 @@
-//! What makes a hit a colour, a file an effect.
+//! Effects: from a hit to a colour. Each effect has a file.
 //!
-//! | room | what it does |
+//! | module | what it does |
 //! |---|---|
-//! | `diffuse` | light that a matte surface scatters (Lambert 1760) |
-//! | `specular` | highlights (Phong 1975) |
-//! | `shadow` | whether a light reaches the point at all (Appel 1968) |
-//! | `reflection` | mirrors (Whitted 1980) |
-//! | `refraction` | light through surfaces: Snell, Fresnel, total reflection |
-//! | `texture` | colours over the surface coordinates (Catmull 1974) |
-//! | `bump` | normals that lean (Blinn 1978) |
-//! | `fog` | distance takes light away (Beer 1852) |
-//! | `antialiasing` | more rays where a pixel's corners differ (Whitted 1980) |
-//! | `set`, `compiled` | the effects by name, and as types |
-//! | `called_for` | which of them a scene calls for, and the refusal if one is missing |
-//! | `tracer`, `cutoff` | from a ray to a colour; where paths end |
+//! | `diffuse` | diffuse shading (Lambert 1760) |
+//! | `specular` | specular highlights (Phong 1975) |
+//! | `shadow` | whether a light reaches the shading point (Appel 1968) |
+//! | `reflection` | mirror reflection (Whitted 1980) |
+//! | `refraction` | transmission through surfaces: Snell, Fresnel, total reflection |
+//! | `texture` | colours as functions of the surface coordinates (Catmull 1974) |
+//! | `bump` | bump mapping: perturbed normals (Blinn 1978) |
+//! | `fog` | attenuation by distance (Beer 1852) |
+//! | `antialiasing` | adaptive supersampling where a pixel's corners differ (Whitted 1980) |
+//! | `set`, `compiled` | the effects as values, and as types |
+//! | `called_for` | which effects a scene needs, and the error if one is missing |
+//! | `tracer`, `cutoff` | tracing of a primary ray and its secondary rays; where paths end |
 //! | `field` | the unit interval in equal fields, for patterns and waves |
-//! | `site`, `work` | the point that is shaded; what is counted and remembered |
+//! | `site`, `work` | the shading point; the trace context: counters and a shadow cache |
 //!
-//! There is no ambient light: what no lamp reaches, nothing is mirrored in and nothing is seen through is black.
+//! There is no ambient light: a surface that no light reaches and that neither reflects nor transmits is black.
 //!
-//! # Only what a scene calls for
+//! # Only what a scene needs
 //!
-//! *At build time*: a [`Tracer`] and a [`Picture`](crate::Picture) have their effects as a type parameter, [`All`] by
-//! default. An effect that is not in the tuple is no instruction in the program.
+//! *At compile time*: [`Tracer`] and [`Picture`](crate::Picture) have their effects as a type parameter, [`All`] by
+//! default. A program contains no instruction of an effect that is not in this tuple.
 //!
-//! *At scene build*: [`Scene::effects`](crate::Scene::effects) says what materials, lights and fog call for. A picture of a scene
-//! that calls for an effect that is not compiled in is refused ([`EffectError`]) and never rendered wrongly in silence.
+//! *When a picture is made*: [`Scene::effects`](crate::Scene::effects) tells which effects materials, lights and fog need. If one of them is not
+//! compiled in, the picture is rejected with an [`EffectError`], since it would be wrong without it.
 //!
-//! *At each hit*: no shadow ray goes towards a light behind the surface or one that would add nothing; no normal is
-//! computed for a shadow test, nor where nothing is shaded; no surface coordinates without a texture or waves; no ray goes on whose
-//! light cannot change a level.
+//! *At each hit*: no shadow ray is cast towards a light that is behind the surface or would contribute nothing. No normal is
+//! computed for a shadow test, or where nothing is shaded. Surface coordinates are computed only for a texture or waves. No secondary ray is
+//! cast whose light cannot change the result.
 //!
 //! # The cut-off
 //!
-//! A ray sent on by a mirror or by glass carries a weight: the product of all weights on its way. In a chain of mirrors the path ends
-//! as soon as the ray that would go on, were it as bright as the scene can be anywhere, could not change an eight-bit level of any
-//! channel. Where paths divide, rays of a weight below 2^-7 are put aside; once all others are cast, these are, the strongest
-//! first, until the same holds for all that are left. So what is left out changes no level, whatever the scene, as long as its
-//! numbers are in their documented ranges (colours up to 1, strengths of at least 0). On a display, and in a pixel of several samples
-//! for each sample, that holds in steps of 1/4080; such a step may still decide whether a pixel's corners differ.
+//! A secondary ray has a weight: the product of the reflectances and transmittances along its path. In a chain of mirrors the path ends
+//! if the next ray could not change an eight-bit level of any channel, even with the largest radiance that is possible in the scene.
+//! Where paths branch, rays with a weight below 2^-7 are deferred. After all others they are cast in order of decreasing weight, until all that are
+//! left together could not change a level. Therefore the rays that are left out change no level in any scene whose
+//! numbers are in their documented ranges (colours up to 1, strengths of at least 0). For a display, and for each sample of a pixel with several
+//! samples, levels are steps of 1/4080; there a difference below such a step may still decide whether a pixel's corners differ.
 //!
 //! # Glass
 //!
-//! [`Material`](crate::Material) tells how light divides. A ray that enters an object departs from its surface inwards, one that leaves
-//! departs outwards (see [`Departure`](crate::Departure)): no offset, and no ray that finds the surface again that it has just
-//! left. Transparent objects cast full shadows, and a lamp is not seen through them as a caustic.
+//! [`Material`](crate::Material) defines how light is divided. A ray that enters an object departs from its surface inwards, one that leaves
+//! it departs outwards (see [`Departure`](crate::Departure)), so that no ray hits the surface again that it starts on, without any
+//! offset. Transparent objects cast full shadows, and there are no caustics.
 
 mod antialiasing;
 mod bump;
@@ -78,14 +78,14 @@ use crate::part::Part;
 use crate::scalar::Scalar;
 use crate::scene::Color;
 
-/// What a ray sees.
+/// What a ray sees: radiance and first hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sight<S: Scalar> {
-    /// The colour.
+    /// The radiance.
     pub color: Color<S>,
-    /// The object that the ray met first and the part of its surface; `None` for the background.
+    /// The index of the object of the first hit and the part of its surface; `None` for the background.
     pub seen: Option<(u32, Part)>,
-    /// Which of the first 32 lights add something to the colour of that point, a bit for each, the first light in the lowest; 0 where
-    /// nothing is shaded, as on a perfect mirror.
+    /// Bit mask of the first 32 lights: bit `n` is set if light `n` contributes to the shading of the first hit. 0 if nothing is shaded
+    /// there, as on a perfect mirror.
     pub lit_by: u32,
 }

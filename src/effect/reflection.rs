@@ -5,12 +5,12 @@ use crate::scalar::{Ring, Scalar};
 use crate::scene::Material;
 use crate::vector::{UnitVec3, pairs};
 
-/// The part of the light that the material reflects as a mirror, brought into `[0, 1]`.
+/// The fraction of the light that the material reflects as a mirror, clamped to `[0, 1]`.
 pub(super) fn weight<S: Scalar>(material: &Material<S>) -> S::Real {
     part(material.mirror)
 }
 
-/// A weight brought into `[0, 1]`, so that no ray brings back more light than it finds.
+/// A weight clamped to `[0, 1]`, so that the light along a path never grows.
 pub(super) fn part<S: Scalar>(weight: S) -> S::Real {
     let weight = weight.real();
     if weight >= S::Real::ONE {
@@ -22,9 +22,9 @@ pub(super) fn part<S: Scalar>(weight: S) -> S::Real {
     }
 }
 
-/// The direction in which the viewer is mirrored: `2 (N . V) N - V`.
+/// The direction of the mirrored ray: `2 (N . V) N - V`.
 ///
-/// A bent normal may mirror a grazing ray into the surface; such a ray is mirrored in the true normal.
+/// With a perturbed normal it may point into the surface; then the true normal is used.
 pub(super) fn direction<S: Scalar>(site: &Site<S>) -> UnitVec3<S> {
     let about = |normal: UnitVec3<S>| {
         let cosine = normal.dot(site.to_viewer);

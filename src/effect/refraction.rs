@@ -1,9 +1,9 @@
-//! Light that passes through a surface: Snell's law, Fresnel's equations (as in Born and Wolf, *Principles of Optics*, 1.5),
+//! Transmission through a surface: Snell's law, Fresnel's equations (as in Born and Wolf, *Principles of Optics*, 1.5),
 //! total reflection.
 //!
-//! A surface separates what is before it from what is behind it: light that enters is bent by `1 / refraction`, light that leaves
-//! by `refraction`. This holds for every surface, since a closed hull may be made of triangles or of a tube with two discs.
-//! A lone pane, tube or triangle that is to have the same on both sides has the index 1, and lets light pass straight.
+//! The two sides of every surface are taken to be different media: light that enters is refracted by `1 / refraction`, light that leaves
+//! by `refraction`. That includes open surfaces, since a closed object may consist of triangles, or of a tube and two discs.
+//! A single pane, tube or triangle with the same medium on both sides should have the index 1, which does not bend the light.
 
 use super::reflection::part;
 use super::site::Site;
@@ -12,26 +12,26 @@ use crate::scalar::{Real, Ring, Scalar};
 use crate::scene::Material;
 use crate::vector::{UnitVec3, pairs};
 
-/// What becomes of light at a transparent surface.
+/// How light is divided at a transparent surface.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Split<S: Scalar> {
-    /// Where the light goes that passes; `None` if all of it is reflected.
+    /// The direction of the refracted ray; `None` at total reflection.
     pub(super) through: Option<UnitVec3<S>>,
-    /// True if what is behind the surface is another medium than what is before it.
+    /// True if the refracted ray enters another medium.
     pub(super) changes_medium: bool,
-    /// The part of the ray's light that passes, in `[0, 1]`.
+    /// The fraction of the light that is transmitted, in `[0, 1]`.
     pub(super) passing: S::Real,
-    /// The part that is reflected instead of passing; both together are the material's transmittance.
+    /// The fraction that is reflected by Fresnel's equations. The sum of both is the material's transmittance.
     pub(super) reflected: S::Real,
 }
 
-/// The part of the light that passes or is reflected by Fresnel's equations: what the mirror leaves, at most.
+/// The fraction of the light that is transmitted or reflected by Fresnel's equations: at most `1 - mirror`.
 pub(super) fn transmittance<S: Scalar>(material: &Material<S>) -> S::Real {
     let (rest, transmittance) = (S::Real::ONE - part(material.mirror), part(material.transmittance));
     if transmittance < rest { transmittance } else { rest }
 }
 
-/// How the light of a ray divides here.
+/// How light is divided at a shading point.
 pub(super) fn split<S: Scalar>(material: &Material<S>, site: &Site<S>, crossing: Crossing) -> Split<S> {
     let (zero, one) = (S::Real::ZERO, S::Real::ONE);
     let transmittance = transmittance(material);
@@ -42,10 +42,10 @@ pub(super) fn split<S: Scalar>(material: &Material<S>, site: &Site<S>, crossing:
     if transmittance.is_zero() || index == one || index <= zero || crossing == Crossing::Touch {
         return straight;
     }
-    // How much denser the far side is.
+    // The index of refraction of the far side relative to the near side.
     let denser = if site.from_outside { index } else { one / index };
     let bent = bend(site, site.normal, denser);
-    // A bent normal may send a grazing ray to the wrong side; the true one does not.
+    // With a perturbed normal the refracted ray may be on the wrong side of the surface; with the true normal it is not.
     let bent = match bent {
         Some((through, _)) if site.normal != site.facing && through.dot(site.facing) >= zero => {
             bend(site, site.facing, denser)
@@ -61,11 +61,11 @@ pub(super) fn split<S: Scalar>(material: &Material<S>, site: &Site<S>, crossing:
     }
 }
 
-/// The refracted direction, and the part that is reflected; `None` if all is.
+/// The refracted direction, and the fraction that is reflected; `None` at total reflection.
 fn bend<S: Scalar>(site: &Site<S>, normal: UnitVec3<S>, denser: S::Real) -> Option<(UnitVec3<S>, S::Real)> {
     let (zero, one) = (S::Real::ZERO, S::Real::ONE);
     let cosine = normal.dot(site.to_viewer);
-    // A rounded normal may lean away from a ray that grazes.
+    // For a grazing ray the cosine with a rounded normal may be negative.
     let cosine = if cosine > zero { cosine } else { zero };
     let ratio = one / denser;
     // The square of the refracted ray's cosine: 1 - sin^2 by Snell's law.
@@ -77,7 +77,7 @@ fn bend<S: Scalar>(site: &Site<S>, normal: UnitVec3<S>, denser: S::Real) -> Opti
     let along = ratio * cosine - refracted;
     let direction =
         UnitVec3::from_real(pairs(normal.real(), site.to_viewer.real()).map(|(n, v)| along * n - ratio * v))?;
-    // Fresnel's equations for light that is not polarised: the mean of both polarisations' reflectances.
+    // Fresnel's equations for unpolarised light: the mean of both polarisations' reflectances.
     let across = (cosine - denser * refracted) / (cosine + denser * refracted);
     let within = (refracted - denser * cosine) / (refracted + denser * cosine);
     let reflectance = (across * across + within * within).scaled(-1);

@@ -2,28 +2,28 @@
 
 use core::fmt;
 
-/// Anything beyond the nearest hit. In the order in which lists name them.
+/// An effect. The order is that in which sets list them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Effect {
-    /// Light that a matte surface scatters.
+    /// Diffuse shading.
     Diffuse,
-    /// Highlights.
+    /// Specular highlights.
     Specular,
-    /// Lights that something stands before do not shine.
+    /// Shadows: an occluded light contributes nothing.
     Shadows,
-    /// Mirrors.
+    /// Mirror reflection.
     Reflection,
-    /// Light through transparent objects, bent and partly thrown back.
+    /// Refraction by transparent objects, with Fresnel reflection.
     Refraction,
     /// Colours from a pattern or an image.
     Texture,
-    /// Normals from a pattern of heights.
+    /// Bump mapping.
     Bump,
-    /// Distance takes light away.
+    /// Attenuation by fog.
     Fog,
-    /// More rays where a pixel's corners differ.
+    /// Adaptive supersampling where a pixel's corners differ.
     Antialiasing,
 }
 
@@ -41,7 +41,7 @@ impl Effect {
         Self::Antialiasing,
     ];
 
-    /// The name in messages and on command lines, in small letters.
+    /// The name in messages and on command lines, in lower case.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Diffuse => "diffuse",
@@ -123,31 +123,31 @@ impl EffectSet {
         self.0.count_ones() as usize
     }
 
-    /// The set with one effect more.
+    /// The set with this effect added.
     #[must_use]
     pub const fn with(self, effect: Effect) -> Self {
         self.union(Self::of(effect))
     }
 
-    /// The set less one effect.
+    /// The set with this effect removed.
     #[must_use]
     pub const fn without(self, effect: Effect) -> Self {
         self.difference(Self::of(effect))
     }
 
-    /// What is in either set.
+    /// The union of two sets.
     #[must_use]
     pub const fn union(self, other: Self) -> Self {
         Self(self.0 | other.0)
     }
 
-    /// What is in both sets.
+    /// The intersection of two sets.
     #[must_use]
     pub const fn intersection(self, other: Self) -> Self {
         Self(self.0 & other.0)
     }
 
-    /// What is in this set and not in the other.
+    /// The effects that are in this set and not in the other.
     #[must_use]
     pub const fn difference(self, other: Self) -> Self {
         Self(self.0 & !other.0)

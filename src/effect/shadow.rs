@@ -1,4 +1,4 @@
-//! Whether a light reaches a point: one ray towards it (Appel, *Some Techniques for Shading Machine Renderings of Solids*,
+//! Shadow rays: whether a light reaches a point (Appel, *Some Techniques for Shading Machine Renderings of Solids*,
 //! 1968).
 
 use super::site::{Site, Towards};
@@ -8,13 +8,12 @@ use crate::scalar::Scalar;
 use crate::scene::{Observer, Scene};
 use crate::tier::Tier;
 
-/// True if anything stands between the point and the light of this index.
+/// True if an object occludes the light of this index from the shading point.
 ///
-/// Casts one ray, with the range `[0, distance]`, and is content with any object on it, the one that cast the last
-/// shadow of this light first; no point or normal is computed. Every object that is seen casts the full shadow,
-/// transparent ones too: how glass bends and gathers light is not followed, and a scene file means the same
-/// whether or not refraction is compiled in. Surfaces seen from one side only cast a shadow from that side only. A
-/// point beyond the number type's budget, from which no ray can start, lies in no shadow.
+/// Casts one ray with the range `[0, distance]` and stops at any hit. The object that last occluded this light is tested first. No point or
+/// normal is computed. Transparent objects cast full shadows too: caustics are not computed, and shadows do not depend on whether
+/// refraction is compiled in. A one-sided surface casts a shadow only if the shadow ray hits it from its visible side. A
+/// point beyond the number type's budget, from which no ray can start, is not in shadow.
 pub(super) fn is_shadowed<S: Scalar, T: Tier<S>, O: Observer>(
     scene: &Scene<'_, S, T>,
     site: &Site<S>,

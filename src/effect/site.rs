@@ -1,4 +1,4 @@
-//! A point on a surface, and which way things are from it: what every effect starts from.
+//! Shading point: the point, its normals and the directions that all effects use.
 
 use crate::hit::Crossing;
 use crate::part::Part;
@@ -9,38 +9,38 @@ use crate::shape::Surface;
 use crate::tier::Tier;
 use crate::vector::{UnitVec3, Vec3};
 
-/// A point on a surface.
+/// A shading point.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Site<S: Scalar> {
     /// Index of the object that the point lies on.
     pub(super) object: u32,
-    /// On which part of it.
+    /// The part of its surface.
     pub(super) part: Part,
     /// The point.
     pub(super) point: Vec3<S>,
-    /// The normal of the surface on the side that the ray comes from. It decides which side things are on.
+    /// The geometric normal, on the side that the ray comes from. It decides on which side of the surface a direction is.
     pub(super) facing: UnitVec3<S>,
-    /// The normal for shading, on the same side but for a ray that grazes.
+    /// The shading normal, on the same side except for some grazing rays.
     pub(super) normal: UnitVec3<S>,
-    /// True if the ray comes from outside. The crossing says so, whatever the rounding of the normal.
+    /// True if the ray comes from outside. It is taken from the crossing and does not depend on the rounding of the normal.
     pub(super) from_outside: bool,
-    /// Back along the ray.
+    /// The direction to the viewer, opposite to that of the ray.
     pub(super) to_viewer: UnitVec3<S>,
 }
 
-/// A light as seen from a site.
+/// A light as seen from a shading point.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Towards<S: Scalar> {
     /// Direction of the light.
     pub(super) direction: UnitVec3<S>,
     /// Distance of the light; [`Scalar::INFINITY`] beyond the range of the type.
     pub(super) distance: S,
-    /// Cosine between the shading normal and the light: positive, or there is nothing to shade.
+    /// Cosine of the angle between the shading normal and the direction of the light. It is positive.
     pub(super) cosine: S::Real,
 }
 
 impl<S: Scalar> Site<S> {
-    /// The site of a hit, without textures and bumps.
+    /// The shading point of a hit, before bump mapping.
     pub(super) fn new(
         scene: &Scene<'_, S, impl Tier<S>>,
         object: &Object<S>,
@@ -60,13 +60,13 @@ impl<S: Scalar> Site<S> {
             let mix = |a, b, c| S::Real::sum_of_products([[a, rest], [b, u], [c, v]]);
             UnitVec3::from_real([mix(ax, bx, cx), mix(ay, by, cy), mix(az, bz, cz)])
         });
-        // By the true normal, not by the viewer: near a silhouette the smooth one leans away from whoever looks.
+        // Oriented by the geometric normal and not by the viewer: near a silhouette an interpolated normal may point away from the viewer.
         let normal = smooth.map_or(facing, |smooth| if smooth.dot(facing).is_negative() { -smooth } else { smooth });
         let (object, part) = (on.object, on.hit.part);
         Self { object, part, point: surface.point(), facing, normal, from_outside, to_viewer }
     }
 
-    /// The way to a light; `None` if it stands behind the surface, or in the very point.
+    /// The direction to a light; `None` if the light is behind the surface or at the point itself.
     pub(super) fn towards(&self, light: &Light<S>) -> Option<Towards<S>> {
         let from = if light.distant { Vec3::ZERO } else { self.point };
         let ([lx, ly, lz], [px, py, pz]) = (light.position.real(), from.real());
@@ -81,8 +81,8 @@ impl<S: Scalar> Site<S> {
         })
     }
 
-    /// A ray that leaves the surface, to the viewer's side or through to the other. No offset keeps it off the surface that
-    /// it starts on, the [`Departure`] does. `None` if the point is beyond the number type's budget, where no ray can start.
+    /// A secondary ray, to the viewer's side or, if `through`, to the other side. Its [`Departure`] keeps it from hitting the surface that it
+    /// starts on; there is no offset. `None` if the point is beyond the number type's budget, where no ray can start.
     pub(super) fn ray(&self, direction: UnitVec3<S>, through: bool) -> Option<Ray<S>> {
         let leaving = if self.from_outside == through { Leaving::Inwards } else { Leaving::Outwards };
         let departure = Departure { object: self.object, part: self.part, leaving };

@@ -1,4 +1,4 @@
-//! Highlights: Phong, *Illumination for computer generated pictures* (1975).
+//! Specular highlights: Phong, *Illumination for computer generated pictures* (1975).
 
 use super::site::{Site, Towards};
 use crate::scalar::{Ring, Scalar, UnitScalar};
@@ -6,7 +6,7 @@ use crate::scene::Material;
 
 /// `Ks (R . V)^shine`, with the light's direction mirrored in the normal: `R = 2 (N . L) N - L`.
 ///
-/// A highlight has the colour of the lamp. It is zero where the mirrored ray points away from the viewer.
+/// A highlight has the colour of the light. It is zero where the mirrored direction points away from the viewer.
 pub(super) fn weight<S: Scalar>(material: &Material<S>, site: &Site<S>, towards: &Towards<S>) -> S::Real {
     if material.specular <= S::ZERO {
         return S::Real::ZERO;
@@ -16,7 +16,7 @@ pub(super) fn weight<S: Scalar>(material: &Material<S>, site: &Site<S>, towards:
     if cosine <= S::Real::ZERO {
         return S::Real::ZERO;
     }
-    // Rounded directions can be a hair longer than 1, and a large power would make much of it.
+    // Rounded directions may be slightly longer than 1, which a large power would amplify.
     let cosine = S::unit_round(cosine);
     let cosine = if cosine > S::Unit::ONE { S::Unit::ONE } else { cosine };
     material.specular.real() * S::unit_real(S::power(cosine, material.shine))

@@ -1,4 +1,4 @@
-//! Colours from a pattern over the surface coordinates.
+//! Texture lookup.
 
 use super::field::field;
 use crate::scalar::{Real, Scalar};

@@ -1,4 +1,4 @@
-//! From a ray to a colour: the path of a ray through mirrors and glass, hit by hit.
+//! Tracing of a ray and its secondary rays.
 
 use super::called_for::{EffectError, missing};
 use super::compiled::{All, Effects};
@@ -15,10 +15,10 @@ use crate::shape::Surface;
 use crate::tier::{Stable, Tier};
 use core::marker::PhantomData;
 
-/// Below this weight a ray is faint, as a power of two.
+/// Rays of a smaller weight than this power of two are deferred.
 const FAINT: i32 = -7;
 
-/// Finds out what rays see in a scene, with the effects `E` compiled in; in the scene's accuracy tier `T`.
+/// Computes what rays see in a scene, with the effects `E` compiled in, in the scene's accuracy tier `T`.
 ///
 /// ```
 /// # use raylet::{Camera, Color, Light, Material, Object, Ray, Scene, Shape, Sphere, Tracer, UnitVec3, Vec3, Work};
@@ -40,40 +40,40 @@ const FAINT: i32 = -7;
 #[derive(Clone, Copy, Debug)]
 pub struct Tracer<'a, S: Scalar, E = All, T = Stable> {
     scene: &'a Scene<'a, S, T>,
-    /// What is called for and not left off.
+    /// The effects in use: needed by the scene, compiled in, and not switched off.
     active: EffectSet,
-    /// No ray brings back more light than this in a channel.
+    /// Upper bound of the radiance of any ray, for each channel.
     brightest: [S::Real; 3],
     uncut: bool,
     compiled: PhantomData<E>,
 }
 
-/// A piece of a path: a ray that is to be cast, and what becomes of what it sees.
+/// A ray that is to be cast, with its weight and depth.
 #[derive(Clone, Copy, Debug)]
 struct Segment<S: Scalar> {
     ray: Ray<S>,
-    /// The part of its light that reaches the eye, in `[0, 1]`.
+    /// The fraction of its radiance that reaches the eye, in `[0, 1]`.
     weight: S::Unit,
-    /// How many surfaces lie before it.
+    /// The number of surfaces on the path before it.
     depth: u8,
-    /// Reflection or refraction; `None` for the ray from the eye.
+    /// Reflection or refraction; `None` for the primary ray.
     cause: Option<Effect>,
     /// True inside a transparent object.
     enclosed: bool,
 }
 
-/// What has been gathered for one ray from the eye.
+/// The light that has been gathered for one primary ray.
 #[derive(Clone, Copy, Debug)]
 struct Gathered<S: Scalar> {
     /// The light.
     light: [S::Real; 3],
-    /// What the ray itself met, and the lights that reach it.
+    /// The first hit of the primary ray, and the lights that reach it.
     first: Option<SceneHit<S>>,
     lit_by: u32,
 }
 
 impl<'a, S: Scalar, T: Tier<S>> Tracer<'a, S, All, T> {
-    /// A tracer with all effects compiled in, of which it uses those that the scene calls for.
+    /// A tracer with all effects compiled in. It uses those that the scene needs.
     pub fn new(scene: &'a Scene<'a, S, T>) -> Self {
         Self::leaving_out(scene)
     }
@@ -84,14 +84,14 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Tracer<'a, S, E, T> {
     ///
     /// # Errors
     ///
-    /// [`EffectError`] if the scene calls for an effect that is not among them.
+    /// [`EffectError`] if the scene needs an effect that is not among them.
     pub fn try_new(scene: &'a Scene<'a, S, T>) -> Result<Self, EffectError> {
         missing(scene, E::SET)?;
         Ok(Self::leaving_out(scene))
     }
 
-    /// A tracer with the effects `E` compiled in that knowingly leaves out whatever else the scene calls for: lit without
-    /// shadows, for instance, where there is no time for them.
+    /// A tracer with the effects `E` compiled in, which leaves out any other effects that the scene needs: for instance shading without
+    /// shadows, to save time.
     pub fn leaving_out(scene: &'a Scene<'a, S, T>) -> Self {
         let active = scene.effects().intersection(E::SET);
         let refracts = E::SET.contains(Effect::Refraction) && active.contains(Effect::Refraction);
@@ -105,14 +105,14 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Tracer<'a, S, E, T> {
         Self { scene, active, brightest, uncut: false, compiled: PhantomData }
     }
 
-    /// The same tracer with only those of its effects that are in the set. What the scene calls for besides is left off: shading is
-    /// then black without lamps, mirrors and glass show their own colour, textures are plain, and so on.
+    /// The same tracer with only those of its effects that are in the set. The others are switched off: without shading surfaces are black,
+    /// without reflection and refraction mirrors and glass show only their own shading, without textures the material's colour, and so on.
     #[must_use]
     pub fn only(self, effects: EffectSet) -> Self {
         Self { active: self.active.intersection(effects), ..self }
     }
 
-    /// The same tracer that casts every ray, however little it adds, down to [`DEPTH`]; for tests and measurements.
+    /// The same tracer without the cut-off: it casts every ray down to [`DEPTH`], however small its weight. For tests and measurements.
     #[must_use]
     pub fn uncut(self) -> Self {
         Self { uncut: true, ..self }
@@ -123,26 +123,27 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Tracer<'a, S, E, T> {
         self.scene
     }
 
-    /// The effects in use: those that the scene calls for, less what is not compiled in or left off.
+    /// The effects in use: those that the scene needs, that are compiled in, and that are not switched off.
     pub const fn effects(&self) -> EffectSet {
         self.active
     }
 
-    /// True if the effect is in use. Where it is not compiled in the answer is a constant, and what depends on it is left out.
+    /// True if the effect is in use. For an effect that is not compiled in this is a constant, and the compiler removes the code that
+    /// depends on it.
     #[inline(always)]
     fn uses(&self, effect: Effect) -> bool {
         E::SET.contains(effect) && self.active.contains(effect)
     }
 
-    /// What a ray sees: the nearest surface, shaded, with all that is seen in it and through it, or the background.
+    /// What a ray sees: the radiance from the nearest surface, with reflection and refraction, or that of the background.
     ///
-    /// Only what is called for is computed, and counted in `work`. A ray whose light could not change the colour's eight-bit
-    /// level is not cast: that decision is exact, see [`effect`](crate::effect#the-cut-off).
+    /// Rays and tests are counted in `work`. A ray whose light could not change the colour's eight-bit
+    /// level is not cast; see [`effect`](crate::effect#the-cut-off).
     pub fn look<O: Observer>(&self, ray: &Ray<S>, work: &mut Work<O>) -> Sight<S> {
         self.look_in_levels(ray, 255, work)
     }
 
-    /// As [`Tracer::look`], for a display or a sum of samples that distinguishes so many levels.
+    /// As [`Tracer::look`], with another number of levels for the cut-off, for displays and for sums of samples.
     pub(crate) fn look_in_levels<O: Observer>(&self, ray: &Ray<S>, levels: u16, work: &mut Work<O>) -> Sight<S> {
         let mut gathered = Gathered::new();
         if self.uses(Effect::Refraction) {
@@ -155,14 +156,14 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Tracer<'a, S, E, T> {
         gathered.sight()
     }
 
-    /// The most light that rays of this weight bring back.
+    /// Upper bound of the light that rays of this weight contribute.
     fn at_most(&self, weight: S::Real) -> [S::Real; 3] {
         self.brightest.map(|brightest| weight * brightest)
     }
 
-    /// Follows a ray that is sent on at most once at each surface, until what is left of it cannot matter.
+    /// Follows a path that does not branch, until the rest of it cannot change a level.
     ///
-    /// Not inlined: a ray that is not sent on does without its frame.
+    /// Not inlined, so that tracing a scene without reflection does not take its stack frame.
     #[inline(never)]
     fn follow_chain<O: Observer>(&self, ray: &Ray<S>, gathered: &mut Gathered<S>, levels: u16, work: &mut Work<O>) {
         let mut next = Some(Segment::from_eye(*ray));
@@ -175,9 +176,10 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Tracer<'a, S, E, T> {
         }
     }
 
-    /// Follows a ray that may divide at each surface, until what is left of it cannot matter.
+    /// Follows a path that may branch at each surface, until the rest of it cannot change a level.
     ///
-    /// Faint rays are put aside, and cast last, the strongest first. Not inlined: a ray that is not sent on does without the lists.
+    /// Rays of small weight are deferred, and cast last in order of decreasing weight. Not inlined, so that tracing a scene without refraction
+    /// takes no stack for the lists.
     #[inline(never)]
     fn follow_tree<O: Observer>(&self, ray: &Ray<S>, gathered: &mut Gathered<S>, levels: u16, work: &mut Work<O>) {
         let faint = S::unit_round(S::Real::ONE.scaled(FAINT));
@@ -192,7 +194,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Tracer<'a, S, E, T> {
                         Err(no_room) => onward = no_room,
                     }
                 }
-                // Cannot be full: each depth above the current one has at most one ray waiting, and this one two.
+                // Cannot be full: at most one ray waits for each smaller depth, and two for the current one.
                 let pushed = waiting.push(onward);
                 debug_assert!(pushed.is_ok());
             }
@@ -206,7 +208,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Tracer<'a, S, E, T> {
         }
     }
 
-    /// Casts a ray, gathers the light of what it meets, and says which rays go on from there.
+    /// Casts a ray, gathers the light at its hit, and returns the secondary rays.
     fn meet<O: Observer>(
         &self,
         segment: &Segment<S>,
@@ -249,14 +251,14 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Tracer<'a, S, E, T> {
         self.onward(segment, material, &site, on.hit.crossing, weight)
     }
 
-    /// True if any effect is in use that lets a surface be anything but black.
+    /// True if any effect is in use that makes surfaces other than black.
     fn shows_surfaces(&self) -> bool {
         let light = EffectSet::of(Effect::Diffuse).with(Effect::Specular);
         let shows = light.with(Effect::Reflection).with(Effect::Refraction);
         !E::SET.intersection(shows).intersection(self.active).is_empty()
     }
 
-    /// True if a material shows anything for which its surface must be known more closely; otherwise it is black.
+    /// True if point and normal are needed to shade the material; otherwise the surface is black.
     fn is_seen(&self, material: &Material<S>) -> bool {
         self.uses(Effect::Diffuse) && material.diffuse > S::ZERO
             || self.uses(Effect::Specular) && material.specular > S::ZERO
@@ -264,7 +266,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Tracer<'a, S, E, T> {
             || self.uses(Effect::Refraction) && material.transmits()
     }
 
-    /// Takes the fog's part of a ray's light, and returns the weight of the rest.
+    /// Adds the light of the fog along a ray, and returns the weight of what is behind it.
     fn through_fog<O: Observer>(
         &self,
         weight: S::Real,
@@ -279,8 +281,8 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Tracer<'a, S, E, T> {
         visible
     }
 
-    /// The colour of the surface at a site; its normal leans if it has waves. Surface coordinates are asked for once, and
-    /// only for either of these.
+    /// The colour of the surface at a shading point, and its normal after bump mapping. Surface coordinates are computed once, and only if
+    /// there is a texture or a bump map.
     fn dress<O: Observer>(
         &self,
         material: &Material<S>,
@@ -304,9 +306,9 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Tracer<'a, S, E, T> {
         })
     }
 
-    /// Gathers the light of all lamps that reach a site, and returns which of the first 32 do.
+    /// Adds the light of all light sources that reach a shading point, and returns which of the first 32 do.
     ///
-    /// A lamp behind the surface, or one that would add nothing, is not asked for: no shadow ray goes there.
+    /// No shadow ray is cast to a light that is behind the surface or would contribute nothing.
     fn shade<O: Observer>(
         &self,
         material: &Material<S>,
@@ -345,7 +347,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Tracer<'a, S, E, T> {
         lit_by
     }
 
-    /// The rays that go on from a site: mirrored, and refracted.
+    /// The secondary rays of a shading point: mirrored and refracted.
     fn onward(
         &self,
         segment: &Segment<S>,
@@ -370,7 +372,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Tracer<'a, S, E, T> {
             if let Some(through) = split.through
                 && let Some(weight) = stored::<S>(weight * split.passing)
             {
-                // A ray that only touches stays on its side.
+                // A ray that only touches stays on the same side.
                 let passes = crossing != Crossing::Touch;
                 *refracted = site.ray(through, passes).map(|ray| Segment {
                     ray,
@@ -396,7 +398,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Tracer<'a, S, E, T> {
     }
 }
 
-/// A weight as it is stored, at most 1; `None` if it is nothing.
+/// A weight as it is stored, at most 1; `None` if it rounds to zero.
 fn stored<S: Scalar>(weight: S::Real) -> Option<S::Unit> {
     use crate::scalar::UnitScalar;
     let weight = S::unit_round(weight);
@@ -456,7 +458,7 @@ impl<S: Scalar> Gathered<S> {
 mod tests {
     use super::*;
 
-    /// The stack that waiting rays take is as published.
+    /// The size that the documentation of [`DEPTH`] states.
     #[test]
     fn a_waiting_ray_takes_no_more_than_64_bytes() {
         assert!(size_of::<Segment<f32>>() <= 64, "{}", size_of::<Segment<f32>>());

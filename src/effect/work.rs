@@ -1,43 +1,43 @@
-//! What is carried along while pixels are traced.
+//! Trace context: counters, observer and shadow cache.
 
 use crate::scene::{Counters, Observer};
 
-/// How many lights have a memory.
+/// The number of lights in the shadow cache.
 const REMEMBERED: usize = 8;
-/// No object has this index: a scene has fewer.
+/// No object: a scene has fewer objects than this.
 const NOBODY: u32 = u32::MAX;
 
-/// The counters of the work, a small memory that saves some of it, and whoever listens.
+/// Trace context: the counters, a shadow cache and an observer.
 ///
-/// Neighbouring points mostly lie in the shadow of the same thing: the memory holds, for each of the first 8 lights,
-/// the object that shaded the last point, if one did, to be asked first. It never changes what is seen, only what it costs; it is
-/// forgotten at the start of every row, so that the cost of a row is the same whoever traces it.
+/// The shadow cache holds, for each of the first 8 lights, the object that occluded it from the last shading point, if any. That object is
+/// tested first, since neighbouring points are often in the shadow of the same object. The cache never changes a result, only the number of
+/// tests. It is cleared at the start of every row, so that the cost of a row does not depend on the rows before it.
 #[derive(Clone, Debug)]
 pub struct Work<O = ()> {
-    /// What was done.
+    /// Counters of rays and tests.
     pub counters: Counters,
-    /// Is told of every intersection test.
+    /// Called after every intersection test.
     pub observer: O,
     occluders: [u32; REMEMBERED],
 }
 
 impl<O: Observer> Work<O> {
-    /// Nothing done yet.
+    /// A context with all counters at zero and an empty cache.
     pub fn new(observer: O) -> Self {
         Self { counters: Counters::default(), observer, occluders: [NOBODY; REMEMBERED] }
     }
 
-    /// Forgets which objects cast the last shadows, as at the start of a row.
+    /// Clears the shadow cache, as at the start of a row.
     pub fn forget(&mut self) {
         self.occluders = [NOBODY; REMEMBERED];
     }
 
-    /// The object that shaded the last point from this light.
+    /// The object that occluded this light from the last point.
     pub(super) fn last_occluder(&self, light: u32) -> Option<u32> {
         self.occluders.get(light as usize).copied().filter(|object| *object != NOBODY)
     }
 
-    /// Notes the object that shades a point from this light, or that none does.
+    /// Stores the object that occludes this light from a point, or that none does.
     pub(super) fn remember_occluder(&mut self, light: u32, object: Option<u32>) {
         if let Some(last) = self.occluders.get_mut(light as usize) {
             *last = object.unwrap_or(NOBODY);
@@ -55,7 +55,7 @@ impl<O: Observer + Default> Default for Work<O> {
 mod tests {
     use super::*;
 
-    /// One memory for all lights would be right as well, and cost a test more at most points.
+    /// One entry for all lights would give the same results with more tests.
     #[test]
     fn each_light_has_a_memory_of_its_own() {
         let mut work = Work::new(());

@@ -1,6 +1,6 @@
-//! Scenes to try a display, a number type or a set of effects with: built without allocation, the same on every machine.
+//! Built-in scenes, to try a display, a number type or a set of effects with. They are built without allocation.
 //!
-//! The example `render` draws them on the host, the firmware on its chips; [`BuiltIn::EVERY`] lists them.
+//! The example `render` draws them on a host, and the firmware on its chips. [`BuiltIn::EVERY`] lists them.
 //!
 //! ```
 //! use raylet::gallery::BuiltIn;
@@ -25,17 +25,17 @@ use crate::{
 use core::fmt;
 use heapless::Vec;
 
-/// The scenes by name.
+/// A built-in scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum BuiltIn {
     /// Every solid once, on a plane: diffuse, specular, shadows.
     StillLife,
-    /// Solids with materials of their own on base and top, and patterns and an image on them.
+    /// Solids with different materials on base and top, with procedural textures and an image.
     Patterns,
     /// Glass and mirrors on a chessboard.
     Glass,
-    /// Waves on water and on solids, before a hazy row of columns.
+    /// Bump-mapped water and solids in front of rows of columns in fog.
     Waves,
 }
 
@@ -43,7 +43,7 @@ impl BuiltIn {
     /// All of them.
     pub const EVERY: [Self; 4] = [Self::StillLife, Self::Patterns, Self::Glass, Self::Waves];
 
-    /// As it is called on the command line.
+    /// The name on the command line.
     pub const fn name(self) -> &'static str {
         match self {
             Self::StillLife => "still-life",
@@ -53,7 +53,7 @@ impl BuiltIn {
         }
     }
 
-    /// What it shows, in a line.
+    /// A description in one line.
     pub const fn about(self) -> &'static str {
         match self {
             Self::StillLife => "Every solid once, on a plane: diffuse, specular, shadows",
@@ -63,7 +63,7 @@ impl BuiltIn {
         }
     }
 
-    /// The scene in any number type that holds numbers up to 100, which all of raylet's do; otherwise `None`.
+    /// Builds the scene. `None` if the number type does not hold its numbers, which go up to 100.
     pub fn build<S: Scalar>(self) -> Option<Stage<S>> {
         match self {
             Self::StillLife => still_life::build(),
@@ -80,7 +80,7 @@ impl fmt::Display for BuiltIn {
     }
 }
 
-/// A scene's lists, and what it has beside them: [`Stage::scene`] borrows it all.
+/// The lists of a scene with its fog, background and camera. [`Stage::scene`] borrows them.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Stage<S: Scalar> {
@@ -94,9 +94,9 @@ pub struct Stage<S: Scalar> {
     pub textures: Vec<Texture<'static, S>, 5>,
     /// The fog, if there is any.
     pub fog: Option<Fog<S>>,
-    /// The colour of rays that meet nothing.
+    /// The background.
     pub background: Color<S>,
-    /// Where the picture is taken from.
+    /// The camera.
     pub camera: Camera<S>,
 }
 
@@ -105,14 +105,14 @@ impl<S: Scalar> Stage<S> {
     ///
     /// # Errors
     ///
-    /// None for a stage as it was built; for one whose lists were changed, those of [`Scene::new`] and [`Scene::with_textures`].
+    /// Those of [`Scene::new`] and [`Scene::with_textures`], if the lists were changed after the stage was built.
     pub fn scene(&self) -> Result<Scene<'_, S>, SceneError> {
         let scene = Scene::new(&self.objects, &self.materials, &self.lights, self.camera)?;
         let scene = scene.with_background(self.background).with_textures(&self.textures)?;
         Ok(self.fog.map_or(scene, |fog| scene.with_fog(fog)))
     }
 
-    /// Objects under two lights before the usual camera, in clear air.
+    /// Objects with two lights and the default camera, without fog.
     fn new(
         objects: impl IntoIterator<Item = Object<S>>,
         materials: impl IntoIterator<Item = Material<S>>,
@@ -132,7 +132,7 @@ impl<S: Scalar> Stage<S> {
     }
 }
 
-/// A list of all items; `None` if there is no room.
+/// A list of all items; `None` if they exceed its capacity.
 fn all<T, const N: usize>(items: impl IntoIterator<Item = T>) -> Option<Vec<T, N>> {
     let mut list = Vec::new();
     for item in items {

@@ -1,4 +1,4 @@
-//! Solids with materials of their own on base and top, and patterns and an image on them: what the Neutral File Format cannot say.
+//! Solids with different materials on base and top, with procedural textures and an image. The Neutral File Format has none of these.
 
 use super::{Stage, all, floor, matte, number, on_y, point};
 use crate::scene::Coordinate;

@@ -1,4 +1,4 @@
-//! Waves on water and on solids, before a hazy row of columns.
+//! Bump-mapped water and solids in front of rows of columns in fog.
 
 use super::{Stage, floor, matte, number, on_y, point};
 use crate::scalar::UnitScalar;

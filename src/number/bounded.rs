@@ -1,19 +1,19 @@
-//! The robust number with a bound of its error.
+//! The robust number with an error bound.
 
 use super::word::Word;
 use super::{Estimate, Limbs, Number, Parts, Ring};
 use core::cmp::Ordering;
 
-/// A number of `64 N` bits, and the exponent of a power of two that its distance from the true value does not exceed (running error
-/// analysis: Higham, *Accuracy and Stability of Numerical Algorithms*, 3.3).
+/// A mantissa and exponent, and the exponent of a power of two that bounds the error (running error analysis: Higham, *Accuracy and
+/// Stability of Numerical Algorithms*, 3.3).
 #[derive(Clone, Copy, Debug)]
 pub struct Bounded<W> {
     value: Limbs<W>,
-    /// [`EXACT`] where nothing has been cut off.
+    /// The exponent of the error bound; [`EXACT`] if no bits have been cut off.
     error: i32,
 }
 
-/// The error of an exact number: a power of two below all others.
+/// The exponent of the error bound of an exact number, below all others.
 const EXACT: i32 = i32::MIN;
 
 impl<W: Word> Bounded<W> {
@@ -23,7 +23,7 @@ impl<W: Word> Bounded<W> {
         Self::exact(Limbs::from_integer(mantissa, exponent, negative))
     }
 
-    /// The value, if it is off by at most the power of two that `most` makes of its top.
+    /// The value, if its error is at most `2^most(top)`, where `2^top` is just above its magnitude.
     #[inline]
     pub(crate) fn within(self, most: impl Fn(i32) -> i32) -> Option<Limbs<W>> {
         (self.error == EXACT || self.error <= most(self.value.exponent())).then_some(self.value)
@@ -105,7 +105,7 @@ fn cut<W: Word>(value: &Limbs<W>, is_cut: bool) -> i32 {
     if is_cut { value.exponent() - Limbs::<W>::BITS } else { EXACT }
 }
 
-/// What the errors of two factors make of their product's.
+/// The error of a product from the errors of its factors.
 #[inline(always)]
 fn product_error<W: Word>([a, b]: [Bounded<W>; 2]) -> Total {
     let both = if a.error == EXACT { EXACT } else { times(a.error, b.error) };

@@ -1,7 +1,7 @@
-//! Doubles with a filter: the first rung of `Exact` for `f32`.
+//! Doubles with an error bound: the first number of `Exact` for `f32`, after the fast path.
 //!
-//! A polynomial is computed twice: once, and once of the magnitudes of its inputs with every sign positive. The rounding errors of the
-//! first are together a small part of the second, so that a value above that part has a certain sign (semi-static filter: Burnikel,
+//! A polynomial is computed twice: once as it is, and once with the magnitudes of its inputs and every sign positive. All rounding errors of
+//! the first together are less than a known fraction of the second, so that a value above that has a certain sign (semi-static filter: Burnikel,
 //! Funke and Seel, *Exact Geometric Computation Using Cascading*, 2001; Devillers and Pion, *Efficient Exact Geometric Predicates for
 //! Delaunay Triangulations*, 2003).
 
@@ -15,11 +15,11 @@ pub struct Filtered {
     magnitude: f64,
 }
 
-/// Inputs below this are left to other numbers: no polynomial of the solver has so high a power of 2^-60 that it underflows.
+/// The sign of a polynomial of smaller inputs is unknown. With inputs of at least 2^-60 no polynomial of the solver underflows.
 const SMALLEST: f64 = 1.0 / (1u64 << 60) as f64;
 
-/// No term has more than sixteen factors, and no factor more than four roundings of 2^-53 behind it, the way into a frame included; sums
-/// add a dozen. Together they are less than 2^-46 of the magnitude.
+/// No term has more than sixteen factors, and no factor has more than four roundings of 2^-53, including those of the transformation into a
+/// frame. Sums add a dozen. Together they are less than 2^-46 of the magnitude.
 const DOUBT: f64 = 1.0 / (1u64 << 44) as f64;
 
 impl Filtered {
@@ -29,7 +29,7 @@ impl Filtered {
         Self::guarded(value, value.abs())
     }
 
-    /// One whose magnitude is too small to trust has an infinite one, and so has all that it goes into.
+    /// A number that may underflow gets an infinite magnitude, and so does every result that is computed from it.
     #[inline(always)]
     fn guarded(value: f64, magnitude: f64) -> Self {
         Self { value, magnitude: if magnitude < SMALLEST && magnitude != 0.0 { f64::INFINITY } else { magnitude } }
@@ -78,7 +78,7 @@ impl Number for Filtered {
     }
 }
 
-/// The sign of a value that is off by at most so much. Of what overflowed nothing is known: comparisons with it are false.
+/// The sign of a value with this error bound; `None` if it overflowed, since comparisons with NaN are false.
 #[inline(always)]
 fn sign(value: f64, error: f64) -> Option<Ordering> {
     if value > error {
@@ -93,7 +93,7 @@ fn sign(value: f64, error: f64) -> Option<Ordering> {
     }
 }
 
-/// A double that is off by at most so much, but for roundings of `error` itself: it is twice what it need be to make up for them.
+/// A double with an error bound. The bound is twice as large as necessary, which covers the rounding of its own computation.
 #[derive(Clone, Copy, Debug)]
 pub struct Rounded {
     value: f64,
@@ -107,7 +107,7 @@ impl Rounded {
         Self { value, error: 0.0 }
     }
 
-    /// The value, if it is off by at most the power of two that `most` makes of its top.
+    /// The value, if its error is at most `2^most(top)`, where `2^top` is just above its magnitude.
     #[inline(always)]
     pub(crate) fn within(self, most: impl Fn(i32) -> i32) -> Option<f64> {
         (self.error <= power_of_two(most(top(self.value)))).then_some(self.value)

@@ -1,8 +1,8 @@
 //! Integers of a fixed capacity, times a power of two.
 //!
 //! Sums and products of scalars are exact in them, whatever the exponents, so that every sign is certain. They cost a hundred times
-//! as much as the bounded number, which is why it is tried first. Schoolbook arithmetic on 32-bit limbs: numbers keep only the limbs
-//! that they use, and those of everyday inputs are few.
+//! as much as the bounded number, which is therefore tried first. The arithmetic is schoolbook, on 32-bit limbs. A number has only as
+//! many limbs as it needs, which for usual inputs are few.
 
 use super::{Bounded, Limbs, Number, Parts, Ring};
 use core::cmp::Ordering;
@@ -34,7 +34,7 @@ impl<const N: usize> Integer<N> {
         usize::try_from(index).ok().and_then(|index| self.limbs.get(index)).copied().unwrap_or(0)
     }
 
-    /// Adds `value * 2^(32 index)` to the limbs; what carries beyond the capacity is lost, which the capacity forbids.
+    /// Adds `value * 2^(32 index)` to the limbs. A carry beyond the capacity would be lost; the capacity is chosen so that there is none.
     #[inline]
     fn accumulate(&mut self, mut index: usize, mut value: u64) {
         while value != 0 {

@@ -1,10 +1,10 @@
 //! Floating-point numbers made of integers: the same bits on every machine.
 //!
 //! A number is a sign, a mantissa whose top bit is set, and an exponent of 32 bits, so that nothing overflows or underflows in a
-//! solver. Results are cut off towards zero, which keeps mirrored rays mirrored: an operation is off by less than one unit of its
-//! last place. The operation that everything else is made of is a *sum of products*: products are held in twice the width, added
-//! there, and cut off once (as the "long accumulator" of Kulisch, *Advanced Arithmetic for the Digital Computer*, 2002, but of one
-//! width). Where products cancel, the sum keeps the bits that are left.
+//! solver. Results are truncated towards zero, so that mirrored rays have mirrored results; the error of an operation is less than one unit in
+//! the last place. The basic operation is a *sum of products*: products are computed in twice the width, added, and truncated once (like the
+//! "long accumulator" of Kulisch, *Advanced Arithmetic for the Digital Computer*, 2002, but of fixed width). If products cancel, the bits that
+//! remain are exact.
 
 use super::Ring;
 use super::word::{Wide, Word};
@@ -18,7 +18,7 @@ pub struct Limbs<W> {
     pub(super) negative: bool,
 }
 
-/// Of zero, below the exponent of any number of the solvers, and far from the end of its type.
+/// The exponent of zero: below that of any number of the solvers, and far from the limit of its type.
 pub(super) const ZERO_EXPONENT: i32 = -(1 << 28);
 
 /// Bits above a product in a sum: four of them stay below the sign.
@@ -68,7 +68,7 @@ impl<W: Word> Limbs<W> {
         self.negative
     }
 
-    /// The exponent of a power of two above the magnitude, of which the half is not above it.
+    /// The exponent of the smallest power of two above the magnitude.
     #[inline(always)]
     pub(crate) const fn exponent(&self) -> i32 {
         self.exponent
@@ -139,8 +139,8 @@ impl<W: Word> Limbs<W> {
 
     /// The sum of at most four products, and whether bits of it were cut off, if that is to be checked.
     ///
-    /// One function for any number of products of the short words, which are linked on the smallest chips; of the long ones one for each
-    /// number, which is a quarter faster.
+    /// For short words there is one function for any number of products, which saves flash on the smallest chips. For long words there is one
+    /// for each number of products, which is a quarter faster.
     #[inline]
     pub(crate) fn sum_of_products<const M: usize, const CHECK: bool>(terms: &[[Self; 2]; M]) -> (Self, bool) {
         const { assert!(M <= 4) };
@@ -200,8 +200,8 @@ impl<W: Word> Limbs<W> {
         Self::shortened(mantissa.root(), (self.exponent + is_odd as i32) >> 1, false)
     }
 
-    /// From a mantissa without its highest bit or with it, rounded to some bits less, so that a quotient or a root with few bits comes
-    /// out as it is, and a tie as a tie.
+    /// From a mantissa with or without its highest bit, rounded to a few bits less, so that a quotient or a root with few bits is exact, and
+    /// a tie is a tie.
     #[inline(always)]
     fn shortened(mantissa: W, exponent: i32, negative: bool) -> Self {
         let zeros = mantissa.leading_zeros();
@@ -216,7 +216,7 @@ impl<W: Word> Limbs<W> {
     }
 }
 
-/// A product of this exponent in a sum of which `2^top` is above all, and whether bits of it fall off.
+/// A product with this exponent, aligned for a sum whose terms are all below `2^top`, and whether bits of it were lost.
 #[inline(always)]
 fn term<V, D: Wide<V>, const CHECK: bool>(product: D, top: i32, exponent: i32, negative: bool) -> (D, bool) {
     let down = top.wrapping_sub(exponent) as u32 + HEADROOM;

@@ -1,17 +1,17 @@
-//! The ladder of computing numbers.
+//! The numbers that solvers compute in.
 //!
-//! A solver is written once, over a [`Number`] whose sign may be unknown. It runs in the cheapest number that is good enough and,
-//! where that cannot tell a sign, again in the next:
+//! A solver is generic over a [`Number`] whose sign may be unknown. It runs in the cheapest number first. If that does not know a sign,
+//! the solver runs again in the next:
 //!
 //! | number | sign | used by |
 //! |---|---|---|
-//! | [`Twofold`](crate::scalar::Twofold) | | points and normals, where it is enough |
+//! | [`Twofold`](crate::scalar::Twofold) | not used | points and normals, where it is accurate enough |
 //! | [`Robust`] | that of the rounded value | `Fast` and `Stable`, where their fast path is unsure |
-//! | [`Filtered`] | unknown where a value is small beside its terms | `Exact` |
-//! | [`Bounded`] | unknown where the error bound allows both | `Exact`, where [`Filtered`] does not know |
-//! | [`Integer`] | always certain | `Exact`, where [`Bounded`] does not know |
+//! | [`Filtered`] | unknown if a value is small relative to its terms | `Exact` |
+//! | [`Bounded`] | unknown if the value is within its error bound of zero | `Exact`, where a sign is unknown in [`Filtered`] |
+//! | [`Integer`] | always certain | `Exact`, where a sign is unknown in [`Bounded`] |
 //!
-//! The first rung of all tiers, the fast path in a type's own width, is not made of these numbers.
+//! All tiers take a fast path before that, in the number type's own width. It does not use these numbers.
 
 /// The operators of a number with the methods `plus`, `negative` and `times`.
 macro_rules! operators {
@@ -72,14 +72,14 @@ pub use robust::Robust;
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
 
-/// Numbers that can be added and multiplied: all that a placement needs.
+/// Numbers that can be added and multiplied. A placement needs no other operations.
 pub trait Ring: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self> {
     /// Zero.
     const ZERO: Self;
     /// One.
     const ONE: Self;
 
-    /// A sum of products, cut off once.
+    /// A sum of products, rounded once.
     #[inline(always)]
     fn sum<const M: usize>(terms: [[Self; 2]; M]) -> Self {
         let mut sum = Self::ZERO;
@@ -92,14 +92,14 @@ pub trait Ring: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Se
     fn scaled(self, e: i32) -> Self;
 }
 
-/// A number of which the sign is either known or not told.
+/// A number whose sign may be unknown.
 pub trait Number: Ring {
-    /// The kind in which quotients and square roots are taken.
+    /// The type of approximate quotients and square roots.
     type Estimate: Estimate;
 
-    /// How it compares with zero; `None` if that cannot be told.
+    /// How it compares with zero; `None` if that is unknown.
     fn sign(self) -> Option<Ordering>;
-    /// The number to so many bits as quotients and roots take.
+    /// The number rounded to [`Number::Estimate`].
     fn estimate(self) -> Self::Estimate;
 }
 
@@ -109,9 +109,9 @@ pub trait Estimate: Number<Estimate = Self> {
     fn over(self, other: Self) -> Self;
     /// The square root of a number that is not negative.
     fn square_root(self) -> Self;
-    /// How it compares with another; `None` if that cannot be told.
+    /// How it compares with another; `None` if that is unknown.
     fn compare(self, other: Self) -> Option<Ordering>;
-    /// The exponent of a power of two just above the magnitude; `None` for zero.
+    /// The exponent of the smallest power of two above the magnitude; `None` for zero.
     fn top(self) -> Option<i32>;
 }
 

@@ -1,12 +1,12 @@
-//! The robust number: enough bits that the sign of the rounded value is taken at its word.
+//! The robust number: it has so many bits that the sign of the rounded value is used as the sign.
 
 use super::limbs::ZERO_EXPONENT;
 use super::word::Word;
 use super::{Estimate, Limbs, Number, Parts, Ring};
 use core::cmp::Ordering;
 
-/// A number of 64 bits, for `f32` and 32-bit fixed point, or of 128, for `f64` and 64-bit fixed point: `docs/design/robust-number.md`
-/// derives why these are enough.
+/// A number of 64 bits for `f32` and 32-bit fixed point, or of 128 bits for `f64` and 64-bit fixed point. `docs/design/robust-number.md`
+/// derives why that is enough.
 pub type Robust<W> = Limbs<W>;
 
 impl<W: Word> Limbs<W> {

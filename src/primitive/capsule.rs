@@ -10,7 +10,7 @@ use crate::scalar::{Attempt, LocalLine, Real, Ring, Scalar, found};
 use crate::vector::{UnitVec3, Vec3};
 use core::cmp::Ordering;
 
-/// A cylinder with hemispherical caps; its height excludes them. Also: a sphere swept along a segment.
+/// A cylinder with hemispherical caps, which its height does not include; in other words a sphere swept along a segment.
 ///
 /// ```
 /// use raylet::{Capsule, Part, Ray, UnitVec3, Vec3};
@@ -29,7 +29,7 @@ pub struct Capsule<S> {
 }
 
 impl<S: Scalar> Capsule<S> {
-    /// A capsule of this radius whose straight side has this height; zero makes it a sphere.
+    /// A capsule of this radius whose straight side has this height. A height of zero makes it a sphere.
     ///
     /// # Errors
     ///
@@ -51,8 +51,8 @@ impl<S: Scalar> Capsule<S> {
         self.height
     }
 
-    /// The true end for one of the infinite tube, if the fast path tells: that itself between the seams, and beyond them the one of the
-    /// ball there, which is asked with the line as it sees it.
+    /// The end of the line's interval in the capsule, for one end in the infinite tube: the same point if it lies between the seams,
+    /// otherwise the end in the ball beyond the seam, which `of_ball` computes from the line relative to the ball's centre.
     #[inline(always)]
     fn fast_end(
         &self,
@@ -76,7 +76,7 @@ impl<S: Scalar> Capsule<S> {
 }
 
 impl<S: Copy> Capsule<S> {
-    /// Of the sizes that `f` makes of these.
+    /// The capsule with `f` applied to its sizes.
     #[inline(always)]
     fn map<R>(self, f: impl Fn(S) -> R) -> Capsule<R> {
         Capsule { radius: f(self.radius), height: f(self.height) }
@@ -153,9 +153,10 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
 
     /// `v` is the length of the outline from the lowest point, as a fraction of the whole.
     fn uv(&self, point: Vec3<S>, part: Part) -> (S::Unit, S::Unit) {
-        // An eighth of each, so that the whole outline of the largest capsule is a number.
+        // An eighth of each, so that the length of the outline does not overflow for the largest capsule.
         let [radius, height, y] = [self.radius, self.height, point.y].map(|size| size.real().scaled(-3));
-        // An arc of a quarter turn: r pi / 2, with pi / 2 = 11 / 7 within 1/2000; texture needs no more, but ends must meet.
+        // An arc of a quarter turn: r pi / 2, with pi / 2 = 11 / 7 within 1/2000. That is accurate enough for textures, and the parts join
+        // without a gap.
         let quarter = radius * (S::Real::from_int(11) / S::Real::from_int(7));
         let along = match part {
             Part::Base => S::unit_real(super::sphere::latitude(point)) * quarter.scaled(1),

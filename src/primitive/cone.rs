@@ -15,7 +15,7 @@ use crate::ray::Ray;
 use crate::scalar::{Attempt, InNappe, LocalLine, Real, Scalar, found, largest};
 use crate::vector::{UnitVec3, Vec3};
 
-/// How far a cone reaches, and whether it is closed.
+/// The extent of a cone along its axis, and whether it is closed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 enum Extent<S> {
@@ -25,7 +25,9 @@ enum Extent<S> {
     Capped(S),
 }
 
-/// A cone about the y axis: double, one nappe, or cut off at a height, open or with flat caps.
+/// A cone about the y axis: double (both nappes, infinite), one infinite nappe, or of finite height, open or with flat caps.
+///
+/// The slope is the radius divided by the distance from the apex along the axis.
 ///
 /// ```
 /// use raylet::{Cone, Crossing, Part, Ray, UnitVec3, Vec3};
@@ -45,7 +47,7 @@ pub struct Cone<S> {
 }
 
 impl<S: Scalar> Cone<S> {
-    /// Two nappes without ends: `x^2 + z^2 = slope^2 y^2`.
+    /// Two infinite nappes: `x^2 + z^2 = slope^2 y^2`.
     ///
     /// # Errors
     ///
@@ -54,7 +56,7 @@ impl<S: Scalar> Cone<S> {
         Ok(Self { outline: checked_slope(slope)?, extent: Extent::Double })
     }
 
-    /// The nappe above the apex, without end.
+    /// The infinite nappe above the apex.
     ///
     /// # Errors
     ///
@@ -145,7 +147,7 @@ fn checked_radii<S: Scalar>(base: S, top: S, height: S) -> Result<Outline<S>, Si
 }
 
 impl<S: Scalar> Cone<S> {
-    /// The planes that cut it off; there is none where the radius is zero, for the apex ends it there.
+    /// The planes of its caps. There is no plane at an end where the radius is zero: the apex ends the cone there.
     fn planes(&self) -> (Option<S>, Option<S>) {
         let low = (self.base_radius() != S::ZERO).then_some(S::ZERO);
         let high = match self.outline {
@@ -157,7 +159,7 @@ impl<S: Scalar> Cone<S> {
 }
 
 impl<S: Scalar> Cone<S> {
-    /// The radius at `y = 0`, its growth and the height over which it grows so much (`None`: 1), for the fast path.
+    /// For the fast path: the radius at `y = 0`, the difference to the radius at some height, and that height (`None` for 1).
     #[inline(always)]
     fn fast_outline(&self) -> (S, S, Option<S>) {
         match self.outline {
@@ -166,7 +168,7 @@ impl<S: Scalar> Cone<S> {
         }
     }
 
-    /// The line between the heights that end it, if the fast path tells. Where the apex ends a solid there is no plane.
+    /// The line's interval between the two heights, if the fast path is sure. At an end that is an apex there is no plane.
     #[inline(always)]
     fn fast_slab<'a>(&self, line: &'a LocalLine<S>, height: S) -> Attempt<Slab<'a, S>> {
         let mut slab = found!(Slab::new(line, S::ZERO, height));
@@ -185,7 +187,7 @@ impl<S: Scalar> Cone<S> {
 }
 
 impl<S: Copy> Cone<S> {
-    /// Of the slope or the sizes that these functions make of its own.
+    /// The cone with `of_slope` applied to its slope, or `of_size` to its sizes.
     #[inline(always)]
     fn map<R>(self, of_slope: impl Fn(S) -> R, of_size: impl Fn(S) -> R) -> Cone<R> {
         let outline = match self.outline {
@@ -214,7 +216,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         match (self.outline, self.height()) {
             (Outline::Radii(base, top, height), _) => base.plus(top).plus(height),
             (Outline::Slope(slope), Some(height)) => S::round(slope.real() * height.real()).plus(height),
-            // The apex is all there is to be near to: any distance from it may be far.
+            // An infinite cone from its apex has no characteristic size.
             (Outline::Slope(_), None) => S::ZERO,
         }
     }
@@ -260,7 +262,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
             return if certain == [true; 2] { Attempt::Found(Intersection::One(side)) } else { Attempt::Unsure };
         };
         let slab = found!(self.fast_slab(line, height));
-        // An end that is somewhere beyond must not be asked for.
+        // An end of the nappe that is not certain must be cut off by the slab.
         let is_cut = (certain[0] || slab.span.enter.t > low) && (certain[1] || slab.span.exit.t < high);
         if slab.is_close_to(&side) || !is_cut {
             return Attempt::Unsure;
@@ -285,8 +287,8 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         let side = End::new(side, Part::Side);
         let Extent::Capped(height) = self.extent else { return Attempt::Found(side) };
         let slab = found!(self.fast_slab(line, height));
-        // An end that is somewhere beyond must not be taken; and one of floats, from the rounded coordinates of a start on a cap, may be
-        // some units more off than is promised.
+        // An end of the nappe that is not certain must be cut off by the slab. One that follows from the rounded coordinates of a start on a
+        // cap may be some units more off than is promised of floats.
         let is_good = is_certain && (from == Part::Side || !S::RELATIVE);
         if is_good || slab.span.exit.t < side.t { slab.exit(side, from) } else { Attempt::Unsure }
     }
@@ -325,7 +327,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
                 let point = height.map_or(point, |height| coordinates::between(point, height));
                 let (g1, h) = (profile.g1(), profile.h);
                 if g1.abs() > h && !h.is_zero() {
-                    // Flatter than 45 degrees: the side is nearest along the axis.
+                    // Flatter than 45 degrees: the nearest point of the side is found by moving along the axis.
                     let [x, _, z] = point.real();
                     let g = (x * x + z * z).sqrt() * h;
                     let g = if profile.at(point.y.real()).is_negative() { -g } else { g };
@@ -333,7 +335,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
                     let point = Vec3 { y, ..point };
                     return height.map_or(point, |height| coordinates::between(point, height));
                 }
-                // So flat that its height is nothing beside its radii: one circle is as near as another.
+                // So flat that its height rounds to zero beside its radii: any circle between them will do.
                 let radius = if profile.h.is_zero() {
                     self.base_radius().real()
                 } else {
@@ -344,8 +346,8 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         }
     }
 
-    /// On the side `(x / rho, -m, z / rho)`, normalised (on the lower nappe of a double cone `+m`); at the apex the axis,
-    /// pointing away from the body.
+    /// On the side `(x / rho, -m, z / rho)`, normalised, with the distance `rho` from the axis and the slope `m` (on the lower nappe of a
+    /// double cone `+m`). At the apex it is the axis, pointing away from the body.
     fn normal(&self, point: Vec3<S>, part: Part) -> UnitVec3<S> {
         match part {
             Part::Base => return -UnitVec3::Y,

@@ -10,7 +10,7 @@ use crate::part::Part;
 use crate::scalar::{Attempt, LocalLine, Scalar, found};
 use crate::vector::{UnitVec3, Vec3};
 
-/// How far a cylinder reaches along its axis, and whether it is closed.
+/// The extent of a cylinder along its axis, and whether it is closed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 enum Extent<S> {
@@ -38,7 +38,7 @@ pub struct Cylinder<S> {
 }
 
 impl<S: Scalar> Cylinder<S> {
-    /// Without ends.
+    /// An infinite cylinder.
     ///
     /// # Errors
     ///
@@ -82,7 +82,7 @@ impl<S: Scalar> Cylinder<S> {
 }
 
 impl<S: Copy> Cylinder<S> {
-    /// Of the sizes that `f` makes of these.
+    /// The cylinder with `f` applied to its sizes.
     #[inline(always)]
     fn map<R>(self, f: impl Fn(S) -> R) -> Cylinder<R> {
         let extent = match self.extent {

@@ -42,7 +42,7 @@ impl<S: Scalar> Disc<S> {
 }
 
 impl<S: Copy> Disc<S> {
-    /// Of the radius that `f` makes of this one.
+    /// The disc with `f` applied to its radius.
     #[inline(always)]
     fn map<R>(self, f: impl Fn(S) -> R) -> Disc<R> {
         Disc { radius: f(self.radius) }

@@ -1,8 +1,9 @@
-//! The primitives, a file each.
+//! The primitives, a file for each.
 //!
-//! Canonical pose: axis +y, base at the origin, cone apex at the origin. Size is explicit. A primitive is a closed set
-//! of points, and knows how a line meets it, its normals, surface coordinates and tangents; nothing of materials or
-//! placement.
+//! In its canonical pose a primitive has the axis +y and its base at the origin; a sphere has its centre there, and a cone that is
+//! given by its slope its apex. Sizes are numbers such as radius and height, not scales. A primitive is a closed set of points. It
+//! computes where a line meets it, its normals, surface coordinates and tangents. Placement and material belong to
+//! [`Shape`](crate::Shape) and [`Object`](crate::Object).
 //!
 //! | primitive | constructors |
 //! |---|---|
@@ -14,19 +15,22 @@
 //!
 //! # Degenerate rays
 //!
-//! | ray | answer |
+//! The *wall* is the surface of the side. A *generator* is a line in a cone's side, through its apex. Rules are those of the
+//! [contract](crate#the-contract).
+//!
+//! | ray | result |
 //! |---|---|
-//! | parallel to a cylinder's axis, inside | enters and leaves through the caps |
-//! | the same, exactly in the wall | from rim to rim (rule 1: the set is closed), which belong to the side |
+//! | parallel to the axis of a capped cylinder, inside | enters and leaves through the caps |
+//! | the same, exactly in the wall | two hits, at the rims (the set is closed: rule 1), with the part `Side` (rule 5) |
 //! | parallel to the axis of an open or infinite cylinder, inside | no hit |
 //! | the same, in the wall | [`coincident`](crate::Hits::coincident) |
-//! | parallel to a cone's generator | one root, `-c/(2k)`, not none |
-//! | along a cone's generator | `coincident` for an open or infinite cone; apex to cap for a capped one |
+//! | parallel to a cone's generator | the quadric has one root, `-c/(2k)` |
+//! | along a cone's generator | `coincident` for an open or infinite cone; from apex to cap for a capped one |
 //! | in a cap's plane | enters and leaves where it crosses the side |
 //! | through the apex from outside | one touch |
-//! | through the apex of a double cone, inside both nappes | leaves one and enters the other at the same `t` |
+//! | through the apex of a double cone, inside both nappes | leaves one nappe and enters the other at the same `t` |
 //! | through the apex of a double cone, outside of both | one touch |
-//! | rim to rim, seam to seam | two hits, on the side |
+//! | from rim to rim, from seam to seam | two hits, with the part `Side` |
 //! | in a plane, disc or triangle | `coincident` |
 //! | in the plane of a disc or triangle, touching its rim or a corner | `coincident` over a single point |
 

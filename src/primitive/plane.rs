@@ -56,7 +56,7 @@ impl<S: Scalar> Geometry<S> for Plane<S> {
             Attempt::Found(([t, _], [off, _])) if S::is_good(line, t, off) => {
                 Attempt::Found(surface_hit(t, line.direction[1] < S::Unit::ZERO))
             }
-            // A line that stays in one height may lie in the plane.
+            // A line parallel to the plane may lie in it.
             _ => Attempt::Unsure,
         }
     }

@@ -11,12 +11,12 @@ use crate::ray::Ray;
 use crate::scalar::{Attempt, LocalLine, Real, Ring, Scalar, found, largest};
 use crate::vector::{UnitVec3, Vec3};
 
-/// A ball of the given radius about the origin.
+/// A sphere about the origin, with its inside: a closed ball.
 ///
 /// ```
 /// use raylet::{Ray, Sphere, UnitVec3, Vec3};
 /// let ball = Sphere::new(1.0_f32)?;
-/// // From 4100 away the textbook formula gives 4100 for both ends.
+/// // For a ray that starts 4100 away the textbook formula returns 4100 for both hits.
 /// let ray = Ray::new(Vec3::new(-4100.0, 0.5, 0.0), UnitVec3::X)?;
 /// let hits = ball.hits(&ray);
 /// assert_eq!((hits[0].t, hits[1].t), (4099.134, 4100.866));
@@ -45,7 +45,7 @@ impl<S: Scalar> Sphere<S> {
 }
 
 impl<S: Copy> Sphere<S> {
-    /// Of the radius that `f` makes of this one.
+    /// The sphere with `f` applied to its radius.
     #[inline(always)]
     fn map<R>(self, f: impl Fn(S) -> R) -> Sphere<R> {
         Sphere { radius: f(self.radius) }

@@ -1,7 +1,7 @@
 //! Surface coordinates and directions that several primitives share.
 //!
-//! `u` runs once around the axis, from the x axis, counter-clockwise as seen from +y; `v` runs up. So `u`, `v` and the
-//! outward normal are right-handed. Flat caps are mapped straight: (x, z) from `[-r, r]` to `[0, 1]`.
+//! `u` grows once around the axis, from the x axis counter-clockwise as seen from +y; `v` grows upwards. The two directions and the
+//! outward normal are right-handed. On flat caps `u` and `v` are x and z, mapped linearly from `[-r, r]` to `[0, 1]`.
 
 use crate::scalar::{Real, Ring, Scalar, UnitScalar};
 use crate::vector::{UnitVec3, Vec3};
@@ -17,7 +17,7 @@ pub(super) fn fraction<S: Scalar>(part: S::Real, whole: S::Real) -> S::Unit {
         return S::Unit::ZERO;
     }
     let fraction = S::unit_round(part / whole);
-    // A NaN, of sizes whose products overflow, compares false.
+    // If the products of sizes overflow, this is a NaN, which compares false.
     if fraction > S::Unit::ONE {
         S::Unit::ONE
     } else if fraction > S::Unit::ZERO {
@@ -32,15 +32,15 @@ pub(super) fn planar<S: Scalar>(point: Vec3<S>, radius: S::Real) -> (S::Unit, S:
     if radius.is_zero() {
         return (S::Unit::ZERO, S::Unit::ZERO);
     }
-    // (x / r + 1) / 2 rather than (x + r) / 2r: the largest radius has no double.
+    // (x / r + 1) / 2 rather than (x + r) / 2r: twice the largest radius overflows.
     let one = S::Real::ONE;
     let along = |component: S| fraction::<S>((component.real() / radius + one).scaled(-1), one);
     (along(point.x), along(point.z))
 }
 
-/// The fractional part, for surfaces without an end: the coordinate repeats every unit of length.
+/// The fractional part, for infinite surfaces: the coordinate repeats every unit of length.
 pub(super) fn repeating<S: Scalar>(value: S) -> S::Unit {
-    // An angle of that many turns, without its whole turns; exact for every number type.
+    // Exact for every number type.
     S::fraction(value)
 }
 
@@ -49,23 +49,23 @@ pub(super) fn planar_tangents<S: Scalar>() -> (UnitVec3<S>, UnitVec3<S>) {
     (UnitVec3::X, UnitVec3::Z)
 }
 
-/// The direction around the y axis, counter-clockwise as seen from +y; the z axis's opposite on the axis itself.
+/// The direction around the y axis, counter-clockwise as seen from +y; -z for a point on the axis.
 pub(super) fn around<S: Scalar>(point: Vec3<S>) -> UnitVec3<S> {
     UnitVec3::new(Vec3::new(point.z, S::ZERO, S::ZERO.minus(point.x))).unwrap_or(-UnitVec3::Z)
 }
 
-/// The direction away from the y axis; the x axis on the axis itself.
+/// The direction away from the y axis; +x for a point on the axis.
 pub(super) fn outwards<S: Scalar>(point: Vec3<S>) -> UnitVec3<S> {
     UnitVec3::new(Vec3 { y: S::ZERO, ..point }).unwrap_or(UnitVec3::X)
 }
 
-/// The point moved between the rims, should rounding have taken it beyond one.
+/// The point with its height clamped to `[0, height]`, since rounding may have moved it beyond a rim.
 pub(super) fn between<S: Scalar>(point: Vec3<S>, height: S) -> Vec3<S> {
     let y = if point.y > height { height } else { point.y };
     Vec3 { y: if y > S::ZERO { y } else { S::ZERO }, ..point }
 }
 
-/// The point moved to a distance from the y axis, of which `along` tells the components.
+/// The point moved to a given distance from the y axis; `along` multiplies that distance by a component of a direction.
 pub(super) fn at_distance<S: Scalar>(point: Vec3<S>, along: impl Fn(S::Unit) -> S) -> Vec3<S> {
     let outwards = outwards(point);
     Vec3 { x: along(outwards.x()), z: along(outwards.z()), ..point }

@@ -1,11 +1,9 @@
 //! The triangle.
 //!
-//! The line passes inside where the three vertices' cross products with it turn the same way (the signed volumes of
-//! Segura and Feito, *Algorithms to test ray-triangle intersection*, 2001). The volume of an edge depends on its two
-//! end points alone and changes its sign exactly when they are swapped, so that no ray slips between two triangles that
-//! share an edge. A volume so small that its rounding could decide is made again in twice the precision, with what the
-//! origin's rounding left over: a float ray that has stepped closer to one triangle and not to its larger neighbour is
-//! still the same ray. (In the tier `Fast` it does not step, and nothing is made again.)
+//! The line passes inside if the three signed volumes that it spans with the edges have the same sign (Segura and Feito,
+//! *Algorithms to test ray-triangle intersection*, 2001). The volume of an edge depends only on the line and the edge's two
+//! end points, and changes its sign exactly when these are swapped, so that no ray passes between two triangles that share an
+//! edge. Where rounding may decide the sign of a volume, the fast path is unsure and the solver decides (`solve::flat`).
 
 use super::{Geometry, SizeError, queries, surface_coordinates as coordinates};
 use crate::fast::Guards;
@@ -55,7 +53,7 @@ impl<S: Scalar> Triangle<S> {
         self.vertices
     }
 
-    /// The edges from the first vertex, of a power of two near 1 so that their products stay in range.
+    /// The edges from the first vertex, scaled by a power of two to lengths near 1, so that their products stay in range.
     fn edges(&self) -> [[S::Real; 3]; 2] {
         let [a, b, c] = self.vertices;
         let e = S::binary_exponent(self.reach());
@@ -96,7 +94,7 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
         Triangle { vertices: self.vertices.map(Vec3::in_doubles) }
     }
 
-    /// The world's origin: two triangles that share an edge must see the ray from the same place.
+    /// The largest coordinate of a vertex.
     fn reach(&self) -> S {
         let [a, b, c] = self.vertices;
         largest([a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z])
@@ -111,7 +109,7 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
         place.fast_line_near(ray, self.vertices[0])
     }
 
-    /// Its kernel makes room itself, where that is wanted.
+    /// Nothing: the triangle's fast path reduces the bits of the origin itself if it must.
     #[inline(always)]
     fn fit(&self, _: &mut LocalLine<S>) {}
 

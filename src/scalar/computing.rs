@@ -1,4 +1,4 @@
-//! What is computed with stored numbers.
+//! Operations on stored numbers.
 
 use super::Numbers;
 
@@ -8,7 +8,7 @@ pub trait Computing: Numbers {
     fn resolves(t: Self, size: Self) -> bool;
     /// `o . d`; exact for fixed types.
     fn dot(o: [Self; 3], d: [Self::Unit; 3]) -> Self::Real;
-    /// `o x d`, the moment of the line about the origin; exact for fixed types.
+    /// `o x d`, the line's Pluecker moment about the origin; exact for fixed types.
     fn cross(o: [Self; 3], d: [Self::Unit; 3]) -> [Self::Real; 3];
     /// `d . e` of two directions; exact for fixed types.
     fn unit_dot(d: [Self::Unit; 3], e: [Self::Unit; 3]) -> Self::Real;
@@ -36,7 +36,7 @@ pub trait Computing: Numbers {
     fn finest(values: [Self::Real; 3]) -> ([Self; 3], i32);
 }
 
-/// Functions that texture, light and surface coordinates take.
+/// Functions for textures, light and surface coordinates.
 pub trait Elementary: Numbers {
     /// The value less the largest integer below it, in `[0, 1)`.
     fn fraction(self) -> Self::Unit;

@@ -1,7 +1,7 @@
-//! Sums and products of floats with what their rounding leaves over, and powers of two.
+//! Sums and products of floats with their rounding errors, and powers of two.
 //!
-//! With a floating-point unit they are made of floats. Without one each operation of a float is a call of some hundred instructions: there
-//! a product is made of integers, and a sum of three operations instead of six, with the same bits.
+//! With a floating-point unit they are computed in floats. Without one each operation on floats is a call of some hundred instructions.
+//! There a product is computed in integers, and a sum by three operations instead of six, with the same bits.
 
 /// Defines them for a float. `$half` are the mantissa bits that a split moves to the low part.
 macro_rules! error_free {

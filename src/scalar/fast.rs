@@ -1,31 +1,31 @@
-//! The fast path: the usual case in the type's own width. What it does not answer is left to the solver.
+//! The fast path: intersection in the number type's own width. Where it is unsure, the solver decides.
 
 use super::Numbers;
 use core::cmp::Ordering;
 use core::ops::Neg;
 
-/// What the fast path makes of a line and a surface.
+/// A result of the fast path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Attempt<T> {
     /// The line misses.
     Miss,
-    /// The answer.
+    /// The result.
     Found(T),
     /// A guard fails: the solver decides.
     Unsure,
 }
 
-/// Where a line is inside a nappe of a cone.
+/// The interval of a line inside a nappe of a cone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InNappe<S> {
-    /// The ends; infinite where there is none.
+    /// The ends; infinite for a missing end.
     pub ends: [S; 2],
-    /// Whether the line ends there; otherwise somewhere beyond.
+    /// For each end, true if it is accurate; otherwise it is only certain that the interval extends at least so far.
     pub certain: [bool; 2],
 }
 
-/// What was found; otherwise the caller's answer is the same miss or doubt. (As `?`, and without closures, which are not surely
-/// compiled inline.)
+/// Like `?`: the result, or a return from the calling function with [`Attempt::Miss`] or [`Attempt::Unsure`]. (A macro, since closures
+/// are not always inlined.)
 macro_rules! found {
     ($attempt:expr) => {
         match $attempt {
@@ -37,8 +37,8 @@ macro_rules! found {
 }
 pub(crate) use found;
 
-/// Whether the line passes within a triangle, on the same side of its three edges, and comes from the front: from the volume that it
-/// spans with each edge, negative from the front, and what that may be off.
+/// Whether the line hits a triangle, and whether from the front: from the signed volume that it spans with each edge, and the error bound of
+/// that. All three volumes are negative for a hit from the front, and positive for one from the back.
 #[inline(always)]
 pub(crate) fn within_edges<V: Copy + PartialOrd + Neg<Output = V>>(edges: [(V, V); 3]) -> Attempt<bool> {
     let (mut left, mut right) = (0, 0);
@@ -61,31 +61,31 @@ pub(crate) fn within_edges<V: Copy + PartialOrd + Neg<Output = V>>(edges: [(V, V
 pub struct LocalLine<S: Numbers> {
     /// The origin, in units of `2^-finer` of the type's.
     pub origin: [S; 3],
-    /// What rounding left over of the origin of a ball's line, to be added to it.
+    /// The low word of the origin, for spheres.
     pub rest: [S; 3],
-    /// How much finer the origin's unit is than the type's; for floats 1 if the line has been rounded.
+    /// Extra bits of the origin below the type's unit; for floats 1 if the line has been rounded.
     pub finer: i32,
     /// The direction.
     pub direction: [S::Unit; 3],
-    /// The ray's `t` over the line's own, where a placement stretches; not used elsewhere.
+    /// With an affine placement, the ray's `t` divided by the line's (one over the length of the transformed direction); otherwise unused.
     pub pace: S,
     /// The ray's `t` at the line's origin.
     pub start: S,
-    /// True if the line is only good enough to tell a miss.
+    /// True if the line is accurate enough only to decide a miss.
     pub is_coarse: bool,
-    /// How far the coordinates of the origin and the components of the direction may be off because of a float's way to them, in
-    /// roundings of one. Zero after compensated sums.
+    /// Error bounds of the coordinates of the origin and of the components of the direction, from their computation in floats, in units of
+    /// the relative rounding error. Zero after compensated sums.
     pub off: [S; 2],
-    /// True if the origin is relative to a point that the primitive has named.
+    /// True if the origin is relative to a point of the primitive (`base` in the functions of [`FastPath`]).
     pub is_relative: bool,
-    /// True if the components of a float line are not the ray's own: each is off by a rounding of itself, and by `off`.
+    /// True if the components of a float line are computed, and not the ray's own: each has an error of one rounding, plus `off`.
     pub is_rounded: bool,
-    /// True of doubles that stand for numbers of 32 bits: guards may be strict, and yet let nearly all through.
+    /// True for doubles in place of 32-bit numbers: guards can be strict, and nearly all rays still pass them.
     pub has_spare_bits: bool,
 }
 
 impl<S: Numbers + Copy> LocalLine<S> {
-    /// The line of a ray as it stands in the world.
+    /// The line of a ray in world coordinates.
     #[inline(always)]
     pub(crate) const fn along(origin: [S; 3], direction: [S::Unit; 3], zero: S) -> Self {
         Self {
@@ -104,14 +104,14 @@ impl<S: Numbers + Copy> LocalLine<S> {
     }
 }
 
-/// A line in the frame of a placement that stretches, in a unit of length that is finer than the type's.
+/// A line in the frame of an affine placement, in fixed point, with a unit of length that is finer than the type's.
 #[derive(Clone, Copy, Debug)]
 pub struct FinerLine<S: Numbers> {
     /// The line, for a solid that is `2^scale` times as large.
     pub line: LocalLine<S>,
-    /// By how many bits the unit is finer than the type's.
+    /// Extra bits of the unit of length below the type's.
     pub scale: i32,
-    /// The ray's `t` over the line's own, in units of the type's over the line's.
+    /// The ray's `t` divided by the line's, in the type's unit over the line's.
     pub pace: Pace,
 }
 
@@ -124,22 +124,23 @@ pub struct Pace {
     pub shift: u32,
 }
 
-/// How a line in a primitive's frame meets its surfaces, where rounding does not decide.
+/// Intersection of a local line with the surfaces of primitives, on the fast path of a number type. The results are
+/// [`Attempt::Unsure`] where rounding may decide.
 pub trait FastPath: Numbers {
-    /// The direction of a vector in this type, as [`Computing::normalize`](super::Computing::normalize) has it or next to that; a miss for the zero vector.
+    /// The direction of a vector, equal to that of [`Computing::normalize`](super::Computing::normalize) or next to it; a miss for the zero vector.
     #[inline(always)]
     fn fast_direction(_: [Self; 3]) -> Attempt<[Self::Unit; 3]> {
         Attempt::Unsure
     }
 
-    /// The two ends of the line inside the ball of radius `r` about the origin: from its closest approach, or, if `by_moment`, from its
-    /// moment.
+    /// The two ends of the line inside the sphere of radius `r` about the origin: from the point of closest approach, or, if `by_moment`, from
+    /// the Pluecker moment.
     #[inline(always)]
     fn fast_ball(_: LocalLine<Self>, _r: Self, _by_moment: bool) -> Attempt<[Self; 2]> {
         Attempt::Unsure
     }
 
-    /// Whether that line has an end at `t >= 0`, where no end is beyond the type.
+    /// Whether one of these ends is at `t >= 0`, if no end is beyond the number type.
     #[inline(always)]
     fn fast_ball_ahead(_: LocalLine<Self>, _r: Self, _by_moment: bool) -> Attempt<()> {
         Attempt::Unsure
@@ -151,8 +152,8 @@ pub trait FastPath: Numbers {
         Attempt::Unsure
     }
 
-    /// Where the line is inside the nappe of a cone that has the radius `base` at `y = 0` and grows by `growth` over `height` (`None`: 1).
-    /// Of a cone that ends somewhere only what lies between `y = 0` and `top` is wanted.
+    /// The interval of the line inside the nappe of a cone that has the radius `base` at `y = 0` and a radius larger by `growth` at `height`
+    /// (`None`: 1). For a cone of finite height only the part between `y = 0` and `top` is needed.
     #[inline(always)]
     fn fast_nappe(
         _: LocalLine<Self>,
@@ -162,38 +163,37 @@ pub trait FastPath: Numbers {
         Attempt::Unsure
     }
 
-    /// Where the line is inside both nappes of a cone of this slope: between its ends, or (`true`) beyond them.
+    /// Where the line is inside a double cone of this slope: between the two ends, or, if `true`, outside them.
     #[inline(always)]
     fn fast_double_cone(_: LocalLine<Self>, _slope: Self) -> Attempt<([Self; 2], bool)> {
         Attempt::Unsure
     }
 
-    /// Where a line that begins in the surface of a ball about the origin, or of a cylinder about the y axis, and leads inwards leaves it.
+    /// The exit of a line that starts on a sphere about the origin, or on a cylinder about the y axis, and leads inwards.
     #[inline(always)]
     fn fast_exit_from_round(_: &LocalLine<Self>, _is_ball: bool) -> Attempt<Self> {
         Attempt::Unsure
     }
 
-    /// Where a line that begins in the side of [`FastPath::fast_nappe`] and leads inwards leaves that nappe; infinite if it does not.
+    /// The exit of a line that starts on the side of the nappe of [`FastPath::fast_nappe`] and leads inwards; infinite if there is none.
     #[inline(always)]
     fn fast_exit_from_nappe(_: &LocalLine<Self>, _outline: (Self, Self, Option<Self>)) -> Attempt<Self> {
         Attempt::Unsure
     }
 
-    /// Whether the line's point at `t` lies below `y = 0`, between that and the height, or above; unclear where rounding decides.
+    /// Whether the line's point at `t` lies below `y = 0` (`Less`), between that and the height (`Equal`), or above (`Greater`).
     #[inline(always)]
     fn fast_seams(_: LocalLine<Self>, _t: Self, _height: Self) -> Attempt<Ordering> {
         Attempt::Unsure
     }
 
-    /// The line seen from the height `y`.
+    /// The line relative to the point `(0, y, 0)`.
     #[inline(always)]
     fn fast_lowered(_: LocalLine<Self>, _y: Self) -> Attempt<LocalLine<Self>> {
         Attempt::Unsure
     }
 
-    /// Where the line crosses two heights, and how much more than a few units each may be off; a line that stays in one height crosses
-    /// neither.
+    /// Where the line crosses two heights, and the error of each beyond a few units. A line of constant height crosses neither.
     #[inline(always)]
     fn fast_crossings(_: LocalLine<Self>, _y: [Self; 2]) -> Attempt<([Self; 2], [Self; 2])> {
         Attempt::Unsure
@@ -205,37 +205,38 @@ pub trait FastPath: Numbers {
         Attempt::Unsure
     }
 
-    /// Where the line crosses the triangle with these vertices, and whether it comes from where they run counter-clockwise.
+    /// Where the line crosses the triangle with these vertices, and whether it comes from the side from which they are counter-clockwise.
     #[inline(always)]
     fn fast_triangle(_: LocalLine<Self>, _vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {
         Attempt::Unsure
     }
 
-    /// Whether two ends of the fast path are so close that rounding, and what they may be `off` beside it, decides which comes first.
+    /// Whether two ends are so close that their order may be decided by rounding, or by their further error bounds `off`.
     #[inline(always)]
     fn are_close(_: &LocalLine<Self>, _: Self, _: Self, _off: Self) -> bool {
         false
     }
 
-    /// Whether an end that may be `off` by so much is good enough.
+    /// Whether an end with the error bound `off` is accurate enough.
     #[inline(always)]
     fn is_good(_: &LocalLine<Self>, _: Self, _off: Self) -> bool {
         true
     }
 
-    /// Whether the line from `o` along `d` begins so far from `base` that the rounding of its coordinates should not grow with that.
+    /// Whether the line from `o` along `d` starts so far from `base` that its origin should be moved next to `base`, to keep rounding errors small.
     #[inline(always)]
     fn is_far(_o: [Self; 3], _d: [Self::Unit; 3], _base: [Self; 3]) -> bool {
         false
     }
 
-    /// Such a line, taken up next to `base` and relative to it.
+    /// Such a line with its origin moved next to `base`, and relative to `base`.
     #[inline(always)]
     fn fast_from_afar(_o: [Self; 3], _d: [Self::Unit; 3], _base: [Self; 3]) -> Option<LocalLine<Self>> {
         None
     }
 
-    /// The line from `o` along `d` in the frame with these axes at `position`; of floats taken up next to that, if it begins far away.
+    /// The line from `o` along `d` in the frame with these axes at `position`. In floats, the origin of a line that starts far away is moved next
+    /// to `position`.
     #[inline(always)]
     fn fast_turned(
         _o: [Self; 3],
@@ -246,7 +247,8 @@ pub trait FastPath: Numbers {
         None
     }
 
-    /// The line from `o` along `d` in the frame of a matrix, whose inverse has these rows, each to be multiplied by its power of two. `None` where products cancel, whose rounding would be much of the line.
+    /// The line from `o` along `d` in the frame of an affine map, whose inverse has these rows, each to be multiplied by its power of two. `None` if
+    /// products cancel so much that their rounding would be large relative to the line.
     #[inline(always)]
     fn fast_stretched(
         _o: [Self; 3],
@@ -257,7 +259,7 @@ pub trait FastPath: Numbers {
         None
     }
 
-    /// The same of integers, for a solid whose lengths are at most `reach`. `None` if there is no room for them.
+    /// The same for fixed point, for a solid whose lengths are at most `reach`. `None` if they do not fit.
     #[inline(always)]
     fn fast_stretched_finely(
         _o: [Self; 3],
@@ -269,24 +271,24 @@ pub trait FastPath: Numbers {
         None
     }
 
-    /// The ray's `t` for one of that line; `None` if it is too large for that.
+    /// Converts a `t` of that line to the ray's; `None` if it is too large.
     #[inline(always)]
     fn fast_along_ray(_line: &FinerLine<Self>, _t: Self) -> Option<Self> {
         None
     }
 
-    /// The line from `o` along `d`, for a second attempt: taken up next to `base` and relative to it; `None` if it begins there.
+    /// The line from `o` along `d` for a second attempt, with its origin moved next to `base`, and relative to `base`; `None` if it starts there.
     #[inline(always)]
     fn fast_closer(_o: [Self; 3], _d: [Self::Unit; 3], _base: [Self; 3]) -> Option<LocalLine<Self>> {
         None
     }
 
-    /// Makes the line suit a solid that reaches so far: of integers its origin keeps no more bits than leave room for the solid's lengths.
+    /// Reduces the extra bits of the origin in fixed point so far that lengths up to the solid's bounding radius `reach` fit in the same unit.
     #[inline(always)]
     fn fast_fit(_line: &mut LocalLine<Self>, _reach: Self) {}
 
-    /// The line in the frame of this position and these axes, for a second attempt: by compensated sums, next to the frame's point `base`
-    /// and relative to it.
+    /// The line in the frame of this position and these axes, for a second attempt: by compensated sums, with its origin moved next to the
+    /// frame's point `base`, and relative to that.
     #[inline(always)]
     fn fast_turned_again(
         _o: [Self; 3],
@@ -298,7 +300,7 @@ pub trait FastPath: Numbers {
         None
     }
 
-    /// The same in the frame of a position and a matrix, as [`FastPath::fast_stretched`] has it.
+    /// The same in the frame of an affine map, whose parameters are those of [`FastPath::fast_stretched`].
     #[inline(always)]
     fn fast_stretched_again(
         _o: [Self; 3],
@@ -310,16 +312,14 @@ pub trait FastPath: Numbers {
         None
     }
 
-    /// What the tests of a ray against boxes have in common.
+    /// The values that all tests of a ray against boxes share.
     type Slabs: Copy;
 
-    /// The slabs of the ray from `o` along `d`.
+    /// Computes these values for the ray from `o` along `d`.
     fn slabs(o: [Self; 3], d: [Self::Unit; 3]) -> Self::Slabs;
 
-    /// True only if the ray surely misses, within the closed `range` of `t`, the box about `centre` with these half extents: then no solid
-    /// in it, found by a solver that rounds, has a hit there either.
-    ///
-    /// Conservative: a ray that passes next to the box is not said to miss it. All numbers within the [`Budget`](super::Budget) of
-    /// coordinates, but the range.
+    /// Conservative test: true only if the ray certainly misses the box about `centre` with these half extents, within the closed `range` of
+    /// `t`. Then no query reports a hit of a solid in the box, in spite of rounding. The result may be false for a ray that passes close to
+    /// the box. All numbers except the range must be within the [`Budget`](super::Budget) of coordinates.
     fn misses_box(slabs: &Self::Slabs, range: [Self; 2], centre: [Self; 3], half: [Self; 3]) -> bool;
 }

@@ -1,7 +1,7 @@
 //! `FixedI32<F>` and `FixedI64<F>` as scalars, for every number of fraction bits.
 //!
-//! A coordinate keeps the fraction bits of its type; a direction has 30 (or 62), since a direction rounded to the
-//! coordinate's bits throws away everything that follows. Products of the two are exact in the double width.
+//! A coordinate has the fraction bits of its type. A direction has 30 (or 62) fraction bits, because the accuracy of every result depends on
+//! that of the direction. Products of the two are exact in the double width.
 
 use super::block::{Block64, Block128};
 use super::{

@@ -1,4 +1,4 @@
-//! `f32` and `f64` as scalars: plain arithmetic, and the error-free sums and products that keep hard cases right.
+//! `f32` and `f64` as scalars: plain arithmetic, and error-free sums and products for ill-conditioned cases.
 
 use super::error_free::{exact_f32, exact_f64};
 use super::square_root::square_root_f32;

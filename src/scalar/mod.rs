@@ -1,27 +1,26 @@
-//! What a number must do here.
+//! The number types.
 //!
-//! A [`Scalar`] *stores*: coordinates, sizes, distances. A [`Real`] *computes*: it is the number in which the
-//! solvers work, and it never overflows inside the [`Budget`]. For floats the two are the same type. For fixed
-//! point the [`Real`] is a block-floating number of twice the width ([`block`]), so that products are exact and
-//! nothing is rounded before a difference is taken.
+//! A [`Scalar`] *stores* coordinates, sizes and distances. A [`Real`] *computes* points, normals, shading and the like, and never overflows
+//! inside the [`Budget`]. For floats the two are the same type. For fixed point the [`Real`] is a block-floating number of twice the width
+//! ([`block`]), so that products are exact and nothing is rounded before a difference is computed.
 //!
-//! Everything in which number types differ stands in this folder and nowhere else:
+//! All code that depends on the number type is in this folder:
 //!
 //! | file | what it holds |
 //! |---|---|
-//! | `float` | `f32` and `f64`: error-free products and sums, stepping closer, binary scale |
-//! | `error_free` | sums and products of floats with their rests |
+//! | `float` | `f32` and `f64` |
+//! | `error_free` | sums and products of floats with their rounding errors |
 //! | `fixed` | `FixedI32<F>` and `FixedI64<F>`, for every `F` |
-//! | `computing` | what is computed with stored numbers |
-//! | `fast` | what the fast path of a number type tells |
+//! | `computing` | operations on stored numbers |
+//! | `fast` | the interface of a number type's fast path |
 //! | `integers` | the fast path of fixed point, in plain integers |
-//! | `floats` | the usual case of floats, uncompensated |
-//! | `rungs`, `twofold` | how a number of the ladder is made from a stored one, and rounded to one |
-//! | `slabs` | whether a ray surely misses a box |
+//! | `floats` | the fast path of floats, mostly without compensation |
+//! | `rungs`, `twofold` | conversion between stored numbers and those of [`crate::number`]; numbers of twice the precision |
+//! | `slabs` | conservative test of a ray against a box |
 //! | [`block`] | integer mantissa and exponent; square root and quotient of integers |
 //! | `decimal` | decimal text to fixed point, correctly rounded |
 //! | `elementary` | angle, sine, power, in integers for the fixed types |
-//! | `square_root` | the one hardware instruction that `core` does not give |
+//! | `square_root` | the square root of `f32` by instruction, which `core` does not have |
 
 use crate::number::word::Word;
 use crate::number::{Limbs, Number, Parts};
@@ -61,14 +60,14 @@ pub use fast::{Attempt, FastPath, FinerLine, InNappe, LocalLine, Pace};
 pub use rungs::{FromScalar, ToScalar};
 pub use twofold::Twofold;
 
-/// Keeps [`Scalar`] and its companions closed: their contracts bind several impls together.
+/// Seals [`Scalar`] and related traits, whose implementations depend on each other.
 mod sealed {
     pub trait Sealed {}
 }
 
-/// The largest and smallest values that a number type takes at construction.
+/// The largest and smallest values that constructors accept for a number type.
 ///
-/// Inside the budget no query overflows, in debug or release; outside it, constructors return an error.
+/// Inside the budget no query overflows. Outside it constructors return an error.
 ///
 /// # Floats
 ///
@@ -78,7 +77,7 @@ mod sealed {
 /// | `f64` | 2^1022 | smallest subnormal to 2^1022 | 2^-200 to 2^200 | largest finite |
 ///
 /// The coordinate is a quarter of the largest finite float, so that the difference of two points is finite.
-/// The robust number has an exponent of its own: no size inside the budget has a square that vanishes.
+/// The robust number has a larger exponent, so that the square of no size inside the budget underflows.
 ///
 /// # Fixed point
 ///
@@ -109,36 +108,36 @@ pub struct Budget<S> {
     pub slope: S,
     /// Smallest slope of a cone.
     pub smallest_slope: S,
-    /// Largest `t`; what lies farther is outside every range.
+    /// Largest `t`. Hits beyond it are outside every range.
     pub distance: S,
 }
 
-/// The types that go with a number.
+/// The types that belong to a scalar.
 pub trait Numbers:
     Copy + Debug + Default + PartialEq + PartialOrd + Neg<Output = Self> + Send + Sync + 'static + sealed::Sealed
 {
-    /// A component of a unit vector, or a colour: the float itself, Q2.30 for 32-bit and Q2.62 for 64-bit fixed types.
+    /// The type of components of unit vectors and of colour channels: the float itself, Q2.30 for 32-bit and Q2.62 for 64-bit fixed types.
     type Unit: UnitScalar;
-    /// The number in which solvers compute.
+    /// The number to compute in.
     type Real: Real;
 }
 
-/// A component of a direction beside coordinates of this type.
+/// The type of a direction's components that belongs to the coordinate type `S`.
 pub type Unit<S> = <S as Numbers>::Unit;
 
 /// A number that stores coordinates, sizes and distances.
 ///
 /// Implemented for `f32`, `f64`, `FixedI32<F>` and `FixedI64<F>` for every `F` that `fixed` allows. Sealed.
 pub trait Scalar: Numbers + Computing + Elementary + FastPath {
-    /// The number in which solvers compute where the fast path is unsure.
+    /// The number in which the solver computes where the fast path is unsure.
     type Robust: FromScalar<Self> + Number<Estimate = Self::Robust> + ToScalar<Self>;
     /// Zero.
     const ZERO: Self;
     /// Beyond every range: `f32::INFINITY`, or the largest raw value of a fixed type.
     const INFINITY: Self;
-    /// True if precision is relative to magnitude (floats), so that a change of scale loses nothing.
+    /// True if precision is relative to the magnitude (floats), so that a change of scale loses no precision.
     const RELATIVE: bool;
-    /// What constructors accept.
+    /// The values that constructors accept.
     const BUDGET: Budget<Self>;
     /// False for NaN and for [`Scalar::INFINITY`] of either sign.
     fn is_finite(self) -> bool;
@@ -176,7 +175,7 @@ pub trait Scalar: Numbers + Computing + Elementary + FastPath {
     fn parse(text: &str) -> Option<Self> {
         Self::parse_scaled(text, 0)
     }
-    /// A decimal number times `2^power`, correctly rounded to nearest, ties to even (once: not the number, and then the product).
+    /// A decimal number times `2^power`, correctly rounded to nearest, ties to even. It is rounded only once, after the multiplication.
     ///
     /// As [`Scalar::parse`]; `None` also if a fixed type's fraction bits and the power add up to less than 0 or more than 64.
     fn parse_scaled(text: &str, power: i32) -> Option<Self>;
@@ -209,34 +208,34 @@ pub trait UnitScalar:
     fn to_f64(self) -> f64;
 }
 
-/// The number in which solvers compute: a float, or a block-floating integer. Sealed.
+/// A number to compute in: a float, or a block-floating integer. Sealed.
 ///
 /// No operation overflows for operands that come from values inside the [`Budget`]. For fixed types sums,
 /// differences and products of stored values are exact as long as their bits fit the double width.
 pub trait Real:
     Ring + Debug + PartialEq + PartialOrd + Div<Output = Self> + Send + Sync + 'static + sealed::Sealed
 {
-    /// The exponent of the relative rounding of a product.
+    /// The relative rounding error of a product is at most `2^ROUNDING`.
     const ROUNDING: i32;
 
     /// A small integer.
     fn from_int(n: i32) -> Self;
     /// The square root; zero for a negative number.
     fn sqrt(self) -> Self;
-    /// The rounded sum, and what rounding left over.
+    /// The rounded sum, and its rounding error (the low word of a double-word).
     #[inline(always)]
     fn plus_with_rest(self, other: Self) -> [Self; 2] {
         Self::sum_with_rest([[self, Self::ONE], [other, Self::ONE]])
     }
-    /// The rounded product, and what rounding left over.
+    /// The rounded product, and its rounding error (the low word of a double-word).
     #[inline(always)]
     fn times_with_rest(self, other: Self) -> [Self; 2] {
         Self::sum_with_rest([[self, other]])
     }
-    /// The sum of products as a rounded value and the rest that rounding left over: about twice the working
-    /// precision, so that cancellation costs nothing ("Dot2": Ogita, Rump, Oishi, *Accurate Sum and Dot Product*, 2005).
+    /// The sum of products as a double-word, a rounded value and a low word: about twice the working precision, so that
+    /// cancellation loses no accuracy ("Dot2": Ogita, Rump, Oishi, *Accurate Sum and Dot Product*, 2005).
     fn sum_with_rest<const N: usize>(terms: [[Self; 2]; N]) -> [Self; 2];
-    /// The sum of products, rounded once, or nearly so, however much of it cancels.
+    /// The sum of products, rounded once, or nearly so, even if it cancels.
     #[inline]
     fn sum_of_products<const N: usize>(terms: [[Self; 2]; N]) -> Self {
         let [sum, _] = Self::sum_with_rest(terms);
@@ -250,7 +249,7 @@ pub trait Real:
     fn is_zero(self) -> bool;
 }
 
-/// Largest of some magnitudes.
+/// The largest magnitude of some values.
 pub(crate) fn largest<S: Scalar, const N: usize>(values: [S; N]) -> S {
     let mut largest = S::ZERO;
     for value in values {
@@ -268,8 +267,8 @@ pub(crate) fn is_zero_decimal(text: &str) -> bool {
     !mantissa.bytes().any(|byte| matches!(byte, b'1'..=b'9'))
 }
 
-/// True for an optional sign, digits with at most one point, and an optional decimal exponent: the number syntax
-/// that every scalar parses, without the words and separators that some parsers add.
+/// True for an optional sign, digits with at most one point, and an optional decimal exponent. Every scalar parses this syntax; others,
+/// such as `inf` or `1_000`, are not numbers here.
 pub(crate) fn is_decimal(text: &str) -> bool {
     let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
     let (mantissa, exponent) = unsigned.split_once(['e', 'E']).unwrap_or((unsigned, "0"));

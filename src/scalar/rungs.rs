@@ -1,4 +1,4 @@
-//! The way from stored numbers to those of the ladder, and back.
+//! Conversion of stored numbers to the computing numbers of [`crate::number`], and back.
 
 use super::{Scalar, Twofold, UnitScalar};
 use crate::number::word::Word;
@@ -14,7 +14,7 @@ pub trait FromScalar<S: Scalar>: Ring {
 
 /// A number that rounds to a scalar.
 pub trait ToScalar<S: Scalar>: Estimate {
-    /// True if a parameter next to the end of a range is inside or outside as its rounded value is; false if its exact value decides.
+    /// True if the rounded value of a parameter decides whether it is in a range; false if its exact value does.
     const ROUNDING_DECIDES: bool;
     /// Rounded to nearest, [`Scalar::INFINITY`] with its sign beyond the type; `None` if the error is too large for the result to be
     /// within one unit in the last place.

@@ -1,27 +1,27 @@
-//! Whether a ray surely misses an axis-aligned box, by the slabs between the box's faces.
+//! Conservative test of a ray against an axis-aligned box, by slabs.
 //!
-//! A box is what three slabs have in common, and a line is in each for an interval of `t` (Kay and Kajiya, *Ray tracing complex scenes*,
-//! 1986). With `c` the centre seen from the ray's origin, `h` the half extents and `d` the direction:
+//! A box is the intersection of three slabs, and a line is in each slab for an interval of `t` (Kay and Kajiya, *Ray tracing complex scenes*,
+//! 1986). With the centre `c` relative to the ray's origin, the half extents `h` and the direction `d` these are
 //!
 //! ```text
 //! [c_x / d_x - h_x / |d_x|, c_x / d_x + h_x / |d_x|]     and cyclic
 //! ```
 //!
-//! The ray misses where these and its range have nothing in common. The reciprocals are made once a ray. A component of the direction below
-//! 2^-16 (2^-20 for floats) counts as one of that: nothing is divided by zero.
+//! The ray misses if these intervals and its range have no `t` in common. The reciprocals are computed once for each ray. A component of the
+//! direction below 2^-16 (2^-20 for floats) is replaced by that value, so that there is no division by zero.
 //!
-//! The answer must never be "missed" for a ray for which a solid in the box reports a hit, and the solver rounds. Where it says that a
-//! ray meets a solid, the point of the ray at that `t` lies next to the solid, nearer than a part of its distance from the origin
-//! and of its size: [`MARGIN_BITS`]. The box is made larger by that: here by the part of the distance and by a few units, before
-//! (by whoever makes the box) by the part of the size. What the reciprocals are off is less than half of it.
+//! The test must never report a miss if a query reports a hit of a solid in the box, although queries round. For a reported hit, the distance
+//! of the ray's point at `t` from the solid is less than the fraction `2^-MARGIN_BITS` of its distance from the origin and of its size. The box is
+//! enlarged by that: by the fraction of the size when it is built, by the fraction of the distance and a few units here. The error of the
+//! reciprocals is less than half of the margin.
 
-/// A box is made larger by the part `2^-MARGIN_BITS` of its size and of its distance.
+/// A box is enlarged by the fraction `2^-MARGIN_BITS` of its size and of its distance.
 ///
-/// `f32` is the coarsest number: a line seen from a frame is off by some units of 2^-24 of its length, and what that moves at a sharp
-/// rim, or through a skewed placement, is up to 2^8 times as much (more is given no box).
+/// The least accurate number is `f32`: the error of a line in a frame is some units of 2^-24 of its length. At a sharp rim, or in a skewed
+/// placement, the error of the hit point is up to 2^8 times as large. (Objects for which it may be larger have no box.)
 pub(crate) const MARGIN_BITS: i32 = 14;
 
-/// What a ray's tests against boxes have in common.
+/// The values that all tests of a ray against boxes share.
 #[derive(Clone, Copy, Debug)]
 pub struct Slabs<N, R> {
     pub(super) origin: [N; 3],

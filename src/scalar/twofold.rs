@@ -1,10 +1,10 @@
-//! The number type's own computing number, twice: for what a machine's multiplication does faster than the robust number's.
+//! Double-word numbers made of the computing number, where they are faster than the robust number.
 
 use super::Real;
 use crate::number::{Ring, operators};
 
 /// A sum `high + low`, rounded to about twice the computing number's precision (Dekker, *A floating-point technique for extending the
-/// available precision*, 1971). What overflows is not a number.
+/// available precision*, 1971). On overflow it is a NaN.
 #[derive(Clone, Copy, Debug)]
 pub struct Twofold<R> {
     pub(crate) high: R,

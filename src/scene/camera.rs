@@ -1,4 +1,4 @@
-//! From where, whither, and how wide: the ray of each pixel.
+//! Pinhole camera: the primary ray of each pixel sample.
 
 use crate::ray::Ray;
 use crate::scalar::{Real, Ring, Scalar};
@@ -49,19 +49,19 @@ impl<S: Scalar> Camera<S> {
         Ok(Self { position, forward, right, up, half_height: sine / cosine })
     }
 
-    /// Where the eye is.
+    /// The position of the eye.
     pub const fn position(&self) -> Vec3<S> {
         self.position
     }
 
-    /// The direction of the centre of the picture.
+    /// The viewing direction, through the centre of the picture.
     pub const fn forward(&self) -> UnitVec3<S> {
         self.forward
     }
 
     /// The grid of rays for a picture of this size.
     pub fn raster(&self, size: Size) -> Raster<S> {
-        // A picture of one row has no distance between rows: it takes the whole angle for its one pixel.
+        // A picture of one row has no distance between rows: its one pixel spans the whole angle.
         let intervals = i32::from(size.height.max(2)) - 1;
         let samples = i32::from(size.samples.max(1));
         let pitch = self.half_height / (S::Real::from_int(intervals) * S::Real::from_int(samples));
@@ -69,7 +69,7 @@ impl<S: Scalar> Camera<S> {
     }
 }
 
-/// `a - b`, where a fixed-point difference might saturate.
+/// `a - b` in the computing number, since a fixed-point difference might saturate.
 fn difference<S: Scalar>(a: Vec3<S>, b: Vec3<S>) -> [S::Real; 3] {
     let ([ax, ay, az], [bx, by, bz]) = (a.real(), b.real());
     [ax - bx, ay - by, az - bz]
@@ -99,7 +99,7 @@ impl Size {
     }
 }
 
-/// A camera and the size of its picture: gives the ray of every sample of every pixel.
+/// A camera and the size of its picture. It makes the ray of every sample of every pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Raster<S: Scalar> {
     camera: Camera<S>,
@@ -116,8 +116,8 @@ impl<S: Scalar> Raster<S> {
 
     /// The ray through sample (`column`, `row`) of pixel (`x`, `y`); (0, 0) is the upper left.
     ///
-    /// Pixels and samples outside the picture have rays as well. `None` only if the camera's position is outside the
-    /// budget, which [`Camera::new`] excludes.
+    /// Pixels and samples outside the picture are allowed. `None` only if the camera's position is outside the budget, which
+    /// [`Camera::new`] excludes.
     pub fn ray(&self, [x, y]: [u16; 2], [column, row]: [u8; 2]) -> Option<Ray<S>> {
         let samples = i64::from(self.size.samples.max(1));
         let odd = |pixel: u16, sample: u8| 2 * (i64::from(pixel) * samples + i64::from(sample)) + 1;
@@ -131,7 +131,7 @@ impl<S: Scalar> Raster<S> {
         self.through([2 * i64::from(x) * samples, 2 * i64::from(y) * samples])
     }
 
-    /// The ray through the point so many half samples right of and below the upper left corner.
+    /// The ray through the point that is `right` half samples to the right of the upper left corner and `down` half samples below it.
     fn through(&self, [right, down]: [i64; 2]) -> Option<Ray<S>> {
         let samples = i64::from(self.size.samples.max(1));
         // Twice the distance from the middle of the picture, in samples: at most 2^25, so that it is exact.

@@ -1,11 +1,11 @@
-//! A colour, linear in light: what lamps and surfaces multiply and add.
+//! Linear RGB colours.
 
 use crate::scalar::{Scalar, UnitScalar};
 
-/// Red, green and blue, linear in light; 0 is black and 1 the brightest that a display shows.
+/// A linear RGB colour, without gamma. 0 is black and 1 the brightest level of a display.
 ///
-/// Channels are [`Unit`](crate::scalar::Unit): fixed types keep 30 (or 62) fraction bits and saturate just below 2, so that
-/// a sum of bright lights stays bright instead of wrapping round.
+/// Channels are [`Unit`](crate::scalar::Unit): fixed types have 30 (or 62) fraction bits and saturate just below 2, so that
+/// a sum of bright lights does not wrap around.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Color<S: Scalar> {
     /// Red.
@@ -17,9 +17,9 @@ pub struct Color<S: Scalar> {
 }
 
 impl<S: Scalar> Color<S> {
-    /// No light at all.
+    /// Black: 0 in each channel.
     pub const BLACK: Self = Self { red: S::Unit::ZERO, green: S::Unit::ZERO, blue: S::Unit::ZERO };
-    /// As bright as the display goes.
+    /// White: 1 in each channel.
     pub const WHITE: Self = Self { red: S::Unit::ONE, green: S::Unit::ONE, blue: S::Unit::ONE };
 
     /// The colour with these channels.
@@ -43,13 +43,13 @@ impl<S: Scalar> Color<S> {
         Self::new(self.red.plus(other.red), self.green.plus(other.green), self.blue.plus(other.blue))
     }
 
-    /// The product, channel by channel: light of this colour on a surface of that colour.
+    /// The product, channel by channel: light of one colour reflected by a surface of the other.
     #[must_use]
     pub fn times(self, other: Self) -> Self {
         Self::new(self.red.times(other.red), self.green.times(other.green), self.blue.times(other.blue))
     }
 
-    /// Each channel brought into `[0, 1]`; NaN becomes 0.
+    /// Each channel clamped to `[0, 1]`; NaN becomes 0.
     #[must_use]
     pub fn clamped(self) -> Self {
         let [red, green, blue] = self.to_array().map(|channel| {

@@ -1,6 +1,6 @@
-//! What was done for a picture.
+//! Counters of the rays and tests that a picture takes.
 
-/// What was done for a picture.
+/// Counters of the rays and tests that a picture takes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -9,28 +9,28 @@ pub struct Counters {
     pub primary_rays: u64,
     /// Rays towards lights.
     pub shadow_rays: u64,
-    /// Questions put to a shape, nearest hit and occlusion together.
+    /// Tests of a ray against a shape, for the nearest hit and for occlusion together.
     pub intersection_tests: u64,
-    /// Boxes of a [`Hierarchy`](super::Hierarchy) that a ray was asked to miss.
+    /// Tests of a ray against a box of a [`Hierarchy`](super::Hierarchy).
     pub box_tests: u64,
-    /// Hits for which a point and a normal were computed.
+    /// Hits that were shaded, for which a point and a normal were computed.
     pub hits_refined: u64,
-    /// Rays that a mirror threw back.
+    /// Rays that a mirror reflected.
     pub reflection_rays: u64,
-    /// Rays that went through a transparent surface, and those that it threw back although it is no mirror.
+    /// Rays that a transparent surface refracted, and rays that it reflected although its material is no mirror.
     pub refraction_rays: u64,
-    /// Colours taken from a texture.
+    /// Texture lookups.
     pub texture_lookups: u64,
-    /// Normals bent by waves.
+    /// Normals perturbed by waves.
     pub bumps: u64,
-    /// Rays of which fog took a part.
+    /// Rays attenuated by fog.
     pub fogged_rays: u64,
-    /// Pixels whose corners differ, so that their whole grid of samples was traced.
+    /// Pixels whose corners differed, so that their whole grid of samples was traced.
     pub refined_pixels: u64,
 }
 
 impl Counters {
-    /// Adds what another part of the work cost.
+    /// Adds the counters of another part of the work.
     pub const fn add(&mut self, other: &Self) {
         self.primary_rays += other.primary_rays;
         self.shadow_rays += other.shadow_rays;
@@ -45,7 +45,7 @@ impl Counters {
         self.refined_pixels += other.refined_pixels;
     }
 
-    /// All rays.
+    /// The number of all rays.
     pub const fn rays(&self) -> u64 {
         self.primary_rays + self.shadow_rays + self.reflection_rays + self.refraction_rays
     }

@@ -1,13 +1,13 @@
-//! What fills the space between things.
+//! Fog of constant density.
 
 use super::color::Color;
 use crate::scalar::{Scalar, UnitScalar};
 
-/// A haze of one colour, the same everywhere outside of transparent objects.
+/// Fog of one colour and constant density, everywhere outside transparent objects.
 ///
-/// Over a distance `t` the part `clarity^t` of a colour comes through, and the fog's own colour takes the place of the
-/// rest (Beer's law). What is infinitely far, the background, has the fog's colour altogether. Light on its way from
-/// a lamp to a surface is not weakened.
+/// Over a distance `t` the fraction `clarity^t` of a colour is transmitted, and the fog's colour replaces the rest (Beer's law).
+/// The background is infinitely far away and so has the fog's colour. Light on its way from a light source to a surface is not
+/// attenuated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fog<S: Scalar> {
     color: Color<S>,
@@ -15,8 +15,8 @@ pub struct Fog<S: Scalar> {
 }
 
 impl<S: Scalar> Fog<S> {
-    /// Fog of which each unit of length lets this part of the light through. A `clarity` outside of `[0, 1]` is brought
-    /// into it: at 0 nothing beyond the eye is seen, at 1 there is no fog.
+    /// Fog that transmits the fraction `clarity` of the light per unit of length. `clarity` is clamped to `[0, 1]`: at 0 nothing but
+    /// fog is visible, at 1 there is no fog.
     ///
     /// ```
     /// # use raylet::{Color, scene::Fog};
@@ -25,7 +25,7 @@ impl<S: Scalar> Fog<S> {
     /// assert_eq!(haze.visibility(0.0), 1.0);
     /// ```
     pub fn new(color: Color<S>, clarity: S::Unit) -> Self {
-        // Not a comparison's negation: a NaN is no clarity.
+        // Compared in this order, a NaN becomes 0.
         let clarity = if clarity >= S::Unit::ONE {
             S::Unit::ONE
         } else if clarity > S::Unit::ZERO {
@@ -41,17 +41,17 @@ impl<S: Scalar> Fog<S> {
         self.color
     }
 
-    /// The part of the light that one unit of length lets through, in `[0, 1]`.
+    /// The fraction of the light that is transmitted over one unit of length, in `[0, 1]`.
     pub const fn clarity(&self) -> S::Unit {
         self.clarity
     }
 
-    /// The part of the light that the distance `t`, at least 0, lets through: `clarity^t`, in `[0, 1]`.
+    /// The fraction of the light that is transmitted over the distance `t`, at least 0: `clarity^t`, in `[0, 1]`.
     pub fn visibility(&self, t: S) -> S::Unit {
         if t <= S::ZERO { S::Unit::ONE } else { S::power(self.clarity, t) }
     }
 
-    /// True if there is anything to see of it.
+    /// True if the fog has any effect: its clarity is below 1.
     pub fn is_visible(&self) -> bool {
         self.clarity < S::Unit::ONE
     }

@@ -1,25 +1,24 @@
-//! What a surface does with light.
+//! Materials.
 
 use super::color::Color;
 use super::texture::Waves;
 use crate::scalar::{Ring, Scalar};
 
-/// The surface of an object: the eight numbers of an NFF `f` entity, and what that format cannot say.
+/// The material of a surface: the eight numbers of an NFF `f` entity, and properties that this format does not have.
 ///
-/// A ray that meets it brings back
+/// The radiance of a hit is the sum of
 ///
 /// - for every light that reaches the point, `strength * (color * diffuse * cos + specular * cos'^shine)`, with the
 ///   angles of Lambert's law and of Phong, *Illumination for computer generated pictures* (1975);
-/// - `mirror` times what the mirrored ray brings back, and `transmittance` times what the refracted ray does (Whitted,
-///   *An Improved Illumination Model for Shaded Display*, 1980). Neither is tinted by `color`.
+/// - `mirror` times the radiance of the mirrored ray, and `transmittance` times that of the refracted ray (Whitted,
+///   *An Improved Illumination Model for Shaded Display*, 1980). Neither is multiplied by `color`.
 ///
-/// Where `refraction` is not 1, a part F of the transmitted light goes the way of the mirrored ray instead, by
-/// Fresnel's equations: `mirror + transmittance F` is reflected and `transmittance (1 - F)` passes. Their sum is
-/// the material's own, `mirror + transmittance`, at every angle; where reflection is total, F is 1.
+/// If `refraction` is not 1, a fraction F of the transmitted light is reflected instead, by Fresnel's equations: the mirrored ray
+/// has the weight `mirror + transmittance F` and the refracted ray `transmittance (1 - F)`. The sum is `mirror + transmittance` at
+/// every angle. At total reflection F is 1.
 ///
-/// Energy is not added up for you: `diffuse + mirror + transmittance` should stay at most 1, and
-/// NFF files do not always keep to it. A mirror above 1 counts as 1, and of the transmittance no more counts than the mirror leaves:
-/// no path brings back more light than it finds.
+/// `diffuse + mirror + transmittance` should be at most 1. That is not checked, and some NFF files exceed it. `mirror` is clamped to 1 and
+/// `transmittance` to `1 - mirror`, so that the light along a path never grows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material<S: Scalar> {
     /// Colour of the surface, each channel in `[0, 1]`.
@@ -30,22 +29,23 @@ pub struct Material<S: Scalar> {
     pub specular: S,
     /// Phong's cosine power, at least 0: the larger, the smaller the highlight.
     pub shine: S,
-    /// Part of the light that passes through, at least 0 and usually at most 1. Above 0 the object has two sides.
+    /// Fraction of the light that is transmitted, at least 0 and usually at most 1. The NFF reader makes objects with a transmittance above 0
+    /// two-sided.
     pub transmittance: S,
-    /// Index of refraction of the inside over the outside. At 1 (and at 0, which NFF files have where nothing
-    /// transmits) light goes straight on: right for a surface with the same on both sides, such as a thin pane.
+    /// Index of refraction of the inside relative to the outside. At 1 light passes without being bent, as it should for a surface with the
+    /// same medium on both sides, such as a thin pane. The same holds for 0, which NFF files have for opaque materials.
     pub refraction: S,
-    /// Part of the light that is reflected as by a mirror, at least 0 and usually at most 1. NFF has no number of its own
-    /// for it: by its custom the highlights' weight Ks is also the mirror's, and its reader sets both.
+    /// Fraction of the light that is reflected as by a mirror, at least 0 and usually at most 1. NFF has no such number: by its convention
+    /// the specular weight Ks is also that of the mirror, and the reader sets both.
     pub mirror: S,
-    /// Index into the scene's textures; `None` leaves `color` alone.
+    /// Index into the scene's textures; `None` for `color` everywhere.
     pub texture: Option<u32>,
-    /// Waves that bend the normal; `None` leaves the surface smooth.
+    /// Waves that perturb the normal (bump mapping); `None` for a smooth surface.
     pub bump: Option<Waves<S>>,
 }
 
 impl<S: Scalar> Material<S> {
-    /// A dull surface: all diffuse, opaque.
+    /// An opaque diffuse surface.
     pub fn matte(color: Color<S>) -> Self {
         let one = S::round(S::Real::ONE);
         Self {
@@ -73,7 +73,7 @@ impl<S: Scalar> Material<S> {
         Self { mirror, ..self }
     }
 
-    /// The same surface with this part of the light passing, into an inside of this index of refraction.
+    /// The same surface with this transmittance and this index of refraction.
     #[must_use]
     pub fn with_refraction(self, transmittance: S, refraction: S) -> Self {
         Self { transmittance, refraction, ..self }
@@ -91,7 +91,7 @@ impl<S: Scalar> Material<S> {
         Self { bump: Some(waves), ..self }
     }
 
-    /// True if light passes through, so that both sides of the surface are seen.
+    /// True if light passes through: the transmittance is above 0.
     pub fn transmits(&self) -> bool {
         self.transmittance > S::ZERO
     }

@@ -1,14 +1,14 @@
-//! What is to be seen: objects, materials, lights, a background and a camera, all borrowed.
+//! Scenes: objects, materials, lights, a background and a camera, all borrowed.
 //!
-//! | room | what it holds |
+//! | module | what it holds |
 //! |---|---|
-//! | `object` | a shape, its material, its corner normals |
-//! | `material`, `color`, `light` | what shading needs |
-//! | `texture`, `fog` | patterns on surfaces; what fills the space between |
-//! | `hierarchy` | boxes in boxes, so that a ray asks few of many objects |
-//! | `camera` | the ray of each pixel |
-//! | `storage` | where a reader puts what it finds |
-//! | `counters`, `observer` | what was done for a picture, and who wants to know |
+//! | `object` | a shape with its materials and corner normals |
+//! | `material`, `color`, `light` | the input of shading |
+//! | `texture`, `fog` | patterns on surfaces; fog |
+//! | `hierarchy` | bounding volume hierarchy, so that a ray tests few of many objects |
+//! | `camera` | the primary ray of each pixel sample |
+//! | `storage` | lists that a reader fills |
+//! | `counters`, `observer` | counters of rays and tests; a callback for each test |
 //! | [`nff`] | the reader of the Neutral File Format |
 
 mod camera;
@@ -44,12 +44,11 @@ use crate::tier::{Stable, Tier};
 use core::fmt;
 use core::marker::PhantomData;
 
-/// Everything that a picture is made from. Borrows its lists: they may live in flash, in a `heapless::Vec` or in a
-/// `Vec`.
+/// A scene. It borrows its lists, which may be in flash, in a `heapless::Vec` or in a `Vec`.
 ///
-/// The indices in its objects are checked once, by [`Scene::new`]; no query can fail.
+/// [`Scene::new`] and the `with_` methods check all indices once, so that no query can fail.
 ///
-/// Its objects are met in the accuracy tier `T`; see [`Scene::at_tier`].
+/// Its objects are intersected in the accuracy tier `T`; see [`Scene::at_tier`].
 #[derive(Clone, Copy, Debug)]
 pub struct Scene<'a, S: Scalar, T = Stable> {
     objects: &'a [Object<S>],
@@ -65,7 +64,7 @@ pub struct Scene<'a, S: Scalar, T = Stable> {
 }
 
 impl<'a, S: Scalar> Scene<'a, S> {
-    /// A black background, flat shading, no textures and no fog; see [`Scene::with_background`],
+    /// A scene with a black background, flat shading, no textures and no fog; see [`Scene::with_background`],
     /// [`Scene::with_normals`], [`Scene::with_textures`] and [`Scene::with_fog`].
     ///
     /// # Errors
@@ -108,7 +107,7 @@ impl<'a, S: Scalar> Scene<'a, S> {
 }
 
 impl<'a, S: Scalar, T: Tier<S>> Scene<'a, S, T> {
-    /// The same scene with its objects met in another accuracy tier.
+    /// The same scene with its objects intersected in another accuracy tier.
     ///
     /// ```
     /// # use raylet::{Camera, Material, Object, Picture, Scene, Shape, Size, Sphere, Vec3, tier::Exact};
@@ -128,7 +127,7 @@ impl<'a, S: Scalar, T: Tier<S>> Scene<'a, S, T> {
         Scene { objects, materials, lights, normals, textures, fog, background, camera, hierarchy, tier }
     }
 
-    /// The same scene before another background.
+    /// The same scene with another background.
     #[must_use]
     pub const fn with_background(self, background: Color<S>) -> Self {
         Self { background, ..self }
@@ -148,11 +147,11 @@ impl<'a, S: Scalar, T: Tier<S>> Scene<'a, S, T> {
         Ok(Self { normals, ..self })
     }
 
-    /// The same scene with the textures that its materials name. Without this call they are left plain.
+    /// The same scene with the textures that its materials name. Without this call materials have no texture.
     ///
     /// # Errors
     ///
-    /// [`SceneError::Texture`] if a texture is empty or an image has another length than its sides say;
+    /// [`SceneError::Texture`] if a texture is empty or an image's length is not its width times its height;
     /// [`SceneError::NoTexture`] if a material names a texture that is not in the list.
     pub fn with_textures(self, textures: &'a [Texture<'a, S>]) -> Result<Self, SceneError> {
         for (index, texture) in (0_u32..).zip(textures) {
@@ -174,11 +173,11 @@ impl<'a, S: Scalar, T: Tier<S>> Scene<'a, S, T> {
         Self { fog: Some(fog), ..self }
     }
 
-    /// The same scene with boxes around its objects: the same answers to the bit, sooner where there are many.
+    /// The same scene with a bounding volume hierarchy: the same results to the bit, in less time if there are many objects.
     ///
     /// # Errors
     ///
-    /// [`SceneError::Hierarchy`] if it was built for other objects, or for the same in another order or place.
+    /// [`SceneError::Hierarchy`] if it was built for other objects, or for the same objects in another order or with other placements.
     pub fn with_hierarchy(self, hierarchy: &Hierarchy<'a, S>) -> Result<Self, SceneError> {
         if hierarchy.is_of(self.objects) {
             Ok(Self { hierarchy: Some(*hierarchy), ..self })
@@ -208,7 +207,7 @@ impl<'a, S: Scalar, T: Tier<S>> Scene<'a, S, T> {
         self.fog.as_ref()
     }
 
-    /// What a ray sees that meets nothing.
+    /// The radiance of a ray that misses every object.
     pub const fn background(&self) -> Color<S> {
         self.background
     }
@@ -233,26 +232,26 @@ impl<'a, S: Scalar, T: Tier<S>> Scene<'a, S, T> {
         self.materials.get(object.material_of(part) as usize)
     }
 
-    /// The texture of a material; `None` leaves it plain.
+    /// The texture of a material; `None` if it has none.
     pub fn texture(&self, material: &Material<S>) -> Option<&'a Texture<'a, S>> {
         self.textures.get(material.texture? as usize)
     }
 
-    /// The corner normals of an object; `None` shades it flat.
+    /// The corner normals of an object; `None` if it is shaded flat.
     pub fn corner_normals(&self, object: &Object<S>) -> Option<&'a CornerNormals<S>> {
         self.normals.get(object.smooth? as usize)
     }
 
-    /// The nearest hit of a ray, and the index of the object it belongs to. Of two objects at the same `t` the one
-    /// with the lower index is seen.
+    /// The nearest hit of a ray, and the index of its object. If two objects are hit at the same `t`, the one with the lower index
+    /// is returned.
     ///
-    /// A ray that departs from a surface (see [`Departure`](crate::Departure)) departs from that object only: the
-    /// others see an ordinary ray. Counts every test in `counters`.
+    /// A departure of the ray (see [`Departure`](crate::Departure)) applies to the object that it names; the other objects are tested with the
+    /// ray without departure. Counts every test in `counters`.
     pub fn nearest(&self, ray: &Ray<S>, counters: &mut Counters) -> Option<SceneHit<S>> {
         self.nearest_for(ray, counters, &mut ())
     }
 
-    /// As [`Scene::nearest`], with an [`Observer`] that is told of every test.
+    /// As [`Scene::nearest`], with an [`Observer`] that is called after every test.
     pub fn nearest_for(
         &self,
         ray: &Ray<S>,
@@ -286,12 +285,12 @@ impl<'a, S: Scalar, T: Tier<S>> Scene<'a, S, T> {
         nearest
     }
 
-    /// True if anything lies on the ray within its range: for shadows. Stops at the first object found.
+    /// Occlusion test, for shadows: true if the ray hits any object within its range. Stops at the first object that it hits.
     pub fn occludes(&self, ray: &Ray<S>, counters: &mut Counters) -> bool {
         self.occluder(ray, counters, &mut ()).is_some()
     }
 
-    /// Some object that lies on the ray within its range, the first that is found.
+    /// Any object that the ray hits within its range, not necessarily the nearest; `None` if there is none.
     pub fn occluder(&self, ray: &Ray<S>, counters: &mut Counters, observer: &mut impl Observer) -> Option<u32> {
         let Some(hierarchy) = &self.hierarchy else {
             return (0_u32..)
@@ -310,7 +309,7 @@ impl<'a, S: Scalar, T: Tier<S>> Scene<'a, S, T> {
         occluder
     }
 
-    /// True if the object of this index lies on the ray within its range.
+    /// True if the ray hits the object of this index within its range; false beyond the last object.
     pub fn stands_on(&self, index: u32, ray: &Ray<S>, counters: &mut Counters, observer: &mut impl Observer) -> bool {
         let Some(object) = self.object(index) else { return false };
         counters.intersection_tests += 1;
@@ -320,7 +319,7 @@ impl<'a, S: Scalar, T: Tier<S>> Scene<'a, S, T> {
     }
 }
 
-/// The ray as the object of this index sees it: only the object that it departs from knows of the departure.
+/// The ray for a test of the object of this index: with its departure only if that names the object.
 fn for_object<S: Scalar>(ray: &Ray<S>, index: u32) -> Ray<S> {
     match ray.departure() {
         Some(departure) if departure.object == index => *ray,
@@ -333,7 +332,7 @@ fn for_object<S: Scalar>(ray: &Ray<S>, index: u32) -> Ray<S> {
 pub struct SceneHit<S> {
     /// Index of the object.
     pub object: u32,
-    /// Where the ray meets it.
+    /// The hit.
     pub hit: Hit<S>,
 }
 

@@ -1,4 +1,4 @@
-//! A shape with a surface.
+//! Objects: shapes with materials.
 
 use crate::part::Part;
 use crate::scalar::Scalar;
@@ -8,10 +8,10 @@ use crate::vector::UnitVec3;
 /// The normals at the corners of a triangle, in the order of the corners; shading interpolates between them.
 pub type CornerNormals<S> = [UnitVec3<S>; 3];
 
-/// One thing in a scene: a shape, and the indices of what goes with it.
+/// An object of a scene: a shape, and the indices of its materials and corner normals.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Object<S: Scalar> {
-    /// What a ray meets.
+    /// The shape.
     pub shape: Shape<S>,
     /// Index into the scene's materials: the material of the side.
     pub material: u32,
@@ -19,12 +19,12 @@ pub struct Object<S: Scalar> {
     pub base: u32,
     /// The material of the top: of the upper cap or hemisphere, for a shape that has one.
     pub top: u32,
-    /// For a triangle, the index into the scene's corner normals; `None` shades it flat.
+    /// For a triangle, the index into the scene's corner normals; `None` for flat shading.
     pub smooth: Option<u32>,
 }
 
 impl<S: Scalar> Object<S> {
-    /// A shape with the material of this index all over.
+    /// A shape with the material of this index on all parts.
     pub fn new(shape: impl Into<Shape<S>>, material: u32) -> Self {
         Self { shape: shape.into(), material, base: material, top: material, smooth: None }
     }

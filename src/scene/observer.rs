@@ -1,10 +1,10 @@
-//! Whoever wants to know more than the counters say.
+//! A callback for each intersection test, for statistics beyond the counters.
 
-/// Is told of every question that a scene puts to one of its objects.
+/// A callback for each test of a ray against an object.
 ///
-/// `()` listens to nothing, and costs nothing.
+/// `()` ignores the calls, at no cost.
 pub trait Observer {
-    /// The object of this index was asked for a hit, or whether it occludes; `found` is its answer.
+    /// The object of this index was tested for a nearest hit or for occlusion; `found` is true if it was hit.
     #[inline(always)]
     fn tested(&mut self, object: u32, found: bool) {
         let _ = (object, found);

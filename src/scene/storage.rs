@@ -1,8 +1,8 @@
-//! Where a reader puts what it finds: fixed capacity on a microcontroller, a growing `Vec` on a host.
+//! Lists that a reader fills: of fixed capacity on a microcontroller, a growing `Vec` on a host.
 
 use core::fmt;
 
-/// A list with room for more, perhaps.
+/// A list to which items can be added until it is full.
 ///
 /// Implemented for `heapless::Vec` and `heapless::VecView`, for `std::vec::Vec` with the feature `std`, and for
 /// mutable references to any of these.
@@ -11,11 +11,11 @@ pub trait Store<T> {
     ///
     /// # Errors
     ///
-    /// [`Full`] if there is no room; the store is unchanged.
+    /// [`Full`] if the capacity is exhausted; the store is unchanged.
     fn push(&mut self, item: T) -> Result<(), Full>;
 }
 
-/// A store has no more room.
+/// The capacity of a store is exhausted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Full;

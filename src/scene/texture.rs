@@ -1,10 +1,10 @@
-//! Patterns on a surface: colours and heights over its coordinates `u` and `v`.
+//! Textures and bump maps: colours and heights as functions of the surface coordinates `u` and `v`.
 
 use super::color::Color;
 use crate::scalar::Scalar;
 use core::fmt;
 
-/// Which of the two surface coordinates counts.
+/// One of the two surface coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -15,18 +15,18 @@ pub enum Coordinate {
     V,
 }
 
-/// A colour for each point of a surface, by which the material's colour is multiplied: a white material shows the
-/// texture as it is.
+/// A colour for each point of a surface. The material's colour is multiplied by it, so that a white material shows the texture
+/// unchanged.
 ///
-/// Spread over `[0, 1]` in `u` and `v` (see [`crate::primitive`]); on a plane, which has no end, once for each unit of
-/// length. No interpolation: edges are sharp, and antialiasing is what softens them.
+/// The texture spans `[0, 1]` in `u` and `v`; on a plane, which is infinite, it repeats every unit of length. There is no
+/// interpolation between texels or fields; antialiasing smooths their edges.
 ///
 /// Catmull, *A Subdivision Algorithm for Computer Display of Curved Surfaces* (1974).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Texture<'a, S: Scalar> {
     /// A chessboard of `columns` fields along `u` and `rows` along `v`, each at least 1; the field at (0, 0) has the
-    /// first colour. An even number of columns closes without a seam around an axis.
+    /// first colour. Around an axis, an even number of columns joins without a visible seam.
     Checker {
         /// Fields along `u`.
         columns: u16,
@@ -35,16 +35,16 @@ pub enum Texture<'a, S: Scalar> {
         /// The two colours, each channel in `[0, 1]`.
         colors: [Color<S>; 2],
     },
-    /// `count` stripes, at least 1, that follow each other along a coordinate; the stripe at 0 has the first colour.
+    /// `count` stripes, at least 1, of alternating colour along a coordinate; the stripe at 0 has the first colour.
     Stripes {
-        /// Along which coordinate the colour changes.
+        /// The coordinate along which the colour changes.
         along: Coordinate,
-        /// Stripes of either colour, counted together.
+        /// The number of stripes of both colours together.
         count: u16,
         /// The two colours, each channel in `[0, 1]`.
         colors: [Color<S>; 2],
     },
-    /// An image, linear in light: rows from the top (`v` = 1), each from the left (`u` = 0).
+    /// An image in linear RGB: rows from the top (`v` = 1), each from the left (`u` = 0).
     Image {
         /// Pixels in a row, at least 1.
         width: u16,
@@ -93,10 +93,10 @@ impl fmt::Display for TextureFault {
     }
 }
 
-/// Heights on a surface: waves along each surface coordinate, by which its normal leans to and fro.
+/// Bump mapping by waves along each surface coordinate, which perturb the normal.
 ///
-/// A wave is made of two arcs of a parabola, a hill and a valley: near a sine, at a fraction of its cost.
-/// The surface itself stays smooth: outline and shadow do not show the waves. Blinn, *Simulation of Wrinkled Surfaces*
+/// A wave consists of two parabolic arcs, a hill and a valley. It is close to a sine and costs a fraction of it.
+/// The geometry is not changed: silhouettes and shadows do not show the waves. Blinn, *Simulation of Wrinkled Surfaces*
 /// (1978).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -105,13 +105,13 @@ pub struct Waves<S> {
     pub along_u: u16,
     /// Whole waves over `v` from 0 to 1; 0 for none.
     pub along_v: u16,
-    /// The steepest slope of each wave, rise over run, usually below 1; 0 leaves the normal alone. The same in
-    /// directions `u` and `v`, however long the waves are.
+    /// The largest slope of each wave, rise over run, usually below 1; 0 leaves the normal unchanged. It is the same along `u` and
+    /// `v`, whatever the wavelengths.
     pub slope: S,
 }
 
 impl<S: Scalar> Waves<S> {
-    /// True if they bend any normal.
+    /// True if the waves change any normal.
     pub fn are_visible(&self) -> bool {
         self.slope != S::ZERO && (self.along_u, self.along_v) != (0, 0)
     }

@@ -1,4 +1,4 @@
-//! Any primitive, placed.
+//! A shape: any primitive, placed in the world.
 
 mod surface;
 
@@ -46,11 +46,11 @@ macro_rules! primitives {
 
         $(
             impl<S: Scalar> $Variant<S> {
-                /// What is known of a hit: point, normal, surface coordinates, tangents.
+                /// The surface at a hit: point, normal, surface coordinates, tangents. See [`Shape::surface`].
                 pub fn surface(&self, ray: &Ray<S>, hit: &Hit<S>) -> Surface<S> {
                     Shape::new(*self).surface(ray, hit)
                 }
-                /// The box that holds it: see [`Shape::bounds`].
+                /// The axis-aligned bounding box: see [`Shape::bounds`].
                 pub fn bounds(&self) -> Bounds<S> {
                     bounds::unplaced(&self.hull())
                 }
@@ -126,7 +126,7 @@ macro_rules! primitives {
     };
 }
 
-// One copy a primitive for all placements and queries: inlined it would be in each of them.
+// Not inlined, so that the program has one copy for each primitive, and not one for each placement and query.
 #[inline(never)]
 fn fast_intersection<S: Scalar, T: Guards, G: Geometry<S>>(
     geometry: &G,
@@ -141,16 +141,16 @@ fn fast_occlusion<S: Scalar, T: Guards, G: Geometry<S>>(geometry: &G, line: &Loc
 
 primitives!(Sphere, Cylinder, Cone, Capsule, Plane, Disc, Triangle);
 
-/// Where a primitive stands in the world.
+/// How a primitive is placed in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Placement<S: Scalar> {
-    /// In its canonical pose.
+    /// In its canonical pose (see [`crate::primitive`]): the primitive's coordinates are world coordinates.
     World,
-    /// Turned and moved.
+    /// Rotated and translated.
     Frame(Frame<S>),
-    /// Stretched, sheared, turned and moved.
+    /// Transformed by any invertible affine map.
     Affine(Affine<S>),
 }
 
@@ -166,29 +166,29 @@ impl<S: Scalar> From<Affine<S>> for Placement<S> {
     }
 }
 
-/// From which sides a surface is seen. A one-sided surface ignores the crossings seen from the back.
+/// Culling: from which sides rays hit a surface. A one-sided surface ignores crossings from its other side.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Visible {
-    /// From both.
+    /// From both sides.
     #[default]
     Both,
-    /// From outside, or from the front, only: no [`Crossing::Exit`].
+    /// From outside (of an open surface, from the front) only: no [`Crossing::Exit`] is reported.
     Outside,
-    /// From inside, or from the back, only: no [`Crossing::Enter`].
+    /// From inside (of an open surface, from the back) only: no [`Crossing::Enter`] is reported.
     Inside,
 }
 
 impl Visible {
-    /// True if a crossing from that side is reported; a touch is seen from both.
+    /// True if such a crossing is reported. A touch always is.
     #[inline]
     const fn sees(self, crossing: Crossing) -> bool {
         !matches!((self, crossing), (Self::Outside, Crossing::Exit) | (Self::Inside, Crossing::Enter))
     }
 }
 
-/// Any primitive, placed in the world, seen from one side or from both.
+/// Any primitive, placed in the world, one-sided or two-sided.
 ///
 /// ```
 /// use raylet::{Cone, Frame, Ray, Shape, UnitVec3, Vec3, Visible};
@@ -206,7 +206,7 @@ pub struct Shape<S: Scalar> {
     visible: Visible,
 }
 
-/// A query of the shape's primitive, through its placement.
+/// Evaluates a query with the shape's primitive and placement, each in its own type.
 macro_rules! through {
     ($shape:ident, |$primitive:ident, $place:ident| $query:expr) => {{
         let $primitive = &$shape.primitive;
@@ -302,7 +302,7 @@ impl<S: Scalar> Shape<S> {
         through!(self, |primitive, place| T::contains(primitive, place, point))
     }
 
-    /// What numbers the tier [`Exact`](crate::tier::Exact) needs for this ray.
+    /// The precision that the tier [`Exact`](crate::tier::Exact) uses to decide this ray.
     pub fn effort(&self, ray: &Ray<S>) -> Effort
     where
         S: Certain,
@@ -310,15 +310,15 @@ impl<S: Scalar> Shape<S> {
         through!(self, |primitive, place| ladder::effort(primitive, place, ray))
     }
 
-    /// The box that holds the shape: every point of it, in every number type and placement, taken exactly as position, axes or
-    /// matrix and sizes are stored.
+    /// The axis-aligned bounding box. It contains every point of the shape, with position, axes or matrix and sizes taken exactly as
+    /// they are stored.
     ///
-    /// It is the smallest box of the number type, or a unit larger on a side: a unit of what the side's coordinate is a sum of, where
-    /// these cancel. It is larger where axes of an [`Affine`] point nearly along a plane (some units where the volume that their
-    /// directions span is below 1/64), and beside subnormal numbers.
+    /// Each side is at the smallest value of the number type that is large enough, or one unit in the last place farther. Where the side's
+    /// coordinate is a sum whose terms cancel, that is a unit of the largest term. The box is larger by some units if the axes of an
+    /// [`Affine`] lie nearly in a plane (the volume that their directions span is below 1/64), and if numbers are subnormal.
     ///
-    /// It is infinite along every axis of the world that an infinite side of the shape leans to, where the number type ends, and where a
-    /// float overflows on the way.
+    /// A side is infinite if the shape is infinite in that direction, if the coordinate is beyond the number type, or if a float
+    /// overflows in the computation.
     ///
     /// ```
     /// use raylet::{Capsule, Frame, Shape, UnitVec3, Vec3};
@@ -338,8 +338,8 @@ impl<S: Scalar> Shape<S> {
         }
     }
 
-    /// What is known of a hit of this shape: point, normal, surface coordinates, tangents. Each is computed when its method is called,
-    /// and nothing else is.
+    /// The surface at a hit of this shape: point, normal, surface coordinates, tangents. Each is computed only when its method is
+    /// called. `ray` must be the ray of the hit.
     #[inline]
     pub fn surface<'a>(&'a self, ray: &'a Ray<S>, hit: &'a Hit<S>) -> Surface<S> {
         Surface::new(self, ray, hit)

@@ -1,4 +1,4 @@
-//! What is known of a hit beside its `t`: point, normal, surface coordinates, tangents.
+//! The surface at a hit: point, normal, surface coordinates, tangents.
 
 use super::{Placement, Shape, through};
 use crate::figure::Figure;
@@ -14,7 +14,7 @@ use crate::scalar::{FromScalar, Real, Ring, Scalar, Twofold, largest};
 use crate::solve::{self, Line};
 use crate::vector::{UnitVec3, Vec3, pairs};
 
-/// A hit on a shape; its methods compute what is needed there.
+/// The surface of a shape at a hit. Its methods compute point, normal, surface coordinates and tangents.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface<S: Scalar> {
     shape: Shape<S>,
@@ -28,7 +28,7 @@ impl<S: Scalar> Surface<S> {
         Self { shape: *shape, ray: *ray, hit: *hit }
     }
 
-    /// The point relative to the primitive, on its surface: accurate however far the ray starts.
+    /// The point in the primitive's own coordinates, on its surface. It is accurate however far away the ray starts.
     pub fn local_point(&self) -> Vec3<S> {
         let mut rough = self.rough_local_point();
         if !self.is_resolved(rough) {
@@ -42,7 +42,7 @@ impl<S: Scalar> Surface<S> {
         query::scaled(primitive.on_surface(point, self.hit.part), exponent)
     }
 
-    /// The point in the world, on the surface as nearly as the number type can say.
+    /// The point in the world, as close to the surface as the number type allows.
     pub fn point(&self) -> Vec3<S> {
         let rough = self.rough_local_point();
         let resolved = self.is_resolved(rough).then(|| match &self.shape.placement {
@@ -64,7 +64,7 @@ impl<S: Scalar> Surface<S> {
         if point.to_array().iter().all(|c| c.is_finite()) { point } else { self.exact_point() }
     }
 
-    /// The outward unit normal in the world; for an open surface away from the axis, for a flat one to the front.
+    /// The outward unit normal in the world. For an open surface it points away from the axis, for a flat one to the front.
     pub fn normal(&self) -> UnitVec3<S> {
         let rough = self.rough_local_point();
         if self.needs_exact_normal(rough)
@@ -75,12 +75,12 @@ impl<S: Scalar> Surface<S> {
         self.local_normal_to_world(self.rounded_local_normal(rough))
     }
 
-    /// True if the rounding of `t` would turn the normal by more than a few units.
+    /// True if the rounding of `t` may rotate the normal by more than a few units in the last place.
     fn needs_exact_normal(&self, rough: Vec3<S>) -> bool {
         self.is_stretched() || !S::resolves(self.hit.t, self.bend(rough))
     }
 
-    /// True if lengths, and with them the rounding of `t`, are others in the primitive's frame.
+    /// True if the placement changes lengths, and with them the rounding error of `t`.
     const fn is_stretched(&self) -> bool {
         matches!(self.shape.placement, Placement::Affine(_))
     }
@@ -107,7 +107,7 @@ impl<S: Scalar> Surface<S> {
         !self.is_stretched() && is_finite && resolves(size) && resolves(self.bend(local))
     }
 
-    /// The point relative to the primitive, as far off as the rounding of `t` takes it.
+    /// The point in the primitive's coordinates, from the rounded `t` alone.
     fn rough_local_point(&self) -> Vec3<S> {
         match &self.shape.placement {
             Placement::World => self.ray.at(self.hit.t),
@@ -116,13 +116,13 @@ impl<S: Scalar> Surface<S> {
         }
     }
 
-    /// The radius of the surface's curvature at a local point; nothing where that is beyond the number type.
+    /// The surface's radius of curvature at a local point; zero if the point is beyond the number type.
     fn bend(&self, point: Vec3<S>) -> S {
         let is_known = point.to_array().iter().all(|c| c.is_finite());
         if is_known { self.shape.primitive.bend(point, self.hit.part) } else { S::ZERO }
     }
 
-    /// The frame, if the solid is a ball, which has no axes: its line is that of the world's, moved.
+    /// The frame, if the primitive is a sphere. Its line is then only translated, not rotated, so that local results are along world axes.
     fn frame_of_a_ball(&self) -> Option<&Frame<S>> {
         match (&self.shape.placement, self.shape.primitive.figure()) {
             (Placement::Frame(frame), Figure::Ball { .. }) => Some(frame),
@@ -130,15 +130,15 @@ impl<S: Scalar> Surface<S> {
         }
     }
 
-    /// What `t` lacks by one step of Newton's; `None` in fixed point, which has no bits left for that, and where it is not good to a
-    /// few units.
+    /// The error of the rounded `t`, by one Newton step. `None` in fixed point, which has no bits left for that, and where the step is not
+    /// accurate to a few units.
     #[inline(always)]
     fn correction(&self, rough: Vec3<S>) -> Option<Correction<S::Real>> {
         if !S::RELATIVE {
             return None;
         }
         let (shape, part, figure) = (&self.shape, self.hit.part, self.shape.primitive.figure());
-        // Through a frame the rounding of a local point would matter by more than itself.
+        // In a frame the local point is computed in twice the precision: its rounding would be amplified.
         let (point, direction) = if let Placement::World = shape.placement {
             (rough.real().map(Twofold::of), self.ray.direction().real().map(Twofold::of))
         } else {
@@ -160,10 +160,10 @@ impl<S: Scalar> Surface<S> {
         let value = solve::value(&figure, part, point, |size| Twofold::of(size.real()));
         let step = -value.high / slope.scaled(1);
         let length = step.abs();
-        // Its square over the radius of curvature is what it leaves.
+        // The error after the step is about its square over the radius of curvature.
         let radius = self.bend(rough).real().scaled(S::Real::ROUNDING / 2 - 1);
         let is_small = length * length * square <= radius * radius;
-        // Beyond some units it is no rounding.
+        // A step of many units is no correction of a rounding error.
         let is_rounding = length <= self.hit.t.magnitude().real().scaled(S::Real::ROUNDING + 6);
         let correction = Correction { point, direction, step };
         let is_number = correction.local_point().into_iter().all(|component| S::round(component).is_finite());
@@ -199,7 +199,7 @@ impl<S: Scalar> Surface<S> {
         let line = through!(shape, |_primitive, place| ladder::line(figure, place, &self.ray));
         let t = <S::Robust as FromScalar<S>>::scalar(self.hit.t);
         let correction = solve::correction(figure, &self.hit, solve::point_at(&line, t), line.direction);
-        // Beyond some units it is no rounding: the tier is `Fast`, or rule 8 has put the hit at the start.
+        // A correction of many units is not one of a rounding error: the tier is `Fast`, or rule 8 has put the hit at the start.
         let most = S::last_place(t.top().unwrap_or(i32::MIN / 2)) + 6;
         let is_rounding = correction.top().is_none_or(|top| top <= most);
         if is_rounding { (line, t + correction) } else { (line, t) }
@@ -220,7 +220,8 @@ impl<S: Scalar> Surface<S> {
         rounded(solve::point_at(&Line { origin, direction, departure: None }, t))
     }
 
-    /// The gradient of the surface's equation in the primitive's frame, of any length; of a ball, which has no axes, in the world's.
+    /// The gradient of the surface's equation in the primitive's frame, of any length. For a sphere, whose line is not rotated, it is along
+    /// the world's axes.
     #[cold]
     fn exact_gradient(&self) -> [S::Robust; 3] {
         let figure = self.shape.primitive.figure();
@@ -242,7 +243,7 @@ impl<S: Scalar> Surface<S> {
         UnitVec3::from_robust(gradient)
     }
 
-    /// The normal on the side that the ray comes from; where it touches, the outward one.
+    /// The normal on the side that the ray comes from; the outward normal if the ray only touches.
     pub fn normal_towards_ray(&self) -> UnitVec3<S> {
         let normal = self.normal();
         let facing = self.ray.direction().dot(normal);
@@ -260,7 +261,7 @@ impl<S: Scalar> Surface<S> {
         let rough = self.rough_local_point();
         let (primitive, point, _) = query::near_one(&self.shape.primitive, rough);
         let mut tangents = primitive.tangents(point, self.hit.part);
-        // On a flat part they are the same everywhere.
+        // On a flat part the tangents are the same everywhere.
         let is_curved = self.bend(rough).is_finite();
         if is_curved
             && self.needs_exact_normal(rough)
@@ -289,7 +290,7 @@ impl<S: Scalar> Surface<S> {
     }
 }
 
-/// A hit's local point as its `t` has it, the line's direction there, and what `t` lacks.
+/// A hit's local point from the rounded `t`, the line's direction in the same coordinates, and the correction of `t`.
 struct Correction<R> {
     point: [Twofold<R>; 3],
     direction: [Twofold<R>; 3],
@@ -303,7 +304,7 @@ impl<R: Real> Correction<R> {
     }
 }
 
-/// Around the axis and up, on a surface about the y axis with this outward normal.
+/// The tangents around the axis and up, on a surface of revolution about the y axis with this outward normal.
 fn along_the_surface<S: Scalar>(normal: UnitVec3<S>) -> (UnitVec3<S>, UnitVec3<S>) {
     let [x, _, z] = normal.real();
     let u = UnitVec3::from_real([z, S::Real::ZERO, -x]).unwrap_or(-UnitVec3::Z);
@@ -311,7 +312,7 @@ fn along_the_surface<S: Scalar>(normal: UnitVec3<S>) -> (UnitVec3<S>, UnitVec3<S
     (u, v)
 }
 
-/// Rounded; what lies beyond the number type is its largest number.
+/// The point rounded to the number type; coordinates beyond it are clamped to the largest distance.
 fn rounded<S: Scalar>(point: [S::Robust; 3]) -> Vec3<S> {
     let farthest = S::BUDGET.distance;
     let within = |component: S| {

@@ -8,7 +8,7 @@ use crate::number::{cross, difference, dot};
 use crate::scalar::Scalar;
 use core::cmp::Ordering;
 
-/// Whether the point belongs to the closed set.
+/// True if the point belongs to the closed set.
 pub(crate) fn holds<S: Scalar, N: Of<S>>(figure: &Figure<S>, point: [N; 3]) -> Option<bool> {
     let here = Homogeneous { v: point, w: Weight::One };
     let [_, y, _] = point;

@@ -1,4 +1,4 @@
-//! The flat solids: where a line crosses a plane, a disc and a triangle, decided by signs.
+//! The flat primitives: intersection of a line with a plane, a disc and a triangle, decided by signs.
 
 use super::form::{Line, Tube};
 use super::quadratic::{End, Flat, Fraction, Inside, Interval, Quadratic};
@@ -57,13 +57,13 @@ pub(super) fn disc<S: Scalar, N: Of<S>>(line: &Line<N>, r: N, range: Range<S>) -
 
 /// The triangle, whose front is where its vertices run counter-clockwise.
 ///
-/// The line passes inside where the three signed volumes that its edges make with it have one sign (Segura and Feito, *Algorithms to
-/// test ray-triangle intersection*, 2001). The volume of an edge depends on its two end points and the line alone and changes its
-/// sign exactly when they are swapped, so that no line slips between two triangles that share an edge. No other sign takes part: the
-/// volumes add up to `d . n`, which decides the side that is seen and divides.
+/// The line passes inside if the three signed volumes that it spans with the edges have the same sign (Segura and Feito, *Algorithms to
+/// test ray-triangle intersection*, 2001). The volume of an edge depends only on its two end points and the line, and changes its
+/// sign exactly when the points are swapped, so that no line passes between two triangles that share an edge. No other sign is needed: the
+/// sum of the volumes is `d . n`, whose sign tells the side that is hit, and by which `t` is divided.
 ///
-/// With the line's moment `m = o x d`, the volume of an edge is the product of two lines in Plucker coordinates; far origins cancel in
-/// `m` alone, before anything is rounded.
+/// With the line's Pluecker moment `m = o x d`, the volume of an edge is the product of two lines in Pluecker coordinates. For a far
+/// origin the cancellation is in `m` only, before anything is rounded.
 #[inline(never)]
 pub(super) fn triangle<S: Scalar, N: Of<S>>(
     line: &Line<N>,
@@ -85,7 +85,7 @@ pub(super) fn triangle<S: Scalar, N: Of<S>>(
     let normal = cross(difference(vb, va), difference(vc, va));
     let distance = dot(normal, difference(va, line.origin));
     if along_normal == Ordering::Equal {
-        // In its plane; or corners on a line, as exact arithmetic sees them: no area, no hit.
+        // The line lies in the plane; or the corners are exactly collinear, so that there is no area and no hit.
         let misses = is_zero(normal)? || distance.sign()? != Ordering::Equal;
         return if misses { Some(Intersection::Miss) } else { lies_in(normal, line, vertices, range) };
     }
@@ -99,7 +99,7 @@ fn cross<N: Number>(a: [N; 3], b: [N; 3]) -> [N; 3] {
     number::cross(a, b)
 }
 
-/// On which side the line along `d` of the moment `m` passes the edge from `p` to `q`: `d . (p x q) + m . (q - p)`
+/// On which side of the edge from `p` to `q` the line along `d` with the moment `m` passes: the sign of `d . (p x q) + m . (q - p)`
 #[inline(never)]
 fn volume<N: Number>(d: [N; 3], m: [N; 3], [p, q]: [[N; 3]; 2]) -> N {
     dot(d, cross(p, q)) + dot(m, difference(q, p))
@@ -110,7 +110,7 @@ pub(super) fn is_zero<N: Number>(v: [N; 3]) -> Option<bool> {
     Some(v[0].sign()? == Ordering::Equal && v[1].sign()? == Ordering::Equal && v[2].sign()? == Ordering::Equal)
 }
 
-/// The piece of a line of its plane that lies in the triangle: cut off by each edge in turn.
+/// The interval of a line in the triangle's plane that lies in the triangle: clipped by each edge in turn.
 #[inline(never)]
 fn lies_in<S: Scalar, N: Of<S>>(
     normal: [N; 3],

@@ -5,12 +5,12 @@ use crate::number::{Ring, cross};
 use crate::part::Part;
 use crate::ray::Leaving;
 
-/// A line in a primitive's frame. Its direction has any length: `t` is the parameter of the ray as stored.
+/// A line in a primitive's frame. Its direction may have any length, since `t` is the parameter of the ray as stored.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Line<N> {
     pub(crate) origin: [N; 3],
     pub(crate) direction: [N; 3],
-    /// The part that it departs from at `t = 0`, and the side to which it leaves.
+    /// The part that it departs from at `t = 0`, and the side to which it departs.
     pub(crate) departure: Option<(Part, Leaving)>,
 }
 
@@ -27,14 +27,14 @@ pub(super) struct Homogeneous<N> {
     pub(super) w: Weight<N>,
 }
 
-/// What a point's coordinates are to be divided by.
+/// The homogeneous coordinate `w` of a point.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Weight<N> {
-    /// Nothing: it is a direction.
+    /// Zero: a direction.
     Zero,
-    /// One: they are the coordinates.
+    /// One: a point in Cartesian coordinates.
     One,
-    /// This.
+    /// Any other value.
     By(N),
 }
 
@@ -52,9 +52,9 @@ impl<N: Ring> Weight<N> {
 
 /// A quadric as a bilinear form `f(p, q)`, with `f(p, p) <= 0` inside.
 ///
-/// Each is of a type of its own, so that a program links the equations of those only that it names.
+/// Each quadric is a type of its own, so that a program links the equations only of those that it uses.
 pub(super) trait Quadric<N: Ring>: Copy {
-    /// Of the quadrics only a cone has two nappes.
+    /// True for a cone, the only quadric with two nappes.
     const IS_CONE: bool = false;
 
     /// `f(p, q)`
@@ -62,7 +62,7 @@ pub(super) trait Quadric<N: Ring>: Copy {
     /// `(k^2 - a c) / h^2` along the line, with the `h` of a cone and 1 for the others, from the line's Pluecker moment `w = o x d`:
     /// Lagrange's identity in the metric of the form. `a` is the form of the direction.
     fn discriminant(self, line: &Line<N>, a: N) -> N;
-    /// The radius, times the `h` of a cone: constant but for that.
+    /// The radius at a point, times the `h` of a cone.
     fn outline(self, p: Homogeneous<N>) -> N;
     /// The `h` of [`Quadric::discriminant`], where it is not 1.
     #[inline(always)]
@@ -174,7 +174,7 @@ impl<N: Ring> Quadric<N> for Cone<N> {
     }
 }
 
-/// Any of the quadrics, for what looks at points rather than along lines.
+/// Any of the quadrics, for functions of points rather than lines.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Form<N> {
     Ball(Ball<N>),

@@ -1,20 +1,20 @@
 //! The solver: where a line meets a solid, decided by signs alone.
 //!
-//! One algorithm for all tiers. It runs in any [`Number`](crate::number::Number); a number that does not know a sign makes it return
-//! `None`, and then the whole is repeated in the next number of the ladder. No two rounded coefficients are ever compared. This is how
-//! exact geometric predicates are made (Shewchuk, *Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
-//! Predicates*, 1997), applied to a whole query instead of one determinant.
+//! All tiers use the same algorithm. It is generic over the [`Number`](crate::number::Number) that it computes in. If a number does not
+//! know a sign, the solver returns `None`, and the whole query is repeated in the next wider number. Rounded coefficients are never compared
+//! with each other. This is the method of adaptive exact predicates (Shewchuk, *Adaptive Precision Floating-Point Arithmetic and Fast Robust
+//! Geometric Predicates*, 1997), applied to a whole query instead of one determinant.
 //!
-//! Where signs are taken at their word ([`Robust`](crate::number::Robust)) they may contradict each other; whatever they are, ends
-//! come out sorted and paired.
+//! In [`Robust`](crate::number::Robust) a sign is that of the rounded value. Such signs may contradict each other; in any case the ends of
+//! intervals are sorted and paired.
 //!
 //! | file | what it holds |
 //! |---|---|
 //! | `form` | the line, and the quadrics as bilinear forms |
 //! | `quadratic` | a quadric along the line; the order of its roots and of planes |
-//! | `settle` | ends in the ray's own numbers, and its range |
-//! | `round` | balls, capsules, double cones |
-//! | `side` | what lies within a side and between planes |
+//! | `settle` | conversion of ends to the ray's number type, and comparison with its range |
+//! | `round` | spheres, capsules, double cones |
+//! | `side` | cylinders and cones, infinite, open or between planes |
 //! | `flat` | planes, discs, triangles |
 //! | `contains` | the inside test |
 //! | `surface` | the point of a hit, and its normal |
@@ -43,8 +43,8 @@ use crate::part::Part;
 use crate::ray::{Leaving, Range};
 use crate::scalar::Scalar;
 
-/// True where rule 8 of the contract says that a departing ray meets nothing, without any arithmetic: outwards from anything convex,
-/// and from anything flat.
+/// True if rule 8 of the contract implies that a departing ray misses, without any arithmetic: if it departs outwards from a convex
+/// solid, or from a flat primitive.
 #[inline(always)]
 pub(crate) fn meets_nothing<S>(figure: &Figure<S>, departure: Option<(Part, Leaving)>) -> bool {
     match (departure, figure) {
@@ -55,10 +55,10 @@ pub(crate) fn meets_nothing<S>(figure: &Figure<S>, departure: Option<(Part, Leav
     }
 }
 
-/// How the line meets the figure; `None` if the number cannot tell. A line that departs must not be one that
-/// [`meets_nothing`].
+/// The intersection of the line with the figure; `None` if the number does not know a sign. [`meets_nothing`] must be false for a line
+/// that departs.
 ///
-/// Inlined, so that where the figure is known only its own functions are linked.
+/// Inlined, so that if the figure is known at compile time only its own functions are linked.
 #[inline(always)]
 pub(crate) fn intersect<S: Scalar, N: Of<S>>(
     figure: &Figure<S>,

@@ -1,7 +1,7 @@
 //! A quadric along a line, and the order of its roots and of planes, decided by signs.
 //!
-//! Whether a root comes before a plane is told by approximate parameters where their error bounds allow, else by the signs of the
-//! quadric and of its slope where the line crosses the plane. Any sign may be unknown (`None`); then the whole query is repeated in
+//! Whether a root comes before a plane is decided by approximate parameters if their error bounds allow it, otherwise by the signs of the
+//! quadric and of its derivative where the line crosses the plane. Any sign may be unknown (`None`); then the whole query is repeated in
 //! wider numbers.
 
 use super::form::{Homogeneous, Line, Quadric, Weight};
@@ -44,7 +44,7 @@ pub(super) enum Place<N> {
     At(Fraction<N>),
 }
 
-/// A place, its parameter approximately, and the part of the surface that it lies on.
+/// An end of an interval, its approximate parameter, and the part of the surface that it lies on.
 #[derive(Clone, Copy)]
 pub(super) struct End<N: Number> {
     pub(super) place: Place<N>,
@@ -64,13 +64,13 @@ impl<N: Number> End<N> {
         Self { place: Place::At(Fraction { n: N::ZERO, e: N::ONE }), t: N::Estimate::ZERO, part }
     }
 
-    /// The same place, as one of the side's.
+    /// The same end with the part `Side`.
     pub(super) fn of_side(self) -> Self {
         Self { part: Part::Side, ..self }
     }
 }
 
-/// A piece of the line inside a convex set; an end that is missing is infinitely far away.
+/// The interval of the line inside a convex set. A missing end is infinite.
 #[derive(Clone, Copy)]
 pub(super) struct Interval<N: Number> {
     pub(super) enter: Option<End<N>>,
@@ -87,7 +87,7 @@ impl<N: Number> Interval<N> {
     }
 }
 
-/// Where along the line a quadric is zero or below.
+/// The parameters of the line for which a quadric is zero or negative.
 pub(super) enum Inside {
     Nowhere,
     /// From the first to the second root; `true` if they are one.
@@ -102,13 +102,13 @@ pub(super) enum Inside {
     InSurface,
 }
 
-/// What tells the order of its roots and of planes along a line.
+/// The order of roots and planes along a line.
 pub(super) trait Curve<N> {
-    /// How the place compares with the parameter `t`.
+    /// How the end compares with the parameter `t`.
     fn order_for_certain(&self, place: Place<N>, t: Fraction<N>) -> Option<Ordering>;
 }
 
-/// Nothing is curved: there are no roots.
+/// For flat primitives, which have no roots.
 pub(super) struct Flat;
 
 impl<N: Number> Curve<N> for Flat {
@@ -122,21 +122,21 @@ impl<N: Number> Curve<N> for Flat {
 
 /// A quadric along the line: `f = a t^2 + 2 k t + c`.
 ///
-/// Of a line that departs from the quadric the start is a root by decree (rule 8 of the contract), whatever its rounded coordinates
-/// say: `c = 0`, the discriminant is `k^2`, and the other root is `-2 k / a`.
+/// For a line that departs from the quadric, `t = 0` is a root by rule 8 of the contract, whatever its rounded coordinates:
+/// `c = 0`, the discriminant is `k^2`, and the other root is `-2 k / a`.
 pub(super) struct Quadratic<'a, N, F> {
     form: F,
     line: &'a Line<N>,
     departs: bool,
     pub(super) a: N,
     pub(super) k: N,
-    /// Over the square of [`Quadric::factor`].
+    /// Divided by the square of [`Quadric::factor`].
     discriminant: N,
     pub(super) a_sign: Ordering,
     discriminant_sign: Ordering,
 }
 
-// Not inlined, although generic: a query has several of each, and what is left to a solver is seldom worth its code twice.
+// Not inlined, although generic: each is called in several places, and the solver runs too seldom to be worth the code size.
 impl<'a, N: Number, F: Quadric<N>> Quadratic<'a, N, F> {
     #[inline(never)]
     pub(super) fn new(form: F, line: &'a Line<N>, departs: bool) -> Option<Self> {
@@ -181,7 +181,7 @@ impl<'a, N: Number, F: Quadric<N>> Quadratic<'a, N, F> {
             (Ordering::Greater, Ordering::Less) => Inside::Nowhere,
             (Ordering::Greater, sign) => Inside::Between(sign == Ordering::Equal),
             (Ordering::Less, _) => Inside::Beyond,
-            // A line parallel to an asymptote has one root, not none.
+            // A line parallel to a generator of a cone has one root.
             (Ordering::Equal, _) => match self.k.sign()? {
                 Ordering::Less => Inside::From,
                 Ordering::Greater => Inside::Until,
@@ -194,10 +194,10 @@ impl<'a, N: Number, F: Quadric<N>> Quadratic<'a, N, F> {
         })
     }
 
-    /// How the end compares with another, which is no root.
+    /// How the end compares with another, which is not a root.
     #[inline]
     pub(super) fn order(&self, end: &End<N>, other: &End<N>) -> Option<Ordering> {
-        // Seldom so close that approximately does not do.
+        // The approximate parameters decide nearly always.
         end.t.compare(other.t).or_else(|| match other.place {
             Place::At(t) => self.order_for_certain(end.place, t),
             Place::First | Place::Second => None,
@@ -217,7 +217,7 @@ impl<'a, N: Number, F: Quadric<N>> Quadratic<'a, N, F> {
         of(self.form, point, point).sign()
     }
 
-    /// The roots in order; of a linear function its only one, twice.
+    /// The roots in order; the only root of a linear function is returned twice.
     #[inline(always)]
     pub(super) fn ends(&self) -> [End<N>; 2] {
         let [first, second] = self.roots();
@@ -265,7 +265,7 @@ impl<'a, N: Number, F: Quadric<N>> Quadratic<'a, N, F> {
                 let q = root - k;
                 [c.over(q), q.over(a)]
             }
-            // Next to nothing, or nothing: there is nothing to cancel.
+            // k is zero or next to zero: nothing cancels.
             _ => [(-k - root).over(a), (root - k).over(a)],
         };
         if self.a_sign == Ordering::Greater { [lower, upper] } else { [upper, lower] }

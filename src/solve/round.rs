@@ -1,4 +1,4 @@
-//! Balls, capsules and double cones.
+//! Spheres, capsules and double cones.
 
 use super::form::{Ball, Cone, Line, Tube};
 use super::quadratic::Curve;
@@ -82,7 +82,7 @@ fn departing_double_cone<S: Scalar, N: Of<S>>(
         (Inside::Between(_), Leaving::Inwards) => Intersection::One(until(Some(second))?),
         // The other root is the entry into the other nappe.
         (Inside::Beyond, Leaving::Outwards) if is_ahead(&second)? => Intersection::One(from(second)?),
-        // A ray that is said to enter, and leads away, ends where it starts.
+        // A ray that departs inwards but leads away from the nappe ends where it starts.
         (Inside::Beyond, Leaving::Inwards) if is_ahead(&second)? => in_order(until(Some(first))?, from(second)?),
         (Inside::Beyond | Inside::From, Leaving::Inwards) => Intersection::One(until(None)?),
         (Inside::Until, Leaving::Inwards) => Intersection::One(until(Some(first))?),
@@ -92,8 +92,9 @@ fn departing_double_cone<S: Scalar, N: Of<S>>(
 
 /// All points within `r` of the segment from the origin to `(0, height, 0)`.
 ///
-/// The balls at its ends lie in the infinite tube, and where a line runs in the tube beyond a ball without meeting it,
-/// it does not come back to the side: each end of the tube has one true end, or there is none at all.
+/// The balls at its ends lie in the infinite tube, and a line that is in the tube beyond a ball without hitting the ball does not come
+/// back to the side. Therefore each end of the interval in the tube corresponds to one end of the interval in the capsule, or the line misses
+/// the capsule.
 #[inline(never)]
 pub(super) fn capsule<S: Scalar, N: Of<S>>(
     line: &Line<N>,
@@ -106,7 +107,7 @@ pub(super) fn capsule<S: Scalar, N: Of<S>>(
     let interval = match tube.inside()? {
         Inside::Between(touch) => tube.between(touch),
         Inside::Everywhere => Interval::EVERYWHERE,
-        // From seam to seam, where the balls touch the line; without a side they touch it at one point.
+        // From seam to seam; if the height is zero, at one point.
         Inside::InSurface => {
             let Some(seams) = slab(line, Some(N::ZERO), Some(height))? else {
                 return Some(Intersection::Miss);
@@ -122,7 +123,7 @@ pub(super) fn capsule<S: Scalar, N: Of<S>>(
         _ => return Some(Intersection::Miss),
     };
     if let Some((part, _)) = line.departure {
-        // Where its coordinates say that it misses the ball that ends it, it ends where it starts.
+        // If by its rounded coordinates it misses the ball at its end, it ends where it starts.
         let exit = match solver.end(interval.exit, false)? {
             Some((exit, _)) => exit,
             None => settle::exit(&Flat, Some(End::<N>::start(part)), range, intersection::End::none(-S::INFINITY))?,
@@ -134,19 +135,19 @@ pub(super) fn capsule<S: Scalar, N: Of<S>>(
     else {
         return Some(Intersection::Miss);
     };
-    // Where the ball or the side that is entered is touched, the exit is the same point.
+    // If the line only touches the ball or the side at its entry, the exit is the same point.
     let touch = (touches || interval.touch) && enter.part == exit.part;
     let exit_t = if touch || exit.t < enter.t { enter.t } else { exit.t };
     Some(Intersection::One(Span { enter, exit: intersection::End { t: exit_t, ..exit }, touch }))
 }
 
-/// What the ends of a capsule are found from.
+/// The quantities from which the ends of a capsule are computed.
 struct Capsule<'a, S: Scalar, N> {
     line: &'a Line<N>,
     r: N,
     height: N,
     tube: &'a Quadratic<'a, N, Tube<N>>,
-    /// The sign of the direction's height.
+    /// The sign of the direction's y component.
     climb: Ordering,
     range: Range<S>,
 }
@@ -164,8 +165,8 @@ impl<S: Scalar, N: Of<S>> Capsule<'_, S, N> {
         }
     }
 
-    /// The true end for one of the infinite tube (`None`: the line is parallel to it), and whether its ball is touched there: on the
-    /// side between the seams, which it owns, and on the ball beyond them. `None` if the line misses that ball.
+    /// The end in the capsule for one end in the infinite tube (`None` if the line is parallel to it), and whether the line only touches the
+    /// ball there. It is on the side between the seams (included), and on a ball beyond them. `None` if the line misses that ball.
     fn end(&self, end: Option<End<N>>, entering: bool) -> Option<Option<(intersection::End<S>, bool)>> {
         let part = match end {
             Some(end) => {

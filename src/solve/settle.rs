@@ -1,4 +1,4 @@
-//! From ends in computing numbers to an intersection in the ray's own.
+//! Conversion of ends in computing numbers to an intersection in the ray's number type.
 
 use super::quadratic::{Curve, End, Fraction, Interval};
 use crate::intersection::{self, Span};
@@ -7,7 +7,7 @@ use crate::ray::Range;
 use crate::scalar::{FromScalar, Scalar, ToScalar};
 use core::cmp::Ordering;
 
-/// A number that stands for the scalars of one type.
+/// A computing number for the scalars of one type.
 pub(crate) trait Of<S: Scalar>: FromScalar<S> + Number<Estimate: ToScalar<S> + FromScalar<S>> {}
 impl<S: Scalar, N: FromScalar<S> + Number<Estimate: ToScalar<S> + FromScalar<S>>> Of<S> for N {}
 
@@ -19,7 +19,8 @@ pub(super) fn compare<S: Scalar, N: Of<S>>(curve: &impl Curve<N>, end: &End<N>, 
         .or_else(|| curve.order_for_certain(end.place, Fraction { n: N::scalar(bound), e: N::ONE }))
 }
 
-/// The `t` of an end and its part. Where its exact value decides whether it lies in the range, it is infinite before and beyond.
+/// The `t` of an end and its part. In the exact tier, whose exact values decide whether an end lies in the range, an end outside is made
+/// infinite.
 #[inline(never)]
 fn settle<S: Scalar, N: Of<S>>(curve: &impl Curve<N>, end: &End<N>, range: Range<S>) -> Option<intersection::End<S>> {
     let t = if <N::Estimate as ToScalar<S>>::ROUNDING_DECIDES {
@@ -34,7 +35,7 @@ fn settle<S: Scalar, N: Of<S>>(curve: &impl Curve<N>, end: &End<N>, range: Range
     Some(intersection::End::new(t, end.part))
 }
 
-/// The entry, or that there is none.
+/// The entry; infinite if there is none.
 #[inline(always)]
 pub(super) fn entry<S: Scalar, N: Of<S>>(
     curve: &impl Curve<N>,
@@ -47,8 +48,8 @@ pub(super) fn entry<S: Scalar, N: Of<S>>(
     }
 }
 
-/// The exit, or that there is none; not before the entry: two ends next to the same midpoint of two numbers may be rounded to each
-/// other's side, and signs taken at their word may contradict each other.
+/// The exit; infinite if there is none. It is never before the entry, although two ends close together may be rounded in the wrong order,
+/// and the signs of rounded values may contradict each other.
 #[inline(always)]
 pub(super) fn exit<S: Scalar, N: Of<S>>(
     curve: &impl Curve<N>,
@@ -77,7 +78,7 @@ pub(super) fn span<S: Scalar, N: Of<S>>(
     Some(Span { enter, exit, touch: interval.touch })
 }
 
-/// The interval of a ray that departs inwards: it has no entry, and an exit that rounding puts behind the start is at the start.
+/// The interval of a ray that departs inwards. It has no entry, and an exit that rounding puts before the start is moved to the start.
 pub(super) fn inwards<S: Scalar, N: Of<S>>(
     curve: &impl Curve<N>,
     end: Option<End<N>>,

@@ -1,4 +1,4 @@
-//! What lies within a side about the y axis, cylinder or cone, and between planes.
+//! Cylinders and cones about the y axis, infinite, open or between planes.
 
 use super::form::{Form, Homogeneous, Line, Quadric, Weight};
 use super::quadratic::{End, Fraction, Inside, Interval, Place, Quadratic};
@@ -11,8 +11,8 @@ use crate::ray::Range;
 use crate::scalar::Scalar;
 use core::cmp::Ordering;
 
-/// The piece of the line with `low <= y <= high`, if any; its ends bear the parts of the two planes. The planes belong to the slab. The
-/// start of a line that departs from one of them lies on it.
+/// The interval of the line with `low <= y <= high`, if any. The parts of its ends are those of the two planes. The planes belong to the
+/// slab. The start of a line that departs from one of them is taken to lie on it.
 #[inline]
 pub(super) fn slab<N: Number>(line: &Line<N>, low: Option<N>, high: Option<N>) -> Option<Option<Interval<N>>> {
     let (y, dy) = (line.origin[1], line.direction[1]);
@@ -40,15 +40,15 @@ pub(super) fn slab<N: Number>(line: &Line<N>, low: Option<N>, high: Option<N>) -
     })
 }
 
-/// The line inside a side: in an interval, or along it.
+/// The interval of a line inside a side.
 enum Within<N: Number> {
     Nowhere,
     In(Interval<N>),
-    /// All of the interval is on the side.
+    /// The whole interval lies in the surface.
     Along(Interval<N>),
 }
 
-/// Where the line is inside a side. Of a cone only the nappe counts in which the outline is positive.
+/// The interval of the line inside a side. Of a cone only the nappe with a positive outline counts.
 #[inline(always)]
 fn within<N: Number, F: Quadric<N>>(quadratic: &Quadratic<'_, N, F>, side: F, line: &Line<N>) -> Option<Within<N>> {
     let g = || side.outline(Homogeneous { v: line.origin, w: Weight::One });
@@ -83,8 +83,8 @@ fn within<N: Number, F: Quadric<N>>(quadratic: &Quadratic<'_, N, F>, side: F, li
     })
 }
 
-/// The side's end or the plane's: the plane's if it comes as `counts` says. Where both end it at the same point, that is a rim, which
-/// the side owns (rule 5 of the contract).
+/// The side's end or the plane's: the plane's if it compares with the side's as `counts` says. If both are the same point, it is on a rim,
+/// which belongs to the side (rule 5 of the contract).
 #[inline]
 fn choose<N: Number, F: Quadric<N>>(
     quadratic: &Quadratic<'_, N, F>,
@@ -124,7 +124,7 @@ fn clip<N: Number, F: Quadric<N>>(
     })
 }
 
-/// What lies within a side, or the side alone.
+/// The intersection of a line with the inside of a side, or with the side alone.
 #[inline(always)]
 pub(super) fn intersect<S: Scalar, N: Of<S>>(
     line: &Line<N>,
@@ -140,7 +140,7 @@ pub(super) fn intersect<S: Scalar, N: Of<S>>(
     }
 }
 
-/// What lies within a side of this form.
+/// The same for a side of a known quadric.
 #[inline(never)]
 fn within_a_side<S: Scalar, N: Of<S>, F: Quadric<N>>(
     line: &Line<N>,
@@ -157,7 +157,7 @@ fn within_a_side<S: Scalar, N: Of<S>, F: Quadric<N>>(
     let departs = line.departure.is_some();
     let planes = match slab(line, low, high)? {
         Some(planes) => planes,
-        // Said to start in the slab, beside which its coordinates lie.
+        // It departs from a point of the slab, although its rounded coordinates are outside.
         None if departs => Interval::EVERYWHERE,
         None => return Some(Intersection::Miss),
     };
@@ -168,7 +168,7 @@ fn within_a_side<S: Scalar, N: Of<S>, F: Quadric<N>>(
             let Some(interval) = clip(&quadratic, interval, planes)? else {
                 return Some(Intersection::Miss);
             };
-            // Its ends lie on rims, which are the side's.
+            // Its ends lie on rims, which belong to the side.
             let [enter, exit] = [interval.enter, interval.exit].map(|end| end.map(End::of_side));
             let interval = Interval { enter, exit, ..interval };
             if matches!(extent, Extent::Capped(..)) && departs {
@@ -178,7 +178,7 @@ fn within_a_side<S: Scalar, N: Of<S>, F: Quadric<N>>(
             Some(if let Extent::Capped(..) = extent { Intersection::One(span) } else { Intersection::LiesIn(span) })
         }
         Within::Nowhere if departs && !is_open => {
-            // Parallel to the axis, next to the wall, it ends at the plane; else its coordinates say that it only touches.
+            // A line parallel to the axis, next to the wall, ends at the plane. Any other only touches, by its rounded coordinates.
             let own = if quadratic.a_sign == Ordering::Equal { None } else { Some(End::start(Part::Side)) };
             let exit = choose(&quadratic, own, planes.exit, Ordering::Greater)?;
             Some(Intersection::One(inwards(&quadratic, exit, range)?))
@@ -214,7 +214,7 @@ fn on_the_side<S: Scalar, N: Of<S>, F: Quadric<N>>(
         Some(reached.then_some(end))
     };
     if departs {
-        // From the inside of the wall the far wall is met; the start itself is not.
+        // A ray that departs inwards hits the far wall; the start itself is no hit.
         let exit = on_surface(interval.exit)?;
         let is_ahead = match &exit {
             Some(exit) => settle::compare(quadratic, exit, S::ZERO)? == Ordering::Greater,

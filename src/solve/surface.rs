@@ -1,4 +1,4 @@
-//! Where exactly on a surface a hit lies, and the surface's gradient there.
+//! The exact point of a hit on its surface, and the surface's gradient there.
 
 use super::form::{Ball, Cone, Form, Homogeneous, Line, Quadric, Tube, Weight};
 use crate::figure::{Extent, Figure};
@@ -42,16 +42,16 @@ fn surface_of<S: Copy, N: Ring>(figure: &Figure<S>, part: Part, number: impl Fn(
     (surface, zero)
 }
 
-/// Bits by which `a f` is smaller than `h^2`, for `-f / 2 h` to be the root but for as many.
+/// If `a f` is smaller than `h^2` by this many bits, `-f / 2 h` is the root with a relative error of as many bits.
 const SMALL: i32 = 36;
 
-/// `numerator / denominator`, or zero where there is nothing to divide by.
+/// `numerator / denominator`; zero if the denominator is zero.
 fn quotient<N: Estimate>(numerator: N, denominator: N) -> N {
     if denominator.sign() == Some(Ordering::Equal) { N::ZERO } else { numerator.over(denominator) }
 }
 
-/// The equation `f` of a part's surface at a point, below zero within; of a flat part twice the distance from it, times the length of
-/// its [`gradient`].
+/// The value of the equation `f` of a part's surface at a point, negative inside. For a flat part it is twice the distance times the length
+/// of its [`gradient`].
 pub(crate) fn value<S: Copy, N: Ring>(
     figure: &Figure<S>,
     part: Part,
@@ -77,8 +77,8 @@ pub(crate) fn value<S: Copy, N: Ring>(
     }
 }
 
-/// What the `t` of a point `p` of the line along `d` lacks to lie on the surface: the root of `f(t + x) = f + 2 h x + a x^2` where `f`
-/// falls, if the line enters, or rises, if it leaves.
+/// The correction `x` of the `t` of a point `p` on the line along `d`, so that the point lies on the surface: the root of
+/// `f(t + x) = f + 2 h x + a x^2` at which `f` decreases, if the line enters, or increases, if it leaves.
 pub(crate) fn correction<S: Scalar, N: FromScalar<S> + Estimate>(
     figure: &Figure<S>,
     hit: &Hit<S>,
@@ -92,7 +92,7 @@ pub(crate) fn correction<S: Scalar, N: FromScalar<S> + Estimate>(
     };
     let along = Homogeneous { v: d, w: Weight::Zero };
     let a = form.at(along);
-    // Where the curvature is nothing beside the slope, the slope alone.
+    // If the curvature is negligible, by the slope alone.
     if let (Some(f_top), Some(h_top), Some(a_top)) = (f.top(), h.top(), a.top())
         && a_top + f_top < 2 * h_top - SMALL
     {

@@ -96,7 +96,7 @@ macro_rules! cone {
                 return Attempt::Unsure;
             }
             if is_close && line.start != 0.0 {
-                // Of a line that is taken up next to the cone only the sign must be certain: its ends are measured against its start.
+                // If the line's origin was moved next to the cone, only the sign must be certain: errors of the ends are compared with `start`.
                 return if discriminant > doubt { Attempt::Found((discriminant, terms)) } else { Attempt::Unsure };
             }
             if is_close {

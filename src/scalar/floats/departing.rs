@@ -1,4 +1,4 @@
-//! Lines that begin in a surface and lead inwards, on the fast path of floats.
+//! Lines that depart inwards from a surface, on the fast path of floats.
 
 /// Defines them for a float.
 macro_rules! departing {
@@ -21,7 +21,7 @@ macro_rules! departing {
             let (squares, sizes) = (along.map(|d| d * d), magnitudes(along));
             let a = (squares[0] + squares[2]) + s * squares[1];
             let k = (point[0] * along[0] + point[2] * along[2]) + s * (point[1] * along[1]);
-            // Of a line that is taken up at `start` the roots are -start and another one; the sum of both is -2 k / a.
+            // If the line's origin was moved to `start`, the roots are -start and another one; the sum of both is -2 k / a.
             let n = line.start * a - k;
             let off = if line.is_rounded { line.off } else { [0.0; 2] };
             // How far off these are, in roundings of one: three of their terms, and as much as the line is. (.6 of the sum of a vector's

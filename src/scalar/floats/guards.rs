@@ -1,17 +1,17 @@
-//! When the fast path of floats takes its own word, and the lines that it takes.
+//! The guards of the fast path of floats, and its local lines.
 
 /// Defines them for a float.
 macro_rules! guards {
     ($Float:ident, $bits:ty, $bias:literal, $mantissa:literal, sqrt: $sqrt:path, may_have_spare_bits: $spare:literal) => {
-        /// What the guards allow.
+        /// The limits of the guards.
         struct Limits {
-            /// The rounding that they count with.
+            /// The relative rounding error that they assume.
             epsilon: $Float,
-            /// Differences of numbers up to this many times larger than themselves are taken; their relative error grows by as much.
+            /// The largest ratio of a difference's operands to the difference that is accepted; the relative error grows by that factor.
             cancelled: $Float,
-            /// The same of the two parts of a quotient, added up.
+            /// The same for the sum of these ratios of a quotient's numerator and denominator.
             together: $Float,
-            /// The roundings of itself by which an end may be off because its line is.
+            /// The largest accepted error of an end due to the error of its line, in roundings of the end.
             moved: $Float,
             /// How much more than a unit the rounding of a difference of squares may move an end next to the start, squared.
             near: $Float,
@@ -22,15 +22,15 @@ macro_rules! guards {
             $spare && line.has_spare_bits
         }
 
-        /// How far the line's point at `t` may be off, in roundings of one.
+        /// The error bound of the line's point at `t`, in units of the relative rounding error.
         #[inline(always)]
         fn off_at(line: &LocalLine<$Float>, t: $Float) -> $Float {
             if line.is_rounded { line.off[0] + line.off[1] * $Float::abs(t) } else { 0.0 }
         }
 
-        /// Whether an end is good although its line may be off: it moves by as much, over the cosine of the angle between the line and the
-        /// surface's normal. That is the derivative along the line over the gradient's length. `a` is the half second derivative: next to a
-        /// double root an end moves more than that.
+        /// Whether an end is accurate enough in spite of the error of its line. The error of the end is that of the line, divided by the cosine of the
+        /// angle between the line and the surface's normal, which is the derivative along the line divided by the gradient's length. Next to
+        /// a double root it is larger; `a` is half the second derivative.
         #[inline(always)]
         fn is_steady(line: &LocalLine<$Float>, t: $Float, gradient: $Float, derivative: $Float, a: $Float) -> bool {
             if !line.is_rounded {
@@ -112,7 +112,7 @@ macro_rules! guards {
             closest(minus(o, base), d, 256.0) != 0.0
         }
 
-        /// The line from `o` along `d`, taken up next to `base` and relative to it.
+        /// The line from `o` along `d`, with its origin moved next to `base`, and relative to `base`.
         #[inline(always)]
         pub(crate) fn from_afar(o: [$Float; 3], d: [$Float; 3], base: [$Float; 3]) -> LocalLine<$Float> {
             let from = minus(o, base);
@@ -122,8 +122,8 @@ macro_rules! guards {
             LocalLine { start, off: [off(start, origin), 0.0], is_relative: true, is_rounded: true, ..line }
         }
 
-        /// The `t` of the line's point next to the origin, if it begins far away, by the square of how many times as far as it passes;
-        /// otherwise zero. (A direction is next to unit; any `t` is as good as one next to it.)
+        /// The `t` of the line's point closest to the origin, if the line starts far away (the squared ratio of its start's distance to the closest
+        /// distance is the criterion); otherwise zero. (The direction is nearly of length 1, and `t` need not be accurate.)
         #[inline(always)]
         fn closest(from: [$Float; 3], d: [$Float; 3], far: $Float) -> $Float {
             let k = dot(from, d);
@@ -136,14 +136,15 @@ macro_rules! guards {
             [from[0] + t * d[0], from[1] + t * d[1], from[2] + t * d[2]]
         }
 
-        /// How far a line taken up at `start` is off: a difference, a product and their sum, half a rounding each; and a rotation, four halves.
+        /// The error bound of a line whose origin was moved to `start`: a difference, a product and their sum, half a rounding each; and a
+        /// rotation, four halves.
         #[inline(always)]
         fn off(start: $Float, origin: [$Float; 3]) -> $Float {
             0.75 * $Float::abs(start) + size(origin)
         }
 
-        /// The line from `o` along `d` in the frame of a matrix that has this inverse, taken up next to its position if it begins far away;
-        /// `None` if the powers of two leave the type.
+        /// The line from `o` along `d` in the frame of the affine map with this inverse, with its origin moved next to the map's position if it
+        /// starts far away; `None` if the powers of two overflow or underflow.
         #[inline]
         pub(crate) fn stretched(
             o: [$Float; 3],

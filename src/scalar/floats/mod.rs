@@ -1,20 +1,22 @@
-//! The fast path of floats: nothing scaled, and little compensated: the moment of a line that passes a cone so closely that it is
-//! mostly rounding, the constant term of a ball next to the start, and the leading one of a cone next to a generator.
+//! The fast path of floats.
 //!
-//! A benign ray needs neither: where nothing cancels, the textbook is right to a few units in the last place. Here stands what
-//! "nothing cancels" means, a comparison for each difference; the other rays (grazing ones, starts next to a surface,
-//! sizes whose powers leave the type) are [`Attempt::Unsure`]. They are tried once more along a line that is rounded less.
+//! Where nothing cancels, the textbook formulas are accurate to a few units in the last place. A guard, which is a comparison, checks each
+//! difference for cancellation. Rays that fail a guard (grazing rays, starts next to a surface, sizes whose powers overflow or underflow) are
+//! [`Attempt::Unsure`]. They are tried once more along a line that is rounded less.
 //!
-//! A line that begins far away, or in a frame, is taken up next to the solid. It is off by some roundings of its length, and the
-//! guards count with as many.
+//! Numbers are not scaled, and only three values are compensated: the Pluecker moment of a line that passes very close to a cone's axis, the
+//! constant term of a sphere next to the start, and the leading coefficient of a cone next to a generator.
+//!
+//! If a line starts far away or is transformed to a frame, its origin is moved to a point next to the solid. The line then has an error of some
+//! roundings of the distance moved, which the guards take into account.
 //!
 //! | file | what it holds |
 //! |---|---|
-//! | `guards` | what is taken, and the lines |
-//! | `second` | the lines of the second attempt |
-//! | `round` | balls and cylinders |
+//! | `guards` | the guards, and the local lines |
+//! | `second` | the local lines of the second attempt |
+//! | `round` | spheres and cylinders |
 //! | `cone` | cones |
-//! | `departing` | lines that begin in a surface |
+//! | `departing` | lines that depart from a surface |
 //! | `flat` | planes, discs, triangles |
 
 #[macro_use]

@@ -1,4 +1,4 @@
-//! Balls and cylinders on the fast path of floats.
+//! Spheres and cylinders on the fast path of floats.
 
 /// Defines them for a float.
 macro_rules! round {
@@ -46,7 +46,7 @@ macro_rules! round {
                 if discriminant < -doubt {
                     return Attempt::Miss;
                 }
-                // Of a line that is taken up next to the ball only the sign must be certain: below all is measured against its start.
+                // If the line's origin was moved next to the sphere, only the sign must be certain: below, errors are compared with `start`.
                 if !(line.start != 0.0 && discriminant > doubt) {
                     return Attempt::Unsure;
                 }
@@ -94,14 +94,15 @@ macro_rules! round {
             if is_clear { Attempt::Found(answer) } else { Attempt::Unsure }
         }
 
-        /// Whether what rounding moves the ends of a line that is taken up at `start` is small beside that, as for [`clear_of_the_start`].
+        /// Whether the errors of the ends of a line whose origin was moved to `start` are small relative to `start`, as for
+        /// [`clear_of_the_start`].
         #[inline(always)]
         fn is_clear_of_start(start: $Float, kk: $Float, discriminant: $Float, moved: $Float, near: $Float) -> bool {
             let most = near * discriminant * (start * start);
             IN_RANGE.contains(&most) && moved + kk * discriminant <= most
         }
 
-        /// Neither overflown nor next to nothing, which would compare with anything.
+        /// Neither overflowed nor underflowed, which would make comparisons meaningless.
         const IN_RANGE: core::ops::Range<$Float> = $Float::MIN_POSITIVE / $Float::EPSILON..$Float::MAX;
 
         /// The comparison of [`clear_of_the_start`] with lengths brought near 1.

@@ -1,6 +1,6 @@
-//! The lines of the second attempt on the fast path of floats: taken up next to the solid, by sums of twice the precision.
+//! The local lines of the second attempt on the fast path of floats: with the origin moved next to the solid, by sums of twice the precision.
 //!
-//! After that each component is off by one rounding of itself, whatever the frame and however far away the ray begins.
+//! The error of each component is then one rounding of itself, in any frame and however far away the ray starts.
 
 /// Defines them for a float.
 macro_rules! second {

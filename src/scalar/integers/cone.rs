@@ -21,14 +21,14 @@ struct AtCone {
     k: i64,
     root: i64,
     divisor: Divisor,
-    /// Ends are only good enough so far from where the line is taken up.
+    /// The largest distance of an end from the moved origin of the line at which the end is accurate enough.
     farthest: i32,
 }
 
 /// A line in these coordinates, and the `a` of its roots.
 #[derive(Clone, Copy)]
 struct Scaled {
-    /// Of the point where the line is taken up.
+    /// The moved origin.
     point: [i32; 3],
     direction: [i32; 3],
     a: i64,
@@ -42,7 +42,7 @@ struct Scaled {
 }
 
 impl Scaled {
-    /// The origin is in units of `2^-finer` of the sizes'. The line is taken up next to its closest point or, if it `departs`, at its origin.
+    /// The origin is in units of `2^-finer` of the sizes'. It is moved next to the line's closest point, unless the line `departs`.
     // Not inlined: a shape that may be any cone has it twice.
     #[inline(never)]
     fn new(o: [i32; 3], finer: i32, d: [i32; 3], [r, g, h]: [i32; 3], departs: bool) -> Attempt<Self> {

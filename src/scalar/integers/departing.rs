@@ -1,4 +1,4 @@
-//! Lines that begin in a surface and lead inwards.
+//! Lines that depart inwards from a surface, on the fast path of fixed point.
 
 use super::quotient::Normalized;
 use super::{high, magnitude_bits, product, square};

@@ -1,13 +1,15 @@
-//! The usual case of fixed point in plain integers: no exponents, no general division, no general root.
+//! The fast path of fixed point, in plain integers without exponents.
 //!
-//! A block keeps every bit that a product has and finds out at each step how many those are. For most rays that is not
-//! needed: lengths brought to a common grid fit 32 bits, their products 64, and what the grid rounds away is far less than a
-//! unit. The kernels here answer those rays and say [`Attempt::Unsure`] to the others: grazing ones, sizes near the budget,
-//! directions along an axis; those are left to the robust number.
+//! For most rays all lengths can be scaled to a common unit (the *grid*) so that they fit in 32 bits and their products in 64 bits, with a
+//! rounding error far below one unit of the type. Other rays are [`Attempt::Unsure`], and the robust number decides: grazing rays, sizes near the
+//! budget, and directions along an axis.
 //!
-//! All rounding is symmetric, so that a mirrored line has mirrored ends. Multiplications are those of [`product`], which stays
-//! inline on chips without a 64-bit product. Shifts of 64 bits by a count known only when running are done by halves, which the
-//! compilers of these chips would call a function for.
+//! All rounding is symmetric, so that a mirrored line has mirrored ends. Multiplications are those of [`product`], which is
+//! inlined on chips without a 64-bit product. Shifts of 64 bits by a variable count are done in two halves, because compilers for these chips
+//! would call a function.
+//!
+//! In comments, a number "in units of `2^-finer`" has `finer` extra bits below the unit of the type, and the origin of a line is "framed" if it has
+//! been transformed to a frame.
 
 mod ball;
 mod cone;

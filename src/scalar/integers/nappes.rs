@@ -1,4 +1,4 @@
-//! Where a line is inside a cone's nappes, from its two ends inside both.
+//! The interval of a line in one nappe of a cone, from its intersections with the double cone.
 
 use crate::scalar::{Attempt, InNappe, found};
 use core::ops::Neg;
@@ -11,7 +11,7 @@ pub(super) trait Roots {
     /// An end that is not there.
     const INFINITY: Self::Length;
 
-    /// The `t` at which the line is taken up.
+    /// The `t` to which the line's origin was moved.
     fn start(&self) -> Self::Length;
 
     /// Whether the line is steeper than the side, `a < 0`: then it is inside beyond its ends.

@@ -22,7 +22,7 @@ impl Normalized {
         }
         let zeros = leading_zeros(above) & 0xf;
         let digits = (above << zeros) | (below >> (32 - zeros));
-        // Above 1 by rounding it has one zero less; nobody asks for more.
+        // Above 1 by rounding it has one zero less; callers need no more than that.
         Some(Self { digits, shift: zeros.saturating_sub(3), negative: a < 0 })
     }
 

@@ -1,11 +1,12 @@
-//! A line seen from the frame of a matrix.
+//! Transformation of a line by an affine map, in fixed point.
 
 use super::direction::{Unit, unit};
 use super::turned::{FINER, FINEST, LENGTH_BITS, closest, dot, room};
 use super::{leading_zeros_of_64, magnitude_bits, round_off};
 use crate::scalar::{Attempt, Pace};
 
-/// From so many bits on, of the longest distance from the frame's position along an axis, a line is taken up next to that position.
+/// If the largest coordinate of a line's origin, relative to the map's position, has at least this many bits, the origin is moved next to that
+/// position.
 const FAR: u32 = 19;
 
 /// The line, its direction of unit length, in a unit of length that is a power of two finer than the type's: half a unit that an end

@@ -1,20 +1,20 @@
-//! A line seen from a frame.
+//! Transformation of a line to a frame, in fixed point.
 
 use super::{high, leading_zeros, magnitude_bits, product, round_off};
 
-/// How much finer than the type's unit the origin is kept at least: its rounding is then a hundredth of a unit.
+/// The least number of extra bits of the origin below the type's unit: its rounding error is then a hundredth of a unit.
 pub(in crate::scalar) const FINER: i32 = 6;
 
-/// The same next to the frame's origin, at most.
+/// The largest number of extra bits, for lines next to the frame's origin.
 pub(super) const FINEST: i32 = 12;
 
 /// Bits of the lengths of a line that is kept finer than [`FINER`]: one less than there is room for, so that two may be added.
 pub(super) const LENGTH_BITS: i32 = 29;
 
-/// The same of a line that passes far away: its rounding, a sixteenth of a unit, is too much for a hit, but not for a miss.
+/// The extra bits of a line that passes far away: its rounding error, a sixteenth of a unit, is too large for a hit, but not for a miss.
 pub(in crate::scalar) const COARSE: i32 = 3;
 
-/// Where a line is taken up, next to the frame's origin if it begins far from there.
+/// The origin of a line in a frame, moved next to the frame's origin if the line starts far from there.
 pub(in crate::scalar) struct Turned {
     /// The ray's `t` there.
     pub(in crate::scalar) start: i32,

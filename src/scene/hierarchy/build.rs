@@ -1,4 +1,4 @@
-//! Objects into boxes.
+//! Building the bounding volume hierarchy.
 
 use super::split::{nothing, split, united};
 use super::{AXIS, Hierarchy, HierarchyError, LEVELS, MOST_OBJECTS, Node};
@@ -10,14 +10,15 @@ use crate::shape::{Placement, Primitive, Shape};
 use crate::vector::{Vec3, pairs};
 
 impl<'a, S: Scalar> Hierarchy<'a, S> {
-    /// Boxes around these objects, in borrowed storage: [`Hierarchy::nodes_for`] of them.
+    /// The hierarchy of these objects, in borrowed storage of at least [`Hierarchy::nodes_for`] nodes.
     ///
-    /// Divides the objects in two across the axis along which their middles are farthest apart, where the boxes of the two are cheapest to
-    /// search, these again, and so on: steps in proportion to `n log n`. The same objects always give the same boxes.
+    /// Divides the objects in two along the axis on which the centres of their boxes are farthest apart, at the place with the least
+    /// surface area cost, and then each part again. That takes time in proportion to `n log n`. The same objects always give the same
+    /// hierarchy.
     ///
     /// # Errors
     ///
-    /// [`HierarchyError::Storage`] if there is room for too few nodes; [`HierarchyError::TooManyObjects`] beyond 2^30 - 1.
+    /// [`HierarchyError::Storage`] if the storage is too small; [`HierarchyError::TooManyObjects`] for more than 2^30 - 1 objects.
     pub fn build(objects: &[Object<S>], nodes: &'a mut [Node<S>]) -> Result<Self, HierarchyError> {
         if objects.len() > MOST_OBJECTS {
             return Err(HierarchyError::TooManyObjects);
@@ -26,7 +27,7 @@ impl<'a, S: Scalar> Hierarchy<'a, S> {
         let Some((nodes, _)) = nodes.split_at_mut_checked(needed) else {
             return Err(HierarchyError::Storage { needed, given });
         };
-        // The leaves at the end, where the tree will leave them room to the last; what has no box at the beginning.
+        // Objects without a box are written at the beginning and leaves at the end, where the tree overwrites none that is still needed.
         let (mut unbounded, mut leaves) = (0, 0);
         for (index, object) in (0_u32..).zip(objects) {
             let leaf = Node::leaf(index, &object.shape);
@@ -45,10 +46,10 @@ impl<'a, S: Scalar> Hierarchy<'a, S> {
     }
 }
 
-/// Makes a tree of leaves, which stand at the end of the list.
+/// Makes a tree of the leaves at the end of the list, in place.
 ///
-/// A node is written over nothing but itself: before the node at a place there are fewer parents than leaves, so that the leaves
-/// that are left begin behind it, or, if it is a leaf, at it.
+/// A node is never written over a leaf that is still needed: before the node at a place there are fewer inner nodes than leaves, so that
+/// the leaves that are left begin behind it, or, if it is a leaf, at it.
 fn grow<S: Scalar>(tree: &mut [Node<S>], leaves: u32) {
     let mut written = 0;
     for place in 0..tree.len() {
@@ -68,7 +69,7 @@ fn grow<S: Scalar>(tree: &mut [Node<S>], leaves: u32) {
     }
 }
 
-/// How many objects the node at this place has below it, in a tree of `objects` leaves, and how many levels there may be below it.
+/// How many objects are below the node at this place of a tree of `objects` leaves, and how many levels are allowed below it.
 fn below<S: Scalar>(tree: &[Node<S>], place: usize, mut objects: u32) -> (u32, u32) {
     let (mut at, mut levels) = (0, LEVELS);
     // One step down at a time, from the root.
@@ -82,7 +83,7 @@ fn below<S: Scalar>(tree: &[Node<S>], place: usize, mut objects: u32) -> (u32, u
     (objects, levels)
 }
 
-/// Brings the leaves that belong to the lower part before the others; the node above all of them.
+/// Moves the leaves of the lower child before the others, and returns their parent node.
 fn divide<S: Scalar>(leaves: &mut [Node<S>], levels: u32) -> Node<S> {
     let mut corners = nothing();
     for leaf in leaves.iter() {
@@ -122,7 +123,7 @@ impl<S: Scalar> Node<S> {
     }
 }
 
-/// The bounds of what large scenes are made of, the same to the bit: where they are sums without rounding.
+/// A short cut for the shapes that large scenes consist of, with the same bits: their bounds are sums without rounding.
 fn simple_bounds<S: Scalar>(shape: &Shape<S>) -> Option<Bounds<S>> {
     match (shape.placement(), shape.primitive()) {
         (Placement::World, Primitive::Triangle(triangle)) => Some(around(triangle.vertices())),
@@ -142,8 +143,8 @@ fn around<S: Scalar>([a, b, c]: [Vec3<S>; 3]) -> Bounds<S> {
     Bounds { low, high }
 }
 
-/// How much farther from a solid a hit may lie than the `t` is wrong that decided it: where two surfaces meet at a sharp rim, two ends
-/// that round to one are as far from the rim as that is sharp. `None` beyond 2^8, which is more than the margin of a box covers.
+/// The factor by which the distance of a reported hit from the solid may exceed the error of `t`. At a sharp rim, where two surfaces meet
+/// at a small angle, two ends that round to the same `t` may be far from the rim. `None` beyond 2^8, which the margin of a box does not cover.
 fn sharpness<S: Scalar>(shape: &Shape<S>) -> Option<S::Real> {
     let one = S::Real::ONE;
     let rim = match shape.primitive() {
@@ -164,10 +165,10 @@ fn sharpness<S: Scalar>(shape: &Shape<S>) -> Option<S::Real> {
     if sharpness <= most { Some(sharpness) } else { None }
 }
 
-/// Centre and half extents of a box, larger by [`MARGIN_BITS`] of its size and, where what is in it is seen from a position that
-/// it need not be near, of its distance from that; and by `units`.
+/// Centre and half extents of a box, enlarged by `units` and by the fraction [`MARGIN_BITS`] of its size and, if its object is placed at
+/// a position that may be far from the box, of the distance from that position.
 fn padded<S: Scalar>(low: Vec3<S>, high: Vec3<S>, position: Option<Vec3<S>>, units: S::Real) -> ([S; 3], [S; 3]) {
-    // Halved one by one: the sum of both may be beyond the type.
+    // Halved before they are added: the sum may be beyond the type.
     let half_of = |c: S::Real| c.scaled(-1);
     let centre = pairs(low.real(), high.real()).map(|(low, high)| S::round(half_of(low) + half_of(high)));
     let middle = centre.map(S::real);

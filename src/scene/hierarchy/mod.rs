@@ -1,4 +1,4 @@
-//! Boxes in boxes: which objects a ray may meet at all, without asking each.
+//! Bounding volume hierarchy, so that a ray tests few of many objects.
 
 mod build;
 mod split;
@@ -8,7 +8,7 @@ use crate::ray::Ray;
 use crate::scalar::{Scalar, UnitScalar};
 use core::fmt;
 
-/// A box of a [`Hierarchy`], opaque: make an array of [`Node::EMPTY`] or of `Node::default()` and lend it to
+/// A node of a [`Hierarchy`]. Its fields are private: make an array of [`Node::EMPTY`] or of `Node::default()` and pass it to
 /// [`Hierarchy::build`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -17,7 +17,8 @@ pub struct Node<S> {
     half: [S; 3],
     /// How many objects lie in it.
     objects: u32,
-    /// The index of its object, if it is one; else how many lie in its lower half, and in the top bits the axis along which that is lower.
+    /// Of a leaf, the index of its object. Of an inner node, the number of objects in its lower child, and in the top bits the axis along
+    /// which that child is lower.
     object: u32,
 }
 
@@ -31,7 +32,7 @@ const MOST_OBJECTS: usize = (1 << AXIS) - 1;
 const LEVELS: u32 = 40;
 
 impl<S: Scalar> Node<S> {
-    /// Nothing yet.
+    /// An unused node.
     pub const EMPTY: Self = Self { centre: [S::ZERO; 3], half: [S::ZERO; 3], objects: 0, object: 0 };
 
     /// How many objects lie in the lower half.
@@ -53,18 +54,17 @@ impl<S: Scalar> Default for Node<S> {
     }
 }
 
-/// Boxes around the objects of a scene, boxes around these, and so on up to one around all: a ray that misses a box misses
-/// what lies in it.
+/// A bounding volume hierarchy: a binary tree of axis-aligned boxes around the objects of a scene.
 ///
-/// It changes no bit of any answer, only what an answer costs: about as many tests as the logarithm of the number of objects,
-/// instead of one for each. Without it a scene tests every object and no boxes: a box for each pays too from some ten objects on, but
-/// takes half the memory of the whole hierarchy, and no scene pays for it unasked.
+/// It changes no bit of a result. The number of tests of a ray grows about with the logarithm of the number of objects. Without a
+/// hierarchy a scene tests every object.
 ///
-/// Built at the start, or on a host, into storage that it borrows; nothing is allocated. A walk through it meets nearer boxes first and
-/// takes some 200 bytes of stack.
-/// Objects without bounds (planes, infinite cylinders and cones) or beyond the budget of coordinates have no box and are always
-/// tested. So are those whose own rounding matters more than a box allows for: cones flatter than 1 : 256, and what an
-/// [`Affine`](crate::Affine) stretches along one axis more than some 100 times as much as along another, or presses nearly flat.
+/// It is built into storage that it borrows, without allocation. A traversal visits nearer boxes first and takes some 200 bytes of
+/// stack.
+///
+/// Infinite objects (planes, infinite cylinders and cones) and objects beyond the budget of coordinates have no box and are always
+/// tested. So are objects whose rounding errors may exceed the margin of a box: cones flatter than 1 : 256, and objects that an
+/// [`Affine`](crate::Affine) stretches along one axis more than some 100 times as much as along another, or makes nearly flat.
 ///
 /// ```
 /// use raylet::scene::{Hierarchy, Node};
@@ -89,10 +89,10 @@ impl<S: Scalar> Default for Node<S> {
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Hierarchy<'a, S> {
-    /// What has no box: its objects only.
+    /// Leaves of the objects that have no box.
     unbounded: &'a [Node<S>],
-    /// Each node, the nodes of its lower part, those of its upper part: what is below a node of n objects are the 2 (n - 1) behind
-    /// it.
+    /// The tree in preorder: a node, then the nodes of its lower child, then those of its upper child. A node with n objects is followed by
+    /// its 2 (n - 1) descendants.
     tree: &'a [Node<S>],
 }
 
@@ -108,10 +108,10 @@ impl<S: Scalar> Hierarchy<'_, S> {
         self.unbounded.len() + self.tree.len().div_ceil(2)
     }
 
-    /// Puts to `test` every object that the ray may meet; `test` gives the end of the range that still matters, or `None` if
-    /// nothing does any more. Counts the boxes.
+    /// Calls `test` for every object that the ray may hit. `test` returns the end of the range that remains to be searched, or `None` to
+    /// stop. Counts the box tests.
     ///
-    /// Of the two parts of a box the one that the ray comes to first comes first, so that what it meets there shortens the ray.
+    /// Of two children the one that the ray reaches first is visited first, so that a hit in it shortens the range.
     #[inline(always)]
     pub(super) fn walk(
         &self,
@@ -120,7 +120,7 @@ impl<S: Scalar> Hierarchy<'_, S> {
         mut test: impl FnMut(u32, &mut Counters) -> Option<S>,
     ) {
         let (start, mut end) = (ray.range().start(), ray.range().end());
-        // What a ray meets of the object that it departs from follows from the departure, wherever it starts.
+        // The object that the ray departs from is always tested: its result follows from the departure, not from where the ray starts.
         let departed = ray.departure().map(|departure| departure.object).filter(|own| (*own as usize) < self.objects());
         for object in
             departed.into_iter().chain(self.unbounded.iter().map(|node| node.object).filter(|o| Some(*o) != departed))
@@ -147,7 +147,7 @@ impl<S: Scalar> Hierarchy<'_, S> {
                     let (lower, upper) = (place + 1, place + 2 * node.lower());
                     let is_falling = falling >> node.axis() & 1 != 0;
                     let (first, second) = if is_falling { (upper, lower) } else { (lower, upper) };
-                    // There is room: a tree has no more levels.
+                    // Cannot be full: a tree has at most `LEVELS` levels.
                     let _ = waiting.push(second);
                     next = Some(first);
                     continue;
@@ -163,7 +163,7 @@ impl<S: Scalar> Hierarchy<'_, S> {
         }
     }
 
-    /// True if it was built for these very objects, in this order.
+    /// True if it was built for exactly these objects, in this order.
     pub(super) fn is_of(&self, objects: &[Object<S>]) -> bool {
         let mut leaves = self.unbounded.iter().chain(self.tree.iter().filter(|node| node.objects == 1));
         self.objects() == objects.len()
@@ -185,7 +185,7 @@ pub enum HierarchyError {
         /// How many were given.
         given: usize,
     },
-    /// More objects than an index can name.
+    /// There are more objects than an index can name.
     TooManyObjects,
 }
 

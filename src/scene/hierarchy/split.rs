@@ -1,9 +1,9 @@
-//! Where a box is divided.
+//! Where a node is divided: by the surface area heuristic.
 //!
-//! A ray that meets a box meets a box within it about as often as the surface of the one is to that of the other (Goldsmith and Salmon,
-//! *Automatic creation of object hierarchies for ray tracing*, 1987). A division thus costs the surface of each part times its objects. Not
-//! every division is looked at, but those between [`BINS`] slices of equal width (Wald, *On fast construction of SAH-based bounding volume
-//! hierarchies*, 2007).
+//! The probability that a ray that hits a box also hits a box within it is about the ratio of their surface areas (Goldsmith and Salmon,
+//! *Automatic creation of object hierarchies for ray tracing*, 1987). The cost of a division is therefore the surface area of each part
+//! times its number of objects. Only divisions between [`BINS`] slices of equal width are considered (Wald, *On fast construction of SAH-based
+//! bounding volume hierarchies*, 2007).
 
 use super::Node;
 use crate::scalar::{Real, Ring, Scalar};
@@ -19,13 +19,13 @@ const FEW: usize = 3;
 /// The lowest and the highest corner of a box.
 type Corners<S> = [[S; 3]; 2];
 
-/// Where a leaf's middle is along an axis.
+/// The coordinate of a leaf's centre along an axis.
 fn along<S: Scalar>(leaf: &Node<S>, axis: usize) -> S {
     leaf.centre[axis % 3]
 }
 
-/// Brings the leaves of the lower part before the others, so that no more than `levels` levels are needed below; along which axis it is the
-/// lower, and how many it has.
+/// Moves the leaves of the lower part before the others, such that at most `levels` levels are needed below. Returns the axis of the
+/// division and the number of leaves in the lower part.
 pub(super) fn split<S: Scalar>(leaves: &mut [Node<S>], corners: Corners<S>, levels: u32) -> (u32, u32) {
     if leaves.len() > FEW
         && let Some((axis, start)) = cheapest(leaves, corners)
@@ -45,7 +45,7 @@ pub(super) fn split<S: Scalar>(leaves: &mut [Node<S>], corners: Corners<S>, leve
         2
     };
     let half = leaves.len() / 2;
-    // Of those in the same place the one with the lower index first.
+    // Leaves with the same centre are ordered by index.
     select(leaves, half, |a, b| {
         let (at_a, at_b) = (along(a, axis), along(b, axis));
         at_a < at_b || (at_a == at_b && a.object < b.object)
@@ -53,7 +53,7 @@ pub(super) fn split<S: Scalar>(leaves: &mut [Node<S>], corners: Corners<S>, leve
     (axis as u32, half as u32)
 }
 
-/// True if halving leads to single objects within one level less than these.
+/// True if repeated halving reaches single objects within one level less than these.
 fn has_levels(objects: usize, levels: u32) -> bool {
     usize::BITS - objects.saturating_sub(1).leading_zeros() < levels
 }
@@ -63,7 +63,7 @@ fn middles<S: Scalar>(leaves: &[Node<S>]) -> Corners<S> {
     leaves.iter().fold(nothing(), |middles, leaf| united(middles, [leaf.centre; 2]))
 }
 
-/// The axis to divide along, and where the upper part's middles begin. `None` if all middles are in one place.
+/// The axis to divide along, and the coordinate from which on centres belong to the upper part. `None` if all centres coincide.
 fn cheapest<S: Scalar>(leaves: &[Node<S>], corners: Corners<S>) -> Option<(usize, S)> {
     let size = size_of(corners);
     if size.is_zero() {
@@ -74,7 +74,7 @@ fn cheapest<S: Scalar>(leaves: &[Node<S>], corners: Corners<S>) -> Option<(usize
     for (axis, (low, high)) in pairs(low, high).into_iter().enumerate() {
         let starts = starts(low, high);
         let bins = in_bins(leaves, axis, &starts);
-        // What the upper part costs if it begins with a slice; from the last slice on.
+        // The cost of the upper part if it begins with a slice, computed from the last slice backwards.
         let (mut corners, mut count, mut costs) = (nothing(), 0, [S::Real::ZERO; BINS]);
         let mut last = S::Real::ZERO;
         for ((bin, more), cost) in bins.iter().zip(&mut costs).rev() {

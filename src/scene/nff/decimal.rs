@@ -88,7 +88,7 @@ impl Decimal {
         Some(Magnitude { place: self.exponent.saturating_add(last as i32), aligned })
     }
 
-    /// The number times `2^power` in a fixed-point type, as [`Scalar::parse_scaled`] rounds it; `None` where that is to be asked.
+    /// The number times `2^power` in a fixed-point type, as [`Scalar::parse_scaled`] rounds it; `None` if that function must be used instead.
     fn fixed<S: Scalar>(self, power: i32) -> Option<S> {
         if !self.exact {
             return None;

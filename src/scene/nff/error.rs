@@ -1,9 +1,9 @@
-//! What can be wrong with a file, and where.
+//! Errors in a scene file, with their place.
 
 use crate::scene::camera::CameraError;
 use core::fmt;
 
-/// A place in a text, for people: both counts start at 1, and columns count characters.
+/// A place in a text. Lines and columns are counted from 1, columns in characters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Place {
@@ -13,7 +13,7 @@ pub struct Place {
     pub column: u32,
 }
 
-/// Why a text is not a scene, and where reading stopped.
+/// Why a text could not be read as a scene, and where reading stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct NffError {
@@ -23,15 +23,15 @@ pub struct NffError {
     pub reason: Reason,
 }
 
-/// What is wrong with a scene file. The `what` of a variant names the value in words.
+/// An error in a scene file. The field `what` of a variant describes the value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Reason {
-    /// A word that starts no entity.
+    /// A word that is not the name of an entity.
     UnknownEntity,
-    /// A character that stands for bytes that are no text: U+FFFD, as `String::from_utf8_lossy` puts it. In comments it is none of
-    /// the reader's business.
+    /// A replacement character (U+FFFD), which `String::from_utf8_lossy` puts in place of bytes that are not UTF-8. In comments it is
+    /// allowed.
     NotText,
     /// The text ends inside an entity.
     Ended {
@@ -58,7 +58,7 @@ pub enum Reason {
         /// The value that it gives.
         what: &'static str,
     },
-    /// A number below zero where there is no such thing.
+    /// A negative number where none is allowed.
     Negative {
         /// The value that it gives.
         what: &'static str,
@@ -83,19 +83,19 @@ pub enum Reason {
     Proportions,
     /// Fewer than three corners.
     TooFewCorners,
-    /// More corners than the rest of the text can hold.
+    /// The text is too short for the number of corners of a polygon.
     EndsBeforeCorners {
-        /// The number of corners that the polygon announces.
+        /// The number of corners in the text.
         corners: u32,
     },
-    /// More corners than the caller gave room for.
+    /// A polygon has more corners than [`Stores::corners`](super::Stores::corners).
     TooManyCorners {
-        /// The room that there is.
+        /// The length of that slice.
         room: usize,
     },
-    /// A store has no more room.
+    /// A store is full.
     Full {
-        /// Which store.
+        /// The name of the store.
         store: &'static str,
     },
     /// A keyword of the view is missing.
@@ -108,13 +108,13 @@ pub enum Reason {
         /// The keyword.
         keyword: &'static str,
     },
-    /// The view's values make no camera.
+    /// No camera can be built from the values of the view.
     Camera(CameraError),
     /// A second view.
     SecondView,
     /// A second background.
     SecondBackground,
-    /// No view in the whole text.
+    /// The text has no view.
     NoView,
 }
 

@@ -1,7 +1,7 @@
 //! A reader for the Neutral File Format (NFF, Eric Haines, 1988), the format of the Standard Procedural Databases.
 //!
-//! It allocates nothing: what it finds goes into the caller's [`Store`]s, and [`Counts`] says beforehand how much room
-//! a text needs. Numbers are rounded once, correctly, from the decimal text to the scene's number type.
+//! It allocates nothing: it fills the caller's [`Store`]s, and [`Counts`] tells beforehand which capacities a text needs.
+//! Numbers are rounded once, correctly, from the decimal text to the scene's number type.
 //!
 //! | entity | meaning |
 //! |---|---|
@@ -15,12 +15,12 @@
 //! | `pp` n, then n points with normals | a polygon, shaded with normals interpolated between its corners |
 //! | `#` | a comment up to the end of the line |
 //!
-//! What the format leaves open is answered thus:
+//! Where the format is not definite, the reader does this:
 //!
-//! - Lines mean nothing; an entity may run over one line or many.
-//! - Entities come in any order (the format wants view and lights first, for the sake of hidden-surface machines).
+//! - Line breaks are white space; an entity may take one line or many.
+//! - Entities may come in any order (the format requires view and lights first, for the sake of hidden-surface renderers).
 //!   A second view or background is an error. Objects before the first `f` are white and matte.
-//! - Lights without a colour shine with [`Light::usual_strength`]: `1 / sqrt(number of lights)`.
+//! - Lights without a colour have the strength [`Light::usual_strength`]: `1 / sqrt(number of lights)`.
 //! - An object is seen from its outside only (a polygon from its front), from the inside only if its radii are negative,
 //!   and from both sides if its material transmits (T > 0).
 //! - A cone may be wider at its apex than at its base. The same radius twice makes a cylinder. None has caps.
@@ -28,12 +28,12 @@
 //!   ([`Material`] says how Fresnel's equations divide it).
 //! - A shine beyond the number type's range (100000 in `I16F16`) becomes the largest that it holds: that highlight is
 //!   smaller than a pixel in either case.
-//! - A file's unit of length is the scene's, unless [`read_scaled`] is told another.
+//! - A file's unit of length is the scene's, unless [`read_scaled`] is given another scale.
 //! - The corners of a `pp` run counterclockwise seen from the side that its normals point to. Where they run the other way, the
 //!   normals decide; [`View::turned`] counts these polygons.
-//! - A light too far for the number type counts by its direction: see [`View::distant`].
-//! - Bytes that are no UTF-8 do no harm in a comment: read them with `String::from_utf8_lossy`.
-//! - `hither` is read and kept, but nothing is cut away in front of it: ray tracing needs no near plane.
+//! - A light that is too far away for the number type becomes a distant light: see [`View::distant`].
+//! - Bytes that are not UTF-8 are accepted in comments if the file is converted with `String::from_utf8_lossy`.
+//! - `hither` is read and returned, but there is no clipping: ray tracing needs no near plane.
 //! - Polygons may be concave, with any number of corners. Corners on a line are allowed. A polygon without area, or a
 //!   sphere, cone or cylinder that is too small for the number type, cannot be seen: it is left out and counted in
 //!   [`View::invisible`].
@@ -76,10 +76,10 @@ use super::{Camera, Color, CornerNormals, Light, Material, Object, Store};
 use crate::scalar::Scalar;
 use core::fmt;
 
-/// Where the reader puts what it finds.
+/// The lists that the reader fills.
 ///
-/// Nothing is removed from the stores; on an error they hold what was read before it. They should be empty:
-/// material and normal indices count from 0.
+/// They should be empty, since indices of materials and normals start at 0. After an error they hold the entities that were read
+/// before it.
 pub struct Stores<'a, S: Scalar> {
     /// Spheres, cones, cylinders and triangles.
     pub objects: &'a mut dyn Store<Object<S>>,
@@ -99,7 +99,7 @@ impl<S: Scalar> fmt::Debug for Stores<'_, S> {
     }
 }
 
-/// What a file says besides its lists.
+/// The contents of a file besides its lists.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View<S: Scalar> {
     /// The camera.
@@ -112,9 +112,9 @@ pub struct View<S: Scalar> {
     pub background: Color<S>,
     /// Objects left out because they cannot be seen: polygons without area, and solids too small for the number type.
     pub invisible: u32,
-    /// Polygons with normals that were turned round, since their corners run the other way than their normals say.
+    /// Polygons whose corners were reversed, since their order contradicted their normals.
     pub turned: u32,
-    /// Lights beyond the number type's budget, of which only the direction counts.
+    /// Lights beyond the number type's budget, which became distant lights.
     pub distant: u32,
 }
 
@@ -122,20 +122,19 @@ pub struct View<S: Scalar> {
 ///
 /// # Errors
 ///
-/// [`NffError`] with the line, the column and the reason, for a text that is not a scene, that the number type cannot
-/// hold, or for which there is no room.
+/// [`NffError`] with the line, the column and the reason, if the text is not a scene, if the number type cannot hold it, or if a
+/// store is full.
 pub fn read<S: Scalar>(text: &str, stores: Stores<'_, S>) -> Result<View<S>, NffError> {
     read_scaled(text, stores, Scale::ONE)
 }
 
-/// Reads a scene in other units: every coordinate, size and distance times a power of two, rounded after that.
+/// Reads a scene in other units: every coordinate, size and distance is multiplied by a power of two before it is rounded.
 ///
-/// For fixed-point numbers, with [`Scale::fitting`]: the picture is that of [`read`], and closer to what the text says.
+/// Use it for fixed-point numbers, with [`Scale::fitting`]: the picture is the same as with [`read`], with smaller rounding errors.
 ///
 /// # Errors
 ///
-/// As [`read`]; in larger units also for a solid of proportions that the number type cannot hold and that [`read`] leaves out
-/// as too small.
+/// As [`read`]. A solid that [`read`] leaves out as too small may be an error here, if the number type cannot hold its proportions.
 ///
 /// ```
 /// # fn main() -> Result<(), raylet::scene::nff::NffError> {
@@ -165,7 +164,7 @@ pub fn read_scaled<S: Scalar>(text: &str, stores: Stores<'_, S>, scale: Scale) -
 /// The bytes of ` 0 0 0`.
 const SHORTEST_POINT: usize = 6;
 
-/// How much room the scene of a text needs, at most.
+/// The capacities that the scene of a text needs at most.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Counts {

@@ -40,12 +40,12 @@ impl<S: Scalar> Default for Corner<S> {
     }
 }
 
-/// Hands the triangles of a polygon to `each`, with corners in the polygon's own order; stops at the first error.
+/// Calls `each` with the triangles of a polygon, whose corners are in the polygon's order. Stops at the first error, and returns the
+/// number of triangles.
 ///
-/// The corners run counterclockwise as seen from the front. Together the triangles cover exactly the polygon's area;
-/// triangles without area (three corners on a line) are left out, and so a polygon without area gives none: the
-/// return value is the number of triangles. The order of `corners` is lost. Of a polygon that crosses itself, which NFF does
-/// not allow, the parts that run counterclockwise are covered as far as ears can be found.
+/// The corners are counterclockwise as seen from the front. The triangles cover exactly the polygon's area.
+/// Triangles without area (three corners on a line) are left out, so that a polygon without area has none. The order of `corners` is
+/// changed. Of a polygon that intersects itself, which NFF does not allow, the counterclockwise parts are covered as far as ears can be found.
 ///
 /// # Errors
 ///
@@ -55,7 +55,7 @@ pub fn triangulate<S: Scalar, E>(
     mut each: impl FnMut([Corner<S>; 3]) -> Result<(), E>,
 ) -> Result<usize, E> {
     let Some(plane) = Projection::of(corners) else { return Ok(0) };
-    // Nothing to cut, and by far the most frequent.
+    // A triangle needs no cutting, and is by far the most frequent.
     if let [a, b, c] = &*corners {
         return each([*a, *b, *c]).map(|()| 1);
     }

@@ -1,22 +1,22 @@
-//! In which units a scene is read.
+//! The units in which a scene is read.
 
 use super::decimal::{self, Decimal, Magnitude};
 use super::lexer::Lexer;
 use crate::scalar::{Scalar, is_decimal, is_zero_decimal};
 use core::fmt;
 
-/// A light this many doublings farther than all else counts by its direction: from wherever a surface is, it is the same to
-/// `2^-12`, which is less than a level.
+/// A light that is `2^12` times as far away as everything else is read as a distant light: its direction is the same from every surface
+/// to `2^-12`, which changes a colour by less than a level.
 const DISTANT: i8 = 12;
 
 /// How many units of the scene one unit of a file is: a power of two.
 ///
-/// Fixed-point numbers have steps of one size, so that small objects are known worse than large ones: a sphere of radius 0.02 in
-/// `I16F16` only to 0.04 percent, which each mirror in which it is seen magnifies. A file that keeps its coordinates within
-/// 12 leaves nine bits of the type unused; read 512 times as large, its picture is the same, and its spheres are known 512 times
-/// better. (NFF has no other measure of length, so that the picture does not change with the units; what is added to the scene
-/// afterwards, such as the clarity of fog or a texture on a plane, counts in the scene's units.) This is block floating
-/// point: numbers that share one exponent (J. H. Wilkinson, Rounding Errors in Algebraic Processes, 1963).
+/// Fixed-point numbers have an absolute precision, so that the relative error of small objects is larger than that of large ones: a sphere of
+/// radius 0.02 has an error of 0.04 percent in `I16F16`, which mirrors magnify. If all coordinates of a file are within 12, nine bits of the type
+/// are unused. Read 512 times as large, the scene gives the same picture with errors 512 times as small. (NFF has no other measure of
+/// length, so that the picture does not depend on the units. What is added to the scene afterwards, such as the clarity of fog or a texture on a
+/// plane, is in the scene's units.) This is block floating point: numbers that share one exponent (J. H. Wilkinson, Rounding Errors in
+/// Algebraic Processes, 1963).
 ///
 /// ```
 /// use raylet::scene::nff::Scale;
@@ -24,7 +24,7 @@ const DISTANT: i8 = 12;
 /// let text = "s  0.5 -2 1  0.75   l 3 4 5";
 /// // The largest coordinate is 5, and 5 * 1024 the last doubling within 8192.
 /// assert_eq!(Scale::fitting::<I16F16>(text).power(), 10);
-/// // A float is as accurate in any units.
+/// // The accuracy of a float does not depend on the units.
 /// assert_eq!(Scale::fitting::<f32>(text), Scale::ONE);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -58,10 +58,10 @@ impl Scale {
     /// [`Budget`](crate::scalar::Budget), and those of cones and cylinders within a quarter, so that distances and heights fit
     /// too; for floats, whose accuracy does not depend on it, 1.
     ///
-    /// A light more than 4096 times as far as everything else does not count: read at this scale it is
+    /// A light more than 4096 times as far away as everything else is ignored here; read at this scale it becomes
     /// [distant](crate::Light::distant).
     ///
-    /// Of a malformed text, the scale of what can be read.
+    /// For a malformed text it is the scale of the part that can be read.
     pub fn fitting<S: Scalar>(text: &str) -> Self {
         if S::RELATIVE {
             return Self::ONE;
@@ -134,7 +134,7 @@ impl<'t> Extent<'t> {
         Self { scale: Scale::LARGEST, largest: [None; 3], any: false }
     }
 
-    /// A word that should be a number; what is none, or zero, takes no room.
+    /// Includes a word that should be a number. Zeros and words that are not numbers have no influence on the scale.
     fn take<S: Scalar>(&mut self, text: &'t str, spare: usize) {
         let decimal = Decimal::parse(text);
         if let Some(decimal) = decimal.filter(|decimal| decimal.is_exact()) {
@@ -163,17 +163,17 @@ impl<'t> Extent<'t> {
     }
 }
 
-/// Whose coordinate or size it is.
+/// The kind of object that a coordinate or size belongs to.
 #[derive(Clone, Copy)]
 enum Kind {
     Light,
-    /// With so many doublings to spare.
+    /// An object whose numbers must stay below the budget by this many powers of two.
     Other {
         spare: usize,
     },
 }
 
-/// Hands every word of a text that should be a coordinate or a size to `each`.
+/// Calls `each` with every word of a text that should be a coordinate or a size.
 fn each_length<'t>(text: &'t str, mut each: impl FnMut(Kind, &'t str)) {
     let mut words = Lexer::new(text);
     while let Some(word) = words.next() {

@@ -68,7 +68,8 @@ struct Options {
     #[arg(short, long, default_value = "out/accuracy", value_name = "FOLDER")]
     output: PathBuf,
     /// Write what was measured into the repository: the bounds that the tests hold the library to (data/bounds),
-    /// docs/accuracy.md and docs/accuracy/, docs/which-one.md, docs/plots/ and the tables of the README.
+    /// docs/accuracy.md and docs/accuracy/, docs/which-one.md, docs/plots/ and the tables of the README and of
+    /// docs/overview.md.
     #[arg(short, long, conflicts_with_all = ["check", "document"])]
     write: bool,
     /// Write the documents and plots into the repository from what it holds, without measuring: after a change of the

@@ -14,7 +14,7 @@ struct AtCone {
     k: i128,
     root: u64,
     divisor: Divisor,
-    /// Ends are only good enough so far from where the line is taken up.
+    /// The largest distance of an end from the moved origin of the line at which the end is accurate enough.
     farthest: i64,
 }
 
@@ -27,7 +27,7 @@ struct Scaled {
     digits: Normalized,
     /// Lengths are in units of `2^-unit`.
     unit: i32,
-    /// The whole unit of `t` at the point where the line is taken up.
+    /// The whole unit of `t` to which the origin was moved.
     start: i64,
     /// The origin was in units of `2^-finer`.
     finer: i32,
@@ -40,7 +40,7 @@ fn along(length: i64, proportion: Digits) -> i64 {
 }
 
 impl Scaled {
-    /// The origin is in units of `2^-finer` of the sizes'. The line is taken up next to its closest point or, if it `departs`, at its origin.
+    /// The origin is in units of `2^-finer` of the sizes'. It is moved next to the line's closest point, unless the line `departs`.
     // Not inlined: a shape that may be any cone has it twice.
     #[inline(never)]
     fn new(o: [i64; 3], finer: i32, d: [i64; 3], [r, g, h]: [i64; 3], departs: bool) -> Attempt<Self> {

@@ -6,7 +6,7 @@
 //! | `placed` | of that the table of placed solids |
 //! | `by_number` | docs/accuracy/: the rows that are timed, a page a number type |
 //! | `which_one`, `advice` | docs/which-one.md: how it is made, what it says |
-//! | `readme` | the README's tables |
+//! | `readme` | the tables of the README and of docs/overview.md |
 //! | `findings`, `explanations` | what needs a word, and the words |
 //! | `plots` | docs/plots/ |
 //! | `markdown` | figures and tables as text |
@@ -29,13 +29,15 @@ use support::figures::NUMBERS;
 
 pub use front::printed as summary;
 
-/// All of them, with their paths in the repository; of the README the tables are new.
+/// All of them, with their paths in the repository; of the README and of docs/overview.md the tables are new.
 pub fn documents(study: &Study, root: &Path) -> Result<Vec<(String, String)>, Box<dyn Error>> {
     let readme = std::fs::read_to_string(root.join("README.md"))?;
+    let overview = std::fs::read_to_string(root.join("docs/overview.md"))?;
     let mut files = vec![
         ("docs/accuracy.md".to_string(), front::document(study)),
         ("docs/which-one.md".into(), which_one::document(study)?),
         ("README.md".into(), readme::document(&readme, study)?),
+        ("docs/overview.md".into(), readme::overview(&overview, study)?),
     ];
     files
         .extend(NUMBERS.map(|number| (format!("docs/{}", markdown::page(number)), by_number::document(study, number))));
