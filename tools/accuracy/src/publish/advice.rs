@@ -69,8 +69,8 @@ fn by_chip(study: &Study) -> Vec<Advice> {
     vec![
         advice(
             "No floating-point unit (M0+, M3, RV32IMC):",
-            "`I16F16`, `Stable`. It takes fewer instructions than `Fast` in `f32` for spheres, cylinders and cones, and is within about half a unit (of 1.5e-5) to \
-             16,384 from the origin, but along the generators of cones. `Fast` halves a sphere's instructions again at next to no loss nearby; for a cylinder it \
+            "`I16F16`, `Stable`. It takes fewer instructions than `Fast` in `f32` for spheres, cylinders and cones, and is within a unit (of 1.5e-5) to \
+             16,384 from the origin. `Fast` takes about half to two thirds of its instructions for a sphere, and is within a unit too from nearby; for a cylinder it \
              gains nothing.",
             vec![
                 benign("I16F16", "Stable"),
@@ -97,7 +97,7 @@ fn by_chip(study: &Study) -> Vec<Advice> {
             ],
         ),
         advice(
-            "No floating-point unit, and 32 bits do not reach:",
+            "No floating-point unit, and coordinates beyond `I16F16`:",
             format!(
                 "Another split first: `I20F12` reaches 262,144 in units of 2.4e-4, at the same price. Beyond that, of `f64` and `I32F32`, \
                  {wide}; both take several times the instructions of 32 bits."
@@ -166,7 +166,7 @@ fn by_distance() -> Vec<Advice> {
         advice(
             "1,000 to 16,000 away:",
             "`Stable`. Where one unit has to be the same near and far, `I16F16`: its unit is smaller than that of `f32` from 256 on. Its `Fast` is \
-             some units off there, and falls back on a slower solver. The textbook loses hits.",
+             about as good there, but takes longer, because its fast path does not reach so far. The textbook loses hits.",
             vec![
                 sphere("f32", "Textbook", "10000 away"),
                 sphere("f32", "Fast", "10000 away"),
@@ -178,6 +178,7 @@ fn by_distance() -> Vec<Advice> {
             vec![
                 Claim::Within(sphere("f32", "Stable", "10000 away"), 1.0),
                 Claim::Within(sphere("I16F16", "Stable", "10000 away"), 0.51),
+                Claim::Within(sphere("I16F16", "Fast", "10000 away"), 1.5),
                 Claim::Wrong(sphere("f32", "Textbook", "10000 away")),
                 Claim::Wrong(sphere("I16F16", "Textbook", "10000 away")),
             ],
@@ -236,8 +237,8 @@ fn by_fault() -> Vec<Advice> {
         ),
         advice(
             "Rays that leave a surface:",
-            "Say so (`Ray::leaving`): such a ray needs no epsilon in any tier. A start that merely happens to lie on a surface has a `t` of next to \
-             nothing, of which only `Exact` and fixed point know the digits.",
+            "Say so (`Ray::departing`): such a ray needs no epsilon in any tier. A start that merely happens to lie on a surface has a `t` next to \
+             zero: `Fast` in floats has few right digits of it.",
             vec![
                 Row("f32", "Fast", SPHERE, "on the surface"),
                 Row("f32", "Stable", SPHERE, "on the surface"),
@@ -252,7 +253,8 @@ fn by_fault() -> Vec<Advice> {
         ),
         advice(
             "Cones seen along their generators:",
-            "`Stable` at least: `Fast` is wrong by any amount there. In `f32` `Exact` costs no more than `Stable` for many such rays.",
+            "`Stable`. `Fast` takes the same fast path there, but promises less where a ray also grazes. In `f32` on a host `Exact` costs no more than \
+             `Stable` for many such rays.",
             vec![
                 Row("f32", "Fast", CONE, "1e-4 off a generator"),
                 Row("f32", "Stable", CONE, "1e-4 off a generator"),
@@ -263,7 +265,7 @@ fn by_fault() -> Vec<Advice> {
         ),
         advice(
             "Solids that are turned or stretched:",
-            "As if they were not: `Stable` and `Exact` promise the same of a solid as it is placed. What is taken as exact are the axes of a \
+            "The same advice: `Stable` and `Exact` promise the same wherever a solid is placed. What is taken as exact are the axes of a \
              frame and the inverse of a stretch as they are stored, rounded. Where that rounding matters, as under large stretches, give the solid \
              its size instead.",
             vec![
