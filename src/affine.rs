@@ -7,7 +7,7 @@ use crate::frame::{Frame, FrameError, within_budget};
 use crate::line::Place;
 use crate::number::{difference, dot};
 use crate::ray::Ray;
-use crate::scalar::{FinerLine, FromScalar, LocalLine, Real, Ring, Scalar, UnitScalar};
+use crate::scalar::{FinerLine, FromScalar, LocalLine, Real, Ring, Scalar, UnitScalar, ValueError};
 use crate::vector::{UnitVec3, Vec3, cross, pairs, transposed};
 
 /// One row of the inverse: components below 1 and a power of two.
@@ -32,8 +32,8 @@ impl<S: Scalar> Affine<S> {
     ///
     /// # Errors
     ///
-    /// [`FrameError::Position`] if a coordinate is not finite or beyond the budget; [`FrameError::Singular`] if the
-    /// axes lie in a plane, or so nearly that the inverse is beyond the number type.
+    /// [`FrameError::Position`] or [`FrameError::Axis`] if a component is not finite or beyond the budget;
+    /// [`FrameError::Singular`] if the axes lie in a plane, or so nearly that the inverse is beyond the number type.
     ///
     /// ```
     /// # use raylet::{Affine, Ray, Shape, Sphere, UnitVec3, Vec3};
@@ -45,11 +45,12 @@ impl<S: Scalar> Affine<S> {
     /// let egg = Shape::new(Sphere::new(1.0)?).placed(stretch);
     /// let ray = Ray::new(Vec3::new(-10.0, 0.0, 0.0), UnitVec3::X)?;
     /// assert_eq!(egg.nearest(&ray).map(|hit| hit.t), Some(8.0));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// # Ok::<(), raylet::Error>(())
     /// ```
     pub fn new(axes: [Vec3<S>; 3], position: Vec3<S>) -> Result<Self, FrameError> {
-        if !(position.is_within_budget() && axes.iter().all(|axis| axis.is_within_budget())) {
-            return Err(FrameError::Position);
+        let position = position.checked().map_err(FrameError::Position)?;
+        for axis in axes {
+            axis.checked().map_err(FrameError::Axis)?;
         }
         // Scaled to unit length first: a determinant of tiny axes must not vanish.
         let mut units = [UnitVec3::<S>::X.real(); 3];
@@ -77,11 +78,14 @@ impl<S: Scalar> Affine<S> {
     ///
     /// # Errors
     ///
-    /// [`FrameError::Singular`] if a factor is zero, negative, not finite or beyond the budget.
+    /// [`FrameError::Scale`] if a factor is zero, negative, not finite or beyond the budget; [`FrameError::Singular`] if the inverse
+    /// is beyond the number type.
     pub fn stretched(frame: Frame<S>, scale: Vec3<S>) -> Result<Self, FrameError> {
         let factors = scale.to_array();
-        if !factors.iter().all(|factor| *factor > S::ZERO && *factor <= S::BUDGET.size) {
-            return Err(FrameError::Singular);
+        for factor in factors {
+            if !(factor > S::ZERO && factor <= S::BUDGET.size) {
+                return Err(FrameError::Scale(ValueError::of_size(factor, S::BUDGET.smallest_size)));
+            }
         }
         let axes = [frame.right(), frame.up(), frame.forward()];
         let mut rows = [UnitVec3::<S>::X.real(); 3];

@@ -60,8 +60,9 @@ mod with_serde {
     {
         fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
             let components = <[S::Unit; 3]>::deserialize(deserializer)?;
-            Self::from_components(components)
-                .ok_or_else(|| D::Error::custom("a direction must have length 1: normalise it before it is stored"))
+            Self::from_components(components).map_err(|error| {
+                D::Error::custom(format_args!("the direction {error}: normalise it before it is stored"))
+            })
         }
     }
 

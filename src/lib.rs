@@ -16,7 +16,7 @@
 //! let hit = can.nearest(&sensor).expect("it looks straight at it");
 //! assert_eq!((hit.t, hit.part), (metres(2.75), Part::Side));
 //! assert_eq!(can.surface(&sensor, &hit).normal().to_f64(), [0.0, 0.0, -1.0]);
-//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! # Ok::<(), raylet::Error>(())
 //! ```
 //!
 //! # The contract
@@ -86,6 +86,7 @@ mod bounds;
 pub mod display;
 pub mod effect;
 pub mod errata;
+mod error;
 mod exact;
 mod fast;
 mod figure;
@@ -113,6 +114,7 @@ pub mod vector;
 
 pub use affine::Affine;
 pub use effect::{Tracer, Work};
+pub use error::Error;
 pub use frame::{Frame, FrameError};
 pub use geometry::Bounds;
 pub use hit::{Crossing, Hit, Hits};
@@ -120,7 +122,7 @@ pub use part::Part;
 pub use primitive::{Capsule, Cone, Cylinder, Disc, Plane, SizeError, Sphere, Triangle};
 pub use ray::{Departure, Leaving, Range, Ray, RayError};
 pub use render::{Picture, Pixel};
-pub use scalar::Scalar;
+pub use scalar::{Scalar, ValueError};
 pub use scene::{Camera, Color, Counters, Fog, Light, Material, Object, Scene, Size, Texture};
 pub use shape::{Placement, Primitive, Shape, Surface, Visible};
 pub use tier::{Exact, Fast, Stable, Tier};

@@ -1,7 +1,7 @@
 //! Rays, their ranges, and where they depart from.
 
 use crate::part::Part;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, ValueError};
 use crate::vector::{UnitVec3, Vec3};
 use core::fmt;
 
@@ -21,10 +21,12 @@ impl<S: Scalar> Range<S> {
     ///
     /// # Errors
     ///
-    /// [`RayError::Range`] if an end is not finite or `start > end`.
+    /// [`RayError::RangeEnd`] if an end is not finite, [`RayError::Range`] if `start > end`.
     #[inline]
     pub fn new(start: S, end: S) -> Result<Self, RayError> {
-        if start.is_finite() && end.is_finite() && start <= end {
+        if !(start.is_finite() && end.is_finite()) {
+            Err(RayError::RangeEnd(ValueError::NotFinite))
+        } else if start <= end {
             Ok(Self { start, end })
         } else {
             Err(RayError::Range)
@@ -122,9 +124,7 @@ impl<S: Scalar> Ray<S> {
     /// ```
     #[inline]
     pub fn new(origin: Vec3<S>, direction: UnitVec3<S>) -> Result<Self, RayError> {
-        if !origin.is_within_budget() {
-            return Err(RayError::Origin);
-        }
+        let origin = origin.checked().map_err(RayError::Origin)?;
         Ok(Self { origin, direction, range: Range::FORWARD, departure: None })
     }
 
@@ -132,18 +132,15 @@ impl<S: Scalar> Ray<S> {
     ///
     /// # Errors
     ///
-    /// [`RayError::Origin`] as for [`Ray::new`]; [`RayError::Direction`] if the two points coincide or `target` is
-    /// not within the budget.
+    /// [`RayError::Origin`] as for [`Ray::new`]; [`RayError::Target`] if `target` is not within the budget;
+    /// [`RayError::Direction`] if the two points are equal.
     pub fn towards(origin: Vec3<S>, target: Vec3<S>) -> Result<Self, RayError> {
-        if !origin.is_within_budget() {
-            return Err(RayError::Origin);
-        }
-        if !target.is_within_budget() {
-            return Err(RayError::Direction);
-        }
+        let origin = origin.checked().map_err(RayError::Origin)?;
+        let target = target.checked().map_err(RayError::Target)?;
         // In the computing number: across the whole budget the difference is more than a fixed type holds.
         let ([ox, oy, oz], [tx, ty, tz]) = (origin.real(), target.real());
-        let direction = UnitVec3::from_real([tx - ox, ty - oy, tz - oz]).ok_or(RayError::Direction)?;
+        let direction =
+            UnitVec3::from_real([tx - ox, ty - oy, tz - oz]).ok_or(RayError::Direction(ValueError::Zero))?;
         Self::new(origin, direction)
     }
 
@@ -205,20 +202,29 @@ impl<S: Scalar> Ray<S> {
 #[non_exhaustive]
 pub enum RayError {
     /// A coordinate of the origin is not finite or beyond the budget.
-    Origin,
-    /// The direction is zero or not finite.
-    Direction,
-    /// An end of the range is not finite, or its start lies above its end.
+    Origin(ValueError),
+    /// A coordinate of the target is not finite or beyond the budget.
+    Target(ValueError),
+    /// The vector that gives the direction is zero, not finite or beyond the budget.
+    Direction(ValueError),
+    /// An end of the range is not finite.
+    RangeEnd(ValueError),
+    /// The range's start lies above its end.
     Range,
 }
 
 impl fmt::Display for RayError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Origin => "the ray's origin is not finite or beyond the number type's budget: move it closer",
-            Self::Direction => "the ray's direction is zero or not finite: give a vector with a length",
-            Self::Range => "the ray's range is empty or not finite: its start must not lie above its end",
-        })
+        match self {
+            Self::Origin(error) => write!(f, "a coordinate of the ray's origin {error}"),
+            Self::Target(error) => write!(f, "a coordinate of the ray's target {error}"),
+            Self::Direction(ValueError::Zero) => {
+                f.write_str("the ray has no direction: the vector is zero, or origin and target are the same point")
+            }
+            Self::Direction(error) => write!(f, "the vector of the ray's direction {error}"),
+            Self::RangeEnd(error) => write!(f, "an end of the ray's range {error}"),
+            Self::Range => f.write_str("the ray's range is empty: its start lies above its end"),
+        }
     }
 }
 

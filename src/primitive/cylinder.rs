@@ -28,7 +28,7 @@ enum Extent<S> {
 /// let hits = can.hits(&ray);
 /// assert_eq!((hits[0].t, hits[0].part, hits[0].crossing), (3.0, Part::Top, Crossing::Enter));
 /// assert_eq!((hits[1].t, hits[1].part, hits[1].crossing), (5.0, Part::Base, Crossing::Exit));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// # Ok::<(), raylet::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

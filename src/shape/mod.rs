@@ -196,7 +196,7 @@ impl Visible {
 /// let horn = Shape::new(Cone::open(0.5, 2.0)?).placed(frame).seen_from(Visible::Outside);
 /// let ray = Ray::new(Vec3::new(1.0, 0.0, 0.0), UnitVec3::Z)?;
 /// assert_eq!(horn.nearest(&ray).map(|hit| hit.t), Some(9.5));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// # Ok::<(), raylet::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -327,7 +327,7 @@ impl<S: Scalar> Shape<S> {
     /// let box_of_it = rod.placed(Frame::from_base_and_axis(Vec3::ZERO, leaning)?).bounds();
     /// // 3 / sqrt(2) + 1, and 1: the box of the unplaced box would reach up to 5 / sqrt(2).
     /// assert!(box_of_it.high.x < 3.122 && box_of_it.high.z < 1.000_001);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// # Ok::<(), raylet::Error>(())
     /// ```
     pub fn bounds(&self) -> Bounds<S> {
         let hull = self.primitive.hull();
