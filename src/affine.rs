@@ -128,6 +128,25 @@ impl<S: Scalar> Affine<S> {
         Some(Row { components: v.map(|c| S::unit_round(c.scaled(-exponent))), exponent })
     }
 
+    /// The images of the local axes, as [`Affine::new`] takes them: the inverse as it is stored, inverted again and rounded to nearest. A
+    /// component beyond the number type is [`Scalar::INFINITY`] with its sign.
+    ///
+    /// ```
+    /// # use raylet::{Affine, Vec3};
+    /// let axes = [Vec3::new(2.0_f32, 0.0, 0.0), Vec3::new(0.0, 0.0, 1.0), Vec3::new(0.0, -0.5, 0.0)];
+    /// assert_eq!(Affine::new(axes, Vec3::ZERO)?.axes(), axes);
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub fn axes(&self) -> [Vec3<S>; 3] {
+        [UnitVec3::<S>::X, UnitVec3::Y, UnitVec3::Z].map(|axis| Vec3::round(self.image(axis.real())))
+    }
+
+    /// A local point in the world, rounded to nearest.
+    pub fn point_to_world(&self, point: Vec3<S>) -> Vec3<S> {
+        let moved = pairs(self.image(point.real()), self.position.real());
+        Vec3::round(moved.map(|(offset, position)| offset + position))
+    }
+
     /// Where the local origin lies.
     pub const fn position(&self) -> Vec3<S> {
         self.position

@@ -131,6 +131,12 @@ impl<S: Scalar> Frame<S> {
         self.axes[2]
     }
 
+    /// The directions of the three axes. They are perpendicular, so that the same three are the rows of the inverse.
+    #[inline]
+    pub const fn axes(&self) -> [UnitVec3<S>; 3] {
+        self.axes
+    }
+
     /// A world point in the frame's coordinates.
     pub fn point_to_local(&self, point: Vec3<S>) -> Vec3<S> {
         let ([x, y, z], [px, py, pz]) = (point.real(), self.position.real());

@@ -120,7 +120,7 @@ pub use geometry::Bounds;
 pub use hit::{Crossing, Hit, Hits};
 pub use part::Part;
 pub use primitive::{Capsule, Cone, Cylinder, Disc, Plane, SizeError, Sphere, Triangle};
-pub use ray::{Departure, Leaving, Range, Ray, RayError};
+pub use ray::{Along, Departure, Leaving, Range, Ray, RayError};
 pub use render::{Picture, Pixel};
 pub use scalar::{Scalar, ValueError};
 pub use scene::{Camera, Color, Counters, Fog, Light, Material, Object, Scene, Size, Texture};

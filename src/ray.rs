@@ -1,7 +1,8 @@
 //! Rays, their ranges, and where they depart from.
 
+use crate::number::{Estimate, difference, dot};
 use crate::part::Part;
-use crate::scalar::{Scalar, ValueError};
+use crate::scalar::{FromScalar, Scalar, ValueError};
 use crate::vector::{UnitVec3, Vec3};
 use core::fmt;
 
@@ -30,6 +31,26 @@ impl<S: Scalar> Range<S> {
             Ok(Self { start, end })
         } else {
             Err(RayError::Range)
+        }
+    }
+
+    /// From `start` as far as the number type reaches.
+    ///
+    /// # Errors
+    ///
+    /// [`RayError::RangeEnd`] if `start` is not finite or beyond the largest distance.
+    ///
+    /// ```
+    /// # use raylet::{Range, Ray, Sphere, UnitVec3, Vec3};
+    /// let beam = Ray::new(Vec3::new(-3.0_f32, 0.0, 0.0), UnitVec3::X)?.with_range(Range::from(2.5)?);
+    /// assert_eq!(Sphere::new(1.0)?.nearest(&beam).map(|hit| hit.t), Some(4.0));
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub fn from(start: S) -> Result<Self, RayError> {
+        match start {
+            _ if !start.is_finite() => Err(RayError::RangeEnd(ValueError::NotFinite)),
+            _ if start > S::BUDGET.distance => Err(RayError::RangeEnd(ValueError::BeyondBudget)),
+            _ => Ok(Self { start, end: S::BUDGET.distance }),
         }
     }
 
@@ -144,6 +165,47 @@ impl<S: Scalar> Ray<S> {
         Self::new(origin, direction)
     }
 
+    /// The piece of a line from `a` to `b`: the ray from `a` towards `b`, whose range ends at `b`.
+    ///
+    /// The end is the `t` of the point of the ray's line, as its direction is stored, that is closest to `b`, rounded to nearest. A
+    /// surface through `b` is thus met or missed as that rounding falls.
+    ///
+    /// # Errors
+    ///
+    /// As [`Ray::towards`]; [`RayError::RangeEnd`] if `b` is farther from `a` than the largest distance of a fixed type.
+    ///
+    /// ```
+    /// # use raylet::{Ray, Sphere, Vec3};
+    /// let ball = Sphere::new(1.0_f32)?;
+    /// let from = Vec3::new(-5.0, 0.0, 0.0);
+    /// assert!(!ball.occludes(&Ray::segment(from, Vec3::new(-2.0, 0.0, 0.0))?));
+    /// assert!(ball.occludes(&Ray::segment(from, Vec3::new(-1.0, 0.0, 0.0))?));
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub fn segment(a: Vec3<S>, b: Vec3<S>) -> Result<Self, RayError> {
+        let ray = Self::towards(a, b)?;
+        let [from, to] = [a, b].map(|point| point.to_array().map(<S::Robust as FromScalar<S>>::scalar));
+        let direction = ray.direction.to_array().map(<S::Robust as FromScalar<S>>::unit);
+        // Divided by the square of the direction's length, which is 1 but for rounding.
+        let end = S::from_robust(dot(difference(to, from), direction).over(dot(direction, direction)));
+        if end.is_finite() && end <= S::BUDGET.distance {
+            Ok(ray.with_range(Range { start: S::ZERO, end }))
+        } else {
+            Err(RayError::RangeEnd(ValueError::BeyondBudget))
+        }
+    }
+
+    /// The ray from `origin` along a vector of any length, with the vector's length: see [`Along`].
+    ///
+    /// # Errors
+    ///
+    /// [`RayError::Origin`] as for [`Ray::new`]; [`RayError::Direction`] if the vector is zero, not finite or beyond the budget.
+    pub fn along(origin: Vec3<S>, vector: Vec3<S>) -> Result<Along<S>, RayError> {
+        let vector = vector.checked().map_err(RayError::Direction)?;
+        let direction = UnitVec3::new(vector).map_err(RayError::Direction)?;
+        Ok(Along { ray: Self::new(origin, direction)?, length: vector.length() })
+    }
+
     /// The same ray with another range of `t`.
     #[inline]
     #[must_use]
@@ -193,6 +255,45 @@ impl<S: Scalar> Ray<S> {
     #[inline]
     pub fn at(&self, t: S) -> Vec3<S> {
         S::advance(self.origin.to_array(), self.direction.to_array(), t).into()
+    }
+}
+
+/// A ray along a vector, made by [`Ray::along`], and the vector's length.
+///
+/// The `t` of the ray's hits is distance, as always (rule 4 of the contract); [`Along::in_lengths`] gives it in lengths of the vector.
+///
+/// ```
+/// # use raylet::{Ray, Sphere, Vec3};
+/// // What moves by (8, 0, 0) in a second meets the ball after half a second, 4 away.
+/// let path = Ray::along(Vec3::new(-5.0_f32, 0.0, 0.0), Vec3::new(8.0, 0.0, 0.0))?;
+/// let hit = Sphere::new(1.0)?.nearest(&path.ray()).expect("it is ahead");
+/// assert_eq!((hit.t, path.in_lengths(hit.t)), (4.0, 0.5));
+/// # Ok::<(), raylet::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Along<S: Scalar> {
+    ray: Ray<S>,
+    length: S,
+}
+
+impl<S: Scalar> Along<S> {
+    /// The ray, with the range `[0, MAX]`.
+    #[inline]
+    pub const fn ray(&self) -> Ray<S> {
+        self.ray
+    }
+
+    /// The length of the vector, rounded to the number type.
+    #[inline]
+    pub const fn length(&self) -> S {
+        self.length
+    }
+
+    /// The distance `t` in lengths of the vector: `t / length`, rounded to nearest; [`Scalar::INFINITY`] with its sign beyond the
+    /// number type.
+    pub fn in_lengths(&self, t: S) -> S {
+        S::round(t.real() / self.length.real())
     }
 }
 

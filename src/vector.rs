@@ -2,11 +2,21 @@
 
 use crate::number::{Estimate, Number, Ring, Robust, dot};
 use crate::scalar::{Attempt, FromScalar, Real, Scalar, UnitScalar, ValueError};
-use core::ops::{Add, Neg, Sub};
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// A point or a vector of any length.
 ///
-/// Sums, differences and negatives of fixed-point vectors saturate; no operation overflows.
+/// Sums, differences, negatives, multiples and quotients of fixed-point vectors saturate; no operation overflows. Multiples and
+/// quotients are rounded to nearest. A quotient by zero is that of the number type's computing number: infinite or NaN for floats, zero
+/// for fixed point.
+///
+/// ```
+/// # use raylet::Vec3;
+/// let mut v = Vec3::new(1.0_f32, 2.0, 3.0) * 2.0 + Vec3::new(0.0, 0.0, 1.0);
+/// v /= 2.0;
+/// v -= Vec3::new(1.0, 0.0, 0.0);
+/// assert_eq!(v, Vec3::new(0.0, 2.0, 3.5));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -119,6 +129,44 @@ impl<S: Scalar> Sub for Vec3<S> {
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
         Self::new(self.x.minus(other.x), self.y.minus(other.y), self.z.minus(other.z))
+    }
+}
+
+impl<S: Scalar> Mul<S> for Vec3<S> {
+    type Output = Self;
+    fn mul(self, factor: S) -> Self {
+        Self::round(self.real().map(|component| component * factor.real()))
+    }
+}
+
+impl<S: Scalar> Div<S> for Vec3<S> {
+    type Output = Self;
+    fn div(self, divisor: S) -> Self {
+        Self::round(self.real().map(|component| component / divisor.real()))
+    }
+}
+
+impl<S: Scalar> AddAssign for Vec3<S> {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl<S: Scalar> SubAssign for Vec3<S> {
+    fn sub_assign(&mut self, other: Self) {
+        *self = *self - other;
+    }
+}
+
+impl<S: Scalar> MulAssign<S> for Vec3<S> {
+    fn mul_assign(&mut self, factor: S) {
+        *self = *self * factor;
+    }
+}
+
+impl<S: Scalar> DivAssign<S> for Vec3<S> {
+    fn div_assign(&mut self, divisor: S) {
+        *self = *self / divisor;
     }
 }
 

@@ -1,7 +1,7 @@
 //! Frames and matrices: built as people have them in hand, orthonormal, and refused where they span nothing.
 
 use crate::contract_refusals::fault;
-use raylet::{Affine, Capsule, Cylinder, Frame, FrameError, SizeError, UnitVec3, ValueError, Vec3};
+use raylet::{Affine, Capsule, Cylinder, Frame, FrameError, Placement, SizeError, UnitVec3, ValueError, Vec3};
 use support::amount::times;
 use support::cases::{n, v};
 use support::exact_types::Exact;
@@ -17,6 +17,7 @@ every_type!(
     a_frame_from_right_up_forward_keeps_them,
     frames_are_orthonormal,
     frames_refuse_what_spans_no_frame,
+    a_placement_tells_its_axes_and_takes_points_both_ways,
     singular_matrices_are_refused,
 );
 
@@ -163,6 +164,36 @@ fn frames_refuse_what_spans_no_frame<S: Exact>() {
     assert_eq!(Frame::from_right_up_forward(p, x, x, z), Err(FrameError::Axes));
     assert_eq!(Frame::from_right_up_forward(p, x, direction([0.5, 1.0, 0.0]), z), Err(FrameError::Axes));
     assert!(Frame::from_right_up_forward(p, x, y, z).is_ok());
+}
+
+fn a_placement_tells_its_axes_and_takes_points_both_ways<S: Exact>() {
+    let mut random = Random(31);
+    for _ in 0..times(200) {
+        let position = random.point::<S>(4.0);
+        let frame = Frame::looking(position, any_direction(&mut random), any_direction(&mut random)).expect("a frame");
+        let scale = [0.5, 1.0, 3.0];
+        let affine = Affine::stretched(frame, v(scale)).expect("positive factors");
+        let directions = frame.axes().map(UnitVec3::to_f64);
+        let placements = [(Placement::World, [1.0; 3]), (frame.into(), [1.0; 3]), (Placement::from(affine), scale)];
+        for (placement, scale) in placements {
+            let is_world = placement == Placement::World;
+            let expected_position = if is_world { Vec3::ZERO } else { position };
+            assert_eq!(placement.position(), expected_position);
+            let local = random.point::<S>(2.0).to_f64();
+            let mut world = expected_position.to_f64();
+            for (i, axis) in placement.axes().into_iter().enumerate() {
+                let direction =
+                    if is_world { [UnitVec3::<f64>::X, UnitVec3::Y, UnitVec3::Z][i].to_f64() } else { directions[i] };
+                assert!(close(axis.to_f64(), direction.map(|c| c * scale[i]), 8.0 * unit::<S>()), "{placement:?}");
+                for (world, c) in world.iter_mut().zip(direction) {
+                    *world += c * scale[i] * local[i];
+                }
+            }
+            let in_world = placement.point_to_world(v(local));
+            assert!(close(in_world.to_f64(), world, 64.0 * unit::<S>()), "{placement:?}");
+            assert!(close(placement.point_to_local(in_world).to_f64(), local, 64.0 * unit::<S>()), "{placement:?}");
+        }
+    }
 }
 
 fn singular_matrices_are_refused<S: Exact>() {
