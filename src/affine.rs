@@ -103,6 +103,26 @@ impl<S: Scalar> Affine<S> {
         Ok(Self { position, inverse })
     }
 
+    /// From what a placement has stored, to the bit.
+    #[cfg(feature = "serde")]
+    pub(crate) fn from_stored(position: Vec3<S>, inverse: [([S::Unit; 3], i32); 3]) -> Result<Self, FrameError> {
+        let position = position.checked().map_err(FrameError::Position)?;
+        let stored = Self { position, inverse: inverse.map(|(components, exponent)| Row { components, exponent }) };
+        // A row is stored in one way only; the volume of what a constructor lets through is larger.
+        let [x, y, z] = stored.inverse.map(|row| row.components.map(S::unit_real));
+        let [nx, ny, nz] = cross(y, z);
+        let volume = S::Real::sum_of_products([[x[0], nx], [x[1], ny], [x[2], nz]]);
+        let in_range = |(_, exponent): (_, i32)| exponent.unsigned_abs() <= 2048;
+        if inverse.into_iter().all(in_range)
+            && pairs(stored.rows(), stored.inverse).into_iter().all(|(row, own)| Self::row(row) == Some(own))
+            && volume.abs() > S::Real::ONE.scaled(-36)
+        {
+            Ok(stored)
+        } else {
+            Err(FrameError::Singular)
+        }
+    }
+
     /// The row as components below 1 and a power of two; `None` for a row that is zero or not finite.
     fn row(v: [S::Real; 3]) -> Option<Row<S::Unit>> {
         let mut largest = v[0].abs();

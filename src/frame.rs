@@ -103,6 +103,21 @@ impl<S: Scalar> Frame<S> {
         Self::from_axes(position, [x, up, z])
     }
 
+    /// From what a frame has stored, to the bit.
+    #[cfg(feature = "serde")]
+    pub(crate) fn from_stored(position: Vec3<S>, axes: [UnitVec3<S>; 3]) -> Result<Self, FrameError> {
+        let [x, y, z] = axes;
+        // Far more than rounding makes of a right angle, and of the third axis.
+        let (right, same) = (S::Real::ONE.scaled(-18), S::Real::ONE - S::Real::ONE.scaled(-10));
+        let is_right = |a: UnitVec3<S>, b: UnitVec3<S>| a.dot(b).abs() < right;
+        let third = UnitVec3::from_real(x.cross(y)).ok_or(FrameError::Axes)?;
+        if is_right(x, y) && is_right(y, z) && is_right(z, x) && third.dot(z) > same {
+            Self::from_axes(position, axes)
+        } else {
+            Err(FrameError::Axes)
+        }
+    }
+
     fn from_axes(position: Vec3<S>, axes: [UnitVec3<S>; 3]) -> Result<Self, FrameError> {
         Ok(Self { position: position.checked().map_err(FrameError::Position)?, axes })
     }

@@ -63,8 +63,8 @@
 //! | `std` | no | scene storage in `Vec`; brings `libm`, and changes no result bit |
 //! | `embedded-graphics` | no | pictures on any display, see `display` |
 //! | `mint` | no | conversions of points and vectors |
-//! | `serde` | no | serialisation of the public value types |
-//! | `defmt` | no | `defmt::Format` for the public value types (of float scalars: `fixed` has no `defmt` of its own) |
+//! | `serde` | no | serialisation of vectors, rays, hits, primitives, placements and shapes; fixed-point numbers as decimal text that comes back to the bit (as their bits in formats that people do not read) |
+//! | `defmt` | no | `defmt::Format` for the public value types; in fixed point for vectors, rays, hits, triangles, boxes and frames |
 #![no_std]
 #![deny(unsafe_code, missing_docs)]
 #![warn(missing_debug_implementations)]
@@ -94,7 +94,7 @@ pub mod frame;
 pub mod gallery;
 mod geometry;
 pub mod hit;
-#[cfg(any(feature = "mint", feature = "serde"))]
+#[cfg(any(feature = "mint", feature = "serde", feature = "defmt"))]
 mod interchange;
 mod intersection;
 mod ladder;

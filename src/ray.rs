@@ -8,7 +8,6 @@ use core::fmt;
 
 /// A closed range of `t`; what lies outside is not reported.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Range<S> {
     start: S,
     end: S,

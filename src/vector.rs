@@ -18,14 +18,16 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 /// assert_eq!(v, Vec3::new(0.0, 2.0, 3.5));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = "S: Scalar"))]
 pub struct Vec3<S> {
     /// Along the x axis.
+    #[cfg_attr(feature = "serde", serde(with = "crate::scalar::written"))]
     pub x: S,
     /// Along the y axis, the axis of every canonical solid.
+    #[cfg_attr(feature = "serde", serde(with = "crate::scalar::written"))]
     pub y: S,
     /// Along the z axis.
+    #[cfg_attr(feature = "serde", serde(with = "crate::scalar::written"))]
     pub z: S,
 }
 
@@ -184,7 +186,6 @@ impl<S: Scalar> Neg for Vec3<S> {
 /// Its components have more fraction bits than a fixed-point coordinate (30 of 32, 62 of 64). A stored unit vector is
 /// unit only to its last bit; `t` is the parameter of the direction *as stored*.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format), defmt(transparent))]
 pub struct UnitVec3<S: Scalar> {
     components: [S::Unit; 3],
 }

@@ -18,7 +18,7 @@ use crate::vector::{UnitVec3, Vec3};
 /// How far a cone reaches, and whether it is closed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-enum Extent<S> {
+pub(super) enum Extent<S> {
     Double,
     Nappe,
     Open(S),
@@ -40,8 +40,8 @@ enum Extent<S> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cone<S> {
-    outline: Outline<S>,
-    extent: Extent<S>,
+    pub(super) outline: Outline<S>,
+    pub(super) extent: Extent<S>,
 }
 
 impl<S: Scalar> Cone<S> {

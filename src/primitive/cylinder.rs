@@ -13,7 +13,7 @@ use crate::vector::{UnitVec3, Vec3};
 /// How far a cylinder reaches along its axis, and whether it is closed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-enum Extent<S> {
+pub(super) enum Extent<S> {
     Infinite,
     Open(S),
     Capped(S),
@@ -34,7 +34,7 @@ enum Extent<S> {
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cylinder<S> {
     radius: S,
-    extent: Extent<S>,
+    pub(super) extent: Extent<S>,
 }
 
 impl<S: Scalar> Cylinder<S> {

@@ -41,6 +41,8 @@ mod outline;
 mod plane;
 mod queries;
 mod sphere;
+#[cfg(feature = "serde")]
+mod stored;
 mod surface_coordinates;
 mod triangle;
 

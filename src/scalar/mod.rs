@@ -21,6 +21,7 @@
 //! | [`block`] | integer mantissa and exponent; square root and quotient of integers |
 //! | `decimal` | decimal text to fixed point, correctly rounded |
 //! | `elementary` | angle, sine, power, in integers for the fixed types |
+//! | `written` | how stored numbers are written for `serde` and `defmt` |
 //! | `value` | what can be wrong with a value that a constructor is given |
 //! | `square_root` | the one hardware instruction that `core` does not give |
 
@@ -52,6 +53,7 @@ pub(crate) mod slabs;
 mod square_root;
 mod twofold;
 mod value;
+pub(crate) mod written;
 
 #[cfg(feature = "fixed")]
 pub use fixed::{DISTANCE_BITS, SIZE_BITS};
@@ -118,7 +120,17 @@ pub struct Budget<S> {
 
 /// The types that go with a number.
 pub trait Numbers:
-    Copy + Debug + Default + PartialEq + PartialOrd + Neg<Output = Self> + Send + Sync + 'static + sealed::Sealed
+    Copy
+    + Debug
+    + Default
+    + PartialEq
+    + PartialOrd
+    + Neg<Output = Self>
+    + Send
+    + Sync
+    + 'static
+    + sealed::Sealed
+    + written::Written
 {
     /// A component of a unit vector, or a colour: the float itself, Q2.30 for 32-bit and Q2.62 for 64-bit fixed types.
     type Unit: UnitScalar;
@@ -197,7 +209,17 @@ pub trait Scalar: Numbers + Computing + Elementary + FastPath {
 
 /// A component of a unit vector or a colour channel. Sealed.
 pub trait UnitScalar:
-    Copy + Debug + Default + PartialEq + PartialOrd + Neg<Output = Self> + Send + Sync + 'static + sealed::Sealed
+    Copy
+    + Debug
+    + Default
+    + PartialEq
+    + PartialOrd
+    + Neg<Output = Self>
+    + Send
+    + Sync
+    + 'static
+    + sealed::Sealed
+    + written::Written
 {
     /// Zero.
     const ZERO: Self;

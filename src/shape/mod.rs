@@ -27,6 +27,7 @@ macro_rules! primitives {
     ($($Variant:ident),+) => {
         /// Any primitive, without allocation or dynamic dispatch.
         #[derive(Clone, Copy, Debug, PartialEq)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = ""))]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         #[non_exhaustive]
         pub enum Primitive<S: Scalar> {
@@ -143,6 +144,7 @@ primitives!(Sphere, Cylinder, Cone, Capsule, Plane, Disc, Triangle);
 
 /// Where a primitive stands in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = ""))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Placement<S: Scalar> {
@@ -247,6 +249,7 @@ impl Visible {
 /// # Ok::<(), raylet::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = ""))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Shape<S: Scalar> {
     primitive: Primitive<S>,
