@@ -196,20 +196,16 @@ mod with_defmt {
         impl<F: LeEqU32> ForDefmt for FixedI32<F> {
             fn log(&self, f: defmt::Formatter<'_>) {
                 let (whole, places) = digits(self.to_bits().unsigned_abs().into(), F::U32, 10);
-                match self.is_negative() {
-                    true => defmt::write!(f, "-{=u64}.{=u64:010}", whole, places),
-                    false => defmt::write!(f, "{=u64}.{=u64:010}", whole, places),
-                }
+                let sign = if self.is_negative() { "-" } else { "" };
+                defmt::write!(f, "{=str}{=u64}.{=u64:010}", sign, whole, places);
             }
         }
 
         impl<F: LeEqU64> ForDefmt for FixedI64<F> {
             fn log(&self, f: defmt::Formatter<'_>) {
                 let (whole, places) = digits(self.to_bits().unsigned_abs(), F::U32, 19);
-                match self.is_negative() {
-                    true => defmt::write!(f, "-{=u64}.{=u64:019}", whole, places),
-                    false => defmt::write!(f, "{=u64}.{=u64:019}", whole, places),
-                }
+                let sign = if self.is_negative() { "-" } else { "" };
+                defmt::write!(f, "{=str}{=u64}.{=u64:019}", sign, whole, places);
             }
         }
     }
