@@ -7,7 +7,7 @@ use crate::frame::{Frame, FrameError, within_budget};
 use crate::line::Place;
 use crate::number::{difference, dot};
 use crate::ray::Ray;
-use crate::scalar::{FinerLine, FromScalar, LocalLine, Real, Ring, Scalar, UnitScalar};
+use crate::scalar::{FinerLine, FromScalar, LocalLine, Real, Ring, Scalar, UnitScalar, ValueError};
 use crate::vector::{UnitVec3, Vec3, cross, pairs, transposed};
 
 /// One row of the inverse: components below 1 and a power of two.
@@ -32,8 +32,8 @@ impl<S: Scalar> Affine<S> {
     ///
     /// # Errors
     ///
-    /// [`FrameError::Position`] if a coordinate is not finite or beyond the budget; [`FrameError::Singular`] if the
-    /// axes lie in a plane, or so nearly in a plane that the number type cannot hold the inverse.
+    /// [`FrameError::Position`] or [`FrameError::Axis`] if a component is not finite or beyond the budget;
+    /// [`FrameError::Singular`] if the axes lie in a plane, or so nearly that the inverse is beyond the number type.
     ///
     /// ```
     /// # use raylet::{Affine, Ray, Shape, Sphere, UnitVec3, Vec3};
@@ -45,11 +45,12 @@ impl<S: Scalar> Affine<S> {
     /// let egg = Shape::new(Sphere::new(1.0)?).placed(stretch);
     /// let ray = Ray::new(Vec3::new(-10.0, 0.0, 0.0), UnitVec3::X)?;
     /// assert_eq!(egg.nearest(&ray).map(|hit| hit.t), Some(8.0));
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// # Ok::<(), raylet::Error>(())
     /// ```
     pub fn new(axes: [Vec3<S>; 3], position: Vec3<S>) -> Result<Self, FrameError> {
-        if !(position.is_within_budget() && axes.iter().all(|axis| axis.is_within_budget())) {
-            return Err(FrameError::Position);
+        let position = position.checked().map_err(FrameError::Position)?;
+        for axis in axes {
+            axis.checked().map_err(FrameError::Axis)?;
         }
         // Scaled to unit length first, so that the determinant of very short axes does not underflow.
         let mut units = [UnitVec3::<S>::X.real(); 3];
@@ -77,11 +78,14 @@ impl<S: Scalar> Affine<S> {
     ///
     /// # Errors
     ///
-    /// [`FrameError::Singular`] if a factor is zero, negative, not finite or beyond the budget.
+    /// [`FrameError::Scale`] if a factor is zero, negative, not finite or beyond the budget; [`FrameError::Singular`] if the inverse
+    /// is beyond the number type.
     pub fn stretched(frame: Frame<S>, scale: Vec3<S>) -> Result<Self, FrameError> {
         let factors = scale.to_array();
-        if !factors.iter().all(|factor| *factor > S::ZERO && *factor <= S::BUDGET.size) {
-            return Err(FrameError::Singular);
+        for factor in factors {
+            if !(factor > S::ZERO && factor <= S::BUDGET.size) {
+                return Err(FrameError::Scale(ValueError::of_size(factor, S::BUDGET.smallest_size)));
+            }
         }
         let axes = [frame.right(), frame.up(), frame.forward()];
         let mut rows = [UnitVec3::<S>::X.real(); 3];
@@ -97,6 +101,26 @@ impl<S: Scalar> Affine<S> {
             inverse[i] = Self::row(rows[i]).ok_or(FrameError::Singular)?;
         }
         Ok(Self { position, inverse })
+    }
+
+    /// From what a placement has stored, to the bit.
+    #[cfg(feature = "serde")]
+    pub(crate) fn from_stored(position: Vec3<S>, inverse: [([S::Unit; 3], i32); 3]) -> Result<Self, FrameError> {
+        let position = position.checked().map_err(FrameError::Position)?;
+        let stored = Self { position, inverse: inverse.map(|(components, exponent)| Row { components, exponent }) };
+        // A row is stored in one way only; the volume of what a constructor lets through is larger.
+        let [x, y, z] = stored.inverse.map(|row| row.components.map(S::unit_real));
+        let [nx, ny, nz] = cross(y, z);
+        let volume = S::Real::sum_of_products([[x[0], nx], [x[1], ny], [x[2], nz]]);
+        let in_range = |(_, exponent): (_, i32)| exponent.unsigned_abs() <= 2048;
+        if inverse.into_iter().all(in_range)
+            && pairs(stored.rows(), stored.inverse).into_iter().all(|(row, own)| Self::row(row) == Some(own))
+            && volume.abs() > S::Real::ONE.scaled(-36)
+        {
+            Ok(stored)
+        } else {
+            Err(FrameError::Singular)
+        }
     }
 
     /// The row as components below 1 and a power of two; `None` for a row that is zero or not finite.
@@ -122,6 +146,25 @@ impl<S: Scalar> Affine<S> {
             return None;
         }
         Some(Row { components: v.map(|c| S::unit_round(c.scaled(-exponent))), exponent })
+    }
+
+    /// The images of the local axes, as [`Affine::new`] takes them: the inverse as it is stored, inverted again and rounded to nearest. A
+    /// component beyond the number type is [`Scalar::INFINITY`] with its sign.
+    ///
+    /// ```
+    /// # use raylet::{Affine, Vec3};
+    /// let axes = [Vec3::new(2.0_f32, 0.0, 0.0), Vec3::new(0.0, 0.0, 1.0), Vec3::new(0.0, -0.5, 0.0)];
+    /// assert_eq!(Affine::new(axes, Vec3::ZERO)?.axes(), axes);
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub fn axes(&self) -> [Vec3<S>; 3] {
+        [UnitVec3::<S>::X, UnitVec3::Y, UnitVec3::Z].map(|axis| Vec3::round(self.image(axis.real())))
+    }
+
+    /// A local point in the world, rounded to nearest.
+    pub fn point_to_world(&self, point: Vec3<S>) -> Vec3<S> {
+        let moved = pairs(self.image(point.real()), self.position.real());
+        Vec3::round(moved.map(|(offset, position)| offset + position))
     }
 
     /// The image of the local origin.

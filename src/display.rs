@@ -13,7 +13,7 @@
 //! let picture = Picture::new(&scene, Size::new(32, 24));
 //! let counters = picture.draw(Point::new(8, 4), &mut display)?;
 //! assert_eq!(counters.primary_rays, 32 * 24);
-//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! # Ok::<(), raylet::Error>(())
 //! ```
 
 use crate::effect::{Effects, Work};
@@ -120,7 +120,7 @@ impl<S: Scalar, E: Effects, T: Tier<S>> Picture<'_, S, E, T> {
     /// let (mut line, mut work) = ([Rgb565::BLACK; 32], Work::new(()));
     /// assert_eq!(picture.line(0, &mut line, &mut work), 32);
     /// assert_eq!(line[0], Rgb565::WHITE);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// # Ok::<(), raylet::Error>(())
     /// ```
     pub fn line<C: DisplayColor, O: Observer>(&self, y: u16, buffer: &mut [C], work: &mut Work<O>) -> usize {
         if y >= self.size().height {

@@ -33,7 +33,7 @@ use crate::scalar::{FromScalar, Scalar, ToScalar};
 /// let ray = Ray::new(Vec3::new(-2.0_f32, 0.99999994, 0.0), UnitVec3::X)?;
 /// let hits = Sphere::new(1.0)?.hits_at::<Exact>(&ray);
 /// assert_eq!((hits[0].t, hits[1].t), (1.9996548, 2.0003452));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// # Ok::<(), raylet::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Exact;

@@ -3,7 +3,7 @@
 use crate::line::{InWorld, Place};
 use crate::number::{difference, dot};
 use crate::ray::Ray;
-use crate::scalar::{FromScalar, LocalLine, Real, Ring, Scalar};
+use crate::scalar::{FromScalar, LocalLine, Real, Ring, Scalar, ValueError};
 use crate::vector::{UnitVec3, Vec3, pairs, transposed};
 use core::fmt;
 
@@ -45,23 +45,27 @@ impl<S: Scalar> Frame<S> {
     /// From two end points: the base is at `from`, and the axis points to `to`. Also returns the distance between them, for the
     /// height of the solid.
     ///
+    /// Equal points have no axis: the frame is then that of [`Frame::at`], and the height is zero. A [`Capsule`](crate::Capsule)
+    /// takes that height, and is a ball; other solids refuse it, and say that it is zero.
+    ///
     /// # Errors
     ///
-    /// [`FrameError::Position`] if a point is beyond the budget, [`FrameError::Axes`] if they coincide.
+    /// [`FrameError::Position`] if a point is not finite or beyond the budget.
     ///
     /// ```
     /// # use raylet::{Cylinder, Frame, Shape, Vec3};
     /// let (frame, height) = Frame::between(Vec3::new(1.0_f32, 0.0, 0.0), Vec3::new(1.0, 0.0, 5.0))?;
     /// let rod = Shape::new(Cylinder::capped(0.25, height)?).placed(frame);
     /// assert_eq!(height, 5.0);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// # Ok::<(), raylet::Error>(())
     /// ```
     pub fn between(from: Vec3<S>, to: Vec3<S>) -> Result<(Self, S), FrameError> {
-        if !(from.is_within_budget() && to.is_within_budget()) {
-            return Err(FrameError::Position);
-        }
+        let from = from.checked().map_err(FrameError::Position)?;
+        let to = to.checked().map_err(FrameError::Position)?;
         let ([fx, fy, fz], [tx, ty, tz]) = (from.real(), to.real());
-        let (axis, height) = S::normalize([tx - fx, ty - fy, tz - fz]).ok_or(FrameError::Axes)?;
+        let Some((axis, height)) = S::normalize([tx - fx, ty - fy, tz - fz]) else {
+            return Ok((Self::at(from)?, S::ZERO));
+        };
         Ok((Self::from_base_and_axis(from, UnitVec3::rotated(axis))?, S::round(height)))
     }
 
@@ -99,8 +103,23 @@ impl<S: Scalar> Frame<S> {
         Self::from_axes(position, [x, up, z])
     }
 
+    /// From what a frame has stored, to the bit.
+    #[cfg(feature = "serde")]
+    pub(crate) fn from_stored(position: Vec3<S>, axes: [UnitVec3<S>; 3]) -> Result<Self, FrameError> {
+        let [x, y, z] = axes;
+        // Far more than rounding makes of a right angle, and of the third axis.
+        let (right, same) = (S::Real::ONE.scaled(-18), S::Real::ONE - S::Real::ONE.scaled(-10));
+        let is_right = |a: UnitVec3<S>, b: UnitVec3<S>| a.dot(b).abs() < right;
+        let third = UnitVec3::from_real(x.cross(y)).ok_or(FrameError::Axes)?;
+        if is_right(x, y) && is_right(y, z) && is_right(z, x) && third.dot(z) > same {
+            Self::from_axes(position, axes)
+        } else {
+            Err(FrameError::Axes)
+        }
+    }
+
     fn from_axes(position: Vec3<S>, axes: [UnitVec3<S>; 3]) -> Result<Self, FrameError> {
-        if position.is_within_budget() { Ok(Self { position, axes }) } else { Err(FrameError::Position) }
+        Ok(Self { position: position.checked().map_err(FrameError::Position)?, axes })
     }
 
     /// The frame's origin in the world.
@@ -125,6 +144,12 @@ impl<S: Scalar> Frame<S> {
     #[inline]
     pub const fn forward(&self) -> UnitVec3<S> {
         self.axes[2]
+    }
+
+    /// The directions of the three axes. They are perpendicular, so that the same three are the rows of the inverse.
+    #[inline]
+    pub const fn axes(&self) -> [UnitVec3<S>; 3] {
+        self.axes
     }
 
     /// A world point in the frame's coordinates.
@@ -267,20 +292,30 @@ pub(crate) fn within_budget<S: Scalar>(coordinate: S) -> S {
 #[non_exhaustive]
 pub enum FrameError {
     /// A coordinate is not finite or beyond the budget.
-    Position,
-    /// The axes do not span a right-handed frame: points coincide, or directions are parallel.
+    Position(ValueError),
+    /// The axes do not span a right-handed frame, or directions are parallel.
     Axes,
+    /// A component of an axis of the matrix is not finite or beyond the budget.
+    Axis(ValueError),
+    /// A factor of the scale is not positive, not finite or beyond the budget.
+    Scale(ValueError),
     /// The matrix has no inverse that the number type could hold.
     Singular,
 }
 
 impl fmt::Display for FrameError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Position => "the position is not finite or beyond the number type's budget: move it closer",
-            Self::Axes => "the axes do not span a right-handed frame: give points that differ and directions that are not parallel",
-            Self::Singular => "the matrix is singular: every axis needs a length, and no two may be parallel",
-        })
+        match self {
+            Self::Position(error) => write!(f, "a coordinate of the position {error}"),
+            Self::Axes => f.write_str(
+                "the axes do not span a right-handed frame: two are parallel, or the third points the other way",
+            ),
+            Self::Axis(error) => write!(f, "a component of an axis of the matrix {error}"),
+            Self::Scale(error) => write!(f, "a factor of the scale {error}"),
+            Self::Singular => f.write_str(
+                "the matrix has no inverse that the number type could hold: an axis has no length, or the three lie in a plane",
+            ),
+        }
     }
 }
 

@@ -99,7 +99,7 @@ pub enum Hull<S> {
 
 /// An axis-aligned box; components may be infinite.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = "S: Scalar"))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Bounds<S> {
     /// The corner with the smallest coordinates.

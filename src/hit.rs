@@ -23,10 +23,10 @@ pub enum Crossing {
 
 /// A hit: where a ray meets a surface. [`Shape::surface`](crate::Shape::surface) computes point, normal and surface coordinates from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = "S: Scalar"))]
 pub struct Hit<S> {
     /// Distance along the ray.
+    #[cfg_attr(feature = "serde", serde(with = "crate::scalar::written"))]
     pub t: S,
     /// The part of the surface.
     pub part: Part,
@@ -38,7 +38,7 @@ pub struct Hit<S> {
 ///
 /// The list has a fixed capacity of [`MOST_HITS`], so that no hit is ever dropped.
 #[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(bound = "S: Scalar + serde::Serialize"))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(bound = "S: Scalar"))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Hits<S> {
     list: heapless::Vec<Hit<S>, MOST_HITS>,

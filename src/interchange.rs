@@ -1,4 +1,4 @@
-//! Conversions to and from other crates' types: `mint` vectors and points, `serde`.
+//! Conversions to and from other crates' types: `mint` vectors and points, `serde`, `defmt`.
 
 #[cfg(feature = "mint")]
 mod with_mint {
@@ -37,80 +37,147 @@ mod with_mint {
 
 #[cfg(feature = "serde")]
 mod with_serde {
+    use crate::affine::Affine;
+    use crate::frame::Frame;
     use crate::part::Part;
     use crate::ray::{Departure, Leaving, Range, Ray};
     use crate::scalar::Scalar;
+    use crate::scalar::written::Plain;
     use crate::vector::{UnitVec3, Vec3};
     use serde::de::Error;
     use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-    impl<S: Scalar> Serialize for UnitVec3<S>
-    where
-        S::Unit: Serialize,
-    {
+    /// Implements both traits by the form in which a value is stored; a constructor checks it on its way in.
+    macro_rules! stored {
+        ($Type:ident, $Stored:ty, |$value:ident| $to:expr, |$stored:pat_param| $from:expr) => {
+            impl<S: Scalar> Serialize for $Type<S> {
+                fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
+                    let $value = self;
+                    let stored: $Stored = $to;
+                    stored.serialize(serializer)
+                }
+            }
+
+            impl<'de, S: Scalar> Deserialize<'de> for $Type<S> {
+                fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                    let $stored = <$Stored>::deserialize(deserializer)?;
+                    $from.map_err(D::Error::custom)
+                }
+            }
+        };
+    }
+
+    impl<S: Scalar> Serialize for UnitVec3<S> {
         fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
-            self.to_array().serialize(serializer)
+            self.to_array().map(Plain).serialize(serializer)
         }
     }
 
     /// Only a vector of length 1 becomes a [`UnitVec3`].
-    impl<'de, S: Scalar> Deserialize<'de> for UnitVec3<S>
-    where
-        S::Unit: Deserialize<'de>,
-    {
+    impl<'de, S: Scalar> Deserialize<'de> for UnitVec3<S> {
         fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-            let components = <[S::Unit; 3]>::deserialize(deserializer)?;
-            Self::from_components(components)
-                .ok_or_else(|| D::Error::custom("a direction must have length 1: normalise it before it is stored"))
-        }
-    }
-
-    /// A ray as it is stored; checked by the constructor on its way in.
-    #[derive(Serialize, Deserialize)]
-    struct StoredRay<V, D, R> {
-        origin: V,
-        direction: D,
-        range: R,
-        departure: Option<(u32, Part, Leaving)>,
-    }
-
-    impl<S: Scalar + Serialize> Serialize for Ray<S>
-    where
-        S::Unit: Serialize,
-    {
-        fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
-            let departure = self.departure().map(|d| (d.object, d.part, d.leaving));
-            let (origin, direction) = (self.origin(), self.direction());
-            StoredRay { origin, direction, range: (self.range().start(), self.range().end()), departure }
-                .serialize(serializer)
-        }
-    }
-
-    impl<'de, S: Scalar + Deserialize<'de>> Deserialize<'de> for Ray<S>
-    where
-        S::Unit: Deserialize<'de>,
-    {
-        fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-            let stored = StoredRay::<Vec3<S>, UnitVec3<S>, (S, S)>::deserialize(deserializer)?;
-            let range = Range::new(stored.range.0, stored.range.1).map_err(D::Error::custom)?;
-            let ray = Self::new(stored.origin, stored.direction).map_err(D::Error::custom)?.with_range(range);
-            Ok(match stored.departure {
-                Some((object, part, leaving)) => ray.departing(Departure { object, part, leaving }),
-                None => ray,
+            let components = <[Plain<S::Unit>; 3]>::deserialize(deserializer)?.map(|Plain(component)| component);
+            Self::from_components(components).map_err(|error| {
+                D::Error::custom(format_args!("the direction {error}: normalise it before it is stored"))
             })
         }
     }
 
-    impl<'de, S: Scalar + Deserialize<'de>> Deserialize<'de> for Range<S> {
-        fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-            let (start, end) = <(S, S)>::deserialize(deserializer)?;
-            Self::new(start, end).map_err(D::Error::custom)
+    stored!(Range, (Plain<S>, Plain<S>), |range| (Plain(range.start()), Plain(range.end())), |(
+        Plain(start),
+        Plain(end),
+    )| Range::new(
+        start, end
+    ));
+
+    #[derive(Serialize, Deserialize)]
+    #[serde(bound = "")]
+    struct StoredRay<S: Scalar> {
+        origin: Vec3<S>,
+        direction: UnitVec3<S>,
+        range: Range<S>,
+        departure: Option<(u32, Part, Leaving)>,
+    }
+    stored!(
+        Ray,
+        StoredRay<S>,
+        |ray| StoredRay {
+            origin: ray.origin(),
+            direction: ray.direction(),
+            range: ray.range(),
+            departure: ray.departure().map(|d| (d.object, d.part, d.leaving)),
+        },
+        |stored| Ray::new(stored.origin, stored.direction).map(|ray| {
+            let ray = ray.with_range(stored.range);
+            match stored.departure {
+                Some((object, part, leaving)) => ray.departing(Departure { object, part, leaving }),
+                None => ray,
+            }
+        })
+    );
+
+    #[derive(Serialize, Deserialize)]
+    #[serde(bound = "")]
+    struct StoredFrame<S: Scalar> {
+        position: Vec3<S>,
+        axes: [UnitVec3<S>; 3],
+    }
+    stored!(Frame, StoredFrame<S>, |frame| StoredFrame { position: frame.position(), axes: frame.axes() }, |stored| {
+        Frame::from_stored(stored.position, stored.axes)
+    });
+
+    /// The rows of the inverse, each with its power of two: all that an affine placement holds.
+    #[derive(Serialize, Deserialize)]
+    #[serde(bound = "")]
+    struct StoredAffine<S: Scalar> {
+        position: Vec3<S>,
+        inverse: [([Plain<S::Unit>; 3], i32); 3],
+    }
+    stored!(
+        Affine,
+        StoredAffine<S>,
+        |affine| StoredAffine {
+            position: affine.position(),
+            inverse: affine.inverse().map(|(row, exponent)| (row.map(Plain), exponent)),
+        },
+        |stored| {
+            let inverse = stored.inverse.map(|(row, exponent)| (row.map(|Plain(component)| component), exponent));
+            Affine::from_stored(stored.position, inverse)
+        }
+    );
+}
+
+/// What holds a number of a foreign type; what is made of these derives its format.
+#[cfg(feature = "defmt")]
+mod with_defmt {
+    use crate::hit::Hit;
+    use crate::ray::Range;
+    use crate::scalar::Scalar;
+    use crate::scalar::written::Plain;
+    use crate::vector::{UnitVec3, Vec3};
+    use defmt::{Format, Formatter, write};
+
+    impl<S: Scalar> Format for Vec3<S> {
+        fn format(&self, f: Formatter<'_>) {
+            write!(f, "Vec3 {{ x: {}, y: {}, z: {} }}", Plain(self.x), Plain(self.y), Plain(self.z));
         }
     }
 
-    impl<S: Scalar + Serialize> Serialize for Range<S> {
-        fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
-            (self.start(), self.end()).serialize(serializer)
+    impl<S: Scalar> Format for UnitVec3<S> {
+        fn format(&self, f: Formatter<'_>) {
+            write!(f, "[{}, {}, {}]", Plain(self.x()), Plain(self.y()), Plain(self.z()));
+        }
+    }
+
+    impl<S: Scalar> Format for Range<S> {
+        fn format(&self, f: Formatter<'_>) {
+            write!(f, "Range {{ start: {}, end: {} }}", Plain(self.start()), Plain(self.end()));
+        }
+    }
+
+    impl<S: Scalar> Format for Hit<S> {
+        fn format(&self, f: Formatter<'_>) {
+            write!(f, "Hit {{ t: {}, part: {}, crossing: {} }}", Plain(self.t), self.part, self.crossing);
         }
     }
 }

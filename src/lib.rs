@@ -16,7 +16,7 @@
 //! let hit = can.nearest(&sensor).expect("it looks straight at it");
 //! assert_eq!((hit.t, hit.part), (metres(2.75), Part::Side));
 //! assert_eq!(can.surface(&sensor, &hit).normal().to_f64(), [0.0, 0.0, -1.0]);
-//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! # Ok::<(), raylet::Error>(())
 //! ```
 //!
 //! # The contract
@@ -69,8 +69,8 @@
 //! | `std` | no | scene storage in `Vec`; enables `libm`, and changes no bit of a result |
 //! | `embedded-graphics` | no | pictures on any display: see `display` |
 //! | `mint` | no | conversions of points and vectors |
-//! | `serde` | no | serialisation of the public value types |
-//! | `defmt` | no | `defmt::Format` for the public value types (of float scalars: `fixed` has no `defmt` of its own) |
+//! | `serde` | no | serialisation of vectors, rays, hits, primitives, placements and shapes; fixed-point numbers as decimal text that comes back to the bit (as their bits in formats that people do not read) |
+//! | `defmt` | no | `defmt::Format` for the public value types; in fixed point for vectors, rays, hits, triangles, boxes and frames |
 #![no_std]
 #![deny(unsafe_code, missing_docs)]
 #![warn(missing_debug_implementations)]
@@ -92,6 +92,7 @@ mod bounds;
 pub mod display;
 pub mod effect;
 pub mod errata;
+mod error;
 mod exact;
 mod fast;
 mod figure;
@@ -99,7 +100,7 @@ pub mod frame;
 pub mod gallery;
 mod geometry;
 pub mod hit;
-#[cfg(any(feature = "mint", feature = "serde"))]
+#[cfg(any(feature = "mint", feature = "serde", feature = "defmt"))]
 mod interchange;
 mod intersection;
 mod ladder;
@@ -119,14 +120,15 @@ pub mod vector;
 
 pub use affine::Affine;
 pub use effect::{Tracer, Work};
+pub use error::Error;
 pub use frame::{Frame, FrameError};
 pub use geometry::Bounds;
 pub use hit::{Crossing, Hit, Hits};
 pub use part::Part;
 pub use primitive::{Capsule, Cone, Cylinder, Disc, Plane, SizeError, Sphere, Triangle};
-pub use ray::{Departure, Leaving, Range, Ray, RayError};
+pub use ray::{Along, Departure, Leaving, Range, Ray, RayError};
 pub use render::{Picture, Pixel};
-pub use scalar::Scalar;
+pub use scalar::{Scalar, ValueError};
 pub use scene::{Camera, Color, Counters, Fog, Light, Material, Object, Scene, Size, Texture};
 pub use shape::{Placement, Primitive, Shape, Surface, Visible};
 pub use tier::{Exact, Fast, Stable, Tier};

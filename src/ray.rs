@@ -1,13 +1,13 @@
 //! Rays, their ranges, and where they depart from.
 
+use crate::number::{Estimate, difference, dot};
 use crate::part::Part;
-use crate::scalar::Scalar;
+use crate::scalar::{FromScalar, Scalar, ValueError};
 use crate::vector::{UnitVec3, Vec3};
 use core::fmt;
 
 /// A closed range of `t`. Hits outside it are not reported.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Range<S> {
     start: S,
     end: S,
@@ -21,13 +21,35 @@ impl<S: Scalar> Range<S> {
     ///
     /// # Errors
     ///
-    /// [`RayError::Range`] if an end is not finite or `start > end`.
+    /// [`RayError::RangeEnd`] if an end is not finite, [`RayError::Range`] if `start > end`.
     #[inline]
     pub fn new(start: S, end: S) -> Result<Self, RayError> {
-        if start.is_finite() && end.is_finite() && start <= end {
+        if !(start.is_finite() && end.is_finite()) {
+            Err(RayError::RangeEnd(ValueError::NotFinite))
+        } else if start <= end {
             Ok(Self { start, end })
         } else {
             Err(RayError::Range)
+        }
+    }
+
+    /// From `start` as far as the number type reaches.
+    ///
+    /// # Errors
+    ///
+    /// [`RayError::RangeEnd`] if `start` is not finite or beyond the largest distance.
+    ///
+    /// ```
+    /// # use raylet::{Range, Ray, Sphere, UnitVec3, Vec3};
+    /// let beam = Ray::new(Vec3::new(-3.0_f32, 0.0, 0.0), UnitVec3::X)?.with_range(Range::from(2.5)?);
+    /// assert_eq!(Sphere::new(1.0)?.nearest(&beam).map(|hit| hit.t), Some(4.0));
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub fn from(start: S) -> Result<Self, RayError> {
+        match start {
+            _ if !start.is_finite() => Err(RayError::RangeEnd(ValueError::NotFinite)),
+            _ if start > S::BUDGET.distance => Err(RayError::RangeEnd(ValueError::BeyondBudget)),
+            _ => Ok(Self { start, end: S::BUDGET.distance }),
         }
     }
 
@@ -124,9 +146,7 @@ impl<S: Scalar> Ray<S> {
     /// ```
     #[inline]
     pub fn new(origin: Vec3<S>, direction: UnitVec3<S>) -> Result<Self, RayError> {
-        if !origin.is_within_budget() {
-            return Err(RayError::Origin);
-        }
+        let origin = origin.checked().map_err(RayError::Origin)?;
         Ok(Self { origin, direction, range: Range::FORWARD, departure: None })
     }
 
@@ -134,19 +154,57 @@ impl<S: Scalar> Ray<S> {
     ///
     /// # Errors
     ///
-    /// [`RayError::Origin`] as for [`Ray::new`]; [`RayError::Direction`] if the two points coincide or `target` is
-    /// not within the budget.
+    /// [`RayError::Origin`] as for [`Ray::new`]; [`RayError::Target`] if `target` is not within the budget;
+    /// [`RayError::Direction`] if the two points are equal.
     pub fn towards(origin: Vec3<S>, target: Vec3<S>) -> Result<Self, RayError> {
-        if !origin.is_within_budget() {
-            return Err(RayError::Origin);
-        }
-        if !target.is_within_budget() {
-            return Err(RayError::Direction);
-        }
+        let origin = origin.checked().map_err(RayError::Origin)?;
+        let target = target.checked().map_err(RayError::Target)?;
         // In the computing number: the difference of two points within the budget may be too large for a fixed type.
         let ([ox, oy, oz], [tx, ty, tz]) = (origin.real(), target.real());
-        let direction = UnitVec3::from_real([tx - ox, ty - oy, tz - oz]).ok_or(RayError::Direction)?;
+        let direction =
+            UnitVec3::from_real([tx - ox, ty - oy, tz - oz]).ok_or(RayError::Direction(ValueError::Zero))?;
         Self::new(origin, direction)
+    }
+
+    /// The piece of a line from `a` to `b`: the ray from `a` towards `b`, whose range ends at `b`.
+    ///
+    /// The end is the `t` of the point of the ray's line, as its direction is stored, that is closest to `b`, rounded to nearest. A
+    /// surface through `b` is thus met or missed as that rounding falls.
+    ///
+    /// # Errors
+    ///
+    /// As [`Ray::towards`]; [`RayError::RangeEnd`] if `b` is farther from `a` than the largest distance of a fixed type.
+    ///
+    /// ```
+    /// # use raylet::{Ray, Sphere, Vec3};
+    /// let ball = Sphere::new(1.0_f32)?;
+    /// let from = Vec3::new(-5.0, 0.0, 0.0);
+    /// assert!(!ball.occludes(&Ray::segment(from, Vec3::new(-2.0, 0.0, 0.0))?));
+    /// assert!(ball.occludes(&Ray::segment(from, Vec3::new(-1.0, 0.0, 0.0))?));
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub fn segment(a: Vec3<S>, b: Vec3<S>) -> Result<Self, RayError> {
+        let ray = Self::towards(a, b)?;
+        let [from, to] = [a, b].map(|point| point.to_array().map(<S::Robust as FromScalar<S>>::scalar));
+        let direction = ray.direction.to_array().map(<S::Robust as FromScalar<S>>::unit);
+        // Divided by the square of the direction's length, which is 1 but for rounding.
+        let end = S::from_robust(dot(difference(to, from), direction).over(dot(direction, direction)));
+        if end.is_finite() && end <= S::BUDGET.distance {
+            Ok(ray.with_range(Range { start: S::ZERO, end }))
+        } else {
+            Err(RayError::RangeEnd(ValueError::BeyondBudget))
+        }
+    }
+
+    /// The ray from `origin` along a vector of any length, with the vector's length: see [`Along`].
+    ///
+    /// # Errors
+    ///
+    /// [`RayError::Origin`] as for [`Ray::new`]; [`RayError::Direction`] if the vector is zero, not finite or beyond the budget.
+    pub fn along(origin: Vec3<S>, vector: Vec3<S>) -> Result<Along<S>, RayError> {
+        let vector = vector.checked().map_err(RayError::Direction)?;
+        let direction = UnitVec3::new(vector).map_err(RayError::Direction)?;
+        Ok(Along { ray: Self::new(origin, direction)?, length: vector.length() })
     }
 
     /// The same ray with another range of `t`.
@@ -201,26 +259,74 @@ impl<S: Scalar> Ray<S> {
     }
 }
 
+/// A ray along a vector, made by [`Ray::along`], and the vector's length.
+///
+/// The `t` of the ray's hits is distance, as always (rule 4 of the contract); [`Along::in_lengths`] gives it in lengths of the vector.
+///
+/// ```
+/// # use raylet::{Ray, Sphere, Vec3};
+/// // What moves by (8, 0, 0) in a second meets the ball after half a second, 4 away.
+/// let path = Ray::along(Vec3::new(-5.0_f32, 0.0, 0.0), Vec3::new(8.0, 0.0, 0.0))?;
+/// let hit = Sphere::new(1.0)?.nearest(&path.ray()).expect("it is ahead");
+/// assert_eq!((hit.t, path.in_lengths(hit.t)), (4.0, 0.5));
+/// # Ok::<(), raylet::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Along<S: Scalar> {
+    ray: Ray<S>,
+    length: S,
+}
+
+impl<S: Scalar> Along<S> {
+    /// The ray, with the range `[0, MAX]`.
+    #[inline]
+    pub const fn ray(&self) -> Ray<S> {
+        self.ray
+    }
+
+    /// The length of the vector, rounded to the number type.
+    #[inline]
+    pub const fn length(&self) -> S {
+        self.length
+    }
+
+    /// The distance `t` in lengths of the vector: `t / length`, rounded to nearest; [`Scalar::INFINITY`] with its sign beyond the
+    /// number type.
+    pub fn in_lengths(&self, t: S) -> S {
+        S::round(t.real() / self.length.real())
+    }
+}
+
 /// Why a ray cannot be built.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum RayError {
     /// A coordinate of the origin is not finite or beyond the budget.
-    Origin,
-    /// The direction is zero or not finite.
-    Direction,
-    /// An end of the range is not finite, or its start lies above its end.
+    Origin(ValueError),
+    /// A coordinate of the target is not finite or beyond the budget.
+    Target(ValueError),
+    /// The vector that gives the direction is zero, not finite or beyond the budget.
+    Direction(ValueError),
+    /// An end of the range is not finite.
+    RangeEnd(ValueError),
+    /// The range's start lies above its end.
     Range,
 }
 
 impl fmt::Display for RayError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Origin => "the ray's origin is not finite or beyond the number type's budget: move it closer",
-            Self::Direction => "the ray's direction is zero or not finite: give a vector with a length",
-            Self::Range => "the ray's range is empty or not finite: its start must not lie above its end",
-        })
+        match self {
+            Self::Origin(error) => write!(f, "a coordinate of the ray's origin {error}"),
+            Self::Target(error) => write!(f, "a coordinate of the ray's target {error}"),
+            Self::Direction(ValueError::Zero) => {
+                f.write_str("the ray has no direction: the vector is zero, or origin and target are the same point")
+            }
+            Self::Direction(error) => write!(f, "the vector of the ray's direction {error}"),
+            Self::RangeEnd(error) => write!(f, "an end of the ray's range {error}"),
+            Self::Range => f.write_str("the ray's range is empty: its start lies above its end"),
+        }
     }
 }
 

@@ -62,7 +62,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Picture<'a, S, E, T> {
     ///     error.to_string(),
     ///     "object 0 calls for reflection, which is not compiled in: name `Reflection` among the effects"
     /// );
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// # Ok::<(), raylet::Error>(())
     /// ```
     pub fn try_new(scene: &'a Scene<'a, S, T>, size: Size) -> Result<Self, EffectError> {
         if size.samples > 1 && !E::SET.contains(Effect::Antialiasing) {
@@ -95,7 +95,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Picture<'a, S, E, T> {
     /// assert!(picture.render(|_, _, _| {}).shadow_rays > 0);
     /// let without = picture.only(EffectSet::ALL.without(Effect::Shadows));
     /// assert_eq!(without.render(|_, _, _| {}).shadow_rays, 0);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// # Ok::<(), raylet::Error>(())
     /// ```
     #[must_use]
     pub fn only(self, effects: EffectSet) -> Self {

@@ -48,7 +48,7 @@ pub trait Tier<S: Scalar>: Copy + sealed::Sealed + Solve<S> + 'static {}
 /// let ray = Ray::new(Vec3::new(0.0_f32, 0.5, 4.0), -UnitVec3::Z)?;
 /// let hit = Sphere::new(1.0)?.nearest_at::<Fast>(&ray);
 /// assert_eq!(hit.map(|hit| hit.t), Some(3.1339746));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// # Ok::<(), raylet::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Fast;

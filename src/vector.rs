@@ -1,21 +1,33 @@
 //! Points, vectors and directions.
 
-use crate::number::{Estimate, Ring};
-use crate::scalar::{Attempt, Real, Scalar, UnitScalar};
-use core::ops::{Add, Neg, Sub};
+use crate::number::{Estimate, Number, Ring, Robust, dot};
+use crate::scalar::{Attempt, FromScalar, Real, Scalar, UnitScalar, ValueError};
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// A point or a vector of any length.
 ///
-/// Sums, differences and negatives of fixed-point vectors saturate; no operation overflows.
+/// Sums, differences, negatives, multiples and quotients of fixed-point vectors saturate; no operation overflows. Multiples and
+/// quotients are rounded to nearest. A quotient by zero is that of the number type's computing number: infinite or NaN for floats, zero
+/// for fixed point.
+///
+/// ```
+/// # use raylet::Vec3;
+/// let mut v = Vec3::new(1.0_f32, 2.0, 3.0) * 2.0 + Vec3::new(0.0, 0.0, 1.0);
+/// v /= 2.0;
+/// v -= Vec3::new(1.0, 0.0, 0.0);
+/// assert_eq!(v, Vec3::new(0.0, 2.0, 3.5));
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = "S: Scalar"))]
 pub struct Vec3<S> {
     /// Along the x axis.
+    #[cfg_attr(feature = "serde", serde(with = "crate::scalar::written"))]
     pub x: S,
     /// Along the y axis, the axis of every canonical solid.
+    #[cfg_attr(feature = "serde", serde(with = "crate::scalar::written"))]
     pub y: S,
     /// Along the z axis.
+    #[cfg_attr(feature = "serde", serde(with = "crate::scalar::written"))]
     pub z: S,
 }
 
@@ -29,15 +41,20 @@ impl<S: Scalar> Vec3<S> {
         Self { x, y, z }
     }
 
-    /// From `f64` components, each rounded to nearest; `None` if one is not finite or beyond the number type.
+    /// From `f64` components, each rounded to nearest.
+    ///
+    /// # Errors
+    ///
+    /// [`ValueError::NotFinite`] if a component is not finite; [`ValueError::BeyondType`] if the number type cannot hold it.
     ///
     /// ```
-    /// # use raylet::Vec3;
-    /// assert_eq!(Vec3::<f32>::from_f64([1.0, 2.5, -3.0]), Some(Vec3::new(1.0, 2.5, -3.0)));
+    /// # use raylet::{ValueError, Vec3};
+    /// assert_eq!(Vec3::<f32>::from_f64([1.0, 2.5, -3.0]), Ok(Vec3::new(1.0, 2.5, -3.0)));
+    /// assert_eq!(Vec3::<f32>::from_f64([1e39, 0.0, 0.0]), Err(ValueError::BeyondType));
     /// ```
-    pub fn from_f64(components: [f64; 3]) -> Option<Self> {
+    pub fn from_f64(components: [f64; 3]) -> Result<Self, ValueError> {
         let [x, y, z] = components;
-        Some(Self::new(S::from_f64(x)?, S::from_f64(y)?, S::from_f64(z)?))
+        Ok(Self::new(S::from_f64(x)?, S::from_f64(y)?, S::from_f64(z)?))
     }
 
     /// The components as `f64`.
@@ -69,6 +86,12 @@ impl<S: Scalar> Vec3<S> {
         v.map(S::round).into()
     }
 
+    /// The vector itself, if it is within the budget; otherwise what is wrong with it.
+    #[inline]
+    pub(crate) fn checked(self) -> Result<Self, ValueError> {
+        if self.is_within_budget() { Ok(self) } else { Err(ValueError::of_point(self.to_array())) }
+    }
+
     /// True if every component is inside the number type's [`Budget`](crate::scalar::Budget).
     #[inline]
     pub fn is_within_budget(self) -> bool {
@@ -85,12 +108,6 @@ impl<S: Scalar> Vec3<S> {
     /// The length of the vector, rounded to the scalar.
     pub fn length(self) -> S {
         S::normalize(self.real()).map_or(S::ZERO, |(_, length)| S::round(length))
-    }
-
-    /// The unit vector that points this way; see [`UnitVec3::new`].
-    #[inline]
-    pub fn normalized(self) -> Option<UnitVec3<S>> {
-        UnitVec3::new(self)
     }
 }
 
@@ -117,6 +134,44 @@ impl<S: Scalar> Sub for Vec3<S> {
     }
 }
 
+impl<S: Scalar> Mul<S> for Vec3<S> {
+    type Output = Self;
+    fn mul(self, factor: S) -> Self {
+        Self::round(self.real().map(|component| component * factor.real()))
+    }
+}
+
+impl<S: Scalar> Div<S> for Vec3<S> {
+    type Output = Self;
+    fn div(self, divisor: S) -> Self {
+        Self::round(self.real().map(|component| component / divisor.real()))
+    }
+}
+
+impl<S: Scalar> AddAssign for Vec3<S> {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl<S: Scalar> SubAssign for Vec3<S> {
+    fn sub_assign(&mut self, other: Self) {
+        *self = *self - other;
+    }
+}
+
+impl<S: Scalar> MulAssign<S> for Vec3<S> {
+    fn mul_assign(&mut self, factor: S) {
+        *self = *self * factor;
+    }
+}
+
+impl<S: Scalar> DivAssign<S> for Vec3<S> {
+    fn div_assign(&mut self, divisor: S) {
+        *self = *self / divisor;
+    }
+}
+
 impl<S: Scalar> Neg for Vec3<S> {
     type Output = Self;
     #[inline(always)]
@@ -131,7 +186,6 @@ impl<S: Scalar> Neg for Vec3<S> {
 /// Its components have more fraction bits than a fixed-point coordinate (30 of 32, 62 of 64). A stored unit vector is
 /// unit only to its last bit; `t` is the parameter of the direction *as stored*.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format), defmt(transparent))]
 pub struct UnitVec3<S: Scalar> {
     components: [S::Unit; 3],
 }
@@ -144,19 +198,29 @@ impl<S: Scalar> UnitVec3<S> {
     /// Along the z axis.
     pub const Z: Self = Self { components: [S::Unit::ZERO, S::Unit::ZERO, S::Unit::ONE] };
 
-    /// The direction of a vector of any non-zero length, within 2.5 units in the last place of its largest component;
-    /// `None` for the zero vector and for one that is not finite.
+    /// The direction of a vector of any non-zero length, within 2.5 units in the last place of its largest component.
+    ///
+    /// # Errors
+    ///
+    /// [`ValueError::Zero`] for the zero vector, [`ValueError::NotFinite`] for one that is not finite.
     ///
     /// ```
-    /// # use raylet::{UnitVec3, Vec3};
-    /// let tiny = UnitVec3::new(Vec3::new(3e-20_f32, 0.0, 4e-20)).unwrap();
-    /// let huge = UnitVec3::new(Vec3::new(3e20_f32, 0.0, 4e20)).unwrap();
+    /// # use raylet::{UnitVec3, ValueError, Vec3};
+    /// let tiny = UnitVec3::new(Vec3::new(3e-20_f32, 0.0, 4e-20))?;
+    /// let huge = UnitVec3::new(Vec3::new(3e20_f32, 0.0, 4e20))?;
     /// assert_eq!((tiny.x(), tiny.z()), (0.6, 0.8));
     /// assert_eq!((huge.x(), huge.z()), (0.6, 0.8));
-    /// assert_eq!(UnitVec3::<f32>::new(Vec3::ZERO), None);
+    /// assert_eq!(UnitVec3::<f32>::new(Vec3::ZERO), Err(ValueError::Zero));
+    /// # Ok::<(), ValueError>(())
     /// ```
     #[inline]
-    pub fn new(v: Vec3<S>) -> Option<Self> {
+    pub fn new(v: Vec3<S>) -> Result<Self, ValueError> {
+        Self::of(v).ok_or_else(|| ValueError::of_direction(v.to_array()))
+    }
+
+    /// The direction of a vector that has one.
+    #[inline]
+    fn of(v: Vec3<S>) -> Option<Self> {
         match S::fast_direction(v.to_array()) {
             Attempt::Found(components) => return Some(Self { components }),
             Attempt::Miss => return None,
@@ -166,6 +230,37 @@ impl<S: Scalar> UnitVec3<S> {
             return None;
         }
         Self::from_real(v.real())
+    }
+
+    /// The direction of a vector of `f64` components of any length, each component within half a unit of its last place and 2^-60 of
+    /// it: a fixed type has all the fraction bits of a direction, where [`Vec3::from_f64`] first rounds to those of a coordinate.
+    ///
+    /// # Errors
+    ///
+    /// [`ValueError::Zero`] for the zero vector, [`ValueError::NotFinite`] for one that is not finite.
+    ///
+    /// ```
+    /// # use raylet::{UnitVec3, ValueError, Vec3};
+    /// use fixed::types::I16F16;
+    /// let third = [1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0];
+    /// let fine = UnitVec3::<I16F16>::from_f64(third)?;
+    /// assert!((fine.x().to_num::<f64>() - third[0]).abs() < 2.0_f64.powi(-31));
+    /// let coarse = UnitVec3::<I16F16>::new(Vec3::from_f64(third)?)?;
+    /// assert!((coarse.x().to_num::<f64>() - third[0]).abs() > 2.0_f64.powi(-20));
+    /// # Ok::<(), ValueError>(())
+    /// ```
+    pub fn from_f64(components: [f64; 3]) -> Result<Self, ValueError> {
+        if !components.iter().all(|c| c.is_finite()) {
+            return Err(ValueError::NotFinite);
+        }
+        // In 128 bits and rounded once: for a fixed type of 64 bits a double is too coarse.
+        let v = components.map(<Robust<u128> as FromScalar<f64>>::scalar);
+        let square = dot(v, v);
+        if square.sign().is_none_or(core::cmp::Ordering::is_eq) {
+            return Err(ValueError::Zero);
+        }
+        let length = square.square_root();
+        Ok(Self { components: v.map(|component| S::unit_from_limbs(component.over(length))) })
     }
 
     /// The direction of a vector in the computing number.
@@ -184,19 +279,23 @@ impl<S: Scalar> UnitVec3<S> {
     /// The direction with these stored components, if their length is 1 within 2^-20; for tables and for tests that
     /// need every bit as given. Anything else should go through [`UnitVec3::new`].
     ///
+    /// # Errors
+    ///
+    /// [`ValueError::NotUnit`] if they have another length, or are not finite.
+    ///
     /// ```
-    /// # use raylet::UnitVec3;
-    /// assert!(UnitVec3::<f32>::from_components([0.6, 0.0, 0.8]).is_some());
-    /// assert!(UnitVec3::<f32>::from_components([0.6, 0.0, 0.9]).is_none());
+    /// # use raylet::{UnitVec3, ValueError};
+    /// assert!(UnitVec3::<f32>::from_components([0.6, 0.0, 0.8]).is_ok());
+    /// assert_eq!(UnitVec3::<f32>::from_components([0.6, 0.0, 0.9]), Err(ValueError::NotUnit));
     /// ```
-    pub fn from_components(components: [S::Unit; 3]) -> Option<Self> {
+    pub fn from_components(components: [S::Unit; 3]) -> Result<Self, ValueError> {
         // Far too long, the squares would not fit. Not a comparison's negation: a NaN must fail.
         let limit = S::Unit::ONE.plus(S::Unit::ONE.times(S::Unit::from_f64(0.25)));
         if !components.iter().all(|c| -limit < *c && *c < limit) {
-            return None;
+            return Err(ValueError::NotUnit);
         }
         let error = (S::unit_dot(components, components) - S::Real::ONE).abs();
-        (error < S::Real::ONE.scaled(-19)).then_some(Self { components })
+        if error < S::Real::ONE.scaled(-19) { Ok(Self { components }) } else { Err(ValueError::NotUnit) }
     }
 
     /// Components that the caller derived from unit vectors by a rotation.

@@ -55,7 +55,7 @@ impl Random {
             let length = libm::sqrt(v.iter().map(|c| c * c).sum());
             let stretch = if self.below(2) == 0 { 1.0 } else { 1.0 + self.between(-0.5, 0.5) * libm::exp2(-20.0) };
             let components = v.map(|c| <S::Unit as UnitScalar>::from_f64(c / length * stretch));
-            if let Some(direction) = UnitVec3::from_components(components).filter(|_| length > 0.1) {
+            if let Some(direction) = UnitVec3::from_components(components).ok().filter(|_| length > 0.1) {
                 return direction;
             }
         }

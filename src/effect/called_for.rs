@@ -20,7 +20,7 @@ impl<S: Scalar, T: Tier<S>> Scene<'_, S, T> {
     /// let lights = [Light::new(Vec3::new(0.0, 9.0, 0.0), 1.0)];
     /// let scene = Scene::new(&objects, &materials, &lights, camera)?;
     /// assert_eq!(scene.effects().to_string(), "diffuse, shadows, reflection");
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// # Ok::<(), raylet::Error>(())
     /// ```
     pub fn effects(&self) -> EffectSet {
         let of_objects = self.objects().iter().map(|object| self.called_for_by(object));

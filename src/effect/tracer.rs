@@ -35,7 +35,7 @@ const FAINT: i32 = -7;
 /// assert_eq!(tracer.look(&ray, &mut Work::<()>::default()).color.red, 0.5);
 /// let error = Tracer::<f32, (Diffuse,)>::try_new(&scene).unwrap_err();
 /// assert_eq!(error.to_string(), "object 0 calls for shadows, which is not compiled in: name `Shadows` among the effects");
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// # Ok::<(), raylet::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Tracer<'a, S: Scalar, E = All, T = Stable> {

@@ -142,11 +142,11 @@ fn all<T, const N: usize>(items: impl IntoIterator<Item = T>) -> Option<Vec<T, N
 }
 
 fn number<S: Scalar>(value: f64) -> Option<S> {
-    S::from_f64(value)
+    S::from_f64(value).ok()
 }
 
 fn point<S: Scalar>(x: f64, y: f64, z: f64) -> Option<Vec3<S>> {
-    Vec3::from_f64([x, y, z])
+    Vec3::from_f64([x, y, z]).ok()
 }
 
 fn matte<S: Scalar>(color: [f64; 3]) -> Option<Material<S>> {

@@ -38,7 +38,7 @@ pub(super) fn build<S: Scalar>() -> Option<Stage<S>> {
     let turned = Frame::between(point(-0.6, 0.42, 2.2)?, point(0.9, 0.42, 1.6)?).ok()?;
     let (lying, length) = turned;
     let pill = Object::new(Shape::new(Capsule::new(number(0.42)?, length).ok()?).placed(lying), yellow);
-    let coin_axis = UnitVec3::new(point(-0.5, 0.25, 1.0)?)?;
+    let coin_axis = UnitVec3::new(point(-0.5, 0.25, 1.0)?).ok()?;
     let coin = Shape::new(Cylinder::capped(number(0.6)?, number(0.12)?).ok()?);
     let coin = coin.placed(Frame::from_base_and_axis(point(2.5, 0.6, 1.8)?, coin_axis).ok()?);
     let objects = [

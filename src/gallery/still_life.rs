@@ -25,7 +25,7 @@ pub(super) fn build<S: Scalar>() -> Option<Stage<S>> {
     let [floor, red, blue, yellow, green, violet] = [0, 1, 2, 3, 4, 5];
     let centred = |x, z| point(x, 0.0, z);
     let (lying, length) = Frame::between(point(1.2, 0.35, 1.6)?, point(2.3, 0.35, 0.5)?).ok()?;
-    let lean = UnitVec3::new(point(-0.25, 0.6, 0.6)?)?;
+    let lean = UnitVec3::new(point(-0.25, 0.6, 0.6)?).ok()?;
     // A pyramid over a square whose half diagonal is 0.7, turned by 30 degrees.
     let (sine, cosine) = (0.7 * 0.5, 0.7 * 0.866_025_403_784_438_6);
     let corners = [[cosine, sine], [-sine, cosine], [-cosine, -sine], [sine, -cosine]];

@@ -19,7 +19,7 @@ use core::cmp::Ordering;
 /// let hits = pill.hits(&ray);
 /// assert_eq!((hits[0].t, hits[0].part), (2.0, Part::Top));
 /// assert_eq!((hits[1].t, hits[1].part), (6.0, Part::Base));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// # Ok::<(), raylet::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

@@ -12,13 +12,13 @@ use crate::intersection::{End, Intersection, Span};
 use crate::line::Place;
 use crate::part::Part;
 use crate::ray::Ray;
-use crate::scalar::{Attempt, InNappe, LocalLine, Real, Scalar, found, largest};
+use crate::scalar::{Attempt, InNappe, LocalLine, Real, Scalar, ValueError, found, largest};
 use crate::vector::{UnitVec3, Vec3};
 
 /// The extent of a cone along its axis, and whether it is closed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-enum Extent<S> {
+pub(super) enum Extent<S> {
     Double,
     Nappe,
     Open(S),
@@ -37,13 +37,13 @@ enum Extent<S> {
 /// let hits = cone.hits(&ray);
 /// assert_eq!((hits[0].t, hits[0].part, hits[0].crossing), (2.0, Part::Side, Crossing::Enter));
 /// assert_eq!((hits[1].t, hits[1].part, hits[1].crossing), (3.0, Part::Top, Crossing::Exit));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// # Ok::<(), raylet::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cone<S> {
-    outline: Outline<S>,
-    extent: Extent<S>,
+    pub(super) outline: Outline<S>,
+    pub(super) extent: Extent<S>,
 }
 
 impl<S: Scalar> Cone<S> {
@@ -133,7 +133,7 @@ fn checked_slope<S: Scalar>(slope: S) -> Result<Outline<S>, SizeError> {
     if slope >= S::BUDGET.smallest_slope && slope <= S::BUDGET.slope {
         Ok(Outline::Slope(slope))
     } else {
-        Err(SizeError::Slope)
+        Err(SizeError::Slope(ValueError::of_size(slope, S::BUDGET.smallest_slope)))
     }
 }
 
@@ -141,7 +141,7 @@ fn checked_radii<S: Scalar>(base: S, top: S, height: S) -> Result<Outline<S>, Si
     let base = checked_size_or_zero(base, SizeError::Radius)?;
     let top = checked_size_or_zero(top, SizeError::Radius)?;
     if base == S::ZERO && top == S::ZERO {
-        return Err(SizeError::Radius);
+        return Err(SizeError::Radius(ValueError::Zero));
     }
     Ok(Outline::Radii(base, top, checked_size(height, SizeError::Height)?))
 }

@@ -13,7 +13,7 @@ use crate::vector::{UnitVec3, Vec3};
 /// The extent of a cylinder along its axis, and whether it is closed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-enum Extent<S> {
+pub(super) enum Extent<S> {
     Infinite,
     Open(S),
     Capped(S),
@@ -28,13 +28,13 @@ enum Extent<S> {
 /// let hits = can.hits(&ray);
 /// assert_eq!((hits[0].t, hits[0].part, hits[0].crossing), (3.0, Part::Top, Crossing::Enter));
 /// assert_eq!((hits[1].t, hits[1].part, hits[1].crossing), (5.0, Part::Base, Crossing::Exit));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// # Ok::<(), raylet::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cylinder<S> {
     radius: S,
-    extent: Extent<S>,
+    pub(super) extent: Extent<S>,
 }
 
 impl<S: Scalar> Cylinder<S> {

@@ -17,7 +17,7 @@ use crate::vector::{UnitVec3, Vec3};
 /// let disc = Disc::new(1.0_f32)?;
 /// let ray = Ray::new(Vec3::new(1.0, 2.0, 0.0), -UnitVec3::Y)?;
 /// assert!(disc.occludes(&ray));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// # Ok::<(), raylet::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

@@ -34,7 +34,7 @@
 //! | in a plane, disc or triangle | `coincident` |
 //! | in the plane of a disc or triangle, touching its rim or a corner | `coincident` over a single point |
 
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, ValueError};
 use core::fmt;
 
 mod capsule;
@@ -45,6 +45,8 @@ mod outline;
 mod plane;
 mod queries;
 mod sphere;
+#[cfg(feature = "serde")]
+mod stored;
 mod surface_coordinates;
 mod triangle;
 
@@ -65,35 +67,42 @@ pub(crate) use queries::queries;
 #[non_exhaustive]
 pub enum SizeError {
     /// A radius is not positive (a frustum's may be zero, but not both), not finite or beyond the budget.
-    Radius,
+    Radius(ValueError),
     /// A height is not positive (a capsule's may be zero), not finite or beyond the budget.
-    Height,
+    Height(ValueError),
     /// A slope is not positive, not finite or beyond the budget.
-    Slope,
-    /// A vertex is not finite or beyond the budget, or the vertices lie on a line.
+    Slope(ValueError),
+    /// A coordinate of a vertex is not finite or beyond the budget.
+    Vertex(ValueError),
+    /// The vertices lie on a line, or too nearly so for the number type.
     Vertices,
 }
 
 impl fmt::Display for SizeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Radius => "the radius must be positive and within the number type's budget",
-            Self::Height => "the height must be positive and within the number type's budget",
-            Self::Slope => "the slope (radius over height) must be positive and within the number type's budget",
-            Self::Vertices => "the vertices must be within the number type's budget and must not lie on a line",
-        })
+        match self {
+            Self::Radius(error) => write!(f, "the radius {error}"),
+            Self::Height(error) => write!(f, "the height {error}"),
+            Self::Slope(error) => write!(f, "the slope (radius over height) {error}"),
+            Self::Vertex(error) => write!(f, "a coordinate of a vertex {error}"),
+            Self::Vertices => f.write_str("the vertices lie on a line, or too nearly so for the number type"),
+        }
     }
 }
 
 impl core::error::Error for SizeError {}
 
 /// A positive size inside the budget.
-fn checked_size<S: Scalar>(size: S, error: SizeError) -> Result<S, SizeError> {
+fn checked_size<S: Scalar>(size: S, error: fn(ValueError) -> SizeError) -> Result<S, SizeError> {
     // A NaN compares false.
-    if size >= S::BUDGET.smallest_size && size <= S::BUDGET.size { Ok(size) } else { Err(error) }
+    if size >= S::BUDGET.smallest_size && size <= S::BUDGET.size {
+        Ok(size)
+    } else {
+        Err(error(ValueError::of_size(size, S::BUDGET.smallest_size)))
+    }
 }
 
 /// A size inside the budget that may be zero.
-fn checked_size_or_zero<S: Scalar>(size: S, error: SizeError) -> Result<S, SizeError> {
+fn checked_size_or_zero<S: Scalar>(size: S, error: fn(ValueError) -> SizeError) -> Result<S, SizeError> {
     if size == S::ZERO { Ok(S::ZERO) } else { checked_size(size, error) }
 }

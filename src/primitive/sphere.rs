@@ -20,7 +20,7 @@ use crate::vector::{UnitVec3, Vec3};
 /// let ray = Ray::new(Vec3::new(-4100.0, 0.5, 0.0), UnitVec3::X)?;
 /// let hits = ball.hits(&ray);
 /// assert_eq!((hits[0].t, hits[1].t), (4099.134, 4100.866));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// # Ok::<(), raylet::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

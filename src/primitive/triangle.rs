@@ -25,7 +25,7 @@ use crate::vector::{UnitVec3, Vec3, cross};
 /// let triangle = Triangle::new(v(0.0_f32, 0.0, 0.0), v(1.0, 0.0, 0.0), v(0.0, 1.0, 0.0))?;
 /// let ray = Ray::new(v(0.25, 0.25, 3.0), -UnitVec3::Z)?;
 /// assert_eq!(triangle.nearest(&ray).map(|hit| (hit.t, hit.crossing)), Some((3.0, Crossing::Enter)));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// # Ok::<(), raylet::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -38,14 +38,13 @@ impl<S: Scalar> Triangle<S> {
     ///
     /// # Errors
     ///
-    /// [`SizeError::Vertices`] if a vertex is not finite or beyond the budget, or if they lie on a line.
+    /// [`SizeError::Vertex`] if a vertex is not finite or beyond the budget, [`SizeError::Vertices`] if they lie on a line.
     pub fn new(a: Vec3<S>, b: Vec3<S>, c: Vec3<S>) -> Result<Self, SizeError> {
         let triangle = Self { vertices: [a, b, c] };
-        if triangle.vertices.iter().all(|vertex| vertex.is_within_budget()) && triangle.unit_normal().is_some() {
-            Ok(triangle)
-        } else {
-            Err(SizeError::Vertices)
+        for vertex in triangle.vertices {
+            vertex.checked().map_err(SizeError::Vertex)?;
         }
+        if triangle.unit_normal().is_some() { Ok(triangle) } else { Err(SizeError::Vertices) }
     }
 
     /// The vertices, in the order given.

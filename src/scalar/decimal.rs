@@ -65,3 +65,89 @@ pub(super) fn parse(text: &str, fraction_bits: u32) -> Option<(bool, u128)> {
     let up = half && (more || units & 1 != 0);
     Some((negative, units + u128::from(up)))
 }
+
+/// A decimal number: the integer part, and the digits behind the point as an integer of so many places.
+#[cfg(any(feature = "serde", test))]
+#[derive(Debug, PartialEq)]
+pub(super) struct Decimal {
+    pub(super) whole: u64,
+    pub(super) places: usize,
+    pub(super) fraction: u128,
+}
+
+/// `magnitude * 2^-fraction_bits` with the fewest places of which [`parse`] makes the same number; at most 20. (The `Display` of `fixed`
+/// 1.29 drops digits: two numbers are `440.1` in 16 fraction bits.)
+#[cfg(any(feature = "serde", test))]
+pub(super) fn shortest(magnitude: u64, fraction_bits: u32) -> Decimal {
+    let one = 1_u128 << fraction_bits;
+    let mut whole = (u128::from(magnitude) >> fraction_bits) as u64;
+    // What is behind the places that there are, in units of 2^-fraction_bits of the last place.
+    let mut rest = u128::from(magnitude) & (one - 1);
+    let (mut places, mut fraction, mut power) = (0, 0_u128, 1_u128);
+    loop {
+        let up = one - rest;
+        // Less than half a unit off.
+        if 2 * rest.min(up) < power {
+            if up < rest {
+                fraction += 1;
+            }
+            if fraction == power {
+                whole += 1;
+                fraction = 0;
+            }
+            return Decimal { whole, places, fraction };
+        }
+        fraction = fraction * 10 + ((rest * 10) >> fraction_bits);
+        rest = (rest * 10) & (one - 1);
+        places += 1;
+        power *= 10;
+    }
+}
+
+/// The integer part of `magnitude * 2^-fraction_bits`, and so many decimal places of the rest, cut off; at most 19.
+#[cfg(any(feature = "defmt", test))]
+pub(super) fn digits(magnitude: u64, fraction_bits: u32, places: u32) -> (u64, u64) {
+    let magnitude = u128::from(magnitude);
+    let rest = magnitude & ((1 << fraction_bits) - 1);
+    // Below 2^64 * 10^19, which is below 2^128.
+    let shifted = (rest * 10_u128.pow(places)) >> fraction_bits;
+    ((magnitude >> fraction_bits) as u64, shifted as u64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Decimal, digits, parse, shortest};
+    use std::format;
+
+    #[test]
+    fn the_shortest_decimal_number_comes_back() {
+        let same = |magnitude: u64, fraction_bits: u32| {
+            let Decimal { whole, places, fraction } = shortest(magnitude, fraction_bits);
+            let text = if places == 0 { format!("{whole}") } else { format!("{whole}.{fraction:0places$}") };
+            assert_eq!(parse(&text, fraction_bits), Some((false, u128::from(magnitude))), "{text}, {fraction_bits}");
+        };
+        let mut state = 1_u64;
+        for fraction_bits in 0..=64 {
+            for edge in [0, 1, 2, (1 << 31) - 1, 1 << 31, (1 << 63) - 1, 1 << 63] {
+                same(edge, fraction_bits);
+            }
+            for _ in 0..300 {
+                state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+                same((state >> 1) >> (state % 61), fraction_bits);
+            }
+        }
+        assert_eq!(shortest(3, 1), Decimal { whole: 1, places: 1, fraction: 5 });
+        assert_eq!(shortest(1, 16), Decimal { whole: 0, places: 5, fraction: 2 });
+        assert_eq!(shortest(28_842_393, 16), Decimal { whole: 440, places: 5, fraction: 9_999 });
+    }
+
+    #[test]
+    fn digits_are_those_of_the_decimal_number() {
+        assert_eq!(digits(0b11, 1, 10), (1, 5_000_000_000));
+        assert_eq!(digits(1, 16, 10), (0, 152_587));
+        assert_eq!(digits(u64::from(u32::MAX), 32, 10), (0, 9_999_999_997));
+        assert_eq!(digits(u64::MAX, 64, 19), (0, 9_999_999_999_999_999_999));
+        assert_eq!(digits(u64::MAX, 0, 19), (u64::MAX, 0));
+        assert_eq!(digits(3 << 62, 62, 19), (3, 0));
+    }
+}

@@ -5,8 +5,8 @@
 
 use super::block::{Block64, Block128};
 use super::{
-    Attempt, Budget, Computing, Elementary, FastPath, Numbers, Real, Scalar, UnitScalar, elementary, integers,
-    sealed::Sealed,
+    Attempt, Budget, Computing, Elementary, FastPath, Numbers, Real, Scalar, UnitScalar, ValueError, elementary,
+    integers, sealed::Sealed,
 };
 use crate::number::word::Word;
 use crate::number::{Limbs, Parts, Robust};
@@ -74,6 +74,10 @@ macro_rules! fixed {
                 Self::from_limbs(value)
             }
             #[inline]
+            fn unit_from_limbs<W: Word>(value: Limbs<W>) -> Self::Unit {
+                <$Fixed<$UnitBits> as Scalar>::from_limbs(value)
+            }
+            #[inline]
             fn unit_from_robust(value: Self::Robust) -> Self::Unit {
                 <$Fixed<$UnitBits> as Scalar>::from_limbs(value)
             }
@@ -127,11 +131,11 @@ macro_rules! fixed {
                 let raw = <$raw>::try_from(units).ok().filter(|raw| *raw < <$raw>::MAX)?;
                 Some(Self::from_bits(if negative { -raw } else { raw }))
             }
-            fn from_f64(value: f64) -> Option<Self> {
+            fn from_f64(value: f64) -> Result<Self, ValueError> {
                 if !value.is_finite() {
-                    return None;
+                    return Err(ValueError::NotFinite);
                 }
-                Self::checked_from_num(value).filter(|value| value.is_finite())
+                Self::checked_from_num(value).filter(|value| value.is_finite()).ok_or(ValueError::BeyondType)
             }
             fn to_f64(self) -> f64 {
                 self.to_num()

@@ -2,7 +2,7 @@
 
 use super::error_free::{exact_f32, exact_f64};
 use super::square_root::square_root_f32;
-use super::{Budget, Computing, Elementary, Numbers, Real, Scalar, UnitScalar, largest, sealed::Sealed};
+use super::{Budget, Computing, Elementary, Numbers, Real, Scalar, UnitScalar, ValueError, largest, sealed::Sealed};
 use crate::number::word::Word;
 use crate::number::{Limbs, Parts, Ring, Robust};
 
@@ -66,6 +66,10 @@ macro_rules! float {
                 Self::from_limbs(value)
             }
             #[inline]
+            fn unit_from_limbs<W: Word>(value: Limbs<W>) -> Self {
+                Self::from_limbs(value)
+            }
+            #[inline]
             fn unit_from_robust(value: Self::Robust) -> Self {
                 Self::from_limbs(value)
             }
@@ -115,9 +119,13 @@ macro_rules! float {
                 Some(value).filter(|value| Scalar::is_finite(*value))
             }
             #[allow(clippy::unnecessary_cast)]
-            fn from_f64(value: f64) -> Option<Self> {
-                let value = value as $Float;
-                Scalar::is_finite(value).then_some(value)
+            fn from_f64(value: f64) -> Result<Self, ValueError> {
+                let rounded = value as $Float;
+                match Scalar::is_finite(rounded) {
+                    true => Ok(rounded),
+                    false if value.is_finite() => Err(ValueError::BeyondType),
+                    false => Err(ValueError::NotFinite),
+                }
             }
             #[allow(clippy::unnecessary_cast)]
             fn to_f64(self) -> f64 {

@@ -20,6 +20,8 @@
 //! | [`block`] | integer mantissa and exponent; square root and quotient of integers |
 //! | `decimal` | decimal text to fixed point, correctly rounded |
 //! | `elementary` | angle, sine, power, in integers for the fixed types |
+//! | `written` | how stored numbers are written for `serde` and `defmt` |
+//! | `value` | what can be wrong with a value that a constructor is given |
 //! | `square_root` | the square root of `f32` by instruction, which `core` does not have |
 
 use crate::number::word::Word;
@@ -49,6 +51,8 @@ pub(crate) mod slabs;
 #[cfg(feature = "libm")]
 mod square_root;
 mod twofold;
+mod value;
+pub(crate) mod written;
 
 #[cfg(feature = "fixed")]
 pub use fixed::{DISTANCE_BITS, SIZE_BITS};
@@ -59,6 +63,7 @@ pub(crate) use fast::found;
 pub use fast::{Attempt, FastPath, FinerLine, InNappe, LocalLine, Pace};
 pub use rungs::{FromScalar, ToScalar};
 pub use twofold::Twofold;
+pub use value::ValueError;
 
 /// Seals [`Scalar`] and related traits, whose implementations depend on each other.
 mod sealed {
@@ -114,7 +119,17 @@ pub struct Budget<S> {
 
 /// The types that belong to a scalar.
 pub trait Numbers:
-    Copy + Debug + Default + PartialEq + PartialOrd + Neg<Output = Self> + Send + Sync + 'static + sealed::Sealed
+    Copy
+    + Debug
+    + Default
+    + PartialEq
+    + PartialOrd
+    + Neg<Output = Self>
+    + Send
+    + Sync
+    + 'static
+    + sealed::Sealed
+    + written::Written
 {
     /// The type of components of unit vectors and of colour channels: the float itself, Q2.30 for 32-bit and Q2.62 for 64-bit fixed types.
     type Unit: UnitScalar;
@@ -151,6 +166,8 @@ pub trait Scalar: Numbers + Computing + Elementary + FastPath {
     fn from_robust(value: Self::Robust) -> Self;
     /// Rounded as [`Scalar::from_limbs`], to a unit component.
     fn unit_from_robust(value: Self::Robust) -> Self::Unit;
+    /// Rounded as [`Scalar::from_limbs`], to a unit component.
+    fn unit_from_limbs<W: Word>(value: Limbs<W>) -> Self::Unit;
     /// The exponent of the last place of values below `2^top`.
     fn last_place(top: i32) -> i32;
     /// The exact value, to compute with.
@@ -179,15 +196,29 @@ pub trait Scalar: Numbers + Computing + Elementary + FastPath {
     ///
     /// As [`Scalar::parse`]; `None` also if a fixed type's fraction bits and the power add up to less than 0 or more than 64.
     fn parse_scaled(text: &str, power: i32) -> Option<Self>;
-    /// The nearest value to an `f64`, for tools on the host; `None` if it is not finite or beyond the range.
-    fn from_f64(value: f64) -> Option<Self>;
+    /// The nearest value to an `f64`, for tools on the host.
+    ///
+    /// # Errors
+    ///
+    /// [`ValueError::NotFinite`], or [`ValueError::BeyondType`] beyond the type's range. A value below half a unit becomes zero.
+    fn from_f64(value: f64) -> Result<Self, ValueError>;
     /// The value as an `f64`, for tools on the host; rounded for 64-bit fixed types.
     fn to_f64(self) -> f64;
 }
 
 /// A component of a unit vector or a colour channel. Sealed.
 pub trait UnitScalar:
-    Copy + Debug + Default + PartialEq + PartialOrd + Neg<Output = Self> + Send + Sync + 'static + sealed::Sealed
+    Copy
+    + Debug
+    + Default
+    + PartialEq
+    + PartialOrd
+    + Neg<Output = Self>
+    + Send
+    + Sync
+    + 'static
+    + sealed::Sealed
+    + written::Written
 {
     /// Zero.
     const ZERO: Self;

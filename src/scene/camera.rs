@@ -34,7 +34,7 @@ impl<S: Scalar> Camera<S> {
         }
         let sight = difference(target, position);
         let forward = UnitVec3::from_real(sight).ok_or(CameraError::Target)?;
-        let up = UnitVec3::new(up).ok_or(CameraError::Up)?;
+        let up = UnitVec3::new(up).map_err(|_| CameraError::Up)?;
         let right = UnitVec3::from_real(forward.cross(up)).ok_or(CameraError::Up)?;
         let up = UnitVec3::from_real(right.cross(forward)).ok_or(CameraError::Up)?;
         let turns = angle.real() / S::Real::from_int(720);

@@ -118,7 +118,7 @@ impl<'a, S: Scalar, T: Tier<S>> Scene<'a, S, T> {
     /// let scene = Scene::new(&objects, &materials, &[], camera)?.at_tier::<Exact>();
     /// let counters = Picture::new(&scene, Size::new(8, 6)).render(|_, _, _| {});
     /// assert_eq!(counters.primary_rays, 48);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// # Ok::<(), raylet::Error>(())
     /// ```
     #[must_use]
     pub const fn at_tier<U: Tier<S>>(self) -> Scene<'a, S, U> {

@@ -27,6 +27,7 @@ macro_rules! primitives {
     ($($Variant:ident),+) => {
         /// Any primitive, without allocation or dynamic dispatch.
         #[derive(Clone, Copy, Debug, PartialEq)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = ""))]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         #[non_exhaustive]
         pub enum Primitive<S: Scalar> {
@@ -143,6 +144,7 @@ primitives!(Sphere, Cylinder, Cone, Capsule, Plane, Disc, Triangle);
 
 /// How a primitive is placed in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = ""))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Placement<S: Scalar> {
@@ -152,6 +154,54 @@ pub enum Placement<S: Scalar> {
     Frame(Frame<S>),
     /// Transformed by any invertible affine map.
     Affine(Affine<S>),
+}
+
+impl<S: Scalar> Placement<S> {
+    /// Where the primitive's origin lies.
+    pub fn position(&self) -> Vec3<S> {
+        match self {
+            Self::World => Vec3::ZERO,
+            Self::Frame(frame) => frame.position(),
+            Self::Affine(affine) => affine.position(),
+        }
+    }
+
+    /// The images of the primitive's x, y and z axes, rounded to the number type; see [`Affine::axes`].
+    ///
+    /// ```
+    /// # use raylet::{Frame, Placement, UnitVec3, Vec3};
+    /// let lying = Placement::from(Frame::from_base_and_axis(Vec3::new(1.0_f32, 0.0, 0.0), UnitVec3::X)?);
+    /// assert_eq!(lying.axes()[1], Vec3::new(1.0, 0.0, 0.0));
+    /// let point = lying.point_to_world(Vec3::new(0.0, 3.0, 0.0));
+    /// assert_eq!((point, lying.point_to_local(point)), (Vec3::new(4.0, 0.0, 0.0), Vec3::new(0.0, 3.0, 0.0)));
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub fn axes(&self) -> [Vec3<S>; 3] {
+        let in_coordinates = |axes: [UnitVec3<S>; 3]| axes.map(|axis| Vec3::round(axis.real()));
+        match self {
+            Self::World => in_coordinates([UnitVec3::X, UnitVec3::Y, UnitVec3::Z]),
+            Self::Frame(frame) => in_coordinates(frame.axes()),
+            Self::Affine(affine) => affine.axes(),
+        }
+    }
+
+    /// A point of the primitive in the world, rounded to nearest.
+    pub fn point_to_world(&self, point: Vec3<S>) -> Vec3<S> {
+        match self {
+            Self::World => point,
+            Self::Frame(frame) => frame.point_to_world(point),
+            Self::Affine(affine) => affine.point_to_world(point),
+        }
+    }
+
+    /// A point of the world in the primitive's coordinates, rounded to nearest: the inverse of the placement.
+    pub fn point_to_local(&self, point: Vec3<S>) -> Vec3<S> {
+        match self {
+            Self::World => point,
+            Self::Frame(frame) => frame.point_to_local(point),
+            Self::Affine(affine) => affine.point_to_local(point),
+        }
+    }
 }
 
 impl<S: Scalar> From<Frame<S>> for Placement<S> {
@@ -196,9 +246,10 @@ impl Visible {
 /// let horn = Shape::new(Cone::open(0.5, 2.0)?).placed(frame).seen_from(Visible::Outside);
 /// let ray = Ray::new(Vec3::new(1.0, 0.0, 0.0), UnitVec3::Z)?;
 /// assert_eq!(horn.nearest(&ray).map(|hit| hit.t), Some(9.5));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// # Ok::<(), raylet::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = ""))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Shape<S: Scalar> {
     primitive: Primitive<S>,
@@ -327,7 +378,7 @@ impl<S: Scalar> Shape<S> {
     /// let box_of_it = rod.placed(Frame::from_base_and_axis(Vec3::ZERO, leaning)?).bounds();
     /// // 3 / sqrt(2) + 1, and 1: the box of the unplaced box would reach up to 5 / sqrt(2).
     /// assert!(box_of_it.high.x < 3.122 && box_of_it.high.z < 1.000_001);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// # Ok::<(), raylet::Error>(())
     /// ```
     pub fn bounds(&self) -> Bounds<S> {
         let hull = self.primitive.hull();

@@ -85,7 +85,7 @@ impl<S: Scalar> Default for Node<S> {
 /// assert_eq!(scene.nearest(&ray, &mut counters).map(|on| on.object), Some(42));
 /// assert_eq!(counters.intersection_tests, 1);
 /// assert!(counters.box_tests < 20);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// # Ok::<(), raylet::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Hierarchy<'a, S> {

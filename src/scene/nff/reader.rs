@@ -280,7 +280,7 @@ impl<'t, 'a, S: Scalar> Reader<'t, 'a, S> {
             if patch {
                 let place = self.numbers.place();
                 let vector = self.numbers.vector("the corner's normal")?;
-                normal = UnitVec3::new(vector).ok_or(NffError { place, reason: Reason::ZeroNormal })?;
+                normal = UnitVec3::new(vector).map_err(|_| NffError { place, reason: Reason::ZeroNormal })?;
             }
             *corner = Corner { point, normal };
         }

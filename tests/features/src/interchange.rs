@@ -1,16 +1,21 @@
 //! The value types go to other crates and come back the same: `mint`, `serde`, `defmt`.
 
-use fixed::types::I16F16;
+use fixed::types::{I2F30, I2F62, I12F20, I16F16, I32F32};
 use raylet::{
-    Bounds, Crossing, Departure, Hit, Hits, Leaving, Part, Range, Ray, RayError, Sphere, UnitVec3, Vec3, Visible,
+    Affine, Bounds, Capsule, Cone, Crossing, Cylinder, Departure, Disc, Frame, FrameError, Hit, Hits, Leaving, Part,
+    Placement, Plane, Primitive, Range, Ray, RayError, Scalar, Shape, Sphere, Triangle, UnitVec3, ValueError, Vec3,
+    Visible,
 };
 use serde::{Serialize, de::DeserializeOwned};
 
-/// Through JSON and back.
+/// Through JSON and back, and through a format that people do not read.
 fn round_trip<T: Serialize + DeserializeOwned + PartialEq + std::fmt::Debug>(value: &T) {
     let text = serde_json::to_string(value).expect("every value can be written");
     let back: T = serde_json::from_str(&text).expect("what was written can be read");
     assert_eq!(&back, value, "{text}");
+    let bytes = postcard::to_stdvec(value).expect("every value can be written");
+    let back: T = postcard::from_bytes(&bytes).expect("what was written can be read");
+    assert_eq!(&back, value, "{bytes:?}");
 }
 
 #[test]
@@ -33,6 +38,97 @@ fn serde_brings_every_value_type_back() {
     }
 }
 
+/// Every primitive, by every constructor.
+fn primitives<S: Scalar>() -> Vec<Primitive<S>> {
+    let n = |value: f64| S::from_f64(value).expect("a number of the type");
+    let corner = |x, y, z| Vec3::from_f64([x, y, z]).expect("numbers of the type");
+    let third = n(1.0 / 3.0);
+    vec![
+        Sphere::new(third).expect("a size").into(),
+        Disc::new(S::BUDGET.smallest_size).expect("a size").into(),
+        Plane::new().into(),
+        Triangle::new(corner(0.1, 0.2, 0.3), corner(1.0, 0.0, 0.0), corner(0.0, 1.0, 0.7)).expect("corners").into(),
+        Capsule::new(third, S::ZERO).expect("sizes").into(),
+        Cylinder::infinite(third).expect("a size").into(),
+        Cylinder::open(third, S::BUDGET.size).expect("sizes").into(),
+        Cylinder::capped(third, n(0.7)).expect("sizes").into(),
+        Cone::double(third).expect("a slope").into(),
+        Cone::nappe(third).expect("a slope").into(),
+        Cone::open(third, n(0.7)).expect("sizes").into(),
+        Cone::capped(third, n(0.7)).expect("sizes").into(),
+        Cone::frustum_open(third, S::ZERO, n(0.7)).expect("sizes").into(),
+        Cone::frustum(third, n(0.1), n(0.7)).expect("sizes").into(),
+    ]
+}
+
+fn shapes_come_back<S: Scalar>() {
+    let position = Vec3::from_f64([0.1, -2.3, 4.7]).expect("numbers of the type");
+    let leaning = UnitVec3::from_f64([1.0, 2.0, -3.0]).expect("it has a length");
+    let frames = [
+        Frame::at(position).expect("near"),
+        Frame::from_base_and_axis(position, leaning).expect("near"),
+        Frame::looking(position, UnitVec3::X, leaning).expect("near"),
+    ];
+    let scale = Vec3::from_f64([0.01, 1.7, 90.0]).expect("numbers of the type");
+    let axes =
+        [[1.0, 0.1, 0.0], [0.0, 0.3, 0.2], [-0.5, 0.0, 7.0]].map(|axis| Vec3::from_f64(axis).expect("in the type"));
+    let affines = [Affine::stretched(frames[1], scale), Affine::new(axes, position)].map(|a| a.expect("a volume"));
+    let placements =
+        [Placement::World].into_iter().chain(frames.map(Placement::from)).chain(affines.map(Placement::from));
+    for placement in placements {
+        round_trip(&placement);
+        for primitive in primitives::<S>() {
+            round_trip(&primitive);
+            for visible in [Visible::Both, Visible::Outside, Visible::Inside] {
+                round_trip(&Shape::new(primitive).placed(placement).seen_from(visible));
+            }
+        }
+    }
+}
+
+#[test]
+fn serde_brings_every_shape_back() {
+    shapes_come_back::<f32>();
+    shapes_come_back::<f64>();
+    shapes_come_back::<I16F16>();
+    shapes_come_back::<I32F32>();
+    shapes_come_back::<I12F20>();
+}
+
+/// Any bits of the type, as text, and back.
+#[test]
+fn fixed_point_numbers_are_decimal_text_and_come_back_to_the_bit() {
+    let vector = Vec3::new(I16F16::from_num(1.5), I16F16::DELTA, -I16F16::ONE);
+    let text = serde_json::to_string(&vector).expect("every value can be written");
+    assert_eq!(text, r#"{"x":"1.5","y":"0.00002","z":"-1"}"#);
+    let mut state = 1_u64;
+    let mut any = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state ^ state >> 31) as i64
+    };
+    for _ in 0..20_000 {
+        let shift = any() as u32 % 64;
+        let raw = any() >> shift;
+        round_trip(&Vec3::new(I16F16::from_bits(raw as i32), I16F16::from_bits(any() as i32), I16F16::MIN));
+        round_trip(&Vec3::new(I32F32::from_bits(raw), I32F32::from_bits(any()), I32F32::MAX));
+        round_trip(&Vec3::new(I2F30::from_bits(raw as i32), I2F30::from_bits(any() as i32), I2F30::MAX));
+        round_trip(&Vec3::new(I2F62::from_bits(raw), I2F62::from_bits(any()), I2F62::MIN));
+    }
+    // As people write them.
+    let written = r#"{"x":1.5,"y":-2,"z":"0.25"}"#;
+    let read: Vec3<I16F16> = serde_json::from_str(written).expect("numbers of the type");
+    assert_eq!(read, Vec3::new(I16F16::from_num(1.5), I16F16::from_num(-2), I16F16::from_num(0.25)));
+    for bad in [
+        r#"{"x":"1.5x","y":0,"z":0}"#,
+        r#"{"x":32768,"y":0,"z":0}"#,
+        r#"{"x":1e9,"y":0,"z":0}"#,
+        r#"{"x":-99999,"y":0,"z":0}"#,
+    ] {
+        let error = serde_json::from_str::<Vec3<I16F16>>(bad).expect_err("no number of the type");
+        assert!(error.to_string().contains("expected a decimal number that the number type can hold"), "{error}");
+    }
+}
+
 #[test]
 fn serde_writes_a_hit_list() {
     let ray = Ray::new(Vec3::new(0.0_f32, 0.0, -3.0), UnitVec3::Z).expect("inside the budget");
@@ -44,12 +140,34 @@ fn serde_writes_a_hit_list() {
 #[test]
 fn serde_refuses_what_a_constructor_refuses() {
     let direction = serde_json::from_str::<UnitVec3<f32>>("[1.0, 1.0, 0.0]").expect_err("its length is not 1");
-    assert!(direction.to_string().starts_with("a direction must have length 1"), "{direction}");
+    assert!(direction.to_string().starts_with("the direction has a length that is not 1: normalise it"), "{direction}");
     let range = serde_json::from_str::<Range<f32>>("[2.0, 1.0]").expect_err("its ends are in the wrong order");
     assert!(range.to_string().starts_with(&RayError::Range.to_string()), "{range}");
+    let sphere = serde_json::from_str::<Sphere<f32>>(r#"{"radius":-1}"#).expect_err("its radius is negative");
+    assert!(sphere.to_string().starts_with("the radius is negative"), "{sphere}");
+    let cone = r#"{"FrustumOpen":{"base_radius":"0","top_radius":"0","height":"1"}}"#;
+    let cone = serde_json::from_str::<Cone<I16F16>>(cone).expect_err("both radii are zero");
+    assert!(cone.to_string().starts_with("the radius is zero"), "{cone}");
+    let skew = r#"{"position":{"x":0,"y":0,"z":0},"axes":[[1,0,0],[0.6,0.8,0],[0,0,1]]}"#;
+    let skew = serde_json::from_str::<Frame<f32>>(skew).expect_err("its axes are not perpendicular");
+    assert!(skew.to_string().starts_with(&FrameError::Axes.to_string()), "{skew}");
+    let left = r#"{"position":{"x":0,"y":0,"z":0},"axes":[[1,0,0],[0,1,0],[0,0,-1]]}"#;
+    let left = serde_json::from_str::<Frame<f32>>(left).expect_err("it is left-handed");
+    assert!(left.to_string().starts_with(&FrameError::Axes.to_string()), "{left}");
+    for rows in [
+        "[[0.5,0,0],1],[[0,0.5,0],1],[[0,0,0],1]",
+        "[[0.5,0,0],1],[[0,0.5,0],1],[[0.5,0,0],1]",
+        "[[0.25,0,0],1],[[0,0.5,0],1],[[0,0,0.5],1]",
+        "[[0.5,0,0],1000],[[0,0.5,0],1],[[0,0,0.5],1]",
+        "[[0.5,0,0],-2147483648],[[0,0.5,0],1],[[0,0,0.5],1]",
+    ] {
+        let affine = format!(r#"{{"position":{{"x":0,"y":0,"z":0}},"inverse":[{rows}]}}"#);
+        let affine = serde_json::from_str::<Affine<f32>>(&affine).expect_err("no placement has such rows");
+        assert!(affine.to_string().starts_with(&FrameError::Singular.to_string()), "{affine}");
+    }
     let ray = r#"{"origin":{"x":3e38,"y":0,"z":0},"direction":[0,0,1],"range":[0,1],"departure":null}"#;
     let ray = serde_json::from_str::<Ray<f32>>(ray).expect_err("its origin is beyond the budget");
-    assert!(ray.to_string().starts_with(&RayError::Origin.to_string()), "{ray}");
+    assert!(ray.to_string().starts_with(&RayError::Origin(ValueError::BeyondBudget).to_string()), "{ray}");
 }
 
 #[test]
@@ -72,7 +190,13 @@ fn defmt_formats_every_value_type() {
     formats::<Departure>();
     formats::<Hit<f32>>();
     formats::<Hits<f32>>();
-    formats::<raylet::Shape<f32>>();
+    formats::<Shape<f32>>();
+    formats::<Hit<I16F16>>();
+    formats::<Hits<I32F32>>();
+    formats::<Ray<I16F16>>();
+    formats::<Bounds<I16F16>>();
+    formats::<Frame<I32F32>>();
+    formats::<raylet::Error>();
     formats::<raylet::FrameError>();
     formats::<raylet::SizeError>();
     formats::<RayError>();

@@ -197,7 +197,7 @@ fn extremes_of_the_types() {
                 let [x, y, z] = [(); 3].map(|()| (random.next() % 3) as f64 - 1.0);
                 if [x, y, z] == [0.0; 3] { [0.0, 1.0, 0.0] } else { support::random::normalize([x, y, z]) }
             };
-            let Some(direction) = UnitVec3::from_components(towards.map(<S::Unit as UnitScalar>::from_f64)) else {
+            let Ok(direction) = UnitVec3::from_components(towards.map(<S::Unit as UnitScalar>::from_f64)) else {
                 continue;
             };
             let Ok(ray) = Ray::new(origin, direction) else { continue };

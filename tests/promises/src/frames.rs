@@ -1,6 +1,7 @@
 //! Frames and matrices: built as people have them in hand, orthonormal, and refused where they span nothing.
 
-use raylet::{Affine, Frame, FrameError, UnitVec3, Vec3};
+use crate::contract_refusals::fault;
+use raylet::{Affine, Capsule, Cylinder, Frame, FrameError, Placement, SizeError, UnitVec3, ValueError, Vec3};
 use support::amount::times;
 use support::cases::{n, v};
 use support::exact_types::Exact;
@@ -11,10 +12,12 @@ every_type!(
     a_frame_at_a_position_is_not_turned,
     a_frame_from_base_and_axis_has_that_axis,
     a_frame_between_two_points_has_their_distance,
+    a_frame_between_equal_points_is_not_turned_and_has_no_height,
     a_frame_looking_forward_leans_up,
     a_frame_from_right_up_forward_keeps_them,
     frames_are_orthonormal,
     frames_refuse_what_spans_no_frame,
+    a_placement_tells_its_axes_and_takes_points_both_ways,
     singular_matrices_are_refused,
 );
 
@@ -79,6 +82,14 @@ fn a_frame_between_two_points_has_their_distance<S: Exact>() {
     assert_right_handed(&frame);
 }
 
+fn a_frame_between_equal_points_is_not_turned_and_has_no_height<S: Exact>() {
+    let p = v::<S>([1.0, 2.0, 3.0]);
+    let (frame, height) = Frame::between(p, p).expect("a point");
+    assert_eq!((frame, height), (Frame::at(p).expect("a point"), S::ZERO));
+    assert!(Capsule::new(n::<S>(1.0), height).is_ok());
+    assert_eq!(Cylinder::capped(n::<S>(1.0), height), Err(SizeError::Height(ValueError::Zero)));
+}
+
 fn a_frame_looking_forward_leans_up<S: Exact>() {
     let frame = Frame::looking(v::<S>([0.0, 1.0, 0.0]), UnitVec3::Z, direction([0.0, 1.0, 1.0])).expect("axes");
     assert_eq!((frame.right(), frame.up(), frame.forward()), (UnitVec3::X, UnitVec3::Y, UnitVec3::Z));
@@ -135,16 +146,16 @@ fn frames_are_orthonormal<S: Exact>() {
 fn frames_refuse_what_spans_no_frame<S: Exact>() {
     let most = S::BUDGET.coordinate;
     for bad in [most.next_up(), -most.next_up(), S::INFINITY, -S::INFINITY] {
+        let error = FrameError::Position(fault(bad.magnitude()));
         let bad = Vec3::new(S::ZERO, bad, S::ZERO);
-        assert_eq!(Frame::at(bad), Err(FrameError::Position));
-        assert_eq!(Frame::from_base_and_axis(bad, UnitVec3::X), Err(FrameError::Position));
-        assert_eq!(Frame::between(bad, Vec3::ZERO), Err(FrameError::Position));
-        assert_eq!(Frame::between(Vec3::ZERO, bad), Err(FrameError::Position));
-        assert_eq!(Frame::looking(bad, UnitVec3::X, UnitVec3::Y), Err(FrameError::Position));
+        assert_eq!(Frame::at(bad), Err(error));
+        assert_eq!(Frame::from_base_and_axis(bad, UnitVec3::X), Err(error));
+        assert_eq!(Frame::between(bad, Vec3::ZERO), Err(error));
+        assert_eq!(Frame::between(Vec3::ZERO, bad), Err(error));
+        assert_eq!(Frame::looking(bad, UnitVec3::X, UnitVec3::Y), Err(error));
     }
     assert!(Frame::at(Vec3::new(most, -most, most)).is_ok());
     let p = v::<S>([1.0, 2.0, 3.0]);
-    assert_eq!(Frame::between(p, p), Err(FrameError::Axes));
     assert_eq!(Frame::looking(p, UnitVec3::X, UnitVec3::X), Err(FrameError::Axes));
     assert_eq!(Frame::looking(p, UnitVec3::X, -UnitVec3::X), Err(FrameError::Axes));
     // Left-handed, or skew.
@@ -153,6 +164,36 @@ fn frames_refuse_what_spans_no_frame<S: Exact>() {
     assert_eq!(Frame::from_right_up_forward(p, x, x, z), Err(FrameError::Axes));
     assert_eq!(Frame::from_right_up_forward(p, x, direction([0.5, 1.0, 0.0]), z), Err(FrameError::Axes));
     assert!(Frame::from_right_up_forward(p, x, y, z).is_ok());
+}
+
+fn a_placement_tells_its_axes_and_takes_points_both_ways<S: Exact>() {
+    let mut random = Random(31);
+    for _ in 0..times(200) {
+        let position = random.point::<S>(4.0);
+        let frame = Frame::looking(position, any_direction(&mut random), any_direction(&mut random)).expect("a frame");
+        let scale = [0.5, 1.0, 3.0];
+        let affine = Affine::stretched(frame, v(scale)).expect("positive factors");
+        let directions = frame.axes().map(UnitVec3::to_f64);
+        let placements = [(Placement::World, [1.0; 3]), (frame.into(), [1.0; 3]), (Placement::from(affine), scale)];
+        for (placement, scale) in placements {
+            let is_world = placement == Placement::World;
+            let expected_position = if is_world { Vec3::ZERO } else { position };
+            assert_eq!(placement.position(), expected_position);
+            let local = random.point::<S>(2.0).to_f64();
+            let mut world = expected_position.to_f64();
+            for (i, axis) in placement.axes().into_iter().enumerate() {
+                let direction =
+                    if is_world { [UnitVec3::<f64>::X, UnitVec3::Y, UnitVec3::Z][i].to_f64() } else { directions[i] };
+                assert!(close(axis.to_f64(), direction.map(|c| c * scale[i]), 8.0 * unit::<S>()), "{placement:?}");
+                for (world, c) in world.iter_mut().zip(direction) {
+                    *world += c * scale[i] * local[i];
+                }
+            }
+            let in_world = placement.point_to_world(v(local));
+            assert!(close(in_world.to_f64(), world, 64.0 * unit::<S>()), "{placement:?}");
+            assert!(close(placement.point_to_local(in_world).to_f64(), local, 64.0 * unit::<S>()), "{placement:?}");
+        }
+    }
 }
 
 fn singular_matrices_are_refused<S: Exact>() {
@@ -165,11 +206,16 @@ fn singular_matrices_are_refused<S: Exact>() {
     // Left-handed is no reason: a mirror image has an inverse.
     assert!(Affine::new([x, y, -z], o).is_ok());
     let far = Vec3::new(S::BUDGET.coordinate.next_up(), S::ZERO, S::ZERO);
-    assert_eq!(Affine::new([x, y, z], far), Err(FrameError::Position));
-    assert_eq!(Affine::new([far, y, z], o), Err(FrameError::Position));
+    let error = fault(far.x);
+    assert_eq!(Affine::new([x, y, z], far), Err(FrameError::Position(error)));
+    assert_eq!(Affine::new([far, y, z], o), Err(FrameError::Axis(error)));
     let frame = Frame::at(o).expect("position");
     for bad in [S::ZERO, -n::<S>(1.0), S::BUDGET.size.next_up(), S::INFINITY] {
-        assert_eq!(Affine::stretched(frame, Vec3::new(n(1.0), bad, n(1.0))), Err(FrameError::Singular), "{bad:?}");
+        assert_eq!(
+            Affine::stretched(frame, Vec3::new(n(1.0), bad, n(1.0))),
+            Err(FrameError::Scale(fault(bad))),
+            "{bad:?}"
+        );
     }
     assert!(Affine::stretched(frame, v([0.5, 1.0, 2.0])).is_ok());
 }

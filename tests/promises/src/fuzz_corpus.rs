@@ -8,7 +8,7 @@ use raylet::scalar::UnitScalar;
 use raylet::tier::Fast;
 use raylet::{
     Capsule, Cone, Crossing, Cylinder, Departure, Disc, Frame, Leaving, Part, Plane, Range, Ray, Scalar, Shape, Sphere,
-    Triangle, UnitVec3, Vec3,
+    Triangle, UnitVec3, ValueError, Vec3,
 };
 use std::fs;
 use std::path::PathBuf;
@@ -165,9 +165,9 @@ fn a_capsule_that_is_left_beyond_the_type_has_no_end_on_a_ball() {
 #[test]
 fn components_that_are_far_too_long_are_refused() {
     let longest = raylet::scalar::Unit::<I16F16>::MIN;
-    assert_eq!(UnitVec3::<I16F16>::from_components([longest; 3]), None);
+    assert_eq!(UnitVec3::<I16F16>::from_components([longest; 3]), Err(ValueError::NotUnit));
     let longest = raylet::scalar::Unit::<I32F32>::MAX;
-    assert_eq!(UnitVec3::<I32F32>::from_components([longest; 3]), None);
+    assert_eq!(UnitVec3::<I32F32>::from_components([longest; 3]), Err(ValueError::NotUnit));
 }
 
 #[test]

@@ -44,6 +44,7 @@ mod oracle_known;
 mod oracle_numbers;
 mod picture;
 mod placement;
+mod rays;
 mod reintersection;
 mod surface;
 mod watertight;

@@ -169,7 +169,7 @@ pub fn exponents<S: Number>() -> &'static [i32] {
 /// A number of an extreme size; none where it is beyond the type.
 pub fn extreme<S: Number>(random: &mut Random) -> S {
     let value = random.pick(&[1.0, 1.0, 1.5, 1.75]) * libm::ldexp(1.0, random.pick(exponents::<S>()));
-    S::from_f64(value).filter(|value| *value <= S::BUDGET.size).unwrap_or(S::BUDGET.size)
+    S::from_f64(value).ok().filter(|value| *value <= S::BUDGET.size).unwrap_or(S::BUDGET.size)
 }
 
 /// A solid of extreme sizes; none where its constructor refuses them.

@@ -133,7 +133,7 @@ fn normals_and_points_are_those_of_the_exact_hit<S: Number, T: Tier<S>>(_: f64) 
             let (shape, ray, line, is_turned) = if round % 2 == 0 {
                 (subject.shape, local, exact_line(&local), false)
             } else {
-                let Some(_) = Vec3::<S>::from_f64(local.origin().to_f64().map(|c| c.abs() + 1_000.0)) else { continue };
+                let Ok(_) = Vec3::<S>::from_f64(local.origin().to_f64().map(|c| c.abs() + 1_000.0)) else { continue };
                 let ray = ray_in(&frame, local.origin().to_f64(), local.direction().to_f64());
                 (subject.shape.placed(frame), ray, line_in(&frame, &subject.solid, &ray), name != "sphere")
             };
@@ -256,7 +256,7 @@ fn tangents_of_an_evenly_stretched_solid_are_its_own<S: Number>() {
         let placed = subject.shape.placed(larger);
         for _ in 0..200 {
             let Some(own) = Workload::Benign.ray(&subject, &mut random) else { continue };
-            let Some(origin) = Vec3::from_f64(own.origin().to_f64().map(|c| 1.5 * c)) else { continue };
+            let Ok(origin) = Vec3::from_f64(own.origin().to_f64().map(|c| 1.5 * c)) else { continue };
             let ray = Ray::new(origin, own.direction()).unwrap();
             let (Some(hit), Some(same)) = (placed.nearest(&ray), subject.shape.nearest(&own)) else { continue };
             if hit.part != same.part {

@@ -4,9 +4,10 @@ use dashu::rational::RBig;
 use fixed::types::extra::{LeEqU32, LeEqU64, U0, U8, U16, U30, U32, U64};
 use fixed::{FixedI32, FixedI64};
 use raylet::scalar::{Real, Scalar, UnitScalar};
-use raylet::{UnitVec3, Vec3};
+use raylet::{UnitVec3, ValueError, Vec3};
 use support::amount::times;
 use support::exact_types::Exact;
+use support::oracle::{Dyadic, Root};
 use support::random::Random;
 
 every_type!(
@@ -18,6 +19,7 @@ every_type!(
     the_fraction_is_what_is_above_the_integer_below,
     levels_are_the_nearest_and_clamped,
     directions_are_unit_for_every_length,
+    directions_of_doubles_have_all_the_bits_of_the_type,
 );
 
 /// The spacing of the type's unit components at one half, and of the type itself at one.
@@ -331,17 +333,14 @@ fn directions_are_unit_for_every_length<S: Exact>() {
         for _ in 0..times(2000) {
             let size = 2.0_f64.powi(exponent / 2) * 2.0_f64.powi(exponent - exponent / 2);
             let v = [(); 3].map(|()| S::from_f64(random.between(-1.0, 1.0) * size).expect("within the type"));
-            let Some(unit) = UnitVec3::new(Vec3::from(v)) else {
+            let Ok(unit) = UnitVec3::new(Vec3::from(v)) else {
                 assert_eq!(v, [S::ZERO; 3], "{}", S::name());
                 continue;
             };
             // component^2 |v|^2 = v^2, exactly but for the rounding of the component.
             let square = v.map(S::exact).iter().fold(RBig::ZERO, |sum, c| sum + c.squared().to_rational());
             for (got, exact) in unit.to_array().into_iter().zip(v) {
-                let ratio = exact.exact().squared().to_rational() / square.clone();
-                let exact_size = support::oracle::Root::from_rationals(&RBig::ZERO, 1, &ratio, &RBig::ONE);
-                let off = exact_size.error_in(&S::exact_unit(got).magnitude(), &support::oracle::Dyadic::from(1));
-                worst = worst.max(off);
+                worst = worst.max(component_error::<S>(got, &exact.exact(), &square));
                 assert!((got < S::Unit::ZERO) == (exact < S::ZERO) || got == S::Unit::ZERO, "{}", S::name());
             }
         }
@@ -350,9 +349,37 @@ fn directions_are_unit_for_every_length<S: Exact>() {
     // Measured 2.1 for floats, 0.71 for fixed point.
     let bound = if S::name().starts_with('f') { 2.3 } else { 0.8 };
     assert!(worst <= bound * component, "{}: {} units", S::name(), worst / component);
-    assert_eq!(UnitVec3::<S>::new(Vec3::ZERO), None);
-    let length = Vec3::<S>::from_f64([3.0, 0.0, -4.0]).map(|v| v.length().to_f64());
+    assert_eq!(UnitVec3::<S>::new(Vec3::ZERO), Err(ValueError::Zero));
+    let length = Vec3::<S>::from_f64([3.0, 0.0, -4.0]).ok().map(|v| v.length().to_f64());
     assert_eq!(length, Some(5.0));
+}
+
+/// How far a component of a direction is from that of a vector, whose length has this square.
+fn component_error<S: Exact>(got: S::Unit, component: &Dyadic, square: &RBig) -> f64 {
+    let ratio = component.squared().to_rational() / square.clone();
+    let size = Root::from_rationals(&RBig::ZERO, 1, &ratio, &RBig::ONE);
+    size.error_in(&S::exact_unit(got).magnitude(), &Dyadic::from(1))
+}
+
+fn directions_of_doubles_have_all_the_bits_of_the_type<S: Exact>() {
+    let (component, _) = units::<S>();
+    let mut random = Random(11);
+    let mut worst = 0.0_f64;
+    for exponent in [-1070, -500, -40, 0, 3, 500, 1022] {
+        for _ in 0..times(500) {
+            let size = 2.0_f64.powi(exponent / 2) * 2.0_f64.powi(exponent - exponent / 2);
+            let v = [(); 3].map(|()| random.between(-1.0, 1.0) * size);
+            let direction = UnitVec3::<S>::from_f64(v).expect("it has a length");
+            let square = v.iter().fold(RBig::ZERO, |sum, c| sum + c.exact().squared().to_rational());
+            for (got, exact) in direction.to_array().into_iter().zip(v) {
+                worst = worst.max(component_error::<S>(got, &exact.exact(), &square));
+                assert!((got < S::Unit::ZERO) == (exact < 0.0) || got == S::Unit::ZERO, "{v:?}");
+            }
+            assert_eq!(UnitVec3::from_components(direction.to_array()), Ok(direction));
+        }
+    }
+    assert!(worst <= 0.501 * component, "{}: {} units", S::name(), worst / component);
+    assert_eq!(UnitVec3::<S>::from_f64([0.0, -1e-300, 0.0]), Ok(-UnitVec3::Y));
 }
 
 #[test]

@@ -22,7 +22,7 @@ fn no_ray_slips_through_a_shared_edge<S: Exact>() {
         let ([ax, ay, az], [cx, cy, cz]) = (a.to_f64(), c.to_f64());
         let target = [ax + (cx - ax) * along, ay + (cy - ay) * along, az + (cz - az) * along];
         let (Ok(left), Ok(right)) = (Triangle::new(a, b, c), Triangle::new(a, c, d)) else { continue };
-        let (origin, target) = (Vec3::from_f64(origin), Vec3::from_f64(target));
+        let (origin, target) = (Vec3::from_f64(origin).ok(), Vec3::from_f64(target).ok());
         let ray = Ray::towards(origin.expect("inside the budget"), target.expect("inside the budget"));
         let Ok(ray) = ray else { continue };
         // A ray that sees the edge as the outline of both triangles may pass beside it.

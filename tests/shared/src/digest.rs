@@ -96,7 +96,8 @@ impl Random {
 fn shape<S: Scalar>(index: usize) -> Option<(&'static str, Shape<S>)> {
     let n = |eighths: i32| S::from_f64(eighths as f64 / 8.0).unwrap_or(S::ZERO);
     let v = |x: i32, y: i32, z: i32| Vec3::new(n(x), n(y), n(z));
-    let frame = || Frame::looking(v(8, -4, 2), UnitVec3::new(v(8, 16, 16))?, UnitVec3::new(v(-3, 9, 1))?).ok();
+    let frame =
+        || Frame::looking(v(8, -4, 2), UnitVec3::new(v(8, 16, 16)).ok()?, UnitVec3::new(v(-3, 9, 1)).ok()?).ok();
     let affine = || Affine::new([v(12, 1, 0), v(-2, 5, 3), v(0, 2, 20)], v(3, -2, 5)).ok();
     let (name, primitive): (&str, Primitive<S>) = match index {
         0 | 13 => ("sphere", Sphere::new(n(9)).ok()?.into()),

@@ -81,7 +81,7 @@ impl<S: Scalar, F: FnMut(Query<S>)> Watched<'_, S, F> {
 
 /// The ray from the surface along `direction`.
 fn leaving<S: Scalar>(surface: &Surface<S>, object: u32, direction: [f64; 3], leaving: Leaving) -> Option<Ray<S>> {
-    let direction = UnitVec3::new(Vec3::from_f64(direction)?)?;
+    let direction = UnitVec3::new(Vec3::from_f64(direction).ok()?).ok()?;
     Some(Ray::new(surface.point(), direction).ok()?.departing(surface.departure(object, leaving)))
 }
 

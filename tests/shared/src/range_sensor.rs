@@ -57,11 +57,11 @@ pub fn solid<S: Scalar>(index: usize) -> Option<Shape<S>> {
     let frame = match index {
         // Lying, in any direction along the ground.
         34..38 => {
-            let forward = UnitVec3::new(point([1.0, 0.0, 0.375 * (index as f64 - 36.0) + 0.125]))?;
+            let forward = UnitVec3::new(point([1.0, 0.0, 0.375 * (index as f64 - 36.0) + 0.125])).ok()?;
             Frame::looking(position, forward, UnitVec3::X).or_else(|_| Frame::looking(position, forward, UnitVec3::Z))
         }
         // Turned away, and leaning.
-        38..40 => Frame::looking(position, UnitVec3::new(point([0.25, 0.125, 1.0]))?, UnitVec3::Y),
+        38..40 => Frame::looking(position, UnitVec3::new(point([0.25, 0.125, 1.0])).ok()?, UnitVec3::Y),
         _ => Frame::at(position),
     };
     Some(shape.placed(frame.ok()?))

@@ -107,7 +107,7 @@ pub fn triangle<S: Scalar>() -> Option<Triangle<S>> {
 
 /// A shape, turned and moved.
 pub fn framed<S: Scalar>(shape: Shape<S>) -> Option<Shape<S>> {
-    let (forward, up) = (UnitVec3::new(vector(8, 16, 16))?, UnitVec3::new(vector(-3, 9, 1))?);
+    let (forward, up) = (UnitVec3::new(vector(8, 16, 16)).ok()?, UnitVec3::new(vector(-3, 9, 1)).ok()?);
     Some(shape.placed(Frame::looking(vector(2, -4, 2), forward, up).ok()?))
 }
 

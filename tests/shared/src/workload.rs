@@ -113,13 +113,13 @@ fn place<S: Scalar>(shape: Shape<S>, placed: Placed, random: &mut Random) -> Opt
         Placed::World => (shape, Vec3::ZERO),
         Placed::Moved => (shape.placed(Frame::at(position).ok()?), position),
         Placed::Turned => {
-            let (forward, up) = (UnitVec3::new(random.point(1))?, UnitVec3::new(random.point(1))?);
+            let (forward, up) = (UnitVec3::new(random.point(1)).ok()?, UnitVec3::new(random.point(1)).ok()?);
             (shape.placed(Frame::looking(position, forward, up).ok()?), position)
         }
         Placed::Stretched => {
             let axes = [[1.5, 0.0, 0.0], [0.0, 0.625, 0.0], [0.0, 0.0, 1.25]].map(|[x, y, z]| {
                 let [dx, dy, dz] = random.point::<S>(1).to_array().map(|c| c.to_f64() / 4.0);
-                Vec3::from_f64([x + dx, y + dy, z + dz])
+                Vec3::from_f64([x + dx, y + dy, z + dz]).ok()
             });
             let [x, y, z] = axes;
             (shape.placed(Affine::new([x?, y?, z?], position).ok()?), position)
@@ -142,15 +142,15 @@ fn towards<S: Scalar>(target: Vec3<S>, rays: Rays, random: &mut Random) -> Optio
     };
     let ([x, y, z], [tx, ty, tz]) = (to_f64(target), to_f64(random.point(1)));
     let [fx, fy, fz] = from.map(|c| c * away);
-    let target = Vec3::from_f64([x + tx, y + ty, z + tz])?;
-    Ray::towards(Vec3::from_f64([x + fx, y + fy, z + fz])?, target).ok()
+    let target = Vec3::from_f64([x + tx, y + ty, z + tz]).ok()?;
+    Ray::towards(Vec3::from_f64([x + fx, y + fy, z + fz]).ok()?, target).ok()
 }
 
 /// A ray that leaves the solid where another one meets it, to either side.
 fn departing<S: Scalar>(shape: &Shape<S>, arriving: &Ray<S>, random: &mut Random) -> Option<Ray<S>> {
     let hit = shape.nearest_at::<Stable>(arriving)?;
     let surface = shape.surface(arriving, &hit);
-    let direction = UnitVec3::new(random.point(1))?;
+    let direction = UnitVec3::new(random.point(1)).ok()?;
     let (d, n) = (direction.to_array(), surface.normal().to_array());
     let along: f64 = d
         .into_iter()

@@ -126,7 +126,7 @@ fn special_point<S: Scalar>(shape: &Shape<S>, random: &mut Random) -> [f64; 3] {
 pub fn ray<S: Scalar>(objects: &[Object<S>], scene: &Scene<'_, S>, random: &mut Random) -> Option<Ray<S>> {
     let far = if random.below(6) == 0 { random.pick(&[10.0, 100.0]) } else { 1.0 };
     let plain = |random: &mut Random| {
-        let from = Vec3::from_f64([(); 3].map(|()| far * random.between(-2.0 * AWAY, 2.0 * AWAY)))?;
+        let from = Vec3::from_f64([(); 3].map(|()| far * random.between(-2.0 * AWAY, 2.0 * AWAY))).ok()?;
         if objects.is_empty() || random.below(8) == 0 {
             return Ray::new(from, direction(random)).ok();
         }
@@ -134,13 +134,13 @@ pub fn ray<S: Scalar>(objects: &[Object<S>], scene: &Scene<'_, S>, random: &mut 
         let target = special_point(&object.shape, random);
         match random.below(3) {
             // From the point, or through it.
-            0 => Ray::new(Vec3::from_f64(target)?, direction(random)).ok(),
+            0 => Ray::new(Vec3::from_f64(target).ok()?, direction(random)).ok(),
             1 => {
                 let along = direction::<S>(random);
                 let back = random.between(0.0, 4.0 * AWAY * far);
-                Ray::new(Vec3::from_f64(add(target, scale(along.to_f64(), -back)))?, along).ok()
+                Ray::new(Vec3::from_f64(add(target, scale(along.to_f64(), -back))).ok()?, along).ok()
             }
-            _ => Ray::towards(from, Vec3::from_f64(target)?).ok(),
+            _ => Ray::towards(from, Vec3::from_f64(target).ok()?).ok(),
         }
     };
     let mut ray = plain(random)?;

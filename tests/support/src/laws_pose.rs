@@ -85,8 +85,8 @@ impl<S: Number> Pose<S> {
         }
         let (from, along) = (self.image(ray.origin().to_f64()), self.image(ray.direction().to_f64()));
         let position = self.position().to_f64();
-        let origin = Vec3::from_f64([0, 1, 2].map(|i| from[i] + position[i]))?;
-        let along = UnitVec3::from_components(normalize(along).map(<S::Unit as UnitScalar>::from_f64))?;
+        let origin = Vec3::from_f64([0, 1, 2].map(|i| from[i] + position[i])).ok()?;
+        let along = UnitVec3::from_components(normalize(along).map(<S::Unit as UnitScalar>::from_f64)).ok()?;
         Ray::new(origin, along).ok()
     }
 
@@ -136,7 +136,7 @@ impl<S: Number> Pose<S> {
                 }
             }
         }
-        UnitVec3::from_components(components)
+        UnitVec3::from_components(components).ok()
     }
 
     /// The most that a length of the world grows in the local frame.

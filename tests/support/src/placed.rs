@@ -50,7 +50,7 @@ impl Placing {
     fn position<S: Exact>(random: &mut Random) -> Option<Vec3<S>> {
         let farthest = (S::BUDGET.coordinate.to_f64() / 4.0).min(1e6);
         let distance = random.pick(&[4.0, 4.0, farthest.min(1_000.0), farthest]);
-        Vec3::from_f64(scale(random.direction(), distance * random.unit()))
+        Vec3::from_f64(scale(random.direction(), distance * random.unit())).ok()
     }
 
     /// A frame anywhere.
@@ -61,7 +61,12 @@ impl Placing {
         }
         // To the last bit of the type's directions: a turn from the coordinates' bits would be too round.
         let [axis, forward] = [random.direction(), random.direction()];
-        Frame::looking(position, UnitVec3::new(Vec3::from_f64(forward)?)?, UnitVec3::new(Vec3::from_f64(axis)?)?).ok()
+        Frame::looking(
+            position,
+            UnitVec3::new(Vec3::from_f64(forward).ok()?).ok()?,
+            UnitVec3::new(Vec3::from_f64(axis).ok()?).ok()?,
+        )
+        .ok()
     }
 
     /// A number of the type between the factor's inverse and the factor, evenly in its logarithm.

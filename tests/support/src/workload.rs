@@ -106,9 +106,9 @@ impl Workload {
 
     /// The ray in the number type.
     pub fn rounded<S: Exact>((origin, direction): Line) -> Option<Ray<S>> {
-        let origin = Vec3::<S>::from_f64(origin)?;
+        let origin = Vec3::<S>::from_f64(origin).ok()?;
         // A direction as fine as the type holds, not as fine as its coordinates.
-        Ray::new(origin, UnitVec3::from_components(direction.map(S::Unit::from_f64))?).ok()
+        Ray::new(origin, UnitVec3::from_components(direction.map(S::Unit::from_f64)).ok()?).ok()
     }
 
     /// The ray itself; or one that departs from one of its hits on the shape.
@@ -123,7 +123,7 @@ impl Workload {
         let any = normalize(add(any, scale(normal, -flat * dot(any, normal))));
         let leads_out = dot(any, normal) > 0.0;
         let direction = if leads_out == (leaving == Leaving::Outwards) { any } else { scale(any, -1.0) };
-        let direction = UnitVec3::from_components(direction.map(S::Unit::from_f64))?;
+        let direction = UnitVec3::from_components(direction.map(S::Unit::from_f64)).ok()?;
         Some(Ray::new(surface.point(), direction).ok()?.departing(surface.departure(0, leaving)))
     }
 

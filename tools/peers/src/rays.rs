@@ -45,5 +45,5 @@ fn moved_aside<S: Number>(subject: &Subject<S>, ray: &Ray<S>, random: &mut Rando
     }
     let across = random.perpendicular(ray.direction().to_array().map(raylet::Scalar::to_f64));
     let origin = add(ray.origin().to_f64(), scale(across, random.between(2.0, 4.0)));
-    Vec3::from_f64(origin).and_then(|origin| Ray::new(origin, ray.direction()).ok()).unwrap_or(*ray)
+    Vec3::from_f64(origin).ok().and_then(|origin| Ray::new(origin, ray.direction()).ok()).unwrap_or(*ray)
 }

@@ -200,9 +200,9 @@ impl<'a, S: Number> Bytes<'a, S> {
         match self.byte() % 9 {
             0 => {
                 let components = [self.raw(), self.raw(), self.raw()].map(S::unit_from_raw);
-                UnitVec3::from_components(components)
+                UnitVec3::from_components(components).ok()
             }
-            1 | 2 => UnitVec3::new(self.vector()),
+            1 | 2 => UnitVec3::new(self.vector()).ok(),
             3 | 4 => unit(lattice(self.byte())),
             5 | 6 => unit([self.short(), self.short(), self.short()].map(f64::from)),
             // Nearly along an axis or a diagonal.
@@ -219,5 +219,5 @@ impl<'a, S: Number> Bytes<'a, S> {
 fn unit<S: Number>([x, y, z]: [f64; 3]) -> Option<UnitVec3<S>> {
     let length = (x * x + y * y + z * z).sqrt();
     let component = |c: f64| <S::Unit as UnitScalar>::from_f64(c / length);
-    UnitVec3::from_components([x, y, z].map(component))
+    UnitVec3::from_components([x, y, z].map(component)).ok()
 }

@@ -173,7 +173,7 @@ fn surface_is_sound<S: Number>(question: &Question<S>, hit: &Hit<S>, is_honest: 
     for direction in [surface.normal(), surface.normal_towards_ray(), tu, tv] {
         // Taken only if it has the length one.
         let unit = UnitVec3::<S>::from_components(direction.to_array());
-        law!(unit == Some(direction), question, "{direction:?} of {hit:?} is no direction");
+        law!(unit == Ok(direction), question, "{direction:?} of {hit:?} is no direction");
     }
     let (u, v) = surface.uv();
     let range = <S::Unit as UnitScalar>::ZERO..=<S::Unit as UnitScalar>::ONE;

@@ -171,18 +171,18 @@ fn in_frame(offset: &[Dyadic; 3], towards: &[Dyadic; 3], axes: &[[Dyadic; 3]; 3]
 /// The case in a number type: the shape, the solid, the ray, and its line as the solid sees it; `None` where the type
 /// cannot hold it.
 fn of_type<S: Exact>(case: &Case) -> Option<(Shape<S>, Solid, Ray<S>, Line)> {
-    let base = Vec3::<S>::from_f64(case.base)?;
+    let base = Vec3::<S>::from_f64(case.base).ok()?;
     let (frame, end) = match case.axis {
         Axis::X => (Frame::from_base_and_axis(base, UnitVec3::X).ok()?, None),
         Axis::Y => (Frame::from_base_and_axis(base, UnitVec3::Y).ok()?, None),
         Axis::Z => (Frame::from_base_and_axis(base, UnitVec3::Z).ok()?, None),
         Axis::To(end) => {
-            let (frame, height) = Frame::between(base, Vec3::from_f64(end)?).ok()?;
+            let (frame, height) = Frame::between(base, Vec3::from_f64(end).ok()?).ok()?;
             (frame, Some(height))
         }
     };
     let (primitive, solid) = build::<S>(case.kind, end)?;
-    let ray = Ray::new(Vec3::from_f64(case.origin)?, direction(case.towards)).ok()?;
+    let ray = Ray::new(Vec3::from_f64(case.origin).ok()?, direction(case.towards)).ok()?;
     let shape = if case.is_unplaced() { Shape::new(primitive) } else { Shape::new(primitive).placed(frame) };
     let [o, p] = [ray.origin(), frame.position()].map(|v| v.to_array().map(S::exact));
     let offset = std::array::from_fn(|i| &o[i] - &p[i]);

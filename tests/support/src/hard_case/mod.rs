@@ -184,7 +184,7 @@ pub const fn two_to(exponent: i32) -> f64 {
 /// The crate's primitive and the oracle's solid, of the same bits; `None` where the type cannot hold a size. `end` is
 /// the height of a solid that reaches to a given end.
 pub fn build<S: Exact>(kind: Kind, end: Option<S>) -> Option<(Primitive<S>, Solid)> {
-    let size = |value: f64| S::from_f64(value).map(|size| (size, size.exact()));
+    let size = |value: f64| S::from_f64(value).ok().map(|size| (size, size.exact()));
     let height = |value: f64| end.map_or_else(|| size(value), |end| Some((end, end.exact())));
     Some(match kind {
         Kind::Ball(r) => {
@@ -242,7 +242,7 @@ pub fn build<S: Exact>(kind: Kind, end: Option<S>) -> Option<(Primitive<S>, Soli
             (raylet::Disc::new(r).ok()?.into(), Solid::Disc { radius })
         }
         Kind::Triangle(corners) => {
-            let [a, b, c] = corners.map(Vec3::<S>::from_f64);
+            let [a, b, c] = corners.map(|corner| Vec3::<S>::from_f64(corner).ok());
             let corners = [a?, b?, c?];
             let [a, b, c] = corners;
             let vertices: [[Dyadic; 3]; 3] = corners.map(|corner| corner.to_array().map(S::exact));

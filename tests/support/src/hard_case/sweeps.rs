@@ -226,7 +226,7 @@ pub fn ever_farther<S: Exact, T: Tier<S>>(tally: &mut Tally<'_, S>) {
             for aim in [[0.25, 0.5, -0.125], [0.3, 0.7, -0.2]] {
                 for away in (1..40).chain((40..308).step_by(20)).map(|power| 10.0_f64.powi(power)) {
                     let origin = std::array::from_fn(|i| aim[i] - away * along[i]);
-                    let Some(origin) = Vec3::<S>::from_f64(origin) else { break };
+                    let Ok(origin) = Vec3::<S>::from_f64(origin) else { break };
                     let Ok(ray) = Ray::new(origin, direction(along)) else { break };
                     if tally.is_a_point(0.5, away) {
                         break;

@@ -65,7 +65,7 @@ fn past<S: Plain>(query: &Query<S>, random: &mut Random) -> Option<Query<S>> {
     let target = add(origin, scale(query.ray.direction().to_f64(), hit.t.to_f64()));
     let beside = add(target, scale(random.direction(), random.between(1.0, 4.0)));
     let direction = normalize(add(beside, scale(origin, -1.0))).map(S::Unit::from_f64);
-    let ray = Ray::new(query.ray.origin(), UnitVec3::from_components(direction)?).ok()?;
+    let ray = Ray::new(query.ray.origin(), UnitVec3::from_components(direction).ok()?).ok()?;
     (!query.shape.occludes(&ray)).then_some(Query { ray, ..*query })
 }
 

@@ -60,8 +60,8 @@ pub fn flake<S: Scalar>(count: usize) -> Option<Vec<Object<S>>> {
         balls.extend(directions().map(|[dx, dy, dz]| ([x + away * dx, y + away * dy, z + away * dz], radius / 3.0)));
     }
     let object = |(centre, radius)| {
-        let sphere = Shape::new(Sphere::new(S::from_f64(radius)?).ok()?);
-        Some(Object::new(sphere.placed(Frame::at(Vec3::from_f64(centre)?).ok()?), 0))
+        let sphere = Shape::new(Sphere::new(S::from_f64(radius).ok()?).ok()?);
+        Some(Object::new(sphere.placed(Frame::at(Vec3::from_f64(centre).ok()?).ok()?), 0))
     };
     balls.into_iter().map(object).collect()
 }

@@ -16,18 +16,18 @@ pub const PICTURES: [&str; 6] =
 type Objects<S> = Vec<Object<S>>;
 
 fn point<S: Scalar>(at: [f64; 3]) -> Option<Vec3<S>> {
-    Vec3::from_f64(at)
+    Vec3::from_f64(at).ok()
 }
 
 fn ball<S: Scalar>(at: [f64; 3], radius: f64) -> Option<Object<S>> {
-    let shape = Shape::new(Sphere::new(S::from_f64(radius)?).ok()?);
+    let shape = Shape::new(Sphere::new(S::from_f64(radius).ok()?).ok()?);
     Some(Object::new(shape.placed(Frame::at(point(at)?).ok()?), 0))
 }
 
 /// From one point to another, as wide at the ends as given.
 fn tube<S: Scalar>(from: [f64; 3], to: [f64; 3], radii: [f64; 2]) -> Option<Object<S>> {
     let (frame, length) = Frame::between(point(from)?, point(to)?).ok()?;
-    let [base, top] = radii.map(S::from_f64);
+    let [base, top] = radii.map(|radius| S::from_f64(radius).ok());
     let shape = if radii[0] == radii[1] {
         Shape::new(Cylinder::capped(base?, length).ok()?)
     } else {
@@ -100,8 +100,8 @@ fn mountains<S: Scalar>() -> Option<Objects<S>> {
 fn tests_of<S: Scalar>(objects: &[Object<S>]) -> Option<Vec<Query<S>>> {
     let eye = point([2.3, 1.9, 3.1])?;
     let up = point([0.0, 1.0, 0.0])?;
-    let materials = [Material::default().with_mirror(S::from_f64(0.5)?)];
-    let camera = Camera::new(eye, Vec3::ZERO, up, S::from_f64(45.0)?).ok()?;
+    let materials = [Material::default().with_mirror(S::from_f64(0.5).ok()?)];
+    let camera = Camera::new(eye, Vec3::ZERO, up, S::from_f64(45.0).ok()?).ok()?;
     let mut nodes = vec![Node::EMPTY; Hierarchy::<S>::nodes_for(objects.len())];
     let hierarchy = Hierarchy::build(objects, &mut nodes).ok()?;
     let scene = Scene::new(objects, &materials, &[], camera).ok()?.with_hierarchy(&hierarchy).ok()?;

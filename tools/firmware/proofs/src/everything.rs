@@ -145,7 +145,7 @@ pub fn effort<S: Any + Certain>() -> Option<()> {
 /// Vectors, directions and frames by themselves.
 pub fn geometry<S: Any>() -> Option<()> {
     let (a, b) = (any_point::<S>(), any_point::<S>());
-    give((a + b, a - b, -a, a.length(), a.normalized(), a.is_within_budget()));
+    give((a + b, a - b, -a, a.length(), UnitVec3::new(a), a.is_within_budget()));
     let (d, e) = (any_direction::<S>(), any_direction::<S>());
     give((-d, a.dot(d), d.dot(e), UnitVec3::<S>::from_real(d.cross(e)), d.perpendicular()));
     give(UnitVec3::<S>::from_components(e.to_array()));
@@ -173,5 +173,6 @@ pub fn host_conversions<S: Any>() {
     give(S::from_f64(f64::any()));
     give(S::any().to_f64());
     give(Vec3::<S>::from_f64([f64::any(); 3]));
+    give(UnitVec3::<S>::from_f64([f64::any(); 3]));
     give((any_point::<S>().to_f64(), any_direction::<S>().to_f64()));
 }

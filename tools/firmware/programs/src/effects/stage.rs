@@ -24,8 +24,8 @@ pub struct Stage<S: Scalar> {
 impl<S: Scalar> Stage<S> {
     /// The scene that calls for these effects; `None` if the number type cannot hold it.
     pub fn calling_for(effects: EffectSet) -> Option<Self> {
-        let point = |x, y, z| Vec3::from_f64([x, y, z]);
-        let number = S::from_f64;
+        let point = |x, y, z| Vec3::from_f64([x, y, z]).ok();
+        let number = |value| S::from_f64(value).ok();
         let standing = |shape: Shape<S>, x, z| Some(Object::new(shape.placed(Frame::at(point(x, 0.0, z)?).ok()?), 1));
         let objects = [
             Object::new(Shape::new(Plane::new()), 0),
@@ -35,7 +35,7 @@ impl<S: Scalar> Stage<S> {
         ];
         let lit = effects.contains(Effect::Diffuse) || effects.contains(Effect::Specular);
         let strength = number(if lit { 0.7 } else { 0.0 })?;
-        let lights = [([-5.0, 8.0, 6.0]), ([4.0, 6.0, 7.0])].map(|at| Some(Light::new(Vec3::from_f64(at)?, strength)));
+        let lights = [([-5.0, 8.0, 6.0]), ([4.0, 6.0, 7.0])].map(|at| Some(Light::new(Vec3::from_f64(at).ok()?, strength)));
         let [first, second] = lights;
         let mut materials = [Material::matte(Color::from_f64([0.8, 0.7, 0.6])); 2];
         for material in &mut materials {

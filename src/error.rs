@@ -1,0 +1,70 @@
+//! One error for all constructors, so that `?` carries any of theirs.
+
+use crate::effect::EffectError;
+use crate::frame::FrameError;
+use crate::primitive::SizeError;
+use crate::ray::RayError;
+use crate::scalar::ValueError;
+use crate::scene::nff::NffError;
+use crate::scene::{CameraError, HierarchyError, SceneError};
+use core::fmt;
+
+/// Defines the enum of all errors, and how each becomes one.
+macro_rules! errors {
+    ($($(#[$doc:meta])+ $Variant:ident($Error:ty),)+) => {
+        /// Any error of the library: each of the others becomes one by [`From`], and so by `?`. Its message is theirs.
+        ///
+        /// ```
+        /// use raylet::{Capsule, Error, Frame, Ray, Shape, Vec3};
+        /// fn rail(from: [f64; 3], to: [f64; 3], radius: f32) -> Result<Shape<f32>, Error> {
+        ///     let (frame, height) = Frame::between(Vec3::from_f64(from)?, Vec3::from_f64(to)?)?;
+        ///     Ok(Shape::new(Capsule::new(radius, height)?).placed(frame))
+        /// }
+        /// assert!(rail([0.0; 3], [0.0, 2.0, 0.0], 0.5).is_ok());
+        /// assert_eq!(rail([0.0; 3], [0.0, 2.0, 0.0], -0.5).unwrap_err().to_string(), "the radius is negative");
+        /// ```
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        #[non_exhaustive]
+        pub enum Error {
+            $($(#[$doc])+ $Variant($Error),)+
+        }
+
+        $(
+            impl From<$Error> for Error {
+                fn from(error: $Error) -> Self {
+                    Self::$Variant(error)
+                }
+            }
+        )+
+
+        impl fmt::Display for Error {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                match self { $(Self::$Variant(error) => error.fmt(f),)+ }
+            }
+        }
+    };
+}
+
+errors! {
+    /// Of a number or a vector.
+    Value(ValueError),
+    /// Of a primitive.
+    Size(SizeError),
+    /// Of a ray or its range.
+    Ray(RayError),
+    /// Of a frame or an affine placement.
+    Frame(FrameError),
+    /// Of a camera.
+    Camera(CameraError),
+    /// Of a scene.
+    Scene(SceneError),
+    /// Of a hierarchy.
+    Hierarchy(HierarchyError),
+    /// Of a scene file.
+    Nff(NffError),
+    /// Of a picture that lacks an effect.
+    Effect(EffectError),
+}
+
+impl core::error::Error for Error {}

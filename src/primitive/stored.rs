@@ -1,0 +1,145 @@
+//! Primitives as they are stored: by constructor and sizes, which the constructor checks on the way in.
+
+use super::outline::Outline;
+use super::{Capsule, Cone, Cylinder, Disc, Plane, SizeError, Sphere, Triangle, cone, cylinder};
+use crate::scalar::Scalar;
+use crate::scalar::written;
+use crate::vector::Vec3;
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
+
+#[derive(Serialize, Deserialize)]
+#[serde(bound = "S: Scalar")]
+struct Round<S> {
+    #[serde(with = "written")]
+    radius: S,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(bound = "S: Scalar")]
+struct Long<S> {
+    #[serde(with = "written")]
+    radius: S,
+    #[serde(with = "written")]
+    height: S,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(bound = "S: Scalar")]
+enum AnyCylinder<S> {
+    Infinite(Round<S>),
+    Open(Long<S>),
+    Capped(Long<S>),
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(bound = "S: Scalar")]
+struct Radii<S> {
+    #[serde(with = "written")]
+    base_radius: S,
+    #[serde(with = "written")]
+    top_radius: S,
+    #[serde(with = "written")]
+    height: S,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(bound = "S: Scalar")]
+struct Sloped<S> {
+    #[serde(with = "written")]
+    slope: S,
+    #[serde(with = "written")]
+    height: S,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(bound = "S: Scalar")]
+enum AnyCone<S> {
+    Double {
+        #[serde(with = "written")]
+        slope: S,
+    },
+    Nappe {
+        #[serde(with = "written")]
+        slope: S,
+    },
+    Open(Sloped<S>),
+    Capped(Sloped<S>),
+    FrustumOpen(Radii<S>),
+    Frustum(Radii<S>),
+}
+
+/// Implements both traits of a primitive by the form in which it is stored.
+macro_rules! stored {
+    ($Primitive:ident, $Stored:ty, |$primitive:ident| $to:expr, |$stored:pat_param| $from:expr) => {
+        impl<S: Scalar> Serialize for $Primitive<S> {
+            fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
+                let $primitive = self;
+                let stored: $Stored = $to;
+                stored.serialize(serializer)
+            }
+        }
+
+        impl<'de, S: Scalar> Deserialize<'de> for $Primitive<S> {
+            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                let $stored = <$Stored>::deserialize(deserializer)?;
+                let built: Result<Self, SizeError> = $from;
+                built.map_err(D::Error::custom)
+            }
+        }
+    };
+}
+
+stored!(Sphere, Round<S>, |sphere| Round { radius: sphere.radius() }, |Round { radius }| Sphere::new(radius));
+stored!(Disc, Round<S>, |disc| Round { radius: disc.radius() }, |Round { radius }| Disc::new(radius));
+stored!(
+    Capsule,
+    Long<S>,
+    |capsule| Long { radius: capsule.radius(), height: capsule.height() },
+    |Long { radius, height }| Capsule::new(radius, height)
+);
+stored!(Triangle, [Vec3<S>; 3], |triangle| triangle.vertices(), |[a, b, c]| Triangle::new(a, b, c));
+stored!(
+    Cylinder,
+    AnyCylinder<S>,
+    |cylinder| {
+        let radius = cylinder.radius();
+        match cylinder.extent {
+            cylinder::Extent::Infinite => AnyCylinder::Infinite(Round { radius }),
+            cylinder::Extent::Open(height) => AnyCylinder::Open(Long { radius, height }),
+            cylinder::Extent::Capped(height) => AnyCylinder::Capped(Long { radius, height }),
+        }
+    },
+    |stored| match stored {
+        AnyCylinder::Infinite(Round { radius }) => Cylinder::infinite(radius),
+        AnyCylinder::Open(Long { radius, height }) => Cylinder::open(radius, height),
+        AnyCylinder::Capped(Long { radius, height }) => Cylinder::capped(radius, height),
+    }
+);
+stored!(
+    Cone,
+    AnyCone<S>,
+    |cone| match (cone.outline, cone.extent) {
+        (Outline::Slope(slope), cone::Extent::Nappe) => AnyCone::Nappe { slope },
+        (Outline::Slope(slope), cone::Extent::Open(height)) => AnyCone::Open(Sloped { slope, height }),
+        (Outline::Slope(slope), cone::Extent::Capped(height)) => AnyCone::Capped(Sloped { slope, height }),
+        (Outline::Radii(base_radius, top_radius, height), cone::Extent::Open(_)) => {
+            AnyCone::FrustumOpen(Radii { base_radius, top_radius, height })
+        }
+        (Outline::Slope(slope), cone::Extent::Double) => AnyCone::Double { slope },
+        // A frustum has no other extent than open and capped.
+        (Outline::Radii(base_radius, top_radius, height), _) => {
+            AnyCone::Frustum(Radii { base_radius, top_radius, height })
+        }
+    },
+    |stored| match stored {
+        AnyCone::Double { slope } => Cone::double(slope),
+        AnyCone::Nappe { slope } => Cone::nappe(slope),
+        AnyCone::Open(Sloped { slope, height }) => Cone::open(slope, height),
+        AnyCone::Capped(Sloped { slope, height }) => Cone::capped(slope, height),
+        AnyCone::FrustumOpen(Radii { base_radius, top_radius, height }) => {
+            Cone::frustum_open(base_radius, top_radius, height)
+        }
+        AnyCone::Frustum(Radii { base_radius, top_radius, height }) => Cone::frustum(base_radius, top_radius, height),
+    }
+);
+stored!(Plane, (), |_plane| (), |()| Ok(Plane::new()));

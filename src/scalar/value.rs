@@ -1,0 +1,80 @@
+//! What can be wrong with a value that a constructor is given.
+
+use super::Scalar;
+use core::fmt;
+
+/// What is wrong with a number or a vector. The errors of constructors hold it, and say of which value it is.
+///
+/// ```
+/// use fixed::types::I16F16;
+/// use raylet::{SizeError, Sphere, ValueError};
+/// // A unit of the type is 1.5e-5: a millionth is rounded to zero before a constructor sees it.
+/// let error = Sphere::new(I16F16::from_num(1e-6)).unwrap_err();
+/// assert_eq!(error, SizeError::Radius(ValueError::Zero));
+/// assert_eq!(Sphere::new(-1.0_f32).unwrap_err().to_string(), "the radius is negative");
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum ValueError {
+    /// It is NaN, infinite, or the value of a fixed type that stands for infinity ([`Scalar::INFINITY`]).
+    NotFinite,
+    /// It is below zero where there is no such thing.
+    Negative,
+    /// It is zero where there must be something: given as zero, or rounded to it, since it was below one unit of the number type.
+    Zero,
+    /// It is above zero and below the least that the [`Budget`](super::Budget) has of its kind.
+    BelowBudget,
+    /// Its magnitude is beyond the [`Budget`](super::Budget) of the number type.
+    BeyondBudget,
+    /// Its magnitude is beyond what the number type can hold.
+    BeyondType,
+    /// Its length is not 1.
+    NotUnit,
+}
+
+impl ValueError {
+    /// What is wrong with a size that is not between `least` and the largest of its kind.
+    #[cold]
+    pub(crate) fn of_size<S: Scalar>(size: S, least: S) -> Self {
+        if !size.is_finite() {
+            Self::NotFinite
+        } else if size < S::ZERO {
+            Self::Negative
+        } else if size == S::ZERO {
+            Self::Zero
+        } else if size < least {
+            Self::BelowBudget
+        } else {
+            Self::BeyondBudget
+        }
+    }
+
+    /// What is wrong with a point or vector that is not within the budget.
+    #[cold]
+    pub(crate) fn of_point<S: Scalar>(components: [S; 3]) -> Self {
+        if components.iter().all(|c| c.is_finite()) { Self::BeyondBudget } else { Self::NotFinite }
+    }
+
+    /// What is wrong with a vector that has no direction.
+    #[cold]
+    pub(crate) fn of_direction<S: Scalar>(components: [S; 3]) -> Self {
+        if components.iter().all(|c| c.is_finite()) { Self::Zero } else { Self::NotFinite }
+    }
+}
+
+impl fmt::Display for ValueError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::NotFinite => "is not finite",
+            Self::Negative => "is negative",
+            Self::Zero => "is zero, or was below one unit of the number type and was rounded to zero",
+            Self::BelowBudget => "is below the least that the number type's budget allows",
+            Self::BeyondBudget => "is beyond the number type's budget",
+            Self::BeyondType => "is beyond what the number type can hold",
+            Self::NotUnit => "has a length that is not 1",
+        })
+    }
+}
+
+impl core::error::Error for ValueError {}
