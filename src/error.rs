@@ -7,6 +7,7 @@ use crate::ray::RayError;
 use crate::scalar::ValueError;
 use crate::scene::nff::NffError;
 use crate::scene::{CameraError, HierarchyError, SceneError};
+use core::convert::Infallible;
 use core::fmt;
 
 /// Defines the enum of all errors, and how each becomes one.
@@ -65,6 +66,13 @@ errors! {
     Nff(NffError),
     /// Of a picture that lacks an effect.
     Effect(EffectError),
+}
+
+/// So that `?` also passes over what cannot fail, as drawing on most buffers.
+impl From<Infallible> for Error {
+    fn from(never: Infallible) -> Self {
+        match never {}
+    }
 }
 
 impl core::error::Error for Error {}

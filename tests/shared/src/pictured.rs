@@ -97,7 +97,7 @@ fn refracted(d: [f64; 3], n: [f64; 3], along: f64, index: f64) -> Option<[f64; 3
 }
 
 /// Some of the tests, evenly, that the rays which begin with these put to the objects.
-pub fn tests<S: Scalar>(view: View<'_, S>, rays: impl Iterator<Item = Ray<S>> + Clone) -> Tests<S> {
+pub fn tests<S: Scalar>(view: View<'_, S>, rays: &(impl Iterator<Item = Ray<S>> + Clone)) -> Tests<S> {
     let each = |test: &mut dyn FnMut(Query<S>)| {
         for ray in rays.clone() {
             Watched { view, ray, test: &mut *test }.follow(&ray, view.depth);
@@ -126,5 +126,5 @@ pub fn of_built_in<S: Scalar>(scene: BuiltIn) -> Option<Tests<S>> {
     let rays = (0..rows)
         .flat_map(|row| (0..columns).map(move |column| [column, row]))
         .filter_map(|pixel| raster.ray(pixel, [0, 0]));
-    Some(tests(View { scene: &scene, lamp, depth: DEPTH }, rays))
+    Some(tests(View { scene: &scene, lamp, depth: DEPTH }, &rays))
 }

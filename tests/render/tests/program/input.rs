@@ -5,8 +5,8 @@ use crate::support::{Folder, LIGHT, VIEW, ball};
 #[test]
 fn a_hyphen_reads_standard_input() {
     let folder = Folder::with(ball());
-    folder.run("scene.nff -o a.ppm").is_content();
-    let said = folder.run_with_input("-", ball().as_bytes()).is_content();
+    folder.run("scene.nff -o a.ppm").succeeds_silently();
+    let said = folder.run_with_input("-", ball().as_bytes()).succeeds_silently();
     assert!(said.output.ends_with("written: out/stdin.ppm, out/stdin.png\n"), "{said:?}");
     assert_eq!(folder.pixels("out/stdin.ppm"), folder.pixels("a.ppm"));
     folder
@@ -25,7 +25,7 @@ fn lines_end_in_any_of_the_three_ways() {
         let folder = Folder::with(lines.join(end));
         folder.run("scene.nff").fails(&format!("scene.nff, line 5, column 7: the sphere's centre {number}"));
         let folder = Folder::with(lines[..4].join(end));
-        folder.run("scene.nff -o a.ppm").is_content();
+        folder.run("scene.nff -o a.ppm").succeeds_silently();
         pictures.push(folder.pixels("a.ppm"));
     }
     assert!(pictures[0].iter().any(|pixel| pixel[0] > 100));
@@ -35,10 +35,10 @@ fn lines_end_in_any_of_the_three_ways() {
 #[test]
 fn a_byte_that_is_no_text_is_no_error_in_a_comment() {
     let folder = Folder::with(ball());
-    folder.run("scene.nff -o a.ppm").is_content();
+    folder.run("scene.nff -o a.ppm").succeeds_silently();
     // Latin 1, and a cut-off sequence at the end of a line.
     let folder_2 = Folder::with([b"# caf\xe9 \xff\xfe\n", ball().as_bytes(), b"# na\xc3\n# \xe2\x82"].concat());
-    folder_2.run("scene.nff -o a.ppm").is_content();
+    folder_2.run("scene.nff -o a.ppm").succeeds_silently();
     assert_eq!(folder_2.pixels("a.ppm"), folder.pixels("a.ppm"));
 }
 

@@ -9,7 +9,7 @@ const PICTURES: [&str; 2] = ["out/scene.png", "out/scene.ppm"];
 /// The files that a run adds to a folder with a scene.
 fn written(arguments: &str) -> Vec<String> {
     let folder = Folder::with(ball());
-    folder.run(&format!("scene.nff {arguments}")).is_content();
+    folder.run(&format!("scene.nff {arguments}")).succeeds_silently();
     folder.files().into_iter().filter(|name| name != "scene.nff" && !name.ends_with('/')).collect()
 }
 
@@ -43,9 +43,9 @@ fn a_folder_holds_the_picture_under_the_name_of_the_scene() {
     assert_eq!(written("-o new.png/"), ["new.png/scene.png", "new.png/scene.ppm"]);
     let folder = Folder::with(ball());
     fs::create_dir(folder.path("old.png")).unwrap();
-    folder.run("scene.nff -o old.png").is_content();
+    folder.run("scene.nff -o old.png").succeeds_silently();
     assert_eq!(folder.files(), ["old.png/", "old.png/scene.png", "old.png/scene.ppm", "scene.nff"]);
-    folder.run("--scene glass --size 4x3 -o old.png").is_content();
+    folder.run("--scene glass --size 4x3 -o old.png").succeeds_silently();
     assert!(folder.path("old.png/glass.ppm").exists());
 }
 
@@ -100,14 +100,14 @@ fn without_a_picture_no_file_is_touched() {
 fn a_longer_file_is_replaced_whole() {
     let folder = Folder::with(ball());
     fs::write(folder.path("a.ppm"), [b'x'; 9999]).unwrap();
-    folder.run("scene.nff -o a.ppm").is_content();
+    folder.run("scene.nff -o a.ppm").succeeds_silently();
     assert_eq!(folder.pixels("a.ppm").len(), 48);
 }
 
 #[test]
 fn a_hyphen_writes_to_standard_output_and_reports_on_standard_error() {
     let folder = Folder::with(ball());
-    folder.run("scene.nff -o a.ppm").is_content();
+    folder.run("scene.nff -o a.ppm").succeeds_silently();
     for output in ["-", "/dev/stdout"] {
         let run = folder.command(&format!("scene.nff -o {output}")).output().unwrap();
         assert_eq!(pixels(&run.stdout), folder.pixels("a.ppm"));
@@ -123,7 +123,7 @@ fn a_hyphen_writes_to_standard_output_and_reports_on_standard_error() {
 #[test]
 fn a_device_takes_a_picture_and_stays_what_it_is() {
     let folder = Folder::with(ball());
-    folder.run("scene.nff -o /dev/null").is_content();
+    folder.run("scene.nff -o /dev/null").succeeds_silently();
     assert_eq!(folder.files(), ["scene.nff"]);
     assert!(!fs::exists("/dev/null.ppm").unwrap());
 }
@@ -187,7 +187,7 @@ fn pictures_too_large_for_memory_are_refused_before_tracing() {
 fn loading_is_part_of_the_time() {
     let text = ball() + &"s 9 9 9 1\n".repeat(100_000);
     let folder = Folder::with(text);
-    let said = folder.run("scene.nff --size 1x1 --threads 1").is_content();
+    let said = folder.run("scene.nff --size 1x1 --threads 1").succeeds_silently();
     let time = said.output.lines().find_map(|line| line.strip_prefix("time: ")).unwrap();
     let (all, rest) = time.split_once(" s, ").unwrap();
     let (loading, _) = rest.split_once(" s of them loading; ").unwrap();

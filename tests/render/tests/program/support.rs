@@ -148,7 +148,7 @@ impl Said {
 
     /// It did what it was asked for, and saw nothing odd.
     #[track_caller]
-    pub(crate) fn is_content(self) -> Self {
+    pub(crate) fn succeeds_silently(self) -> Self {
         assert_eq!((self.code, self.error.as_str()), (Some(0), ""), "{self:?}");
         self
     }

@@ -35,19 +35,23 @@ const SPHERE: &str = "sphere";
 const CYLINDER: &str = "cylinder capped";
 const CONE: &str = "cone capped";
 
-fn by_chip(study: &Study) -> Vec<Advice> {
+/// Which number type of 64 bits takes fewer instructions where floats are software.
+fn cheaper_of_64_bits(study: &Study) -> String {
     let benign = |number, tier| Row(number, tier, SPHERE, "benign");
-    // Of two number types of 64 bits the one that takes fewer instructions on most of these chips.
+    // The one that takes fewer instructions on most of these chips.
     let fewer = |tier| {
         let is_fixed =
             |chip: &&&str| cost(study, chip, &benign("I32F32", tier)) < cost(study, chip, &benign("f64", tier));
         if NO_UNIT.iter().filter(is_fixed).count() * 2 > NO_UNIT.len() { "`I32F32`" } else { "`f64`" }
     };
-    let wide = match [fewer("Fast"), fewer("Stable")] {
+    match [fewer("Fast"), fewer("Stable")] {
         [fast, stable] if fast == stable => format!("{fast} takes fewer instructions for a sphere"),
         [fast, stable] => format!("{fast} takes fewer instructions for a sphere in `Fast`, and {stable} in `Stable`"),
-    };
-    // The solids for which `f32` takes fewer instructions than `I16F16` on a chip that computes in it.
+    }
+}
+
+/// Which solids take fewer instructions in `f32` than in `I16F16` on a chip that computes in it.
+fn cheaper_with_a_unit(study: &Study) -> String {
     let (in_float, in_fixed): (Vec<_>, Vec<_>) =
         [(SPHERE, "spheres"), (CYLINDER, "capped cylinders"), (CONE, "capped cones")].into_iter().partition(
             |(solid, _)| {
@@ -57,7 +61,7 @@ fn by_chip(study: &Study) -> Vec<Advice> {
             },
         );
     let listed = |solids: &[(&str, &str)]| solids.iter().map(|(_, plural)| *plural).collect::<Vec<_>>().join(" and ");
-    let single = match (in_float.as_slice(), in_fixed.as_slice()) {
+    match (in_float.as_slice(), in_fixed.as_slice()) {
         (_, []) => "In `Stable` it takes fewer instructions than `I16F16` for all solids.".to_string(),
         ([], _) => "In `Stable` `I16F16` takes fewer instructions for all solids, if coordinates fit it.".to_string(),
         (float, fixed) => format!(
@@ -65,7 +69,12 @@ fn by_chip(study: &Study) -> Vec<Advice> {
             listed(float),
             listed(fixed)
         ),
-    };
+    }
+}
+
+fn by_chip(study: &Study) -> Vec<Advice> {
+    let benign = |number, tier| Row(number, tier, SPHERE, "benign");
+    let [wide, single] = [cheaper_of_64_bits(study), cheaper_with_a_unit(study)];
     vec![
         advice(
             "No floating-point unit (M0+, M3, RV32IMC):",

@@ -113,7 +113,7 @@ fn tests_of<S: Scalar>(objects: &[Object<S>]) -> Option<Vec<Query<S>>> {
         Ray::towards(eye, point([u * 0.8, v * 0.9, -u * 0.6])?).ok()
     });
     let view = View { scene: &scene, lamp: point([4.0, 6.0, 1.0])?, depth: 1 };
-    Some(tests(view, rays).into_iter().collect())
+    Some(tests(view, &rays).into_iter().collect())
 }
 
 /// The tests of each picture.

@@ -64,7 +64,7 @@ fn panels<'a>(study: &'a Study, chip: Option<&Chip>, primitive: &str) -> Vec<(St
         return study
             .timed("f32", primitive)
             .into_iter()
-            .map(|workload| (workload.to_string(), points(study, primitive, &workload, time)))
+            .map(|workload| (workload.clone(), points(study, primitive, &workload, time)))
             .collect();
     };
     let solid = primitive.replacen(' ', ", ", 1);
