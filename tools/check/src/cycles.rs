@@ -15,7 +15,7 @@ a clock that adds up what each instruction takes by its class. The latencies are
 [tools/cycles/latencies.toml](../tools/cycles/latencies.toml), from the manuals of the Cortex-M0+ (with the multiplier of one cycle), the
 Cortex-M3, the Cortex-M4F, and for RV32IMC of Hazard3, the core of the RP2350. These cycles are a **model, not a measurement**: memory
 answers at once, instructions and data alike, where the flash of many chips does not; where a manual gives a range, the most counts. With an
-instruction as a cycle, Unicorn counts what QEMU does: `.ci/cycles` compares both. Cycles of what users do, and of all other questions, are
+instruction as a cycle, Unicorn counts what QEMU does: `.ci/cycles` compares both. Cycles of what users do, and of all other queries, are
 in [data/cycles](../data/cycles).
 
 Cycles an instruction, of nearest hits: the median over all solids below and all tiers.

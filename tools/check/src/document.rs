@@ -38,8 +38,8 @@ so does `.ci/cycles` for modelled cycles, which `.ci/long` calls.
 Where nothing else is said, the figures are **instructions, not cycles**: a chip takes one or more cycles for each, depending on its pipeline and on its
 memory. Cycles are [modelled](#modelled-cycles). Instructions are counted by QEMU (`-icount shift=0`: its clock advances by one nanosecond an instruction), so that they are
 the same on every run. Where nothing else is said, each is the mean over 64 seeded rays that start 2 to 6 units away; all of them hit, or all miss. What users do is
-described in [benches.md](benches.md). A
-function that is not inlined asks the question, and what a function takes that does nothing is subtracted, with the loop. The
+described in [benches.md](benches.md). Each query is a call of a function that is not inlined; what the loop and the call of an empty function take is
+subtracted. The
 programs are built with `opt-level = 3`, link-time optimisation and one codegen unit.
 
 The *textbook* is `k^2 - a c` as everyone writes it first: for floats with `libm`'s square root, for fixed point with the
@@ -61,12 +61,11 @@ pub fn cell(baseline: &Baseline, subject: &str, query: &str, number: &str, tier:
     }
 }
 
-/// What the uses of the library take: all solids placed anyhow, and pictures of them.
+/// What the uses of the library take: a shape of any primitive and placement, and pictures of them.
 fn whole_uses(text: &mut String, chips: &[Measured]) {
     text.push_str(
-        "## Whole uses\n\nBytes of flash over those of a program that does nothing, bytes of stack at most, instructions and [modelled cycles](#modelled-cycles), in `Stable`. The *range sensor* has any solid, placed \
-         anyhow (`Shape`): instructions of one test of one of its zones against one of its forty solids, 1 to 200 metres away, most of them upright; its stack is the \
-         largest of all nearest hits below. The *picture* is that of the effects below, with any solid in it: instructions a pixel, with all effects of several samples at edges. Flash depends on the \
+        "## Whole uses\n\nBytes of flash over those of a program that does nothing, bytes of stack at most, instructions and [modelled cycles](#modelled-cycles), in `Stable`. The *range sensor* tests a `Shape`, which may be any primitive in any placement: instructions of one test of one of its zones against one of its forty solids, 1 to 200 metres away, most of them upright; its stack is the \
+         largest of all nearest hits below. The *picture* is that of the section on effects, and its shapes may be any primitive too: instructions a pixel; with all effects, pixels at edges have several samples. Flash depends on the \
          profile: `opt-level = 3`, which is the fastest.\n\n",
     );
     head(text, ["use", "number", "chip", "flash", "stack", "instructions", "cycles"].map(String::from));
@@ -175,7 +174,7 @@ fn one_chip(text: &mut String, Measured { chip, counted: baseline, modelled }: &
         });
         row(text, std::iter::once(subject.to_string()).chain(cells));
     }
-    text.push_str("\nThe other questions, in `Stable`; instructions: hit / miss, and from a hit.\n\n");
+    text.push_str("\nThe other queries, in `Stable`; instructions: hit / miss. Normals and surface coordinates (uv) are computed at a known hit.\n\n");
     let queries = ["all hits", "occlusion", "normal", "uv"];
     let numbers = ["I16F16", "f32"];
     let titles = numbers.iter().flat_map(|number| queries.iter().map(move |query| format!("{number} {query}")));
@@ -194,8 +193,8 @@ fn one_chip(text: &mut String, Measured { chip, counted: baseline, modelled }: &
 /// Bytes of flash.
 fn sizes(text: &mut String, chips: &[Measured]) {
     text.push_str(
-        "\n## Flash\n\nBytes of code and constants of a program that asks one primitive for its nearest hit, over those of a program that does nothing; \
-         `shape` is any of them, placed anyhow. Two primitives share much of it: the number type's arithmetic is counted with each.\n\n",
+        "\n## Flash\n\nBytes of code and constants of a program that computes the nearest hit with one primitive, over those of a program that does nothing; \
+         `shape` is a `Shape`: any primitive in any placement. Primitives share code, such as the arithmetic of the number type, which is counted in each row.\n\n",
     );
     let titles = chips.iter().map(|Measured { chip, .. }| (*chip).to_string());
     head(text, ["", "number", "tier"].map(String::from).into_iter().chain(titles));

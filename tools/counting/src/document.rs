@@ -38,9 +38,9 @@ What a query costs on an ordinary computer, in instructions, and how that grows 
 your machine: `cargo bench -p raylet-counting`.
 
 The figures are **instructions, never cycles**, counted by valgrind's callgrind, so that they are the same on every run. But for the first
-table each is the mean over 64 seeded rays, which start 2 to 6 units away; all of them hit, or all miss. Subjects, rays and questions are those of
-[microcontrollers.md](microcontrollers.md): a function that is not inlined asks the question, and what a function takes that does
-nothing is subtracted, with the loop. The program is built with `opt-level = 3`, link-time optimisation and one codegen unit, and for any processor of its
+table each is the mean over 64 seeded rays, which start 2 to 6 units away; all of them hit, or all miss. Subjects, rays and queries are those of
+[microcontrollers.md](microcontrollers.md). Each query is a call of a function that is not inlined; what the loop and the call of an
+empty function take is subtracted. The program is built with `opt-level = 3`, link-time optimisation and one codegen unit, and for any processor of its
 architecture.
 
 ";
@@ -77,7 +77,7 @@ fn query(text: &mut String, figures: &Figures, title: &str, query: &str) {
     text.push('\n');
 }
 
-/// What a hit is asked for.
+/// Normals and surface coordinates at a hit.
 fn surface(text: &mut String, figures: &Figures) {
     text.push_str(
         "## Normal and surface coordinates\n\nInstructions at a hit that is known; no tier changes them.\n\n",
@@ -95,9 +95,7 @@ fn surface(text: &mut String, figures: &Figures) {
 /// Scenes of ever more spheres.
 fn scenes(text: &mut String, figures: &Figures) {
     text.push_str(
-        "## Cost against work\n\nInstructions a ray in a scene of small framed spheres, `Stable`: hit / miss. Without a hierarchy a scene \
-         asks one object after the other, so the nearest hit costs as much again with each; occlusion stops at the first object found. \
-         With one (`Scene::with_hierarchy`) it asks boxes, and the objects in those that the ray does not miss. The last row of \
+        "## Cost against work\n\nInstructions a ray in a scene of small framed spheres, `Stable`: hit / miss. Without a hierarchy a scene tests every object, so that each further object costs a nearest hit the same again; occlusion stops at the first object that is hit. With one (`Scene::with_hierarchy`) it tests boxes, and only the objects in those that the ray meets. The last row of \
          each table is what a sphere adds, from the fewest to 256. The 66,430 spheres are a sphere flake: on each sphere nine of a third of \
          its radius.\n",
     );
@@ -134,9 +132,11 @@ fn scenes_by(text: &mut String, figures: &Figures, walk: &str) {
 }
 
 /// The number types and tiers of the workloads.
-const OF_WORKLOADS: [(&str, &[&str]); 4] = [
+const OF_WORKLOADS: [(&str, &[&str]); 6] = [
     ("f32", &["Fast", "Stable", "Exact"]),
     ("I16F16", &["Fast", "Stable", "Exact"]),
+    ("I20F12", &["Stable"]),
+    ("I8F24", &["Stable"]),
     ("f64", &["Stable"]),
     ("I32F32", &["Stable"]),
 ];
@@ -159,9 +159,7 @@ fn workload(text: &mut String, figures: &Figures, of: &str) {
 /// What users do: pictures, a range sensor, each solid as it is placed.
 fn workloads(text: &mut String, figures: &Figures) {
     text.push_str(
-        "## What users do\n\nInstructions of a nearest hit, each query counted by itself: the mean and, in brackets, the worst of a hundred. *Left* is how many of a \
-         hundred queries in `Stable` the fast path leaves to the solver: in `f32`, `I16F16`, `f64` and `I32F32`. `Exact` has its first look in doubles, which this machine computes in hardware; \
-         on chips it is the dearer tier ([microcontrollers.md](microcontrollers.md)).\n\n\
+        "## What users do\n\nInstructions of a nearest hit, each query counted by itself: the mean and, in brackets, the worst of a hundred. *Left* is how many of a hundred queries in `Stable` the fast path cannot decide and the solver computes, for each of these number types in the order of their columns. `Exact` first computes in doubles, for which this machine has hardware; without it, `Exact` takes the most instructions ([microcontrollers.md](microcontrollers.md)).\n\n\
          The rays of a picture are those through its pixels, from what they meet to a lamp, and mirrored there; in the built-in scenes, of which the still life has \
          no mirrors, glass refracts rays too, up to three times. Each ray tests the objects whose boxes it meets, in the built-in scenes all. The range sensor has 64 zones, one row of them level, and forty solids 1 to 200 metres away, most of them upright. The solids \
          are about as large as the unit ball; *moved* and *turned* are frames, *stretched* is a matrix, *near* is 2 to 6 away and *far* 20 to 1,000; each query \

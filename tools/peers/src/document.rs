@@ -23,23 +23,22 @@ fn head(environment: &Environment) -> String {
     format!(
         "# Beside other libraries
 
-The same questions, the same rays, the same numbers: raylet {}, `parry3d` and `parry3d-f64` {}, `embedded-3dgfx` {} and a textbook.
+The same queries, the same rays, the same numbers: raylet {}, `parry3d` and `parry3d-f64` {}, `embedded-3dgfx` {} and a textbook.
 Written by `cargo run --release --manifest-path tools/peers/Cargo.toml -- --write`; do not edit.
 
 Commit {}; {}; {}.
 
-The question is the nearest hit. Errors are of `t`, against exact arithmetic on the very bits that each contestant received, in
+The query is the nearest hit. Errors are of `t`, against exact arithmetic on the very bits that each contestant received, in
 units in the last place; *lost* are hits of exact arithmetic that were not found, *phantom* hits that it does not have, *wrong* hits
 more than {} units off. Rays are those of [accuracy.md](accuracy.md), the primitives those of its tables.
 
-Times are of a loop that asks for a thousand rays, prepared in the contestant's own types; whole answers are kept, be it a distance
+Times are of a loop over a thousand rays, prepared in the contestant's own types; whole answers are kept, be it a distance
 (parry, textbook), a hit with its part and crossing (raylet) or one with point and normal (embedded-3dgfx). The contestants take
 turns of some 50 microseconds; of the ratios within a round the median counts, and nanoseconds stand beside them for the
 scale. Independent rays overlap in the processor: these are throughputs. Everything is compiled in one piece (`lto = \"fat\"`, one
 codegen unit, no `target-cpu`). raylet's square root is `libm`'s, on a host an instruction.
 
-parry's cylinder and cone have their middle in the origin: their rays are moved there beforehand, which is not timed, and the oracle is
-asked about the rays so moved. It answers for these two by iteration (GJK), for all else in closed form.
+parry's cylinder and cone have their middle in the origin: their rays are moved there beforehand, which is not timed, and the reference is of the rays so moved. parry computes these two by iteration (GJK), all others in closed form.
 
 {roots} Its triangle is a mesh of one face.
 

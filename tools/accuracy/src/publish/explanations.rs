@@ -25,8 +25,7 @@ fn is_flat(row: &Beaten<'_>) -> bool {
 pub const WHY: [Why; 16] = [
     (
         |row| is_fixed(row) && row.slower.tier == "Textbook",
-        "The operators of `fixed` round every product, widening and shifting each, and the textbook divides both roots by `a`. The tiers \
-         keep products whole, see most misses by signs of plain integers, and take one root and one quotient.",
+        "The operators of `fixed` round every product, widening and shifting each, and the textbook divides both roots by `a`. The tiers do not round products, decide most misses by the sign of an integer, and compute one root and one quotient.",
     ),
     (
         |row| row.slower.placed.starts_with("stretched") && row.slower.tier == "Exact",
@@ -34,18 +33,16 @@ pub const WHY: [Why; 16] = [
     ),
     (
         |row| is_fixed(row) && row.faster.tier == "Exact",
-        "`Exact` computes in doubles first, which hold 32 bits with room for what products and sums lose; a host has a unit for them. `Fast` and \
+        "`Exact` first computes in doubles, whose 53 bits are enough for most decisions about 32-bit inputs; a host has hardware for doubles. `Fast` and \
          `Stable` compute in integers alone.",
     ),
     (
         |row| row.slower.number == "f32" && row.faster.tier == "Exact" && row.slower.tier == "Stable",
-        "What the fast path of `Stable` leaves open is computed in integers of 64 bits. `Exact` takes the same path in doubles, which have so \
-         many bits to spare that strict guards let nearly every ray through; and a host has a unit for them.",
+        "What the fast path of `Stable` cannot decide is computed in integers of 64 bits. `Exact` follows the same path in doubles, whose extra bits satisfy the guards for nearly every ray; and a host has hardware for doubles.",
     ),
     (
         |row| row.faster.tier == "Exact" && row.slower.tier == "Fast" && row.slower.primitive == "triangle",
-        "What the fast path of `Fast` leaves open of a triangle is computed in integers of 64 bits. The fast path of `Exact` computes in \
-         doubles, and leaves less open.",
+        "What the fast path of `Fast` cannot decide about a triangle is computed in integers of 64 bits. The fast path of `Exact` computes in doubles, and decides more rays.",
     ),
     (
         |row| {
@@ -54,8 +51,7 @@ pub const WHY: [Why; 16] = [
                 && row.slower.tier == "Fast"
                 && row.machine == Machine::Host
         },
-        "A stretched solid, and a line from far away, leave the fast path of `Fast` for integers of 64 bits. The doubles of `Exact` answer them, \
-         and a host has a unit for doubles.",
+        "For stretched solids and rays from far away the fast path of `Fast` often cannot decide, and integers of 64 bits must. The doubles of `Exact` decide these rays, and a host has hardware for doubles.",
     ),
     (
         |row| {
@@ -64,32 +60,27 @@ pub const WHY: [Why; 16] = [
                 && row.slower.tier == "Fast"
                 && row.machine == Machine::Host
         },
-        "The fast path of `Fast` holds lengths of 28 bits (for a sphere: to 4,096), and beyond them the robust number answers; that of \
-         `Stable` holds the whole range. Where the robust number answers both, they cost the same.",
+        "The fast path of `Fast` is limited to lengths of 28 bits (for a sphere: to 4,096), and beyond them the robust number computes the answer; that of `Stable` covers the whole range. Where the robust number computes both, they cost the same.",
     ),
     (
         |row| row.slower.number == "I32F32" && row.faster.tier == "Stable" && row.machine == Machine::Host,
-        "On a processor of 64 bits, with products of 128, the closest approach of `Fast` saves nothing and has more steps that wait for \
-         each other; what the fast path leaves open costs both tiers the same.",
+        "On a processor of 64 bits, with products of 128, the closest approach of `Fast` saves nothing and has the longer chain of dependent steps; what the fast path cannot decide costs both tiers the same.",
     ),
     (
         |row| row.slower.number == "I16F16" && row.faster.tier == "Stable" && row.slower.tier == "Fast",
-        "Both run the same plain kernel; what differs is how the compiler laid it out (under 1 %). In such types `Fast` buys nothing \
-         for this primitive.",
+        "Both run the same kernel; what differs is the code that the compiler makes of it (under 1 %). In these types `Fast` has no advantage for this primitive.",
     ),
     (
         |row| row.faster.tier == "Fast" && row.slower.tier == "Textbook",
-        "Closest approach takes a direction for exactly unit: no `a`, no quotient by it. And a miss is seen before the root.",
+        "The formula of closest approach takes the direction for exactly unit, so that there is no `a` to divide by. And a miss is decided before the root.",
     ),
     (
         |row| row.faster.tier == "Fast" && row.slower.tier == "Stable" && is_unbounded_and_placed(row),
-        "Of an unbounded cone a hit may be very far away, and its `t` as ill-conditioned as it is long. What the fast path leaves open is \
-         answered by the same numbers in both tiers. Which of the two comes out better is chance.",
+        "A hit of an unbounded cone may be very far away, and its `t` is then ill-conditioned. What the fast path cannot decide is computed by the same numbers in both tiers. Which of the two is more accurate is chance.",
     ),
     (
         |row| !is_fixed(row) && row.faster.tier == "Stable" && row.slower.tier == "Textbook",
-        "Where nothing cancels, `Stable` computes in plain floats too, but by the moment instead of `k^2 - a c`, and most misses are seen before \
-         the root.",
+        "Where nothing cancels, `Stable` computes in floats too, but from the moment instead of `k^2 - a c`, and decides most misses before the root.",
     ),
     (
         |row| {
@@ -98,26 +89,19 @@ pub const WHY: [Why; 16] = [
                 && row.slower.tier == "Textbook"
                 && row.machine == Machine::Host
         },
-        "`Exact` takes the path of `Stable` in doubles, for which a host has a unit: by the moment instead of `k^2 - a c`, and most misses \
-         are seen before the root.",
+        "`Exact` follows the path of `Stable` in doubles, for which a host has hardware: from the moment instead of `k^2 - a c`, and most misses are decided before the root.",
     ),
     (
         |row| !is_fixed(row) && row.faster.tier == "Stable" && row.slower.tier == "Fast",
-        "Both have nearly the same fast path, and what that leaves open is answered by the same numbers. The few rows come from this host and \
-         its compiler (read from the code, not taken apart); no chip has one.",
+        "Both have nearly the same fast path, and what it cannot decide is computed by the same numbers. These few rows depend on this host and its compiler (concluded from the source, not from a profile); no chip has such a row.",
     ),
     (
         |row| is_nearly_as_accurate(row) || is_flat(row),
-        "Nothing cancels for these rays, so that care buys nothing: the errors differ by a last rounding or two (the dearer tier \
-         rounds once more), within a third of each other, or for flat primitives \
-         by less than the rounding of their placement.",
+        "No cancellation occurs for these rays, so that the more accurate tier has no advantage: the errors differ by one or two roundings (the tier that costs more rounds once more) and are within a third of each other, or for flat primitives differ by less than the rounding of their placement.",
     ),
     (
         |row| row.faster.tier == "Textbook",
-        "From nearby the textbook's difference is the better one: `k^2` and `a c` shrink as a ray starts nearer, the moments that the tiers \
-         subtract do not; from 3 away on it is the other way round, and growing. `Fast` is still the better one in the median of most of \
-         these rows, but not in the tail, where `a` is small too; there `Stable` is. What all tiers pay for and the textbook leaves out: \
-         parts and crossings that pair, and numbers that cannot overflow.",
+        "From nearby the textbook's difference is the more accurate one: `k^2` and `a c` get smaller the nearer a ray starts, and the moments that the tiers subtract do not. From a distance of 3 on the tiers are more accurate, increasingly so. In the median of most of these rows `Fast` is the more accurate one, but not among the worst rays, where `a` is small too; there `Stable` is. All tiers compute what the textbook does not: parts, crossings that pair, and no overflow.",
     ),
 ];
 
@@ -129,7 +113,7 @@ pub fn of(row: &Beaten<'_>) -> usize {
 /// Why one may take a combination that another beats in every row.
 pub fn why_take(number: &str, tier: &str) -> &'static str {
     match (number, tier) {
-        (_, "Textbook") => "It stands here to be compared with.",
+        (_, "Textbook") => "It is listed for comparison.",
         ("f32", "Exact") => {
             "It is the one whose decisions (hit, part, order) are proved right; the others are right in these rows, by measurement."
         }

@@ -1,4 +1,4 @@
-//! What in the figures needs a word: rows in which the more accurate tier is the faster one too, and combinations that another beats
+//! Unexpected rows: those in which the more accurate tier is the faster one too, and combinations that another beats
 //! everywhere.
 
 use super::explanations::{self, WHY};

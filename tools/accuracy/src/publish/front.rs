@@ -1,4 +1,4 @@
-//! `docs/accuracy.md`: what to expect, the plots, and what the figures need a word for. Rows stand on pages of their own.
+//! `docs/accuracy.md`: what to expect, the plots, and explanations of unexpected rows. The rows are on pages of their own.
 
 use super::markdown::{NONE, Table, page, row_ratios, short};
 use super::{findings, placed, plots, readme};
@@ -15,7 +15,7 @@ fn head(study: &Study) -> String {
 
 How wrong is each tier in each number type, and how long does it take? Written by `cargo run --release -p raylet-accuracy -- --write`
 (`--json` prints all of it); `tests/promises/src/number_types.rs` holds the library to the errors: in `.ci/long` the test fails if a figure is exceeded, or if
-one is more than 5% too large; in its quick form, if one of the first {} rays of a row (placed: {}) is worse than its worst. [Which one do I take?](which-one.md) puts it into advice.
+one is more than 5% too large; in its quick form, if one of the first {} rays of a row (placed: {}) is worse than its worst. [Which one do I take?](which-one.md) gives the advice that follows.
 
 Every row is {} seeded rays at one primitive, of size about 1; at placed ones {}, each with a placement of its own. The reference is
 exact arithmetic on the very bits that the library received. *Median*, *99.9%* and *worst* are errors of `t` in units in the last place: of a float's spacing at `t`, or of the fixed type's
@@ -30,8 +30,8 @@ the same origins past it. They vary by a tenth between runs, and nothing is deci
 [microcontrollers.md](microcontrollers.md): hit / miss, of rays from 2 to 6 away, like *benign*; where they stand in brackets, beside another
 workload, its rays may take more. The plots of chips show each workload at its own cost, the mean of a query.
 
-*Textbook* is `k^2 - a c` as everyone writes it first, in the operators of the number type: for fixed point those of the crate `fixed`,
-which wrap. It tells `t` alone.
+*Textbook* is `k^2 - a c` in the operators of the number type, as in most textbooks; for fixed point these are the operators of the crate `fixed`,
+which wrap. It computes `t` and nothing else.
 
 Rows that are timed: {}. All rows: [data/bounds](../data/bounds).
 
@@ -56,7 +56,7 @@ const WORKLOADS: &str = "\
 | 100 to 1000000 away | from that far, at a point well inside; the solid's size is about 1 |
 | grazing 1e-1 to 1e-7 | past the side, by one or two times that fraction inside or outside of touching |
 | inside | from a point inside |
-| on the surface | from a point of the side, rounded to the type: one `t` is next to nothing |
+| on the surface | from a point of the side, rounded to the type: one `t` is nearly 0 |
 | off the axis | nearly parallel to the axis |
 | off a generator | nearly parallel to a generator of a cone: a hit may be very far away |
 | off a plane | at that angle to the plane of a flat or of a cap, at a point of it |
@@ -64,7 +64,7 @@ const WORKLOADS: &str = "\
 | zero components | directions with one or two zero components |
 | departing | from a hit, inwards or outwards, and said to depart there; every fourth nearly along the surface. The reference takes the start for a point of the surface |
 | moved | at the solid in a frame that only moves it: half of them within 4 of the world's origin, the others within 1,000 and 1,000,000, or as far as the type reaches |
-| turned | at the solid in such a frame, turned anyhow |
+| turned | at the solid in such a frame with a random rotation |
 | stretched by 1/f to f | each axis of such a frame stretched by a factor of its own between these |
 
 ";

@@ -7,7 +7,7 @@
 //! | `by_number` | docs/accuracy/: the rows that are timed, a page a number type |
 //! | `which_one`, `advice` | docs/which-one.md: how it is made, what it says |
 //! | `readme` | the tables of the README and of docs/overview.md |
-//! | `findings`, `explanations` | what needs a word, and the words |
+//! | `findings`, `explanations` | unexpected rows, and their explanations |
 //! | `plots` | docs/plots/ |
 //! | `markdown` | figures and tables as text |
 
