@@ -8,8 +8,8 @@ use crate::scalar::{Attempt, LocalLine, Scalar, UnitScalar};
 pub trait Guards: 'static {
     /// True if the fast path is unsure where its rounding may decide, so that the robust number decides.
     const GUARDED: bool;
-    /// See [`LocalLine::has_spare_bits`](crate::scalar::LocalLine::has_spare_bits).
-    const HAS_SPARE_BITS: bool = false;
+    /// See [`LocalLine::is_strict`](crate::scalar::LocalLine::is_strict).
+    const STRICT: bool = false;
 }
 
 /// The interval of a line with `low <= y <= high`, and the error of its ends beyond a few units.

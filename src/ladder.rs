@@ -1,7 +1,8 @@
 //! Which numbers each tier computes in.
 //!
 //! `Fast` and `Stable` accept the result of their fast path, or of its second attempt; if both are unsure, the robust number decides.
-//! `Exact` repeats the query in the next wider number until every sign is certain.
+//! `Exact` repeats the query in the next wider number until every sign is certain. Fixed point begins with the fast path in its own integers, with
+//! guards that let nothing uncertain pass; then come doubles.
 
 use crate::exact::{Certain, Effort, Exact};
 use crate::fast::Guards;
@@ -58,7 +59,11 @@ macro_rules! solve_exactly {
                 place: &impl Place<$S>,
                 ray: &Ray<$S>,
             ) -> Attempt<Intersection<$S>> {
-                fast_in_doubles(geometry, place, ray)
+                if starts_in_doubles(place) {
+                    fast_in_doubles(geometry, place, ray)
+                } else {
+                    fast_in_integers(geometry, place, ray)
+                }
             }
             #[inline(always)]
             fn fast_ahead<G: Geometry<$S>>(_: &G, _: &impl Place<$S>, _: &Ray<$S>) -> Attempt<()> {
@@ -66,6 +71,13 @@ macro_rules! solve_exactly {
             }
             #[inline]
             fn climb<G: Geometry<$S>>(geometry: &G, place: &impl Place<$S>, ray: &Ray<$S>) -> Intersection<$S> {
+                if !starts_in_doubles(place) {
+                    match fast_in_doubles(geometry, place, ray) {
+                        Attempt::Found(intersection) => return intersection,
+                        Attempt::Miss => return Intersection::Miss,
+                        Attempt::Unsure => {}
+                    }
+                }
                 let (intersection, _) = exactly(&geometry.figure(), place, ray);
                 intersection
             }
@@ -85,11 +97,18 @@ solve_exactly!(fixed::FixedI32<F>, F: fixed::types::extra::LeEqU32);
 
 /// The precision that an exact result needs.
 pub(crate) fn effort<S: Certain, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Effort {
-    let figure = geometry.figure();
-    match fast_in_doubles(geometry, place, ray) {
-        Attempt::Unsure => exactly(&figure, place, ray).1,
+    let in_integers = if starts_in_doubles(place) { Attempt::Unsure } else { fast_in_integers(geometry, place, ray) };
+    match (in_integers, fast_in_doubles(geometry, place, ray)) {
+        (Attempt::Unsure, Attempt::Unsure) => exactly(&geometry.figure(), place, ray).1,
         _ => Effort::Filter,
     }
+}
+
+/// True if the fast path of `Exact` computes in doubles, and not in the type's own integers: for floats, and through an affine placement, for which
+/// the guards of integers let uncertain decisions pass.
+#[inline(always)]
+const fn starts_in_doubles<S: Scalar, P: Place<S>>(_: &P) -> bool {
+    S::RELATIVE || P::STRETCHES
 }
 
 /// The guards of the fast path of `Exact`.
@@ -97,7 +116,7 @@ struct Certainly;
 
 impl Guards for Certainly {
     const GUARDED: bool = true;
-    const HAS_SPARE_BITS: bool = true;
+    const STRICT: bool = true;
 }
 
 /// The fast path of `Exact`: that of doubles. Its guards assume 40 correct bits of 53, so that what they decide is certain.
@@ -119,6 +138,28 @@ fn fast_in_doubles<S: Certain, G: Geometry<S>>(
         Some(if t < start || t > end { beyond } else { S::from_f64(t).unwrap_or(beyond) })
     };
     match intersection.try_map(settled) {
+        Some(intersection) => Attempt::Found(intersection),
+        None => Attempt::Unsure,
+    }
+}
+
+/// The fast path of `Exact` in fixed point.
+#[inline(always)]
+fn fast_in_integers<S: Scalar, G: Geometry<S>>(
+    geometry: &G,
+    place: &impl Place<S>,
+    ray: &Ray<S>,
+) -> Attempt<Intersection<S>> {
+    let intersection = found!(fast::<S, Certainly, G>(geometry, place, ray));
+    let (start, end) = (ray.range().start(), ray.range().end());
+    // The order of an end and the range's, which the rounding of `t` must not decide; nor whether an exit is ahead of the surface that the ray
+    // departs from. A missing end is infinite.
+    let is_certain = |t: S| {
+        let is_doubtful = |bound: S| S::are_doubtful(t, bound);
+        !t.is_finite()
+            || !(is_doubtful(start) || is_doubtful(end) || (ray.departure().is_some() && is_doubtful(S::ZERO)))
+    };
+    match intersection.try_map(|t| is_certain(t).then_some(t)) {
         Some(intersection) => Attempt::Found(intersection),
         None => Attempt::Unsure,
     }
@@ -196,7 +237,7 @@ fn fast<S: Scalar, T: Guards, G: Geometry<S>>(
     }
     let Some(mut line) = geometry.fast_line(place, ray) else { return from_afar::<S, T, G>(geometry, place, ray) };
     geometry.fit(&mut line);
-    line.has_spare_bits = T::HAS_SPARE_BITS;
+    line.is_strict = T::STRICT;
     in_own_t(place, &line, geometry.fast_intersection::<T>(&line))
 }
 
@@ -226,7 +267,7 @@ fn from_afar<S: Scalar, T: Guards, G: Geometry<S>>(
     ray: &Ray<S>,
 ) -> Attempt<Intersection<S>> {
     let Some(mut line) = geometry.far_line(place, ray) else { return Attempt::Unsure };
-    line.has_spare_bits = T::HAS_SPARE_BITS;
+    line.is_strict = T::STRICT;
     in_own_t(place, &line, geometry.fast_intersection::<T>(&line))
 }
 
@@ -275,7 +316,7 @@ fn inwards<S: Scalar, T: Guards, G: Geometry<S>>(
     }
     let Some(mut line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
     geometry.fit(&mut line);
-    line.has_spare_bits = T::HAS_SPARE_BITS;
+    line.is_strict = T::STRICT;
     in_own_t(place, &line, exit(geometry, &line))
 }
 
@@ -292,7 +333,7 @@ fn in_own_t<S: Scalar, P: Place<S>>(
     if !P::STRETCHES && line.start == S::ZERO {
         return found;
     }
-    let found = if line.start == S::ZERO { found } else { from_start(found!(found), line.start) };
+    let found = if line.start == S::ZERO { found } else { from_start(found!(found), line.start, line.is_strict) };
     if P::STRETCHES {
         let pace = line.pace.real();
         return Attempt::Found(found!(found).map(|t| S::round(t.real() * pace)));
@@ -302,14 +343,19 @@ fn in_own_t<S: Scalar, P: Place<S>>(
 
 /// An intersection along a line whose origin was moved to `start`, with `start` added to its `t`.
 #[inline(never)]
-fn from_start<S: Scalar>(intersection: Intersection<S>, start: S) -> Attempt<Intersection<S>> {
+fn from_start<S: Scalar>(intersection: Intersection<S>, start: S, is_strict: bool) -> Attempt<Intersection<S>> {
     let whole = |t: S| {
         if !t.is_finite() {
             return Some(t);
         }
         let whole = t.plus(start);
         // Next to the ray's own start the rounding of a float's sum would be large relative to the result.
-        let is_precise = !S::RELATIVE || whole.magnitude().plus(whole.magnitude()) >= start.magnitude();
+        let is_precise = if S::RELATIVE {
+            whole.magnitude().plus(whole.magnitude()) >= start.magnitude()
+        } else {
+            // Beyond the type by its rounding, perhaps.
+            whole.is_finite() || !is_strict
+        };
         is_precise.then_some(whole)
     };
     intersection.try_map(whole).map_or(Attempt::Unsure, Attempt::Found)

@@ -101,7 +101,7 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
     #[inline(always)]
     fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
         let [low, high] = found!(S::fast_tube(*line, self.radius));
-        let ball = |line: &LocalLine<S>| S::fast_ball(*line, self.radius, T::GUARDED);
+        let ball = |line: &LocalLine<S>| S::fast_ball(*line, self.radius, T::GUARDED, T::STRICT);
         let enter = found!(self.fast_end(line, low, |line, _| Attempt::Found(found!(ball(line))[0])));
         let exit = found!(self.fast_end(line, high, |line, _| Attempt::Found(found!(ball(line))[1])));
         Attempt::Found(if enter.t > exit.t { Intersection::Miss } else { Intersection::One(Span::new(enter, exit)) })
@@ -118,7 +118,7 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
             if part == from {
                 return S::fast_exit_from_round(line, true);
             }
-            let [_, high] = found!(S::fast_ball(*line, self.radius, T::GUARDED));
+            let [_, high] = found!(S::fast_ball(*line, self.radius, T::GUARDED, T::STRICT));
             Attempt::Found(high)
         })
     }

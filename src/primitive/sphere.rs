@@ -83,7 +83,7 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
 
     #[inline(always)]
     fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
-        let [low, high] = found!(S::fast_ball(*line, self.radius, T::GUARDED));
+        let [low, high] = found!(S::fast_ball(*line, self.radius, T::GUARDED, T::STRICT));
         Attempt::Found(Intersection::One(Span::new(End::new(low, Part::Side), End::new(high, Part::Side))))
     }
 

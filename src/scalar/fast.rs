@@ -80,8 +80,9 @@ pub struct LocalLine<S: Numbers> {
     pub is_relative: bool,
     /// True if the components of a float line are computed, and not the ray's own: each has an error of one rounding, plus `off`.
     pub is_rounded: bool,
-    /// True for doubles in place of 32-bit numbers: guards can be strict, and nearly all rays still pass them.
-    pub has_spare_bits: bool,
+    /// True for the tier [`Exact`](crate::tier::Exact): what the guards let pass is certain, except for the rounding of `t`, by less than a unit. Floats have
+    /// this for doubles in place of 32-bit numbers, of which nearly all rays still pass; fixed point has it in 32 bits.
+    pub is_strict: bool,
 }
 
 impl<S: Numbers + Copy> LocalLine<S> {
@@ -99,7 +100,7 @@ impl<S: Numbers + Copy> LocalLine<S> {
             off: [zero, zero],
             is_relative: false,
             is_rounded: false,
-            has_spare_bits: false,
+            is_strict: false,
         }
     }
 }
@@ -134,9 +135,9 @@ pub trait FastPath: Numbers {
     }
 
     /// The two ends of the line inside the sphere of radius `r` about the origin: from the point of closest approach, or, if `by_moment`, from
-    /// the Pluecker moment.
+    /// the Pluecker moment. `is_strict` is that of the line, as a constant of the tier, which costs the others nothing.
     #[inline(always)]
-    fn fast_ball(_: LocalLine<Self>, _r: Self, _by_moment: bool) -> Attempt<[Self; 2]> {
+    fn fast_ball(_: LocalLine<Self>, _r: Self, _by_moment: bool, _is_strict: bool) -> Attempt<[Self; 2]> {
         Attempt::Unsure
     }
 
@@ -211,10 +212,17 @@ pub trait FastPath: Numbers {
         Attempt::Unsure
     }
 
-    /// Whether two ends are so close that their order may be decided by rounding, or by their further error bounds `off`.
+    /// Whether two ends are so close that their order may be decided by rounding, or by their further error bounds `off`. In fixed point only a
+    /// strict line has this guard: otherwise two ends within a unit of each other may be in either order.
     #[inline(always)]
     fn are_close(_: &LocalLine<Self>, _: Self, _: Self, _off: Self) -> bool {
         false
+    }
+
+    /// Whether rounding may decide the order of two fixed-point ends.
+    #[inline(always)]
+    fn are_doubtful(_: Self, _: Self) -> bool {
+        true
     }
 
     /// Whether an end with the error bound `off` is accurate enough.

@@ -139,7 +139,7 @@ macro_rules! cone {
             let (across, along) = (h * h * (dx * dx + dz * dz), slope * slope);
             let mut a = across - along;
             let mut a_terms = across + along;
-            if a_terms > 4.0 * $Float::abs(a) && line.finer == 0 && !has_spare_bits(&line) {
+            if a_terms > 4.0 * $Float::abs(a) && line.finer == 0 && !is_strict(&line) {
                 a = compensated_a(line.direction, g, h);
                 a_terms = 2.0 * $Float::abs(a);
             }

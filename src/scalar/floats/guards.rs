@@ -18,8 +18,8 @@ macro_rules! guards {
         }
 
         #[inline(always)]
-        const fn has_spare_bits(line: &LocalLine<$Float>) -> bool {
-            $spare && line.has_spare_bits
+        const fn is_strict(line: &LocalLine<$Float>) -> bool {
+            $spare && line.is_strict
         }
 
         /// The error bound of the line's point at `t`, in units of the relative rounding error.
@@ -53,7 +53,7 @@ macro_rules! guards {
 
             #[inline(always)]
             const fn of(line: &LocalLine<$Float>) -> Self {
-                if has_spare_bits(line) {
+                if is_strict(line) {
                     Self::SPARE
                 } else if line.is_rounded {
                     Self::ROUNDED

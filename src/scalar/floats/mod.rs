@@ -55,7 +55,7 @@ macro_rules! floats {
 
         impl FastPath for $Float {
             #[inline(always)]
-            fn fast_ball(line: LocalLine<Self>, r: Self, by_moment: bool) -> Attempt<[Self; 2]> {
+            fn fast_ball(line: LocalLine<Self>, r: Self, by_moment: bool, _: bool) -> Attempt<[Self; 2]> {
                 if by_moment {
                     return $name::ball(line, r);
                 }

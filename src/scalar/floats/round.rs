@@ -27,7 +27,7 @@ macro_rules! round {
             let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
             let limits = Limits::of(&line);
             let (along, mut a) = (dot(line.origin, line.direction), dot(line.direction, line.direction));
-            if !has_spare_bits(&line) {
+            if !is_strict(&line) {
                 // The formula takes the direction for unit; one that was given by its components may be next to it.
                 if $Float::abs(a - 1.0) > 4.0 * $Float::EPSILON {
                     return Attempt::Unsure;
@@ -63,7 +63,7 @@ macro_rules! round {
             if let Attempt::Found((k, over_a)) = clear_of_the_start(kk, discriminant, moved, limits.near, answer) {
                 return Attempt::Found((k, over_a, None));
             }
-            if line.off[0] != 0.0 || has_spare_bits(&line) {
+            if line.off[0] != 0.0 || is_strict(&line) {
                 return Attempt::Unsure;
             }
             // Next to the surface the nearer end is c over the farther one, and c = |o|^2 - r^2 is mostly rounding: without that.

@@ -1,8 +1,8 @@
 //! A line and a ball.
 
 use super::{
-    FINER, coarser, half, high, high_product_signed, leading_zeros, magnitude_bits, more_bits, product, root,
-    round_off, square,
+    FINER, coarser, framed_bits, half, high, high_product_signed, leading_zeros, magnitude_bits, more_bits, product,
+    root, round_off, square,
 };
 use crate::scalar::Attempt;
 
@@ -142,21 +142,28 @@ impl ByMoment {
         if finer == 0 { unframed } else { (8 + 2 * more_bits(finer, self.grid)).min(unframed) }
     }
 
-    /// The two ends, in the radius's unit.
+    /// The two ends, in the radius's unit; `is_strict`: if it is certain that they exist.
     #[inline(always)]
-    pub(in crate::scalar) fn ends(self) -> Attempt<[i32; 2]> {
+    pub(in crate::scalar) fn ends(self, is_strict: bool) -> Attempt<[i32; 2]> {
         // In units of 2^-48.
         let e = ((squared_length(self.d) - (1 << 60)) >> 12) as i32;
         let excess = |value: i64| product(high(value), e) >> 16;
         let discriminant = self.residual + excess(self.rr);
         // The moment's rounding, half a unit of the grid, moves t by no more than a thirtieth of a unit.
-        let certain = self.rr >> (2 * (self.grid - 5)).clamp(3, self.most(22));
+        let mut certain = self.rr >> (2 * (self.grid - 5)).clamp(3, self.most(22));
+        if is_strict {
+            // Three roundings of the moment, of at most 2^29.5, and those of a framed origin.
+            certain = certain.max(1 << (32 + framed_bits(self.unit as i32 - 30, self.grid)));
+        }
         if discriminant < certain {
             return if discriminant < -certain { Attempt::Miss } else { Attempt::Unsure };
         }
         let root = (root(discriminant as u64) as i64) << self.down;
         let end = |numerator: i64| within_type(round_off(numerator - excess(numerator), self.unit));
-        Attempt::Found([end(-self.k - root), end(root - self.k)])
+        let ends = [end(-self.k - root), end(root - self.k)];
+        // Rounding may decide whether an end is beyond the type.
+        let is_beyond = |t: i32| t.unsigned_abs() == i32::MAX as u32;
+        if is_strict && (is_beyond(ends[0]) || is_beyond(ends[1])) { Attempt::Unsure } else { Attempt::Found(ends) }
     }
 
     /// Whether there is an end at `t >= 0`; the same as [`ByMoment::ends`] says.

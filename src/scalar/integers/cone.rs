@@ -2,7 +2,7 @@
 
 use super::nappes::Roots;
 use super::quotient::{Divisor, Normalized};
-use super::{high, leading_zeros, magnitude_bits, product, root, round_off, square};
+use super::{framed_bits, high, leading_zeros, magnitude_bits, product, root, round_off, square};
 use crate::scalar::{Attempt, InNappe, found};
 
 /// A number with 30 bits below the point, rounded to nearest.
@@ -39,13 +39,15 @@ struct Scaled {
     start: i32,
     /// The origin was in units of `2^-finer`.
     finer: i32,
+    /// Decisions must be certain.
+    is_strict: bool,
 }
 
 impl Scaled {
     /// The origin is in units of `2^-finer` of the sizes'. It is moved next to the line's closest point, unless the line `departs`.
     // Not inlined: a shape that may be any cone has it twice.
     #[inline(never)]
-    fn new(o: [i32; 3], finer: i32, d: [i32; 3], [r, g, h]: [i32; 3], departs: bool) -> Attempt<Self> {
+    fn new(o: [i32; 3], finer: i32, d: [i32; 3], [r, g, h]: [i32; 3], departs: bool, is_strict: bool) -> Attempt<Self> {
         // The proportions, the larger one above 1/2 and at most 1 in units of 2^-30.
         let free = leading_zeros(magnitude_bits(g) | (h - 1) as u32 | 1);
         let radius = r << (finer & 0x1f);
@@ -90,7 +92,7 @@ impl Scaled {
         let Some(digits) = Normalized::new(a) else {
             return Attempt::Unsure;
         };
-        Attempt::Found(Self { point: [x, y, z], direction: [dx, dy, dz], a, digits, unit, start, finer })
+        Attempt::Found(Self { point: [x, y, z], direction: [dx, dy, dz], a, digits, unit, start, finer, is_strict })
     }
 
     /// How many bits finer than an eighth of the type's unit the coordinates are, and a framed origin than a fourth, where the roots make
@@ -101,6 +103,12 @@ impl Scaled {
         let spare = self.unit as i32 - 3 - shift;
         // A framed origin is off by half of its own unit.
         if self.finer == 0 { spare } else { spare.min(self.finer - 2 - shift) }
+    }
+
+    /// A coordinate is off by this power of two of its units, if it comes from a framed origin.
+    #[inline(always)]
+    fn framed_bits(&self) -> i32 {
+        framed_bits(self.finer, self.unit as i32)
     }
 
     #[inline(always)]
@@ -115,7 +123,9 @@ impl Scaled {
     fn is_middle_inside(&self, k: i64) -> Attempt<bool> {
         let (a, k) = (high(self.a << 2), high(k << 2));
         let middle = product(self.point[1], a) - product(self.direction[1], k);
-        if middle.unsigned_abs() >> 34 == 0 { Attempt::Unsure } else { Attempt::Found(middle > 0) }
+        // Strictly: Y a and dY k are off by 2^35 together, and by 2^31.4 for each unit that a framed origin is off.
+        let doubtful = if self.is_strict { 36.max(34 + self.framed_bits()) } else { 34 };
+        if middle.unsigned_abs() >> doubtful == 0 { Attempt::Unsure } else { Attempt::Found(middle > 0) }
     }
 }
 
@@ -123,8 +133,8 @@ impl AtCone {
     /// The origin is in units of `2^-finer` of the sizes'.
     // Not inlined, as above.
     #[inline(never)]
-    fn new(o: [i32; 3], finer: i32, d: [i32; 3], outline: [i32; 3]) -> Attempt<Self> {
-        let line = found!(Scaled::new(o, finer, d, outline, false));
+    fn new(o: [i32; 3], finer: i32, d: [i32; 3], outline: [i32; 3], is_strict: bool) -> Attempt<Self> {
+        let line = found!(Scaled::new(o, finer, d, outline, false, is_strict));
         let ([x, y, z], [dx, dy, dz]) = (line.point, line.direction);
         let wx = nearest(product(y, dz) - product(z, dy));
         let wy = nearest(product(z, dx) - product(x, dz));
@@ -132,8 +142,13 @@ impl AtCone {
         let discriminant = square(wx) + square(wz) - square(wy);
         // The coordinates' rounding, of up to 1.5 units across the axis and 3 along it, moves D by no more than ten times this.
         let moment = wx.unsigned_abs() as i64 + wy.unsigned_abs() as i64 + wz.unsigned_abs() as i64;
-        if discriminant < -(moment << 4) && line.a > 0 {
+        // Strictly: by 16 times this, and by 4 times for each unit that a framed origin is off.
+        let doubt = moment << if is_strict { 5.max(3 + line.framed_bits()) } else { 4 };
+        if discriminant < -doubt && line.a > 0 {
             return Attempt::Miss;
+        }
+        if is_strict && discriminant <= doubt {
+            return Attempt::Unsure;
         }
         // ... and t by no more than half a unit (in all that was measured, by a twentieth), if the root is not small against the moment.
         let spare = line.spare();
@@ -156,7 +171,10 @@ impl AtCone {
     fn end(&self, numerator: i64) -> (i32, bool) {
         let (Scaled { start, a, unit, .. }, farthest) = (self.line, self.farthest);
         match self.divisor.quotient(numerator, 30 + unit) {
-            Some(t) if -farthest < t && t < farthest => (start.saturating_add(t), true),
+            Some(t) if -farthest < t && t < farthest => match start.checked_add(t) {
+                Some(t) => (t, true),
+                None => (start.saturating_add(t), false),
+            },
             _ if (numerator < 0) == (a < 0) => (start.saturating_add(farthest), false),
             _ => (start.saturating_sub(farthest), false),
         }
@@ -203,8 +221,14 @@ impl Roots for AtCone {
 ///
 /// The origin is in units of `2^-finer` of the sizes'; the answer is in the sizes'.
 #[inline(always)]
-pub(in crate::scalar) fn nappe(o: [i32; 3], finer: i32, d: [i32; 3], outline: [i32; 3]) -> Attempt<InNappe<i32>> {
-    found!(AtCone::new(o, finer, d, outline)).in_nappe()
+pub(in crate::scalar) fn nappe(
+    o: [i32; 3],
+    finer: i32,
+    d: [i32; 3],
+    outline: [i32; 3],
+    is_strict: bool,
+) -> Attempt<InNappe<i32>> {
+    found!(AtCone::new(o, finer, d, outline, is_strict)).in_nappe()
 }
 
 /// Where the line is inside both nappes of the cone of slope `g / h` about its apex at the origin: between its ends, or (`true`) beyond
@@ -215,15 +239,22 @@ pub(in crate::scalar) fn double_cone(
     finer: i32,
     d: [i32; 3],
     [g, h]: [i32; 2],
+    is_strict: bool,
 ) -> Attempt<([i32; 2], bool)> {
-    found!(AtCone::new(o, finer, d, [0, g, h])).in_both()
+    found!(AtCone::new(o, finer, d, [0, g, h], is_strict)).in_both()
 }
 
 /// Where a line that begins in the side of [`nappe`] leaves that nappe: the other root of `a t^2 + 2 k t`, whatever its rounded coordinates
 /// say; the largest number if it does not.
 #[inline]
-pub(in crate::scalar) fn exit_from_nappe(o: [i32; 3], finer: i32, d: [i32; 3], outline: [i32; 3]) -> Attempt<i32> {
-    let line = found!(Scaled::new(o, finer, d, outline, true));
+pub(in crate::scalar) fn exit_from_nappe(
+    o: [i32; 3],
+    finer: i32,
+    d: [i32; 3],
+    outline: [i32; 3],
+    is_strict: bool,
+) -> Attempt<i32> {
+    let line = found!(Scaled::new(o, finer, d, outline, true, is_strict));
     let (k, shift) = (line.k(), line.digits.shift);
     // The coordinates' rounding moves t by a fourth of a unit at most.
     if line.spare() < 3 {

@@ -48,6 +48,13 @@ fn more_bits(finer: i32, grid: i32) -> i32 {
     (finer - FINER).min(grid - 5).max(0)
 }
 
+/// By how many bits the error of a length on a grid of `2^-grid` units is larger than that grid's unit, if it comes from a framed origin. Each of
+/// its coordinates is off by less than 2 of its own units: by its rounding, by that of the point that it was moved to, and by the direction's.
+#[inline(always)]
+fn framed_bits(finer: i32, grid: i32) -> i32 {
+    if finer == 0 { 0 } else { 1 + (grid - finer).max(0) }
+}
+
 /// The square root of a number of at least 2^32 and below 2^62, to within one.
 #[inline(always)]
 fn root(n: u64) -> u32 {

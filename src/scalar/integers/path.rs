@@ -6,16 +6,21 @@ use core::cmp::Ordering;
 use fixed::types::extra::{LeEqU32, LeEqU64};
 use fixed::{FixedI32, FixedI64};
 
+/// Ends are off by a unit at most, and heights at them by less than two: the order of two that are not 2 to the power of this apart may be decided
+/// by rounding.
+const DOUBTFUL_BITS: u32 = 2;
+
 /// Defines it for the types of one width, with what only one of them has.
 macro_rules! fast {
-    ($Fixed:ident, $LeEq:ident, $raw:ty, $($kernels:ident)::+, { $($own:tt)* }) => {
+    ($Fixed:ident, $LeEq:ident, $raw:ty, $($kernels:ident)::+, [$($strict:ident)?], { $($own:tt)* }) => {
         impl<F: $LeEq + Send + Sync + 'static> FastPath for $Fixed<F> {
         $($own)*
         #[inline(always)]
-        fn fast_ball(line: LocalLine<Self>, r: Self, by_moment: bool) -> Attempt<[Self; 2]> {
+        fn fast_ball(line: LocalLine<Self>, r: Self, by_moment: bool, is_strict: bool) -> Attempt<[Self; 2]> {
+            let line = LocalLine { is_strict, ..line };
             let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits), r.to_bits());
             let [low, high] = if by_moment {
-                found!(found!($($kernels)::+::ByMoment::new(o, line.finer, d, r)).ends())
+                found!(found!($($kernels)::+::ByMoment::new(o, line.finer, d, r)).ends($(line.$strict)?))
             } else {
                 found!(found!($($kernels)::+::ByApproach::new(o, line.finer, d, r)).ends())
             };
@@ -33,7 +38,7 @@ macro_rules! fast {
         #[inline(always)]
         fn fast_tube(line: LocalLine<Self>, r: Self) -> Attempt<[Self; 2]> {
             let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits), r.to_bits());
-            let [low, high] = found!($($kernels)::+::tube(o, line.finer, d, r));
+            let [low, high] = found!($($kernels)::+::tube(o, line.finer, d, r $(, line.$strict)?));
             Attempt::Found([Self::from_bits(low), Self::from_bits(high)])
         }
         #[inline(always)]
@@ -57,13 +62,17 @@ macro_rules! fast {
             let height = height.map_or((1 as $raw).checked_shl(F::U32).unwrap_or(0), Self::to_bits);
             let height = if height > 0 { height } else { return Attempt::Unsure };
             let outline = [base.to_bits(), growth.to_bits(), height];
-            let exit = found!($($kernels)::+::exit_from_nappe(o, line.finer, d, outline));
+            let exit = found!($($kernels)::+::exit_from_nappe(o, line.finer, d, outline $(, line.$strict)?));
             Attempt::Found(Self::from_bits(exit))
         }
         #[inline(always)]
         fn fast_seams(line: LocalLine<Self>, t: Self, height: Self) -> Attempt<Ordering> {
             let (oy, dy) = (line.origin[1].to_bits(), line.direction[1].to_bits());
             let y = found!($($kernels)::+::height(oy, line.finer, dy, t.to_bits()));
+            let is_close = |height: $raw| y.abs_diff(height) >> DOUBTFUL_BITS == 0;
+            if line.is_strict && (is_close(0) || is_close(height.to_bits())) {
+                return Attempt::Unsure;
+            }
             Attempt::Found(if y < 0 {
                 Ordering::Less
             } else if y > height.to_bits() {
@@ -71,6 +80,14 @@ macro_rules! fast {
             } else {
                 Ordering::Equal
             })
+        }
+        #[inline(always)]
+        fn are_close(line: &LocalLine<Self>, a: Self, b: Self, _: Self) -> bool {
+            line.is_strict && Self::are_doubtful(a, b)
+        }
+        #[inline(always)]
+        fn are_doubtful(a: Self, b: Self) -> bool {
+            a.to_bits().abs_diff(b.to_bits()) >> DOUBTFUL_BITS == 0
         }
         #[inline(always)]
         fn fast_lowered(line: LocalLine<Self>, y: Self) -> Attempt<LocalLine<Self>> {
@@ -94,7 +111,7 @@ macro_rules! fast {
             let height = height.map_or((1 as $raw).checked_shl(F::U32).unwrap_or(0), Self::to_bits);
             let height = if height > 0 { height } else { return Attempt::Unsure };
             let InNappe { ends, certain } =
-                found!($($kernels)::+::nappe(o, line.finer, d, [base.to_bits(), growth.to_bits(), height]));
+                found!($($kernels)::+::nappe(o, line.finer, d, [base.to_bits(), growth.to_bits(), height] $(, line.$strict)?));
             let [low, high] = ends;
             Attempt::Found(InNappe { ends: [Self::from_bits(low), Self::from_bits(high)], certain })
         }
@@ -105,7 +122,7 @@ macro_rules! fast {
                 Some(one) if one > 0 => one,
                 _ => return Attempt::Unsure,
             };
-            let (ends, beyond) = found!($($kernels)::+::double_cone(o, line.finer, d, [slope.to_bits(), one]));
+            let (ends, beyond) = found!($($kernels)::+::double_cone(o, line.finer, d, [slope.to_bits(), one] $(, line.$strict)?));
             Attempt::Found((ends.map(Self::from_bits), beyond))
         }
         #[inline(always)]
@@ -145,7 +162,7 @@ macro_rules! fast {
     };
 }
 
-fast!(FixedI32, LeEqU32, i32, integers, {
+fast!(FixedI32, LeEqU32, i32, integers, [is_strict], {
     #[inline(always)]
     fn fast_stretched_finely(
         o: [Self; 3],
@@ -199,7 +216,7 @@ fast!(FixedI32, LeEqU32, i32, integers, {
         Attempt::Found((Self::from_bits(t), from_front))
     }
 });
-fast!(FixedI64, LeEqU64, i64, integers::wide, {
+fast!(FixedI64, LeEqU64, i64, integers::wide, [], {
     #[inline(always)]
     fn fast_triangle(line: LocalLine<Self>, vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {
         let (o, d) = (line.origin.map(Self::to_bits), line.direction.map(FixedI64::to_bits));

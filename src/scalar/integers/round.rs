@@ -1,14 +1,14 @@
 //! A line and the round sides: cylinder and cone, without their ends.
 
 use super::quotient::Normalized;
-use super::{half, high, high_product, leading_zeros, more_bits, product, root, square};
+use super::{framed_bits, half, high, high_product, leading_zeros, more_bits, product, root, square};
 use crate::scalar::Attempt;
 
 /// Where the line is inside the infinite cylinder about the y axis: `a = dx^2 + dz^2`, `D = a r^2 - w_y^2`, `t = (-k -+ sqrt(D)) / a`.
 ///
-/// The origin is in units of `2^-finer` of the radius's; the answer is in the radius's.
+/// The origin is in units of `2^-finer` of the radius's; the answer is in the radius's. `is_strict`: if it is certain whether the line is inside.
 #[inline(always)]
-pub(in crate::scalar) fn tube(o: [i32; 3], finer: i32, d: [i32; 3], r: i32) -> Attempt<[i32; 2]> {
+pub(in crate::scalar) fn tube(o: [i32; 3], finer: i32, d: [i32; 3], r: i32, is_strict: bool) -> Attempt<[i32; 2]> {
     let ([x, _, z], [dx, _, dz]) = (o, d);
     // As for a ball: a grid on which the radius has 29 bits, and the moment shifted down to it.
     let grid = leading_zeros(r as u32) as i32 - 3;
@@ -33,8 +33,9 @@ pub(in crate::scalar) fn tube(o: [i32; 3], finer: i32, d: [i32; 3], r: i32) -> A
     let twice = high_product(digits.digits, (r as u32) << 2) as i32;
     let positive = product(twice, r) >> (1 + digits.shift);
     let discriminant = positive - square(wy);
-    // Their rounding is below 2^31.
-    if high(discriminant) < -1 {
+    // Their rounding is below 2^31, that of the moment below 2^30, and what a framed origin adds below 2^31 times its error.
+    let doubt = if is_strict { 1 << framed_bits(finer, grid) } else { 1 };
+    if high(discriminant) < -doubt {
         return Attempt::Miss;
     }
     // The moment's rounding, half a unit of the grid, moves t by no more than a thirtieth of a unit (near the upper limit of the
@@ -43,7 +44,8 @@ pub(in crate::scalar) fn tube(o: [i32; 3], finer: i32, d: [i32; 3], r: i32) -> A
     // A framed origin is off by a hundredth of a unit, of which a root a sixteenth of the radius makes a sixth, and so does a direction
     // at an eighth to the axis. With each bit that it is finer, the root may be half as large.
     let (most, steep) = if finer == 0 { (22, 63) } else { (8 + 2 * more_bits(finer, grid), 6) };
-    if spare < 4 || digits.shift > steep || high(discriminant) <= high(positive) >> (2 * (spare - 5)).clamp(3, most) {
+    let least = high(positive) >> (2 * (spare - 5)).clamp(3, most);
+    if spare < 4 || digits.shift > steep || high(discriminant) <= least || (is_strict && high(discriminant) <= doubt) {
         return Attempt::Unsure;
     }
     let divisor = digits.divisor();

@@ -206,8 +206,6 @@ mod law {
             if is_float::<S>() {
                 let apart = (&(&a.t.exact() - &b.t.exact()) - &shift.exact()).to_f64().abs();
                 prop_assert!(apart <= unit_at(a.t) + unit_at(b.t), "{ray:?} by {shift:?}: {a:?} {b:?}");
-            } else if T::GRADE == Grade::Exact || a.t == b.t.plus(shift) {
-                prop_assert_eq!(a.t, b.t.plus(shift), "{:?} by {:?}: {:?} {:?}", ray, shift, a, b);
             } else {
                 // Roots and reciprocals have 31 bits: what lies within an eighth of a unit of a tie may be rounded to either side.
                 let (one, other) = (a.t.exact(), &b.t.exact() + &shift.exact());
