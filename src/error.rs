@@ -7,6 +7,7 @@ use crate::ray::RayError;
 use crate::scalar::ValueError;
 use crate::scene::nff::NffError;
 use crate::scene::{CameraError, HierarchyError, SceneError};
+use crate::shape::kinds::KindError;
 use core::fmt;
 
 /// Defines the enum of all errors, and how each becomes one.
@@ -55,6 +56,8 @@ errors! {
     Ray(RayError),
     /// Of a frame or an affine placement.
     Frame(FrameError),
+    /// Of a shape of chosen kinds.
+    Kind(KindError),
     /// Of a camera.
     Camera(CameraError),
     /// Of a scene.

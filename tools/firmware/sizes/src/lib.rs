@@ -51,3 +51,35 @@ macro_rules! pixel {
         }
     };
 }
+
+/// A program that traces a pixel, without effects, of a scene of chosen kinds.
+#[macro_export]
+macro_rules! picture {
+    ($S:ty, $Kinds:ty) => {
+        $crate::raylet_proofs::program! {
+            use $crate::raylet::{Picture, Scene, Size, Stable, Work};
+            use $crate::raylet_proofs::input::{any_reference, any_word, give};
+
+            let scene = any_reference::<Scene<'static, $S, Stable, $Kinds>>();
+            let size = Size::new(any_word() as u16, any_word() as u16);
+            let picture = Picture::<$S, (), Stable, $Kinds>::leaving_out(scene, size);
+            let [x, y] = [any_word() as u16, any_word() as u16];
+            give(picture.pixel(x, y, &mut Work::new(())));
+        }
+    };
+}
+
+/// A program that finds the nearest hit of a shape of chosen kinds.
+#[macro_export]
+macro_rules! nearest_among {
+    ($S:ty, $Kinds:ty) => {
+        $crate::raylet_proofs::program! {
+            use $crate::raylet::{Ray, Shape};
+            use $crate::raylet_proofs::input::{any_reference, give};
+
+            let shape = any_reference::<Shape<$S, $Kinds>>();
+            let ray = any_reference::<Ray<$S>>();
+            give(shape.nearest(ray));
+        }
+    };
+}
