@@ -238,9 +238,13 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
     pub fn bounds(&self) -> Bounds<S> {
         let hull = self.member.hull();
         match &self.placement {
-            Placement::Frame(frame) if K::SET.contains(Kind::Frame) => bounds::in_frame(&hull, frame),
-            Placement::Affine(affine) if K::SET.contains(Kind::Affine) => bounds::in_affine(&hull, affine),
-            _ => bounds::unplaced(&hull),
+            Placement::Frame(frame) if K::SET.contains(Kind::Frame) => {
+                bounds::in_frame::<S, Member<S, K>>(&hull, frame)
+            }
+            Placement::Affine(affine) if K::SET.contains(Kind::Affine) => {
+                bounds::in_affine::<S, Member<S, K>>(&hull, affine)
+            }
+            _ => bounds::unplaced::<S, Member<S, K>>(&hull),
         }
     }
 

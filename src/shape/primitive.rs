@@ -54,7 +54,7 @@ macro_rules! primitives {
                 }
                 /// The axis-aligned bounding box: see [`Shape::bounds`].
                 pub fn bounds(&self) -> Bounds<S> {
-                    bounds::unplaced(&self.hull())
+                    bounds::unplaced::<S, Self>(&self.hull())
                 }
             }
         )+
