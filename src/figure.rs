@@ -102,6 +102,22 @@ impl Figures {
     }
 }
 
+impl<S> Figure<S> {
+    /// Which of the figures it is.
+    pub(crate) const fn figures(&self) -> Figures {
+        match self {
+            Self::Ball { .. } => Figures::BALL,
+            Self::Capsule { .. } => Figures::CAPSULE,
+            Self::Round { side: Side::Straight(_), .. } => Figures::TUBE,
+            Self::Round { .. } => Figures::CONE,
+            Self::DoubleCone { .. } => Figures::DOUBLE_CONE,
+            Self::Plane => Figures::PLANE,
+            Self::Disc { .. } => Figures::DISC,
+            Self::Triangle { .. } => Figures::TRIANGLE,
+        }
+    }
+}
+
 /// What the figures of a type can be. The solver tests this constant before it looks at a figure, so that the compiler removes the
 /// functions for all others.
 pub trait Described {

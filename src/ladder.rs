@@ -164,6 +164,7 @@ fn climb<S: Scalar, N: Of<S>, G: Described>(
     place: &impl Place<S>,
     ray: &Ray<S>,
 ) -> Option<Intersection<S>> {
+    debug_assert!(G::FIGURES.has(figure.figures()));
     let departure = ray.departure().map(|departure| (departure.part, departure.leaving));
     if solve::meets_nothing(figure, departure) {
         return Some(Intersection::Miss);
@@ -185,6 +186,7 @@ pub(crate) fn line<S: Scalar, N: FromScalar<S>, G: Described>(
 
 /// The inside test, computed in numbers of the type `N`; `None` if they do not know a sign.
 fn holds<S: Scalar, N: Of<S>, G: Described>(figure: &Figure<S>, place: &impl Place<S>, point: Vec3<S>) -> Option<bool> {
+    debug_assert!(G::FIGURES.has(figure.figures()));
     let point = if is_ball::<S, G>(figure) { place.ball_point::<N>(point) } else { place.point::<N>(point) };
     solve::holds::<S, N, G>(figure, point)
 }

@@ -68,7 +68,7 @@ fn whole_uses(text: &mut String, chips: &[Measured]) {
          anyhow (`Shape`): instructions of one test of one of its zones against one of its forty solids, 1 to 200 metres away, most of them upright; its stack is the \
          largest of all nearest hits below. The *picture* is that of the effects below, with any solid in it: instructions a pixel, with all effects of several samples at edges. \
          The others name the primitives and placements that they use (`Shape<S, K>`), and no code of other ones is linked: spheres and planes, or cylinders and planes, in frames or not placed. \
-         *All queries* are those of hits, occlusion, inside and surface, in every tier. Flash depends on the \
+         Flash depends on the \
          profile: `opt-level = 3`, which is the fastest.\n\n",
     );
     head(text, ["use", "number", "chip", "flash", "stack", "instructions", "cycles"].map(String::from));

@@ -1,7 +1,7 @@
 //! The programs of `tools/firmware/sizes`: one for each row of the tables of sizes, and an empty one.
 
 use crate::effects::{NUMBERS, SETS};
-use crate::kinds::USES;
+use crate::kinds;
 use crate::size::{KINDS, PRIMITIVES};
 use raylet_tables::{Outcome, in_repository};
 use std::collections::BTreeMap;
@@ -87,21 +87,14 @@ fn all() -> BTreeMap<String, String> {
             programs.insert(of_set(name, number), text(&what, Some(number), [vec![], effects], &program));
         }
     }
-    for of in &USES {
-        for number in NUMBERS {
-            let what = format!("{}: {}; {number}", of.name, of.kinds.join(", "));
-            let kinds: Vec<_> = of.kinds.iter().map(|kind| format!("{kind}<{number}>")).collect();
-            let (mut named, mut effects) = (vec![], vec![]);
-            named.extend(of.kinds.iter().map(ToString::to_string));
-            let mut arguments = format!("{number}, ({})", kinds.join(", "));
-            if let Some(set) = of.effects {
-                let (set, types) = set_type(set, set);
-                arguments += &format!(", {set}");
-                effects = types;
-            }
-            let program = format!("{}!({arguments})", of.made_by);
-            programs.insert(of_use(of.program, number), text(&what, Some(number), [named, effects], &program));
-        }
+    for (of, number) in kinds::programs().flat_map(|of| NUMBERS.map(|number| (of, number))) {
+        let what = format!("{}: {}; {number}", of.name, of.kinds.join(", "));
+        let types: Vec<_> = of.kinds.iter().map(|kind| format!("{kind}<{number}>")).collect();
+        let (set, effects) = of.effects.map_or_else(Default::default, |set| set_type(set, set));
+        let set = if set.is_empty() { set } else { format!(", {set}") };
+        let program = format!("{}!({number}, ({}){set})", of.made_by, types.join(", "));
+        let named = of.kinds.iter().map(ToString::to_string).collect();
+        programs.insert(of_use(of.program, number), text(&what, Some(number), [named, effects], &program));
     }
     programs
 }
@@ -134,7 +127,10 @@ mod tests {
 
     #[test]
     fn every_row_has_a_program_of_its_own() {
-        assert_eq!(all().len(), 1 + PRIMITIVES.len() * KINDS.len() + (SETS.len() + USES.len()) * NUMBERS.len());
+        assert_eq!(
+            all().len(),
+            1 + PRIMITIVES.len() * KINDS.len() + (SETS.len() + kinds::programs().count()) * NUMBERS.len()
+        );
     }
 
     #[test]
