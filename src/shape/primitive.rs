@@ -81,13 +81,13 @@ macro_rules! primitives {
             };
         }
 
-        /// The same where the answer is of the primitive's own type.
+        /// The same where the answer is of the primitive's own type. Each is made where it is returned: it is not copied.
         macro_rules! map {
             ($of:ident, |$primitive:ident| $answer:expr, $none:expr) => {
                 match &$of.primitive {
                     $(
                         Primitive::$Variant($primitive) if K::SET.contains(Kind::$Variant) => {
-                            Primitive::$Variant($answer)
+                            Member { primitive: Primitive::$Variant($answer), kinds: PhantomData }
                         }
                     )+
                     _ => $none,
@@ -123,13 +123,13 @@ impl<S: Scalar, K: Kinds> Geometry<S> for Member<S, K> {
 
     #[inline(always)]
     fn in_doubles(&self) -> Self::Doubles {
-        Member::new(map!(self, |p| p.in_doubles(), Primitive::Plane(Plane::new())))
+        map!(self, |p| p.in_doubles(), Member::new(Primitive::Plane(Plane::new())))
     }
     fn reach(&self) -> S {
         with!(self, |p| p.reach(), S::ZERO)
     }
     fn scaled(&self, e: i32) -> Self {
-        Self::new(map!(self, |p| p.scaled(e), self.primitive))
+        map!(self, |p| p.scaled(e), *self)
     }
     #[inline(always)]
     fn fast_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
