@@ -74,9 +74,13 @@ macro_rules! primitives {
         /// shape has.
         macro_rules! with {
             ($of:ident, |$primitive:ident| $answer:expr, $none:expr) => {
+                // Without an arm for all others, which the compiler would not know to be unreachable.
                 match &$of.primitive {
-                    $(Primitive::$Variant($primitive) if K::SET.contains(Kind::$Variant) => $answer,)+
-                    _ => $none,
+                    $(
+                        Primitive::$Variant($primitive) => {
+                            if K::SET.contains(Kind::$Variant) { $answer } else { $none }
+                        }
+                    )+
                 }
             };
         }
@@ -86,11 +90,14 @@ macro_rules! primitives {
             ($of:ident, |$primitive:ident| $answer:expr, $none:expr) => {
                 match &$of.primitive {
                     $(
-                        Primitive::$Variant($primitive) if K::SET.contains(Kind::$Variant) => {
-                            Member { primitive: Primitive::$Variant($answer), kinds: PhantomData }
+                        Primitive::$Variant($primitive) => {
+                            if K::SET.contains(Kind::$Variant) {
+                                Member { primitive: Primitive::$Variant($answer), kinds: PhantomData }
+                            } else {
+                                $none
+                            }
                         }
                     )+
-                    _ => $none,
                 }
             };
         }

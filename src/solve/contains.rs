@@ -71,7 +71,13 @@ pub(crate) fn holds<S: Scalar, N: Of<S>, G: Described>(figure: &Figure<S>, point
             }
             Some(true)
         }
-        // The geometry has no other.
-        _ => Some(false),
+        // The geometry has none of these.
+        Figure::Ball { .. }
+        | Figure::Capsule { .. }
+        | Figure::Round { .. }
+        | Figure::DoubleCone { .. }
+        | Figure::Plane
+        | Figure::Disc { .. }
+        | Figure::Triangle { .. } => Some(false),
     }
 }

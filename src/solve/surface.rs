@@ -44,8 +44,14 @@ fn surface_of<S: Copy, N: Ring, G: Described>(
             let [a, b, c] = vertices.map(|vertex| vertex.map(number));
             Surface::Plane(a, cross(difference(b, a), difference(c, a)))
         }
-        // A plane or a disc; the geometry has no other.
-        _ => Surface::Across(zero),
+        // A plane or a disc; the geometry has none of the others.
+        Figure::Ball { .. }
+        | Figure::Capsule { .. }
+        | Figure::Round { .. }
+        | Figure::DoubleCone { .. }
+        | Figure::Plane
+        | Figure::Disc { .. }
+        | Figure::Triangle { .. } => Surface::Across(zero),
     };
     (surface, zero)
 }
