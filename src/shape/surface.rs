@@ -109,6 +109,7 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
     }
 
     /// True if the rounding of `t` is small beside the hit's local coordinates and the surface's curvature.
+    #[inline(always)]
     fn is_resolved(&self, local: Vec3<S>) -> bool {
         let Vec3 { x, y, z } = local;
         let is_finite = x.is_finite() && y.is_finite() && z.is_finite();
