@@ -259,7 +259,7 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
 impl<S: Scalar, K: Kinds> fmt::Debug for Shape<S, K> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut written = f.debug_struct("Shape");
-        written.field("primitive", self.primitive()).field("placement", &self.placement);
+        written.field("primitive", &self.member.primitive).field("placement", &self.placement);
         written.field("visible", &self.visible).finish()
     }
 }
