@@ -55,8 +55,11 @@ fn same_answers<S: exact_types::Exact, K: Kinds, T: Tier<S>>(shape: &Shape<S>, c
     }
 }
 
+/// What is asked of a shape of any kind and of the same shape of chosen kinds, with a ray.
+type Ask<S, K> = fn(&Shape<S>, &Shape<S, K>, &Ray<S>);
+
 /// Every subject, placed in every way, that is among these kinds. Returns how many shapes were asked.
-fn of_these<S: exact_types::Exact, K: Kinds>(tiers: &[fn(&Shape<S>, &Shape<S, K>, &Ray<S>)]) -> usize {
+fn of_these<S: exact_types::Exact, K: Kinds>(tiers: &[Ask<S, K>]) -> usize {
     let (mut random, mut shapes) = (Random(7), 0);
     let workloads: Vec<_> = WORKLOADS.into_iter().chain(FURTHER).collect();
     for subject in SUBJECTS.map(Subject::<S>::new) {
