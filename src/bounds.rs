@@ -19,6 +19,7 @@
 //! volume.)
 
 use crate::affine::Affine;
+use crate::figure::{Described, Figures};
 use crate::frame::Frame;
 use crate::geometry::{Bounds, Hull};
 use crate::scalar::{Real, Ring, Scalar, Unit, largest};
@@ -28,40 +29,40 @@ use crate::vector::{UnitVec3, Vec3, pairs, transposed};
 type Row<S> = ([Unit<S>; 3], i32);
 
 /// The box of a primitive in its canonical pose.
-pub(crate) fn unplaced<S: Scalar>(hull: &Hull<S>) -> Bounds<S> {
-    placed(hull, Vec3::ZERO, unturned::<S>())
+pub(crate) fn unplaced<S: Scalar, G: Described>(hull: &Hull<S>) -> Bounds<S> {
+    placed::<S, G>(hull, Vec3::ZERO, unturned::<S>())
 }
 
 /// The box of a primitive in a frame.
-pub(crate) fn in_frame<S: Scalar>(hull: &Hull<S>, frame: &Frame<S>) -> Bounds<S> {
+pub(crate) fn in_frame<S: Scalar, G: Described>(hull: &Hull<S>, frame: &Frame<S>) -> Bounds<S> {
     let rows = match hull {
         // A ball in a frame is one whatever the last bits of the axes say.
-        Hull::Ball(_) => unturned::<S>(),
+        Hull::Ball(_) if G::FIGURES.has(Figures::BALL) => unturned::<S>(),
         _ => [frame.right(), frame.up(), frame.forward()].map(|axis| (axis.to_array(), 0)),
     };
-    placed(hull, frame.position(), rows)
+    placed::<S, G>(hull, frame.position(), rows)
 }
 
 /// The box of a primitive as a matrix places it.
-pub(crate) fn in_affine<S: Scalar>(hull: &Hull<S>, affine: &Affine<S>) -> Bounds<S> {
-    placed(hull, affine.position(), affine.inverse())
+pub(crate) fn in_affine<S: Scalar, G: Described>(hull: &Hull<S>, affine: &Affine<S>) -> Bounds<S> {
+    placed::<S, G>(hull, affine.position(), affine.inverse())
 }
 
 fn unturned<S: Scalar>() -> [Row<S>; 3] {
     [UnitVec3::<S>::X, UnitVec3::Y, UnitVec3::Z].map(|axis| (axis.to_array(), 0))
 }
 
-fn placed<S: Scalar>(hull: &Hull<S>, position: Vec3<S>, rows: [Row<S>; 3]) -> Bounds<S> {
+fn placed<S: Scalar, G: Described>(hull: &Hull<S>, position: Vec3<S>, rows: [Row<S>; 3]) -> Bounds<S> {
     let everywhere = [-S::INFINITY, S::INFINITY];
     let [x, y, z] = match inverse(rows) {
-        Some(matrix) => pairs(position.to_array(), matrix).map(|(o, row)| interval(hull, o, row)),
+        Some(matrix) => pairs(position.to_array(), matrix).map(|(o, row)| interval::<S, G>(hull, o, row)),
         None => [everywhere; 3],
     };
     Bounds { low: Vec3::new(x[0], y[0], z[0]), high: Vec3::new(x[1], y[1], z[1]) }
 }
 
 /// How far it reaches down and up along an axis of the world, for the position's component and the matrix's row of that axis.
-fn interval<S: Scalar>(hull: &Hull<S>, o: S, [x, y, z]: [Near<S>; 3]) -> [S; 2] {
+fn interval<S: Scalar, G: Described>(hull: &Hull<S>, o: S, [x, y, z]: [Near<S>; 3]) -> [S; 2] {
     let one = S::Real::ONE;
     let moved = (o, Near::exact(one));
     let mirrored = (-o, Near::exact(one));
@@ -69,25 +70,30 @@ fn interval<S: Scalar>(hull: &Hull<S>, o: S, [x, y, z]: [Near<S>; 3]) -> [S; 2] 
     let round = |[height, radius]: [S; 2], spread: Near<S>| {
         both(no_less([moved, (height, y), (radius, spread)]), no_less([mirrored, (-height, y), (radius, spread)]))
     };
+    // Only the hulls of the geometry's figures are linked.
+    let has = |figures| G::FIGURES.has(figures);
+    let between_discs = Figures::TUBE.and(Figures::CONE).and(Figures::DOUBLE_CONE);
     match hull {
-        Hull::Ball(radius) => round([S::ZERO, *radius], length([x, y, z])),
-        Hull::Balls(balls) => {
+        Hull::Ball(radius) if has(Figures::BALL) => round([S::ZERO, *radius], length([x, y, z])),
+        Hull::Balls(balls) if has(Figures::CAPSULE) => {
             let spread = length([x, y, z]);
             united(balls.map(|ball| round(ball, spread)))
         }
-        Hull::Discs(discs) => {
+        Hull::Discs(discs) if has(between_discs.and(Figures::PLANE).and(Figures::DISC)) => {
             let spread = length([x, z]);
             united(discs.map(|disc| round(disc, spread)))
         }
-        Hull::Cone { slope, height } => {
+        Hull::Cone { slope, height } if has(Figures::CONE) => {
             let spread = length([x, z]);
             let [rise, fall] = [one, -one].map(|sign| sum([(sign, y), (slope.real(), spread)]));
             united([[o; 2], both(no_less([moved, (*height, rise)]), no_less([mirrored, (*height, fall)]))])
         }
-        Hull::Points(points) => united(points.map(|point| {
+        Hull::Points(points) if has(Figures::TRIANGLE) => united(points.map(|point| {
             let [a, b, c] = point.to_array();
             both(no_less([moved, (a, x), (b, y), (c, z)]), no_less([mirrored, (-a, x), (-b, y), (-c, z)]))
         })),
+        // The geometry has no other.
+        _ => [o; 2],
     }
 }
 

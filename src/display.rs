@@ -20,6 +20,7 @@ use crate::effect::{Effects, Work};
 use crate::render::Picture;
 use crate::scalar::{Scalar, UnitScalar};
 use crate::scene::{Color, Counters, Observer};
+use crate::shape::kinds::Kinds;
 use crate::tier::Tier;
 use core::ops::Range;
 use embedded_graphics_core::draw_target::DrawTarget;
@@ -61,7 +62,7 @@ impl DisplayColor for Rgb888 {
     }
 }
 
-impl<S: Scalar, E: Effects, T: Tier<S>> Picture<'_, S, E, T> {
+impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'_, S, E, T, K> {
     /// Draws the picture with its upper left corner at `corner`, and returns the counters of rays and tests. It needs no buffer for the
     /// frame or for a row: each pixel is sent as it is traced.
     ///

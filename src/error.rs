@@ -7,6 +7,7 @@ use crate::ray::RayError;
 use crate::scalar::ValueError;
 use crate::scene::nff::NffError;
 use crate::scene::{CameraError, HierarchyError, SceneError};
+use crate::shape::kinds::KindError;
 use core::convert::Infallible;
 use core::fmt;
 
@@ -56,6 +57,8 @@ errors! {
     Ray(RayError),
     /// Of a frame or an affine placement.
     Frame(FrameError),
+    /// Of a shape of chosen kinds.
+    Kind(KindError),
     /// Of a camera.
     Camera(CameraError),
     /// Of a scene.

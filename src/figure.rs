@@ -62,3 +62,65 @@ pub enum Extent<S> {
     /// Caps at these heights; a solid. `None` at an apex, which needs no cap.
     Capped(Option<S>, Option<S>),
 }
+
+/// Kinds of figures: a bit for each that the solver has a function of its own for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Figures(u16);
+
+impl Figures {
+    /// None.
+    pub(crate) const NONE: Self = Self(0);
+    /// [`Figure::Ball`].
+    pub(crate) const BALL: Self = Self(1);
+    /// [`Figure::Capsule`].
+    pub(crate) const CAPSULE: Self = Self(1 << 1);
+    /// [`Figure::Round`] with a straight side.
+    pub(crate) const TUBE: Self = Self(1 << 2);
+    /// [`Figure::Round`] with any other side.
+    pub(crate) const CONE: Self = Self(1 << 3);
+    /// [`Figure::DoubleCone`].
+    pub(crate) const DOUBLE_CONE: Self = Self(1 << 4);
+    /// [`Figure::Plane`].
+    pub(crate) const PLANE: Self = Self(1 << 5);
+    /// [`Figure::Disc`].
+    pub(crate) const DISC: Self = Self(1 << 6);
+    /// [`Figure::Triangle`].
+    pub(crate) const TRIANGLE: Self = Self(1 << 7);
+    /// All of these.
+    #[cfg(test)]
+    pub(crate) const ALL: Self = Self(0xff);
+
+    /// Those of both sets.
+    pub(crate) const fn and(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    /// True if any of `other` is in the set.
+    #[inline(always)]
+    pub(crate) const fn has(self, other: Self) -> bool {
+        self.0 & other.0 != 0
+    }
+}
+
+impl<S> Figure<S> {
+    /// Which of the figures it is.
+    pub(crate) const fn figures(&self) -> Figures {
+        match self {
+            Self::Ball { .. } => Figures::BALL,
+            Self::Capsule { .. } => Figures::CAPSULE,
+            Self::Round { side: Side::Straight(_), .. } => Figures::TUBE,
+            Self::Round { .. } => Figures::CONE,
+            Self::DoubleCone { .. } => Figures::DOUBLE_CONE,
+            Self::Plane => Figures::PLANE,
+            Self::Disc { .. } => Figures::DISC,
+            Self::Triangle { .. } => Figures::TRIANGLE,
+        }
+    }
+}
+
+/// What the figures of a type can be. The solver tests this constant before it looks at a figure, so that the compiler removes the
+/// functions for all others.
+pub trait Described {
+    /// The figures.
+    const FIGURES: Figures;
+}

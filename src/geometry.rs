@@ -1,7 +1,7 @@
 //! The interface of a primitive.
 
 use crate::fast::Guards;
-use crate::figure::Figure;
+use crate::figure::{Described, Figure};
 use crate::intersection::{End, Intersection};
 use crate::line::Place;
 use crate::part::Part;
@@ -10,7 +10,7 @@ use crate::scalar::{Attempt, LocalLine, Scalar, found};
 use crate::vector::{UnitVec3, Vec3};
 
 /// The interface of a primitive, in its own frame.
-pub trait Geometry<S: Scalar>: Copy {
+pub trait Geometry<S: Scalar>: Copy + Described {
     /// The same primitive in doubles.
     type Doubles: Geometry<f64>;
 

@@ -6,7 +6,7 @@
 
 use crate::exact::{Certain, Effort, Exact};
 use crate::fast::Guards;
-use crate::figure::Figure;
+use crate::figure::{Described, Figure, Figures};
 use crate::geometry::Geometry;
 use crate::intersection::{End, Intersection, Span};
 use crate::line::Place;
@@ -36,12 +36,12 @@ macro_rules! solve_robustly {
                     Attempt::Miss => Intersection::Miss,
                     // The robust number knows every sign, so that there is always a result.
                     Attempt::Unsure => {
-                        climb::<S, S::Robust>(&geometry.figure(), place, ray).unwrap_or(Intersection::Miss)
+                        climb::<S, S::Robust, G>(&geometry.figure(), place, ray).unwrap_or(Intersection::Miss)
                     }
                 }
             }
             fn contains<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, point: Vec3<S>) -> bool {
-                holds::<S, S::Robust>(&geometry.figure(), place, point).unwrap_or(false)
+                holds::<S, S::Robust, G>(&geometry.figure(), place, point).unwrap_or(false)
             }
         }
     };
@@ -78,14 +78,14 @@ macro_rules! solve_exactly {
                         Attempt::Unsure => {}
                     }
                 }
-                let (intersection, _) = exactly(&geometry.figure(), place, ray);
+                let (intersection, _) = exactly::<$S, G>(&geometry.figure(), place, ray);
                 intersection
             }
             fn contains<G: Geometry<$S>>(geometry: &G, place: &impl Place<$S>, point: Vec3<$S>) -> bool {
                 let figure = geometry.figure();
-                holds::<$S, <$S as Certain>::Filter>(&figure, place, point)
-                    .or_else(|| holds::<$S, <$S as Certain>::Bounded>(&figure, place, point))
-                    .or_else(|| holds::<$S, <$S as Certain>::Integer>(&figure, place, point))
+                holds::<$S, <$S as Certain>::Filter, G>(&figure, place, point)
+                    .or_else(|| holds::<$S, <$S as Certain>::Bounded, G>(&figure, place, point))
+                    .or_else(|| holds::<$S, <$S as Certain>::Integer, G>(&figure, place, point))
                     .unwrap_or(false)
             }
         }
@@ -99,7 +99,7 @@ solve_exactly!(fixed::FixedI32<F>, F: fixed::types::extra::LeEqU32);
 pub(crate) fn effort<S: Certain, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Effort {
     let in_integers = if starts_in_doubles(place) { Attempt::Unsure } else { fast_in_integers(geometry, place, ray) };
     match (in_integers, fast_in_doubles(geometry, place, ray)) {
-        (Attempt::Unsure, Attempt::Unsure) => exactly(&geometry.figure(), place, ray).1,
+        (Attempt::Unsure, Attempt::Unsure) => exactly::<S, G>(&geometry.figure(), place, ray).1,
         _ => Effort::Filter,
     }
 }
@@ -175,48 +175,67 @@ fn is_close(t: f64, bound: f64) -> bool {
 
 /// The intersection where the fast path is unsure, and the precision that was needed.
 #[inline(never)]
-fn exactly<S: Certain>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> (Intersection<S>, Effort) {
-    if let Some(intersection) = climb::<S, S::Filter>(figure, place, ray) {
+fn exactly<S: Certain, G: Described>(
+    figure: &Figure<S>,
+    place: &impl Place<S>,
+    ray: &Ray<S>,
+) -> (Intersection<S>, Effort) {
+    if let Some(intersection) = climb::<S, S::Filter, G>(figure, place, ray) {
         return (intersection, Effort::Filter);
     }
-    match climb::<S, S::Bounded>(figure, place, ray) {
+    match climb::<S, S::Bounded, G>(figure, place, ray) {
         Some(intersection) => (intersection, Effort::Filter),
-        None => (in_integers(figure, place, ray), Effort::Integers),
+        None => (in_integers::<S, G>(figure, place, ray), Effort::Integers),
     }
 }
 
 #[cold]
 #[inline(never)]
-fn in_integers<S: Certain>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> Intersection<S> {
+fn in_integers<S: Certain, G: Described>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> Intersection<S> {
     // Integers know every sign, so that there is always a result.
-    let intersection = climb::<S, S::Integer>(figure, place, ray);
+    let intersection = climb::<S, S::Integer, G>(figure, place, ray);
     debug_assert!(intersection.is_some());
     intersection.unwrap_or(Intersection::Miss)
 }
 
 /// The intersection, computed in numbers of the type `N`; `None` if they do not know a sign.
 #[inline]
-fn climb<S: Scalar, N: Of<S>>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> Option<Intersection<S>> {
+fn climb<S: Scalar, N: Of<S>, G: Described>(
+    figure: &Figure<S>,
+    place: &impl Place<S>,
+    ray: &Ray<S>,
+) -> Option<Intersection<S>> {
+    debug_assert!(G::FIGURES.has(figure.figures()));
     let departure = ray.departure().map(|departure| (departure.part, departure.leaving));
     if solve::meets_nothing(figure, departure) {
         return Some(Intersection::Miss);
     }
-    solve::intersect::<S, N>(figure, &line(figure, place, ray), ray.range())
+    solve::intersect::<S, N, G>(figure, &line::<S, N, G>(figure, place, ray), ray.range())
 }
 
 /// The ray's line in the primitive's frame.
 #[inline]
-pub(crate) fn line<S: Scalar, N: FromScalar<S>>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> Line<N> {
+pub(crate) fn line<S: Scalar, N: FromScalar<S>, G: Described>(
+    figure: &Figure<S>,
+    place: &impl Place<S>,
+    ray: &Ray<S>,
+) -> Line<N> {
     let departure = ray.departure().map(|departure| (departure.part, departure.leaving));
-    let [origin, direction] =
-        if let Figure::Ball { .. } = figure { place.ball_line::<N>(ray) } else { place.line::<N>(ray) };
+    let [origin, direction] = if is_ball::<S, G>(figure) { place.ball_line::<N>(ray) } else { place.line::<N>(ray) };
     Line { origin, direction, departure }
 }
 
 /// The inside test, computed in numbers of the type `N`; `None` if they do not know a sign.
-fn holds<S: Scalar, N: Of<S>>(figure: &Figure<S>, place: &impl Place<S>, point: Vec3<S>) -> Option<bool> {
-    let point = if let Figure::Ball { .. } = figure { place.ball_point::<N>(point) } else { place.point::<N>(point) };
-    solve::holds(figure, point)
+fn holds<S: Scalar, N: Of<S>, G: Described>(figure: &Figure<S>, place: &impl Place<S>, point: Vec3<S>) -> Option<bool> {
+    debug_assert!(G::FIGURES.has(figure.figures()));
+    let point = if is_ball::<S, G>(figure) { place.ball_point::<N>(point) } else { place.point::<N>(point) };
+    solve::holds::<S, N, G>(figure, point)
+}
+
+/// True for a ball; a constant for a geometry that has none.
+#[inline(always)]
+pub(crate) const fn is_ball<S, G: Described>(figure: &Figure<S>) -> bool {
+    G::FIGURES.has(Figures::BALL) && matches!(figure, Figure::Ball { .. })
 }
 
 /// The intersection by the fast path.

@@ -53,7 +53,7 @@
 //! | 9 | [`render`] | pictures, pixel by pixel |
 //! | 8 | [`effect`] | shading, shadows, mirrors, glass and other effects, a file for each; which effects a scene needs |
 //! | 7 | [`scene`] | objects, materials, lights, camera, bounding volume hierarchy, NFF reader |
-//! | 6 | [`shape`], `bounds` | any primitive, placed; its bounding box |
+//! | 6 | [`shape`], `bounds` | any primitive, placed; the primitives and placements that a program is compiled with; its bounding box |
 //! | 5 | [`primitive`], [`tier`], `geometry`, `query`, `exact`, `ladder` | a file for each primitive: sizes, equations, normal, surface coordinates, tangents; accuracy tiers, and which numbers each computes in |
 //! | 4 | `solve`, `figure`, `fast` | the solver, which all tiers share; the equations of a solid; what fast paths share |
 //! | 3 | [`ray`], [`frame`], [`affine`], [`hit`], `intersection`, `line` | rays and ranges, placement, hits and hit lists, intervals |

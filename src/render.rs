@@ -8,13 +8,14 @@ use crate::part::Part;
 use crate::ray::Ray;
 use crate::scalar::{Real, Ring, Scalar};
 use crate::scene::{Color, Counters, Observer, Raster, Scene, Size};
+use crate::shape::kinds::{self, Kinds};
 use crate::tier::{Stable, Tier};
 
 /// A picture of a scene from its camera in a given size, with the effects `E` compiled in, in the scene's
 /// accuracy tier `T`.
 #[derive(Clone, Copy, Debug)]
-pub struct Picture<'a, S: Scalar, E = All, T = Stable> {
-    tracer: Tracer<'a, S, E, T>,
+pub struct Picture<'a, S: Scalar, E = All, T = Stable, K: Kinds = kinds::All> {
+    tracer: Tracer<'a, S, E, T, K>,
     raster: Raster<S>,
     /// The number of levels of a channel that the cut-off must not change, where the picture is not antialiased.
     levels: u16,
@@ -33,14 +34,14 @@ pub struct Pixel<S: Scalar> {
     pub lit_by: u32,
 }
 
-impl<'a, S: Scalar, T: Tier<S>> Picture<'a, S, All, T> {
+impl<'a, S: Scalar, T: Tier<S>, K: Kinds> Picture<'a, S, All, T, K> {
     /// The picture of a scene in this size, with every effect compiled in. Those that the scene needs are used.
-    pub fn new(scene: &'a Scene<'a, S, T>, size: Size) -> Self {
+    pub fn new(scene: &'a Scene<'a, S, T, K>, size: Size) -> Self {
         Self::leaving_out(scene, size)
     }
 }
 
-impl<'a, S: Scalar, E: Effects, T: Tier<S>> Picture<'a, S, E, T> {
+impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
     /// The picture of a scene at this size, with the effects `E` compiled in.
     ///
     /// # Errors
@@ -64,7 +65,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Picture<'a, S, E, T> {
     /// );
     /// # Ok::<(), raylet::Error>(())
     /// ```
-    pub fn try_new(scene: &'a Scene<'a, S, T>, size: Size) -> Result<Self, EffectError> {
+    pub fn try_new(scene: &'a Scene<'a, S, T, K>, size: Size) -> Result<Self, EffectError> {
         if size.samples > 1 && !E::SET.contains(Effect::Antialiasing) {
             return Err(EffectError::Antialiasing { samples: size.samples });
         }
@@ -74,7 +75,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Picture<'a, S, E, T> {
 
     /// The picture of a scene in this size, with the effects `E` compiled in. Other effects that the scene needs are left out; without
     /// antialiasing each pixel has one sample.
-    pub fn leaving_out(scene: &'a Scene<'a, S, T>, size: Size) -> Self {
+    pub fn leaving_out(scene: &'a Scene<'a, S, T, K>, size: Size) -> Self {
         let (tracer, raster) = (Tracer::leaving_out(scene), scene.camera().raster(size));
         let picture = Self { tracer, raster, levels: EIGHT_BITS };
         if E::SET.contains(Effect::Antialiasing) { picture } else { picture.with_one_sample() }
@@ -159,7 +160,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Picture<'a, S, E, T> {
     /// With several samples for each pixel, its corners are traced first, which neighbours share. If the corners see
     /// the same part of the same object in the same lights, and no channel differs by more than 1/32, the pixel is their mean.
     /// Otherwise the whole grid of `samples * samples` rays is traced, and the pixel is the mean of these.
-    pub fn row<'w, O: Observer>(&'w self, y: u16, work: &'w mut Work<O>) -> Row<'w, 'a, S, E, O, T> {
+    pub fn row<'w, O: Observer>(&'w self, y: u16, work: &'w mut Work<O>) -> Row<'w, 'a, S, E, O, T, K> {
         work.forget();
         let left = if self.is_antialiased() { Some(self.edge(0, y, work)) } else { None };
         Row { picture: self, work, next: 0, y, left }
@@ -255,8 +256,8 @@ impl<S: Scalar> Mean<S> {
 
 /// Iterator over the pixels of a row, which are traced one by one: see [`Picture::row`].
 #[derive(Debug)]
-pub struct Row<'w, 'a, S: Scalar, E, O, T = Stable> {
-    picture: &'w Picture<'a, S, E, T>,
+pub struct Row<'w, 'a, S: Scalar, E, O, T = Stable, K: Kinds = kinds::All> {
+    picture: &'w Picture<'a, S, E, T, K>,
     work: &'w mut Work<O>,
     next: u32,
     y: u16,
@@ -264,7 +265,7 @@ pub struct Row<'w, 'a, S: Scalar, E, O, T = Stable> {
     left: Option<[Sight<S>; 2]>,
 }
 
-impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>> Iterator for Row<'_, '_, S, E, O, T> {
+impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> Iterator for Row<'_, '_, S, E, O, T, K> {
     type Item = Pixel<S>;
 
     fn next(&mut self) -> Option<Pixel<S>> {
@@ -285,9 +286,12 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>> Iterator for Row<'_, '_, S,
     }
 }
 
-impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>> ExactSizeIterator for Row<'_, '_, S, E, O, T> {}
+impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> ExactSizeIterator for Row<'_, '_, S, E, O, T, K> {}
 
-impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>> core::iter::FusedIterator for Row<'_, '_, S, E, O, T> {}
+impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> core::iter::FusedIterator
+    for Row<'_, '_, S, E, O, T, K>
+{
+}
 
 #[cfg(test)]
 #[allow(clippy::expect_used)]
@@ -300,7 +304,7 @@ mod tests {
     #[test]
     fn corners_that_agree_are_averaged_and_cost_no_ray() {
         let camera = Camera::new(Vec3::new(0.0_f32, 0.0, 5.0), Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0), 40.0);
-        let scene = camera.ok().and_then(|camera| Scene::new(&[], &[], &[], camera).ok());
+        let scene = camera.ok().and_then(|camera| Scene::<f32>::new(&[], &[], &[], camera).ok());
         let scene = scene.expect("an empty scene");
         let picture = Picture::new(&scene, Size::new(8, 6).with_samples(2));
         let corner = |steps: f32| Sight { color: Color::from([steps / 128.0; 3]), seen: None, lit_by: 0 };

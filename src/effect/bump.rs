@@ -4,6 +4,7 @@ use super::field::field;
 use crate::scalar::{Real, Ring, Scalar};
 use crate::scene::Waves;
 use crate::shape::Surface;
+use crate::shape::kinds::Kinds;
 use crate::vector::{UnitVec3, pairs};
 
 /// The normal perturbed by the slopes of the waves: the direction of `N - s_u T_u - s_v T_v`, on the side of `normal`.
@@ -12,7 +13,7 @@ use crate::vector::{UnitVec3, pairs};
 /// slopes have the opposite sign.
 pub(super) fn bent<S: Scalar>(
     waves: &Waves<S>,
-    surface: &Surface<S>,
+    surface: &Surface<S, impl Kinds>,
     (u, v): (S::Unit, S::Unit),
     normal: UnitVec3<S>,
     from_outside: bool,

@@ -3,11 +3,12 @@
 use super::set::{Effect, EffectSet};
 use crate::scalar::Scalar;
 use crate::scene::{Material, Object, Scene};
+use crate::shape::kinds::Kinds;
 use crate::tier::Tier;
 use core::fmt;
 
 /// Which effects a scene needs. This is determined once, before the first ray.
-impl<S: Scalar, T: Tier<S>> Scene<'_, S, T> {
+impl<S: Scalar, T: Tier<S>, K: Kinds> Scene<'_, S, T, K> {
     /// The effects that the scene needs for its materials, lights and fog. [`Effect::Antialiasing`] is never among them: it depends on the
     /// picture's [`Size`](crate::Size).
     ///
@@ -45,7 +46,7 @@ impl<S: Scalar, T: Tier<S>> Scene<'_, S, T> {
         self.object(object).map_or(EffectSet::EMPTY, |object| self.called_for_by(object))
     }
 
-    fn called_for_by(&self, object: &Object<S>) -> EffectSet {
+    fn called_for_by(&self, object: &Object<S, K>) -> EffectSet {
         let of = |index: u32| self.materials().get(index as usize).map_or(EffectSet::EMPTY, |m| self.called_for_on(m));
         let mut effects = of(object.material);
         for other in [object.base, object.top] {
@@ -80,7 +81,10 @@ impl<S: Scalar, T: Tier<S>> Scene<'_, S, T> {
 }
 
 /// The first effect that a scene needs and that is not in the set, with the object that needs it.
-pub(crate) fn missing<S: Scalar, T: Tier<S>>(scene: &Scene<'_, S, T>, compiled: EffectSet) -> Result<(), EffectError> {
+pub(crate) fn missing<S: Scalar, T: Tier<S>, K: Kinds>(
+    scene: &Scene<'_, S, T, K>,
+    compiled: EffectSet,
+) -> Result<(), EffectError> {
     for (index, object) in (0_u32..).zip(scene.objects()) {
         if let Some(effect) = scene.called_for_by(object).difference(compiled).iter().next() {
             return Err(EffectError::Object { effect, object: index });

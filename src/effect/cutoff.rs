@@ -2,6 +2,7 @@
 
 use crate::scalar::{Real, Ring, Scalar, UnitScalar};
 use crate::scene::{Color, Fog, Material, Scene};
+use crate::shape::kinds::Kinds;
 use crate::tier::Tier;
 use crate::vector::pairs;
 
@@ -26,7 +27,7 @@ pub(super) fn is_settled<S: Scalar>(light: [S::Real; 3], doubt: [S::Real; 3], le
 /// Upper bounds, for each channel, of the radiance of any ray of a scene: the brightest shading of any surface, plus what it reflects and
 /// transmits down to the maximum depth. `sent_on` returns the fraction of the light that a material reflects and transmits.
 pub(super) fn brightest<S: Scalar>(
-    scene: &Scene<'_, S, impl Tier<S>>,
+    scene: &Scene<'_, S, impl Tier<S>, impl Kinds>,
     sent_on: impl Fn(&Material<S>) -> S::Real,
 ) -> [S::Real; 3] {
     let [sky, fog] = [scene.background(), scene.fog().map_or(Color::BLACK, Fog::color)].map(Color::to_array);
@@ -68,7 +69,7 @@ mod tests {
         let black = Material { diffuse: 0.0, ..Material::default() };
         let materials = [black, material.with_highlight(0.25, 9.0).with_mirror(0.5).with_refraction(0.25, 1.5)];
         let lights = [1.0, 2.0].map(|strength| Light::new(Vec3::ZERO, strength));
-        let scene = camera.ok().and_then(|camera| Scene::new(&[], &materials, &lights, camera).ok());
+        let scene = camera.ok().and_then(|camera| Scene::<f64>::new(&[], &materials, &lights, camera).ok());
         let scene = scene.expect("a scene").with_background(Color::new(0.2, 0.9, 0.1));
         let sent_on = |material: &Material<f64>| material.mirror + material.transmittance;
         let bound = brightest(&scene.with_fog(Fog::new(Color::new(0.8, 0.3, 0.1), 0.5)), sent_on);

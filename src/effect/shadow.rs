@@ -6,6 +6,7 @@ use super::work::Work;
 use crate::ray::Range;
 use crate::scalar::Scalar;
 use crate::scene::{Observer, Scene};
+use crate::shape::kinds::Kinds;
 use crate::tier::Tier;
 
 /// True if an object occludes the light of this index from the shading point.
@@ -14,8 +15,8 @@ use crate::tier::Tier;
 /// normal is computed. Transparent objects cast full shadows too: caustics are not computed, and shadows do not depend on whether
 /// refraction is compiled in. A one-sided surface casts a shadow only if the shadow ray hits it from its visible side. A
 /// point beyond the number type's budget, from which no ray can start, is not in shadow.
-pub(super) fn is_shadowed<S: Scalar, T: Tier<S>, O: Observer>(
-    scene: &Scene<'_, S, T>,
+pub(super) fn is_shadowed<S: Scalar, T: Tier<S>, O: Observer, K: Kinds>(
+    scene: &Scene<'_, S, T, K>,
     site: &Site<S>,
     light: u32,
     towards: &Towards<S>,

@@ -6,6 +6,7 @@ use crate::ray::{Departure, Leaving, Ray};
 use crate::scalar::{Real, Ring, Scalar};
 use crate::scene::{Light, Object, Scene, SceneHit};
 use crate::shape::Surface;
+use crate::shape::kinds::Kinds;
 use crate::tier::Tier;
 use crate::vector::{UnitVec3, Vec3};
 
@@ -41,10 +42,10 @@ pub(super) struct Towards<S: Scalar> {
 
 impl<S: Scalar> Site<S> {
     /// The shading point of a hit, before bump mapping.
-    pub(super) fn new(
-        scene: &Scene<'_, S, impl Tier<S>>,
-        object: &Object<S>,
-        surface: &Surface<S>,
+    pub(super) fn new<K: Kinds>(
+        scene: &Scene<'_, S, impl Tier<S>, K>,
+        object: &Object<S, K>,
+        surface: &Surface<S, K>,
         ray: &Ray<S>,
         on: &SceneHit<S>,
     ) -> Self {

@@ -12,6 +12,7 @@ use crate::ray::Ray;
 use crate::scalar::{Ring, Scalar};
 use crate::scene::{Color, Material, Observer, Scene, SceneHit, Waves};
 use crate::shape::Surface;
+use crate::shape::kinds::{self, Kinds};
 use crate::tier::{Stable, Tier};
 use core::marker::PhantomData;
 
@@ -38,8 +39,8 @@ const FAINT: i32 = -7;
 /// # Ok::<(), raylet::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Tracer<'a, S: Scalar, E = All, T = Stable> {
-    scene: &'a Scene<'a, S, T>,
+pub struct Tracer<'a, S: Scalar, E = All, T = Stable, K: Kinds = kinds::All> {
+    scene: &'a Scene<'a, S, T, K>,
     /// The effects in use: needed by the scene, compiled in, and not switched off.
     active: EffectSet,
     /// Upper bound of the radiance of any ray, for each channel.
@@ -72,27 +73,27 @@ struct Gathered<S: Scalar> {
     lit_by: u32,
 }
 
-impl<'a, S: Scalar, T: Tier<S>> Tracer<'a, S, All, T> {
+impl<'a, S: Scalar, T: Tier<S>, K: Kinds> Tracer<'a, S, All, T, K> {
     /// A tracer with all effects compiled in. It uses those that the scene needs.
-    pub fn new(scene: &'a Scene<'a, S, T>) -> Self {
+    pub fn new(scene: &'a Scene<'a, S, T, K>) -> Self {
         Self::leaving_out(scene)
     }
 }
 
-impl<'a, S: Scalar, E: Effects, T: Tier<S>> Tracer<'a, S, E, T> {
+impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
     /// A tracer with the effects `E` compiled in.
     ///
     /// # Errors
     ///
     /// [`EffectError`] if the scene needs an effect that is not among them.
-    pub fn try_new(scene: &'a Scene<'a, S, T>) -> Result<Self, EffectError> {
+    pub fn try_new(scene: &'a Scene<'a, S, T, K>) -> Result<Self, EffectError> {
         missing(scene, E::SET)?;
         Ok(Self::leaving_out(scene))
     }
 
     /// A tracer with the effects `E` compiled in, which leaves out any other effects that the scene needs: for instance shading without
     /// shadows, to save time.
-    pub fn leaving_out(scene: &'a Scene<'a, S, T>) -> Self {
+    pub fn leaving_out(scene: &'a Scene<'a, S, T, K>) -> Self {
         let active = scene.effects().intersection(E::SET);
         let refracts = E::SET.contains(Effect::Refraction) && active.contains(Effect::Refraction);
         let brightest = if refracts {
@@ -119,7 +120,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Tracer<'a, S, E, T> {
     }
 
     /// The scene.
-    pub const fn scene(&self) -> &'a Scene<'a, S, T> {
+    pub const fn scene(&self) -> &'a Scene<'a, S, T, K> {
         self.scene
     }
 
@@ -286,7 +287,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>> Tracer<'a, S, E, T> {
     fn dress<O: Observer>(
         &self,
         material: &Material<S>,
-        surface: &Surface<S>,
+        surface: &Surface<S, K>,
         site: &mut Site<S>,
         work: &mut Work<O>,
     ) -> Color<S> {

@@ -2,7 +2,7 @@
 
 use super::{Geometry, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates};
 use crate::fast::Guards;
-use crate::figure::Figure;
+use crate::figure::{Described, Figure, Figures};
 use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
@@ -81,6 +81,10 @@ impl<S: Copy> Capsule<S> {
     fn map<R>(self, f: impl Fn(S) -> R) -> Capsule<R> {
         Capsule { radius: f(self.radius), height: f(self.height) }
     }
+}
+
+impl<S> Described for Capsule<S> {
+    const FIGURES: Figures = Figures::CAPSULE;
 }
 
 impl<S: Scalar> Geometry<S> for Capsule<S> {

@@ -6,7 +6,7 @@ use super::outline::{Outline, Profile};
 use super::{Geometry, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates};
 use crate::fast::Guards;
 use crate::fast::{Slab, between_rims};
-use crate::figure::{self, Figure, Side};
+use crate::figure::{self, Described, Figure, Figures, Side};
 use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
 use crate::line::Place;
@@ -202,6 +202,10 @@ impl<S: Copy> Cone<S> {
         };
         Cone { outline, extent }
     }
+}
+
+impl<S> Described for Cone<S> {
+    const FIGURES: Figures = Figures::CONE.and(Figures::DOUBLE_CONE);
 }
 
 impl<S: Scalar> Geometry<S> for Cone<S> {

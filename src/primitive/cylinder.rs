@@ -3,7 +3,7 @@
 use super::{Geometry, SizeError, checked_size, queries, surface_coordinates as coordinates};
 use crate::fast::Guards;
 use crate::fast::{Slab, between_rims};
-use crate::figure::{self, Figure, Side};
+use crate::figure::{self, Described, Figure, Figures, Side};
 use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
@@ -92,6 +92,10 @@ impl<S: Copy> Cylinder<S> {
         };
         Cylinder { radius: f(self.radius), extent }
     }
+}
+
+impl<S> Described for Cylinder<S> {
+    const FIGURES: Figures = Figures::TUBE;
 }
 
 impl<S: Scalar> Geometry<S> for Cylinder<S> {

@@ -3,7 +3,7 @@
 use super::{Geometry, SizeError, checked_size, queries, surface_coordinates as coordinates};
 use crate::fast::Guards;
 use crate::fast::surface_hit;
-use crate::figure::Figure;
+use crate::figure::{Described, Figure, Figures};
 use crate::geometry::Hull;
 use crate::intersection::Intersection;
 use crate::part::Part;
@@ -47,6 +47,10 @@ impl<S: Copy> Disc<S> {
     fn map<R>(self, f: impl Fn(S) -> R) -> Disc<R> {
         Disc { radius: f(self.radius) }
     }
+}
+
+impl<S> Described for Disc<S> {
+    const FIGURES: Figures = Figures::DISC;
 }
 
 impl<S: Scalar> Geometry<S> for Disc<S> {

@@ -3,7 +3,7 @@
 use super::{Geometry, queries, surface_coordinates as coordinates};
 use crate::fast::Guards;
 use crate::fast::surface_hit;
-use crate::figure::Figure;
+use crate::figure::{Described, Figure, Figures};
 use crate::geometry::Hull;
 use crate::intersection::Intersection;
 use crate::part::Part;
@@ -32,6 +32,10 @@ impl<S: Scalar> Plane<S> {
     pub const fn new() -> Self {
         Self { scalar: PhantomData }
     }
+}
+
+impl<S> Described for Plane<S> {
+    const FIGURES: Figures = Figures::PLANE;
 }
 
 impl<S: Scalar> Geometry<S> for Plane<S> {

@@ -2,7 +2,7 @@
 
 use super::{Geometry, SizeError, checked_size, queries, surface_coordinates as coordinates};
 use crate::fast::Guards;
-use crate::figure::Figure;
+use crate::figure::{Described, Figure, Figures};
 use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
 use crate::line::Place;
@@ -50,6 +50,10 @@ impl<S: Copy> Sphere<S> {
     fn map<R>(self, f: impl Fn(S) -> R) -> Sphere<R> {
         Sphere { radius: f(self.radius) }
     }
+}
+
+impl<S> Described for Sphere<S> {
+    const FIGURES: Figures = Figures::BALL;
 }
 
 impl<S: Scalar> Geometry<S> for Sphere<S> {

@@ -8,7 +8,7 @@
 use super::{Geometry, SizeError, queries, surface_coordinates as coordinates};
 use crate::fast::Guards;
 use crate::fast::surface_hit;
-use crate::figure::Figure;
+use crate::figure::{Described, Figure, Figures};
 use crate::geometry::Hull;
 use crate::intersection::Intersection;
 use crate::line::Place;
@@ -83,6 +83,10 @@ fn difference<S: Scalar, R: Real>(a: [S; 3], b: [S; 3], real: impl Fn(S) -> R) -
 
 fn dot<R: Real>(a: [R; 3], b: [R; 3]) -> R {
     R::sum_of_products([[a[0], b[0]], [a[1], b[1]], [a[2], b[2]]])
+}
+
+impl<S> Described for Triangle<S> {
+    const FIGURES: Figures = Figures::TRIANGLE;
 }
 
 impl<S: Scalar> Geometry<S> for Triangle<S> {

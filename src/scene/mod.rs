@@ -40,6 +40,7 @@ use crate::hit::Hit;
 use crate::part::Part;
 use crate::ray::{Range, Ray};
 use crate::scalar::Scalar;
+use crate::shape::kinds::{All, Kinds};
 use crate::tier::{Stable, Tier};
 use core::fmt;
 use core::marker::PhantomData;
@@ -48,10 +49,10 @@ use core::marker::PhantomData;
 ///
 /// [`Scene::new`] and the `with_` methods check all indices once, so that no query can fail.
 ///
-/// Its objects are intersected in the accuracy tier `T`; see [`Scene::at_tier`].
+/// Its objects are intersected in the accuracy tier `T`; see [`Scene::at_tier`]. Their shapes are of the kinds `K`; see [`Kinds`].
 #[derive(Clone, Copy, Debug)]
-pub struct Scene<'a, S: Scalar, T = Stable> {
-    objects: &'a [Object<S>],
+pub struct Scene<'a, S: Scalar, T = Stable, K: Kinds = All> {
+    objects: &'a [Object<S, K>],
     materials: &'a [Material<S>],
     lights: &'a [Light<S>],
     normals: &'a [CornerNormals<S>],
@@ -63,7 +64,7 @@ pub struct Scene<'a, S: Scalar, T = Stable> {
     tier: PhantomData<T>,
 }
 
-impl<'a, S: Scalar> Scene<'a, S> {
+impl<'a, S: Scalar, K: Kinds> Scene<'a, S, Stable, K> {
     /// A scene with a black background, flat shading, no textures and no fog; see [`Scene::with_background`],
     /// [`Scene::with_normals`], [`Scene::with_textures`] and [`Scene::with_fog`].
     ///
@@ -71,7 +72,7 @@ impl<'a, S: Scalar> Scene<'a, S> {
     ///
     /// [`SceneError`] if an object names a material that is not in the list, or a light is beyond the budget.
     pub fn new(
-        objects: &'a [Object<S>],
+        objects: &'a [Object<S, K>],
         materials: &'a [Material<S>],
         lights: &'a [Light<S>],
         camera: Camera<S>,
@@ -106,7 +107,7 @@ impl<'a, S: Scalar> Scene<'a, S> {
     }
 }
 
-impl<'a, S: Scalar, T: Tier<S>> Scene<'a, S, T> {
+impl<'a, S: Scalar, T: Tier<S>, K: Kinds> Scene<'a, S, T, K> {
     /// The same scene with its objects intersected in another accuracy tier.
     ///
     /// ```
@@ -121,7 +122,7 @@ impl<'a, S: Scalar, T: Tier<S>> Scene<'a, S, T> {
     /// # Ok::<(), raylet::Error>(())
     /// ```
     #[must_use]
-    pub const fn at_tier<U: Tier<S>>(self) -> Scene<'a, S, U> {
+    pub const fn at_tier<U: Tier<S>>(self) -> Scene<'a, S, U, K> {
         let Self { objects, materials, lights, normals, textures, fog, background, camera, hierarchy, .. } = self;
         let tier = PhantomData;
         Scene { objects, materials, lights, normals, textures, fog, background, camera, hierarchy, tier }
@@ -188,7 +189,7 @@ impl<'a, S: Scalar, T: Tier<S>> Scene<'a, S, T> {
     }
 
     /// The objects; a hit names one by its index.
-    pub const fn objects(&self) -> &'a [Object<S>] {
+    pub const fn objects(&self) -> &'a [Object<S, K>] {
         self.objects
     }
 
@@ -218,17 +219,17 @@ impl<'a, S: Scalar, T: Tier<S>> Scene<'a, S, T> {
     }
 
     /// The object of this index; `None` beyond the last.
-    pub fn object(&self, index: u32) -> Option<&'a Object<S>> {
+    pub fn object(&self, index: u32) -> Option<&'a Object<S, K>> {
         self.objects.get(index as usize)
     }
 
     /// The material of an object's side.
-    pub fn material(&self, object: &Object<S>) -> Material<S> {
+    pub fn material(&self, object: &Object<S, K>) -> Material<S> {
         self.material_of(object, Part::Side).copied().unwrap_or_default()
     }
 
     /// The material of a part of an object; `None` only for an object of another scene.
-    pub fn material_of(&self, object: &Object<S>, part: Part) -> Option<&'a Material<S>> {
+    pub fn material_of(&self, object: &Object<S, K>, part: Part) -> Option<&'a Material<S>> {
         self.materials.get(object.material_of(part) as usize)
     }
 
@@ -238,7 +239,7 @@ impl<'a, S: Scalar, T: Tier<S>> Scene<'a, S, T> {
     }
 
     /// The corner normals of an object; `None` if it is shaded flat.
-    pub fn corner_normals(&self, object: &Object<S>) -> Option<&'a CornerNormals<S>> {
+    pub fn corner_normals(&self, object: &Object<S, K>) -> Option<&'a CornerNormals<S>> {
         self.normals.get(object.smooth? as usize)
     }
 

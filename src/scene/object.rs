@@ -3,16 +3,17 @@
 use crate::part::Part;
 use crate::scalar::Scalar;
 use crate::shape::Shape;
+use crate::shape::kinds::{All, Kinds};
 use crate::vector::UnitVec3;
 
 /// The normals at the corners of a triangle, in the order of the corners; shading interpolates between them.
 pub type CornerNormals<S> = [UnitVec3<S>; 3];
 
-/// An object of a scene: a shape, and the indices of its materials and corner normals.
+/// An object of a scene: a shape of the kinds `K`, and the indices of its materials and corner normals.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Object<S: Scalar> {
+pub struct Object<S: Scalar, K: Kinds = All> {
     /// The shape.
-    pub shape: Shape<S>,
+    pub shape: Shape<S, K>,
     /// Index into the scene's materials: the material of the side.
     pub material: u32,
     /// The material of the base: of the lower cap or hemisphere, for a shape that has one.
@@ -23,9 +24,9 @@ pub struct Object<S: Scalar> {
     pub smooth: Option<u32>,
 }
 
-impl<S: Scalar> Object<S> {
+impl<S: Scalar, K: Kinds> Object<S, K> {
     /// A shape with the material of this index on all parts.
-    pub fn new(shape: impl Into<Shape<S>>, material: u32) -> Self {
+    pub fn new(shape: impl Into<Shape<S, K>>, material: u32) -> Self {
         Self { shape: shape.into(), material, base: material, top: material, smooth: None }
     }
 

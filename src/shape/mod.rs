@@ -1,244 +1,41 @@
 //! A shape: any primitive, placed in the world.
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | `primitive` | any primitive, and any of a set |
+//! | `placement`, `visible` | how a primitive is placed, and from which sides it is seen |
+//! | [`kinds`] | the primitives and placements that a program is compiled with |
+//! | `surface` | the surface at a hit |
 
+mod kind;
+pub mod kinds;
+mod placement;
+mod primitive;
+#[cfg(any(feature = "serde", feature = "defmt"))]
+mod stored;
 mod surface;
+mod visible;
 
+pub use placement::Placement;
+pub use primitive::Primitive;
 pub use surface::Surface;
+pub use visible::Visible;
 
-use crate::affine::Affine;
 use crate::bounds;
 use crate::exact::Certain;
-use crate::fast::Guards;
-use crate::figure::Figure;
-use crate::frame::Frame;
-use crate::geometry::{Bounds, Geometry, Hull};
-use crate::hit::{Crossing, Hit, Hits};
-use crate::intersection::{End, Intersection};
+use crate::geometry::{Bounds, Geometry};
+use crate::hit::{Hit, Hits};
 use crate::ladder;
-use crate::line::{InWorld, Place};
-use crate::part::Part;
-use crate::primitive::{Capsule, Cone, Cylinder, Disc, Plane, Sphere, Triangle};
+use crate::line::InWorld;
 use crate::ray::Ray;
-use crate::scalar::{Attempt, LocalLine, Scalar};
+use crate::scalar::Scalar;
 use crate::tier::{Effort, Stable, Tier};
-use crate::vector::{UnitVec3, Vec3};
+use crate::vector::Vec3;
+use core::fmt;
+use kinds::{All, Chosen, Kind, KindError, Kinds, OfKind};
+use primitive::Member;
 
-/// Defines the enum of all primitives and passes every call on to the one that it holds.
-macro_rules! primitives {
-    ($($Variant:ident),+) => {
-        /// Any primitive, without allocation or dynamic dispatch.
-        #[derive(Clone, Copy, Debug, PartialEq)]
-        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = ""))]
-        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-        #[non_exhaustive]
-        pub enum Primitive<S: Scalar> {
-            $(
-                #[doc = concat!("A [`", stringify!($Variant), "`].")]
-                $Variant($Variant<S>),
-            )+
-        }
-
-        $(
-            impl<S: Scalar> From<$Variant<S>> for Primitive<S> {
-                fn from(primitive: $Variant<S>) -> Self {
-                    Self::$Variant(primitive)
-                }
-            }
-        )+
-
-        $(
-            impl<S: Scalar> $Variant<S> {
-                /// The surface at a hit: point, normal, surface coordinates, tangents. See [`Shape::surface`].
-                pub fn surface(&self, ray: &Ray<S>, hit: &Hit<S>) -> Surface<S> {
-                    Shape::new(*self).surface(ray, hit)
-                }
-                /// The axis-aligned bounding box: see [`Shape::bounds`].
-                pub fn bounds(&self) -> Bounds<S> {
-                    bounds::unplaced(&self.hull())
-                }
-            }
-        )+
-
-        impl<S: Scalar> Geometry<S> for Primitive<S> {
-            type Doubles = Primitive<f64>;
-
-            #[inline(always)]
-            fn in_doubles(&self) -> Self::Doubles {
-                match self { $(Self::$Variant(p) => Primitive::$Variant(p.in_doubles()),)+ }
-            }
-            fn reach(&self) -> S {
-                match self { $(Self::$Variant(p) => p.reach(),)+ }
-            }
-            fn scaled(&self, e: i32) -> Self {
-                match self { $(Self::$Variant(p) => Self::$Variant(p.scaled(e)),)+ }
-            }
-            #[inline(always)]
-            fn fast_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
-                match self { $(Self::$Variant(p) => p.fast_line(place, ray),)+ }
-            }
-            fn lengths(&self) -> S {
-                match self { $(Self::$Variant(p) => p.lengths(),)+ }
-            }
-            #[inline(always)]
-            fn fit(&self, line: &mut LocalLine<S>) {
-                match self { $(Self::$Variant(p) => p.fit(line),)+ }
-            }
-            #[inline(always)]
-            fn far_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
-                match self { $(Self::$Variant(p) => p.far_line(place, ray),)+ }
-            }
-            #[inline(always)]
-            fn second_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
-                match self { $(Self::$Variant(p) => p.second_line(place, ray),)+ }
-            }
-            #[inline(always)]
-            fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
-                match self { $(Self::$Variant(p) => fast_intersection::<S, T, _>(p, line),)+ }
-            }
-            #[inline(always)]
-            fn fast_occlusion<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<()> {
-                match self { $(Self::$Variant(p) => fast_occlusion::<S, T, _>(p, line),)+ }
-            }
-            #[inline(always)]
-            fn fast_exit<T: Guards>(&self, line: &LocalLine<S>, from: Part) -> Attempt<End<S>> {
-                match self { $(Self::$Variant(p) => p.fast_exit::<T>(line, from),)+ }
-            }
-            fn figure(&self) -> Figure<S> {
-                match self { $(Self::$Variant(p) => p.figure(),)+ }
-            }
-            fn hull(&self) -> Hull<S> {
-                match self { $(Self::$Variant(p) => p.hull(),)+ }
-            }
-            fn on_surface(&self, point: Vec3<S>, part: Part) -> Vec3<S> {
-                match self { $(Self::$Variant(p) => p.on_surface(point, part),)+ }
-            }
-            fn normal(&self, point: Vec3<S>, part: Part) -> UnitVec3<S> {
-                match self { $(Self::$Variant(p) => p.normal(point, part),)+ }
-            }
-            fn bend(&self, point: Vec3<S>, part: Part) -> S {
-                match self { $(Self::$Variant(p) => p.bend(point, part),)+ }
-            }
-            fn uv(&self, point: Vec3<S>, part: Part) -> (S::Unit, S::Unit) {
-                match self { $(Self::$Variant(p) => p.uv(point, part),)+ }
-            }
-            fn tangents(&self, point: Vec3<S>, part: Part) -> (UnitVec3<S>, UnitVec3<S>) {
-                match self { $(Self::$Variant(p) => p.tangents(point, part),)+ }
-            }
-        }
-    };
-}
-
-// Not inlined, so that the program has one copy for each primitive, and not one for each placement and query.
-#[inline(never)]
-fn fast_intersection<S: Scalar, T: Guards, G: Geometry<S>>(
-    geometry: &G,
-    line: &LocalLine<S>,
-) -> Attempt<Intersection<S>> {
-    geometry.fast_intersection::<T>(line)
-}
-#[inline(never)]
-fn fast_occlusion<S: Scalar, T: Guards, G: Geometry<S>>(geometry: &G, line: &LocalLine<S>) -> Attempt<()> {
-    geometry.fast_occlusion::<T>(line)
-}
-
-primitives!(Sphere, Cylinder, Cone, Capsule, Plane, Disc, Triangle);
-
-/// How a primitive is placed in the world.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = ""))]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum Placement<S: Scalar> {
-    /// In its canonical pose (see [`crate::primitive`]): the primitive's coordinates are world coordinates.
-    World,
-    /// Rotated and translated.
-    Frame(Frame<S>),
-    /// Transformed by any invertible affine map.
-    Affine(Affine<S>),
-}
-
-impl<S: Scalar> Placement<S> {
-    /// Where the primitive's origin lies.
-    pub fn position(&self) -> Vec3<S> {
-        match self {
-            Self::World => Vec3::ZERO,
-            Self::Frame(frame) => frame.position(),
-            Self::Affine(affine) => affine.position(),
-        }
-    }
-
-    /// The images of the primitive's x, y and z axes, rounded to the number type; see [`Affine::axes`].
-    ///
-    /// ```
-    /// # use raylet::{Frame, Placement, UnitVec3, Vec3};
-    /// let lying = Placement::from(Frame::from_base_and_axis(Vec3::new(1.0_f32, 0.0, 0.0), UnitVec3::X)?);
-    /// assert_eq!(lying.axes()[1], Vec3::new(1.0, 0.0, 0.0));
-    /// let point = lying.point_to_world(Vec3::new(0.0, 3.0, 0.0));
-    /// assert_eq!((point, lying.point_to_local(point)), (Vec3::new(4.0, 0.0, 0.0), Vec3::new(0.0, 3.0, 0.0)));
-    /// # Ok::<(), raylet::Error>(())
-    /// ```
-    pub fn axes(&self) -> [Vec3<S>; 3] {
-        let in_coordinates = |axes: [UnitVec3<S>; 3]| axes.map(|axis| Vec3::round(axis.real()));
-        match self {
-            Self::World => in_coordinates([UnitVec3::X, UnitVec3::Y, UnitVec3::Z]),
-            Self::Frame(frame) => in_coordinates(frame.axes()),
-            Self::Affine(affine) => affine.axes(),
-        }
-    }
-
-    /// A point of the primitive in the world, rounded to nearest.
-    pub fn point_to_world(&self, point: Vec3<S>) -> Vec3<S> {
-        match self {
-            Self::World => point,
-            Self::Frame(frame) => frame.point_to_world(point),
-            Self::Affine(affine) => affine.point_to_world(point),
-        }
-    }
-
-    /// A point of the world in the primitive's coordinates, rounded to nearest: the inverse of the placement.
-    pub fn point_to_local(&self, point: Vec3<S>) -> Vec3<S> {
-        match self {
-            Self::World => point,
-            Self::Frame(frame) => frame.point_to_local(point),
-            Self::Affine(affine) => affine.point_to_local(point),
-        }
-    }
-}
-
-impl<S: Scalar> From<Frame<S>> for Placement<S> {
-    fn from(frame: Frame<S>) -> Self {
-        Self::Frame(frame)
-    }
-}
-
-impl<S: Scalar> From<Affine<S>> for Placement<S> {
-    fn from(affine: Affine<S>) -> Self {
-        Self::Affine(affine)
-    }
-}
-
-/// Culling: from which sides rays hit a surface. A one-sided surface ignores crossings from its other side.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Visible {
-    /// From both sides.
-    #[default]
-    Both,
-    /// From outside (of an open surface, from the front) only: no [`Crossing::Exit`] is reported.
-    Outside,
-    /// From inside (of an open surface, from the back) only: no [`Crossing::Enter`] is reported.
-    Inside,
-}
-
-impl Visible {
-    /// True if such a crossing is reported. A touch always is.
-    #[inline]
-    const fn sees(self, crossing: Crossing) -> bool {
-        !matches!((self, crossing), (Self::Outside, Crossing::Exit) | (Self::Inside, Crossing::Enter))
-    }
-}
-
-/// Any primitive, placed in the world, one-sided or two-sided.
+/// Any primitive of the kinds `K`, placed in the world, one-sided or two-sided.
 ///
 /// ```
 /// use raylet::{Cone, Frame, Ray, Shape, UnitVec3, Vec3, Visible};
@@ -248,11 +45,22 @@ impl Visible {
 /// assert_eq!(horn.nearest(&ray).map(|hit| hit.t), Some(9.5));
 /// # Ok::<(), raylet::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = ""))]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Shape<S: Scalar> {
-    primitive: Primitive<S>,
+///
+/// [`Shape::new`] makes a shape of any kind, and a program with one links the code of all of them. To link only some, name them: see
+/// [`Kinds`].
+///
+/// ```
+/// use raylet::{Cylinder, Frame, Plane, Ray, Shape, UnitVec3, Vec3};
+/// type Seen = Shape<f32, (Cylinder<f32>, Plane<f32>, Frame<f32>)>;
+/// let post = Seen::of(Cylinder::capped(0.5, 2.0)?).placed(Frame::at(Vec3::new(0.0, 0.0, 10.0))?);
+/// let floor = Seen::of(Plane::new());
+/// let ray = Ray::new(Vec3::new(0.0, 1.0, 0.0), UnitVec3::Z)?;
+/// assert_eq!([post, floor].map(|shape| shape.nearest(&ray).map(|hit| hit.t)), [Some(9.5), None]);
+/// # Ok::<(), raylet::Error>(())
+/// ```
+#[derive(Clone, Copy, PartialEq)]
+pub struct Shape<S: Scalar, K: Kinds = All> {
+    member: Member<S, K>,
     placement: Placement<S>,
     visible: Visible,
 }
@@ -260,14 +68,14 @@ pub struct Shape<S: Scalar> {
 /// Evaluates a query with the shape's primitive and placement, each in its own type.
 macro_rules! through {
     ($shape:ident, |$primitive:ident, $place:ident| $query:expr) => {{
-        let $primitive = &$shape.primitive;
+        let $primitive = &$shape.member;
         match &$shape.placement {
-            Placement::World => {
+            Placement::Frame($place) if K::SET.contains(Kind::Frame) => $query,
+            Placement::Affine($place) if K::SET.contains(Kind::Affine) => $query,
+            _ => {
                 let $place = &InWorld;
                 $query
             }
-            Placement::Frame($place) => $query,
-            Placement::Affine($place) => $query,
         }
     }};
 }
@@ -277,13 +85,60 @@ use through;
 impl<S: Scalar> Shape<S> {
     /// A primitive in its canonical pose, seen from both sides.
     pub fn new(primitive: impl Into<Primitive<S>>) -> Self {
-        Self { primitive: primitive.into(), placement: Placement::World, visible: Visible::Both }
+        Self::unplaced(primitive.into())
     }
 
-    /// The same shape, placed by a [`Frame`] or an [`Affine`].
+    /// The same shape, placed by a [`Frame`](crate::Frame) or an [`Affine`](crate::Affine).
     #[must_use]
     pub fn placed(self, placement: impl Into<Placement<S>>) -> Self {
         Self { placement: placement.into(), ..self }
+    }
+}
+
+impl<S: Scalar, K: Chosen> Shape<S, K> {
+    /// The same shape, placed by a [`Frame`](crate::Frame) or an [`Affine`](crate::Affine). The program does not compile if that is not
+    /// among the kinds.
+    #[must_use]
+    pub fn placed<P: OfKind + Into<Placement<S>>>(self, placement: P) -> Self {
+        const { assert!(K::SET.contains(P::KIND), "this placement is not among the kinds of the shape: name it there") }
+        Self { placement: placement.into(), ..self }
+    }
+}
+
+impl<S: Scalar, K: Kinds> Shape<S, K> {
+    /// A primitive in its canonical pose, seen from both sides. The program does not compile if it is not among the kinds.
+    pub fn of<P: OfKind + Into<Primitive<S>>>(primitive: P) -> Self {
+        const { assert!(K::SET.contains(P::KIND), "this primitive is not among the kinds of the shape: name it there") }
+        Self::unplaced(primitive.into())
+    }
+
+    /// The primitive must be among the kinds.
+    const fn unplaced(primitive: Primitive<S>) -> Self {
+        Self { member: Member::new(primitive), placement: Placement::World, visible: Visible::Both }
+    }
+
+    /// The same shape among other kinds, for a primitive or a placement that is not known when the program is compiled.
+    ///
+    /// # Errors
+    ///
+    /// [`KindError`] if its primitive or its placement is not among them.
+    ///
+    /// ```
+    /// use raylet::{Primitive, Plane, Shape, Sphere};
+    /// let any: Primitive<f32> = Sphere::new(1.0)?.into();
+    /// assert!(Shape::new(any).among::<(Sphere<f32>, Plane<f32>)>().is_ok());
+    /// let error = Shape::new(any).among::<(Plane<f32>,)>().unwrap_err();
+    /// assert_eq!(error.to_string(), "a shape of the kinds Plane cannot have the kind Sphere: name it among the kinds");
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub fn among<L: Kinds>(self) -> Result<Shape<S, L>, KindError> {
+        for kind in [Some(self.primitive().kind()), self.placement.kind()].into_iter().flatten() {
+            if !L::SET.contains(kind) {
+                return Err(KindError { kind, among: L::SET });
+            }
+        }
+        let Self { member, placement, visible } = self;
+        Ok(Shape { member: Member::new(member.primitive), placement, visible })
     }
 
     /// The same shape, seen only from the given sides.
@@ -294,7 +149,7 @@ impl<S: Scalar> Shape<S> {
 
     /// The primitive.
     pub const fn primitive(&self) -> &Primitive<S> {
-        &self.primitive
+        &self.member.primitive
     }
 
     /// Its placement.
@@ -381,18 +236,30 @@ impl<S: Scalar> Shape<S> {
     /// # Ok::<(), raylet::Error>(())
     /// ```
     pub fn bounds(&self) -> Bounds<S> {
-        let hull = self.primitive.hull();
+        let hull = self.member.hull();
         match &self.placement {
-            Placement::World => bounds::unplaced(&hull),
-            Placement::Frame(frame) => bounds::in_frame(&hull, frame),
-            Placement::Affine(affine) => bounds::in_affine(&hull, affine),
+            Placement::Frame(frame) if K::SET.contains(Kind::Frame) => {
+                bounds::in_frame::<S, Member<S, K>>(&hull, frame)
+            }
+            Placement::Affine(affine) if K::SET.contains(Kind::Affine) => {
+                bounds::in_affine::<S, Member<S, K>>(&hull, affine)
+            }
+            _ => bounds::unplaced::<S, Member<S, K>>(&hull),
         }
     }
 
     /// The surface at a hit of this shape: point, normal, surface coordinates, tangents. Each is computed only when its method is
     /// called. `ray` must be the ray of the hit.
     #[inline]
-    pub fn surface<'a>(&'a self, ray: &'a Ray<S>, hit: &'a Hit<S>) -> Surface<S> {
+    pub fn surface<'a>(&'a self, ray: &'a Ray<S>, hit: &'a Hit<S>) -> Surface<S, K> {
         Surface::new(self, ray, hit)
+    }
+}
+
+impl<S: Scalar, K: Kinds> fmt::Debug for Shape<S, K> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut written = f.debug_struct("Shape");
+        written.field("primitive", &self.member.primitive).field("placement", &self.placement);
+        written.field("visible", &self.visible).finish()
     }
 }

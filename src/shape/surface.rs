@@ -1,6 +1,9 @@
 //! The surface at a hit: point, normal, surface coordinates, tangents.
 
+use super::kinds::{All, Kind, Kinds};
+use super::primitive::Member;
 use super::{Placement, Shape, through};
+use crate::affine::Affine;
 use crate::figure::Figure;
 use crate::frame::Frame;
 use crate::geometry::Geometry;
@@ -16,15 +19,15 @@ use crate::vector::{UnitVec3, Vec3, pairs};
 
 /// The surface of a shape at a hit. Its methods compute point, normal, surface coordinates and tangents.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Surface<S: Scalar> {
-    shape: Shape<S>,
+pub struct Surface<S: Scalar, K: Kinds = All> {
+    shape: Shape<S, K>,
     ray: Ray<S>,
     hit: Hit<S>,
 }
 
-impl<S: Scalar> Surface<S> {
+impl<S: Scalar, K: Kinds> Surface<S, K> {
     #[inline]
-    pub(super) const fn new(shape: &Shape<S>, ray: &Ray<S>, hit: &Hit<S>) -> Self {
+    pub(super) const fn new(shape: &Shape<S, K>, ray: &Ray<S>, hit: &Hit<S>) -> Self {
         Self { shape: *shape, ray: *ray, hit: *hit }
     }
 
@@ -38,7 +41,7 @@ impl<S: Scalar> Surface<S> {
                 rough = frame.vector_to_local(rough);
             }
         }
-        let (primitive, point, exponent) = query::near_one(&self.shape.primitive, rough);
+        let (primitive, point, exponent) = query::near_one(&self.shape.member, rough);
         query::scaled(primitive.on_surface(point, self.hit.part), exponent)
     }
 
@@ -46,7 +49,7 @@ impl<S: Scalar> Surface<S> {
     pub fn point(&self) -> Vec3<S> {
         let rough = self.rough_local_point();
         let resolved = self.is_resolved(rough).then(|| match &self.shape.placement {
-            Placement::Frame(frame) => frame.point_to_world(self.local_point()),
+            Placement::Frame(frame) if K::SET.contains(Kind::Frame) => frame.point_to_world(self.local_point()),
             _ => self.local_point(),
         });
         // Next to the world's origin a point of floats has smaller units than next to the primitive's.
@@ -82,23 +85,31 @@ impl<S: Scalar> Surface<S> {
 
     /// True if the placement changes lengths, and with them the rounding error of `t`.
     const fn is_stretched(&self) -> bool {
-        matches!(self.shape.placement, Placement::Affine(_))
+        self.affine().is_some()
+    }
+
+    const fn affine(&self) -> Option<&Affine<S>> {
+        match &self.shape.placement {
+            Placement::Affine(affine) if K::SET.contains(Kind::Affine) => Some(affine),
+            _ => None,
+        }
     }
 
     fn rounded_local_normal(&self, rough: Vec3<S>) -> UnitVec3<S> {
-        let (primitive, point, _) = query::near_one(&self.shape.primitive, rough);
+        let (primitive, point, _) = query::near_one(&self.shape.member, rough);
         primitive.normal(point, self.hit.part)
     }
 
     fn local_normal_to_world(&self, normal: UnitVec3<S>) -> UnitVec3<S> {
         match &self.shape.placement {
-            Placement::World => normal,
-            Placement::Frame(frame) => frame.direction_to_world(normal),
-            Placement::Affine(affine) => affine.normal_to_world(normal),
+            Placement::Frame(frame) if K::SET.contains(Kind::Frame) => frame.direction_to_world(normal),
+            Placement::Affine(affine) if K::SET.contains(Kind::Affine) => affine.normal_to_world(normal),
+            _ => normal,
         }
     }
 
     /// True if the rounding of `t` is small beside the hit's local coordinates and the surface's curvature.
+    #[inline(always)]
     fn is_resolved(&self, local: Vec3<S>) -> bool {
         let Vec3 { x, y, z } = local;
         let is_finite = x.is_finite() && y.is_finite() && z.is_finite();
@@ -110,24 +121,30 @@ impl<S: Scalar> Surface<S> {
     /// The point in the primitive's coordinates, from the rounded `t` alone.
     fn rough_local_point(&self) -> Vec3<S> {
         match &self.shape.placement {
-            Placement::World => self.ray.at(self.hit.t),
-            Placement::Frame(frame) => frame.ray_point_to_local(&self.ray, self.hit.t),
-            Placement::Affine(affine) => affine.ray_point_to_local(&self.ray, self.hit.t),
+            Placement::Frame(frame) if K::SET.contains(Kind::Frame) => frame.ray_point_to_local(&self.ray, self.hit.t),
+            Placement::Affine(affine) if K::SET.contains(Kind::Affine) => {
+                affine.ray_point_to_local(&self.ray, self.hit.t)
+            }
+            _ => self.ray.at(self.hit.t),
         }
     }
 
     /// The surface's radius of curvature at a local point; zero if the point is beyond the number type.
     fn bend(&self, point: Vec3<S>) -> S {
         let is_known = point.to_array().iter().all(|c| c.is_finite());
-        if is_known { self.shape.primitive.bend(point, self.hit.part) } else { S::ZERO }
+        if is_known { self.shape.member.bend(point, self.hit.part) } else { S::ZERO }
     }
 
     /// The frame, if the primitive is a sphere. Its line is then only translated, not rotated, so that local results are along world axes.
     fn frame_of_a_ball(&self) -> Option<&Frame<S>> {
-        match (&self.shape.placement, self.shape.primitive.figure()) {
-            (Placement::Frame(frame), Figure::Ball { .. }) => Some(frame),
+        match &self.shape.placement {
+            Placement::Frame(frame) if K::SET.contains(Kind::Frame) && self.is_ball() => Some(frame),
             _ => None,
         }
+    }
+
+    fn is_ball(&self) -> bool {
+        ladder::is_ball::<S, Member<S, K>>(&self.shape.member.figure())
     }
 
     /// The error of the rounded `t`, by one Newton step. `None` in fixed point, which has no bits left for that, and where the step is not
@@ -137,18 +154,18 @@ impl<S: Scalar> Surface<S> {
         if !S::RELATIVE {
             return None;
         }
-        let (shape, part, figure) = (&self.shape, self.hit.part, self.shape.primitive.figure());
+        let (shape, part, figure) = (&self.shape, self.hit.part, self.shape.member.figure());
         // In a frame the local point is computed in twice the precision: its rounding would be amplified.
         let (point, direction) = if let Placement::World = shape.placement {
             (rough.real().map(Twofold::of), self.ray.direction().real().map(Twofold::of))
         } else {
             let line: Line<Twofold<S::Real>> =
-                through!(shape, |_primitive, place| ladder::line(&figure, place, &self.ray));
+                through!(shape, |_primitive, place| ladder::line::<S, _, Member<S, K>>(&figure, place, &self.ray));
             let t = <Twofold<S::Real> as FromScalar<S>>::scalar(self.hit.t);
             (solve::point_at(&line, t), line.direction)
         };
         let [p, d] = [point, direction].map(|vector| vector.map(|component| component.high));
-        let gradient = solve::gradient(&figure, part, p, S::real);
+        let gradient = solve::gradient::<S, _, Member<S, K>>(&figure, part, p, S::real);
         let (slope, squares, square) = (dot(gradient, d), dot(gradient, gradient), dot(d, d));
         // The line leaves the surface by more than 14 degrees, so that the rounding of the local point matters by a few units, and what is
         // rounded of the equation is no underflow.
@@ -157,7 +174,7 @@ impl<S: Scalar> Surface<S> {
         if !(is_steep && squares >= S::Real::ONE.scaled(-90)) {
             return None;
         }
-        let value = solve::value(&figure, part, point, |size| Twofold::of(size.real()));
+        let value = solve::value::<S, _, Member<S, K>>(&figure, part, point, |size| Twofold::of(size.real()));
         let step = -value.high / slope.scaled(1);
         let length = step.abs();
         // The error after the step is about its square over the radius of curvature.
@@ -176,29 +193,36 @@ impl<S: Scalar> Surface<S> {
     }
 
     fn gradient_at(&self, point: [S::Real; 3]) -> Option<UnitVec3<S>> {
-        UnitVec3::from_real(solve::gradient(&self.shape.primitive.figure(), self.hit.part, point, S::real))
+        UnitVec3::from_real(solve::gradient::<S, _, Member<S, K>>(
+            &self.shape.member.figure(),
+            self.hit.part,
+            point,
+            S::real,
+        ))
     }
 
     fn corrected_normal(&self, rough: Vec3<S>) -> Option<UnitVec3<S>> {
         let correction = self.correction(rough)?;
-        let Placement::Affine(affine) = &self.shape.placement else {
+        let Some(affine) = self.affine() else {
             let normal = self.gradient_at(correction.local_point())?;
             let is_local = self.frame_of_a_ball().is_none();
             return Some(if is_local { self.local_normal_to_world(normal) } else { normal });
         };
         let Correction { point, direction, step } = correction;
         let point = pairs(point, direction).map(|(p, d)| p + d * Twofold::of(step));
-        let figure = self.shape.primitive.figure();
-        let gradient = solve::gradient(&figure, self.hit.part, point, |size: S| Twofold::of(size.real()));
+        let figure = self.shape.member.figure();
+        let gradient =
+            solve::gradient::<S, _, Member<S, K>>(&figure, self.hit.part, point, |size: S| Twofold::of(size.real()));
         UnitVec3::from_real(affine.gradient_to_world(gradient).map(|component| component.high))
     }
 
     /// The hit's `t` in the robust number.
     fn exact_t(&self, figure: &Figure<S>) -> (Line<S::Robust>, S::Robust) {
         let shape = &self.shape;
-        let line = through!(shape, |_primitive, place| ladder::line(figure, place, &self.ray));
+        let line = through!(shape, |_primitive, place| ladder::line::<S, _, Member<S, K>>(figure, place, &self.ray));
         let t = <S::Robust as FromScalar<S>>::scalar(self.hit.t);
-        let correction = solve::correction(figure, &self.hit, solve::point_at(&line, t), line.direction);
+        let correction =
+            solve::correction::<S, _, Member<S, K>>(figure, &self.hit, solve::point_at(&line, t), line.direction);
         // A correction of many units is not one of a rounding error: the tier is `Fast`, or rule 8 has put the hit at the start.
         let most = S::last_place(t.top().unwrap_or(i32::MIN / 2)) + 6;
         let is_rounding = correction.top().is_none_or(|top| top <= most);
@@ -207,7 +231,7 @@ impl<S: Scalar> Surface<S> {
 
     #[cold]
     fn exact_local_point(&self) -> Vec3<S> {
-        let (_, t) = self.exact_t(&self.shape.primitive.figure());
+        let (_, t) = self.exact_t(&self.shape.member.figure());
         let shape = &self.shape;
         let [origin, direction] = through!(shape, |_primitive, place| place.line::<S::Robust>(&self.ray));
         rounded(solve::point_at(&Line { origin, direction, departure: None }, t))
@@ -215,7 +239,7 @@ impl<S: Scalar> Surface<S> {
 
     #[cold]
     fn exact_point(&self) -> Vec3<S> {
-        let (_, t) = self.exact_t(&self.shape.primitive.figure());
+        let (_, t) = self.exact_t(&self.shape.member.figure());
         let [origin, direction] = InWorld.line::<S::Robust>(&self.ray);
         rounded(solve::point_at(&Line { origin, direction, departure: None }, t))
     }
@@ -224,16 +248,16 @@ impl<S: Scalar> Surface<S> {
     /// the world's axes.
     #[cold]
     fn exact_gradient(&self) -> [S::Robust; 3] {
-        let figure = self.shape.primitive.figure();
+        let figure = self.shape.member.figure();
         let (line, t) = self.exact_t(&figure);
-        solve::gradient(&figure, self.hit.part, solve::point_at(&line, t), S::Robust::scalar)
+        solve::gradient::<S, _, Member<S, K>>(&figure, self.hit.part, solve::point_at(&line, t), S::Robust::scalar)
     }
 
     /// The normal at the exact hit; `None` at an apex.
     #[cold]
     fn exact_normal(&self) -> Option<UnitVec3<S>> {
         let gradient = self.exact_gradient();
-        let is_ball = matches!(self.shape.primitive.figure(), Figure::Ball { .. });
+        let is_ball = self.is_ball();
         let shape = &self.shape;
         let gradient = through!(shape, |_primitive, place| if is_ball {
             place.ball_gradient_to_world(gradient)
@@ -253,13 +277,13 @@ impl<S: Scalar> Surface<S> {
 
     /// Surface coordinates, each in `[0, 1]`: see [`crate::primitive`].
     pub fn uv(&self) -> (S::Unit, S::Unit) {
-        self.shape.primitive.uv(self.local_point(), self.hit.part)
+        self.shape.member.uv(self.local_point(), self.hit.part)
     }
 
     /// The unit directions in the world in which `u` and `v` grow.
     pub fn tangents(&self) -> (UnitVec3<S>, UnitVec3<S>) {
         let rough = self.rough_local_point();
-        let (primitive, point, _) = query::near_one(&self.shape.primitive, rough);
+        let (primitive, point, _) = query::near_one(&self.shape.member, rough);
         let mut tangents = primitive.tangents(point, self.hit.part);
         // On a flat part the tangents are the same everywhere.
         let is_curved = self.bend(rough).is_finite();
@@ -271,9 +295,13 @@ impl<S: Scalar> Surface<S> {
         }
         let (u, v) = tangents;
         match &self.shape.placement {
-            Placement::World => (u, v),
-            Placement::Frame(frame) => (frame.direction_to_world(u), frame.direction_to_world(v)),
-            Placement::Affine(affine) => (affine.tangent_to_world(u), affine.tangent_to_world(v)),
+            Placement::Frame(frame) if K::SET.contains(Kind::Frame) => {
+                (frame.direction_to_world(u), frame.direction_to_world(v))
+            }
+            Placement::Affine(affine) if K::SET.contains(Kind::Affine) => {
+                (affine.tangent_to_world(u), affine.tangent_to_world(v))
+            }
+            _ => (u, v),
         }
     }
 

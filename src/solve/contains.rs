@@ -3,19 +3,21 @@
 use super::flat::is_zero;
 use super::form::{Ball, Cone, Form, Homogeneous, Quadric, Tube, Weight};
 use super::settle::Of;
-use crate::figure::{Extent, Figure};
+use crate::figure::{Described, Extent, Figure, Figures};
 use crate::number::{cross, difference, dot};
 use crate::scalar::Scalar;
 use core::cmp::Ordering;
 
-/// True if the point belongs to the closed set.
-pub(crate) fn holds<S: Scalar, N: Of<S>>(figure: &Figure<S>, point: [N; 3]) -> Option<bool> {
+/// True if the point belongs to the closed set. Only the tests for figures of the geometry `G` are linked.
+pub(crate) fn holds<S: Scalar, N: Of<S>, G: Described>(figure: &Figure<S>, point: [N; 3]) -> Option<bool> {
     let here = Homogeneous { v: point, w: Weight::One };
     let [_, y, _] = point;
     let is_inside = |form: Form<N>, p: Homogeneous<N>| Some(form.at(p).sign()? != Ordering::Greater);
     match *figure {
-        Figure::Ball { radius } => is_inside(Form::Ball(Ball { r: N::scalar(radius) }), here),
-        Figure::Capsule { radius, height } => {
+        Figure::Ball { radius } if G::FIGURES.has(Figures::BALL) => {
+            is_inside(Form::Ball(Ball { r: N::scalar(radius) }), here)
+        }
+        Figure::Capsule { radius, height } if G::FIGURES.has(Figures::CAPSULE) => {
             let (r, height) = (N::scalar(radius), N::scalar(height));
             let below = y.sign()? == Ordering::Less;
             let above = (y - height).sign()? == Ordering::Greater;
@@ -23,9 +25,11 @@ pub(crate) fn holds<S: Scalar, N: Of<S>>(figure: &Figure<S>, point: [N; 3]) -> O
             let seen = Homogeneous { v: [x, if above { y - height } else { y }, z], w: Weight::One };
             is_inside(if below || above { Form::Ball(Ball { r }) } else { Form::Tube(Tube { r }) }, seen)
         }
-        Figure::DoubleCone { slope } => is_inside(Form::Cone(Cone::slope(N::scalar(slope))), here),
-        Figure::Round { side, extent } => {
-            let form = Form::of_side(side, N::scalar);
+        Figure::DoubleCone { slope } if G::FIGURES.has(Figures::DOUBLE_CONE) => {
+            is_inside(Form::Cone(Cone::slope(N::scalar(slope))), here)
+        }
+        Figure::Round { side, extent } if G::FIGURES.has(Figures::TUBE.and(Figures::CONE)) => {
+            let form = Form::of_side::<S, G>(side, N::scalar);
             let outline = match form {
                 Form::Ball(ball) => ball.outline(here),
                 Form::Tube(tube) => tube.outline(here),
@@ -49,11 +53,11 @@ pub(crate) fn holds<S: Scalar, N: Of<S>>(figure: &Figure<S>, point: [N; 3]) -> O
                 Ordering::Greater => false,
             })
         }
-        Figure::Plane => Some(y.sign()? == Ordering::Equal),
-        Figure::Disc { radius } => {
+        Figure::Plane if G::FIGURES.has(Figures::PLANE) => Some(y.sign()? == Ordering::Equal),
+        Figure::Disc { radius } if G::FIGURES.has(Figures::DISC) => {
             Some(y.sign()? == Ordering::Equal && is_inside(Form::Tube(Tube { r: N::scalar(radius) }), here)?)
         }
-        Figure::Triangle { vertices } => {
+        Figure::Triangle { vertices } if G::FIGURES.has(Figures::TRIANGLE) => {
             let corners = vertices.map(|vertex| vertex.map(N::scalar));
             let [a, b, c] = corners.map(|corner| difference(corner, point));
             let normal = cross(difference(corners[1], corners[0]), difference(corners[2], corners[0]));
@@ -67,5 +71,13 @@ pub(crate) fn holds<S: Scalar, N: Of<S>>(figure: &Figure<S>, point: [N; 3]) -> O
             }
             Some(true)
         }
+        // The geometry has none of these.
+        Figure::Ball { .. }
+        | Figure::Capsule { .. }
+        | Figure::Round { .. }
+        | Figure::DoubleCone { .. }
+        | Figure::Plane
+        | Figure::Disc { .. }
+        | Figure::Triangle { .. } => Some(false),
     }
 }

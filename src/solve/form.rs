@@ -1,6 +1,6 @@
 //! The line and the quadrics along it.
 
-use crate::figure::Side;
+use crate::figure::{Described, Figures, Side};
 use crate::number::{Ring, cross};
 use crate::part::Part;
 use crate::ray::Leaving;
@@ -183,13 +183,16 @@ pub(super) enum Form<N> {
 }
 
 impl<N: Ring> Form<N> {
-    /// The side's quadric.
+    /// The side's quadric, for a side that the geometry `G` has.
     #[inline(always)]
-    pub(super) fn of_side<S>(side: Side<S>, number: impl Fn(S) -> N) -> Self {
+    pub(super) fn of_side<S, G: Described>(side: Side<S>, number: impl Fn(S) -> N) -> Self {
+        let is_cone = G::FIGURES.has(Figures::CONE);
         match side {
-            Side::Straight(radius) => Self::Tube(Tube { r: number(radius) }),
-            Side::Slope(slope) => Self::Cone(Cone::slope(number(slope))),
-            Side::Radii(base, top, height) => Self::Cone(Cone::radii(number(base), number(top), number(height))),
+            Side::Slope(slope) if is_cone => Self::Cone(Cone::slope(number(slope))),
+            Side::Radii(base, top, height) if is_cone => {
+                Self::Cone(Cone::radii(number(base), number(top), number(height)))
+            }
+            Side::Straight(size) | Side::Slope(size) | Side::Radii(size, ..) => Self::Tube(Tube { r: number(size) }),
         }
     }
 

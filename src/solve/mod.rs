@@ -37,7 +37,7 @@ pub(crate) use form::Line;
 pub(crate) use settle::Of;
 pub(crate) use surface::{correction, gradient, point_at, value};
 
-use crate::figure::Figure;
+use crate::figure::{Described, Figure, Figures};
 use crate::intersection::Intersection;
 use crate::part::Part;
 use crate::ray::{Leaving, Range};
@@ -58,20 +58,36 @@ pub(crate) fn meets_nothing<S>(figure: &Figure<S>, departure: Option<(Part, Leav
 /// The intersection of the line with the figure; `None` if the number does not know a sign. [`meets_nothing`] must be false for a line
 /// that departs.
 ///
-/// Inlined, so that if the figure is known at compile time only its own functions are linked.
+/// Only the functions for figures of the geometry `G` are linked.
 #[inline(always)]
-pub(crate) fn intersect<S: Scalar, N: Of<S>>(
+pub(crate) fn intersect<S: Scalar, N: Of<S>, G: Described>(
     figure: &Figure<S>,
     line: &Line<N>,
     range: Range<S>,
 ) -> Option<Intersection<S>> {
     match *figure {
-        Figure::Ball { radius } => round::ball(line, N::scalar(radius), range),
-        Figure::Capsule { radius, height } => round::capsule(line, N::scalar(radius), N::scalar(height), range),
-        Figure::Round { side, extent } => side::intersect(line, side, extent, range),
-        Figure::DoubleCone { slope } => round::double_cone(line, N::scalar(slope), range),
-        Figure::Plane => flat::plane(line, range),
-        Figure::Disc { radius } => flat::disc(line, N::scalar(radius), range),
-        Figure::Triangle { vertices } => flat::triangle(line, vertices.map(|vertex| vertex.map(N::scalar)), range),
+        Figure::Ball { radius } if G::FIGURES.has(Figures::BALL) => round::ball(line, N::scalar(radius), range),
+        Figure::Capsule { radius, height } if G::FIGURES.has(Figures::CAPSULE) => {
+            round::capsule(line, N::scalar(radius), N::scalar(height), range)
+        }
+        Figure::Round { side, extent } if G::FIGURES.has(Figures::TUBE.and(Figures::CONE)) => {
+            side::intersect::<S, N, G>(line, side, extent, range)
+        }
+        Figure::DoubleCone { slope } if G::FIGURES.has(Figures::DOUBLE_CONE) => {
+            round::double_cone(line, N::scalar(slope), range)
+        }
+        Figure::Plane if G::FIGURES.has(Figures::PLANE) => flat::plane(line, range),
+        Figure::Disc { radius } if G::FIGURES.has(Figures::DISC) => flat::disc(line, N::scalar(radius), range),
+        Figure::Triangle { vertices } if G::FIGURES.has(Figures::TRIANGLE) => {
+            flat::triangle(line, vertices.map(|vertex| vertex.map(N::scalar)), range)
+        }
+        // The geometry has none of these. (An arm for all others would cost a test: the compiler does not know that it is unreachable.)
+        Figure::Ball { .. }
+        | Figure::Capsule { .. }
+        | Figure::Round { .. }
+        | Figure::DoubleCone { .. }
+        | Figure::Plane
+        | Figure::Disc { .. }
+        | Figure::Triangle { .. } => Some(Intersection::Miss),
     }
 }

@@ -3,7 +3,7 @@
 use super::form::{Form, Homogeneous, Line, Quadric, Weight};
 use super::quadratic::{End, Fraction, Inside, Interval, Place, Quadratic};
 use super::settle::{self, Of, inwards, span};
-use crate::figure::{Extent, Side};
+use crate::figure::{Described, Extent, Figures, Side};
 use crate::intersection::{self, Intersection, Span};
 use crate::number::Number;
 use crate::part::Part;
@@ -126,17 +126,17 @@ fn clip<N: Number, F: Quadric<N>>(
 
 /// The intersection of a line with the inside of a side, or with the side alone.
 #[inline(always)]
-pub(super) fn intersect<S: Scalar, N: Of<S>>(
+pub(super) fn intersect<S: Scalar, N: Of<S>, G: Described>(
     line: &Line<N>,
     side: Side<S>,
     extent: Extent<S>,
     range: Range<S>,
 ) -> Option<Intersection<S>> {
-    match Form::of_side(side, N::scalar) {
-        Form::Tube(tube) => within_a_side(line, tube, extent, range),
-        Form::Cone(cone) => within_a_side(line, cone, extent, range),
-        // No side is one.
-        Form::Ball(_) => None,
+    match Form::of_side::<S, G>(side, N::scalar) {
+        Form::Tube(tube) if G::FIGURES.has(Figures::TUBE) => within_a_side(line, tube, extent, range),
+        Form::Cone(cone) if G::FIGURES.has(Figures::CONE) => within_a_side(line, cone, extent, range),
+        // The geometry has no other side.
+        _ => Some(Intersection::Miss),
     }
 }
 

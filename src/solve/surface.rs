@@ -1,7 +1,7 @@
 //! The exact point of a hit on its surface, and the surface's gradient there.
 
 use super::form::{Ball, Cone, Form, Homogeneous, Line, Quadric, Tube, Weight};
-use crate::figure::{Extent, Figure};
+use crate::figure::{Described, Extent, Figure, Figures};
 use crate::hit::{Crossing, Hit};
 use crate::number::{Estimate, Ring, cross, difference, dot};
 use crate::part::Part;
@@ -18,26 +18,40 @@ enum Surface<N> {
 }
 
 /// The surface of a part, and the height of its centre.
-fn surface_of<S: Copy, N: Ring>(figure: &Figure<S>, part: Part, number: impl Fn(S) -> N + Copy) -> (Surface<N>, N) {
-    let zero = N::ZERO;
-    let surface = match (*figure, part) {
-        (Figure::Ball { radius }, _) | (Figure::Capsule { radius, .. }, Part::Base) => {
-            Surface::Quadric(Form::Ball(Ball { r: number(radius) }))
+fn surface_of<S: Copy, N: Ring, G: Described>(
+    figure: &Figure<S>,
+    part: Part,
+    number: impl Fn(S) -> N + Copy,
+) -> (Surface<N>, N) {
+    let (zero, figures) = (N::ZERO, G::FIGURES);
+    let ball = |radius: S| Surface::Quadric(Form::Ball(Ball { r: number(radius) }));
+    let surface = match *figure {
+        Figure::Ball { radius } if figures.has(Figures::BALL) => ball(radius),
+        Figure::Capsule { radius, height } if figures.has(Figures::CAPSULE) => match part {
+            Part::Base => ball(radius),
+            Part::Top => return (ball(radius), number(height)),
+            Part::Side => Surface::Quadric(Form::Tube(Tube { r: number(radius) })),
+        },
+        Figure::DoubleCone { slope } if figures.has(Figures::DOUBLE_CONE) => {
+            Surface::Quadric(Form::Cone(Cone::slope(number(slope))))
         }
-        (Figure::Capsule { radius, height }, Part::Top) => {
-            return (Surface::Quadric(Form::Ball(Ball { r: number(radius) })), number(height));
-        }
-        (Figure::Capsule { radius, .. }, Part::Side) => Surface::Quadric(Form::Tube(Tube { r: number(radius) })),
-        (Figure::DoubleCone { slope }, _) => Surface::Quadric(Form::Cone(Cone::slope(number(slope)))),
-        (Figure::Round { extent: Extent::Open(height) | Extent::Capped(_, Some(height)), .. }, Part::Top) => {
-            Surface::Across(number(height))
-        }
-        (Figure::Round { side, .. }, Part::Side) => Surface::Quadric(Form::of_side(side, number)),
-        (Figure::Round { .. } | Figure::Plane | Figure::Disc { .. }, _) => Surface::Across(zero),
-        (Figure::Triangle { vertices }, _) => {
+        Figure::Round { side, extent } if figures.has(Figures::TUBE.and(Figures::CONE)) => match (extent, part) {
+            (_, Part::Side) => Surface::Quadric(Form::of_side::<S, G>(side, number)),
+            (Extent::Open(height) | Extent::Capped(_, Some(height)), Part::Top) => Surface::Across(number(height)),
+            _ => Surface::Across(zero),
+        },
+        Figure::Triangle { vertices } if figures.has(Figures::TRIANGLE) => {
             let [a, b, c] = vertices.map(|vertex| vertex.map(number));
             Surface::Plane(a, cross(difference(b, a), difference(c, a)))
         }
+        // A plane or a disc; the geometry has none of the others.
+        Figure::Ball { .. }
+        | Figure::Capsule { .. }
+        | Figure::Round { .. }
+        | Figure::DoubleCone { .. }
+        | Figure::Plane
+        | Figure::Disc { .. }
+        | Figure::Triangle { .. } => Surface::Across(zero),
     };
     (surface, zero)
 }
@@ -52,13 +66,13 @@ fn quotient<N: Estimate>(numerator: N, denominator: N) -> N {
 
 /// The value of the equation `f` of a part's surface at a point, negative inside. For a flat part it is twice the distance times the length
 /// of its [`gradient`].
-pub(crate) fn value<S: Copy, N: Ring>(
+pub(crate) fn value<S: Copy, N: Ring, G: Described>(
     figure: &Figure<S>,
     part: Part,
     [x, y, z]: [N; 3],
     number: impl Fn(S) -> N + Copy,
 ) -> N {
-    let (surface, centre) = surface_of(figure, part, number);
+    let (surface, centre) = surface_of::<S, N, G>(figure, part, number);
     let p = [x, y - centre, z];
     match surface {
         Surface::Across(height) => {
@@ -79,15 +93,15 @@ pub(crate) fn value<S: Copy, N: Ring>(
 
 /// The correction `x` of the `t` of a point `p` on the line along `d`, so that the point lies on the surface: the root of
 /// `f(t + x) = f + 2 h x + a x^2` at which `f` decreases, if the line enters, or increases, if it leaves.
-pub(crate) fn correction<S: Scalar, N: FromScalar<S> + Estimate>(
+pub(crate) fn correction<S: Scalar, N: FromScalar<S> + Estimate, G: Described>(
     figure: &Figure<S>,
     hit: &Hit<S>,
     p: [N; 3],
     d: [N; 3],
 ) -> N {
-    let f = value(figure, hit.part, p, N::scalar);
-    let h = dot(gradient(figure, hit.part, p, N::scalar), d);
-    let (Surface::Quadric(form), _) = surface_of(figure, hit.part, N::scalar) else {
+    let f = value::<S, N, G>(figure, hit.part, p, N::scalar);
+    let h = dot(gradient::<S, N, G>(figure, hit.part, p, N::scalar), d);
+    let (Surface::Quadric(form), _) = surface_of::<S, N, G>(figure, hit.part, N::scalar) else {
         return quotient(-f, h + h);
     };
     let along = Homogeneous { v: d, w: Weight::Zero };
@@ -117,13 +131,13 @@ pub(crate) fn point_at<N: Ring>(line: &Line<N>, t: N) -> [N; 3] {
 }
 
 /// The outward normal at a point of a part, half the gradient of its equation; zero at an apex.
-pub(crate) fn gradient<S: Copy, N: Ring>(
+pub(crate) fn gradient<S: Copy, N: Ring, G: Described>(
     figure: &Figure<S>,
     part: Part,
     [x, y, z]: [N; 3],
     number: impl Fn(S) -> N + Copy,
 ) -> [N; 3] {
-    let (surface, centre) = surface_of(figure, part, number);
+    let (surface, centre) = surface_of::<S, N, G>(figure, part, number);
     let zero = N::ZERO;
     match surface {
         Surface::Quadric(Form::Ball(_)) => [x, y - centre, z],

@@ -81,9 +81,9 @@ fn directions_are_within_a_hair_of_half_a_unit() {
 #[test]
 fn a_nappe_that_begins_somewhere_beyond_is_unclear() {
     let (o, d) = ([15487837, -82574188, 2456411], [-802209627, 669821284, 246415638]);
-    assert_eq!(nappe(o, 6, d, [273, 73268, 16384]), Attempt::Unsure);
+    assert_eq!(nappe(o, 6, d, [273, 73268, 16384], false), Attempt::Unsure);
     // Back along the same line, it ends there.
-    assert_eq!(nappe(o, 6, d.map(|c| -c), [273, 73268, 16384]), Attempt::Unsure);
+    assert_eq!(nappe(o, 6, d.map(|c| -c), [273, 73268, 16384], false), Attempt::Unsure);
 }
 
 /// `a . (b x c)`, exactly.

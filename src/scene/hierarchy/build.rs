@@ -6,6 +6,7 @@ use crate::geometry::Bounds;
 use crate::scalar::{Real, Scalar};
 use crate::scalar::{Ring, slabs::MARGIN_BITS};
 use crate::scene::Object;
+use crate::shape::kinds::{Kind, Kinds};
 use crate::shape::{Placement, Primitive, Shape};
 use crate::vector::{Vec3, pairs};
 
@@ -19,7 +20,7 @@ impl<'a, S: Scalar> Hierarchy<'a, S> {
     /// # Errors
     ///
     /// [`HierarchyError::Storage`] if the storage is too small; [`HierarchyError::TooManyObjects`] for more than 2^30 - 1 objects.
-    pub fn build(objects: &[Object<S>], nodes: &'a mut [Node<S>]) -> Result<Self, HierarchyError> {
+    pub fn build(objects: &[Object<S, impl Kinds>], nodes: &'a mut [Node<S>]) -> Result<Self, HierarchyError> {
         if objects.len() > MOST_OBJECTS {
             return Err(HierarchyError::TooManyObjects);
         }
@@ -104,7 +105,7 @@ impl<S: Scalar> Node<S> {
     }
 
     /// The box of an object; of no objects if it has none.
-    pub(super) fn leaf(index: u32, shape: &Shape<S>) -> Self {
+    pub(super) fn leaf<K: Kinds>(index: u32, shape: &Shape<S, K>) -> Self {
         let nothing = Self { object: index, ..Self::EMPTY };
         let bounds = simple_bounds(shape).unwrap_or_else(|| shape.bounds());
         let Some(sharpness) = sharpness(shape) else { return nothing };
@@ -112,9 +113,9 @@ impl<S: Scalar> Node<S> {
             return nothing;
         }
         let position = match shape.placement() {
-            Placement::World => None,
-            Placement::Frame(frame) => Some(frame.position()),
-            Placement::Affine(affine) => Some(affine.position()),
+            Placement::Frame(frame) if K::SET.contains(Kind::Frame) => Some(frame.position()),
+            Placement::Affine(affine) if K::SET.contains(Kind::Affine) => Some(affine.position()),
+            _ => None,
         };
         // Two units of a fixed type, of a float nothing.
         let units = sharpness * S::BUDGET.smallest_size.real().scaled(1);
@@ -124,10 +125,14 @@ impl<S: Scalar> Node<S> {
 }
 
 /// A short cut for the shapes that large scenes consist of, with the same bits: their bounds are sums without rounding.
-fn simple_bounds<S: Scalar>(shape: &Shape<S>) -> Option<Bounds<S>> {
+fn simple_bounds<S: Scalar, K: Kinds>(shape: &Shape<S, K>) -> Option<Bounds<S>> {
     match (shape.placement(), shape.primitive()) {
-        (Placement::World, Primitive::Triangle(triangle)) => Some(around(triangle.vertices())),
-        (Placement::Frame(frame), Primitive::Sphere(sphere)) if !S::RELATIVE => {
+        (Placement::World, Primitive::Triangle(triangle)) if K::SET.contains(Kind::Triangle) => {
+            Some(around(triangle.vertices()))
+        }
+        (Placement::Frame(frame), Primitive::Sphere(sphere))
+            if !S::RELATIVE && K::SET.contains(Kind::Frame) && K::SET.contains(Kind::Sphere) =>
+        {
             let (centre, radius) = (frame.position().to_array(), sphere.radius());
             let [low, high] = [centre.map(|c| c.minus(radius)), centre.map(|c| c.plus(radius))];
             Some(Bounds { low: low.into(), high: high.into() })
@@ -145,10 +150,10 @@ fn around<S: Scalar>([a, b, c]: [Vec3<S>; 3]) -> Bounds<S> {
 
 /// The factor by which the distance of a reported hit from the solid may exceed the error of `t`. At a sharp rim, where two surfaces meet
 /// at a small angle, two ends that round to the same `t` may be far from the rim. `None` beyond 2^8, which the margin of a box does not cover.
-fn sharpness<S: Scalar>(shape: &Shape<S>) -> Option<S::Real> {
+fn sharpness<S: Scalar, K: Kinds>(shape: &Shape<S, K>) -> Option<S::Real> {
     let one = S::Real::ONE;
     let rim = match shape.primitive() {
-        Primitive::Cone(cone) => {
+        Primitive::Cone(cone) if K::SET.contains(Kind::Cone) => {
             let (top, height) = (cone.top_radius()?, cone.height()?);
             let slope = (top.real() - cone.base_radius().real()).abs() / height.real();
             if slope > one { slope } else { one }
@@ -156,8 +161,8 @@ fn sharpness<S: Scalar>(shape: &Shape<S>) -> Option<S::Real> {
         _ => one,
     };
     let placed = match shape.placement() {
-        Placement::Affine(affine) => affine.sharpness()?,
-        Placement::World | Placement::Frame(_) => 0,
+        Placement::Affine(affine) if K::SET.contains(Kind::Affine) => affine.sharpness()?,
+        _ => 0,
     };
     let most = one.scaled(8);
     // Not the negation: a slope beyond a float's range must fail.

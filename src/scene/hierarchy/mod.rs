@@ -6,6 +6,7 @@ mod split;
 use super::{Counters, Object};
 use crate::ray::Ray;
 use crate::scalar::{Scalar, UnitScalar};
+use crate::shape::kinds::Kinds;
 use core::fmt;
 
 /// A node of a [`Hierarchy`]. Its fields are private: make an array of [`Node::EMPTY`] or of `Node::default()` and pass it to
@@ -164,7 +165,7 @@ impl<S: Scalar> Hierarchy<'_, S> {
     }
 
     /// True if it was built for exactly these objects, in this order.
-    pub(super) fn is_of(&self, objects: &[Object<S>]) -> bool {
+    pub(super) fn is_of(&self, objects: &[Object<S, impl Kinds>]) -> bool {
         let mut leaves = self.unbounded.iter().chain(self.tree.iter().filter(|node| node.objects == 1));
         self.objects() == objects.len()
             && leaves.all(|leaf| {

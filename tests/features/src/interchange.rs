@@ -86,6 +86,25 @@ fn shapes_come_back<S: Scalar>() {
     }
 }
 
+/// A shape of chosen kinds is written as one of any kind, and only what is among its kinds is read.
+#[test]
+fn serde_reads_no_kind_that_is_not_chosen() {
+    type Few = Shape<f32, (Sphere<f32>, Frame<f32>)>;
+    let (ball, frame) = (Sphere::new(2.0_f32).expect("a size"), Frame::at(Vec3::ZERO).expect("near"));
+    round_trip(&Few::of(ball).placed(frame));
+    let any = serde_json::to_string(&Shape::new(ball).placed(frame)).expect("every value can be written");
+    assert_eq!(serde_json::to_string(&Few::of(ball).placed(frame)).expect("every value can be written"), any);
+    let refused = |shape: Shape<f32>| {
+        let text = serde_json::to_string(&shape).expect("every value can be written");
+        serde_json::from_str::<Few>(&text).expect_err("it is not among the kinds").to_string()
+    };
+    let told =
+        |kind| format!("a shape of the kinds Sphere, Frame cannot have the kind {kind}: name it among the kinds");
+    assert_eq!(refused(Shape::new(Plane::new())), told("Plane"));
+    let stretched = Affine::stretched(frame, Vec3::new(1.0, 2.0, 3.0)).expect("a volume");
+    assert_eq!(refused(Shape::new(ball).placed(stretched)), told("Affine"));
+}
+
 #[test]
 fn serde_brings_every_shape_back() {
     shapes_come_back::<f32>();

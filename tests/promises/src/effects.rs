@@ -385,7 +385,7 @@ fn parts_have_materials_of_their_own() {
 #[test]
 fn textures_that_cannot_be_used_are_refused() {
     let materials = [Material::matte(Color::<f32>::WHITE).with_texture(1)];
-    let scene = Scene::new(&[], &materials, &[], camera()).unwrap();
+    let scene = Scene::<f32>::new(&[], &materials, &[], camera()).unwrap();
     let pixels = [[0; 3]; 5];
     let image = |width, height| scene::Texture::Image { width, height, pixels: &pixels };
     let error = |textures: &[scene::Texture<'_, f32>]| scene.with_textures(textures).err().unwrap().to_string();

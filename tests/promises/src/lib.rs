@@ -23,6 +23,7 @@ mod fuzz_corpus;
 mod gallery;
 mod hard_cases;
 mod hierarchy;
+mod kinds;
 mod laws;
 mod laws_symmetry;
 mod laws_tiers;

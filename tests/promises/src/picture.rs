@@ -485,7 +485,7 @@ fn scenes_with_wrong_indices_are_refused() {
     let error = scene.with_normals(&[]).err().unwrap();
     assert_eq!(error.to_string(), "object 0 names corner normals 2, which are not in the list: add them");
     let lights = [Light::new(Vec3::new(f32::NAN, 0.0, 0.0), 1.0)];
-    let error = Scene::new(&[], &materials, &lights, camera()).err().unwrap();
+    let error = Scene::<f32>::new(&[], &materials, &lights, camera()).err().unwrap();
     assert_eq!(error.to_string(), "light 0 is beyond the number type's budget: move it closer");
 }
 

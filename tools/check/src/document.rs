@@ -1,7 +1,7 @@
 //! `docs/microcontrollers.md`: the baselines as tables.
 
 use crate::chip::{self, Part};
-use crate::{cost, cycles, effects, effects_table, marks, size};
+use crate::{cost, cycles, effects, effects_table, kinds, marks, size};
 use raylet_tables::markdown::{head, row};
 use raylet_tables::{Baseline, CHIPS, Outcome, SUBJECTS, grouped, in_repository};
 use std::fmt::Write;
@@ -65,7 +65,7 @@ pub fn cell(baseline: &Baseline, subject: &str, query: &str, number: &str, tier:
 fn whole_uses(text: &mut String, chips: &[Measured]) {
     text.push_str(
         "## Whole uses\n\nBytes of flash over those of a program that does nothing, bytes of stack at most, instructions and [modelled cycles](#modelled-cycles), in `Stable`. The *range sensor* tests a `Shape`, which may be any primitive in any placement: instructions of one test of one of its zones against one of its forty solids, 1 to 200 metres away, most of them upright; its stack is the \
-         largest of all nearest hits below. The *picture* is that of the section on effects, and its shapes may be any primitive too: instructions a pixel; with all effects, pixels at edges have several samples. Flash depends on the \
+         largest of all nearest hits below. The *picture* is that of the section on effects, and its shapes may be any primitive too: instructions a pixel; with all effects, pixels at edges have several samples. The others name the primitives and placements that they use (`Shape<S, K>`), and no code of other ones is linked: spheres and planes, or cylinders and planes, in frames or not placed. Flash depends on the \
          profile: `opt-level = 3`, which is the fastest.\n\n",
     );
     head(text, ["use", "number", "chip", "flash", "stack", "instructions", "cycles"].map(String::from));
@@ -88,6 +88,9 @@ fn whole_uses(text: &mut String, chips: &[Measured]) {
                 let flash = Part::Size.figure(baseline, &effects::key(set, number, "bytes"));
                 let cycles = Part::Effects.figure(modelled, &effects::key(set, number, "instructions"));
                 line(name, [flash, figure("stack"), figure("instructions"), cycles]);
+            }
+            for of in &kinds::USES {
+                line(of.name, [Part::Size.figure(baseline, &kinds::key(of, number)), None, None, None]);
             }
         }
     }

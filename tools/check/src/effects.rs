@@ -135,7 +135,7 @@ pub fn check_left_out(directory: &Path) -> Outcome {
     for (name, set) in SETS {
         for number in NUMBERS {
             let program = programs::of_set(name, number);
-            let found = elf::sources(&directory.join(&program), FOLDER)?;
+            let found = elf::sources(&directory.join(&program), &[FOLDER])?;
             let ours: BTreeSet<_> = FILES.iter().flat_map(|(_, files)| *files).map(|file| path(file)).collect();
             let found: BTreeSet<_> = found.intersection(&ours).cloned().collect();
             let expected = expected(set);

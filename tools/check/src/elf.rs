@@ -16,8 +16,8 @@ pub struct Symbol {
 
 /// The source files that instructions of a linked program come from, inlined functions included, by its line tables.
 ///
-/// Only those whose path contains `of`, from there on.
-pub fn sources(path: &Path, of: &str) -> Outcome<BTreeSet<String>> {
+/// Only those whose path contains one of `folders`, from there on.
+pub fn sources(path: &Path, folders: &[&str]) -> Outcome<BTreeSet<String>> {
     let data = fs::read(path).map_err(|error| format!("{}: {error}; build it first", path.display()))?;
     let file = object::File::parse(&*data).map_err(|error| format!("{}: {error}", path.display()))?;
     let lines = addr2line::Loader::new(path).map_err(|error| format!("{}: {error}", path.display()))?;
@@ -28,7 +28,9 @@ pub fn sources(path: &Path, of: &str) -> Outcome<BTreeSet<String>> {
             let mut frames = lines.find_frames(address)?;
             while let Some(frame) = frames.next()? {
                 let file = frame.location.and_then(|location| location.file);
-                if let Some(file) = file.and_then(|file| file.find(of).map(|start| &file[start..])) {
+                if let Some(file) =
+                    file.and_then(|file| folders.iter().find_map(|of| file.find(of).map(|start| &file[start..])))
+                {
                     sources.insert(file.to_owned());
                 }
             }

@@ -1,6 +1,7 @@
 //! The programs of `tools/firmware/sizes`: one for each row of the tables of sizes, and an empty one.
 
 use crate::effects::{NUMBERS, SETS};
+use crate::kinds;
 use crate::size::{KINDS, PRIMITIVES};
 use raylet_tables::{Outcome, in_repository};
 use std::collections::BTreeMap;
@@ -22,6 +23,11 @@ pub fn of_set(set: &str, number: &str) -> String {
     format!("effects_{set}_{number}").to_lowercase()
 }
 
+/// The program that uses chosen kinds.
+pub fn of_use(program: &str, number: &str) -> String {
+    format!("{program}_{number}").to_lowercase()
+}
+
 /// The type of a primitive or an effect: its name with a capital.
 fn type_name(name: &str) -> String {
     let mut letters = name.chars();
@@ -41,28 +47,36 @@ fn set_type(name: &str, effects: &str) -> (String, Vec<String>) {
     }
 }
 
-/// The text of a program: what it is, the effects that it names, and the macro of `raylet-sizes` that makes it.
-fn text(what: &str, number: Option<&str>, mut effects: Vec<String>, program: &str) -> String {
-    effects.sort();
-    let effects = match &effects[..] {
+/// What a program takes from a module, in alphabetical order; `None` if it takes nothing.
+fn taken(module: &str, mut names: Vec<String>) -> Option<String> {
+    names.sort();
+    match &names[..] {
         [] => None,
-        [effect] => Some(format!("use raylet::effect::{effect};\n")),
-        effects => Some(format!("use raylet::effect::{{{}}};\n", effects.join(", "))),
-    };
+        [name] => Some(format!("use {module}::{name};\n")),
+        names => Some(format!("use {module}::{{{}}};\n", names.join(", "))),
+    }
+}
+
+/// The text of a program: what it is, the kinds and effects that it names, and the macro of `raylet-sizes` that makes it.
+fn text(what: &str, number: Option<&str>, [kinds, effects]: [Vec<String>; 2], program: &str) -> String {
     let number = number.filter(|number| number.starts_with('I')).map(|number| format!("use fixed::types::{number};\n"));
-    let uses: String = number.into_iter().chain(effects).collect();
+    let taken = [taken("raylet::effect", effects), taken("raylet", kinds)];
+    let uses: String = number.into_iter().chain(taken.into_iter().flatten()).collect();
     let gap = if uses.is_empty() { "" } else { "\n" };
     format!("//! {what}.\n#![no_std]\n#![no_main]\n\n{uses}{gap}raylet_sizes::{program};\n")
 }
 
 /// The texts of all programs, by name.
 fn all() -> BTreeMap<String, String> {
-    let mut programs = BTreeMap::from([(EMPTY.into(), text("Nothing", None, vec![], "empty!()"))]);
+    let mut programs = BTreeMap::from([(EMPTY.into(), text("Nothing", None, Default::default(), "empty!()"))]);
     for primitive in PRIMITIVES {
         for [number, tier] in KINDS {
             let what = format!("The nearest hit: {primitive}, {number}, {tier}");
             let program = format!("nearest!({}<{number}>, {tier})", type_name(primitive));
-            programs.insert(of_primitive(primitive, [number, tier]), text(&what, Some(number), vec![], &program));
+            programs.insert(
+                of_primitive(primitive, [number, tier]),
+                text(&what, Some(number), Default::default(), &program),
+            );
         }
     }
     for (name, effects) in SETS {
@@ -70,8 +84,17 @@ fn all() -> BTreeMap<String, String> {
             let what = format!("A pixel: {effects}; {number}");
             let (set, effects) = set_type(name, effects);
             let program = format!("pixel!({number}, {set})");
-            programs.insert(of_set(name, number), text(&what, Some(number), effects, &program));
+            programs.insert(of_set(name, number), text(&what, Some(number), [vec![], effects], &program));
         }
+    }
+    for (of, number) in kinds::programs().flat_map(|of| NUMBERS.map(|number| (of, number))) {
+        let what = format!("{}: {}; {number}", of.name, of.kinds.join(", "));
+        let types: Vec<_> = of.kinds.iter().map(|kind| format!("{kind}<{number}>")).collect();
+        let (set, effects) = of.effects.map_or_else(Default::default, |set| set_type(set, set));
+        let set = if set.is_empty() { set } else { format!(", {set}") };
+        let program = format!("{}!({number}, ({}){set})", of.made_by, types.join(", "));
+        let named = of.kinds.iter().map(ToString::to_string).collect();
+        programs.insert(of_use(of.program, number), text(&what, Some(number), [named, effects], &program));
     }
     programs
 }
@@ -104,7 +127,10 @@ mod tests {
 
     #[test]
     fn every_row_has_a_program_of_its_own() {
-        assert_eq!(all().len(), 1 + PRIMITIVES.len() * KINDS.len() + SETS.len() * NUMBERS.len());
+        assert_eq!(
+            all().len(),
+            1 + PRIMITIVES.len() * KINDS.len() + (SETS.len() + kinds::programs().count()) * NUMBERS.len()
+        );
     }
 
     #[test]
@@ -122,6 +148,16 @@ mod tests {
                  raylet_sizes::pixel!(f32, (Diffuse, Specular, Shadows));\n",
             ),
             ("effects_all_f32", "use raylet::effect::All;\n\nraylet_sizes::pixel!(f32, All);\n"),
+            (
+                "range_cylinder_plane_i16f16",
+                "use fixed::types::I16F16;\nuse raylet::{Cylinder, Frame, Plane};\n\n\
+                 raylet_sizes::range!(I16F16, (Cylinder<I16F16>, Plane<I16F16>, Frame<I16F16>));\n",
+            ),
+            (
+                "picture_sphere_plane_f32",
+                "use raylet::{Frame, Plane, Sphere};\n\n\
+                 raylet_sizes::picture!(f32, (Sphere<f32>, Plane<f32>, Frame<f32>), ());\n",
+            ),
         ] {
             assert_eq!(body(name), Some(expected), "{name}");
         }

@@ -1,7 +1,7 @@
 //! What one primitive, and one set of effects, takes of a chip's flash.
 
 use crate::elf::Program;
-use crate::{effects, programs};
+use crate::{effects, kinds, programs};
 use raylet_tables::{Figures, Outcome};
 use std::path::Path;
 
@@ -30,5 +30,6 @@ pub fn read(directory: &Path) -> Outcome<Figures> {
         }
     }
     effects::sizes(directory, empty, &mut figures)?;
+    kinds::sizes(directory, empty, &mut figures)?;
     Ok(figures)
 }

@@ -2,6 +2,7 @@
 
 use crate::input::{Any, any_direction, any_point, any_word, give};
 use raylet::scalar::{Real, UnitScalar};
+use raylet::shape::kinds::{KindError, Kinds};
 use raylet::tier::{Certain, Tier};
 use raylet::{
     Affine, Capsule, Cone, Cylinder, Departure, Disc, Frame, Leaving, Part, Plane, Range, Ray, Shape, Sphere, Surface,
@@ -30,7 +31,7 @@ macro_rules! call {
 
 /// Everything that can be computed of a hit.
 #[inline(never)]
-fn surface<S: Any>(surface: Surface<S>) {
+fn surface<S: Any, K: Kinds>(surface: Surface<S, K>) {
     give(surface.point());
     give(surface.local_point());
     give(surface.normal());
@@ -133,7 +134,15 @@ pub fn queries<S: Any, T: Tier<S>>() -> Option<()> {
     call!(Disc::new(S::any()).ok()?, ray, T);
     call!(Triangle::new(any_point(), any_point(), any_point()).ok()?, ray, T);
     call!(any_shape::<S>()?, ray, T);
+    call!(among::<S, (Sphere<S>, Plane<S>, Frame<S>)>()?, ray, T);
+    call!(among::<S, (Affine<S>, Cone<S>)>()?, ray, T);
     Some(())
+}
+
+/// Any shape of these kinds.
+fn among<S: Any, K: Kinds>() -> Option<Shape<S, K>> {
+    let among: Result<_, KindError> = any_shape::<S>()?.among();
+    among.ok()
 }
 
 /// What the exact tier has besides.

@@ -1,5 +1,5 @@
 //! What one primitive, and one set of effects, takes of a chip's memory: each program finds the nearest hit of one primitive, in one
-//! number type and tier, or traces a pixel with one set of effects, and does nothing else.
+//! number type and tier, or traces a pixel with one set of effects, or asks shapes of chosen kinds, and does nothing else.
 //!
 //! The programs are not stored: `check programs` writes them to `src/bin`, one for each row of the tables that `check size` and
 //! `check left-out` read.
@@ -48,6 +48,64 @@ macro_rules! pixel {
             let picture = Picture::<$S, $Effects>::leaving_out(scene, size);
             let [x, y] = [any_word() as u16, any_word() as u16];
             give(picture.pixel(x, y, &mut Work::new(())));
+        }
+    };
+}
+
+/// A program that finds the nearest hit of a shape of chosen kinds.
+#[macro_export]
+macro_rules! range {
+    ($S:ty, $Kinds:ty) => {
+        $crate::raylet_proofs::program! {
+            use $crate::raylet::{Ray, Shape};
+            use $crate::raylet_proofs::input::{any_reference, give};
+
+            let shape = any_reference::<Shape<$S, $Kinds>>();
+            let ray = any_reference::<Ray<$S>>();
+            give(shape.nearest(ray));
+        }
+    };
+}
+
+/// A program that traces a pixel of a scene of chosen kinds with a set of effects compiled in.
+#[macro_export]
+macro_rules! picture {
+    ($S:ty, $Kinds:ty, $Effects:ty) => {
+        $crate::raylet_proofs::program! {
+            use $crate::raylet::{Picture, Scene, Size, Stable, Work};
+            use $crate::raylet_proofs::input::{any_reference, any_word, give};
+
+            let scene = any_reference::<Scene<'static, $S, Stable, $Kinds>>();
+            let [width, height] = [any_word() as u16, any_word() as u16];
+            let size = Size::new(width, height).with_samples(any_word() as u8);
+            let picture = Picture::<$S, $Effects, Stable, $Kinds>::leaving_out(scene, size);
+            let [x, y] = [any_word() as u16, any_word() as u16];
+            give(picture.pixel(x, y, &mut Work::new(())));
+        }
+    };
+}
+
+/// A program that asks a shape of chosen kinds everything, in every tier.
+#[macro_export]
+macro_rules! asked {
+    ($S:ty, $Kinds:ty) => {
+        $crate::raylet_proofs::program! {
+            use $crate::raylet::{Exact, Fast, Ray, Shape, Stable, Tier};
+            use $crate::raylet_proofs::input::{any_point, any_reference, give};
+
+            fn ask<T: Tier<$S>>(shape: &Shape<$S, $Kinds>, ray: &Ray<$S>) {
+                give((shape.nearest_at::<T>(ray), shape.occludes_at::<T>(ray), shape.contains_at::<T>(any_point())));
+                for hit in &shape.hits_at::<T>(ray) {
+                    let surface = shape.surface(ray, hit);
+                    give((surface.point(), surface.normal_towards_ray(), surface.uv(), surface.tangents()));
+                }
+            }
+            let shape = any_reference::<Shape<$S, $Kinds>>();
+            let ray = any_reference::<Ray<$S>>();
+            ask::<Fast>(shape, ray);
+            ask::<Stable>(shape, ray);
+            ask::<Exact>(shape, ray);
+            give((shape.effort(ray), shape.bounds()));
         }
     };
 }

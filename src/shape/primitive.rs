@@ -1,0 +1,206 @@
+//! Any primitive, and any of a set.
+
+use super::kinds::{Kind, KindSet, Kinds};
+use super::{Shape, Surface};
+use crate::bounds;
+use crate::fast::Guards;
+use crate::figure::{Described, Figure, Figures};
+use crate::geometry::{Bounds, Geometry, Hull};
+use crate::hit::Hit;
+use crate::intersection::{End, Intersection};
+use crate::line::Place;
+use crate::part::Part;
+use crate::primitive::{Capsule, Cone, Cylinder, Disc, Plane, Sphere, Triangle};
+use crate::ray::Ray;
+use crate::scalar::{Attempt, LocalLine, Scalar, UnitScalar};
+use crate::vector::{UnitVec3, Vec3};
+use core::marker::PhantomData;
+
+/// Defines the enum of all primitives, and passes every call on to the one that it holds.
+macro_rules! primitives {
+    ($($Variant:ident),+) => {
+        /// Any primitive, without allocation or dynamic dispatch.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = ""))]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        #[non_exhaustive]
+        pub enum Primitive<S: Scalar> {
+            $(
+                #[doc = concat!("A [`", stringify!($Variant), "`].")]
+                $Variant($Variant<S>),
+            )+
+        }
+
+        impl<S: Scalar> Primitive<S> {
+            /// Which of the primitives it is.
+            pub const fn kind(&self) -> Kind {
+                match self { $(Self::$Variant(_) => Kind::$Variant,)+ }
+            }
+        }
+
+        $(
+            impl<S: Scalar> From<$Variant<S>> for Primitive<S> {
+                fn from(primitive: $Variant<S>) -> Self {
+                    Self::$Variant(primitive)
+                }
+            }
+        )+
+
+        $(
+            impl<S: Scalar> $Variant<S> {
+                /// The surface at a hit: point, normal, surface coordinates, tangents. See [`Shape::surface`].
+                pub fn surface(&self, ray: &Ray<S>, hit: &Hit<S>) -> Surface<S> {
+                    Shape::new(*self).surface(ray, hit)
+                }
+                /// The axis-aligned bounding box: see [`Shape::bounds`].
+                pub fn bounds(&self) -> Bounds<S> {
+                    bounds::unplaced::<S, Self>(&self.hull())
+                }
+            }
+        )+
+
+        /// The figures of the primitives of a set.
+        const fn figures(kinds: KindSet) -> Figures {
+            let mut figures = Figures::NONE;
+            $(
+                if kinds.contains(Kind::$Variant) {
+                    figures = figures.and(<$Variant<f32> as Described>::FIGURES);
+                }
+            )+
+            figures
+        }
+
+        /// Evaluates an expression with the primitive in its own type; another one for a primitive that is not among the kinds, which no
+        /// shape has.
+        macro_rules! with {
+            ($of:ident, |$primitive:ident| $answer:expr, $none:expr) => {
+                // Without an arm for all others, which the compiler would not know to be unreachable.
+                match &$of.primitive {
+                    $(
+                        Primitive::$Variant($primitive) => {
+                            if K::SET.contains(Kind::$Variant) { $answer } else { $none }
+                        }
+                    )+
+                }
+            };
+        }
+
+        /// The same where the answer is of the primitive's own type. Each is made where it is returned: it is not copied.
+        macro_rules! map {
+            ($of:ident, |$primitive:ident| $answer:expr, $none:expr) => {
+                match &$of.primitive {
+                    $(
+                        Primitive::$Variant($primitive) => {
+                            if K::SET.contains(Kind::$Variant) {
+                                Member { primitive: Primitive::$Variant($answer), kinds: PhantomData }
+                            } else {
+                                $none
+                            }
+                        }
+                    )+
+                }
+            };
+        }
+    };
+}
+
+primitives!(Sphere, Cylinder, Cone, Capsule, Plane, Disc, Triangle);
+
+/// A primitive that is among the kinds `K`.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) struct Member<S: Scalar, K> {
+    pub(super) primitive: Primitive<S>,
+    kinds: PhantomData<K>,
+}
+
+impl<S: Scalar, K: Kinds> Member<S, K> {
+    /// The primitive, which must be among the kinds.
+    #[inline(always)]
+    pub(super) const fn new(primitive: Primitive<S>) -> Self {
+        Self { primitive, kinds: PhantomData }
+    }
+}
+
+impl<S: Scalar, K: Kinds> Described for Member<S, K> {
+    const FIGURES: Figures = figures(K::SET);
+}
+
+impl<S: Scalar, K: Kinds> Geometry<S> for Member<S, K> {
+    type Doubles = Member<f64, K>;
+
+    #[inline(always)]
+    fn in_doubles(&self) -> Self::Doubles {
+        map!(self, |p| p.in_doubles(), Member::new(Primitive::Plane(Plane::new())))
+    }
+    fn reach(&self) -> S {
+        with!(self, |p| p.reach(), S::ZERO)
+    }
+    fn scaled(&self, e: i32) -> Self {
+        map!(self, |p| p.scaled(e), *self)
+    }
+    #[inline(always)]
+    fn fast_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
+        with!(self, |p| p.fast_line(place, ray), None)
+    }
+    fn lengths(&self) -> S {
+        with!(self, |p| p.lengths(), S::ZERO)
+    }
+    #[inline(always)]
+    fn fit(&self, line: &mut LocalLine<S>) {
+        with!(self, |p| p.fit(line), ());
+    }
+    #[inline(always)]
+    fn far_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
+        with!(self, |p| p.far_line(place, ray), None)
+    }
+    #[inline(always)]
+    fn second_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
+        with!(self, |p| p.second_line(place, ray), None)
+    }
+    #[inline(always)]
+    fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
+        with!(self, |p| fast_intersection::<S, T, _>(p, line), Attempt::Miss)
+    }
+    #[inline(always)]
+    fn fast_occlusion<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<()> {
+        with!(self, |p| fast_occlusion::<S, T, _>(p, line), Attempt::Miss)
+    }
+    #[inline(always)]
+    fn fast_exit<T: Guards>(&self, line: &LocalLine<S>, from: Part) -> Attempt<End<S>> {
+        with!(self, |p| p.fast_exit::<T>(line, from), Attempt::Miss)
+    }
+    fn figure(&self) -> Figure<S> {
+        with!(self, |p| p.figure(), Figure::Plane)
+    }
+    fn hull(&self) -> Hull<S> {
+        with!(self, |p| p.hull(), Hull::Ball(S::ZERO))
+    }
+    fn on_surface(&self, point: Vec3<S>, part: Part) -> Vec3<S> {
+        with!(self, |p| p.on_surface(point, part), point)
+    }
+    fn normal(&self, point: Vec3<S>, part: Part) -> UnitVec3<S> {
+        with!(self, |p| p.normal(point, part), UnitVec3::Y)
+    }
+    fn bend(&self, point: Vec3<S>, part: Part) -> S {
+        with!(self, |p| p.bend(point, part), S::INFINITY)
+    }
+    fn uv(&self, point: Vec3<S>, part: Part) -> (S::Unit, S::Unit) {
+        with!(self, |p| p.uv(point, part), (S::Unit::ZERO, S::Unit::ZERO))
+    }
+    fn tangents(&self, point: Vec3<S>, part: Part) -> (UnitVec3<S>, UnitVec3<S>) {
+        with!(self, |p| p.tangents(point, part), (UnitVec3::X, UnitVec3::Z))
+    }
+}
+
+// Not inlined, so that the program has one copy for each primitive, and not one for each placement and query.
+#[inline(never)]
+fn fast_intersection<S: Scalar, T: Guards, G: Geometry<S>>(
+    geometry: &G,
+    line: &LocalLine<S>,
+) -> Attempt<Intersection<S>> {
+    geometry.fast_intersection::<T>(line)
+}
+#[inline(never)]
+fn fast_occlusion<S: Scalar, T: Guards, G: Geometry<S>>(geometry: &G, line: &LocalLine<S>) -> Attempt<()> {
+    geometry.fast_occlusion::<T>(line)
+}

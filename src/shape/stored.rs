@@ -1,0 +1,49 @@
+//! Shapes as they are stored and written.
+
+use super::Shape;
+use super::kinds::Kinds;
+use crate::scalar::Scalar;
+
+#[cfg(feature = "serde")]
+mod with_serde {
+    use super::{Kinds, Scalar, Shape};
+    use crate::shape::{Placement, Primitive, Visible};
+    use serde::de::Error;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    #[derive(Serialize, Deserialize)]
+    #[serde(bound = "", rename = "Shape")]
+    struct Stored<S: Scalar> {
+        primitive: Primitive<S>,
+        placement: Placement<S>,
+        visible: Visible,
+    }
+
+    impl<S: Scalar, K: Kinds> Serialize for Shape<S, K> {
+        fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
+            let (primitive, placement, visible) = (*self.primitive(), *self.placement(), self.visible());
+            Stored { primitive, placement, visible }.serialize(serializer)
+        }
+    }
+
+    /// Only a shape whose primitive and placement are among the kinds.
+    impl<'de, S: Scalar, K: Kinds> Deserialize<'de> for Shape<S, K> {
+        fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+            let Stored { primitive, placement, visible } = Stored::deserialize(deserializer)?;
+            let shape = Shape::new(primitive).placed(placement).seen_from(visible);
+            shape.among().map_err(D::Error::custom)
+        }
+    }
+}
+
+#[cfg(feature = "defmt")]
+impl<S: Scalar, K: Kinds> defmt::Format for Shape<S, K>
+where
+    super::Primitive<S>: defmt::Format,
+    super::Placement<S>: defmt::Format,
+{
+    fn format(&self, f: defmt::Formatter<'_>) {
+        let (primitive, placement, visible) = (self.primitive(), self.placement(), self.visible());
+        defmt::write!(f, "Shape {{ primitive: {}, placement: {}, visible: {} }}", primitive, placement, visible);
+    }
+}

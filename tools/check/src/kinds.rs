@@ -1,0 +1,180 @@
+//! What programs over chosen primitives and placements take of a chip's flash, and that a primitive or a placement that is left out
+//! leaves no code.
+
+use crate::effects::NUMBERS;
+use crate::elf::{self, Program};
+use crate::programs;
+use raylet_tables::{Figures, Outcome};
+use std::collections::BTreeSet;
+use std::path::Path;
+
+/// A program that uses chosen kinds.
+pub struct Use {
+    /// Its name in the tables.
+    pub name: &'static str,
+    /// Its file's name, without the number type.
+    pub program: &'static str,
+    /// The macro of `raylet-sizes` that makes it.
+    pub made_by: &'static str,
+    /// The kinds that it names.
+    pub kinds: &'static [&'static str],
+    /// The effects of a picture.
+    pub effects: Option<&'static str>,
+}
+
+const BALLS: &[&str] = &["Sphere", "Plane", "Frame"];
+
+/// What users do, each in all of [`NUMBERS`].
+pub const USES: [Use; 3] = [
+    Use {
+        name: "range sensor, cylinders and planes",
+        program: "range_cylinder_plane",
+        made_by: "range",
+        kinds: &["Cylinder", "Plane", "Frame"],
+        effects: None,
+    },
+    Use {
+        name: "picture, spheres and planes, no effects",
+        program: "picture_sphere_plane",
+        made_by: "picture",
+        kinds: BALLS,
+        effects: Some("none"),
+    },
+    Use {
+        name: "picture, spheres and planes, all effects",
+        program: "picture_sphere_plane_effects",
+        made_by: "picture",
+        kinds: BALLS,
+        effects: Some("all"),
+    },
+];
+
+/// Everything that a shape can be asked, in every tier: nobody's program, but one that would show any code that is left.
+const ASKED: Use = Use {
+    name: "all queries, spheres and planes",
+    program: "asked_sphere_plane",
+    made_by: "asked",
+    kinds: BALLS,
+    effects: None,
+};
+
+/// All programs that use chosen kinds.
+pub fn programs() -> impl Iterator<Item = &'static Use> {
+    USES.iter().chain([&ASKED])
+}
+
+/// The source files with the code of few kinds: who they belong to, and the number type, if they are of one.
+const FILES: [(&str, &[&str], Option<&str>); 19] = [
+    ("primitive/sphere", &["Sphere"], None),
+    ("primitive/cylinder", &["Cylinder"], None),
+    ("primitive/cone", &["Cone"], None),
+    ("primitive/outline", &["Cone"], None),
+    ("primitive/capsule", &["Capsule"], None),
+    ("primitive/plane", &["Plane"], None),
+    ("primitive/disc", &["Disc"], None),
+    ("primitive/triangle", &["Triangle"], None),
+    ("affine", &["Affine"], None),
+    ("solve/side", &["Cylinder", "Cone", "Capsule"], None),
+    ("solve/round", &["Sphere", "Cone", "Capsule"], None),
+    ("solve/flat", &["Plane", "Disc", "Triangle"], None),
+    ("scalar/floats/cone", &["Cone"], Some("f32")),
+    ("scalar/integers/ball", &["Sphere", "Capsule"], Some("I16F16")),
+    ("scalar/integers/round", &["Cylinder", "Capsule"], Some("I16F16")),
+    ("scalar/integers/cone", &["Cone"], Some("I16F16")),
+    ("scalar/integers/nappes", &["Cone"], Some("I16F16")),
+    ("scalar/integers/triangle", &["Triangle"], Some("I16F16")),
+    ("scalar/integers/stretched", &["Affine"], Some("I16F16")),
+];
+
+/// Where these files are.
+const FOLDERS: [&str; 4] = ["src/primitive/", "src/solve/", "src/scalar/", "src/affine.rs"];
+
+/// The name of a figure in a baseline.
+pub fn key(of: &Use, number: &str) -> String {
+    format!("{} | {number} | bytes", of.name)
+}
+
+/// Bytes of each program, over those of the empty program.
+pub fn sizes(directory: &Path, empty: u64, figures: &mut Figures) -> Outcome {
+    for of in programs() {
+        for number in NUMBERS {
+            let bytes = Program::read(&directory.join(programs::of_use(of.program, number)))?.bytes;
+            figures.insert(key(of, number), bytes.saturating_sub(empty));
+        }
+    }
+    Ok(())
+}
+
+/// The files of [`FILES`] that these kinds need in a number type.
+fn files(number: &str, needs: impl Fn(&[&str]) -> bool) -> BTreeSet<String> {
+    let own = FILES.iter().filter(|(_, kinds, only)| needs(kinds) && only.is_none_or(|only| only == number));
+    own.map(|(file, ..)| format!("src/{file}.rs")).collect()
+}
+
+/// What is wrong with a program in which instructions of these files were found.
+fn faults(program: &str, number: &str, kinds: &[&str], found: &BTreeSet<String>) -> Vec<String> {
+    let named = files(number, |of| of.iter().any(|kind| kinds.contains(kind)));
+    let (others, named) = (&files(number, |_| true) - &named, kinds.join(", "));
+    let found = others.intersection(found);
+    found.map(|file| format!("{program}: there are instructions of {file}, which is not of {named}")).collect()
+}
+
+/// Shows that no instruction of a program comes from a kind that it does not name, and that a program of any kind, which names none, has
+/// some of each, so that they would be found.
+pub fn check_left_out(directory: &Path) -> Outcome {
+    let mut wrong = Vec::new();
+    for number in NUMBERS {
+        let any = programs::of_set("all", number);
+        let found = elf::sources(&directory.join(&any), &FOLDERS)?;
+        for file in files(number, |_| true).difference(&found) {
+            wrong.push(format!("{any}: no instruction of {file}: the line tables prove nothing"));
+        }
+        for of in programs() {
+            let program = programs::of_use(of.program, number);
+            let found = elf::sources(&directory.join(&program), &FOLDERS)?;
+            wrong.extend(faults(&program, number, of.kinds, &found));
+            let own = files(number, |owners| owners.len() == 1 && of.kinds.contains(&owners[0]));
+            for file in own.difference(&found) {
+                wrong.push(format!("{program}: no instruction of {file}, which is of a kind that it names"));
+            }
+        }
+    }
+    if !wrong.is_empty() {
+        return Err(format!("\n    {}", wrong.join("\n    ")).into());
+    }
+    println!("{} programs with chosen kinds: only what was named is in them", programs().count() * NUMBERS.len());
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(files: &[&str]) -> BTreeSet<String> {
+        files.iter().map(ToString::to_string).collect()
+    }
+
+    #[test]
+    fn what_is_not_named_is_a_fault() {
+        let named = found(&["src/primitive/sphere.rs", "src/solve/round.rs", "src/solve/quadratic.rs"]);
+        assert!(faults("balls", "f32", BALLS, &named).is_empty());
+        let told = faults("balls", "f32", BALLS, &found(&["src/primitive/sphere.rs", "src/primitive/cone.rs"]));
+        let cone = "balls: there are instructions of src/primitive/cone.rs, which is not of Sphere, Plane, Frame";
+        assert_eq!(told, [cone]);
+        // Everything that a program of any kind has, and no chosen kind may have.
+        for number in NUMBERS {
+            let every = files(number, |_| true);
+            for of in programs() {
+                assert!(faults(of.program, number, of.kinds, &every).len() > 6, "{} {number}", of.program);
+            }
+        }
+    }
+
+    #[test]
+    fn a_file_is_there_and_belongs_to_a_kind() {
+        for (file, kinds, _) in FILES {
+            let path = raylet_tables::in_repository(&format!("src/{file}.rs"));
+            assert!(path.exists() && !kinds.is_empty(), "{file}");
+        }
+    }
+}
