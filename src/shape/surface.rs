@@ -53,7 +53,8 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
             _ => self.local_point(),
         });
         // Next to the world's origin a point of floats has smaller units than next to the primitive's.
-        let is_fine = |point: &Vec3<S>| !S::RELATIVE || S::resolves(self.hit.t, largest([point.x, point.y, point.z]));
+        let twice = self.hit.t.plus(self.hit.t);
+        let is_fine = |point: &Vec3<S>| !S::RELATIVE || S::resolves(twice, largest([point.x, point.y, point.z]));
         let point = if let Some(point) = resolved.filter(is_fine) {
             point
         } else if let Some(Correction { step, .. }) = self.correction(rough) {

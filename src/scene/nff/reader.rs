@@ -285,7 +285,7 @@ impl<'t, 'a, S: Scalar> Reader<'t, 'a, S> {
             *corner = Corner { point, normal };
         }
         if patch && contradicts_its_normals(corners) {
-            corners.reverse();
+            turn_around(corners);
             self.turned = self.turned.saturating_add(1);
         }
         let triangles = triangulate(corners, |[a, b, c]| {
@@ -321,6 +321,15 @@ fn not_text_at(text: &str, place: Place) -> Option<NffError> {
 /// Puts an item into a store, or says which store is full.
 fn store<T>(store: &mut dyn Store<T>, item: T, name: &'static str, place: Place) -> Result<(), NffError> {
     store.push(item).map_err(|_| NffError { place, reason: Reason::Full { store: name } })
+}
+
+/// Reverses the order of the corners. (`reverse` of slices may be compiled to code with a panic.)
+fn turn_around<S: Scalar>(corners: &mut [Corner<S>]) {
+    if let Some((first, last)) = corners.split_at_mut_checked(corners.len() / 2) {
+        for (a, b) in first.iter_mut().zip(last.iter_mut().rev()) {
+            core::mem::swap(a, b);
+        }
+    }
 }
 
 /// An open cylinder or cone between two points; `None` if the number type cannot hold it.

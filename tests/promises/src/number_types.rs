@@ -102,11 +102,12 @@ fn compare_worst(row: &Figures, bound: &Figures, name: &str, broken: &mut String
     compare_broken(row, bound, name, broken);
 }
 
-/// `Exact`: nothing wrong, and every `t` rounded correctly but for ties; placed or not, departing or not.
+/// `Exact`: nothing wrong, and every `t` of floats rounded correctly but for ties, of fixed point nearly so; placed or not, departing or not.
 #[test]
 fn the_bar_of_the_exact_tier_holds() {
     for row in bounds::all().iter().filter(|row| row.tier == "Exact") {
-        assert!(row.errors[2] <= 0.51, "{row:?}");
+        let most = if row.number.starts_with('f') { 0.51 } else { 0.6 };
+        assert!(row.errors[2] <= most, "{row:?}");
         assert_eq!(row.counts[..4], [0; 4], "{row:?}");
     }
 }

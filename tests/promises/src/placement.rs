@@ -135,7 +135,8 @@ fn points_and_normals_are_accurate_far_from_the_origin<S: Exact>() {
         }
     }
     println!("{}: points far away off by {worst} units", S::name());
-    assert!(worst <= 0.5, "{}: {worst} units", S::name());
+    // Half a unit there, and that of the point it is compared with, which lies within 4 of the origin.
+    assert!(worst <= 0.5 + 1.0 / 256.0, "{}: {worst} units", S::name());
 }
 
 fn an_ellipsoid_is_met_where_it_is<S: Exact>() {
