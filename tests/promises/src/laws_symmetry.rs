@@ -1,14 +1,14 @@
 //! The promise: moving the origin along a ray moves `t`, and turning or mirroring ray and solid together changes nothing; in
 //! every number type and tier.
 //!
-//! Where every number on the way is exact (mirrors and quarter turns of a solid of revolution, axis-parallel shifts on a grid) the
+//! `Exact` in fixed point decides alike, and its `t` may be a unit apart. Where every number on the way is exact (mirrors and quarter turns of a solid of revolution, axis-parallel shifts on a grid) the
 //! answers are the same to the last bit. Elsewhere both answers hold on one and the same exact line, within the bound of
 //! [`support::laws::bound`], and differ in nothing but what that bound decides.
 
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use raylet::scalar::UnitScalar;
-use raylet::{Crossing, Frame, Range, Ray, Shape, Triangle, UnitVec3, Vec3};
+use raylet::{Crossing, Frame, Hits, Range, Ray, Shape, Triangle, UnitVec3, Vec3};
 use support::cases::v;
 use support::exact_types::Exact as Number;
 use support::laws::{
@@ -119,8 +119,14 @@ mod law {
         let shape = setting.unplaced.placed(frame);
         let (here, there) = (setting.unplaced.hits_at::<T>(&ray), shape.hits_at::<T>(&turned));
         // A float sum depends on the order of its terms, and fixed-point kernels see a placed solid on a finer grid.
-        if T::GRADE == Grade::Exact {
+        if T::GRADE == Grade::Exact && is_float::<S>() {
             prop_assert_eq!(&here, &there, "{:?} {:?}", frame, ray);
+        } else if T::GRADE == Grade::Exact {
+            let decided = |hits: &Hits<S>| {
+                let crossings: Vec<_> = hits.iter().map(|hit| (hit.part, hit.crossing)).collect();
+                (crossings, hits.starts_inside(), hits.coincident().is_some())
+            };
+            prop_assert_eq!(decided(&here), decided(&there), "{:?} {:?}", frame, ray);
         }
         on_one_line::<S, T>(&setting.in_own_frame(), &ray, &met(&here), &met(&there), 0.0)?;
         for (a, b) in here.iter().zip(&there) {
