@@ -19,7 +19,8 @@ use crate::scalar::{FromScalar, Scalar, ToScalar};
 /// Sphere::new(1.0).unwrap().hits_at::<Exact>(&ray);
 /// ```
 ///
-/// Doubles with an error bound decide nearly all rays, and numbers of 128 bits with an error bound nearly all of the others. Integers
+/// In fixed point the integers of the fast path decide most rays, with guards that let nothing uncertain pass. Doubles with an error bound
+/// decide nearly all others, and all of floats; numbers of 128 bits with an error bound decide nearly all of what is left. Integers
 /// that are wide enough for every case decide the rest, at some hundred times the cost. [`Shape::effort`](crate::Shape::effort) tells which of
 /// them decided.
 ///

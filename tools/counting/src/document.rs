@@ -159,7 +159,7 @@ fn workload(text: &mut String, figures: &Figures, of: &str) {
 /// What users do: pictures, a range sensor, each solid as it is placed.
 fn workloads(text: &mut String, figures: &Figures) {
     text.push_str(
-        "## What users do\n\nInstructions of a nearest hit, each query counted by itself: the mean and, in brackets, the worst of a hundred. *Left* is how many of a hundred queries in `Stable` the fast path cannot decide and the solver computes, for each of these number types in the order of their columns. `Exact` first computes in doubles, for which this machine has hardware; without it, `Exact` takes the most instructions ([microcontrollers.md](microcontrollers.md)).\n\n\
+        "## What users do\n\nInstructions of a nearest hit, each query counted by itself: the mean and, in brackets, the worst of a hundred. *Left* is how many of a hundred queries in `Stable` the fast path cannot decide and the solver computes, for each of these number types in the order of their columns. `Exact` of `f32` first computes in doubles, for which this machine has hardware; without it, this takes the most instructions ([microcontrollers.md](microcontrollers.md)). `Exact` of `I16F16` computes in integers first, but for what is stretched.\n\n\
          The rays of a picture are those through its pixels, from what they meet to a lamp, and mirrored there; in the built-in scenes, of which the still life has \
          no mirrors, glass refracts rays too, up to three times. Each ray tests the objects whose boxes it meets, in the built-in scenes all. The range sensor has 64 zones, one row of them level, and forty solids 1 to 200 metres away, most of them upright. The solids \
          are about as large as the unit ball; *moved* and *turned* are frames, *stretched* is a matrix, *near* is 2 to 6 away and *far* 20 to 1,000; each query \
@@ -180,7 +180,7 @@ fn workloads(text: &mut String, figures: &Figures) {
         workload(text, figures, of);
     }
     text.push_str(
-        "\n### How far off these answers are\n\nAgainst those of `Exact`, which are exact but for half a unit: the worst in units in the last place of `t` and, in brackets, how many of a hundred are a \
+        "\n### How far off these answers are\n\nAgainst those of `Exact`, whose `t` is within a unit of the exact one and whose decisions are exact: the worst in units in the last place of `t` and, in brackets, how many of a hundred are a \
          hit for a miss, a miss for a hit or on another part. Rows in which all are within 1 unit and none is wrong are left out. Errors over many more rays, and the hard ones: \
          [accuracy.md](accuracy.md).\n\n",
     );

@@ -29,12 +29,12 @@ pub const WHY: [Why; 16] = [
     ),
     (
         |row| row.slower.placed.starts_with("stretched") && row.slower.tier == "Exact",
-        "A stretched placement is taken as it is stored; both answers are rounded correctly but for ties. What differs between them is chance.",
+        "A stretched placement is taken as it is stored; both answers are rounded nearly correctly. What differs between them is chance.",
     ),
     (
         |row| is_fixed(row) && row.faster.tier == "Exact",
-        "`Exact` first computes in doubles, whose 53 bits are enough for most decisions about 32-bit inputs; a host has hardware for doubles. `Fast` and \
-         `Stable` compute in integers alone.",
+        "What the integers of the fast path cannot decide, `Exact` computes in doubles, whose 53 bits are enough for most decisions about 32-bit inputs; a \
+         host has hardware for doubles. `Fast` and `Stable` compute in integers alone.",
     ),
     (
         |row| row.slower.number == "f32" && row.faster.tier == "Exact" && row.slower.tier == "Stable",

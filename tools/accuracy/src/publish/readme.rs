@@ -37,7 +37,7 @@ pub fn costs(study: &Study) -> String {
 
 /// The same in the few number types and tiers that the README shows.
 fn few_costs(study: &Study) -> Option<String> {
-    const SHOWN: [(&str, &str); 4] = [("f32", "Fast"), ("f32", "Stable"), ("f32", "Exact"), ("I16F16", "Stable")];
+    const SHOWN: [(&str, &str); 4] = [("f32", "Fast"), ("f32", "Stable"), ("I16F16", "Stable"), ("I16F16", "Exact")];
     let mut rows = vec![];
     for (number, tier) in SHOWN {
         rows.push(placed_sphere(study, number, tier)?);
