@@ -55,7 +55,7 @@ The textbook is `k^2 - a c`, and Moeller and Trumbore's triangle: [tools/peers/s
 }
 
 /// Three digits.
-fn short(value: f64) -> String {
+pub fn short(value: f64) -> String {
     match value {
         0.0..10.0 => format!("{value:.2}"),
         10.0..100.0 => format!("{value:.1}"),
@@ -68,7 +68,7 @@ fn length(value: f64) -> String {
     if value == 0.0 { "0".into() } else { format!("{value:.0e}") }
 }
 
-fn bold(text: String, is_bold: bool) -> String {
+pub fn bold(text: String, is_bold: bool) -> String {
     if is_bold { format!("**{text}**") } else { text }
 }
 
@@ -143,7 +143,7 @@ fn failures(row: &Row) -> String {
     if failures > 0 { format!(" ({failures})") } else { String::new() }
 }
 
-fn line(text: &mut String, cells: &[&str]) {
+pub fn line(text: &mut String, cells: &[&str]) {
     let _ = writeln!(text, "| {} |", cells.join(" | "));
 }
 
@@ -274,11 +274,11 @@ fn three_times(speed: &Option<Speed>) -> String {
     })
 }
 
-/// The whole document.
-pub fn document(environment: &Environment, rows: &[Row]) -> String {
+/// The whole document; `users` is the text of the workloads of users, if parry takes part.
+pub fn document(environment: &Environment, rows: &[Row], users: &str) -> String {
     let tables = [times::<f32>(rows), errors::<f32>(rows), times::<f64>(rows), errors::<f64>(rows)].concat();
     format!(
-        "{}{}{tables}## All rows\n\n`to {STABLE}` is the contestant's time over that of `Stable` in the same number at the same rays.\n\n{}{}",
+        "{}{users}{}{tables}## All rows\n\n`to {STABLE}` is the contestant's time over that of `Stable` in the same number at the same rays.\n\n{}{}",
         head(environment),
         bars(rows),
         all::<f32>(rows),

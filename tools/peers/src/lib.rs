@@ -19,3 +19,7 @@ pub mod rays;
 pub mod sizes;
 pub mod speed;
 pub mod textbook;
+#[cfg(feature = "parry")]
+pub mod users;
+#[cfg(feature = "parry")]
+pub mod users_document;

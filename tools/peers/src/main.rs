@@ -34,6 +34,9 @@ struct Options {
     /// 100 rays and 3 rounds, to see that everything works; the times say little.
     #[arg(short, long, conflicts_with_all = ["write", "rays", "rounds"])]
     quick: bool,
+    /// Only what users do: placed solids and a range sensor, beside parry3d.
+    #[arg(short, long, conflicts_with_all = ["write", "json"])]
+    users: bool,
     /// Write the figures to this file as JSON, quartiles of the ratios included, instead of printing Markdown.
     #[arg(short, long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -59,20 +62,47 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     // Before the work, not after it.
     let environment = Environment::read()?;
     let (rays, rounds) = if options.quick { (100, 3) } else { (options.rays as usize, options.rounds as usize) };
-    let progress = ProgressBar::new(TICKS as u64);
+    let progress = ProgressBar::new((TICKS + of_users::TICKS) as u64);
     progress.set_style(ProgressStyle::with_template("{elapsed} {wide_bar} {pos}/{len} workloads, {eta} left")?);
     let plan = Plan { rays, effort: Effort { rays: rays.min(TIMED), rounds } };
+    let users = of_users::section(plan.effort, &mut || progress.inc(1));
+    if options.users {
+        progress.finish_and_clear();
+        print!("{users}");
+        return Ok(());
+    }
     let rows = measure(plan, &mut || progress.inc(1));
     progress.finish_and_clear();
     if let Some(file) = &options.json {
         put(file, &json(&environment, &rows)?)?;
     }
     if options.write {
-        put(&environment::root().join("docs/peers.md"), &document(&environment, &rows))?;
+        put(&environment::root().join("docs/peers.md"), &document(&environment, &rows, &users))?;
     } else if options.json.is_none() {
-        print!("{}", document(&environment, &rows));
+        print!("{}", document(&environment, &rows, &users));
     }
     Ok(())
+}
+
+/// Without parry there is nobody beside whom the workloads of users could be measured.
+#[cfg(not(feature = "parry"))]
+mod of_users {
+    pub const TICKS: usize = 0;
+
+    pub fn section(_: super::Effort, _: &mut dyn FnMut()) -> String {
+        String::new()
+    }
+}
+
+#[cfg(feature = "parry")]
+mod of_users {
+    use raylet_peers::measure::beside_the_textbook;
+    pub use raylet_peers::users::TICKS;
+    use raylet_peers::{users, users_document};
+
+    pub fn section(effort: super::Effort, tick: &mut dyn FnMut()) -> String {
+        users_document::section(&beside_the_textbook(effort, |sphere| users::measure(effort, sphere, tick)))
+    }
 }
 
 fn put(file: &Path, text: &str) -> Result<(), String> {

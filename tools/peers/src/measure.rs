@@ -38,13 +38,19 @@ pub const TICKS: usize = 2 * PRIMITIVES.len() * WORKLOADS.len();
 
 /// All rows, those of one primitive and workload together.
 pub fn measure(plan: Plan, tick: &mut dyn FnMut()) -> Vec<Row> {
+    let mut rows = vec![];
+    beside_the_textbook(plan.effort, |sphere| {
+        of_number::<f32>(plan, sphere, &mut rows, tick);
+        of_number::<f64>(plan, sphere, &mut rows, tick);
+    });
+    rows
+}
+
+/// Hands on the textbook's sphere in `f32` at benign rays that hit: the measure of all times.
+pub fn beside_the_textbook<A>(effort: Effort, measured: impl FnOnce(&dyn Prepared<f32>) -> A) -> A {
     let sphere = Subject::<f32>::new("sphere");
     let textbook = textbook::entrant(crate::sizes::Sizes::of(&sphere), &sphere.solid);
-    let benign = textbook.prepare(&rays::drawn(&sphere, Workload::Benign, plan.effort.rays));
-    let mut rows = vec![];
-    of_number::<f32>(plan, benign.as_ref(), &mut rows, tick);
-    of_number::<f64>(plan, benign.as_ref(), &mut rows, tick);
-    rows
+    measured(textbook.prepare(&rays::drawn(&sphere, Workload::Benign, effort.rays)).as_ref())
 }
 
 fn of_number<S: Field>(plan: Plan, sphere: &dyn Prepared<f32>, rows: &mut Vec<Row>, tick: &mut dyn FnMut()) {

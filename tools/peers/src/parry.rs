@@ -80,3 +80,86 @@ macro_rules! parry {
 }
 parry!(single, parry3d, f32);
 parry!(double, parry3d_f64, f64);
+
+/// parry's shapes in poses, for the workloads of placed solids.
+pub mod placed {
+    use parry3d::glamx::{Mat3, Quat};
+    use parry3d::math::{Pose, Vector};
+    use parry3d::query::{Ray, RayCast};
+    use parry3d::shape::{Ball, Capsule, Cone, Cylinder, Triangle};
+    use raylet::{Placement, Primitive};
+    use shared::workload::Query;
+    use std::f32::consts::PI;
+
+    enum Any {
+        Ball(Ball),
+        Cylinder(Cylinder),
+        Cone(Cone),
+        Capsule(Capsule),
+        Triangle(Triangle),
+    }
+
+    /// A query in parry's own types.
+    pub struct Posed {
+        shape: Any,
+        pose: Pose,
+        ray: Ray,
+    }
+
+    fn vector([x, y, z]: [f32; 3]) -> Vector {
+        Vector::new(x, y, z)
+    }
+
+    impl Posed {
+        /// The same query; `None` if parry does not have the solid, or no such placement.
+        pub fn of(query: &Query<f32>) -> Option<Self> {
+            // Where parry's solid stands in raylet's canonical pose: its cylinder and its cone have their middle in the origin, and
+            // the cone's apex is above instead of below.
+            let raised = |height: f32| Pose::translation(0.0, height / 2.0, 0.0);
+            let (shape, own) = match query.shape.primitive() {
+                Primitive::Sphere(sphere) => (Any::Ball(Ball::new(sphere.radius())), Pose::IDENTITY),
+                Primitive::Cylinder(cylinder) => {
+                    let height = cylinder.height()?;
+                    (Any::Cylinder(Cylinder::new(height / 2.0, cylinder.radius())), raised(height))
+                }
+                Primitive::Cone(cone) if cone.base_radius() == 0.0 => {
+                    let height = cone.height()?;
+                    let turned = Pose::from_rotation(Quat::from_rotation_x(PI));
+                    (Any::Cone(Cone::new(height / 2.0, cone.top_radius()?)), raised(height) * turned)
+                }
+                Primitive::Capsule(capsule) => {
+                    let top = Vector::Y * capsule.height();
+                    (Any::Capsule(Capsule::new(Vector::ZERO, top, capsule.radius())), Pose::IDENTITY)
+                }
+                Primitive::Triangle(triangle) => {
+                    let [a, b, c] = triangle.vertices().map(|v| vector(v.to_array()));
+                    (Any::Triangle(Triangle::new(a, b, c)), Pose::IDENTITY)
+                }
+                _ => return None,
+            };
+            let placed = match query.shape.placement() {
+                Placement::World => Pose::IDENTITY,
+                Placement::Frame(frame) => {
+                    let [x, y, z] = frame.axes().map(|axis| vector(axis.to_array()));
+                    let rotation = Quat::from_mat3(&Mat3::from_cols(x, y, z));
+                    Pose::from_parts(vector(frame.position().to_array()), rotation)
+                }
+                _ => return None,
+            };
+            let ray = Ray::new(vector(query.ray.origin().to_array()), vector(query.ray.direction().to_array()));
+            Some(Self { shape, pose: placed * own, ray })
+        }
+
+        /// The distance of the nearest hit.
+        pub fn nearest(&self) -> Option<f32> {
+            let (pose, ray) = (&self.pose, &self.ray);
+            match &self.shape {
+                Any::Ball(shape) => shape.cast_ray(pose, ray, f32::MAX, false),
+                Any::Cylinder(shape) => shape.cast_ray(pose, ray, f32::MAX, false),
+                Any::Cone(shape) => shape.cast_ray(pose, ray, f32::MAX, false),
+                Any::Capsule(shape) => shape.cast_ray(pose, ray, f32::MAX, false),
+                Any::Triangle(shape) => shape.cast_ray(pose, ray, f32::MAX, false),
+            }
+        }
+    }
+}
