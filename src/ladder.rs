@@ -150,11 +150,32 @@ fn second_attempt<S: Scalar, T: Guards, G: Geometry<S>>(
     place: &impl Place<S>,
     ray: &Ray<S>,
 ) -> Attempt<Intersection<S>> {
-    if !S::RELATIVE || ray.departure().is_some() {
+    if !S::RELATIVE {
         return Attempt::Unsure;
     }
-    let Some(line) = geometry.second_line(place, ray) else { return Attempt::Unsure };
-    in_own_t(place, &line, geometry.fast_intersection::<T>(&line))
+    // In the world a line that starts near the primitive is exact as it is.
+    let line = geometry.second_line(place, ray).or_else(|| geometry.fast_line(place, ray).filter(|line| !line.is_rounded));
+    let Some(mut line) = line else { return Attempt::Unsure };
+    let mut found = Attempt::Unsure;
+    for round in 0..3 {
+        line.is_doubled = round > 0;
+        if round == 2 {
+            // Next to the ray's own start the sum of a `t` and the line's start would be rounded too much.
+            if line.start == S::ZERO {
+                break;
+            }
+            line = S::fast_moved_back(&line);
+        }
+        found = match ray.departure() {
+            Some(departure) => exit_along::<S, T, G>(geometry, &line, departure),
+            None => geometry.fast_intersection::<T>(&line),
+        };
+        found = in_own_t(place, &line, found);
+        if found != Attempt::Unsure {
+            break;
+        }
+    }
+    found
 }
 
 /// True if a ray that departs like this cannot meet the geometry again.
@@ -171,16 +192,7 @@ fn inwards<S: Scalar, T: Guards, G: Geometry<S>>(
     ray: &Ray<S>,
     departure: Departure,
 ) -> Attempt<Intersection<S>> {
-    if departure.leaving != Leaving::Inwards {
-        return Attempt::Unsure;
-    }
-    // A line that starts on the surface of a solid cannot miss it, whatever its rounded coordinates.
-    let exit = |geometry: &G, line: &LocalLine<S>| match geometry.fast_exit::<T>(line, departure.part) {
-        Attempt::Found(exit) if exit.t.plus(line.start) > S::ZERO => {
-            Attempt::Found(Intersection::One(Span::new(End::none(-S::INFINITY), exit)))
-        }
-        _ => Attempt::Unsure,
-    };
+    let exit = |geometry: &G, line: &LocalLine<S>| exit_along::<S, T, G>(geometry, line, departure);
     if stretches_integers(place) {
         let Some(line) = place.finer_line(ray, geometry.lengths()) else { return Attempt::Unsure };
         let intersection = found!(exit(&geometry.scaled(line.scale), &line.line));
@@ -190,6 +202,25 @@ fn inwards<S: Scalar, T: Guards, G: Geometry<S>>(
     geometry.fit(&mut line);
     line.is_strict = T::STRICT;
     in_own_t(place, &line, exit(geometry, &line))
+}
+
+/// The intersection of a line that departs inwards. A line that starts on the surface of a solid cannot miss it, whatever its
+/// rounded coordinates.
+#[inline(always)]
+fn exit_along<S: Scalar, T: Guards, G: Geometry<S>>(
+    geometry: &G,
+    line: &LocalLine<S>,
+    departure: Departure,
+) -> Attempt<Intersection<S>> {
+    if departure.leaving != Leaving::Inwards {
+        return Attempt::Unsure;
+    }
+    match geometry.fast_exit::<T>(line, departure.part) {
+        Attempt::Found(exit) if exit.t.plus(line.start) > S::ZERO => {
+            Attempt::Found(Intersection::One(Span::new(End::none(-S::INFINITY), exit)))
+        }
+        _ => Attempt::Unsure,
+    }
 }
 
 /// An intersection along a local line, with its `t` converted to the ray's.

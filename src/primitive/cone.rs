@@ -279,8 +279,17 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
 
     #[inline(always)]
     fn fast_exit<T: Guards>(&self, line: &LocalLine<S>, from: Part) -> Attempt<End<S>> {
-        if let Extent::Double | Extent::Open(_) = self.extent {
-            return Attempt::Unsure;
+        match self.extent {
+            Extent::Open(_) => return Attempt::Unsure,
+            Extent::Double => {
+                // The chord stays in the nappe that it begins in. The lower one is the upper one seen in a mirror.
+                let line = if line.origin[1] < S::ZERO { line.mirrored() } else { *line };
+                return Attempt::Found(End::new(
+                    found!(S::fast_exit_from_nappe(&line, self.fast_outline())),
+                    Part::Side,
+                ));
+            }
+            Extent::Nappe | Extent::Capped(_) => {}
         }
         let (side, is_certain) = if from == Part::Side {
             (found!(S::fast_exit_from_nappe(line, self.fast_outline())), true)
@@ -293,7 +302,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         let slab = found!(self.fast_slab(line, height));
         // An end of the nappe that is not certain must be cut off by the slab. One that follows from the rounded coordinates of a start on a
         // cap may be some units more off than is promised of floats.
-        let is_good = is_certain && (from == Part::Side || !S::RELATIVE);
+        let is_good = is_certain && (from == Part::Side || line.is_doubled || !S::RELATIVE);
         if is_good || slab.span.exit.t < side.t { slab.exit(side, from) } else { Attempt::Unsure }
     }
 

@@ -61,8 +61,10 @@ pub(crate) fn within_edges<V: Copy + PartialOrd + Neg<Output = V>>(edges: [(V, V
 pub struct LocalLine<S: Numbers> {
     /// The origin, in units of `2^-finer` of the type's.
     pub origin: [S; 3],
-    /// The low word of the origin, for spheres.
+    /// What rounding left over of the origin: in floats, for spheres and in double-word numbers.
     pub rest: [S; 3],
+    /// What rounding left over of the direction: in floats, in double-word numbers.
+    pub direction_rest: [S; 3],
     /// Extra bits of the origin below the type's unit; for floats 1 if the line has been rounded.
     pub finer: i32,
     /// The direction.
@@ -80,6 +82,8 @@ pub struct LocalLine<S: Numbers> {
     pub is_relative: bool,
     /// True if the components of a float line are computed, and not the ray's own: each has an error of one rounding, plus `off`.
     pub is_rounded: bool,
+    /// True for a float line of which a guard of the plain formulas failed: round solids are intersected in double-word numbers, with `rest` and `direction_rest`.
+    pub is_doubled: bool,
     /// True for the tier [`Exact`](crate::tier::Exact): what the guards let pass is certain, except for the rounding of `t`, by less than a unit. Floats have
     /// this for doubles in place of 32-bit numbers, of which nearly all rays still pass; fixed point has it in 32 bits.
     pub is_strict: bool,
@@ -92,6 +96,7 @@ impl<S: Numbers + Copy> LocalLine<S> {
         Self {
             origin,
             rest: [zero, zero, zero],
+            direction_rest: [zero, zero, zero],
             finer: 0,
             direction,
             pace: zero,
@@ -100,8 +105,22 @@ impl<S: Numbers + Copy> LocalLine<S> {
             off: [zero, zero],
             is_relative: false,
             is_rounded: false,
+            is_doubled: false,
             is_strict: false,
         }
+    }
+}
+
+impl<S: super::Scalar> LocalLine<S> {
+    /// The line mirrored in the plane `y = 0`.
+    #[inline]
+    pub(crate) fn mirrored(&self) -> Self {
+        let mut line = *self;
+        line.origin[1] = -line.origin[1];
+        line.rest[1] = -line.rest[1];
+        line.direction[1] = -line.direction[1];
+        line.direction_rest[1] = -line.direction_rest[1];
+        line
     }
 }
 
@@ -318,6 +337,14 @@ pub trait FastPath: Numbers {
         _base: [Self; 3],
     ) -> Option<LocalLine<Self>> {
         None
+    }
+
+    /// A line of the second attempt with its origin moved back to the start of the ray, in double-word numbers.
+    fn fast_moved_back(line: &LocalLine<Self>) -> LocalLine<Self>
+    where
+        Self: Copy,
+    {
+        *line
     }
 
     /// The values that all tests of a ray against boxes share.

@@ -6,13 +6,9 @@ macro_rules! cone {
         /// Where the line is inside the nappe `h^2 (x^2 + z^2) <= (h r + g y)^2`, `h r + g y >= 0`, of a cone with radius `r` at
         /// `y = 0` that grows by `g` over the height `h`; see `integers::nappe`, whose moment is here that of the unscaled line.
         #[inline(always)]
-        pub(crate) fn nappe(
-            line: LocalLine<$Float>,
-            [r, g, h]: [$Float; 3],
-            top: Option<$Float>,
-        ) -> Attempt<InNappe<$Float>> {
+        pub(crate) fn nappe(line: LocalLine<$Float>, [r, g, h]: [$Float; 3]) -> Attempt<InNappe<$Float>> {
             let Roots { first, second, a, a_terms, k, k_terms, outline, rim, slope } =
-                found!(roots(line, [r, g, h], top));
+                found!(roots(line, [r, g, h]));
             let limits = Limits::of(&line);
             let (enter, exit) = if a < 0.0 {
                 // Steeper than the side: a half-line in each nappe; the outline grows along the one in the upper.
@@ -39,7 +35,7 @@ macro_rules! cone {
         /// Where the line is inside both nappes of the cone `x^2 + z^2 = m^2 y^2`: between its ends, or (`true`) beyond them.
         #[inline(always)]
         pub(crate) fn double_cone(line: LocalLine<$Float>, m: $Float) -> Attempt<([$Float; 2], bool)> {
-            let Roots { first, second, a, .. } = found!(roots(line, [0.0, m, 1.0], None));
+            let Roots { first, second, a, .. } = found!(roots(line, [0.0, m, 1.0]));
             let is_clear = first.1 == 0.0 && second.1 == 0.0;
             if is_clear { Attempt::Found(([first.0, second.0], a < 0.0)) } else { Attempt::Unsure }
         }
@@ -71,17 +67,13 @@ macro_rules! cone {
             line: &LocalLine<$Float>,
             [r, g, h]: [$Float; 3],
             a: $Float,
-            top: Option<$Float>,
         ) -> Attempt<($Float, $Float)> {
             let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
             let (g0, steepness, length) = (r * h, $Float::abs(g) + h, size(line.origin));
             let limits = Limits::of(line);
-            let difference = |[wx, wy, wz]: [$Float; 3]| {
-                let (p, q, s) = (g * wz - g0 * dx, g * wx + g0 * dz, h * wy);
-                let moment = $Float::abs(p) + $Float::abs(q) + $Float::abs(s);
-                ((p * p + q * q) - s * s, moment)
-            };
-            let (mut discriminant, moment) = difference([y * dz - z * dy, z * dx - x * dz, x * dy - y * dx]);
+            let [wx, wy, wz] = [y * dz - z * dy, z * dx - x * dz, x * dy - y * dx];
+            let (p, q, s) = (g * wz - g0 * dx, g * wx + g0 * dz, h * wy);
+            let (discriminant, moment) = ((p * p + q * q) - s * s, $Float::abs(p) + $Float::abs(q) + $Float::abs(s));
             // Each term of p, q and s is at most the reach: the rounding of all of them moves D by a few halves of epsilon times it and the
             // moment. (That is crude: let through with D a 256th of it, the worst ray measured was 12 units off.)
             let terms = moment * (steepness * length + g0);
@@ -100,23 +92,7 @@ macro_rules! cone {
                 return if discriminant > doubt { Attempt::Found((discriminant, terms)) } else { Attempt::Unsure };
             }
             if is_close {
-                // From far away it takes more than that; what is infinite has no measure for far. Compensation makes up for the
-                // moment's own rounding, not for that of a frame.
-                let is_near = top.is_some_and(|top| length <= HIGH * top);
-                if !is_near || line.finer != 0 {
-                    return Attempt::Unsure;
-                }
-                // The moment of a line that passes closely is small, and its rounding is not: without that.
-                let careful = |[a, b]: [$Float; 2], [c, d]: [$Float; 2]| Real::sum_of_products([[a, b], [-c, d]]);
-                let w = [careful([y, dz], [z, dy]), careful([z, dx], [x, dz]), careful([x, dy], [y, dx])];
-                (discriminant, _) = difference(w);
-                let (p, q) =
-                    ($Float::abs(g * w[2]) + g0 * $Float::abs(dx), $Float::abs(g * w[0]) + g0 * $Float::abs(dz));
-                let terms = p * p + q * q + h * h * (w[1] * w[1]);
-                let is_clear = $Float::abs(discriminant) * limits.cancelled > terms;
-                if !is_clear {
-                    return Attempt::Unsure;
-                }
+                return Attempt::Unsure;
             }
             match (discriminant < 0.0, a > 0.0) {
                 (false, _) => Attempt::Found((discriminant, terms)),
@@ -125,9 +101,29 @@ macro_rules! cone {
             }
         }
 
+        /// [`roots`] in double-word numbers.
+        #[cold]
+        #[inline(never)]
+        fn roots_in_twice(line: &LocalLine<$Float>, [r, g, h]: [$Float; 3]) -> Attempt<Roots> {
+            let steepness = $Float::abs(g) + h;
+            if !is_handy::<8>(steepness) || !is_handy::<8>(steepness * size(line.origin) + r * h) {
+                return Attempt::Unsure;
+            }
+            let form = cone_form(line, [r, g, h]);
+            let Quadratic { roots: [first, second], a, k } = found!(form.quadratic());
+            let [outline, slope] = form.rim();
+            let rim = $Float::abs(outline);
+            let (first, second) = ((first, 0.0), (second, 0.0));
+            let (a_terms, k_terms) = (2.0 * $Float::abs(a), 2.0 * $Float::abs(k));
+            Attempt::Found(Roots { first, second, a, a_terms, k, k_terms, outline, rim, slope })
+        }
+
         /// The roots of the quadric of [`nappe`].
         #[inline(always)]
-        fn roots(line: LocalLine<$Float>, [r, g, h]: [$Float; 3], top: Option<$Float>) -> Attempt<Roots> {
+        fn roots(line: LocalLine<$Float>, [r, g, h]: [$Float; 3]) -> Attempt<Roots> {
+            if line.is_doubled {
+                return roots_in_twice(&line, [r, g, h]);
+            }
             let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
             let (g0, steepness) = (r * h, $Float::abs(g) + h);
             let [ax, ay, az] = [$Float::abs(x), $Float::abs(y), $Float::abs(z)];
@@ -150,7 +146,7 @@ macro_rules! cone {
             if !is_clear {
                 return Attempt::Unsure;
             }
-            let (discriminant, terms) = found!(discriminant(&line, [r, g, h], a, top));
+            let (discriminant, terms) = found!(discriminant(&line, [r, g, h], a));
             let k = h * h * (x * dx + z * dz) - outline * slope;
             let root = h * $sqrt(discriminant);
             // -k and the root are added where they have one sign; the other end is c over that sum.

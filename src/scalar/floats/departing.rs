@@ -41,6 +41,14 @@ macro_rules! departing {
         #[inline(always)]
         pub(crate) fn exit_from_round(line: &LocalLine<$Float>, is_ball: bool) -> Attempt<$Float> {
             let s = if is_ball { 1.0 } else { 0.0 };
+            if line.is_doubled {
+                let (t, ..) = found!(if is_ball {
+                    ball_form(line, 0.0).other_root(line)
+                } else {
+                    tube_form(line, 0.0).other_root(line)
+                });
+                return if t > -line.start { Attempt::Found(t) } else { Attempt::Unsure };
+            }
             let [[x, y, z], [dx, dy, dz]] = [line.origin, line.direction];
             let (point, along) = ([x, s * y, z], [dx, s * dy, dz]);
             let seen = InQuadric { point, terms: magnitudes(point), along, s, scale: 1.0 };
@@ -60,7 +68,11 @@ macro_rules! departing {
             let (point, along) = ([h * x, g0 + g * y, h * z], [h * dx, g * dy, h * dz]);
             let rim = g0 + $Float::abs(g * y);
             let terms = [$Float::abs(point[0]), rim, $Float::abs(point[2])];
-            let (t, a, k) = found!(other_root(line, InQuadric { point, terms, along, s: -1.0, scale }));
+            let (t, a, k) = found!(if line.is_doubled {
+                cone_form(line, [r, g, h]).other_root(line)
+            } else {
+                other_root(line, InQuadric { point, terms, along, s: -1.0, scale })
+            });
             let (outline, slope, is_ahead) = (point[1], along[1], t > -line.start);
             if a < 0.0 {
                 // Steeper than the side: a half-line in each nappe, and this one's has no end.

@@ -14,6 +14,9 @@ macro_rules! flat {
             if line.finer == 0 && dy == 0.0 {
                 return Attempt::Miss;
             }
+            if line.is_doubled {
+                return crossings_in_twice(&line, [low, high]);
+            }
             // Divided, not multiplied by a reciprocal: then planes that lie in each other are crossed at the same `t`, whatever they belong to.
             let ends = [(low - y) / dy, (high - y) / dy];
             let is_finite = $Float::abs(ends[0]) < $Float::MAX && $Float::abs(ends[1]) < $Float::MAX;

@@ -79,8 +79,6 @@ macro_rules! guards {
         /// Rays of balls and tubes start at most this many sizes away, squared: their error grows as `t` itself does, until it is as large as
         /// the chord.
         const FAR_SQUARE: $Float = 1024.0 * 1024.0;
-        /// Moments of rays that start at most so many sizes away are compensated.
-        const HIGH: $Float = 16.0;
         /// Sums of three products of three factors are taken where their terms are up to this many times larger.
         const FLAT_CANCELLED: $Float = 4.0;
 

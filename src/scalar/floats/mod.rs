@@ -16,6 +16,7 @@
 //! | `second` | the local lines of the second attempt |
 //! | `round` | spheres and cylinders |
 //! | `cone` | cones |
+//! | `doubled` | round solids in double-word numbers |
 //! | `departing` | lines that depart from a surface |
 //! | `flat` | planes, discs, triangles |
 
@@ -28,11 +29,13 @@ mod round;
 #[macro_use]
 mod cone;
 #[macro_use]
+mod doubled;
+#[macro_use]
 mod departing;
 #[macro_use]
 mod flat;
 
-use crate::scalar::{Attempt, FastPath, InNappe, LocalLine, found, slabs::Slabs};
+use crate::scalar::{Attempt, FastPath, InNappe, LocalLine, Real, found, slabs::Slabs};
 use core::cmp::Ordering;
 
 macro_rules! floats {
@@ -42,6 +45,8 @@ macro_rules! floats {
     ) => {
         pub(super) mod $name {
             use crate::scalar::fast::within_edges;
+            use crate::number::Ring;
+            use crate::scalar::twofold::Twofold;
             use crate::scalar::{Attempt, InNappe, LocalLine, Real, found};
             use core::cmp::Ordering;
 
@@ -49,6 +54,7 @@ macro_rules! floats {
             second!($Float, sqrt: $sqrt);
             round!($Float, sqrt: $sqrt);
             cone!($Float, sqrt: $sqrt);
+            doubled!($Float, sqrt: $sqrt);
             departing!($Float);
             flat!($Float);
         }
@@ -56,6 +62,9 @@ macro_rules! floats {
         impl FastPath for $Float {
             #[inline(always)]
             fn fast_ball(line: LocalLine<Self>, r: Self, by_moment: bool, _: bool) -> Attempt<[Self; 2]> {
+                if line.is_doubled {
+                    return $name::ball_in_twice(&line, r);
+                }
                 if by_moment {
                     return $name::ball(line, r);
                 }
@@ -86,9 +95,9 @@ macro_rules! floats {
             fn fast_nappe(
                 line: LocalLine<Self>,
                 (base, growth, height): (Self, Self, Option<Self>),
-                top: Option<Self>,
+                _: Option<Self>,
             ) -> Attempt<InNappe<Self>> {
-                $name::nappe(line, [base, growth, height.unwrap_or(1.0)], top)
+                $name::nappe(line, [base, growth, height.unwrap_or(1.0)])
             }
             #[inline(always)]
             fn fast_double_cone(line: LocalLine<Self>, slope: Self) -> Attempt<([Self; 2], bool)> {
@@ -159,6 +168,9 @@ macro_rules! floats {
             ) -> Option<LocalLine<Self>> {
                 $name::stretched_again(o, d, position, rows, base)
             }
+            fn fast_moved_back(line: &LocalLine<Self>) -> LocalLine<Self> {
+                $name::moved_back(line)
+            }
             #[inline(always)]
             fn fast_disc(line: LocalLine<Self>, r: Self) -> Attempt<Self> {
                 $name::disc(line, r)
@@ -173,7 +185,12 @@ macro_rules! floats {
             }
             #[inline(always)]
             fn fast_lowered(line: LocalLine<Self>, y: Self) -> Attempt<LocalLine<Self>> {
-                let [ox, oy, oz] = line.origin;
+                let ([ox, oy, oz], [rx, ry, rz]) = (line.origin, line.rest);
+                if line.is_doubled {
+                    let [low, rest] = oy.plus_with_rest(-y);
+                    let [low, rest] = low.plus_with_rest(rest + ry);
+                    return Attempt::Found(LocalLine { origin: [ox, low, oz], rest: [rx, rest, rz], ..line });
+                }
                 Attempt::Found(LocalLine { origin: [ox, oy - y, oz], ..line })
             }
             #[inline(always)]

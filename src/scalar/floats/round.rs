@@ -156,6 +156,9 @@ macro_rules! round {
         /// `t = (-k -+ sqrt(D)) / a`.
         #[inline(always)]
         pub(crate) fn tube(line: LocalLine<$Float>, r: $Float) -> Attempt<[$Float; 2]> {
+            if line.is_doubled {
+                return tube_in_twice(&line, r);
+            }
             let ([x, _, z], [dx, _, dz]) = (line.origin, line.direction);
             let a = dx * dx + dz * dz;
             if !is_handy::<4>(r) || !is_handy::<4>(a) {

@@ -15,7 +15,8 @@ macro_rules! second {
             if start == 0.0 {
                 return None;
             }
-            compensated(point(o, d, base, start), d, start, 0)
+            let direction = [[d[0], 0.0], [d[1], 0.0], [d[2], 0.0]];
+            compensated(point(o, d, base, start), direction, start, 0)
         }
 
         /// The line in the frame of these axes at `position`, next to the frame's point `base` and relative to it.
@@ -48,8 +49,9 @@ macro_rules! second {
             base: [$Float; 3],
         ) -> Option<LocalLine<$Float>> {
             let scales = scales(rows)?;
-            let each = |i: usize| dot_compensated(rows[i].0, d) * scales[i];
-            let direction = [each(0), each(1), each(2)];
+            let each = |i: usize| dot_compensated(rows[i].0, d).map(|part| part * scales[i]);
+            let seen = [each(0), each(1), each(2)];
+            let direction = seen.map(|[high, _]| high);
             let from = minus(o, position);
             let each = |i: usize| dot(rows[i].0, from) * scales[i];
             let start = closest_along(minus([each(0), each(1), each(2)], base), direction);
@@ -61,8 +63,14 @@ macro_rules! second {
                 return None;
             }
             let length = $sqrt(square);
-            let line = compensated(origin, direction.map(|component| component / length), start * length, 1)?;
-            Some(LocalLine { pace: 1.0 / length, ..line })
+            let pace = 1.0 / length;
+            // One factor for all of them: the rounding of the factor does not turn the line.
+            let unit = seen.map(|[high, low]| {
+                let [product, rest] = high.times_with_rest(pace);
+                product.plus_with_rest(rest + low * pace)
+            });
+            let line = compensated(origin, unit, start * length, 1)?;
+            Some(LocalLine { pace, ..line })
         }
 
         /// [`closest`] along a direction of any length.
@@ -113,9 +121,9 @@ macro_rules! second {
         }
 
         #[inline(always)]
-        fn dot_compensated(a: [$Float; 3], b: [$Float; 3]) -> $Float {
+        fn dot_compensated(a: [$Float; 3], b: [$Float; 3]) -> [$Float; 2] {
             let [sum, rest] = sum_and_rest(a, b);
-            sum + rest
+            sum.plus_with_rest(rest)
         }
 
         #[inline(always)]
@@ -128,13 +136,15 @@ macro_rules! second {
         #[inline(always)]
         fn compensated(
             origin: Compensated,
-            direction: [$Float; 3],
+            direction: Compensated,
             start: $Float,
             finer: i32,
         ) -> Option<LocalLine<$Float>> {
-            let part = |i: usize| [origin[0][i], origin[1][i], origin[2][i]];
-            let along = LocalLine::along(part(0), direction, 0.0);
-            let line = LocalLine { rest: part(1), start, finer, is_relative: true, is_rounded: true, ..along };
+            let part = |of: Compensated, i: usize| [of[0][i], of[1][i], of[2][i]];
+            let along = LocalLine::along(part(origin, 0), part(direction, 0), 0.0);
+            let (rest, direction_rest) = (part(origin, 1), part(direction, 1));
+            let line =
+                LocalLine { rest, direction_rest, start, finer, is_relative: true, is_rounded: true, ..along };
             // Where something overflowed a rest is not a number.
             let is_finite = line.rest.iter().chain(&line.direction).all(|part| part.is_finite());
             (is_finite && start.is_finite()).then_some(line)
