@@ -33,7 +33,7 @@ macro_rules! solve_robustly {
             }
             #[inline]
             fn climb<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Intersection<S> {
-                match second_attempt::<S, $Tier, G>(geometry, place, ray) {
+                match second_attempt::<S, $Tier, G, _>(geometry, place, ray) {
                     Attempt::Found(intersection) => intersection,
                     Attempt::Miss => Intersection::Miss,
                     // The robust number knows every sign, so that there is always a result.
@@ -145,19 +145,22 @@ fn from_afar<S: Scalar, T: Guards, G: Geometry<S>>(
 
 /// The second attempt of floats, along a line that costs more and is rounded less.
 #[inline(always)]
-fn second_attempt<S: Scalar, T: Guards, G: Geometry<S>>(
+fn second_attempt<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
     geometry: &G,
-    place: &impl Place<S>,
+    place: &P,
     ray: &Ray<S>,
 ) -> Attempt<Intersection<S>> {
     if !S::RELATIVE {
         return Attempt::Unsure;
     }
     // In the world a line that starts near the primitive is exact as it is.
-    let line = geometry.second_line(place, ray).or_else(|| geometry.fast_line(place, ray).filter(|line| !line.is_rounded));
+    let line =
+        geometry.second_line(place, ray).or_else(|| geometry.fast_line(place, ray).filter(|line| !line.is_rounded));
     let Some(mut line) = line else { return Attempt::Unsure };
     let mut found = Attempt::Unsure;
-    for round in 0..3 {
+    // The direction of a stretched line may have any length, and the plain formulas for balls need length 1.
+    let first = if P::STRETCHES { 1 } else { 0 };
+    for round in first..3 {
         line.is_doubled = round > 0;
         if round == 2 {
             // Next to the ray's own start the sum of a `t` and the line's start would be rounded too much.

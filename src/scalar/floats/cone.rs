@@ -7,8 +7,7 @@ macro_rules! cone {
         /// `y = 0` that grows by `g` over the height `h`; see `integers::nappe`, whose moment is here that of the unscaled line.
         #[inline(always)]
         pub(crate) fn nappe(line: LocalLine<$Float>, [r, g, h]: [$Float; 3]) -> Attempt<InNappe<$Float>> {
-            let Roots { first, second, a, a_terms, k, k_terms, outline, rim, slope } =
-                found!(roots(line, [r, g, h]));
+            let Roots { first, second, a, a_terms, k, k_terms, outline, rim, slope } = found!(roots(line, [r, g, h]));
             let limits = Limits::of(&line);
             let (enter, exit) = if a < 0.0 {
                 // Steeper than the side: a half-line in each nappe; the outline grows along the one in the upper.
@@ -63,11 +62,7 @@ macro_rules! cone {
 
         /// The discriminant of the quadric of [`nappe`], whose leading coefficient is `a`, and how large the terms are whose rounding moves it.
         #[inline(always)]
-        fn discriminant(
-            line: &LocalLine<$Float>,
-            [r, g, h]: [$Float; 3],
-            a: $Float,
-        ) -> Attempt<($Float, $Float)> {
+        fn discriminant(line: &LocalLine<$Float>, [r, g, h]: [$Float; 3], a: $Float) -> Attempt<($Float, $Float)> {
             let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
             let (g0, steepness, length) = (r * h, $Float::abs(g) + h, size(line.origin));
             let limits = Limits::of(line);

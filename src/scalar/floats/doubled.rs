@@ -153,14 +153,22 @@ macro_rules! doubled {
         #[cold]
         #[inline(never)]
         pub(crate) fn ball_in_twice(line: &LocalLine<$Float>, r: $Float) -> Attempt<[$Float; 2]> {
-            if is_handy::<4>(r) { Attempt::Found(found!(ball_form(line, r).quadratic()).roots) } else { Attempt::Unsure }
+            if is_handy::<4>(r) {
+                Attempt::Found(found!(ball_form(line, r).quadratic()).roots)
+            } else {
+                Attempt::Unsure
+            }
         }
 
         /// The ends of a line in a tube.
         #[cold]
         #[inline(never)]
         fn tube_in_twice(line: &LocalLine<$Float>, r: $Float) -> Attempt<[$Float; 2]> {
-            if is_handy::<4>(r) { Attempt::Found(found!(tube_form(line, r).quadratic()).roots) } else { Attempt::Unsure }
+            if is_handy::<4>(r) {
+                Attempt::Found(found!(tube_form(line, r).quadratic()).roots)
+            } else {
+                Attempt::Unsure
+            }
         }
     };
 }

@@ -51,7 +51,7 @@ macro_rules! floats {
             use core::cmp::Ordering;
 
             guards!($Float, $bits, $bias, $mantissa, sqrt: $sqrt, may_have_spare_bits: $spare);
-            second!($Float, sqrt: $sqrt);
+            second!($Float);
             round!($Float, sqrt: $sqrt);
             cone!($Float, sqrt: $sqrt);
             doubled!($Float, sqrt: $sqrt);

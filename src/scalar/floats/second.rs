@@ -4,7 +4,7 @@
 
 /// Defines them for a float.
 macro_rules! second {
-    ($Float:ident, sqrt: $sqrt:path) => {
+    ($Float:ident) => {
         /// A vector, and what rounding left over of each component.
         type Compensated = [[$Float; 2]; 3];
 
@@ -58,18 +58,13 @@ macro_rules! second {
             let from = point(o, d, position, start);
             let each = |i: usize| dot_with_rest(rows[i].0, from).map(|part| part * scales[i]);
             let origin = relative([each(0), each(1), each(2)], base);
-            let square = dot(direction, direction);
-            if !is_handy::<4>(square) {
+            let longest = $Float::abs(direction[0]).max($Float::abs(direction[1])).max($Float::abs(direction[2]));
+            if !is_handy::<2>(longest) {
                 return None;
             }
-            let length = $sqrt(square);
-            let pace = 1.0 / length;
-            // One factor for all of them: the rounding of the factor does not turn the line.
-            let unit = seen.map(|[high, low]| {
-                let [product, rest] = high.times_with_rest(pace);
-                product.plus_with_rest(rest + low * pace)
-            });
-            let line = compensated(origin, unit, start * length, 1)?;
+            // A power of two, which rounds nothing.
+            let pace = near_one(longest);
+            let line = compensated(origin, seen.map(|parts| parts.map(|part| part * pace)), start / pace, 1)?;
             Some(LocalLine { pace, ..line })
         }
 
@@ -143,8 +138,7 @@ macro_rules! second {
             let part = |of: Compensated, i: usize| [of[0][i], of[1][i], of[2][i]];
             let along = LocalLine::along(part(origin, 0), part(direction, 0), 0.0);
             let (rest, direction_rest) = (part(origin, 1), part(direction, 1));
-            let line =
-                LocalLine { rest, direction_rest, start, finer, is_relative: true, is_rounded: true, ..along };
+            let line = LocalLine { rest, direction_rest, start, finer, is_relative: true, is_rounded: true, ..along };
             // Where something overflowed a rest is not a number.
             let is_finite = line.rest.iter().chain(&line.direction).all(|part| part.is_finite());
             (is_finite && start.is_finite()).then_some(line)
