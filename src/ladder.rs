@@ -109,7 +109,7 @@ fn fast<S: Scalar, T: Guards, G: Geometry<S>>(
     }
     let Some(mut line) = geometry.fast_line(place, ray) else { return from_afar::<S, T, G>(geometry, place, ray) };
     geometry.fit(&mut line);
-    line.is_strict = T::STRICT;
+    (line.is_strict, line.is_doubled) = (T::STRICT, false);
     in_own_t(place, &line, geometry.fast_intersection::<T>(&line))
 }
 
@@ -139,11 +139,11 @@ fn from_afar<S: Scalar, T: Guards, G: Geometry<S>>(
     ray: &Ray<S>,
 ) -> Attempt<Intersection<S>> {
     let Some(mut line) = geometry.far_line(place, ray) else { return Attempt::Unsure };
-    line.is_strict = T::STRICT;
+    (line.is_strict, line.is_doubled) = (T::STRICT, false);
     in_own_t(place, &line, geometry.fast_intersection::<T>(&line))
 }
 
-/// The second attempt of floats, along a line that costs more and is rounded less.
+/// The second attempt of floats, along a line that costs more and is rounded less, and the third, in double-word numbers.
 #[inline(always)]
 fn second_attempt<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
     geometry: &G,
@@ -153,32 +153,48 @@ fn second_attempt<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
     if !S::RELATIVE {
         return Attempt::Unsure;
     }
-    // In the world a line that starts near the primitive is exact as it is.
-    let line =
-        geometry.second_line(place, ray).or_else(|| geometry.fast_line(place, ray).filter(|line| !line.is_rounded));
-    let Some(mut line) = line else { return Attempt::Unsure };
-    let mut found = Attempt::Unsure;
-    // The direction of a stretched line may have any length, and the plain formulas for balls need length 1.
-    let first = if P::STRETCHES { 1 } else { 0 };
-    for round in first..3 {
-        line.is_doubled = round > 0;
-        if round == 2 {
-            // Next to the ray's own start the sum of a `t` and the line's start would be rounded too much.
-            if line.start == S::ZERO {
-                break;
+    let line = if let Some(mut line) = geometry.second_line(place, ray) {
+        // The direction of a stretched line may have any length, and the plain formulas for balls need length 1.
+        if !P::STRETCHES && ray.departure().is_none() {
+            line.is_doubled = false;
+            let found = in_own_t(place, &line, geometry.fast_intersection::<T>(&line));
+            if found != Attempt::Unsure {
+                return found;
             }
-            line = S::fast_moved_back(&line);
         }
-        found = match ray.departure() {
+        line
+    } else {
+        // In the world a line that starts near the primitive is exact as it is.
+        match geometry.fast_line(place, ray) {
+            Some(line) if !line.is_rounded => line,
+            _ => return Attempt::Unsure,
+        }
+    };
+    third_attempt::<S, T, G, P>(geometry, place, ray, line)
+}
+
+/// The intersection along a line of the second attempt, in double-word numbers.
+#[cold]
+#[inline(never)]
+fn third_attempt<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
+    geometry: &G,
+    place: &P,
+    ray: &Ray<S>,
+    mut line: LocalLine<S>,
+) -> Attempt<Intersection<S>> {
+    line.is_doubled = true;
+    loop {
+        let found = match ray.departure() {
             Some(departure) => exit_along::<S, T, G>(geometry, &line, departure),
             None => geometry.fast_intersection::<T>(&line),
         };
-        found = in_own_t(place, &line, found);
-        if found != Attempt::Unsure {
-            break;
+        let found = in_own_t(place, &line, found);
+        // Next to the ray's own start the sum of a `t` and the line's start would be rounded too much.
+        if found != Attempt::Unsure || line.start == S::ZERO {
+            return found;
         }
+        line = S::fast_moved_back(&line);
     }
-    found
 }
 
 /// True if a ray that departs like this cannot meet the geometry again.
@@ -203,7 +219,7 @@ fn inwards<S: Scalar, T: Guards, G: Geometry<S>>(
     }
     let Some(mut line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
     geometry.fit(&mut line);
-    line.is_strict = T::STRICT;
+    (line.is_strict, line.is_doubled) = (T::STRICT, false);
     in_own_t(place, &line, exit(geometry, &line))
 }
 
