@@ -33,7 +33,7 @@ pub fn read(path: &str) -> Result<String, String> {
     };
     String::from_utf8(bytes).map_err(|error| {
         let valid = &error.as_bytes()[..error.utf8_error().valid_up_to()];
-        let line = 1 + valid.iter().filter(|byte| **byte == b'\n').count();
+        let line = valid.split(|byte| *byte == b'\n').count();
         format!("{path}, line {line}: this is not text in UTF-8: save the file as UTF-8")
     })
 }
@@ -113,12 +113,10 @@ fn line<'a>(path: &str, number: usize, cells: &[&'a str]) -> Result<Line<'a>, St
             "{path}, line {number}, columns 4 to 6 (dx, dy, dz): the direction is zero: give it a length"
         ));
     }
-    let [start, end] = line.range;
-    if let (start, Some(end)) = (start.map_or(0.0, |start| start.double), end)
-        && start > end.double
-    {
-        let what = format!("the range is empty, since it starts at {start} and ends at {}: exchange them", end.double);
-        return Err(at(7, &what));
+    let [start, end] = line.range.map(|end| end.map(|end| end.double));
+    if let Some(end) = end.filter(|end| *end < start.unwrap_or(0.0)) {
+        let (start, remedy) = start.map_or((0.0, "give a start before it"), |start| (start, "exchange them"));
+        return Err(at(7, &format!("the range is empty, since it starts at {start} and ends at {end}: {remedy}")));
     }
     Ok(line)
 }

@@ -27,13 +27,12 @@ use support::figures::NUMBERS;
 
 /// Solids and placements, as the help shows them.
 fn forms() -> String {
-    let list = |forms: &[&str]| forms.iter().map(|form| format!("  {form}\n")).collect::<String>();
     format!(
-        "Solids (axis y; they stand on y = 0, a cone on its apex; a sphere, a disc and a plane are about the origin):\n{}\n\
-         Placements (those of Frame and Affine; `x y z` are the images of the axes):\n{}\n\
+        "Solids (axis y; they stand on y = 0, a cone on its apex; a sphere, a disc and a plane are about the origin):{}\n\n\
+         Placements (those of Frame and Affine; `x y z` are the images of the axes):{}\n\n\
          The guide: docs/your-rays.md",
-        list(&solid::EXAMPLES),
-        list(&placement::EXAMPLES)
+        words::list(&solid::EXAMPLES),
+        words::list(&placement::EXAMPLES)
     )
 }
 

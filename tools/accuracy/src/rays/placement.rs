@@ -1,7 +1,7 @@
 //! A placement as it is written on the command line: a position, the directions that turn, and factors or a matrix that stretch.
 
 use super::decimal::{self, Decimal, rounded};
-use super::words::Words;
+use super::words::{Words, list};
 use raylet::{Affine, Frame, UnitVec3, Vec3};
 use support::exact_types::Exact;
 use support::placed;
@@ -50,7 +50,7 @@ enum Form<'a> {
 
 /// The placement, or what is wrong with the text and what to do; `None` for a solid that is not placed.
 pub fn parse(text: &str) -> Result<Option<Placement<'_>>, String> {
-    let all = || EXAMPLES.map(|example| format!("\n  {example}")).concat();
+    let all = || list(&EXAMPLES);
     let mut words = Words::new(text);
     let mut read: Vec<(&str, Three<'_>)> = vec![];
     while let Some(name) = words.next() {

@@ -1,7 +1,7 @@
 //! A solid as it is written on the command line: a name of the tables, and its sizes by name.
 
 use super::decimal::Decimal;
-use super::words::Words;
+use super::words::{Words, list};
 use support::described::{ConeExtent, CylinderExtent, Described};
 
 /// Every solid, as one writes it.
@@ -51,19 +51,15 @@ fn parts(example: &'static str) -> (&'static str, Vec<&'static str>) {
 
 /// The example of the solid that the words begin with.
 fn example(words: &mut Words<'_>) -> Result<&'static str, String> {
-    let all = || EXAMPLES.map(|example| format!("\n  {example}")).concat();
-    let Some(first) = words.next() else { return Err(format!("no solid is named: give one of{}", all())) };
+    let Some(first) = words.next() else { return Err(format!("no solid is named: give one of{}", list(&EXAMPLES))) };
     let of_first: Vec<_> = EXAMPLES.into_iter().filter(|example| example.split(' ').next() == Some(first)).collect();
     match of_first[..] {
-        [] => Err(format!("`{first}` is no solid that is measured: give one of{}", all())),
+        [] => Err(format!("`{first}` is no solid that is measured: give one of{}", list(&EXAMPLES))),
         [only] => Ok(only),
         _ => {
             let second = words.next();
             let found = of_first.iter().copied().find(|example| parts(example).0.split(' ').nth(1) == second);
-            found.ok_or_else(|| {
-                let all: String = of_first.iter().map(|example| format!("\n  {example}")).collect();
-                format!("`{first}` alone does not say which: give one of{all}")
-            })
+            found.ok_or_else(|| format!("`{first}` alone does not say which: give one of{}", list(&of_first)))
         }
     }
 }

@@ -2,6 +2,11 @@
 
 use super::decimal::Decimal;
 
+/// Forms to choose from, a line each, behind `give one of`.
+pub fn list(forms: &[&str]) -> String {
+    forms.iter().flat_map(|form| ["\n  ", form]).collect()
+}
+
 /// What is left to read.
 pub struct Words<'a> {
     words: std::iter::Peekable<Box<dyn Iterator<Item = &'a str> + 'a>>,
@@ -28,10 +33,12 @@ impl<'a> Words<'a> {
         for index in 0..N {
             // A name where a number should be is one that is missing.
             let is_missing = |word: &str| word.chars().all(|c| c.is_ascii_alphabetic() || c == '-') && word != "-";
-            let Some(word) = self.peek().filter(|word| !is_missing(word)) else {
+            let next = self.peek();
+            let Some(word) = next.filter(|word| !is_missing(word)) else {
                 let wanted = if N == 1 { "a number".into() } else { format!("{N} numbers") };
                 let found = if index == 0 { "none".into() } else { index.to_string() };
-                return Err(format!("`{name}` takes {wanted}, and has {found}"));
+                let before = next.map_or(String::new(), |word| format!(" before `{word}`"));
+                return Err(format!("`{name}` takes {wanted}, and has {found}{before}"));
             };
             numbers.push(Decimal::parse(word).map_err(|error| format!("{name}: {error}"))?);
             self.next();

@@ -39,10 +39,10 @@ fn panel(area: &Area<'_>, outcome: &Outcome, number: &str) -> Result<(), Box<dyn
         .draw()?;
     for tier in TIERS {
         let Some((row, extra)) = rows().find(|(row, _)| row.tier == tier) else { continue };
-        let line = extra.exceeded.iter().map(|(share, error)| (1.0 / share, error.clamp(UNITS[0], UNITS[1])));
+        let mut line = extra.exceeded.iter().map(|(share, error)| (1.0 / share, error.clamp(UNITS[0], UNITS[1])));
         chart.draw_series(LineSeries::new(line.clone(), color(tier).stroke_width(2)))?;
         // The worst alone has a mark: lines that lie upon each other stay visible.
-        if let Some(at) = line.last() {
+        if let Some(at) = line.next_back() {
             Mark::of(tier).draw(chart.plotting_area(), at, color(tier), row.wrong() > 0)?;
         }
     }
