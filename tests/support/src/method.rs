@@ -9,7 +9,7 @@ use fixed::types::{I16F16, I32F32};
 use raylet::tier::{Effort, Exact, Fast, Stable, Tier};
 use raylet::{Crossing, Part, Ray, Shape};
 
-/// What is asked: a primitive where it stands.
+/// A primitive where it stands, which a method intersects with a ray.
 pub struct Asked<'a, S: Number> {
     /// Where it was placed.
     pub shape: &'a Shape<S>,

@@ -137,6 +137,8 @@ fn row(outcome: &Outcome, row: &Figures, extra: &Extra) -> Value {
             "hits": hits_as_json(&worst.hits), "exact": hits_as_json(&worst.exact),
         })
     });
+    // Those of chips are counted of other rays.
+    value.as_object_mut().map(|fields| fields.remove("instructions"));
     value["rays"] = extra.rays.into();
     value["not_held"] = extra.not_held.into();
     value["worst_ray"] = worst.unwrap_or(Value::Null);

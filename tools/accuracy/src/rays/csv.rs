@@ -23,7 +23,7 @@ pub struct Line<'a> {
 
 /// The text of a file; `-` is the standard input.
 pub fn read(path: &str) -> Result<String, String> {
-    let told = |error| format!("{path} cannot be read: {error}");
+    let told = |error| format!("{path} cannot be read: {error}: give the path of a file of rays, or `-`");
     let bytes = if path == "-" {
         let mut bytes = vec![];
         std::io::Read::read_to_end(&mut std::io::stdin(), &mut bytes).map_err(told)?;

@@ -5,6 +5,7 @@ mod answers;
 mod guide;
 mod json;
 mod refusals;
+mod written;
 
 use super::Options;
 use super::measured::{Extra, Outcome};

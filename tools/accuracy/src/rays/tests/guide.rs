@@ -86,6 +86,23 @@ fn the_guide_lists_every_solid_and_placement_and_column() {
     }
 }
 
+/// The fields of the JSON are those that the guide lists; a file of rays has no instructions of chips.
+#[test]
+fn the_guide_lists_every_field() {
+    fn check(value: &serde_json::Value, page: &str) {
+        if let Some(fields) = value.as_object() {
+            for (name, field) in fields {
+                assert!(page.contains(&format!("`{name}`")), "`{name}` is not in the guide");
+                check(field, page);
+            }
+        }
+        value.as_array().into_iter().flatten().for_each(|element| check(element, page));
+    }
+    let options = command(&["my.csv", "--solid", "sphere radius 1", "--number", "f32"]);
+    let value = super::json_of(&options, "0,0,5,0,0,-1\n0,5,0,1,0,0");
+    check(&value["rows"], &guide());
+}
+
 /// The page is found from where one looks for it.
 #[test]
 fn the_guide_is_linked() {

@@ -152,6 +152,7 @@ fn files() {
 fn files_that_cannot_be_read() {
     let missing = csv::read("no/such.csv").unwrap_err();
     assert!(missing.starts_with("no/such.csv cannot be read: "), "{missing}");
+    assert!(missing.ends_with(": give the path of a file of rays, or `-`"), "{missing}");
     let path = std::env::temp_dir().join(format!("raylet-rays-{}.csv", std::process::id()));
     let name = path.to_str().unwrap();
     std::fs::write(&path, b"0,0,5,0,0,-1\n0,0,\xff,0,0,-1\n").unwrap();
