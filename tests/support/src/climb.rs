@@ -61,14 +61,14 @@ pub fn climb<S: Number>(
             Some(placed) => placed.ray(subject, workload, &mut random),
         };
         let Some(ray) = ray else { continue };
-        let found = ask_one(method, &Asked { subject, placed: placed.as_ref() }, &ray);
+        let found = ask_one(method, &Asked::of(subject, placed.as_ref()), &ray);
         all.push((found, placed, ray));
     }
     all.sort_by(|(one, ..), (other, ..)| other.0.total_cmp(&one.0));
     all.truncate(effort.starts);
     let mut worst: Option<Found> = None;
     for (mut found, placed, mut ray) in all {
-        let asked = Asked { subject, placed: placed.as_ref() };
+        let asked = Asked::of(subject, placed.as_ref());
         for _ in 0..effort.steps {
             let Some(next) = beside(&ray, &mut random) else { continue };
             let tried = ask_one(method, &asked, &next);

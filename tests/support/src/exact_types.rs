@@ -19,6 +19,10 @@ pub trait Exact: Scalar {
     fn bits(self) -> String;
     /// Those of a component of a direction.
     fn unit_bits(unit: Self::Unit) -> String;
+    /// The fraction bits of a component of a direction next to 1.
+    const UNIT_BITS: isize;
+    /// A decimal number as a component of a direction, rounded once; `None` if it is none, or beyond the component's type.
+    fn parse_unit(text: &str) -> Option<Self::Unit>;
 }
 
 impl Exact for f32 {
@@ -39,6 +43,10 @@ impl Exact for f32 {
     }
     fn unit_bits(unit: f32) -> String {
         unit.bits()
+    }
+    const UNIT_BITS: isize = 23;
+    fn parse_unit(text: &str) -> Option<f32> {
+        <f32 as Scalar>::parse(text)
     }
 }
 
@@ -61,6 +69,10 @@ impl Exact for f64 {
     fn unit_bits(unit: f64) -> String {
         unit.bits()
     }
+    const UNIT_BITS: isize = 52;
+    fn parse_unit(text: &str) -> Option<f64> {
+        <f64 as Scalar>::parse(text)
+    }
 }
 
 impl<F: LeEqU32 + Send + Sync + 'static> Exact for FixedI32<F> {
@@ -82,6 +94,11 @@ impl<F: LeEqU32 + Send + Sync + 'static> Exact for FixedI32<F> {
     fn unit_bits(unit: Self::Unit) -> String {
         unit.to_bits().to_string()
     }
+    const UNIT_BITS: isize = 30;
+    fn parse_unit(text: &str) -> Option<Self::Unit> {
+        let scaled = Self::parse_scaled(text, 30 - F::I32)?;
+        Some(Self::Unit::from_bits(scaled.to_bits()))
+    }
 }
 
 impl<F: LeEqU64 + Send + Sync + 'static> Exact for FixedI64<F> {
@@ -102,6 +119,11 @@ impl<F: LeEqU64 + Send + Sync + 'static> Exact for FixedI64<F> {
     }
     fn unit_bits(unit: Self::Unit) -> String {
         unit.to_bits().to_string()
+    }
+    const UNIT_BITS: isize = 62;
+    fn parse_unit(text: &str) -> Option<Self::Unit> {
+        let scaled = Self::parse_scaled(text, 62 - F::I32)?;
+        Some(Self::Unit::from_bits(scaled.to_bits()))
     }
 }
 

@@ -61,13 +61,24 @@ impl Figures {
     }
 
     fn new<S: Measurable>(tier: &'static str, primitive: &'static str, row: Row, measured: &Measured) -> Self {
+        let placed = row.placing.map_or(UNPLACED.into(), Placing::name);
+        Self::of::<S>(tier, primitive, (row.workload.name(), placed), measured)
+    }
+
+    /// What was measured of a tier, at a primitive, with rays of this name at solids that are placed so.
+    pub fn of<S: Measurable>(
+        tier: &'static str,
+        primitive: &'static str,
+        (workload, placed): (String, String),
+        measured: &Measured,
+    ) -> Self {
         const QUANTILES: [f64; 3] = [0.5, 0.999, 1.0];
         Self {
             tier,
             number: S::name(),
             primitive,
-            placed: row.placing.map_or(UNPLACED.into(), Placing::name),
-            workload: row.workload.name(),
+            placed,
+            workload,
             hits: measured.hits,
             errors: QUANTILES.map(|fraction| rounded_up(measured.quantile(fraction))),
             lengths: QUANTILES.map(|fraction| length_rounded_up(measured.length(fraction))),

@@ -7,6 +7,7 @@ pub mod bounds;
 pub mod cases;
 pub mod climb;
 pub mod crowd;
+pub mod described;
 pub mod exact_types;
 pub mod figures;
 pub mod fuzz;

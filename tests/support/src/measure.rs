@@ -3,13 +3,13 @@
 use super::exact_types::{Exact as Number, exact_line, expected_of, same_crossing, same_part};
 use super::method::{Asked, Method, Told};
 use super::oracle::{Dyadic, InRange, Root};
-use super::placed::{Placed, Placing};
+use super::placed::{Placed, Placement, Placing};
 use super::promise::Judged;
 use super::random::Random;
 use super::subject::Subject;
 use super::workload::Workload;
 use raylet::tier::Tier;
-use raylet::{Departure, Ray, Shape, UnitVec3, Vec3};
+use raylet::{Departure, Frame, Ray, Shape, UnitVec3, Vec3};
 
 /// A ray of which a tier says what it promises not to.
 #[derive(Clone, Debug, PartialEq)]
@@ -145,8 +145,21 @@ fn quantile(sorted: &[f64], fraction: f64) -> f64 {
     if sorted.is_empty() { 0.0 } else { sorted[((sorted.len() - 1) as f64 * fraction) as usize] }
 }
 
+/// What a method made of one ray.
+pub struct Judgement<S> {
+    /// How far it goes, of what its tier promises.
+    pub by: f64,
+    /// The largest error of its hits, in units in the last place; of wrong hits there is none.
+    pub error: f64,
+    /// True if hits are lost or invented.
+    pub is_wrong: bool,
+    /// True if a hit is on another part or has another crossing.
+    pub is_on_other_part: bool,
+    pub hits: Vec<Told<S>>,
+}
+
 /// One row for each method, all at the same rays: the exact answer, which takes longest, is found once.
-struct Rows<'a, S: Number> {
+pub struct Rows<'a, S: Number> {
     methods: &'a [Method<S>],
     rows: Vec<Measured>,
 }
@@ -154,34 +167,44 @@ struct Rows<'a, S: Number> {
 /// How far one ray goes with a method, of what its tier promises; and the ray, if that is too far.
 pub fn ask_one<S: Number>(method: &Method<S>, asked: &Asked<'_, S>, ray: &Ray<S>) -> (f64, Option<Broken>) {
     let mut rows = Rows::new(std::slice::from_ref(method));
-    let by = rows.ask(asked, ray);
+    let (_, judgements) = rows.ask(asked, ray);
+    let by = judgements.iter().map(|judgement| judgement.by).fold(0.0, f64::max);
     (by, rows.rows.pop().and_then(|row| row.worst))
 }
 
 impl<'a, S: Number> Rows<'a, S> {
-    fn new(methods: &'a [Method<S>]) -> Self {
+    pub fn new(methods: &'a [Method<S>]) -> Self {
         Self { methods, rows: methods.iter().map(|_| Measured::default()).collect() }
     }
 
-    /// The most that a method goes of what its tier promises.
-    fn ask(&mut self, asked: &Asked<'_, S>, ray: &Ray<S>) -> f64 {
+    /// The exact answer, and what each method makes of the ray.
+    pub fn ask(&mut self, asked: &Asked<'_, S>, ray: &Ray<S>) -> (InRange, Vec<Judgement<S>>) {
         let (line, size) = match asked.placed {
-            None => (exact_line(ray), 1.0),
-            Some(placed) => (placed.line(ray), placed.largest),
+            None => (exact_line(ray), asked.size),
+            Some(placed) => (placed.line(ray), placed.largest * asked.size),
         };
-        let solid = &asked.subject.solid;
+        let solid = asked.solid;
         let want: InRange = expected_of(solid, &line, ray);
         let judged = Judged { solid, line: &line, ray, want: &want, size };
-        let mut most = 0.0_f64;
-        for (method, row) in self.methods.iter().zip(&mut self.rows) {
-            let got = (method.hits)(asked, ray);
-            most = most.max(row.count(method.tier, &got, &judged, &|| bits(asked, ray)));
-            row.integers += usize::from((method.in_integers)(asked.shape(), ray));
-        }
-        most
+        let judge = |(method, row): (&Method<S>, &mut Measured)| {
+            let hits = (method.hits)(asked, ray);
+            let before = (row.errors.len(), row.lost + row.phantom, row.part);
+            let by = row.count(method.tier, &hits, &judged, &|| bits(asked, ray));
+            row.integers += usize::from((method.in_integers)(asked.shape, ray));
+            Judgement {
+                by,
+                error: row.errors[before.0..].iter().copied().fold(0.0, f64::max),
+                is_wrong: row.lost + row.phantom > before.1,
+                is_on_other_part: row.part > before.2,
+                hits,
+            }
+        };
+        let judgements = self.methods.iter().zip(&mut self.rows).map(judge).collect();
+        (want, judgements)
     }
 
-    fn done(self) -> Option<Vec<Measured>> {
+    /// What was measured; `None` if there was no ray.
+    pub fn done(self) -> Option<Vec<Measured>> {
         let any = self.rows.first().is_some_and(|row| row.rays > 0);
         any.then(|| self.rows.into_iter().map(Measured::sorted).collect())
     }
@@ -197,11 +220,19 @@ fn bits<S: Number>(asked: &Asked<'_, S>, ray: &Ray<S>) -> String {
         told.push(format!("departing {leaving:?} from {part:?}"));
     }
     if let Some(placed) = asked.placed {
-        let frame = placed.frame();
-        let axes = [frame.right(), frame.up(), frame.forward()].map(along);
-        told.push(format!("at {} axes {}", coordinates(frame.position()), axes.join(" ")));
-        if let Some(factors) = placed.factors() {
-            told.push(format!("stretched by {}", three(factors.map(S::bits))));
+        let at = coordinates(placed.placement.position());
+        let axes = |frame: &Frame<S>| frame.axes().map(along).join(" ");
+        match &placed.placement {
+            Placement::Frame(frame) => told.push(format!("at {at} axes {}", axes(frame))),
+            Placement::Stretched(frame, factors) => {
+                told.push(format!("at {at} axes {}", axes(frame)));
+                told.push(format!("stretched by {}", three(factors.map(S::bits))));
+            }
+            Placement::Matrix(affine) => {
+                let row =
+                    |(row, exponent): ([S::Unit; 3], i32)| format!("2^{exponent} {}", three(row.map(S::unit_bits)));
+                told.push(format!("at {at} inverse {}", affine.inverse().map(row).join(" ")));
+            }
         }
     }
     told.join(", ")
@@ -220,7 +251,7 @@ pub fn measure_each<S: Number>(
     let mut rows = Rows::new(methods);
     for _ in 0..rays {
         if let Some(ray) = workload.ray(subject, &mut random).filter(&counts) {
-            rows.ask(&Asked { subject, placed: None }, &ray);
+            rows.ask(&Asked::of(subject, None), &ray);
         }
     }
     rows.done()
@@ -240,7 +271,7 @@ pub fn measure_placed<S: Number>(
     for _ in 0..rays {
         let Some(placed) = Placed::new(subject, placing, &mut random) else { continue };
         if let Some(ray) = placed.ray(subject, workload, &mut random) {
-            rows.ask(&Asked { subject, placed: Some(&placed) }, &ray);
+            rows.ask(&Asked::of(subject, Some(&placed)), &ray);
         }
     }
     rows.done()

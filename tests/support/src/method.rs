@@ -1,23 +1,30 @@
 //! The ways to answer that are compared: the tiers, and the textbook.
 
 use super::exact_types::Exact as Number;
+use super::oracle::Solid;
 use super::placed::Placed;
 use super::subject::Subject;
-use super::textbook::{Form, Place, Plain, PlainRay};
+use super::textbook::{Form, Place, Plain, PlainRay, Reach};
 use fixed::types::{I16F16, I32F32};
 use raylet::tier::{Effort, Exact, Fast, Stable, Tier};
 use raylet::{Crossing, Part, Ray, Shape};
 
-/// What is asked.
+/// A primitive where it stands, which a method intersects with a ray.
 pub struct Asked<'a, S: Number> {
-    pub subject: &'a Subject<S>,
+    /// Where it was placed.
+    pub shape: &'a Shape<S>,
+    /// In its own frame.
+    pub solid: &'a Solid,
+    /// About the size of the solid in its own frame.
+    pub size: f64,
     pub placed: Option<&'a Placed<S>>,
 }
 
-impl<S: Number> Asked<'_, S> {
-    /// The subject's shape, where it was placed.
-    pub fn shape(&self) -> &Shape<S> {
-        self.placed.map_or(&self.subject.shape, |placed| &placed.shape)
+impl<'a, S: Number> Asked<'a, S> {
+    /// A subject of the tables, of size about 1.
+    pub fn of(subject: &'a Subject<S>, placed: Option<&'a Placed<S>>) -> Self {
+        let shape = placed.map_or(&subject.shape, |placed| &placed.shape);
+        Self { shape, solid: &subject.solid, size: 1.0, placed }
     }
 }
 
@@ -40,7 +47,7 @@ pub struct Method<S: Number> {
 
 /// A tier's hits; and its other answers must agree with them.
 fn hits_of_tier<S: Number, T: Tier<S>>(asked: &Asked<'_, S>, ray: &Ray<S>) -> Vec<Told<S>> {
-    let shape = asked.shape();
+    let shape = asked.shape;
     let hits = shape.hits_at::<T>(ray);
     assert_eq!(shape.nearest_at::<T>(ray), hits.first().copied(), "nearest is the first hit: {ray:?}");
     assert_eq!(shape.occludes_at::<T>(ray), !hits.is_empty(), "occlusion agrees with the hits: {ray:?}");
@@ -49,7 +56,7 @@ fn hits_of_tier<S: Number, T: Tier<S>>(asked: &Asked<'_, S>, ray: &Ray<S>) -> Ve
 
 fn hits_of_textbook<S: Plain>(asked: &Asked<'_, S>, ray: &Ray<S>) -> Vec<Told<S>> {
     let place = asked.placed.map(Place::of);
-    let hits = Form::of::<S>(&asked.subject.solid).hits(place.as_ref(), &PlainRay::of(ray));
+    let hits = Form::of::<S>(asked.solid).hits(place.as_ref(), &PlainRay::of(ray), Reach::of(ray));
     hits.into_iter().filter_map(S::told).map(|t| Told { t, surface: None }).collect()
 }
 

@@ -2,10 +2,10 @@
 
 use super::exact_types::Exact;
 use super::oracle::{self, Dyadic, Solid};
-use super::random::{Random, add, normalize, scale};
+use super::random::{Random, add, dot, normalize, scale};
 use super::subject::Subject;
 use super::workload::Workload;
-use raylet::{Affine, Frame, Ray, Shape, UnitVec3, Vec3};
+use raylet::{Affine, Frame, FrameError, Ray, Shape, UnitVec3, Vec3};
 
 /// How a primitive is placed: a half of the placements within 4 of the world's origin, the others within 1,000 and 1,000,000, or as far
 /// as the number type reaches.
@@ -76,17 +76,33 @@ impl Placing {
     }
 }
 
+/// By what a primitive is placed.
+#[derive(Clone, Copy)]
+pub enum Placement<S: Exact> {
+    Frame(Frame<S>),
+    /// A frame, each axis stretched by a factor.
+    Stretched(Frame<S>, [S; 3]),
+    Matrix(Affine<S>),
+}
+
+impl<S: Exact> Placement<S> {
+    pub fn position(&self) -> Vec3<S> {
+        match self {
+            Self::Frame(frame) | Self::Stretched(frame, _) => frame.position(),
+            Self::Matrix(affine) => affine.position(),
+        }
+    }
+}
+
 /// A primitive somewhere.
 pub struct Placed<S: Exact> {
     pub shape: Shape<S>,
+    pub placement: Placement<S>,
     /// Images of the local axes, in `f64`.
     axes: [[f64; 3]; 3],
     position: [f64; 3],
     /// The largest factor that it is stretched by, or 1.
     pub largest: f64,
-    /// The frame, and what its axes are stretched by.
-    frame: Frame<S>,
-    factors: Option<[S; 3]>,
     /// The rows of the way into the frame, and the position, as they are stored.
     rows: [[Dyadic; 3]; 3],
     exact_position: [Dyadic; 3],
@@ -96,45 +112,47 @@ impl<S: Exact> Placed<S> {
     /// `None` if the placing does not fit the type.
     pub fn new(subject: &Subject<S>, placing: Placing, random: &mut Random) -> Option<Self> {
         let frame = placing.frame::<S>(random)?;
-        let stored = [frame.right(), frame.up(), frame.forward()];
-        let exact = stored.map(|axis| axis.to_array().map(S::exact_unit));
-        // A ball in a frame has no axes: a turned ball is a ball, although stored axes are orthogonal only to their last bits.
-        let is_ball = matches!(subject.solid, Solid::Sphere { .. });
-        let none = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(|row| row.map(Dyadic::from));
-        let base = Self {
-            shape: subject.shape.placed(frame),
-            axes: stored.map(UnitVec3::to_f64),
-            position: frame.position().to_f64(),
-            largest: 1.0,
-            frame,
-            factors: None,
-            rows: if is_ball { none } else { exact },
-            exact_position: frame.position().to_array().map(S::exact),
+        let placement = match placing {
+            Placing::Moved | Placing::Turned => Placement::Frame(frame),
+            Placing::Stretched(factor) => {
+                Placement::Stretched(frame, [(); 3].map(|()| Placing::factor::<S>(factor, random)))
+            }
         };
-        let Placing::Stretched(factor) = placing else {
-            return Some(base);
+        Self::by(&subject.shape, &subject.solid, placement).ok()
+    }
+
+    /// A shape, and the solid that it is, placed by this.
+    pub fn by(shape: &Shape<S>, solid: &Solid, placement: Placement<S>) -> Result<Self, FrameError> {
+        let (axes, rows, shape) = match placement {
+            Placement::Frame(frame) => {
+                let exact = frame.axes().map(|axis| axis.to_array().map(S::exact_unit));
+                // A ball in a frame has no axes: a turned ball is a ball, although stored axes are orthogonal only to their last bits.
+                let is_ball = matches!(solid, Solid::Sphere { .. });
+                let none = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(|row| row.map(Dyadic::from));
+                (frame.axes().map(UnitVec3::to_f64), if is_ball { none } else { exact }, shape.placed(frame))
+            }
+            Placement::Stretched(frame, factors) => {
+                let affine = Affine::stretched(frame, Vec3::from(factors))?;
+                let stretched = |i: usize| scale(frame.axes()[i].to_f64(), factors[i].to_f64());
+                ([stretched(0), stretched(1), stretched(2)], exact_rows(&affine), shape.placed(affine))
+            }
+            Placement::Matrix(affine) => (affine.axes().map(Vec3::to_f64), exact_rows(&affine), shape.placed(affine)),
         };
-        let factors = [(); 3].map(|()| Placing::factor::<S>(factor, random));
-        let affine = Affine::stretched(frame, Vec3::new(factors[0], factors[1], factors[2])).ok()?;
-        let stretched = |i: usize| scale(base.axes[i], factors[i].to_f64());
-        Some(Self {
-            shape: subject.shape.placed(affine),
-            axes: [stretched(0), stretched(1), stretched(2)],
-            largest: factors.iter().map(|factor| factor.to_f64()).fold(1.0, f64::max),
-            factors: Some(factors),
-            rows: affine.inverse().map(|(row, exponent)| row.map(|c| S::exact_unit(c).scaled(exponent as isize))),
-            ..base
+        let largest = match placement {
+            Placement::Frame(_) => 1.0,
+            Placement::Stretched(_, factors) => factors.iter().map(|factor| factor.to_f64()).fold(1.0, f64::max),
+            Placement::Matrix(_) => axes.iter().map(|axis| dot(*axis, *axis).sqrt()).fold(1.0, f64::max),
+        };
+        let position = placement.position();
+        Ok(Self {
+            shape,
+            placement,
+            axes,
+            position: position.to_f64(),
+            largest,
+            rows,
+            exact_position: position.to_array().map(S::exact),
         })
-    }
-
-    /// The frame that it stands in, not stretched.
-    pub fn frame(&self) -> Frame<S> {
-        self.frame
-    }
-
-    /// What each of the frame's axes is stretched by.
-    pub fn factors(&self) -> Option<[S; 3]> {
-        self.factors
     }
 
     /// The next ray of the workload at the subject where it stands; `None` where the workload has no sense for it, or the draw does not
@@ -156,4 +174,9 @@ impl<S: Exact> Placed<S> {
             self.rows.each_ref().map(|row| dot(row, &d)),
         )
     }
+}
+
+/// The rows of an inverse, as they are stored.
+fn exact_rows<S: Exact>(affine: &Affine<S>) -> [[Dyadic; 3]; 3] {
+    affine.inverse().map(|(row, exponent)| row.map(|c| S::exact_unit(c).scaled(exponent as isize)))
 }

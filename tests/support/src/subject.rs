@@ -1,9 +1,10 @@
 //! The primitives under test: the crate's shape, the oracle's solid, and where their points are.
 
+use super::described::{ConeExtent, CylinderExtent, Described};
 use super::exact_types::Exact;
-use super::oracle::{ConeExtent, CylinderExtent, Dyadic, Solid};
+use super::oracle::{Dyadic, Solid};
 use super::random::{Random, add, cross, normalize, scale};
-use raylet::{Capsule, Cone, Cylinder, Disc, Plane, Shape, Sphere, Triangle, Vec3};
+use raylet::Shape;
 
 /// Every primitive of the design, with a name for tables.
 pub const SUBJECTS: [&str; 16] = [
@@ -34,93 +35,36 @@ pub struct Subject<S: Exact> {
     outline: (f64, f64, f64),
 }
 
-fn size<S: Exact>(value: f64) -> S {
-    S::from_f64(value).expect("a size that every tested type holds")
-}
-
 impl<S: Exact> Subject<S> {
     /// The subject of this name; sizes near 1, not round in binary.
     pub fn new(name: &'static str) -> Self {
-        let (r, h, m) = (size::<S>(1.1), size::<S>(1.7), size::<S>(0.8));
-        let (r0, r1) = (size::<S>(1.3), size::<S>(0.6));
-        let exact = |value: S| value.exact();
-        let radius = || exact(r);
-        let (wide, tall, steep) = (1.1, 1.7, 0.8);
-        let triangle = [[-1.1, 0.0, -0.7], [0.9, 0.3, -0.6], [0.2, -0.2, 1.2]];
-        let (shape, solid, outline) = match name {
-            "sphere" => (Shape::new(Sphere::new(r).unwrap()), Solid::Sphere { radius: radius() }, (wide, wide, 0.0)),
-            "cylinder infinite" => (
-                Shape::new(Cylinder::infinite(r).unwrap()),
-                Solid::Cylinder { radius: radius(), extent: CylinderExtent::Infinite },
-                (wide, wide, tall),
-            ),
-            "cylinder open" => (
-                Shape::new(Cylinder::open(r, h).unwrap()),
-                Solid::Cylinder { radius: radius(), extent: CylinderExtent::Open(exact(h)) },
-                (wide, wide, tall),
-            ),
-            "cylinder capped" => (
-                Shape::new(Cylinder::capped(r, h).unwrap()),
-                Solid::Cylinder { radius: radius(), extent: CylinderExtent::Capped(exact(h)) },
-                (wide, wide, tall),
-            ),
-            "capsule" => (
-                Shape::new(Capsule::new(r, h).unwrap()),
-                Solid::Capsule { radius: radius(), height: exact(h) },
-                (wide, wide, tall),
-            ),
-            "cone double" => (
-                Shape::new(Cone::double(m).unwrap()),
-                Solid::Cone { slope: exact(m), extent: ConeExtent::Double },
-                (0.0, steep * tall, tall),
-            ),
-            "cone nappe" => (
-                Shape::new(Cone::nappe(m).unwrap()),
-                Solid::Cone { slope: exact(m), extent: ConeExtent::Nappe },
-                (0.0, steep * tall, tall),
-            ),
-            "cone open" => (
-                Shape::new(Cone::open(m, h).unwrap()),
-                Solid::Cone { slope: exact(m), extent: ConeExtent::Open(exact(h)) },
-                (0.0, steep * tall, tall),
-            ),
-            "cone capped" => (
-                Shape::new(Cone::capped(m, h).unwrap()),
-                Solid::Cone { slope: exact(m), extent: ConeExtent::Capped(exact(h)) },
-                (0.0, steep * tall, tall),
-            ),
-            "frustum open" => (
-                Shape::new(Cone::frustum_open(r0, r1, h).unwrap()),
-                Solid::Frustum { base_radius: exact(r0), top_radius: exact(r1), height: exact(h), capped: false },
-                (1.3, 0.6, tall),
-            ),
-            "frustum capped" => (
-                Shape::new(Cone::frustum(r0, r1, h).unwrap()),
-                Solid::Frustum { base_radius: exact(r0), top_radius: exact(r1), height: exact(h), capped: true },
-                (1.3, 0.6, tall),
-            ),
-            "frustum widening" => (
-                Shape::new(Cone::frustum(r1, r0, h).unwrap()),
-                Solid::Frustum { base_radius: exact(r1), top_radius: exact(r0), height: exact(h), capped: true },
-                (0.6, 1.3, tall),
-            ),
-            "frustum pointed" => (
-                Shape::new(Cone::frustum(r0, S::ZERO, h).unwrap()),
-                Solid::Frustum { base_radius: exact(r0), top_radius: Dyadic::zero(), height: exact(h), capped: true },
-                (1.3, 0.0, tall),
-            ),
-            "plane" => (Shape::new(Plane::new()), Solid::Plane, (2.0, 0.0, 0.0)),
-            "disc" => (Shape::new(Disc::new(r).unwrap()), Solid::Disc { radius: radius() }, (wide, 0.0, 0.0)),
+        let (r, h, slope, wide, narrow) = (1.1, 1.7, 0.8, 1.3, 0.6);
+        let frustum = |base, top, capped| Described::Frustum { base, top, height: h, capped };
+        let (described, outline) = match name {
+            "sphere" => (Described::Sphere { radius: r }, (r, r, 0.0)),
+            "cylinder infinite" => (Described::Cylinder { radius: r, extent: CylinderExtent::Infinite }, (r, r, h)),
+            "cylinder open" => (Described::Cylinder { radius: r, extent: CylinderExtent::Open(h) }, (r, r, h)),
+            "cylinder capped" => (Described::Cylinder { radius: r, extent: CylinderExtent::Capped(h) }, (r, r, h)),
+            "capsule" => (Described::Capsule { radius: r, height: h }, (r, r, h)),
+            "cone double" => (Described::Cone { slope, extent: ConeExtent::Double }, (0.0, slope * h, h)),
+            "cone nappe" => (Described::Cone { slope, extent: ConeExtent::Nappe }, (0.0, slope * h, h)),
+            "cone open" => (Described::Cone { slope, extent: ConeExtent::Open(h) }, (0.0, slope * h, h)),
+            "cone capped" => (Described::Cone { slope, extent: ConeExtent::Capped(h) }, (0.0, slope * h, h)),
+            "frustum open" => (frustum(wide, narrow, false), (wide, narrow, h)),
+            "frustum capped" => (frustum(wide, narrow, true), (wide, narrow, h)),
+            "frustum widening" => (frustum(narrow, wide, true), (narrow, wide, h)),
+            "frustum pointed" => (frustum(wide, 0.0, true), (wide, 0.0, h)),
+            "plane" => (Described::Plane, (2.0, 0.0, 0.0)),
+            "disc" => (Described::Disc { radius: r }, (r, 0.0, 0.0)),
             "triangle" => {
-                let vertices = triangle.map(|v| Vec3::from_f64(v).unwrap());
-                (
-                    Shape::new(Triangle::new(vertices[0], vertices[1], vertices[2]).unwrap()),
-                    Solid::Triangle { vertices: vertices.map(|v: Vec3<S>| v.to_array().map(S::exact)) },
-                    (0.6, 0.0, 0.0),
-                )
+                let vertices = [[-1.1, 0.0, -0.7], [0.9, 0.3, -0.6], [0.2, -0.2, 1.2]];
+                (Described::Triangle { vertices }, (0.6, 0.0, 0.0))
             }
             _ => panic!("no subject of this name: {name}"),
         };
+        let sized = described.try_map(|size| S::from_f64(*size)).expect("sizes that every tested type holds");
+        let shape = sized.shape().expect("sizes that every tested type holds");
+        let solid = sized.solid();
         Self { name, shape, solid, outline }
     }
 

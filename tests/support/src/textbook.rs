@@ -7,10 +7,11 @@
 
 use super::exact_types::Exact;
 use super::oracle::{ConeExtent, CylinderExtent, Dyadic, Solid};
-use super::placed::Placed;
+use super::placed::{Placed, Placement};
 use fixed::Wrapping;
 use fixed::types::{I16F16, I32F32};
-use raylet::Ray;
+use raylet::scalar::UnitScalar;
+use raylet::{Frame, Ray};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A number with operators.
@@ -110,6 +111,25 @@ impl<N: Number> PlainRay<N> {
     }
 }
 
+/// The range of `t` in which hits are told.
+#[derive(Clone, Copy)]
+pub struct Reach<N> {
+    start: N,
+    /// `None`: as far as the number type reaches.
+    end: Option<N>,
+}
+
+impl<N: Number> Reach<N> {
+    pub fn of<S: Plain<Number = N>>(ray: &Ray<S>) -> Self {
+        let (start, end) = (ray.range().start(), ray.range().end());
+        Self { start: start.plain(), end: (end < S::BUDGET.distance).then(|| end.plain()) }
+    }
+
+    fn holds(self, t: N) -> bool {
+        t >= self.start && self.end.is_none_or(|end| t <= end)
+    }
+}
+
 /// Where a solid stands: the rows of the way into its frame, and its position.
 #[derive(Clone, Copy)]
 pub struct Place<N> {
@@ -121,12 +141,14 @@ pub struct Place<N> {
 
 impl<N: Number> Place<N> {
     pub fn of<S: Plain<Number = N>>(placed: &Placed<S>) -> Self {
-        let frame = placed.frame();
-        Self {
-            axes: [frame.right(), frame.up(), frame.forward()].map(|axis| axis.to_array().map(S::plain_unit)),
-            stretch: placed.factors().map(|factors| factors.map(S::plain)),
-            position: frame.position().to_array().map(S::plain),
-        }
+        let position = placed.placement.position().to_array().map(S::plain);
+        let turned = |frame: Frame<S>| frame.axes().map(|axis| axis.to_array().map(S::plain_unit));
+        let (axes, stretch) = match placed.placement {
+            Placement::Frame(frame) => (turned(frame), None),
+            Placement::Stretched(frame, factors) => (turned(frame), Some(factors.map(S::plain))),
+            Placement::Matrix(affine) => (affine.inverse().map(inverse_row::<S>), None),
+        };
+        Self { axes, stretch, position }
     }
 
     #[inline(always)]
@@ -142,6 +164,15 @@ impl<N: Number> Place<N> {
         }
         local
     }
+}
+
+/// A row of an inverse in the number type; what is beyond the type is its largest number.
+fn inverse_row<S: Plain>((row, exponent): ([S::Unit; 3], i32)) -> [S::Number; 3] {
+    row.map(|component| {
+        let value = component.to_f64() * 2.0_f64.powi(exponent);
+        let largest = S::BUDGET.distance;
+        S::from_f64(value).unwrap_or(if value < 0.0 { -largest } else { largest }).plain()
+    })
 }
 
 #[inline(always)]
@@ -306,12 +337,12 @@ impl<N: Number> Form<N> {
         best
     }
 
-    /// All `t` that are not negative, sorted.
-    pub fn hits(&self, place: Option<&Place<N>>, ray: &PlainRay<N>) -> Vec<N> {
+    /// All `t` in the range, sorted.
+    pub fn hits(&self, place: Option<&Place<N>>, ray: &PlainRay<N>, reach: Reach<N>) -> Vec<N> {
         let mut all = vec![];
         let local = place.map_or(*ray, |place| place.local(ray));
         self.meet(&local, &mut |t: N| {
-            if t >= N::ZERO {
+            if reach.holds(t) {
                 all.push(t);
             }
         });

@@ -17,12 +17,6 @@ pub struct Instructions {
     pub miss: u64,
 }
 
-impl Instructions {
-    pub fn both(self) -> [u64; 2] {
-        [self.hit, self.miss]
-    }
-}
-
 /// True if the firmware's rays are like those of the workload: from 2 to 6 away. Other rays may take more (those that graze, those
 /// from so far that a short product does not hold them), and for them the same figure is only where it starts.
 pub fn is_like(row: &Figures) -> bool {

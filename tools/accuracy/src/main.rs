@@ -7,6 +7,7 @@
 //! cargo run --release -p raylet-accuracy -- --check      # fails if a figure of errors is not what is measured
 //! cargo run --release -p raylet-accuracy -- --broken     # the rays of which a tier's promise is broken, worst first
 //! cargo run --release -p raylet-accuracy -- --search     # the same, searched from the worst random rays uphill
+//! cargo run --release -p raylet-accuracy -- rays FILE --solid SOLID    # the errors of your own rays: docs/your-rays.md
 //! ```
 //!
 //! | module | what it holds |
@@ -14,6 +15,7 @@
 //! | `time` | times, by ratio to a reference in the same run |
 //! | `broken` | rays of which a tier's promise is broken |
 //! | `search` | such rays, searched |
+//! | `rays` | errors of a file of rays at one solid |
 //! | `sweep` | errors against distance and grazing |
 //! | `chips` | instructions on microcontrollers, from the firmware's baselines |
 //! | `study`, `stored` | all of these; times and sweeps as the repository stores them |
@@ -26,13 +28,14 @@ mod difference;
 #[cfg(test)]
 mod documents_test;
 mod publish;
+mod rays;
 mod search;
 mod stored;
 mod study;
 mod sweep;
 mod time;
 
-use clap::Parser;
+use clap::{Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -51,10 +54,12 @@ use support::{bounds, figures, in_repository};
 ///
 /// Errors are the same on every machine and in every run; times are not, and nothing is decided by them.
 #[derive(Parser)]
-#[command(version, about)]
+#[command(version, about, args_conflicts_with_subcommands = true)]
 // Switches of a command line.
 #[allow(clippy::struct_excessive_bools)]
 struct Options {
+    #[command(subcommand)]
+    command: Option<Command>,
     /// Few rays and few rounds of timing: some seconds instead of minutes. The worst errors come out too small.
     #[arg(short, long, conflicts_with_all = ["write", "check", "document"])]
     quick: bool,
@@ -97,6 +102,12 @@ struct Options {
     number: Vec<String>,
 }
 
+/// What is measured instead of the published tables.
+#[derive(Subcommand)]
+enum Command {
+    Rays(rays::Options),
+}
+
 fn main() -> ExitCode {
     match run(&Options::parse()) {
         Ok(()) => ExitCode::SUCCESS,
@@ -108,6 +119,9 @@ fn main() -> ExitCode {
 }
 
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
+    if let Some(Command::Rays(options)) = &options.command {
+        return put(options.output(), rays::run(options)?);
+    }
     let root = &in_repository("");
     if options.document {
         return put(root, publish::documents(&Study::committed()?, root)?);

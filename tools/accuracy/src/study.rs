@@ -1,6 +1,6 @@
 //! All that was measured: errors, times, sweeps, and what the firmware says of the chips.
 
-use crate::chips::Chip;
+use crate::chips::{Chip, Instructions};
 use crate::stored;
 use serde_json::{Value, json};
 use std::collections::HashMap;
@@ -106,37 +106,40 @@ impl Study {
 }
 
 /// One object a line: readable, and small differences stay small.
-fn lines(rows: impl Iterator<Item = Value>) -> String {
+pub fn lines(rows: impl Iterator<Item = Value>) -> String {
     rows.map(|row| row.to_string()).collect::<Vec<_>>().join(",\n")
 }
 
 fn cost(cost: Option<Cost>) -> Value {
-    cost.map_or(Value::Null, |cost| json!([cost.ratio, cost.nanoseconds]))
+    cost.map_or(Value::Null, |cost| json!({ "ratio": cost.ratio, "nanoseconds": cost.nanoseconds }))
+}
+
+/// A row, its times, and the instructions of the chips that have it.
+pub fn row_as_json(study: &Study, row: &Figures) -> Value {
+    let ([median, most, worst], [lost, phantom, edge, part, integers]) = (row.errors, row.counts);
+    let [median_length, most_length, worst_length] = row.lengths;
+    let time = study.time(row);
+    let instructions = |chip: &Chip| {
+        let Instructions { hit, miss } = chip.instructions(row)?;
+        Some((chip.name.to_string(), json!({ "hit": hit, "miss": miss })))
+    };
+    let instructions: serde_json::Map<_, _> = study.chips.iter().filter_map(instructions).collect();
+    json!({
+        "tier": row.tier, "number": row.number, "primitive": row.primitive, "placed": row.placed,
+        "workload": row.workload,
+        "hits": row.hits, "median": median, "p999": most, "worst": worst,
+        "median_length": median_length, "p999_length": most_length, "worst_length": worst_length,
+        "lost": lost, "phantom": phantom, "edge": edge, "part": part, "integers": integers,
+        "broken": row.broken,
+        "time_hit": time.map_or(Value::Null, |time| cost(time.hit)),
+        "time_miss": time.map_or(Value::Null, |time| cost(time.miss)),
+        "instructions": instructions,
+    })
 }
 
 /// Everything, one object a row.
 pub fn as_json(study: &Study) -> String {
-    let rows = study.rows.iter().map(|row| {
-        let ([median, most, worst], [lost, phantom, edge, part, integers]) = (row.errors, row.counts);
-        let [median_length, most_length, worst_length] = row.lengths;
-        let time = study.time(row);
-        let instructions: serde_json::Map<_, _> = study
-            .chips
-            .iter()
-            .filter_map(|chip| Some((chip.name.to_string(), json!(chip.instructions(row)?.both()))))
-            .collect();
-        json!({
-            "tier": row.tier, "number": row.number, "primitive": row.primitive, "placed": row.placed,
-            "workload": row.workload,
-            "hits": row.hits, "median": median, "p999": most, "worst": worst,
-            "median_length": median_length, "p999_length": most_length, "worst_length": worst_length,
-            "lost": lost, "phantom": phantom, "edge": edge, "part": part, "integers": integers,
-            "broken": row.broken,
-            "time_hit": time.map_or(Value::Null, |time| cost(time.hit)),
-            "time_miss": time.map_or(Value::Null, |time| cost(time.miss)),
-            "instructions": instructions,
-        })
-    });
+    let rows = study.rows.iter().map(|row| row_as_json(study, row));
     let sweeps = study.sweeps.iter().map(|point| {
         let Point { sweep, number, tier, primitive, at, hits, wrong, errors: [median, most] } = point;
         json!({
@@ -145,8 +148,9 @@ pub fn as_json(study: &Study) -> String {
         })
     });
     format!(
-        "{{\n\"machine\": {},\n\"rays\": {},\n\"rays_placed\": {},\n\"rows\": [\n{}\n],\n\"sweeps\": [\n{}\n]}}\n",
+        "{{\n\"machine\": {},\n\"reference_nanoseconds\": {},\n\"rays\": {},\n\"rays_placed\": {},\n\"rows\": [\n{}\n],\n\"sweeps\": [\n{}\n]}}\n",
         json!(study.times.machine),
+        study.times.reference_nanoseconds,
         study.rays.unplaced,
         study.rays.placed,
         lines(rows),

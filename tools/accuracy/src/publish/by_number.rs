@@ -21,45 +21,36 @@ fn head(study: &Study, number: &str) -> String {
     )
 }
 
+/// The titles of a row's errors.
+pub const ERRORS: [&str; 11] = [
+    "hits",
+    "median",
+    "99.9%",
+    "worst",
+    "median, length",
+    "99.9%, length",
+    "worst, length",
+    "lost",
+    "phantom",
+    "edge",
+    "part",
+];
+
+/// A row's errors.
+pub fn error_cells(row: &Figures) -> Vec<String> {
+    let [lost, phantom, edge, part, _] = row.counts.map(|count| count.to_string());
+    let part = if row.tier == "Textbook" { super::markdown::NONE.into() } else { part };
+    let mut cells = vec![row.hits.to_string()];
+    cells.extend(row.errors.map(short));
+    cells.extend(row.lengths.map(length));
+    cells.extend([lost, phantom, edge, part]);
+    cells
+}
+
 fn errors(rows: &[&Figures]) -> String {
-    let mut table = Table::new(
-        &[
-            "workload",
-            "tier",
-            "hits",
-            "median",
-            "99.9%",
-            "worst",
-            "median, length",
-            "99.9%, length",
-            "worst, length",
-            "lost",
-            "phantom",
-            "edge",
-            "part",
-        ],
-        2,
-    );
+    let mut table = Table::new(&[&["workload", "tier"], &ERRORS[..]].concat(), 2);
     for row in rows {
-        let [lost, phantom, edge, part, _] = row.counts.map(|count| count.to_string());
-        let ([median, most, worst], lengths) = (row.errors.map(short), row.lengths.map(length));
-        let part = if row.tier == "Textbook" { super::markdown::NONE.into() } else { part };
-        let [median_length, most_length, worst_length] = lengths;
-        table.row(&[
-            row.name(),
-            row.tier.into(),
-            row.hits.to_string(),
-            median,
-            most,
-            worst,
-            median_length,
-            most_length,
-            worst_length,
-            lost,
-            phantom,
-            edge,
-            part,
-        ]);
+        table.row(&[vec![row.name(), row.tier.into()], error_cells(row)].concat());
     }
     table.done()
 }

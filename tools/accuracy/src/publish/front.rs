@@ -16,6 +16,7 @@ fn head(study: &Study) -> String {
 How wrong is each tier in each number type, and how long does it take? Written by `cargo run --release -p raylet-accuracy -- --write`
 (`--json` prints all of it); `tests/promises/src/number_types.rs` holds the library to the errors: in `.ci/long` the test fails if a figure is exceeded, or if
 one is more than 5% too large; in its quick form, if one of the first {} rays of a row (placed: {}) is worse than its worst. [Which one do I take?](which-one.md) gives the advice that follows.
+[Your own rays](your-rays.md) says how to measure other rays and other solids.
 
 Every row is {} seeded rays at one primitive, of size about 1; at placed ones {}, each with a placement of its own. The reference is
 exact arithmetic on the very bits that the library received. *Median*, *99.9%* and *worst* are errors of `t` in units in the last place: of a float's spacing at `t`, or of the fixed type's

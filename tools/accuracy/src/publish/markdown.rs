@@ -87,6 +87,32 @@ impl Table {
     pub fn done(self) -> String {
         self.text + "\n"
     }
+
+    /// With columns of even width, which a terminal shows as a table too.
+    pub fn aligned(self) -> String {
+        let rows: Vec<Vec<&str>> =
+            self.text.lines().map(|row| row.trim_matches('|').split('|').map(str::trim).collect()).collect();
+        let [titles, rules, rows @ ..] = &rows[..] else { return self.done() };
+        let width = |column: usize| {
+            let cells = std::iter::once(titles).chain(rows).filter_map(|row| row.get(column));
+            cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
+        };
+        let widths: Vec<_> = (0..titles.len()).map(width).collect();
+        let mut text = String::new();
+        for (index, row) in std::iter::once(titles).chain([rules]).chain(rows).enumerate() {
+            text.push('|');
+            for ((cell, width), rule) in row.iter().zip(&widths).zip(rules) {
+                let _ = match (index == 1, rule.ends_with(':')) {
+                    (true, true) => write!(text, "{:->1$}|", ":", width + 2),
+                    (true, false) => write!(text, "{:-<1$}|", "", width + 2),
+                    (false, true) => write!(text, " {cell:>width$} |"),
+                    (false, false) => write!(text, " {cell:<width$} |"),
+                };
+            }
+            text.push('\n');
+        }
+        text + "\n"
+    }
 }
 
 /// The page of a number type's rows.

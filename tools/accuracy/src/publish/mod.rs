@@ -9,6 +9,7 @@
 //! | `readme` | the tables of the README and of docs/overview.md |
 //! | `findings`, `explanations` | unexpected rows, and their explanations |
 //! | `plots` | docs/plots/ |
+//! | `rays` | the page of a file of rays |
 //! | `markdown` | figures and tables as text |
 
 mod advice;
@@ -19,6 +20,7 @@ mod front;
 mod markdown;
 mod placed;
 mod plots;
+mod rays;
 mod readme;
 mod which_one;
 
@@ -28,6 +30,7 @@ use std::path::Path;
 use support::figures::NUMBERS;
 
 pub use front::printed as summary;
+pub use rays::{as_json as rays_as_json, documents as rays_documents, printed as rays_summary};
 
 /// All of them, with their paths in the repository; of the README and of docs/overview.md the tables are new.
 pub fn documents(study: &Study, root: &Path) -> Result<Vec<(String, String)>, Box<dyn Error>> {

@@ -11,12 +11,15 @@
 mod batch;
 mod rays;
 
+pub use rays::{Query, RAYS};
+
 use crate::study::{Cost, Time, Times};
 use batch::{Batch, nothing, textbook, tier};
 use fixed::types::{I16F16, I32F32};
 use raylet::tier::{Exact, Fast, Stable};
-use rays::{Kind, Query, queries};
-use support::method::Measurable;
+use rays::{Kind, queries};
+use support::method::{Measurable, Method};
+use support::oracle::Solid;
 use support::placed::PLACINGS;
 use support::subject::{SUBJECTS, Subject};
 use support::workload::{WORKLOADS, Workload};
@@ -25,7 +28,7 @@ use support::workload::{WORKLOADS, Workload};
 pub const TICKS: usize = 4 * SUBJECTS.len() * (WORKLOADS.len() + PLACINGS.len());
 
 /// A number type whose tiers can be timed.
-trait Timed: Measurable {
+pub trait Timed: Measurable {
     /// The tiers at these rays, beside the textbook.
     fn tiers(queries: &[Query<Self>]) -> Vec<(&'static str, Batch)>;
 }
@@ -59,7 +62,7 @@ fn rounded(value: f64) -> f64 {
 }
 
 /// What all batches are compared with.
-struct Reference {
+pub struct Reference {
     textbook: Batch,
     nothing: Batch,
     /// Of every round, in nanoseconds.
@@ -67,7 +70,7 @@ struct Reference {
 }
 
 impl Reference {
-    fn new() -> Self {
+    pub fn new() -> Self {
         let subject = Subject::<f32>::new("sphere");
         let [hits, _] = queries(&subject, Kind::Unplaced(Workload::Benign), 1000);
         Self { textbook: textbook(&subject.solid, &hits), nothing: nothing(&hits), seen: vec![] }
@@ -90,6 +93,45 @@ impl Reference {
             |(ratios, nanoseconds)| Cost { ratio: rounded(median(ratios)), nanoseconds: rounded(median(nanoseconds)) };
         seen.into_iter().map(cost).collect()
     }
+
+    /// What each way to answer takes at these rays, by tier; nothing where there are none.
+    fn tiers<S: Timed>(&mut self, solid: &Solid, queries: &[Query<S>], rounds: usize) -> Vec<(&'static str, Cost)> {
+        if queries.is_empty() {
+            return vec![];
+        }
+        let (tiers, batches): (Vec<_>, Vec<_>) =
+            [("Textbook", textbook(solid, queries))].into_iter().chain(S::tiers(queries)).unzip();
+        tiers.into_iter().zip(self.compare(&batches, rounds)).collect()
+    }
+
+    /// The rows of a primitive and a workload: of rays that hit, and of rays that miss.
+    pub fn rows<S: Timed>(
+        &mut self,
+        solid: &Solid,
+        queries: &[Vec<Query<S>>; 2],
+        [primitive, workload]: [&str; 2],
+        rounds: usize,
+    ) -> Vec<Time> {
+        let [hits, misses] = queries.each_ref().map(|queries| self.tiers(solid, queries, rounds));
+        let row = |method: Method<S>| {
+            let of = |costs: &[(&str, Cost)]| costs.iter().find(|(tier, _)| *tier == method.tier).map(|it| it.1);
+            let (hit, miss) = (of(&hits), of(&misses));
+            (hit.is_some() || miss.is_some()).then(|| Time {
+                number: S::name(),
+                tier: method.tier.into(),
+                primitive: primitive.into(),
+                workload: workload.into(),
+                hit,
+                miss,
+            })
+        };
+        S::methods().into_iter().filter_map(row).collect()
+    }
+
+    /// All that was compared with it in a run.
+    pub fn done(self, rows: Vec<Time>) -> Times {
+        Times { machine: machine(), reference_nanoseconds: rounded(median(self.seen)), rows }
+    }
 }
 
 fn number<S: Timed>(rounds: usize, reference: &mut Reference, all: &mut Vec<Time>, tick: &mut dyn FnMut()) {
@@ -100,29 +142,9 @@ fn number<S: Timed>(rounds: usize, reference: &mut Reference, all: &mut Vec<Time
     for primitive in SUBJECTS {
         let subject = Subject::<S>::new(primitive);
         for (kind, seed) in &kinds {
-            let [hits, misses] = queries(&subject, *kind, *seed).map(|queries| {
-                if queries.is_empty() {
-                    return vec![];
-                }
-                let (tiers, batches): (Vec<_>, Vec<_>) =
-                    [("Textbook", textbook(&subject.solid, &queries))].into_iter().chain(S::tiers(&queries)).unzip();
-                tiers.into_iter().zip(reference.compare(&batches, rounds)).collect()
-            });
+            let queries = queries(&subject, *kind, *seed);
+            all.extend(reference.rows(&subject.solid, &queries, [primitive, &kind.name()], rounds));
             tick();
-            for method in S::methods() {
-                let of = |costs: &[(&str, Cost)]| costs.iter().find(|(tier, _)| *tier == method.tier).map(|it| it.1);
-                let (hit, miss) = (of(&hits), of(&misses));
-                if hit.is_some() || miss.is_some() {
-                    all.push(Time {
-                        number: S::name(),
-                        tier: method.tier.into(),
-                        primitive: primitive.into(),
-                        workload: kind.name(),
-                        hit,
-                        miss,
-                    });
-                }
-            }
         }
     }
 }
@@ -145,5 +167,5 @@ pub fn measure(rounds: usize, tick: &mut dyn FnMut()) -> Times {
     number::<f64>(rounds, &mut reference, &mut rows, tick);
     number::<I16F16>(rounds, &mut reference, &mut rows, tick);
     number::<I32F32>(rounds, &mut reference, &mut rows, tick);
-    Times { machine: machine(), reference_nanoseconds: rounded(median(reference.seen)), rows }
+    reference.done(rows)
 }

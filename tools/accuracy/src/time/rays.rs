@@ -11,7 +11,7 @@ use support::textbook::{Place, Plain};
 use support::workload::Workload;
 
 /// Rays of each kind.
-const RAYS: usize = 64;
+pub const RAYS: usize = 64;
 
 /// So many rays are drawn to find them.
 const DRAWS: usize = 2_000;

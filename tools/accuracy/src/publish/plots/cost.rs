@@ -15,7 +15,7 @@ const HEAD: u32 = 74;
 /// Errors are drawn within these lengths: beyond them an answer is no answer.
 const LENGTHS: [f64; 2] = [1e-17, 1e5];
 
-fn color(number: &str) -> RGBColor {
+pub(super) fn color(number: &str) -> RGBColor {
     match number {
         "f32" => RGBColor(0x1f, 0x77, 0xe0),
         "f64" => RGBColor(0x2d, 0xa4, 0x4e),
@@ -25,9 +25,9 @@ fn color(number: &str) -> RGBColor {
 }
 
 /// A combination's cost and error.
-struct Point<'a> {
+pub(super) struct Point<'a> {
     row: &'a Figures,
-    cost: f64,
+    pub(super) cost: f64,
     error: f64,
 }
 
@@ -42,7 +42,7 @@ const ON_CHIPS: [(&str, &str); 6] = [
 ];
 
 /// The points of a workload, at what `cost` knows of a row.
-fn points<'a>(
+pub(super) fn points<'a>(
     study: &'a Study,
     primitive: &str,
     workload: &str,
@@ -97,7 +97,7 @@ fn front(points: &[Point<'_>]) -> Vec<(f64, f64)> {
     front
 }
 
-fn panel(area: &Area<'_>, title: &str, points: &[Point<'_>], costs: [f64; 2]) -> Result<(), Box<dyn Error>> {
+pub(super) fn panel(area: &Area<'_>, title: &str, points: &[Point<'_>], costs: [f64; 2]) -> Result<(), Box<dyn Error>> {
     let mut chart = ChartBuilder::on(area)
         .caption(title, ("sans-serif", 13).into_font().color(&INK))
         .margin(4)
@@ -153,12 +153,17 @@ fn legend(area: &Area<'_>, axis: &str) -> Result<(), Box<dyn Error>> {
     label(area, &axes, (12, 60), 12)
 }
 
+/// The costs that a panel shows.
+pub(super) fn span<'a>(points: impl Iterator<Item = &'a Point<'a>>) -> [f64; 2] {
+    let costs = points.map(|point| point.cost.max(1e-3));
+    let (least, most) = costs.fold((f64::INFINITY, 0.0_f64), |(least, most), cost| (least.min(cost), most.max(cost)));
+    if least > most { [1.0, 10.0] } else { [least / 1.5, most * 1.5] }
+}
+
 /// The plot of one primitive, on the host or on a chip.
 pub fn plot(study: &Study, chip: Option<&Chip>, primitive: &str) -> Result<String, Box<dyn Error>> {
     let panels: Vec<_> = panels(study, chip, primitive).into_iter().filter(|(_, points)| !points.is_empty()).collect();
-    let costs = panels.iter().flat_map(|(_, points)| points).map(|point| point.cost.max(1e-3));
-    let (least, most) = costs.fold((f64::INFINITY, 0.0_f64), |(least, most), cost| (least.min(cost), most.max(cost)));
-    let costs = if panels.is_empty() { [1.0, 10.0] } else { [least / 1.5, most * 1.5] };
+    let costs = span(panels.iter().flat_map(|(_, points)| points));
     let rows = panels.len().div_ceil(COLUMNS);
     let size = (PANEL.0 * COLUMNS as u32, HEAD + PANEL.1 * rows.max(1) as u32);
     let (place, axis) = match chip {

@@ -4,9 +4,11 @@
 //! |---|---|
 //! | `sheet` | a sheet of panels with a legend; its colours |
 //! | `cost` | error against cost, a panel a workload |
+//! | `rays` | errors of a file of rays by the share of hits that exceed them, and against cost |
 //! | `sweeps` | error against distance and grazing, a line a tier |
 
 mod cost;
+pub mod rays;
 mod sheet;
 mod sweeps;
 

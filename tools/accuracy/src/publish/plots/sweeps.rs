@@ -16,7 +16,7 @@ const UNITS: [f64; 2] = [0.1, 1e10];
 /// Hits that a point must have: at the end of a fixed type's range few rays fit it.
 const ENOUGH: usize = 10;
 
-fn color(tier: &str) -> RGBColor {
+pub(super) fn color(tier: &str) -> RGBColor {
     match tier {
         "Textbook" => RGBColor(0x80, 0x88, 0x90),
         "Fast" => RGBColor(0xd9, 0x73, 0x0d),

@@ -1,0 +1,194 @@
+//! A primitive by its sizes, in whatever numbers they are given; and in a number type that holds them, the crate's shape and the oracle's
+//! solid.
+
+use super::exact_types::Exact;
+use super::oracle::{self, Solid};
+use raylet::{Capsule, Cone, Cylinder, Disc, Plane, Shape, SizeError, Sphere, Triangle, ValueError, Vec3};
+
+/// How far a cylinder reaches along its axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum CylinderExtent<N> {
+    Infinite,
+    Open(N),
+    Capped(N),
+}
+
+/// How far a cone reaches from its apex.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ConeExtent<N> {
+    Double,
+    Nappe,
+    Open(N),
+    Capped(N),
+}
+
+/// A primitive and its sizes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Described<N> {
+    Sphere { radius: N },
+    Cylinder { radius: N, extent: CylinderExtent<N> },
+    Cone { slope: N, extent: ConeExtent<N> },
+    Frustum { base: N, top: N, height: N, capped: bool },
+    Capsule { radius: N, height: N },
+    Plane,
+    Disc { radius: N },
+    Triangle { vertices: [[N; 3]; 3] },
+}
+
+/// What a size is: the error of the constructor that refuses it.
+type Size = fn(ValueError) -> SizeError;
+
+impl<N> Described<N> {
+    /// The name in tables.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Sphere { .. } => "sphere",
+            Self::Cylinder { extent: CylinderExtent::Infinite, .. } => "cylinder infinite",
+            Self::Cylinder { extent: CylinderExtent::Open(_), .. } => "cylinder open",
+            Self::Cylinder { extent: CylinderExtent::Capped(_), .. } => "cylinder capped",
+            Self::Cone { extent: ConeExtent::Double, .. } => "cone double",
+            Self::Cone { extent: ConeExtent::Nappe, .. } => "cone nappe",
+            Self::Cone { extent: ConeExtent::Open(_), .. } => "cone open",
+            Self::Cone { extent: ConeExtent::Capped(_), .. } => "cone capped",
+            Self::Frustum { capped: false, .. } => "frustum open",
+            Self::Frustum { capped: true, .. } => "frustum capped",
+            Self::Capsule { .. } => "capsule",
+            Self::Plane => "plane",
+            Self::Disc { .. } => "disc",
+            Self::Triangle { .. } => "triangle",
+        }
+    }
+
+    /// The same in numbers of another type; `f` makes one of each size.
+    ///
+    /// # Errors
+    ///
+    /// What is wrong with the first size that `f` refuses.
+    pub fn try_map<M>(&self, f: impl Fn(&N) -> Result<M, ValueError>) -> Result<Described<M>, SizeError> {
+        let of = |size: &N, what: Size| f(size).map_err(what);
+        let (radius, height) = (SizeError::Radius as Size, SizeError::Height as Size);
+        Ok(match self {
+            Self::Sphere { radius: r } => Described::Sphere { radius: of(r, radius)? },
+            Self::Cylinder { radius: r, extent } => {
+                let extent = match extent {
+                    CylinderExtent::Infinite => CylinderExtent::Infinite,
+                    CylinderExtent::Open(h) => CylinderExtent::Open(of(h, height)?),
+                    CylinderExtent::Capped(h) => CylinderExtent::Capped(of(h, height)?),
+                };
+                Described::Cylinder { radius: of(r, radius)?, extent }
+            }
+            Self::Cone { slope, extent } => {
+                let extent = match extent {
+                    ConeExtent::Double => ConeExtent::Double,
+                    ConeExtent::Nappe => ConeExtent::Nappe,
+                    ConeExtent::Open(h) => ConeExtent::Open(of(h, height)?),
+                    ConeExtent::Capped(h) => ConeExtent::Capped(of(h, height)?),
+                };
+                Described::Cone { slope: of(slope, SizeError::Slope)?, extent }
+            }
+            Self::Frustum { base, top, height: h, capped } => Described::Frustum {
+                base: of(base, radius)?,
+                top: of(top, radius)?,
+                height: of(h, height)?,
+                capped: *capped,
+            },
+            Self::Capsule { radius: r, height: h } => {
+                Described::Capsule { radius: of(r, radius)?, height: of(h, height)? }
+            }
+            Self::Plane => Described::Plane,
+            Self::Disc { radius: r } => Described::Disc { radius: of(r, radius)? },
+            Self::Triangle { vertices: [a, b, c] } => {
+                let vertex = |[x, y, z]: &[N; 3]| {
+                    let of = |coordinate| of(coordinate, SizeError::Vertex);
+                    Ok([of(x)?, of(y)?, of(z)?])
+                };
+                Described::Triangle { vertices: [vertex(a)?, vertex(b)?, vertex(c)?] }
+            }
+        })
+    }
+}
+
+impl<S: Exact> Described<S> {
+    /// The crate's shape.
+    ///
+    /// # Errors
+    ///
+    /// Those of the primitive's constructor.
+    pub fn shape(&self) -> Result<Shape<S>, SizeError> {
+        Ok(match *self {
+            Self::Sphere { radius } => Shape::new(Sphere::new(radius)?),
+            Self::Cylinder { radius, extent } => Shape::new(match extent {
+                CylinderExtent::Infinite => Cylinder::infinite(radius)?,
+                CylinderExtent::Open(height) => Cylinder::open(radius, height)?,
+                CylinderExtent::Capped(height) => Cylinder::capped(radius, height)?,
+            }),
+            Self::Cone { slope, extent } => Shape::new(match extent {
+                ConeExtent::Double => Cone::double(slope)?,
+                ConeExtent::Nappe => Cone::nappe(slope)?,
+                ConeExtent::Open(height) => Cone::open(slope, height)?,
+                ConeExtent::Capped(height) => Cone::capped(slope, height)?,
+            }),
+            Self::Frustum { base, top, height, capped: true } => Shape::new(Cone::frustum(base, top, height)?),
+            Self::Frustum { base, top, height, capped: false } => Shape::new(Cone::frustum_open(base, top, height)?),
+            Self::Capsule { radius, height } => Shape::new(Capsule::new(radius, height)?),
+            Self::Plane => Shape::new(Plane::new()),
+            Self::Disc { radius } => Shape::new(Disc::new(radius)?),
+            Self::Triangle { vertices } => {
+                let [a, b, c] = vertices.map(Vec3::from);
+                Shape::new(Triangle::new(a, b, c)?)
+            }
+        })
+    }
+
+    /// The oracle's solid: the same values, exactly.
+    pub fn solid(&self) -> Solid {
+        let exact = |value: S| value.exact();
+        match *self {
+            Self::Sphere { radius } => Solid::Sphere { radius: exact(radius) },
+            Self::Cylinder { radius, extent } => {
+                let extent = match extent {
+                    CylinderExtent::Infinite => oracle::CylinderExtent::Infinite,
+                    CylinderExtent::Open(height) => oracle::CylinderExtent::Open(exact(height)),
+                    CylinderExtent::Capped(height) => oracle::CylinderExtent::Capped(exact(height)),
+                };
+                Solid::Cylinder { radius: exact(radius), extent }
+            }
+            Self::Cone { slope, extent } => {
+                let extent = match extent {
+                    ConeExtent::Double => oracle::ConeExtent::Double,
+                    ConeExtent::Nappe => oracle::ConeExtent::Nappe,
+                    ConeExtent::Open(height) => oracle::ConeExtent::Open(exact(height)),
+                    ConeExtent::Capped(height) => oracle::ConeExtent::Capped(exact(height)),
+                };
+                Solid::Cone { slope: exact(slope), extent }
+            }
+            Self::Frustum { base, top, height, capped } => {
+                let [base_radius, top_radius, height] = [base, top, height].map(exact);
+                Solid::Frustum { base_radius, top_radius, height, capped }
+            }
+            Self::Capsule { radius, height } => Solid::Capsule { radius: exact(radius), height: exact(height) },
+            Self::Plane => Solid::Plane,
+            Self::Disc { radius } => Solid::Disc { radius: exact(radius) },
+            Self::Triangle { vertices } => Solid::Triangle { vertices: vertices.map(|vertex| vertex.map(exact)) },
+        }
+    }
+
+    /// Its largest radius, height or coordinate of a vertex: what errors next to a ray's start are compared with. Of a plane, of a nappe
+    /// and of a double cone, which have no such size, 1.
+    pub fn size(&self) -> f64 {
+        let largest = |sizes: &[S]| sizes.iter().map(|size| size.to_f64().abs()).fold(0.0, f64::max);
+        match *self {
+            Self::Sphere { radius }
+            | Self::Disc { radius }
+            | Self::Cylinder { radius, extent: CylinderExtent::Infinite } => largest(&[radius]),
+            Self::Cylinder { radius, extent: CylinderExtent::Open(height) | CylinderExtent::Capped(height) }
+            | Self::Capsule { radius, height } => largest(&[radius, height]),
+            Self::Cone { slope, extent: ConeExtent::Open(height) | ConeExtent::Capped(height) } => {
+                height.to_f64() * slope.to_f64().max(1.0)
+            }
+            Self::Frustum { base, top, height, .. } => largest(&[base, top, height]),
+            Self::Plane | Self::Cone { extent: ConeExtent::Double | ConeExtent::Nappe, .. } => 1.0,
+            Self::Triangle { vertices } => largest(vertices.as_flattened()),
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! A file of rays: comma-separated values, a ray a line.
+//!
+//! The cells are numbers, which hold no commas, quotes or line breaks: lines are split at commas, without a library. So a line's number is
+//! that of the editor, after comments and empty lines too.
+
+use super::decimal::{Decimal, direction, doubles, rounded};
+use raylet::{Range, Ray, Vec3};
+use support::exact_types::Exact;
+
+/// The columns in their order; the last two may be left out.
+pub const COLUMNS: [&str; 8] = ["ox", "oy", "oz", "dx", "dy", "dz", "start", "end"];
+
+/// One line of the file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Line<'a> {
+    /// Its number, from 1.
+    pub number: usize,
+    pub origin: [Decimal<'a>; 3],
+    pub direction: [Decimal<'a>; 3],
+    /// Where the range starts and ends, if that is said.
+    pub range: [Option<Decimal<'a>>; 2],
+}
+
+/// The text of a file; `-` is the standard input.
+pub fn read(path: &str) -> Result<String, String> {
+    let told = |error| format!("{path} cannot be read: {error}: give the path of a file of rays, or `-`");
+    let bytes = if path == "-" {
+        let mut bytes = vec![];
+        std::io::Read::read_to_end(&mut std::io::stdin(), &mut bytes).map_err(told)?;
+        bytes
+    } else {
+        std::fs::read(path).map_err(told)?
+    };
+    String::from_utf8(bytes).map_err(|error| {
+        let valid = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        let line = valid.split(|byte| *byte == b'\n').count();
+        format!("{path}, line {line}: this is not text in UTF-8: save the file as UTF-8")
+    })
+}
+
+/// The cells of a line, without blanks and quotes around them.
+fn cells(line: &str) -> Vec<&str> {
+    let bare = |cell: &str| cell.trim().len() >= 2 && cell.trim().starts_with('"') && cell.trim().ends_with('"');
+    line.split(',').map(|cell| if bare(cell) { cell.trim().trim_matches('"').trim() } else { cell.trim() }).collect()
+}
+
+/// The error of one cell.
+fn at(path: &str, line: usize, column: usize, what: &str) -> String {
+    format!("{path}, line {line}, column {} ({}): {what}", column + 1, COLUMNS[column])
+}
+
+fn check_header(path: &str, number: usize, cells: &[&str]) -> Result<(), String> {
+    for (column, cell) in cells.iter().enumerate() {
+        if !cell.eq_ignore_ascii_case(COLUMNS[column]) {
+            return Err(at(
+                path,
+                number,
+                column,
+                &format!(
+                    "the header calls it `{cell}`: name the columns {}, or leave the header out",
+                    COLUMNS.join(",")
+                ),
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// The rays of a file, or what is wrong with it, where, and what to do.
+pub fn parse<'a>(path: &str, text: &'a str) -> Result<Vec<Line<'a>>, String> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let mut lines = vec![];
+    let mut is_first = true;
+    for (number, line) in (1..).zip(text.lines()) {
+        if line.trim().is_empty() || line.trim_start().starts_with('#') {
+            continue;
+        }
+        let cells = cells(line);
+        if ![6, 8].contains(&cells.len()) {
+            let columns = if cells.len() == 1 { "1 column".into() } else { format!("{} columns", cells.len()) };
+            return Err(format!(
+                "{path}, line {number}: it has {columns}: give 6 (origin x, y, z, direction x, y, z) or 8 (also start and end of the \
+                 range, which may be empty), separated by commas"
+            ));
+        }
+        // A header has no number at all.
+        if std::mem::take(&mut is_first) && cells.iter().all(|cell| !cell.is_empty() && Decimal::parse(cell).is_err()) {
+            check_header(path, number, &cells)?;
+            continue;
+        }
+        lines.push(self::line(path, number, &cells)?);
+    }
+    if lines.is_empty() {
+        return Err(format!("{path} has no ray: give one a line, {}", COLUMNS[..6].join(",")));
+    }
+    Ok(lines)
+}
+
+fn line<'a>(path: &str, number: usize, cells: &[&'a str]) -> Result<Line<'a>, String> {
+    let at = |column: usize, what: &str| at(path, number, column, what);
+    let cell = |column: usize| match cells[column] {
+        "" => Err(at(column, "it is empty: give a decimal number")),
+        text => Decimal::parse(text).map_err(|what| at(column, &what)),
+    };
+    let three = |first: usize| Ok::<_, String>([cell(first)?, cell(first + 1)?, cell(first + 2)?]);
+    let end = |column: usize| match cells.get(column) {
+        None | Some(&"") => Ok(None),
+        Some(_) => cell(column).map(Some),
+    };
+    let line = Line { number, origin: three(0)?, direction: three(3)?, range: [end(6)?, end(7)?] };
+    if doubles(line.direction) == [0.0; 3] {
+        return Err(format!(
+            "{path}, line {number}, columns 4 to 6 (dx, dy, dz): the direction is zero: give it a length"
+        ));
+    }
+    let [start, end] = line.range.map(|end| end.map(|end| end.double));
+    if let Some(end) = end.filter(|end| *end < start.unwrap_or(0.0)) {
+        let (start, remedy) = start.map_or((0.0, "give a start before it"), |start| (start, "exchange them"));
+        return Err(at(7, &format!("the range is empty, since it starts at {start} and ends at {end}: {remedy}")));
+    }
+    Ok(line)
+}
+
+impl Line<'_> {
+    /// The ray as the number type stores it; `None` if the type does not hold it. A range that ends beyond the type ends where the type
+    /// does: there is no `t` in between.
+    pub fn ray<S: Exact>(&self) -> Option<Ray<S>> {
+        let origin = Vec3::from(rounded::<S>(self.origin).ok()?);
+        let direction = direction(self.direction).ok()?;
+        let farthest = S::BUDGET.distance;
+        let [start, end] = self.range;
+        let start = start.map_or(Ok(S::ZERO), |start| start.rounded()).ok()?;
+        let end = match end.map(|end| (end.double, end.rounded::<S>())) {
+            Some((_, Ok(end))) if end < farthest => end,
+            Some((end, Err(_))) if end < 0.0 => return None,
+            _ => farthest,
+        };
+        Some(Ray::new(origin, direction).ok()?.with_range(Range::new(start, end).ok()?))
+    }
+}
