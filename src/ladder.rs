@@ -1,6 +1,6 @@
 //! Which numbers each tier computes in.
 //!
-//! `Fast` and `Stable` accept the result of their fast path, or of its second attempt; if both are unsure, the robust number decides.
+//! `Fast` and `Stable` accept the result of their fast path, or of its second or third attempt; if all are unsure, the robust number decides.
 //! `Exact` repeats the query in the next wider number until every sign is certain: see `exactly`.
 
 mod exactly;

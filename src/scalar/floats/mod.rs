@@ -2,10 +2,10 @@
 //!
 //! Where nothing cancels, the textbook formulas are accurate to a few units in the last place. A guard, which is a comparison, checks each
 //! difference for cancellation. Rays that fail a guard (grazing rays, starts next to a surface, sizes whose powers overflow or underflow) are
-//! [`Attempt::Unsure`]. They are tried once more along a line that is rounded less.
+//! [`Attempt::Unsure`]. They are tried once more along a line that is rounded less, and, if a guard still fails, in double-word numbers.
 //!
-//! Numbers are not scaled, and only three values are compensated: the Pluecker moment of a line that passes very close to a cone's axis, the
-//! constant term of a sphere next to the start, and the leading coefficient of a cone next to a generator.
+//! Numbers are not scaled. Of the plain formulas only two values are compensated, where that is cheaper than double-word numbers: the constant
+//! term of a sphere next to the start, and the leading coefficient of a cone next to a generator.
 //!
 //! If a line starts far away or is transformed to a frame, its origin is moved to a point next to the solid. The line then has an error of some
 //! roundings of the distance moved, which the guards take into account.
