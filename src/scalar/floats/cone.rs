@@ -70,9 +70,9 @@ macro_rules! cone {
             let (p, q, s) = (g * wz - g0 * dx, g * wx + g0 * dz, h * wy);
             let (discriminant, moment) = ((p * p + q * q) - s * s, $Float::abs(p) + $Float::abs(q) + $Float::abs(s));
             // Each term of p, q and s is at most the reach: the rounding of all of them moves D by a few halves of epsilon times it and the
-            // moment. (That is crude: let through with D a 256th of it, the worst ray measured was 12 units off.)
+            // moment.
             let terms = moment * (steepness * length + g0);
-            let is_close = $Float::abs(discriminant) * (8.0 * limits.cancelled) <= terms;
+            let is_close = $Float::abs(discriminant) * (4.0 * limits.cancelled) <= terms;
             let off = steepness * off_at(line, length);
             let moved = off * (4.0 * limits.epsilon);
             let doubt = (terms + moment * off) * limits.doubt() + moved * moved;

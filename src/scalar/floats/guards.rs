@@ -43,7 +43,7 @@ macro_rules! guards {
 
         impl Limits {
             /// Of answers in as many bits as the computation has.
-            const OWN: Self = Self { epsilon: $Float::EPSILON, cancelled: 16.0, together: 9.0, moved: 8.0, near: 8.0 };
+            const OWN: Self = Self { epsilon: $Float::EPSILON, cancelled: 16.0, together: 7.0, moved: 8.0, near: 8.0 };
             /// The same of a line whose components have been rounded once.
             const ROUNDED: Self = Self { cancelled: 12.0, together: 6.0, near: 8.0, ..Self::OWN };
             /// Of answers in so many bits less that guards may count with roundings 2^13 times as large: whatever a guard leaves out of
