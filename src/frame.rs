@@ -3,7 +3,7 @@
 use crate::line::{InWorld, Place};
 use crate::number::{difference, dot};
 use crate::ray::Ray;
-use crate::scalar::{FromScalar, LocalLine, Real, Ring, Scalar, ValueError};
+use crate::scalar::{FromScalar, LocalLine, Real, Rests, Ring, Scalar, ValueError};
 use crate::vector::{UnitVec3, Vec3, pairs, transposed};
 use core::fmt;
 
@@ -227,7 +227,7 @@ impl<S: Scalar> Place<S> for Frame<S> {
             return Some(line);
         }
         let rests = pairs(ray.origin().real(), self.position.real()).map(|(o, p)| o.plus_with_rest(-p)[1]);
-        Some(LocalLine { rest: rests.map(S::round), ..line })
+        Some(LocalLine { rests: S::Rests::of_origin(rests.map(S::round)), ..line })
     }
 
     #[inline(always)]

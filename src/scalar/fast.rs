@@ -1,6 +1,6 @@
 //! The fast path: intersection in the number type's own width. Where it is unsure, the solver decides.
 
-use super::Numbers;
+use super::{Numbers, Rests};
 use core::cmp::Ordering;
 use core::ops::Neg;
 
@@ -61,14 +61,12 @@ pub(crate) fn within_edges<V: Copy + PartialOrd + Neg<Output = V>>(edges: [(V, V
 pub struct LocalLine<S: Numbers> {
     /// The origin, in units of `2^-finer` of the type's.
     pub origin: [S; 3],
-    /// What rounding left over of the origin: in floats, for spheres and in double-word numbers.
-    pub rest: [S; 3],
-    /// What rounding left over of the direction: in floats, in double-word numbers.
-    pub direction_rest: [S; 3],
     /// Extra bits of the origin below the type's unit; for floats 1 if the line has been rounded.
     pub finer: i32,
     /// The direction.
     pub direction: [S::Unit; 3],
+    /// What rounding left over of both: in floats, for spheres and in double-word numbers.
+    pub rests: S::Rests,
     /// With an affine placement, the ray's `t` divided by the line's (one over the length of the transformed direction); otherwise unused.
     pub pace: S,
     /// The ray's `t` at the line's origin.
@@ -82,7 +80,7 @@ pub struct LocalLine<S: Numbers> {
     pub is_relative: bool,
     /// True if the components of a float line are computed, and not the ray's own: each has an error of one rounding, plus `off`.
     pub is_rounded: bool,
-    /// True for a float line of which a guard of the plain formulas failed: round solids are intersected in double-word numbers, with `rest` and `direction_rest`.
+    /// True for a float line of which a guard of the plain formulas failed: round solids are intersected in double-word numbers, with `rests`.
     pub is_doubled: bool,
     /// True for the tier [`Exact`](crate::tier::Exact): what the guards let pass is certain, except for the rounding of `t`, by less than a unit. Floats have
     /// this for doubles in place of 32-bit numbers, of which nearly all rays still pass; fixed point has it in 32 bits.
@@ -95,10 +93,9 @@ impl<S: Numbers + Copy> LocalLine<S> {
     pub(crate) const fn along(origin: [S; 3], direction: [S::Unit; 3], zero: S) -> Self {
         Self {
             origin,
-            rest: [zero, zero, zero],
-            direction_rest: [zero, zero, zero],
             finer: 0,
             direction,
+            rests: S::Rests::NONE,
             pace: zero,
             start: zero,
             is_coarse: false,
@@ -117,9 +114,8 @@ impl<S: super::Scalar> LocalLine<S> {
     pub(crate) fn mirrored(&self) -> Self {
         let mut line = *self;
         line.origin[1] = -line.origin[1];
-        line.rest[1] = -line.rest[1];
         line.direction[1] = -line.direction[1];
-        line.direction_rest[1] = -line.direction_rest[1];
+        line.rests = line.rests.mirrored();
         line
     }
 }

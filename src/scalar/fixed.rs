@@ -35,6 +35,7 @@ macro_rules! fixed {
         impl<F: $LeEq + Send + Sync + 'static> Numbers for $Fixed<F> {
             type Unit = $Fixed<$UnitBits>;
             type Real = $Block;
+            type Rests = ();
         }
 
         impl<F: $LeEq + Send + Sync + 'static> Scalar for $Fixed<F> {

@@ -2,7 +2,9 @@
 
 use super::error_free::{exact_f32, exact_f64};
 use super::square_root::square_root_f32;
-use super::{Budget, Computing, Elementary, Numbers, Real, Scalar, UnitScalar, ValueError, largest, sealed::Sealed};
+use super::{
+    Budget, Computing, Elementary, LowWords, Numbers, Real, Scalar, UnitScalar, ValueError, largest, sealed::Sealed,
+};
 use crate::number::word::Word;
 use crate::number::{Limbs, Parts, Ring, Robust};
 
@@ -17,6 +19,7 @@ macro_rules! float {
         impl Numbers for $Float {
             type Unit = $Float;
             type Real = $Float;
+            type Rests = LowWords<$Float>;
         }
 
         impl Scalar for $Float {

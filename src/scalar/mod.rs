@@ -46,6 +46,7 @@ mod float;
 mod floats;
 #[cfg(feature = "fixed")]
 mod integers;
+mod rests;
 mod rungs;
 pub(crate) mod slabs;
 #[cfg(feature = "libm")]
@@ -61,6 +62,7 @@ pub use crate::number::Ring;
 pub use computing::{Computing, Elementary};
 pub(crate) use fast::found;
 pub use fast::{Attempt, FastPath, FinerLine, InNappe, LocalLine, Pace};
+pub use rests::{LowWords, Rests};
 pub use rungs::{FromScalar, ToScalar};
 pub use twofold::Twofold;
 pub use value::ValueError;
@@ -135,6 +137,8 @@ pub trait Numbers:
     type Unit: UnitScalar;
     /// The number to compute in.
     type Real: Real;
+    /// What rounding leaves over of a line: a type without values for fixed point.
+    type Rests: Rests<Self>;
 }
 
 /// The type of a direction's components that belongs to the coordinate type `S`.

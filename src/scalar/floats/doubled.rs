@@ -29,8 +29,8 @@ macro_rules! doubled {
         /// A line's origin and direction, with what rounding left over of them.
         #[inline(always)]
         fn in_twice(line: &LocalLine<$Float>) -> [[Twice; 3]; 2] {
-            let component = |i: usize| Twice { high: line.origin[i], low: line.rest[i] };
-            let along = |i: usize| Twice { high: line.direction[i], low: line.direction_rest[i] };
+            let component = |i: usize| Twice { high: line.origin[i], low: line.rests.origin[i] };
+            let along = |i: usize| Twice { high: line.direction[i], low: line.rests.direction[i] };
             [[component(0), component(1), component(2)], [along(0), along(1), along(2)]]
         }
 
@@ -146,7 +146,8 @@ macro_rules! doubled {
             let ([origin, along], start) = (in_twice(line), Twice::of(line.start));
             let point = |i: usize| origin[i] - start * along[i];
             let [x, y, z] = [point(0), point(1), point(2)];
-            LocalLine { origin: [x.high, y.high, z.high], rest: [x.low, y.low, z.low], start: 0.0, ..*line }
+            let rests = LowWords { origin: [x.low, y.low, z.low], ..line.rests };
+            LocalLine { origin: [x.high, y.high, z.high], rests, start: 0.0, ..*line }
         }
 
         /// The ends of a line in a ball.

@@ -35,7 +35,7 @@ mod departing;
 #[macro_use]
 mod flat;
 
-use crate::scalar::{Attempt, FastPath, InNappe, LocalLine, Real, found, slabs::Slabs};
+use crate::scalar::{Attempt, FastPath, InNappe, LocalLine, LowWords, Real, found, slabs::Slabs};
 use core::cmp::Ordering;
 
 macro_rules! floats {
@@ -47,7 +47,7 @@ macro_rules! floats {
             use crate::scalar::fast::within_edges;
             use crate::number::Ring;
             use crate::scalar::twofold::Twofold;
-            use crate::scalar::{Attempt, InNappe, LocalLine, Real, found};
+            use crate::scalar::{Attempt, InNappe, LocalLine, LowWords, Real, found};
             use core::cmp::Ordering;
 
             guards!($Float, $bits, $bias, $mantissa, sqrt: $sqrt, may_have_spare_bits: $spare);
@@ -185,11 +185,12 @@ macro_rules! floats {
             }
             #[inline(always)]
             fn fast_lowered(line: LocalLine<Self>, y: Self) -> Attempt<LocalLine<Self>> {
-                let ([ox, oy, oz], [rx, ry, rz]) = (line.origin, line.rest);
+                let ([ox, oy, oz], [rx, ry, rz]) = (line.origin, line.rests.origin);
                 if line.is_doubled {
                     let [low, rest] = oy.plus_with_rest(-y);
                     let [low, rest] = low.plus_with_rest(rest + ry);
-                    return Attempt::Found(LocalLine { origin: [ox, low, oz], rest: [rx, rest, rz], ..line });
+                    let rests = LowWords { origin: [rx, rest, rz], ..line.rests };
+                    return Attempt::Found(LocalLine { origin: [ox, low, oz], rests, ..line });
                 }
                 Attempt::Found(LocalLine { origin: [ox, oy - y, oz], ..line })
             }

@@ -67,7 +67,8 @@ macro_rules! round {
                 return Attempt::Unsure;
             }
             // Next to the surface the nearer end is c over the farther one, and c = |o|^2 - r^2 is mostly rounding: without that.
-            let c = Real::sum_of_products([[x, x], [y, y], [z, z], [-r, r]]) + 2.0 * dot(line.origin, line.rest);
+            let c =
+                Real::sum_of_products([[x, x], [y, y], [z, z], [-r, r]]) + 2.0 * dot(line.origin, line.rests.origin);
             let is_known = $Float::abs(c) * 4096.0 >= rr && is_handy::<4>(r);
             // The farther end is at least sqrt(k^2 + D) away.
             let is_known = is_known && moved <= limits.near * discriminant * (kk + discriminant);

@@ -137,10 +137,10 @@ macro_rules! second {
         ) -> Option<LocalLine<$Float>> {
             let part = |of: Compensated, i: usize| [of[0][i], of[1][i], of[2][i]];
             let along = LocalLine::along(part(origin, 0), part(direction, 0), 0.0);
-            let (rest, direction_rest) = (part(origin, 1), part(direction, 1));
-            let line = LocalLine { rest, direction_rest, start, finer, is_relative: true, is_rounded: true, ..along };
+            let rests = LowWords { origin: part(origin, 1), direction: part(direction, 1) };
+            let line = LocalLine { rests, start, finer, is_relative: true, is_rounded: true, ..along };
             // Where something overflowed a rest is not a number.
-            let is_finite = line.rest.iter().chain(&line.direction).all(|part| part.is_finite());
+            let is_finite = line.rests.origin.iter().chain(&line.direction).all(|part| part.is_finite());
             (is_finite && start.is_finite()).then_some(line)
         }
     };
