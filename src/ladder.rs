@@ -143,7 +143,7 @@ fn from_afar<S: Scalar, T: Guards, G: Geometry<S>>(
     in_own_t(place, &line, geometry.fast_intersection::<T>(&line))
 }
 
-/// The second attempt of floats, along a line that costs more and is rounded less, and the third, in double-word numbers.
+/// The second attempt of floats, along a line that costs more and is rounded less, and the third, along the same in double-word numbers.
 #[inline(always)]
 fn second_attempt<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
     geometry: &G,
@@ -153,47 +153,39 @@ fn second_attempt<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
     if !S::RELATIVE {
         return Attempt::Unsure;
     }
-    let line = if let Some(mut line) = geometry.second_line(place, ray) {
-        // The direction of a stretched line may have any length, and the plain formulas for balls need length 1.
-        if !P::STRETCHES && ray.departure().is_none() {
-            line.is_doubled = false;
-            let found = in_own_t(place, &line, geometry.fast_intersection::<T>(&line));
-            if found != Attempt::Unsure {
-                return found;
-            }
-        }
-        line
-    } else {
-        // In the world a line that starts near the primitive is exact as it is.
-        match geometry.fast_line(place, ray) {
-            Some(line) if !line.is_rounded => line,
-            _ => return Attempt::Unsure,
-        }
-    };
-    third_attempt::<S, T, G, P>(geometry, place, ray, line)
-}
-
-/// The intersection along a line of the second attempt, in double-word numbers.
-#[cold]
-#[inline(never)]
-fn third_attempt<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
-    geometry: &G,
-    place: &P,
-    ray: &Ray<S>,
-    mut line: LocalLine<S>,
-) -> Attempt<Intersection<S>> {
-    line.is_doubled = true;
+    let second = geometry.second_line(place, ray);
+    // In the world a line that starts near the primitive is exact as it is.
+    let exact = || geometry.fast_line(place, ray).filter(|line| !line.is_rounded);
+    let is_new = second.is_some();
+    let Some(mut line) = second.or_else(exact) else { return Attempt::Unsure };
+    // The direction of a stretched line may have any length, and the plain formulas for balls need length 1.
+    line.is_doubled = !is_new || P::STRETCHES || ray.departure().is_some();
     loop {
-        let found = match ray.departure() {
-            Some(departure) => exit_along::<S, T, G>(geometry, &line, departure),
-            None => geometry.fast_intersection::<T>(&line),
-        };
-        let found = in_own_t(place, &line, found);
-        // Next to the ray's own start the sum of a `t` and the line's start would be rounded too much.
-        if found != Attempt::Unsure || line.start == S::ZERO {
+        let found = in_own_t(place, &line, again::<S, T, G>(geometry, ray, &line));
+        if found != Attempt::Unsure {
             return found;
         }
-        line = S::fast_moved_back(&line);
+        if line.is_doubled {
+            // Next to the ray's own start the sum of a `t` and the line's start would be rounded too much.
+            if line.start == S::ZERO {
+                return Attempt::Unsure;
+            }
+            line = S::fast_moved_back(&line);
+        }
+        line.is_doubled = true;
+    }
+}
+
+/// The intersection along a line of the second or third attempt: one function for both, which are rare.
+#[inline(never)]
+fn again<S: Scalar, T: Guards, G: Geometry<S>>(
+    geometry: &G,
+    ray: &Ray<S>,
+    line: &LocalLine<S>,
+) -> Attempt<Intersection<S>> {
+    match ray.departure() {
+        Some(departure) => exit_along::<S, T, G>(geometry, line, departure),
+        None => geometry.fast_intersection::<T>(line),
     }
 }
 
