@@ -221,7 +221,7 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
     ///
     /// Each side is at the smallest value of the number type that is large enough, or one unit in the last place farther. Where the side's
     /// coordinate is a sum whose terms cancel, that is a unit of the largest term. The box is larger by some units if the axes of an
-    /// [`Affine`] lie nearly in a plane (the volume that their directions span is below 1/64), and if numbers are subnormal.
+    /// [`Affine`](crate::Affine) lie nearly in a plane (the volume that their directions span is below 1/64), and if numbers are subnormal.
     ///
     /// A side is infinite if the shape is infinite in that direction, if the coordinate is beyond the number type, or if a float
     /// overflows in the computation.
