@@ -4,15 +4,14 @@
 
 use super::outline::{Outline, Profile};
 use super::{Geometry, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates};
-use crate::fast::Guards;
-use crate::fast::{Slab, between_rims};
+use crate::fast::{Guards, Slab, between_rims};
 use crate::figure::{self, Described, Figure, Figures, Side};
 use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
 use crate::line::Place;
 use crate::part::Part;
 use crate::ray::Ray;
-use crate::scalar::{Attempt, InNappe, LocalLine, Real, Scalar, ValueError, found, largest};
+use crate::scalar::{Attempt, InNappe, LocalLine, NappeOutline, Real, Scalar, ValueError, found, largest};
 use crate::vector::{UnitVec3, Vec3};
 
 /// The extent of a cone along its axis, and whether it is closed.
@@ -159,12 +158,11 @@ impl<S: Scalar> Cone<S> {
 }
 
 impl<S: Scalar> Cone<S> {
-    /// For the fast path: the radius at `y = 0`, the difference to the radius at some height, and that height (`None` for 1).
     #[inline(always)]
-    fn fast_outline(&self) -> (S, S, Option<S>) {
+    fn fast_outline(&self) -> NappeOutline<S> {
         match self.outline {
-            Outline::Slope(slope) => (S::ZERO, slope, None),
-            Outline::Radii(base, top, height) => (base, top.minus(base), Some(height)),
+            Outline::Slope(top) => NappeOutline { base: S::ZERO, top, height: None },
+            Outline::Radii(base, top, height) => NappeOutline { base, top, height: Some(height) },
         }
     }
 
@@ -249,7 +247,6 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
 
     #[inline(always)]
     fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
-        let outline = self.fast_outline();
         if let (Extent::Double, Outline::Slope(slope)) = (self.extent, self.outline) {
             let ([first, second], beyond) = found!(S::fast_double_cone(*line, slope));
             let (first, second) = (End::new(first, Part::Side), End::new(second, Part::Side));
@@ -260,7 +257,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
                 Intersection::One(Span::new(first, second))
             });
         }
-        let InNappe { ends: [low, high], certain } = found!(S::fast_nappe(*line, outline, self.height()));
+        let InNappe { ends: [low, high], certain } = found!(S::fast_nappe(*line, self.fast_outline()));
         let side = Span::new(End::new(low, Part::Side), End::new(high, Part::Side));
         let (Extent::Open(height) | Extent::Capped(height)) = self.extent else {
             return if certain == [true; 2] { Attempt::Found(Intersection::One(side)) } else { Attempt::Unsure };
@@ -284,17 +281,15 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
             Extent::Double => {
                 // The chord stays in the nappe that it begins in. The lower one is the upper one seen in a mirror.
                 let line = if line.origin[1] < S::ZERO { line.mirrored() } else { *line };
-                return Attempt::Found(End::new(
-                    found!(S::fast_exit_from_nappe(&line, self.fast_outline())),
-                    Part::Side,
-                ));
+                let exit = found!(S::fast_exit_from_nappe(&line, self.fast_outline()));
+                return Attempt::Found(End::new(exit, Part::Side));
             }
             Extent::Nappe | Extent::Capped(_) => {}
         }
         let (side, is_certain) = if from == Part::Side {
             (found!(S::fast_exit_from_nappe(line, self.fast_outline())), true)
         } else {
-            let InNappe { ends, certain } = found!(S::fast_nappe(*line, self.fast_outline(), self.height()));
+            let InNappe { ends, certain } = found!(S::fast_nappe(*line, self.fast_outline()));
             (ends[1], certain[1])
         };
         let side = End::new(side, Part::Side);

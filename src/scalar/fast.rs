@@ -24,6 +24,17 @@ pub struct InNappe<S> {
     pub certain: [bool; 2],
 }
 
+/// The outline of a nappe about the y axis: a cone through two circles.
+#[derive(Clone, Copy, Debug)]
+pub struct NappeOutline<S> {
+    /// The radius at `y = 0`.
+    pub base: S,
+    /// The radius at `y = height`.
+    pub top: S,
+    /// `None` for 1.
+    pub height: Option<S>,
+}
+
 /// Like `?`: the result, or a return from the calling function with [`Attempt::Miss`] or [`Attempt::Unsure`]. (A macro, since closures
 /// are not always inlined.)
 macro_rules! found {
@@ -168,14 +179,9 @@ pub trait FastPath: Numbers {
         Attempt::Unsure
     }
 
-    /// The interval of the line inside the nappe of a cone that has the radius `base` at `y = 0` and a radius larger by `growth` at `height`
-    /// (`None`: 1). For a cone of finite height only the part between `y = 0` and `top` is needed.
+    /// The interval of the line inside the nappe.
     #[inline(always)]
-    fn fast_nappe(
-        _: LocalLine<Self>,
-        _outline: (Self, Self, Option<Self>),
-        _top: Option<Self>,
-    ) -> Attempt<InNappe<Self>> {
+    fn fast_nappe(_: LocalLine<Self>, _: NappeOutline<Self>) -> Attempt<InNappe<Self>> {
         Attempt::Unsure
     }
 
@@ -191,9 +197,9 @@ pub trait FastPath: Numbers {
         Attempt::Unsure
     }
 
-    /// The exit of a line that starts on the side of the nappe of [`FastPath::fast_nappe`] and leads inwards; infinite if there is none.
+    /// The exit of a line that starts on the side of the nappe and leads inwards; infinite if there is none.
     #[inline(always)]
-    fn fast_exit_from_nappe(_: &LocalLine<Self>, _outline: (Self, Self, Option<Self>)) -> Attempt<Self> {
+    fn fast_exit_from_nappe(_: &LocalLine<Self>, _: NappeOutline<Self>) -> Attempt<Self> {
         Attempt::Unsure
     }
 

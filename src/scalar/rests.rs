@@ -21,10 +21,12 @@ pub struct LowWords<F> {
     pub origin: [F; 3],
     /// Of the direction.
     pub direction: [F; 3],
+    /// How far off origin and direction are even with these, in squares of the relative rounding error.
+    pub off: [F; 2],
 }
 
 impl<F: Real> Rests<F> for LowWords<F> {
-    const NONE: Self = Self { origin: [F::ZERO; 3], direction: [F::ZERO; 3] };
+    const NONE: Self = Self { origin: [F::ZERO; 3], direction: [F::ZERO; 3], off: [F::ZERO; 2] };
     #[inline(always)]
     fn of_origin(origin: [F; 3]) -> Self {
         Self { origin, ..Self::NONE }
@@ -32,7 +34,7 @@ impl<F: Real> Rests<F> for LowWords<F> {
     #[inline(always)]
     fn mirrored(self) -> Self {
         let mirrored = |[x, y, z]: [F; 3]| [x, -y, z];
-        Self { origin: mirrored(self.origin), direction: mirrored(self.direction) }
+        Self { origin: mirrored(self.origin), direction: mirrored(self.direction), ..self }
     }
 }
 

@@ -4,10 +4,10 @@
 macro_rules! cone {
     ($Float:ident, sqrt: $sqrt:path) => {
         /// Where the line is inside the nappe `h^2 (x^2 + z^2) <= (h r + g y)^2`, `h r + g y >= 0`, of a cone with radius `r` at
-        /// `y = 0` that grows by `g` over the height `h`; see `integers::nappe`, whose moment is here that of the unscaled line.
+        /// `y = 0` and `r + g` at the height `h`; see `integers::nappe`, whose moment is here that of the unscaled line.
         #[inline(always)]
-        pub(crate) fn nappe(line: LocalLine<$Float>, [r, g, h]: [$Float; 3]) -> Attempt<InNappe<$Float>> {
-            let Roots { first, second, a, a_terms, k, k_terms, outline, rim, slope } = found!(roots(line, [r, g, h]));
+        pub(crate) fn nappe(line: LocalLine<$Float>, outline: [$Float; 3]) -> Attempt<InNappe<$Float>> {
+            let Roots { first, second, a, a_terms, k, k_terms, outline, rim, slope } = found!(roots(line, outline));
             let limits = Limits::of(&line);
             let (enter, exit) = if a < 0.0 {
                 // Steeper than the side: a half-line in each nappe; the outline grows along the one in the upper.
@@ -39,11 +39,11 @@ macro_rules! cone {
             if is_clear { Attempt::Found(([first.0, second.0], a < 0.0)) } else { Attempt::Unsure }
         }
 
-        /// `h^2 (dx^2 + dz^2) - (g dy)^2`, where it is mostly rounding: without that.
+        /// `h^2 (dx^2 + dz^2) - (g dy)^2`, where it is mostly rounding: without that, also of the growth `g`.
         #[inline(never)]
-        fn compensated_a([dx, dy, dz]: [$Float; 3], g: $Float, h: $Float) -> $Float {
+        fn compensated_a([dx, dy, dz]: [$Float; 3], [g, g_rest]: [$Float; 2], h: $Float) -> $Float {
             let [[x, e], [y, f], [z, i]] = [h.times_with_rest(dx), g.times_with_rest(dy), h.times_with_rest(dz)];
-            Real::sum_of_products([[x, x], [z, z], [-y, y]]) + 2.0 * (x * e + z * i - y * f)
+            Real::sum_of_products([[x, x], [z, z], [-y, y]]) + 2.0 * (x * e + z * i - y * (f + g_rest * dy))
         }
 
         /// The roots of a cone's quadric in order, each with how much it may be off if that is too much to take it, and what tells the
@@ -99,12 +99,8 @@ macro_rules! cone {
         /// [`roots`] in double-word numbers.
         #[cold]
         #[inline(never)]
-        fn roots_in_twice(line: &LocalLine<$Float>, [r, g, h]: [$Float; 3]) -> Attempt<Roots> {
-            let steepness = $Float::abs(g) + h;
-            if !is_handy::<8>(steepness) || !is_handy::<8>(steepness * size(line.origin) + r * h) {
-                return Attempt::Unsure;
-            }
-            let form = cone_form(line, [r, g, h]);
+        fn roots_doubled(line: &LocalLine<$Float>, outline: [$Float; 3]) -> Attempt<Roots> {
+            let form = cone_form(line, outline);
             let Quadratic { roots: [first, second], a, k } = found!(form.quadratic());
             let [outline, slope] = form.rim();
             let rim = $Float::abs(outline);
@@ -115,10 +111,11 @@ macro_rules! cone {
 
         /// The roots of the quadric of [`nappe`].
         #[inline(always)]
-        fn roots(line: LocalLine<$Float>, [r, g, h]: [$Float; 3]) -> Attempt<Roots> {
+        fn roots(line: LocalLine<$Float>, [r, top, h]: [$Float; 3]) -> Attempt<Roots> {
             if line.is_doubled {
-                return roots_in_twice(&line, [r, g, h]);
+                return roots_doubled(&line, [r, top, h]);
             }
+            let [g, g_rest] = top.plus_with_rest(-r);
             let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
             let (g0, steepness) = (r * h, $Float::abs(g) + h);
             let [ax, ay, az] = [$Float::abs(x), $Float::abs(y), $Float::abs(z)];
@@ -131,7 +128,7 @@ macro_rules! cone {
             let mut a = across - along;
             let mut a_terms = across + along;
             if a_terms > 4.0 * $Float::abs(a) && line.finer == 0 && !is_strict(&line) {
-                a = compensated_a(line.direction, g, h);
+                a = compensated_a(line.direction, [g, g_rest], h);
                 a_terms = 2.0 * $Float::abs(a);
             }
             let limits = Limits::of(&line);

@@ -59,9 +59,10 @@ macro_rules! departing {
 
         /// Where a line that begins in the side of [`nappe`] leaves that nappe; infinite if it does not.
         #[inline(always)]
-        pub(crate) fn exit_from_nappe(line: &LocalLine<$Float>, [r, g, h]: [$Float; 3]) -> Attempt<$Float> {
+        pub(crate) fn exit_from_nappe(line: &LocalLine<$Float>, [r, top, h]: [$Float; 3]) -> Attempt<$Float> {
             let [[x, y, z], [dx, dy, dz]] = [line.origin, line.direction];
-            let (g0, scale) = (r * h, $Float::abs(g) + h);
+            let (g0, g) = (r * h, top - r);
+            let scale = $Float::abs(g) + h;
             if !is_handy::<8>(scale) || !is_handy::<8>(scale * size(line.origin) + g0) {
                 return Attempt::Unsure;
             }
@@ -69,7 +70,7 @@ macro_rules! departing {
             let rim = g0 + $Float::abs(g * y);
             let terms = [$Float::abs(point[0]), rim, $Float::abs(point[2])];
             let (t, a, k) = found!(if line.is_doubled {
-                cone_form(line, [r, g, h]).other_root(line)
+                cone_form(line, [r, top, h]).other_root(line)
             } else {
                 other_root(line, InQuadric { point, terms, along, s: -1.0, scale })
             });

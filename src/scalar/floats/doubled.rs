@@ -7,16 +7,25 @@
 /// Defines them for a float.
 macro_rules! doubled {
     ($Float:ident, sqrt: $sqrt:path) => {
-        type Twice = Twofold<$Float>;
+        type DoubleWord = Twofold<$Float>;
 
         /// A sum of products that is less than this part of its terms may be rounding. (It is off by some squares of the relative rounding
         /// error of them.)
         const LEFT: $Float = 8.0 * $Float::EPSILON;
+        /// The low words of the products in terms less than this underflow.
+        const LEAST: $Float = $Float::MIN_POSITIVE / LEFT;
+
+        /// A point or a vector in the coordinates `u` and, last, `v`.
+        struct FormVector<const N: usize> {
+            parts: [DoubleWord; N],
+            /// How far off they are, in squares of the relative rounding error.
+            off: $Float,
+        }
 
         /// A line in the coordinates `u` and, last, `v`.
-        pub(crate) struct InForm<const N: usize> {
-            point: [Twice; N],
-            along: [Twice; N],
+        struct FormLine<const N: usize> {
+            point: FormVector<N>,
+            along: FormVector<N>,
         }
 
         /// The roots, in order, and the coefficients, rounded.
@@ -28,45 +37,52 @@ macro_rules! doubled {
 
         /// A line's origin and direction, with what rounding left over of them.
         #[inline(always)]
-        fn in_twice(line: &LocalLine<$Float>) -> [[Twice; 3]; 2] {
-            let component = |i: usize| Twice { high: line.origin[i], low: line.rests.origin[i] };
-            let along = |i: usize| Twice { high: line.direction[i], low: line.rests.direction[i] };
+        fn double_words(line: &LocalLine<$Float>) -> [[DoubleWord; 3]; 2] {
+            let component = |i: usize| DoubleWord { high: line.origin[i], low: line.rests.origin[i] };
+            let along = |i: usize| DoubleWord { high: line.direction[i], low: line.rests.direction[i] };
             [[component(0), component(1), component(2)], [along(0), along(1), along(2)]]
         }
 
-        impl<const N: usize> InForm<N> {
+        impl<const N: usize> FormVector<N> {
+            /// `x . y` of the coordinates `u` less the product of the last, and the sum of the magnitudes of its terms, with what it is off because
+            /// `x` and `y` are.
+            #[inline(always)]
+            fn product(&self, y: &Self) -> (DoubleWord, $Float) {
+                let (mut sum, mut terms) = (DoubleWord::ZERO, 0.0);
+                for i in 0..N {
+                    let product = self.parts[i] * y.parts[i];
+                    sum = if i == N - 1 { sum - product } else { sum + product };
+                    terms += $Float::abs(product.high)
+                        + self.off * $Float::abs(y.parts[i].high)
+                        + y.off * $Float::abs(self.parts[i].high);
+                }
+                (sum, terms)
+            }
+        }
+
+        impl<const N: usize> FormLine<N> {
             /// `v`, and by how much it grows along the line.
             #[inline(always)]
             fn rim(&self) -> [$Float; 2] {
-                [self.point[N - 1].high, self.along[N - 1].high]
-            }
-
-            /// `x . y` of the coordinates `u` less the product of the last, and the sum of the magnitudes of its terms.
-            #[inline(always)]
-            fn product(x: &[Twice; N], y: &[Twice; N]) -> (Twice, $Float) {
-                let (mut sum, mut terms) = (Twice::ZERO, 0.0);
-                for i in 0..N {
-                    let product = x[i] * y[i];
-                    sum = if i == N - 1 { sum - product } else { sum + product };
-                    terms += $Float::abs(product.high);
-                }
-                (sum, terms)
+                [self.point.parts[N - 1].high, self.along.parts[N - 1].high]
             }
 
             /// The roots, if some units in the last place of both are left; a miss if there are certainly none.
             #[inline(never)]
             fn quadratic(&self) -> Attempt<Quadratic> {
-                let (a, a_terms) = Self::product(&self.along, &self.along);
-                let (k, k_terms) = Self::product(&self.point, &self.along);
-                let (c, c_terms) = Self::product(&self.point, &self.point);
+                let (a, a_terms) = self.along.product(&self.along);
+                let (k, k_terms) = self.point.product(&self.along);
+                let (c, c_terms) = self.point.product(&self.point);
                 let discriminant = (k * k - a * c).high;
                 let (a, k, c) = (a.high, k.high, c.high);
                 let [a_size, k_size, c_size] = [$Float::abs(a), $Float::abs(k), $Float::abs(c)];
+                let doubt = LEFT * (k_size * k_terms + a_size * c_terms + c_size * a_terms);
                 let are_clear = a_size >= LEFT * a_terms && c_size >= LEFT * c_terms;
-                if !are_clear {
+                // (What k loses by underflow is less than the doubt.)
+                let is_in_range = a_terms >= LEAST && c_terms >= LEAST && doubt >= $Float::MIN_POSITIVE;
+                if !(are_clear && is_in_range) {
                     return Attempt::Unsure;
                 }
-                let doubt = LEFT * (k_size * k_terms + a_size * c_terms + c_size * a_terms);
                 if discriminant < -doubt && a > 0.0 {
                     return Attempt::Miss;
                 }
@@ -78,18 +94,19 @@ macro_rules! doubled {
                 // -k and the root are added where they have one sign; the other root is c over that sum.
                 let sum = if k > 0.0 { -k - root } else { root - k };
                 let (by_a, by_c) = (sum / a, c / sum);
-                let roots = if (k > 0.0) == (a > 0.0) { [by_a, by_c] } else { [by_c, by_a] };
-                // Next to each other, beside their distance, rounding may exchange them.
-                if roots[0] < roots[1] { Attempt::Found(Quadratic { roots, a, k }) } else { Attempt::Unsure }
+                let [low, high] = if (k > 0.0) == (a > 0.0) { [by_a, by_c] } else { [by_c, by_a] };
+                // Next to each other, beside their distance, rounding may exchange them; and neither may overflow.
+                let are_apart = low < high && high - low < $Float::MAX;
+                if are_apart { Attempt::Found(Quadratic { roots: [low, high], a, k }) } else { Attempt::Unsure }
             }
 
             /// The other root of `a t^2 + 2 k t`, for a line that begins in the quadric; with `a` and `k`.
             #[inline(never)]
             fn other_root(&self, line: &LocalLine<$Float>) -> Attempt<($Float, $Float, $Float)> {
-                let (a, a_terms) = Self::product(&self.along, &self.along);
-                let (k, k_terms) = Self::product(&self.point, &self.along);
+                let (a, a_terms) = self.along.product(&self.along);
+                let (k, k_terms) = self.point.product(&self.along);
                 // If the line's origin was moved to `start`, the roots are -start and another one; the sum of both is -2 k / a.
-                let n = (Twice::of(line.start) * a - k).high;
+                let n = (DoubleWord::of(line.start) * a - k).high;
                 let (a, k) = (a.high, k.high);
                 let (a_size, n_size) = ($Float::abs(a), $Float::abs(n));
                 let n_terms = k_terms + $Float::abs(line.start) * a_terms;
@@ -103,39 +120,55 @@ macro_rules! doubled {
 
         /// A ball about the origin.
         #[inline(always)]
-        fn ball_form(line: &LocalLine<$Float>, r: $Float) -> InForm<4> {
-            let [[x, y, z], [dx, dy, dz]] = in_twice(line);
-            InForm { point: [x, y, z, Twice::of(r)], along: [dx, dy, dz, Twice::ZERO] }
+        fn ball_form(line: &LocalLine<$Float>, r: $Float) -> FormLine<4> {
+            let ([[x, y, z], [dx, dy, dz]], [off, along_off]) = (double_words(line), line.rests.off);
+            FormLine {
+                point: FormVector { parts: [x, y, z, DoubleWord::of(r)], off },
+                along: FormVector { parts: [dx, dy, dz, DoubleWord::ZERO], off: along_off },
+            }
         }
 
         /// An infinite cylinder about the y axis.
         #[inline(always)]
-        fn tube_form(line: &LocalLine<$Float>, r: $Float) -> InForm<3> {
-            let [[x, _, z], [dx, _, dz]] = in_twice(line);
-            InForm { point: [x, z, Twice::of(r)], along: [dx, dz, Twice::ZERO] }
+        fn tube_form(line: &LocalLine<$Float>, r: $Float) -> FormLine<3> {
+            let ([[x, _, z], [dx, _, dz]], [off, along_off]) = (double_words(line), line.rests.off);
+            FormLine {
+                point: FormVector { parts: [x, z, DoubleWord::of(r)], off },
+                along: FormVector { parts: [dx, dz, DoubleWord::ZERO], off: along_off },
+            }
         }
 
-        /// A cone about the y axis: see `nappe`.
+        /// A cone about the y axis with radius `r` at `y = 0` and `top` at the height `h`: see `nappe`.
         #[inline(always)]
-        fn cone_form(line: &LocalLine<$Float>, [r, g, h]: [$Float; 3]) -> InForm<3> {
-            let [[x, y, z], [dx, dy, dz]] = in_twice(line);
-            let [r, g, h] = [r, g, h].map(Twice::of);
-            InForm { point: [h * x, h * z, h * r + g * y], along: [h * dx, h * dz, g * dy] }
+        fn cone_form(line: &LocalLine<$Float>, [r, top, h]: [$Float; 3]) -> FormLine<3> {
+            let ([[x, y, z], [dx, dy, dz]], off) = (double_words(line), line.rests.off);
+            let [r, top, h] = [r, top, h].map(DoubleWord::of);
+            let g = top - r;
+            let scale = $Float::abs(g.high) + h.high;
+            // The outline is a sum, which cancels towards the apex.
+            let (at_origin, growth) = (h * r, g * y);
+            let rim = at_origin.high + $Float::abs(growth.high);
+            FormLine {
+                point: FormVector { parts: [h * x, h * z, at_origin + growth], off: scale * off[0] + rim },
+                along: FormVector { parts: [h * dx, h * dz, g * dy], off: scale * off[1] },
+            }
         }
 
         /// `crossings` of heights.
         #[cold]
         #[inline(never)]
-        fn crossings_in_twice(line: &LocalLine<$Float>, heights: [$Float; 2]) -> Attempt<([$Float; 2], [$Float; 2])> {
-            let [[_, y, _], [_, dy, _]] = in_twice(line);
+        fn crossings_doubled(line: &LocalLine<$Float>, heights: [$Float; 2]) -> Attempt<([$Float; 2], [$Float; 2])> {
+            let [[_, y, _], [_, dy, _]] = double_words(line);
             let speed = $Float::abs(dy.high);
             let crossing = |height: $Float| {
                 // The quotient of double-word numbers, to some units of the rounded one.
-                let way = Twice::of(height) - y;
-                (way.high / dy.high, ($Float::abs(height) + $Float::abs(y.high)) * (LEFT * $Float::EPSILON) / speed)
+                let way = DoubleWord::of(height) - y;
+                let terms = $Float::abs(height) + $Float::abs(y.high) + line.rests.off[0];
+                (way.high / dy.high, terms * (LEFT * $Float::EPSILON) / speed)
             };
             let [(low, low_off), (high, high_off)] = heights.map(crossing);
-            let is_clear = speed >= 32.0 * $Float::EPSILON && $Float::abs(low) + $Float::abs(high) < $Float::MAX;
+            let is_clear =
+                speed >= (4.0 + line.rests.off[1]) * LEFT && $Float::abs(low) + $Float::abs(high) < $Float::MAX;
             if is_clear { Attempt::Found(([low, high], [low_off, high_off])) } else { Attempt::Unsure }
         }
 
@@ -143,33 +176,27 @@ macro_rules! doubled {
         #[cold]
         #[inline(never)]
         pub(crate) fn moved_back(line: &LocalLine<$Float>) -> LocalLine<$Float> {
-            let ([origin, along], start) = (in_twice(line), Twice::of(line.start));
+            let ([origin, along], start) = (double_words(line), DoubleWord::of(line.start));
             let point = |i: usize| origin[i] - start * along[i];
             let [x, y, z] = [point(0), point(1), point(2)];
-            let rests = LowWords { origin: [x.low, y.low, z.low], ..line.rests };
+            let [off, along_off] = line.rests.off;
+            let off = off + $Float::abs(line.start) * (2.0 + along_off);
+            let rests = LowWords { origin: [x.low, y.low, z.low], off: [off, along_off], ..line.rests };
             LocalLine { origin: [x.high, y.high, z.high], rests, start: 0.0, ..*line }
         }
 
         /// The ends of a line in a ball.
         #[cold]
         #[inline(never)]
-        pub(crate) fn ball_in_twice(line: &LocalLine<$Float>, r: $Float) -> Attempt<[$Float; 2]> {
-            if is_handy::<4>(r) {
-                Attempt::Found(found!(ball_form(line, r).quadratic()).roots)
-            } else {
-                Attempt::Unsure
-            }
+        pub(crate) fn ball_doubled(line: &LocalLine<$Float>, r: $Float) -> Attempt<[$Float; 2]> {
+            Attempt::Found(found!(ball_form(line, r).quadratic()).roots)
         }
 
         /// The ends of a line in a tube.
         #[cold]
         #[inline(never)]
-        fn tube_in_twice(line: &LocalLine<$Float>, r: $Float) -> Attempt<[$Float; 2]> {
-            if is_handy::<4>(r) {
-                Attempt::Found(found!(tube_form(line, r).quadratic()).roots)
-            } else {
-                Attempt::Unsure
-            }
+        fn tube_doubled(line: &LocalLine<$Float>, r: $Float) -> Attempt<[$Float; 2]> {
+            Attempt::Found(found!(tube_form(line, r).quadratic()).roots)
         }
     };
 }

@@ -15,7 +15,7 @@ macro_rules! flat {
                 return Attempt::Miss;
             }
             if line.is_doubled {
-                return crossings_in_twice(&line, [low, high]);
+                return crossings_doubled(&line, [low, high]);
             }
             // Divided, not multiplied by a reciprocal: then planes that lie in each other are crossed at the same `t`, whatever they belong to.
             let ends = [(low - y) / dy, (high - y) / dy];

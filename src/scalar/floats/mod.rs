@@ -35,7 +35,7 @@ mod departing;
 #[macro_use]
 mod flat;
 
-use crate::scalar::{Attempt, FastPath, InNappe, LocalLine, LowWords, Real, found, slabs::Slabs};
+use crate::scalar::{Attempt, FastPath, InNappe, LocalLine, LowWords, NappeOutline, Real, found, slabs::Slabs};
 use core::cmp::Ordering;
 
 macro_rules! floats {
@@ -63,7 +63,7 @@ macro_rules! floats {
             #[inline(always)]
             fn fast_ball(line: LocalLine<Self>, r: Self, by_moment: bool, _: bool) -> Attempt<[Self; 2]> {
                 if line.is_doubled {
-                    return $name::ball_in_twice(&line, r);
+                    return $name::ball_doubled(&line, r);
                 }
                 if by_moment {
                     return $name::ball(line, r);
@@ -94,10 +94,9 @@ macro_rules! floats {
             #[inline(always)]
             fn fast_nappe(
                 line: LocalLine<Self>,
-                (base, growth, height): (Self, Self, Option<Self>),
-                _: Option<Self>,
+                NappeOutline { base, top, height }: NappeOutline<Self>,
             ) -> Attempt<InNappe<Self>> {
-                $name::nappe(line, [base, growth, height.unwrap_or(1.0)])
+                $name::nappe(line, [base, top, height.unwrap_or(1.0)])
             }
             #[inline(always)]
             fn fast_double_cone(line: LocalLine<Self>, slope: Self) -> Attempt<([Self; 2], bool)> {
@@ -110,9 +109,9 @@ macro_rules! floats {
             #[inline(always)]
             fn fast_exit_from_nappe(
                 line: &LocalLine<Self>,
-                (base, growth, height): (Self, Self, Option<Self>),
+                NappeOutline { base, top, height }: NappeOutline<Self>,
             ) -> Attempt<Self> {
-                $name::exit_from_nappe(line, [base, growth, height.unwrap_or(1.0)])
+                $name::exit_from_nappe(line, [base, top, height.unwrap_or(1.0)])
             }
             #[inline(always)]
             fn fast_crossings(line: LocalLine<Self>, y: [Self; 2]) -> Attempt<([Self; 2], [Self; 2])> {
@@ -186,13 +185,12 @@ macro_rules! floats {
             #[inline(always)]
             fn fast_lowered(line: LocalLine<Self>, y: Self) -> Attempt<LocalLine<Self>> {
                 let ([ox, oy, oz], [rx, ry, rz]) = (line.origin, line.rests.origin);
-                if line.is_doubled {
-                    let [low, rest] = oy.plus_with_rest(-y);
-                    let [low, rest] = low.plus_with_rest(rest + ry);
-                    let rests = LowWords { origin: [rx, rest, rz], ..line.rests };
-                    return Attempt::Found(LocalLine { origin: [ox, low, oz], rests, ..line });
-                }
-                Attempt::Found(LocalLine { origin: [ox, oy - y, oz], ..line })
+                // Next to the surface the rounding of this difference counts.
+                let [low, rest] = oy.plus_with_rest(-y);
+                let [low, rest] = low.plus_with_rest(rest + ry);
+                let [off, along_off] = line.rests.off;
+                let rests = LowWords { origin: [rx, rest, rz], off: [off + $Float::abs(y), along_off], ..line.rests };
+                Attempt::Found(LocalLine { origin: [ox, low, oz], rests, ..line })
             }
             #[inline(always)]
             fn are_close(line: &LocalLine<Self>, a: Self, b: Self, off: Self) -> bool {

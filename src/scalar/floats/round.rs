@@ -158,7 +158,7 @@ macro_rules! round {
         #[inline(always)]
         pub(crate) fn tube(line: LocalLine<$Float>, r: $Float) -> Attempt<[$Float; 2]> {
             if line.is_doubled {
-                return tube_in_twice(&line, r);
+                return tube_doubled(&line, r);
             }
             let ([x, _, z], [dx, _, dz]) = (line.origin, line.direction);
             let a = dx * dx + dz * dz;

@@ -16,7 +16,9 @@ macro_rules! second {
                 return None;
             }
             let direction = [[d[0], 0.0], [d[1], 0.0], [d[2], 0.0]];
-            compensated(point(o, d, base, start), direction, start, 0)
+            let origin = point(o, d, base, start);
+            let off = [2.0 * ($Float::abs(start) + size(origin.map(|[high, _]| high))), 0.0];
+            compensated(origin, direction, start, 0, off)
         }
 
         /// The line in the frame of these axes at `position`, next to the frame's point `base` and relative to it.
@@ -35,7 +37,9 @@ macro_rules! second {
             let from = point(o, d, position, start);
             let seen = [dot_with_rest(axes[0], from), dot_with_rest(axes[1], from), dot_with_rest(axes[2], from)];
             let direction = [dot_compensated(axes[0], d), dot_compensated(axes[1], d), dot_compensated(axes[2], d)];
-            compensated(relative(seen, base), direction, start, 1)
+            // Terms of the coordinates seen from `position`, and of the components.
+            let terms = $Float::abs(start) + size(from.map(|[high, _]| high)) + size(base);
+            compensated(relative(seen, base), direction, start, 1, [4.0 * terms, 4.0])
         }
 
         /// The line in the frame of a matrix at `position` whose inverse has these rows, next to its point `base` and relative to it;
@@ -64,7 +68,15 @@ macro_rules! second {
             }
             // A power of two, which rounds nothing.
             let pace = near_one(longest);
-            let line = compensated(origin, seen.map(|parts| parts.map(|part| part * pace)), start / pace, 1)?;
+            let terms = |v: [$Float; 3]| {
+                let each = |i: usize| dot(magnitudes(rows[i].0), v) * scales[i];
+                each(0).max(each(1)).max(each(2))
+            };
+            let d_terms = terms(magnitudes(d));
+            let from_terms = terms(magnitudes(from.map(|[high, _]| high)));
+            let off = [4.0 * ($Float::abs(start) * d_terms + from_terms + size(base)), 4.0 * d_terms * pace];
+            let direction = seen.map(|parts| parts.map(|part| part * pace));
+            let line = compensated(origin, direction, start / pace, 1, off)?;
             Some(LocalLine { pace, ..line })
         }
 
@@ -134,10 +146,11 @@ macro_rules! second {
             direction: Compensated,
             start: $Float,
             finer: i32,
+            off: [$Float; 2],
         ) -> Option<LocalLine<$Float>> {
             let part = |of: Compensated, i: usize| [of[0][i], of[1][i], of[2][i]];
             let along = LocalLine::along(part(origin, 0), part(direction, 0), 0.0);
-            let rests = LowWords { origin: part(origin, 1), direction: part(direction, 1) };
+            let rests = LowWords { origin: part(origin, 1), direction: part(direction, 1), off };
             let line = LocalLine { rests, start, finer, is_relative: true, is_rounded: true, ..along };
             // Where something overflowed a rest is not a number.
             let is_finite = line.rests.origin.iter().chain(&line.direction).all(|part| part.is_finite());

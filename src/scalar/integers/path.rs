@@ -1,7 +1,7 @@
 //! The fast path of fixed point: from stored numbers to raw integers and back.
 
 use crate::scalar::integers;
-use crate::scalar::{Attempt, FastPath, FinerLine, InNappe, LocalLine, Scalar, found, slabs::Slabs};
+use crate::scalar::{Attempt, FastPath, FinerLine, InNappe, LocalLine, NappeOutline, Scalar, found, slabs::Slabs};
 use core::cmp::Ordering;
 use fixed::types::extra::{LeEqU32, LeEqU64};
 use fixed::{FixedI32, FixedI64};
@@ -53,7 +53,7 @@ macro_rules! fast {
         #[inline(always)]
         fn fast_exit_from_nappe(
             line: &LocalLine<Self>,
-            (base, growth, height): (Self, Self, Option<Self>),
+            NappeOutline { base, top, height }: NappeOutline<Self>,
         ) -> Attempt<Self> {
             if line.start != <Self as Scalar>::ZERO {
                 return Attempt::Unsure;
@@ -61,7 +61,7 @@ macro_rules! fast {
             let (o, d) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits));
             let height = height.map_or((1 as $raw).checked_shl(F::U32).unwrap_or(0), Self::to_bits);
             let height = if height > 0 { height } else { return Attempt::Unsure };
-            let outline = [base.to_bits(), growth.to_bits(), height];
+            let outline = [base.to_bits(), top.minus(base).to_bits(), height];
             let exit = found!($($kernels)::+::exit_from_nappe(o, line.finer, d, outline $(, line.$strict)?));
             Attempt::Found(Self::from_bits(exit))
         }
@@ -104,14 +104,14 @@ macro_rules! fast {
         #[inline(always)]
         fn fast_nappe(
             line: LocalLine<Self>,
-            (base, growth, height): (Self, Self, Option<Self>),
-            _: Option<Self>,
+            NappeOutline { base, top, height }: NappeOutline<Self>,
         ) -> Attempt<InNappe<Self>> {
             let (o, d) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits));
             let height = height.map_or((1 as $raw).checked_shl(F::U32).unwrap_or(0), Self::to_bits);
             let height = if height > 0 { height } else { return Attempt::Unsure };
+            let outline = [base.to_bits(), top.minus(base).to_bits(), height];
             let InNappe { ends, certain } =
-                found!($($kernels)::+::nappe(o, line.finer, d, [base.to_bits(), growth.to_bits(), height] $(, line.$strict)?));
+                found!($($kernels)::+::nappe(o, line.finer, d, outline $(, line.$strict)?));
             let [low, high] = ends;
             Attempt::Found(InNappe { ends: [Self::from_bits(low), Self::from_bits(high)], certain })
         }

@@ -1,0 +1,122 @@
+//! `Stable` in `f32` beside `Exact`: solids of any size and shape, placed anyhow, and rays with very small components, that start next to the surface
+//! or depart from it. (The workloads of the oracle have solids of chosen sizes, whose sums and differences are often exact.)
+
+use raylet::tier::{Exact, Stable};
+use raylet::{
+    Affine, Capsule, Cone, Crossing, Cylinder, Frame, Hit, Hits, Leaving, Primitive, Range, Ray, Shape, SizeError,
+    Sphere, UnitVec3, Vec3,
+};
+use support::amount::times;
+use support::random::{Random, add, dot, scale};
+
+/// The units in the last place of `t` that `Stable` may be off. (The worst of a million is 6.3.)
+const UNITS: f64 = 16.0;
+
+/// Between `1 / most` and `most`, its logarithm evenly spread.
+fn ratio(random: &mut Random, most: f64) -> f64 {
+    random.between(-most.log2(), most.log2()).exp2()
+}
+
+fn solid(random: &mut Random, size: f64) -> Result<Primitive<f32>, SizeError> {
+    let mut any = || (size * ratio(random, 8.0)) as f32;
+    let (a, b, c) = (any(), any(), any());
+    let slope = ratio(random, 8.0) as f32;
+    Ok(match random.below(7) {
+        0 => Sphere::new(a)?.into(),
+        1 => Cylinder::infinite(a)?.into(),
+        2 => Cylinder::capped(a, b)?.into(),
+        3 => Capsule::new(a, b)?.into(),
+        4 => Cone::nappe(slope)?.into(),
+        5 => Cone::frustum(a, b, c)?.into(),
+        _ => Cone::double(slope)?.into(),
+    })
+}
+
+/// A vector of which some components are up to `2^90` times smaller than the others.
+fn uneven(random: &mut Random) -> [f64; 3] {
+    let small = random.pick(&[0.0, 4.0, 20.0, 60.0, 90.0]);
+    random.direction().map(|component| {
+        if random.below(2) == 0 { component * (-random.between(0.0, small + 1e-9)).exp2() } else { component }
+    })
+}
+
+/// The shape, placed, and where it stands; `None` if the matrix has no inverse that fits.
+fn placed(random: &mut Random, shape: Shape<f32>, size: f64) -> Option<(Shape<f32>, [f64; 3])> {
+    let position = random.direction().map(|component| component * size * ratio(random, 4096.0));
+    let at = Vec3::from_f64(position).ok()?;
+    let unit = |v: [f64; 3]| UnitVec3::from_f64(v).ok();
+    Some(match random.below(4) {
+        0 => (shape, [0.0; 3]),
+        1 => (shape.placed(Frame::at(at).ok()?), position),
+        2 => (shape.placed(Frame::looking(at, unit(random.direction())?, unit(random.direction())?).ok()?), position),
+        _ => {
+            let flat = random.pick(&[1.0, 1e-2, 1e-4]);
+            let mut axis = |long: f64| Vec3::from_f64(scale(random.direction(), long)).ok();
+            (shape.placed(Affine::new([axis(1.0)?, axis(flat)?, axis(0.6)?], at).ok()?), position)
+        }
+    })
+}
+
+/// A ray at a shape, from afar, from next to its surface, or departing from there.
+fn drawn(random: &mut Random) -> Option<(Shape<f32>, Ray<f32>)> {
+    let spread = random.pick(&[1.0, 8.0, 30.0, 60.0]);
+    let size = random.between(-spread, spread).exp2();
+    let shape = Shape::new(solid(random, size).ok()?);
+    let (shape, position) = placed(random, shape, size)?;
+    let direction = UnitVec3::<f32>::from_f64(uneven(random)).ok()?;
+    let target = random.direction().map(|component| component * size * 2.0);
+    let back = scale(direction.to_f64(), -size * random.between(-2.0, 10.0).exp2());
+    let from = add(target, back).map(|component| if random.below(8) == 0 { 0.0 } else { component });
+    let ray = Ray::new(Vec3::from_f64(add(from, position)).ok()?, direction).ok()?.with_range(Range::line());
+    let kind = random.below(4);
+    if kind < 2 {
+        return Some((shape, ray));
+    }
+    let hit = shape.nearest_at::<Exact>(&ray)?;
+    let surface = shape.surface(&ray, &hit);
+    let (point, normal) = (surface.point(), surface.normal().to_f64());
+    if kind == 2 {
+        let near = scale(random.direction(), size * (-random.between(1.0, 30.0)).exp2());
+        let origin = Vec3::from_f64(add(point.to_f64(), near)).ok()?;
+        return Some((shape, Ray::new(origin, direction).ok()?.with_range(Range::line())));
+    }
+    // At any angle, or nearly along the surface.
+    let along = random.direction();
+    let left = if random.below(2) == 0 { 1.0 } else { (-random.between(0.0, 16.0)).exp2() };
+    let along = add(along, scale(normal, (left - 1.0) * dot(along, normal)));
+    let direction = UnitVec3::from_f64(along).ok()?;
+    let leaving = if dot(direction.to_f64(), normal) > 0.0 { Leaving::Outwards } else { Leaving::Inwards };
+    Some((shape, Ray::new(point, direction).ok()?.departing(surface.departure(0, leaving))))
+}
+
+/// The hits but for touches, which rounding may decide.
+fn without_touches(hits: &Hits<f32>) -> Vec<Hit<f32>> {
+    hits.iter().copied().filter(|hit| hit.crossing != Crossing::Touch).collect()
+}
+
+/// How many units `Stable` is off; infinitely many if its hits are others.
+pub(crate) fn off(shape: &Shape<f32>, ray: &Ray<f32>) -> f64 {
+    let stable = without_touches(&shape.hits_at::<Stable>(ray));
+    let exact = without_touches(&shape.hits_at::<Exact>(ray));
+    if stable.len() != exact.len() {
+        return f64::INFINITY;
+    }
+    let units = |[t, exact]: [f32; 2]| {
+        (f64::from(t) - f64::from(exact)).abs() / f64::from((exact.abs() * f32::EPSILON).max(f32::from_bits(1)))
+    };
+    stable.iter().zip(&exact).map(|(a, b)| units([a.t, b.t])).fold(0.0, f64::max)
+}
+
+#[test]
+fn solids_of_any_size_are_met_as_promised() {
+    let mut random = Random(15);
+    let (mut judged, mut worst) = (0, 0.0);
+    while judged < times(100_000) {
+        let Some((shape, ray)) = drawn(&mut random) else { continue };
+        let units = off(&shape, &ray);
+        assert!(units <= UNITS, "{units} units: {ray:?} at {shape:?}");
+        worst = f64::max(worst, units);
+        judged += 1;
+    }
+    println!("at most {worst:.2} units off");
+}
