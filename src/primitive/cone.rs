@@ -155,9 +155,7 @@ impl<S: Scalar> Cone<S> {
         };
         (low, high)
     }
-}
 
-impl<S: Scalar> Cone<S> {
     #[inline(always)]
     fn fast_outline(&self) -> NappeOutline<S> {
         match self.outline {

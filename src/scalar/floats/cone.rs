@@ -129,6 +129,10 @@ macro_rules! cone {
             let mut a_terms = across + along;
             if a_terms > 4.0 * $Float::abs(a) && line.finer == 0 && !is_strict(&line) {
                 a = compensated_a(line.direction, [g, g_rest], h);
+                let is_clear = $Float::abs(a) >= a_terms * LEFT;
+                if !is_clear {
+                    return Attempt::Unsure;
+                }
                 a_terms = 2.0 * $Float::abs(a);
             }
             let limits = Limits::of(&line);

@@ -44,8 +44,8 @@ macro_rules! floats {
         may_have_spare_bits: $spare:literal
     ) => {
         pub(super) mod $name {
-            use crate::scalar::fast::within_edges;
             use crate::number::Ring;
+            use crate::scalar::fast::within_edges;
             use crate::scalar::twofold::Twofold;
             use crate::scalar::{Attempt, InNappe, LocalLine, LowWords, Real, found};
             use core::cmp::Ordering;

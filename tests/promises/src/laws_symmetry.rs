@@ -1,9 +1,10 @@
 //! The promise: moving the origin along a ray moves `t`, and turning or mirroring ray and solid together changes nothing; in
 //! every number type and tier.
 //!
-//! `Exact` in fixed point decides alike, and its `t` may be a unit apart. Where every number on the way is exact (mirrors and quarter turns of a solid of revolution, axis-parallel shifts on a grid) the
+//! Where every number on the way is exact (mirrors and quarter turns of a solid of revolution, axis-parallel shifts on a grid) the
 //! answers are the same to the last bit. Elsewhere both answers hold on one and the same exact line, within the bound of
-//! [`support::laws::bound`], and differ in nothing but what that bound decides.
+//! [`support::laws::bound`], and differ in nothing but what that bound decides. `Exact` in fixed point decides alike; its `t` may be a unit
+//! apart.
 
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
