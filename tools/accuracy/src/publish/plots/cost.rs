@@ -1,7 +1,7 @@
 //! Error against cost: one point a combination of number type and tier, a panel a workload at its own cost, and the front of those that
 //! nothing beats in both.
 
-use super::sheet::{self, Area, GRID, INK, Mark, label, power};
+use super::sheet::{self, Area, Axis, INK, Mark, label, power};
 use crate::chips::Chip;
 use crate::study::Study;
 use plotters::prelude::*;
@@ -98,24 +98,8 @@ fn front(points: &[Point<'_>]) -> Vec<(f64, f64)> {
 }
 
 pub(super) fn panel(area: &Area<'_>, title: &str, points: &[Point<'_>], costs: [f64; 2]) -> Result<(), Box<dyn Error>> {
-    let mut chart = ChartBuilder::on(area)
-        .caption(title, ("sans-serif", 13).into_font().color(&INK))
-        .margin(4)
-        .margin_right(12)
-        .x_label_area_size(18)
-        .y_label_area_size(38)
-        .build_cartesian_2d((costs[0]..costs[1]).log_scale(), (LENGTHS[0]..LENGTHS[1]).log_scale())?;
-    chart
-        .configure_mesh()
-        .x_labels(5)
-        .y_labels(8)
-        .max_light_lines(0)
-        .bold_line_style(GRID.stroke_width(1))
-        .axis_style(GRID.stroke_width(1))
-        .label_style(("sans-serif", 10).into_font().color(&INK))
-        .x_label_formatter(&|value| power(*value))
-        .y_label_formatter(&|value| power(*value))
-        .draw()?;
+    let axes = [Axis { between: costs, labels: 5 }, Axis { between: LENGTHS, labels: 8 }];
+    let mut chart = sheet::panel(area, title, axes, |value| power(*value))?;
     // As stairs: between two of the front there is nothing to be had.
     let front = front(points);
     let mut stairs = vec![];
@@ -140,13 +124,7 @@ fn legend(area: &Area<'_>, axis: &str) -> Result<(), Box<dyn Error>> {
         label(area, number, (x + 10, 40), 12)?;
         x += 70;
     }
-    x += 14;
-    for tier in TIERS {
-        Mark::of(tier).draw(area, (x, 40), RGBColor(0x80, 0x88, 0x90), false)?;
-        label(area, tier, (x + 10, 40), 12)?;
-        x += 84;
-    }
-    label(area, "thin or hollow: wrong hits or misses", (x, 40), 12)?;
+    sheet::tiers(area, x + 14, |_| RGBColor(0x80, 0x88, 0x90))?;
     let axes = format!(
         "Across: {axis}. Up: 99.9 % error of t, as a length; the solid's size is about 1. Line: nothing is better in both."
     );

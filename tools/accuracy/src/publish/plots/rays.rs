@@ -2,7 +2,7 @@
 //! measured, error against cost.
 
 use super::cost;
-use super::sheet::{self, Area, GRID, INK, Mark, label, power};
+use super::sheet::{self, Area, Axis, Mark, label, power};
 use super::sweeps::color;
 use crate::rays::measured::{Outcome, Task};
 use plotters::prelude::*;
@@ -19,24 +19,8 @@ const UNITS: [f64; 2] = [1e-2, 1e10];
 fn panel(area: &Area<'_>, outcome: &Outcome, number: &str) -> Result<(), Box<dyn Error>> {
     let rows = || outcome.study.rows.iter().zip(&outcome.extras).filter(|(row, _)| row.number == number);
     let most = rows().map(|(row, _)| row.hits).max().unwrap_or(0).max(10) as f64;
-    let mut chart = ChartBuilder::on(area)
-        .caption(number, ("sans-serif", 13).into_font().color(&INK))
-        .margin(4)
-        .margin_right(12)
-        .x_label_area_size(18)
-        .y_label_area_size(38)
-        .build_cartesian_2d((1.0..most).log_scale(), (UNITS[0]..UNITS[1]).log_scale())?;
-    chart
-        .configure_mesh()
-        .x_labels(6)
-        .y_labels(12)
-        .max_light_lines(0)
-        .bold_line_style(GRID.stroke_width(1))
-        .axis_style(GRID.stroke_width(1))
-        .label_style(("sans-serif", 10).into_font().color(&INK))
-        .x_label_formatter(&|value| power(*value))
-        .y_label_formatter(&|value| power(*value))
-        .draw()?;
+    let axes = [Axis { between: [1.0, most], labels: 6 }, Axis { between: UNITS, labels: 12 }];
+    let mut chart = sheet::panel(area, number, axes, |value| power(*value))?;
     for tier in TIERS {
         let Some((row, extra)) = rows().find(|(row, _)| row.tier == tier) else { continue };
         let mut line = extra.exceeded.iter().map(|(share, error)| (1.0 / share, error.clamp(UNITS[0], UNITS[1])));
@@ -50,13 +34,7 @@ fn panel(area: &Area<'_>, outcome: &Outcome, number: &str) -> Result<(), Box<dyn
 }
 
 fn legend(area: &Area<'_>, is_timed: bool) -> Result<(), Box<dyn Error>> {
-    let mut x = 16;
-    for tier in TIERS {
-        Mark::of(tier).draw(area, (x, 40), color(tier), false)?;
-        label(area, tier, (x + 10, 40), 12)?;
-        x += 84;
-    }
-    label(area, "thin or hollow: wrong hits or misses", (x, 40), 12)?;
+    sheet::tiers(area, 16, color)?;
     label(
         area,
         "Number types: one of so many hits (across) has a larger error of t, in units in the last place (up).",

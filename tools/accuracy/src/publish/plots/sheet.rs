@@ -4,9 +4,11 @@
 //! other, whatever page it stands on. The colours of the series are of middling lightness and read on both.
 
 use plotters::coord::Shift;
+use plotters::coord::combinators::LogCoord;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::error::Error;
+use support::figures::TIERS;
 
 /// Where the panels are drawn.
 pub type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
@@ -14,7 +16,7 @@ pub type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 /// Stand-ins, which the style replaces by what the reader prefers.
 pub const INK: RGBColor = RGBColor(0x1f, 0x23, 0x28);
 const PAPER: RGBColor = RGBColor(0xfe, 0xfe, 0xfe);
-pub const GRID: RGBColor = RGBColor(0xd8, 0xdc, 0xe0);
+const GRID: RGBColor = RGBColor(0xd8, 0xdc, 0xe0);
 
 const STYLE: &str = "<style>\
     .paper{fill:#fff}.ink{fill:#1f2328}.pen{stroke:#1f2328}.grid{stroke:#d8dce0}\
@@ -67,6 +69,54 @@ pub fn label(area: &Area<'_>, text: &str, at: (i32, i32), size: i32) -> Result<(
     let style = ("sans-serif", size).into_font().color(&INK).pos(Pos::new(HPos::Left, VPos::Center));
     area.draw(&Text::new(text.to_string(), at, style))?;
     Ok(())
+}
+
+/// A panel of two logarithmic axes.
+pub type Panel<'a, 'b> = ChartContext<'b, SVGBackend<'a>, Cartesian2d<LogCoord<f64>, LogCoord<f64>>>;
+
+/// An axis of a panel.
+pub struct Axis {
+    pub between: [f64; 2],
+    pub labels: usize,
+}
+
+/// An empty panel. `across` says what is written at a place of the axis across.
+pub fn panel<'a, 'b>(
+    area: &'b Area<'a>,
+    title: &str,
+    [x, y]: [Axis; 2],
+    across: impl Fn(&f64) -> String,
+) -> Result<Panel<'a, 'b>, Box<dyn Error>> {
+    let span = |axis: &Axis| (axis.between[0]..axis.between[1]).log_scale();
+    let mut chart = ChartBuilder::on(area)
+        .caption(title, ("sans-serif", 13).into_font().color(&INK))
+        .margin(4)
+        .margin_right(12)
+        .x_label_area_size(18)
+        .y_label_area_size(38)
+        .build_cartesian_2d(span(&x), span(&y))?;
+    chart
+        .configure_mesh()
+        .x_labels(x.labels)
+        .y_labels(y.labels)
+        .max_light_lines(0)
+        .bold_line_style(GRID.stroke_width(1))
+        .axis_style(GRID.stroke_width(1))
+        .label_style(("sans-serif", 10).into_font().color(&INK))
+        .x_label_formatter(&across)
+        .y_label_formatter(&|value| power(*value))
+        .draw()?;
+    Ok(chart)
+}
+
+/// The marks of the tiers, and what a hollow one means, from this place on.
+pub fn tiers(area: &Area<'_>, mut x: i32, color: impl Fn(&str) -> RGBColor) -> Result<(), Box<dyn Error>> {
+    for tier in TIERS {
+        Mark::of(tier).draw(area, (x, 40), color(tier), false)?;
+        label(area, tier, (x + 10, 40), 12)?;
+        x += 84;
+    }
+    label(area, "thin or hollow: wrong hits or misses", (x, 40), 12)
 }
 
 /// A power of ten, as a label.

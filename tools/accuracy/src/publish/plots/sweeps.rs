@@ -1,6 +1,6 @@
 //! Error against distance and against grazing: a line a tier, a panel a number type and primitive.
 
-use super::sheet::{self, Area, GRID, INK, Mark, label, power};
+use super::sheet::{self, Area, Axis, Mark, label, power};
 use crate::study::{Point, Study};
 use crate::sweep::PRIMITIVES;
 use plotters::prelude::*;
@@ -32,24 +32,9 @@ fn place(at: f64) -> f64 {
 
 fn panel(area: &Area<'_>, title: &str, points: &[&Point], along: [f64; 2]) -> Result<(), Box<dyn Error>> {
     let is_grazing = points.iter().any(|point| point.at < 1.0);
-    let mut chart = ChartBuilder::on(area)
-        .caption(title, ("sans-serif", 13).into_font().color(&INK))
-        .margin(4)
-        .margin_right(12)
-        .x_label_area_size(18)
-        .y_label_area_size(38)
-        .build_cartesian_2d((along[0]..along[1]).log_scale(), (UNITS[0]..UNITS[1]).log_scale())?;
-    chart
-        .configure_mesh()
-        .x_labels(7)
-        .y_labels(11)
-        .max_light_lines(0)
-        .bold_line_style(GRID.stroke_width(1))
-        .axis_style(GRID.stroke_width(1))
-        .label_style(("sans-serif", 10).into_font().color(&INK))
-        .x_label_formatter(&|value| power(if is_grazing { 1.0 / value } else { *value }))
-        .y_label_formatter(&|value| power(*value))
-        .draw()?;
+    let axes = [Axis { between: along, labels: 7 }, Axis { between: UNITS, labels: 11 }];
+    let across = |value: &f64| power(if is_grazing { 1.0 / value } else { *value });
+    let mut chart = sheet::panel(area, title, axes, across)?;
     for tier in TIERS {
         let line: Vec<_> = points
             .iter()
@@ -70,13 +55,7 @@ fn panel(area: &Area<'_>, title: &str, points: &[&Point], along: [f64; 2]) -> Re
 }
 
 fn legend(area: &Area<'_>, axis: &str) -> Result<(), Box<dyn Error>> {
-    let mut x = 16;
-    for tier in TIERS {
-        Mark::of(tier).draw(area, (x, 40), color(tier), false)?;
-        label(area, tier, (x + 10, 40), 12)?;
-        x += 84;
-    }
-    label(area, "thin or hollow: wrong hits or misses", (x, 40), 12)?;
+    sheet::tiers(area, 16, color)?;
     let axes = format!(
         "Across: {axis}. Up: 99.9 % error of t, in units in the last place. A line ends where no ray fits the type."
     );
