@@ -1,4 +1,4 @@
-//! What can be asked for on the command line.
+//! The options of the command line.
 
 use crate::arithmetic::{Arithmetic, Number, TierName};
 use crate::suggest;
@@ -62,7 +62,7 @@ pub(crate) struct Options {
     pub(crate) size: Option<(u16, u16)>,
 
     /// Samples along each side of a pixel, on a regular grid, where the pixel's corners differ (1 to 16); more than 1
-    /// asks for antialiasing
+    /// needs antialiasing
     #[arg(short, long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=16))]
     pub(crate) samples: u8,
 

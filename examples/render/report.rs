@@ -100,13 +100,13 @@ fn work(effect: Effect, counters: &Counters) -> (u64, &'static str) {
     }
 }
 
-/// The objects that were asked most: how often, and how often a ray met them.
+/// The objects that were tested most: how often, and how often a ray met them.
 pub(crate) fn objects(traced: &Traced) -> String {
     let mut objects: Vec<(usize, trace::Tests)> = traced.objects.iter().copied().enumerate().collect();
     objects.sort_by_key(|(index, tests)| (std::cmp::Reverse(tests.met), *index));
     let mut text = format!("{:<14}{:>12}{:>12}\n", "object", "tests", "hits");
     for (index, tests) in objects.iter().take(OBJECTS) {
-        let _ = writeln!(text, "{index:<14}{:>12}{:>12}", tests.asked, tests.met);
+        let _ = writeln!(text, "{index:<14}{:>12}{:>12}", tests.tested, tests.met);
     }
     if let Some(others) = objects.len().checked_sub(OBJECTS).filter(|others| *others > 0) {
         let _ = writeln!(text, "and {others} others with fewer hits");

@@ -56,10 +56,10 @@ impl Traced {
     }
 }
 
-/// How often an object was asked, and how often the ray met it.
+/// How often an object was tested, and how often the ray met it.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Tests {
-    pub(crate) asked: u64,
+    pub(crate) tested: u64,
     pub(crate) met: u64,
 }
 
@@ -70,7 +70,7 @@ struct PerObject(Vec<Tests>);
 impl Observer for PerObject {
     fn tested(&mut self, object: u32, found: bool) {
         if let Some(tests) = self.0.get_mut(object as usize) {
-            tests.asked += 1;
+            tests.tested += 1;
             tests.met += u64::from(found);
         }
     }
@@ -139,7 +139,7 @@ pub(crate) fn trace<S: Scalar, T: Tier<S> + Send + Sync>(
         pixels.add(part);
         counters.add(&work.counters);
         for (sum, tests) in objects.iter_mut().zip(work.observer.0) {
-            sum.asked += tests.asked;
+            sum.tested += tests.tested;
             sum.met += tests.met;
         }
     }
@@ -157,7 +157,7 @@ fn counted<S: Scalar>(pixel: &Pixel<S>, levels: [u8; 3]) -> Pixels {
     Pixels { seen: 1, black: u64::from(levels == [0; 3]), lit: u64::from(pixel.lit_by != 0) }
 }
 
-/// Does the same work on as many threads as are asked for, or as there are processors, and at most on `most`; fails if one of
+/// Does the same work on as many threads as are wanted, or as there are processors, and at most on `most`; fails if one of
 /// them panics.
 fn on_threads<R: Send>(threads: Option<u16>, most: u16, work: impl Fn() -> R + Sync) -> Result<Vec<R>, Box<dyn Error>> {
     let processors = || thread::available_parallelism().map_or(1, NonZero::get);

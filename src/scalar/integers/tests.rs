@@ -139,7 +139,7 @@ fn a_triangle_is_met_where_exact_arithmetic_says() {
     assert!(found > 1_500 && missed > 10_000 && unsure < 5_000, "{found} found, {missed} missed, {unsure} unsure");
 }
 
-/// The line under a matrix, against doubles, which hold all that is asked of it: the origin to its own unit, the direction to little more
+/// The line under a matrix, against doubles, which hold all of it: the origin to its own unit, the direction to little more
 /// than a unit of its type, the pace to as many bits as it has.
 #[test]
 fn a_stretched_line_is_the_matrix_times_the_line() {

@@ -104,7 +104,7 @@ impl<S: Scalar> fmt::Debug for Stores<'_, S> {
 pub struct View<S: Scalar> {
     /// The camera.
     pub camera: Camera<S>,
-    /// The size of the picture that the file asks for: width and height in pixels.
+    /// The size of the picture in the file: width and height in pixels.
     pub resolution: [u16; 2],
     /// Distance of the near plane, which ray tracing does not need; zero if the file gives none.
     pub hither: S,
@@ -197,7 +197,7 @@ impl Counts {
                 "l" => counts.lights = counts.lights.saturating_add(1),
                 "p" | "pp" => {
                     let corners = words.peek().and_then(|word| word.text.parse().ok()).unwrap_or(0_usize);
-                    // A count that the rest of the text cannot hold is a mistake, and no reason to ask for memory.
+                    // A count that the rest of the text cannot hold is a mistake, and no reason to reserve memory.
                     let corners = corners.min(text.len() / SHORTEST_POINT);
                     let triangles = corners.saturating_sub(2);
                     counts.corners = counts.corners.max(corners);

@@ -31,7 +31,7 @@ fn ball<S: Scalar>(x: f64, y: f64, z: f64, radius: f64, material: u32) -> Object
     Object::new(Shape::new(Sphere::new(number(radius)).unwrap()).placed(frame), material)
 }
 
-/// A floor and three balls, of which the first two have the material; a lamp if asked for.
+/// A floor and three balls, of which the first two have the material; a lamp if wanted.
 fn with_scene<S: Scalar, T>(
     material: Material<S>,
     lamp: bool,

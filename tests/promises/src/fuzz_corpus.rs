@@ -56,16 +56,16 @@ fn a_given_input_holds() {
 #[test]
 fn random_solids_hold() {
     let mut random = Random(1);
-    let (mut asked, mut same) = (0, 0);
+    let (mut tested, mut same) = (0, 0);
     for _ in 0..times(60_000) {
         let length = 20 + random.below(90);
         let data: Vec<u8> = (0..length).map(|_| random.next() as u8).collect();
         let outcome = check_solid(&data);
-        asked += usize::from(outcome != Outcome::Rejected);
-        same += usize::from(outcome == Outcome::Asked(Verdict::Same));
+        tested += usize::from(outcome != Outcome::Rejected);
+        same += usize::from(outcome == Outcome::Tested(Verdict::Same));
     }
     // The rest is refused by the constructors, or too extreme to compare.
-    assert!(asked > 10_000 && same > 7_500, "{asked} asked, of which {same} are the exact answer");
+    assert!(tested > 10_000 && same > 7_500, "{tested} tested, of which {same} are the exact answer");
 }
 
 #[test]
@@ -277,7 +277,7 @@ fn a_departing_ray_far_along_a_tube_stays_where_it_departs() {
 }
 
 #[test]
-fn a_fast_sphere_is_hit_or_not_whichever_question_is_asked() {
+fn a_fast_sphere_is_hit_or_not_whichever_query_is_called() {
     let ball = Sphere::new(1.0_f32).expect("a size");
     let mut random = Random(3);
     for _ in 0..times(1000) {

@@ -132,7 +132,7 @@ fn of_two_objects_in_the_same_place_the_first_is_seen() {
     let ball = Object::new(Shape::new(Sphere::new(1.0_f32).expect("a size")), 0);
     let aside = Frame::at(Vec3::new(9.0, 0.0, 0.0)).expect("within the budget");
     let other = Object::new(ball.shape.placed(aside), 0);
-    // A plane has no box: it is asked first, and is the same height as the ball.
+    // A plane has no box: it is tested first, and is the same height as the ball.
     let floor = Frame::at(Vec3::new(0.0, 1.0, 0.0)).expect("within the budget");
     let plane = Object::new(Shape::new(Plane::new()).placed(floor), 0);
     let down = Ray::new(Vec3::new(0.0, 5.0, 0.0), -UnitVec3::Y).expect("within the budget");
@@ -211,7 +211,7 @@ fn a_hundred_times_the_objects_cost_a_few_times_the_tests() {
     assert!(few[1] > 1.0 && many[1] > few[1], "{few:?} {many:?}");
     assert!(many[0] + many[1] < 4.0 * (few[0] + few[1]), "{few:?} {many:?}");
     assert!(many[0] + many[1] < plain[0] / 10.0, "{many:?} {plain:?}");
-    // A ray that has met something asks no box behind it: else it is 1.349 and 10.58.
+    // A ray that has met something tests no box behind it: else it is 1.349 and 10.58.
     assert!(many[0] < 1.34 && many[1] < 10.4, "{many:?}");
 }
 

@@ -38,7 +38,7 @@ fn same<A: Debug>(chosen: A, any: A, told: &impl Fn() -> String) {
     assert!(chosen == any, "{}: {chosen}, not {any}", told());
 }
 
-/// Asks a shape of chosen kinds and one of any kind everything.
+/// Compares a shape of chosen kinds with one of any kind, by every query.
 fn same_answers<S: exact_types::Exact, K: Kinds, T: Tier<S>>(shape: &Shape<S>, chosen: &Shape<S, K>, ray: &Ray<S>) {
     let told = || format!("{shape:?} {ray:?} {}", K::SET);
     let hits = shape.hits_at::<T>(ray);
@@ -55,11 +55,11 @@ fn same_answers<S: exact_types::Exact, K: Kinds, T: Tier<S>>(shape: &Shape<S>, c
     }
 }
 
-/// What is asked of a shape of any kind and of the same shape of chosen kinds, with a ray.
-type Ask<S, K> = fn(&Shape<S>, &Shape<S, K>, &Ray<S>);
+/// A comparison of a shape of any kind with the same shape of chosen kinds, by a ray.
+type Compare<S, K> = fn(&Shape<S>, &Shape<S, K>, &Ray<S>);
 
-/// Every subject, placed in every way, that is among these kinds. Returns how many shapes were asked.
-fn of_these<S: exact_types::Exact, K: Kinds>(tiers: &[Ask<S, K>]) -> usize {
+/// Every subject, placed in every way, that is among these kinds. Returns how many shapes were compared.
+fn of_these<S: exact_types::Exact, K: Kinds>(tiers: &[Compare<S, K>]) -> usize {
     let (mut random, mut shapes) = (Random(7), 0);
     let workloads: Vec<_> = WORKLOADS.into_iter().chain(FURTHER).collect();
     for subject in SUBJECTS.map(Subject::<S>::new) {
@@ -78,8 +78,9 @@ fn of_these<S: exact_types::Exact, K: Kinds>(tiers: &[Ask<S, K>]) -> usize {
                             None => workload.ray(&subject, &mut random),
                             Some(_) => placed.ray(&subject, *workload, &mut random),
                         };
-                        for (ray, ask) in ray.iter().flat_map(|ray| tiers.iter().map(move |ask| (ray, ask))) {
-                            ask(&shape, &chosen, ray);
+                        for (ray, compare) in ray.iter().flat_map(|ray| tiers.iter().map(move |compare| (ray, compare)))
+                        {
+                            compare(&shape, &chosen, ray);
                         }
                     }
                 }
@@ -93,20 +94,20 @@ fn in_rounding_tiers<S: exact_types::Exact, K: Kinds>() -> usize {
     of_these::<S, K>(&[same_answers::<S, K, Fast>, same_answers::<S, K, Stable>])
 }
 
-/// Asks about every primitive with every placement, a few in each set, and about sets without a placement or with one of them.
+/// Compares every primitive with every placement, a few in each set, and about sets without a placement or with one of them.
 macro_rules! every_set {
-    ($S:ident, $ask:ident) => {{
-        let asked = [
-            $ask::<$S, (Sphere<$S>, Plane<$S>, Frame<$S>, Affine<$S>)>(),
-            $ask::<$S, (Frame<$S>, Affine<$S>, Disc<$S>, Cylinder<$S>)>(),
-            $ask::<$S, (Affine<$S>, Cone<$S>, Frame<$S>)>(),
-            $ask::<$S, (Capsule<$S>, Triangle<$S>, Frame<$S>, Affine<$S>)>(),
-            $ask::<$S, (Cylinder<$S>, Plane<$S>, Frame<$S>)>(),
-            $ask::<$S, (Sphere<$S>, Capsule<$S>)>(),
+    ($S:ident, $compare:ident) => {{
+        let compared = [
+            $compare::<$S, (Sphere<$S>, Plane<$S>, Frame<$S>, Affine<$S>)>(),
+            $compare::<$S, (Frame<$S>, Affine<$S>, Disc<$S>, Cylinder<$S>)>(),
+            $compare::<$S, (Affine<$S>, Cone<$S>, Frame<$S>)>(),
+            $compare::<$S, (Capsule<$S>, Triangle<$S>, Frame<$S>, Affine<$S>)>(),
+            $compare::<$S, (Cylinder<$S>, Plane<$S>, Frame<$S>)>(),
+            $compare::<$S, (Sphere<$S>, Capsule<$S>)>(),
         ];
         // So many subjects in so many placements, seen from both sides and from each.
         let expected = [(2, 5), (4, 5), (8, 5), (2, 5), (4, 3), (2, 1)];
-        assert_eq!(asked, expected.map(|(subjects, placements)| subjects * placements * 3));
+        assert_eq!(compared, expected.map(|(subjects, placements)| subjects * placements * 3));
     }};
 }
 

@@ -96,7 +96,7 @@ mod law {
         Ok(())
     }
 
-    /// Law 3, of the three questions.
+    /// Law 3, of the three queries.
     pub(super) fn nearest_and_occlusion_say_what_the_full_list_says<S: Number, T: Graded<S>>(
         setting: &Setting<S>,
         random: &mut Random,

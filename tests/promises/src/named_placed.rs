@@ -211,7 +211,7 @@ fn far_end(solid: &Solid, line: &Line) -> Option<(Root, oracle::Part)> {
         Solid::Cylinder { extent: CylinderExtent::Capped(height), .. } => (Dyadic::zero(), Some(height), true),
         Solid::Cylinder { .. } => (Dyadic::zero(), None, false),
         Solid::Cone { slope, extent: ConeExtent::Capped(height) } => (-&slope.squared(), Some(height), false),
-        _ => panic!("no other solid is asked"),
+        _ => panic!("no other solid is tested"),
     };
     let product =
         |p: &[Dyadic; 3], q: &[Dyadic; 3]| &(&(&p[0] * &q[0]) + &(&p[2] * &q[2])) + &(&weight * &(&p[1] * &q[1]));

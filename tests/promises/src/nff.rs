@@ -200,7 +200,7 @@ fn counts_are_what_a_scene_needs() {
     let counts = Counts::of("v # s s s\nl 0 0 0 f s 0 0 0 1 c p 5 pp 4 l");
     let expected = Counts { objects: 7, materials: 2, lights: 2, normals: 2, corners: 5 };
     assert_eq!(counts, expected);
-    // A lie about the number of corners is no reason to ask for 2^60 of them.
+    // A lie about the number of corners is no reason to reserve 2^60 of them.
     assert!(Counts::of("p 1152921504606846976").corners < 100);
 }
 

@@ -131,8 +131,8 @@ fn is_unit_number<S: Scalar>(value: S::Unit) -> bool {
     value.partial_cmp(&<S::Unit as UnitScalar>::ZERO).is_some()
 }
 
-/// Asks everything that can be asked.
-fn ask<S: Raw>(shape: &Shape<S>, ray: &Ray<S>) {
+/// Calls everything.
+fn call_everything<S: Raw>(shape: &Shape<S>, ray: &Ray<S>) {
     let hits = shape.hits(ray);
     assert!(hits.len() <= raylet::hit::MOST_HITS);
     assert!(hits.windows(2).all(|pair| pair[0].t <= pair[1].t), "unsorted or NaN: {hits:?} {shape:?} {ray:?}");
@@ -194,7 +194,7 @@ fn directions<S: Raw>(random: &mut Random) -> Vec<UnitVec3<S>> {
 
 fn at_the_extremes<S: Raw>() {
     let (values, mut random) = (S::extremes(), Random(1));
-    let mut asked = 0;
+    let mut called = 0;
     for round in 0..times(2500) {
         let mut pick = || if round % 3 == 2 { S::from_random(&mut random) } else { random.pick(&values) };
         let sizes = [pick(), pick(), pick()];
@@ -225,16 +225,16 @@ fn at_the_extremes<S: Raw>() {
                 leaving: random.pick(&[Leaving::Inwards, Leaving::Outwards]),
             }));
             for ray in &rays {
-                ask(&shape, ray);
-                ask(&shape.seen_from(Visible::Outside), &ray.without_departure());
+                call_everything(&shape, ray);
+                call_everything(&shape.seen_from(Visible::Outside), &ray.without_departure());
                 for placement in &placements {
-                    ask(&shape.placed(*placement), ray);
+                    call_everything(&shape.placed(*placement), ray);
                 }
-                asked += 1;
+                called += 1;
             }
         }
     }
-    assert!(asked > 1000, "too few of the values are within the budget: {asked}");
+    assert!(called > 1000, "too few of the values are within the budget: {called}");
 }
 
 macro_rules! extremes {

@@ -65,7 +65,7 @@ fn roots_that_differ_by_almost_nothing_are_told_apart() {
 }
 
 #[test]
-fn enclosures_hold_the_number_and_are_as_narrow_as_asked() {
+fn enclosures_hold_the_number_and_are_as_narrow_as_needed() {
     let mut random = Random(9);
     for round in 0..times(20_000) {
         let root = random_root(&mut random);

@@ -76,14 +76,14 @@ fn leave<S: Number, T: Graded<S>>(rays: usize, seed: u64) -> Tally {
                 let (fails, kind) = match leaving {
                     Leaving::Outwards => {
                         let none = met.is_empty() && !met.starts_inside() && met.coincident().is_none();
-                        let asked = shape.occludes_at::<T>(&away) || shape.nearest_at::<T>(&away).is_some();
-                        (!none || asked, &mut tally.self_hits)
+                        let is_met = shape.occludes_at::<T>(&away) || shape.nearest_at::<T>(&away).is_some();
+                        (!none || is_met, &mut tally.self_hits)
                     }
                     Leaving::Inwards => {
                         let far = matches!(&met[..], [exit] if exit.crossing == Crossing::Exit && exit.t >= S::ZERO);
-                        let asked =
+                        let is_met =
                             shape.occludes_at::<T>(&away) && shape.nearest_at::<T>(&away) == met.first().copied();
-                        (!(far && met.starts_inside() && asked), &mut tally.lost_exits)
+                        (!(far && met.starts_inside() && is_met), &mut tally.lost_exits)
                     }
                 };
                 if fails {
@@ -142,7 +142,7 @@ struct Shells<S: Number> {
 /// Shells 4e-5 apart; in types that hardly tell such numbers apart, four units.
 fn shells<S: Number>() -> Vec<Shells<S>> {
     let unit = unit::<S>();
-    // On the type's grid, so that the gap is as wide on all sides; no narrower than asked for.
+    // On the type's grid, so that the gap is as wide on all sides; no narrower than wanted.
     let gap = if support::laws::is_float::<S>() { 4e-5 } else { (4e-5_f64.max(4.0 * unit) / unit).ceil() * unit };
     let sizes = "the sizes are within the budget";
     let raised = |height: f64| Frame::at(v::<S>([0.0, height, 0.0])).expect(sizes);

@@ -1,4 +1,4 @@
-//! What a hit can be asked for: point, normal, surface coordinates, tangents, part; against exact arithmetic.
+//! What a hit has: point, normal, surface coordinates, tangents, part; against exact arithmetic.
 
 use raylet::scalar::UnitScalar;
 use raylet::{Capsule, Cone, Cylinder, Disc, Part, Plane, Ray, Shape, Sphere, Triangle, UnitVec3, Vec3};
@@ -147,11 +147,11 @@ fn look<S: Exact, R>(
     shape: Shape<S>,
     from: [f64; 3],
     along: [f64; 3],
-    ask: impl FnOnce(raylet::Surface<S>, raylet::Hit<S>) -> R,
+    of: impl FnOnce(raylet::Surface<S>, raylet::Hit<S>) -> R,
 ) -> R {
     let ray = Ray::new(v::<S>(from), direction(along)).expect("the origin is within the budget");
     let hit = shape.nearest(&ray).expect("the ray meets the shape");
-    ask(shape.surface(&ray, &hit), hit)
+    of(shape.surface(&ray, &hit), hit)
 }
 
 fn uv_at<S: Exact>(shape: Shape<S>, from: [f64; 3], along: [f64; 3]) -> (f64, f64) {

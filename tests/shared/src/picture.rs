@@ -10,7 +10,7 @@ use raylet::{Light, Material, Object, Picture, Scalar, Scene, Size, Work};
 /// The scene, as it stands in flash.
 const TEXT: &str = include_str!("picture.nff");
 
-/// Columns; the scene asks for the same.
+/// Columns; the scene has the same.
 pub const WIDTH: u16 = 96;
 /// Rows.
 pub const HEIGHT: u16 = 72;

@@ -1,4 +1,4 @@
-//! What is asked, and how: through the primitive's own methods, or those of a placed shape.
+//! The queries, and by what they are called: through the primitive's own methods, or those of a placed shape.
 
 use raylet::tier::Tier;
 use raylet::{
@@ -16,7 +16,7 @@ pub trait Subject<S: Scalar> {
     fn occludes<T: Tier<S>>(&self, ray: &Ray<S>) -> bool;
     /// True if the point belongs to it.
     fn contains(&self, point: Vec3<S>) -> bool;
-    /// What a hit can be asked for.
+    /// What a hit has.
     fn surface(&self, ray: &Ray<S>, hit: &Hit<S>) -> Surface<S>;
 }
 
@@ -49,8 +49,8 @@ macro_rules! subjects {
 }
 subjects!(Sphere Cylinder Cone Capsule Plane Disc Triangle Shape);
 
-/// The questions, as functions that are not inlined and whose answers are used.
-pub mod question {
+/// The queries, as functions that are not inlined and whose answers are used.
+pub mod query {
     use super::Subject;
     use core::hint::black_box;
     use raylet::tier::Tier;

@@ -2,8 +2,8 @@
 //! and stays where that is worse.
 
 use super::exact_types::Exact as Number;
-use super::measure::{Broken, ask_one};
-use super::method::{Asked, Method};
+use super::measure::{Broken, measure_one};
+use super::method::{Method, Target};
 use super::placed::{Placed, Placing};
 use super::random::{Random, add, normalize, scale};
 use super::subject::Subject;
@@ -61,17 +61,17 @@ pub fn climb<S: Number>(
             Some(placed) => placed.ray(subject, workload, &mut random),
         };
         let Some(ray) = ray else { continue };
-        let found = ask_one(method, &Asked::of(subject, placed.as_ref()), &ray);
+        let found = measure_one(method, &Target::of(subject, placed.as_ref()), &ray);
         all.push((found, placed, ray));
     }
     all.sort_by(|(one, ..), (other, ..)| other.0.total_cmp(&one.0));
     all.truncate(effort.starts);
     let mut worst: Option<Found> = None;
     for (mut found, placed, mut ray) in all {
-        let asked = Asked::of(subject, placed.as_ref());
+        let target = Target::of(subject, placed.as_ref());
         for _ in 0..effort.steps {
             let Some(next) = beside(&ray, &mut random) else { continue };
-            let tried = ask_one(method, &asked, &next);
+            let tried = measure_one(method, &target, &next);
             if tried.0 >= found.0 {
                 (found, ray) = (tried, next);
             }

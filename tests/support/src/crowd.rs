@@ -169,7 +169,7 @@ pub fn ray<S: Scalar>(objects: &[Object<S>], scene: &Scene<'_, S>, random: &mut 
     Some(ray.with_range(range))
 }
 
-/// A camera, for scenes that are asked for no picture.
+/// A camera, for scenes of which no picture is made.
 pub fn camera<S: Scalar>() -> Camera<S> {
     let at = |z| point([0.0, 0.0, z]);
     Camera::new(at(9.0), at(0.0), point([0.0, 1.0, 0.0]), number(40.0)).expect("a camera")

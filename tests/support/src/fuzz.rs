@@ -5,7 +5,7 @@ mod bytes;
 mod known;
 mod laws;
 mod nff;
-mod question;
+mod query;
 
 use agreement::Agreement;
 pub use agreement::Verdict;
@@ -14,7 +14,7 @@ use fixed::FixedI32;
 use fixed::types::extra::{U12, U24};
 use fixed::types::{I16F16, I32F32};
 pub use nff::check_nff;
-use question::Question;
+use query::Query;
 use raylet::Tier;
 use raylet::tier;
 
@@ -23,13 +23,13 @@ use raylet::tier;
 pub enum Outcome {
     /// A constructor refused the bytes, with an error.
     Rejected,
-    /// Every tier was asked; so it compares with exact arithmetic in the tier where that went worst.
-    Asked(Verdict),
+    /// Every tier was tested; this is how it compares with exact arithmetic in the tier where that went worst.
+    Tested(Verdict),
 }
 
-/// Makes a solid and a ray from any bytes, asks everything that can be asked, and fails if an answer breaks a promise.
+/// Makes a solid and a ray from any bytes, calls every query and function of the surface, and fails if an answer breaks a promise.
 ///
-/// The first byte is the number type. `question` has the rest.
+/// The first byte is the number type. `query` has the rest.
 pub fn check_solid(data: &[u8]) -> Outcome {
     let (which, rest) = data.split_first().map_or((0, data), |(first, rest)| (*first, rest));
     match which % 12 {
@@ -71,36 +71,36 @@ fn rare(which: u8, data: &[u8]) -> Outcome {
 const STABLE: Agreement = Agreement::Backward { float: 16.0, fixed: 2.5 };
 
 /// The tiers of every number type: a line each.
-fn every_tier<S: Number>(question: &Question<S>) -> Vec<Verdict> {
-    vec![ask::<S, tier::Stable>(question, STABLE), ask::<S, tier::Fast>(question, Agreement::Lawful)]
+fn every_tier<S: Number>(query: &Query<S>) -> Vec<Verdict> {
+    vec![test_tier::<S, tier::Stable>(query, STABLE), test_tier::<S, tier::Fast>(query, Agreement::Lawful)]
 }
 
 /// The tiers of `f32` and of the 32-bit fixed types alone: a line each.
-fn narrow_tiers<S: Number>(question: &Question<S>) -> Vec<Verdict>
+fn narrow_tiers<S: Number>(query: &Query<S>) -> Vec<Verdict>
 where
     tier::Exact: Tier<S>,
 {
-    vec![ask::<S, tier::Exact>(question, Agreement::Total)]
+    vec![test_tier::<S, tier::Exact>(query, Agreement::Total)]
 }
 
 fn wide<S: Number>(data: &[u8]) -> Outcome {
-    asked::<S>(data, every_tier)
+    tested::<S>(data, every_tier)
 }
 
 fn narrow<S: Number>(data: &[u8]) -> Outcome
 where
     tier::Exact: Tier<S>,
 {
-    asked::<S>(data, |question| [every_tier(question), narrow_tiers(question)].concat())
+    tested::<S>(data, |query| [every_tier(query), narrow_tiers(query)].concat())
 }
 
-fn asked<S: Number>(data: &[u8], ask: impl Fn(&Question<S>) -> Vec<Verdict>) -> Outcome {
-    let Ok(question) = Question::from_bytes(&mut Bytes::new(data)) else { return Outcome::Rejected };
-    Outcome::Asked(if ask(&question).contains(&Verdict::Tie) { Verdict::Tie } else { Verdict::Same })
+fn tested<S: Number>(data: &[u8], tiers: impl Fn(&Query<S>) -> Vec<Verdict>) -> Outcome {
+    let Ok(query) = Query::from_bytes(&mut Bytes::new(data)) else { return Outcome::Rejected };
+    Outcome::Tested(if tiers(&query).contains(&Verdict::Tie) { Verdict::Tie } else { Verdict::Same })
 }
 
-fn ask<S: Number, T: Tier<S>>(question: &Question<S>, promise: Agreement) -> Verdict {
-    question.tier.set((std::any::type_name::<T>(), promise));
-    laws::hold::<S, T>(question);
-    agreement::agree::<S, T>(question)
+fn test_tier<S: Number, T: Tier<S>>(query: &Query<S>, promise: Agreement) -> Verdict {
+    query.tier.set((std::any::type_name::<T>(), promise));
+    laws::hold::<S, T>(query);
+    agreement::agree::<S, T>(query)
 }

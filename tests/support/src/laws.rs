@@ -16,7 +16,7 @@ use raylet::{Crossing, Hit, Hits, Part, Ray, Shape};
 /// What a law says of one ray.
 pub type Law = Result<(), TestCaseError>;
 
-/// A tier, so that a law can ask which it is.
+/// A tier, so that a law can tell which it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Grade {
     Fast,
@@ -224,9 +224,9 @@ fn slope(solid: &Solid) -> f64 {
 pub fn note<S: Number, T: Graded<S>>(of: &str, setting: &Setting<S>, ratio: f64) {
     use std::collections::BTreeMap;
     use std::sync::{LazyLock, Mutex};
-    static ASKED: LazyLock<bool> = LazyLock::new(|| std::env::var_os("RAYLET_LAWS").is_some());
+    static WANTED: LazyLock<bool> = LazyLock::new(|| std::env::var_os("RAYLET_LAWS").is_some());
     static MOST: Mutex<BTreeMap<String, f64>> = Mutex::new(BTreeMap::new());
-    if *ASKED && ratio > 1e-4 {
+    if *WANTED && ratio > 1e-4 {
         let row = format!(
             "{of}: {} {:?} {}",
             S::name(),

@@ -1,7 +1,7 @@
 //! How wrong the ways to answer in one number type are, on one primitive and one workload.
 
 use super::exact_types::{Exact as Number, exact_line, expected_of, same_crossing, same_part};
-use super::method::{Asked, Method, Told};
+use super::method::{Method, Target, Told};
 use super::oracle::{Dyadic, InRange, Root};
 use super::placed::{Placed, Placement, Placing};
 use super::promise::Judged;
@@ -16,7 +16,7 @@ use raylet::{Departure, Frame, Ray, Shape, UnitVec3, Vec3};
 pub struct Broken {
     /// The error over the limit; infinite for a hit that is lost, invented or on another part.
     pub by: f64,
-    /// The answers, and the ray and what it is asked to meet, by their bits.
+    /// The answers, and the ray and what it is to meet, by their bits.
     pub told: String,
 }
 
@@ -165,9 +165,9 @@ pub struct Rows<'a, S: Number> {
 }
 
 /// How far one ray goes with a method, of what its tier promises; and the ray, if that is too far.
-pub fn ask_one<S: Number>(method: &Method<S>, asked: &Asked<'_, S>, ray: &Ray<S>) -> (f64, Option<Broken>) {
+pub fn measure_one<S: Number>(method: &Method<S>, target: &Target<'_, S>, ray: &Ray<S>) -> (f64, Option<Broken>) {
     let mut rows = Rows::new(std::slice::from_ref(method));
-    let (_, judgements) = rows.ask(asked, ray);
+    let (_, judgements) = rows.measure(target, ray);
     let by = judgements.iter().map(|judgement| judgement.by).fold(0.0, f64::max);
     (by, rows.rows.pop().and_then(|row| row.worst))
 }
@@ -178,19 +178,19 @@ impl<'a, S: Number> Rows<'a, S> {
     }
 
     /// The exact answer, and what each method makes of the ray.
-    pub fn ask(&mut self, asked: &Asked<'_, S>, ray: &Ray<S>) -> (InRange, Vec<Judgement<S>>) {
-        let (line, size) = match asked.placed {
-            None => (exact_line(ray), asked.size),
-            Some(placed) => (placed.line(ray), placed.largest * asked.size),
+    pub fn measure(&mut self, target: &Target<'_, S>, ray: &Ray<S>) -> (InRange, Vec<Judgement<S>>) {
+        let (line, size) = match target.placed {
+            None => (exact_line(ray), target.size),
+            Some(placed) => (placed.line(ray), placed.largest * target.size),
         };
-        let solid = asked.solid;
+        let solid = target.solid;
         let want: InRange = expected_of(solid, &line, ray);
         let judged = Judged { solid, line: &line, ray, want: &want, size };
         let judge = |(method, row): (&Method<S>, &mut Measured)| {
-            let hits = (method.hits)(asked, ray);
+            let hits = (method.hits)(target, ray);
             let before = (row.errors.len(), row.lost + row.phantom, row.part);
-            let by = row.count(method.tier, &hits, &judged, &|| bits(asked, ray));
-            row.integers += usize::from((method.in_integers)(asked.shape, ray));
+            let by = row.count(method.tier, &hits, &judged, &|| bits(target, ray));
+            row.integers += usize::from((method.in_integers)(target.shape, ray));
             Judgement {
                 by,
                 error: row.errors[before.0..].iter().copied().fold(0.0, f64::max),
@@ -210,8 +210,8 @@ impl<'a, S: Number> Rows<'a, S> {
     }
 }
 
-/// What was asked, by its bits.
-fn bits<S: Number>(asked: &Asked<'_, S>, ray: &Ray<S>) -> String {
+/// The query, by its bits.
+fn bits<S: Number>(target: &Target<'_, S>, ray: &Ray<S>) -> String {
     let three = |v: [String; 3]| format!("({})", v.join(", "));
     let coordinates = |v: Vec3<S>| three(v.to_array().map(S::bits));
     let along = |v: UnitVec3<S>| three(v.to_array().map(S::unit_bits));
@@ -219,7 +219,7 @@ fn bits<S: Number>(asked: &Asked<'_, S>, ray: &Ray<S>) -> String {
     if let Some(Departure { part, leaving, .. }) = ray.departure() {
         told.push(format!("departing {leaving:?} from {part:?}"));
     }
-    if let Some(placed) = asked.placed {
+    if let Some(placed) = target.placed {
         let at = coordinates(placed.placement.position());
         let axes = |frame: &Frame<S>| frame.axes().map(along).join(" ");
         match &placed.placement {
@@ -251,7 +251,7 @@ pub fn measure_each<S: Number>(
     let mut rows = Rows::new(methods);
     for _ in 0..rays {
         if let Some(ray) = workload.ray(subject, &mut random).filter(&counts) {
-            rows.ask(&Asked::of(subject, None), &ray);
+            rows.measure(&Target::of(subject, None), &ray);
         }
     }
     rows.done()
@@ -271,7 +271,7 @@ pub fn measure_placed<S: Number>(
     for _ in 0..rays {
         let Some(placed) = Placed::new(subject, placing, &mut random) else { continue };
         if let Some(ray) = placed.ray(subject, workload, &mut random) {
-            rows.ask(&Asked::of(subject, Some(&placed)), &ray);
+            rows.measure(&Target::of(subject, Some(&placed)), &ray);
         }
     }
     rows.done()

@@ -10,7 +10,7 @@ use raylet::tier::{Effort, Exact, Fast, Stable, Tier};
 use raylet::{Crossing, Part, Ray, Shape};
 
 /// A primitive where it stands, which a method intersects with a ray.
-pub struct Asked<'a, S: Number> {
+pub struct Target<'a, S: Number> {
     /// Where it was placed.
     pub shape: &'a Shape<S>,
     /// In its own frame.
@@ -20,7 +20,7 @@ pub struct Asked<'a, S: Number> {
     pub placed: Option<&'a Placed<S>>,
 }
 
-impl<'a, S: Number> Asked<'a, S> {
+impl<'a, S: Number> Target<'a, S> {
     /// A subject of the tables, of size about 1.
     pub fn of(subject: &'a Subject<S>, placed: Option<&'a Placed<S>>) -> Self {
         let shape = placed.map_or(&subject.shape, |placed| &placed.shape);
@@ -40,23 +40,23 @@ pub struct Told<S> {
 pub struct Method<S: Number> {
     pub tier: &'static str,
     /// All hits, sorted.
-    pub hits: fn(&Asked<'_, S>, &Ray<S>) -> Vec<Told<S>>,
+    pub hits: fn(&Target<'_, S>, &Ray<S>) -> Vec<Told<S>>,
     /// Whether a ray is decided in integers.
     pub in_integers: fn(&Shape<S>, &Ray<S>) -> bool,
 }
 
 /// A tier's hits; and its other answers must agree with them.
-fn hits_of_tier<S: Number, T: Tier<S>>(asked: &Asked<'_, S>, ray: &Ray<S>) -> Vec<Told<S>> {
-    let shape = asked.shape;
+fn hits_of_tier<S: Number, T: Tier<S>>(target: &Target<'_, S>, ray: &Ray<S>) -> Vec<Told<S>> {
+    let shape = target.shape;
     let hits = shape.hits_at::<T>(ray);
     assert_eq!(shape.nearest_at::<T>(ray), hits.first().copied(), "nearest is the first hit: {ray:?}");
     assert_eq!(shape.occludes_at::<T>(ray), !hits.is_empty(), "occlusion agrees with the hits: {ray:?}");
     hits.iter().map(|hit| Told { t: hit.t, surface: Some((hit.part, hit.crossing)) }).collect()
 }
 
-fn hits_of_textbook<S: Plain>(asked: &Asked<'_, S>, ray: &Ray<S>) -> Vec<Told<S>> {
-    let place = asked.placed.map(Place::of);
-    let hits = Form::of::<S>(asked.solid).hits(place.as_ref(), &PlainRay::of(ray), Reach::of(ray));
+fn hits_of_textbook<S: Plain>(target: &Target<'_, S>, ray: &Ray<S>) -> Vec<Told<S>> {
+    let place = target.placed.map(Place::of);
+    let hits = Form::of::<S>(target.solid).hits(place.as_ref(), &PlainRay::of(ray), Reach::of(ray));
     hits.into_iter().filter_map(S::told).map(|t| Told { t, surface: None }).collect()
 }
 

@@ -36,7 +36,7 @@ pub enum Workload {
 /// A line's origin and direction.
 type Line = ([f64; 3], [f64; 3]);
 
-/// Those that are timed too, and asked of other libraries.
+/// Those that are timed too, and given to other libraries.
 pub const WORKLOADS: [Workload; 21] = [
     Workload::Benign,
     Workload::Away(100.0),

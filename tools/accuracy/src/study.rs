@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use std::error::Error;
 use support::figures::{Figures, Rays};
 
-/// What a question costs on the machine that measured.
+/// What a query costs on the machine that measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cost {
     /// Of the time that the textbook's sphere takes in `f32`, in the same run.

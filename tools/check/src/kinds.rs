@@ -49,8 +49,8 @@ pub const USES: [Use; 3] = [
     },
 ];
 
-/// Everything that a shape can be asked, in every tier: nobody's program, but one that would show any code that is left.
-const ASKED: Use = Use {
+/// Every query of a shape, in every tier: no program of a user, but one that would show any code that is left.
+const EVERYTHING: Use = Use {
     name: "all queries, spheres and planes",
     program: "asked_sphere_plane",
     made_by: "asked",
@@ -60,7 +60,7 @@ const ASKED: Use = Use {
 
 /// All programs that use chosen kinds.
 pub fn programs() -> impl Iterator<Item = &'static Use> {
-    USES.iter().chain([&ASKED])
+    USES.iter().chain([&EVERYTHING])
 }
 
 /// The source files with the code of few kinds: who they belong to, and the number type, if they are of one.

@@ -3,7 +3,7 @@
 //! Nothing is counted but within [`counted`] and whenever it returns callgrind writes down what was
 //! counted since the last time: one valgrind for all cases, and nothing unsafe in here.
 
-use crate::cost::{self, Case, Name, QUESTIONS};
+use crate::cost::{self, Case, Name, QUERIES};
 use crate::workloads::{self, Workload};
 use raylet_tables::Figures;
 use std::env;
@@ -14,10 +14,10 @@ use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-/// The argument that makes this program ask the questions and do nothing else.
+/// The argument that makes this program run the queries and do nothing else.
 pub const UNDER_VALGRIND: &str = "--under-valgrind";
 
-/// Every case, always in the same order. In front stands one that asks nothing: what asking costs.
+/// Every case, always in the same order. In front stands one that does nothing: what a call costs.
 fn cases() -> Vec<Case> {
     let mut cases = vec![nothing()];
     cases.extend(cost::of_primitives::<false>(&|name| match name.query {
@@ -35,7 +35,7 @@ fn nothing() -> Case {
         black_box((subject, input));
     }
     let name = Name { subject: "nothing".into(), query: "nothing", number: "any", tier: "any", rays: "any" };
-    Case::new(name, 0, vec![0; QUESTIONS], nothing::<u64, u64>)
+    Case::new(name, 0, vec![0; QUERIES], nothing::<u64, u64>)
 }
 
 /// [`counted`] as valgrind calls it. (A pattern would do to toggle the counting, but not to write down what was counted.)
@@ -43,15 +43,15 @@ const COUNTED: &str = "instructions::callgrind::counted";
 
 /// What callgrind counts.
 #[inline(never)]
-fn counted(ask: &dyn Fn()) {
-    black_box(ask)();
+fn counted(run: &dyn Fn()) {
+    black_box(run)();
 }
 
-/// Asks the queries of a workload, each by a function of its own, so that callgrind knows them apart.
+/// Runs the queries of a workload, each by a function of its own, so that callgrind knows them apart.
 #[inline(never)]
 fn singly(workload: &Workload) {
-    for (index, question) in numbered::ALL.as_flattened().iter().enumerate().take(workload.queries) {
-        black_box(question)(black_box(workload), index);
+    for (index, query) in numbered::ALL.as_flattened().iter().enumerate().take(workload.queries) {
+        black_box(query)(black_box(workload), index);
     }
 }
 
@@ -72,7 +72,7 @@ mod numbered {
                     pub fn $name(workload: &Workload, index: usize) {
                         // Another text in each: equal functions are merged.
                         black_box(concat!(stringify!($tens), stringify!($name)));
-                        workload.ask(index);
+                        workload.run(index);
                     }
                 )+
                 pub const ALL: [fn(&Workload, usize); 10] = [$($name),+];
@@ -88,14 +88,14 @@ mod numbered {
     tens!(t0 t1 t2 t3 t4 t5 t6 t7 t8 t9);
 }
 
-/// Asks everything once: what this program does under valgrind.
+/// Runs everything once: what this program does under valgrind.
 ///
 /// In a thread: where the first one's stack begins depends on the length of the program's path and of the environment, and so
 /// would what copying takes, which looks at alignments.
 pub fn run_queries() {
     let asking = std::thread::spawn(|| {
         for case in cases() {
-            counted(&|| case.ask());
+            counted(&|| case.run());
         }
         let workloads = workloads::all();
         // Callgrind counts calls, not instructions, outside of what is counted too, and forgets them when it has written them down: this
@@ -111,13 +111,13 @@ pub fn run_queries() {
 
 /// What was counted.
 pub struct Counted {
-    /// Instructions a question, for every case.
+    /// Instructions a query, for every case.
     pub cost: Figures,
     /// Of every workload the mean, the 99 %, the worst, and how many of a hundred queries are left to the solver.
     pub workloads: Figures,
 }
 
-/// Instructions a question, for every case and workload.
+/// Instructions a query, for every case and workload.
 pub fn count() -> Result<Counted, Box<dyn Error>> {
     let file = env::temp_dir().join(format!("raylet-callgrind-{}", std::process::id()));
     let parts = run(&file);
@@ -130,10 +130,10 @@ pub fn count() -> Result<Counted, Box<dyn Error>> {
     }
     let (of_cases, of_workloads) = parts.split_at(cases.len());
     let nothing = of_cases.first().map_or(0, |part| part.instructions);
-    let questions = QUESTIONS as u64;
+    let queries = QUERIES as u64;
     let cost = cases.iter().zip(of_cases).skip(1).map(|(case, part)| {
         let net = part.instructions.saturating_sub(nothing);
-        (case.name.to_string(), (net + questions / 2) / questions)
+        (case.name.to_string(), (net + queries / 2) / queries)
     });
     let mut figures = Figures::new();
     for (workload, part) in workloads.iter().zip(&of_workloads[1..]) {

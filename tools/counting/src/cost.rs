@@ -11,19 +11,19 @@ use raylet::tier::{Exact, Fast, Stable, Tier};
 use raylet::{Hit, Ray, Scalar};
 use shared::every_subject;
 use shared::rays::{RAYS, rays};
-use shared::subject::{Subject, question};
+use shared::subject::{Subject, query};
 use std::fmt;
 use std::hint::black_box;
 
-/// Questions in a case: one to each of so many rays.
-pub const QUESTIONS: usize = RAYS;
+/// Queries in a case: one with each of so many rays.
+pub const QUERIES: usize = RAYS;
 
 /// What a case is called.
 #[derive(Clone, Debug)]
 pub struct Name {
     /// The primitive, or the scene.
     pub subject: String,
-    /// What it is asked.
+    /// Its query.
     pub query: &'static str,
     /// The number type.
     pub number: &'static str,
@@ -44,31 +44,31 @@ impl fmt::Display for Name {
 pub struct Case {
     /// What it is called.
     pub name: Name,
-    ask: Box<dyn Fn() + Send + Sync>,
+    run: Box<dyn Fn() + Send + Sync>,
 }
 
 impl Case {
-    /// Puts the question to every ray, once.
+    /// Runs the query with every ray, once.
     #[inline]
-    pub fn ask(&self) {
-        (self.ask)();
+    pub fn run(&self) {
+        (self.run)();
     }
 
-    /// A question to be put to a subject with each of the inputs.
-    pub fn new<P, I>(name: Name, subject: P, inputs: Vec<I>, question: fn(&P, &I)) -> Self
+    /// A query of a subject with each of the inputs.
+    pub fn new<P, I>(name: Name, subject: P, inputs: Vec<I>, query: fn(&P, &I)) -> Self
     where
         P: Send + Sync + 'static,
         I: Send + Sync + 'static,
     {
         // The compiler must not know which function it is: it would make a copy of the loop for each.
-        Self { name, ask: Box::new(move || ask_each(&subject, &inputs, black_box(question))) }
+        Self { name, run: Box::new(move || run_each(&subject, &inputs, black_box(query))) }
     }
 }
 
 #[inline(never)]
-fn ask_each<P, I>(subject: &P, inputs: &[I], question: fn(&P, &I)) {
+fn run_each<P, I>(subject: &P, inputs: &[I], query: fn(&P, &I)) {
     for input in inputs {
-        question(black_box(subject), black_box(input));
+        query(black_box(subject), black_box(input));
     }
 }
 
@@ -80,7 +80,7 @@ type Wanted<'a> = &'a dyn Fn(&Name) -> bool;
 
 /// The cases of one subject in one number type.
 ///
-/// What is not `ALL_HITS` asks for no lists of hits, and saves the compiler a third of the queries.
+/// What is not `ALL_HITS` needs no lists of hits, and saves the compiler a third of the queries.
 struct Builder<'a, const ALL_HITS: bool> {
     cases: &'a mut Vec<Case>,
     wanted: Wanted<'a>,
@@ -89,18 +89,18 @@ struct Builder<'a, const ALL_HITS: bool> {
 }
 
 impl<const ALL_HITS: bool> Builder<'_, ALL_HITS> {
-    fn add<P, I>(&mut self, [query, tier, rays]: [&'static str; 3], subject: &P, inputs: &[I], question: fn(&P, &I))
+    fn add<P, I>(&mut self, [query, tier, rays]: [&'static str; 3], subject: &P, inputs: &[I], run: fn(&P, &I))
     where
         P: Clone + Send + Sync + 'static,
         I: Clone + Send + Sync + 'static,
     {
         let name = Name { subject: self.subject.into(), query, number: self.number, tier, rays };
         if (self.wanted)(&name) {
-            self.cases.push(Case::new(name, subject.clone(), inputs.to_vec(), question));
+            self.cases.push(Case::new(name, subject.clone(), inputs.to_vec(), run));
         }
     }
 
-    /// The questions that each tier answers in its own way.
+    /// The queries that each tier answers in its own way.
     fn tier<S, T, P>(&mut self, tier: &'static str, subject: &P, at: &[Vec<Ray<S>>; 2])
     where
         S: Scalar,
@@ -109,14 +109,14 @@ impl<const ALL_HITS: bool> Builder<'_, ALL_HITS> {
     {
         for ((_, kind), rays) in KINDS.into_iter().zip(at) {
             if ALL_HITS {
-                self.add(["all hits", tier, kind], subject, rays, question::hits::<S, T, P>);
+                self.add(["all hits", tier, kind], subject, rays, query::hits::<S, T, P>);
             }
-            self.add(["nearest", tier, kind], subject, rays, question::nearest::<S, T, P>);
-            self.add(["occlusion", tier, kind], subject, rays, question::occludes::<S, T, P>);
+            self.add(["nearest", tier, kind], subject, rays, query::nearest::<S, T, P>);
+            self.add(["occlusion", tier, kind], subject, rays, query::occludes::<S, T, P>);
         }
     }
 
-    /// What a hit is asked for, which no tier changes.
+    /// What a hit has, which no tier changes.
     fn surface<S, P>(&mut self, subject: &P, hitting: &[Ray<S>])
     where
         S: Scalar,
@@ -124,8 +124,8 @@ impl<const ALL_HITS: bool> Builder<'_, ALL_HITS> {
     {
         let hits: Vec<(Ray<S>, Option<Hit<S>>)> =
             hitting.iter().map(|ray| (*ray, subject.nearest::<Stable>(ray))).collect();
-        self.add(["normal", "any", "hit"], subject, &hits, question::normal::<S, P>);
-        self.add(["uv", "any", "hit"], subject, &hits, question::uv::<S, P>);
+        self.add(["normal", "any", "hit"], subject, &hits, query::normal::<S, P>);
+        self.add(["uv", "any", "hit"], subject, &hits, query::uv::<S, P>);
     }
 }
 

@@ -7,7 +7,7 @@
 //! cargo bench -p raylet-counting -- scene                               # cost against work: 1 to 256 spheres
 //! ```
 //!
-//! A sample asks 64 rays; the figures are for all of them together, and below in millions of questions a second. Instructions, which
+//! A sample has 64 rays; the figures are for all of them together, and below in millions of queries a second. Instructions, which
 //! do not depend on how busy the machine is, are counted by `.ci/instructions`.
 
 mod cost;
@@ -15,7 +15,7 @@ mod cost;
 use divan::Bencher;
 use divan::counter::ItemsCount;
 
-use cost::{Case, QUESTIONS};
+use cost::{Case, QUERIES};
 use std::fmt;
 
 fn main() {
@@ -33,7 +33,7 @@ impl fmt::Display for Listed {
 }
 
 fn measure(bencher: Bencher<'_, '_>, Listed(case): &Listed) {
-    bencher.counter(ItemsCount::new(QUESTIONS)).bench_local(|| case.ask());
+    bencher.counter(ItemsCount::new(QUERIES)).bench_local(|| case.run());
 }
 
 /// A benchmark a query, with a row for every primitive, number type, tier and kind of rays.

@@ -11,22 +11,22 @@ pub use pictures::PICTURES;
 use raylet::Scalar;
 use raylet::tier::{Exact, Fast, Stable, Tier};
 use shared::digest::Bits;
-use shared::subject::question;
+use shared::subject::query;
 use shared::workload::{PLACEMENTS, Placed, QUERIES, Query, RAYS, Rays, SENSED, SOLIDS_BY_NAME, query, sensed};
 use std::hint::black_box;
 
-/// Of the range sensor's queries every so many is asked, a hundred in all: no divisor of the number of solids or of zones.
+/// Of the range sensor's queries every so many is run, a hundred in all: no divisor of the number of solids or of zones.
 const EVERY: usize = 27;
 
 /// One row to be measured.
 pub struct Workload {
-    /// What is asked, in which number type and tier.
+    /// The query, in which number type and tier.
     pub name: String,
     /// How many queries.
     pub queries: usize,
     /// How far its answers are off, where the number type has exact ones.
     pub off: Option<Off>,
-    ask: Box<dyn Fn(usize) + Send + Sync>,
+    run: Box<dyn Fn(usize) + Send + Sync>,
 }
 
 /// How far answers are off those of `Exact`, which are exact but for the rounding of `t`.
@@ -61,13 +61,13 @@ impl Off {
 impl Workload {
     fn new<S: Scalar, T: Tier<S>>(of: &str, number: &str, tier: &str, queries: Vec<Query<S>>) -> Self {
         // The compiler must not know which function it is: it would make a copy of the call for each.
-        let question = black_box(question::nearest::<S, T, raylet::Shape<S>> as fn(&_, &_));
+        let query = black_box(query::nearest::<S, T, raylet::Shape<S>> as fn(&_, &_));
         let count = queries.len();
-        let ask = move |index: usize| {
+        let run = move |index: usize| {
             let Query { shape, ray } = &queries[index];
-            question(black_box(shape), black_box(ray));
+            query(black_box(shape), black_box(ray));
         };
-        Self { name: format!("{of} | {number} | {tier}"), queries: count, off: None, ask: Box::new(ask) }
+        Self { name: format!("{of} | {number} | {tier}"), queries: count, off: None, run: Box::new(run) }
     }
 
     /// The same of a number type that has exact answers.
@@ -81,8 +81,8 @@ impl Workload {
 
     /// One query.
     #[inline]
-    pub fn ask(&self, index: usize) {
-        (self.ask)(index);
+    pub fn run(&self, index: usize) {
+        (self.run)(index);
     }
 }
 

@@ -7,7 +7,7 @@ use std::ffi::c_void;
 /// Tells `machine.py` of a block that is not known: its address and its bytes.
 type Unknown = extern "C" fn(u32, u32);
 
-/// A counter, and whom to ask.
+/// A counter, and where it is read.
 pub struct Counting {
     counter: Counter,
     unknown: Unknown,

@@ -1,13 +1,13 @@
-//! What a contestant is: a primitive of somebody's, that is asked for the nearest hit of a ray.
+//! What a contestant is: a primitive of a library, and its query for the nearest hit of a ray.
 
 use crate::pose::Pose;
-use support::exact_types::Exact;
-use support::oracle::Solid;
 use raylet::Ray;
 use std::hint::black_box;
 use std::ops::{Add, Div, Mul, Sub};
+use support::exact_types::Exact;
+use support::oracle::Solid;
 
-/// A number type in which rays are asked: a float, whose directions are of the same type.
+/// A number type of rays: a float, whose directions are of the same type.
 pub trait Number:
     Exact<Unit = Self> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
@@ -40,7 +40,7 @@ pub trait Contestant<S: Number> {
     type Answer;
     /// The same ray, bit for bit.
     fn ray(ray: &Ray<S>) -> Self::Ray;
-    /// The question.
+    /// The query.
     fn nearest(&self, ray: &Self::Ray) -> Self::Answer;
     /// The distance in an answer, if it is a hit.
     fn distance(answer: &Self::Answer) -> Option<S>;
@@ -48,7 +48,7 @@ pub trait Contestant<S: Number> {
 
 /// A contestant and its rays, whatever their types.
 pub trait Prepared<S> {
-    /// Asks for every ray once. The loop is the same for all contestants, and all that is ever timed.
+    /// Calls it for every ray once. The loop is the same for all contestants, and all that is ever timed.
     fn pass(&self);
     /// The answers.
     fn distances(&self) -> Vec<Option<S>>;
@@ -56,12 +56,12 @@ pub trait Prepared<S> {
     fn rays(&self) -> usize;
 }
 
-struct Asked<'a, S: Number, C: Contestant<S>> {
+struct Timed<'a, S: Number, C: Contestant<S>> {
     contestant: &'a C,
     rays: Vec<C::Ray>,
 }
 
-impl<S: Number, C: Contestant<S>> Prepared<S> for Asked<'_, S, C> {
+impl<S: Number, C: Contestant<S>> Prepared<S> for Timed<'_, S, C> {
     #[inline(never)]
     fn pass(&self) {
         for ray in &self.rays {
@@ -80,14 +80,14 @@ impl<S: Number, C: Contestant<S>> Prepared<S> for Asked<'_, S, C> {
 }
 
 /// A contestant of any type, made ready for rays.
-pub trait Ask<S: Number> {
+pub trait Query<S: Number> {
     /// Turns rays into the contestant's own type, which no one times.
     fn prepare(&self, rays: &[Ray<S>]) -> Box<dyn Prepared<S> + '_>;
 }
 
-impl<S: Number, C: Contestant<S>> Ask<S> for C {
+impl<S: Number, C: Contestant<S>> Query<S> for C {
     fn prepare(&self, rays: &[Ray<S>]) -> Box<dyn Prepared<S> + '_> {
-        Box::new(Asked { contestant: self, rays: rays.iter().map(C::ray).collect() })
+        Box::new(Timed { contestant: self, rays: rays.iter().map(C::ray).collect() })
     }
 }
 
@@ -98,12 +98,12 @@ pub struct Entrant<S: Number> {
     pub pose: Pose<S>,
     /// The very solid that the contestant was given; the subject's, but for a size that it stores in another way.
     pub solid: Solid,
-    contestant: Box<dyn Ask<S>>,
+    contestant: Box<dyn Query<S>>,
 }
 
 impl<S: Number> Entrant<S> {
     /// One whose primitive stands as the subject does.
-    pub fn new(name: &'static str, solid: &Solid, contestant: impl Ask<S> + 'static) -> Self {
+    pub fn new(name: &'static str, solid: &Solid, contestant: impl Query<S> + 'static) -> Self {
         Self { name, pose: Pose::same(), solid: solid.clone(), contestant: Box::new(contestant) }
     }
 

@@ -7,8 +7,8 @@ use crate::measure::Row;
 use crate::names::STABLE;
 use crate::sizes::PRIMITIVES;
 use crate::speed::Speed;
-use support::workload::{WORKLOADS, Workload};
 use std::fmt::Write;
+use support::workload::{WORKLOADS, Workload};
 
 /// What was compared and how; the figures follow.
 fn head(environment: &Environment) -> String {
@@ -175,7 +175,7 @@ fn of_workload<'a>(rows: &'a [Row], number: &str, primitive: &str, workload: Wor
     rows.iter().filter(|row| row.number == number && row.primitive == primitive && row.workload == workload).collect()
 }
 
-/// What a question costs.
+/// What a query costs.
 fn times<S: Field>(rows: &[Row]) -> String {
     let number = S::name();
     let mut text = format!(

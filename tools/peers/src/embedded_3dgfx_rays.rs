@@ -6,7 +6,6 @@
 use crate::contestant::{Contestant, Entrant};
 use crate::names::EMBEDDED_3DGFX;
 use crate::sizes::Sizes;
-use support::oracle::Solid;
 use embedded_3dgfx::pipeline::vertex::camera;
 use embedded_3dgfx::pipeline::vertex::mesh::Geometry;
 use embedded_3dgfx::ray_primitive::{
@@ -15,6 +14,7 @@ use embedded_3dgfx::ray_primitive::{
 use embedded_3dgfx::{MeshRayCastHit, mesh_ray_cast};
 use nalgebra::{Matrix4, Vector3};
 use raylet::Ray;
+use support::oracle::Solid;
 
 /// A ray of its own; its constructor would make the direction unit once more and so change it.
 fn own_ray(ray: &Ray<f32>) -> camera::Ray {
@@ -22,7 +22,7 @@ fn own_ray(ray: &Ray<f32>) -> camera::Ray {
 }
 
 macro_rules! contestants {
-    ($($Primitive:ident { $($size:ident: $Size:ty),+ }, |$ray:ident| $question:expr;)+) => {
+    ($($Primitive:ident { $($size:ident: $Size:ty),+ }, |$ray:ident| $query:expr;)+) => {
         $(
             struct $Primitive {
                 $($size: $Size,)+
@@ -37,7 +37,7 @@ macro_rules! contestants {
                 #[inline]
                 fn nearest(&self, $ray: &camera::Ray) -> Option<RayHit> {
                     $(let $size = self.$size;)+
-                    $question
+                    $query
                 }
                 fn distance(answer: &Option<RayHit>) -> Option<f32> {
                     answer.map(|hit| hit.distance)
@@ -85,7 +85,7 @@ pub fn has_exact_roots() -> bool {
     ray_intersects_sphere(&ray, Vector3::zeros(), 1.1).is_some_and(|hit| (hit.distance - 4.367_544_5).abs() < 1e-4)
 }
 
-/// embedded-3dgfx, asked about this primitive, if it has it.
+/// embedded-3dgfx, for this primitive, if it has it.
 pub fn entrant(sizes: Sizes<f32>, solid: &Solid) -> Option<Entrant<f32>> {
     let (origin, up) = (Vector3::zeros(), Vector3::y());
     Some(match sizes {

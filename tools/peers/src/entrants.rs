@@ -3,10 +3,10 @@
 use crate::contestant::{Entrant, Number};
 use crate::names::{EMBEDDED_3DGFX, EXACT, FAST, STABLE, TEXTBOOK};
 use crate::sizes::Sizes;
-use support::subject::Subject;
 use crate::{embedded_3dgfx_rays, raylet_tiers, textbook};
 #[cfg(feature = "parry")]
 use crate::{names::PARRY, parry};
+use support::subject::Subject;
 
 /// A number type, and who answers in it.
 pub trait Field: Number {

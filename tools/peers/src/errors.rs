@@ -1,9 +1,9 @@
 //! How wrong the nearest hits of a contestant are, against exact arithmetic on the numbers that it received.
 
 use crate::contestant::{Entrant, Number};
+use raylet::Ray;
 use support::exact_types::exact_line;
 use support::oracle::{self, Answer, Dyadic, Root, Solid};
-use raylet::Ray;
 
 /// A hit that is farther off than so many units in the last place is wrong, whatever else it is.
 pub const WRONG: f64 = 1000.0;
@@ -12,14 +12,14 @@ pub const WRONG: f64 = 1000.0;
 pub enum Truth {
     Hit(Root),
     Miss,
-    /// The line lies in the surface, so that no point is the nearest: nobody is asked.
+    /// The line lies in the surface, so that no point is the nearest: there is no query.
     Undefined,
 }
 
 /// The errors of one contestant on one workload.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Errors {
-    /// Rays asked, and how many of them exact arithmetic hits with.
+    /// Rays, and how many of them exact arithmetic hits with.
     pub rays: usize,
     pub hits: usize,
     /// Median, 99.9 % and worst error of `t`, over the hits that were found, in units in the last place.
@@ -77,10 +77,10 @@ pub fn judge<S: Number>(entrant: &Entrant<S>, rays: &[Ray<S>], truths: &[Truth])
 }
 
 fn compare<S: Number>(answers: &[Option<S>], truths: &[Truth]) -> Errors {
-    let [mut lost, mut phantom, mut hits, mut asked] = [0; 4];
+    let [mut lost, mut phantom, mut hits, mut rays] = [0; 4];
     let (mut units, mut lengths) = (vec![], vec![]);
     for (answer, truth) in answers.iter().zip(truths) {
-        asked += usize::from(!matches!(truth, Truth::Undefined));
+        rays += usize::from(!matches!(truth, Truth::Undefined));
         hits += usize::from(matches!(truth, Truth::Hit(_)));
         match (answer, truth) {
             (Some(t), Truth::Hit(exact)) if t.is_finite() => {
@@ -94,7 +94,7 @@ fn compare<S: Number>(answers: &[Option<S>], truths: &[Truth]) -> Errors {
         }
     }
     let wrong = units.iter().filter(|error| **error > WRONG).count();
-    Errors { rays: asked, hits, units: quantiles(units), lengths: quantiles(lengths), lost, phantom, wrong }
+    Errors { rays, hits, units: quantiles(units), lengths: quantiles(lengths), lost, phantom, wrong }
 }
 
 /// Median, 99.9 % and worst.

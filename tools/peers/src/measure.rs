@@ -7,9 +7,9 @@ use crate::names::STABLE;
 use crate::rays;
 use crate::sizes::PRIMITIVES;
 use crate::speed::{self, Effort, Speed};
+use crate::textbook;
 use support::subject::Subject;
 use support::workload::{WORKLOADS, Workload};
-use crate::textbook;
 
 /// One contestant on one workload.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,15 +2,15 @@
 //! it does in raylet.
 //!
 //! Its cylinder and its cone have their middle in the origin, and the cone's apex is above. The rays are moved there
-//! beforehand, so that parry is asked in the frame that suits it best; its `cast_ray` with a pose would move them itself.
+//! beforehand, so that parry is called in the frame that suits it best; its `cast_ray` with a pose would move them itself.
 
 use crate::contestant::{Contestant, Entrant};
 use crate::names::PARRY;
 use crate::pose::Pose;
 use crate::sizes::Sizes;
+use raylet::Ray;
 use support::exact_types::Exact;
 use support::oracle::{Dyadic, Solid};
-use raylet::Ray;
 
 macro_rules! parry {
     ($module:ident, $library:ident, $Float:ident) => {
@@ -42,7 +42,7 @@ macro_rules! parry {
                 Vector::new(x, y, z)
             }
 
-            /// parry, asked about this primitive; it has no disc.
+            /// parry, for this primitive; it has no disc.
             pub fn entrant(sizes: Sizes<$Float>, solid: &Solid) -> Option<Entrant<$Float>> {
                 Some(match sizes {
                     Sizes::Sphere { radius } => Entrant::new(PARRY, solid, Parry(Ball::new(radius))),

@@ -1,9 +1,9 @@
 //! Where a library puts a primitive that raylet stands on its base, and how the rays follow it there.
 
 use crate::contestant::Number;
+use raylet::{Ray, Vec3};
 use support::exact_types::exact_line;
 use support::oracle::Line;
-use raylet::{Ray, Vec3};
 
 /// The library's primitive has its middle in the origin, or that and its apex above instead of below.
 #[derive(Clone, Copy, PartialEq)]
@@ -35,7 +35,7 @@ impl<S: Number> Pose<S> {
         *self == Self::same()
     }
 
-    /// The ray at the library's primitive. Its y is rounded, which is held against nobody: the oracle is asked about the
+    /// The ray at the library's primitive. Its y is rounded, which is held against nobody: the oracle has the
     /// ray that came of it.
     pub fn own_ray(&self, ray: &Ray<S>) -> Ray<S> {
         let [x, y, z] = ray.origin().to_array();

@@ -2,10 +2,10 @@
 
 use crate::contestant::{Contestant, Entrant, Number};
 use crate::names::{EXACT, FAST, STABLE};
-use support::subject::Subject;
 use raylet::tier::{Exact, Fast, Stable, Tier};
 use raylet::{Capsule, Cone, Cylinder, Disc, Hit, Plane, Primitive, Ray, Sphere, Triangle};
 use std::marker::PhantomData;
+use support::subject::Subject;
 
 /// A primitive in a tier.
 struct In<P, T>(P, PhantomData<T>);

@@ -1,11 +1,11 @@
 //! The rays: those of `docs/accuracy.md`, and the same sorted into hits and misses for the clock.
 
 use crate::contestant::Number;
+use raylet::{Ray, Vec3};
 use support::exact_types::expected;
 use support::random::{Random, add, scale};
 use support::subject::Subject;
 use support::workload::{WORKLOADS, Workload};
-use raylet::{Ray, Vec3};
 
 /// Fewer rays than this of a kind are no measurement.
 const FEWEST: usize = 50;

@@ -1,4 +1,4 @@
-//! How long a question takes, on a machine that does other things too.
+//! How long a query takes, on a machine that does other things too.
 //!
 //! The contestants take turns, round after round, for some fifty microseconds each. What disturbs the machine for longer
 //! than a round disturbs them all, so that the ratios of one round are worth more than any time: of each ratio the median
@@ -55,8 +55,8 @@ impl<'a, S> Runner<'a, S> {
         for _ in 0..self.passes {
             self.prepared.pass();
         }
-        let asked = self.passes * self.prepared.rays();
-        self.seconds.push(start.elapsed().as_secs_f64() / asked as f64);
+        let queries = self.passes * self.prepared.rays();
+        self.seconds.push(start.elapsed().as_secs_f64() / queries as f64);
     }
 }
 

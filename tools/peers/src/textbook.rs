@@ -3,8 +3,8 @@
 use crate::contestant::{Contestant, Entrant, Number};
 use crate::names::TEXTBOOK;
 use crate::sizes::Sizes;
-use support::oracle::Solid;
 use raylet::Ray;
+use support::oracle::Solid;
 
 /// Origin and direction.
 pub struct PlainRay<S> {
@@ -192,7 +192,7 @@ formulas! {
     };
 }
 
-/// The textbook, asked about this primitive.
+/// The textbook, for this primitive.
 pub fn entrant<S: Number>(sizes: Sizes<S>, solid: &Solid) -> Entrant<S> {
     let _number = std::marker::PhantomData;
     match sizes {

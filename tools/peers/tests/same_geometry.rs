@@ -1,4 +1,4 @@
-//! The comparison is fair: every contestant was given the same primitive, and answers the same question.
+//! The comparison is fair: every contestant was given the same primitive, and answers the same query.
 
 use raylet::Ray;
 use raylet_peers::embedded_3dgfx_rays::has_exact_roots;

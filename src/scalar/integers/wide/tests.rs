@@ -122,7 +122,7 @@ impl Exactly {
 }
 
 /// What the kernel says of a line: its ends, and whether one is ahead.
-fn asked(o: [i64; 3], finer: i32, d: [i64; 3], r: i64, by_moment: bool) -> (Attempt<[i64; 2]>, Attempt<()>) {
+fn queried(o: [i64; 3], finer: i32, d: [i64; 3], r: i64, by_moment: bool) -> (Attempt<[i64; 2]>, Attempt<()>) {
     let ends = || {
         Attempt::Found(if by_moment {
             found!(found!(ByMoment::new(o, finer, d, r)).ends())
@@ -153,7 +153,7 @@ fn balls_are_met_where_they_are() {
             if !by_moment && !exactly.is_unit() {
                 continue;
             }
-            let (ends, ahead) = asked(o, finer, d, r, by_moment);
+            let (ends, ahead) = queried(o, finer, d, r, by_moment);
             let line = std::format!("{o:?} {d:?} {r}, finer: {finer}, by moment: {by_moment}");
             match ends {
                 Attempt::Unsure => {}

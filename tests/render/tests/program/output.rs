@@ -1,4 +1,4 @@
-//! The promise: a picture goes where it was asked to go, before anything is said of it, or the program fails before it is traced.
+//! The promise: a picture goes where the options say, before anything is said of it, or the program fails before it is traced.
 
 use crate::support::{Folder, ball, pixels};
 use std::fs;

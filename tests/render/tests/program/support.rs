@@ -139,14 +139,14 @@ impl Said {
         Self { code: output.status.code(), output: String::from_utf8_lossy(&output.stdout).into_owned(), error }
     }
 
-    /// It did what it was asked for.
+    /// It did what the options say.
     #[track_caller]
     pub(crate) fn succeeds(self) -> Self {
         assert_eq!(self.code, Some(0), "{self:?}");
         self
     }
 
-    /// It did what it was asked for, and saw nothing odd.
+    /// It did what the options say, and saw nothing odd.
     #[track_caller]
     pub(crate) fn succeeds_silently(self) -> Self {
         assert_eq!((self.code, self.error.as_str()), (Some(0), ""), "{self:?}");

@@ -2,7 +2,7 @@
 
 use super::bytes::Number;
 use super::known;
-use super::question::Question;
+use super::query::Query;
 use crate::cases::Kind;
 use crate::exact_types::{exact_line, same_crossing, same_part};
 use crate::oracle::{self, ConeExtent, CylinderExtent, Dyadic, InRange, Line, Solid, hits_in_range};
@@ -37,26 +37,26 @@ pub enum Verdict {
     Tie,
 }
 
-/// Asks the solid in its canonical pose, without a departure, for what exact arithmetic can tell.
-pub fn agree<S: Number, T: Tier<S>>(question: &Question<S>) -> Verdict {
-    let (_, promise) = question.tier.get();
-    let ray = question.ray.without_departure();
-    let hits = Shape::new(*question.shape.primitive()).hits_at::<T>(&ray);
+/// Queries the solid in its canonical pose, without a departure, and compares with exact arithmetic.
+pub fn agree<S: Number, T: Tier<S>>(query: &Query<S>) -> Verdict {
+    let (_, promise) = query.tier.get();
+    let ray = query.ray.without_departure();
+    let hits = Shape::new(*query.shape.primitive()).hits_at::<T>(&ray);
     let line = exact_line(&ray);
     // A triangle without an area is none to the oracle.
-    if promise == Agreement::Lawful || is_flat_to_a_line(&question.solid) {
+    if promise == Agreement::Lawful || is_flat_to_a_line(&query.solid) {
         return Verdict::Lawful;
     }
     // Where squares vanish nothing is promised but by a tier that is exact.
-    let excused = question.squares_vanish() || known::has_a_vanishing_slope(question);
+    let excused = query.squares_vanish() || known::has_a_vanishing_slope(query);
     if excused && promise != Agreement::Total {
         return Verdict::Tie;
     }
-    let exact = in_range(&question.solid, &line, &ray, &Dyadic::zero(), &Dyadic::zero());
+    let exact = in_range(&query.solid, &line, &ray, &Dyadic::zero(), &Dyadic::zero());
     let (wrong_structure, error) = (!same_structure(&hits, &exact), greatest_error(&hits, &exact));
     let told = |why: &str| {
         let exact: Vec<_> = exact.hits.iter().map(|hit| (hit.t.to_f64(), hit.part, hit.crossing)).collect();
-        format!("{why}: {hits:?}, exactly {exact:?}: {question:#?}")
+        format!("{why}: {hits:?}, exactly {exact:?}: {query:#?}")
     };
     let units = match promise {
         Agreement::Total => {
@@ -77,7 +77,7 @@ pub fn agree<S: Number, T: Tier<S>>(question: &Question<S>) -> Verdict {
         return Verdict::Same;
     }
     // Rarely reached, so that it may cost what it costs.
-    let near = Near::new(question, line, units);
+    let near = Near::new(query, line, units);
     if near.is_all_rounding() || near.is_a_point_of_overlap(&hits) || near.is_at_a_seam(&hits, &exact) {
         return Verdict::Tie;
     }
@@ -131,24 +131,24 @@ fn greatest_error<S: Number>(hits: &Hits<S>, exact: &InRange) -> f64 {
     each.map(|(hit, exact)| exact.t.error_in(&hit.t.exact(), &S::unit_at(&exact.t))).fold(0.0, f64::max)
 }
 
-/// What lies within rounding of a question.
+/// What lies within rounding of a query.
 struct Near<'a, S: Number> {
-    question: &'a Question<S>,
+    query: &'a Query<S>,
     line: Line,
     /// So many units in the last place of the lengths that the line and the solid are made of.
     step: Dyadic,
 }
 
 impl<'a, S: Number> Near<'a, S> {
-    fn new(question: &'a Question<S>, line: Line, units: f64) -> Self {
-        let step = S::unit_at(&oracle::Root::from(&grain(question))).scaled(units.log2().ceil() as isize);
-        Self { question, line, step }
+    fn new(query: &'a Query<S>, line: Line, units: f64) -> Self {
+        let step = S::unit_at(&oracle::Root::from(&grain(query))).scaled(units.log2().ceil() as isize);
+        Self { query, line, step }
     }
 
     /// True if the whole solid is not larger than what is excused.
     fn is_all_rounding(&self) -> bool {
-        let least = &self.question.extent.0;
-        let has_none = self.question.kind == Kind::Unbounded || matches!(self.question.solid, Solid::Plane);
+        let least = &self.query.extent.0;
+        let has_none = self.query.kind == Kind::Unbounded || matches!(self.query.solid, Solid::Plane);
         !has_none && *least <= self.step
     }
 
@@ -159,7 +159,7 @@ impl<'a, S: Number> Near<'a, S> {
 
     /// True if a side is met next to its rim or seam: to the same `t`, rounded, as the plane that ends it.
     fn is_at_a_seam(&self, hits: &Hits<S>, exact: &InRange) -> bool {
-        let seams = seams(&self.question.solid);
+        let seams = seams(&self.query.solid);
         let own = hits.iter().filter(|hit| hit.part == Part::Side).map(|hit| oracle::Root::from(&hit.t.exact()));
         let exact = exact.hits.iter().filter(|hit| hit.part == oracle::Part::Side).map(|hit| hit.t.clone());
         let heights = own.chain(exact).map(|t| self.line.coordinate_at(&t, 1));
@@ -193,7 +193,7 @@ impl<'a, S: Number> Near<'a, S> {
             if [x, y, z, size, start, end] == [0; 6] {
                 moved = self.without_dust();
             }
-            in_range(&resized(&self.question.solid, size, &self.step), &moved, ray, &by(start), &by(end))
+            in_range(&resized(&self.query.solid, size, &self.step), &moved, ray, &by(start), &by(end))
         })
     }
 
@@ -208,14 +208,14 @@ impl<'a, S: Number> Near<'a, S> {
     }
 }
 
-/// The length in whose units a question is rounded: that of the solid and of the way to it. From farther off a float ray
+/// The length in whose units a query is rounded: that of the solid and of the way to it. From farther off a float ray
 /// first comes closer, by a step that has half of the type's bits and leaves so much of the way.
-fn grain<S: Number>(question: &Question<S>) -> Dyadic {
-    let greatest = &question.extent.1;
-    let origin = question.ray.origin().to_array().map(|c| c.exact().magnitude());
+fn grain<S: Number>(query: &Query<S>) -> Dyadic {
+    let greatest = &query.extent.1;
+    let origin = query.ray.origin().to_array().map(|c| c.exact().magnitude());
     let [x, y, z] = &origin;
     let away = x.max(y).max(z);
-    let endless = question.kind == Kind::Unbounded || matches!(question.solid, Solid::Plane);
+    let endless = query.kind == Kind::Unbounded || matches!(query.solid, Solid::Plane);
     let near = if endless || *away <= greatest.scaled(4) {
         away.clone()
     } else {

@@ -73,7 +73,7 @@ fn fits<S: Scalar>(text: &str) {
     }
 }
 
-/// With as much room as [`Counts`] asks for.
+/// With as much memory as [`Counts`] says.
 fn read_growing<S: Scalar>(text: &str, scale: Scale) -> Result<Contents<S>, NffError> {
     let counts = Counts::of(text);
     let (mut objects, mut materials) = (Growing(vec![]), Growing(vec![]));
@@ -90,7 +90,7 @@ fn read_growing<S: Scalar>(text: &str, scale: Scale) -> Result<Contents<S>, NffE
         scale,
     )
     .inspect_err(|error| {
-        // More corners than the text has letters are a lie, for which no room is asked.
+        // More corners than the text has letters are an error, for which no memory is reserved.
         let lies = !matches!(error.reason, nff::Reason::TooManyCorners { room } if room < text.len());
         assert!(lies, "counted too few: {error}: {text:?}");
     })?;
@@ -142,7 +142,7 @@ fn draw<S: Scalar>(text: &str, contents: &Contents<S>) {
         let exists = pixel.seen.is_none_or(|(object, _)| (object as usize) < objects.len());
         assert!(exists, "{pixel:?} at {x}, {y} is of no object: {text:?}");
     });
-    // One pixel of the picture that the text asks for, whatever its size.
+    // One pixel of the picture of the text, whatever its size.
     let [width, height] = view.resolution;
     let picture = Picture::new(&scene, Size::new(width, height));
     picture.pixel(width - 1, height / 2, &mut Work::new(()));

@@ -43,7 +43,7 @@ pub struct Found {
     pub told: Vec<String>,
 }
 
-/// Asks everything that a shape can be asked of the ray, and of the whole line, and compares with the exact answer.
+/// Calls every query with the ray, and with the whole line, and compares with the exact answer.
 pub fn compare<S: Exact, T: Tier<S>>(shape: &Shape<S>, solid: &Solid, line: &Line, ray: &Ray<S>, found: &mut Found) {
     let answer = oracle::solve(solid, line);
     for ray in [*ray, ray.with_range(Range::line())] {

@@ -65,7 +65,7 @@ impl<'a, S: Exact> Tally<'a, S> {
         self.policy.limits && S::name().starts_with('f') && distance / size >= super::two_to(ratio)
     }
 
-    fn ask<T: Tier<S>>(&mut self, shape: &Shape<S>, solid: &Solid, ray: &Ray<S>) {
+    fn test<T: Tier<S>>(&mut self, shape: &Shape<S>, solid: &Solid, ray: &Ray<S>) {
         self.rays += 1;
         compare::<S, T>(shape, solid, &exact_line(ray), ray, &mut self.found);
     }
@@ -144,7 +144,7 @@ pub fn from_the_centre<S: Exact, T: Tier<S>>(tally: &mut Tally<'_, S>) {
         for along in all_directions() {
             let ray =
                 Ray::new(cases::v([0.0, height, 0.0]), direction(along)).expect("the origin is within the budget");
-            tally.ask::<T>(&shape, &solid, &ray);
+            tally.test::<T>(&shape, &solid, &ray);
             let hits = shape.hits_at::<T>(&ray);
             let leaves = hits.starts_inside() && hits.len() == 1 && hits[0].crossing == Crossing::Exit;
             tally.must(leaves, || format!("{kind:?} is not left by {ray:?}: {hits:?}"));
@@ -179,7 +179,7 @@ pub fn from_the_surface<S: Exact, T: Tier<S>>(tally: &mut Tally<'_, S>) {
         for along in all_directions() {
             let outwards = along.iter().zip(normal).map(|(d, n)| d * n).sum::<f64>();
             let ray = Ray::new(cases::v(point), direction(along)).expect("the origin is within the budget");
-            tally.ask::<T>(&shape, &solid, &ray);
+            tally.test::<T>(&shape, &solid, &ray);
             if outwards.abs() < 1e-3 {
                 continue;
             }
@@ -206,7 +206,7 @@ pub fn zero_components<S: Exact, T: Tier<S>>(tally: &mut Tally<'_, S>) {
                 for away in [0.0, 1.0, 6.5] {
                     let origin = std::array::from_fn(|i| aim[i] - away * along[i]);
                     let ray = Ray::new(cases::v(origin), direction(along)).expect("the origin is within the budget");
-                    tally.ask::<T>(&case.shape(), &case.solid, &ray);
+                    tally.test::<T>(&case.shape(), &case.solid, &ray);
                 }
             }
         }
@@ -231,7 +231,7 @@ pub fn ever_farther<S: Exact, T: Tier<S>>(tally: &mut Tally<'_, S>) {
                     if tally.is_a_point(0.5, away) {
                         break;
                     }
-                    tally.ask::<T>(&case.shape(), &case.solid, &ray);
+                    tally.test::<T>(&case.shape(), &case.solid, &ray);
                 }
             }
         }
@@ -267,7 +267,7 @@ pub fn at_the_ends_of_the_type<S: Exact, T: Tier<S>>(tally: &mut Tally<'_, S>) {
                 for corner in [[1.0, 1.0, 1.0], [1.0, 0.0, 0.0], [0.5, 0.5, 0.0], [0.0, 0.0, 1.0]] {
                     let origin = std::array::from_fn(|i| if along[i] > 0.0 { -distance } else { distance } * corner[i]);
                     let ray = Ray::new(cases::v(origin), direction(along)).expect("the origin is within the budget");
-                    tally.ask::<T>(&Shape::new(primitive), &solid, &ray);
+                    tally.test::<T>(&Shape::new(primitive), &solid, &ray);
                 }
             }
         }

@@ -1,4 +1,4 @@
-//! Quadratic surds, compared exactly and enclosed as tightly as one asks.
+//! Quadratic surds, compared exactly and enclosed as tightly as needed.
 
 use std::cmp::Ordering;
 use std::ops::Neg;

@@ -70,7 +70,7 @@ fn times(study: &Study, number: &str, primitive: &str, tiers: &[&str]) -> String
     table.done()
 }
 
-/// Of the rays that the firmware asks, at the primitive and placed.
+/// Of the rays of the firmware, at the primitive and placed.
 fn chips(study: &Study, rows: &[&Figures]) -> String {
     let titles: Vec<_> = ["", "tier"].into_iter().chain(study.chips.iter().map(|chip| chip.name)).collect();
     let mut table = Table::new(&titles, 2);

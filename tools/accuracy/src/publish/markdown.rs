@@ -47,7 +47,7 @@ fn pair(hit: Option<String>, miss: Option<String>) -> String {
     }
 }
 
-/// A chip's instructions for a row: hit / miss; in brackets where the firmware asks other rays than the row's.
+/// A chip's instructions for a row: hit / miss; in brackets where the firmware has other rays than the row's.
 pub fn instructions(chip: &Chip, row: &Figures) -> String {
     let told = chip.instructions(row);
     let text = pair(told.map(|told| grouped(told.hit)), told.map(|told| grouped(told.miss)));

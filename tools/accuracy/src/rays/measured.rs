@@ -10,7 +10,7 @@ use raylet::{Ray, Shape};
 use support::described::Described;
 use support::figures::{Figures, Rays};
 use support::measure::{Judgement, Measured, Rows};
-use support::method::{Asked, Told};
+use support::method::{Target, Told};
 use support::oracle::InRange;
 use support::placed::{Placed, UNPLACED};
 use support::textbook::Place;
@@ -116,7 +116,7 @@ impl Task<'_> {
         let placed = placement.map(|placement| Placed::by(&shape, &solid, placement)).transpose();
         let placed = placed.map_err(|error| error.to_string())?;
         let stands = placed.as_ref().map_or(&shape, |placed| &placed.shape);
-        let asked = Asked { shape: stands, solid: &solid, size: sized.size(), placed: placed.as_ref() };
+        let target = Target { shape: stands, solid: &solid, size: sized.size(), placed: placed.as_ref() };
 
         let methods = S::methods();
         let mut rows = Rows::new(&methods);
@@ -126,7 +126,7 @@ impl Task<'_> {
             tick();
             let Some(ray) = line.ray::<S>() else { continue };
             held.push(ray);
-            let (exact, judgements) = rows.ask(&asked, &ray);
+            let (exact, judgements) = rows.measure(&target, &ray);
             for (worst, judgement) in worst.iter_mut().zip(&judgements) {
                 keep_worst(worst, line.number, judgement, &exact);
             }

@@ -1,4 +1,4 @@
-//! A question at some rays, again and again.
+//! A query at some rays, again and again.
 
 use super::rays::Query;
 use raylet::tier::Tier;
@@ -11,47 +11,47 @@ use support::textbook::{Form, Place, Plain, PlainRay};
 /// A batch goes on for at least this long: well above the grain of the clock, well below a slice of the scheduler.
 const NANOSECONDS: f64 = 25_000.0;
 
-/// A question, ready to be timed.
+/// A query, ready to be timed.
 pub struct Batch {
     run: Box<dyn Fn(u32)>,
     passes: u32,
-    questions: usize,
+    queries: usize,
 }
 
 #[inline(never)]
-fn pass<I>(inputs: &[I], question: fn(&I)) {
+fn pass<I>(inputs: &[I], query: fn(&I)) {
     for input in inputs {
-        question(black_box(input));
+        query(black_box(input));
     }
 }
 
 impl Batch {
-    fn new<I: 'static>(inputs: Vec<I>, question: fn(&I)) -> Self {
-        let questions = inputs.len();
+    fn new<I: 'static>(inputs: Vec<I>, query: fn(&I)) -> Self {
+        let queries = inputs.len();
         let run = move |passes| {
             // The compiler must not know which function it is: it would make a copy of the loop for each.
-            let question = black_box(question);
+            let query = black_box(query);
             for _ in 0..passes {
-                pass(&inputs, question);
+                pass(&inputs, query);
             }
         };
-        let mut batch = Self { run: Box::new(run), passes: 1, questions };
+        let mut batch = Self { run: Box::new(run), passes: 1, queries };
         // Once to warm up, once to see.
         batch.nanoseconds();
-        let once = batch.nanoseconds() * questions as f64;
+        let once = batch.nanoseconds() * queries as f64;
         batch.passes = (NANOSECONDS / once.max(1.0)).ceil().clamp(1.0, 1e4) as u32;
         batch
     }
 
-    /// Of a question, in the mean.
+    /// Of a query, in the mean.
     pub fn nanoseconds(&self) -> f64 {
         let start = Instant::now();
         (self.run)(self.passes);
-        start.elapsed().as_nanos() as f64 / (f64::from(self.passes) * self.questions as f64)
+        start.elapsed().as_nanos() as f64 / (f64::from(self.passes) * self.queries as f64)
     }
 }
 
-/// What can be asked for its nearest hit.
+/// What can be target for its nearest hit.
 trait Nearest<S: Scalar>: Copy + 'static {
     fn nearest<T: Tier<S>>(&self, ray: &Ray<S>) -> Option<Hit<S>>;
 }
@@ -71,12 +71,12 @@ macro_rules! primitives {
 primitives!(Sphere Cylinder Cone Capsule Plane Disc Triangle Shape);
 
 #[inline(never)]
-fn ask<S: Scalar, T: Tier<S>, P: Nearest<S>>((subject, ray): &(P, Ray<S>)) {
+fn nearest<S: Scalar, T: Tier<S>, P: Nearest<S>>((subject, ray): &(P, Ray<S>)) {
     black_box(subject.nearest::<T>(ray));
 }
 
 fn of<S: Scalar, T: Tier<S>, P: Nearest<S>>(inputs: Vec<(P, Ray<S>)>) -> Batch {
-    Batch::new(inputs, ask::<S, T, P>)
+    Batch::new(inputs, nearest::<S, T, P>)
 }
 
 /// A tier: through the primitive's own method, where it is not placed.
@@ -115,7 +115,7 @@ fn ask_nothing<S: Scalar>(query: &Ray<S>) {
     black_box(query);
 }
 
-/// A question that asks nothing.
+/// A query that does nothing.
 pub fn nothing<S: Plain>(queries: &[Query<S>]) -> Batch {
     Batch::new(queries.iter().map(|query| query.ray).collect(), ask_nothing::<S>)
 }

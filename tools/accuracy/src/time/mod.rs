@@ -5,7 +5,7 @@
 //!
 //! | module | what it holds |
 //! |---|---|
-//! | `batch` | a question at some rays, again and again |
+//! | `batch` | a query at some rays, again and again |
 //! | `rays` | of a workload's rays those that hit, and others that miss |
 
 mod batch;

@@ -33,7 +33,7 @@ impl Kind {
     }
 }
 
-/// A ray and what it is asked to meet.
+/// A ray and what it is to meet.
 #[derive(Clone, Copy)]
 pub struct Query<S: Plain> {
     pub shape: Shape<S>,

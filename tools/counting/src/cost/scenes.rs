@@ -1,6 +1,6 @@
 //! Cost against work: rays in scenes of ever more spheres.
 
-use super::{Case, KINDS, Name, QUESTIONS};
+use super::{Case, KINDS, Name, QUERIES};
 use raylet::scene::{Hierarchy, Node};
 use raylet::{Camera, Counters, Frame, Material, Object, Ray, Scalar, Scene, Shape, Sphere, Vec3};
 use shared::digest::Random;
@@ -23,7 +23,7 @@ pub fn subject(objects: usize, walk: &str) -> String {
 
 /// Small spheres, none further than two from the origin along an axis; the first of a large scene are those of a small one.
 ///
-/// A scene borrows its lists and a case owns what it asks, so the lists live until the program ends.
+/// A scene borrows its lists and a case owns what it runs, so the lists live until the program ends.
 fn scene<S: Scalar>(objects: usize) -> Option<Scene<'static, S>> {
     let mut random = Random(0x0123_4567_89ab_cdef);
     let sphere = Sphere::new(eighths::<S>(1)).ok()?;
@@ -80,12 +80,12 @@ fn rays<S: Scalar>(scene: &Scene<'static, S>, hitting: bool) -> Vec<Ray<S>> {
         .filter(|(origin, _)| origin.to_array().iter().any(|c| c.to_f64().abs() > 2.25))
         .filter_map(|(origin, target)| Ray::towards(origin, target).ok())
         .filter(|ray| scene.occludes(ray, &mut Counters::default()) == hitting)
-        .take(QUESTIONS)
+        .take(QUERIES)
         .collect()
 }
 
-/// What is asked of a scene.
-type Question<S> = fn(&Scene<'static, S>, &Ray<S>);
+/// A query of a scene.
+type Query<S> = fn(&Scene<'static, S>, &Ray<S>);
 
 #[inline(never)]
 fn nearest<S: Scalar>(scene: &Scene<'static, S>, ray: &Ray<S>) {
@@ -122,10 +122,10 @@ fn of_scene<S: Scalar>(
     let mut cases = Vec::new();
     for (hitting, kind) in KINDS {
         let rays = rays(&scene, hitting);
-        let questions: [(_, Question<S>); 2] = [("nearest", nearest::<S>), ("occlusion", occlusion::<S>)];
-        for (query, question) in questions {
+        let queries: [(_, Query<S>); 2] = [("nearest", nearest::<S>), ("occlusion", occlusion::<S>)];
+        for (query, run) in queries {
             let name = Name { subject: subject(objects, walk), query, number, tier: "Stable", rays: kind };
-            cases.push(Case::new(name, scene, rays.clone(), question));
+            cases.push(Case::new(name, scene, rays.clone(), run));
         }
     }
     cases

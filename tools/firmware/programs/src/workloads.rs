@@ -10,16 +10,16 @@ use raylet::tier::{Exact, Fast, Stable, Tier};
 use raylet::{Scalar, Shape};
 use raylet_firmware::clock;
 use shared::pictured::{BUILT_IN, of_built_in};
-use shared::subject::question;
+use shared::subject::query;
 use shared::workload::{Placed, QUERIES, Query, Rays, SENSED, SOLIDS_BY_NAME, query, sensed};
 
-/// A query is asked until that took so many instructions: then the grain of the clock is one hundredth.
+/// A query is repeated until that took so many instructions: then the grain of the clock is one hundredth.
 const ENOUGH: u64 = 100 * clock::GRAIN;
 
 /// So many times a function is called that does nothing.
-const ASKED: u64 = 500;
+const LOOPS: u64 = 500;
 
-/// Of the range sensor's queries every so many is asked, a hundred in all: no divisor of the number of solids or of zones.
+/// Of the range sensor's queries every so many is run, a hundred in all: no divisor of the number of solids or of zones.
 const EVERY: usize = 27;
 
 /// Which solids and rays: of each solid.
@@ -54,27 +54,26 @@ pub type Report<'a> = &'a mut dyn FnMut(Row<'_>);
 type Queries<S> = Vec<Query<S>, QUERIES>;
 
 /// Instructions of one query.
-fn singly<S: Scalar>(test: &Query<S>, question: fn(&Shape<S>, &Query<S>)) -> u64 {
+fn singly<S: Scalar>(test: &Query<S>, query: fn(&Shape<S>, &Query<S>)) -> u64 {
     let (tests, nothing) = (slice::from_ref(test), black_box(nothing::<Shape<S>, Query<S>> as fn(&_, &_)));
     let mut rounds = 1;
     let taken = loop {
-        let taken = run(&test.shape, tests, question, rounds);
+        let taken = run(&test.shape, tests, query, rounds);
         if taken >= ENOUGH || rounds >= MOST_ROUNDS {
             break taken;
         }
         rounds *= 2;
     };
     // A function that does nothing takes less than the grain of the clock.
-    let asking = run(&test.shape, tests, nothing, ASKED);
-    (taken.saturating_sub(asking * rounds / ASKED) + rounds / 2) / rounds
+    let looping = run(&test.shape, tests, nothing, LOOPS);
+    (taken.saturating_sub(looping * rounds / LOOPS) + rounds / 2) / rounds
 }
 
 #[inline(never)]
 fn tier<S: Scalar, T: Tier<S>>(tests: &Queries<S>) -> [u64; 3] {
     // The compiler must not know which function it is: it would make a copy of the loop for each.
-    let question =
-        black_box((|shape, test| question::nearest::<S, T, _>(shape, &test.ray)) as fn(&Shape<S>, &Query<S>));
-    let mut counts: Vec<u64, QUERIES> = tests.iter().map(|test| singly(test, question)).collect();
+    let query = black_box((|shape, test| query::nearest::<S, T, _>(shape, &test.ray)) as fn(&Shape<S>, &Query<S>));
+    let mut counts: Vec<u64, QUERIES> = tests.iter().map(|test| singly(test, query)).collect();
     counts.sort_unstable();
     let count = counts.len().max(1);
     let mean = (counts.iter().sum::<u64>() + count as u64 / 2) / count as u64;

@@ -1,5 +1,5 @@
 //! What one primitive, and one set of effects, takes of a chip's memory: each program finds the nearest hit of one primitive, in one
-//! number type and tier, or traces a pixel with one set of effects, or asks shapes of chosen kinds, and does nothing else.
+//! number type and tier, or traces a pixel with one set of effects, or calls the queries of shapes of chosen kinds, and does nothing else.
 //!
 //! The programs are not stored: `check programs` writes them to `src/bin`, one for each row of the tables that `check size` and
 //! `check left-out` read.
@@ -85,7 +85,7 @@ macro_rules! picture {
     };
 }
 
-/// A program that asks a shape of chosen kinds everything, in every tier.
+/// A program that calls every query of a shape of chosen kinds, in every tier.
 #[macro_export]
 macro_rules! asked {
     ($S:ty, $Kinds:ty) => {
@@ -93,7 +93,7 @@ macro_rules! asked {
             use $crate::raylet::{Exact, Fast, Ray, Shape, Stable, Tier};
             use $crate::raylet_proofs::input::{any_point, any_reference, give};
 
-            fn ask<T: Tier<$S>>(shape: &Shape<$S, $Kinds>, ray: &Ray<$S>) {
+            fn call<T: Tier<$S>>(shape: &Shape<$S, $Kinds>, ray: &Ray<$S>) {
                 give((shape.nearest_at::<T>(ray), shape.occludes_at::<T>(ray), shape.contains_at::<T>(any_point())));
                 for hit in &shape.hits_at::<T>(ray) {
                     let surface = shape.surface(ray, hit);
@@ -102,9 +102,9 @@ macro_rules! asked {
             }
             let shape = any_reference::<Shape<$S, $Kinds>>();
             let ray = any_reference::<Ray<$S>>();
-            ask::<Fast>(shape, ray);
-            ask::<Stable>(shape, ray);
-            ask::<Exact>(shape, ray);
+            call::<Fast>(shape, ray);
+            call::<Stable>(shape, ray);
+            call::<Exact>(shape, ray);
             give((shape.effort(ray), shape.bounds()));
         }
     };

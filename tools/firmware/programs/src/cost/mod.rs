@@ -18,7 +18,7 @@ use raylet::tier::{Exact, Fast, Stable, Tier};
 use raylet::{Hit, Ray, Scalar};
 use shared::every_subject;
 use shared::rays::{RAYS, rays};
-use shared::subject::{Subject, question};
+use shared::subject::{Subject, query};
 use shared::workload::{Query, SENSED, sensed};
 use textbook::Plain;
 
@@ -88,9 +88,9 @@ impl Names {
 #[inline(never)]
 fn tier<S: Scalar, T: Tier<S>, P: Subject<S>>(names: Names, subject: &P, rays: &Rays<S>, report: Report<'_>) {
     let queries: [(&str, fn(&P, &Ray<S>)); 3] = [
-        ("all hits", question::hits::<S, T, P>),
-        ("nearest", question::nearest::<S, T, P>),
-        ("occlusion", question::occludes::<S, T, P>),
+        ("all hits", query::hits::<S, T, P>),
+        ("nearest", query::nearest::<S, T, P>),
+        ("occlusion", query::occludes::<S, T, P>),
     ];
     for (name, query) in queries {
         report(names.row(name, Of::Hit, instructions(subject, &rays.hitting, query)));
@@ -105,7 +105,7 @@ fn tier<S: Scalar, T: Tier<S>, P: Subject<S>>(names: Names, subject: &P, rays: &
 fn surface<S: Scalar, P: Subject<S>>(names: Names, subject: &P, rays: &Rays<S>, report: Report<'_>) {
     let hits: [(Ray<S>, Option<Hit<S>>); RAYS] = rays.hitting.map(|ray| (ray, subject.nearest::<Stable>(&ray)));
     let queries: [(&str, fn(&P, &(Ray<S>, Option<Hit<S>>))); 2] =
-        [("normal", question::normal::<S, P>), ("uv", question::uv::<S, P>)];
+        [("normal", query::normal::<S, P>), ("uv", query::uv::<S, P>)];
     for (name, query) in queries {
         report(names.row(name, Of::Hit, instructions(subject, &hits, query)));
         report(names.row(name, Of::Stack, stack(subject, &hits, query)));
@@ -136,7 +136,7 @@ fn sensor<S: Scalar, T: Tier<S>>(names: Names, report: Report<'_>) {
         // There is room for all of them.
         let _ = tests.push(query);
     }
-    let query: fn(&(), &Query<S>) = |(), test| question::nearest::<S, T, _>(&test.shape, &test.ray);
+    let query: fn(&(), &Query<S>) = |(), test| query::nearest::<S, T, _>(&test.shape, &test.ray);
     report(names.row("nearest", Of::Hit, instructions(&(), &tests, query)));
     report(names.row("nearest", Of::Stack, stack(&(), &tests, query)));
 }

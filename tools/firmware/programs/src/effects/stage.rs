@@ -35,7 +35,8 @@ impl<S: Scalar> Stage<S> {
         ];
         let lit = effects.contains(Effect::Diffuse) || effects.contains(Effect::Specular);
         let strength = number(if lit { 0.7 } else { 0.0 })?;
-        let lights = [([-5.0, 8.0, 6.0]), ([4.0, 6.0, 7.0])].map(|at| Some(Light::new(Vec3::from_f64(at).ok()?, strength)));
+        let lights =
+            [([-5.0, 8.0, 6.0]), ([4.0, 6.0, 7.0])].map(|at| Some(Light::new(Vec3::from_f64(at).ok()?, strength)));
         let [first, second] = lights;
         let mut materials = [Material::matte(Color::from_f64([0.8, 0.7, 0.6])); 2];
         for material in &mut materials {

@@ -15,9 +15,9 @@ use std::cell::Cell;
 #[derive(Debug)]
 pub struct Rejected;
 
-/// What is asked: a solid as the crate and as the oracle see it, and a ray.
+/// What is tested: a solid as the crate and as the oracle see it, and a ray.
 #[derive(Debug)]
-pub struct Question<S: Number> {
+pub struct Query<S: Number> {
     pub kind: Kind,
     pub is_double: bool,
     pub shape: Shape<S>,
@@ -25,7 +25,7 @@ pub struct Question<S: Number> {
     pub ray: Ray<S>,
     /// The smallest length of the solid itself that is not zero, and the largest.
     pub extent: (Dyadic, Dyadic),
-    /// The tier that is being asked, by name, and what it promises.
+    /// The tier that is being tested, by name, and what it promises.
     pub tier: Cell<(&'static str, Agreement)>,
     /// The lengths of the shortest and of the longest axis of the placement, roughly.
     pub axes: (f64, f64),
@@ -57,7 +57,7 @@ fn is_slope<S: Scalar>(slope: S) -> bool {
     slope >= S::BUDGET.smallest_slope && slope <= S::BUDGET.slope
 }
 
-impl<S: Number> Question<S> {
+impl<S: Number> Query<S> {
     pub fn from_bytes(bytes: &mut Bytes<'_, S>) -> Result<Self, Rejected> {
         let (kind, primitive, solid) = primitive(bytes)?;
         let visible = bytes.pick(&[Visible::Both, Visible::Both, Visible::Outside, Visible::Inside]);
@@ -78,7 +78,7 @@ impl<S: Number> Question<S> {
         }
     }
 
-    /// True if the tier that is asked makes this promise.
+    /// True if the tier that is tested makes this promise.
     pub fn promises(&self, promise: Agreement) -> bool {
         self.tier.get().1 == promise
     }
