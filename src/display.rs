@@ -1,4 +1,4 @@
-//! Pictures on displays: any `DrawTarget` of `embedded-graphics`, in 16 or 24 bits a pixel.
+//! Pictures on displays: any `DrawTarget` of `embedded-graphics`, in colours from one to 24 bits a pixel.
 //!
 //! ```
 //! use embedded_graphics::{geometry::Point, mock_display::MockDisplay, pixelcolor::Rgb565};
@@ -19,47 +19,91 @@
 use crate::effect::{Effects, Work};
 use crate::render::Picture;
 use crate::scalar::{Scalar, UnitScalar};
-use crate::scene::{Color, Counters, Observer};
+use crate::scene::{Color, Counters, Observer, encoded, nearest};
 use crate::shape::kinds::Kinds;
 use crate::tier::Tier;
 use core::ops::Range;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Point, Size};
-use embedded_graphics_core::pixelcolor::{PixelColor, Rgb565, Rgb888};
+use embedded_graphics_core::pixelcolor::{
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, PixelColor, Rgb555, Rgb565, Rgb666, Rgb888,
+    RgbColor,
+};
 use embedded_graphics_core::primitives::Rectangle;
 
-mod sealed {
-    pub trait Sealed {}
-    impl Sealed for super::Rgb565 {}
-    impl Sealed for super::Rgb888 {}
-}
-
-/// A pixel format of displays that pictures can be drawn in. Sealed: [`Rgb565`] and [`Rgb888`].
+/// A pixel format of displays that pictures can be drawn in. Sealed: the colours of `embedded-graphics`.
+///
+/// Channels are encoded by sRGB, as displays expect it, and dithered in order where there are fewer than eight bits: the mean of four by four
+/// pixels is right to a sixteenth of a level, and a colour that is exactly a level is not dithered. Grey and one-bit displays show the luminance
+/// `0.2126 R + 0.7152 G + 0.0722 B` (ITU-R BT.709).
 pub trait DisplayColor: PixelColor + sealed::Sealed {
-    /// The colour in this format, for the pixel in column `x` of row `y`, on which dithering depends. No gamma curve is applied.
+    /// The colour in this format, for the pixel in column `x` of row `y`, on which dithering depends.
     fn shown<S: Scalar>(color: Color<S>, x: u16, y: u16) -> Self;
 }
 
 /// Bayer's four by four matrix for ordered dithering, *An Optimum Method for Two-Level Rendition of Continuous-Tone Pictures* (1973).
-const BAYER: [[u16; 4]; 4] = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]];
+const BAYER: [[u8; 4]; 4] = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]];
 
-/// Five, six and five bits with ordered dithering: the mean of four by four pixels is right to a sixteenth of a level. A colour that
-/// is exactly a level is not dithered.
-impl DisplayColor for Rgb565 {
+/// The level of a channel, of so many above black, in the pixel in column `x` of row `y`.
+fn dithered(encoded: u32, levels: u8, x: u16, y: u16) -> u8 {
+    if levels == u8::MAX {
+        return nearest(encoded, 255) as u8;
+    }
+    let threshold = BAYER[(y & 3) as usize][(x & 3) as usize];
+    // In sixteenths of a level.
+    ((nearest(encoded, 16 * u32::from(levels)) + u32::from(threshold)) >> 4) as u8
+}
+
+/// The luminance of a colour, linear, in 65536ths.
+fn luminance<S: Scalar>(color: Color<S>) -> u32 {
+    // The weights of BT.709 in 65536ths; their sum is 1.
+    const WEIGHTS: [u64; 3] = [13_933, 46_871, 4_732];
+    let channels = color.to_array().map(UnitScalar::in_65536ths);
+    let sum: u64 = channels.into_iter().zip(WEIGHTS).map(|(channel, weight)| u64::from(channel) * weight).sum();
+    (sum >> 16) as u32
+}
+
+/// Implements the trait for colours of three channels.
+macro_rules! shown_in_color {
+    ($($Color:ident),+) => {
+        $(
+            impl sealed::Sealed for $Color {}
+            impl DisplayColor for $Color {
+                fn shown<S: Scalar>(color: Color<S>, x: u16, y: u16) -> Self {
+                    let most = [Self::MAX_R, Self::MAX_G, Self::MAX_B];
+                    let [red, green, blue] = color.to_srgb().map(u32::from);
+                    Self::new(dithered(red, most[0], x, y), dithered(green, most[1], x, y), dithered(blue, most[2], x, y))
+                }
+            }
+        )+
+    };
+}
+shown_in_color!(Rgb555, Bgr555, Rgb565, Bgr565, Rgb666, Bgr666, Rgb888, Bgr888);
+
+/// Implements the trait for grey.
+macro_rules! shown_in_gray {
+    ($($Color:ident: $most:literal),+) => {
+        $(
+            impl sealed::Sealed for $Color {}
+            impl DisplayColor for $Color {
+                fn shown<S: Scalar>(color: Color<S>, x: u16, y: u16) -> Self {
+                    Self::new(dithered(encoded(luminance(color)), $most, x, y))
+                }
+            }
+        )+
+    };
+}
+shown_in_gray!(Gray2: 3, Gray4: 15, Gray8: 255);
+
+impl sealed::Sealed for BinaryColor {}
+impl DisplayColor for BinaryColor {
     fn shown<S: Scalar>(color: Color<S>, x: u16, y: u16) -> Self {
-        let threshold = BAYER[(y & 3) as usize][(x & 3) as usize];
-        // In sixteenths of a level.
-        let level = |channel: S::Unit, levels: u16| ((channel.level(16 * levels) + threshold) >> 4) as u8;
-        Self::new(level(color.red, 31), level(color.green, 63), level(color.blue, 31))
+        Self::from(dithered(encoded(luminance(color)), 1, x, y) != 0)
     }
 }
 
-/// Eight bits, the nearest level.
-impl DisplayColor for Rgb888 {
-    fn shown<S: Scalar>(color: Color<S>, _: u16, _: u16) -> Self {
-        let [red, green, blue] = color.to_rgb888();
-        Self::new(red, green, blue)
-    }
+mod sealed {
+    pub trait Sealed {}
 }
 
 impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'_, S, E, T, K> {

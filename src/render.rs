@@ -7,7 +7,7 @@ use crate::effect::{All, Effect, EffectError, EffectSet, Effects, Sight, Tracer,
 use crate::part::Part;
 use crate::ray::Ray;
 use crate::scalar::{Real, Ring, Scalar};
-use crate::scene::{Color, Counters, Observer, Raster, Scene, Size};
+use crate::scene::{Color, Counters, Levels, Observer, Raster, Scene, Size};
 use crate::shape::kinds::{self, Kinds};
 use crate::tier::{Stable, Tier};
 
@@ -17,8 +17,8 @@ use crate::tier::{Stable, Tier};
 pub struct Picture<'a, S: Scalar, E = All, T = Stable, K: Kinds = kinds::All> {
     tracer: Tracer<'a, S, E, T, K>,
     raster: Raster<S>,
-    /// The number of levels of a channel that the cut-off must not change, where the picture is not antialiased.
-    levels: u16,
+    /// The levels of a channel that the cut-off must not change, where the picture is not antialiased.
+    levels: Levels,
 }
 
 /// One pixel.
@@ -70,14 +70,14 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
             return Err(EffectError::Antialiasing { samples: size.samples });
         }
         let tracer = Tracer::try_new(scene)?;
-        Ok(Self { tracer, raster: scene.camera().raster(size), levels: EIGHT_BITS })
+        Ok(Self { tracer, raster: scene.camera().raster(size), levels: Levels::Srgb })
     }
 
     /// The picture of a scene in this size, with the effects `E` compiled in. Other effects that the scene needs are left out; without
     /// antialiasing each pixel has one sample.
     pub fn leaving_out(scene: &'a Scene<'a, S, T, K>, size: Size) -> Self {
         let (tracer, raster) = (Tracer::leaving_out(scene), scene.camera().raster(size));
-        let picture = Self { tracer, raster, levels: EIGHT_BITS };
+        let picture = Self { tracer, raster, levels: Levels::Srgb };
         if E::SET.contains(Effect::Antialiasing) { picture } else { picture.with_one_sample() }
     }
 
@@ -110,10 +110,16 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
         Self { tracer: self.tracer.uncut(), ..self }
     }
 
+    /// The same picture for [`Color::to_linear888`]: the cut-off changes no level that is in proportion to the light.
+    #[must_use]
+    pub fn in_linear_levels(self) -> Self {
+        Self { levels: Levels::Linear, ..self }
+    }
+
     /// The same picture with a cut-off at a sixteenth of an eight-bit level, for displays with other levels.
     #[cfg(feature = "embedded-graphics")]
     pub(crate) fn finely(self) -> Self {
-        Self { levels: FINE, ..self }
+        Self { levels: Levels::Fine, ..self }
     }
 
     fn with_one_sample(self) -> Self {
@@ -158,7 +164,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
     /// The pixels of row `y` from the left. Clears the shadow cache of `work`, and adds rays and tests to its counters.
     ///
     /// With several samples for each pixel, its corners are traced first, which neighbours share. If the corners see
-    /// the same part of the same object in the same lights, and no channel differs by more than 1/32, the pixel is their mean.
+    /// the same part of the same object in the same lights, and no channel differs by more than eight levels of sRGB, the pixel is their mean.
     /// Otherwise the whole grid of `samples * samples` rays is traced, and the pixel is the mean of these.
     pub fn row<'w, O: Observer>(&'w self, y: u16, work: &'w mut Work<O>) -> Row<'w, 'a, S, E, O, T, K> {
         work.forget();
@@ -179,7 +185,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
     }
 
     /// What a primary ray sees, its colour clamped to `[0, 1]`.
-    fn sample<O: Observer>(&self, ray: Option<Ray<S>>, levels: u16, work: &mut Work<O>) -> Sight<S> {
+    fn sample<O: Observer>(&self, ray: Option<Ray<S>>, levels: Levels, work: &mut Work<O>) -> Sight<S> {
         let Some(ray) = ray else { return Sight { color: Color::BLACK, seen: None, lit_by: 0 } };
         work.counters.primary_rays += 1;
         let sight = self.tracer.look_in_levels(&ray, levels, work);
@@ -189,7 +195,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
     /// The two corners, upper and lower, on the left of the pixel in column `x`.
     fn edge<O: Observer>(&self, x: u32, y: u16, work: &mut Work<O>) -> [Sight<S>; 2] {
         let y = u32::from(y);
-        [y, y + 1].map(|y| self.sample(self.raster.corner([x, y]), FINE, work))
+        [y, y + 1].map(|y| self.sample(self.raster.corner([x, y]), Levels::Fine, work))
     }
 
     /// The pixel between two edges.
@@ -214,7 +220,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
         let mut middle = Sight { color: Color::BLACK, seen: None, lit_by: 0 };
         for row in 0..samples {
             for column in 0..samples {
-                let sight = self.sample(self.raster.ray(at, [column, row]), FINE, work);
+                let sight = self.sample(self.raster.ray(at, [column, row]), Levels::Fine, work);
                 mean.take(sight.color);
                 if (column, row) == (samples / 2, samples / 2) {
                     middle = sight;
@@ -225,12 +231,6 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
         Pixel { color, seen: middle.seen, lit_by: middle.lit_by }
     }
 }
-
-/// The levels of a channel of a pixel.
-const EIGHT_BITS: u16 = 255;
-
-/// The levels for the cut-off of a sample that is one of several, or that is dithered.
-const FINE: u16 = 16 * 255;
 
 /// A mean of colours.
 struct Mean<S: Scalar> {

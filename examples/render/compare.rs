@@ -27,7 +27,7 @@ impl Difference {
     /// A pixel that differs by more than one level is explained if it lies on a silhouette, where a change in the last
     /// place may decide which of two colours is seen: see [`is_silhouette`].
     pub(crate) fn between(picture: &Traced, reference: &Traced) -> Result<Self, Box<dyn Error>> {
-        let mut image = Image::black(reference.image.width, reference.image.height)?;
+        let mut image = Image::black(reference.image.width, reference.image.height, true)?;
         let pixels = image.pixels.len();
         let (mut differing, mut by_more_than_one, mut on_silhouettes, mut greatest, mut squared) = (0, 0, 0, 0, 0.0);
         for (index, (a, b)) in picture.image.pixels.iter().zip(&reference.image.pixels).enumerate() {

@@ -10,6 +10,8 @@ pub(crate) struct Image {
     pub(crate) width: u16,
     pub(crate) height: u16,
     pub(crate) pixels: Vec<[u8; 3]>,
+    /// True if the levels are in proportion to the light; otherwise they are encoded by sRGB.
+    pub(crate) is_linear: bool,
 }
 
 /// The formats of picture files.
@@ -21,8 +23,8 @@ pub(crate) enum Format {
 
 impl Image {
     /// Fails if there is no memory for it.
-    pub(crate) fn black(width: u16, height: u16) -> Result<Self, Box<dyn Error>> {
-        Ok(Self { width, height, pixels: filled([0; 3], width, height)? })
+    pub(crate) fn black(width: u16, height: u16, is_linear: bool) -> Result<Self, Box<dyn Error>> {
+        Ok(Self { width, height, pixels: filled([0; 3], width, height)?, is_linear })
     }
 
     pub(crate) fn write(&self, format: Format, to: &mut impl Write) -> Result<(), Box<dyn Error>> {
@@ -43,6 +45,11 @@ impl Image {
         let mut encoder = png::Encoder::new(to, u32::from(self.width), u32::from(self.height));
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
+        if self.is_linear {
+            encoder.set_source_gamma(png::ScaledFloat::new(1.0));
+        } else {
+            encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+        }
         let mut writer = encoder.write_header()?;
         writer.write_image_data(self.pixels.as_flattened())?;
         writer.finish()

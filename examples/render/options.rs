@@ -26,8 +26,8 @@ use std::path::PathBuf;
         The picture is written first and reported then. What makes it less true than it seems, or black, is a warning on\n\
         standard error. The program fails (1) without a picture, or if one cannot be written; also (2) on wrong options.\n\n\
         Only the effects that the scene calls for are at work, and the program says which. In NFF files the highlights'\n\
-        weight Ks is the mirror's weight too, and T that of the refracted ray. There is no ambient light; transparent\n\
-        objects cast full shadows. Levels are linear: no gamma curve is applied."
+        weight Ks is the mirror's weight too, and T that of the refracted ray. Transparent objects cast\n\
+        full shadows. Levels are encoded by sRGB, as screens expect it, and the PNG says so; see --linear."
 )]
 // Each is a flag of its own.
 #[allow(clippy::struct_excessive_bools)]
@@ -40,7 +40,7 @@ pub(crate) struct Options {
     #[arg(long, value_parser = SceneNames, value_name = "NAME", default_value = "still-life", conflicts_with = "file")]
     pub(crate) scene: BuiltIn,
 
-    /// Effects to use, of those that the scene calls for: `auto` for all of them, `none`, or names with commas between: diffuse, specular,
+    /// Effects to use, of those that the scene calls for: `auto` for all of them, `none`, or names with commas between: ambient, diffuse, specular,
     /// shadows, reflection, refraction, texture, bump, fog, antialiasing
     #[arg(long, value_name = "LIST", default_value = "auto", value_parser = parse_effects)]
     pub(crate) effects: EffectSet,
@@ -86,6 +86,14 @@ pub(crate) struct Options {
     /// only, and a sphere, cone or cylinder from its outside, or from within if its radii are negative
     #[arg(long)]
     pub(crate) both_sides: bool,
+
+    /// Ambient light, white: 0.1 makes what no light reaches a tenth as bright as a surface that faces a light of strength 1
+    #[arg(long, value_name = "LEVEL", default_value_t = 0.0, value_parser = parse_level)]
+    pub(crate) ambient: f64,
+
+    /// Write levels in proportion to the light, for measuring, instead of sRGB: on a screen such a picture is too dark
+    #[arg(long)]
+    pub(crate) linear: bool,
 
     /// Cast every reflected and refracted ray, 16 surfaces deep, however little it adds: to see that what is usually not cast
     /// changes no level
@@ -174,6 +182,13 @@ fn parse_scale(text: &str) -> Result<Units, String> {
         .ok_or_else(|| {
             format!("give `auto` or a power of two such as 512 or 1/4, {} to {}", Scale::LEAST, Scale::LARGEST)
         })
+}
+
+fn parse_level(text: &str) -> Result<f64, String> {
+    text.parse()
+        .ok()
+        .filter(|level| (0.0..=1.0).contains(level))
+        .ok_or_else(|| "give a number from 0 to 1, such as 0.1".to_owned())
 }
 
 fn parse_size(text: &str) -> Result<(u16, u16), String> {

@@ -9,7 +9,7 @@ use crate::progress::Progress;
 use raylet::effect::EffectSet;
 use raylet::scene::{Hierarchy, Node, Observer};
 use raylet::tier::Tier;
-use raylet::{Counters, Part, Picture, Pixel, Scalar, Size, Work};
+use raylet::{Color, Counters, Part, Picture, Pixel, Scalar, Size, Work};
 use std::error::Error;
 use std::num::NonZero;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -86,7 +86,7 @@ pub(crate) fn trace<S: Scalar, T: Tier<S> + Send + Sync>(
     let progress = Progress::new();
     let loaded = source.load::<S>(options, number, &progress)?;
     let mut nodes = vec![Node::EMPTY; Hierarchy::<S>::nodes_for(loaded.objects.len())];
-    let mut scene = loaded.scene()?.at_tier::<T>();
+    let mut scene = loaded.scene()?.at_tier::<T>().with_ambient(Color::from_f64([options.ambient; 3]));
     let hierarchy;
     if !options.no_hierarchy && loaded.objects.len() > FEW_OBJECTS {
         hierarchy = Hierarchy::build(&loaded.objects, &mut nodes)?;
@@ -97,12 +97,13 @@ pub(crate) fn trace<S: Scalar, T: Tier<S> + Send + Sync>(
     let called_for = Picture::new(&scene, size);
     let picture = called_for.only(effects);
     let picture = if options.uncut { picture.uncut() } else { picture };
+    let picture = if options.linear { picture.in_linear_levels() } else { picture };
     let listened_to = if options.report { scene.objects().len() } else { 0 };
     let compared = !options.compare.is_empty();
 
     image::must_fit(width, height, if compared { COMPARED } else { WRITTEN })?;
     let sightings = if compared { image::filled((None, 0), width, height)? } else { Vec::new() };
-    let canvas = Mutex::new((Image::black(width, height)?, sightings));
+    let canvas = Mutex::new((Image::black(width, height, options.linear)?, sightings));
     let loading = progress.seconds();
     progress.begin(usize::from(height), "rows");
     let next_row = AtomicU32::new(0);
@@ -118,7 +119,7 @@ pub(crate) fn trace<S: Scalar, T: Tier<S> + Send + Sync>(
             let (image, sightings) = &mut *canvas;
             let from = usize::from(y) * usize::from(width);
             for (index, pixel) in (from..).zip(&row) {
-                let levels = pixel.color.to_rgb888();
+                let levels = if options.linear { pixel.color.to_linear888() } else { pixel.color.to_srgb888() };
                 image.pixels[index] = levels;
                 if let Some(sighting) = sightings.get_mut(index) {
                     *sighting = (pixel.seen, pixel.lit_by);

@@ -2,18 +2,18 @@
 //! section 4.
 
 use super::Sight;
-use crate::scalar::{Ring, Scalar, UnitScalar};
+use crate::scalar::Scalar;
+use crate::scene::Levels;
 
-/// The largest difference of the corners' channels that is not refined, as a power of two: 1/32, eight levels of 255.
-const THRESHOLD: i32 = -5;
+/// The largest difference of the corners' channels that is not refined: eight levels of 255, encoded by sRGB.
+const THRESHOLD: u16 = 16 * 8;
 
 /// True if the corners of a pixel differ, so that it must be refined: in object or part, in the lights that reach them, or by more than
-/// 1/32 in a channel (clamped to `[0, 1]`).
+/// eight levels in a channel.
 ///
 /// Detail between four corners that agree is missed. Otherwise the mean of such corners differs by at most the threshold from the mean
 /// of the whole grid of samples.
 pub(crate) fn differ<S: Scalar>(corners: &[Sight<S>; 4]) -> bool {
-    let threshold = S::unit_round(S::Real::ONE.scaled(THRESHOLD));
     let [first, others @ ..] = corners;
     let (mut low, mut high) = (first.color.clamped().to_array(), first.color.clamped().to_array());
     for other in others {
@@ -29,7 +29,7 @@ pub(crate) fn differ<S: Scalar>(corners: &[Sight<S>; 4]) -> bool {
             }
         }
     }
-    low.into_iter().zip(high).any(|(low, high)| high.minus(low) > threshold)
+    low.into_iter().zip(high).any(|(low, high)| Levels::Fine.of(high) - Levels::Fine.of(low) > THRESHOLD)
 }
 
 #[cfg(test)]
@@ -55,7 +55,7 @@ mod tests {
                 assert!(with(sight(gray, Some((2, Part::Side)), 1)) && with(sight(gray, Some((1, Part::Top)), 1)));
                 assert!(with(sight(gray, None, 1)) && with(sight(gray, ball, 3)));
                 for channel in 0..3 {
-                    for (by, expected) in [(0.03, false), (0.033, true), (-0.03, false), (-0.033, true)] {
+                    for (by, expected) in [(0.035, false), (0.037, true), (-0.033, false), (-0.036, true)] {
                         let mut color = gray;
                         color[channel] += by;
                         assert_eq!(with(sight(color, ball, 1)), expected, "{channel} by {by}");

@@ -2,7 +2,7 @@
 
 use super::set::{Effect, EffectSet};
 use crate::scalar::Scalar;
-use crate::scene::{Material, Object, Scene};
+use crate::scene::{Color, Material, Object, Scene};
 use crate::shape::kinds::Kinds;
 use crate::tier::Tier;
 use core::fmt;
@@ -33,6 +33,7 @@ impl<S: Scalar, T: Tier<S>, K: Kinds> Scene<'_, S, T, K> {
     ///
     /// | effect | is needed for |
     /// |---|---|
+    /// | ambient | `diffuse` above 0, if there is ambient light |
     /// | diffuse | `diffuse` above 0, if any light is stronger than 0 |
     /// | specular | `specular` above 0, if any light is stronger than 0 |
     /// | shadows | diffuse or specular |
@@ -62,6 +63,7 @@ impl<S: Scalar, T: Tier<S>, K: Kinds> Scene<'_, S, T, K> {
         let diffuse = lit && material.diffuse > S::ZERO;
         let specular = lit && material.specular > S::ZERO;
         [
+            (Effect::Ambient, self.ambient() != Color::BLACK && material.diffuse > S::ZERO),
             (Effect::Diffuse, diffuse),
             (Effect::Specular, specular),
             (Effect::Shadows, diffuse || specular),

@@ -30,6 +30,7 @@ macro_rules! markers {
     };
 }
 markers! {
+    Ambient: "light from everywhere, as [`Scene::with_ambient`](crate::Scene::with_ambient) says (Phong 1975).",
     Diffuse: "light that a matte surface scatters (Lambert 1760).",
     Specular: "highlights (Phong 1975).",
     Shadows: "one ray towards each light that could add something (Appel 1968).",
@@ -41,7 +42,7 @@ markers! {
     Antialiasing: "more rays where a pixel's corners differ (Whitted 1980).",
 }
 
-/// The set of effects that a tracer is compiled with: a tuple of up to nine marker types, in any order. Sealed.
+/// The set of effects that a tracer is compiled with: a tuple of up to ten marker types, in any order. Sealed.
 ///
 /// An effect that is not in the tuple contributes no instruction to the program: its code runs only after a test of the constant
 /// [`SET`](Effects::SET), and the compiler removes it.
@@ -57,7 +58,7 @@ pub trait Effects: Copy + Debug + sealed::Sealed + 'static {
 }
 
 /// Every effect.
-pub type All = (Diffuse, Specular, Shadows, Reflection, Refraction, Texture, Bump, Fog, Antialiasing);
+pub type All = (Ambient, Diffuse, Specular, Shadows, Reflection, Refraction, Texture, Bump, Fog, Antialiasing);
 
 /// Implements [`Effects`] for the tuple of these, and for every shorter one.
 macro_rules! tuples {
@@ -78,4 +79,4 @@ macro_rules! tuples {
         tuples!($($Other)*);
     };
 }
-tuples!(A B C D E F G H I);
+tuples!(A B C D E F G H I J);

@@ -1,7 +1,7 @@
 //! Where paths end: at the maximum depth, or where the remaining rays cannot change a level of the picture.
 
-use crate::scalar::{Real, Ring, Scalar, UnitScalar};
-use crate::scene::{Color, Fog, Material, Scene};
+use crate::scalar::{Real, Ring, Scalar};
+use crate::scene::{Color, Fog, Levels, Material, Scene};
 use crate::shape::kinds::Kinds;
 use crate::tier::Tier;
 use crate::vector::pairs;
@@ -15,10 +15,10 @@ use crate::vector::pairs;
 pub const DEPTH: u8 = 16;
 
 /// True if no addition of up to `doubt` to the light changes its level in any channel.
-pub(super) fn is_settled<S: Scalar>(light: [S::Real; 3], doubt: [S::Real; 3], levels: u16) -> bool {
+pub(super) fn is_settled<S: Scalar>(light: [S::Real; 3], doubt: [S::Real; 3], levels: Levels) -> bool {
     // The sum of the same terms in another order may be rounded differently.
     let rounding = S::Real::ONE.scaled(S::Real::ROUNDING + 3);
-    let level = |channel: S::Real| S::unit_round(channel).level(levels);
+    let level = |channel: S::Real| levels.of(S::unit_round(channel));
     pairs(light, doubt)
         .into_iter()
         .all(|(light, doubt)| doubt.is_zero() || level(light - rounding) == level(light + doubt + rounding))
@@ -31,11 +31,9 @@ pub(super) fn brightest<S: Scalar>(
     sent_on: impl Fn(&Material<S>) -> S::Real,
 ) -> [S::Real; 3] {
     let [sky, fog] = [scene.background(), scene.fog().map_or(Color::BLACK, Fog::color)].map(Color::to_array);
-    let zero = S::Real::ZERO;
-    let lamps = scene
-        .lights()
-        .iter()
-        .fold([zero; 3], |sum, light| pairs(sum, light.strength).map(|(sum, strength)| sum + strength.real()));
+    let lamps = scene.lights().iter().fold(scene.ambient().to_array().map(S::unit_real), |sum, light| {
+        pairs(sum, light.strength).map(|(sum, strength)| sum + strength.real())
+    });
     // A mixture of two colours is no brighter than the brighter one.
     let air = pairs(sky, fog).map(|(sky, fog)| S::unit_real(if sky > fog { sky } else { fog }));
     (0..=DEPTH).fold(air, |seen, _| {

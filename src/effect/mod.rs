@@ -2,6 +2,7 @@
 //!
 //! | module | what it does |
 //! |---|---|
+//! | `ambient` | light from everywhere (Phong 1975) |
 //! | `diffuse` | diffuse shading (Lambert 1760) |
 //! | `specular` | specular highlights (Phong 1975) |
 //! | `shadow` | whether a light reaches the shading point (Appel 1968) |
@@ -17,7 +18,7 @@
 //! | `field` | the unit interval in equal fields, for patterns and waves |
 //! | `site`, `work` | the shading point; the trace context: counters and a shadow cache |
 //!
-//! There is no ambient light: a surface that no light reaches and that neither reflects nor transmits is black.
+//! Without ambient light a surface that no light reaches and that neither reflects nor transmits is black.
 //!
 //! # Only what a scene needs
 //!
@@ -37,8 +38,9 @@
 //! if the next ray could not change an eight-bit level of any channel, even with the largest radiance that is possible in the scene.
 //! Where paths branch, rays with a weight below 2^-7 are deferred. After all others they are cast in order of decreasing weight, until all that are
 //! left together could not change a level. Therefore the rays that are left out change no level in any scene whose
-//! numbers are in their documented ranges (colours up to 1, strengths of at least 0). For a display, and for each sample of a pixel with several
-//! samples, levels are steps of 1/4080; there a difference below such a step may still decide whether a pixel's corners differ.
+//! numbers are in their documented ranges (colours up to 1, strengths of at least 0). Levels are encoded by sRGB, or linear for
+//! [`Picture::in_linear_levels`](crate::Picture::in_linear_levels). For a display, and for each sample of a pixel with several samples, they are a
+//! sixteenth as large; there a difference below such a level may still decide whether a pixel's corners differ.
 //!
 //! # Glass
 //!
@@ -46,6 +48,7 @@
 //! it departs outwards (see [`Departure`](crate::Departure)), so that no ray hits the surface again that it starts on, without any
 //! offset. Transparent objects cast full shadows, and there are no caustics.
 
+mod ambient;
 mod antialiasing;
 mod bump;
 mod called_for;
@@ -67,7 +70,7 @@ mod work;
 pub(crate) use antialiasing::differ;
 pub use called_for::EffectError;
 pub use compiled::{
-    All, Antialiasing, Bump, Diffuse, Effects, Fog, Marker, Reflection, Refraction, Shadows, Specular, Texture,
+    All, Ambient, Antialiasing, Bump, Diffuse, Effects, Fog, Marker, Reflection, Refraction, Shadows, Specular, Texture,
 };
 pub use cutoff::DEPTH;
 pub use set::{Effect, EffectSet, Iter};

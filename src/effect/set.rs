@@ -7,6 +7,8 @@ use core::fmt;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Effect {
+    /// Light of the same strength from everywhere.
+    Ambient,
     /// Diffuse shading.
     Diffuse,
     /// Specular highlights.
@@ -29,7 +31,8 @@ pub enum Effect {
 
 impl Effect {
     /// Every effect, in order.
-    pub const EVERY: [Self; 9] = [
+    pub const EVERY: [Self; 10] = [
+        Self::Ambient,
         Self::Diffuse,
         Self::Specular,
         Self::Shadows,
@@ -44,6 +47,7 @@ impl Effect {
     /// The name in messages and on command lines, in lower case.
     pub const fn name(self) -> &'static str {
         match self {
+            Self::Ambient => "ambient",
             Self::Diffuse => "diffuse",
             Self::Specular => "specular",
             Self::Shadows => "shadows",

@@ -6,11 +6,11 @@ use super::cutoff::{self, DEPTH, brightest};
 use super::set::{Effect, EffectSet};
 use super::site::Site;
 use super::work::Work;
-use super::{Sight, bump, diffuse, fog, reflection, refraction, shadow, specular, texture};
+use super::{Sight, ambient, bump, diffuse, fog, reflection, refraction, shadow, specular, texture};
 use crate::hit::Crossing;
 use crate::ray::Ray;
 use crate::scalar::{Ring, Scalar};
-use crate::scene::{Color, Material, Observer, Scene, SceneHit, Waves};
+use crate::scene::{Color, Levels, Material, Observer, Scene, SceneHit, Waves};
 use crate::shape::Surface;
 use crate::shape::kinds::{self, Kinds};
 use crate::tier::{Stable, Tier};
@@ -141,11 +141,11 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
     /// Rays and tests are counted in `work`. A ray whose light could not change the colour's eight-bit
     /// level is not cast; see [`effect`](crate::effect#the-cut-off).
     pub fn look<O: Observer>(&self, ray: &Ray<S>, work: &mut Work<O>) -> Sight<S> {
-        self.look_in_levels(ray, 255, work)
+        self.look_in_levels(ray, Levels::Srgb, work)
     }
 
-    /// As [`Tracer::look`], with another number of levels for the cut-off, for displays and for sums of samples.
-    pub(crate) fn look_in_levels<O: Observer>(&self, ray: &Ray<S>, levels: u16, work: &mut Work<O>) -> Sight<S> {
+    /// As [`Tracer::look`], with other levels for the cut-off, for displays and for sums of samples.
+    pub(crate) fn look_in_levels<O: Observer>(&self, ray: &Ray<S>, levels: Levels, work: &mut Work<O>) -> Sight<S> {
         let mut gathered = Gathered::new();
         if self.uses(Effect::Refraction) {
             self.follow_tree(ray, &mut gathered, levels, work);
@@ -166,7 +166,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
     ///
     /// Not inlined, so that tracing a scene without reflection does not take its stack frame.
     #[inline(never)]
-    fn follow_chain<O: Observer>(&self, ray: &Ray<S>, gathered: &mut Gathered<S>, levels: u16, work: &mut Work<O>) {
+    fn follow_chain<O: Observer>(&self, ray: &Ray<S>, gathered: &mut Gathered<S>, levels: Levels, work: &mut Work<O>) {
         let mut next = Some(Segment::from_eye(*ray));
         while let Some(segment) = next {
             [next, _] = self.meet(&segment, gathered, work);
@@ -182,7 +182,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
     /// Rays of small weight are deferred, and cast last in order of decreasing weight. Not inlined, so that tracing a scene without refraction
     /// takes no stack for the lists.
     #[inline(never)]
-    fn follow_tree<O: Observer>(&self, ray: &Ray<S>, gathered: &mut Gathered<S>, levels: u16, work: &mut Work<O>) {
+    fn follow_tree<O: Observer>(&self, ray: &Ray<S>, gathered: &mut Gathered<S>, levels: Levels, work: &mut Work<O>) {
         let faint = S::unit_round(S::Real::ONE.scaled(FAINT));
         let mut waiting = heapless::Vec::<Segment<S>, { DEPTH as usize + 1 }>::new();
         let mut aside = heapless::Vec::<Segment<S>, { DEPTH as usize }>::new();
@@ -254,14 +254,14 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
 
     /// True if any effect is in use that makes surfaces other than black.
     fn shows_surfaces(&self) -> bool {
-        let light = EffectSet::of(Effect::Diffuse).with(Effect::Specular);
+        let light = EffectSet::of(Effect::Ambient).with(Effect::Diffuse).with(Effect::Specular);
         let shows = light.with(Effect::Reflection).with(Effect::Refraction);
         !E::SET.intersection(shows).intersection(self.active).is_empty()
     }
 
     /// True if point and normal are needed to shade the material; otherwise the surface is black.
     fn is_seen(&self, material: &Material<S>) -> bool {
-        self.uses(Effect::Diffuse) && material.diffuse > S::ZERO
+        (self.uses(Effect::Ambient) || self.uses(Effect::Diffuse)) && material.diffuse > S::ZERO
             || self.uses(Effect::Specular) && material.specular > S::ZERO
             || self.uses(Effect::Reflection) && material.mirror > S::ZERO
             || self.uses(Effect::Refraction) && material.transmits()
@@ -307,7 +307,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         })
     }
 
-    /// Adds the light of all light sources that reach a shading point, and returns which of the first 32 do.
+    /// Adds the ambient light and that of all light sources that reach a shading point, and returns which of the first 32 do.
     ///
     /// No shadow ray is cast to a light that is behind the surface or would contribute nothing.
     fn shade<O: Observer>(
@@ -320,6 +320,9 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         work: &mut Work<O>,
     ) -> u32 {
         let mut lit_by = 0;
+        if self.uses(Effect::Ambient) {
+            gathered.gather(ambient::light(self.scene.ambient(), material, color, weight));
+        }
         if !self.uses(Effect::Diffuse) && !self.uses(Effect::Specular) {
             return lit_by;
         }

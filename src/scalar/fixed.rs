@@ -297,6 +297,11 @@ macro_rules! fixed {
                 let clamped = self.clamp(<Self as UnitScalar>::ZERO, <Self as UnitScalar>::ONE).to_bits() as $wide;
                 ((clamped * levels as $wide + (1 << ($unit_bits - 1))) >> $unit_bits) as u16
             }
+            #[inline]
+            fn in_65536ths(self) -> u32 {
+                let clamped = self.clamp(<Self as UnitScalar>::ZERO, <Self as UnitScalar>::ONE).to_bits();
+                (clamped >> ($unit_bits - 16)) as u32
+            }
             fn from_f64(value: f64) -> Self {
                 if value.is_nan() { Self::from_bits(0) } else { Self::saturating_from_num(value) }
             }

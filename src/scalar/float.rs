@@ -254,6 +254,10 @@ macro_rules! float {
                 // A float-to-integer cast saturates, and takes NaN to zero.
                 ((self * levels as $Float + 0.5) as u16).min(levels)
             }
+            #[inline]
+            fn in_65536ths(self) -> u32 {
+                ((self * 65536.0) as u32).min(65536)
+            }
             #[allow(clippy::unnecessary_cast)]
             fn from_f64(value: f64) -> Self {
                 if value.is_nan() { 0.0 } else { value as $Float }

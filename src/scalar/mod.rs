@@ -237,6 +237,8 @@ pub trait UnitScalar:
     fn times(self, other: Self) -> Self;
     /// The nearest of `0, 1 / levels, 2 / levels, ... 1`, as its index; values outside are clamped.
     fn level(self, levels: u16) -> u16;
+    /// How many whole 65536ths it has, clamped to `[0, 1]`. Nothing is rounded: equal values give equal results in every type.
+    fn in_65536ths(self) -> u32;
     /// The nearest value to an `f64`, saturated; NaN gives zero.
     fn from_f64(value: f64) -> Self;
     /// The value as an `f64`.

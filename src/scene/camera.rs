@@ -1,22 +1,24 @@
-//! Pinhole camera: the primary ray of each pixel sample.
+//! Pinhole and orthographic cameras: the primary ray of each pixel sample.
 
 use crate::ray::Ray;
 use crate::scalar::{Real, Ring, Scalar};
 use crate::vector::{UnitVec3, Vec3};
 use core::fmt;
 
-/// A pinhole camera.
+/// A pinhole camera, or an orthographic one, whose rays are parallel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera<S: Scalar> {
     position: Vec3<S>,
     forward: UnitVec3<S>,
     right: UnitVec3<S>,
     up: UnitVec3<S>,
+    /// Half of the distance between the centres of the first and the last row of pixels: one unit in front of the eye, or of parallel rays.
     half_height: S::Real,
+    is_orthographic: bool,
 }
 
 impl<S: Scalar> Camera<S> {
-    /// A camera at `position` that looks at the point `target`, with `up` (of any length, not necessarily
+    /// A pinhole camera at `position` that looks at the point `target`, with `up` (of any length, not necessarily
     /// perpendicular) towards the upper edge of the picture.
     ///
     /// `angle`, in degrees between 0 and 180 exclusive, is the angle between the centres of the first and the last row
@@ -26,6 +28,53 @@ impl<S: Scalar> Camera<S> {
     ///
     /// A [`CameraError`] that names the value at fault.
     pub fn new(position: Vec3<S>, target: Vec3<S>, up: Vec3<S>, angle: S) -> Result<Self, CameraError> {
+        let camera = Self::facing(position, target, up)?;
+        let turns = angle.real() / S::Real::from_int(720);
+        if !angle.is_finite() || angle <= S::ZERO || turns >= S::Real::ONE.scaled(-2) {
+            return Err(CameraError::Angle);
+        }
+        let (sine, cosine) = S::sine_cosine(S::unit_round(turns));
+        let (sine, cosine) = (S::unit_real(sine), S::unit_real(cosine));
+        if sine <= S::Real::ZERO || cosine <= S::Real::ZERO {
+            return Err(CameraError::Angle);
+        }
+        Ok(Self { half_height: sine / cosine, ..camera })
+    }
+
+    /// An orthographic camera: all rays are parallel to the line from `position` to the point `target`, so that lengths across it are the same
+    /// near and far. `up` is that of [`Camera::new`].
+    ///
+    /// `height` is the distance between the centres of the first and the last row of pixels. Pixels are square. Rays start in the plane through
+    /// `position`; those that start beyond the number type's budget see nothing.
+    ///
+    /// # Errors
+    ///
+    /// A [`CameraError`] that names the value at fault.
+    ///
+    /// ```
+    /// # use raylet::{Camera, Material, Object, Picture, Scene, Shape, Size, Sphere, Vec3};
+    /// let y = Vec3::new(0.0_f32, 1.0, 0.0);
+    /// let camera = Camera::orthographic(Vec3::new(0.0, 0.0, 5.0), Vec3::ZERO, y, 2.5)?;
+    /// # let objects = [Object::new(Shape::new(Sphere::new(1.0_f32)?), 0)];
+    /// # let materials = [Material::default()];
+    /// # let scene = Scene::new(&objects, &materials, &[], camera)?;
+    /// let mut widths = [0; 11];
+    /// Picture::new(&scene, Size::new(11, 11)).render(|_, y, pixel| widths[y as usize] += u32::from(pixel.seen.is_some()));
+    /// // A disc of radius 1, in pixels a quarter apart.
+    /// assert_eq!(widths, [0, 3, 5, 7, 7, 9, 7, 7, 5, 3, 0]);
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub fn orthographic(position: Vec3<S>, target: Vec3<S>, up: Vec3<S>, height: S) -> Result<Self, CameraError> {
+        let camera = Self::facing(position, target, up)?;
+        // A NaN compares false.
+        if height > S::ZERO && height <= S::BUDGET.coordinate {
+            Ok(Self { half_height: height.real().scaled(-1), is_orthographic: true, ..camera })
+        } else {
+            Err(CameraError::Height)
+        }
+    }
+
+    fn facing(position: Vec3<S>, target: Vec3<S>, up: Vec3<S>) -> Result<Self, CameraError> {
         if !position.is_within_budget() {
             return Err(CameraError::Position);
         }
@@ -37,19 +86,10 @@ impl<S: Scalar> Camera<S> {
         let up = UnitVec3::new(up).map_err(|_| CameraError::Up)?;
         let right = UnitVec3::from_real(forward.cross(up)).ok_or(CameraError::Up)?;
         let up = UnitVec3::from_real(right.cross(forward)).ok_or(CameraError::Up)?;
-        let turns = angle.real() / S::Real::from_int(720);
-        if !angle.is_finite() || angle <= S::ZERO || turns >= S::Real::ONE.scaled(-2) {
-            return Err(CameraError::Angle);
-        }
-        let (sine, cosine) = S::sine_cosine(S::unit_round(turns));
-        let (sine, cosine) = (S::unit_real(sine), S::unit_real(cosine));
-        if sine <= S::Real::ZERO || cosine <= S::Real::ZERO {
-            return Err(CameraError::Angle);
-        }
-        Ok(Self { position, forward, right, up, half_height: sine / cosine })
+        Ok(Self { position, forward, right, up, half_height: S::Real::ZERO, is_orthographic: false })
     }
 
-    /// The position of the eye.
+    /// The position of the eye, or the middle of the plane in which parallel rays start.
     pub const fn position(&self) -> Vec3<S> {
         self.position
     }
@@ -104,7 +144,7 @@ impl Size {
 pub struct Raster<S: Scalar> {
     camera: Camera<S>,
     size: Size,
-    /// Half of the distance between neighbouring samples, one unit in front of the eye.
+    /// Half of the distance between neighbouring samples, one unit in front of the eye or of parallel rays.
     pitch: S::Real,
 }
 
@@ -116,8 +156,7 @@ impl<S: Scalar> Raster<S> {
 
     /// The ray through sample (`column`, `row`) of pixel (`x`, `y`); (0, 0) is the upper left.
     ///
-    /// Pixels and samples outside the picture are allowed. `None` only if the camera's position is outside the budget, which
-    /// [`Camera::new`] excludes.
+    /// Pixels and samples outside the picture are allowed. `None` only of an orthographic camera, for a ray that starts beyond the budget.
     pub fn ray(&self, [x, y]: [u16; 2], [column, row]: [u8; 2]) -> Option<Ray<S>> {
         let samples = i64::from(self.size.samples.max(1));
         let odd = |pixel: u16, sample: u8| 2 * (i64::from(pixel) * samples + i64::from(sample)) + 1;
@@ -141,12 +180,14 @@ impl<S: Scalar> Raster<S> {
         let upwards = -steps(down, self.size.height);
         let ([fx, fy, fz], [rx, ry, rz], [ux, uy, uz]) =
             (self.camera.forward.real(), self.camera.right.real(), self.camera.up.real());
-        let direction = UnitVec3::from_real([
-            fx + rx * across + ux * upwards,
-            fy + ry * across + uy * upwards,
-            fz + rz * across + uz * upwards,
-        ])?;
-        Ray::new(self.camera.position, direction).ok()
+        let offset = [rx * across + ux * upwards, ry * across + uy * upwards, rz * across + uz * upwards];
+        if self.camera.is_orthographic {
+            let ([px, py, pz], [x, y, z]) = (self.camera.position.real(), offset);
+            let origin = Vec3::new(S::round(px + x), S::round(py + y), S::round(pz + z));
+            return Ray::new(origin, self.camera.forward).ok();
+        }
+        let [x, y, z] = offset;
+        Ray::new(self.camera.position, UnitVec3::from_real([fx + x, fy + y, fz + z])?).ok()
     }
 }
 
@@ -163,6 +204,8 @@ pub enum CameraError {
     Up,
     /// The angle is not between 0 and 180 degrees, or too near to either for the number type.
     Angle,
+    /// The height of an orthographic camera's picture is not positive, not finite or beyond the budget.
+    Height,
 }
 
 impl fmt::Display for CameraError {
@@ -172,6 +215,9 @@ impl fmt::Display for CameraError {
             Self::Target => "the camera looks at its own position, or at a point beyond the number type's budget",
             Self::Up => "the camera's up vector is zero or parallel to its line of sight: give another one",
             Self::Angle => "the camera's angle must lie between 0 and 180 degrees",
+            Self::Height => {
+                "the height of an orthographic camera's picture must be positive and within the number type's budget"
+            }
         })
     }
 }

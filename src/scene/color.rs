@@ -1,5 +1,7 @@
 //! Linear RGB colours.
 
+use super::Levels;
+use super::srgb::encoded;
 use crate::scalar::{Scalar, UnitScalar};
 
 /// A linear RGB colour, without gamma. 0 is black and 1 the brightest level of a display.
@@ -64,14 +66,30 @@ impl<S: Scalar> Color<S> {
         Self::new(red, green, blue)
     }
 
-    /// Eight-bit levels: the nearest of 0 to 255 for each channel, clamped. Linear: no gamma curve is applied.
+    /// Eight-bit levels as displays and picture files store them: encoded by sRGB (IEC 61966-2-1:1999), the nearest of 0 to 255 for each
+    /// channel, clamped. Equal colours have the same levels in every number type.
     ///
     /// ```
     /// # use raylet::Color;
-    /// assert_eq!(Color::<f32>::from_f64([1.5, 0.5, -1.0]).to_rgb888(), [255, 128, 0]);
+    /// assert_eq!(Color::<f32>::from_f64([1.5, 0.5, -1.0]).to_srgb888(), [255, 188, 0]);
     /// ```
-    pub fn to_rgb888(self) -> [u8; 3] {
-        self.to_array().map(|channel| channel.level(255) as u8)
+    pub fn to_srgb888(self) -> [u8; 3] {
+        self.to_array().map(|channel| Levels::Srgb.of(channel) as u8)
+    }
+
+    /// Encoded by sRGB in 256ths of an eight-bit level, 0 to 65280: for displays of any depth, before dithering.
+    pub fn to_srgb(self) -> [u16; 3] {
+        self.to_array().map(|channel| encoded(channel.in_65536ths()) as u16)
+    }
+
+    /// Eight-bit levels in proportion to the light, for measuring: the nearest of 0 to 255 for each channel, clamped.
+    ///
+    /// ```
+    /// # use raylet::Color;
+    /// assert_eq!(Color::<f32>::from_f64([1.5, 0.5, -1.0]).to_linear888(), [255, 128, 0]);
+    /// ```
+    pub fn to_linear888(self) -> [u8; 3] {
+        self.to_array().map(|channel| Levels::Linear.of(channel) as u8)
     }
 }
 

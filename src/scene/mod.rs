@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `object` | a shape with its materials and corner normals |
 //! | `material`, `color`, `light` | the input of shading |
+//! | `levels`, `srgb` | the levels that pictures are stored and shown in |
 //! | `texture`, `fog` | patterns on surfaces; fog |
 //! | `hierarchy` | bounding volume hierarchy, so that a ray tests few of many objects |
 //! | `camera` | the primary ray of each pixel sample |
@@ -16,11 +17,13 @@ mod color;
 mod counters;
 mod fog;
 mod hierarchy;
+mod levels;
 mod light;
 mod material;
 pub mod nff;
 mod object;
 mod observer;
+mod srgb;
 mod storage;
 mod texture;
 
@@ -29,10 +32,15 @@ pub use color::Color;
 pub use counters::Counters;
 pub use fog::Fog;
 pub use hierarchy::{Hierarchy, HierarchyError, Node};
+pub(crate) use levels::Levels;
+#[cfg(feature = "embedded-graphics")]
+pub(crate) use levels::nearest;
 pub use light::Light;
 pub use material::Material;
 pub use object::{CornerNormals, Object};
 pub use observer::Observer;
+#[cfg(feature = "embedded-graphics")]
+pub(crate) use srgb::encoded;
 pub use storage::{Full, Store};
 pub use texture::{Coordinate, Texture, TextureFault, Waves};
 
@@ -59,6 +67,7 @@ pub struct Scene<'a, S: Scalar, T = Stable, K: Kinds = All> {
     textures: &'a [Texture<'a, S>],
     fog: Option<Fog<S>>,
     background: Color<S>,
+    ambient: Color<S>,
     camera: Camera<S>,
     hierarchy: Option<Hierarchy<'a, S>>,
     tier: PhantomData<T>,
@@ -100,6 +109,7 @@ impl<'a, S: Scalar, K: Kinds> Scene<'a, S, Stable, K> {
             textures: &[],
             fog: None,
             background: Color::BLACK,
+            ambient: Color::BLACK,
             camera,
             hierarchy: None,
             tier: PhantomData,
@@ -123,15 +133,34 @@ impl<'a, S: Scalar, T: Tier<S>, K: Kinds> Scene<'a, S, T, K> {
     /// ```
     #[must_use]
     pub const fn at_tier<U: Tier<S>>(self) -> Scene<'a, S, U, K> {
-        let Self { objects, materials, lights, normals, textures, fog, background, camera, hierarchy, .. } = self;
+        let Self { objects, materials, lights, normals, textures, fog, background, ambient, camera, hierarchy, .. } =
+            self;
         let tier = PhantomData;
-        Scene { objects, materials, lights, normals, textures, fog, background, camera, hierarchy, tier }
+        Scene { objects, materials, lights, normals, textures, fog, background, ambient, camera, hierarchy, tier }
     }
 
     /// The same scene with another background.
     #[must_use]
     pub const fn with_background(self, background: Color<S>) -> Self {
         Self { background, ..self }
+    }
+
+    /// The same scene with ambient light: a white matte surface shows this colour where no other light reaches it. Surfaces scatter it in
+    /// proportion to their `diffuse` and colour.
+    ///
+    /// ```
+    /// # use raylet::{Camera, Color, Material, Object, Plane, Scene, Shape, Vec3};
+    /// # let y = Vec3::new(0.0_f32, 1.0, 0.0);
+    /// # let camera = Camera::new(Vec3::new(0.0, 1.0, 5.0), Vec3::ZERO, y, 40.0)?;
+    /// # let objects = [Object::new(Shape::new(Plane::new()), 0)];
+    /// # let materials = [Material::matte(Color::WHITE)];
+    /// let scene = Scene::new(&objects, &materials, &[], camera)?.with_ambient(Color::from_f64([0.1; 3]));
+    /// assert_eq!(scene.effects().to_string(), "ambient");
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    #[must_use]
+    pub const fn with_ambient(self, ambient: Color<S>) -> Self {
+        Self { ambient, ..self }
     }
 
     /// The same scene with the corner normals that its smooth triangles name.
@@ -211,6 +240,11 @@ impl<'a, S: Scalar, T: Tier<S>, K: Kinds> Scene<'a, S, T, K> {
     /// The radiance of a ray that misses every object.
     pub const fn background(&self) -> Color<S> {
         self.background
+    }
+
+    /// The ambient light.
+    pub const fn ambient(&self) -> Color<S> {
+        self.ambient
     }
 
     /// The camera.

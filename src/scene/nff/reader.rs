@@ -135,7 +135,7 @@ impl<'t, 'a, S: Scalar> Reader<'t, 'a, S> {
                 Fault::Position => from_place,
                 Fault::Target => at_place,
                 Fault::Up => up_place,
-                Fault::Angle => angle_place,
+                Fault::Angle | Fault::Height => angle_place,
             };
             NffError { place, reason: Reason::Camera(error) }
         })?;

@@ -1,9 +1,12 @@
-//! The promise: a display shows the picture, whole or by rows, and sixteen bits a pixel are right in the mean.
+//! The promise: a display shows the picture, whole or by rows, and colours of few levels are right in the mean.
 
 use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{OriginDimensions, Point, Size as Area};
-use embedded_graphics::pixelcolor::{Rgb565, Rgb888, RgbColor};
+use embedded_graphics::pixelcolor::{
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, Rgb555, Rgb565, Rgb666, Rgb888,
+    RgbColor,
+};
 use fixed::types::{I16F16, I32F32};
 use raylet::display::DisplayColor;
 use raylet::{
@@ -162,38 +165,75 @@ fn what_the_display_reports_comes_back_and_the_rows_before_are_drawn() {
     });
 }
 
-/// Sixteen pixels of one colour show it to a sixteenth of a level, and a level that exists is shown by each.
-fn dithers<S: Scalar>() {
+/// The encoding of sRGB.
+fn encoded(linear: f64) -> f64 {
+    if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 }
+}
+
+/// The inverse.
+fn decoded(encoded: f64) -> f64 {
+    if encoded <= 0.04045 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) }
+}
+
+/// Sixteen pixels of one colour show it to a sixteenth of a level, and a level that exists is shown by each. `levels_of` gives the levels of
+/// the channels, of so many above black.
+fn dithers<S: Scalar, C: DisplayColor>(most: &[u8], levels_of: impl Fn(C) -> Vec<u8>) {
     for step in 0..=1000 {
         let channel = f64::from(step) / 1000.0;
         let color = Color::<S>::from_f64([channel; 3]);
-        let mut sums = [0_u32; 3];
+        let mut sums = vec![0_u32; most.len()];
         // Anywhere on the display.
         for (x, y) in (40..44).flat_map(|x| (17..21).map(move |y| (x, y))) {
-            let shown = Rgb565::shown(color, x, y);
-            for (sum, level) in sums.iter_mut().zip([shown.r(), shown.g(), shown.b()]) {
+            for (sum, level) in sums.iter_mut().zip(levels_of(C::shown(color, x, y))) {
                 *sum += u32::from(level);
             }
         }
-        for (sum, levels) in sums.into_iter().zip([31.0, 63.0, 31.0]) {
-            let off = f64::from(sum) / 16.0 - channel * levels;
-            assert!(off.abs() <= 0.5 / 16.0 + 1e-3, "{channel}: {off} levels off");
+        for (sum, most) in sums.into_iter().zip(most) {
+            let off = f64::from(sum) / 16.0 - encoded(channel) * f64::from(*most);
+            let allowed = if *most == 255 { 0.53 } else { 0.5 / 16.0 + 2e-3 };
+            assert!(off.abs() <= allowed, "{channel}: {off} levels of {most} off");
         }
     }
-    for level in 0..=31_u8 {
-        let color = Color::<S>::from_f64([f64::from(level) / 31.0; 3]);
+    for level in 0..=most[0] {
+        let color = Color::<S>::from_f64([decoded(f64::from(level) / f64::from(most[0])); 3]);
         for (x, y) in (0..4).flat_map(|x| (0..4).map(move |y| (x, y))) {
-            let shown = Rgb565::shown(color, x, y);
-            assert_eq!((shown.r(), shown.b()), (level, level), "at {x}, {y}");
+            assert_eq!(levels_of(C::shown(color, x, y))[0], level, "at {x}, {y}");
         }
     }
 }
 
+fn every_color<S: Scalar>() {
+    fn in_color<S: Scalar, C: DisplayColor + RgbColor>() {
+        dithers::<S, C>(&[C::MAX_R, C::MAX_G, C::MAX_B], |shown| vec![shown.r(), shown.g(), shown.b()]);
+    }
+    in_color::<S, Rgb555>();
+    in_color::<S, Bgr555>();
+    in_color::<S, Rgb565>();
+    in_color::<S, Bgr565>();
+    in_color::<S, Rgb666>();
+    in_color::<S, Bgr666>();
+    in_color::<S, Rgb888>();
+    in_color::<S, Bgr888>();
+    dithers::<S, Gray2>(&[3], |shown| vec![shown.luma()]);
+    dithers::<S, Gray4>(&[15], |shown| vec![shown.luma()]);
+    dithers::<S, Gray8>(&[255], |shown| vec![shown.luma()]);
+    dithers::<S, BinaryColor>(&[1], |shown| vec![u8::from(shown.is_on())]);
+}
+
 #[test]
-fn sixteen_bits_are_dithered() {
-    dithers::<f32>();
-    dithers::<I16F16>();
-    dithers::<I32F32>();
+fn few_levels_are_dithered() {
+    every_color::<f32>();
+    every_color::<I16F16>();
+    every_color::<I32F32>();
+}
+
+/// Green is brighter than red, and red than blue (ITU-R BT.709).
+#[test]
+fn grey_shows_the_luminance() {
+    for (channels, weight) in [([1.0, 0.0, 0.0], 0.2126), ([0.0, 1.0, 0.0], 0.7152), ([0.0, 0.0, 1.0], 0.0722)] {
+        let shown = Gray8::shown(Color::<I16F16>::from_f64(channels), 0, 0);
+        assert_eq!(f64::from(shown.luma()), (255.0 * encoded(weight)).round());
+    }
 }
 
 /// What is brighter than the display, and darker than black.

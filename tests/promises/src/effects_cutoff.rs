@@ -28,7 +28,7 @@ fn with_scene<S: Scalar, T>(text: &str, then: impl FnOnce(&Scene<'_, S>) -> T) -
 
 fn levels<S: Scalar>(picture: &Picture<'_, S>) -> (Vec<[u8; 3]>, Counters) {
     let mut levels = Vec::new();
-    let counters = picture.render(|_, _, pixel| levels.push(pixel.color.to_rgb888()));
+    let counters = picture.render(|_, _, pixel| levels.push(pixel.color.to_srgb888()));
     (levels, counters)
 }
 
@@ -120,7 +120,7 @@ fn what_a_faint_ray_shows_of_a_strong_lamp_is_not_left_out() {
             let mut on_floor = 0;
             picture.render(|_, _, pixel| {
                 on_floor +=
-                    u32::from(pixel.seen.is_some_and(|(object, _)| object == 0) && pixel.color.to_rgb888()[1] > 9);
+                    u32::from(pixel.seen.is_some_and(|(object, _)| object == 0) && pixel.color.to_srgb888()[1] > 9);
             });
             assert!(on_floor > 3, "{on_floor}: something is seen there");
         }

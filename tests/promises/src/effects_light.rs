@@ -156,7 +156,7 @@ fn darkest<S: Scalar>(radius: f64, away: f64, material: Material<S>, lamp: bool)
     Picture::new(&scene, Size::new(160, 120)).render(|_, _, pixel| {
         if pixel.seen.is_some() {
             covered += 1;
-            darkest = darkest.min(pixel.color.to_rgb888()[0]);
+            darkest = darkest.min(pixel.color.to_linear888()[0]);
         }
     });
     (darkest, covered)

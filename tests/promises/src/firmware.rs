@@ -73,13 +73,15 @@ fn display<S: Scalar>(number: &str) -> u32 {
             if x == 0 {
                 [0, y, picture::WIDTH - 1, y].into_iter().for_each(&mut fold);
             }
-            let [red, green, blue] = pixel.color.to_array();
+            let [red, green, blue] = pixel.color.to_srgb().map(u32::from);
             // Bayer's thresholds, from the bits of column and row.
             let bit = |n: u16, bit: u16| n >> bit & 1;
             let threshold = 8 * bit(x ^ y, 0) + 4 * bit(y, 0) + 2 * bit(x ^ y, 1) + bit(y, 1);
-            let dithered = |sixteenths: u16| (sixteenths + threshold) >> 4;
-            let (red, green, blue) =
-                (dithered(red.level(16 * 31)), dithered(green.level(16 * 63)), dithered(blue.level(16 * 31)));
+            let dithered = |encoded: u32, levels: u32| {
+                let sixteenths = (encoded * 16 * levels + 65_280 / 2) / 65_280;
+                (sixteenths as u16 + threshold) >> 4
+            };
+            let (red, green, blue) = (dithered(red, 31), dithered(green, 63), dithered(blue, 31));
             fold(red << 11 | green << 5 | blue);
             // As a display does it: the high bits once more behind the low ones.
             let levels = [red << 3 | red >> 2, green << 2 | green >> 4, blue << 3 | blue >> 2];

@@ -13,7 +13,7 @@ fn draw<S: Scalar>(built_in: BuiltIn, size: Size, uncut: bool) -> (Levels, u64) 
     let picture = Picture::new(&scene, size);
     let picture = if uncut { picture.uncut() } else { picture };
     let mut levels = Vec::new();
-    let counters = picture.render(|_, _, pixel| levels.push(pixel.color.to_rgb888()));
+    let counters = picture.render(|_, _, pixel| levels.push(pixel.color.to_srgb888()));
     (levels, counters.rays())
 }
 

@@ -121,7 +121,7 @@ fn a_distant_light_shines_as_one_very_far_away() {
         let lights = [light];
         let scene = Scene::new(&objects, &materials, &lights, camera).unwrap();
         let mut levels = Vec::new();
-        Picture::new(&scene, Size::new(48, 36)).render(|_, _, pixel| levels.push(pixel.color.to_rgb888()));
+        Picture::new(&scene, Size::new(48, 36)).render(|_, _, pixel| levels.push(pixel.color.to_srgb888()));
         levels
     }
     fn check<S: Scalar>(reference: &[[u8; 3]]) {

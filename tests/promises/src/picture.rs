@@ -51,7 +51,7 @@ fn render_scaled<S: Scalar>(text: &str, scale: Scale, size: Size) -> (Vec<Pixel<
 /// One character a pixel, from black to white.
 fn ascii<S: Scalar>(text: &str, size: Size) -> Vec<String> {
     let (pixels, _) = render::<S>(text, size);
-    let shade = |pixel: &Pixel<S>| [' ', '.', ':', '+', '*', '#'][usize::from(pixel.color.to_rgb888()[0]) * 5 / 255];
+    let shade = |pixel: &Pixel<S>| [' ', '.', ':', '+', '*', '#'][usize::from(pixel.color.to_linear888()[0]) * 5 / 255];
     pixels.chunks(usize::from(size.width)).map(|row| row.iter().map(shade).collect()).collect()
 }
 
@@ -90,7 +90,7 @@ fn compare<S: Scalar>(text: &str, scale: Scale, size: Size, reference: &[Pixel<f
     let pixels = render_scaled::<S>(text, scale, size).0;
     let (width, mut counts) = (usize::from(size.width), [0; 3]);
     for (index, (a, b)) in pixels.iter().zip(reference).enumerate() {
-        let channels = a.color.to_rgb888().into_iter().zip(b.color.to_rgb888());
+        let channels = a.color.to_srgb888().into_iter().zip(b.color.to_srgb888());
         let levels = channels.map(|(a, b)| a.abs_diff(b)).max().unwrap();
         let (x, y) = (index % width, index / width);
         let neighbours = (y.saturating_sub(1)..=y + 1)
@@ -465,7 +465,7 @@ fn samples_are_averaged() {
     // The rays of a picture of half the size with 2 x 2 samples differ a little from those of the full size (the
     // angle runs between the centres of the outer rows), and so only the mean brightness is the same.
     let mean = |pixels: &[Pixel<I16F16>]| {
-        pixels.iter().map(|pixel| f64::from(pixel.color.to_rgb888()[0])).sum::<f64>() / pixels.len() as f64
+        pixels.iter().map(|pixel| f64::from(pixel.color.to_linear888()[0])).sum::<f64>() / pixels.len() as f64
     };
     assert!((mean(&coarse) - mean(&fine)).abs() < 8.0, "{} {}", mean(&coarse), mean(&fine));
     let (_, counters) = render::<I16F16>(BALL, Size::new(12, 6).with_samples(3));
@@ -516,8 +516,8 @@ fn a_scene_meets_its_objects_in_its_own_tier() {
             in_tier(&exact, &ray);
         }
         let mut pictures = [vec![], vec![]];
-        Picture::new(&scene, size).render(|_, _, pixel| pictures[0].push(pixel.color.to_rgb888()));
-        Picture::new(&exact, size).render(|_, _, pixel| pictures[1].push(pixel.color.to_rgb888()));
+        Picture::new(&scene, size).render(|_, _, pixel| pictures[0].push(pixel.color.to_srgb888()));
+        Picture::new(&exact, size).render(|_, _, pixel| pictures[1].push(pixel.color.to_srgb888()));
         let differ = pictures[0].iter().zip(&pictures[1]).filter(|(stable, exact)| stable != exact).count();
         assert!(differ <= 2, "{differ} pixels differ");
     }

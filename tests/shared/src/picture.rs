@@ -81,7 +81,7 @@ pub fn picture<'a, S: Scalar>(scene: &'a Scene<'a, S>) -> Picture<'a, S> {
 pub fn row<S: Scalar>(picture: &Picture<'_, S>, y: u16, work: &mut Work) -> Row {
     let mut row = [0; WIDTH as usize * 3];
     for (pixel, levels) in picture.row(y, work).zip(row.chunks_exact_mut(3)) {
-        levels.copy_from_slice(&pixel.color.to_rgb888());
+        levels.copy_from_slice(&pixel.color.to_srgb888());
     }
     row
 }

@@ -10,8 +10,9 @@ use std::fs;
 use std::path::Path;
 
 /// The sets of effects, with the effects in each as the program `effects` names them.
-pub const SETS: [(&str, &str); 11] = [
+pub const SETS: [(&str, &str); 12] = [
     ("none", "none"),
+    ("ambient", "ambient"),
     ("diffuse", "diffuse"),
     ("specular", "diffuse, specular"),
     ("shadows", "diffuse, specular, shadows"),
@@ -21,14 +22,15 @@ pub const SETS: [(&str, &str); 11] = [
     ("bump", "diffuse, specular, shadows, bump"),
     ("fog", "diffuse, specular, shadows, fog"),
     ("antialiasing", "diffuse, specular, shadows, antialiasing"),
-    ("all", "diffuse, specular, shadows, reflection, refraction, texture, bump, fog, antialiasing"),
+    ("all", "ambient, diffuse, specular, shadows, reflection, refraction, texture, bump, fog, antialiasing"),
 ];
 
 /// The number types that they are measured in.
 pub const NUMBERS: [&str; 2] = ["I16F16", "f32"];
 
 /// Which source files the code of an effect stands in.
-const FILES: [(&str, &[&str]); 9] = [
+const FILES: [(&str, &[&str]); 10] = [
+    ("ambient", &["ambient"]),
     // One multiplication, for which the compiler does not always keep a line: see `TINY`.
     ("diffuse", &["diffuse"]),
     ("specular", &["specular"]),

@@ -48,7 +48,7 @@ pub fn pictures<S: Any>(camera: Camera<S>) -> Option<()> {
     let picture = Picture::new(&scene, size);
     give(scene.camera().raster(size).ray([any_word() as u16, any_word() as u16], [any_word() as u8, 0]));
     give(picture.pixel(any_word() as u16, any_word() as u16, &mut work));
-    give(picture.render(|x, y, pixel| give((x, y, pixel.color.to_rgb888(), pixel.seen, pixel.lit_by))));
+    give(picture.render(|x, y, pixel| give((x, y, pixel.color.to_srgb888(), pixel.seen, pixel.lit_by))));
     give((any_color::<S>().plus(any_color()), any_color::<S>().times(any_color())));
     Some(())
 }

@@ -48,5 +48,5 @@ pub fn picture<S: Scalar, E: Effects>(picture: &Picture<'_, S, E>) -> Measured {
 #[inline(never)]
 fn row<S: Scalar, E: Effects>(picture: &Picture<'_, S, E>, y: u16, work: &mut Work, levels: u32) -> u32 {
     let mix = |sum: u32, level: u8| (sum ^ u32::from(level)).wrapping_mul(0x0100_0193);
-    picture.row(y, work).fold(levels, |sum, pixel| pixel.color.to_rgb888().into_iter().fold(sum, mix))
+    picture.row(y, work).fold(levels, |sum, pixel| pixel.color.to_srgb888().into_iter().fold(sum, mix))
 }

@@ -12,7 +12,7 @@ use core::fmt::{self, Display};
 use fixed::types::I16F16;
 pub use measure::{Measured, picture};
 use raylet::effect::{
-    All, Antialiasing, Bump, Diffuse, EffectSet, Effects, Fog, Reflection, Refraction, Shadows, Specular, Texture,
+    All, Ambient, Antialiasing, Bump, Diffuse, EffectSet, Effects, Fog, Reflection, Refraction, Shadows, Specular, Texture,
 };
 use raylet::{Picture, Scalar, Size};
 use stage::Stage;
@@ -50,6 +50,7 @@ pub fn all(give: &mut impl FnMut(Row)) {
 fn every_set<S: Scalar>(number: &'static str, give: &mut impl FnMut(Row)) {
     // The programs of `sizes` have the same sets.
     give(row::<S, ()>(number));
+    give(row::<S, (Ambient,)>(number));
     give(row::<S, (Diffuse,)>(number));
     give(row::<S, (Diffuse, Specular)>(number));
     give(row::<S, (Diffuse, Specular, Shadows)>(number));

@@ -40,7 +40,8 @@ impl<S: Scalar> Stage<S> {
         let [first, second] = lights;
         let mut materials = [Material::matte(Color::from_f64([0.8, 0.7, 0.6])); 2];
         for material in &mut materials {
-            material.diffuse = number(if effects.contains(Effect::Diffuse) { 0.8 } else { 0.0 })?;
+            let scatters = effects.contains(Effect::Ambient) || effects.contains(Effect::Diffuse);
+            material.diffuse = number(if scatters { 0.8 } else { 0.0 })?;
             if effects.contains(Effect::Specular) {
                 *material = material.with_highlight(number(0.4)?, number(20.0)?);
             }
@@ -79,6 +80,8 @@ impl<S: Scalar> Stage<S> {
     pub fn scene(&self) -> Result<Scene<'_, S>, SceneError> {
         let scene = Scene::new(&self.objects, &self.materials, &self.lights, self.camera)?;
         let scene = scene.with_background(Color::from_f64([0.2, 0.3, 0.5])).with_textures(&self.textures)?;
+        let ambient = if self.effects.contains(Effect::Ambient) { Color::from_f64([0.1; 3]) } else { Color::BLACK };
+        let scene = scene.with_ambient(ambient);
         Ok(if self.effects.contains(Effect::Fog) { scene.with_fog(self.fog) } else { scene })
     }
 

@@ -1,0 +1,63 @@
+//! The transfer function of sRGB (IEC 61966-2-1:1999), with which displays and picture files store brightness: finer steps where it is dark. In
+//! integers, so that every number type has the same levels.
+
+/// The brightness of the levels 0 to 254 in 65536ths of the brightest.
+static LINEAR: [u16; 255] = {
+    let (mut linear, mut level) = ([0; 255], 0);
+    while level < 255 {
+        linear[level] = (decoded(level as f64 / 255.0) * 65536.0 + 0.5) as u16;
+        level += 1;
+    }
+    linear
+};
+
+/// The brightness of an encoded channel; computed by the compiler.
+const fn decoded(encoded: f64) -> f64 {
+    if encoded <= 0.04045 {
+        return encoded / 12.92;
+    }
+    // The power of 2.4: the square, times its fifth root by Newton's method.
+    let base = (encoded + 0.055) / 1.055;
+    let square = base * base;
+    let (mut root, mut steps) = (1.0, 0);
+    while steps < 64 {
+        let fourth = root * root * root * root;
+        root -= (fourth * root - square) / (5.0 * fourth);
+        steps += 1;
+    }
+    square * root
+}
+
+/// Steps of [`encoded`] to one of the 255 levels.
+pub(crate) const STEPS: u32 = 256;
+
+/// The encoded channel in 256ths of a level, from 65536ths of the brightest. Between two levels it is interpolated.
+pub(crate) fn encoded(linear: u32) -> u32 {
+    let brightness = |level: usize| LINEAR.get(level).map_or(65536, |brightness| u32::from(*brightness));
+    // The brightest level that is not brighter.
+    let level = LINEAR.partition_point(|brightness| u32::from(*brightness) <= linear).saturating_sub(1);
+    let (low, high) = (brightness(level), brightness(level + 1));
+    let within = linear.saturating_sub(low) * STEPS / (high - low).max(1);
+    level as u32 * STEPS + within.min(STEPS)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn levels_are_those_of_the_standard() {
+        assert_eq!([encoded(0), encoded(65535 / 2), encoded(65536)], [0, 48_084, 255 * STEPS]);
+        for linear in 0..=65536 {
+            let c = f64::from(linear) / 65536.0;
+            let exact = if c <= 0.003_130_8 { 12.92 * c } else { 1.055 * libm::pow(c, 1.0 / 2.4) - 0.055 };
+            let off = f64::from(encoded(linear)) / f64::from(STEPS) - 255.0 * exact;
+            assert!(off.abs() < 0.03, "{linear}: {off}");
+        }
+    }
+
+    #[test]
+    fn brighter_is_never_darker() {
+        assert!((0..65536).all(|linear| encoded(linear) <= encoded(linear + 1)));
+    }
+}
