@@ -15,6 +15,22 @@
 //! assert_eq!(counters.primary_rays, 32 * 24);
 //! # Ok::<(), raylet::Error>(())
 //! ```
+//!
+//! # Names that both crates have
+//!
+//! `embedded_graphics::prelude` exports `Size`, `Pixel` and `Primitive`, and `embedded_graphics::primitives` has `Triangle`, as this crate does. A
+//! name that is imported by itself takes precedence over one of a prelude; of two imported by themselves rename one:
+//!
+//! ```
+//! use embedded_graphics::prelude::*;
+//! use embedded_graphics::primitives::Triangle as FlatTriangle;
+//! use raylet::{Pixel, Primitive, Size as PictureSize, Triangle};
+//!
+//! let picture = PictureSize::new(160, 128);
+//! let screen = Size::new(u32::from(picture.width), u32::from(picture.height));
+//! assert_eq!(screen, Size::new(160, 128));
+//! # let _: Option<(FlatTriangle, Pixel<f32>, Primitive<f32>, Triangle<f32>)> = None;
+//! ```
 
 use crate::effect::{Effects, Work};
 use crate::render::Picture;

@@ -14,11 +14,11 @@ use raylet::{
     Shape, Size, Sphere, Tracer, UnitVec3, Vec3, Work,
 };
 
-fn number<S: Scalar>(value: f64) -> S {
+pub(crate) fn number<S: Scalar>(value: f64) -> S {
     S::from_f64(value).unwrap()
 }
 
-fn point<S: Scalar>(x: f64, y: f64, z: f64) -> Vec3<S> {
+pub(crate) fn point<S: Scalar>(x: f64, y: f64, z: f64) -> Vec3<S> {
     Vec3::from_f64([x, y, z]).unwrap()
 }
 
@@ -26,13 +26,13 @@ fn camera<S: Scalar>() -> Camera<S> {
     Camera::new(point(0.3, 3.0, 9.0), point(0.0, 0.6, 0.0), point(0.0, 1.0, 0.0), number(30.0)).unwrap()
 }
 
-fn ball<S: Scalar>(x: f64, y: f64, z: f64, radius: f64, material: u32) -> Object<S> {
+pub(crate) fn ball<S: Scalar>(x: f64, y: f64, z: f64, radius: f64, material: u32) -> Object<S> {
     let frame = Frame::at(point(x, y, z)).unwrap();
     Object::new(Shape::new(Sphere::new(number(radius)).unwrap()).placed(frame), material)
 }
 
 /// A floor and three balls, of which the first two have the material; a lamp if wanted.
-fn with_scene<S: Scalar, T>(
+pub(crate) fn with_scene<S: Scalar, T>(
     material: Material<S>,
     lamp: bool,
     fog: Option<scene::Fog<S>>,
@@ -58,7 +58,7 @@ fn with_scene<S: Scalar, T>(
     then(&fog.map_or(scene, |fog| scene.with_fog(fog)))
 }
 
-fn matte<S: Scalar>() -> Material<S> {
+pub(crate) fn matte<S: Scalar>() -> Material<S> {
     Material::matte(Color::from_f64([0.9, 0.6, 0.3]))
 }
 
@@ -189,7 +189,7 @@ fn work_of(counters: &Counters) -> [(Effect, u64); 7] {
 }
 
 /// Compiled with all effects or with those called for: the same bits and the same work, and none for the others.
-fn same_with<S: Scalar, E: Effects>(scene: &Scene<'_, S>, size: Size) {
+pub(crate) fn same_with<S: Scalar, E: Effects>(scene: &Scene<'_, S>, size: Size) {
     let small = Picture::<S, E>::try_new(scene, size).unwrap();
     let (pixels, counters) = render(&small);
     let (all_pixels, all_counters) = render(&Picture::new(scene, size));

@@ -9,10 +9,12 @@ extern crate support;
 #[macro_use]
 mod named;
 
+mod cameras;
 mod contract;
 mod contract_departures;
 mod contract_refusals;
 mod effects;
+mod effects_ambient;
 mod effects_cutoff;
 mod effects_light;
 mod errata;
