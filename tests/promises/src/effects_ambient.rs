@@ -13,7 +13,7 @@ fn ambient_light_comes_from_everywhere() {
         let size = Size::new(20, 15);
         let ambient = [0.25, 0.5, 0.125];
         let near = |a: f64, b: f64| (a - b).abs() < 1e-4;
-        with_scene(matte(), false, None, |scene| {
+        with_scene(matte::<S>(), false, None, |scene| {
             let scene = scene.with_ambient(Color::from_f64(ambient));
             assert_eq!(scene.effects(), EffectSet::of(Effect::Ambient));
             same_with::<S, (Ambient,)>(&scene, size);
@@ -28,7 +28,7 @@ fn ambient_light_comes_from_everywhere() {
             });
             assert!(balls > 5);
         });
-        with_scene(matte(), true, None, |scene| {
+        with_scene(matte::<S>(), true, None, |scene| {
             let bright = scene.with_ambient(Color::from_f64(ambient));
             let (mut with, mut without) = (vec![], vec![]);
             Picture::new(&bright, size).render(|_, _, pixel| with.push(pixel));

@@ -4,7 +4,6 @@
 //! `RAYLET_WRITE_EXPECTED=1 cargo test -p raylet-promises firmware` writes the files anew.
 
 use fixed::types::I16F16;
-use raylet::scalar::UnitScalar;
 use raylet::{Picture, Scalar, Work};
 use shared::picture::Storage;
 use shared::{digest, picture};
