@@ -40,7 +40,8 @@
 //! left together could not change a level. Therefore the rays that are left out change no level in any scene whose
 //! numbers are in their documented ranges (colours up to 1, strengths of at least 0). Levels are encoded by sRGB, or linear for
 //! [`Picture::in_linear_levels`](crate::Picture::in_linear_levels). For a display, and for each sample of a pixel with several samples, they are a
-//! sixteenth as large; there a difference below such a level may still decide whether a pixel's corners differ.
+//! sixteenth as large; the mean of a pixel's samples is off by at most a sixteenth of a level, which may round it to the next level, and such a
+//! difference may still decide whether a pixel's corners differ.
 //!
 //! # Glass
 //!

@@ -153,7 +153,7 @@ fn darkest<S: Scalar>(radius: f64, away: f64, material: Material<S>, lamp: bool)
     let lights = if lamp { &lights[..] } else { &[] };
     let scene = Scene::new(&objects, &materials, lights, camera).unwrap().with_background(Color::WHITE);
     let (mut darkest, mut covered) = (255, 0);
-    Picture::new(&scene, Size::new(160, 120)).render(|_, _, pixel| {
+    Picture::new(&scene, Size::new(160, 120)).in_linear_levels().render(|_, _, pixel| {
         if pixel.seen.is_some() {
             covered += 1;
             darkest = darkest.min(pixel.color.to_linear888()[0]);
