@@ -55,7 +55,7 @@ mod tests {
                 assert!(with(sight(gray, Some((2, Part::Side)), 1)) && with(sight(gray, Some((1, Part::Top)), 1)));
                 assert!(with(sight(gray, None, 1)) && with(sight(gray, ball, 3)));
                 for channel in 0..3 {
-                    for (by, expected) in [(0.035, false), (0.037, true), (-0.033, false), (-0.036, true)] {
+                    for (by, expected) in [(0.048, false), (0.050, true), (-0.045, false), (-0.047, true)] {
                         let mut color = gray;
                         color[channel] += by;
                         assert_eq!(with(sight(color, ball, 1)), expected, "{channel} by {by}");

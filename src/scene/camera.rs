@@ -54,14 +54,14 @@ impl<S: Scalar> Camera<S> {
     /// ```
     /// # use raylet::{Camera, Material, Object, Picture, Scene, Shape, Size, Sphere, Vec3};
     /// let y = Vec3::new(0.0_f32, 1.0, 0.0);
-    /// let camera = Camera::orthographic(Vec3::new(0.0, 0.0, 5.0), Vec3::ZERO, y, 2.5)?;
+    /// let camera = Camera::orthographic(Vec3::new(0.0, 0.0, 5.0), Vec3::ZERO, y, 2.4)?;
     /// # let objects = [Object::new(Shape::new(Sphere::new(1.0_f32)?), 0)];
     /// # let materials = [Material::default()];
     /// # let scene = Scene::new(&objects, &materials, &[], camera)?;
     /// let mut widths = [0; 11];
     /// Picture::new(&scene, Size::new(11, 11)).render(|_, y, pixel| widths[y as usize] += u32::from(pixel.seen.is_some()));
-    /// // A disc of radius 1, in pixels a quarter apart.
-    /// assert_eq!(widths, [0, 3, 5, 7, 7, 9, 7, 7, 5, 3, 0]);
+    /// // A disc of radius 1, in pixels 0.24 apart.
+    /// assert_eq!(widths, [0, 3, 5, 7, 9, 9, 9, 7, 5, 3, 0]);
     /// # Ok::<(), raylet::Error>(())
     /// ```
     pub fn orthographic(position: Vec3<S>, target: Vec3<S>, up: Vec3<S>, height: S) -> Result<Self, CameraError> {

@@ -35,10 +35,11 @@ pub(crate) fn nearest(encoded: u32, levels: u32) -> u32 {
 mod tests {
     use super::*;
 
-    fn of<U: UnitScalar>(channel: f64) -> [u16; 3] {
-        [Levels::Srgb, Levels::Fine, Levels::Linear].map(|levels| levels.of(U::from_f64(channel)))
+    fn of<U: UnitScalar>(channel: f64) -> [u16; 2] {
+        [Levels::Srgb, Levels::Fine].map(|levels| levels.of(U::from_f64(channel)))
     }
 
+    /// Linear levels are rounded in the arithmetic of the type, which may differ half-way between two.
     #[test]
     fn equal_channels_have_equal_levels_in_every_number_type() {
         use crate::scalar::Numbers;
@@ -56,8 +57,9 @@ mod tests {
 
     #[test]
     fn what_is_no_level_is_clamped() {
-        for (channel, levels) in [(-1.0, [0; 3]), (1.75, [255, 4080, 255]), (f64::NAN, [0; 3])] {
+        for (channel, levels) in [(-1.0, [0; 2]), (1.75, [255, 4080]), (f64::NAN, [0; 2])] {
             assert_eq!(of::<f32>(channel), levels, "{channel}");
+            assert_eq!(Levels::Linear.of(channel as f32), levels[0], "{channel}");
             #[cfg(feature = "fixed")]
             assert_eq!(of::<<fixed::types::I16F16 as crate::scalar::Numbers>::Unit>(channel), levels, "{channel}");
         }

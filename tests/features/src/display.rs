@@ -98,9 +98,9 @@ fn a_display_shows_the_picture() {
 #[test]
 fn eight_bits_are_the_nearest_levels() {
     for level in 0..=255_u8 {
-        let channel = f64::from(level) / 255.0;
-        let color = Color::<I16F16>::from_f64([channel, 1.0 - channel, 0.5]);
-        assert_eq!(Rgb888::shown(color, 1, 2), Rgb888::new(level, 255 - level, 128));
+        let channels = [level, 255 - level].map(|level| decoded(f64::from(level) / 255.0));
+        let color = Color::<I16F16>::from_f64([channels[0], channels[1], 0.5]);
+        assert_eq!(Rgb888::shown(color, 1, 2), Rgb888::new(level, 255 - level, 188));
     }
 }
 
