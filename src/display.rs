@@ -51,7 +51,8 @@ use embedded_graphics_core::primitives::Rectangle;
 ///
 /// Channels are encoded by sRGB, as displays expect it, and dithered in order where there are fewer than eight bits: the mean of four by four
 /// pixels is right to a sixteenth of a level, and a colour that is exactly a level is not dithered. Grey and one-bit displays show the luminance
-/// `0.2126 R + 0.7152 G + 0.0722 B` (ITU-R BT.709).
+/// `0.2126 R + 0.7152 G + 0.0722 B` (ITU-R BT.709). [`BinaryColor`] is not encoded: the part of the pixels that are on is the luminance, since
+/// a pixel is either dark or gives all its light.
 pub trait DisplayColor: PixelColor + sealed::Sealed {
     /// The colour in this format, for the pixel in column `x` of row `y`, on which dithering depends.
     fn shown<S: Scalar>(color: Color<S>, x: u16, y: u16) -> Self;
@@ -65,9 +66,13 @@ fn dithered(encoded: u32, levels: u8, x: u16, y: u16) -> u8 {
     if levels == u8::MAX {
         return nearest(encoded, 255) as u8;
     }
-    let threshold = BAYER[(y & 3) as usize][(x & 3) as usize];
     // In sixteenths of a level.
-    ((nearest(encoded, 16 * u32::from(levels)) + u32::from(threshold)) >> 4) as u8
+    ((nearest(encoded, 16 * u32::from(levels)) + threshold(x, y)) >> 4) as u8
+}
+
+/// What is added to a value in sixteenths before it is rounded down, in the pixel in column `x` of row `y`.
+fn threshold(x: u16, y: u16) -> u32 {
+    u32::from(BAYER[(y & 3) as usize][(x & 3) as usize])
 }
 
 /// The luminance of a colour, linear, in 65536ths.
@@ -114,7 +119,9 @@ shown_in_gray!(Gray2: 3, Gray4: 15, Gray8: 255);
 impl sealed::Sealed for BinaryColor {}
 impl DisplayColor for BinaryColor {
     fn shown<S: Scalar>(color: Color<S>, x: u16, y: u16) -> Self {
-        Self::from(dithered(encoded(luminance(color)), 1, x, y) != 0)
+        // From a distance the eye takes the mean of the light: a pixel in four is as bright as a quarter of white, not as level 64 of 255.
+        let sixteenths = (luminance(color) * 16 + (1 << 15)) >> 16;
+        Self::from(sixteenths + threshold(x, y) >= 16)
     }
 }
 

@@ -178,6 +178,15 @@ fn decoded(encoded: f64) -> f64 {
 /// Sixteen pixels of one colour show it to a sixteenth of a level, and a level that exists is shown by each. `levels_of` gives the levels of
 /// the channels, of so many above black.
 fn dithers<S: Scalar, C: DisplayColor>(most: &[u8], levels_of: impl Fn(C) -> Vec<u8>) {
+    dithers_what_is_encoded::<S, C>(most, levels_of, [encoded, decoded]);
+}
+
+/// The same with another encoding, and its inverse.
+fn dithers_what_is_encoded<S: Scalar, C: DisplayColor>(
+    most: &[u8],
+    levels_of: impl Fn(C) -> Vec<u8>,
+    [encoded, decoded]: [fn(f64) -> f64; 2],
+) {
     for step in 0..=1000 {
         let channel = f64::from(step) / 1000.0;
         let color = Color::<S>::from_f64([channel; 3]);
@@ -217,7 +226,8 @@ fn every_color<S: Scalar>() {
     dithers::<S, Gray2>(&[3], |shown| vec![shown.luma()]);
     dithers::<S, Gray4>(&[15], |shown| vec![shown.luma()]);
     dithers::<S, Gray8>(&[255], |shown| vec![shown.luma()]);
-    dithers::<S, BinaryColor>(&[1], |shown| vec![u8::from(shown.is_on())]);
+    // The part of the pixels that are on is the part of the light.
+    dithers_what_is_encoded::<S, BinaryColor>(&[1], |shown| vec![u8::from(shown.is_on())], [|light| light; 2]);
 }
 
 #[test]

@@ -2,6 +2,7 @@
 #![cfg(test)]
 
 mod display;
+mod display_pictures;
 mod interchange;
 
 use std::fmt::Write;

@@ -38,7 +38,8 @@ fn an_orthographic_picture_has_a_height() {
     for height in [0.0, -1.0, f32::NAN, f32::INFINITY] {
         let up = point(0.0, 1.0, 0.0);
         let error = Camera::<f32>::orthographic(point(0.0, 0.0, 5.0), Vec3::ZERO, up, height).unwrap_err();
-        let told = "the height of an orthographic camera's picture must be positive and within the number type's budget";
+        let told =
+            "the height of an orthographic camera's picture must be positive and within the number type's budget";
         assert_eq!(error.to_string(), told, "{height}");
     }
 }

@@ -28,7 +28,9 @@ fn what_is_not_cast_changes_no_level() {
                 let differing = cut.iter().zip(&uncut).filter(|(cut, uncut)| cut != uncut).count();
                 let levels = cut.as_flattened().iter().zip(uncut.as_flattened());
                 let farthest = levels.map(|(cut, uncut)| cut.abs_diff(*uncut)).max().unwrap_or(0);
-                println!("{built_in}, {number}, {samples} samples: {rays} of {all_rays} rays, {differing} pixels differ");
+                println!(
+                    "{built_in}, {number}, {samples} samples: {rays} of {all_rays} rays, {differing} pixels differ"
+                );
                 // The mean of several samples is off by up to a sixteenth of a level, so that one in sixteen may be rounded to the next level;
                 // fewer are, since most samples are off by far less.
                 let (most, off) = if samples == 1 { (0, 0) } else { (3, 1) };

@@ -8,13 +8,18 @@
 //! | `subject` | what is measured: solids, unplaced and placed, and the queries |
 //! | `rays` | seeded rays that hit, and others that miss |
 //! | `workload` | what users do: solids as they are placed, rays from near and far, departing rays |
+//! | `one_bit`, `turntable` | the still life on displays (feature `displays`) |
 //! | `range_sensor` | a yard of forty solids, and the 64 zones of a sensor |
 #![no_std]
 
 pub mod digest;
+#[cfg(feature = "displays")]
+pub mod one_bit;
 pub mod picture;
 pub mod pictured;
 pub mod range_sensor;
 pub mod rays;
 pub mod subject;
+#[cfg(feature = "displays")]
+pub mod turntable;
 pub mod workload;

@@ -1,0 +1,166 @@
+//! The promise: the pictures of `docs/displays` are what displays show, drawn by the code that the firmware uses.
+//!
+//! `RAYLET_WRITE_EXPECTED=1 cargo test -p raylet-features pictures` writes them anew.
+
+use embedded_graphics::Pixel;
+use embedded_graphics::draw_target::DrawTarget;
+use embedded_graphics::geometry::{OriginDimensions, Point, Size as Area};
+use embedded_graphics::pixelcolor::{BinaryColor, IntoStorage, Rgb565, RgbColor};
+use fixed::types::I16F16;
+use raylet::gallery::BuiltIn;
+use raylet::scene::{Hierarchy, Node};
+use raylet::{Scalar, Work};
+use shared::one_bit;
+use shared::turntable::{self, FRAMES, Line, NODES};
+
+/// A display that remembers its pixels.
+struct Screen<C> {
+    size: Area,
+    pixels: Vec<C>,
+    /// How many pixels were drawn.
+    drawn: usize,
+}
+
+impl<C: Copy> Screen<C> {
+    fn new(width: u16, height: u16, blank: C) -> Self {
+        let pixels = vec![blank; usize::from(width) * usize::from(height)];
+        Self { size: Area::new(width.into(), height.into()), pixels, drawn: 0 }
+    }
+
+    /// Eight-bit levels, each pixel a square of `scale` by `scale`.
+    fn enlarged(&self, scale: usize, levels: impl Fn(C) -> [u8; 3]) -> Image {
+        let [width, height] = [self.size.width, self.size.height].map(|side| side as usize);
+        let places = (0..height * scale).flat_map(|y| (0..width * scale).map(move |x| (x / scale, y / scale)));
+        let pixels = places.map(|(x, y)| levels(self.pixels[y * width + x])).collect();
+        Image { width: width * scale, pixels }
+    }
+}
+
+impl<C> OriginDimensions for Screen<C> {
+    fn size(&self) -> Area {
+        self.size
+    }
+}
+
+impl<C: raylet::display::DisplayColor> DrawTarget for Screen<C> {
+    type Color = C;
+    type Error = core::convert::Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Self::Error> {
+        for Pixel(Point { x, y }, color) in pixels {
+            self.pixels[y as usize * self.size.width as usize + x as usize] = color;
+            self.drawn += 1;
+        }
+        Ok(())
+    }
+}
+
+struct Image {
+    width: usize,
+    pixels: Vec<[u8; 3]>,
+}
+
+impl Image {
+    fn png(&self) -> Vec<u8> {
+        let mut file = Vec::new();
+        let height = self.pixels.len() / self.width;
+        let mut encoder = png::Encoder::new(&mut file, self.width as u32, height as u32);
+        encoder.set_color(png::ColorType::Rgb);
+        encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+        let mut writer = encoder.write_header().unwrap();
+        writer.write_image_data(self.pixels.as_flattened()).unwrap();
+        writer.finish().unwrap();
+        file
+    }
+}
+
+/// Compares with a file of the repository, or writes it.
+fn expect(file: &str, found: &[u8]) {
+    let path = raylet_tables::in_repository(file);
+    if std::env::var_os("RAYLET_WRITE_EXPECTED").is_some() {
+        std::fs::write(&path, found).unwrap();
+    }
+    let expected = std::fs::read(&path).unwrap();
+    assert!(
+        found == expected,
+        "{file} is no longer what is drawn; if that is meant: RAYLET_WRITE_EXPECTED=1 cargo test -p raylet-features pictures"
+    );
+}
+
+/// As a display does it: the high bits once more behind the low ones.
+fn levels(color: Rgb565) -> [u8; 3] {
+    let (red, green, blue) = (color.r(), color.g(), color.b());
+    [red << 3 | red >> 2, green << 2 | green >> 4, blue << 3 | blue >> 2]
+}
+
+fn frames<S: Scalar>(frames: impl IntoIterator<Item = u8>) -> Vec<Screen<Rgb565>> {
+    let mut stage = BuiltIn::StillLife.build::<S>().unwrap();
+    let mut nodes = [Node::EMPTY; NODES];
+    let hierarchy = Hierarchy::build(&stage.objects, &mut nodes).unwrap();
+    let mut line: Line = [Rgb565::BLACK; turntable::WIDTH as usize];
+    let mut work = Work::new(());
+    let mut show = |frame| {
+        let mut screen = Screen::new(turntable::WIDTH, turntable::HEIGHT, Rgb565::MAGENTA);
+        stage.camera = turntable::camera(frame).unwrap();
+        let scene = turntable::lit(stage.scene().unwrap()).with_hierarchy(&hierarchy).unwrap();
+        let Ok(()) = turntable::show(&turntable::picture(&scene), &mut line, &mut work, &mut screen);
+        assert_eq!(screen.drawn, screen.pixels.len(), "each pixel is drawn once");
+        screen
+    };
+    frames.into_iter().map(&mut show).collect()
+}
+
+/// What went over the bus of the firmware's stand-in for a display: for each row its window, then its pixels (FNV-1a, 32 bits).
+fn digest(screen: &Screen<Rgb565>) -> u32 {
+    let width = screen.size.width as u16;
+    let rows = (0_u16..).zip(screen.pixels.chunks(width.into()));
+    let words = rows.flat_map(|(y, row)| {
+        [0, y, width - 1, y].into_iter().chain(row.iter().map(|color| color.into_storage())).collect::<Vec<u16>>()
+    });
+    words
+        .flat_map(u16::to_be_bytes)
+        .fold(0x811c_9dc5, |digest, byte| (digest ^ u32::from(byte)).wrapping_mul(0x0100_0193))
+}
+
+/// Four frames, a quarter of a turn apart, two by two.
+#[test]
+fn pictures_of_the_turntable() {
+    let screens = frames::<I16F16>([0, FRAMES / 4, FRAMES / 2, 3 * (FRAMES / 4)]);
+    let images: Vec<_> = screens.iter().map(|screen| screen.enlarged(2, levels)).collect();
+    let row = |left: &Image, right: &Image| {
+        let lines = left.pixels.chunks(left.width).zip(right.pixels.chunks(right.width));
+        lines.flat_map(|(left, right)| [left, right].concat()).collect::<Vec<_>>()
+    };
+    let pixels = [row(&images[0], &images[1]), row(&images[2], &images[3])].concat();
+    expect("docs/displays/turntable.png", &Image { width: 2 * images[0].width, pixels }.png());
+    let first = frames::<I16F16>([0, 1]).iter().map(|screen| format!("{:08x}\n", digest(screen))).collect::<String>();
+    expect("examples/firmware/expected/turntable.txt", first.as_bytes());
+}
+
+#[test]
+fn a_turn_comes_back_to_where_it_began_and_shows_something_else_in_between() {
+    let screens = frames::<f32>([0, 1, FRAMES / 2, FRAMES]);
+    assert!(screens[0].pixels == screens[3].pixels);
+    assert!(screens[0].pixels != screens[1].pixels && screens[1].pixels != screens[2].pixels);
+    for (frame, fixed) in frames::<I16F16>([0, 1, FRAMES / 2]).into_iter().enumerate() {
+        let differ = fixed.pixels.iter().zip(&screens[frame].pixels).filter(|(a, b)| a != b).count();
+        assert!(differ < fixed.pixels.len() / 100, "frame {frame}: {differ} pixels of I16F16 are not those of f32");
+    }
+}
+
+/// Solids are dark before the bright floor, and apart from each other: the picture itself is compared, and looked at in the documents.
+#[test]
+fn pictures_of_one_bit() {
+    let mut stage = BuiltIn::StillLife.build::<I16F16>().unwrap();
+    stage.camera = one_bit::camera().unwrap();
+    let scene = stage.scene().unwrap();
+    let mut screen = Screen::new(one_bit::WIDTH, one_bit::HEIGHT, BinaryColor::Off);
+    let Ok(_) = one_bit::picture(&scene).draw(Point::zero(), &mut screen);
+    let row: Vec<_> = screen.pixels[38 * usize::from(one_bit::WIDTH)..][..usize::from(one_bit::WIDTH)].to_vec();
+    let dark = row.chunk_by(PartialEq::eq).filter(|run| run[0] == BinaryColor::Off && run.len() >= 12).count();
+    assert!(dark >= 3, "{dark} of cylinder, cone, frustum and tube, from their dark sides");
+    expect(
+        "docs/displays/one-bit.png",
+        &screen.enlarged(4, |pixel| if pixel.is_on() { [255; 3] } else { [0; 3] }).png(),
+    );
+}
