@@ -104,8 +104,12 @@ pub(crate) fn remarks(remarks: Remarks, number: Number) -> Vec<String> {
     let mut all = Vec::new();
     if remarks.turned > 0 {
         all.push(format!(
-            "{} run the other way than their corner normals say; the normals decide which side is seen",
-            several(remarks.turned, "polygon with normals", "polygons with normals")
+            "{} corner normals say; the normals decide which side is seen",
+            several(
+                remarks.turned,
+                "polygon with normals runs the other way than its",
+                "polygons with normals run the other way than their"
+            )
         ));
     }
     if remarks.distant > 0 {

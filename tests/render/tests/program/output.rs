@@ -183,14 +183,31 @@ fn pictures_too_large_for_memory_are_refused_before_tracing() {
     assert_eq!(folder.files(), ["scene.nff"]);
 }
 
-#[test]
-fn loading_is_part_of_the_time() {
-    let text = ball() + &"s 9 9 9 1\n".repeat(100_000);
-    let folder = Folder::with(text);
-    let said = folder.run("scene.nff --size 1x1 --threads 1").succeeds_silently();
+/// The seconds that a scene of many objects takes in all, and to load.
+fn times(folder: &Folder, number: &str) -> [f64; 2] {
+    let said = folder.run(&format!("scene.nff --size 1x1 --threads 1 -n {number}")).succeeds_silently();
     let time = said.output.lines().find_map(|line| line.strip_prefix("time: ")).unwrap();
     let (all, rest) = time.split_once(" s, ").unwrap();
     let (loading, _) = rest.split_once(" s of them loading; ").unwrap();
-    let [all, loading] = [all, loading].map(|seconds| seconds.parse::<f64>().unwrap());
-    assert!(loading > 0.0 && loading <= all && loading > 0.5 * all, "{time}");
+    [all, loading].map(|seconds| seconds.parse().unwrap())
+}
+
+#[test]
+fn loading_is_part_of_the_time() {
+    let folder = Folder::with(ball() + &"s 9 9 9 1\n".repeat(100_000));
+    let [all, loading] = times(&folder, "f32");
+    assert!(loading > 0.0 && loading <= all && loading > 0.5 * all, "{loading} of {all}");
+}
+
+/// The fastest of three, which the machine disturbed least.
+#[test]
+fn fixed_point_loads_in_at_most_three_times_the_time_of_floats() {
+    let many: String = (0..40_000).map(|i| format!("s {}.{i:05} 0.25 -{}.5 0.1\n", i % 9, i % 7)).collect();
+    let folder = Folder::with(ball() + &many);
+    let fastest = |number| (0..3).map(|_| times(&folder, number)[1]).fold(f64::INFINITY, f64::min);
+    for (float, fixed) in [("f32", "i16f16"), ("f64", "i32f32")] {
+        let [float, fixed] = [float, fixed].map(fastest);
+        println!("{fixed} s in fixed point, {float} s in floats");
+        assert!(fixed <= 3.0 * float, "{fixed} s in fixed point, {float} s in floats");
+    }
 }

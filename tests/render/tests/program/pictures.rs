@@ -85,7 +85,7 @@ fn corner_normals_decide_where_the_winding_contradicts_them() {
         assert_eq!(
             said.warnings(),
             [
-                "1 polygon with normals run the other way than their corner normals say; the normals decide which side is seen"
+                "1 polygon with normals runs the other way than its corner normals say; the normals decide which side is seen"
             ]
         );
         let pairs = right.pixels("a.ppm").into_iter().zip(wrong.pixels("a.ppm"));
