@@ -38,8 +38,8 @@ pub fn camera<S: Scalar>(frame: u8) -> Option<Camera<S>> {
     Camera::new(eye, Vec3::new(S::ZERO, target?, S::ZERO), up, S::parse("37")?).ok()
 }
 
-/// The scene of a frame. A little ambient light shows the sides that the lamps do not reach, which face the camera half of the time.
-pub fn lit<'a, S: Scalar>(scene: Scene<'a, S>) -> Scene<'a, S> {
+/// The scene with a little ambient light, which shows the sides that the lamps do not reach: these face the camera half of the time.
+pub fn lit<S: Scalar>(scene: Scene<'_, S>) -> Scene<'_, S> {
     scene.with_ambient(Color::from([S::unit_round(S::Real::ONE.scaled(-3)); 3]))
 }
 
