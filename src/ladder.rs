@@ -108,6 +108,9 @@ fn fast<S: Scalar, T: Guards, G: Geometry<S>>(
     if stretches_integers(place) {
         return Attempt::Unsure;
     }
+    if geometry.girth().is_some_and(|r| place.passes_axis(ray, r)) {
+        return Attempt::Miss;
+    }
     let Some(mut line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
     geometry.fit(&mut line);
     (line.is_strict, line.is_doubled) = (T::STRICT, false);
@@ -320,6 +323,9 @@ fn fast_ahead<S: Scalar, T: Guards, G: Geometry<S>>(geometry: &G, place: &impl P
     }
     if stretches_integers(place) {
         return Attempt::Unsure;
+    }
+    if geometry.girth().is_some_and(|r| place.passes_axis(ray, r)) {
+        return Attempt::Miss;
     }
     let Some(mut line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
     geometry.fit(&mut line);
