@@ -290,5 +290,5 @@ fn length<S: Scalar, const N: usize>(v: [Near<S>; N]) -> Near<S> {
 }
 
 #[cfg(all(test, feature = "fixed"))]
-#[allow(clippy::expect_used)]
+#[expect(clippy::expect_used, reason = "a test may panic")]
 mod tests;

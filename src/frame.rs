@@ -218,6 +218,11 @@ impl<S: Scalar> Place<S> for Frame<S> {
         let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
         S::fast_turned(o, d, self.position.to_array(), self.axes.map(UnitVec3::to_array))
     }
+    #[inline(always)]
+    fn passes_axis(&self, ray: &Ray<S>, r: S) -> bool {
+        let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
+        S::passes_axis(o, d, self.position.to_array(), self.up().to_array(), r)
+    }
     #[inline]
     fn fast_ball_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
         let [x, y, z] = pairs(ray.origin().to_array(), self.position.to_array()).map(|(o, p)| o.minus(p));

@@ -21,6 +21,11 @@ pub trait Geometry<S: Scalar>: Copy + Described {
     /// The primitive with all lengths multiplied by `2^e`, as [`Computing::scaled`](crate::scalar::Computing::scaled) has it.
     #[must_use]
     fn scaled(&self, e: i32) -> Self;
+    /// A radius such that the geometry lies within that of the y axis, if that is known.
+    #[inline(always)]
+    fn girth(&self) -> Option<S> {
+        None
+    }
     /// The local line for the fast path.
     #[inline(always)]
     fn fast_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {

@@ -33,7 +33,11 @@ macro_rules! solve_robustly {
             }
             #[inline]
             fn climb<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Intersection<S> {
-                match second_attempt::<S, $Tier, G, _>(geometry, place, ray) {
+                let found = match rare::<S, $Tier, G, _>(geometry, place, ray) {
+                    Attempt::Unsure => second_attempt::<S, $Tier, G, _>(geometry, place, ray),
+                    found => found,
+                };
+                match found {
                     Attempt::Found(intersection) => intersection,
                     Attempt::Miss => Intersection::Miss,
                     // The robust number knows every sign, so that there is always a result.
@@ -91,7 +95,7 @@ pub(crate) const fn is_ball<S, G: Described>(figure: &Figure<S>) -> bool {
     G::FIGURES.has(Figures::BALL) && matches!(figure, Figure::Ball { .. })
 }
 
-/// The intersection by the fast path.
+/// The intersection by the fast path, of the rays that are most frequent: see [`rare`] for the others.
 #[inline(always)]
 fn fast<S: Scalar, T: Guards, G: Geometry<S>>(
     geometry: &G,
@@ -99,18 +103,54 @@ fn fast<S: Scalar, T: Guards, G: Geometry<S>>(
     ray: &Ray<S>,
 ) -> Attempt<Intersection<S>> {
     if let Some(departure) = ray.departure() {
-        if meets_nothing(geometry, departure) {
-            return Attempt::Miss;
-        }
+        return if meets_nothing(geometry, departure) { Attempt::Miss } else { Attempt::Unsure };
+    }
+    if stretches_integers(place) {
+        return Attempt::Unsure;
+    }
+    if geometry.girth().is_some_and(|r| place.passes_axis(ray, r)) {
+        return Attempt::Miss;
+    }
+    let Some(mut line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
+    geometry.fit(&mut line);
+    (line.is_strict, line.is_doubled) = (T::STRICT, false);
+    in_own_t(place, &line, geometry.fast_intersection::<T>(&line))
+}
+
+/// The fast path of rays that depart inwards, of those that start far away, and in fixed point of all with an affine placement. These are functions
+/// of their own: where [`fast`] ends the compiler then knows of which kind an intersection is.
+#[inline(always)]
+fn rare<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
+    geometry: &G,
+    place: &P,
+    ray: &Ray<S>,
+) -> Attempt<Intersection<S>> {
+    if let Some(departure) = ray.departure() {
         return inwards::<S, T, G>(geometry, place, ray, departure);
     }
     if stretches_integers(place) {
         return stretched::<S, T, G>(geometry, place, ray);
     }
-    let Some(mut line) = geometry.fast_line(place, ray) else { return from_afar::<S, T, G>(geometry, place, ray) };
-    geometry.fit(&mut line);
-    (line.is_strict, line.is_doubled) = (T::STRICT, false);
-    in_own_t(place, &line, geometry.fast_intersection::<T>(&line))
+    // Only floats have lines that are made otherwise from afar, and affine placements make these themselves. Of a ray from nearby the guards
+    // have failed.
+    let may_be_far = S::RELATIVE && !P::STRETCHES;
+    if may_be_far && geometry.fast_line(place, ray).is_none() {
+        return from_afar::<S, T, G>(geometry, place, ray);
+    }
+    Attempt::Unsure
+}
+
+/// The fast path, of all rays.
+#[inline(always)]
+fn fast_or_rare<S: Scalar, T: Guards, G: Geometry<S>>(
+    geometry: &G,
+    place: &impl Place<S>,
+    ray: &Ray<S>,
+) -> Attempt<Intersection<S>> {
+    match fast::<S, T, G>(geometry, place, ray) {
+        Attempt::Unsure => rare::<S, T, G, _>(geometry, place, ray),
+        found => found,
+    }
 }
 
 /// True for fixed point with an affine placement.
@@ -278,20 +318,20 @@ fn from_start<S: Scalar>(intersection: Intersection<S>, start: S, is_strict: boo
 /// The occlusion test by the fast path.
 #[inline(always)]
 fn fast_ahead<S: Scalar, T: Guards, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<()> {
-    let intersection = if let Some(departure) = ray.departure() {
-        if meets_nothing(geometry, departure) {
-            return Attempt::Miss;
-        }
-        found!(inwards::<S, T, G>(geometry, place, ray, departure))
-    } else if stretches_integers(place) {
-        found!(stretched::<S, T, G>(geometry, place, ray))
-    } else {
-        let Some(mut line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
-        geometry.fit(&mut line);
-        if line.start == S::ZERO && !line.is_coarse {
-            return geometry.fast_occlusion::<T>(&line);
-        }
-        found!(in_own_t(place, &line, geometry.fast_intersection::<T>(&line)))
-    };
+    if let Some(departure) = ray.departure() {
+        return if meets_nothing(geometry, departure) { Attempt::Miss } else { Attempt::Unsure };
+    }
+    if stretches_integers(place) {
+        return Attempt::Unsure;
+    }
+    if geometry.girth().is_some_and(|r| place.passes_axis(ray, r)) {
+        return Attempt::Miss;
+    }
+    let Some(mut line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
+    geometry.fit(&mut line);
+    if line.start == S::ZERO && !line.is_coarse {
+        return geometry.fast_occlusion::<T>(&line);
+    }
+    let intersection = found!(in_own_t(place, &line, geometry.fast_intersection::<T>(&line)));
     if intersection.nearest(Range::FORWARD, |_| true).is_some() { Attempt::Found(()) } else { Attempt::Miss }
 }

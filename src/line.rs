@@ -26,6 +26,12 @@ pub trait Place<S: Scalar> {
     fn finer_line(&self, _ray: &Ray<S>, _reach: S) -> Option<FinerLine<S>> {
         None
     }
+    /// True if the ray's line passes the placement's y axis at a distance greater than `r`; false where rounding may decide, and for placements
+    /// that do not know it.
+    #[inline(always)]
+    fn passes_axis(&self, _ray: &Ray<S>, _r: S) -> bool {
+        false
+    }
     /// The line of a ray that starts far away, with its origin moved to a point next to the primitive's point `base`, and relative to that.
     #[inline(always)]
     fn far_line(&self, _ray: &Ray<S>, _base: Vec3<S>) -> Option<LocalLine<S>> {

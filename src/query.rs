@@ -29,37 +29,39 @@ pub trait Solve<S: Scalar> {
         }
     }
 
-    /// The first hit that `accept` takes.
+    /// The first hit that `accept` takes. `short` is the geometry once more, perhaps in another type: that in which the fast path is computed.
     #[inline]
-    fn nearest<G: Geometry<S>>(
+    fn nearest<F: Geometry<S>, G: Geometry<S>>(
+        short: &F,
         geometry: &G,
         place: &impl Place<S>,
         ray: &Ray<S>,
         accept: impl Fn(Crossing) -> bool,
     ) -> Option<Hit<S>> {
-        match Self::fast(geometry, place, ray) {
+        match Self::fast(short, place, ray) {
             Attempt::Miss => None,
             Attempt::Found(intersection) => intersection.nearest(ray.range(), accept),
             Attempt::Unsure => apart(|| Self::climb(geometry, place, ray).nearest(ray.range(), accept)),
         }
     }
 
-    /// True if there is a hit that `accept` takes.
+    /// True if there is a hit that `accept` takes. `short` is that of [`Solve::nearest`].
     #[inline]
-    fn occludes<G: Geometry<S>>(
+    fn occludes<F: Geometry<S>, G: Geometry<S>>(
+        short: &F,
         geometry: &G,
         place: &impl Place<S>,
         ray: &Ray<S>,
         accept: impl Fn(Crossing) -> bool,
     ) -> bool {
         if ray.range() == Range::FORWARD && accept(Crossing::Enter) && accept(Crossing::Exit) {
-            match Self::fast_ahead(geometry, place, ray) {
+            match Self::fast_ahead(short, place, ray) {
                 Attempt::Miss => return false,
                 Attempt::Found(()) => return true,
                 Attempt::Unsure => {}
             }
         }
-        apart(|| Self::nearest(geometry, place, ray, accept).is_some())
+        apart(|| Self::nearest(geometry, geometry, place, ray, accept).is_some())
     }
 }
 

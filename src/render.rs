@@ -294,7 +294,7 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> core::iter::Fused
 }
 
 #[cfg(test)]
-#[allow(clippy::expect_used)]
+#[expect(clippy::expect_used, reason = "a test may panic")]
 mod tests {
     use super::*;
     use crate::scene::Camera;

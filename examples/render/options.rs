@@ -29,8 +29,7 @@ use std::path::PathBuf;
         weight Ks is the mirror's weight too, and T that of the refracted ray. Transparent objects cast\n\
         full shadows. Levels are encoded by sRGB, as screens expect it, and the PNG says so; see --linear."
 )]
-// Each is a flag of its own.
-#[allow(clippy::struct_excessive_bools)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a flag of its own")]
 pub(crate) struct Options {
     /// Scene in the Neutral File Format (.nff), or `-` for standard input; without it, a built-in one
     #[arg(value_name = "FILE")]

@@ -184,7 +184,7 @@ fn largest<S: Number>(v: Vec3<S>) -> f64 {
 
 fn hold_tightly<S: Number>() {
     let mut random = Random(0x2545_f491_4f6c_dd1d);
-    let (mut rays, mut infinite, mut counted) = (0, 0, [0; 4]);
+    let (mut boxes, mut infinite, mut counted) = (0, 0, [0; 4]);
     for _ in 0..rounds(300) {
         for (primitive, parts) in solids::<S>(&mut random, -2.0, 2.0) {
             let shape = Shape::new(primitive).placed(random.placement());
@@ -197,12 +197,12 @@ fn hold_tightly<S: Number>() {
                     counted[units as usize] += 1;
                 }
             }
-            rays += 1;
+            boxes += 1;
         }
     }
     assert_eq!(infinite, 0, "all of it is well within the type");
     // Two only where the solid reaches as far as a number of the type: that it does is not known.
-    assert!(counted[2] * 10 < rays, "{counted:?} of {rays}");
+    assert!(counted[2] * 10 < boxes, "{counted:?} of {boxes}");
 }
 
 /// A hundred times as many in the long form: a million sides a type.
@@ -221,8 +221,8 @@ fn boxes_hold_what_is_placed_within_a_unit() {
 /// Axes that lie nearly in a plane, along a line, or in the same direction; of very different lengths.
 fn hold_what_is_nearly_flat<S: Number>() {
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
-    let mut rays = 0;
-    while rays < rounds(300) {
+    let mut boxes = 0;
+    while boxes < rounds(300) {
         let near = number::<S>(libm::exp2(random.between(-8.0, -1.0)));
         let common = random.point::<S>(-1.0, 1.0);
         let axes = [(); 3].map(|()| {
@@ -237,7 +237,7 @@ fn hold_what_is_nearly_flat<S: Number>() {
             assert!(holds(&shape, &exactly), "{shape:?} reaches out of {:?}", shape.bounds());
             // 2^-36 of the terms, by the volume of the directions, 2^-16 at least.
             assert!(looseness(&shape, &exactly).is_some_and(|units| units <= 16), "{shape:?} in {:?}", shape.bounds());
-            rays += 1;
+            boxes += 1;
         }
     }
 }
@@ -253,7 +253,7 @@ fn boxes_hold_what_is_nearly_flat() {
 /// Sizes and places of all magnitudes of a float, to where it overflows and underflows.
 fn hold_at_the_extremes<S: Number>(tens: f64) {
     let mut random = Random(0x1234_5678_9abc_def1);
-    let (mut rays, mut infinite) = (0, 0);
+    let (mut boxes, mut infinite) = (0, 0);
     for _ in 0..rounds(200) {
         let size = random.between(-tens, tens - 2.0);
         for (primitive, parts) in solids::<S>(&mut random, size, size + 2.0) {
@@ -274,11 +274,11 @@ fn hold_at_the_extremes<S: Number>(tens: f64) {
                     assert!(units <= 3, "{shape:?} leaves {units} units in {:?}", shape.bounds());
                 }
                 infinite += u32::from(sides(shape.bounds()).iter().any(|(_, _, bound)| !bound.is_finite()));
-                rays += 1;
+                boxes += 1;
             }
         }
     }
-    assert!(infinite * 2 < rays);
+    assert!(infinite * 2 < boxes);
 }
 
 #[test]

@@ -52,7 +52,7 @@ pub(super) fn brightest<S: Scalar>(
 }
 
 #[cfg(test)]
-#[allow(clippy::expect_used)]
+#[expect(clippy::expect_used, reason = "a test may panic")]
 mod tests {
     use super::*;
     use crate::scene::{Camera, Light, Material};

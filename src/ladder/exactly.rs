@@ -3,7 +3,7 @@
 //! Fixed point begins with the fast path in its own integers, with guards that let nothing uncertain pass. Floats begin with that of doubles, which is the
 //! second step of fixed point. What these cannot decide is computed in ever wider numbers, until every sign is certain.
 
-use super::{climb, fast, holds};
+use super::{climb, fast_or_rare, holds};
 use crate::exact::{Certain, Effort, Exact};
 use crate::fast::Guards;
 use crate::figure::{Described, Figure};
@@ -93,7 +93,7 @@ fn fast_in_doubles<S: Certain, G: Geometry<S>>(
     ray: &Ray<S>,
 ) -> Attempt<Intersection<S>> {
     let intersection =
-        found!(fast::<f64, Certainly, _>(&geometry.in_doubles(), &place.in_doubles(), &ray.in_doubles()));
+        found!(fast_or_rare::<f64, Certainly, _>(&geometry.in_doubles(), &place.in_doubles(), &ray.in_doubles()));
     let (start, end) = (ray.range().start().to_f64(), ray.range().end().to_f64());
     // The exact value of an end decides whether it lies in the range. An end before or beyond the range is made infinite.
     let settled = |t: f64| {
@@ -116,7 +116,7 @@ fn fast_in_integers<S: Scalar, G: Geometry<S>>(
     place: &impl Place<S>,
     ray: &Ray<S>,
 ) -> Attempt<Intersection<S>> {
-    let intersection = found!(fast::<S, Certainly, G>(geometry, place, ray));
+    let intersection = found!(fast_or_rare::<S, Certainly, G>(geometry, place, ray));
     let (start, end) = (ray.range().start(), ray.range().end());
     // The order of an end and the range's, which the rounding of `t` must not decide; nor whether an exit is ahead of the surface that the ray
     // departs from. A missing end is infinite.

@@ -1,7 +1,10 @@
 //! Products, reciprocals and roots of machine words, by multiplications alone.
 //!
 //! The fast path of fixed point uses all of them, the robust number some.
-#![cfg_attr(not(feature = "fixed"), allow(dead_code))]
+#![cfg_attr(
+    not(feature = "fixed"),
+    expect(dead_code, reason = "without fixed point only the robust number needs them")
+)]
 
 /// `a * b` in 128 bits.
 #[cfg(target_pointer_width = "64")]

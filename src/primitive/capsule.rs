@@ -98,6 +98,11 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
         self.radius.plus(self.height)
     }
 
+    #[inline(always)]
+    fn girth(&self) -> Option<S> {
+        Some(self.radius)
+    }
+
     fn scaled(&self, e: i32) -> Self {
         self.map(|size| size.scaled(e))
     }

@@ -221,6 +221,16 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         }
     }
 
+    #[inline(always)]
+    fn girth(&self) -> Option<S> {
+        match self.outline {
+            Outline::Radii(base, top, _) => Some(if base > top { base } else { top }),
+            // The product of a slope and a height would cost too much in fixed point.
+            Outline::Slope(_) if S::RELATIVE => self.top_radius(),
+            Outline::Slope(_) => None,
+        }
+    }
+
     fn scaled(&self, e: i32) -> Self {
         self.map(|slope| slope, |size| size.scaled(e))
     }

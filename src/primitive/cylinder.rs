@@ -110,6 +110,11 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
         self.height().map_or(self.radius, |height| self.radius.plus(height))
     }
 
+    #[inline(always)]
+    fn girth(&self) -> Option<S> {
+        Some(self.radius)
+    }
+
     fn scaled(&self, e: i32) -> Self {
         self.map(|size| size.scaled(e))
     }

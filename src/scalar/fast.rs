@@ -276,6 +276,12 @@ pub trait FastPath: Numbers {
         None
     }
 
+    /// True if the line from `o` along `d` passes the axis through `position` at a distance greater than `r`; false where rounding may decide.
+    #[inline(always)]
+    fn passes_axis(_o: [Self; 3], _d: [Self::Unit; 3], _position: [Self; 3], _axis: [Self::Unit; 3], _r: Self) -> bool {
+        false
+    }
+
     /// The line from `o` along `d` in the frame of an affine map, whose inverse has these rows, each to be multiplied by its power of two. `None` if
     /// products cancel so much that their rounding would be large relative to the line.
     #[inline(always)]

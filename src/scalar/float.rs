@@ -121,7 +121,7 @@ macro_rules! float {
                 let value = Ring::scaled(text.parse::<Self>().ok()?, power);
                 Some(value).filter(|value| Scalar::is_finite(*value))
             }
-            #[allow(clippy::unnecessary_cast)]
+            #[allow(clippy::unnecessary_cast, reason = "necessary for `f32`")]
             fn from_f64(value: f64) -> Result<Self, ValueError> {
                 let rounded = value as $Float;
                 match Scalar::is_finite(rounded) {
@@ -130,7 +130,7 @@ macro_rules! float {
                     false => Err(ValueError::NotFinite),
                 }
             }
-            #[allow(clippy::unnecessary_cast)]
+            #[allow(clippy::unnecessary_cast, reason = "necessary for `f32`")]
             fn to_f64(self) -> f64 {
                 self as f64
             }
@@ -258,11 +258,11 @@ macro_rules! float {
             fn in_65536ths(self) -> u32 {
                 ((self * 65536.0) as u32).min(65536)
             }
-            #[allow(clippy::unnecessary_cast)]
+            #[allow(clippy::unnecessary_cast, reason = "necessary for `f32`")]
             fn from_f64(value: f64) -> Self {
                 if value.is_nan() { 0.0 } else { value as $Float }
             }
-            #[allow(clippy::unnecessary_cast)]
+            #[allow(clippy::unnecessary_cast, reason = "necessary for `f32`")]
             fn to_f64(self) -> f64 {
                 self as f64
             }

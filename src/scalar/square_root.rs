@@ -6,7 +6,7 @@
 /// The correctly rounded square root.
 #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
 #[inline(always)]
-#[allow(unsafe_code)] // The one audited exception: VSQRT has no other way in on stable.
+#[expect(unsafe_code, reason = "the one audited exception: stable Rust has no other way to VSQRT")]
 pub(super) fn square_root_f32(x: f32) -> f32 {
     let mut bits = x.to_bits();
     // SAFETY: moves a register into the floating-point unit and back; reads and writes nothing else. The

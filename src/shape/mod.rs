@@ -70,14 +70,43 @@ macro_rules! through {
     ($shape:ident, |$primitive:ident, $place:ident| $query:expr) => {{
         let $primitive = &$shape.member;
         match &$shape.placement {
-            Placement::Frame($place) if K::SET.contains(Kind::Frame) => $query,
             Placement::Affine($place) if K::SET.contains(Kind::Affine) => $query,
+            Placement::Frame($place) if K::SET.contains(Kind::Frame) => $query,
             _ => {
                 let $place = &InWorld;
                 $query
             }
         }
     }};
+}
+
+/// The same, with a primitive whose fast path is short in its own type, unless it is stretched. That path is then computed where the query is, in
+/// registers: calls, and copies of lines and intersections, would cost more than it does.
+macro_rules! shortly {
+    ($shape:ident, |$primitive:ident, $place:ident| $query:expr) => {
+        match ($shape.primitive(), matches!($shape.placement, Placement::Affine(_))) {
+            (Primitive::Sphere($primitive), false) if K::SET.contains(Kind::Sphere) => {
+                shortly!($shape.placement, |$place| $query)
+            }
+            (Primitive::Disc($primitive), false) if K::SET.contains(Kind::Disc) => {
+                shortly!($shape.placement, |$place| $query)
+            }
+            (Primitive::Triangle($primitive), false) if K::SET.contains(Kind::Triangle) => {
+                shortly!($shape.placement, |$place| $query)
+            }
+            _ => through!($shape, |$primitive, $place| $query),
+        }
+    };
+    ($placement:expr, |$place:ident| $query:expr) => {
+        if let Placement::Frame($place) = &$placement
+            && K::SET.contains(Kind::Frame)
+        {
+            $query
+        } else {
+            let $place = &InWorld;
+            $query
+        }
+    };
 }
 
 use through;
@@ -184,7 +213,7 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
     /// The visible hit with the smallest `t`, in a chosen accuracy tier.
     pub fn nearest_at<T: Tier<S>>(&self, ray: &Ray<S>) -> Option<Hit<S>> {
         let accept = |crossing| self.visible.sees(crossing);
-        through!(self, |primitive, place| T::nearest(primitive, place, ray, accept))
+        shortly!(self, |short, place| T::nearest(short, &self.member, place, ray, accept))
     }
 
     /// True if there is any visible hit.
@@ -195,7 +224,7 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
     /// True if there is any visible hit, in a chosen accuracy tier.
     pub fn occludes_at<T: Tier<S>>(&self, ray: &Ray<S>) -> bool {
         let accept = |crossing| self.visible.sees(crossing);
-        through!(self, |primitive, place| T::occludes(primitive, place, ray, accept))
+        shortly!(self, |short, place| T::occludes(short, &self.member, place, ray, accept))
     }
 
     /// True if the point belongs to the shape: inside or on a solid, on an open surface.

@@ -135,6 +135,10 @@ impl<S: Scalar, K: Kinds> Geometry<S> for Member<S, K> {
     fn reach(&self) -> S {
         with!(self, |p| p.reach(), S::ZERO)
     }
+    #[inline(always)]
+    fn girth(&self) -> Option<S> {
+        with!(self, |p| p.girth(), None)
+    }
     fn scaled(&self, e: i32) -> Self {
         map!(self, |p| p.scaled(e), *self)
     }

@@ -104,6 +104,23 @@ macro_rules! guards {
             }
         }
 
+        /// True if the line from `o` along `d` passes the axis through `position` at a distance greater than `r`. The distance of the lines is
+        /// `|n . from| / |n|`, `n = d x a` (Ericson, Real-Time Collision Detection, 5.1.8).
+        #[inline(always)]
+        pub(crate) fn passes_axis(
+            o: [$Float; 3],
+            d: [$Float; 3],
+            position: [$Float; 3],
+            a: [$Float; 3],
+            r: $Float,
+        ) -> bool {
+            // Far more than rounding may change, and what frames that were read from files may lack of right angles.
+            const DOUBT: $Float = 1.0 / 4096.0;
+            let (from, n) = (minus(o, position), cross(d, a));
+            let (moment, rr) = (dot(n, from), r * r);
+            moment * moment > rr * dot(n, n) + (dot(from, from) + rr) * DOUBT
+        }
+
         /// Whether the line from `o` along `d` begins more than sixteen times as far from `base` as it passes.
         #[inline(always)]
         pub(crate) fn is_far(o: [$Float; 3], d: [$Float; 3], base: [$Float; 3]) -> bool {

@@ -118,6 +118,10 @@ macro_rules! floats {
                 $name::crossings(line, y)
             }
             #[inline(always)]
+            fn passes_axis(o: [Self; 3], d: [Self; 3], position: [Self; 3], axis: [Self; 3], r: Self) -> bool {
+                $name::passes_axis(o, d, position, axis, r)
+            }
+            #[inline(always)]
             fn fast_turned(
                 o: [Self; 3],
                 d: [Self; 3],

@@ -11,6 +11,7 @@
 //! In comments, a number "in units of `2^-finer`" has `finer` extra bits below the unit of the type, and the origin of a line is "framed" if it has
 //! been transformed to a frame.
 
+mod axis;
 mod ball;
 mod cone;
 mod departing;
@@ -25,6 +26,7 @@ mod triangle;
 mod turned;
 pub(super) mod wide;
 
+pub(super) use axis::{passes, passes_wide};
 pub(super) use ball::{ByApproach, ByMoment};
 pub(super) use cone::{double_cone, exit_from_nappe, nappe};
 pub(super) use departing::exit_from_round;

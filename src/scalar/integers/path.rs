@@ -164,6 +164,12 @@ macro_rules! fast {
 
 fast!(FixedI32, LeEqU32, i32, integers, [is_strict], {
     #[inline(always)]
+    fn passes_axis(o: [Self; 3], d: [Self::Unit; 3], position: [Self; 3], axis: [Self::Unit; 3], r: Self) -> bool {
+        let from = |i: usize| o[i].to_bits().wrapping_sub(position[i].to_bits());
+        let (d, axis) = (d.map(FixedI32::to_bits), axis.map(FixedI32::to_bits));
+        integers::passes([from(0), from(1), from(2)], d, axis, r.to_bits())
+    }
+    #[inline(always)]
     fn fast_stretched_finely(
         o: [Self; 3],
         d: [Self::Unit; 3],
@@ -217,6 +223,12 @@ fast!(FixedI32, LeEqU32, i32, integers, [is_strict], {
     }
 });
 fast!(FixedI64, LeEqU64, i64, integers::wide, [], {
+    #[inline(always)]
+    fn passes_axis(o: [Self; 3], d: [Self::Unit; 3], position: [Self; 3], axis: [Self::Unit; 3], r: Self) -> bool {
+        let from = |i: usize| o[i].to_bits().wrapping_sub(position[i].to_bits());
+        let (d, axis) = (d.map(|c| (c.to_bits() >> 32) as i32), axis.map(|c| (c.to_bits() >> 32) as i32));
+        integers::passes_wide([from(0), from(1), from(2)], d, axis, r.to_bits())
+    }
     #[inline(always)]
     fn fast_triangle(line: LocalLine<Self>, vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {
         let (o, d) = (line.origin.map(Self::to_bits), line.direction.map(FixedI64::to_bits));

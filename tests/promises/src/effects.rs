@@ -1,6 +1,5 @@
 //! The promise: only the effects that a scene calls for are at work, and one that is missing is refused.
-// The path of the method would be of one lifetime.
-#![allow(clippy::redundant_closure_for_method_calls)]
+#![expect(clippy::redundant_closure_for_method_calls, reason = "the path of the method would be of one lifetime")]
 
 use fixed::types::{I16F16, I32F32};
 use raylet::effect::{

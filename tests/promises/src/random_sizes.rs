@@ -9,7 +9,7 @@ use raylet::{
 use support::amount::times;
 use support::random::{Random, add, dot, scale};
 
-/// The units in the last place of `t` that `Stable` may be off. (The worst of a million is 6.3.)
+/// The units in the last place of `t` that `Stable` may be off; the test prints the most that it finds.
 const UNITS: f64 = 16.0;
 
 /// Between `1 / most` and `most`, its logarithm evenly spread.
@@ -102,31 +102,35 @@ fn touches(hits: &Hits<f32>, size: f64) -> bool {
     hits.iter().any(|hit| hit.crossing == Crossing::Touch) || hits.windows(2).any(is_short)
 }
 
-/// How many units `Stable` is off at a solid of this size; infinitely many if its hits are others.
-pub(crate) fn off(shape: &Shape<f32>, ray: &Ray<f32>, size: f64) -> f64 {
+/// How many units `Stable` is off at a solid of this size; infinitely many if its hits are others. `None` if there is no hit, or if rounding may
+/// decide one.
+pub(crate) fn off(shape: &Shape<f32>, ray: &Ray<f32>, size: f64) -> Option<f64> {
     let (stable, exact) = (shape.hits_at::<Stable>(ray), shape.hits_at::<Exact>(ray));
-    if touches(&stable, size) || touches(&exact, size) {
-        return 0.0;
+    if touches(&stable, size) || touches(&exact, size) || (stable.is_empty() && exact.is_empty()) {
+        return None;
     }
     if stable.len() != exact.len() {
-        return f64::INFINITY;
+        return Some(f64::INFINITY);
     }
     let units = |[t, exact]: [f32; 2]| {
         (f64::from(t) - f64::from(exact)).abs() / f64::from((exact.abs() * f32::EPSILON).max(f32::from_bits(1)))
     };
-    stable.iter().zip(&exact).map(|(a, b)| units([a.t, b.t])).fold(0.0, f64::max)
+    Some(stable.iter().zip(&exact).map(|(a, b)| units([a.t, b.t])).fold(0.0, f64::max))
 }
 
 #[test]
 fn solids_of_any_size_are_met_as_promised() {
     let mut random = Random(15);
-    let (mut judged, mut worst) = (0, 0.0);
-    while judged < times(100_000) {
+    let (mut judged, mut departing, mut rays, mut worst) = (0, 0, 0, 0.0);
+    while judged < times(40_000) {
         let Some((shape, ray, size)) = drawn(&mut random) else { continue };
-        let units = off(&shape, &ray, size);
+        rays += 1;
+        let Some(units) = off(&shape, &ray, size) else { continue };
         assert!(units <= UNITS, "{units} units: {ray:?} at {shape:?}");
         worst = f64::max(worst, units);
         judged += 1;
+        departing += u64::from(ray.departure().is_some());
     }
-    println!("at most {worst:.2} units off");
+    println!("{judged} of {rays} rays, {departing} of them departing: at most {worst:.2} units off");
+    assert!(judged * 3 > rays && departing * 20 > judged, "{judged} of {rays}, {departing} departing");
 }

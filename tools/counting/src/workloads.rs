@@ -15,7 +15,7 @@ use shared::subject::query;
 use shared::workload::{PLACEMENTS, Placed, QUERIES, Query, RAYS, Rays, SENSED, SOLIDS_BY_NAME, query, sensed};
 use std::hint::black_box;
 
-/// Of the range sensor's queries every so many is run, a hundred in all: no divisor of the number of solids or of zones.
+/// One of so many queries of the range sensor is run, a hundred in all: no divisor of the number of solids or of zones.
 const EVERY: usize = 27;
 
 /// One row to be measured.

@@ -7,7 +7,7 @@ use std::ops::{Add, Div, Mul, Sub};
 use support::exact_types::Exact;
 use support::oracle::Solid;
 
-/// A number type of rays: a float, whose directions are of the same type.
+/// A number type of the comparison: a float, whose directions are of the same type.
 pub trait Number:
     Exact<Unit = Self> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
@@ -48,7 +48,7 @@ pub trait Contestant<S: Number> {
 
 /// A contestant and its rays, whatever their types.
 pub trait Prepared<S> {
-    /// Calls it for every ray once. The loop is the same for all contestants, and all that is ever timed.
+    /// Runs the query with every ray once. The loop is the same for all contestants, and all that is ever timed.
     fn pass(&self);
     /// The answers.
     fn distances(&self) -> Vec<Option<S>>;
@@ -80,12 +80,12 @@ impl<S: Number, C: Contestant<S>> Prepared<S> for Timed<'_, S, C> {
 }
 
 /// A contestant of any type, made ready for rays.
-pub trait Query<S: Number> {
+pub trait Prepare<S: Number> {
     /// Turns rays into the contestant's own type, which no one times.
     fn prepare(&self, rays: &[Ray<S>]) -> Box<dyn Prepared<S> + '_>;
 }
 
-impl<S: Number, C: Contestant<S>> Query<S> for C {
+impl<S: Number, C: Contestant<S>> Prepare<S> for C {
     fn prepare(&self, rays: &[Ray<S>]) -> Box<dyn Prepared<S> + '_> {
         Box::new(Timed { contestant: self, rays: rays.iter().map(C::ray).collect() })
     }
@@ -98,12 +98,12 @@ pub struct Entrant<S: Number> {
     pub pose: Pose<S>,
     /// The very solid that the contestant was given; the subject's, but for a size that it stores in another way.
     pub solid: Solid,
-    contestant: Box<dyn Query<S>>,
+    contestant: Box<dyn Prepare<S>>,
 }
 
 impl<S: Number> Entrant<S> {
     /// One whose primitive stands as the subject does.
-    pub fn new(name: &'static str, solid: &Solid, contestant: impl Query<S> + 'static) -> Self {
+    pub fn new(name: &'static str, solid: &Solid, contestant: impl Prepare<S> + 'static) -> Self {
         Self { name, pose: Pose::same(), solid: solid.clone(), contestant: Box::new(contestant) }
     }
 

@@ -35,8 +35,8 @@ impl<S: Number> Pose<S> {
         *self == Self::same()
     }
 
-    /// The ray at the library's primitive. Its y is rounded, which is held against nobody: the oracle has the
-    /// ray that came of it.
+    /// The ray at the library's primitive. Its y is rounded, which is held against nobody: the oracle has the ray
+    /// that came of it.
     pub fn own_ray(&self, ray: &Ray<S>) -> Ray<S> {
         let [x, y, z] = ray.origin().to_array();
         let y = y - self.middle;

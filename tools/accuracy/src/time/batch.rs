@@ -51,7 +51,7 @@ impl Batch {
     }
 }
 
-/// What can be target for its nearest hit.
+/// What has a nearest hit.
 trait Nearest<S: Scalar>: Copy + 'static {
     fn nearest<T: Tier<S>>(&self, ray: &Ray<S>) -> Option<Hit<S>>;
 }

@@ -19,7 +19,7 @@ const ENOUGH: u64 = 100 * clock::GRAIN;
 /// So many times a function is called that does nothing.
 const LOOPS: u64 = 500;
 
-/// Of the range sensor's queries every so many is run, a hundred in all: no divisor of the number of solids or of zones.
+/// One of so many queries of the range sensor is run, a hundred in all: no divisor of the number of solids or of zones.
 const EVERY: usize = 27;
 
 /// Which solids and rays: of each solid.

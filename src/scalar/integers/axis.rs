@@ -1,0 +1,73 @@
+//! Lines that pass an axis at a distance, in fixed point, by products of 32 bits.
+
+use super::{leading_zeros, leading_zeros_of_64, magnitude_bits};
+
+/// Bits of all factors.
+const BITS: u32 = 14;
+
+/// What rounding leaves uncertain of the distance, in its units: less than 17 of them, and what frames that were read from files may lack of right
+/// angles.
+const DOUBT: i32 = 20;
+
+/// True if the line along `d` passes the axis `a` at a distance greater than `r`. `from` leads from a point of the axis to one of the line.
+#[inline(always)]
+pub(in crate::scalar) fn passes(from: [i32; 3], d: [i32; 3], a: [i32; 3], r: i32) -> bool {
+    let bits = magnitude_bits(from[0]) | magnitude_bits(from[1]) | magnitude_bits(from[2]);
+    let shift = (32 - BITS).saturating_sub(leading_zeros(bits | 1));
+    is_beyond(from.map(|length| length >> shift), d, a, r >> shift)
+}
+
+/// The same for 64-bit types.
+#[inline(always)]
+pub(in crate::scalar) fn passes_wide(from: [i64; 3], d: [i32; 3], a: [i32; 3], r: i64) -> bool {
+    let magnitude = |length: i64| (length ^ (length >> 63)) as u64;
+    let bits = magnitude(from[0]) | magnitude(from[1]) | magnitude(from[2]);
+    let shift = (64 - BITS).saturating_sub(leading_zeros_of_64(bits | 1));
+    // A larger radius would not fit in 32 bits, and is larger than the distance of any of these lines.
+    is_beyond(from.map(|length| (length >> shift) as i32), d, a, (r >> shift).min(1 << BITS) as i32)
+}
+
+/// The distance of the lines is `|n . from| / |n|`, `n = d x a` (Ericson, Real-Time Collision Detection, 5.1.8). All lengths have [`BITS`] bits, and
+/// the directions 30.
+#[inline(always)]
+fn is_beyond(from: [i32; 3], d: [i32; 3], a: [i32; 3], r: i32) -> bool {
+    if r >= 1 << BITS {
+        return false;
+    }
+    let (d, a) = (d.map(|component| component >> (30 - BITS)), a.map(|component| component >> (30 - BITS)));
+    // Each component is off by less than 4 units of 2^-14: by the rounding of four factors, and its own.
+    let cross = |i: usize, j: usize| (d[i] * a[j] - d[j] * a[i]) >> BITS;
+    let n = [cross(1, 2), cross(2, 0), cross(0, 1)];
+    let distance = ((n[0] * from[0] + n[1] * from[1] + n[2] * from[2]) >> BITS).abs() - DOUBT;
+    // |n|^2 in units of 2^-14, and what it may be off.
+    let nn = ((n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) >> BITS) + 16;
+    let r = r + 1;
+    distance > 0 && distance * distance > (((r * r) >> BITS) + 1) * nn
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{passes, passes_wide};
+
+    const ONE: i32 = 1 << 30;
+
+    #[test]
+    fn a_line_passes_a_post_or_not() {
+        let to_the_side = [ONE, 0, 0];
+        let up = [0, ONE, 0];
+        for (aside, is_passed) in [(0, false), (90_000, false), (100_000, false), (101_000, true), (1 << 28, true)] {
+            assert_eq!(passes([7_000, 5_000, aside], to_the_side, up, 100_000), is_passed, "{aside}");
+            let wide = [7_000 << 30, 5_000 << 30, i64::from(aside) << 30];
+            assert_eq!(passes_wide(wide, to_the_side, up, 100_000 << 30), is_passed, "{aside}");
+        }
+    }
+
+    #[test]
+    fn a_line_along_the_axis_is_in_doubt_next_to_it_and_all_are_in_doubt_of_a_large_radius() {
+        let up = [0, ONE, 0];
+        assert!(!passes([1_000, 0, 0], up, up, 1));
+        assert!(!passes([1 << 20, 0, 0], [ONE, 0, 0], up, i32::MAX));
+        assert!(!passes_wide([1 << 20, 0, 0], [ONE, 0, 0], up, i64::MAX));
+        assert!(!passes([0; 3], [ONE, 0, 0], up, 0));
+    }
+}
