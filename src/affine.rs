@@ -7,12 +7,11 @@ use crate::frame::{Frame, FrameError, within_budget};
 use crate::line::Place;
 use crate::number::{difference, dot};
 use crate::ray::Ray;
-use crate::scalar::{FinerLine, FromScalar, LocalLine, Real, Ring, Scalar, UnitScalar, ValueError};
+use crate::scalar::{FinerLine, FromScalar, Including, LocalLine, Real, Ring, Scalar, ValueError};
 use crate::vector::{UnitVec3, Vec3, cross, pairs, transposed};
 
 /// One row of the inverse: components below 1 and a power of two.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 struct Row<U> {
     components: [U; 3],
     exponent: i32,
@@ -21,7 +20,6 @@ struct Row<U> {
 /// Placement by any invertible affine map. `t` remains the distance in the world, and normals are transformed by the inverse
 /// transpose.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Affine<S: Scalar> {
     position: Vec3<S>,
     inverse: [Row<S::Unit>; 3],
@@ -87,7 +85,7 @@ impl<S: Scalar> Affine<S> {
                 return Err(FrameError::Scale(ValueError::of_size(factor, S::BUDGET.smallest_size)));
             }
         }
-        let axes = [frame.right(), frame.up(), frame.forward()];
+        let axes = [frame.left(), frame.up(), frame.forward()];
         let mut rows = [UnitVec3::<S>::X.real(); 3];
         for i in 0..3 {
             rows[i] = axes[i].real().map(|component| component / factors[i].real());
@@ -243,16 +241,16 @@ impl<S: Scalar> Affine<S> {
 }
 
 impl<S: Scalar> Place<S> for Affine<S> {
-    type Doubles = Affine<f64>;
+    type In<R: Scalar> = Affine<R>;
 
     const STRETCHES: bool = true;
 
     #[inline(always)]
-    fn in_doubles(&self) -> Self::Doubles {
+    fn in_type<R: Including<S>>(&self) -> Self::In<R> {
         let inverse = self
             .inverse
-            .map(|Row { components, exponent }| Row { components: components.map(UnitScalar::to_f64), exponent });
-        Affine { position: self.position.in_doubles(), inverse }
+            .map(|Row { components, exponent }| Row { components: components.map(R::unit_exactly), exponent });
+        Affine { position: self.position.in_type(), inverse }
     }
 
     #[inline]

@@ -10,6 +10,7 @@
 //! | a ball of radius `r` about `(0, y, 0)` | `o + m_y y + r sqrt(m_x^2 + m_y^2 + m_z^2)` |
 //! | a disc of radius `r` in the plane of height `y` | `o + m_y y + r sqrt(m_x^2 + m_z^2)` |
 //! | a vertex | `o + m_x x + m_y y + m_z z` |
+//! | a cuboid of half extents `h` | `o + abs(m_x) h_x + abs(m_y) h_y + abs(m_z) h_z` |
 //!
 //! and down to the same with every sign turned but the root's. Their convex hull reaches as far as the farthest of them.
 //!
@@ -38,7 +39,7 @@ pub(crate) fn in_frame<S: Scalar, G: Described>(hull: &Hull<S>, frame: &Frame<S>
     let rows = match hull {
         // A ball in a frame is one whatever the last bits of the axes say.
         Hull::Ball(_) if G::FIGURES.has(Figures::BALL) => unturned::<S>(),
-        _ => [frame.right(), frame.up(), frame.forward()].map(|axis| (axis.to_array(), 0)),
+        _ => [frame.left(), frame.up(), frame.forward()].map(|axis| (axis.to_array(), 0)),
     };
     placed::<S, G>(hull, frame.position(), rows)
 }
@@ -92,6 +93,11 @@ fn interval<S: Scalar, G: Described>(hull: &Hull<S>, o: S, [x, y, z]: [Near<S>; 
             let [a, b, c] = point.to_array();
             both(no_less([moved, (a, x), (b, y), (c, z)]), no_less([mirrored, (-a, x), (-b, y), (-c, z)]))
         })),
+        Hull::Cuboid([a, b, c]) if has(Figures::CUBOID.and(Figures::RECTANGLE)) => {
+            let terms = [(*a, x.magnitude()), (*b, y.magnitude()), (*c, z.magnitude())];
+            let reach = |centre: S| no_less([(centre, Near::exact(one)), terms[0], terms[1], terms[2]]);
+            both(reach(o), reach(-o))
+        }
         // The geometry has no other.
         _ => [o; 2],
     }
@@ -189,6 +195,10 @@ impl<S: Scalar> Near<S> {
         self.high == value && self.low.is_zero() && self.off.is_zero()
     }
 
+    fn magnitude(self) -> Self {
+        if self.high.is_negative() { Self { high: -self.high, low: -self.low, ..self } } else { self }
+    }
+
     fn scaled(self, n: i32) -> Self {
         if n == 0 || self.is_zero() {
             return self;
@@ -271,8 +281,7 @@ fn length<S: Scalar, const N: usize>(v: [Near<S>; N]) -> Near<S> {
         }
     }
     if count <= 1 {
-        let is_negative = only.high.is_negative();
-        return if is_negative { Near { high: -only.high, low: -only.low, ..only } } else { only };
+        return only.magnitude();
     }
     // Near 1, where the square of no float is too large or too small.
     let exponent = S::binary_exponent(largest(v.map(|component| S::round(component.high))));

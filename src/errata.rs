@@ -23,4 +23,7 @@
 //! | the inside test has `Z^2` where the height belongs | `x^2 + z^2 < y^2` at the ray's start | `a_point_is_inside_a_cone_by_its_distance_from_the_axis` |
 //! | `A = 1 - 2 dy^2` | of unit local directions only: `a = dx^2 + dz^2 - m^2 dy^2` | `a_is_one_minus_two_dy_squared_for_unit_directions_only` |
 //! | a hit must have y above a minimal distance | that cuts a hole at the apex; with a [`Departure`](crate::Departure) a secondary ray needs no such distance | `there_is_no_hole_at_the_apex` |
+//! | `y < 1` on the side and `x^2 + z^2 < 1` on the base | both strict comparisons drop the rim, and with it every ray in the plane of the base: from (-3, 1, 0) along x the cone is met at t = 2 and 4 | `a_ray_in_the_plane_of_the_base_meets_the_rim_twice` |
+//! | the part is told from the rounded point: the base if `y` is almost 1 | a hit of the side next to the rim would get the normal of the base; the part is known when the hit is found | `a_hit_of_the_side_next_to_the_rim_has_the_normal_of_the_side` |
+//! | the text starts `u` at the positive z axis, the code (`atan2(x, -z)`) at the negative one; `w` runs against z | here `u` starts at the x axis and is 1/4 at -z, counter-clockwise as seen from +y, and `w` grows with z | `u_starts_at_the_x_axis_and_w_grows_with_z` |
 //! | the code takes the base to be at v = 0, the text the tip | v = 0 at the tip | `v_is_zero_at_the_tip_of_the_cone` |

@@ -2,11 +2,12 @@
 
 use crate::effect::EffectError;
 use crate::frame::FrameError;
+use crate::hierarchy::HierarchyError;
 use crate::primitive::SizeError;
 use crate::ray::RayError;
 use crate::scalar::ValueError;
 use crate::scene::nff::NffError;
-use crate::scene::{CameraError, HierarchyError, SceneError};
+use crate::scene::{CameraError, SceneError};
 use crate::shape::kinds::KindError;
 use core::convert::Infallible;
 use core::fmt;

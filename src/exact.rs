@@ -41,6 +41,7 @@ pub struct Exact;
 
 /// The precision that the exact tier used for a query.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Effort {
     /// Numbers with an error bound decided every sign.

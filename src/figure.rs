@@ -34,6 +34,16 @@ pub enum Figure<S> {
         /// The radius.
         radius: S,
     },
+    /// All points whose coordinates are at most these in magnitude.
+    Cuboid {
+        /// The half extents.
+        half: [S; 3],
+    },
+    /// The part of the plane `y = 0` with `x` and `z` at most these in magnitude.
+    Rectangle {
+        /// The half extents along x and z.
+        half: [S; 2],
+    },
     /// The triangle with these vertices.
     Triangle {
         /// The vertices.
@@ -86,9 +96,13 @@ impl Figures {
     pub(crate) const DISC: Self = Self(1 << 6);
     /// [`Figure::Triangle`].
     pub(crate) const TRIANGLE: Self = Self(1 << 7);
+    /// [`Figure::Cuboid`].
+    pub(crate) const CUBOID: Self = Self(1 << 8);
+    /// [`Figure::Rectangle`].
+    pub(crate) const RECTANGLE: Self = Self(1 << 9);
     /// All of these.
     #[cfg(test)]
-    pub(crate) const ALL: Self = Self(0xff);
+    pub(crate) const ALL: Self = Self(0x3ff);
 
     /// Those of both sets.
     pub(crate) const fn and(self, other: Self) -> Self {
@@ -113,6 +127,8 @@ impl<S> Figure<S> {
             Self::DoubleCone { .. } => Figures::DOUBLE_CONE,
             Self::Plane => Figures::PLANE,
             Self::Disc { .. } => Figures::DISC,
+            Self::Cuboid { .. } => Figures::CUBOID,
+            Self::Rectangle { .. } => Figures::RECTANGLE,
             Self::Triangle { .. } => Figures::TRIANGLE,
         }
     }

@@ -1,15 +1,20 @@
 //! Placement by rotation and translation.
 
+mod constant;
+
 use crate::line::{InWorld, Place};
 use crate::number::{difference, dot};
 use crate::ray::Ray;
-use crate::scalar::{FromScalar, LocalLine, Real, Rests, Ring, Scalar, ValueError};
+use crate::scalar::{FromScalar, Including, LocalLine, Real, Rests, Ring, Scalar, ValueError, with_fault};
 use crate::vector::{UnitVec3, Vec3, pairs, transposed};
 use core::fmt;
 
 /// Placement by rotation and translation: a position and three perpendicular axes.
 ///
 /// The constructors make the axes orthonormal, so that lengths, and with them `t`, are the same in the frame as in the world.
+///
+/// Coordinates are right-handed: with x to the right and y up, z comes towards the viewer. Who looks along a frame's z axis
+/// ([`Frame::forward`]), with its y axis upwards, has its x axis to the left. A camera that looks along z shows +x on the left of the picture, too.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Frame<S: Scalar> {
@@ -25,10 +30,13 @@ impl<S: Scalar> Frame<S> {
     ///
     /// [`FrameError::Position`] if a coordinate is not finite or beyond the budget.
     pub fn at(position: Vec3<S>) -> Result<Self, FrameError> {
-        Self::from_axes(position, [UnitVec3::X, UnitVec3::Y, UnitVec3::Z])
+        Self::assembled(position, [UnitVec3::X, UnitVec3::Y, UnitVec3::Z])
     }
 
-    /// From the base and the axis of a solid. The frame's y axis is `axis`; the other two are chosen perpendicular to it.
+    /// From the base and the axis of a solid. The frame's y axis is `axis`; the other two are chosen perpendicular to it, and do not matter for solids of
+    /// revolution. Turn a cuboid by [`Frame::looking`] or [`Frame::turned_about`].
+    ///
+    /// The base of a cone is its apex. A cone that stands on its cap is a frustum with a top radius of zero: [`Cone::frustum`](crate::Cone::frustum).
     ///
     /// # Errors
     ///
@@ -39,7 +47,66 @@ impl<S: Scalar> Frame<S> {
         }
         // (z, x) with z x x = y.
         let (z, x) = axis.perpendicular();
-        Self::from_axes(base, [x, axis, z])
+        Self::assembled(base, [x, axis, z])
+    }
+
+    /// From the centre of a solid, its axis and its height: the base is half of the height below the centre, rounded. This is for solids that stand on
+    /// their base. Spheres and cuboids are about the origin of their frame: for them [`Frame::at`] and [`Frame::from_base_and_axis`] take the centre.
+    ///
+    /// # Errors
+    ///
+    /// [`FrameError::Position`] if a coordinate of the centre or of the base is not finite or beyond the budget.
+    ///
+    /// ```
+    /// use raylet::{Cylinder, Frame, Part, Ray, Shape, UnitVec3, Vec3};
+    /// let rod = Shape::new(Cylinder::capped(0.5_f32, 4.0)?)
+    ///     .placed(Frame::from_centre_and_axis(Vec3::new(0.0, 1.0, 0.0), UnitVec3::X, 4.0)?);
+    /// let ray = Ray::new(Vec3::new(-9.0, 1.0, 0.0), UnitVec3::X)?;
+    /// assert_eq!(rod.nearest(&ray).map(|hit| (hit.t, hit.part)), Some((7.0, Part::Base)));
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub fn from_centre_and_axis(centre: Vec3<S>, axis: UnitVec3<S>, height: S) -> Result<Self, FrameError> {
+        let half = height.real().scaled(-1);
+        let down = |(c, a): (S::Real, S::Real)| c - half * a;
+        Self::from_base_and_axis(Vec3::round(pairs(centre.real(), axis.real()).map(down)), axis)
+    }
+
+    /// At `position`, turned about `axis` by so many degrees, counter-clockwise as seen from where the axis points to.
+    ///
+    /// The axes are those of the world, turned by Rodrigues' formula `v + sin a (k x v) + (1 - cos a) (k (k . v) - v)`, and good to a few units of
+    /// the number type.
+    ///
+    /// # Errors
+    ///
+    /// [`FrameError::Position`] as for [`Frame::at`]; [`FrameError::Angle`] if the angle is not between -360 and 360 degrees.
+    ///
+    /// ```
+    /// use raylet::{Frame, UnitVec3, Vec3};
+    /// let turned = Frame::turned_about(Vec3::ZERO, UnitVec3::<f64>::Z, 90.0)?;
+    /// // The y axis of the solid points to -x.
+    /// assert!(turned.up().x() < -0.999_999 && turned.up().y().abs() < 1e-9);
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub fn turned_about(position: Vec3<S>, axis: UnitVec3<S>, degrees: S) -> Result<Self, FrameError> {
+        let half_turns = degrees.real().abs() / S::Real::from_int(720);
+        // A NaN compares false.
+        if !(degrees.is_finite() && half_turns <= S::Real::ONE.scaled(-1)) {
+            return Err(FrameError::Angle);
+        }
+        let (sine, cosine) = S::sine_cosine(S::unit_round(half_turns));
+        let (half_sine, half_cosine) = (S::unit_real(sine), S::unit_real(cosine));
+        // sin a = 2 sin(a/2) cos(a/2), and 1 - cos a = 2 sin(a/2)^2, which cancels nothing.
+        let (sine, versine) = ((half_sine * half_cosine).scaled(1), (half_sine * half_sine).scaled(1));
+        let (sine, k) = (if degrees < S::ZERO { -sine } else { sine }, axis.real());
+        let turned = |v: UnitVec3<S>| {
+            let (along, cross, v) = (axis.dot(v), axis.cross(v), v.real());
+            let component = |i: usize| v[i] + sine * cross[i] + versine * (k[i] * along - v[i]);
+            UnitVec3::from_real([component(0), component(1), component(2)]).ok_or(FrameError::Axes)
+        };
+        let (left, up) = (turned(UnitVec3::X)?, turned(UnitVec3::Y)?);
+        let forward = UnitVec3::from_real(left.cross(up)).ok_or(FrameError::Axes)?;
+        let left = UnitVec3::from_real(up.cross(forward)).ok_or(FrameError::Axes)?;
+        Self::assembled(position, [left, up, forward])
     }
 
     /// From two end points: the base is at `from`, and the axis points to `to`. Also returns the distance between them, for the
@@ -76,9 +143,9 @@ impl<S: Scalar> Frame<S> {
     ///
     /// [`FrameError::Position`] as for [`Frame::at`]; [`FrameError::Axes`] if `up` is parallel to `forward`.
     pub fn looking(position: Vec3<S>, forward: UnitVec3<S>, up: UnitVec3<S>) -> Result<Self, FrameError> {
-        let right = UnitVec3::from_real(up.cross(forward)).ok_or(FrameError::Axes)?;
-        let up = UnitVec3::from_real(forward.cross(right)).ok_or(FrameError::Axes)?;
-        Self::from_axes(position, [right, up, forward])
+        let left = UnitVec3::from_real(up.cross(forward)).ok_or(FrameError::Axes)?;
+        let up = UnitVec3::from_real(forward.cross(left)).ok_or(FrameError::Axes)?;
+        Self::assembled(position, [left, up, forward])
     }
 
     /// From a position and three axes that are perpendicular only approximately. They are made perpendicular: `up`, the axis of the
@@ -88,37 +155,54 @@ impl<S: Scalar> Frame<S> {
     ///
     /// [`FrameError::Position`] as for [`Frame::at`]; [`FrameError::Axes`] if the three are not nearly a right-handed frame: an axis
     /// may be adjusted by at most 2.5 degrees (a cosine of `1 - 2^-10`).
-    pub fn from_right_up_forward(
+    pub fn from_left_up_forward(
         position: Vec3<S>,
-        right: UnitVec3<S>,
+        left: UnitVec3<S>,
         up: UnitVec3<S>,
         forward: UnitVec3<S>,
     ) -> Result<Self, FrameError> {
-        let z = UnitVec3::from_real(right.cross(up)).ok_or(FrameError::Axes)?;
+        let z = UnitVec3::from_real(left.cross(up)).ok_or(FrameError::Axes)?;
         let x = UnitVec3::from_real(up.cross(z)).ok_or(FrameError::Axes)?;
         let close = S::Real::ONE - S::Real::ONE.scaled(-10);
-        if x.dot(right) < close || z.dot(forward) < close {
+        if x.dot(left) < close || z.dot(forward) < close {
             return Err(FrameError::Axes);
         }
-        Self::from_axes(position, [x, up, z])
+        Self::assembled(position, [x, up, z])
     }
 
-    /// From what a frame has stored, to the bit.
-    #[cfg(feature = "serde")]
-    pub(crate) fn from_stored(position: Vec3<S>, axes: [UnitVec3<S>; 3]) -> Result<Self, FrameError> {
+    /// From a position and three axes that are kept to the bit: x, y and z, perpendicular and right-handed. It needs no root: a constant can
+    /// have it, see [`mod@crate::constant`].
+    ///
+    /// # Errors
+    ///
+    /// [`FrameError::Axes`] if the cosine of an angle between two axes is 2^-18 or more, or the three are left-handed;
+    /// [`FrameError::Position`] as for [`Frame::at`].
+    ///
+    /// ```
+    /// # use raylet::{Frame, FrameError, UnitVec3, Vec3};
+    /// let turned = Frame::from_axes(Vec3::<f32>::ZERO, [UnitVec3::Y, UnitVec3::Z, UnitVec3::X])?;
+    /// assert_eq!(turned.up(), UnitVec3::Z);
+    /// let left = Frame::from_axes(Vec3::<f32>::ZERO, [UnitVec3::Y, UnitVec3::X, UnitVec3::Z]);
+    /// assert_eq!(left, Err(FrameError::Axes));
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub fn from_axes(position: Vec3<S>, axes: [UnitVec3<S>; 3]) -> Result<Self, FrameError> {
         let [x, y, z] = axes;
-        // Far more than rounding makes of a right angle, and of the third axis.
-        let (right, same) = (S::Real::ONE.scaled(-18), S::Real::ONE - S::Real::ONE.scaled(-10));
+        // Far more than rounding makes of a right angle.
+        let right = S::Real::ONE.scaled(-18);
         let is_right = |a: UnitVec3<S>, b: UnitVec3<S>| a.dot(b).abs() < right;
-        let third = UnitVec3::from_real(x.cross(y)).ok_or(FrameError::Axes)?;
-        if is_right(x, y) && is_right(y, z) && is_right(z, x) && third.dot(z) > same {
-            Self::from_axes(position, axes)
+        let [cx, cy, cz] = x.cross(y);
+        let [zx, zy, zz] = z.real();
+        // Of perpendicular axes nearly 1 or -1.
+        let volume = S::Real::sum_of_products([[cx, zx], [cy, zy], [cz, zz]]);
+        if is_right(x, y) && is_right(y, z) && is_right(z, x) && volume > S::Real::ZERO {
+            Self::assembled(position, axes)
         } else {
             Err(FrameError::Axes)
         }
     }
 
-    fn from_axes(position: Vec3<S>, axes: [UnitVec3<S>; 3]) -> Result<Self, FrameError> {
+    fn assembled(position: Vec3<S>, axes: [UnitVec3<S>; 3]) -> Result<Self, FrameError> {
         Ok(Self { position: position.checked().map_err(FrameError::Position)?, axes })
     }
 
@@ -128,9 +212,9 @@ impl<S: Scalar> Frame<S> {
         self.position
     }
 
-    /// The direction of the x axis.
+    /// The direction of the x axis: to the left of who looks along `forward` with `up` upwards.
     #[inline]
-    pub const fn right(&self) -> UnitVec3<S> {
+    pub const fn left(&self) -> UnitVec3<S> {
         self.axes[0]
     }
 
@@ -206,11 +290,11 @@ impl<S: Scalar> Frame<S> {
 }
 
 impl<S: Scalar> Place<S> for Frame<S> {
-    type Doubles = Frame<f64>;
+    type In<R: Scalar> = Frame<R>;
 
     #[inline(always)]
-    fn in_doubles(&self) -> Self::Doubles {
-        Frame { position: self.position.in_doubles(), axes: self.axes.map(UnitVec3::in_doubles) }
+    fn in_type<R: Including<S>>(&self) -> Self::In<R> {
+        Frame { position: self.position.in_type(), axes: self.axes.map(UnitVec3::in_type) }
     }
 
     #[inline]
@@ -300,6 +384,8 @@ pub enum FrameError {
     Position(ValueError),
     /// The axes do not span a right-handed frame, or directions are parallel.
     Axes,
+    /// The angle is not between -360 and 360 degrees.
+    Angle,
     /// A component of an axis of the matrix is not finite or beyond the budget.
     Axis(ValueError),
     /// A factor of the scale is not positive, not finite or beyond the budget.
@@ -308,19 +394,27 @@ pub enum FrameError {
     Singular,
 }
 
+impl FrameError {
+    /// The message, in a constant too.
+    pub const fn message(self) -> &'static str {
+        match self {
+            Self::Position(error) => with_fault!("a coordinate of the position ", error),
+            Self::Axes => {
+                "the axes do not span a right-handed frame: two are parallel, or the third points the other way"
+            }
+            Self::Angle => "the angle must lie between -360 and 360 degrees",
+            Self::Axis(error) => with_fault!("a component of an axis of the matrix ", error),
+            Self::Scale(error) => with_fault!("a factor of the scale ", error),
+            Self::Singular => {
+                "the matrix has no inverse that the number type could hold: an axis has no length, or the three lie in a plane"
+            }
+        }
+    }
+}
+
 impl fmt::Display for FrameError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Position(error) => write!(f, "a coordinate of the position {error}"),
-            Self::Axes => f.write_str(
-                "the axes do not span a right-handed frame: two are parallel, or the third points the other way",
-            ),
-            Self::Axis(error) => write!(f, "a component of an axis of the matrix {error}"),
-            Self::Scale(error) => write!(f, "a factor of the scale {error}"),
-            Self::Singular => f.write_str(
-                "the matrix has no inverse that the number type could hold: an axis has no length, or the three lie in a plane",
-            ),
-        }
+        f.write_str(self.message())
     }
 }
 

@@ -6,16 +6,16 @@ use crate::intersection::{End, Intersection};
 use crate::line::Place;
 use crate::part::Part;
 use crate::ray::{Range, Ray};
-use crate::scalar::{Attempt, LocalLine, Scalar, found};
+use crate::scalar::{Attempt, Including, LocalLine, Scalar, found};
 use crate::vector::{UnitVec3, Vec3};
 
 /// The interface of a primitive, in its own frame.
 pub trait Geometry<S: Scalar>: Copy + Described {
-    /// The same primitive in doubles.
-    type Doubles: Geometry<f64>;
+    /// The same primitive in another number type.
+    type In<R: Scalar>: Geometry<R>;
 
-    /// The primitive in doubles, which hold the numbers of 32-bit types exactly.
-    fn in_doubles(&self) -> Self::Doubles;
+    /// The primitive in a type that holds its numbers.
+    fn in_type<R: Including<S>>(&self) -> Self::In<R>;
     /// Bounding radius: the primitive lies within this distance of the origin. For an infinite primitive a characteristic size.
     fn reach(&self) -> S;
     /// The primitive with all lengths multiplied by `2^e`, as [`Computing::scaled`](crate::scalar::Computing::scaled) has it.
@@ -100,6 +100,36 @@ pub enum Hull<S> {
     },
     /// Three points.
     Points([Vec3<S>; 3]),
+    /// A cuboid about the origin with these half extents.
+    Cuboid([S; 3]),
+}
+
+impl<S: Scalar> Hull<S> {
+    /// From where to where the primitive reaches along each of its own axes, rounded.
+    pub(crate) fn extents(&self) -> [[S; 2]; 3] {
+        let around = |radius: S| [S::ZERO.minus(radius), radius];
+        let larger = |a: S, b: S| if a > b { a } else { b };
+        match *self {
+            Self::Ball(radius) => [around(radius); 3],
+            Self::Cuboid(half_extents) => half_extents.map(around),
+            Self::Balls([[low, below], [high, above]]) => {
+                let across = around(larger(below, above));
+                [across, [low.minus(below), high.plus(above)], across]
+            }
+            Self::Discs([[low, below], [high, above]]) => {
+                let across = around(larger(below, above));
+                [across, [low, high], across]
+            }
+            Self::Cone { slope, height } => {
+                let across = around(S::round(slope.real() * height.real()));
+                [across, [S::ZERO, height], across]
+            }
+            Self::Points(points) => [0, 1, 2].map(|axis| {
+                let along = points.map(|point| point.to_array()[axis]);
+                along.into_iter().fold([along[0]; 2], |[low, high], c| [if c < low { c } else { low }, larger(c, high)])
+            }),
+        }
+    }
 }
 
 /// An axis-aligned box; components may be infinite.

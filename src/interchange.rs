@@ -38,13 +38,18 @@ mod with_mint {
 #[cfg(feature = "serde")]
 mod with_serde {
     use crate::affine::Affine;
+    use crate::effect::{Effect, EffectSet};
     use crate::frame::Frame;
     use crate::part::Part;
-    use crate::ray::{Departure, Leaving, Range, Ray};
+    use crate::ray::{Along, Departure, Leaving, Range, Ray};
     use crate::scalar::Scalar;
     use crate::scalar::written::Plain;
+    use crate::scene::nff::Scale;
+    use crate::shape::kinds::{Kind, KindSet};
     use crate::vector::{UnitVec3, Vec3};
-    use serde::de::Error;
+    use core::fmt;
+    use serde::de::{Error, SeqAccess, Visitor};
+    use serde::ser::SerializeSeq;
     use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
     /// Implements both traits by the form in which a value is stored; a constructor checks it on its way in.
@@ -116,6 +121,60 @@ mod with_serde {
         })
     );
 
+    stored!(Along, (Ray<S>, Plain<S>), |along| (along.ray(), Plain(along.length())), |(ray, Plain(length))| {
+        Along::from_stored(ray, length)
+    });
+
+    /// Implements both traits of a set: as a list of the names of what is in it.
+    macro_rules! set {
+        ($Set:ident, $Member:ident, $expecting:literal) => {
+            impl Serialize for $Set {
+                fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
+                    let mut list = serializer.serialize_seq(Some(self.len()))?;
+                    for member in $Member::EVERY.into_iter().filter(|member| self.contains(*member)) {
+                        list.serialize_element(&member)?;
+                    }
+                    list.end()
+                }
+            }
+
+            impl<'de> Deserialize<'de> for $Set {
+                fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                    struct List;
+                    impl<'de> Visitor<'de> for List {
+                        type Value = $Set;
+                        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                            f.write_str($expecting)
+                        }
+                        fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<$Set, A::Error> {
+                            let mut set = $Set::default();
+                            while let Some(member) = list.next_element::<$Member>()? {
+                                set = set.with(member);
+                            }
+                            Ok(set)
+                        }
+                    }
+                    deserializer.deserialize_seq(List)
+                }
+            }
+        };
+    }
+    set!(EffectSet, Effect, "a list of effects");
+    set!(KindSet, Kind, "a list of primitives and placements");
+
+    impl Serialize for Scale {
+        fn serialize<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
+            self.power().serialize(serializer)
+        }
+    }
+
+    /// A power outside of [`Scale::LEAST`] and [`Scale::LARGEST`] is clamped, as by [`Scale::power_of_two`].
+    impl<'de> Deserialize<'de> for Scale {
+        fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+            i8::deserialize(deserializer).map(Self::power_of_two)
+        }
+    }
+
     #[derive(Serialize, Deserialize)]
     #[serde(bound = "")]
     struct StoredFrame<S: Scalar> {
@@ -123,7 +182,7 @@ mod with_serde {
         axes: [UnitVec3<S>; 3],
     }
     stored!(Frame, StoredFrame<S>, |frame| StoredFrame { position: frame.position(), axes: frame.axes() }, |stored| {
-        Frame::from_stored(stored.position, stored.axes)
+        Frame::from_axes(stored.position, stored.axes)
     });
 
     /// The rows of the inverse, each with its power of two: all that an affine placement holds.
@@ -150,10 +209,14 @@ mod with_serde {
 /// What holds a number of a foreign type; what is made of these derives its format.
 #[cfg(feature = "defmt")]
 mod with_defmt {
+    use crate::affine::Affine;
+    use crate::effect::Sight;
     use crate::hit::Hit;
-    use crate::ray::Range;
+    use crate::ray::{Along, Range};
+    use crate::render::Pixel;
     use crate::scalar::Scalar;
     use crate::scalar::written::Plain;
+    use crate::shape::Placement;
     use crate::vector::{UnitVec3, Vec3};
     use defmt::{Format, Formatter, write};
 
@@ -172,6 +235,44 @@ mod with_defmt {
     impl<S: Scalar> Format for Range<S> {
         fn format(&self, f: Formatter<'_>) {
             write!(f, "Range {{ start: {}, end: {} }}", Plain(self.start()), Plain(self.end()));
+        }
+    }
+
+    impl<S: Scalar> Format for Along<S> {
+        fn format(&self, f: Formatter<'_>) {
+            write!(f, "Along {{ ray: {}, length: {} }}", self.ray(), Plain(self.length()));
+        }
+    }
+
+    impl<S: Scalar> Format for Affine<S> {
+        fn format(&self, f: Formatter<'_>) {
+            write!(f, "Affine {{ position: {}, inverse: [", self.position());
+            for ([x, y, z], exponent) in self.inverse() {
+                write!(f, "([{}, {}, {}], {}), ", Plain(x), Plain(y), Plain(z), exponent);
+            }
+            write!(f, "] }}");
+        }
+    }
+
+    impl<S: Scalar> Format for Placement<S> {
+        fn format(&self, f: Formatter<'_>) {
+            match self {
+                Self::World => write!(f, "World"),
+                Self::Frame(frame) => frame.format(f),
+                Self::Affine(affine) => affine.format(f),
+            }
+        }
+    }
+
+    impl<S: Scalar> Format for Sight<S> {
+        fn format(&self, f: Formatter<'_>) {
+            write!(f, "Sight {{ color: {}, seen: {}, lit_by: {} }}", self.color, self.seen, self.lit_by);
+        }
+    }
+
+    impl<S: Scalar> Format for Pixel<S> {
+        fn format(&self, f: Formatter<'_>) {
+            write!(f, "Pixel {{ color: {}, seen: {}, lit_by: {} }}", self.color, self.seen, self.lit_by);
         }
     }
 

@@ -25,7 +25,7 @@ macro_rules! solve_robustly {
         impl<S: Scalar> Solve<S> for $Tier {
             #[inline(always)]
             fn fast<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<Intersection<S>> {
-                fast::<S, $Tier, G>(geometry, place, ray)
+                fast::<S, $Tier, G, _>(geometry, place, ray)
             }
             #[inline(always)]
             fn fast_ahead<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<()> {
@@ -33,7 +33,7 @@ macro_rules! solve_robustly {
             }
             #[inline]
             fn climb<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Intersection<S> {
-                let found = match rare::<S, $Tier, G, _>(geometry, place, ray) {
+                let found = match rare::<S, $Tier, G>(geometry, place, ray) {
                     Attempt::Unsure => second_attempt::<S, $Tier, G, _>(geometry, place, ray),
                     found => found,
                 };
@@ -95,13 +95,9 @@ pub(crate) const fn is_ball<S, G: Described>(figure: &Figure<S>) -> bool {
     G::FIGURES.has(Figures::BALL) && matches!(figure, Figure::Ball { .. })
 }
 
-/// The intersection by the fast path, of the rays that are most frequent: see [`rare`] for the others.
+/// `Found` for the rays that are most frequent: [`rare`] has the fast path of the others, unless they are known to miss.
 #[inline(always)]
-fn fast<S: Scalar, T: Guards, G: Geometry<S>>(
-    geometry: &G,
-    place: &impl Place<S>,
-    ray: &Ray<S>,
-) -> Attempt<Intersection<S>> {
+fn is_frequent<S: Scalar, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<()> {
     if let Some(departure) = ray.departure() {
         return if meets_nothing(geometry, departure) { Attempt::Miss } else { Attempt::Unsure };
     }
@@ -111,33 +107,37 @@ fn fast<S: Scalar, T: Guards, G: Geometry<S>>(
     if geometry.girth().is_some_and(|r| place.passes_axis(ray, r)) {
         return Attempt::Miss;
     }
-    let Some(mut line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
+    Attempt::Found(())
+}
+
+/// The intersection by the fast path, of the rays that are most frequent: see [`rare`] for the others.
+#[inline(always)]
+fn fast<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
+    geometry: &G,
+    place: &P,
+    ray: &Ray<S>,
+) -> Attempt<Intersection<S>> {
+    found!(is_frequent(geometry, place, ray));
+    let Some(mut line) = geometry.fast_line(place, ray) else {
+        return if P::HAS_FAR_LINES { from_afar::<S, T, G>(geometry, place, ray) } else { Attempt::Unsure };
+    };
     geometry.fit(&mut line);
     (line.is_strict, line.is_doubled) = (T::STRICT, false);
     in_own_t(place, &line, geometry.fast_intersection::<T>(&line))
 }
 
-/// The fast path of rays that depart inwards, of those that start far away, and in fixed point of all with an affine placement. These are functions
-/// of their own: where [`fast`] ends the compiler then knows of which kind an intersection is.
+/// The fast path of rays that depart inwards, and in fixed point of all with an affine placement. These are functions of their own: where [`fast`]
+/// ends the compiler then knows of which kind an intersection is.
 #[inline(always)]
-fn rare<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
+fn rare<S: Scalar, T: Guards, G: Geometry<S>>(
     geometry: &G,
-    place: &P,
+    place: &impl Place<S>,
     ray: &Ray<S>,
 ) -> Attempt<Intersection<S>> {
     if let Some(departure) = ray.departure() {
         return inwards::<S, T, G>(geometry, place, ray, departure);
     }
-    if stretches_integers(place) {
-        return stretched::<S, T, G>(geometry, place, ray);
-    }
-    // Only floats have lines that are made otherwise from afar, and affine placements make these themselves. Of a ray from nearby the guards
-    // have failed.
-    let may_be_far = S::RELATIVE && !P::STRETCHES;
-    if may_be_far && geometry.fast_line(place, ray).is_none() {
-        return from_afar::<S, T, G>(geometry, place, ray);
-    }
-    Attempt::Unsure
+    if stretches_integers(place) { stretched::<S, T, G>(geometry, place, ray) } else { Attempt::Unsure }
 }
 
 /// The fast path, of all rays.
@@ -147,8 +147,8 @@ fn fast_or_rare<S: Scalar, T: Guards, G: Geometry<S>>(
     place: &impl Place<S>,
     ray: &Ray<S>,
 ) -> Attempt<Intersection<S>> {
-    match fast::<S, T, G>(geometry, place, ray) {
-        Attempt::Unsure => rare::<S, T, G, _>(geometry, place, ray),
+    match fast::<S, T, G, _>(geometry, place, ray) {
+        Attempt::Unsure => rare::<S, T, G>(geometry, place, ray),
         found => found,
     }
 }
@@ -171,7 +171,7 @@ fn stretched<S: Scalar, T: Guards, G: Geometry<S>>(
     intersection.try_map(|t| S::fast_along_ray(&line, t)).map_or(Attempt::Unsure, Attempt::Found)
 }
 
-/// The same for a ray that starts far away. It is a function of its own so that the common case stays short.
+/// The intersection by the fast path of a ray that starts far away. It is a function of its own so that the common case stays short.
 #[inline(never)]
 fn from_afar<S: Scalar, T: Guards, G: Geometry<S>>(
     geometry: &G,
@@ -183,7 +183,32 @@ fn from_afar<S: Scalar, T: Guards, G: Geometry<S>>(
     in_own_t(place, &line, geometry.fast_intersection::<T>(&line))
 }
 
-/// The second attempt of floats, along a line that costs more and is rounded less, and the third, along the same in double-word numbers.
+/// The guards of the second attempt of fixed point. Those without them take directions to have length 1, which those of a narrower type have only
+/// to their own last bits.
+struct Widely;
+
+impl Guards for Widely {
+    const GUARDED: bool = true;
+}
+
+/// The second attempt of fixed point: the fast path of [`Scalar::Wider`]. It has room for all lengths of this type, in finer units, and
+/// rounds the ends to this type's. (An affine placement has no fast path there.)
+#[cold]
+#[inline(never)]
+fn in_wider<S: Scalar, G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<Intersection<S>> {
+    let intersection =
+        found!(fast_or_rare::<S::Wider, Widely, _>(&geometry.in_type(), &place.in_type(), &ray.in_type()));
+    // An exit is ahead of the surface that the ray departs from, which rounding would decide of one next to it.
+    let departs = ray.departure().is_some();
+    let narrowed = |t: S::Wider| {
+        let t = S::narrowed(t);
+        (!departs || t != S::ZERO).then_some(t)
+    };
+    intersection.try_map(narrowed).map_or(Attempt::Unsure, Attempt::Found)
+}
+
+/// The second attempt of fixed point, see [`in_wider`]; that of floats, along a line that costs more and is rounded less, and their third, along
+/// the same in double-word numbers.
 #[inline(always)]
 fn second_attempt<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
     geometry: &G,
@@ -191,7 +216,7 @@ fn second_attempt<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
     ray: &Ray<S>,
 ) -> Attempt<Intersection<S>> {
     if !S::RELATIVE {
-        return Attempt::Unsure;
+        return if S::WIDENS && !P::STRETCHES { in_wider(geometry, place, ray) } else { Attempt::Unsure };
     }
     let second = geometry.second_line(place, ray);
     // In the world a line that starts near the primitive is exact as it is.
@@ -318,15 +343,7 @@ fn from_start<S: Scalar>(intersection: Intersection<S>, start: S, is_strict: boo
 /// The occlusion test by the fast path.
 #[inline(always)]
 fn fast_ahead<S: Scalar, T: Guards, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<()> {
-    if let Some(departure) = ray.departure() {
-        return if meets_nothing(geometry, departure) { Attempt::Miss } else { Attempt::Unsure };
-    }
-    if stretches_integers(place) {
-        return Attempt::Unsure;
-    }
-    if geometry.girth().is_some_and(|r| place.passes_axis(ray, r)) {
-        return Attempt::Miss;
-    }
+    found!(is_frequent(geometry, place, ray));
     let Some(mut line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
     geometry.fit(&mut line);
     if line.start == S::ZERO && !line.is_coarse {

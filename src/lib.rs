@@ -19,6 +19,11 @@
 //! # Ok::<(), raylet::Error>(())
 //! ```
 //!
+//! Coordinates are right-handed: with x to the right and y up, z comes towards the viewer. Lengths are in any unit; angles in degrees.
+//!
+//! Code that is to run in several number types uses a type alias, `type S = fixed::types::I16F16;`, rather than a parameter: [`Scalar`] has what the library
+//! needs, and no arithmetic of its own.
+//!
 //! # The contract
 //!
 //! 1. A solid is a closed set. A line meets a convex solid in one interval, whose ends are the hits: [`Crossing::Enter`] and
@@ -52,13 +57,15 @@
 //! |---|---|---|
 //! | 9 | [`render`] | pictures, pixel by pixel |
 //! | 8 | [`effect`] | shading, shadows, mirrors, glass and other effects, a file for each; which effects a scene needs |
-//! | 7 | [`scene`] | objects, materials, lights, camera, bounding volume hierarchy, NFF reader |
-//! | 6 | [`shape`], `bounds` | any primitive, placed; the primitives and placements that a program is compiled with; its bounding box |
+//! | 7 | [`scene`] | objects, materials, lights, camera, NFF reader |
+//! | 6 | [`shape`], `bounds`, [`hierarchy`] | any primitive, placed; the primitives and placements that a program is compiled with; its bounding box; many shapes, in a hierarchy of boxes |
 //! | 5 | [`primitive`], [`tier`], `geometry`, `query`, `exact`, `ladder` | a file for each primitive: sizes, equations, normal, surface coordinates, tangents; accuracy tiers, and which numbers each computes in |
 //! | 4 | `solve`, `figure`, `fast` | the solver, which all tiers share; the equations of a solid; what fast paths share |
 //! | 3 | [`ray`], [`frame`], [`affine`], [`hit`], `intersection`, `line` | rays and ranges, placement, hits and hit lists, intervals |
 //! | 2 | [`vector`] | [`Vec3`], [`UnitVec3`] |
 //! | 1 | [`number`], [`scalar`] | the numbers that solvers compute in; the stored number types: `f32`, `f64`, fixed point |
+//!
+//! [`constant`](mod@constant) says how a whole scene is put in flash. `display`, `interchange`, `error` and `errata` stand beside the layers.
 //!
 //! # Features
 //!
@@ -69,8 +76,8 @@
 //! | `std` | no | scene storage in `Vec`; enables `libm`, and changes no bit of a result |
 //! | `embedded-graphics` | no | pictures on any display: see `display` |
 //! | `mint` | no | conversions of points and vectors |
-//! | `serde` | no | serialisation of vectors, rays, hits, primitives, placements and shapes; fixed-point numbers as decimal text that comes back to the bit (as their bits in formats that people do not read) |
-//! | `defmt` | no | `defmt::Format` for the public value types; in fixed point for vectors, rays, hits, triangles, boxes and frames |
+//! | `serde` | no | serialisation of all public values: vectors, rays, hits, shapes, the parts of scenes; fixed-point numbers as decimal text that comes back to the bit (as their bits in formats that people do not read) |
+//! | `defmt` | no | `defmt::Format` for the public value types, in every number type |
 #![no_std]
 #![deny(unsafe_code, missing_docs)]
 #![warn(missing_debug_implementations)]
@@ -88,6 +95,7 @@ compile_error!(
 
 pub mod affine;
 mod bounds;
+pub mod constant;
 #[cfg(feature = "embedded-graphics")]
 pub mod display;
 pub mod effect;
@@ -99,6 +107,7 @@ mod figure;
 pub mod frame;
 pub mod gallery;
 mod geometry;
+pub mod hierarchy;
 pub mod hit;
 #[cfg(any(feature = "mint", feature = "serde", feature = "defmt"))]
 mod interchange;
@@ -123,14 +132,15 @@ pub use effect::{Tracer, Work};
 pub use error::Error;
 pub use frame::{Frame, FrameError};
 pub use geometry::Bounds;
+pub use hierarchy::Shapes;
 pub use hit::{Crossing, Hit, Hits};
 pub use part::Part;
-pub use primitive::{Capsule, Cone, Cylinder, Disc, Plane, SizeError, Sphere, Triangle};
+pub use primitive::{Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, SizeError, Sphere, Triangle};
 pub use ray::{Along, Departure, Leaving, Range, Ray, RayError};
 pub use render::{Picture, Pixel};
 pub use scalar::{Scalar, ValueError};
 pub use scene::{Camera, Color, Counters, Fog, Light, Material, Object, Scene, Size, Texture};
-pub use shape::{Placement, Primitive, Shape, Surface, Visible};
+pub use shape::{Placement, Primitive, Shape, Shaped, Surface, Visible};
 pub use tier::{Exact, Fast, Stable, Tier};
 pub use vector::{UnitVec3, Vec3};
 

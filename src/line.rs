@@ -1,19 +1,21 @@
 //! Transformation of a ray's line into the frame of a primitive.
 
 use crate::ray::Ray;
-use crate::scalar::{FinerLine, FromScalar, LocalLine, Scalar};
+use crate::scalar::{FinerLine, FromScalar, Including, LocalLine, Scalar};
 use crate::vector::Vec3;
 
 /// A placement: the transformation from the world to a primitive's frame.
 pub trait Place<S: Scalar> {
-    /// The same placement in doubles.
-    type Doubles: Place<f64>;
+    /// The same placement in another number type.
+    type In<R: Scalar>: Place<R>;
 
     /// True if the line's own `t` is not the ray's: see [`LocalLine::pace`].
     const STRETCHES: bool = false;
+    /// True if [`Place::fast_line_near`] does not serve for rays that start far away: floats have [`Place::far_line`] for these.
+    const HAS_FAR_LINES: bool = false;
 
-    /// The placement in doubles, which hold the numbers of 32-bit types exactly.
-    fn in_doubles(&self) -> Self::Doubles;
+    /// The placement in a type that holds its numbers.
+    fn in_type<R: Including<S>>(&self) -> Self::In<R>;
     /// The line for the fast path, where the placement is simple enough for it.
     fn fast_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>>;
     /// [`Place::fast_line`]; `None` if a ray starts so far from the primitive's point `base` that [`Place::far_line`] should be tried.
@@ -80,10 +82,11 @@ pub trait Place<S: Scalar> {
 pub struct InWorld;
 
 impl<S: Scalar> Place<S> for InWorld {
-    type Doubles = Self;
+    type In<R: Scalar> = Self;
+    const HAS_FAR_LINES: bool = S::RELATIVE;
 
     #[inline(always)]
-    fn in_doubles(&self) -> Self::Doubles {
+    fn in_type<R: Including<S>>(&self) -> Self::In<R> {
         Self
     }
     #[inline(always)]

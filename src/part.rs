@@ -6,10 +6,25 @@
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Part {
-    /// The curved side, or the whole surface of a sphere, plane, disc or triangle. Rims, seams and the apex belong to it.
+    /// The curved side, or the whole surface of a sphere, plane, disc, rectangle or triangle. Rims, seams and the apex belong to it.
     Side,
-    /// The cap or hemisphere at the lower end of the axis.
+    /// The cap or hemisphere at the lower end of the axis; the lowest face of a cuboid.
     Base,
-    /// The cap or hemisphere at the upper end of the axis.
+    /// The cap or hemisphere at the upper end of the axis; the highest face of a cuboid.
     Top,
+    /// The face of a cuboid at the lowest `x`.
+    Left,
+    /// The face of a cuboid at the highest `x`.
+    Right,
+    /// The face of a cuboid at the lowest `z`.
+    Back,
+    /// The face of a cuboid at the highest `z`.
+    Front,
 }
+
+/// The faces of a cuboid across the axes x, z and y, at the negative and the positive half extent.
+///
+/// This order of the axes is that in which faces own what they share: an edge or a corner belongs to the first of its faces. The
+/// four side faces thus own their edges with base and top, as the side of a cylinder owns its rims.
+pub(crate) const FACES: [[Part; 2]; 3] =
+    [[Part::Left, Part::Right], [Part::Back, Part::Front], [Part::Base, Part::Top]];

@@ -10,6 +10,9 @@ use crate::vector::Vec3;
 
 /// The steps of a query in a tier.
 pub trait Solve<S: Scalar> {
+    /// True if the ends of a range are compared with exact roots, and not with the rounded `t` of hits.
+    const EXACT_ENDS: bool = false;
+
     /// The intersection by the fast path.
     fn fast<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<Intersection<S>>;
     /// Occlusion of the half-line `t >= 0` by the fast path; agrees with [`Solve::fast`].

@@ -2,7 +2,7 @@
 
 use crate::number::{Estimate, difference, dot};
 use crate::part::Part;
-use crate::scalar::{FromScalar, Scalar, ValueError};
+use crate::scalar::{FromScalar, Including, Scalar, ValueError};
 use crate::vector::{UnitVec3, Vec3};
 use core::fmt;
 
@@ -120,12 +120,12 @@ pub struct Ray<S: Scalar> {
 }
 
 impl<S: Scalar> Ray<S> {
-    /// The ray's whole line in doubles.
+    /// The ray's whole line in another type.
     #[inline(always)]
-    pub(crate) fn in_doubles(&self) -> Ray<f64> {
+    pub(crate) fn in_type<R: Including<S>>(&self) -> Ray<R> {
         Ray {
-            origin: self.origin.in_doubles(),
-            direction: self.direction.in_doubles(),
+            origin: self.origin.in_type(),
+            direction: self.direction.in_type(),
             range: Range::line(),
             departure: self.departure,
         }
@@ -272,13 +272,23 @@ impl<S: Scalar> Ray<S> {
 /// # Ok::<(), raylet::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Along<S: Scalar> {
     ray: Ray<S>,
     length: S,
 }
 
 impl<S: Scalar> Along<S> {
+    /// From what one has stored: the length of a vector that has a direction.
+    #[cfg(feature = "serde")]
+    pub(crate) fn from_stored(ray: Ray<S>, length: S) -> Result<Self, RayError> {
+        // A NaN compares false.
+        if length >= S::BUDGET.smallest_size && length.is_finite() {
+            Ok(Self { ray, length })
+        } else {
+            Err(RayError::Direction(ValueError::of_size(length, S::BUDGET.smallest_size)))
+        }
+    }
+
     /// The ray, with the range `[0, MAX]`.
     #[inline]
     pub const fn ray(&self) -> Ray<S> {

@@ -23,6 +23,7 @@ pub struct Picture<'a, S: Scalar, E = All, T = Stable, K: Kinds = kinds::All> {
 
 /// One pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = ""))]
 pub struct Pixel<S: Scalar> {
     /// The mean of its samples, each clamped to `[0, 1]` before averaging, so that the edges of highlights are antialiased too. If the
     /// corners agree, only they are sampled, and this is their mean.
@@ -63,6 +64,22 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
     ///     error.to_string(),
     ///     "object 0 calls for reflection, which is not compiled in: name `Reflection` among the effects"
     /// );
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    ///
+    /// With chosen effects and chosen kinds of shapes the two last parameters are inferred from the scene:
+    ///
+    /// ```
+    /// use raylet::effect::{Diffuse, Shadows};
+    /// use raylet::{Camera, Color, Light, Material, Object, Picture, Plane, Scene, Shape, Size, Sphere, Vec3};
+    ///
+    /// type Kinds = (Sphere<f32>, Plane<f32>);
+    /// let objects = [Object::new(Shape::<f32, Kinds>::of(Sphere::new(1.0)?), 0)];
+    /// let (materials, lights) = ([Material::matte(Color::WHITE)], [Light::new(Vec3::new(0.0, 0.0, 9.0), 0.5)]);
+    /// let camera = Camera::new(Vec3::new(0.0, 0.0, 5.0), Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0), 40.0)?;
+    /// let scene = Scene::new(&objects, &materials, &lights, camera)?;
+    /// let picture = Picture::<f32, (Diffuse, Shadows), _, _>::try_new(&scene, Size::new(8, 6))?;
+    /// # assert_eq!(picture.render(|_, _, _| {}).primary_rays, 48);
     /// # Ok::<(), raylet::Error>(())
     /// ```
     pub fn try_new(scene: &'a Scene<'a, S, T, K>, size: Size) -> Result<Self, EffectError> {

@@ -1,9 +1,10 @@
 //! Points, vectors and directions.
 
+mod constant;
 mod operators;
 
 use crate::number::{Estimate, Number, Ring, Robust, dot};
-use crate::scalar::{Attempt, FromScalar, Real, Scalar, UnitScalar, ValueError};
+use crate::scalar::{Attempt, FromScalar, Including, Real, Scalar, UnitScalar, ValueError};
 use core::ops::Neg;
 
 /// A point or a vector of any length.
@@ -64,10 +65,10 @@ impl<S: Scalar> Vec3<S> {
         self.to_array().map(S::to_f64)
     }
 
-    /// The vector in doubles.
+    /// The vector in another type.
     #[inline(always)]
-    pub(crate) fn in_doubles(self) -> Vec3<f64> {
-        Vec3 { x: self.x.to_f64(), y: self.y.to_f64(), z: self.z.to_f64() }
+    pub(crate) fn in_type<R: Including<S>>(self) -> Vec3<R> {
+        Vec3 { x: R::exactly(self.x), y: R::exactly(self.y), z: R::exactly(self.z) }
     }
 
     /// The components in order.
@@ -243,10 +244,10 @@ impl<S: Scalar> UnitVec3<S> {
         Self { components }
     }
 
-    /// The stored components in doubles, of which the length is next to one.
+    /// The stored components in another type, in which the length is only next to one.
     #[inline(always)]
-    pub(crate) fn in_doubles(self) -> UnitVec3<f64> {
-        UnitVec3 { components: self.components.map(UnitScalar::to_f64) }
+    pub(crate) fn in_type<R: Including<S>>(self) -> UnitVec3<R> {
+        UnitVec3 { components: self.components.map(R::unit_exactly) }
     }
 
     /// Component along the x axis.

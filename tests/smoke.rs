@@ -3,8 +3,8 @@
 
 use fixed::types::{I16F16, I32F32};
 use raylet::{
-    Affine, Capsule, Cone, Crossing, Cylinder, Disc, Exact, Fast, Frame, Part, Plane, Ray, Scalar, Shape, Sphere,
-    Stable, Tier, Triangle, UnitVec3, Vec3,
+    Affine, Capsule, Cone, Crossing, Cuboid, Cylinder, Disc, Exact, Fast, Frame, Part, Plane, Ray, Rectangle, Scalar,
+    Shape, Sphere, Stable, Tier, Triangle, UnitVec3, Vec3,
 };
 
 fn n<S: Scalar>(value: f64) -> S {
@@ -78,6 +78,9 @@ fn every_solid<S: Scalar, T: Tier<S>>() {
     check::<S, T>("disc", &Shape::new(Disc::new(n(1.0)).unwrap()), &down, &[(4.0, Part::Side)]);
     // Through the caps: the top is entered, the base left.
     let can = Cylinder::capped(n::<S>(1.25), n(2.0)).unwrap();
+    let cuboid = Shape::new(Cuboid::new([n(1.0), n(0.5), n(2.0)]).unwrap());
+    check::<S, T>("cuboid", &cuboid, &down, &[(3.5, Part::Top), (4.5, Part::Base)]);
+    check::<S, T>("rectangle", &Shape::new(Rectangle::new([n(1.0); 2]).unwrap()), &down, &[(4.0, Part::Side)]);
     check::<S, T>("capped cylinder", &Shape::new(can), &down, &[(2.0, Part::Top), (4.0, Part::Base)]);
     let [top, base] = &can.hits_at::<T>(&down)[..] else { panic!("two hits") };
     assert_eq!((top.crossing, base.crossing), (Crossing::Enter, Crossing::Exit));

@@ -4,8 +4,8 @@ mod exact;
 
 use crate::scalar::UnitScalar;
 use crate::{
-    Affine, Bounds, Capsule, Cone, Cylinder, Disc, Frame, Placement, Plane, Primitive, Shape, Sphere, Triangle,
-    UnitVec3, Vec3,
+    Affine, Bounds, Capsule, Cone, Cuboid, Cylinder, Disc, Frame, Placement, Plane, Primitive, Rectangle, Shape,
+    Sphere, Triangle, UnitVec3, Vec3,
 };
 use exact::{Exact, Exactly, Number, Part};
 use fixed::types::{I16F16, I32F32};
@@ -110,6 +110,12 @@ fn discs<S: Number>(discs: &[[S; 2]]) -> Vec<Part> {
     discs.iter().map(|[y, r]| Part::Disc(y.exact(), r.exact())).collect()
 }
 
+/// The corners of a cuboid.
+fn corners<S: Number>(half: [S; 3]) -> Vec<Part> {
+    let corner = |bits: u32| [0, 1, 2].map(|i| if bits >> i & 1 == 0 { half[i].exact() } else { -half[i].exact() });
+    (0..8).map(|bits| Part::Point(corner(bits))).collect()
+}
+
 /// One of each, and the parts that it is the hull of, of sizes between these powers of ten.
 fn solids<S: Number>(random: &mut Random, low: f64, high: f64) -> Vec<(Primitive<S>, Vec<Part>)> {
     let zero = S::ZERO;
@@ -122,6 +128,8 @@ fn solids<S: Number>(random: &mut Random, low: f64, high: f64) -> Vec<(Primitive
         (Cone::frustum(r, top, h).expect("size").into(), discs(&[[zero, r], [h, top]])),
         (Cone::frustum_open(r, zero, h).expect("size").into(), discs(&[[zero, r], [h, zero]])),
         (Disc::new(r).expect("size").into(), discs(&[[zero, r]])),
+        (Cuboid::new([r, top, h]).expect("size").into(), corners([r, top, h])),
+        (Rectangle::new([r, h]).expect("size").into(), corners([r, zero, h])),
     ];
     let slope = random.sized::<S>(-1.0, 1.0);
     if let Ok(cone) = Cone::capped(slope, h) {
@@ -332,7 +340,7 @@ fn exact_along_axes<S: Number>() {
     let (one, two, zero, infinite) = (n(1.0), n(2.0), S::ZERO, S::INFINITY);
     let at = Frame::at(v(n(10.0), n(20.0), n(30.0))).expect("position");
     // The solids' y along the world's x, x along z.
-    let lying = Frame::from_right_up_forward(at.position(), UnitVec3::Z, UnitVec3::X, UnitVec3::Y).expect("axes");
+    let lying = Frame::from_left_up_forward(at.position(), UnitVec3::Z, UnitVec3::X, UnitVec3::Y).expect("axes");
     let cases: [(Primitive<S>, [S; 3], [S; 3]); 8] = [
         (Sphere::new(one).expect("size").into(), [-one; 3], [one; 3]),
         (Capsule::new(one, two).expect("size").into(), [-one; 3], [one, n(3.0), one]),

@@ -84,6 +84,7 @@ use crate::scene::Color;
 
 /// What a ray sees: radiance and first hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = ""))]
 pub struct Sight<S: Scalar> {
     /// The radiance.
     pub color: Color<S>,

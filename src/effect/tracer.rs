@@ -303,7 +303,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         }
         pattern.map_or(material.color, |pattern| {
             work.counters.texture_lookups += 1;
-            material.color.times(texture::color(pattern, uv))
+            material.color.times(texture::color(pattern, uv, || surface.uvw()))
         })
     }
 

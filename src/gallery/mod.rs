@@ -27,6 +27,8 @@ use heapless::Vec;
 
 /// A built-in scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum BuiltIn {
     /// Every solid once, on a plane: diffuse, specular, shadows.
@@ -91,7 +93,7 @@ pub struct Stage<S: Scalar> {
     /// The lights.
     pub lights: Vec<Light<S>, 2>,
     /// The textures.
-    pub textures: Vec<Texture<'static, S>, 5>,
+    pub textures: Vec<Texture<'static, S>, 6>,
     /// The fog, if there is any.
     pub fog: Option<Fog<S>>,
     /// The background.

@@ -19,6 +19,8 @@ use crate::vector::Vec3;
 macro_rules! solve_exactly {
     ($S:ty $(, $F:ident: $Bits:path)?) => {
         impl$(<$F: $Bits + Send + Sync + 'static>)? Solve<$S> for Exact {
+            const EXACT_ENDS: bool = true;
+
             #[inline(always)]
             fn fast<G: Geometry<$S>>(
                 geometry: &G,
@@ -92,8 +94,7 @@ fn fast_in_doubles<S: Certain, G: Geometry<S>>(
     place: &impl Place<S>,
     ray: &Ray<S>,
 ) -> Attempt<Intersection<S>> {
-    let intersection =
-        found!(fast_or_rare::<f64, Certainly, _>(&geometry.in_doubles(), &place.in_doubles(), &ray.in_doubles()));
+    let intersection = found!(fast_or_rare::<f64, Certainly, _>(&geometry.in_type(), &place.in_type(), &ray.in_type()));
     let (start, end) = (ray.range().start().to_f64(), ray.range().end().to_f64());
     // The exact value of an end decides whether it lies in the range. An end before or beyond the range is made infinite.
     let settled = |t: f64| {

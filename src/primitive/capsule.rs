@@ -6,7 +6,7 @@ use crate::figure::{Described, Figure, Figures};
 use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
-use crate::scalar::{Attempt, LocalLine, Real, Ring, Scalar, found};
+use crate::scalar::{Attempt, Including, LocalLine, Real, Ring, Scalar, found};
 use crate::vector::{UnitVec3, Vec3};
 use core::cmp::Ordering;
 
@@ -22,10 +22,9 @@ use core::cmp::Ordering;
 /// # Ok::<(), raylet::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Capsule<S> {
-    radius: S,
-    height: S,
+    pub(super) radius: S,
+    pub(super) height: S,
 }
 
 impl<S: Scalar> Capsule<S> {
@@ -39,6 +38,24 @@ impl<S: Scalar> Capsule<S> {
             radius: checked_size(radius, SizeError::Radius)?,
             height: checked_size_or_zero(height, SizeError::Height)?,
         })
+    }
+
+    /// A capsule of this radius that measures `length` from end to end, its round ends included: its height is `length - 2 radius`, rounded.
+    ///
+    /// # Errors
+    ///
+    /// [`SizeError`] as for [`Capsule::new`]; the height is negative if the length is less than twice the radius.
+    ///
+    /// ```
+    /// use raylet::Capsule;
+    /// assert_eq!(Capsule::from_end_to_end(1.0_f32, 5.0)?, Capsule::new(1.0, 3.0)?);
+    /// let error = Capsule::from_end_to_end(1.0_f32, 1.5).unwrap_err();
+    /// assert_eq!(error.to_string(), "the height is negative");
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub fn from_end_to_end(radius: S, length: S) -> Result<Self, SizeError> {
+        let radius = checked_size(radius, SizeError::Radius)?;
+        Self::new(radius, length.minus(radius).minus(radius))
     }
 
     /// The radius of the side and of the ends.
@@ -88,11 +105,11 @@ impl<S> Described for Capsule<S> {
 }
 
 impl<S: Scalar> Geometry<S> for Capsule<S> {
-    type Doubles = Capsule<f64>;
+    type In<R: Scalar> = Capsule<R>;
 
     #[inline(always)]
-    fn in_doubles(&self) -> Self::Doubles {
-        self.map(S::to_f64)
+    fn in_type<R: Including<S>>(&self) -> Self::In<R> {
+        self.map(R::exactly)
     }
     fn reach(&self) -> S {
         self.radius.plus(self.height)
@@ -150,9 +167,9 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
 
     fn normal(&self, point: Vec3<S>, part: Part) -> UnitVec3<S> {
         match part {
-            Part::Side => coordinates::outwards(point),
             Part::Base => UnitVec3::new(point).unwrap_or(-UnitVec3::Y),
             Part::Top => UnitVec3::new(point - self.centre(part)).unwrap_or(UnitVec3::Y),
+            _ => coordinates::outwards(point),
         }
     }
 
@@ -169,8 +186,8 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
         let quarter = radius * (S::Real::from_int(11) / S::Real::from_int(7));
         let along = match part {
             Part::Base => S::unit_real(super::sphere::latitude(point)) * quarter.scaled(1),
-            Part::Side => quarter + y,
             Part::Top => height + S::unit_real(super::sphere::latitude(point - self.centre(part))) * quarter.scaled(1),
+            _ => quarter + y,
         };
         (coordinates::azimuth(point), coordinates::fraction::<S>(along, height + quarter.scaled(1)))
     }

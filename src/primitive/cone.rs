@@ -2,7 +2,7 @@
 //!
 //! The quadric, and why no slope is ever rounded, is in `outline`.
 
-use super::outline::{Outline, Profile};
+use super::outline::{Outline, Profile, checked_slope};
 use super::{Geometry, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates};
 use crate::fast::{Guards, Slab, between_rims};
 use crate::figure::{self, Described, Figure, Figures, Side};
@@ -11,12 +11,11 @@ use crate::intersection::{End, Intersection, Span};
 use crate::line::Place;
 use crate::part::Part;
 use crate::ray::Ray;
-use crate::scalar::{Attempt, InNappe, LocalLine, NappeOutline, Real, Scalar, ValueError, found, largest};
+use crate::scalar::{Attempt, InNappe, Including, LocalLine, NappeOutline, Real, Scalar, ValueError, found, largest};
 use crate::vector::{UnitVec3, Vec3};
 
 /// The extent of a cone along its axis, and whether it is closed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(super) enum Extent<S> {
     Double,
     Nappe,
@@ -39,7 +38,6 @@ pub(super) enum Extent<S> {
 /// # Ok::<(), raylet::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cone<S> {
     pub(super) outline: Outline<S>,
     pub(super) extent: Extent<S>,
@@ -127,15 +125,6 @@ impl<S: Scalar> Cone<S> {
     }
 }
 
-fn checked_slope<S: Scalar>(slope: S) -> Result<Outline<S>, SizeError> {
-    // A NaN compares false.
-    if slope >= S::BUDGET.smallest_slope && slope <= S::BUDGET.slope {
-        Ok(Outline::Slope(slope))
-    } else {
-        Err(SizeError::Slope(ValueError::of_size(slope, S::BUDGET.smallest_slope)))
-    }
-}
-
 fn checked_radii<S: Scalar>(base: S, top: S, height: S) -> Result<Outline<S>, SizeError> {
     let base = checked_size_or_zero(base, SizeError::Radius)?;
     let top = checked_size_or_zero(top, SizeError::Radius)?;
@@ -205,11 +194,11 @@ impl<S> Described for Cone<S> {
 }
 
 impl<S: Scalar> Geometry<S> for Cone<S> {
-    type Doubles = Cone<f64>;
+    type In<R: Scalar> = Cone<R>;
 
     #[inline(always)]
-    fn in_doubles(&self) -> Self::Doubles {
-        self.map(S::to_f64, S::to_f64)
+    fn in_type<R: Including<S>>(&self) -> Self::In<R> {
+        self.map(R::exactly, R::exactly)
     }
 
     fn reach(&self) -> S {
@@ -368,7 +357,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         match part {
             Part::Base => return -UnitVec3::Y,
             Part::Top => return UnitVec3::Y,
-            Part::Side => {}
+            _ => {}
         }
         let profile = Profile::<S::Real>::of(self.outline, S::real);
         let (g1, h) = (profile.g1(), profile.h);
@@ -389,10 +378,10 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
     fn uv(&self, point: Vec3<S>, part: Part) -> (S::Unit, S::Unit) {
         let u = coordinates::azimuth(point);
         match (part, self.height()) {
-            (Part::Side, Some(height)) => (u, coordinates::fraction::<S>(point.y.real(), height.real())),
-            (Part::Side, None) => (u, coordinates::repeating(point.y)),
             (Part::Base, _) => coordinates::planar(point, self.base_radius().real()),
             (Part::Top, _) => coordinates::planar(point, self.top_radius().unwrap_or(S::ZERO).real()),
+            (_, Some(height)) => (u, coordinates::fraction::<S>(point.y.real(), height.real())),
+            (_, None) => (u, coordinates::repeating(point.y)),
         }
     }
 

@@ -7,12 +7,11 @@ use crate::figure::{self, Described, Figure, Figures, Side};
 use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
-use crate::scalar::{Attempt, LocalLine, Scalar, found};
+use crate::scalar::{Attempt, Including, LocalLine, Scalar, found};
 use crate::vector::{UnitVec3, Vec3};
 
 /// The extent of a cylinder along its axis, and whether it is closed.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(super) enum Extent<S> {
     Infinite,
     Open(S),
@@ -31,9 +30,8 @@ pub(super) enum Extent<S> {
 /// # Ok::<(), raylet::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Cylinder<S> {
-    radius: S,
+    pub(super) radius: S,
     pub(super) extent: Extent<S>,
 }
 
@@ -99,11 +97,11 @@ impl<S> Described for Cylinder<S> {
 }
 
 impl<S: Scalar> Geometry<S> for Cylinder<S> {
-    type Doubles = Cylinder<f64>;
+    type In<R: Scalar> = Cylinder<R>;
 
     #[inline(always)]
-    fn in_doubles(&self) -> Self::Doubles {
-        self.map(S::to_f64)
+    fn in_type<R: Including<S>>(&self) -> Self::In<R> {
+        self.map(R::exactly)
     }
 
     fn reach(&self) -> S {
@@ -180,7 +178,7 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
         match part {
             Part::Base => -UnitVec3::Y,
             Part::Top => UnitVec3::Y,
-            Part::Side => coordinates::outwards(point),
+            _ => coordinates::outwards(point),
         }
     }
 
@@ -200,8 +198,8 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
 
     fn tangents(&self, point: Vec3<S>, part: Part) -> (UnitVec3<S>, UnitVec3<S>) {
         match part {
-            Part::Side => (coordinates::around(point), UnitVec3::Y),
             Part::Base | Part::Top => coordinates::planar_tangents(),
+            _ => (coordinates::around(point), UnitVec3::Y),
         }
     }
 }

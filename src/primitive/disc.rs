@@ -7,7 +7,7 @@ use crate::figure::{Described, Figure, Figures};
 use crate::geometry::Hull;
 use crate::intersection::Intersection;
 use crate::part::Part;
-use crate::scalar::{Attempt, LocalLine, Scalar, UnitScalar, found};
+use crate::scalar::{Attempt, Including, LocalLine, Scalar, UnitScalar, found};
 use crate::vector::{UnitVec3, Vec3};
 
 /// A disc about the origin in the plane `y = 0`, its rim included; an open surface whose front is +y.
@@ -20,9 +20,8 @@ use crate::vector::{UnitVec3, Vec3};
 /// # Ok::<(), raylet::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Disc<S> {
-    radius: S,
+    pub(super) radius: S,
 }
 
 impl<S: Scalar> Disc<S> {
@@ -54,11 +53,11 @@ impl<S> Described for Disc<S> {
 }
 
 impl<S: Scalar> Geometry<S> for Disc<S> {
-    type Doubles = Disc<f64>;
+    type In<R: Scalar> = Disc<R>;
 
     #[inline(always)]
-    fn in_doubles(&self) -> Self::Doubles {
-        self.map(S::to_f64)
+    fn in_type<R: Including<S>>(&self) -> Self::In<R> {
+        self.map(R::exactly)
     }
     fn reach(&self) -> S {
         self.radius

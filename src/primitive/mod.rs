@@ -1,6 +1,6 @@
 //! The primitives, a file for each.
 //!
-//! In its canonical pose a primitive has the axis +y and its base at the origin; a sphere has its centre there, and a cone that is
+//! In its canonical pose a primitive has the axis +y and its base at the origin; a sphere and a cuboid have their centre there, and a cone that is
 //! given by its slope its apex. Sizes are numbers such as radius and height, not scales. A primitive is a closed set of points. It
 //! computes where a line meets it, its normals, surface coordinates and tangents. Placement and material belong to
 //! [`Shape`](crate::Shape) and [`Object`](crate::Object).
@@ -11,7 +11,8 @@
 //! | [`Cylinder`] | [`infinite`](Cylinder::infinite), [`open`](Cylinder::open), [`capped`](Cylinder::capped) |
 //! | [`Capsule`] | [`new`](Capsule::new) |
 //! | [`Cone`] | [`double`](Cone::double), [`nappe`](Cone::nappe), [`open`](Cone::open), [`capped`](Cone::capped), [`frustum`](Cone::frustum), [`frustum_open`](Cone::frustum_open) |
-//! | [`Plane`], [`Disc`], [`Triangle`] | [`new`](Plane::new), [`new`](Disc::new), [`new`](Triangle::new) |
+//! | [`Cuboid`] | [`new`](Cuboid::new) |
+//! | [`Plane`], [`Disc`], [`Rectangle`], [`Triangle`] | [`new`](Plane::new), [`new`](Disc::new), [`new`](Rectangle::new), [`new`](Triangle::new) |
 //!
 //! # Degenerate rays
 //!
@@ -31,30 +32,40 @@
 //! | through the apex of a double cone, inside both nappes | leaves one nappe and enters the other at the same `t` |
 //! | through the apex of a double cone, outside of both | one touch |
 //! | from rim to rim, from seam to seam | two hits, with the part `Side` |
-//! | in a plane, disc or triangle | `coincident` |
-//! | in the plane of a disc or triangle, touching its rim or a corner | `coincident` over a single point |
+//! | in the plane of a cuboid's face, or along its edge | enters and leaves where it crosses the edges of that face or the corners; [`Cuboid`] says which part owns them |
+//! | across an edge or a corner of a cuboid from outside | one touch |
+//! | in a plane, disc, rectangle or triangle | `coincident` |
+//! | in the plane of a disc, rectangle or triangle, touching its rim or a corner | `coincident` over a single point |
 
-use crate::scalar::{Scalar, ValueError};
+use crate::scalar::{Scalar, ValueError, with_fault};
 use core::fmt;
 
+mod aperture;
 mod capsule;
 mod cone;
+mod constant;
+mod cuboid;
 mod cylinder;
 mod disc;
+#[cfg(feature = "defmt")]
+mod logged;
 mod outline;
 mod plane;
 mod queries;
+mod rectangle;
 mod sphere;
 #[cfg(feature = "serde")]
 mod stored;
-mod surface_coordinates;
+pub(crate) mod surface_coordinates;
 mod triangle;
 
 pub use capsule::Capsule;
 pub use cone::Cone;
+pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use plane::Plane;
+pub use rectangle::Rectangle;
 pub use sphere::Sphere;
 pub use triangle::Triangle;
 
@@ -72,21 +83,31 @@ pub enum SizeError {
     Height(ValueError),
     /// A slope is not positive, not finite or beyond the budget.
     Slope(ValueError),
+    /// A half extent is not positive, not finite or beyond the budget.
+    HalfExtent(ValueError),
     /// A coordinate of a vertex is not finite or beyond the budget.
     Vertex(ValueError),
     /// The vertices lie on a line, or too nearly so for the number type.
     Vertices,
 }
 
+impl SizeError {
+    /// The message, in a constant too.
+    pub const fn message(self) -> &'static str {
+        match self {
+            Self::Radius(error) => with_fault!("the radius ", error),
+            Self::Height(error) => with_fault!("the height ", error),
+            Self::Slope(error) => with_fault!("the slope (radius over height) ", error),
+            Self::HalfExtent(error) => with_fault!("a half extent ", error),
+            Self::Vertex(error) => with_fault!("a coordinate of a vertex ", error),
+            Self::Vertices => "the vertices lie on a line, or too nearly so for the number type",
+        }
+    }
+}
+
 impl fmt::Display for SizeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Radius(error) => write!(f, "the radius {error}"),
-            Self::Height(error) => write!(f, "the height {error}"),
-            Self::Slope(error) => write!(f, "the slope (radius over height) {error}"),
-            Self::Vertex(error) => write!(f, "a coordinate of a vertex {error}"),
-            Self::Vertices => f.write_str("the vertices lie on a line, or too nearly so for the number type"),
-        }
+        f.write_str(self.message())
     }
 }
 

@@ -10,11 +10,11 @@
 //! where `w` is the line's Pluecker moment. For a slope that is `D = m^2 (wx^2 + wz^2) - wy^2`: Lagrange's identity in the metric
 //! (1, -1, 1) of the cone.
 
-use crate::scalar::{Real, Scalar};
+use super::SizeError;
+use crate::scalar::{Real, Scalar, ValueError};
 
 /// The outline of a cone in stored numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(super) enum Outline<S> {
     /// A cone with its apex at the origin: radius divided by height.
     Slope(S),
@@ -50,5 +50,15 @@ impl<R: Real> Profile<R> {
     /// `g0 + g1 y`
     pub(super) fn at(self, y: R) -> R {
         self.g0() + self.g1() * y
+    }
+}
+
+/// The outline of a cone of this slope, if that is within the budget.
+pub(super) fn checked_slope<S: Scalar>(slope: S) -> Result<Outline<S>, SizeError> {
+    // A NaN compares false.
+    if slope >= S::BUDGET.smallest_slope && slope <= S::BUDGET.slope {
+        Ok(Outline::Slope(slope))
+    } else {
+        Err(SizeError::Slope(ValueError::of_size(slope, S::BUDGET.smallest_slope)))
     }
 }

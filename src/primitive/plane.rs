@@ -8,7 +8,7 @@ use crate::geometry::Hull;
 use crate::intersection::Intersection;
 use crate::part::Part;
 use crate::ray::Range;
-use crate::scalar::{Attempt, LocalLine, Scalar, UnitScalar, found};
+use crate::scalar::{Attempt, Including, LocalLine, Scalar, UnitScalar, found};
 use crate::vector::{UnitVec3, Vec3};
 use core::marker::PhantomData;
 
@@ -22,7 +22,6 @@ use core::marker::PhantomData;
 /// # Ok::<(), raylet::RayError>(())
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Plane<S> {
     scalar: PhantomData<S>,
 }
@@ -39,10 +38,10 @@ impl<S> Described for Plane<S> {
 }
 
 impl<S: Scalar> Geometry<S> for Plane<S> {
-    type Doubles = Plane<f64>;
+    type In<R: Scalar> = Plane<R>;
 
     #[inline(always)]
-    fn in_doubles(&self) -> Self::Doubles {
+    fn in_type<R: Including<S>>(&self) -> Self::In<R> {
         Plane::new()
     }
 

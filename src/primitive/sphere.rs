@@ -8,7 +8,7 @@ use crate::intersection::{End, Intersection, Span};
 use crate::line::Place;
 use crate::part::Part;
 use crate::ray::Ray;
-use crate::scalar::{Attempt, LocalLine, Real, Ring, Scalar, found, largest};
+use crate::scalar::{Attempt, Including, LocalLine, Real, Ring, Scalar, found, largest};
 use crate::vector::{UnitVec3, Vec3};
 
 /// A sphere about the origin, with its inside: a closed ball.
@@ -23,9 +23,8 @@ use crate::vector::{UnitVec3, Vec3};
 /// # Ok::<(), raylet::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Sphere<S> {
-    radius: S,
+    pub(super) radius: S,
 }
 
 impl<S: Scalar> Sphere<S> {
@@ -57,11 +56,11 @@ impl<S> Described for Sphere<S> {
 }
 
 impl<S: Scalar> Geometry<S> for Sphere<S> {
-    type Doubles = Sphere<f64>;
+    type In<R: Scalar> = Sphere<R>;
 
     #[inline(always)]
-    fn in_doubles(&self) -> Self::Doubles {
-        self.map(S::to_f64)
+    fn in_type<R: Including<S>>(&self) -> Self::In<R> {
+        self.map(R::exactly)
     }
     fn reach(&self) -> S {
         self.radius

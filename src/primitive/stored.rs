@@ -1,7 +1,7 @@
 //! Primitives as they are stored: by constructor and sizes, which the constructor checks on the way in.
 
 use super::outline::Outline;
-use super::{Capsule, Cone, Cylinder, Disc, Plane, SizeError, Sphere, Triangle, cone, cylinder};
+use super::{Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, SizeError, Sphere, Triangle, cone, cylinder};
 use crate::scalar::Scalar;
 use crate::scalar::written;
 use crate::vector::Vec3;
@@ -21,6 +21,27 @@ struct Long<S> {
     radius: S,
     #[serde(with = "written")]
     height: S,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(bound = "S: Scalar")]
+#[expect(clippy::struct_field_names, reason = "a reader of a file should see that these are halves")]
+struct Boxed<S> {
+    #[serde(with = "written")]
+    half_x: S,
+    #[serde(with = "written")]
+    half_y: S,
+    #[serde(with = "written")]
+    half_z: S,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(bound = "S: Scalar")]
+struct Flat<S> {
+    #[serde(with = "written")]
+    half_x: S,
+    #[serde(with = "written")]
+    half_z: S,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -96,6 +117,24 @@ stored!(
     Long<S>,
     |capsule| Long { radius: capsule.radius(), height: capsule.height() },
     |Long { radius, height }| Capsule::new(radius, height)
+);
+stored!(
+    Cuboid,
+    Boxed<S>,
+    |cuboid| {
+        let [half_x, half_y, half_z] = cuboid.half_extents();
+        Boxed { half_x, half_y, half_z }
+    },
+    |Boxed { half_x, half_y, half_z }| Cuboid::new([half_x, half_y, half_z])
+);
+stored!(
+    Rectangle,
+    Flat<S>,
+    |rectangle| {
+        let [half_x, half_z] = rectangle.half_extents();
+        Flat { half_x, half_z }
+    },
+    |Flat { half_x, half_z }| Rectangle::new([half_x, half_z])
 );
 stored!(Triangle, [Vec3<S>; 3], |triangle| triangle.vertices(), |[a, b, c]| Triangle::new(a, b, c));
 stored!(

@@ -12,7 +12,7 @@ pub(super) fn azimuth<S: Scalar>(point: Vec3<S>) -> S::Unit {
 }
 
 /// `part / whole` clamped to `[0, 1]`; zero if the whole is.
-pub(super) fn fraction<S: Scalar>(part: S::Real, whole: S::Real) -> S::Unit {
+pub(crate) fn fraction<S: Scalar>(part: S::Real, whole: S::Real) -> S::Unit {
     if whole.is_zero() {
         return S::Unit::ZERO;
     }
@@ -32,14 +32,24 @@ pub(super) fn planar<S: Scalar>(point: Vec3<S>, radius: S::Real) -> (S::Unit, S:
     if radius.is_zero() {
         return (S::Unit::ZERO, S::Unit::ZERO);
     }
+    (across(point.x, radius), across(point.z, radius))
+}
+
+/// A coordinate mapped linearly from `[-half, half]` to `[0, 1]`.
+pub(super) fn across<S: Scalar>(component: S, half: S::Real) -> S::Unit {
     // (x / r + 1) / 2 rather than (x + r) / 2r: twice the largest radius overflows.
     let one = S::Real::ONE;
-    let along = |component: S| fraction::<S>((component.real() / radius + one).scaled(-1), one);
-    (along(point.x), along(point.z))
+    fraction::<S>((component.real() / half + one).scaled(-1), one)
+}
+
+/// The number moved to the nearest of `[-half, half]`, since rounding may have moved it beyond an edge.
+pub(super) fn clamped<S: Scalar>(component: S, half: S) -> S {
+    let component = if component > half { half } else { component };
+    if component < -half { -half } else { component }
 }
 
 /// The fractional part, for infinite surfaces: the coordinate repeats every unit of length.
-pub(super) fn repeating<S: Scalar>(value: S) -> S::Unit {
+pub(crate) fn repeating<S: Scalar>(value: S) -> S::Unit {
     // Exact for every number type.
     S::fraction(value)
 }

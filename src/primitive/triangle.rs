@@ -14,7 +14,7 @@ use crate::intersection::Intersection;
 use crate::line::Place;
 use crate::part::Part;
 use crate::ray::Ray;
-use crate::scalar::{Attempt, LocalLine, Real, Scalar, found, largest};
+use crate::scalar::{Attempt, Including, LocalLine, Real, Scalar, found, largest};
 use crate::vector::{UnitVec3, Vec3, cross};
 
 /// A triangle, its edges included; an open surface whose front is where its vertices run counter-clockwise.
@@ -28,7 +28,6 @@ use crate::vector::{UnitVec3, Vec3, cross};
 /// # Ok::<(), raylet::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Triangle<S> {
     vertices: [Vec3<S>; 3],
 }
@@ -90,11 +89,11 @@ impl<S> Described for Triangle<S> {
 }
 
 impl<S: Scalar> Geometry<S> for Triangle<S> {
-    type Doubles = Triangle<f64>;
+    type In<R: Scalar> = Triangle<R>;
 
     #[inline(always)]
-    fn in_doubles(&self) -> Self::Doubles {
-        Triangle { vertices: self.vertices.map(Vec3::in_doubles) }
+    fn in_type<R: Including<S>>(&self) -> Self::In<R> {
+        Triangle { vertices: self.vertices.map(Vec3::in_type) }
     }
 
     /// The largest coordinate of a vertex.

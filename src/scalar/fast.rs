@@ -129,6 +129,20 @@ impl<S: super::Scalar> LocalLine<S> {
         line.rests = line.rests.mirrored();
         line
     }
+
+    /// The line with x and y exchanged, for planes across x.
+    #[inline(always)]
+    pub(crate) fn across_x(&self) -> Self {
+        let ([x, y, z], [dx, dy, dz]) = (self.origin, self.direction);
+        Self { origin: [y, x, z], direction: [dy, dx, dz], rests: self.rests.across_x(), ..*self }
+    }
+
+    /// The line with y and z exchanged, for planes across z.
+    #[inline(always)]
+    pub(crate) fn across_z(&self) -> Self {
+        let ([x, y, z], [dx, dy, dz]) = (self.origin, self.direction);
+        Self { origin: [x, z, y], direction: [dx, dz, dy], rests: self.rests.across_z(), ..*self }
+    }
 }
 
 /// A line in the frame of an affine placement, in fixed point, with a unit of length that is finer than the type's.
@@ -224,6 +238,12 @@ pub trait FastPath: Numbers {
     /// Where the line crosses the disc of radius `r` about the origin in the plane `y = 0`.
     #[inline(always)]
     fn fast_disc(_: LocalLine<Self>, _r: Self) -> Attempt<Self> {
+        Attempt::Unsure
+    }
+
+    /// Where the line crosses the rectangle about the origin in the plane `y = 0`, with these half extents along x and z.
+    #[inline(always)]
+    fn fast_rectangle(_: LocalLine<Self>, _half: [Self; 2]) -> Attempt<Self> {
         Attempt::Unsure
     }
 

@@ -4,13 +4,14 @@
 //! that of the direction. Products of the two are exact in the double width.
 
 use super::block::{Block64, Block128};
+use super::including::narrowed;
 use super::{
     Attempt, Budget, Computing, Elementary, FastPath, Numbers, Real, Scalar, UnitScalar, ValueError, elementary,
     integers, sealed::Sealed,
 };
 use crate::number::word::Word;
 use crate::number::{Limbs, Parts, Robust};
-use fixed::types::extra::{LeEqU32, LeEqU64, U30, U62};
+use fixed::types::extra::{LeEqU32, LeEqU64, U30, U32, U62};
 use fixed::{FixedI32, FixedI64};
 
 /// Coordinates and sizes of an N-bit fixed type stay at or below `2^(N - SIZE_BITS)` units.
@@ -28,7 +29,7 @@ fn product(a: i64, b: i64) -> i128 {
 macro_rules! fixed {
     (
         $Fixed:ident, $LeEq:ident, $UnitBits:ident, $Block:ident, $robust:ty, $raw:ty, $wide:ty, $unsigned:ty,
-        $bits:literal, $unit_bits:literal, $product:path, { $($direction:tt)* }
+        $bits:literal, $unit_bits:literal, $product:path, { $($direction:tt)* }, { $($wider:tt)* }
     ) => {
         impl<F: $LeEq + Send + Sync + 'static> Sealed for $Fixed<F> {}
 
@@ -40,7 +41,9 @@ macro_rules! fixed {
 
         impl<F: $LeEq + Send + Sync + 'static> Scalar for $Fixed<F> {
             type Robust = Robust<$robust>;
+            $($wider)*
             const ZERO: Self = Self::from_bits(0);
+            const ROUNDED_ONE: Self = Self::from_bits(if F::U32 < $bits - 1 { 1 << F::U32 } else { <$raw>::MAX });
             const INFINITY: Self = Self::from_bits(<$raw>::MAX);
             const RELATIVE: bool = false;
             const BUDGET: Budget<Self> = Budget {
@@ -312,24 +315,66 @@ macro_rules! fixed {
     };
 }
 
-fixed!(FixedI32, LeEqU32, U30, Block64, u64, i32, i64, u64, 32, 30, integers::product, {
-    #[inline(always)]
-    fn along(self, component: Self::Unit) -> Self {
-        Self::from_bits(integers::round_off(integers::product(self.to_bits(), component.to_bits()), 30) as i32)
-    }
-    #[inline]
-    fn direction(v: [Block64; 3]) -> Option<[Self::Unit; 3]> {
-        // Rounded to 31 bits of the longest component, which is another half a unit.
-        match Self::fast_direction(Self::finest(v).0) {
-            Attempt::Found(direction) => Some(direction),
-            Attempt::Miss => None,
-            Attempt::Unsure => Self::normalize(v).map(|(direction, _)| direction),
+fixed!(
+    FixedI32,
+    LeEqU32,
+    U30,
+    Block64,
+    u64,
+    i32,
+    i64,
+    u64,
+    32,
+    30,
+    integers::product,
+    {
+        #[inline(always)]
+        fn along(self, component: Self::Unit) -> Self {
+            Self::from_bits(integers::round_off(integers::product(self.to_bits(), component.to_bits()), 30) as i32)
+        }
+        #[inline]
+        fn direction(v: [Block64; 3]) -> Option<[Self::Unit; 3]> {
+            // Rounded to 31 bits of the longest component, which is another half a unit.
+            match Self::fast_direction(Self::finest(v).0) {
+                Attempt::Found(direction) => Some(direction),
+                Attempt::Miss => None,
+                Attempt::Unsure => Self::normalize(v).map(|(direction, _)| direction),
+            }
+        }
+    },
+    {
+        type Wider = FixedI64<U32>;
+        // With fewer fraction bits the coordinates of usual scenes leave 32 bits enough room. With more the wider type has too few finer bits.
+        const WIDENS: bool = F::U32 >= 20 && F::U32 <= 28;
+        #[inline]
+        fn narrowed(value: Self::Wider) -> Self {
+            narrowed(value)
         }
     }
-});
-fixed!(FixedI64, LeEqU64, U62, Block128, u128, i64, i128, u128, 64, 62, product, {
-    #[inline(always)]
-    fn along(self, component: Self::Unit) -> Self {
-        <Self as Scalar>::round(self.real() * Self::unit_real(component))
+);
+fixed!(
+    FixedI64,
+    LeEqU64,
+    U62,
+    Block128,
+    u128,
+    i64,
+    i128,
+    u128,
+    64,
+    62,
+    product,
+    {
+        #[inline(always)]
+        fn along(self, component: Self::Unit) -> Self {
+            <Self as Scalar>::round(self.real() * Self::unit_real(component))
+        }
+    },
+    {
+        type Wider = Self;
+        #[inline(always)]
+        fn narrowed(value: Self) -> Self {
+            value
+        }
     }
-});
+);

@@ -24,7 +24,9 @@ macro_rules! float {
 
         impl Scalar for $Float {
             type Robust = Robust<$robust>;
+            type Wider = Self;
             const ZERO: Self = 0.0;
+            const ROUNDED_ONE: Self = 1.0;
             const INFINITY: Self = $Float::INFINITY;
             const RELATIVE: bool = true;
             const BUDGET: Budget<Self> = Budget {
@@ -47,6 +49,10 @@ macro_rules! float {
                 let mantissa = if field == 0 { fraction } else { fraction | (1 << $mantissa) };
                 let exponent = field.max(1) - $bias - $mantissa;
                 Parts { mantissa: mantissa as u64, exponent, negative: self.is_sign_negative() }
+            }
+            #[inline(always)]
+            fn narrowed(value: Self) -> Self {
+                value
             }
             #[inline(always)]
             fn unit_parts(value: Self) -> Parts {

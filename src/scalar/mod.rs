@@ -16,11 +16,13 @@
 //! | `integers` | the fast path of fixed point, in plain integers |
 //! | `floats` | the fast path of floats, mostly without compensation |
 //! | `rungs`, `twofold` | conversion between stored numbers and those of [`crate::number`]; numbers of twice the precision |
+//! | `including` | types that hold the values of others |
 //! | `slabs` | conservative test of a ray against a box |
 //! | [`block`] | integer mantissa and exponent; square root and quotient of integers |
 //! | `decimal` | decimal text to fixed point, correctly rounded |
 //! | `elementary` | angle, sine, power, in integers for the fixed types |
 //! | `written` | how stored numbers are written for `serde` and `defmt` |
+//! | `constant` | the checks of constructors in constants |
 //! | `value` | what can be wrong with a value that a constructor is given |
 //! | `square_root` | the square root of `f32` by instruction, which `core` does not have |
 
@@ -31,6 +33,7 @@ use core::ops::{Div, Neg};
 
 pub mod block;
 mod computing;
+pub(crate) mod constant;
 #[cfg(feature = "fixed")]
 mod decimal;
 #[cfg(feature = "fixed")]
@@ -44,6 +47,7 @@ mod fixed;
 mod float;
 #[cfg(feature = "libm")]
 mod floats;
+mod including;
 #[cfg(feature = "fixed")]
 mod integers;
 mod rests;
@@ -62,10 +66,12 @@ pub use crate::number::Ring;
 pub use computing::{Computing, Elementary};
 pub(crate) use fast::found;
 pub use fast::{Attempt, FastPath, FinerLine, InNappe, LocalLine, NappeOutline, Pace};
+pub use including::Including;
 pub use rests::{LowWords, Rests};
 pub use rungs::{FromScalar, ToScalar};
 pub use twofold::Twofold;
 pub use value::ValueError;
+pub(crate) use value::with_fault;
 
 /// Seals [`Scalar`] and related traits, whose implementations depend on each other.
 mod sealed {
@@ -104,18 +110,25 @@ mod sealed {
 /// the raw numbers stay below 2^31, so that a coordinate times a direction (30 fraction bits), summed over
 /// three axes, stays below 2^62 and is exact in 64 bits.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = "S: Scalar"))]
 pub struct Budget<S> {
     /// Largest magnitude of a coordinate.
+    #[cfg_attr(feature = "serde", serde(with = "crate::scalar::written"))]
     pub coordinate: S,
     /// Largest radius or height.
+    #[cfg_attr(feature = "serde", serde(with = "crate::scalar::written"))]
     pub size: S,
     /// Smallest radius (and smallest height where a height of zero is no solid).
+    #[cfg_attr(feature = "serde", serde(with = "crate::scalar::written"))]
     pub smallest_size: S,
     /// Largest slope of a cone, radius over height.
+    #[cfg_attr(feature = "serde", serde(with = "crate::scalar::written"))]
     pub slope: S,
     /// Smallest slope of a cone.
+    #[cfg_attr(feature = "serde", serde(with = "crate::scalar::written"))]
     pub smallest_slope: S,
     /// Largest `t`. Hits beyond it are outside every range.
+    #[cfg_attr(feature = "serde", serde(with = "crate::scalar::written"))]
     pub distance: S,
 }
 
@@ -136,7 +149,7 @@ pub trait Numbers:
     /// The type of components of unit vectors and of colour channels: the float itself, Q2.30 for 32-bit and Q2.62 for 64-bit fixed types.
     type Unit: UnitScalar;
     /// The number to compute in.
-    type Real: Real;
+    type Real: Real + written::ForSerde;
     /// What rounding leaves over of a line: a type without values for fixed point.
     type Rests: Rests<Self>;
 }
@@ -150,8 +163,14 @@ pub type Unit<S> = <S as Numbers>::Unit;
 pub trait Scalar: Numbers + Computing + Elementary + FastPath {
     /// The number in which the solver computes where the fast path is unsure.
     type Robust: FromScalar<Self> + Number<Estimate = Self::Robust> + ToScalar<Self>;
+    /// The type of the second attempt of fixed point, which holds every value of this one; the type itself if that has none.
+    type Wider: Including<Self>;
+    /// True if the fast path has such a second attempt.
+    const WIDENS: bool = false;
     /// Zero.
     const ZERO: Self;
+    /// One, rounded to the type: [`Scalar::INFINITY`] for a fixed type that cannot hold it.
+    const ROUNDED_ONE: Self;
     /// Beyond every range: `f32::INFINITY`, or the largest raw value of a fixed type.
     const INFINITY: Self;
     /// True if precision is relative to the magnitude (floats), so that a change of scale loses no precision.
@@ -166,6 +185,8 @@ pub trait Scalar: Numbers + Computing + Elementary + FastPath {
     fn unit_parts(value: Self::Unit) -> Parts;
     /// Rounded to nearest, ties to even; beyond the type's range, [`Scalar::INFINITY`] with the sign.
     fn from_limbs<W: Word>(value: Limbs<W>) -> Self;
+    /// Rounded as [`Scalar::from_limbs`].
+    fn narrowed(value: Self::Wider) -> Self;
     /// Rounded as [`Scalar::from_limbs`].
     fn from_robust(value: Self::Robust) -> Self;
     /// Rounded as [`Scalar::from_limbs`], to a unit component.

@@ -63,17 +63,36 @@ impl ValueError {
     }
 }
 
+/// The message of a fault, behind the name of the value that has it: without formatting, for constants.
+macro_rules! with_fault {
+    ($value:literal, $fault:expr) => {
+        match $fault {
+            $crate::ValueError::NotFinite => concat!($value, "is not finite"),
+            $crate::ValueError::Negative => concat!($value, "is negative"),
+            $crate::ValueError::Zero => {
+                concat!($value, "is zero, or was below one unit of the number type and was rounded to zero")
+            }
+            $crate::ValueError::BelowBudget => {
+                concat!($value, "is below the least that the number type's budget allows")
+            }
+            $crate::ValueError::BeyondBudget => concat!($value, "is beyond the number type's budget"),
+            $crate::ValueError::BeyondType => concat!($value, "is beyond what the number type can hold"),
+            $crate::ValueError::NotUnit => concat!($value, "has a length that is not 1"),
+        }
+    };
+}
+pub(crate) use with_fault;
+
+impl ValueError {
+    /// The message, in a constant too.
+    pub const fn message(self) -> &'static str {
+        with_fault!("", self)
+    }
+}
+
 impl fmt::Display for ValueError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::NotFinite => "is not finite",
-            Self::Negative => "is negative",
-            Self::Zero => "is zero, or was below one unit of the number type and was rounded to zero",
-            Self::BelowBudget => "is below the least that the number type's budget allows",
-            Self::BeyondBudget => "is beyond the number type's budget",
-            Self::BeyondType => "is beyond what the number type can hold",
-            Self::NotUnit => "has a length that is not 1",
-        })
+        f.write_str(self.message())
     }
 }
 

@@ -23,11 +23,13 @@ pub(crate) struct Plain<T>(pub T);
 #[cfg(feature = "serde")]
 pub use with_serde::ForSerde;
 #[cfg(feature = "serde")]
-pub(crate) use with_serde::{deserialize, serialize};
+pub(crate) use with_serde::{deserialize, serialize, three};
 
 #[cfg(feature = "serde")]
 mod with_serde {
     use super::Plain;
+    use crate::scalar::block::{Block64, Block128};
+    use serde::de::Error;
     use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
     /// A number that is written and read.
@@ -40,6 +42,41 @@ mod with_serde {
     pub(crate) fn serialize<T: ForSerde, Z: Serializer>(value: &T, serializer: Z) -> Result<Z::Ok, Z::Error> {
         value.write(serializer)
     }
+
+    /// For `serde(with = ..)` on a field of three numbers.
+    pub(crate) mod three {
+        use super::{ForSerde, Plain};
+        use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+        pub(crate) fn serialize<T: ForSerde + Copy, Z: Serializer>(values: &[T; 3], to: Z) -> Result<Z::Ok, Z::Error> {
+            values.map(Plain).serialize(to)
+        }
+
+        pub(crate) fn deserialize<'de, T: ForSerde, D: Deserializer<'de>>(from: D) -> Result<[T; 3], D::Error> {
+            <[Plain<T>; 3]>::deserialize(from).map(|values| values.map(|Plain(value)| value))
+        }
+    }
+
+    /// A number to compute in: an integer, and the power of two by which it is multiplied.
+    macro_rules! blocks {
+        ($($Block:ident($mantissa:ty),)+) => {$(
+            impl ForSerde for $Block {
+                fn write<Z: Serializer>(&self, serializer: Z) -> Result<Z::Ok, Z::Error> {
+                    (self.mantissa(), self.exponent()).serialize(serializer)
+                }
+                fn read<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                    let (mantissa, exponent) = <($mantissa, i32)>::deserialize(deserializer)?;
+                    // What a block may hold, and an exponent with which no computation comes near the end of 32 bits.
+                    if mantissa.unsigned_abs() <= 1 << (<$mantissa>::BITS - 2) && exponent.unsigned_abs() <= 2048 {
+                        Ok(Self::new(mantissa, exponent))
+                    } else {
+                        Err(D::Error::custom("the number is beyond what the library computes with"))
+                    }
+                }
+            }
+        )+};
+    }
+    blocks!(Block64(i64), Block128(i128),);
 
     /// For `serde(with = ..)` on a field.
     pub(crate) fn deserialize<'de, T: ForSerde, D: Deserializer<'de>>(deserializer: D) -> Result<T, D::Error> {

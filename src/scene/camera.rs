@@ -1,5 +1,10 @@
 //! Pinhole and orthographic cameras: the primary ray of each pixel sample.
 
+mod constant;
+
+use crate::frame::Frame;
+#[cfg(feature = "serde")]
+use crate::frame::FrameError;
 use crate::ray::Ray;
 use crate::scalar::{Real, Ring, Scalar};
 use crate::vector::{UnitVec3, Vec3};
@@ -74,6 +79,51 @@ impl<S: Scalar> Camera<S> {
         }
     }
 
+    /// A pinhole camera at the position of a frame, that looks along the frame's z axis, with its y axis up. (The x axis points to the left of the
+    /// picture, since a frame is right-handed.) It keeps the axes to the bit, and needs no root: a constant can have it, see
+    /// [`mod@crate::constant`].
+    ///
+    /// `tangent` is that of half the angle between the centres of the first and the last row of pixels: half of the picture's height, one unit in front
+    /// of the eye.
+    ///
+    /// # Errors
+    ///
+    /// [`CameraError::Angle`] if the tangent is not between the least and the largest slope of the number type's
+    /// [`Budget`](crate::scalar::Budget).
+    ///
+    /// ```
+    /// # use raylet::{Camera, Frame, UnitVec3, Vec3};
+    /// let frame = Frame::looking(Vec3::new(0.0_f32, 0.0, 5.0), -UnitVec3::Z, UnitVec3::Y)?;
+    /// assert_eq!(Camera::in_frame(frame, 0.5)?.forward(), -UnitVec3::Z);
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub fn in_frame(frame: Frame<S>, tangent: S) -> Result<Self, CameraError> {
+        if tangent >= S::BUDGET.smallest_slope && tangent <= S::BUDGET.slope {
+            Ok(Self { half_height: tangent.real(), ..Self::along(frame) })
+        } else {
+            Err(CameraError::Angle)
+        }
+    }
+
+    /// An orthographic camera in a frame, which it keeps as [`Camera::in_frame`] does; `height` is that of [`Camera::orthographic`].
+    ///
+    /// # Errors
+    ///
+    /// [`CameraError::Height`] as for [`Camera::orthographic`].
+    pub fn orthographic_in_frame(frame: Frame<S>, height: S) -> Result<Self, CameraError> {
+        // A NaN compares false.
+        if height > S::ZERO && height <= S::BUDGET.coordinate {
+            Ok(Self { half_height: height.real().scaled(-1), is_orthographic: true, ..Self::along(frame) })
+        } else {
+            Err(CameraError::Height)
+        }
+    }
+
+    fn along(frame: Frame<S>) -> Self {
+        let (position, [x, up, forward]) = (frame.position(), frame.axes());
+        Self { position, forward, right: -x, up, half_height: S::Real::ZERO, is_orthographic: false }
+    }
+
     fn facing(position: Vec3<S>, target: Vec3<S>, up: Vec3<S>) -> Result<Self, CameraError> {
         if !position.is_within_budget() {
             return Err(CameraError::Position);
@@ -87,6 +137,54 @@ impl<S: Scalar> Camera<S> {
         let right = UnitVec3::from_real(forward.cross(up)).ok_or(CameraError::Up)?;
         let up = UnitVec3::from_real(right.cross(forward)).ok_or(CameraError::Up)?;
         Ok(Self { position, forward, right, up, half_height: S::Real::ZERO, is_orthographic: false })
+    }
+
+    /// Forward, right and up.
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(super) const fn axes(&self) -> [UnitVec3<S>; 3] {
+        [self.forward, self.right, self.up]
+    }
+
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(super) const fn half_height(&self) -> S::Real {
+        self.half_height
+    }
+
+    #[cfg(any(feature = "serde", feature = "defmt"))]
+    pub(super) const fn is_orthographic(&self) -> bool {
+        self.is_orthographic
+    }
+
+    /// From what a camera has stored, to the bit.
+    #[cfg(feature = "serde")]
+    pub(super) fn from_stored(
+        position: Vec3<S>,
+        [forward, right, up]: [UnitVec3<S>; 3],
+        half_height: S::Real,
+        is_orthographic: bool,
+    ) -> Result<Self, CameraError> {
+        Frame::from_axes(position, [right, up, -forward]).map_err(|error| match error {
+            FrameError::Position(_) => CameraError::Position,
+            _ => CameraError::Axes,
+        })?;
+        // Half of the height of a pinhole's picture is that of fixed point between the least and the largest quotient of two units.
+        let (one, bound) = (S::Real::ONE, 64);
+        let in_type = if S::RELATIVE {
+            S::round(half_height).is_finite()
+        } else {
+            half_height >= one.scaled(-bound) && half_height <= one.scaled(bound)
+        };
+        // A NaN compares false. Half of the least float is zero.
+        let is_positive = half_height > S::Real::ZERO && in_type;
+        let is_least = S::RELATIVE && half_height.is_zero();
+        let is_height = is_least || (is_positive && half_height.scaled(1) <= S::BUDGET.coordinate.real());
+        if is_orthographic && !is_height {
+            Err(CameraError::Height)
+        } else if !is_orthographic && !is_positive {
+            Err(CameraError::Angle)
+        } else {
+            Ok(Self { position, forward, right, up, half_height, is_orthographic })
+        }
     }
 
     /// The position of the eye, or the middle of the plane in which parallel rays start.
@@ -117,6 +215,8 @@ fn difference<S: Scalar>(a: Vec3<S>, b: Vec3<S>) -> [S::Real; 3] {
 
 /// The size of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Size {
     /// Pixels in a row.
     pub width: u16,
@@ -149,12 +249,19 @@ pub struct Raster<S: Scalar> {
 }
 
 impl<S: Scalar> Raster<S> {
+    /// The camera.
+    pub const fn camera(&self) -> &Camera<S> {
+        &self.camera
+    }
+
     /// The size of the picture.
     pub const fn size(&self) -> Size {
         self.size
     }
 
-    /// The ray through sample (`column`, `row`) of pixel (`x`, `y`); (0, 0) is the upper left.
+    /// The ray through sample (`column`, `row`) of pixel (`x`, `y`); (0, 0) is the upper left. With one sample a pixel it goes through the pixel's centre,
+    /// as a zone of a range sensor is measured. `n` rows that span an angle `w` between their outer edges need a camera of the angle
+    /// `2 atan((1 - 1/n) tan(w/2))` ([`Camera::new`]).
     ///
     /// Pixels and samples outside the picture are allowed. `None` only of an orthographic camera, for a ray that starts beyond the budget.
     pub fn ray(&self, [x, y]: [u16; 2], [column, row]: [u8; 2]) -> Option<Ray<S>> {
@@ -204,21 +311,33 @@ pub enum CameraError {
     Up,
     /// The angle is not between 0 and 180 degrees, or too near to either for the number type.
     Angle,
+    /// Axes that were stored are not perpendicular, or not right-handed.
+    Axes,
     /// The height of an orthographic camera's picture is not positive, not finite or beyond the budget.
     Height,
 }
 
-impl fmt::Display for CameraError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
+impl CameraError {
+    /// The message, in a constant too.
+    pub const fn message(self) -> &'static str {
+        match self {
             Self::Position => "the camera is beyond the number type's budget: move it closer to the origin",
             Self::Target => "the camera looks at its own position, or at a point beyond the number type's budget",
             Self::Up => "the camera's up vector is zero or parallel to its line of sight: give another one",
             Self::Angle => "the camera's angle must lie between 0 and 180 degrees",
+            Self::Axes => {
+                "the camera's axes must be perpendicular; right, up and backwards must be a right-handed frame"
+            }
             Self::Height => {
                 "the height of an orthographic camera's picture must be positive and within the number type's budget"
             }
-        })
+        }
+    }
+}
+
+impl fmt::Display for CameraError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.message())
     }
 }
 

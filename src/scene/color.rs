@@ -9,12 +9,16 @@ use crate::scalar::{Scalar, UnitScalar};
 /// Channels are [`Unit`](crate::scalar::Unit): fixed types have 30 (or 62) fraction bits and saturate just below 2, so that
 /// a sum of bright lights does not wrap around.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = ""))]
 pub struct Color<S: Scalar> {
     /// Red.
+    #[cfg_attr(feature = "serde", serde(with = "crate::scalar::written"))]
     pub red: S::Unit,
     /// Green.
+    #[cfg_attr(feature = "serde", serde(with = "crate::scalar::written"))]
     pub green: S::Unit,
     /// Blue.
+    #[cfg_attr(feature = "serde", serde(with = "crate::scalar::written"))]
     pub blue: S::Unit,
 }
 

@@ -5,11 +5,13 @@ use crate::vector::{UnitVec3, Vec3};
 
 /// A point light without distance falloff, or a distant (directional) light.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = "S: Scalar"))]
 pub struct Light<S> {
     /// The position; for a distant light, a vector of any length that points to the light.
     pub position: Vec3<S>,
     /// Strength of red, green and blue, at least 0. A white matte surface that faces a light of strength 1 is white. The type is that
     /// of coordinates and not [`Color`](super::Color), so that a light may be stronger than 2.
+    #[cfg_attr(feature = "serde", serde(with = "crate::scalar::written::three"))]
     pub strength: [S; 3],
     /// True for a distant light, such as the sun: it is in the same direction from all points, and every object in that direction casts
     /// a shadow.

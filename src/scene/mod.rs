@@ -6,32 +6,37 @@
 //! | `material`, `color`, `light` | the input of shading |
 //! | `levels`, `srgb` | the levels that pictures are stored and shown in |
 //! | `texture`, `fog` | patterns on surfaces; fog |
-//! | `hierarchy` | bounding volume hierarchy, so that a ray tests few of many objects |
 //! | `camera` | the primary ray of each pixel sample |
 //! | `storage` | lists that a reader fills |
+//! | `stored`, `logged` | how parts that check what they hold are stored, for `serde`; how parts are logged, for `defmt` |
 //! | `counters`, `observer` | counters of rays and tests; a callback for each test |
 //! | [`nff`] | the reader of the Neutral File Format |
+//!
+//! The bounding volume hierarchy is in [`crate::hierarchy`].
 
 mod camera;
 mod color;
 mod counters;
 mod fog;
-mod hierarchy;
 mod levels;
 mod light;
+#[cfg(feature = "defmt")]
+mod logged;
 mod material;
 pub mod nff;
 mod object;
 mod observer;
 mod srgb;
 mod storage;
+#[cfg(feature = "serde")]
+mod stored;
 mod texture;
 
+pub use crate::hierarchy::{Hierarchy, HierarchyError, Node};
 pub use camera::{Camera, CameraError, Raster, Size};
 pub use color::Color;
 pub use counters::Counters;
 pub use fog::Fog;
-pub use hierarchy::{Hierarchy, HierarchyError, Node};
 pub(crate) use levels::Levels;
 #[cfg(feature = "embedded-graphics")]
 pub(crate) use levels::nearest;
@@ -44,9 +49,10 @@ pub(crate) use srgb::encoded;
 pub use storage::{Full, Store};
 pub use texture::{Coordinate, Texture, TextureFault, Waves};
 
+use crate::hierarchy::search::{self, Watch};
 use crate::hit::Hit;
 use crate::part::Part;
-use crate::ray::{Range, Ray};
+use crate::ray::Ray;
 use crate::scalar::Scalar;
 use crate::shape::kinds::{All, Kinds};
 use crate::tier::{Stable, Tier};
@@ -293,31 +299,9 @@ impl<'a, S: Scalar, T: Tier<S>, K: Kinds> Scene<'a, S, T, K> {
         counters: &mut Counters,
         observer: &mut impl Observer,
     ) -> Option<SceneHit<S>> {
-        let mut nearest: Option<SceneHit<S>> = None;
-        let mut shortened = *ray;
-        let mut test = |index: u32, counters: &mut Counters| {
-            let object = self.object(index)?;
-            counters.intersection_tests += 1;
-            let hit = object.shape.nearest_at::<T>(&for_object(&shortened, index));
-            observer.tested(index, hit.is_some());
-            if let Some(hit) = hit
-                && nearest.is_none_or(|best| hit.t < best.hit.t || (hit.t == best.hit.t && index < best.object))
-            {
-                nearest = Some(SceneHit { object: index, hit });
-                if let Ok(range) = Range::new(ray.range().start(), hit.t) {
-                    shortened = shortened.with_range(range);
-                }
-            }
-            Some(shortened.range().end())
-        };
-        if let Some(hierarchy) = &self.hierarchy {
-            hierarchy.walk(ray, counters, test);
-        } else {
-            for (index, _) in (0_u32..).zip(self.objects) {
-                let _ = test(index, counters);
-            }
-        }
-        nearest
+        let mut watch = Watched { counters, observer };
+        let nearest = search::nearest::<S, T, _>(self.objects, self.hierarchy.as_ref(), ray, &mut watch);
+        nearest.map(|(object, hit)| SceneHit { object, hit })
     }
 
     /// Occlusion test, for shadows: true if the ray hits any object within its range. Stops at the first object that it hits.
@@ -327,43 +311,42 @@ impl<'a, S: Scalar, T: Tier<S>, K: Kinds> Scene<'a, S, T, K> {
 
     /// Any object that the ray hits within its range, not necessarily the nearest; `None` if there is none.
     pub fn occluder(&self, ray: &Ray<S>, counters: &mut Counters, observer: &mut impl Observer) -> Option<u32> {
-        let Some(hierarchy) = &self.hierarchy else {
-            return (0_u32..)
-                .zip(self.objects)
-                .map(|(index, _)| index)
-                .find(|index| self.stands_on(*index, ray, counters, observer));
-        };
-        let mut occluder = None;
-        hierarchy.walk(ray, counters, |index, counters| {
-            if self.stands_on(index, ray, counters, observer) {
-                occluder = Some(index);
-                return None;
-            }
-            Some(ray.range().end())
-        });
-        occluder
+        let mut watch = Watched { counters, observer };
+        search::occluder::<S, T, _>(self.objects, self.hierarchy.as_ref(), ray, &mut watch)
     }
 
     /// True if the ray hits the object of this index within its range; false beyond the last object.
     pub fn stands_on(&self, index: u32, ray: &Ray<S>, counters: &mut Counters, observer: &mut impl Observer) -> bool {
-        let Some(object) = self.object(index) else { return false };
-        counters.intersection_tests += 1;
-        let found = object.shape.occludes_at::<T>(&for_object(ray, index));
-        observer.tested(index, found);
-        found
+        search::is_hit::<S, T, _>(self.objects, index, ray, &mut Watched { counters, observer })
     }
 }
 
-/// The ray for a test of the object of this index: with its departure only if that names the object.
-fn for_object<S: Scalar>(ray: &Ray<S>, index: u32) -> Ray<S> {
-    match ray.departure() {
-        Some(departure) if departure.object == index => *ray,
-        _ => ray.without_departure(),
+/// Counts the tests, and hands them on.
+struct Watched<'a, O> {
+    counters: &'a mut Counters,
+    observer: &'a mut O,
+}
+
+impl<O: Observer> Watch for Watched<'_, O> {
+    #[inline(always)]
+    fn count_test(&mut self) {
+        self.counters.intersection_tests += 1;
+    }
+
+    #[inline(always)]
+    fn count_box(&mut self) {
+        self.counters.box_tests += 1;
+    }
+
+    #[inline(always)]
+    fn tested(&mut self, index: u32, found: bool) {
+        self.observer.tested(index, found);
     }
 }
 
 /// The nearest hit in a scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = "S: Scalar"))]
 pub struct SceneHit<S> {
     /// Index of the object.
     pub object: u32,

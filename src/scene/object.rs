@@ -2,8 +2,8 @@
 
 use crate::part::Part;
 use crate::scalar::Scalar;
-use crate::shape::Shape;
 use crate::shape::kinds::{All, Kinds};
+use crate::shape::{Shape, Shaped};
 use crate::vector::UnitVec3;
 
 /// The normals at the corners of a triangle, in the order of the corners; shading interpolates between them.
@@ -11,14 +11,15 @@ pub type CornerNormals<S> = [UnitVec3<S>; 3];
 
 /// An object of a scene: a shape of the kinds `K`, and the indices of its materials and corner normals.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = ""))]
 pub struct Object<S: Scalar, K: Kinds = All> {
     /// The shape.
     pub shape: Shape<S, K>,
     /// Index into the scene's materials: the material of the side.
     pub material: u32,
-    /// The material of the base: of the lower cap or hemisphere, for a shape that has one.
+    /// The material of the base: of the lower cap or hemisphere or the lowest face, for a shape that has one.
     pub base: u32,
-    /// The material of the top: of the upper cap or hemisphere, for a shape that has one.
+    /// The material of the top: of the upper cap or hemisphere or the highest face, for a shape that has one.
     pub top: u32,
     /// For a triangle, the index into the scene's corner normals; `None` for flat shading.
     pub smooth: Option<u32>,
@@ -30,6 +31,11 @@ impl<S: Scalar, K: Kinds> Object<S, K> {
         Self { shape: shape.into(), material, base: material, top: material, smooth: None }
     }
 
+    /// [`Object::new`] in a constant.
+    pub const fn const_new(shape: Shape<S, K>, material: u32) -> Self {
+        Self { shape, material, base: material, top: material, smooth: None }
+    }
+
     /// The same shape with another material on its base.
     ///
     /// ```
@@ -39,20 +45,20 @@ impl<S: Scalar, K: Kinds> Object<S, K> {
     /// # Ok::<(), raylet::SizeError>(())
     /// ```
     #[must_use]
-    pub fn with_base(self, material: u32) -> Self {
+    pub const fn with_base(self, material: u32) -> Self {
         Self { base: material, ..self }
     }
 
     /// The same shape with another material on its top.
     #[must_use]
-    pub fn with_top(self, material: u32) -> Self {
+    pub const fn with_top(self, material: u32) -> Self {
         Self { top: material, ..self }
     }
 
-    /// The index of the material of a part.
+    /// The index of the material of a part. The four faces at the sides of a cuboid have that of the side.
     pub const fn material_of(&self, part: Part) -> u32 {
         match part {
-            Part::Side => self.material,
+            Part::Side | Part::Left | Part::Right | Part::Back | Part::Front => self.material,
             Part::Base => self.base,
             Part::Top => self.top,
         }
@@ -60,7 +66,16 @@ impl<S: Scalar, K: Kinds> Object<S, K> {
 
     /// The same triangle, shaded with the corner normals of this index.
     #[must_use]
-    pub fn smooth(self, normals: u32) -> Self {
+    pub const fn smooth(self, normals: u32) -> Self {
         Self { smooth: Some(normals), ..self }
+    }
+}
+
+impl<S: Scalar, K: Kinds> Shaped<S> for Object<S, K> {
+    type Kinds = K;
+
+    #[inline(always)]
+    fn shape(&self) -> &Shape<S, K> {
+        &self.shape
     }
 }

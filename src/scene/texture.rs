@@ -6,6 +6,7 @@ use core::fmt;
 
 /// One of the two surface coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Coordinate {
@@ -23,10 +24,13 @@ pub enum Coordinate {
 ///
 /// Catmull, *A Subdivision Algorithm for Computer Display of Curved Surfaces* (1974).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(bound = ""))]
 #[non_exhaustive]
 pub enum Texture<'a, S: Scalar> {
     /// A chessboard of `columns` fields along `u` and `rows` along `v`, each at least 1; the field at (0, 0) has the
-    /// first colour. Around an axis, an even number of columns joins without a visible seam.
+    /// first colour. Around an axis, an even number of columns joins without a visible seam. On a plane, where the coordinates repeat with every unit of
+    /// length, even numbers make a chessboard too, with fields a `columns`-th of a unit wide; odd ones join fields of one colour. For larger fields take a
+    /// rectangle.
     Checker {
         /// Fields along `u`.
         columns: u16,
@@ -41,6 +45,14 @@ pub enum Texture<'a, S: Scalar> {
         along: Coordinate,
         /// The number of stripes of both colours together.
         count: u16,
+        /// The two colours, each channel in `[0, 1]`.
+        colors: [Color<S>; 2],
+    },
+    /// A chessboard in space: so many fields, each at least 1, along each axis of the primitive's bounding box, by the solid coordinates
+    /// ([`Surface::uvw`](crate::Surface::uvw)). It continues across edges and rims. The field at (0, 0, 0) has the first colour.
+    Cells {
+        /// Fields along x, y and z.
+        counts: [u16; 3],
         /// The two colours, each channel in `[0, 1]`.
         colors: [Color<S>; 2],
     },
@@ -60,6 +72,7 @@ impl<S: Scalar> Texture<'_, S> {
     pub(super) fn fault(&self) -> Option<TextureFault> {
         match *self {
             Self::Checker { columns, rows, .. } => (columns == 0 || rows == 0).then_some(TextureFault::Empty),
+            Self::Cells { counts, .. } => counts.contains(&0).then_some(TextureFault::Empty),
             Self::Stripes { count, .. } => (count == 0).then_some(TextureFault::Empty),
             Self::Image { width, height, .. } if width == 0 || height == 0 => Some(TextureFault::Empty),
             Self::Image { width, height, pixels } => {
@@ -99,7 +112,7 @@ impl fmt::Display for TextureFault {
 /// The geometry is not changed: silhouettes and shadows do not show the waves. Blinn, *Simulation of Wrinkled Surfaces*
 /// (1978).
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = "S: Scalar"))]
 pub struct Waves<S> {
     /// Whole waves over `u` from 0 to 1; 0 for none.
     pub along_u: u16,
@@ -107,6 +120,7 @@ pub struct Waves<S> {
     pub along_v: u16,
     /// The largest slope of each wave, rise over run, usually below 1; 0 leaves the normal unchanged. It is the same along `u` and
     /// `v`, whatever the wavelengths.
+    #[cfg_attr(feature = "serde", serde(with = "crate::scalar::written"))]
     pub slope: S,
 }
 

@@ -4,6 +4,7 @@ use core::fmt;
 
 /// A primitive, or a placement other than [`Placement::World`](super::Placement::World). The order is that in which sets list them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Kind {
@@ -21,6 +22,10 @@ pub enum Kind {
     Disc,
     /// A [`Triangle`](crate::Triangle).
     Triangle,
+    /// A [`Cuboid`](crate::Cuboid).
+    Cuboid,
+    /// A [`Rectangle`](crate::Rectangle).
+    Rectangle,
     /// A [`Frame`](crate::Frame).
     Frame,
     /// An [`Affine`](crate::Affine).
@@ -29,7 +34,7 @@ pub enum Kind {
 
 impl Kind {
     /// Every kind, in order.
-    pub const EVERY: [Self; 9] = [
+    pub const EVERY: [Self; 11] = [
         Self::Sphere,
         Self::Cylinder,
         Self::Cone,
@@ -37,6 +42,8 @@ impl Kind {
         Self::Plane,
         Self::Disc,
         Self::Triangle,
+        Self::Cuboid,
+        Self::Rectangle,
         Self::Frame,
         Self::Affine,
     ];
@@ -51,6 +58,8 @@ impl Kind {
             Self::Plane => "Plane",
             Self::Disc => "Disc",
             Self::Triangle => "Triangle",
+            Self::Cuboid => "Cuboid",
+            Self::Rectangle => "Rectangle",
             Self::Frame => "Frame",
             Self::Affine => "Affine",
         }
@@ -100,7 +109,7 @@ impl KindSet {
         Self(self.0 | kind.bit())
     }
 
-    /// How many kinds are in the set, 0 to 9.
+    /// How many kinds are in the set, 0 to 11.
     pub const fn len(self) -> usize {
         self.0.count_ones() as usize
     }

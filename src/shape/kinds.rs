@@ -4,7 +4,7 @@ pub use super::kind::{Kind, KindError, KindSet};
 
 use crate::affine::Affine;
 use crate::frame::Frame;
-use crate::primitive::{Capsule, Cone, Cylinder, Disc, Plane, Sphere, Triangle};
+use crate::primitive::{Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, Sphere, Triangle};
 use crate::scalar::Scalar;
 use core::fmt::Debug;
 
@@ -13,7 +13,7 @@ mod sealed {
 }
 
 /// A primitive or a placement, by its type. Sealed: [`Sphere`], [`Cylinder`], [`Cone`], [`Capsule`], [`Plane`], [`Disc`], [`Triangle`],
-/// [`Frame`] and [`Affine`], of any number type.
+/// [`Cuboid`], [`Rectangle`], [`Frame`] and [`Affine`], of any number type.
 pub trait OfKind: Copy + Debug + PartialEq + sealed::Sealed {
     /// The kind of its values.
     const KIND: Kind;
@@ -30,7 +30,7 @@ macro_rules! kinds {
         )+
     };
 }
-kinds!(Sphere Cylinder Cone Capsule Plane Disc Triangle Frame Affine);
+kinds!(Sphere Cylinder Cone Capsule Plane Disc Triangle Cuboid Rectangle Frame Affine);
 
 /// The primitives and placements that a shape may have: [`All`], or a tuple of up to twelve of their types, in any order. Sealed.
 ///
@@ -59,7 +59,8 @@ kinds!(Sphere Cylinder Cone Capsule Plane Disc Triangle Frame Affine);
 /// # Ok::<(), raylet::Error>(())
 /// ```
 ///
-/// A primitive or a placement that is not in the tuple does not compile:
+/// A primitive or a placement that is not in the tuple does not compile. `cargo build` says so, and not `cargo check`, since it follows from the types that
+/// generic code is compiled for:
 ///
 /// ```compile_fail,E0080
 /// # use raylet::{Cone, Plane, Shape, Sphere};

@@ -6,11 +6,13 @@
 //! | `placement`, `visible` | how a primitive is placed, and from which sides it is seen |
 //! | [`kinds`] | the primitives and placements that a program is compiled with |
 //! | `surface` | the surface at a hit |
+//! | `shaped` | what has a shape |
 
 mod kind;
 pub mod kinds;
 mod placement;
 mod primitive;
+mod shaped;
 #[cfg(any(feature = "serde", feature = "defmt"))]
 mod stored;
 mod surface;
@@ -18,11 +20,13 @@ mod visible;
 
 pub use placement::Placement;
 pub use primitive::Primitive;
+pub use shaped::Shaped;
 pub use surface::Surface;
 pub use visible::Visible;
 
 use crate::bounds;
 use crate::exact::Certain;
+use crate::frame::Frame;
 use crate::geometry::{Bounds, Geometry};
 use crate::hit::{Hit, Hits};
 use crate::ladder;
@@ -80,8 +84,8 @@ macro_rules! through {
     }};
 }
 
-/// The same, with a primitive whose fast path is short in its own type, unless it is stretched. That path is then computed where the query is, in
-/// registers: calls, and copies of lines and intersections, would cost more than it does.
+/// [`through`], but a sphere, a disc or a triangle that is not placed by an [`Affine`](crate::Affine) is passed as its own type. Their fast paths are
+/// short enough to be compiled into the query: calls, and copies of lines and intersections, would cost more than the arithmetic does.
 macro_rules! shortly {
     ($shape:ident, |$primitive:ident, $place:ident| $query:expr) => {
         match ($shape.primitive(), matches!($shape.placement, Placement::Affine(_))) {
@@ -117,7 +121,7 @@ impl<S: Scalar> Shape<S> {
         Self::unplaced(primitive.into())
     }
 
-    /// The same shape, placed by a [`Frame`](crate::Frame) or an [`Affine`](crate::Affine).
+    /// The same shape, placed by a [`Frame`] or an [`Affine`](crate::Affine).
     #[must_use]
     pub fn placed(self, placement: impl Into<Placement<S>>) -> Self {
         Self { placement: placement.into(), ..self }
@@ -125,7 +129,7 @@ impl<S: Scalar> Shape<S> {
 }
 
 impl<S: Scalar, K: Chosen> Shape<S, K> {
-    /// The same shape, placed by a [`Frame`](crate::Frame) or an [`Affine`](crate::Affine). The program does not compile if that is not
+    /// The same shape, placed by a [`Frame`] or an [`Affine`](crate::Affine). The program does not compile if that is not
     /// among the kinds.
     #[must_use]
     pub fn placed<P: OfKind + Into<Placement<S>>>(self, placement: P) -> Self {
@@ -144,6 +148,14 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
     /// The primitive must be among the kinds.
     const fn unplaced(primitive: Primitive<S>) -> Self {
         Self { member: Member::new(primitive), placement: Placement::World, visible: Visible::Both }
+    }
+
+    /// The same shape, placed by a frame as [`Shape::placed`] does; in a constant too. The program does not compile if frames are not among the
+    /// kinds.
+    #[must_use]
+    pub const fn in_frame(self, frame: Frame<S>) -> Self {
+        const { assert!(K::SET.contains(Kind::Frame), "this placement is not among the kinds of the shape: name it there") }
+        Self { placement: Placement::Frame(frame), ..self }
     }
 
     /// The same shape among other kinds, for a primitive or a placement that is not known when the program is compiled.

@@ -9,7 +9,6 @@ use crate::vector::{UnitVec3, Vec3};
 /// How a primitive is placed in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = ""))]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Placement<S: Scalar> {
     /// In its canonical pose (see [`crate::primitive`]): the primitive's coordinates are world coordinates.

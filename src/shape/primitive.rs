@@ -10,9 +10,9 @@ use crate::hit::Hit;
 use crate::intersection::{End, Intersection};
 use crate::line::Place;
 use crate::part::Part;
-use crate::primitive::{Capsule, Cone, Cylinder, Disc, Plane, Sphere, Triangle};
+use crate::primitive::{Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, Sphere, Triangle};
 use crate::ray::Ray;
-use crate::scalar::{Attempt, LocalLine, Scalar, UnitScalar};
+use crate::scalar::{Attempt, Including, LocalLine, Scalar, UnitScalar};
 use crate::vector::{UnitVec3, Vec3};
 use core::marker::PhantomData;
 
@@ -22,13 +22,19 @@ macro_rules! primitives {
         /// Any primitive, without allocation or dynamic dispatch.
         #[derive(Clone, Copy, Debug, PartialEq)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = ""))]
-        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         #[non_exhaustive]
         pub enum Primitive<S: Scalar> {
             $(
                 #[doc = concat!("A [`", stringify!($Variant), "`].")]
                 $Variant($Variant<S>),
             )+
+        }
+
+        #[cfg(feature = "defmt")]
+        impl<S: Scalar> defmt::Format for Primitive<S> {
+            fn format(&self, f: defmt::Formatter<'_>) {
+                match self { $(Self::$Variant(primitive) => defmt::Format::format(primitive, f),)+ }
+            }
         }
 
         impl<S: Scalar> Primitive<S> {
@@ -55,6 +61,22 @@ macro_rules! primitives {
                 /// The axis-aligned bounding box: see [`Shape::bounds`].
                 pub fn bounds(&self) -> Bounds<S> {
                     bounds::unplaced::<S, Self>(&self.hull())
+                }
+            }
+        )+
+
+        $(
+            impl<S: Scalar> $Variant<S> {
+                /// The shape of this primitive in its canonical pose, seen from both sides, as [`Shape::of`] makes it; in a constant too. The program
+                /// does not compile if the primitive is not among the kinds.
+                pub const fn into_shape<K: Kinds>(self) -> Shape<S, K> {
+                    const {
+                        assert!(
+                            K::SET.contains(Kind::$Variant),
+                            "this primitive is not among the kinds of the shape: name it there"
+                        );
+                    }
+                    Shape::unplaced(Primitive::$Variant(self))
                 }
             }
         )+
@@ -104,7 +126,7 @@ macro_rules! primitives {
     };
 }
 
-primitives!(Sphere, Cylinder, Cone, Capsule, Plane, Disc, Triangle);
+primitives!(Sphere, Cylinder, Cone, Capsule, Plane, Disc, Triangle, Cuboid, Rectangle);
 
 /// A primitive that is among the kinds `K`.
 #[derive(Clone, Copy, PartialEq)]
@@ -126,11 +148,11 @@ impl<S: Scalar, K: Kinds> Described for Member<S, K> {
 }
 
 impl<S: Scalar, K: Kinds> Geometry<S> for Member<S, K> {
-    type Doubles = Member<f64, K>;
+    type In<R: Scalar> = Member<R, K>;
 
     #[inline(always)]
-    fn in_doubles(&self) -> Self::Doubles {
-        map!(self, |p| p.in_doubles(), Member::new(Primitive::Plane(Plane::new())))
+    fn in_type<R: Including<S>>(&self) -> Self::In<R> {
+        map!(self, |p| p.in_type(), Member::new(Primitive::Plane(Plane::new())))
     }
     fn reach(&self) -> S {
         with!(self, |p| p.reach(), S::ZERO)

@@ -37,11 +37,7 @@ mod with_serde {
 }
 
 #[cfg(feature = "defmt")]
-impl<S: Scalar, K: Kinds> defmt::Format for Shape<S, K>
-where
-    super::Primitive<S>: defmt::Format,
-    super::Placement<S>: defmt::Format,
-{
+impl<S: Scalar, K: Kinds> defmt::Format for Shape<S, K> {
     fn format(&self, f: defmt::Formatter<'_>) {
         let (primitive, placement, visible) = (self.primitive(), self.placement(), self.visible());
         defmt::write!(f, "Shape {{ primitive: {}, placement: {}, visible: {} }}", primitive, placement, visible);

@@ -11,6 +11,7 @@ use crate::hit::{Crossing, Hit};
 use crate::ladder;
 use crate::line::{InWorld, Place};
 use crate::number::{Estimate, dot};
+use crate::primitive::surface_coordinates as coordinates;
 use crate::query;
 use crate::ray::{Departure, Leaving, Ray};
 use crate::scalar::{FromScalar, Real, Ring, Scalar, Twofold, largest};
@@ -279,6 +280,32 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
     /// Surface coordinates, each in `[0, 1]`: see [`crate::primitive`].
     pub fn uv(&self) -> (S::Unit, S::Unit) {
         self.shape.member.uv(self.local_point(), self.hit.part)
+    }
+
+    /// Solid coordinates: where the hit lies in the primitive's bounding box along its x, y and z axes, each in `[0, 1]`. They belong to points of
+    /// space, not of the surface, so that a texture over them continues across edges and rims, as if the solid were carved from it.
+    ///
+    /// Along an axis on which the primitive is infinite, they repeat every unit of length; where the box is flat they are zero. (Peachey,
+    /// *Solid Texturing of Complex Surfaces*, 1985.)
+    ///
+    /// ```
+    /// use raylet::{Cylinder, Ray, Shape, UnitVec3, Vec3};
+    /// let can = Shape::new(Cylinder::capped(2.0_f32, 4.0)?);
+    /// let ray = Ray::new(Vec3::new(9.0, 1.0, 0.0), -UnitVec3::X)?;
+    /// let hit = can.nearest(&ray).expect("it is met");
+    /// assert_eq!(can.surface(&ray, &hit).uvw(), [1.0, 0.25, 0.5]);
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub fn uvw(&self) -> [S::Unit; 3] {
+        let extents = self.shape.member.hull().extents();
+        pairs(self.local_point().to_array(), extents).map(|(c, [low, high])| {
+            if !(low.is_finite() && high.is_finite()) {
+                return coordinates::repeating(c);
+            }
+            // Halves: twice the largest size overflows.
+            let [c, low, high] = [c, low, high].map(|length| length.real().scaled(-1));
+            coordinates::fraction::<S>(c - low, high - low)
+        })
     }
 
     /// The unit directions in the world in which `u` and `v` grow.

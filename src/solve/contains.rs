@@ -4,7 +4,7 @@ use super::flat::is_zero;
 use super::form::{Ball, Cone, Form, Homogeneous, Quadric, Tube, Weight};
 use super::settle::Of;
 use crate::figure::{Described, Extent, Figure, Figures};
-use crate::number::{cross, difference, dot};
+use crate::number::{Number, cross, difference, dot};
 use crate::scalar::Scalar;
 use core::cmp::Ordering;
 
@@ -71,6 +71,10 @@ pub(crate) fn holds<S: Scalar, N: Of<S>, G: Described>(figure: &Figure<S>, point
             }
             Some(true)
         }
+        Figure::Cuboid { half } if G::FIGURES.has(Figures::CUBOID) => is_between(point, half.map(N::scalar)),
+        Figure::Rectangle { half: [x, z] } if G::FIGURES.has(Figures::RECTANGLE) => {
+            is_between(point, [N::scalar(x), N::ZERO, N::scalar(z)])
+        }
         // The geometry has none of these.
         Figure::Ball { .. }
         | Figure::Capsule { .. }
@@ -78,6 +82,18 @@ pub(crate) fn holds<S: Scalar, N: Of<S>, G: Described>(figure: &Figure<S>, point
         | Figure::DoubleCone { .. }
         | Figure::Plane
         | Figure::Disc { .. }
+        | Figure::Cuboid { .. }
+        | Figure::Rectangle { .. }
         | Figure::Triangle { .. } => Some(false),
     }
+}
+
+/// True if no coordinate is larger in magnitude than the half extent along its axis.
+fn is_between<N: Number>(point: [N; 3], half: [N; 3]) -> Option<bool> {
+    for (p, h) in point.into_iter().zip(half) {
+        if (p + h).sign()? == Ordering::Less || (p - h).sign()? == Ordering::Greater {
+            return Some(false);
+        }
+    }
+    Some(true)
 }

@@ -11,7 +11,11 @@ use crate::scalar::Scalar;
 use core::cmp::Ordering;
 
 /// The one crossing of a plane at `t`, from the front if the direction runs against the normal.
-fn crossing<S: Scalar, N: Of<S>>(t: Fraction<N>, along_normal: Ordering, range: Range<S>) -> Option<Intersection<S>> {
+pub(super) fn crossing<S: Scalar, N: Of<S>>(
+    t: Fraction<N>,
+    along_normal: Ordering,
+    range: Range<S>,
+) -> Option<Intersection<S>> {
     let end = Some(End::at(t, Part::Side));
     let interval = if along_normal == Ordering::Less { Interval::new(end, None) } else { Interval::new(None, end) };
     Some(Intersection::Surface(span(&Flat, interval, range)?))

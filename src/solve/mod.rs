@@ -16,6 +16,7 @@
 //! | `round` | spheres, capsules, double cones |
 //! | `side` | cylinders and cones, infinite, open or between planes |
 //! | `flat` | planes, discs, triangles |
+//! | `slabs` | cuboids, rectangles |
 //! | `contains` | the inside test |
 //! | `surface` | the point of a hit, and its normal |
 
@@ -28,6 +29,7 @@ mod quadratic;
 mod round;
 mod settle;
 mod side;
+mod slabs;
 mod surface;
 #[cfg(test)]
 mod tests;
@@ -49,7 +51,7 @@ use crate::scalar::Scalar;
 pub(crate) fn meets_nothing<S>(figure: &Figure<S>, departure: Option<(Part, Leaving)>) -> bool {
     match (departure, figure) {
         (None, _) => false,
-        (_, Figure::Plane | Figure::Disc { .. } | Figure::Triangle { .. }) => true,
+        (_, Figure::Plane | Figure::Disc { .. } | Figure::Rectangle { .. } | Figure::Triangle { .. }) => true,
         (_, Figure::DoubleCone { .. }) => false,
         (Some((_, leaving)), _) => leaving == Leaving::Outwards,
     }
@@ -81,6 +83,10 @@ pub(crate) fn intersect<S: Scalar, N: Of<S>, G: Described>(
         Figure::Triangle { vertices } if G::FIGURES.has(Figures::TRIANGLE) => {
             flat::triangle(line, vertices.map(|vertex| vertex.map(N::scalar)), range)
         }
+        Figure::Cuboid { half } if G::FIGURES.has(Figures::CUBOID) => slabs::cuboid(line, half.map(N::scalar), range),
+        Figure::Rectangle { half } if G::FIGURES.has(Figures::RECTANGLE) => {
+            slabs::rectangle(line, half.map(N::scalar), range)
+        }
         // The geometry has none of these. (An arm for all others would cost a test: the compiler does not know that it is unreachable.)
         Figure::Ball { .. }
         | Figure::Capsule { .. }
@@ -88,6 +94,8 @@ pub(crate) fn intersect<S: Scalar, N: Of<S>, G: Described>(
         | Figure::DoubleCone { .. }
         | Figure::Plane
         | Figure::Disc { .. }
+        | Figure::Cuboid { .. }
+        | Figure::Rectangle { .. }
         | Figure::Triangle { .. } => Some(Intersection::Miss),
     }
 }

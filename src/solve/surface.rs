@@ -30,7 +30,7 @@ fn surface_of<S: Copy, N: Ring, G: Described>(
         Figure::Capsule { radius, height } if figures.has(Figures::CAPSULE) => match part {
             Part::Base => ball(radius),
             Part::Top => return (ball(radius), number(height)),
-            Part::Side => Surface::Quadric(Form::Tube(Tube { r: number(radius) })),
+            _ => Surface::Quadric(Form::Tube(Tube { r: number(radius) })),
         },
         Figure::DoubleCone { slope } if figures.has(Figures::DOUBLE_CONE) => {
             Surface::Quadric(Form::Cone(Cone::slope(number(slope))))
@@ -44,13 +44,28 @@ fn surface_of<S: Copy, N: Ring, G: Described>(
             let [a, b, c] = vertices.map(|vertex| vertex.map(number));
             Surface::Plane(a, cross(difference(b, a), difference(c, a)))
         }
-        // A plane or a disc; the geometry has none of the others.
+        Figure::Cuboid { half } if figures.has(Figures::CUBOID) => {
+            let [x, y, z] = half;
+            let one = N::ONE;
+            let (vertex, normal) = match part {
+                Part::Left => ([-number(x), zero, zero], [-one, zero, zero]),
+                Part::Right => ([number(x), zero, zero], [one, zero, zero]),
+                Part::Back => ([zero, zero, -number(z)], [zero, zero, -one]),
+                Part::Front => ([zero, zero, number(z)], [zero, zero, one]),
+                Part::Base => ([zero, -number(y), zero], [zero, -one, zero]),
+                Part::Top | Part::Side => ([zero, number(y), zero], [zero, one, zero]),
+            };
+            Surface::Plane(vertex, normal)
+        }
+        // A plane, a disc or a rectangle; the geometry has none of the others.
         Figure::Ball { .. }
         | Figure::Capsule { .. }
         | Figure::Round { .. }
         | Figure::DoubleCone { .. }
         | Figure::Plane
         | Figure::Disc { .. }
+        | Figure::Cuboid { .. }
+        | Figure::Rectangle { .. }
         | Figure::Triangle { .. } => Surface::Across(zero),
     };
     (surface, zero)

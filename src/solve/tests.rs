@@ -124,6 +124,8 @@ fn figures() -> Vec<Figure<f32>> {
         Figure::DoubleCone { slope: 1.0 },
         Figure::Plane,
         Figure::Disc { radius: 1.0 },
+        Figure::Cuboid { half: [1.0, 2.0, 3.0] },
+        Figure::Rectangle { half: [1.0, 2.0] },
         Figure::Triangle { vertices: [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]] },
     ]);
     for side in [Side::Straight(1.0), Side::Slope(1.0), Side::Radii(1.0, 0.5, 2.0)] {
@@ -140,7 +142,7 @@ fn figures() -> Vec<Figure<f32>> {
 fn contradicting_signs_leave_ends_sorted_and_paired() {
     let ranges = [Range::FORWARD, Range::line(), Range::new(-1.0, 2.0).unwrap_or(Range::FORWARD)];
     let mut departures = Vec::from([None]);
-    for part in [Part::Side, Part::Base, Part::Top] {
+    for part in [Part::Side, Part::Base, Part::Top, Part::Left, Part::Front] {
         departures.extend([Some((part, Leaving::Inwards)), Some((part, Leaving::Outwards))]);
     }
     let mut met = 0;
@@ -149,6 +151,7 @@ fn contradicting_signs_leave_ends_sorted_and_paired() {
             figure,
             Figure::Plane
                 | Figure::Disc { .. }
+                | Figure::Rectangle { .. }
                 | Figure::Triangle { .. }
                 | Figure::Round { extent: Extent::Open(_), .. }
         );

@@ -138,7 +138,7 @@ impl Exactly {
         let (position, rows) = match shape.placement() {
             Placement::World => ([zero.clone(), zero.clone(), zero], [0, 1, 2].map(unit)),
             Placement::Frame(frame) => {
-                let axes = [frame.right(), frame.up(), frame.forward()];
+                let axes = [frame.left(), frame.up(), frame.forward()];
                 let turned = axes.map(|axis| axis.to_array().map(S::exact_unit));
                 let is_ball = matches!(shape.primitive(), Primitive::Sphere(_));
                 (frame.position().to_array().map(S::exact), if is_ball { [0, 1, 2].map(unit) } else { turned })

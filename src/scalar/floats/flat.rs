@@ -1,4 +1,4 @@
-//! Planes, discs and triangles on the fast path of floats.
+//! Planes, discs, rectangles and triangles on the fast path of floats.
 
 /// Defines them for a float.
 macro_rules! flat {
@@ -61,6 +61,36 @@ macro_rules! flat {
                 Attempt::Found(t)
             } else if inside < -doubt {
                 Attempt::Miss
+            } else {
+                Attempt::Unsure
+            }
+        }
+
+        /// Where the line crosses the rectangle with these half extents about the origin in the plane `y = 0`.
+        #[inline(always)]
+        pub(crate) fn rectangle(line: LocalLine<$Float>, [hx, hz]: [$Float; 2]) -> Attempt<$Float> {
+            let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
+            if !(is_handy::<2>(hx) && is_handy::<2>(hz)) || dy == 0.0 {
+                return Attempt::Unsure;
+            }
+            let t = -y / dy;
+            let (across, along) = (t * dx, t * dz);
+            let dy = $Float::abs(dy);
+            if !is_steady(&line, t, 1.0, dy, 0.0) {
+                return Attempt::Unsure;
+            }
+            let Limits { epsilon, .. } = Limits::of(&line);
+            // As for a disc: three roundings of the terms, and what the line is off along the plane.
+            let off = off_at(&line, t) / dy;
+            let beyond = |o: $Float, step: $Float, h: $Float| {
+                let doubt = ($Float::abs(o) + $Float::abs(step) + h + off) * (8.0 * epsilon);
+                ($Float::abs(o + step) - h, doubt)
+            };
+            let ((beyond_x, doubt_x), (beyond_z, doubt_z)) = (beyond(x, across, hx), beyond(z, along, hz));
+            if beyond_x > doubt_x || beyond_z > doubt_z {
+                Attempt::Miss
+            } else if beyond_x < -doubt_x && beyond_z < -doubt_z {
+                Attempt::Found(t)
             } else {
                 Attempt::Unsure
             }

@@ -18,7 +18,7 @@
 //! | `cone` | cones |
 //! | `doubled` | round solids in double-word numbers |
 //! | `departing` | lines that depart from a surface |
-//! | `flat` | planes, discs, triangles |
+//! | `flat` | planes, discs, rectangles, triangles |
 
 #[macro_use]
 mod guards;
@@ -177,6 +177,10 @@ macro_rules! floats {
             #[inline(always)]
             fn fast_disc(line: LocalLine<Self>, r: Self) -> Attempt<Self> {
                 $name::disc(line, r)
+            }
+            #[inline(always)]
+            fn fast_rectangle(line: LocalLine<Self>, half: [Self; 2]) -> Attempt<Self> {
+                $name::rectangle(line, half)
             }
             #[inline(always)]
             fn fast_triangle(line: LocalLine<Self>, vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {

@@ -13,15 +13,22 @@ const DOUBT: i32 = 20;
 #[inline(always)]
 pub(in crate::scalar) fn passes(from: [i32; 3], d: [i32; 3], a: [i32; 3], r: i32) -> bool {
     let bits = magnitude_bits(from[0]) | magnitude_bits(from[1]) | magnitude_bits(from[2]);
+    // The difference of coordinates at opposite ends of the budget, 2^31, has wrapped around to the other sign.
+    if bits == i32::MAX as u32 {
+        return false;
+    }
     let shift = (32 - BITS).saturating_sub(leading_zeros(bits | 1));
     is_beyond(from.map(|length| length >> shift), d, a, r >> shift)
 }
 
-/// The same for 64-bit types.
+/// [`passes`] for 64-bit types.
 #[inline(always)]
 pub(in crate::scalar) fn passes_wide(from: [i64; 3], d: [i32; 3], a: [i32; 3], r: i64) -> bool {
     let magnitude = |length: i64| (length ^ (length >> 63)) as u64;
     let bits = magnitude(from[0]) | magnitude(from[1]) | magnitude(from[2]);
+    if bits == i64::MAX as u64 {
+        return false;
+    }
     let shift = (64 - BITS).saturating_sub(leading_zeros_of_64(bits | 1));
     // A larger radius would not fit in 32 bits, and is larger than the distance of any of these lines.
     is_beyond(from.map(|length| (length >> shift) as i32), d, a, (r >> shift).min(1 << BITS) as i32)
@@ -63,11 +70,13 @@ mod tests {
     }
 
     #[test]
-    fn a_line_along_the_axis_is_in_doubt_next_to_it_and_all_are_in_doubt_of_a_large_radius() {
+    fn lines_along_the_axis_of_a_large_radius_and_across_the_budget_are_in_doubt() {
         let up = [0, ONE, 0];
         assert!(!passes([1_000, 0, 0], up, up, 1));
         assert!(!passes([1 << 20, 0, 0], [ONE, 0, 0], up, i32::MAX));
         assert!(!passes_wide([1 << 20, 0, 0], [ONE, 0, 0], up, i64::MAX));
         assert!(!passes([0; 3], [ONE, 0, 0], up, 0));
+        assert!(!passes([i32::MIN, 0, 1 << 29], [-ONE, 0, 1 << 28], up, 1 << 20));
+        assert!(!passes_wide([i64::MIN, 0, 1 << 61], [-ONE, 0, 1 << 28], up, 1 << 52));
     }
 }

@@ -78,6 +78,37 @@ pub(in crate::scalar) fn disc(o: [i32; 3], finer: i32, d: [i32; 3], r: i32) -> A
     Attempt::Found(t)
 }
 
+/// Where the line crosses the rectangle with these half extents about the origin: as for a disc, the point where it crosses the plane lies
+/// inside where `|w_z| <= h_x |dy|` and `|w_x| <= h_z |dy|`.
+///
+/// The origin is in units of `2^-finer` of the half extents'; the answer is in theirs.
+#[inline(always)]
+pub(in crate::scalar) fn rectangle(o: [i32; 3], finer: i32, d: [i32; 3], [hx, hz]: [i32; 2]) -> Attempt<i32> {
+    let ([x, y, z], [dx, dy, dz]) = (o, d);
+    if !(0..28).contains(&finer) {
+        return Attempt::Unsure;
+    }
+    // In units of 2^-(30 + finer), exactly, but for what a framed line is rounded: less than two of the origin's units.
+    let [wx, wz] = [product(y, dz) - product(z, dy), product(x, dy) - product(y, dx)];
+    let doubt = if finer == 0 { 0 } else { 1_i64 << 33 };
+    let mut is_inside = true;
+    for (w, h) in [(wz, hx), (wx, hz)] {
+        if leading_zeros(h as u32) as i32 <= finer + 1 {
+            return Attempt::Unsure;
+        }
+        let beyond = w.unsigned_abs() as i64 - (product(h << finer, dy)).abs();
+        if beyond > doubt {
+            return Attempt::Miss;
+        }
+        is_inside &= beyond < -doubt;
+    }
+    if !is_inside {
+        return Attempt::Unsure;
+    }
+    let [t, _] = found!(crossings(y, finer, dy, [0, 0]));
+    Attempt::Found(t)
+}
+
 /// The height `oy + t dy`, rounded to the unit of `t`; the origin is in units of `2^-finer` of that.
 #[inline(always)]
 pub(in crate::scalar) fn height(oy: i32, finer: i32, dy: i32, t: i32) -> Attempt<i32> {

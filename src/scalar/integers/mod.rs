@@ -31,7 +31,7 @@ pub(super) use ball::{ByApproach, ByMoment};
 pub(super) use cone::{double_cone, exit_from_nappe, nappe};
 pub(super) use departing::exit_from_round;
 pub(super) use direction::direction;
-pub(super) use flat::{crossings, disc, height, lowered};
+pub(super) use flat::{crossings, disc, height, lowered, rectangle};
 pub(super) use round::tube;
 pub(super) use stretched::{along_ray, stretched};
 pub(super) use triangle::triangle;

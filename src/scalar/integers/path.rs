@@ -131,6 +131,12 @@ macro_rules! fast {
             Attempt::Found(Self::from_bits(found!($($kernels)::+::disc(o, line.finer, d, r.to_bits()))))
         }
         #[inline(always)]
+        fn fast_rectangle(line: LocalLine<Self>, half: [Self; 2]) -> Attempt<Self> {
+            let (o, d) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits));
+            let t = found!($($kernels)::+::rectangle(o, line.finer, d, half.map(Self::to_bits)));
+            Attempt::Found(Self::from_bits(t))
+        }
+        #[inline(always)]
         fn fast_turned(
             o: [Self; 3],
             d: [Self::Unit; 3],

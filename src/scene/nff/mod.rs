@@ -101,12 +101,14 @@ impl<S: Scalar> fmt::Debug for Stores<'_, S> {
 
 /// The contents of a file besides its lists.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = ""))]
 pub struct View<S: Scalar> {
     /// The camera.
     pub camera: Camera<S>,
     /// The size of the picture in the file: width and height in pixels.
     pub resolution: [u16; 2],
     /// Distance of the near plane, which ray tracing does not need; zero if the file gives none.
+    #[cfg_attr(feature = "serde", serde(with = "crate::scalar::written"))]
     pub hither: S,
     /// The background.
     pub background: Color<S>,
@@ -166,6 +168,7 @@ const SHORTEST_POINT: usize = 6;
 
 /// The capacities that the scene of a text needs at most.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Counts {
     /// Objects: one for each sphere and cone, two less than its corners for each polygon.

@@ -12,6 +12,7 @@ use crate::vector::{UnitVec3, Vec3, cross};
 /// A corner of a polygon. The reader needs a slice of them as scratch: as many as the largest polygon has corners
 /// (see [`Counts`](super::Counts)).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = ""))]
 pub struct Corner<S: Scalar> {
     pub(super) point: Vec3<S>,
     pub(super) normal: UnitVec3<S>,

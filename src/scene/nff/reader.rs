@@ -134,7 +134,7 @@ impl<'t, 'a, S: Scalar> Reader<'t, 'a, S> {
             let place = match error {
                 Fault::Position => from_place,
                 Fault::Target => at_place,
-                Fault::Up => up_place,
+                Fault::Up | Fault::Axes => up_place,
                 Fault::Angle | Fault::Height => angle_place,
             };
             NffError { place, reason: Reason::Camera(error) }

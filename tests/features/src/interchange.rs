@@ -2,14 +2,14 @@
 
 use fixed::types::{I2F30, I2F62, I12F20, I16F16, I32F32};
 use raylet::{
-    Affine, Bounds, Capsule, Cone, Crossing, Cylinder, Departure, Disc, Frame, FrameError, Hit, Hits, Leaving, Part,
-    Placement, Plane, Primitive, Range, Ray, RayError, Scalar, Shape, Sphere, Triangle, UnitVec3, ValueError, Vec3,
-    Visible,
+    Affine, Bounds, Capsule, Cone, Crossing, Cuboid, Cylinder, Departure, Disc, Frame, FrameError, Hit, Hits, Leaving,
+    Part, Placement, Plane, Primitive, Range, Ray, RayError, Rectangle, Scalar, Shape, Sphere, Triangle, UnitVec3,
+    ValueError, Vec3, Visible,
 };
 use serde::{Serialize, de::DeserializeOwned};
 
 /// Through JSON and back, and through a format that people do not read.
-fn round_trip<T: Serialize + DeserializeOwned + PartialEq + std::fmt::Debug>(value: &T) {
+pub(crate) fn round_trip<T: Serialize + DeserializeOwned + PartialEq + std::fmt::Debug>(value: &T) {
     let text = serde_json::to_string(value).expect("every value can be written");
     let back: T = serde_json::from_str(&text).expect("what was written can be read");
     assert_eq!(&back, value, "{text}");
@@ -47,6 +47,8 @@ fn primitives<S: Scalar>() -> Vec<Primitive<S>> {
         Sphere::new(third).expect("a size").into(),
         Disc::new(S::BUDGET.smallest_size).expect("a size").into(),
         Plane::new().into(),
+        Cuboid::new([third, n(0.7), n(1.5)]).expect("sizes").into(),
+        Rectangle::new([third, n(0.7)]).expect("sizes").into(),
         Triangle::new(corner(0.1, 0.2, 0.3), corner(1.0, 0.0, 0.0), corner(0.0, 1.0, 0.7)).expect("corners").into(),
         Capsule::new(third, S::ZERO).expect("sizes").into(),
         Cylinder::infinite(third).expect("a size").into(),

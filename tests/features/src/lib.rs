@@ -4,6 +4,7 @@
 mod display;
 mod display_pictures;
 mod interchange;
+mod stored_scene;
 
 use std::fmt::Write;
 

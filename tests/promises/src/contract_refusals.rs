@@ -84,6 +84,12 @@ fn rule_10_sizes_are_refused_outside_the_budget_and_taken_at_its_edge<S: Exact>(
         assert_eq!(Cone::open(bad, one), Err(SizeError::Slope(fault(bad))), "{bad:?}");
         assert_eq!(Cone::capped(bad, one), Err(SizeError::Slope(fault(bad))), "{bad:?}");
     }
+    for bad in [S::ZERO, -one, n(180.0), n(200.0), S::INFINITY, -S::INFINITY] {
+        assert!(matches!(Cone::slope_of_aperture(bad), Err(SizeError::Slope(_))), "{bad:?}");
+    }
+    for bad in bad_sizes::<S>() {
+        assert_eq!(Capsule::from_end_to_end(bad, one), Err(SizeError::Radius(fault(bad))), "{bad:?}");
+    }
     for edge in [S::BUDGET.size, S::BUDGET.smallest_size] {
         assert!(Sphere::new(edge).is_ok() && Disc::new(edge).is_ok() && Cylinder::infinite(edge).is_ok(), "{edge:?}");
         assert!(Cylinder::open(edge, edge).is_ok() && Cylinder::capped(edge, edge).is_ok(), "{edge:?}");
@@ -214,7 +220,8 @@ fn rule_10_every_error_names_the_value_and_the_kind_of_its_fault() {
             assert_eq!(RayError::Direction(kind).to_string(), format!("the vector of the ray's direction {said}"));
         }
     }
-    let messages: [(Error, &str); 5] = [
+    let messages: [(Error, &str); 6] = [
+        (FrameError::Angle.into(), "the angle must lie between -360 and 360 degrees"),
         (SizeError::Vertices.into(), "the vertices lie on a line, or too nearly so for the number type"),
         (
             RayError::Direction(ValueError::Zero).into(),

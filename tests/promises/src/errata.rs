@@ -15,6 +15,9 @@ every_type!(
     a_point_is_inside_a_cone_by_its_distance_from_the_axis,
     a_is_one_minus_two_dy_squared_for_unit_directions_only,
     there_is_no_hole_at_the_apex,
+    a_ray_in_the_plane_of_the_base_meets_the_rim_twice,
+    a_hit_of_the_side_next_to_the_rim_has_the_normal_of_the_side,
+    u_starts_at_the_x_axis_and_w_grows_with_z,
     v_is_zero_at_the_tip_of_the_cone,
 );
 
@@ -190,6 +193,36 @@ fn there_is_no_hole_at_the_apex<S: Exact>() {
             assert!(!beside.is_empty() && beside[0].crossing == ENTER, "{}: {beside:?}", S::name());
             assert!((beside[0].t.to_f64() - 1.0 - k * unit).abs() <= 2.0 * unit, "{}: {beside:?}", S::name());
         }
+    }
+}
+
+fn a_ray_in_the_plane_of_the_base_meets_the_rim_twice<S: Exact>() {
+    let cone = Cone::capped(n::<S>(1.0), n(1.0)).expect("sizes");
+    let hits = cone.hits(&ray([-3.0, 1.0, 0.0], [1.0, 0.0, 0.0]));
+    assert_eq!(summary(&hits), [(2.0, Part::Side, ENTER), (4.0, Part::Side, EXIT)]);
+}
+
+fn a_hit_of_the_side_next_to_the_rim_has_the_normal_of_the_side<S: Exact>() {
+    let cone = Cone::capped(n::<S>(1.0), n(1.0)).expect("sizes");
+    for below in [1.0, 4.0, 64.0] {
+        let line = ray::<S>([4.0, 1.0 - below * unit::<S>(), 0.0], [-1.0, 0.0, 0.0]);
+        let hit = cone.nearest(&line).expect("the side is met");
+        let [x, y, _] = cone.surface(&line, &hit).normal().to_f64();
+        let half = std::f64::consts::FRAC_1_SQRT_2;
+        assert_eq!(hit.part, Part::Side, "{}: {below} units below the rim", S::name());
+        assert!((x - half).abs() < 1e-6 && (y + half).abs() < 1e-6, "{}: {x} {y}", S::name());
+    }
+}
+
+fn u_starts_at_the_x_axis_and_w_grows_with_z<S: Exact>() {
+    let cone = Cone::capped(n::<S>(1.0), n(1.0)).expect("sizes");
+    let number = raylet::scalar::UnitScalar::to_f64;
+    for (from, u, w) in [([4.0, 0.5, 0.0], 0.0, 0.5), ([0.0, 0.5, -4.0], 0.25, 0.25), ([0.0, 0.5, 4.0], 0.75, 0.75)] {
+        let line = ray::<S>(from, [-from[0], 0.0, -from[2]]);
+        let hit = cone.nearest(&line).expect("the side is met");
+        let surface = cone.surface(&line, &hit);
+        assert!((number(surface.uv().0) - u).abs() < 1e-4, "{}: u from {from:?}", S::name());
+        assert!((number(surface.uvw()[2]) - w).abs() < 1e-4, "{}: w from {from:?}", S::name());
     }
 }
 

@@ -156,7 +156,7 @@ fn extremes_of_the_types() {
         Exact: Tier<S>,
     {
         use raylet::scalar::UnitScalar;
-        use raylet::{Capsule, Cone, Cylinder, Disc, Primitive, Sphere, UnitVec3, Vec3};
+        use raylet::{Capsule, Cone, Cuboid, Cylinder, Disc, Primitive, Rectangle, Sphere, UnitVec3, Vec3};
         use support::oracle::{ConeExtent, CylinderExtent, Solid};
         let mut random = Random(9);
         let mut tried = 0;
@@ -164,7 +164,7 @@ fn extremes_of_the_types() {
             let pick = |random: &mut Random| values[(random.next() % values.len() as u64) as usize];
             let (r, h) = (pick(&mut random), pick(&mut random));
             let (radius, height) = (r.exact(), h.exact());
-            let built: Option<(Primitive<S>, Solid)> = match random.next() % 7 {
+            let built: Option<(Primitive<S>, Solid)> = match random.next() % 9 {
                 0 => Sphere::new(r).ok().map(|p| (p.into(), Solid::Sphere { radius })),
                 1 => Cylinder::capped(r, h)
                     .ok()
@@ -183,6 +183,14 @@ fn extremes_of_the_types() {
                         (p.into(), Solid::Frustum { base_radius: radius, top_radius, height, capped: true })
                     })
                 }
+                6 => {
+                    let depth = pick(&mut random);
+                    Cuboid::new([r, h, depth]).ok().map(|p| {
+                        let half = [radius, height, depth.exact()];
+                        (p.into(), Solid::Cuboid { half })
+                    })
+                }
+                7 => Rectangle::new([r, h]).ok().map(|p| (p.into(), Solid::Rectangle { half: [radius, height] })),
                 _ => Disc::new(r).ok().map(|p| (p.into(), Solid::Disc { radius })),
             };
             let Some((primitive, solid)) = built else { continue };

@@ -6,7 +6,7 @@
 use fixed::types::I16F16;
 use raylet::{Picture, Scalar, Work};
 use shared::picture::Storage;
-use shared::{digest, picture};
+use shared::{digest, flash, picture};
 use std::fmt::Write;
 
 const RENEW: &str = "the host no longer gives what is expected of the chips. If the library's answers were meant to \
@@ -98,4 +98,15 @@ fn the_host_draws_the_pictures_of_the_chips() {
     let digest = display::<I16F16>("I16F16");
     expect("board.txt", format!("{digest:08x}\n").as_bytes());
     display::<f32>("f32");
+}
+
+/// What the program `flash` prints first.
+#[test]
+fn the_host_draws_the_scene_in_flash_of_the_chips() {
+    let line = |number: &str, picture: flash::Digest| {
+        format!("{number}: {:016x}, pixels of each object {:?}\n", picture.levels, picture.seen)
+    };
+    let fixed = flash::digest(&flash::FIXED).expect("a scene");
+    let single = flash::digest(&flash::SINGLE).expect("a scene");
+    expect("flash.txt", (line("I16F16", fixed) + &line("f32", single)).as_bytes());
 }

@@ -1,7 +1,7 @@
 //! Frames and matrices: built as people have them in hand, orthonormal, and refused where they span nothing.
 
 use crate::contract_refusals::fault;
-use raylet::{Affine, Capsule, Cylinder, Frame, FrameError, Placement, SizeError, UnitVec3, ValueError, Vec3};
+use raylet::{Affine, Capsule, Cone, Cylinder, Frame, FrameError, Placement, SizeError, UnitVec3, ValueError, Vec3};
 use support::amount::times;
 use support::cases::{n, v};
 use support::exact_types::Exact;
@@ -14,7 +14,11 @@ every_type!(
     a_frame_between_two_points_has_their_distance,
     a_frame_between_equal_points_is_not_turned_and_has_no_height,
     a_frame_looking_forward_leans_up,
-    a_frame_from_right_up_forward_keeps_them,
+    a_frame_from_left_up_forward_keeps_them,
+    a_frame_from_the_centre_begins_half_of_the_height_below,
+    a_frame_is_turned_about_an_axis,
+    a_cone_has_the_slope_of_its_aperture,
+    a_capsule_from_end_to_end_has_its_ends_there,
     frames_are_orthonormal,
     frames_refuse_what_spans_no_frame,
     a_placement_tells_its_axes_and_takes_points_both_ways,
@@ -52,9 +56,63 @@ pub(crate) fn close(a: [f64; 3], b: [f64; 3], tolerance: f64) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() <= tolerance)
 }
 
+fn a_frame_from_the_centre_begins_half_of_the_height_below<S: Exact>() {
+    let frame = Frame::from_centre_and_axis(v::<S>([1.0, 2.0, -3.0]), UnitVec3::Z, n(4.0)).expect("position");
+    assert_eq!((frame.position(), frame.up()), (v([1.0, 2.0, -5.0]), UnitVec3::Z));
+    let edge = Vec3::new(S::BUDGET.coordinate, S::ZERO, S::ZERO);
+    let beyond = Frame::from_centre_and_axis(edge, -UnitVec3::X, S::BUDGET.coordinate);
+    assert!(matches!(beyond, Err(FrameError::Position(_))), "{beyond:?}");
+}
+
+fn a_frame_is_turned_about_an_axis<S: Exact>() {
+    let mut random = Random(163);
+    let tolerance = 16.0 * component::<S>().max(2.0_f64.powi(-53));
+    for _ in 0..times(300) {
+        let axis = any_direction::<S>(&mut random);
+        let degrees = n::<S>(random.between(-360.0, 360.0));
+        let frame = Frame::turned_about(v([0.5, 1.0, 2.0]), axis, degrees).expect("an angle");
+        assert_eq!(frame.position(), v([0.5, 1.0, 2.0]));
+        // Rodrigues' formula in doubles.
+        let (sine, cosine) = degrees.to_f64().to_radians().sin_cos();
+        let k = axis.to_f64();
+        for (i, axis) in frame.axes().into_iter().enumerate() {
+            let mut unit = [0.0; 3];
+            unit[i] = 1.0;
+            let cross = |j: usize| k[(j + 1) % 3] * unit[(j + 2) % 3] - k[(j + 2) % 3] * unit[(j + 1) % 3];
+            let expected = [0, 1, 2].map(|j| unit[j] * cosine + cross(j) * sine + k[j] * k[i] * (1.0 - cosine));
+            let got = axis.to_f64();
+            assert!(close(got, expected, tolerance), "{}: {got:?}, not {expected:?}, {degrees:?}", S::name());
+        }
+    }
+    let still = Frame::turned_about(v::<S>([0.0; 3]), UnitVec3::X, S::ZERO).expect("an angle");
+    assert_eq!(still, Frame::at(v([0.0; 3])).expect("position"));
+    for bad in [n(361.0), n(-361.0), S::INFINITY, -S::INFINITY] {
+        assert_eq!(Frame::turned_about(v::<S>([0.0; 3]), UnitVec3::X, bad).err(), Some(FrameError::Angle), "{bad:?}");
+    }
+}
+
+fn a_cone_has_the_slope_of_its_aperture<S: Exact>() {
+    for degrees in [1.0, 20.0, 60.0, 90.0, 120.0, 170.0] {
+        let slope = Cone::slope_of_aperture(n::<S>(degrees)).expect("an aperture").to_f64();
+        let expected = (degrees / 2.0).to_radians().tan();
+        let unit = S::unit_at(&oracle::Root::from(&expected.exact())).to_f64();
+        // What rounding moves of the angle, the tangent multiplies by x / (sin x cos x).
+        let half = (degrees / 2.0).to_radians();
+        let most = 4.0 + half / (half.sin() * half.cos());
+        assert!((slope - expected).abs() <= most * unit, "{}: {slope}, not {expected}, {degrees} degrees", S::name());
+    }
+}
+
+fn a_capsule_from_end_to_end_has_its_ends_there<S: Exact>() {
+    let capsule = Capsule::from_end_to_end(n::<S>(1.0), n(5.0)).expect("sizes");
+    assert_eq!((capsule.radius(), capsule.height()), (n(1.0), n(3.0)));
+    assert_eq!(Capsule::from_end_to_end(n::<S>(1.0), n(2.0)).map(|ball| ball.height()), Ok(S::ZERO));
+    assert_eq!(Capsule::from_end_to_end(n::<S>(1.0), n(1.5)), Err(SizeError::Height(ValueError::Negative)));
+}
+
 fn a_frame_at_a_position_is_not_turned<S: Exact>() {
     let frame = Frame::at(v::<S>([1.0, 2.0, -3.0])).expect("position");
-    assert_eq!((frame.right(), frame.up(), frame.forward()), (UnitVec3::X, UnitVec3::Y, UnitVec3::Z));
+    assert_eq!((frame.left(), frame.up(), frame.forward()), (UnitVec3::X, UnitVec3::Y, UnitVec3::Z));
     assert_eq!(frame.position(), v([1.0, 2.0, -3.0]));
     assert_eq!(frame.point_to_local(v([2.0, 2.5, -3.0])), v([1.0, 0.5, 0.0]));
     assert_eq!(frame.point_to_world(v([1.0, 0.5, 0.0])), v([2.0, 2.5, -3.0]));
@@ -92,25 +150,25 @@ fn a_frame_between_equal_points_is_not_turned_and_has_no_height<S: Exact>() {
 
 fn a_frame_looking_forward_leans_up<S: Exact>() {
     let frame = Frame::looking(v::<S>([0.0, 1.0, 0.0]), UnitVec3::Z, direction([0.0, 1.0, 1.0])).expect("axes");
-    assert_eq!((frame.right(), frame.up(), frame.forward()), (UnitVec3::X, UnitVec3::Y, UnitVec3::Z));
+    assert_eq!((frame.left(), frame.up(), frame.forward()), (UnitVec3::X, UnitVec3::Y, UnitVec3::Z));
     let forward = direction::<S>([1.0, -2.0, 2.0]);
     let frame = Frame::looking(v([0.0, 1.0, 0.0]), forward, UnitVec3::Y).expect("axes");
     assert_eq!(frame.forward(), forward);
-    assert!(frame.up().to_f64()[1] > 0.5 && frame.right().to_f64()[1].abs() < 4.0 * component::<S>());
+    assert!(frame.up().to_f64()[1] > 0.5 && frame.left().to_f64()[1].abs() < 4.0 * component::<S>());
     assert_right_handed(&frame);
 }
 
-fn a_frame_from_right_up_forward_keeps_them<S: Exact>() {
-    let [right, up, forward] = [[1.0, 2.0, 2.0], [2.0, 1.0, -2.0], [-2.0, 2.0, -1.0]].map(direction::<S>);
-    let frame = Frame::from_right_up_forward(Vec3::ZERO, right, up, forward).expect("axes");
+fn a_frame_from_left_up_forward_keeps_them<S: Exact>() {
+    let [left, up, forward] = [[1.0, 2.0, 2.0], [2.0, 1.0, -2.0], [-2.0, 2.0, -1.0]].map(direction::<S>);
+    let frame = Frame::from_left_up_forward(Vec3::ZERO, left, up, forward).expect("axes");
     assert_eq!(frame.up(), up);
-    assert!(close(frame.right().to_f64(), right.to_f64(), 4.0 * component::<S>()));
+    assert!(close(frame.left().to_f64(), left.to_f64(), 4.0 * component::<S>()));
     assert!(close(frame.forward().to_f64(), forward.to_f64(), 4.0 * component::<S>()));
     assert_right_handed(&frame);
 }
 
 fn assert_right_handed<S: Exact>(frame: &Frame<S>) {
-    let (x, y, z) = (frame.right(), frame.up(), frame.forward());
+    let (x, y, z) = (frame.left(), frame.up(), frame.forward());
     let one = oracle::Dyadic::from(1);
     let mut worst = 0.0_f64;
     for (a, b) in [(x, y), (y, z), (z, x)] {
@@ -160,10 +218,10 @@ fn frames_refuse_what_spans_no_frame<S: Exact>() {
     assert_eq!(Frame::looking(p, UnitVec3::X, -UnitVec3::X), Err(FrameError::Axes));
     // Left-handed, or skew.
     let (x, y, z) = (UnitVec3::X, UnitVec3::Y, UnitVec3::Z);
-    assert_eq!(Frame::from_right_up_forward(p, x, y, -z), Err(FrameError::Axes));
-    assert_eq!(Frame::from_right_up_forward(p, x, x, z), Err(FrameError::Axes));
-    assert_eq!(Frame::from_right_up_forward(p, x, direction([0.5, 1.0, 0.0]), z), Err(FrameError::Axes));
-    assert!(Frame::from_right_up_forward(p, x, y, z).is_ok());
+    assert_eq!(Frame::from_left_up_forward(p, x, y, -z), Err(FrameError::Axes));
+    assert_eq!(Frame::from_left_up_forward(p, x, x, z), Err(FrameError::Axes));
+    assert_eq!(Frame::from_left_up_forward(p, x, direction([0.5, 1.0, 0.0]), z), Err(FrameError::Axes));
+    assert!(Frame::from_left_up_forward(p, x, y, z).is_ok());
 }
 
 fn a_placement_tells_its_axes_and_takes_points_both_ways<S: Exact>() {

@@ -269,7 +269,7 @@ fn a_departing_ray_far_along_a_tube_stays_where_it_departs() {
     ];
     let [right, up, forward] = axes.map(units::<I16F16>);
     let position = Vec3::from_f64([0.01492, 16384.0, 16384.0]).expect("a position");
-    let frame = Frame::from_right_up_forward(position, right, up, forward).expect("a frame");
+    let frame = Frame::from_left_up_forward(position, right, up, forward).expect("a frame");
     let departure = Departure { object: 0, part: Part::Side, leaving: Leaving::Inwards };
     let start = ray([14567.88298, -1209.11981, -12259.26509], units([0.287272689, -0.299660657, -0.909768044]));
     let hits = Shape::new(tube).placed(frame).hits(&start.departing(departure).with_range(Range::line()));

@@ -3,8 +3,8 @@
 use raylet::scene::{Hierarchy, Node};
 use raylet::shape::kinds::{All, Chosen, Kind, KindError, Kinds};
 use raylet::{
-    Affine, Camera, Capsule, Color, Cone, Cylinder, Disc, Exact, Fast, Frame, Light, Material, Object, Picture, Plane,
-    Ray, Scalar, Scene, Shape, Size, Sphere, Stable, Tier, Triangle, UnitVec3, Vec3, Visible,
+    Affine, Camera, Capsule, Color, Cone, Cuboid, Cylinder, Disc, Exact, Fast, Frame, Light, Material, Object, Picture,
+    Plane, Ray, Rectangle, Scalar, Scene, Shape, Size, Sphere, Stable, Tier, Triangle, UnitVec3, Vec3, Visible,
 };
 use std::fmt::Debug;
 use support::amount::times;
@@ -104,9 +104,10 @@ macro_rules! every_set {
             $compare::<$S, (Capsule<$S>, Triangle<$S>, Frame<$S>, Affine<$S>)>(),
             $compare::<$S, (Cylinder<$S>, Plane<$S>, Frame<$S>)>(),
             $compare::<$S, (Sphere<$S>, Capsule<$S>)>(),
+            $compare::<$S, (Cuboid<$S>, Rectangle<$S>, Frame<$S>, Affine<$S>)>(),
         ];
         // So many subjects in so many placements, seen from both sides and from each.
-        let expected = [(2, 5), (4, 5), (8, 5), (2, 5), (4, 3), (2, 1)];
+        let expected = [(2, 5), (4, 5), (8, 5), (2, 5), (4, 3), (2, 1), (2, 5)];
         assert_eq!(compared, expected.map(|(subjects, placements)| subjects * placements * 3));
     }};
 }
@@ -210,7 +211,10 @@ fn what_is_named_is_taken() {
 #[test]
 fn a_set_is_what_it_names() {
     assert_eq!(<(Plane<f32>, Sphere<f32>)>::SET, <(Sphere<f64>, Plane<f32>, Sphere<f32>)>::SET);
-    assert_eq!(All::SET.to_string(), "Sphere, Cylinder, Cone, Capsule, Plane, Disc, Triangle, Frame, Affine");
+    assert_eq!(
+        All::SET.to_string(),
+        "Sphere, Cylinder, Cone, Capsule, Plane, Disc, Triangle, Cuboid, Rectangle, Frame, Affine"
+    );
     assert_eq!(All::SET.len(), Kind::EVERY.len());
     for kind in Kind::EVERY {
         assert!(All::SET.contains(kind) && format!("{kind:?}") == kind.name());

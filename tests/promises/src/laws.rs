@@ -69,7 +69,7 @@ mod law {
                 prop_assert!(!hits.starts_inside(), "{ray:?}: {hits:?}");
                 // A convex tube is entered before it is left; one of the two may miss it, through an end.
                 let crossings: Vec<Crossing> = hits.iter().map(|hit| hit.crossing).collect();
-                let flat = ["plane", "disc", "triangle"].contains(&setting.name);
+                let flat = ["plane", "disc", "rectangle", "triangle"].contains(&setting.name);
                 let paired = match crossings[..] {
                     [] | [Crossing::Enter | Crossing::Exit] => true,
                     [Crossing::Touch] | [Crossing::Enter, Crossing::Exit] => !flat,

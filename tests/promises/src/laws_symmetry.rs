@@ -9,7 +9,7 @@
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use raylet::scalar::UnitScalar;
-use raylet::{Crossing, Frame, Hits, Range, Ray, Shape, Triangle, UnitVec3, Vec3};
+use raylet::{Crossing, Frame, Hits, Part, Range, Ray, Rectangle, Shape, Triangle, UnitVec3, Vec3};
 use support::cases::v;
 use support::exact_types::Exact as Number;
 use support::laws::{
@@ -48,6 +48,17 @@ mod law {
         [if minus_x { -x } else { x }, y, if minus_z { -z } else { z }]
     }
 
+    /// The face of a cuboid whose image a face is.
+    fn image(part: Part, minus_x: bool, minus_z: bool) -> Part {
+        match part {
+            Part::Left if minus_x => Part::Right,
+            Part::Right if minus_x => Part::Left,
+            Part::Back if minus_z => Part::Front,
+            Part::Front if minus_z => Part::Back,
+            same => same,
+        }
+    }
+
     /// Law 6, about the solid's own axis.
     pub(super) fn mirrors_and_quarter_turns_about_the_axis_change_no_bit<S: Number, T: Graded<S>>(
         setting: &Setting<S>,
@@ -63,6 +74,12 @@ mod law {
                         .each_ref()
                         .map(|corner| v::<S>(mapped(corner.each_ref().map(support::oracle::Dyadic::to_f64), symmetry)));
                     (Shape::new(Triangle::new(a, b, c).expect("as large as before")), is_mirror)
+                }
+                // Of two sides the one across x owns an edge, whichever of them it is after a turn.
+                Solid::Cuboid { .. } if swap => continue,
+                Solid::Rectangle { half: [x, z] } if swap => {
+                    let turned = [z, x].map(|half| number(half.to_f64()).expect("as large as before"));
+                    (Shape::new(Rectangle::new(turned).expect("as large as before")), false)
                 }
                 _ => (setting.unplaced, false),
             };
@@ -86,11 +103,14 @@ mod law {
                     Grade::Exact => false,
                 };
                 if rounds {
-                    on_one_line::<S, T>(&setting.in_own_frame(), &ray, &met(&here), &met(&there), 0.0)?;
+                    let back = |hit: Met| Met { part: image(hit.part, minus_x, minus_z), ..hit };
+                    let there: Vec<_> = met(&there).into_iter().map(back).collect();
+                    on_one_line::<S, T>(&setting.in_own_frame(), &ray, &met(&here), &there, 0.0)?;
                     continue;
                 }
                 let here: Vec<_> = here.iter().map(|hit| (hit.t, hit.part, turned(hit.crossing))).collect();
-                let list: Vec<_> = there.iter().map(|hit| (hit.t, hit.part, hit.crossing)).collect();
+                let list: Vec<_> =
+                    there.iter().map(|hit| (hit.t, image(hit.part, minus_x, minus_z), hit.crossing)).collect();
                 prop_assert_eq!(here, list, "{:?} {:?}", symmetry, ray);
                 let point = ray.at(number(0.75).expect("small"));
                 let image = Vec3::from(mapped(point.to_array(), symmetry));
@@ -104,7 +124,7 @@ mod law {
     fn quarter_turns<S: Number>() -> [Frame<S>; 6] {
         let (x, y, z) = (UnitVec3::X, UnitVec3::Y, UnitVec3::Z);
         [[y, z, x], [z, x, y], [-x, z, y], [z, -x, -y], [-y, -x, -z], [y, -x, z]]
-            .map(|[r, u, f]| Frame::from_right_up_forward(Vec3::ZERO, r, u, f).expect("perpendicular axes"))
+            .map(|[r, u, f]| Frame::from_left_up_forward(Vec3::ZERO, r, u, f).expect("perpendicular axes"))
     }
 
     /// Law 6, of the world: the line stays the same exact line, seen from the solid.

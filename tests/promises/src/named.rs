@@ -91,7 +91,7 @@ pub fn dot(a: &[Dyadic; 3], b: &[Dyadic; 3]) -> Dyadic {
 
 /// The frame's axes as they are stored.
 pub fn axes<S: Number>(frame: &Frame<S>) -> [[Dyadic; 3]; 3] {
-    [frame.right(), frame.up(), frame.forward()].map(|axis| axis.to_array().map(S::exact_unit))
+    [frame.left(), frame.up(), frame.forward()].map(|axis| axis.to_array().map(S::exact_unit))
 }
 
 /// A vector as the solid sees it, exactly. A ball has no axes: turned, it is the same ball.
@@ -126,7 +126,7 @@ pub fn any_frame<S: Number>(random: &mut Random, distance: f64) -> Frame<S> {
 
 /// A vector of the frame in the world, rounded.
 pub fn to_world<S: Number>(frame: &Frame<S>, vector: [f64; 3]) -> [f64; 3] {
-    let axes = [frame.right(), frame.up(), frame.forward()].map(UnitVec3::to_f64);
+    let axes = [frame.left(), frame.up(), frame.forward()].map(UnitVec3::to_f64);
     (0..3).fold([0.0; 3], |sum, i| add(sum, scale(axes[i], vector[i])))
 }
 

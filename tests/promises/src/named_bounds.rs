@@ -147,7 +147,7 @@ fn placed_bounds_hold_the_exact_extreme_points_and_are_tight<S: Number>() {
                 let turned = shape.placed(frame).bounds();
                 assert_bounds(&turned, solid, &rows(&frame, solid), frame.position(), &format!("{name}, turned"));
                 // Stretched by powers of two, which an affine stores exactly for axes of which no component is nearly 1.
-                let stored = [frame.right(), frame.up(), frame.forward()].map(UnitVec3::to_f64);
+                let stored = [frame.left(), frame.up(), frame.forward()].map(UnitVec3::to_f64);
                 if stored.iter().flatten().any(|c| c.abs() > 0.99) {
                     continue;
                 }
@@ -240,7 +240,7 @@ fn the_box_of_a_turned_can_is_that_of_its_discs<S: Number>() {
 fn the_ends_of_a_ball_about_a_point_of_the_grid_are_not_cut_off<S: Number>() {
     let (x, y, z) = (UnitVec3::X, UnitVec3::Y, UnitVec3::Z);
     for [right, up, forward] in [[x, y, z], [y, z, x], [z, x, y], [-x, z, y], [z, -x, -y]] {
-        let frame = Frame::from_right_up_forward(v::<S>([1000.0, -7.0, 3.0]), right, up, forward).unwrap();
+        let frame = Frame::from_left_up_forward(v::<S>([1000.0, -7.0, 3.0]), right, up, forward).unwrap();
         let bounds = Shape::new(Sphere::new(n::<S>(1.0)).unwrap()).placed(frame).bounds();
         let (low, high) = (bounds.low.to_f64(), bounds.high.to_f64());
         let holds = (0..3).all(|i| low[i] <= [999.0, -8.0, 2.0][i] && high[i] >= [1001.0, -6.0, 4.0][i]);

@@ -111,7 +111,7 @@ fn a_ray_that_grazes_a_stretched_cone() {
         [0xbf50_ead3, 0xbf02_3723, 0x3e8c_7a63],
     ];
     let [x, y, z] = axes.map(|axis| UnitVec3::from_components(bits(axis)).unwrap());
-    let frame = Frame::from_right_up_forward(bits([0x483c_102f, 0xc91e_1f98, 0x4862_a3cb]).into(), x, y, z).unwrap();
+    let frame = Frame::from_left_up_forward(bits([0x483c_102f, 0xc91e_1f98, 0x4862_a3cb]).into(), x, y, z).unwrap();
     let factors = bits([0x3f19_5cc6, 0x40fd_71ae, 0x3f0a_7583]);
     let ray = ray(bits([0x483c_0f91, 0xc91e_1fb4, 0x4862_a0de]), bits([0x3e50_01ba, 0x3e14_182e, 0x3f77_e9d8]));
     for cone in [Cone::double(0.8), Cone::nappe(0.8)] {

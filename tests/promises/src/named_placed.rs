@@ -3,7 +3,7 @@
 
 use crate::named::{any_frame, assert_hits, bits, judge, line_in, ray, ray_in};
 use core::any::TypeId;
-use fixed::types::I16F16;
+use fixed::types::{I8F24, I16F16, I32F32};
 use raylet::tier::{Exact, Fast, Stable, Tier};
 use raylet::{Cone, Crossing, Cylinder, Departure, Disc, Frame, Leaving, Part, Ray, Shape, Sphere, UnitVec3, Vec3};
 use support::amount::times;
@@ -262,4 +262,29 @@ where
 fn exact_departs_from_placed_solids_without_rounding() {
     leave_placed_solids::<f32>();
     leave_placed_solids::<I16F16>();
+}
+
+/// From one end of the budget of coordinates to a cylinder at the other, which stands in the ray's way though neither of them is on an axis. The
+/// difference of their coordinates needs one bit more than the type has: where the ray comes from above it was lost.
+fn meets_across_the_budget<S: Number>(limit: f64)
+where
+    Stable: Tier<S>,
+{
+    for end in [limit, -limit] {
+        for aside in [0.3, -0.25, 0.2, 0.0] {
+            let origin = v::<S>([end, limit / 8.0, aside * limit]);
+            let ray = Ray::towards(origin, v([-0.99 * end, limit / 8.0, 0.0])).expect("two points within the budget");
+            let cylinder = Cylinder::capped(n(limit / 8.0), n(limit / 4.0)).expect("sizes of the type");
+            let shape = Shape::new(cylinder).placed(Frame::at(v([-end, 0.0, 0.0])).expect("a point within the budget"));
+            let hit = shape.nearest_at::<Stable>(&ray).unwrap_or_else(|| panic!("{}: {end}, {aside}", S::name()));
+            assert_eq!(hit.part, Part::Side, "{}: {end}, {aside}", S::name());
+        }
+    }
+}
+
+#[test]
+fn cylinders_at_the_other_end_of_the_budget_are_met() {
+    meets_across_the_budget::<I16F16>(16_384.0);
+    meets_across_the_budget::<I8F24>(64.0);
+    meets_across_the_budget::<I32F32>(1_073_741_824.0);
 }

@@ -132,7 +132,7 @@ fn assert_within<S: Number<Unit = S>>(name: &'static str, numbers: &[[S; 3]]) {
     let frame = match numbers {
         [_, _, position, axes @ ..] => {
             let [x, y, z] = [0, 1, 2].map(|i| UnitVec3::from_components(axes[i]).unwrap());
-            Frame::from_right_up_forward((*position).into(), x, y, z).unwrap()
+            Frame::from_left_up_forward((*position).into(), x, y, z).unwrap()
         }
         _ => Frame::at(raylet::Vec3::ZERO).unwrap(),
     };

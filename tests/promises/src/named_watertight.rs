@@ -27,7 +27,7 @@ fn a_ray_at_the_edge_that_two_placed_triangles_share_hits_one_of_them() {
             [0x3ea4_33dd, 0xbf72_7a43, 0],
         ];
         let [x, y, z] = axes.map(|axis| UnitVec3::from_components(bits(axis)).expect("a unit vector"));
-        let frame = Frame::from_right_up_forward(Vec3::new(1.0, 2.0, 3.0), x, y, z).unwrap();
+        let frame = Frame::from_left_up_forward(Vec3::new(1.0, 2.0, 3.0), x, y, z).unwrap();
         let ray = ray(bits([0x4009_a781, 0x3e8e_679c, 0x4061_a21d]), bits([0xbe55_0905, 0x3f5f_f933, 0xbedf_ec53]));
         let both = [[a, b, c], [b, a, d]].map(|[a, b, c]| Shape::new(Triangle::new(a, b, c).unwrap()).placed(frame));
         let found: Vec<_> = both.iter().filter_map(|triangle| triangle.nearest_at::<T>(&ray)).collect();

@@ -5,8 +5,8 @@ use fixed::types::extra::{LeEqU32, LeEqU64, U0, U16, U30, U32, U64};
 use fixed::{FixedI32, FixedI64};
 use raylet::scalar::UnitScalar;
 use raylet::{
-    Affine, Capsule, Cone, Cylinder, Departure, Disc, Frame, Leaving, Part, Plane, Primitive, Range, Ray, Scalar,
-    Shape, Sphere, Triangle, UnitVec3, Vec3, Visible,
+    Affine, Capsule, Cone, Cuboid, Cylinder, Departure, Disc, Frame, Leaving, Part, Plane, Primitive, Range, Ray,
+    Rectangle, Scalar, Shape, Sphere, Triangle, UnitVec3, Vec3, Visible,
 };
 use support::amount::times;
 use support::random::Random;
@@ -108,6 +108,8 @@ fn primitives<S: Raw>(a: S, b: S, c: S, vertices: [Vec3<S>; 3]) -> Vec<Primitive
     let mut all: Vec<Primitive<S>> = vec![Plane::new().into()];
     all.extend(Sphere::new(a).map(Primitive::from));
     all.extend(Disc::new(a).map(Primitive::from));
+    all.extend(Rectangle::new([a, b]).map(Primitive::from));
+    all.extend(Cuboid::new([a, b, c]).map(Primitive::from));
     all.extend(Cylinder::infinite(a).map(Primitive::from));
     all.extend(Cylinder::open(a, b).map(Primitive::from));
     all.extend(Cylinder::capped(a, b).map(Primitive::from));

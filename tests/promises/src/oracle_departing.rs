@@ -49,6 +49,18 @@ fn solids() -> Vec<(Solid, Vec<OnSurface>)> {
         (Solid::Plane, vec![([3, 0, -2], Part::Side)]),
         (Solid::Disc { radius: radius() }, vec![([3, 0, -2], Part::Side)]),
         (
+            Solid::Cuboid { half: point([5, 4, 3]) },
+            vec![
+                ([-5, 1, 2], Part::Left),
+                ([5, -1, 0], Part::Right),
+                ([1, -4, 2], Part::Base),
+                ([0, 4, 1], Part::Top),
+                ([2, 1, -3], Part::Back),
+                ([-1, 0, 3], Part::Front),
+            ],
+        ),
+        (Solid::Rectangle { half: [whole(5), whole(3)] }, vec![([-4, 0, 2], Part::Side)]),
+        (
             Solid::Triangle { vertices: [point([0, 0, 0]), point([0, 0, 8]), point([8, 0, 0])] },
             vec![([2, 0, 3], Part::Side)],
         ),

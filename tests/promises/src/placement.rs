@@ -26,7 +26,7 @@ fn quarter_turns<S: Exact>() -> Vec<Frame<S>> {
     let (x, y, z) = (UnitVec3::X, UnitVec3::Y, UnitVec3::Z);
     let position = v([2.0, -1.0, 3.0]);
     [[x, y, z], [y, z, x], [z, x, y], [-x, z, y], [z, -x, -y], [-y, -x, -z], [y, -x, z]]
-        .map(|[r, u, f]| Frame::from_right_up_forward(position, r, u, f).expect("axes"))
+        .map(|[r, u, f]| Frame::from_left_up_forward(position, r, u, f).expect("axes"))
         .to_vec()
 }
 
@@ -68,7 +68,7 @@ fn turning_the_world_turns_the_hits<S: Exact>() {
 
 /// The direction turned by quarter turns, without a rounding.
 fn turned<S: Exact>(frame: &Frame<S>, along: UnitVec3<S>) -> UnitVec3<S> {
-    let axes = [frame.right(), frame.up(), frame.forward()].map(UnitVec3::to_array);
+    let axes = [frame.left(), frame.up(), frame.forward()].map(UnitVec3::to_array);
     let mut components = [S::Unit::ZERO; 3];
     for (axis, value) in axes.iter().zip(along.to_array()) {
         for (component, sign) in components.iter_mut().zip(axis) {

@@ -3,8 +3,8 @@
 
 use raylet::tier::{Exact, Stable};
 use raylet::{
-    Affine, Capsule, Cone, Crossing, Cylinder, Frame, Hit, Hits, Leaving, Primitive, Range, Ray, Shape, SizeError,
-    Sphere, UnitVec3, Vec3,
+    Affine, Capsule, Cone, Crossing, Cuboid, Cylinder, Frame, Hit, Hits, Leaving, Primitive, Range, Ray, Rectangle,
+    Shape, SizeError, Sphere, UnitVec3, Vec3,
 };
 use support::amount::times;
 use support::random::{Random, add, dot, scale};
@@ -21,12 +21,14 @@ fn solid(random: &mut Random, size: f64) -> Result<Primitive<f32>, SizeError> {
     let mut any = || (size * ratio(random, 8.0)) as f32;
     let (a, b, c) = (any(), any(), any());
     let slope = ratio(random, 8.0) as f32;
-    Ok(match random.below(7) {
+    Ok(match random.below(9) {
         0 => Sphere::new(a)?.into(),
         1 => Cylinder::infinite(a)?.into(),
         2 => Cylinder::capped(a, b)?.into(),
         3 => Capsule::new(a, b)?.into(),
         4 => Cone::nappe(slope)?.into(),
+        7 => Cuboid::new([a, b, c])?.into(),
+        8 => Rectangle::new([a, b])?.into(),
         5 => Cone::frustum(a, b, c)?.into(),
         _ => Cone::double(slope)?.into(),
     })

@@ -1,7 +1,9 @@
 //! What a hit has: point, normal, surface coordinates, tangents, part; against exact arithmetic.
 
 use raylet::scalar::UnitScalar;
-use raylet::{Capsule, Cone, Cylinder, Disc, Part, Plane, Ray, Shape, Sphere, Triangle, UnitVec3, Vec3};
+use raylet::{
+    Capsule, Cone, Cuboid, Cylinder, Disc, Part, Plane, Ray, Rectangle, Shape, Sphere, Triangle, UnitVec3, Vec3,
+};
 use support::amount::times;
 use support::cases::{Case, cases, direction, n, random_ray, v};
 use support::exact_types::{Exact, expected, same_part};
@@ -15,6 +17,8 @@ every_type!(
     v_runs_from_the_base_or_the_tip_upwards,
     flat_parts_are_mapped_straight,
     surface_coordinates_lie_in_the_unit_square,
+    solid_coordinates_are_where_the_point_lies_in_the_box,
+    solid_coordinates_repeat_where_the_solid_is_infinite,
     tangents_are_unit_perpendicular_and_right_handed,
     tangents_point_where_the_coordinates_grow,
     parts_are_those_of_exact_arithmetic,
@@ -165,6 +169,49 @@ fn near(a: f64, b: f64, tolerance: f64) -> bool {
     (a - b).abs() <= tolerance
 }
 
+fn uvw_at<S: Exact>(shape: Shape<S>, from: [f64; 3], along: [f64; 3]) -> [f64; 3] {
+    look(shape, from, along, |surface, _| surface.uvw().map(UnitScalar::to_f64))
+}
+
+fn solid_coordinates_are_where_the_point_lies_in_the_box<S: Exact>() {
+    let down = [0.0, -1.0, 0.0];
+    let shapes: [(Shape<S>, [f64; 3], [f64; 3]); 8] = [
+        (Shape::new(Cylinder::capped(n(2.0), n(4.0)).expect("sizes")), [-2.0, 0.0, -2.0], [2.0, 4.0, 2.0]),
+        (Shape::new(Cone::capped(n(0.5), n(4.0)).expect("sizes")), [-2.0, 0.0, -2.0], [2.0, 4.0, 2.0]),
+        (Shape::new(Cone::frustum(n(1.0), n(2.0), n(1.0)).expect("sizes")), [-2.0, 0.0, -2.0], [2.0, 1.0, 2.0]),
+        (Shape::new(Capsule::new(n(1.0), n(2.0)).expect("sizes")), [-1.0, -1.0, -1.0], [1.0, 3.0, 1.0]),
+        (Shape::new(Sphere::new(n(2.0)).expect("size")), [-2.0; 3], [2.0; 3]),
+        (Shape::new(Cuboid::new([n(1.0), n(0.5), n(2.0)]).expect("sizes")), [-1.0, -0.5, -2.0], [1.0, 0.5, 2.0]),
+        (Shape::new(Rectangle::new([n(1.0), n(2.0)]).expect("sizes")), [-1.0, 0.0, -2.0], [1.0, 0.0, 2.0]),
+        (
+            Shape::new(Triangle::new(v([-2.0, 0.0, -2.0]), v([0.0, 0.0, 2.0]), v([2.0, 2.0, -2.0])).expect("corners")),
+            [-2.0, 0.0, -2.0],
+            [2.0, 2.0, 2.0],
+        ),
+    ];
+    for (shape, low, high) in shapes {
+        let (x, z) = (0.25, -0.5);
+        let y = look(shape, [x, 8.0, z], down, |surface, _| surface.local_point().to_f64()[1]);
+        let expected = [[x, low[0], high[0]], [y, low[1], high[1]], [z, low[2], high[2]]]
+            .map(|[c, l, h]| if l < h { (c - l) / (h - l) } else { 0.0 });
+        let got = uvw_at(shape, [x, 8.0, z], down);
+        let off = got.iter().zip(expected).map(|(got, expected)| (got - expected).abs()).fold(0.0, f64::max);
+        assert!(off <= 2.0 * units::<S>().0, "{}: {got:?}, not {expected:?} on {shape:?}", S::name());
+        let moved = shape.placed(raylet::Frame::at(v([3.0, -1.0, 2.0])).expect("position"));
+        let there = uvw_at(moved, [x + 3.0, 7.0, z + 2.0], down);
+        assert_eq!(there, got, "{}: the same when it is moved, {shape:?}", S::name());
+    }
+}
+
+fn solid_coordinates_repeat_where_the_solid_is_infinite<S: Exact>() {
+    let pipe = Shape::new(Cylinder::infinite(n::<S>(1.0)).expect("size"));
+    assert_eq!(uvw_at(pipe, [4.0, 3.25, 0.0], [-1.0, 0.0, 0.0]), [1.0, 0.25, 0.5]);
+    let floor = Shape::<S>::new(Plane::new());
+    assert_eq!(uvw_at(floor, [-0.75, 2.0, 5.5], [0.0, -1.0, 0.0]), [0.25, 0.0, 0.5]);
+    let coin = Shape::<S>::new(Disc::new(n(2.0)).expect("size"));
+    assert_eq!(uvw_at(coin, [1.0, 2.0, -1.0], [0.0, -1.0, 0.0]), [0.75, 0.0, 0.25]);
+}
+
 fn u_runs_counter_clockwise_from_the_x_axis_as_seen_from_above<S: Exact>() {
     // From +y looking down, with x to the right, z points down: counter-clockwise from x comes -z, -x, z.
     let expected =
@@ -289,7 +336,7 @@ fn tangents_are_unit_perpendicular_and_right_handed<S: Exact>() {
                 worst = worst.max(off).max(slant);
                 let ([a, b, c], [d, e, f], [x, y, z]) = (u.to_f64(), v.to_f64(), n.to_f64());
                 let handed = (b * f - c * e) * x + (c * d - a * f) * y + (a * e - b * d) * z;
-                if hit.part == Part::Side && !matches!(case.name, "plane" | "disc") {
+                if hit.part == Part::Side && !matches!(case.name, "plane" | "disc" | "rectangle") {
                     assert!(handed > 0.5, "{} in {}: {u:?} {v:?} {n:?}", case.name, S::name());
                 }
             }
@@ -368,6 +415,7 @@ fn parts_are_those_of_exact_arithmetic<S: Exact>() {
             }
         }
         let parts = match case.name {
+            "cuboid" => 6,
             "capped cylinder" | "frustum" | "widening frustum" | "straight frustum" | "capsule" => 3,
             "capsule without a side" | "capped cone" | "spire" => 2,
             _ => 1,

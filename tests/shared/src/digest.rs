@@ -7,8 +7,8 @@ use fixed::types::{I16F16, I32F32};
 use fixed::{FixedI32, FixedI64};
 use raylet::tier::{Exact, Fast, Stable, Tier};
 use raylet::{
-    Affine, Capsule, Cone, Cylinder, Departure, Disc, Frame, Leaving, Plane, Primitive, Range, Ray, Scalar, Shape,
-    Sphere, Triangle, UnitVec3, Vec3,
+    Affine, Capsule, Cone, Cuboid, Cylinder, Departure, Disc, Frame, Leaving, Plane, Primitive, Range, Ray, Rectangle,
+    Scalar, Shape, Sphere, Triangle, UnitVec3, Vec3,
 };
 
 /// Rays at each primitive.
@@ -114,6 +114,8 @@ fn shape<S: Scalar>(index: usize) -> Option<(&'static str, Shape<S>)> {
         11 => ("disc", Disc::new(n(9)).ok()?.into()),
         12 => ("triangle", Triangle::new(v(-9, 0, -6), v(7, 2, -5), v(2, -2, 10)).ok()?.into()),
         16 => ("capsule", Capsule::new(n(9), n(14)).ok()?.into()),
+        17..20 => ("cuboid", Cuboid::new([n(9), n(7), n(12)]).ok()?.into()),
+        20 | 21 => ("rectangle", Rectangle::new([n(9), n(12)]).ok()?.into()),
         _ => return None,
     };
     let shape = Shape::new(primitive);
@@ -122,6 +124,9 @@ fn shape<S: Scalar>(index: usize) -> Option<(&'static str, Shape<S>)> {
         14 => ("cylinder capped framed", shape.placed(frame()?)),
         15 => ("cone capped stretched", shape.placed(affine()?)),
         16 => ("capsule stretched", shape.placed(affine()?)),
+        18 => ("cuboid framed", shape.placed(frame()?)),
+        19 => ("cuboid stretched", shape.placed(affine()?)),
+        21 => ("rectangle framed", shape.placed(frame()?)),
         _ => (name, shape),
     })
 }

@@ -3,6 +3,7 @@
 //! | module | what it holds |
 //! |---|---|
 //! | `digest` | one number for all answers to a fixed set of rays |
+//! | `flash` | a scene that is all constants |
 //! | `picture` | a scene in flash, and its picture row by row |
 //! | `pictured` | the tests that the rays of a picture put to objects |
 //! | `subject` | what is measured: solids, unplaced and placed, and the queries |
@@ -13,6 +14,7 @@
 #![no_std]
 
 pub mod digest;
+pub mod flash;
 #[cfg(feature = "displays")]
 pub mod one_bit;
 pub mod picture;

@@ -2,8 +2,8 @@
 
 use raylet::tier::Tier;
 use raylet::{
-    Affine, Capsule, Cone, Cylinder, Disc, Frame, Hit, Hits, Plane, Ray, Scalar, Shape, Sphere, Surface, Triangle,
-    UnitVec3, Vec3,
+    Affine, Capsule, Cone, Cuboid, Cylinder, Disc, Frame, Hit, Hits, Plane, Ray, Rectangle, Scalar, Shape, Sphere,
+    Surface, Triangle, UnitVec3, Vec3,
 };
 
 /// What a primitive and a shape have in common.
@@ -47,7 +47,7 @@ macro_rules! subjects {
         )+
     };
 }
-subjects!(Sphere Cylinder Cone Capsule Plane Disc Triangle Shape);
+subjects!(Sphere Cylinder Cone Capsule Plane Disc Triangle Cuboid Rectangle Shape);
 
 /// The queries, as functions that are not inlined and whose answers are used.
 pub mod query {
@@ -121,7 +121,7 @@ pub fn stretched<S: Scalar>(shape: Shape<S>) -> Option<Shape<S>> {
 macro_rules! every_subject {
     ($S:ty, |$name:ident, $subject:ident| $body:expr) => {{
         use $crate::subject::{eighths as n, framed, stretched, triangle};
-        use raylet::{Capsule, Cone, Cylinder, Disc, Plane, Shape, Sphere};
+        use raylet::{Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, Shape, Sphere};
         $crate::every_subject!(@each $S, $name, $subject, $body;
             "sphere" Sphere::new(n::<$S>(8)).ok();
             "cylinder, infinite" Cylinder::infinite(n::<$S>(8)).ok();
@@ -136,12 +136,15 @@ macro_rules! every_subject {
             "plane" Some(Plane::<$S>::new());
             "disc" Disc::new(n::<$S>(8)).ok();
             "triangle" triangle::<$S>();
+            "cuboid" Cuboid::new([n::<$S>(8), n(6), n(7)]).ok();
+            "rectangle" Rectangle::new([n::<$S>(8), n(7)]).ok();
             "cylinder, capped, as a shape" Cylinder::capped(n::<$S>(8), n(12)).ok().map(Shape::new);
             "sphere, framed" Sphere::new(n::<$S>(8)).ok().map(Shape::new).and_then(framed);
             "cylinder, capped, framed" Cylinder::capped(n::<$S>(8), n(12)).ok().map(Shape::new).and_then(framed);
             "cone, capped, framed" Cone::capped(n::<$S>(6), n(12)).ok().map(Shape::new).and_then(framed);
             "disc, framed" Disc::new(n::<$S>(8)).ok().map(Shape::new).and_then(framed);
             "triangle, framed" triangle::<$S>().map(Shape::new).and_then(framed);
+            "cuboid, framed" Cuboid::new([n::<$S>(8), n(6), n(7)]).ok().map(Shape::new).and_then(framed);
             "cylinder, capped, stretched" Cylinder::capped(n::<$S>(8), n(12)).ok().map(Shape::new).and_then(stretched);
         );
     }};

@@ -7,14 +7,15 @@ use crate::range_sensor::{self, SOLIDS, ZONES};
 use crate::subject::{eighths, triangle};
 use raylet::tier::Stable;
 use raylet::{
-    Affine, Capsule, Cone, Cylinder, Disc, Frame, Leaving, Plane, Primitive, Ray, Scalar, Shape, Sphere, UnitVec3, Vec3,
+    Affine, Capsule, Cone, Cuboid, Cylinder, Disc, Frame, Leaving, Plane, Primitive, Ray, Rectangle, Scalar, Shape,
+    Sphere, UnitVec3, Vec3,
 };
 
 /// Queries of a workload.
 pub const QUERIES: usize = 100;
 
 /// The solids, all about as large as the unit ball.
-pub const SOLIDS_BY_NAME: [&str; 10] = [
+pub const SOLIDS_BY_NAME: [&str; 12] = [
     "sphere",
     "cylinder, capped",
     "capsule",
@@ -25,6 +26,8 @@ pub const SOLIDS_BY_NAME: [&str; 10] = [
     "plane",
     "disc",
     "triangle",
+    "cuboid",
+    "rectangle",
 ];
 
 /// How a solid is placed.
@@ -102,6 +105,8 @@ fn primitive<S: Scalar>(name: &str) -> Option<Primitive<S>> {
         "plane" => Plane::new().into(),
         "disc" => Disc::new(n(8)).ok()?.into(),
         "triangle" => triangle()?.into(),
+        "cuboid" => Cuboid::new([n(8), n(6), n(7)]).ok()?.into(),
+        "rectangle" => Rectangle::new([n(8), n(7)]).ok()?.into(),
         _ => return None,
     })
 }

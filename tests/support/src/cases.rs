@@ -5,8 +5,8 @@ use super::oracle::{self, ConeExtent, CylinderExtent, Solid};
 use super::random::Random;
 use raylet::scalar::UnitScalar;
 use raylet::{
-    Capsule, Cone, Crossing, Cylinder, Disc, Hits, Part, Plane, Primitive, Range, Ray, Shape, Sphere, Triangle,
-    UnitVec3, Vec3,
+    Capsule, Cone, Crossing, Cuboid, Cylinder, Disc, Hits, Part, Plane, Primitive, Range, Ray, Rectangle, Shape,
+    Sphere, Triangle, UnitVec3, Vec3,
 };
 
 impl Random {
@@ -130,6 +130,12 @@ pub fn cases<S: Exact>() -> Vec<Case<S>> {
     add("plane", Kind::Open, Plane::new().into(), Solid::Plane, &[0.0], &[]);
     let disc = Disc::new(n(1.5)).expect(sizes);
     add("disc", Kind::Open, disc.into(), Solid::Disc { radius: d(1.5) }, &[0.0], &[1.5]);
+    let half = [1.0, 1.0, 0.5];
+    let cuboid = Cuboid::new(half.map(n)).expect(sizes);
+    add("cuboid", Kind::Bounded, cuboid.into(), Solid::Cuboid { half: half.map(d) }, &[-1.0, 1.0], &[1.0, 0.5]);
+    let half = [1.5, 0.5];
+    let rectangle = Rectangle::new(half.map(n)).expect(sizes);
+    add("rectangle", Kind::Open, rectangle.into(), Solid::Rectangle { half: half.map(d) }, &[0.0], &[1.5, 0.5]);
     let corners = [[-1.0, 0.5, -1.0], [1.0, 0.0, 1.0], [1.0, 1.0, -1.0]];
     let [a, b, c] = corners.map(v);
     let triangle = Triangle::new(a, b, c).expect(sizes);
@@ -244,9 +250,9 @@ pub fn compare_answers<S: Exact>(hits: &Hits<S>, exact: &oracle::InRange) -> Ver
     Verdict::Same(hits.iter().zip(&exact.hits).map(error).fold(0.0, f64::max))
 }
 
-/// Of a triangle: whether a ray that starts a hair beside has another number of hits.
+/// Of a primitive with straight edges: whether a ray that starts a hair beside has another number of hits.
 fn is_at_an_edge<S: Exact>(case: &Case<S>, ray: &Ray<S>, hits: usize, tie: f64) -> bool {
-    let Solid::Triangle { .. } = case.solid else { return false };
+    let (Solid::Triangle { .. } | Solid::Cuboid { .. } | Solid::Rectangle { .. }) = case.solid else { return false };
     let line = super::exact_types::exact_line(ray);
     let (start, end) = (ray.range().start().exact(), ray.range().end().exact());
     (0..6).any(|side| {

@@ -3,8 +3,8 @@
 use super::random::{Random, add, scale};
 use raylet::scalar::UnitScalar;
 use raylet::{
-    Affine, Camera, Capsule, Cone, Counters, Cylinder, Disc, Frame, Leaving, Object, Placement, Plane, Primitive,
-    Range, Ray, Scalar, Scene, Shape, Sphere, Triangle, UnitVec3, Vec3, Visible,
+    Affine, Camera, Capsule, Cone, Counters, Cuboid, Cylinder, Disc, Frame, Leaving, Object, Placement, Plane,
+    Primitive, Range, Ray, Scalar, Scene, Shape, Sphere, Triangle, UnitVec3, Vec3, Visible,
 };
 
 /// How far from the origin the solids stand.
@@ -56,7 +56,8 @@ fn primitive<S: Scalar>(random: &mut Random) -> Primitive<S> {
         15 => Cone::open(number(0.5), b).expect("sizes").into(),
         16 => Cone::nappe(number(0.25)).expect("a slope").into(),
         17 => Plane::new().into(),
-        18..20 => Disc::new(a).expect("a size").into(),
+        18 => Cuboid::new([a, b, c]).expect("sizes").into(),
+        19 => Disc::new(a).expect("a size").into(),
         _ => {
             let [p, q, r] = [(); 3].map(|()| corner(random));
             Triangle::new(p, q, r).map_or_else(|_| Disc::new(a).expect("a size").into(), Primitive::from)

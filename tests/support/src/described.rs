@@ -3,7 +3,9 @@
 
 use super::exact_types::Exact;
 use super::oracle::{self, Solid};
-use raylet::{Capsule, Cone, Cylinder, Disc, Plane, Shape, SizeError, Sphere, Triangle, ValueError, Vec3};
+use raylet::{
+    Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, Shape, SizeError, Sphere, Triangle, ValueError, Vec3,
+};
 
 /// How far a cylinder reaches along its axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,6 +34,8 @@ pub enum Described<N> {
     Capsule { radius: N, height: N },
     Plane,
     Disc { radius: N },
+    Cuboid { half: [N; 3] },
+    Rectangle { half: [N; 2] },
     Triangle { vertices: [[N; 3]; 3] },
 }
 
@@ -55,6 +59,8 @@ impl<N> Described<N> {
             Self::Capsule { .. } => "capsule",
             Self::Plane => "plane",
             Self::Disc { .. } => "disc",
+            Self::Cuboid { .. } => "cuboid",
+            Self::Rectangle { .. } => "rectangle",
             Self::Triangle { .. } => "triangle",
         }
     }
@@ -97,6 +103,14 @@ impl<N> Described<N> {
             }
             Self::Plane => Described::Plane,
             Self::Disc { radius: r } => Described::Disc { radius: of(r, radius)? },
+            Self::Cuboid { half: [x, y, z] } => {
+                let half = |size| of(size, SizeError::HalfExtent);
+                Described::Cuboid { half: [half(x)?, half(y)?, half(z)?] }
+            }
+            Self::Rectangle { half: [x, z] } => {
+                let half = |size| of(size, SizeError::HalfExtent);
+                Described::Rectangle { half: [half(x)?, half(z)?] }
+            }
             Self::Triangle { vertices: [a, b, c] } => {
                 let vertex = |[x, y, z]: &[N; 3]| {
                     let of = |coordinate| of(coordinate, SizeError::Vertex);
@@ -133,6 +147,8 @@ impl<S: Exact> Described<S> {
             Self::Capsule { radius, height } => Shape::new(Capsule::new(radius, height)?),
             Self::Plane => Shape::new(Plane::new()),
             Self::Disc { radius } => Shape::new(Disc::new(radius)?),
+            Self::Cuboid { half } => Shape::new(Cuboid::new(half)?),
+            Self::Rectangle { half } => Shape::new(Rectangle::new(half)?),
             Self::Triangle { vertices } => {
                 let [a, b, c] = vertices.map(Vec3::from);
                 Shape::new(Triangle::new(a, b, c)?)
@@ -169,6 +185,8 @@ impl<S: Exact> Described<S> {
             Self::Capsule { radius, height } => Solid::Capsule { radius: exact(radius), height: exact(height) },
             Self::Plane => Solid::Plane,
             Self::Disc { radius } => Solid::Disc { radius: exact(radius) },
+            Self::Cuboid { half } => Solid::Cuboid { half: half.map(exact) },
+            Self::Rectangle { half } => Solid::Rectangle { half: half.map(exact) },
             Self::Triangle { vertices } => Solid::Triangle { vertices: vertices.map(|vertex| vertex.map(exact)) },
         }
     }
@@ -188,6 +206,8 @@ impl<S: Exact> Described<S> {
             }
             Self::Frustum { base, top, height, .. } => largest(&[base, top, height]),
             Self::Plane | Self::Cone { extent: ConeExtent::Double | ConeExtent::Nappe, .. } => 1.0,
+            Self::Cuboid { half } => largest(&half),
+            Self::Rectangle { half } => largest(&half),
             Self::Triangle { vertices } => largest(vertices.as_flattened()),
         }
     }

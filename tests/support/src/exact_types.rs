@@ -156,15 +156,16 @@ fn oracle_part(part: Part) -> oracle::Part {
     match part {
         Part::Base => oracle::Part::Base,
         Part::Top => oracle::Part::Top,
+        Part::Left => oracle::Part::Left,
+        Part::Right => oracle::Part::Right,
+        Part::Back => oracle::Part::Back,
+        Part::Front => oracle::Part::Front,
         _ => oracle::Part::Side,
     }
 }
 
 pub fn same_part(part: Part, exact: oracle::Part) -> bool {
-    matches!(
-        (part, exact),
-        (Part::Side, oracle::Part::Side) | (Part::Base, oracle::Part::Base) | (Part::Top, oracle::Part::Top)
-    )
+    oracle_part(part) == exact
 }
 
 pub fn same_crossing(crossing: Crossing, exact: oracle::ExpectedCrossing) -> bool {

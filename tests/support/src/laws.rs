@@ -76,7 +76,7 @@ impl<S: Number> Setting<S> {
         let local_ray = workload.ray(&subject, &mut random)?;
         let nature = match name {
             "cylinder infinite" | "cone double" | "cone nappe" => Nature::Unbounded,
-            "plane" | "disc" | "triangle" => Nature::Open,
+            "plane" | "disc" | "rectangle" | "triangle" => Nature::Open,
             _ if name.ends_with("open") => Nature::Open,
             _ => Nature::Bounded,
         };
@@ -142,6 +142,10 @@ pub fn exact_part(part: Part) -> oracle::Part {
         Part::Side => oracle::Part::Side,
         Part::Base => oracle::Part::Base,
         Part::Top => oracle::Part::Top,
+        Part::Left => oracle::Part::Left,
+        Part::Right => oracle::Part::Right,
+        Part::Back => oracle::Part::Back,
+        Part::Front => oracle::Part::Front,
         _ => panic!("the oracle does not know {part:?}"),
     }
 }

@@ -27,6 +27,19 @@ fn cross(a: &Point, b: &Point) -> Point {
     })
 }
 
+/// The axis that a cuboid's face is across, and whether it is at the positive half extent.
+fn face(part: Part) -> (usize, bool) {
+    match part {
+        Part::Left => (0, false),
+        Part::Right => (0, true),
+        Part::Base => (1, false),
+        Part::Top => (1, true),
+        Part::Back => (2, false),
+        Part::Front => (2, true),
+        Part::Side => panic!("a cuboid has no such part"),
+    }
+}
+
 /// The heights between which the solid or its side lies.
 fn heights(solid: &Solid) -> Option<Dyadic> {
     match solid {
@@ -64,7 +77,8 @@ fn under_side(solid: &Solid, p: &Point) -> f64 {
             let reach = &(base_radius * &(height - y)) + &(top_radius * y);
             slanted(reach, height, height.to_f64().hypot((top_radius - base_radius).to_f64()))
         }
-        Solid::Plane | Solid::Disc { .. } => -y.to_f64(),
+        Solid::Plane | Solid::Disc { .. } | Solid::Rectangle { .. } => -y.to_f64(),
+        Solid::Cuboid { half } => (0..3).map(|i| (&half[i] - &p[i].magnitude()).to_f64()).fold(f64::INFINITY, f64::min),
         Solid::Triangle { vertices } => {
             let [a, b, c] = vertices;
             let normal = cross(&minus(b, a), &minus(c, a));
@@ -108,6 +122,20 @@ pub fn distance_from(solid: &Solid, part: Part, p: &Point) -> f64 {
             difference_of_roots(&radius.squared(), &(&from_axis + &above.squared())).abs().max(beyond)
         }
         (Solid::Disc { radius }, _) => y.to_f64().abs().max(difference_of_roots(&from_axis, &radius.squared())),
+        (Solid::Rectangle { half: [along_x, along_z] }, _) => {
+            let beyond = [(x, along_x), (z, along_z)].map(|(c, half)| (&c.magnitude() - half).to_f64());
+            beyond.into_iter().fold(y.to_f64().abs(), f64::max)
+        }
+        (Solid::Cuboid { half }, _) => {
+            let (axis, is_positive) = face(part);
+            let off = |i: usize| {
+                if i != axis {
+                    return (&p[i].magnitude() - &half[i]).to_f64();
+                }
+                if is_positive { (&p[i] - &half[i]).to_f64().abs() } else { (&p[i] + &half[i]).to_f64().abs() }
+            };
+            (0..3).map(off).fold(0.0, f64::max)
+        }
         (Solid::Triangle { vertices }, _) => {
             let [a, b, c] = vertices;
             let normal = cross(&minus(b, a), &minus(c, a));
@@ -120,7 +148,7 @@ pub fn distance_from(solid: &Solid, part: Part, p: &Point) -> f64 {
             distance
         }
         (_, Part::Base | Part::Top) => (y - &level).to_f64().abs().max(-under_side(solid, p)),
-        (_, Part::Side) => under_side(solid, p).abs().max(-between_ends(solid, y)),
+        _ => under_side(solid, p).abs().max(-between_ends(solid, y)),
     }
 }
 
@@ -130,12 +158,24 @@ pub fn gradient(solid: &Solid, part: Part, p: &Point) -> [f64; 3] {
     match (solid, part) {
         (Solid::Sphere { .. }, _) | (Solid::Capsule { .. }, Part::Base) => [x, y, z],
         (Solid::Capsule { height, .. }, Part::Top) => [x, (&p[1] - height).to_f64(), z],
-        (Solid::Plane | Solid::Disc { .. }, _) | (_, Part::Top) => [0.0, 1.0, 0.0],
+        (Solid::Cuboid { .. }, _) => {
+            let (axis, is_positive) = face(part);
+            std::array::from_fn(|i| {
+                if i != axis {
+                    0.0
+                } else if is_positive {
+                    1.0
+                } else {
+                    -1.0
+                }
+            })
+        }
+        (Solid::Plane | Solid::Disc { .. } | Solid::Rectangle { .. }, _) | (_, Part::Top) => [0.0, 1.0, 0.0],
         (Solid::Triangle { vertices: [a, b, c] }, _) => cross(&minus(b, a), &minus(c, a)).map(|n| n.to_f64()),
         (_, Part::Base) => [0.0, -1.0, 0.0],
-        (Solid::Cylinder { .. } | Solid::Capsule { .. }, Part::Side) => [x, 0.0, z],
-        (Solid::Cone { slope, .. }, Part::Side) => [x, -y * slope.to_f64().powi(2), z],
-        (Solid::Frustum { base_radius, top_radius, height, .. }, Part::Side) => {
+        (Solid::Cylinder { .. } | Solid::Capsule { .. }, _) => [x, 0.0, z],
+        (Solid::Cone { slope, .. }, _) => [x, -y * slope.to_f64().powi(2), z],
+        (Solid::Frustum { base_radius, top_radius, height, .. }, _) => {
             let growth = (top_radius - base_radius).to_f64() / height.to_f64();
             [x, -growth * (base_radius.to_f64() + growth * y), z]
         }

@@ -33,8 +33,8 @@ impl<S: Number> Pose<S> {
         let frame = "the axes are perpendicular";
         match index {
             0 => Self::World,
-            1 => Self::Frame(Frame::from_right_up_forward(position, y, z, x).expect(frame)),
-            2 => Self::Frame(Frame::from_right_up_forward(position, -x, z, y).expect(frame)),
+            1 => Self::Frame(Frame::from_left_up_forward(position, y, z, x).expect(frame)),
+            2 => Self::Frame(Frame::from_left_up_forward(position, -x, z, y).expect(frame)),
             3 => Self::Frame(Frame::from_base_and_axis(position, direction([1.0, 2.0, -2.0])).expect(frame)),
             4 => Self::Affine { position, axes: [0, 1, 2], signs: [1.0, 1.0, 1.0], powers: [1, -1, 0] },
             _ => Self::Affine { position, axes: [2, 0, 1], signs: [1.0, -1.0, 1.0], powers: [-1, 0, 1] },
@@ -57,7 +57,7 @@ impl<S: Number> Pose<S> {
         match self {
             Self::World => local,
             Self::Frame(frame) => {
-                let axes = [frame.right(), frame.up(), frame.forward()].map(UnitVec3::to_f64);
+                let axes = [frame.left(), frame.up(), frame.forward()].map(UnitVec3::to_f64);
                 [0, 1, 2].map(|i| (0..3).map(|j| axes[j][i] * local[j]).sum())
             }
             Self::Affine { axes, signs, powers, .. } => {
@@ -96,7 +96,7 @@ impl<S: Number> Pose<S> {
         let from: Point = std::array::from_fn(|i| &point[i] - &position[i]);
         match self {
             Self::World => from,
-            Self::Frame(frame) => [frame.right(), frame.up(), frame.forward()].map(|axis| {
+            Self::Frame(frame) => [frame.left(), frame.up(), frame.forward()].map(|axis| {
                 let axis = axis.to_array().map(S::exact_unit);
                 &(&(&axis[0] * &from[0]) + &(&axis[1] * &from[1])) + &(&axis[2] * &from[2])
             }),
@@ -125,7 +125,7 @@ impl<S: Number> Pose<S> {
     pub fn turned(&self, along: UnitVec3<S>) -> Option<UnitVec3<S>> {
         let Self::Frame(frame) = self else { return None };
         let mut components = [S::Unit::ZERO; 3];
-        for (axis, value) in [frame.right(), frame.up(), frame.forward()].into_iter().zip(along.to_array()) {
+        for (axis, value) in [frame.left(), frame.up(), frame.forward()].into_iter().zip(along.to_array()) {
             for (component, sign) in components.iter_mut().zip(axis.to_array()) {
                 if sign == S::Unit::ONE {
                     *component = value;

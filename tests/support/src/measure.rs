@@ -141,8 +141,10 @@ impl Measured {
     }
 }
 
+/// The least of these numbers that is not exceeded by this fraction of them (the nearest rank).
 fn quantile(sorted: &[f64], fraction: f64) -> f64 {
-    if sorted.is_empty() { 0.0 } else { sorted[((sorted.len() - 1) as f64 * fraction) as usize] }
+    let rank = (sorted.len() as f64 * fraction).ceil() as usize;
+    if sorted.is_empty() { 0.0 } else { sorted[rank.max(1) - 1] }
 }
 
 /// What a method made of one ray.
@@ -298,4 +300,17 @@ pub fn measure_where<S: Number, T: Tier<S>>(
 ) -> Option<Measured> {
     let method = Method { in_integers, ..Method::tier::<T>("") };
     measure_each(&[method], subject, workload, rays, seed, counts)?.pop()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::quantile;
+
+    #[test]
+    fn a_quantile_is_not_exceeded_by_its_fraction() {
+        let sorted: Vec<f64> = (1..=2_000).map(f64::from).collect();
+        assert_eq!([0.5, 0.999, 1.0].map(|fraction| quantile(&sorted, fraction)), [1000.0, 1998.0, 2000.0]);
+        assert_eq!([0.5, 0.999, 1.0].map(|fraction| quantile(&sorted[..2], fraction)), [1.0, 2.0, 2.0]);
+        assert_eq!(quantile(&[], 0.5), 0.0);
+    }
 }

@@ -69,7 +69,8 @@ pub fn clearance(solid: &Solid, line: &Line) -> f64 {
             let slope = (top - base) / height;
             cone(-base / slope, slope).min(if *capped { off_plane } else { 1.0 })
         }
-        Solid::Plane | Solid::Disc { .. } => off_plane,
+        Solid::Plane | Solid::Disc { .. } | Solid::Rectangle { .. } => off_plane,
+        Solid::Cuboid { .. } => x.abs().min(y.abs()).min(z.abs()),
         Solid::Triangle { vertices } => {
             let [a, b, c] = vertices.each_ref().map(|vertex| vertex.each_ref().map(Dyadic::to_f64));
             let n = cross(add(b, scale(a, -1.0)), add(c, scale(a, -1.0)));

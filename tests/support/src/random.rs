@@ -4,7 +4,10 @@
 pub struct Random(pub u64);
 
 impl Random {
-    #[allow(clippy::should_implement_trait)] // No iterator: it never ends, and is drawn from between other draws.
+    #[expect(
+        clippy::should_implement_trait,
+        reason = "no iterator: it never ends, and is drawn from between other draws"
+    )]
     pub fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;

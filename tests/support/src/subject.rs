@@ -7,7 +7,7 @@ use super::random::{Random, add, cross, normalize, scale};
 use raylet::Shape;
 
 /// Every primitive of the design, with a name for tables.
-pub const SUBJECTS: [&str; 16] = [
+pub const SUBJECTS: [&str; 18] = [
     "sphere",
     "cylinder infinite",
     "cylinder open",
@@ -24,7 +24,14 @@ pub const SUBJECTS: [&str; 16] = [
     "plane",
     "disc",
     "triangle",
+    "cuboid",
+    "rectangle",
 ];
+
+/// The half extents of the cuboid.
+const CUBOID: [f64; 3] = [1.1, 0.85, 0.6];
+/// The half extents of the rectangle.
+const RECTANGLE: [f64; 2] = [1.3, 0.7];
 
 /// A primitive, as the crate and as the oracle see it.
 pub struct Subject<S: Exact> {
@@ -60,6 +67,8 @@ impl<S: Exact> Subject<S> {
                 let vertices = [[-1.1, 0.0, -0.7], [0.9, 0.3, -0.6], [0.2, -0.2, 1.2]];
                 (Described::Triangle { vertices }, (0.6, 0.0, 0.0))
             }
+            "cuboid" => (Described::Cuboid { half: CUBOID }, (0.0, 0.0, 1.0)),
+            "rectangle" => (Described::Rectangle { half: RECTANGLE }, (RECTANGLE[1], 0.0, 0.0)),
             _ => panic!("no subject of this name: {name}"),
         };
         let sized = described.try_map(|size| S::from_f64(*size)).expect("sizes that every tested type holds");
@@ -70,7 +79,7 @@ impl<S: Exact> Subject<S> {
 
     /// True for primitives without a curved side.
     pub fn is_flat(&self) -> bool {
-        matches!(self.name, "plane" | "disc" | "triangle")
+        matches!(self.name, "plane" | "disc" | "rectangle" | "triangle")
     }
 
     /// True for cones and frustums.
@@ -92,6 +101,9 @@ impl<S: Exact> Subject<S> {
         if self.name == "sphere" {
             return random.direction().map(|c| c * around * base);
         }
+        if self.name == "cuboid" {
+            return CUBOID.map(|half| random.between(-0.9, 0.9) * half);
+        }
         if self.is_flat() {
             // The triangle's centroid is the origin and its plane is tilted.
             let (x, z) = (libm::cos(angle) * around * base, libm::sin(angle) * around * base);
@@ -102,8 +114,20 @@ impl<S: Exact> Subject<S> {
         [libm::cos(angle) * radius, v * height, libm::sin(angle) * radius]
     }
 
-    /// A point of the curved side and the outward normal there.
+    /// A point of the face of the cuboid across the axis, and the outward normal there.
+    fn face_point(random: &mut Random, axis: usize) -> ([f64; 3], [f64; 3]) {
+        let (mut point, mut normal) = (CUBOID.map(|half| random.between(-0.9, 0.9) * half), [0.0; 3]);
+        normal[axis] = random.sign();
+        point[axis] = normal[axis] * CUBOID[axis];
+        (point, normal)
+    }
+
+    /// A point of the curved side, or of a face at the sides, and the outward normal there.
     pub fn side_point(&self, random: &mut Random) -> ([f64; 3], [f64; 3]) {
+        if self.name == "cuboid" {
+            let axis = random.pick(&[0, 2]);
+            return Self::face_point(random, axis);
+        }
         let (base, top, height) = self.outline;
         if self.name == "sphere" {
             let n = random.direction();
@@ -134,8 +158,11 @@ impl<S: Exact> Subject<S> {
             let (u, v) = if u + v > 1.0 { (1.0 - u, 1.0 - v) } else { (u, v) };
             return Some((add(a, add(scale(along, u), scale(across, v))), normalize(cross(along, across))));
         }
+        if self.name == "cuboid" {
+            return Some(Self::face_point(random, 1));
+        }
         let caps: &[(f64, f64)] = match self.name {
-            "plane" | "disc" => &[(base, 0.0)],
+            "plane" | "disc" | "rectangle" => &[(base, 0.0)],
             "cone capped" => &[(top, height)],
             "frustum pointed" => &[(base, 0.0)],
             "cylinder capped" | "frustum capped" | "frustum widening" => &[(base, 0.0), (top, height)],
@@ -148,6 +175,18 @@ impl<S: Exact> Subject<S> {
 
     /// A point of a rim (or seam, or the apex), where parts meet.
     pub fn rim_point(&self, random: &mut Random) -> [f64; 3] {
+        if self.name == "cuboid" {
+            // At one of the twelve edges.
+            let along = random.below(3);
+            let mut point = CUBOID.map(|half| half * random.sign());
+            point[along] *= random.unit();
+            return point;
+        }
+        if self.name == "rectangle" {
+            let [x, z] = RECTANGLE.map(|half| random.sign() * half);
+            let inwards = random.unit();
+            return if random.next() & 1 == 0 { [x * inwards, 0.0, z] } else { [x, 0.0, z * inwards] };
+        }
         let (base, top, height) = self.outline;
         let angle = random.between(0.0, std::f64::consts::TAU);
         let upper = random.next() & 1 == 0 && height > 0.0;

@@ -201,6 +201,27 @@ fn roots<N: Number>(a: N, k: N, c: N) -> Option<[N; 2]> {
     Some([(-k - root) / a, (-k + root) / a])
 }
 
+/// Both ends of the line in a cuboid, by slabs.
+#[inline(always)]
+fn slabs<N: Number>(half: [N; 3], ray: &PlainRay<N>) -> Option<[N; 2]> {
+    let mut ends: Option<[N; 2]> = None;
+    for ((o, d), h) in ray.origin.into_iter().zip(ray.direction).zip(half) {
+        if d == N::ZERO {
+            if o < -h || o > h {
+                return None;
+            }
+            continue;
+        }
+        let (a, b) = ((-h - o) / d, (h - o) / d);
+        let (near, far) = if a < b { (a, b) } else { (b, a) };
+        ends = Some(match ends {
+            None => [near, far],
+            Some([enter, exit]) => [if near > enter { near } else { enter }, if far < exit { far } else { exit }],
+        });
+    }
+    ends.filter(|[enter, exit]| enter <= exit)
+}
+
 /// How far a side reaches along its axis.
 #[derive(Clone, Copy)]
 pub enum Extent<N> {
@@ -232,6 +253,8 @@ pub enum Form<N> {
     Capsule { radius: N, height: N },
     Plane,
     Disc { radius: N },
+    Cuboid { half: [N; 3] },
+    Rectangle { half: [N; 2] },
     Triangle { vertices: [[N; 3]; 3] },
 }
 
@@ -270,6 +293,8 @@ impl<N: Number> Form<N> {
             Solid::Capsule { radius, height } => Self::Capsule { radius: n(radius), height: n(height) },
             Solid::Plane => Self::Plane,
             Solid::Disc { radius } => Self::Disc { radius: n(radius) },
+            Solid::Cuboid { half } => Self::Cuboid { half: half.each_ref().map(n) },
+            Solid::Rectangle { half } => Self::Rectangle { half: half.each_ref().map(n) },
             Solid::Triangle { vertices } => {
                 Self::Triangle { vertices: vertices.each_ref().map(|v| v.each_ref().map(n)) }
             }
@@ -317,6 +342,21 @@ impl<N: Number> Form<N> {
                 }
             }
             Self::Disc { radius } => ends([Some((N::ZERO, radius)), None], ray, report),
+            Self::Cuboid { half } => {
+                if let Some(ends) = slabs(half, ray) {
+                    ends.into_iter().for_each(&mut *report);
+                }
+            }
+            Self::Rectangle { half: [x, z] } => {
+                let ([ox, oy, oz], [dx, dy, dz]) = (ray.origin, ray.direction);
+                if dy != N::ZERO {
+                    let t = -oy / dy;
+                    let (px, pz) = (ox + t * dx, oz + t * dz);
+                    if -x <= px && px <= x && -z <= pz && pz <= z {
+                        report(t);
+                    }
+                }
+            }
             Self::Triangle { vertices } => triangle(vertices, ray, report),
         }
     }

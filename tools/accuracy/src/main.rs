@@ -4,6 +4,7 @@
 //! cargo run --release -p raylet-accuracy                 # tables and plots, in out/accuracy
 //! cargo run --release -p raylet-accuracy -- --quick      # the same of few rays, to look at
 //! cargo run --release -p raylet-accuracy -- --write      # renews everything that the repository shows
+//! cargo run --release -p raylet-accuracy -- --bounds --only disc    # renews the bounds of a primitive
 //! cargo run --release -p raylet-accuracy -- --check      # fails if a figure of errors is not what is measured
 //! cargo run --release -p raylet-accuracy -- --broken     # the rays of which a tier's promise is broken, worst first
 //! cargo run --release -p raylet-accuracy -- --search     # the same, searched from the worst random rays uphill
@@ -55,8 +56,7 @@ use support::{bounds, figures, in_repository};
 /// Errors are the same on every machine and in every run; times are not, and nothing is decided by them.
 #[derive(Parser)]
 #[command(version, about, args_conflicts_with_subcommands = true)]
-// Switches of a command line.
-#[allow(clippy::struct_excessive_bools)]
+#[expect(clippy::struct_excessive_bools, reason = "switches of a command line")]
 struct Options {
     #[command(subcommand)]
     command: Option<Command>,
@@ -93,7 +93,11 @@ struct Options {
     /// direction a little, and stays where that is worse. Prints them as --broken does. Fails if there is one.
     #[arg(short, long, conflicts_with_all = ["write", "document", "json", "quick"], group = "part")]
     search: bool,
-    /// With --check, --broken or --search: measure this primitive only (--check takes what is not measured from the bounds). May be given
+    /// Measure the errors of the primitives that --only names, and write their rows into data/bounds: for a new primitive, before its times
+    /// are measured. Documents are not written.
+    #[arg(long, requires = "only", conflicts_with_all = ["write", "document", "json", "quick"], group = "part")]
+    bounds: bool,
+    /// With --bounds, --check, --broken or --search: measure this primitive only (--check takes what is not measured from the bounds). May be given
     /// several times.
     #[arg(long, requires = "part", value_name = "PRIMITIVE", value_parser = SUBJECTS)]
     only: Vec<String>,
@@ -128,6 +132,9 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     }
     if options.check {
         return check(root, &options.only);
+    }
+    if options.bounds {
+        return put(root, bounds_of(&options.only)?);
     }
     let rays = options.rays.map_or(bounds::RAYS, Rays::new);
     if options.broken {
@@ -190,6 +197,17 @@ fn errors(rays: Rays, only: &[String], numbers: &[String]) -> Result<Vec<figures
     let rows = figures::measure_all(rays, &wanted, &mut || progress.inc(1));
     progress.finish_and_clear();
     Ok(rows)
+}
+
+/// The tables of bounds, with the rows of these primitives measured anew.
+fn bounds_of(only: &[String]) -> Result<Vec<(String, String)>, Box<dyn Error>> {
+    let mut rows = bounds::all();
+    rows.retain(|row| !only.iter().any(|name| name == row.primitive));
+    rows.extend(errors(bounds::RAYS, only, &[])?);
+    // A stable sort: workloads stay in order.
+    let place = |all: &[&str], name: &str| all.iter().position(|it| *it == name);
+    rows.sort_by_key(|row| (place(&NUMBERS, &row.number), place(&SUBJECTS, row.primitive)));
+    Ok(figures::TIERS.iter().map(|tier| (bounds::path(tier), bounds::table(tier, &rows))).collect())
 }
 
 /// A point of a sweep has fewer rays than a row.

@@ -64,7 +64,7 @@ pub fn programs() -> impl Iterator<Item = &'static Use> {
 }
 
 /// The source files with the code of few kinds: who they belong to, and the number type, if they are of one.
-const FILES: [(&str, &[&str], Option<&str>); 19] = [
+const FILES: [(&str, &[&str], Option<&str>); 22] = [
     ("primitive/sphere", &["Sphere"], None),
     ("primitive/cylinder", &["Cylinder"], None),
     ("primitive/cone", &["Cone"], None),
@@ -73,10 +73,13 @@ const FILES: [(&str, &[&str], Option<&str>); 19] = [
     ("primitive/plane", &["Plane"], None),
     ("primitive/disc", &["Disc"], None),
     ("primitive/triangle", &["Triangle"], None),
+    ("primitive/cuboid", &["Cuboid"], None),
+    ("primitive/rectangle", &["Rectangle"], None),
     ("affine", &["Affine"], None),
     ("solve/side", &["Cylinder", "Cone", "Capsule"], None),
     ("solve/round", &["Sphere", "Cone", "Capsule"], None),
-    ("solve/flat", &["Plane", "Disc", "Triangle"], None),
+    ("solve/flat", &["Plane", "Disc", "Rectangle", "Triangle"], None),
+    ("solve/slabs", &["Cuboid", "Rectangle"], None),
     ("scalar/floats/cone", &["Cone"], Some("f32")),
     ("scalar/integers/ball", &["Sphere", "Capsule"], Some("I16F16")),
     ("scalar/integers/round", &["Cylinder", "Capsule"], Some("I16F16")),

@@ -6,7 +6,8 @@ use raylet_tables::{Figures, Outcome};
 use std::path::Path;
 
 /// The primitives, and any of them as it is placed.
-pub const PRIMITIVES: [&str; 8] = ["sphere", "cylinder", "cone", "capsule", "plane", "disc", "triangle", SHAPE];
+pub const PRIMITIVES: [&str; 10] =
+    ["sphere", "cylinder", "cone", "capsule", "plane", "disc", "triangle", "cuboid", "rectangle", SHAPE];
 
 /// Any primitive as it is placed.
 pub const SHAPE: &str = "shape";

@@ -1,5 +1,5 @@
 //! What Unicorn and `machine.py` call.
-#![allow(unsafe_code)] // Both call through C.
+#![expect(unsafe_code, reason = "both call through C")]
 
 use crate::{Block, Counter};
 use std::ffi::c_void;

@@ -9,7 +9,7 @@ pub const CHIPS: [(&str, &str); 4] = [
 ];
 
 /// The subjects, as the programs that count instructions name them.
-pub const SUBJECTS: [&str; 20] = [
+pub const SUBJECTS: [&str; 23] = [
     "sphere",
     "cylinder, infinite",
     "cylinder, open",
@@ -23,11 +23,14 @@ pub const SUBJECTS: [&str; 20] = [
     "plane",
     "disc",
     "triangle",
+    "cuboid",
+    "rectangle",
     "cylinder, capped, as a shape",
     "sphere, framed",
     "cylinder, capped, framed",
     "cone, capped, framed",
     "disc, framed",
     "triangle, framed",
+    "cuboid, framed",
     "cylinder, capped, stretched",
 ];

@@ -97,7 +97,7 @@ impl ByApproach {
 
 /// How a line comes close to a ball, from its moment `w = o x d`: `D = a r^2 - |w|^2`, so that `t = (-k -+ sqrt(D)) / a`.
 ///
-/// `k` is exact; `a = 1 + e` with an `e` of at most 2^-39, whose square is nothing beside 1.
+/// `k` is exact; `a = 1 + e` with an `e` of at most 2^-39, whose square is nothing beside 1, or, rarely, of at most 2^-26.
 pub(in crate::scalar) struct ByMoment {
     d: [Digits; 3],
     k: i128,
@@ -155,20 +155,39 @@ impl ByMoment {
         // In units of 2^-70.
         let e = ((squared_length(self.d) - ONE) >> 54) as i64;
         if e != e as i32 as i64 {
-            return Attempt::Unsure;
+            return self.ends_along_rounded();
         }
         let e = e as i32;
         let excess = (product((self.rr >> 96) as i32, e) as i128) << 26;
+        self.ends_by(excess, |numerator| (product((numerator >> 94) as i32, e) as i128) << 24)
+    }
+
+    /// The two ends for an `e` of up to 2^-26, as a direction of 30 bits has, whose square counts.
+    #[cold]
+    #[inline(never)]
+    fn ends_along_rounded(self) -> Attempt<[i64; 2]> {
+        // In units of 2^-88.
+        let e = (squared_length(self.d) - ONE) >> 36;
+        if e.unsigned_abs() >> 62 != 0 {
+            return Attempt::Unsure;
+        }
+        let e = e as i64;
+        let times = |value: i128, e: i64| dot([Digits::new(high(value))], [Digits::new(e)]) >> 24;
+        // 1 / (1 + e) is 1 - (e - e^2).
+        let part = e - (square((e >> 32) as i32) >> 24);
+        self.ends_by(times(self.rr, e), |numerator| times(numerator, part))
+    }
+
+    /// The two ends from `e r^2`, and the part that `a` takes from a numerator.
+    #[inline(always)]
+    fn ends_by(&self, excess: i128, part: impl Fn(i128) -> i128) -> Attempt<[i64; 2]> {
         let discriminant = self.residual + excess;
         let certain = down(high(self.rr), self.spare().min(30));
         if high(discriminant) < certain {
             return if high(discriminant) < -certain { Attempt::Miss } else { Attempt::Unsure };
         }
         let root = up_to_128(root(discriminant), self.down) as i128;
-        let end = |numerator: i128| {
-            let excess = (product((numerator >> 94) as i32, e) as i128) << 24;
-            rounded(numerator - excess, self.finer)
-        };
+        let end = |numerator: i128| rounded(numerator - part(numerator), self.finer);
         Attempt::Found([end(-self.k - root), end(root - self.k)])
     }
 

@@ -73,6 +73,40 @@ pub(in crate::scalar) fn disc(o: [i64; 3], finer: i32, d: [i64; 3], r: i64) -> A
     Attempt::Found(t)
 }
 
+/// Where the line crosses the rectangle with these half extents about the origin: as with 32 bits where `|w_z| <= h_x |dy|` and
+/// `|w_x| <= h_z |dy|`.
+///
+/// The origin is in units of `2^-finer` of the half extents'; the answer is in theirs.
+#[inline(always)]
+pub(in crate::scalar) fn rectangle(o: [i64; 3], finer: i32, d: [i64; 3], [hx, hz]: [i64; 2]) -> Attempt<i64> {
+    let far = upper_bits(o[0]) | upper_bits(o[1]) | upper_bits(o[2]);
+    let (Some(hx), Some(hz)) = (refined(hx, finer), refined(hz, finer)) else {
+        return Attempt::Unsure;
+    };
+    if (far | upper_bits(hx) | upper_bits(hz)) >> 28 != 0 || !(finer == 0 || finer == FINER) {
+        return Attempt::Unsure;
+    }
+    // In units of 2^-(62 + finer), exactly, but for what a framed line is rounded: less than two of the origin's units.
+    let ([x, y, z], [dx, dy, dz]) = (digits(o), digits(d));
+    let [wx, wz] = [minor([y, z], [dy, dz]), minor([x, y], [dx, dy])].map(i128::unsigned_abs);
+    let doubt = if finer == 0 { 0 } else { 1_i128 << 65 };
+    let mut is_inside = true;
+    for (w, h) in [(wz, hx), (wx, hz)] {
+        let h = Digits::new(h);
+        let reach = carried(product(h.high, dy.high), h.middle(dy), product(h.low, dy.low) as i128).abs();
+        let beyond = w as i128 - reach;
+        if beyond > doubt {
+            return Attempt::Miss;
+        }
+        is_inside &= beyond < -doubt;
+    }
+    if !is_inside {
+        return Attempt::Unsure;
+    }
+    let [t, _] = found!(crossings(o[1], finer, d[1], [0, 0]));
+    Attempt::Found(t)
+}
+
 /// The height `oy + t dy`, rounded to the unit of `t`; the origin is in units of `2^-finer` of that.
 #[inline(always)]
 pub(in crate::scalar) fn height(oy: i64, finer: i32, dy: i64, t: i64) -> Attempt<i64> {

@@ -22,7 +22,7 @@ use super::{
 pub(in crate::scalar) use ball::{ByApproach, ByMoment};
 pub(in crate::scalar) use cone::{double_cone, exit_from_nappe, nappe};
 pub(in crate::scalar) use departing::exit_from_round;
-pub(in crate::scalar) use flat::{crossings, disc, height, lowered};
+pub(in crate::scalar) use flat::{crossings, disc, height, lowered, rectangle};
 pub(in crate::scalar) use round::tube;
 pub(in crate::scalar) use triangle::triangle;
 pub(in crate::scalar) use turned::{FINER, turned};

@@ -71,11 +71,16 @@ fn line_and_ball(random: &mut Random) -> ([i64; 3], [i64; 3], i64) {
         };
         let o = at.map(|c| bits(c, 1.0));
         let mut d = d.map(|c| (c * 2.0_f64.powi(62)) as i64);
-        // As long as a rounded unit vector, half of the time.
-        if random.below(2) == 0 {
-            let largest = (0..3).fold(0, |i, j| if d[j].abs() > d[i].abs() { j } else { i });
-            let others: i128 = (0..3).filter(|i| *i != largest).map(|i| (d[i] as i128) * d[i] as i128).sum();
-            d[largest] = d[largest].signum() * ((1 << 124) - others).isqrt() as i64;
+        match random.below(4) {
+            // As long as a rounded unit vector.
+            0 | 1 => {
+                let largest = (0..3).fold(0, |i, j| if d[j].abs() > d[i].abs() { j } else { i });
+                let others: i128 = (0..3).filter(|i| *i != largest).map(|i| (d[i] as i128) * d[i] as i128).sum();
+                d[largest] = d[largest].signum() * ((1 << 124) - others).isqrt() as i64;
+            }
+            // As long as one of a type of 32 bits.
+            2 => d = d.map(|c| ((c + (1 << 31)) >> 32) << 32),
+            _ => {}
         }
         return (o, d, r);
     }

@@ -273,6 +273,8 @@ fn resized(solid: &Solid, sign: i64, step: &Dyadic) -> Solid {
         Solid::Capsule { radius, height } => Solid::Capsule { radius: by(radius), height: or_zero(height) },
         Solid::Plane => Solid::Plane,
         Solid::Disc { radius } => Solid::Disc { radius: by(radius) },
+        Solid::Cuboid { half } => Solid::Cuboid { half: half.each_ref().map(by) },
+        Solid::Rectangle { half } => Solid::Rectangle { half: half.each_ref().map(by) },
         Solid::Triangle { vertices } => {
             // One corner or another, each in another direction.
             if sign == 0 {

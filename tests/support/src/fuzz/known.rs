@@ -13,7 +13,7 @@ pub fn has_a_vanishing_slope<S: Number>(query: &Query<S>) -> bool {
     let least = 2.0_f64.powi(if world { exponent } else { exponent / 2 });
     let mut components = query.ray.direction().to_f64().to_vec();
     if let Placement::Frame(frame) = query.shape.placement() {
-        components.extend([frame.right(), frame.up(), frame.forward()].iter().flat_map(|axis| axis.to_f64()));
+        components.extend([frame.left(), frame.up(), frame.forward()].iter().flat_map(|axis| axis.to_f64()));
     }
     components.iter().any(|c| *c != 0.0 && c.abs() < least) || query.axes.0 / query.axes.1 < least
 }

@@ -6,8 +6,8 @@ use crate::cases::Kind;
 use crate::oracle::{self, ConeExtent, CylinderExtent, Dyadic, Solid};
 use crate::random;
 use raylet::{
-    Affine, Capsule, Cone, Cylinder, Departure, Disc, Frame, Leaving, Part, Placement, Plane, Primitive, Range, Ray,
-    Scalar, Shape, Sphere, Triangle, Visible,
+    Affine, Capsule, Cone, Cuboid, Cylinder, Departure, Disc, Frame, Leaving, Part, Placement, Plane, Primitive, Range,
+    Ray, Rectangle, Scalar, Shape, Sphere, Triangle, Visible,
 };
 use std::cell::Cell;
 
@@ -134,6 +134,8 @@ fn extent(solid: &Solid) -> (Dyadic, Dyadic) {
         Solid::Frustum { base_radius, top_radius, height, .. } => {
             vec![base_radius.clone(), top_radius.clone(), height.clone()]
         }
+        Solid::Cuboid { half } => half.to_vec(),
+        Solid::Rectangle { half } => half.to_vec(),
         Solid::Triangle { vertices } => return triangle_extent(vertices),
     };
     let lengths: Vec<Dyadic> = lengths.into_iter().filter(|length| !length.is_zero()).collect();
@@ -158,7 +160,11 @@ type Made<S> = (Kind, Primitive<S>, Solid);
 
 fn primitive<S: Number>(bytes: &mut Bytes<'_, S>) -> Result<Made<S>, Rejected> {
     use Kind::{Bounded, Open, Unbounded};
-    let which = bytes.byte() % 14;
+    // The last two are those of few bytes, so that most bytes of the corpus mean what they meant when it was made.
+    let which = match bytes.byte() {
+        which @ 0..224 => which % 14,
+        which => 14 + which % 2,
+    };
     if which == 13 {
         return triangle(bytes);
     }
@@ -209,6 +215,14 @@ fn primitive<S: Number>(bytes: &mut Bytes<'_, S>) -> Result<Made<S>, Rejected> {
             (Bounded, primitive.into(), cut(true))
         }
         11 => (Open, Plane::new().into(), Solid::Plane),
+        14 => {
+            let primitive = made(Cuboid::new(given), both && is_size(c), &given)?;
+            (Bounded, primitive.into(), Solid::Cuboid { half: given.map(S::exact) })
+        }
+        15 => {
+            let primitive = made(Rectangle::new([a, b]), both, &given)?;
+            (Open, primitive.into(), Solid::Rectangle { half: [a, b].map(S::exact) })
+        }
         _ => (Open, made(Disc::new(a), is_size(a), &given)?.into(), Solid::Disc { radius: a.exact() }),
     })
 }
@@ -280,7 +294,20 @@ fn ray<S: Number>(bytes: &mut Bytes<'_, S>) -> Result<Ray<S>, Rejected> {
             ray.with_range(made(Range::new(start, end), allowed, &(start, end))?)
         }
     };
-    let part = bytes.pick(&[None, None, None, Some(Part::Side), Some(Part::Base), Some(Part::Top)]);
+    let part = bytes.pick(&[
+        None,
+        None,
+        None,
+        Some(Part::Side),
+        Some(Part::Base),
+        Some(Part::Top),
+        None,
+        None,
+        Some(Part::Left),
+        Some(Part::Right),
+        Some(Part::Back),
+        Some(Part::Front),
+    ]);
     Ok(match part {
         None => ray,
         Some(part) => {

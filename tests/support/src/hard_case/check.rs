@@ -186,7 +186,7 @@ fn of_type<S: Exact>(case: &Case) -> Option<(Shape<S>, Solid, Ray<S>, Line)> {
     let shape = if case.is_unplaced() { Shape::new(primitive) } else { Shape::new(primitive).placed(frame) };
     let [o, p] = [ray.origin(), frame.position()].map(|v| v.to_array().map(S::exact));
     let offset = std::array::from_fn(|i| &o[i] - &p[i]);
-    let axes = [frame.right(), frame.up(), frame.forward()].map(|axis| axis.to_array().map(S::exact_unit));
+    let axes = [frame.left(), frame.up(), frame.forward()].map(|axis| axis.to_array().map(S::exact_unit));
     let line = in_frame(&offset, &ray.direction().to_array().map(S::exact_unit), &axes);
     Some((shape, solid, ray, line))
 }

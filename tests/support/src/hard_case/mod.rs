@@ -3,6 +3,7 @@
 //! Numbers stand as people write them; the answer is that of the written numbers, in decimals, and was computed apart
 //! from this repository, with 400 digits. A number type rounds what is written, and then has an exact answer of its own.
 
+pub mod boxes;
 pub mod check;
 pub mod corners;
 pub mod flat;
@@ -47,6 +48,10 @@ pub enum Kind {
     Plane,
     /// A disc of this radius.
     Disc(f64),
+    /// A cuboid of these half extents.
+    Box([f64; 3]),
+    /// A rectangle of these half extents.
+    Rectangle([f64; 2]),
     /// A triangle.
     Triangle([[f64; 3]; 3]),
 }
@@ -240,6 +245,14 @@ pub fn build<S: Exact>(kind: Kind, end: Option<S>) -> Option<(Primitive<S>, Soli
         Kind::Disc(r) => {
             let (r, radius) = size(r)?;
             (raylet::Disc::new(r).ok()?.into(), Solid::Disc { radius })
+        }
+        Kind::Box([x, y, z]) => {
+            let [x, y, z] = [size(x)?, size(y)?, size(z)?];
+            (raylet::Cuboid::new([x.0, y.0, z.0]).ok()?.into(), Solid::Cuboid { half: [x.1, y.1, z.1] })
+        }
+        Kind::Rectangle([x, z]) => {
+            let [x, z] = [size(x)?, size(z)?];
+            (raylet::Rectangle::new([x.0, z.0]).ok()?.into(), Solid::Rectangle { half: [x.1, z.1] })
         }
         Kind::Triangle(corners) => {
             let [a, b, c] = corners.map(|corner| Vec3::<S>::from_f64(corner).ok());

@@ -164,6 +164,7 @@ fn capsule(solid: &Solid, line: &IntegerLine, radius: &IBig, height: &IBig, from
         Part::Side => return inwards(end.map(|t| End { t, part })),
         Part::Base => &IBig::ZERO,
         Part::Top => height,
+        _ => unreachable!("a capsule has no faces"),
     };
     let mut ball = sphere(line, radius, centre);
     if part == from {
@@ -182,7 +183,10 @@ fn capsule(solid: &Solid, line: &IntegerLine, radius: &IBig, height: &IBig, from
 /// If a solid with a side about its axis has none.
 pub fn solve_departing(solid: &Solid, line: &Line, from: Part, leaving: Leaving) -> Answer {
     match (solid, leaving) {
-        (Solid::Plane | Solid::Disc { .. } | Solid::Triangle { .. }, _) => Answer::Crossings(vec![]),
+        (Solid::Cuboid { half }, _) => super::slabs::departing(line, half, from, leaving),
+        (Solid::Plane | Solid::Disc { .. } | Solid::Rectangle { .. } | Solid::Triangle { .. }, _) => {
+            Answer::Crossings(vec![])
+        }
         (Solid::Cone { extent: ConeExtent::Double, .. }, _) => {
             both_nappes(solid, &IntegerLine::new(line, &[]), leaving)
         }

@@ -7,13 +7,10 @@
 //! - [`dyadic`]: the numbers given, `mantissa * 2^exponent`.
 //! - [`algebraic`]: the numbers answered, `(p + s * sqrt(D)) / q`.
 //! - [`solids`]: what the solids are, and which points belong to them.
-//! - [`solve`]: where a line meets them; of which [`quadric`] and [`flat`] do the equations.
+//! - [`solve`]: where a line meets them; of which [`quadric`], [`flat`] and [`slabs`] do the equations.
 //! - [`departing`]: where a line that departs from a solid meets it again.
 //! - [`expected`]: what of that a ray with a range of `t` must report.
 //! - [`normal`]: which way the surface faces there.
-
-// Every test file compiles this module for itself and uses only a part of it.
-#![allow(dead_code, unused_imports)]
 
 pub mod algebraic;
 pub mod departing;
@@ -22,6 +19,7 @@ pub mod expected;
 mod flat;
 pub mod normal;
 mod quadric;
+mod slabs;
 pub mod solids;
 pub mod solve;
 

@@ -7,8 +7,12 @@ use super::solids::{Line, Part, Solid, dot, triangle_normal};
 /// The precision of the components of a gradient, in bits.
 const GRADIENT_BITS: usize = 120;
 
+fn along(axis: usize, sign: i64) -> [Dyadic; 3] {
+    std::array::from_fn(|i| if i == axis { Dyadic::from(sign) } else { Dyadic::zero() })
+}
+
 fn upwards(sign: i64) -> [Dyadic; 3] {
-    [Dyadic::zero(), Dyadic::from(sign), Dyadic::zero()]
+    along(1, sign)
 }
 
 /// An outward normal of the part at the point where the line is at `t`, of some length, each component to 120 bits.
@@ -29,7 +33,11 @@ pub fn gradient(solid: &Solid, part: Part, t: &Root, line: &Line) -> [Dyadic; 3]
             let y = t.mul_add(&line.direction[1], &above);
             [coordinate(0), y.approximation(GRADIENT_BITS), coordinate(2)]
         }
-        (Solid::Plane | Solid::Disc { .. }, Part::Side) => upwards(1),
+        (Solid::Plane | Solid::Disc { .. } | Solid::Rectangle { .. }, Part::Side) => upwards(1),
+        (_, Part::Left) => along(0, -1),
+        (_, Part::Right) => along(0, 1),
+        (_, Part::Back) => along(2, -1),
+        (_, Part::Front) => along(2, 1),
         (Solid::Triangle { vertices }, Part::Side) => triangle_normal(vertices),
         (_, Part::Base) => upwards(-1),
         (_, Part::Top) => upwards(1),

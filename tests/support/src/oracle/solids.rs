@@ -74,6 +74,16 @@ pub enum Solid {
         /// Its radius.
         radius: Dyadic,
     },
+    /// All points whose coordinates are at most these in magnitude.
+    Cuboid {
+        /// The half extents along x, y and z.
+        half: [Dyadic; 3],
+    },
+    /// The rectangle around the origin in the plane `y = 0`, facing +y.
+    Rectangle {
+        /// The half extents along x and z.
+        half: [Dyadic; 2],
+    },
     /// A triangle with its edges, facing `(v1 - v0) x (v2 - v0)`, which must not be zero.
     Triangle {
         /// Its corners.
@@ -84,12 +94,20 @@ pub enum Solid {
 /// A part of a surface. The side owns every rim and seam that it shares.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
-    /// The curved side; all of a sphere, plane, disc or triangle.
+    /// The curved side; all of a sphere, plane, disc, rectangle or triangle.
     Side,
-    /// The cap at `y = 0`; of a capsule the hemisphere with `y < 0`.
+    /// The cap at `y = 0`; of a capsule the hemisphere with `y < 0`; of a cuboid the lowest face.
     Base,
-    /// The cap at `y = height`; of a capsule the hemisphere with `y > height`.
+    /// The cap at `y = height`; of a capsule the hemisphere with `y > height`; of a cuboid the highest face.
     Top,
+    /// A cuboid's face at the lowest `x`.
+    Left,
+    /// A cuboid's face at the highest `x`.
+    Right,
+    /// A cuboid's face at the lowest `z`.
+    Back,
+    /// A cuboid's face at the highest `z`.
+    Front,
 }
 
 /// Where a point lies.
@@ -249,6 +267,8 @@ pub fn contains(solid: &Solid, point: &[Dyadic; 3]) -> Membership {
         }
         Solid::Plane => on(y, &[]),
         Solid::Disc { radius } => on(y, &[&radius.squared() - &from_axis]),
+        Solid::Cuboid { half } => within(&std::array::from_fn::<_, 3, _>(|i| &half[i] - &point[i].magnitude())),
+        Solid::Rectangle { half: [along_x, along_z] } => on(y, &[along_x - &x.magnitude(), along_z - &z.magnitude()]),
         Solid::Triangle { vertices } => {
             let normal = triangle_normal(vertices);
             let margins: [Dyadic; 3] = std::array::from_fn(|start| {

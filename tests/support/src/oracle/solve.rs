@@ -8,6 +8,7 @@ use super::algebraic::Root;
 use super::dyadic::{Dyadic, sign_of};
 use super::flat::{disc, plane, triangle};
 use super::quadric::{EVERYWHERE, IntegerLine, Interval, LateralLine, Overlap, Quadratic, sphere_overlap};
+use super::slabs::{cuboid, rectangle};
 use super::solids::{ConeExtent, CylinderExtent, Lateral, Line, Part, Solid, triangle_normal};
 
 /// An end of a span.
@@ -302,6 +303,8 @@ pub fn solve(solid: &Solid, line: &Line) -> Answer {
             let integers = IntegerLine::new(line, &[radius]);
             disc(&integers, &integers.length(radius))
         }
+        Solid::Cuboid { half } => cuboid(line, half),
+        Solid::Rectangle { half } => rectangle(line, half),
         Solid::Triangle { vertices } => {
             // Called for its check that the triangle has an area.
             triangle_normal(vertices);

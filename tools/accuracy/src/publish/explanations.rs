@@ -18,7 +18,7 @@ fn is_unbounded_and_placed(row: &Beaten<'_>) -> bool {
 }
 
 fn is_flat(row: &Beaten<'_>) -> bool {
-    matches!(row.slower.primitive, "plane" | "disc" | "triangle")
+    matches!(row.slower.primitive, "plane" | "disc" | "rectangle" | "triangle")
 }
 
 /// The first that applies counts.

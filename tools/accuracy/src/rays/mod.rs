@@ -28,7 +28,7 @@ use support::figures::NUMBERS;
 /// Solids and placements, as the help shows them.
 fn forms() -> String {
     format!(
-        "Solids (axis y; they stand on y = 0, a cone on its apex; a sphere, a disc and a plane are about the origin):{}\n\n\
+        "Solids (axis y; they stand on y = 0, a cone on its apex; a sphere, a cuboid, a rectangle, a disc and a plane are about the origin; the sizes of cuboids and rectangles are half extents):{}\n\n\
          Placements (those of Frame and Affine; `x y z` are the images of the axes):{}\n\n\
          The guide: docs/your-rays.md",
         words::list(&solid::EXAMPLES),

@@ -13,14 +13,14 @@ pub const EXAMPLES: [&str; 7] = [
     "at 1 2 3",
     "at 1 2 3 axis 0 0 1",
     "at 1 2 3 forward 1 0 0 up 0 1 1",
-    "at 1 2 3 right 1 0 0 up 0 0 1 forward 0 -1 0",
+    "at 1 2 3 left 1 0 0 up 0 0 1 forward 0 -1 0",
     "at 1 2 3 stretched 2 1 0.5",
     "at 1 2 3 axis 0 0 1 stretched 2 1 0.5",
     "at 1 2 3 x 2 0 0 y 0 1 0 z 0 1 0.5",
 ];
 
 /// The names, each of which takes three numbers.
-const NAMES: [&str; 9] = ["at", "axis", "right", "up", "forward", "stretched", "x", "y", "z"];
+const NAMES: [&str; 9] = ["at", "axis", "left", "up", "forward", "stretched", "x", "y", "z"];
 
 /// How the axes of a frame lie: by the constructors of [`Frame`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,7 +28,7 @@ enum Turn<'a> {
     None,
     Axis(Three<'a>),
     Looking { forward: Three<'a>, up: Three<'a> },
-    Axes { right: Three<'a>, up: Three<'a>, forward: Three<'a> },
+    Axes { left: Three<'a>, up: Three<'a>, forward: Three<'a> },
 }
 
 /// A placement.
@@ -64,7 +64,7 @@ pub fn parse(text: &str) -> Result<Option<Placement<'_>>, String> {
     }
     let get = |name: &str| read.iter().find(|(read, _)| *read == name).map(|(_, numbers)| *numbers);
     let (at, stretched) = (get("at"), get("stretched"));
-    let turn = match (get("axis"), get("right"), get("up"), get("forward"), [get("x"), get("y"), get("z")]) {
+    let turn = match (get("axis"), get("left"), get("up"), get("forward"), [get("x"), get("y"), get("z")]) {
         _ if read.is_empty() => return Ok(None),
         (None, None, None, None, [Some(x), Some(y), Some(z)]) if stretched.is_none() => {
             return Ok(Some(Placement { at, form: Form::Matrix([x, y, z]) }));
@@ -72,7 +72,7 @@ pub fn parse(text: &str) -> Result<Option<Placement<'_>>, String> {
         (None, None, None, None, [None, None, None]) => Turn::None,
         (Some(axis), None, None, None, [None, None, None]) => Turn::Axis(axis),
         (None, None, Some(up), Some(forward), [None, None, None]) => Turn::Looking { forward, up },
-        (None, Some(right), Some(up), Some(forward), [None, None, None]) => Turn::Axes { right, up, forward },
+        (None, Some(left), Some(up), Some(forward), [None, None, None]) => Turn::Axes { left, up, forward },
         _ => {
             let names: Vec<_> = read.iter().map(|(name, _)| *name).collect();
             return Err(format!("{} make no placement together: give one of{}", names.join(", "), all()));
@@ -116,9 +116,9 @@ impl Placement<'_> {
             Turn::None => Frame::at(at),
             Turn::Axis(axis) => Frame::from_base_and_axis(at, direction("axis", axis)?),
             Turn::Looking { forward, up } => Frame::looking(at, direction("forward", forward)?, direction("up", up)?),
-            Turn::Axes { right, up, forward } => Frame::from_right_up_forward(
+            Turn::Axes { left, up, forward } => Frame::from_left_up_forward(
                 at,
-                direction("right", right)?,
+                direction("left", left)?,
                 direction("up", up)?,
                 direction("forward", forward)?,
             ),

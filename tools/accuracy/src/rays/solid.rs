@@ -5,7 +5,7 @@ use super::words::{Words, list};
 use support::described::{ConeExtent, CylinderExtent, Described};
 
 /// Every solid, as one writes it.
-pub const EXAMPLES: [&str; 14] = [
+pub const EXAMPLES: [&str; 16] = [
     "sphere radius 1",
     "cylinder infinite radius 1",
     "cylinder open radius 1 height 2",
@@ -19,6 +19,8 @@ pub const EXAMPLES: [&str; 14] = [
     "capsule radius 1 height 2",
     "plane",
     "disc radius 1",
+    "cuboid x 1 y 0.5 z 2",
+    "rectangle x 1 z 2",
     "triangle -1 0 -1, 1 0 -1, 0 0 1",
 ];
 
@@ -43,7 +45,7 @@ impl<'a> Sizes<'a> {
 fn parts(example: &'static str) -> (&'static str, Vec<&'static str>) {
     let is_number = |word: &&str| word.starts_with(|c: char| c.is_ascii_digit() || c == '-');
     let words: Vec<&str> = example.split(' ').filter(|word| !is_number(word)).collect();
-    let is_size = |word: &str| ["radius", "height", "slope", "base", "top"].contains(&word);
+    let is_size = |word: &str| ["radius", "height", "slope", "base", "top", "x", "y", "z"].contains(&word);
     let count = words.iter().take_while(|word| !is_size(word)).count();
     let length = words[..count].join(" ").len();
     (&example[..length], words[count..].to_vec())
@@ -110,6 +112,8 @@ pub fn parse(text: &str) -> Result<Described<Decimal<'_>>, String> {
         "frustum capped" => frustum(true),
         "capsule" => Ok(Described::Capsule { radius: get("radius")?, height: get("height")? }),
         "disc" => Ok(Described::Disc { radius: get("radius")? }),
+        "cuboid" => Ok(Described::Cuboid { half: [get("x")?, get("y")?, get("z")?] }),
+        "rectangle" => Ok(Described::Rectangle { half: [get("x")?, get("z")?] }),
         _ => Ok(Described::Plane),
     }
 }

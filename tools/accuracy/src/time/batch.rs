@@ -2,7 +2,9 @@
 
 use super::rays::Query;
 use raylet::tier::Tier;
-use raylet::{Capsule, Cone, Cylinder, Disc, Hit, Plane, Primitive, Ray, Scalar, Shape, Sphere, Triangle};
+use raylet::{
+    Capsule, Cone, Cuboid, Cylinder, Disc, Hit, Plane, Primitive, Ray, Rectangle, Scalar, Shape, Sphere, Triangle,
+};
 use std::hint::black_box;
 use std::time::Instant;
 use support::oracle::Solid;
@@ -68,7 +70,7 @@ macro_rules! primitives {
         )+
     };
 }
-primitives!(Sphere Cylinder Cone Capsule Plane Disc Triangle Shape);
+primitives!(Sphere Cylinder Cone Capsule Plane Disc Triangle Cuboid Rectangle Shape);
 
 #[inline(never)]
 fn nearest<S: Scalar, T: Tier<S>, P: Nearest<S>>((subject, ray): &(P, Ray<S>)) {
@@ -93,7 +95,7 @@ pub fn tier<S: Plain, T: Tier<S>>(queries: &[Query<S>]) -> Batch {
             }
         };
     }
-    own!(Sphere Cylinder Cone Capsule Plane Disc Triangle)
+    own!(Sphere Cylinder Cone Capsule Plane Disc Triangle Cuboid Rectangle)
 }
 
 type TextbookQuery<N> = (Form<N>, Option<Place<N>>, PlainRay<N>);

@@ -5,7 +5,7 @@ use raylet::scalar::{Real, UnitScalar};
 use raylet::shape::kinds::{KindError, Kinds};
 use raylet::tier::{Certain, Tier};
 use raylet::{
-    Affine, Capsule, Cone, Cylinder, Departure, Disc, Frame, Leaving, Part, Plane, Range, Ray, Shape, Sphere, Surface,
+    Affine, Capsule, Cone, Cuboid, Cylinder, Departure, Disc, Frame, Leaving, Part, Plane, Range, Ray, Rectangle, Shape, Sphere, Surface,
     Triangle, UnitVec3, Vec3, Visible,
 };
 
@@ -54,7 +54,7 @@ pub fn any_ray<S: Any>() -> Option<Ray<S>> {
     give(range.contains(S::any()));
     let ray = ray.ok()?.with_range(range);
     give(ray.at(S::any()));
-    let part = [Part::Side, Part::Base, Part::Top].into_iter().nth(any_word() as usize)?;
+    let part = [Part::Side, Part::Base, Part::Top, Part::Left, Part::Right, Part::Back, Part::Front].into_iter().nth(any_word() as usize)?;
     let leaving = if any_word() == 0 { Leaving::Inwards } else { Leaving::Outwards };
     Some(if any_word() == 0 { ray } else { ray.departing(Departure { object: 0, part, leaving }) })
 }
@@ -65,7 +65,7 @@ fn any_frame<S: Any>() -> Option<Frame<S>> {
         1 => Frame::from_base_and_axis(any_point(), any_direction()),
         2 => Frame::between(any_point(), any_point()).map(|(frame, _)| frame),
         3 => Frame::looking(any_point(), any_direction(), any_direction()),
-        _ => Frame::from_right_up_forward(any_point(), any_direction(), any_direction(), any_direction()),
+        _ => Frame::from_left_up_forward(any_point(), any_direction(), any_direction(), any_direction()),
     };
     frame.ok()
 }
@@ -87,6 +87,8 @@ pub fn any_shape<S: Any>() -> Option<Shape<S>> {
         3 => Shape::new(Capsule::new(S::any(), S::any()).ok()?),
         4 => Shape::new(Plane::new()),
         5 => Shape::new(Disc::new(S::any()).ok()?),
+        6 => Shape::new(Cuboid::new([S::any(), S::any(), S::any()]).ok()?),
+        7 => Shape::new(Rectangle::new([S::any(), S::any()]).ok()?),
         _ => Shape::new(Triangle::new(any_point(), any_point(), any_point()).ok()?),
     };
     let shape = match any_word() {
@@ -132,6 +134,8 @@ pub fn queries<S: Any, T: Tier<S>>() -> Option<()> {
     call!(Capsule::new(S::any(), S::any()).ok()?, ray, T);
     call!(Plane::new(), ray, T);
     call!(Disc::new(S::any()).ok()?, ray, T);
+    call!(Cuboid::new([S::any(), S::any(), S::any()]).ok()?, ray, T);
+    call!(Rectangle::new([S::any(), S::any()]).ok()?, ray, T);
     call!(Triangle::new(any_point(), any_point(), any_point()).ok()?, ray, T);
     call!(any_shape::<S>()?, ray, T);
     call!(among::<S, (Sphere<S>, Plane<S>, Frame<S>)>()?, ray, T);

@@ -4,7 +4,9 @@ use super::super::csv;
 use super::super::decimal::Decimal;
 use super::super::{placement, solid};
 use fixed::types::{I16F16, I32F32};
-use raylet::{Affine, Capsule, Cone, Cylinder, Disc, Frame, Plane, Shape, Sphere, Triangle, UnitVec3, Vec3};
+use raylet::{
+    Affine, Capsule, Cone, Cuboid, Cylinder, Disc, Frame, Plane, Rectangle, Shape, Sphere, Triangle, UnitVec3, Vec3,
+};
 use support::exact_types::Exact;
 use support::placed::Placed;
 
@@ -15,7 +17,7 @@ fn shape(text: &str) -> Shape<f64> {
 #[test]
 fn solids() {
     let v = |x, y, z| Vec3::new(x, y, z);
-    let wanted: [Shape<f64>; 14] = [
+    let wanted: [Shape<f64>; 16] = [
         Shape::new(Sphere::new(1.0).unwrap()),
         Shape::new(Cylinder::infinite(1.0).unwrap()),
         Shape::new(Cylinder::open(1.0, 2.0).unwrap()),
@@ -29,6 +31,8 @@ fn solids() {
         Shape::new(Capsule::new(1.0, 2.0).unwrap()),
         Shape::new(Plane::new()),
         Shape::new(Disc::new(1.0).unwrap()),
+        Shape::new(Cuboid::new([1.0, 0.5, 2.0]).unwrap()),
+        Shape::new(Rectangle::new([1.0, 2.0]).unwrap()),
         Shape::new(Triangle::new(v(-1.0, 0.0, -1.0), v(1.0, 0.0, -1.0), v(0.0, 0.0, 1.0)).unwrap()),
     ];
     for (text, wanted) in solid::EXAMPLES.into_iter().zip(wanted) {
@@ -51,7 +55,7 @@ fn placements() {
         sphere.placed(Frame::at(at).unwrap()),
         sphere.placed(along_z),
         sphere.placed(Frame::looking(at, x, d([0.0, 1.0, 1.0])).unwrap()),
-        sphere.placed(Frame::from_right_up_forward(at, x, y, z).unwrap()),
+        sphere.placed(Frame::from_left_up_forward(at, x, y, z).unwrap()),
         sphere.placed(Affine::stretched(Frame::at(at).unwrap(), factors).unwrap()),
         sphere.placed(Affine::stretched(along_z, factors).unwrap()),
         sphere.placed(Affine::new(columns, at).unwrap()),

@@ -1,13 +1,23 @@
-//! Bounding volume hierarchy, so that a ray tests few of many objects.
+//! Bounding volume hierarchy, so that a ray tests few of many objects: for a [`Scene`](crate::Scene), or for [`Shapes`] without one.
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | `build`, `split` | how a hierarchy is built |
+//! | `search` | the nearest hit and occlusion of many shapes |
+//! | `shapes` | many shapes without a scene |
 
 mod build;
+pub(crate) mod search;
+mod shapes;
 mod split;
 
-use super::{Counters, Object};
+pub use shapes::Shapes;
+
 use crate::ray::Ray;
 use crate::scalar::{Scalar, UnitScalar};
-use crate::shape::kinds::Kinds;
+use crate::shape::Shaped;
 use core::fmt;
+use search::Watch;
 
 /// A node of a [`Hierarchy`]. Its fields are private: make an array of [`Node::EMPTY`] or of `Node::default()` and pass it to
 /// [`Hierarchy::build`].
@@ -55,7 +65,8 @@ impl<S: Scalar> Default for Node<S> {
     }
 }
 
-/// A bounding volume hierarchy: a binary tree of axis-aligned boxes around the objects of a scene.
+/// A bounding volume hierarchy: a binary tree of axis-aligned boxes around the objects of a scene, or around the shapes of
+/// a list ([`Shapes`]).
 ///
 /// It changes no bit of a result. The number of tests of a ray grows about with the logarithm of the number of objects. Without a
 /// hierarchy a scene tests every object.
@@ -110,23 +121,18 @@ impl<S: Scalar> Hierarchy<'_, S> {
     }
 
     /// Calls `test` for every object that the ray may hit. `test` returns the end of the range that remains to be searched, or `None` to
-    /// stop. Counts the box tests.
+    /// stop. Counts the tests of boxes.
     ///
     /// Of two children the one that the ray reaches first is visited first, so that a hit in it shortens the range.
     #[inline(always)]
-    pub(super) fn walk(
-        &self,
-        ray: &Ray<S>,
-        counters: &mut Counters,
-        mut test: impl FnMut(u32, &mut Counters) -> Option<S>,
-    ) {
+    fn walk<W: Watch>(&self, ray: &Ray<S>, watch: &mut W, mut test: impl FnMut(u32, &mut W) -> Option<S>) {
         let (start, mut end) = (ray.range().start(), ray.range().end());
         // The object that the ray departs from is always tested: its result follows from the departure, not from where the ray starts.
         let departed = ray.departure().map(|departure| departure.object).filter(|own| (*own as usize) < self.objects());
         for object in
             departed.into_iter().chain(self.unbounded.iter().map(|node| node.object).filter(|o| Some(*o) != departed))
         {
-            match test(object, counters) {
+            match test(object, watch) {
                 Some(nearer) => end = nearer,
                 None => return,
             }
@@ -142,7 +148,7 @@ impl<S: Scalar> Hierarchy<'_, S> {
         while let Some(place) = next
             && let Some(node) = self.tree.get(place as usize)
         {
-            counters.box_tests += 1;
+            watch.count_box();
             if !S::misses_box(&slabs, [start, end], node.centre, node.half) {
                 if node.objects > 1 {
                     let (lower, upper) = (place + 1, place + 2 * node.lower());
@@ -154,7 +160,7 @@ impl<S: Scalar> Hierarchy<'_, S> {
                     continue;
                 }
                 if Some(node.object) != departed {
-                    match test(node.object, counters) {
+                    match test(node.object, watch) {
                         Some(nearer) => end = nearer,
                         None => return,
                     }
@@ -165,11 +171,11 @@ impl<S: Scalar> Hierarchy<'_, S> {
     }
 
     /// True if it was built for exactly these objects, in this order.
-    pub(super) fn is_of(&self, objects: &[Object<S, impl Kinds>]) -> bool {
+    pub(crate) fn is_of(&self, objects: &[impl Shaped<S>]) -> bool {
         let mut leaves = self.unbounded.iter().chain(self.tree.iter().filter(|node| node.objects == 1));
         self.objects() == objects.len()
             && leaves.all(|leaf| {
-                objects.get(leaf.object as usize).is_some_and(|object| Node::leaf(leaf.object, &object.shape) == *leaf)
+                objects.get(leaf.object as usize).is_some_and(|object| Node::leaf(leaf.object, object.shape()) == *leaf)
             })
     }
 }

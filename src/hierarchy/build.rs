@@ -5,13 +5,12 @@ use super::{AXIS, Hierarchy, HierarchyError, LEVELS, MOST_OBJECTS, Node};
 use crate::geometry::Bounds;
 use crate::scalar::{Real, Scalar};
 use crate::scalar::{Ring, slabs::MARGIN_BITS};
-use crate::scene::Object;
 use crate::shape::kinds::{Kind, Kinds};
-use crate::shape::{Placement, Primitive, Shape};
+use crate::shape::{Placement, Primitive, Shape, Shaped};
 use crate::vector::{Vec3, pairs};
 
 impl<'a, S: Scalar> Hierarchy<'a, S> {
-    /// The hierarchy of these objects, in borrowed storage of at least [`Hierarchy::nodes_for`] nodes.
+    /// The hierarchy of these objects, or of these shapes, in borrowed storage of at least [`Hierarchy::nodes_for`] nodes.
     ///
     /// Divides the objects in two along the axis on which the centres of their boxes are farthest apart, at the place with the least
     /// surface area cost, and then each part again. That takes time in proportion to `n log n`. The same objects always give the same
@@ -20,7 +19,7 @@ impl<'a, S: Scalar> Hierarchy<'a, S> {
     /// # Errors
     ///
     /// [`HierarchyError::Storage`] if the storage is too small; [`HierarchyError::TooManyObjects`] for more than 2^30 - 1 objects.
-    pub fn build(objects: &[Object<S, impl Kinds>], nodes: &'a mut [Node<S>]) -> Result<Self, HierarchyError> {
+    pub fn build(objects: &[impl Shaped<S>], nodes: &'a mut [Node<S>]) -> Result<Self, HierarchyError> {
         if objects.len() > MOST_OBJECTS {
             return Err(HierarchyError::TooManyObjects);
         }
@@ -31,7 +30,7 @@ impl<'a, S: Scalar> Hierarchy<'a, S> {
         // Objects without a box are written at the beginning and leaves at the end, where the tree overwrites none that is still needed.
         let (mut unbounded, mut leaves) = (0, 0);
         for (index, object) in (0_u32..).zip(objects) {
-            let leaf = Node::leaf(index, &object.shape);
+            let leaf = Node::leaf(index, object.shape());
             let place = if leaf.objects == 0 { unbounded } else { needed - 1 - leaves };
             if let Some(node) = nodes.get_mut(place) {
                 *node = leaf;

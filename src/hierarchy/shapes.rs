@@ -1,0 +1,101 @@
+//! Many shapes without a scene.
+
+use super::{Hierarchy, HierarchyError, Node, search};
+use crate::hit::Hit;
+use crate::ray::Ray;
+use crate::scalar::Scalar;
+use crate::shape::{Shape, Shaped};
+use crate::tier::{Stable, Tier};
+
+/// Shapes with a hierarchy of boxes around them: the nearest hit and occlusion of many shapes without a scene, for a program that wants
+/// distances and no picture. It has no camera, no materials and no counters.
+///
+/// The list holds [`Shape`]s, of any kind or of chosen ones, or anything else that is [`Shaped`]. The hierarchy is built for the list when the value is
+/// made, and both are borrowed as long as it lives, so that the two always fit together. To move a shape, let it go, change the list and make it again.
+///
+/// Every answer has the bits of a loop over the list. A list may be empty; then nothing is hit.
+///
+/// The 64 zones of a range sensor, over 40 posts:
+///
+/// ```
+/// use fixed::types::I16F16;
+/// use raylet::hierarchy::{Hierarchy, Node, Shapes};
+/// use raylet::{Cylinder, Frame, Ray, Shape, Vec3};
+///
+/// type Post = Shape<I16F16, (Cylinder<I16F16>, Frame<I16F16>)>;
+/// let metres = |x: f64| I16F16::from_num(x);
+/// let point = |x, y, z| Vec3::new(metres(x), metres(y), metres(z));
+/// let mut posts = heapless::Vec::<Post, 40>::new();
+/// for i in 0..40_u8 {
+///     let foot = point(f64::from(i % 8) - 3.5, 0.0, -2.0 - f64::from(i / 8));
+///     let _ = posts.push(Post::of(Cylinder::capped(metres(0.125), metres(2.0))?).placed(Frame::at(foot)?));
+/// }
+/// let mut nodes = [Node::EMPTY; Hierarchy::<I16F16>::nodes_for(40)];
+/// let posts = Shapes::new(&posts, &mut nodes)?;
+///
+/// let mut zones = [[None; 8]; 8];
+/// for (row, y) in zones.iter_mut().zip([1.35, 1.25, 1.15, 1.05, 0.95, 0.85, 0.75, 0.65]) {
+///     for (zone, x) in row.iter_mut().zip([-0.7, -0.5, -0.3, -0.1, 0.1, 0.3, 0.5, 0.7]) {
+///         let ray = Ray::towards(point(0.0, 1.0, 0.0), point(x, y, -1.0))?;
+///         *zone = posts.nearest(&ray).map(|(post, hit)| (post, hit.t));
+///     }
+/// }
+/// // Between the posts of the first two rows, at one of the third.
+/// assert_eq!(zones[3][3].map(|(post, _)| post), Some(19));
+/// assert!(zones.iter().flatten().flatten().all(|(_, t)| *t > metres(1.875)));
+/// # Ok::<(), raylet::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct Shapes<'a, S: Scalar, X = Shape<S>> {
+    shapes: &'a [X],
+    hierarchy: Hierarchy<'a, S>,
+}
+
+// Not derived: what has a shape need not be `Clone`.
+impl<S: Scalar, X> Clone for Shapes<'_, S, X> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<S: Scalar, X> Copy for Shapes<'_, S, X> {}
+
+impl<'a, S: Scalar, X: Shaped<S>> Shapes<'a, S, X> {
+    /// These shapes, with the hierarchy that [`Hierarchy::build`] makes of them in storage of at least [`Hierarchy::nodes_for`] nodes.
+    ///
+    /// # Errors
+    ///
+    /// [`HierarchyError::Storage`] if the storage is too small; [`HierarchyError::TooManyObjects`] for more than 2^30 - 1 shapes.
+    pub fn new(shapes: &'a [X], nodes: &'a mut [Node<S>]) -> Result<Self, HierarchyError> {
+        Ok(Self { shapes, hierarchy: Hierarchy::build(shapes, nodes)? })
+    }
+
+    /// The list; an index that [`Shapes::nearest`] returns is one of this list.
+    pub const fn list(&self) -> &'a [X] {
+        self.shapes
+    }
+
+    /// The nearest visible hit of a ray, and the index of its shape. If two shapes are hit at the same `t`, the one with the lower index is
+    /// returned. `None` if the ray hits nothing within its range.
+    ///
+    /// A departure of the ray (see [`Departure`](crate::Departure)) applies to the shape whose index it names; the other shapes are tested with
+    /// the ray without departure.
+    pub fn nearest(&self, ray: &Ray<S>) -> Option<(u32, Hit<S>)> {
+        self.nearest_at::<Stable>(ray)
+    }
+
+    /// As [`Shapes::nearest`], in a chosen accuracy tier.
+    pub fn nearest_at<T: Tier<S>>(&self, ray: &Ray<S>) -> Option<(u32, Hit<S>)> {
+        search::nearest::<S, T, ()>(self.shapes, Some(&self.hierarchy), ray, &mut ())
+    }
+
+    /// True if the ray hits any shape within its range. Stops at the first that it finds.
+    pub fn occludes(&self, ray: &Ray<S>) -> bool {
+        self.occludes_at::<Stable>(ray)
+    }
+
+    /// As [`Shapes::occludes`], in a chosen accuracy tier.
+    pub fn occludes_at<T: Tier<S>>(&self, ray: &Ray<S>) -> bool {
+        search::occluder::<S, T, ()>(self.shapes, Some(&self.hierarchy), ray, &mut ()).is_some()
+    }
+}

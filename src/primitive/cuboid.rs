@@ -1,0 +1,197 @@
+//! The cuboid: `|x| <= h_x`, `|y| <= h_y`, `|z| <= h_z`.
+
+use super::{Geometry, SizeError, checked_size, queries, surface_coordinates as coordinates};
+use crate::fast::{CuboidSlabs, Guards};
+use crate::figure::{Described, Figure, Figures};
+use crate::geometry::Hull;
+use crate::intersection::{End, Intersection};
+use crate::part::Part;
+use crate::scalar::{Attempt, Including, LocalLine, Scalar, found};
+use crate::vector::{UnitVec3, Vec3};
+
+/// A closed cuboid about the origin, given by its half extents along x, y and z.
+///
+/// Its six faces are parts: `Left` and `Right` at the lowest and highest `x`, `Base` and `Top` at the lowest and highest `y`, `Back` and `Front`
+/// at the lowest and highest `z`.
+///
+/// # Edges and corners
+///
+/// An edge or a corner belongs to the first of its faces in the order of the axes x, z, y: `Left` and `Right` own all their edges, `Back` and
+/// `Front` those that they share with `Base` and `Top`. The four faces at the sides thus own their edges with the base and the top, as the side of
+/// a cylinder owns its rims. A ray in the plane of a face enters and leaves through edges of that face; a ray along an edge through its corners.
+/// A ray that meets nothing but a point of an edge, or a corner, touches it: one hit.
+///
+/// # Surface coordinates
+///
+/// On the faces at the sides `v` grows upwards and `u` counter-clockwise as seen from +y: towards -z on `Right`, -x on `Back`, +z on `Left`, +x on
+/// `Front`. On `Base` and `Top` they are x and z, as on the caps of a cylinder. Each runs from 0 to 1 over the face.
+///
+/// ```
+/// use raylet::{Crossing, Cuboid, Part, Ray, UnitVec3, Vec3};
+/// let brick = Cuboid::new([2.0_f32, 0.5, 1.0])?;
+/// let ray = Ray::new(Vec3::new(1.5, 5.0, 0.0), -UnitVec3::Y)?;
+/// let hits = brick.hits(&ray);
+/// assert_eq!((hits[0].t, hits[0].part, hits[0].crossing), (4.5, Part::Top, Crossing::Enter));
+/// assert_eq!((hits[1].t, hits[1].part, hits[1].crossing), (5.5, Part::Base, Crossing::Exit));
+/// // In the plane of the top: through the edges that it shares with the left and the right face, which own them.
+/// let ray = Ray::new(Vec3::new(-5.0, 0.5, 0.0), UnitVec3::X)?;
+/// let parts: Vec<_> = brick.hits(&ray).into_iter().map(|hit| (hit.t, hit.part)).collect();
+/// assert_eq!(parts, [(3.0, Part::Left), (7.0, Part::Right)]);
+/// # Ok::<(), raylet::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cuboid<S> {
+    pub(super) half: [S; 3],
+}
+
+impl<S: Scalar> Cuboid<S> {
+    /// The cuboid with these half extents along x, y and z.
+    ///
+    /// # Errors
+    ///
+    /// [`SizeError::HalfExtent`] if one is not positive, not finite or beyond the budget.
+    pub fn new([x, y, z]: [S; 3]) -> Result<Self, SizeError> {
+        let checked = |half| checked_size(half, SizeError::HalfExtent);
+        Ok(Self { half: [checked(x)?, checked(y)?, checked(z)?] })
+    }
+
+    /// The half extents along x, y and z.
+    pub const fn half_extents(&self) -> [S; 3] {
+        self.half
+    }
+}
+
+impl<S> Described for Cuboid<S> {
+    const FIGURES: Figures = Figures::CUBOID;
+}
+
+impl<S: Scalar> Geometry<S> for Cuboid<S> {
+    type In<R: Scalar> = Cuboid<R>;
+
+    #[inline(always)]
+    fn in_type<R: Including<S>>(&self) -> Self::In<R> {
+        Cuboid { half: self.half.map(R::exactly) }
+    }
+
+    /// The sum of the half extents, which is no less than the half diagonal.
+    fn reach(&self) -> S {
+        let [x, y, z] = self.half;
+        x.plus(y).plus(z)
+    }
+
+    fn scaled(&self, e: i32) -> Self {
+        Self { half: self.half.map(|half| half.scaled(e)) }
+    }
+
+    #[inline(always)]
+    fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
+        found!(CuboidSlabs::new(line, self.half)).intersection()
+    }
+
+    #[inline(always)]
+    fn fast_exit<T: Guards>(&self, line: &LocalLine<S>, from: Part) -> Attempt<End<S>> {
+        match CuboidSlabs::new(line, self.half) {
+            Attempt::Found(slabs) => slabs.exit_from(from),
+            // Beside the cuboid by its rounded coordinates, but it starts on it.
+            Attempt::Miss | Attempt::Unsure => Attempt::Unsure,
+        }
+    }
+
+    fn figure(&self) -> Figure<S> {
+        Figure::Cuboid { half: self.half }
+    }
+
+    fn hull(&self) -> Hull<S> {
+        Hull::Cuboid(self.half)
+    }
+
+    fn on_surface(&self, point: Vec3<S>, part: Part) -> Vec3<S> {
+        let [x, y, z] = self.half;
+        let Vec3 { x: px, y: py, z: pz } = point;
+        let inside = Vec3::new(coordinates::clamped(px, x), coordinates::clamped(py, y), coordinates::clamped(pz, z));
+        match part {
+            Part::Left => Vec3 { x: -x, ..inside },
+            Part::Right => Vec3 { x, ..inside },
+            Part::Base => Vec3 { y: -y, ..inside },
+            Part::Top | Part::Side => Vec3 { y, ..inside },
+            Part::Back => Vec3 { z: -z, ..inside },
+            Part::Front => Vec3 { z, ..inside },
+        }
+    }
+
+    fn normal(&self, _: Vec3<S>, part: Part) -> UnitVec3<S> {
+        match part {
+            Part::Left => -UnitVec3::X,
+            Part::Right => UnitVec3::X,
+            Part::Base => -UnitVec3::Y,
+            Part::Top | Part::Side => UnitVec3::Y,
+            Part::Back => -UnitVec3::Z,
+            Part::Front => UnitVec3::Z,
+        }
+    }
+
+    fn bend(&self, _: Vec3<S>, _: Part) -> S {
+        S::INFINITY
+    }
+
+    fn uv(&self, point: Vec3<S>, part: Part) -> (S::Unit, S::Unit) {
+        let [x, y, z] = self.half.map(S::real);
+        match part {
+            Part::Left => (coordinates::across(point.z, z), coordinates::across(point.y, y)),
+            Part::Right => (coordinates::across(-point.z, z), coordinates::across(point.y, y)),
+            Part::Back => (coordinates::across(-point.x, x), coordinates::across(point.y, y)),
+            Part::Front => (coordinates::across(point.x, x), coordinates::across(point.y, y)),
+            Part::Base | Part::Top | Part::Side => (coordinates::across(point.x, x), coordinates::across(point.z, z)),
+        }
+    }
+
+    fn tangents(&self, _: Vec3<S>, part: Part) -> (UnitVec3<S>, UnitVec3<S>) {
+        match part {
+            Part::Left => (UnitVec3::Z, UnitVec3::Y),
+            Part::Right => (-UnitVec3::Z, UnitVec3::Y),
+            Part::Back => (-UnitVec3::X, UnitVec3::Y),
+            Part::Front => (UnitVec3::X, UnitVec3::Y),
+            Part::Base | Part::Top | Part::Side => coordinates::planar_tangents(),
+        }
+    }
+}
+
+queries!(Cuboid);
+
+#[cfg(all(test, feature = "fixed"))]
+#[expect(clippy::expect_used, reason = "a test may panic")]
+mod tests {
+    use super::*;
+    use crate::primitive::Rectangle;
+    use crate::tier::Stable;
+    use fixed::types::{I16F16, I32F32};
+
+    /// Rays from a few units away at a cuboid and at a rectangle: how many in a hundred the fast path leaves to the solver.
+    fn unsure<S: Scalar>() -> [usize; 2] {
+        let n = |value: f64| S::from_f64(value).expect("within the type");
+        let brick = Cuboid::new([n(1.25), n(0.75), n(1.0)]).expect("sizes");
+        let table = Rectangle::new([n(1.25), n(1.0)]).expect("sizes");
+        let mut state = 0x9e37_79b9_7f4a_7c15_u64;
+        let mut random = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (state >> 40) as f64 / f64::from(1 << 23) - 1.0
+        };
+        let mut left = [0; 2];
+        for _ in 0..10_000 {
+            let [origin, target] = [6.0, 1.25].map(|far| [random() * far, random() * far, random() * far]);
+            let along = core::array::from_fn(|i| target[i] - origin[i]);
+            let direction = UnitVec3::<S>::from_f64(along).expect("a length").to_array();
+            let line = LocalLine::along(origin.map(n), direction, S::ZERO);
+            left[0] += usize::from(brick.fast_intersection::<Stable>(&line) == Attempt::Unsure);
+            left[1] += usize::from(table.fast_intersection::<Stable>(&line) == Attempt::Unsure);
+        }
+        left.map(|count| count.div_ceil(100))
+    }
+
+    #[test]
+    fn the_fast_path_decides_nearly_all_rays() {
+        for left in [unsure::<f32>(), unsure::<f64>(), unsure::<I16F16>(), unsure::<I32F32>()] {
+            assert!(left[0] <= 2 && left[1] <= 2, "{left:?}");
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! The rectangle in the plane `y = 0`.
+
+use super::{Geometry, SizeError, checked_size, queries, surface_coordinates as coordinates};
+use crate::fast::{Guards, surface_hit};
+use crate::figure::{Described, Figure, Figures};
+use crate::geometry::Hull;
+use crate::intersection::Intersection;
+use crate::part::Part;
+use crate::scalar::{Attempt, Including, LocalLine, Scalar, UnitScalar, found};
+use crate::vector::{UnitVec3, Vec3};
+
+/// A rectangle about the origin in the plane `y = 0`, its edges included; an open surface whose front is +y.
+///
+/// The surface coordinates `u` and `v` are x and z, each from 0 to 1 over the rectangle.
+///
+/// ```
+/// use raylet::{Rectangle, Ray, UnitVec3, Vec3};
+/// let table = Rectangle::new([2.0_f32, 1.0])?;
+/// // Through a corner.
+/// let ray = Ray::new(Vec3::new(2.0, 3.0, -1.0), -UnitVec3::Y)?;
+/// assert_eq!(table.nearest(&ray).map(|hit| hit.t), Some(3.0));
+/// # Ok::<(), raylet::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rectangle<S> {
+    pub(super) half: [S; 2],
+}
+
+impl<S: Scalar> Rectangle<S> {
+    /// The rectangle with these half extents along x and z.
+    ///
+    /// # Errors
+    ///
+    /// [`SizeError::HalfExtent`] if one is not positive, not finite or beyond the budget.
+    pub fn new([x, z]: [S; 2]) -> Result<Self, SizeError> {
+        let checked = |half| checked_size(half, SizeError::HalfExtent);
+        Ok(Self { half: [checked(x)?, checked(z)?] })
+    }
+
+    /// The half extents along x and z.
+    pub const fn half_extents(&self) -> [S; 2] {
+        self.half
+    }
+}
+
+impl<S> Described for Rectangle<S> {
+    const FIGURES: Figures = Figures::RECTANGLE;
+}
+
+impl<S: Scalar> Geometry<S> for Rectangle<S> {
+    type In<R: Scalar> = Rectangle<R>;
+
+    #[inline(always)]
+    fn in_type<R: Including<S>>(&self) -> Self::In<R> {
+        Rectangle { half: self.half.map(R::exactly) }
+    }
+
+    /// The sum of the half extents, which is no less than the half diagonal.
+    fn reach(&self) -> S {
+        let [x, z] = self.half;
+        x.plus(z)
+    }
+
+    fn scaled(&self, e: i32) -> Self {
+        Self { half: self.half.map(|half| half.scaled(e)) }
+    }
+
+    #[inline(always)]
+    fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
+        let t = found!(S::fast_rectangle(*line, self.half));
+        Attempt::Found(surface_hit(t, line.direction[1] < S::Unit::ZERO))
+    }
+
+    fn figure(&self) -> Figure<S> {
+        Figure::Rectangle { half: self.half }
+    }
+
+    fn hull(&self) -> Hull<S> {
+        let [x, z] = self.half;
+        Hull::Cuboid([x, S::ZERO, z])
+    }
+
+    fn on_surface(&self, point: Vec3<S>, _: Part) -> Vec3<S> {
+        let [x, z] = self.half;
+        Vec3::new(coordinates::clamped(point.x, x), S::ZERO, coordinates::clamped(point.z, z))
+    }
+
+    fn normal(&self, _: Vec3<S>, _: Part) -> UnitVec3<S> {
+        UnitVec3::Y
+    }
+
+    fn bend(&self, _: Vec3<S>, _: Part) -> S {
+        S::INFINITY
+    }
+
+    fn uv(&self, point: Vec3<S>, _: Part) -> (S::Unit, S::Unit) {
+        let [x, z] = self.half.map(S::real);
+        (coordinates::across(point.x, x), coordinates::across(point.z, z))
+    }
+
+    fn tangents(&self, _: Vec3<S>, _: Part) -> (UnitVec3<S>, UnitVec3<S>) {
+        coordinates::planar_tangents()
+    }
+}
+
+queries!(Rectangle);
