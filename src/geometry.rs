@@ -51,6 +51,11 @@ pub trait Geometry<S: Scalar>: Copy + Described {
     fn second_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
         place.second_line(ray, Vec3::ZERO)
     }
+    /// For a primitive whose fast path may compute the entry without the exit ([`LocalLine::since`]): the line for the entry alone.
+    #[inline(always)]
+    fn entry_line(&self, _place: &impl Place<S>, _ray: &Ray<S>) -> Option<LocalLine<S>> {
+        None
+    }
     /// The intersection by the fast path.
     fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>>;
     /// Occlusion of the half-line `t >= 0` by the fast path; agrees with [`Geometry::fast_intersection`].

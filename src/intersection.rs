@@ -131,6 +131,17 @@ impl<S: Scalar> Intersection<S> {
         }
     }
 
+    /// The same with another entry of its one interval.
+    pub(crate) fn entered_at(self, enter: End<S>) -> Self {
+        match self {
+            Self::One(Span { exit, touch: false, .. }) => {
+                let exit = if exit.t < enter.t { End { t: enter.t, ..exit } } else { exit };
+                Self::One(Span::new(enter, exit))
+            }
+            other => other,
+        }
+    }
+
     /// Rule 3 of the contract: the ends in the range, sorted, and whether the range starts inside.
     pub(crate) fn hits(self, range: Range<S>) -> Hits<S> {
         let mut hits = Hits::none();

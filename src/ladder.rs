@@ -24,12 +24,17 @@ macro_rules! solve_robustly {
     ($Tier:ident) => {
         impl<S: Scalar> Solve<S> for $Tier {
             #[inline(always)]
-            fn fast<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<Intersection<S>> {
-                fast::<S, $Tier, G, _>(geometry, place, ray)
+            fn fast<G: Geometry<S>>(
+                geometry: &G,
+                place: &impl Place<S>,
+                ray: &Ray<S>,
+                since: Option<S>,
+            ) -> Attempt<Intersection<S>> {
+                fast::<S, $Tier, G, _>(geometry, place, ray, since)
             }
             #[inline(always)]
             fn fast_ahead<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<()> {
-                fast_ahead::<S, $Tier, G>(geometry, place, ray)
+                fast_ahead::<S, $Tier, G, _>(geometry, place, ray)
             }
             #[inline]
             fn climb<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Intersection<S> {
@@ -37,13 +42,17 @@ macro_rules! solve_robustly {
                     Attempt::Unsure => second_attempt::<S, $Tier, G, _>(geometry, place, ray),
                     found => found,
                 };
-                match found {
+                let intersection = match found {
                     Attempt::Found(intersection) => intersection,
                     Attempt::Miss => Intersection::Miss,
                     // The robust number knows every sign, so that there is always a result.
                     Attempt::Unsure => {
                         climb::<S, S::Robust, G>(&geometry.figure(), place, ray).unwrap_or(Intersection::Miss)
                     }
+                };
+                match fast_entry::<S, $Tier, G, _>(geometry, place, ray) {
+                    Some(enter) => intersection.entered_at(enter),
+                    None => intersection,
                 }
             }
             fn contains<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, point: Vec3<S>) -> bool {
@@ -110,12 +119,14 @@ fn is_frequent<S: Scalar, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, r
     Attempt::Found(())
 }
 
-/// The intersection by the fast path, of the rays that are most frequent: see [`rare`] for the others.
+/// The intersection by the fast path, of the rays that are most frequent: see [`rare`] for the others. If `since` is given, only the first end at or
+/// after it is wanted.
 #[inline(always)]
 fn fast<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
     geometry: &G,
     place: &P,
     ray: &Ray<S>,
+    since: Option<S>,
 ) -> Attempt<Intersection<S>> {
     found!(is_frequent(geometry, place, ray));
     let Some(mut line) = geometry.fast_line(place, ray) else {
@@ -123,7 +134,30 @@ fn fast<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
     };
     geometry.fit(&mut line);
     (line.is_strict, line.is_doubled) = (T::STRICT, false);
+    // Along the line itself, whose `t` is then the ray's.
+    line.since = since.filter(|_| !P::STRETCHES && line.start == S::ZERO);
     in_own_t(place, &line, geometry.fast_intersection::<T>(&line))
+}
+
+/// The entry, of an intersection of which the fast path is unsure, if the fast path computes that alone for the nearest hit: the list of all hits
+/// then begins with the same.
+#[inline(always)]
+fn fast_entry<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
+    geometry: &G,
+    place: &P,
+    ray: &Ray<S>,
+) -> Option<End<S>> {
+    if P::STRETCHES || ray.departure().is_some() {
+        return None;
+    }
+    let line = geometry.entry_line(place, ray)?;
+    if line.start != S::ZERO || line.is_coarse {
+        return None;
+    }
+    match geometry.fast_intersection::<T>(&line) {
+        Attempt::Found(Intersection::One(Span { enter, .. })) => Some(enter),
+        _ => None,
+    }
 }
 
 /// The fast path of rays that depart inwards, and in fixed point of all with an affine placement. These are functions of their own: where [`fast`]
@@ -147,7 +181,7 @@ fn fast_or_rare<S: Scalar, T: Guards, G: Geometry<S>>(
     place: &impl Place<S>,
     ray: &Ray<S>,
 ) -> Attempt<Intersection<S>> {
-    match fast::<S, T, G, _>(geometry, place, ray) {
+    match fast::<S, T, G, _>(geometry, place, ray, None) {
         Attempt::Unsure => rare::<S, T, G>(geometry, place, ray),
         found => found,
     }
@@ -342,11 +376,12 @@ fn from_start<S: Scalar>(intersection: Intersection<S>, start: S, is_strict: boo
 
 /// The occlusion test by the fast path.
 #[inline(always)]
-fn fast_ahead<S: Scalar, T: Guards, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<()> {
+fn fast_ahead<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<()> {
     found!(is_frequent(geometry, place, ray));
     let Some(mut line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
     geometry.fit(&mut line);
     if line.start == S::ZERO && !line.is_coarse {
+        line.since = (!P::STRETCHES).then_some(S::ZERO);
         return geometry.fast_occlusion::<T>(&line);
     }
     let intersection = found!(in_own_t(place, &line, geometry.fast_intersection::<T>(&line)));

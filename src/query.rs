@@ -13,8 +13,14 @@ pub trait Solve<S: Scalar> {
     /// True if the ends of a range are compared with exact roots, and not with the rounded `t` of hits.
     const EXACT_ENDS: bool = false;
 
-    /// The intersection by the fast path.
-    fn fast<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<Intersection<S>>;
+    /// The intersection by the fast path. If `since` is given, only the first end at or after it is wanted: see
+    /// [`LocalLine::since`](crate::scalar::LocalLine).
+    fn fast<G: Geometry<S>>(
+        geometry: &G,
+        place: &impl Place<S>,
+        ray: &Ray<S>,
+        since: Option<S>,
+    ) -> Attempt<Intersection<S>>;
     /// Occlusion of the half-line `t >= 0` by the fast path; agrees with [`Solve::fast`].
     fn fast_ahead<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<()>;
     /// The intersection by the solver, in wider numbers.
@@ -25,7 +31,7 @@ pub trait Solve<S: Scalar> {
     /// All hits.
     #[inline]
     fn hits<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Hits<S> {
-        match Self::fast(geometry, place, ray) {
+        match Self::fast(geometry, place, ray, None) {
             Attempt::Miss => Hits::none(),
             Attempt::Found(intersection) => intersection.hits(ray.range()),
             Attempt::Unsure => apart(|| Self::climb(geometry, place, ray).hits(ray.range())),
@@ -41,7 +47,9 @@ pub trait Solve<S: Scalar> {
         ray: &Ray<S>,
         accept: impl Fn(Crossing) -> bool,
     ) -> Option<Hit<S>> {
-        match Self::fast(short, place, ray) {
+        // If the entry is accepted, what comes after it is not wanted.
+        let since = accept(Crossing::Enter).then(|| ray.range().start());
+        match Self::fast(short, place, ray, since) {
             Attempt::Miss => None,
             Attempt::Found(intersection) => intersection.nearest(ray.range(), accept),
             Attempt::Unsure => apart(|| Self::climb(geometry, place, ray).nearest(ray.range(), accept)),

@@ -26,6 +26,7 @@ macro_rules! solve_exactly {
                 geometry: &G,
                 place: &impl Place<$S>,
                 ray: &Ray<$S>,
+                _: Option<$S>,
             ) -> Attempt<Intersection<$S>> {
                 if starts_in_doubles(place) {
                     fast_in_doubles(geometry, place, ray)

@@ -1,12 +1,14 @@
 //! The cuboid: `|x| <= h_x`, `|y| <= h_y`, `|z| <= h_z`.
 
 use super::{Geometry, SizeError, checked_size, queries, surface_coordinates as coordinates};
-use crate::fast::{CuboidSlabs, Guards};
+use crate::fast::Guards;
 use crate::figure::{Described, Figure, Figures};
 use crate::geometry::Hull;
-use crate::intersection::{End, Intersection};
-use crate::part::Part;
-use crate::scalar::{Attempt, Including, LocalLine, Scalar, found};
+use crate::intersection::{End, Intersection, Span};
+use crate::line::Place;
+use crate::part::{FACES, Part};
+use crate::ray::Ray;
+use crate::scalar::{Attempt, InCuboid, Including, LocalLine, Scalar, UnitScalar, found};
 use crate::vector::{UnitVec3, Vec3};
 
 /// A closed cuboid about the origin, given by its half extents along x, y and z.
@@ -61,6 +63,14 @@ impl<S: Scalar> Cuboid<S> {
     }
 }
 
+/// The face across this axis by which a line along `d` enters or leaves.
+#[inline(always)]
+fn face<U: UnitScalar>(axis: usize, d: [U; 3], leaves: bool) -> Part {
+    let [across_x, across_z, across_y] = FACES;
+    let [low, high] = [across_x, across_y, across_z][axis];
+    if (d[axis] < U::ZERO) == leaves { low } else { high }
+}
+
 impl<S> Described for Cuboid<S> {
     const FIGURES: Figures = Figures::CUBOID;
 }
@@ -84,17 +94,29 @@ impl<S: Scalar> Geometry<S> for Cuboid<S> {
     }
 
     #[inline(always)]
+    fn entry_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
+        let mut line = self.fast_line(place, ray)?;
+        self.fit(&mut line);
+        line.since = Some(-S::INFINITY);
+        Some(line)
+    }
+
+    #[inline(always)]
     fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
-        found!(CuboidSlabs::new(line, self.half)).intersection()
+        let InCuboid { ends: [enter, exit], axes } = found!(S::fast_cuboid(line, self.half));
+        let end = |t: S, axis: usize, leaves: bool| End::new(t, face(axis, line.direction, leaves));
+        Attempt::Found(Intersection::One(Span::new(end(enter, axes[0], false), end(exit, axes[1], true))))
     }
 
     #[inline(always)]
     fn fast_exit<T: Guards>(&self, line: &LocalLine<S>, from: Part) -> Attempt<End<S>> {
-        match CuboidSlabs::new(line, self.half) {
-            Attempt::Found(slabs) => slabs.exit_from(from),
-            // Beside the cuboid by its rounded coordinates, but it starts on it.
-            Attempt::Miss | Attempt::Unsure => Attempt::Unsure,
+        // Otherwise it leads along the face that it starts on, or out at once, whatever its rounded coordinates say.
+        let leads_in = |axis: usize| line.direction[axis] != S::Unit::ZERO && face(axis, line.direction, false) == from;
+        if !(0..3).any(leads_in) {
+            return Attempt::Unsure;
         }
+        let (t, axis) = found!(S::fast_exit_from_cuboid(line, self.half));
+        Attempt::Found(End::new(t, face(axis, line.direction, true)))
     }
 
     fn figure(&self) -> Figure<S> {

@@ -35,6 +35,15 @@ pub struct NappeOutline<S> {
     pub height: Option<S>,
 }
 
+/// The interval of a line inside a cuboid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct InCuboid<S> {
+    /// The ends; the second is infinite if it is not wanted.
+    pub ends: [S; 2],
+    /// For each end, the axis that its face lies across: 0, 1 or 2 for x, y or z.
+    pub axes: [usize; 2],
+}
+
 /// Like `?`: the result, or a return from the calling function with [`Attempt::Miss`] or [`Attempt::Unsure`]. (A macro, since closures
 /// are not always inlined.)
 macro_rules! found {
@@ -96,6 +105,9 @@ pub struct LocalLine<S: Numbers> {
     /// True for the tier [`Exact`](crate::tier::Exact): what the guards let pass is certain, except for the rounding of `t`, by less than a unit. Floats have
     /// this for doubles in place of 32-bit numbers, of which nearly all rays still pass; fixed point has it in 32 bits.
     pub is_strict: bool,
+    /// If given, only the first end at or after this `t` is wanted: what comes after it may be left out, as if it were infinitely far away, and a line
+    /// without such an end may be a miss.
+    pub since: Option<S>,
 }
 
 impl<S: Numbers + Copy> LocalLine<S> {
@@ -115,6 +127,7 @@ impl<S: Numbers + Copy> LocalLine<S> {
             is_rounded: false,
             is_doubled: false,
             is_strict: false,
+            since: None,
         }
     }
 }
@@ -128,20 +141,6 @@ impl<S: super::Scalar> LocalLine<S> {
         line.direction[1] = -line.direction[1];
         line.rests = line.rests.mirrored();
         line
-    }
-
-    /// The line with x and y exchanged, for planes across x.
-    #[inline(always)]
-    pub(crate) fn across_x(&self) -> Self {
-        let ([x, y, z], [dx, dy, dz]) = (self.origin, self.direction);
-        Self { origin: [y, x, z], direction: [dy, dx, dz], rests: self.rests.across_x(), ..*self }
-    }
-
-    /// The line with y and z exchanged, for planes across z.
-    #[inline(always)]
-    pub(crate) fn across_z(&self) -> Self {
-        let ([x, y, z], [dx, dy, dz]) = (self.origin, self.direction);
-        Self { origin: [x, z, y], direction: [dx, dz, dy], rests: self.rests.across_z(), ..*self }
     }
 }
 
@@ -244,6 +243,18 @@ pub trait FastPath: Numbers {
     /// Where the line crosses the rectangle about the origin in the plane `y = 0`, with these half extents along x and z.
     #[inline(always)]
     fn fast_rectangle(_: LocalLine<Self>, _half: [Self; 2]) -> Attempt<Self> {
+        Attempt::Unsure
+    }
+
+    /// The interval of the line inside the cuboid about the origin with these half extents along x, y and z. Unsure of ends next to an edge.
+    #[inline(always)]
+    fn fast_cuboid(_: &LocalLine<Self>, _half: [Self; 3]) -> Attempt<InCuboid<Self>> {
+        Attempt::Unsure
+    }
+
+    /// Where a line that starts on the surface of that cuboid leads out of it, and the axis that this face lies across.
+    #[inline(always)]
+    fn fast_exit_from_cuboid(_: &LocalLine<Self>, _half: [Self; 3]) -> Attempt<(Self, usize)> {
         Attempt::Unsure
     }
 

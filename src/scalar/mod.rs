@@ -65,7 +65,7 @@ pub use fixed::{DISTANCE_BITS, SIZE_BITS};
 pub use crate::number::Ring;
 pub use computing::{Computing, Elementary};
 pub(crate) use fast::found;
-pub use fast::{Attempt, FastPath, FinerLine, InNappe, LocalLine, NappeOutline, Pace};
+pub use fast::{Attempt, FastPath, FinerLine, InCuboid, InNappe, LocalLine, NappeOutline, Pace};
 pub use including::Including;
 pub use rests::{LowWords, Rests};
 pub use rungs::{FromScalar, ToScalar};

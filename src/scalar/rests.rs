@@ -12,12 +12,6 @@ pub trait Rests<S>: Copy + Debug {
     /// Those of the line mirrored in the plane `y = 0`.
     #[must_use]
     fn mirrored(self) -> Self;
-    /// Those of the line with x in the place of y.
-    #[must_use]
-    fn across_x(self) -> Self;
-    /// Those of the line with z in the place of y.
-    #[must_use]
-    fn across_z(self) -> Self;
 }
 
 /// The low words of a float line.
@@ -42,16 +36,6 @@ impl<F: Real> Rests<F> for LowWords<F> {
         let mirrored = |[x, y, z]: [F; 3]| [x, -y, z];
         Self { origin: mirrored(self.origin), direction: mirrored(self.direction), ..self }
     }
-    #[inline(always)]
-    fn across_x(self) -> Self {
-        let swapped = |[x, y, z]: [F; 3]| [y, x, z];
-        Self { origin: swapped(self.origin), direction: swapped(self.direction), ..self }
-    }
-    #[inline(always)]
-    fn across_z(self) -> Self {
-        let swapped = |[x, y, z]: [F; 3]| [x, z, y];
-        Self { origin: swapped(self.origin), direction: swapped(self.direction), ..self }
-    }
 }
 
 impl<S> Rests<S> for () {
@@ -60,8 +44,4 @@ impl<S> Rests<S> for () {
     fn of_origin(_: [S; 3]) -> Self {}
     #[inline(always)]
     fn mirrored(self) -> Self {}
-    #[inline(always)]
-    fn across_x(self) -> Self {}
-    #[inline(always)]
-    fn across_z(self) -> Self {}
 }

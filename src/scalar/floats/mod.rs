@@ -18,6 +18,7 @@
 //! | `cone` | cones |
 //! | `doubled` | round solids in double-word numbers |
 //! | `departing` | lines that depart from a surface |
+//! | `cuboid` | cuboids |
 //! | `flat` | planes, discs, rectangles, triangles |
 
 #[macro_use]
@@ -33,9 +34,13 @@ mod doubled;
 #[macro_use]
 mod departing;
 #[macro_use]
+mod cuboid;
+#[macro_use]
 mod flat;
 
-use crate::scalar::{Attempt, FastPath, InNappe, LocalLine, LowWords, NappeOutline, Real, found, slabs::Slabs};
+use crate::scalar::{
+    Attempt, FastPath, InCuboid, InNappe, LocalLine, LowWords, NappeOutline, Real, found, slabs::Slabs,
+};
 use core::cmp::Ordering;
 
 macro_rules! floats {
@@ -47,7 +52,7 @@ macro_rules! floats {
             use crate::number::Ring;
             use crate::scalar::fast::within_edges;
             use crate::scalar::twofold::Twofold;
-            use crate::scalar::{Attempt, InNappe, LocalLine, LowWords, Real, found};
+            use crate::scalar::{Attempt, InCuboid, InNappe, LocalLine, LowWords, Real, found};
             use core::cmp::Ordering;
 
             guards!($Float, $bits, $bias, $mantissa, sqrt: $sqrt, may_have_spare_bits: $spare);
@@ -56,6 +61,7 @@ macro_rules! floats {
             cone!($Float, sqrt: $sqrt);
             doubled!($Float, sqrt: $sqrt);
             departing!($Float);
+            cuboid!($Float);
             flat!($Float);
         }
 
@@ -181,6 +187,14 @@ macro_rules! floats {
             #[inline(always)]
             fn fast_rectangle(line: LocalLine<Self>, half: [Self; 2]) -> Attempt<Self> {
                 $name::rectangle(line, half)
+            }
+            #[inline(always)]
+            fn fast_cuboid(line: &LocalLine<Self>, half: [Self; 3]) -> Attempt<InCuboid<Self>> {
+                $name::cuboid(line, half)
+            }
+            #[inline(always)]
+            fn fast_exit_from_cuboid(line: &LocalLine<Self>, half: [Self; 3]) -> Attempt<(Self, usize)> {
+                $name::exit_from_cuboid(line, half)
             }
             #[inline(always)]
             fn fast_triangle(line: LocalLine<Self>, vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {

@@ -14,6 +14,7 @@
 mod axis;
 mod ball;
 mod cone;
+mod cuboid;
 mod departing;
 mod direction;
 mod flat;
@@ -29,6 +30,7 @@ pub(super) mod wide;
 pub(super) use axis::{passes, passes_wide};
 pub(super) use ball::{ByApproach, ByMoment};
 pub(super) use cone::{double_cone, exit_from_nappe, nappe};
+pub(super) use cuboid::{cuboid, exit_from_cuboid};
 pub(super) use departing::exit_from_round;
 pub(super) use direction::direction;
 pub(super) use flat::{crossings, disc, height, lowered, rectangle};

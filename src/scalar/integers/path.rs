@@ -1,7 +1,9 @@
 //! The fast path of fixed point: from stored numbers to raw integers and back.
 
 use crate::scalar::integers;
-use crate::scalar::{Attempt, FastPath, FinerLine, InNappe, LocalLine, NappeOutline, Scalar, found, slabs::Slabs};
+use crate::scalar::{
+    Attempt, FastPath, FinerLine, InCuboid, InNappe, LocalLine, NappeOutline, Scalar, found, slabs::Slabs,
+};
 use core::cmp::Ordering;
 use fixed::types::extra::{LeEqU32, LeEqU64};
 use fixed::{FixedI32, FixedI64};
@@ -135,6 +137,24 @@ macro_rules! fast {
             let (o, d) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits));
             let t = found!($($kernels)::+::rectangle(o, line.finer, d, half.map(Self::to_bits)));
             Attempt::Found(Self::from_bits(t))
+        }
+        #[inline(always)]
+        fn fast_cuboid(line: &LocalLine<Self>, half: [Self; 3]) -> Attempt<InCuboid<Self>> {
+            let (o, d) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits));
+            let since = line.since.map(Self::to_bits);
+            let InCuboid { ends, axes } =
+                found!($($kernels)::+::cuboid(o, line.finer, d, half.map(Self::to_bits), since));
+            Attempt::Found(InCuboid { ends: ends.map(Self::from_bits), axes })
+        }
+        #[inline(always)]
+        fn fast_exit_from_cuboid(line: &LocalLine<Self>, half: [Self; 3]) -> Attempt<(Self, usize)> {
+            if line.start != <Self as Scalar>::ZERO {
+                return Attempt::Unsure;
+            }
+            let (o, d) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits));
+            let (t, axis) =
+                found!($($kernels)::+::exit_from_cuboid(o, line.finer, d, half.map(Self::to_bits)));
+            Attempt::Found((Self::from_bits(t), axis))
         }
         #[inline(always)]
         fn fast_turned(

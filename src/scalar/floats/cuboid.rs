@@ -1,0 +1,110 @@
+//! Cuboids on the fast path of floats.
+
+/// Defines them for a float.
+macro_rules! cuboid {
+    ($Float:ident) => {
+        /// Where a line crosses the plane of a face, the axis that the face lies across.
+        type Crossing = ($Float, usize);
+
+        /// The interval of the line inside the cuboid with these half extents about the origin. Of the planes by which the line enters a slab the last
+        /// is that of its entry, if the point there lies in the other two slabs; otherwise it misses.
+        #[inline(always)]
+        pub(crate) fn cuboid(line: &LocalLine<$Float>, half: [$Float; 3]) -> Attempt<InCuboid<$Float>> {
+            if line.is_doubled || !(is_handy::<2>(half[0]) && is_handy::<2>(half[1]) && is_handy::<2>(half[2])) {
+                return Attempt::Unsure;
+            }
+            let least = least_climb(line);
+            let mut enter = (-$Float::INFINITY, 0);
+            for axis in 0..3 {
+                let (o, d, h) = (line.origin[axis], line.direction[axis], half[axis]);
+                if $Float::abs(d) <= least {
+                    // Only in the world is it known on which side of the planes such a line lies; in the plane of a face, that owns the ends.
+                    if line.is_rounded || $Float::abs(o) == h {
+                        return Attempt::Unsure;
+                    }
+                    if $Float::abs(o) > h {
+                        return Attempt::Miss;
+                    }
+                    continue;
+                }
+                let t = (if d < 0.0 { h } else { -h } - o) / d;
+                if t > enter.0 {
+                    enter = (t, axis);
+                }
+            }
+            found!(in_face(line, half, enter));
+            if line.since.is_some_and(|since| enter.0 >= since) {
+                return Attempt::Found(InCuboid { ends: [enter.0, $Float::INFINITY], axes: [enter.1; 2] });
+            }
+            let exit = found!(exit_from_cuboid(line, half));
+            if enter.0 >= exit.0 {
+                return Attempt::Unsure;
+            }
+            Attempt::Found(InCuboid { ends: [enter.0, exit.0], axes: [enter.1, exit.1] })
+        }
+
+        /// Where the line leaves the cuboid that it has been in: by the first of the planes by which it leaves a slab.
+        #[inline(always)]
+        pub(crate) fn exit_from_cuboid(line: &LocalLine<$Float>, half: [$Float; 3]) -> Attempt<Crossing> {
+            let (mut exit, least) = (($Float::INFINITY, 0), least_climb(line));
+            if line.is_doubled {
+                return Attempt::Unsure;
+            }
+            for axis in 0..3 {
+                let (o, d, h) = (line.origin[axis], line.direction[axis], half[axis]);
+                let t = (if d < 0.0 { -h } else { h } - o) / d;
+                if $Float::abs(d) <= least {
+                    // In the plane of a face, which owns the end.
+                    if line.is_rounded || $Float::abs(o) >= h {
+                        return Attempt::Unsure;
+                    }
+                } else if t < exit.0 {
+                    exit = (t, axis);
+                }
+            }
+            match in_face(line, half, exit) {
+                Attempt::Found(()) => Attempt::Found(exit),
+                _ => Attempt::Unsure,
+            }
+        }
+
+        /// The component of a direction that is certain not to be zero, or of the other sign, if it is larger.
+        #[inline(always)]
+        fn least_climb(line: &LocalLine<$Float>) -> $Float {
+            if line.is_rounded { 32.0 * Limits::of(line).epsilon } else { 0.0 }
+        }
+
+        /// Whether the line crosses the plane of a face inside that face, and how far along is accurate enough.
+        #[inline(always)]
+        fn in_face(line: &LocalLine<$Float>, half: [$Float; 3], (t, axis): Crossing) -> Attempt<()> {
+            let is_finite = $Float::abs(t) < $Float::MAX;
+            if !is_finite {
+                return Attempt::Unsure;
+            }
+            let Limits { epsilon, .. } = Limits::of(line);
+            let [x, y, z] = line.origin;
+            // What a rounding of each coordinate of the origin, and the line's own error, make of the crossing.
+            let (own, climb) = ($Float::abs(line.origin[axis]), $Float::abs(line.direction[axis]));
+            let off = if line.is_rounded { (own + half[axis] + off_at(line, t)) / climb } else { 0.0 };
+            let mut is_inside = true;
+            for other in 0..3 {
+                if other == axis {
+                    continue;
+                }
+                let (o, step, h) = (line.origin[other], t * line.direction[other], half[other]);
+                // As for a rectangle: three roundings of the terms, and what the line is off along the plane.
+                let doubt = ($Float::abs(o) + $Float::abs(step) + h + off) * (8.0 * epsilon);
+                let beyond = $Float::abs(o + step) - h;
+                if beyond > doubt {
+                    return Attempt::Miss;
+                }
+                is_inside &= beyond < -doubt;
+            }
+            let is_good = !line.is_rounded || {
+                let own = own + 16.0 * epsilon * size([x, y, z]);
+                is_good(line, t, (own + off_at(line, t)) * epsilon / climb)
+            };
+            if is_inside && is_good { Attempt::Found(()) } else { Attempt::Unsure }
+        }
+    };
+}
