@@ -278,8 +278,9 @@ fn hold_at_the_extremes<S: Number>(tens: f64) {
                 let exactly = Exactly::new(&shape, &parts);
                 assert!(holds(&shape, &exactly), "{shape:?} reaches out of {:?}", shape.bounds());
                 if let (Placement::Frame(_), Some(units)) = (placement, looseness(&shape, &exactly)) {
-                    // One for what subnormal products lose.
-                    assert!(units <= 3, "{shape:?} leaves {units} units in {:?}", shape.bounds());
+                    // One for what subnormal products lose; near the smallest float also what the low words of products lose.
+                    let most = if size < 10.0 - tens { 8 } else { 3 };
+                    assert!(units <= most, "{shape:?} leaves {units} units in {:?}", shape.bounds());
                 }
                 infinite += u32::from(sides(shape.bounds()).iter().any(|(_, _, bound)| !bound.is_finite()));
                 boxes += 1;
