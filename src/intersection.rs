@@ -131,13 +131,14 @@ impl<S: Scalar> Intersection<S> {
         }
     }
 
-    /// The same with another entry of its one interval.
+    /// The same with an entry that is certain, in place of that of its one interval: also where that was rounded to a point, or to none.
     pub(crate) fn entered_at(self, enter: End<S>) -> Self {
         match self {
-            Self::One(Span { exit, touch: false, .. }) => {
+            Self::One(Span { exit, .. }) => {
                 let exit = if exit.t < enter.t { End { t: enter.t, ..exit } } else { exit };
                 Self::One(Span::new(enter, exit))
             }
+            Self::Miss => Self::One(Span::new(enter, enter)),
             other => other,
         }
     }
