@@ -67,8 +67,12 @@ impl<S: Scalar> Cuboid<S> {
 #[inline(always)]
 fn face<U: UnitScalar>(axis: usize, d: [U; 3], leaves: bool) -> Part {
     let [across_x, across_z, across_y] = FACES;
-    let [low, high] = [across_x, across_y, across_z][axis];
-    if (d[axis] < U::ZERO) == leaves { low } else { high }
+    let (d, [low, high]) = match axis {
+        0 => (d[0], across_x),
+        1 => (d[1], across_y),
+        _ => (d[2], across_z),
+    };
+    if (d < U::ZERO) == leaves { low } else { high }
 }
 
 impl<S> Described for Cuboid<S> {

@@ -3,8 +3,22 @@
 /// Defines them for a float.
 macro_rules! cuboid {
     ($Float:ident) => {
-        /// Where a line crosses the plane of a face, the axis that the face lies across.
-        type Crossing = ($Float, usize);
+        /// Where a line crosses the plane of a face: at `t`, from `o` along `d`, on the axis that the plane lies across.
+        #[derive(Clone, Copy)]
+        struct Crossing {
+            t: $Float,
+            axis: usize,
+            o: $Float,
+            d: $Float,
+            half: $Float,
+        }
+
+        impl Crossing {
+            #[inline(always)]
+            const fn none(t: $Float) -> Self {
+                Self { t, axis: 0, o: 0.0, d: 0.0, half: 0.0 }
+            }
+        }
 
         /// The interval of the line inside the cuboid with these half extents about the origin. Of the planes by which the line enters a slab the last
         /// is that of its entry, if the point there lies in the other two slabs; otherwise it misses.
@@ -14,7 +28,7 @@ macro_rules! cuboid {
                 return Attempt::Unsure;
             }
             let least = least_climb(line);
-            let mut enter = (-$Float::INFINITY, 0);
+            let mut enter = Crossing::none(-$Float::INFINITY);
             for axis in 0..3 {
                 let (o, d, h) = (line.origin[axis], line.direction[axis], half[axis]);
                 if $Float::abs(d) <= least {
@@ -28,25 +42,25 @@ macro_rules! cuboid {
                     continue;
                 }
                 let t = (if d < 0.0 { h } else { -h } - o) / d;
-                if t > enter.0 {
-                    enter = (t, axis);
+                if t > enter.t {
+                    enter = Crossing { t, axis, o, d, half: h };
                 }
             }
             found!(in_face(line, half, enter));
-            if line.since.is_some_and(|since| enter.0 >= since) {
-                return Attempt::Found(InCuboid { ends: [enter.0, $Float::INFINITY], axes: [enter.1; 2] });
+            if line.since.is_some_and(|since| enter.t >= since) {
+                return Attempt::Found(InCuboid { ends: [enter.t, $Float::INFINITY], axes: [enter.axis; 2] });
             }
-            let exit = found!(exit_from_cuboid(line, half));
-            if enter.0 >= exit.0 {
+            let (t, axis) = found!(exit_from_cuboid(line, half));
+            if enter.t >= t {
                 return Attempt::Unsure;
             }
-            Attempt::Found(InCuboid { ends: [enter.0, exit.0], axes: [enter.1, exit.1] })
+            Attempt::Found(InCuboid { ends: [enter.t, t], axes: [enter.axis, axis] })
         }
 
         /// Where the line leaves the cuboid that it has been in: by the first of the planes by which it leaves a slab.
         #[inline(always)]
-        pub(crate) fn exit_from_cuboid(line: &LocalLine<$Float>, half: [$Float; 3]) -> Attempt<Crossing> {
-            let (mut exit, least) = (($Float::INFINITY, 0), least_climb(line));
+        pub(crate) fn exit_from_cuboid(line: &LocalLine<$Float>, half: [$Float; 3]) -> Attempt<($Float, usize)> {
+            let (mut exit, least) = (Crossing::none($Float::INFINITY), least_climb(line));
             if line.is_doubled {
                 return Attempt::Unsure;
             }
@@ -58,12 +72,12 @@ macro_rules! cuboid {
                     if line.is_rounded || $Float::abs(o) >= h {
                         return Attempt::Unsure;
                     }
-                } else if t < exit.0 {
-                    exit = (t, axis);
+                } else if t < exit.t {
+                    exit = Crossing { t, axis, o, d, half: h };
                 }
             }
             match in_face(line, half, exit) {
-                Attempt::Found(()) => Attempt::Found(exit),
+                Attempt::Found(()) => Attempt::Found((exit.t, exit.axis)),
                 _ => Attempt::Unsure,
             }
         }
@@ -76,35 +90,35 @@ macro_rules! cuboid {
 
         /// Whether the line crosses the plane of a face inside that face, and how far along is accurate enough.
         #[inline(always)]
-        fn in_face(line: &LocalLine<$Float>, half: [$Float; 3], (t, axis): Crossing) -> Attempt<()> {
+        fn in_face(line: &LocalLine<$Float>, half: [$Float; 3], crossing: Crossing) -> Attempt<()> {
+            let Crossing { t, axis, o, d, half: h } = crossing;
             let is_finite = $Float::abs(t) < $Float::MAX;
             if !is_finite {
                 return Attempt::Unsure;
             }
             let Limits { epsilon, .. } = Limits::of(line);
-            let [x, y, z] = line.origin;
             // What a rounding of each coordinate of the origin, and the line's own error, make of the crossing.
-            let (own, climb) = ($Float::abs(line.origin[axis]), $Float::abs(line.direction[axis]));
-            let off = if line.is_rounded { (own + half[axis] + off_at(line, t)) / climb } else { 0.0 };
-            let mut is_inside = true;
-            for other in 0..3 {
-                if other == axis {
-                    continue;
-                }
+            let (own, climb) = ($Float::abs(o), $Float::abs(d));
+            let off = if line.is_rounded { (own + h + off_at(line, t)) / climb } else { 0.0 };
+            // As for a rectangle: three roundings of the terms, and what the line is off along the plane.
+            let beyond = |other: usize| {
                 let (o, step, h) = (line.origin[other], t * line.direction[other], half[other]);
-                // As for a rectangle: three roundings of the terms, and what the line is off along the plane.
                 let doubt = ($Float::abs(o) + $Float::abs(step) + h + off) * (8.0 * epsilon);
-                let beyond = $Float::abs(o + step) - h;
-                if beyond > doubt {
-                    return Attempt::Miss;
-                }
-                is_inside &= beyond < -doubt;
+                ($Float::abs(o + step) - h, doubt)
+            };
+            let [first, second] = match axis {
+                0 => [beyond(1), beyond(2)],
+                1 => [beyond(0), beyond(2)],
+                _ => [beyond(0), beyond(1)],
+            };
+            if first.0 > first.1 || second.0 > second.1 {
+                return Attempt::Miss;
             }
             let is_good = !line.is_rounded || {
-                let own = own + 16.0 * epsilon * size([x, y, z]);
+                let own = own + 16.0 * epsilon * size(line.origin);
                 is_good(line, t, (own + off_at(line, t)) * epsilon / climb)
             };
-            if is_inside && is_good { Attempt::Found(()) } else { Attempt::Unsure }
+            if first.0 < -first.1 && second.0 < -second.1 && is_good { Attempt::Found(()) } else { Attempt::Unsure }
         }
     };
 }
