@@ -279,7 +279,7 @@ fn hold_at_the_extremes<S: Number>(tens: f64) {
                 assert!(holds(&shape, &exactly), "{shape:?} reaches out of {:?}", shape.bounds());
                 if let (Placement::Frame(_), Some(units)) = (placement, looseness(&shape, &exactly)) {
                     // One for what subnormal products lose; near the smallest float also what the low words of products lose.
-                    let most = if size < 10.0 - tens { 8 } else { 3 };
+                    let most = if size < 2.0 - tens { 8 } else { 3 };
                     assert!(units <= most, "{shape:?} leaves {units} units in {:?}", shape.bounds());
                 }
                 infinite += u32::from(sides(shape.bounds()).iter().any(|(_, _, bound)| !bound.is_finite()));

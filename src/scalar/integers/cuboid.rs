@@ -1,95 +1,119 @@
-//! A line and a cuboid.
+//! A line and a cuboid, in integers of 32 or 64 bits.
 
 use super::{crossings, magnitude_bits, product};
 use crate::scalar::{Attempt, InCuboid, found};
+use core::ops::{Neg, Sub};
+
+/// The integers of one width, as far as slabs need them.
+pub(in crate::scalar) trait Length: Copy + Ord + Neg<Output = Self> + Sub<Output = Self> {
+    /// Holds differences of two products.
+    type Product: Copy + Ord + Neg<Output = Self::Product>;
+    const ZERO: Self;
+    /// Infinite.
+    const MAX: Self;
+    /// A framed component up to this may lead the other way.
+    const STEP: Self;
+    const NOTHING: Self::Product;
+    /// By how much the rounding of a framed line moves a difference of products: the origin is off by less than two of its units, and the direction by
+    /// less than two.
+    const DOUBT: Self::Product;
+
+    /// A length of the type in units of `2^-finer`, if its difference from the coordinate `o`, and the product of that, have room.
+    fn refined(self, o: Self, finer: i32) -> Option<Self>;
+    /// `self d_other - other d`
+    fn difference(self, d: Self, other: Self, d_other: Self) -> Self::Product;
+    /// Where the line crosses this height: see `crossings`.
+    fn crossing(self, o: Self, finer: i32, d: Self) -> Attempt<Self>;
+    /// `-2^(finer + 1)`
+    fn two_behind(finer: i32) -> Self;
+}
 
 /// A line along one axis, mirrored so that it does not descend: it crosses the planes of the two faces at `t = low / d` and `t = high / d`.
 #[derive(Clone, Copy)]
-struct Slab {
+struct Slab<N> {
     axis: usize,
-    o: i32,
-    d: i32,
-    half: i32,
-    low: i32,
-    high: i32,
+    o: N,
+    d: N,
+    half: N,
+    low: N,
+    high: N,
 }
 
-impl Slab {
-    /// The origin is in units of `2^-finer` of the half extent's. `None` if there is no room for the products.
+impl<N: Length> Slab<N> {
     #[inline(always)]
-    fn new(axis: usize, o: i32, finer: i32, d: i32, half: i32) -> Option<Self> {
-        let reach = half << (finer & 0x1f);
-        if reach >> (finer & 0x1f) != half || (magnitude_bits(o) | reach as u32) >> 30 != 0 {
-            return None;
-        }
-        let (o, d) = if d < 0 { (-o, -d) } else { (o, d) };
+    fn new(axis: usize, o: N, finer: i32, d: N, half: N) -> Option<Self> {
+        let reach = half.refined(o, finer)?;
+        let (o, d) = if d < N::ZERO { (-o, -d) } else { (o, d) };
         Some(Self { axis, o, d, half, low: -reach - o, high: reach - o })
+    }
+
+    /// Whether the line runs along the planes: a miss beyond them. In one of them, the face owns the ends.
+    #[inline(always)]
+    fn is_parallel(&self) -> Attempt<bool> {
+        if self.d != N::ZERO {
+            Attempt::Found(false)
+        } else if self.low > N::ZERO || self.high < N::ZERO {
+            Attempt::Miss
+        } else if self.low == N::ZERO || self.high == N::ZERO {
+            Attempt::Unsure
+        } else {
+            Attempt::Found(true)
+        }
     }
 }
 
-/// How `a / d_a` compares with `b / d_b`, times `d_a d_b`.
-#[inline(always)]
-fn difference(a: i32, d_a: i32, b: i32, d_b: i32) -> i64 {
-    product(a, d_b) - product(b, d_a)
-}
-
 /// The slabs of a cuboid, and by how much the rounding of the line may move a difference of their crossings.
-struct Slabs {
-    each: [Slab; 3],
+struct Slabs<N: Length> {
+    each: [Slab<N>; 3],
     finer: i32,
-    doubt: i64,
+    doubt: N::Product,
 }
 
-impl Slabs {
+impl<N: Length> Slabs<N> {
+    /// The origin is in units of `2^-finer` of the half extents'.
     #[inline(always)]
-    fn new(o: [i32; 3], finer: i32, d: [i32; 3], half: [i32; 3]) -> Attempt<Self> {
-        if !(0..28).contains(&finer) {
-            return Attempt::Unsure;
-        }
+    fn new(o: [N; 3], finer: i32, d: [N; 3], half: [N; 3]) -> Attempt<Self> {
         let slab = |axis: usize| Slab::new(axis, o[axis], finer, d[axis], half[axis]);
         let (Some(x), Some(y), Some(z)) = (slab(0), slab(1), slab(2)) else {
             return Attempt::Unsure;
         };
-        // The direction of a framed line is off by a unit: it may lead the other way.
-        if finer != 0 && (x.d <= 1 || y.d <= 1 || z.d <= 1) {
+        if finer != 0 && (x.d <= N::STEP || y.d <= N::STEP || z.d <= N::STEP) {
             return Attempt::Unsure;
         }
-        // In the world the products are exact. A framed origin is off by less than two of its units, and the direction by less than one: two products
-        // of at most 2 2^30, and two of at most 2^31.
-        let doubt = if finer == 0 { 0 } else { 1_i64 << 33 };
+        // In the world the products are exact.
+        let doubt = if finer == 0 { N::NOTHING } else { N::DOUBT };
         Attempt::Found(Self { each: [x, y, z], finer, doubt })
+    }
+
+    /// Of the planes that `crossed` names the one that the line crosses after all others, or, unless `is_last`, before them.
+    #[inline(always)]
+    fn decisive(&self, crossed: impl Fn(&Slab<N>) -> N, is_last: bool) -> Attempt<Slab<N>> {
+        let mut decisive: Option<Slab<N>> = None;
+        for slab in self.each {
+            if found!(slab.is_parallel()) {
+                continue;
+            }
+            decisive = match decisive {
+                None => Some(slab),
+                Some(own) => {
+                    let later = crossed(&slab).difference(slab.d, crossed(&own), own.d);
+                    if -self.doubt <= later && later <= self.doubt {
+                        return Attempt::Unsure;
+                    }
+                    Some(if (later > N::NOTHING) == is_last { slab } else { own })
+                }
+            };
+        }
+        decisive.map_or(Attempt::Unsure, Attempt::Found)
     }
 
     /// The last of the planes by which the line enters a slab; a miss if a slab ends before it.
     #[inline(always)]
-    fn entry(&self) -> Attempt<Slab> {
-        let mut last: Option<Slab> = None;
+    fn entry(&self) -> Attempt<Slab<N>> {
+        let enter = found!(self.decisive(|slab| slab.low, true));
         for slab in self.each {
-            if slab.d == 0 {
-                if slab.low > 0 || slab.high < 0 {
-                    return Attempt::Miss;
-                }
-                // In the plane of a face, which owns the ends.
-                if slab.low == 0 || slab.high == 0 {
-                    return Attempt::Unsure;
-                }
-                continue;
-            }
-            last = match last {
-                None => Some(slab),
-                Some(own) => {
-                    let later = difference(slab.low, slab.d, own.low, own.d);
-                    if later.abs() <= self.doubt {
-                        return Attempt::Unsure;
-                    }
-                    Some(if later > 0 { slab } else { own })
-                }
-            };
-        }
-        let Some(enter) = last else { return Attempt::Unsure };
-        for slab in self.each {
-            if slab.axis != enter.axis && slab.d != 0 {
-                let inside = difference(slab.high, slab.d, enter.low, enter.d);
+            if slab.axis != enter.axis && slab.d != N::ZERO {
+                let inside = slab.high.difference(slab.d, enter.low, enter.d);
                 if inside < -self.doubt {
                     return Attempt::Miss;
                 }
@@ -103,30 +127,12 @@ impl Slabs {
 
     /// The first of the planes by which the line leaves a slab, with its axis.
     #[inline(always)]
-    fn exit(&self) -> Attempt<(i32, usize)> {
-        let mut first: Option<Slab> = None;
-        for slab in self.each {
-            if slab.d == 0 {
-                // In the plane of a face, which owns the end.
-                if slab.low >= 0 || slab.high <= 0 {
-                    return Attempt::Unsure;
-                }
-                continue;
-            }
-            first = match first {
-                None => Some(slab),
-                Some(own) => {
-                    let later = difference(slab.high, slab.d, own.high, own.d);
-                    if later.abs() <= self.doubt {
-                        return Attempt::Unsure;
-                    }
-                    Some(if later < 0 { slab } else { own })
-                }
-            };
+    fn exit(&self) -> Attempt<(N, usize)> {
+        match self.decisive(|slab| slab.high, false) {
+            Attempt::Found(exit) => Attempt::Found((found!(exit.half.crossing(exit.o, self.finer, exit.d)), exit.axis)),
+            // The line has been inside, whatever its rounded coordinates say.
+            _ => Attempt::Unsure,
         }
-        let Some(exit) = first else { return Attempt::Unsure };
-        let [t, _] = found!(crossings(exit.o, self.finer, exit.d, [exit.half; 2]));
-        Attempt::Found((t, exit.axis))
     }
 }
 
@@ -135,24 +141,24 @@ impl Slabs {
 /// The origin is in units of `2^-finer` of the half extents'; the ends are in theirs. See [`LocalLine::since`](crate::scalar::LocalLine) for
 /// `since`.
 #[inline(always)]
-pub(in crate::scalar) fn cuboid(
-    o: [i32; 3],
+pub(in crate::scalar) fn cuboid<N: Length>(
+    o: [N; 3],
     finer: i32,
-    d: [i32; 3],
-    half: [i32; 3],
-    since: Option<i32>,
-) -> Attempt<InCuboid<i32>> {
+    d: [N; 3],
+    half: [N; 3],
+    since: Option<N>,
+) -> Attempt<InCuboid<N>> {
     let slabs = found!(Slabs::new(o, finer, d, half));
     // A slab that lies behind the start. In a frame that is certain of two units of `t`: one that is nearer may be rounded to zero, which counts.
     let [x, y, z] = slabs.each;
-    let least = if finer == 0 { 0 } else { -(2 << (finer & 0x1f)) };
-    if since.is_some_and(|since| since >= 0) && (x.high < least || y.high < least || z.high < least) {
+    let least = if finer == 0 { N::ZERO } else { N::two_behind(finer) };
+    if since.is_some_and(|since| since >= N::ZERO) && (x.high < least || y.high < least || z.high < least) {
         return Attempt::Miss;
     }
     let enter = found!(slabs.entry());
-    let [first, _] = found!(crossings(enter.o, finer, enter.d, [-enter.half; 2]));
+    let first = found!((-enter.half).crossing(enter.o, finer, enter.d));
     if since.is_some_and(|since| first >= since) {
-        return Attempt::Found(InCuboid { ends: [first, i32::MAX], axes: [enter.axis; 2] });
+        return Attempt::Found(InCuboid { ends: [first, N::MAX], axes: [enter.axis; 2] });
     }
     let (second, exit) = found!(slabs.exit());
     // Two ends less than a unit apart may be rounded in the other order.
@@ -164,11 +170,46 @@ pub(in crate::scalar) fn cuboid(
 
 /// Where a line that starts on the surface leads out of the cuboid, and the axis of that face.
 #[inline(always)]
-pub(in crate::scalar) fn exit_from_cuboid(
-    o: [i32; 3],
+pub(in crate::scalar) fn exit_from_cuboid<N: Length>(
+    o: [N; 3],
     finer: i32,
-    d: [i32; 3],
-    half: [i32; 3],
-) -> Attempt<(i32, usize)> {
+    d: [N; 3],
+    half: [N; 3],
+) -> Attempt<(N, usize)> {
     found!(Slabs::new(o, finer, d, half)).exit()
 }
+
+/// Products of up to 2^61 in 64 bits.
+impl Length for i32 {
+    type Product = i64;
+    const ZERO: Self = 0;
+    const MAX: Self = Self::MAX;
+    const STEP: Self = 2;
+    const NOTHING: i64 = 0;
+    // Two products of at most 2 2^30, and two of at most 2 2^31.
+    const DOUBT: i64 = 1 << 34;
+
+    #[inline(always)]
+    fn refined(self, o: Self, finer: i32) -> Option<Self> {
+        let reach = self << (finer & 0x1f);
+        let fits = reach >> (finer & 0x1f) == self && (magnitude_bits(o) | reach as u32) >> 30 == 0;
+        (fits && (0..28).contains(&finer)).then_some(reach)
+    }
+    #[inline(always)]
+    fn difference(self, d: Self, other: Self, d_other: Self) -> i64 {
+        product(self, d_other) - product(other, d)
+    }
+    #[inline(always)]
+    fn crossing(self, o: Self, finer: i32, d: Self) -> Attempt<Self> {
+        let [t, _] = found!(crossings(o, finer, d, [self; 2]));
+        Attempt::Found(t)
+    }
+    #[inline(always)]
+    fn two_behind(finer: i32) -> Self {
+        -(2 << (finer & 0x1f))
+    }
+}
+
+#[cfg(test)]
+#[expect(clippy::expect_used, clippy::panic, reason = "a test may panic")]
+mod tests;

@@ -143,7 +143,7 @@ macro_rules! fast {
             let (o, d) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits));
             let since = line.since.map(Self::to_bits);
             let InCuboid { ends, axes } =
-                found!($($kernels)::+::cuboid(o, line.finer, d, half.map(Self::to_bits), since));
+                found!(integers::cuboid(o, line.finer, d, half.map(Self::to_bits), since));
             Attempt::Found(InCuboid { ends: ends.map(Self::from_bits), axes })
         }
         #[inline(always)]
@@ -153,7 +153,7 @@ macro_rules! fast {
             }
             let (o, d) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits));
             let (t, axis) =
-                found!($($kernels)::+::exit_from_cuboid(o, line.finer, d, half.map(Self::to_bits)));
+                found!(integers::exit_from_cuboid(o, line.finer, d, half.map(Self::to_bits)));
             Attempt::Found((Self::from_bits(t), axis))
         }
         #[inline(always)]

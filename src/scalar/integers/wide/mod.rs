@@ -22,7 +22,6 @@ use super::{
 
 pub(in crate::scalar) use ball::{ByApproach, ByMoment};
 pub(in crate::scalar) use cone::{double_cone, exit_from_nappe, nappe};
-pub(in crate::scalar) use cuboid::{cuboid, exit_from_cuboid};
 pub(in crate::scalar) use departing::exit_from_round;
 pub(in crate::scalar) use flat::{crossings, disc, height, lowered, rectangle};
 pub(in crate::scalar) use round::tube;
