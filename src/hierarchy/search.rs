@@ -39,7 +39,9 @@ pub(crate) fn nearest<S: Scalar, T: Tier<S>, W: Watch>(
     let mut test = |index: u32, watch: &mut W| {
         let shape = shapes.get(index as usize)?.shape();
         watch.count_test();
-        let hit = shape.nearest_at::<T>(&for_shape(&shortened, index));
+        // An exact root next to the end of a range is rounded with more care than others: the answer of a shape must not depend on that of another.
+        let searched = if T::EXACT_ENDS { ray } else { &shortened };
+        let hit = shape.nearest_at::<T>(&for_shape(searched, index));
         watch.tested(index, hit.is_some());
         if let Some(hit) = hit
             && nearest.is_none_or(|(own, best)| hit.t < best.t || (hit.t == best.t && index < own))

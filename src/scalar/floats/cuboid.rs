@@ -67,7 +67,7 @@ macro_rules! cuboid {
         /// Whether the line crosses the plane of a face, which lies across this axis, inside that face; and whether `t` is accurate enough.
         #[inline(always)]
         fn in_face(line: &LocalLine<$Float>, half: [$Float; 3], t: $Float, axis: usize) -> Attempt<()> {
-            let ([x, y, z], Limits { epsilon, .. }) = (line.origin, Limits::of(line));
+            let Limits { epsilon, .. } = Limits::of(line);
             let is_finite = $Float::abs(t) < $Float::MAX;
             if !is_finite {
                 let is_beyond =
@@ -84,9 +84,8 @@ macro_rules! cuboid {
                     _ => v[2],
                 };
                 let (own, climb) = ($Float::abs(of_axis(line.origin)), $Float::abs(of_axis(line.direction)));
-                let error = off_at(line, t);
-                is_accurate = is_good(line, t, (own + 16.0 * epsilon * size([x, y, z]) + error) * epsilon / climb);
-                off = (own + of_axis(half) + error) / climb;
+                is_accurate = is_good(line, t, crossing_off(line, own, climb, t));
+                off = (own + of_axis(half) + off_at(line, t)) / climb;
             }
             // As for a rectangle: three roundings of the terms, and what the line is off along the plane. On the axis itself the point lies next to
             // the plane, which is no miss.

@@ -10,7 +10,7 @@ macro_rules! flat {
             line: LocalLine<$Float>,
             [low, high]: [$Float; 2],
         ) -> Attempt<([$Float; 2], [$Float; 2])> {
-            let ([x, y, z], [_, dy, _]) = (line.origin, line.direction);
+            let ([_, y, _], [_, dy, _]) = (line.origin, line.direction);
             if line.finer == 0 && dy == 0.0 {
                 return Attempt::Miss;
             }
@@ -30,10 +30,15 @@ macro_rules! flat {
             if $Float::abs(dy) < 32.0 * epsilon {
                 return Attempt::Unsure;
             }
-            // A rounding of each coordinate, some units of twice the precision of the longest, and what the line is off.
-            let own = $Float::abs(y) + 16.0 * epsilon * size([x, y, z]);
-            let off = |t: $Float| (own + off_at(&line, t)) * epsilon / $Float::abs(dy);
+            let off = |t: $Float| crossing_off(&line, y, $Float::abs(dy), t);
             Attempt::Found((ends, [off(ends[0]), off(ends[1])]))
+        }
+
+        /// Whether the crossing of the plane `y = 0` at `t` is accurate enough.
+        #[inline(always)]
+        fn is_crossing_good(line: &LocalLine<$Float>, climb: $Float, t: $Float) -> bool {
+            is_steady(line, t, 1.0, climb, 0.0)
+                && (!line.is_rounded || is_good(line, t, crossing_off(line, line.origin[1], climb, t)))
         }
 
         /// Where the line crosses the disc of this radius about the origin in the plane `y = 0`.
@@ -48,7 +53,7 @@ macro_rules! flat {
             let (px, pz) = (x + across, z + along);
             let inside = r * r - (px * px + pz * pz);
             let dy = $Float::abs(dy);
-            if !is_steady(&line, t, 1.0, dy, 0.0) {
+            if !is_crossing_good(&line, dy, t) {
                 return Attempt::Unsure;
             }
             let Limits { epsilon, .. } = Limits::of(&line);
@@ -76,7 +81,7 @@ macro_rules! flat {
             let t = -y / dy;
             let (across, along) = (t * dx, t * dz);
             let dy = $Float::abs(dy);
-            if !is_steady(&line, t, 1.0, dy, 0.0) {
+            if !is_crossing_good(&line, dy, t) {
                 return Attempt::Unsure;
             }
             let Limits { epsilon, .. } = Limits::of(&line);

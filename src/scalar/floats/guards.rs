@@ -235,6 +235,15 @@ macro_rules! guards {
             off <= $Float::abs(t + line.start) * (11.0 * Limits::of(line).epsilon)
         }
 
+        /// How far off the crossing at `t` of a plane is, by the rounding of a line: that of the coordinate `o` across the plane, some units of twice the
+        /// precision of the longest coordinate, and what the line is off. `climb` is the magnitude of the direction's component across the plane.
+        #[inline(always)]
+        fn crossing_off(line: &LocalLine<$Float>, o: $Float, climb: $Float, t: $Float) -> $Float {
+            let Limits { epsilon, .. } = Limits::of(line);
+            let own = $Float::abs(o) + 16.0 * epsilon * size(line.origin);
+            (own + off_at(line, t)) * epsilon / climb
+        }
+
         #[inline(always)]
         fn minus(a: [$Float; 3], b: [$Float; 3]) -> [$Float; 3] {
             [a[0] - b[0], a[1] - b[1], a[2] - b[2]]

@@ -4,7 +4,8 @@ use crate::named::{bits, judge, line_in, ray};
 use crate::random_sizes::off;
 use raylet::tier::{Fast, Stable};
 use raylet::{
-    Affine, Capsule, Cone, Cylinder, Departure, Frame, Leaving, Part, Primitive, Range, Ray, Shape, UnitVec3, Vec3,
+    Affine, Capsule, Cone, Cylinder, Departure, Disc, Frame, Leaving, Part, Primitive, Range, Ray, Rectangle, Shape,
+    UnitVec3, Vec3,
 };
 use support::subject::Subject;
 
@@ -61,6 +62,23 @@ fn a_ray_with_very_small_components_along_a_cylinder() {
         let ray = ray::<f32>(origin, along).with_range(Range::line());
         assert_near_exact(Cylinder::infinite(radius).unwrap(), Some(moved(position)), &ray);
     }
+}
+
+/// 312 units: of a start next to the plane only the last bits of double words were left, which a disc's crossing and a rectangle's did not count.
+#[test]
+fn a_ray_from_next_to_a_turned_rectangle_and_along_it() {
+    let axes = [
+        [0.579_800_1, 0.478_842_7, 0.659_197_6],
+        [0.672_783_26, -0.737_727_7, -0.055_862_293],
+        [0.459_559_08, 0.475_886_08, -0.749_891_94],
+    ];
+    let position = [-0.003_225_650_9, -0.003_393_404_7, -0.001_964_073_4];
+    let axes = axes.map(|axis| UnitVec3::from_components(axis).unwrap());
+    let frame = Frame::from_axes(position.into(), axes).unwrap();
+    let ray = ray::<f32>([-0.784_812_87, -0.656_673_67, -0.787_750_7], [0.459_564_2, 0.475_891_56, -0.749_885_3])
+        .with_range(Range::line());
+    assert_near_exact(Rectangle::new([1.635_279, 0.159_992_75]).unwrap(), Some(frame), &ray);
+    assert_near_exact(Disc::new(1.635_279).unwrap(), Some(frame), &ray);
 }
 
 /// 2,396 units: the height of a start next to the cap was rounded to where the cap's ball is.
