@@ -83,7 +83,7 @@ mod with_serde {
         fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
             let components = <[Plain<S::Unit>; 3]>::deserialize(deserializer)?.map(|Plain(component)| component);
             Self::from_components(components).map_err(|error| {
-                D::Error::custom(format_args!("the direction {error}: normalise it before it is stored"))
+                D::Error::custom(format_args!("the direction {}: normalise it before it is stored", error.predicate()))
             })
         }
     }

@@ -328,13 +328,13 @@ pub enum RayError {
 impl fmt::Display for RayError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Origin(error) => write!(f, "a coordinate of the ray's origin {error}"),
-            Self::Target(error) => write!(f, "a coordinate of the ray's target {error}"),
+            Self::Origin(error) => write!(f, "a coordinate of the ray's origin {}", error.predicate()),
+            Self::Target(error) => write!(f, "a coordinate of the ray's target {}", error.predicate()),
             Self::Direction(ValueError::Zero) => {
                 f.write_str("the ray has no direction: the vector is zero, or origin and target are the same point")
             }
-            Self::Direction(error) => write!(f, "the vector of the ray's direction {error}"),
-            Self::RangeEnd(error) => write!(f, "an end of the ray's range {error}"),
+            Self::Direction(error) => write!(f, "the vector of the ray's direction {}", error.predicate()),
+            Self::RangeEnd(error) => write!(f, "an end of the ray's range {}", error.predicate()),
             Self::Range => f.write_str("the ray's range is empty: its start lies above its end"),
         }
     }

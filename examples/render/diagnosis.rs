@@ -71,6 +71,7 @@ fn emptiness<S: Scalar>(loaded: &Loaded<S>, camera: &Camera<S>, size: Size) -> S
     if loaded.objects.is_empty() {
         return match loaded.remarks.invisible {
             0 => "the scene has none".into(),
+            1 => "its only one was left out, too small for the number type, or without area".into(),
             left_out => format!("all {left_out} were left out, too small for the number type, or without area"),
         };
     }
@@ -130,6 +131,7 @@ pub(crate) fn remarks(remarks: Remarks, number: Number) -> Vec<String> {
     all
 }
 
-fn several(count: u32, one: &str, many: &str) -> String {
+/// A count, and what is counted.
+pub(crate) fn several(count: u32, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })
 }

@@ -48,5 +48,5 @@ fn because<S: Scalar>(reason: Reason, number: Number, scale: Scale) -> String {
 
 /// A number in few digits.
 fn readable(number: f64) -> String {
-    if number < 1e12 { number.to_string() } else { format!("{number:.1e}") }
+    if (1e-3..1e12).contains(&number) { number.to_string() } else { format!("{number:.1e}") }
 }

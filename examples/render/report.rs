@@ -58,8 +58,8 @@ pub(crate) fn picture(traced: &Traced, arithmetic: Arithmetic) -> String {
         traced.seconds, traced.loading
     );
     if remarks.invisible > 0 {
-        let _ =
-            writeln!(text, "left out: {} objects too small for the number type, or without area", remarks.invisible);
+        let objects = diagnosis::several(remarks.invisible, "object", "objects");
+        let _ = writeln!(text, "left out: {objects} too small for the number type, or without area");
     }
     text
 }

@@ -31,9 +31,9 @@ use heapless::Vec;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum BuiltIn {
-    /// Every solid once, on a plane: diffuse, specular, shadows.
+    /// Solids of revolution, a disc and a pyramid on a plane: diffuse, specular, shadows.
     StillLife,
-    /// Solids with different materials on base and top, with procedural textures and an image.
+    /// Solids, a cuboid among them, with different materials on base and top, with procedural textures and an image.
     Patterns,
     /// Glass and mirrors on a chessboard.
     Glass,
@@ -58,7 +58,7 @@ impl BuiltIn {
     /// A description in one line.
     pub const fn about(self) -> &'static str {
         match self {
-            Self::StillLife => "Every solid once, on a plane: diffuse, specular, shadows",
+            Self::StillLife => "Solids of revolution, a disc and a pyramid on a plane: diffuse, specular, shadows",
             Self::Patterns => "Solids with materials of their own on base and top, and patterns and an image on them",
             Self::Glass => "Glass and mirrors on a chessboard",
             Self::Waves => "Waves on water and on solids, before a hazy row of columns",

@@ -1,4 +1,4 @@
-//! The built-in scene: every solid once, on a plane.
+//! The built-in scene: every solid of revolution once, a disc and a pyramid, on a plane.
 
 use super::{Stage, matte, number, on_y, point};
 use crate::{

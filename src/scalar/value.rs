@@ -86,6 +86,18 @@ pub(crate) use with_fault;
 impl ValueError {
     /// The message, in a constant too.
     pub const fn message(self) -> &'static str {
+        with_fault!("the value ", self)
+    }
+
+    /// The message without its subject, to stand behind the name of the value.
+    ///
+    /// ```
+    /// # use raylet::{UnitVec3, ValueError};
+    /// let error = UnitVec3::<f32>::from_f64([0.0; 3]).unwrap_err();
+    /// assert!(error.to_string().starts_with("the value is zero"));
+    /// assert!(format!("the beam's direction {}", error.predicate()).starts_with("the beam's direction is zero"));
+    /// ```
+    pub const fn predicate(self) -> &'static str {
         with_fault!("", self)
     }
 }

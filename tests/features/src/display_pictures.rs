@@ -148,19 +148,64 @@ fn a_turn_comes_back_to_where_it_began_and_shows_something_else_in_between() {
     }
 }
 
-/// Solids are dark before the bright floor, and apart from each other: the picture itself is compared, and looked at in the documents.
+/// The share of the pixels of a kind that are on.
+#[derive(Clone, Copy, Default)]
+struct Share {
+    on: u32,
+    all: u32,
+}
+
+impl Share {
+    fn add(&mut self, is_on: bool) {
+        self.on += u32::from(is_on);
+        self.all += 1;
+    }
+
+    fn get(self) -> f64 {
+        f64::from(self.on) / f64::from(self.all.max(1))
+    }
+}
+
+/// Every solid stands out against the floor, and has shades: what it is can be told. (Whether it looks so is for the eye: the document shows it.)
 #[test]
 fn pictures_of_one_bit() {
-    let mut stage = BuiltIn::StillLife.build::<I16F16>().unwrap();
-    stage.camera = one_bit::camera().unwrap();
-    let scene = stage.scene().unwrap();
+    const BALL: usize = 5;
+    let stage = one_bit::stage::<I16F16>().unwrap();
+    let scene = one_bit::lit(stage.scene().unwrap());
+    let picture = one_bit::picture(&scene);
     let mut screen = Screen::new(one_bit::WIDTH, one_bit::HEIGHT, BinaryColor::Off);
-    let Ok(_) = one_bit::picture(&scene).draw(Point::zero(), &mut screen);
-    let row: Vec<_> = screen.pixels[38 * usize::from(one_bit::WIDTH)..][..usize::from(one_bit::WIDTH)].to_vec();
-    let dark = row.chunk_by(PartialEq::eq).filter(|run| run[0] == BinaryColor::Off && run.len() >= 12).count();
-    assert!(dark >= 3, "{dark} of cylinder, cone, frustum and tube, from their dark sides");
-    expect(
-        "docs/displays/one-bit.png",
-        &screen.enlarged(4, |pixel| if pixel.is_on() { [255; 3] } else { [0; 3] }).png(),
-    );
+    let Ok(_) = picture.draw(Point::zero(), &mut screen);
+
+    let (mut shares, mut of_ball) = ([Share::default(); 14], vec![]);
+    let mut work = Work::new(());
+    for y in 0..one_bit::HEIGHT {
+        for (x, pixel) in (0_u16..).zip(picture.row(y, &mut work)) {
+            let is_on = screen.pixels[usize::from(y) * usize::from(one_bit::WIDTH) + usize::from(x)].is_on();
+            let Some((object, _)) = pixel.seen else { continue };
+            shares[object as usize].add(is_on);
+            if object as usize == BALL {
+                of_ball.push(is_on);
+            }
+        }
+    }
+    let [floor, solids @ ..] = shares;
+    assert!(floor.get() > 0.9, "the floor is white: {}", floor.get());
+    // Of the pyramid two sides are seen.
+    let seen = solids.iter().filter(|share| share.all >= 20);
+    assert!(seen.clone().count() >= 11, "{} solids are seen", seen.count());
+    for (object, share) in solids.iter().enumerate().filter(|(_, share)| share.all >= 20) {
+        assert!((0.1..0.85).contains(&share.get()), "object {}: {}", object + 1, share.get());
+    }
+    // In the order of rows: the lamps are above.
+    let [upper, lower] = [true, false].map(|is_upper| {
+        let mut share = Share::default();
+        let half = of_ball.len() / 2;
+        let pixels = if is_upper { &of_ball[..half] } else { &of_ball[half..] };
+        pixels.iter().for_each(|is_on| share.add(*is_on));
+        share.get()
+    });
+    assert!(upper > lower + 0.05, "the ball is as bright above ({upper}) as below ({lower})");
+
+    let levels = |pixel: BinaryColor| if pixel.is_on() { [255; 3] } else { [0; 3] };
+    expect("docs/displays/one-bit.png", &screen.enlarged(4, levels).png());
 }

@@ -201,7 +201,7 @@ fn rule_10_every_error_names_the_value_and_the_kind_of_its_fault() {
     ];
     for (kind, said) in kinds {
         let messages = [
-            (Error::from(kind), String::new()),
+            (Error::from(kind), "the value ".to_string()),
             (SizeError::Radius(kind).into(), "the radius ".to_string()),
             (SizeError::Height(kind).into(), "the height ".to_string()),
             (SizeError::Slope(kind).into(), "the slope (radius over height) ".to_string()),
@@ -216,6 +216,7 @@ fn rule_10_every_error_names_the_value_and_the_kind_of_its_fault() {
         for (error, value) in messages {
             assert_eq!(error.to_string(), value + said);
         }
+        assert_eq!((kind.predicate(), kind.message()), (said, kind.to_string().as_str()));
         if kind != ValueError::Zero {
             assert_eq!(RayError::Direction(kind).to_string(), format!("the vector of the ray's direction {said}"));
         }

@@ -23,10 +23,13 @@ size more of the pixels have an edge in them than in the picture shown. What ins
 
 /// The file of a picture, and what the gallery says of it: in this order.
 const PICTURES: [(&str, &str); 7] = [
-    ("still-life", "Every solid once. A ball stretched to an ellipsoid, a cone on its apex, a disc that leans on it."),
+    (
+        "still-life",
+        "Every solid of revolution, a disc and a pyramid. A ball stretched to an ellipsoid, a cone on its apex, a disc that leans on it.",
+    ),
     (
         "patterns",
-        "Materials of their own on base and top; checkers, stripes and an image of 8 by 8 pixels through `uv`.",
+        "Materials of their own on base and top; checkers, stripes and an image of 8 by 8 pixels through `uv`, on a cuboid too; a capsule carved from cells in space, through `uvw`.",
     ),
     ("glass", "Refraction with Fresnel's weights and total reflection, mirrors, a pane of index 1 that bends nothing."),
     ("waves", "Bump mapping through the tangents: on water that mirrors, on a ball, as flutes of columns in fog."),

@@ -36,7 +36,8 @@ fn an_empty_picture_says_why() {
     let empty = "the picture shows no object: ";
     for (text, options, why) in [
         (format!("{VIEW}{LIGHT}"), "", "the scene has none"),
-        (format!("{VIEW}{LIGHT}s 0 0 0 1e-9"), "-n i16f16 --scale 1", "all 1 were left out, too small"),
+        (format!("{VIEW}{LIGHT}s 0 0 0 1e-9"), "-n i16f16 --scale 1", "its only one was left out, too small"),
+        (format!("{VIEW}{LIGHT}s 0 0 0 1e-9 s 1 0 0 1e-9"), "-n i16f16 --scale 1", "all 2 were left out, too small"),
         (format!("{VIEW}{LIGHT}s 0 0 9 1"), "", "none is in sight; check the view's from, at and angle"),
         // Clockwise, and from within.
         (

@@ -4,11 +4,30 @@
 //! that of the editor, after comments and empty lines too.
 
 use super::decimal::{Decimal, direction, doubles, rounded};
-use raylet::{Range, Ray, Vec3};
+use raylet::{Departure, Leaving, Part, Range, Ray, Vec3};
 use support::exact_types::Exact;
 
-/// The columns in their order; the last two may be left out.
-pub const COLUMNS: [&str; 8] = ["ox", "oy", "oz", "dx", "dy", "dz", "start", "end"];
+/// The columns in their order; the last two and the last four may be left out.
+pub const COLUMNS: [&str; 10] = ["ox", "oy", "oz", "dx", "dy", "dz", "start", "end", "part", "leaving"];
+
+/// How many columns a line may have.
+const COUNTS: [usize; 3] = [6, 8, 10];
+
+/// The columns of a departure, counted from zero.
+const PART: usize = 8;
+const LEAVING: usize = 9;
+
+const PARTS: [(&str, Part); 7] = [
+    ("side", Part::Side),
+    ("base", Part::Base),
+    ("top", Part::Top),
+    ("left", Part::Left),
+    ("right", Part::Right),
+    ("back", Part::Back),
+    ("front", Part::Front),
+];
+
+const SIDES: [(&str, Leaving); 2] = [("outwards", Leaving::Outwards), ("inwards", Leaving::Inwards)];
 
 /// One line of the file.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,6 +38,8 @@ pub struct Line<'a> {
     pub direction: [Decimal<'a>; 3],
     /// Where the range starts and ends, if that is said.
     pub range: [Option<Decimal<'a>>; 2],
+    /// The part of the solid that the ray departs from, and to which side.
+    pub departure: Option<(Part, Leaving)>,
 }
 
 /// The text of a file; `-` is the standard input.
@@ -76,11 +97,11 @@ pub fn parse<'a>(path: &str, text: &'a str) -> Result<Vec<Line<'a>>, String> {
             continue;
         }
         let cells = cells(line);
-        if ![6, 8].contains(&cells.len()) {
+        if !COUNTS.contains(&cells.len()) {
             let columns = if cells.len() == 1 { "1 column".into() } else { format!("{} columns", cells.len()) };
             return Err(format!(
-                "{path}, line {number}: it has {columns}: give 6 (origin x, y, z, direction x, y, z) or 8 (also start and end of the \
-                 range, which may be empty), separated by commas"
+                "{path}, line {number}: it has {columns}: give 6 (origin x, y, z, direction x, y, z), 8 (also start and end of the \
+                 range, which may be empty) or 10 (also the part that the ray departs from, and to which side), separated by commas"
             ));
         }
         // A header has no number at all.
@@ -107,7 +128,8 @@ fn line<'a>(path: &str, number: usize, cells: &[&'a str]) -> Result<Line<'a>, St
         None | Some(&"") => Ok(None),
         Some(_) => cell(column).map(Some),
     };
-    let line = Line { number, origin: three(0)?, direction: three(3)?, range: [end(6)?, end(7)?] };
+    let departure = departure(cells).map_err(|(column, what)| at(column, &what))?;
+    let line = Line { number, origin: three(0)?, direction: three(3)?, range: [end(6)?, end(7)?], departure };
     if doubles(line.direction) == [0.0; 3] {
         return Err(format!(
             "{path}, line {number}, columns 4 to 6 (dx, dy, dz): the direction is zero: give it a length"
@@ -119,6 +141,48 @@ fn line<'a>(path: &str, number: usize, cells: &[&'a str]) -> Result<Line<'a>, St
         return Err(at(7, &format!("the range is empty, since it starts at {start} and ends at {end}: {remedy}")));
     }
     Ok(line)
+}
+
+/// The value of a name, which may be written in capitals.
+fn named<T: Copy>(names: &[(&str, T)], name: &str) -> Result<T, String> {
+    let found = names.iter().find(|(known, _)| known.eq_ignore_ascii_case(name));
+    found.map(|(_, value)| *value).ok_or_else(|| {
+        let all: Vec<_> = names.iter().map(|(known, _)| *known).collect();
+        format!("`{name}` is none of {}: give one of them, or leave both cells of the departure empty", all.join(", "))
+    })
+}
+
+/// The departure that a line tells, if it tells one; or in which column it is wrong, and what to do.
+fn departure(cells: &[&str]) -> Result<Option<(Part, Leaving)>, (usize, String)> {
+    let [part, leaving] = [PART, LEAVING].map(|column| cells.get(column).copied().unwrap_or_default());
+    match (part, leaving) {
+        ("", "") => Ok(None),
+        ("", _) => Err((PART, "it is empty: name the part that the ray departs from".into())),
+        (_, "") => Err((LEAVING, "it is empty: give `outwards` or `inwards`".into())),
+        _ => Ok(Some((
+            named(&PARTS, part).map_err(|what| (PART, what))?,
+            named(&SIDES, leaving).map_err(|what| (LEAVING, what))?,
+        ))),
+    }
+}
+
+/// Fails at a ray that departs from a part that the solid of this name does not have.
+pub fn check_parts(path: &str, lines: &[Line<'_>], solid: &str, parts: &[Part]) -> Result<(), String> {
+    let names = |has: &dyn Fn(Part) -> bool| {
+        PARTS.iter().filter(|(_, part)| has(*part)).map(|(name, _)| *name).collect::<Vec<_>>().join(", ")
+    };
+    for line in lines {
+        if let Some((part, _)) = line.departure.filter(|(part, _)| !parts.contains(part)) {
+            let [own, all] = [names(&|other| other == part), names(&|other| parts.contains(&other))];
+            return Err(at(
+                path,
+                line.number,
+                PART,
+                &format!("the {solid} has no part `{own}`: give one of its parts, {all}"),
+            ));
+        }
+    }
+    Ok(())
 }
 
 impl Line<'_> {
@@ -135,6 +199,10 @@ impl Line<'_> {
             Some((end, Err(_))) if end < 0.0 => return None,
             _ => farthest,
         };
-        Some(Ray::new(origin, direction).ok()?.with_range(Range::new(start, end).ok()?))
+        let ray = Ray::new(origin, direction).ok()?.with_range(Range::new(start, end).ok()?);
+        Some(match self.departure {
+            Some((part, leaving)) => ray.departing(Departure { object: 0, part, leaving }),
+            None => ray,
+        })
     }
 }

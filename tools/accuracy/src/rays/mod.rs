@@ -44,8 +44,9 @@ fn forms() -> String {
 #[derive(Args)]
 #[command(after_help = forms())]
 pub struct Options {
-    /// The file: comma-separated values, a ray a line: ox,oy,oz,dx,dy,dz and if you like start,end of the range of t. A header and
-    /// lines that begin with # are allowed. `-` is the standard input.
+    /// The file: comma-separated values, a ray a line: ox,oy,oz,dx,dy,dz and if you like start,end of the range of t, and
+    /// part,leaving of a ray that departs from the solid, such as top,inwards. A header and lines that begin with # are allowed. `-` is
+    /// the standard input.
     #[arg(value_name = "FILE")]
     file: String,
     /// The solid and its sizes, such as 'cylinder capped radius 1 height 2'.
@@ -82,11 +83,15 @@ impl Options {
     /// What is to be measured, of the file's text.
     fn task<'a>(&'a self, text: &'a str) -> Result<Task<'a>, String> {
         let is_wanted = |number: &&str| crate::is_named(&self.number, number);
+        let solid = solid::parse(&self.solid).map_err(|error| format!("--solid: {error}"))?;
+        let placement = placement::parse(&self.placement).map_err(|error| format!("--placement: {error}"))?;
+        let lines = csv::parse(&self.file, text)?;
+        csv::check_parts(&self.file, &lines, solid.name(), solid::parts(&solid))?;
         Ok(Task {
             file: &self.file,
-            solid: solid::parse(&self.solid).map_err(|error| format!("--solid: {error}"))?,
-            placement: placement::parse(&self.placement).map_err(|error| format!("--placement: {error}"))?,
-            lines: csv::parse(&self.file, text)?,
+            solid,
+            placement,
+            lines,
             numbers: NUMBERS.into_iter().filter(is_wanted).collect(),
             is_timed: !self.errors_only,
         })

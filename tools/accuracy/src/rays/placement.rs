@@ -83,12 +83,12 @@ pub fn parse(text: &str) -> Result<Option<Placement<'_>>, String> {
 
 /// A direction of the number type.
 fn direction<S: Exact>(name: &str, numbers: Three<'_>) -> Result<UnitVec3<S>, String> {
-    decimal::direction(numbers).map_err(|error| format!("the length of the direction `{name}` {error}"))
+    decimal::direction(numbers).map_err(|error| format!("the length of the direction `{name}` {}", error.predicate()))
 }
 
 /// A point or a vector of the number type.
 fn vector<S: Exact>(name: &str, numbers: Three<'_>) -> Result<Vec3<S>, String> {
-    let rounded = rounded::<S>(numbers).map_err(|error| format!("a number of `{name}` {error}"))?;
+    let rounded = rounded::<S>(numbers).map_err(|error| format!("a number of `{name}` {}", error.predicate()))?;
     Ok(Vec3::from(rounded))
 }
 

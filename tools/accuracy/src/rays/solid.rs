@@ -2,6 +2,7 @@
 
 use super::decimal::Decimal;
 use super::words::{Words, list};
+use raylet::Part;
 use support::described::{ConeExtent, CylinderExtent, Described};
 
 /// Every solid, as one writes it.
@@ -42,7 +43,7 @@ impl<'a> Sizes<'a> {
 }
 
 /// The name in an example, and the names of the sizes.
-fn parts(example: &'static str) -> (&'static str, Vec<&'static str>) {
+fn names(example: &'static str) -> (&'static str, Vec<&'static str>) {
     let is_number = |word: &&str| word.starts_with(|c: char| c.is_ascii_digit() || c == '-');
     let words: Vec<&str> = example.split(' ').filter(|word| !is_number(word)).collect();
     let is_size = |word: &str| ["radius", "height", "slope", "base", "top", "x", "y", "z"].contains(&word);
@@ -60,7 +61,7 @@ fn example(words: &mut Words<'_>) -> Result<&'static str, String> {
         [only] => Ok(only),
         _ => {
             let second = words.next();
-            let found = of_first.iter().copied().find(|example| parts(example).0.split(' ').nth(1) == second);
+            let found = of_first.iter().copied().find(|example| names(example).0.split(' ').nth(1) == second);
             found.ok_or_else(|| format!("`{first}` alone does not say which: give one of{}", list(&of_first)))
         }
     }
@@ -70,7 +71,7 @@ fn example(words: &mut Words<'_>) -> Result<&'static str, String> {
 pub fn parse(text: &str) -> Result<Described<Decimal<'_>>, String> {
     let mut words = Words::new(text);
     let example = example(&mut words)?;
-    let (solid, names) = parts(example);
+    let (solid, names) = names(example);
     if solid == "triangle" {
         let mut vertex = || words.numbers::<3>("each vertex of the triangle");
         let vertices = [vertex()?, vertex()?, vertex()?];
@@ -115,5 +116,18 @@ pub fn parse(text: &str) -> Result<Described<Decimal<'_>>, String> {
         "cuboid" => Ok(Described::Cuboid { half: [get("x")?, get("y")?, get("z")?] }),
         "rectangle" => Ok(Described::Rectangle { half: [get("x")?, get("z")?] }),
         _ => Ok(Described::Plane),
+    }
+}
+
+/// The parts of its surface, from which a ray may depart.
+pub fn parts<N>(solid: &Described<N>) -> &'static [Part] {
+    use Part::{Back, Base, Front, Left, Right, Side, Top};
+    match solid {
+        Described::Cuboid { .. } => &[Left, Right, Base, Top, Back, Front],
+        Described::Cylinder { extent: CylinderExtent::Capped(_), .. }
+        | Described::Frustum { capped: true, .. }
+        | Described::Capsule { .. } => &[Side, Base, Top],
+        Described::Cone { extent: ConeExtent::Capped(_), .. } => &[Side, Top],
+        _ => &[Side],
     }
 }

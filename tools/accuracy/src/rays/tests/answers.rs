@@ -107,6 +107,59 @@ fn placements_have_the_names_of_the_tables() {
     assert_eq!(name("stretched 2 1 1"), Some("stretched"));
 }
 
+/// A ray that departs does not meet where it starts, whichever side of the surface its rounded start is on; the textbook, which knows no
+/// departures, does.
+#[test]
+fn a_ray_departs_from_a_part() {
+    // From a point next to the side of a cylinder, inwards to the far side and outwards; from the top inwards to the base, and past the start.
+    let text = "1.0001,1,0,-1,0,0,,,side,inwards\n0.9999,1,0,1,0,0,,,Side,OUTWARDS\n0.25,2,0,0,-1,0,0,,top,inwards\n\
+                0.25,2,0,0,-1,0,3,,top,inwards";
+    let outcome = measured(&at("cylinder capped radius 1 height 2", ""), text).unwrap();
+    for number in NUMBERS {
+        for tier in TIERS.into_iter().filter(|tier| *tier != "Exact" || ["f32", "I16F16"].contains(&number)) {
+            let (row, extra) = outcome.row(number, tier);
+            if tier == "Textbook" {
+                // The side where the first two start, and the top where the third does.
+                assert!(row.wrong() > 0, "{number}: {row:?}");
+                continue;
+            }
+            assert_eq!((row.hits, row.wrong(), row.counts[3], row.broken), (2, 0, 0, 0), "{number} {tier}: {row:?}");
+            let worst = extra.worst.as_ref().unwrap();
+            assert!(worst.exact.iter().all(|hit| hit.surface.as_ref().unwrap()[1] == "Exit"), "{worst:?}");
+        }
+    }
+    // Of the quadric that it leaves, the roots are 0 and -2k/a: 2.0002, where the chord through the start is 2.0001 long.
+    let first = text.lines().next().unwrap();
+    let outcome = measured(&at("cylinder capped radius 1 height 2", ""), first).unwrap();
+    let t = outcome.row("f64", "Stable").1.worst.as_ref().unwrap().hits[0].t;
+    assert!((t - 2.0002).abs() < 1e-12, "{t}");
+}
+
+/// From every part of every solid, to both sides, where the solid stands: `Exact` has every hit.
+#[test]
+fn every_part_of_every_solid_is_departed_from() {
+    for text in solid::EXAMPLES {
+        let parts = solid::parts(&solid::parse(text).unwrap());
+        let mut lines = String::new();
+        for part in parts {
+            for leaving in ["inwards", "outwards"] {
+                let _ = writeln!(lines, "0.9,1.1,0.3,-0.6,0.2,0.5,,,{part:?},{leaving}");
+            }
+        }
+        for placement in ["", "at 0.1 0.2 0.3 axis 0 0.2 1"] {
+            let outcome = measured(&at(text, placement), &lines).unwrap_or_else(|error| panic!("{text}: {error}"));
+            for number in ["f32", "I16F16"] {
+                let (row, extra) = outcome.row(number, "Exact");
+                assert_eq!(
+                    (extra.rays, row.wrong(), row.broken),
+                    (2 * parts.len(), 0, 0),
+                    "{text}, {placement}: {row:?}"
+                );
+            }
+        }
+    }
+}
+
 /// A range leaves hits out, in the textbook too.
 #[test]
 fn a_range_of_t_counts() {

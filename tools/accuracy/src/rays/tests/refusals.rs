@@ -128,23 +128,45 @@ fn files() {
         ),
         (
             "ox,oz,oy,dx,dy,dz\n0,0,5,0,0,-1",
-            "my.csv, line 1, column 2 (oy): the header calls it `oz`: name the columns ox,oy,oz,dx,dy,dz,start,end, or leave the header out"
+            "my.csv, line 1, column 2 (oy): the header calls it `oz`: name the columns ox,oy,oz,dx,dy,dz,start,end,part,leaving, or leave the header out"
                 .into(),
         ),
         (
             "0 0 5 0 0 -1",
-            "my.csv, line 1: it has 1 column: give 6 (origin x, y, z, direction x, y, z) or 8 (also start and end of the range, which \
-             may be empty), separated by commas"
+            "my.csv, line 1: it has 1 column: give 6 (origin x, y, z, direction x, y, z), 8 (also start and end of the range, which \
+             may be empty) or 10 (also the part that the ray departs from, and to which side), separated by commas"
                 .into(),
         ),
         (
             "0,0,5,0,0,-1,7",
-            "my.csv, line 1: it has 7 columns: give 6 (origin x, y, z, direction x, y, z) or 8 (also start and end of the range, which \
-             may be empty), separated by commas"
+            "my.csv, line 1: it has 7 columns: give 6 (origin x, y, z, direction x, y, z), 8 (also start and end of the range, which \
+             may be empty) or 10 (also the part that the ray departs from, and to which side), separated by commas"
                 .into(),
         ),
     ] {
         refused(&at("sphere radius 1", ""), text, &message);
+    }
+}
+
+#[test]
+fn departures() {
+    for (cells, message) in [
+        ("top,", "column 10 (leaving): it is empty: give `outwards` or `inwards`"),
+        (",inwards", "column 9 (part): it is empty: name the part that the ray departs from"),
+        (
+            "lid,inwards",
+            "column 9 (part): `lid` is none of side, base, top, left, right, back, front: give one of them, or leave both cells of the \
+             departure empty",
+        ),
+        (
+            "top,in",
+            "column 10 (leaving): `in` is none of outwards, inwards: give one of them, or leave both cells of the departure empty",
+        ),
+        ("left,inwards", "column 9 (part): the cone capped has no part `left`: give one of its parts, side, top"),
+        ("base,outwards", "column 9 (part): the cone capped has no part `base`: give one of its parts, side, top"),
+    ] {
+        let text = format!("{RAY},,,side,inwards\n0,1,0,0,1,0,,,{cells}");
+        refused(&at("cone capped slope 1 height 2", ""), &text, &format!("my.csv, line 2, {message}"));
     }
 }
 
