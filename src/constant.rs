@@ -67,6 +67,41 @@
 //! # Ok::<(), raylet::Error>(())
 //! ```
 //!
+//! # A helper of your own
+//!
+//! `constant!` takes no parameter of a `const fn` (error E0435), since the compiler computes its value once, before any call. Where several values are built
+//! alike, write a macro. The one below also has the literals of the number type, so that the same source builds for a chip with a floating-point
+//! unit and for one without:
+//!
+//! ```
+//! use raylet::{Frame, Shape, Sphere, Vec3, constant};
+//!
+//! #[cfg(target_abi = "eabihf")] // Cortex-M4F and the like
+//! mod number {
+//!     pub type S = f32;
+//!     macro_rules! n { ($x:literal) => { $x as S } }
+//!     pub(crate) use n;
+//! }
+//! #[cfg(not(target_abi = "eabihf"))]
+//! mod number {
+//!     pub type S = fixed::types::I16F16;
+//!     macro_rules! n { ($x:literal) => { S::lit(stringify!($x)) } }
+//!     pub(crate) use n;
+//! }
+//! use number::{S, n};
+//!
+//! macro_rules! ball {
+//!     ($x:literal, $y:literal, $z:literal) => {
+//!         constant!(Sphere::<S>::const_new(n!(0.25)))
+//!             .into_shape()
+//!             .in_frame(constant!(Frame::<S>::const_at(Vec3::new(n!($x), n!($y), n!($z)))))
+//!     };
+//! }
+//! static BALLS: [Shape<S>; 2] = [ball!(0.5, 0.25, 2), ball!(-0.5, 0.25, 2)];
+//! ```
+//!
+//! # Errors
+//!
 //! A bad size fails the build, and the compiler says `the radius is negative`:
 //!
 //! ```compile_fail,E0080
@@ -84,7 +119,8 @@
 /// The value of a constructor's result, computed by the compiler; an error fails the build with the error's message. See
 /// [`raylet::constant`](mod@crate::constant).
 ///
-/// What it is given must be a constant expression: a literal, another constant, a call of a `const fn`.
+/// What it is given must be a constant expression: a literal, another constant, a call of a `const fn` with such. A parameter of the function around it
+/// is none; [there](mod@crate::constant#a-helper-of-your-own) is a way around that.
 ///
 /// ```
 /// use raylet::{Capsule, constant};

@@ -24,6 +24,18 @@
 //! Code that is to run in several number types uses a type alias, `type S = fixed::types::I16F16;`, rather than a parameter: [`Scalar`] has what the library
 //! needs, and no arithmetic of its own.
 //!
+//! # Where to begin
+//!
+//! - A distance: a [`Shape`] of a primitive, placed by a [`Frame`], and [`Shape::nearest`], as above. Of many shapes: [`Shapes`].
+//! - A picture: [`scene`], then [`Picture`]; on a display: `display` (feature `embedded-graphics`). [`gallery`] has scenes to try it with.
+//! - How accurate: [`tier`], and [which number type and tier to take][which-one].
+//! - On a chip: the dependency as on a host (the default features need no `std`), and what any program for the chip needs: a runtime such as
+//!   `cortex-m-rt`, its `memory.x`, and `-Tlink.x` for the linker. [examples/firmware][firmware] in the repository is such a program, for QEMU and for
+//!   boards. [`constant`](mod@constant) puts shapes into flash; [`shape::kinds`] leaves out the code of primitives that a program does not use.
+//!
+//! [which-one]: https://github.com/raylet-rs/raylet/blob/main/docs/which-one.md
+//! [firmware]: https://github.com/raylet-rs/raylet/tree/main/examples/firmware
+//!
 //! # The contract
 //!
 //! 1. A solid is a closed set. A line meets a convex solid in one interval, whose ends are the hits: [`Crossing::Enter`] and
@@ -45,12 +57,13 @@
 //! 11. Results have the same bits on every machine, for every number type and tier: they are computed by IEEE arithmetic, integers and
 //!     `libm` only.
 //!
-//! `tests/promises/src/contract.rs` has tests named after rules 1 to 10; for rule 11 `tests/promises/src/firmware.rs` and the firmware in
+//! In the repository `tests/promises/src/contract.rs` has tests named after rules 1 to 10; for rule 11 `tests/promises/src/firmware.rs` and the firmware in
 //! `tools/firmware` compare digests of all answers on the host, Cortex-M0+, M3, M4F and RV32IMC.
 //!
 //! # Modules
 //!
-//! A module imports only from its own layer and from layers below. Details are in `ARCHITECTURE.md`. "Primitive" is the word for
+//! A module imports only from its own layer and from layers below. Details are in
+//! [ARCHITECTURE.md](https://github.com/raylet-rs/raylet/blob/main/ARCHITECTURE.md). "Primitive" is the word for
 //! any of the shapes, "solid" for one that has an inside.
 //!
 //! | layer | module | what it holds |

@@ -14,7 +14,7 @@
 //! The promises hold for placed solids too. A frame's position and axes are taken as stored, and the transformation into the frame is part of the
 //! computation. Stored axes are perpendicular only to their last bits; a sphere in a frame is nevertheless an exact sphere.
 //!
-//! Measured errors are in `docs/accuracy.md`.
+//! Measured errors are in [docs/accuracy.md](https://github.com/raylet-rs/raylet/blob/main/docs/accuracy.md).
 
 use crate::fast::Guards;
 use crate::query::Solve;
@@ -38,7 +38,7 @@ pub trait Tier<S: Scalar>: Copy + sealed::Sealed + Solve<S> + 'static {}
 ///
 /// A sphere has no guards: the fast path decides however far away the ray starts and however closely it grazes. It also takes the direction to be of
 /// length exactly 1, which costs `t` an error of about a unit in the last place of the direction. For the other solids the robust number decides where the
-/// fast path is unsure. Measured errors are in `docs/accuracy.md`.
+/// fast path is unsure. Measured errors are in [docs/accuracy.md](https://github.com/raylet-rs/raylet/blob/main/docs/accuracy.md).
 ///
 /// No hit is lost or invented if the chord is at least a hundredth of the solid's size and the ray starts within 100 sizes, except within 16 units in the last
 /// place of a rim, or of a start on the surface.
@@ -66,7 +66,7 @@ impl<S: Scalar> Tier<S> for Fast {}
 ///
 /// Error of `t` for floats: about half a unit in the last place in the median, at most 16 units except for grazing rays (see [`tier`](self)), and at most 31
 /// units down to rays that graze to 10^-7. For fixed point: at most one unit. For a hit within a thousandth of the solid's size of the ray's start these
-/// are units of the size. Measured errors are in `docs/accuracy.md`.
+/// are units of the size. Measured errors are in [docs/accuracy.md](https://github.com/raylet-rs/raylet/blob/main/docs/accuracy.md).
 ///
 /// Within one unit of a rim or a seam, of touching, or of the range's start, rounding may decide the hit, its part or its crossing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

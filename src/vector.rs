@@ -102,7 +102,7 @@ impl<S: Scalar> Vec3<S> {
         self.to_array().iter().all(|c| c.magnitude() <= S::BUDGET.coordinate)
     }
 
-    /// The component along a direction.
+    /// The component along a direction. `<S as Scalar>::round` makes a stored number of it; see [`UnitVec3::dot`].
     #[inline(always)]
     pub fn dot(self, direction: UnitVec3<S>) -> S::Real {
         S::dot(self.to_array(), direction.to_array())
@@ -285,7 +285,17 @@ impl<S: Scalar> UnitVec3<S> {
         self.components.map(S::unit_real)
     }
 
-    /// The cosine of the angle between two directions.
+    /// The cosine of the angle between two directions, as a number to compute with. [`Scalar::round`] makes a stored number of it, and has to be called by
+    /// that name: fixed-point numbers have a `round` of their own.
+    ///
+    /// ```
+    /// # use raylet::{Scalar, UnitVec3, Vec3};
+    /// use fixed::types::I16F16;
+    /// let slanted = UnitVec3::<I16F16>::from_f64([0.6, 0.0, 0.8])?;
+    /// let cosine = <I16F16 as Scalar>::round(slanted.dot(UnitVec3::Z));
+    /// assert_eq!(cosine, I16F16::lit("0.8"));
+    /// # Ok::<(), raylet::ValueError>(())
+    /// ```
     #[inline(always)]
     pub fn dot(self, other: Self) -> S::Real {
         S::unit_dot(self.components, other.components)

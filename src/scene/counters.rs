@@ -1,6 +1,6 @@
 //! Counters of the rays and tests that a picture takes.
 
-/// Counters of the rays and tests that a picture takes.
+/// Counters of the rays and tests that a picture takes. `{:?}` prints them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
