@@ -26,11 +26,9 @@ fn a_coordinate_too_large_says_which_way_to_scale() {
         "3: the sphere's centre is beyond 1073741824, the most that i16f16 holds at --scale 1/65536: move everything closer \
          to the origin, or -n i32f32, f32 or f64"
     );
-    let within = said("s 1 0 0 1", "-n i16f16 --scale 4294967296");
-    assert_eq!(
-        within.split(':').nth(1),
-        Some(" the sphere's centre is beyond 3.8e-6, the most that i16f16 holds at --scale 4294967296")
-    );
+    // The view's own from is beyond that.
+    let tiny = said("s 1 0 0 1", "-n i16f16 --scale 4294967296");
+    assert!(tiny.contains("is beyond 3.8e-6, the most that i16f16 holds at --scale 4294967296"), "{tiny}");
     // What was advised helps.
     for advised in ["--scale auto", "--scale 1/2", "--scale 1 -n i32f32"] {
         Folder::with(format!("{VIEW}{LIGHT}{BALL}s 20000 0 0 1"))
