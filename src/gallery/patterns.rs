@@ -2,7 +2,9 @@
 
 use super::{Stage, all, floor, matte, number, on_y, point};
 use crate::scene::Coordinate;
-use crate::{Capsule, Color, Cone, Cuboid, Cylinder, Frame, Object, Scalar, Shape, Sphere, Texture, UnitVec3};
+use crate::{
+    Capsule, Color, Cone, Cuboid, Cylinder, Frame, Object, Rectangle, Scalar, Shape, Sphere, Texture, UnitVec3,
+};
 
 /// A smiling face, 8 by 8.
 const FACE: [[u8; 3]; 64] = {
@@ -45,6 +47,10 @@ pub(super) fn build<S: Scalar>() -> Option<Stage<S>> {
     let (forward, up) = (UnitVec3::new(point(0.5, 0.0, 1.0)?).ok()?, UnitVec3::Y);
     let die = Shape::new(Cuboid::new([half; 3]).ok()?);
     let die = die.placed(Frame::looking(point(-1.55, 0.38, 2.3)?, forward, up).ok()?);
+    // A mat on the floor: z, along which the image's rows are stacked, leads away from the camera.
+    let away = UnitVec3::new(point(0.15, 0.0, -1.0)?).ok()?;
+    let mat = Shape::new(Rectangle::new([number(0.5)?, number(0.45)?]).ok()?);
+    let mat = mat.placed(Frame::looking(point(1.25, 0.02, 2.75)?, away, UnitVec3::Y).ok()?);
     let objects = [
         floor(1.5, board)?,
         can.with_top(image),
@@ -53,6 +59,7 @@ pub(super) fn build<S: Scalar>() -> Option<Stage<S>> {
         pill,
         Object::new(coin, red).with_top(image),
         Object::new(die, image).with_top(carved),
+        Object::new(mat, image),
     ];
     let [dark, light] = [[0.25, 0.28, 0.30], [0.85, 0.83, 0.78]].map(Color::from_f64);
     // In space: the pattern continues from the side to the round ends, as if the pill were carved from it.
