@@ -47,10 +47,10 @@ pub(super) fn build<S: Scalar>() -> Option<Stage<S>> {
     let (forward, up) = (UnitVec3::new(point(0.5, 0.0, 1.0)?).ok()?, UnitVec3::Y);
     let die = Shape::new(Cuboid::new([half; 3]).ok()?);
     let die = die.placed(Frame::looking(point(-1.55, 0.38, 2.3)?, forward, up).ok()?);
-    // A picture that leans back: its front, +y of its own frame, to the camera, and the image's rows up along z.
-    let (upwards, front) = (UnitVec3::new(point(0.0, 1.0, -0.25)?).ok()?, UnitVec3::new(point(-0.1, 0.25, 1.0)?).ok()?);
-    let painting = Shape::new(Rectangle::new([number(0.55)?, number(0.55)?]).ok()?);
-    let painting = painting.placed(Frame::looking(point(1.3, 0.6, -0.9)?, upwards, front).ok()?);
+    // A mat on the floor: z, along which the image's rows are stacked, leads away from the camera.
+    let away = UnitVec3::new(point(0.15, 0.0, -1.0)?).ok()?;
+    let mat = Shape::new(Rectangle::new([number(0.5)?, number(0.45)?]).ok()?);
+    let mat = mat.placed(Frame::looking(point(1.25, 0.02, 2.75)?, away, UnitVec3::Y).ok()?);
     let objects = [
         floor(1.5, board)?,
         can.with_top(image),
@@ -59,7 +59,7 @@ pub(super) fn build<S: Scalar>() -> Option<Stage<S>> {
         pill,
         Object::new(coin, red).with_top(image),
         Object::new(die, image).with_top(carved),
-        Object::new(painting, image),
+        Object::new(mat, image),
     ];
     let [dark, light] = [[0.25, 0.28, 0.30], [0.85, 0.83, 0.78]].map(Color::from_f64);
     // In space: the pattern continues from the side to the round ends, as if the pill were carved from it.

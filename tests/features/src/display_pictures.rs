@@ -197,13 +197,9 @@ fn pictures_of_one_bit() {
         assert!((0.1..0.85).contains(&share.get()), "object {}: {}", object + 1, share.get());
     }
     // In the order of rows: the lamps are above.
-    let [upper, lower] = [true, false].map(|is_upper| {
-        let mut share = Share::default();
-        let half = of_ball.len() / 2;
-        let pixels = if is_upper { &of_ball[..half] } else { &of_ball[half..] };
-        pixels.iter().for_each(|is_on| share.add(*is_on));
-        share.get()
-    });
+    let share = |pixels: &[bool]| pixels.iter().filter(|is_on| **is_on).count() as f64 / pixels.len() as f64;
+    let (upper, lower) = of_ball.split_at(of_ball.len() / 2);
+    let [upper, lower] = [share(upper), share(lower)];
     assert!(upper > lower + 0.05, "the ball is as bright above ({upper}) as below ({lower})");
 
     let levels = |pixel: BinaryColor| if pixel.is_on() { [255; 3] } else { [0; 3] };

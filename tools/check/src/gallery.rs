@@ -29,7 +29,7 @@ const PICTURES: [(&str, &str); 7] = [
     ),
     (
         "patterns",
-        "Materials of their own on base and top; checkers, stripes and an image of 8 by 8 pixels through `uv`, on a cuboid too; a capsule carved from cells in space, through `uvw`.",
+        "Materials of their own on base and top; checkers, stripes and an image of 8 by 8 pixels through `uv`, on a cuboid and a rectangle too; a capsule carved from cells in space, through `uvw`.",
     ),
     ("glass", "Refraction with Fresnel's weights and total reflection, mirrors, a pane of index 1 that bends nothing."),
     ("waves", "Bump mapping through the tangents: on water that mirrors, on a ball, as flutes of columns in fog."),
