@@ -79,8 +79,8 @@ fn by_chip(study: &Study) -> Vec<Advice> {
         advice(
             "No floating-point unit (M0+, M3, RV32IMC):",
             "`I16F16`, `Stable`. It takes fewer instructions than `Fast` in `f32` for spheres, cylinders and cones, and is within a unit (of 1.5e-5) to \
-             16,384 from the origin. `Fast` takes about half to two thirds of its instructions for a sphere, and is within a unit too from nearby; for a cylinder it \
-             gains nothing.",
+             16,384 from the origin. `Fast` takes two fifths to two thirds of its instructions for a sphere, and is within a unit too from nearby; for a cylinder \
+             and a cone it gains next to nothing.",
             vec![
                 benign("I16F16", "Stable"),
                 benign("I16F16", "Fast"),
@@ -117,7 +117,7 @@ fn by_chip(study: &Study) -> Vec<Advice> {
         advice(
             "A single-precision unit (M4F):",
             format!(
-                "`f32`. `Fast` is the cheapest there is; `Stable` takes about twice as many instructions for a sphere and is right where rays graze. {single} \
+                "`f32`. `Fast` is the cheapest tier for spheres; `Stable` takes about twice as many instructions for a sphere and is right where rays graze. {single} \
                  Doubles are software, and `f32` `Exact` computes in them."
             ),
             vec![
@@ -139,7 +139,7 @@ fn by_chip(study: &Study) -> Vec<Advice> {
         ),
         advice(
             "A double-precision unit, or a host:",
-            "`f64`, `Stable`, if memory allows: as quick as `f32` and finer by nine digits. `f64` `Fast` is finer than `f32` `Exact` for rays \
+            "`f64`, `Stable`, if memory allows: mostly up to a fifth slower than `f32`, and finer by nine digits. `f64` `Fast` is finer than `f32` `Exact` for rays \
              that do not graze, but promises no decision; `Exact` exists for `f32` and 32-bit fixed point.",
             vec![
                 benign("f64", "Fast"),
@@ -216,7 +216,7 @@ fn by_fault() -> Vec<Advice> {
     vec![
         advice(
             "Hit or miss, the part, or the order must never be wrong:",
-            "`Exact`, in `f32` or 32-bit fixed point. In all rows nothing is lost, invented or on another part, placed or not. `Stable` is right in most rows too, and for nearly every ray; only `Exact` is by proof.",
+            "`Exact`, in `f32` or 32-bit fixed point. In all rows nothing is lost, invented or on another part, placed or not. `Stable` is right in most rows too, and for nearly every ray; only for `Exact` it is proved.",
             vec![
                 Row("f32", "Fast", SPHERE, "grazing 1e-7"),
                 Row("f32", "Stable", SPHERE, "grazing 1e-7"),
