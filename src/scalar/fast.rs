@@ -155,14 +155,12 @@ pub struct FinerLine<S: Numbers> {
     pub pace: Pace,
 }
 
-/// A ratio of lengths, at most a half: `digits * 2^-shift`, or `(digits * 2^32 + below) * 2^-shift` for the types of 64 bits.
+/// A ratio of lengths: `digits * 2^-shift`.
 #[derive(Clone, Copy, Debug)]
 pub struct Pace {
     /// At least 2^31.
     pub digits: u32,
-    /// The digits below these; zero for the types of 32 bits.
-    pub below: u32,
-    /// From 33 to 62, or from 65 to 126.
+    /// From 33 to 62.
     pub shift: u32,
 }
 
