@@ -226,7 +226,7 @@ impl Guards for Widely {
 }
 
 /// The second attempt of fixed point: the fast path of [`Scalar::Wider`]. It has room for all lengths of this type, in finer units, and
-/// rounds the ends to this type's. (An affine placement has no fast path there.)
+/// rounds the ends to this type's.
 #[cold]
 #[inline(never)]
 fn in_wider<S: Scalar, G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<Intersection<S>> {
@@ -250,7 +250,7 @@ fn second_attempt<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
     ray: &Ray<S>,
 ) -> Attempt<Intersection<S>> {
     if !S::RELATIVE {
-        return if S::WIDENS && !P::STRETCHES { in_wider(geometry, place, ray) } else { Attempt::Unsure };
+        return if S::WIDENS { in_wider(geometry, place, ray) } else { Attempt::Unsure };
     }
     let second = geometry.second_line(place, ray);
     // In the world a line that starts near the primitive is exact as it is.

@@ -155,12 +155,14 @@ pub struct FinerLine<S: Numbers> {
     pub pace: Pace,
 }
 
-/// A ratio of lengths: `digits * 2^-shift`.
+/// A ratio of lengths, at most a half: `digits * 2^-shift`, or `(digits * 2^32 + below) * 2^-shift` for the types of 64 bits.
 #[derive(Clone, Copy, Debug)]
 pub struct Pace {
     /// At least 2^31.
     pub digits: u32,
-    /// From 33 to 62.
+    /// The digits below these; zero for the types of 32 bits.
+    pub below: u32,
+    /// From 33 to 62, or from 65 to 126.
     pub shift: u32,
 }
 

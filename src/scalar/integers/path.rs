@@ -256,6 +256,30 @@ fast!(FixedI64, LeEqU64, i64, integers::wide, [], {
         integers::passes_wide([from(0), from(1), from(2)], d, axis, r.to_bits())
     }
     #[inline(always)]
+    fn fast_stretched_finely(
+        o: [Self; 3],
+        d: [Self::Unit; 3],
+        position: [Self; 3],
+        rows: [([Self::Unit; 3], i32); 3],
+        reach: Self,
+    ) -> Option<FinerLine<Self>> {
+        let (raw, position, reach) = (o.map(Self::to_bits), position.map(Self::to_bits), reach.to_bits());
+        let rows = rows.map(|(row, exponent)| (row.map(FixedI64::to_bits), exponent));
+        let line = integers::wide::stretched(raw, d.map(FixedI64::to_bits), position, rows, reach)?;
+        let (scale, pace) = (line.scale, line.pace);
+        let line = LocalLine {
+            origin: line.origin.map(Self::from_bits),
+            finer: integers::wide::FINER,
+            direction: line.direction.map(FixedI64::from_bits),
+            ..LocalLine::along(o, d, Self::from_bits(0))
+        };
+        Some(FinerLine { line, scale, pace })
+    }
+    #[inline(always)]
+    fn fast_along_ray(line: &FinerLine<Self>, t: Self) -> Option<Self> {
+        integers::wide::along_ray(line.pace, t.to_bits()).map(Self::from_bits)
+    }
+    #[inline(always)]
     fn fast_triangle(line: LocalLine<Self>, vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {
         let (o, d) = (line.origin.map(Self::to_bits), line.direction.map(FixedI64::to_bits));
         let vertices = vertices.map(|vertex| vertex.map(Self::to_bits));

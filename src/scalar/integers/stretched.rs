@@ -29,7 +29,7 @@ const TOO_FAR: i32 = 1 << 26;
 
 /// The ray's `t` for one along the line, which is infinite or not; `None` if it is too large for this.
 #[inline(always)]
-pub(in crate::scalar) fn along_ray(Pace { digits, shift }: Pace, start: i32, t: i32) -> Option<i32> {
+pub(in crate::scalar) fn along_ray(Pace { digits, shift, .. }: Pace, start: i32, t: i32) -> Option<i32> {
     if t == i32::MAX || t == -i32::MAX {
         return Some(t);
     }
@@ -90,7 +90,7 @@ pub(in crate::scalar) fn stretched(
         finer: finer_than_type - scale,
         direction: components,
         scale,
-        pace: Pace { digits: reciprocal, shift: (shift + scale) as u32 },
+        pace: Pace { digits: reciprocal, below: 0, shift: (shift + scale) as u32 },
     })
 }
 

@@ -12,6 +12,7 @@ mod departing;
 mod flat;
 mod quotient;
 mod round;
+mod stretched;
 mod triangle;
 mod turned;
 
@@ -25,6 +26,7 @@ pub(in crate::scalar) use cone::{double_cone, exit_from_nappe, nappe};
 pub(in crate::scalar) use departing::exit_from_round;
 pub(in crate::scalar) use flat::{crossings, disc, height, lowered, rectangle};
 pub(in crate::scalar) use round::tube;
+pub(in crate::scalar) use stretched::{along_ray, stretched};
 pub(in crate::scalar) use triangle::triangle;
 pub(in crate::scalar) use turned::{FINER, turned};
 

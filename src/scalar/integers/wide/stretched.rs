@@ -1,0 +1,108 @@
+//! Transformation of a line by an affine map.
+
+use super::quotient::{reciprocal_of_digits, upper_product};
+use super::{Digits, FINER, digits, dot, joined, root, squared_length, upper_bits, words};
+use crate::scalar::Pace;
+
+/// As that of 32 bits; `finer` is always [`FINER`], and `start` zero.
+pub(in crate::scalar) struct Stretched {
+    pub(in crate::scalar) origin: [i64; 3],
+    pub(in crate::scalar) direction: [i64; 3],
+    pub(in crate::scalar) scale: i32,
+    pub(in crate::scalar) pace: Pace,
+}
+
+/// Bits of an end below its unit, while it is multiplied by the pace.
+const FRACTION: u32 = 5;
+
+/// Longer ends have no room for [`FRACTION`].
+const TOO_FAR: u64 = 1 << (62 - FRACTION);
+
+/// The ray's `t` for one along the line, which is infinite or not; `None` if it is too large for this.
+#[inline(always)]
+pub(in crate::scalar) fn along_ray(Pace { digits, below, shift }: Pace, t: i64) -> Option<i64> {
+    if t == i64::MAX || t == -i64::MAX {
+        return Some(t);
+    }
+    let magnitude = t.unsigned_abs();
+    if magnitude >= TOO_FAR {
+        return None;
+    }
+    // What the upper half of the product lacks is less than 2^-FRACTION of a unit along the line.
+    let whole = upper_product(magnitude << FRACTION, joined([below, digits])) >> (shift - 65);
+    let rounded = ((whole >> FRACTION) + 1) >> 1;
+    Some(if t < 0 { -(rounded as i64) } else { rounded as i64 })
+}
+
+/// The line in the frame at `position` of a matrix whose inverse has these rows, each to be multiplied by its power of two, for a solid
+/// whose lengths are at most `reach`; `None` if there is no room for them.
+///
+/// The direction's length is rounded to some 2^-57 of itself. Direction and pace are multiples of the same rounded reciprocal, so that the line and its `t`
+/// are accurate to their last bits; only the direction's length differs from 1 by that.
+#[inline]
+pub(in crate::scalar) fn stretched(
+    o: [i64; 3],
+    d: [i64; 3],
+    position: [i64; 3],
+    rows: [([i64; 3], i32); 3],
+    reach: i64,
+) -> Option<Stretched> {
+    let apart = |o: i64, position: i64| o.wrapping_sub(position);
+    let from = [apart(o[0], position[0]), apart(o[1], position[1]), apart(o[2], position[2])];
+    // As far as a frame reaches.
+    if (upper_bits(from[0]) | upper_bits(from[1]) | upper_bits(from[2])) >> 20 != 0 {
+        return None;
+    }
+    // Exact but for what smaller rows have below the unit of the largest: in units of 2^(exponent - 62) and 2^(exponent - 124).
+    let [x, y, z] = rows.map(|(_, exponent)| exponent);
+    let exponent = x.max(y).max(z);
+    let down = [x, y, z].map(|own| (exponent - own).min(126) as u32);
+    let rows = rows.map(|(row, _)| digits(row));
+    let image = |v: [Digits; 3]| [dot(v, rows[0]) >> down[0], dot(v, rows[1]) >> down[1], dot(v, rows[2]) >> down[2]];
+    let (origin, direction) = (image(digits(from)), image(digits(d)));
+
+    // The direction, first with 62 bits in its longest component. With fewer than 80 its last bits would be missing.
+    let excess = bits_of_longest(direction) - 62;
+    if excess < 18 {
+        return None;
+    }
+    let components = shifted(direction, excess as u32);
+    let length = root(squared_length(digits(components)));
+    let zeros = length.leading_zeros();
+    // 2^127 over the length's digits
+    let reciprocal = reciprocal_of_digits(length << (zeros & 0x3f));
+    // The component over the length, in units of 2^-62: c reciprocal 2^(zeros - 65), where zeros is 1 or 2.
+    let along = |c: i64| {
+        let quotient = upper_product(c.unsigned_abs() << 2, reciprocal) >> (2_u32.saturating_sub(zeros));
+        let magnitude = ((quotient + 1) >> 1) as i64;
+        if c < 0 { -magnitude } else { magnitude }
+    };
+    let direction = components.map(along);
+
+    // The ray's t is the line's times reciprocal 2^-shift. A unit along the line is at most half of one along the ray.
+    let shift = 3 + excess + exponent - zeros as i32;
+    let scale = (65 - shift).max(0);
+    let shift = shift + scale;
+    let has_room = scale < 40 && reach >> (53 - scale.min(40)) == 0 && shift < 65 + 62;
+    // To units of 2^-FINER of that.
+    let by = 62 - FINER - exponent - scale;
+    if !has_room || bits_of_longest(origin) - by > 62 || by >= 126 {
+        return None;
+    }
+    let origin = if by > 0 { shifted(origin, by as u32) } else { origin.map(|n| (n << by.unsigned_abs()) as i64) };
+    let [below, digits] = words(reciprocal);
+    Some(Stretched { origin, direction, scale, pace: Pace { digits, below, shift: shift as u32 } })
+}
+
+/// The bits of the longest component, or one less.
+#[inline(always)]
+fn bits_of_longest([x, y, z]: [i128; 3]) -> i32 {
+    let bits = |n: i128| (n ^ (n >> 127)) as u128;
+    128 - (bits(x) | bits(y) | bits(z) | 1).leading_zeros() as i32
+}
+
+/// Components times `2^-by`, rounded to nearest, where the results fit; `by` is not zero.
+#[inline(always)]
+fn shifted(v: [i128; 3], by: u32) -> [i64; 3] {
+    v.map(|n| ((n + (1 << (by - 1))) >> by) as i64)
+}
