@@ -67,7 +67,8 @@ pub(in crate::scalar) fn stretched(
         return None;
     }
     let components = shifted(direction, excess as u32);
-    let length = root(squared_length(digits(components)));
+    // The longest component is at least 2^61; the root of a direction along an axis may be rounded to below it.
+    let length = root(squared_length(digits(components))).max(1 << 61);
     let zeros = length.leading_zeros();
     // 2^127 over the length's digits
     let reciprocal = reciprocal_of_digits(length << (zeros & 0x3f));
