@@ -18,6 +18,7 @@ mod options;
 mod output;
 mod progress;
 mod report;
+mod standard;
 mod suggest;
 mod trace;
 

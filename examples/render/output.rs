@@ -1,6 +1,7 @@
 //! Where pictures go. Every file is opened before anything is traced, and left as it was until a picture is there.
 
 use crate::image::{Format, Image};
+use crate::standard;
 use std::error::Error;
 use std::ffi::{OsStr, OsString};
 use std::fs::{self, File, OpenOptions};
@@ -26,7 +27,7 @@ impl Place {
         let both = || vec![(Format::Ppm, "ppm".into()), (Format::Png, "png".into())];
         let inside = |folder: &Path| Self::Files { folder: folder.into(), stem: scene.into(), formats: both() };
         let Some(output) = output else { return Ok(inside(Path::new("out"))) };
-        if output == Path::new("-") || output == Path::new("/dev/stdout") {
+        if ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].iter().any(|name| output == Path::new(name)) {
             return Ok(Self::StandardOutput);
         }
         let named_as_folder = output.as_os_str().as_encoded_bytes().last().is_some_and(|last| is_separator(*last));
@@ -111,6 +112,9 @@ impl Output {
                 return Err(
                     "a picture would garble the terminal: redirect standard output, or give --output a name".into()
                 );
+            }
+            if let Some(fault) = standard::fault() {
+                return Err(fault.into());
             }
         }
         for (index, label) in labels.iter().enumerate() {

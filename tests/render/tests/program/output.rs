@@ -108,7 +108,7 @@ fn a_longer_file_is_replaced_whole() {
 fn a_hyphen_writes_to_standard_output_and_reports_on_standard_error() {
     let folder = Folder::with(ball());
     folder.run("scene.nff -o a.ppm").succeeds_silently();
-    for output in ["-", "/dev/stdout"] {
+    for output in ["-", "/dev/stdout", "/dev/fd/1"] {
         let run = folder.command(&format!("scene.nff -o {output}")).output().unwrap();
         assert_eq!(pixels(&run.stdout), folder.pixels("a.ppm"));
         let report = String::from_utf8(run.stderr).unwrap();
@@ -146,6 +146,33 @@ fn a_closed_standard_output_is_no_panic_and_no_lost_picture() {
     drop((child.stdout.take(), child.stderr.take()));
     assert!(child.wait().unwrap().success());
     assert_eq!(folder.pixels("d.ppm").len(), 48);
+}
+
+/// The runtime opens `/dev/null` in its place, so that writing to it succeeds.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_picture_to_a_standard_output_that_is_closed_is_an_error_before_tracing() {
+    let folder = Folder::with(ball());
+    // Minutes of tracing.
+    let huge = "\"$render\" scene.nff --size 60000x6000 -s 16 --uncut --threads 1";
+    let instead = "redirect standard output to a file or a program, or give --output a name; with -o /dev/null no picture is kept";
+    let closed =
+        format!("standard output is closed (or /dev/null, open for reading too), and the picture would be lost: {instead}");
+    for line in ["-o - >&-", "-o /dev/stdout >&-", "-o - 1<>/dev/null"] {
+        folder.shell(&format!("{huge} {line}")).fails(&closed);
+    }
+    folder.shell(&format!("{huge} -o - 1<scene.nff")).fails(
+        "standard output is open for reading only: redirect it to a file or a program, or give --output a name",
+    );
+    assert_eq!(folder.shell(&format!("{huge} -o - >&- 2>&-")).code, Some(1));
+    assert_eq!(folder.read("scene.nff"), ball().as_bytes());
+    // What is open for writing takes it, and what is thrown away on purpose is.
+    for line in ["-o - >a.ppm", "-o - >>b.ppm", "-o - 1<>c.ppm", "-o - >/dev/null", "-o /dev/null >&-"] {
+        folder.shell(&format!("\"$render\" scene.nff {line}")).succeeds();
+    }
+    for name in ["a.ppm", "b.ppm", "c.ppm"] {
+        assert_eq!(folder.pixels(name).len(), 48);
+    }
 }
 
 #[test]
