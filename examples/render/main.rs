@@ -11,7 +11,9 @@ mod arithmetic;
 mod compare;
 mod console;
 mod diagnosis;
+mod files;
 mod image;
+mod instead;
 mod load;
 mod messages;
 mod options;
@@ -23,7 +25,6 @@ mod suggest;
 mod trace;
 
 use arithmetic::{Arithmetic, Number, TierName};
-use clap::Parser;
 use compare::Difference;
 use console::Console;
 use fixed::types::{I16F16, I32F32};
@@ -38,7 +39,7 @@ use std::process::ExitCode;
 use trace::Traced;
 
 fn main() -> ExitCode {
-    match run(&Options::parse()) {
+    match run(&Options::of_command_line()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             console::fail(error);
