@@ -25,7 +25,8 @@ fn beside(path: &Path) -> Option<String> {
     let folder = path.parent()?;
     let listed = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
     let names = fs::read_dir(listed).ok()?.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
-    let mut names: Vec<_> = names.filter(|name| name.ends_with(".nff")).collect();
+    let mut names: Vec<_> =
+        names.filter(|name| Path::new(name).extension().is_some_and(|suffix| suffix == "nff")).collect();
     // The order of a folder is any; the suggestion should not be.
     names.sort();
     let nearest = suggest::nearest(path.file_name()?.to_str()?, names.iter().map(String::as_str))?;
