@@ -26,7 +26,7 @@ use std::path::PathBuf;
         render - -o - < scene.nff | pnmtopng > a.png    from standard input to standard output\n\n\
         The picture is written before anything is reported. Warnings, on standard error, say why a picture is black or\n\
         empty, or less true than it seems. The exit status is 1 if there is no picture or it cannot be written, and 2 if the\n\
-        options are wrong. Every output is opened before tracing, and one that cannot be written fails at once. Where the\n\
+        options are wrong. Every output is opened before tracing, and one that cannot be opened fails at once. Where the\n\
         system does not tell that standard output is closed (all but Linux), a picture sent there is lost.\n\n\
         What NFF files mean: Ks is the weight of the highlights and also of the mirrored rays, T that of the refracted rays.\n\
         Transparent objects cast full shadows."
