@@ -6,9 +6,9 @@ use std::fmt;
 /// The number types that the library is compiled for here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Number {
-    /// Single precision
+    /// Floating point, single precision (32 bits)
     F32,
-    /// Double precision
+    /// Floating point, double precision (64 bits)
     F64,
     /// Fixed point, 32 bits: coordinates up to 16384 in steps of 1/65536
     #[value(name = "i16f16")]
@@ -19,12 +19,12 @@ pub(crate) enum Number {
 }
 
 impl Number {
-    /// The options that hold more than this type, in words; empty for the widest.
-    pub(crate) const fn wider(self) -> &'static str {
+    /// The types that may hold what this one does not; none for the widest.
+    pub(crate) const fn wider(self) -> &'static [Self] {
         match self {
-            Self::F64 => "",
-            Self::F32 | Self::I32f32 => "-n f64",
-            Self::I16f16 => "-n i32f32, f32 or f64",
+            Self::F64 => &[],
+            Self::F32 | Self::I32f32 => &[Self::F64],
+            Self::I16f16 => &[Self::I32f32, Self::F32, Self::F64],
         }
     }
 
@@ -52,13 +52,23 @@ impl fmt::Display for Number {
 /// The accuracy tiers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum TierName {
-    /// The cheapest: grazing and far rays are less accurate
+    /// The cheapest; less accurate for rays that graze a surface or come from far away
     Fast,
-    /// Accurate to some units in the last place at any ray
+    /// Accurate to some units in the last place for any ray
     #[default]
     Stable,
-    /// Every decision as exact arithmetic makes it
+    /// Whether and where a ray hits is decided as exact arithmetic decides it
     Exact,
+}
+
+impl fmt::Display for TierName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Fast => "fast",
+            Self::Stable => "stable",
+            Self::Exact => "exact",
+        })
+    }
 }
 
 /// What a picture is traced in.

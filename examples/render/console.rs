@@ -22,7 +22,7 @@ impl Console {
         };
         match said {
             Err(error) if error.kind() != ErrorKind::BrokenPipe => {
-                Err(format!("cannot write the report to {name}: {error}").into())
+                Err(format!("cannot write the report to {name}: {error}; the picture is written: send {name} somewhere else to read of it").into())
             }
             _ => Ok(()),
         }

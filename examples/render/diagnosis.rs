@@ -41,9 +41,10 @@ pub(crate) fn darkness<S: Scalar, T: Tier<S>>(
     size: Size,
     pixels: Pixels,
     [called_for, used]: [EffectSet; 2],
+    number: Number,
 ) -> Option<String> {
     if pixels.seen == 0 {
-        return Some(format!("the picture shows no object: {}", emptiness(loaded, scene.camera(), size)));
+        return Some(format!("the picture shows no object: {}", emptiness(loaded, scene.camera(), size, number)));
     }
     if !pixels.is_dark() {
         return None;
@@ -67,12 +68,17 @@ pub(crate) fn darkness<S: Scalar, T: Tier<S>>(
 }
 
 /// Why no pixel sees an object.
-fn emptiness<S: Scalar>(loaded: &Loaded<S>, camera: &Camera<S>, size: Size) -> String {
+fn emptiness<S: Scalar>(loaded: &Loaded<S>, camera: &Camera<S>, size: Size, number: Number) -> String {
+    let finer = if number == Number::F64 { "" } else { ", or try f64" };
     if loaded.objects.is_empty() {
         return match loaded.remarks.invisible {
-            0 => "the scene has none".into(),
-            1 => "its only one was left out, too small for the number type, or without area".into(),
-            left_out => format!("all {left_out} were left out, too small for the number type, or without area"),
+            0 => "the scene has none; add one, such as \"s 0 0 0 1\"".into(),
+            1 => format!("its only one was left out, too small for {number}, or without area; make it larger{finer}"),
+            left_out => {
+                format!(
+                    "all {left_out} were left out, too small for {number}, or without area; make them larger{finer}"
+                )
+            }
         };
     }
     let [met, rays] = met_from_any_side(loaded, camera, size);
@@ -124,7 +130,7 @@ pub(crate) fn remarks(remarks: Remarks, number: Number) -> Vec<String> {
         let step = f64::from(-bits - i32::from(remarks.scale.power())).exp2();
         all.push(format!(
             "one unit of the file is {} in the scene, so that its coordinates fit into {number}: lengths are rounded to multiples \
-             of {step} of the file's units, which shows in what is small, thin or mirrored; -n f64 rounds less",
+             of {step} of the file's units, which shows in what is small, thin or mirrored; f64 rounds less",
             remarks.scale
         ));
     }

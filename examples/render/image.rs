@@ -1,5 +1,6 @@
 //! A picture in memory, and as PPM and PNG.
 
+use png::EncodingError;
 use std::error::Error;
 use std::fs;
 use std::io::{self, Write};
@@ -27,12 +28,16 @@ impl Image {
         Ok(Self { width, height, pixels: filled([0; 3], width, height)?, is_linear })
     }
 
-    pub(crate) fn write(&self, format: Format, to: &mut impl Write) -> Result<(), Box<dyn Error>> {
+    pub(crate) fn write(&self, format: Format, to: &mut impl Write) -> io::Result<()> {
         match format {
             Format::Ppm => self.write_ppm(to)?,
-            Format::Png => self.write_png(to)?,
+            Format::Png => self.write_png(to).map_err(|error| match error {
+                // As it is: its kind says what to do.
+                EncodingError::IoError(error) => error,
+                other => io::Error::other(other),
+            })?,
         }
-        Ok(to.flush()?)
+        to.flush()
     }
 
     /// Portable pixmap, binary ("P6").
@@ -41,7 +46,7 @@ impl Image {
         to.write_all(self.pixels.as_flattened())
     }
 
-    fn write_png(&self, to: &mut impl Write) -> Result<(), png::EncodingError> {
+    fn write_png(&self, to: &mut impl Write) -> Result<(), EncodingError> {
         let mut encoder = png::Encoder::new(to, u32::from(self.width), u32::from(self.height));
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);

@@ -1,12 +1,13 @@
 //! Where a scene comes from: a built-in one, a file or standard input, in any number type.
 
 use crate::arithmetic::Number;
+use crate::files;
 use crate::messages;
 use crate::options::{Options, Units};
 use crate::progress::Progress;
 use crate::suggest;
 use raylet::gallery::{BuiltIn, Stage};
-use raylet::scene::nff::{self, Corner, Counts, Scale, Stores};
+use raylet::scene::nff::{self, Corner, Counts, NffError, Scale, Stores};
 use raylet::scene::{CornerNormals, Full, Store};
 use raylet::{Camera, Color, Fog, Light, Material, Object, Scalar, Scene, Texture, Visible};
 use std::error::Error;
@@ -47,8 +48,10 @@ impl Source {
         let bytes = bytes.map_err(|error| {
             let names = BuiltIn::EVERY.map(BuiltIn::name);
             let meant = if path.extension().is_none() { suggest::nearest(&file, names) } else { None };
-            let hint = meant.map_or(String::new(), |name| format!("; there is a built-in scene, --scene {name}"));
-            format!("cannot read {file}: {error}{hint}")
+            match meant {
+                Some(name) => format!("cannot read {file}: {error}; there is a built-in scene, --scene {name}"),
+                None => files::unread(Path::new(&file), &error),
+            }
         })?;
         // The reader says where bytes are that are no text, and passes over them in comments.
         let text = match String::from_utf8(bytes) {
@@ -70,7 +73,8 @@ impl Source {
         progress: &Progress,
     ) -> Result<Loaded<S>, Box<dyn Error>> {
         let mut loaded = match &self.content {
-            Content::Text { text, file } => read(text, file, options.scale, number, progress)?,
+            Content::Text { text, file } => parse(text, options.scale, Some(progress))
+                .map_err(|(error, scale)| messages::fault::<S>(file, text, &error, options, number, scale))?,
             Content::BuiltIn(_) if options.scale != Units::Fitting => {
                 return Err("only a file is read to scale: name one, or drop --scale".into());
             }
@@ -88,17 +92,18 @@ impl Source {
     }
 }
 
-fn read<S: Scalar>(
+/// Reads a text, or says what is wrong with it and at which scale.
+pub(crate) fn parse<S: Scalar>(
     text: &str,
-    file: &str,
     units: Units,
-    number: Number,
-    progress: &Progress,
-) -> Result<Loaded<S>, Box<dyn Error>> {
+    progress: Option<&Progress>,
+) -> Result<Loaded<S>, (NffError, Scale)> {
     let counts = Counts::of(text);
-    progress.begin(counts.objects, "objects read");
-    let (mut objects, mut materials) = (Growing::new(progress), Growing::silent());
-    let (mut lights, mut normals) = (Growing::silent(), Growing::silent());
+    if let Some(progress) = progress {
+        progress.begin(counts.objects, "objects read");
+    }
+    let (mut objects, mut materials) = (Growing::new(progress), Growing::new(None));
+    let (mut lights, mut normals) = (Growing::new(None), Growing::new(None));
     let stores = Stores {
         objects: &mut objects,
         materials: &mut materials,
@@ -110,8 +115,7 @@ fn read<S: Scalar>(
         Units::Fitting => Scale::fitting::<S>(text),
         Units::Chosen(scale) => scale,
     };
-    let view = nff::read_scaled(text, stores, scale);
-    let view = view.map_err(|error| messages::fault::<S>(file, &error, number, scale))?;
+    let view = nff::read_scaled(text, stores, scale).map_err(|error| (error, scale))?;
     Ok(Loaded {
         objects: objects.items,
         materials: materials.items,
@@ -184,17 +188,13 @@ impl<S: Scalar> Loaded<S> {
 /// runs with the default features.
 struct Growing<'p, T> {
     items: Vec<T>,
-    /// Told of every item.
+    /// Told of every item, if any is.
     progress: Option<&'p Progress>,
 }
 
 impl<'p, T> Growing<'p, T> {
-    const fn new(progress: &'p Progress) -> Self {
-        Self { items: Vec::new(), progress: Some(progress) }
-    }
-
-    const fn silent() -> Self {
-        Self { items: Vec::new(), progress: None }
+    const fn new(progress: Option<&'p Progress>) -> Self {
+        Self { items: Vec::new(), progress }
     }
 }
 

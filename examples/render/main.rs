@@ -11,18 +11,20 @@ mod arithmetic;
 mod compare;
 mod console;
 mod diagnosis;
+mod files;
 mod image;
+mod instead;
 mod load;
 mod messages;
 mod options;
 mod output;
 mod progress;
 mod report;
+mod standard;
 mod suggest;
 mod trace;
 
 use arithmetic::{Arithmetic, Number, TierName};
-use clap::Parser;
 use compare::Difference;
 use console::Console;
 use fixed::types::{I16F16, I32F32};
@@ -37,7 +39,7 @@ use std::process::ExitCode;
 use trace::Traced;
 
 fn main() -> ExitCode {
-    match run(&Options::parse()) {
+    match run(&Options::of_command_line()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             console::fail(error);

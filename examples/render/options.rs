@@ -4,7 +4,8 @@ use crate::arithmetic::{Arithmetic, Number, TierName};
 use crate::suggest;
 use clap::builder::{PossibleValue, TypedValueParser};
 use clap::error::ErrorKind;
-use clap::{Arg, Command, Parser};
+use clap::error::{ContextKind, ContextValue};
+use clap::{Arg, Command, CommandFactory, Parser};
 use raylet::effect::{Effect, EffectSet};
 use raylet::gallery::BuiltIn;
 use raylet::scene::nff::Scale;
@@ -23,97 +24,134 @@ use std::path::PathBuf;
         render examples/scenes/tubes.nff --compare i16f16 f64\n                                                  \
         how far is fixed point from double precision?\n  \
         render - -o - < scene.nff | pnmtopng > a.png    from standard input to standard output\n\n\
-        The picture is written first and reported then. What makes it less true than it seems, or black, is a warning on\n\
-        standard error. The program fails (1) without a picture, or if one cannot be written; also (2) on wrong options.\n\n\
-        Only the effects that the scene calls for are at work, and the program says which. In NFF files the highlights'\n\
-        weight Ks is the mirror's weight too, and T that of the refracted ray. Transparent objects cast\n\
-        full shadows. Levels are encoded by sRGB, as screens expect it, and the PNG says so; see --linear."
+        The picture is written before anything is reported. Warnings, on standard error, say why a picture is black or\n\
+        empty, or less true than it seems. The exit status is 1 if there is no picture or it cannot be written, and 2 if the\n\
+        options are wrong. Every output is opened before tracing, and one that cannot be opened fails at once. Where the\n\
+        system does not tell that standard output is closed (all but Linux), a picture sent there is lost.\n\n\
+        What NFF files mean: Ks is the weight of the highlights and also of the mirrored rays, T that of the refracted rays.\n\
+        Transparent objects cast full shadows."
 )]
 #[expect(clippy::struct_excessive_bools, reason = "each is a flag of its own")]
 pub(crate) struct Options {
-    /// Scene in the Neutral File Format (.nff), or `-` for standard input; without it, a built-in one
+    /// The scene, a file in the Neutral File Format (.nff); `-` reads standard input. Without it, a built-in scene is shown
     #[arg(value_name = "FILE")]
     pub(crate) file: Option<PathBuf>,
 
-    /// Built-in scene
+    /// The built-in scene to show, if no FILE is given
     #[arg(long, value_parser = SceneNames, value_name = "NAME", default_value = "still-life", conflicts_with = "file")]
     pub(crate) scene: BuiltIn,
 
-    /// Effects to use, of those that the scene calls for: `auto` for all of them, `none`, or names with commas between: ambient, diffuse, specular,
-    /// shadows, reflection, refraction, texture, bump, fog, antialiasing
+    /// Effects to use: `auto` for all that the scene calls for, `none`, or a list such as `diffuse,shadows`
+    ///
+    /// There are ambient, diffuse, specular, shadows, reflection, refraction, texture, bump, fog and antialiasing. One that is named
+    /// but not called for by the scene is not used; the report says which are.
     #[arg(long, value_name = "LIST", default_value = "auto", value_parser = parse_effects)]
     pub(crate) effects: EffectSet,
 
-    /// Report what each effect costs (by rendering again without it), and each object's tests and hits
+    /// Report also what each effect costs (the picture is traced again without it), and how often each object was tested and hit
     #[arg(long, conflicts_with = "compare")]
     pub(crate) report: bool,
 
-    /// Number type to trace in
-    #[arg(short, long, value_enum, default_value_t = Number::F32)]
+    /// Number type to trace in, which all coordinates and lengths are rounded to
+    #[arg(short, long, value_enum, ignore_case = true, default_value_t = Number::F32)]
     pub(crate) number: Number,
 
-    /// Accuracy tier to trace in. `exact` is there for f32 and i16f16
-    #[arg(short, long, value_enum, default_value_t = TierName::Stable)]
+    /// How accurately rays and objects are intersected. `exact` exists for f32 and i16f16 only
+    #[arg(short, long, value_enum, ignore_case = true, default_value_t = TierName::Stable)]
     pub(crate) tier: TierName,
 
-    /// Size of the picture in pixels; by default the file's own resolution, or 160x120
-    #[arg(long, value_name = "WxH", value_parser = parse_size)]
+    /// Width and height of the picture in pixels, such as 320x240; by default the resolution in the file, or 160x120 for a built-in scene
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = parse_size)]
     pub(crate) size: Option<(u16, u16)>,
 
-    /// Samples along each side of a pixel, on a regular grid, where the pixel's corners differ (1 to 16); more than 1
-    /// needs antialiasing
-    #[arg(short, long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=16))]
+    /// Antialiasing: N x N rays, on a regular grid, in each pixel whose corners differ (1 to 16); 1 is one ray a pixel
+    #[arg(short, long, value_name = "N", default_value_t = 1, allow_hyphen_values = true, value_parser = parse_samples)]
     pub(crate) samples: u8,
 
-    /// Where to write: FILE.png or FILE.ppm in that format, a name without a suffix in both, a folder both under the scene's name,
-    /// `-` a PPM to standard output (and the report to standard error); by default the folder `out`
+    /// Where to write: FILE.png, FILE.ppm, a name for both, a folder, or `-` for standard output; by default the folder `out`
+    ///
+    /// A name that ends in .png or .ppm is written in that format, and a name without a suffix in both. In a folder, both are
+    /// written under the scene's name. `-` writes a PPM to standard output, and the report to standard error. Folders that are
+    /// missing are made, and files that exist are replaced.
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
-    /// Render in A and in B, each a number type, or a number type and a tier (`i16f16-exact`), with B as the reference: report how
-    /// many pixels differ and by how much, and write both pictures and their difference, 32 times amplified
+    /// Trace the scene twice, in A and in B, and report how far the picture of A is from that of B
+    ///
+    /// A and B are each a number type, or a number type and a tier, such as `i16f16-exact`. The report says how many pixels
+    /// differ and by how much. Three pictures are written: both, and their difference, 32 times amplified.
     #[arg(long, num_args = 2, value_names = ["A", "B"], conflicts_with_all = ["number", "tier"], value_parser = Arithmetic::parse)]
     pub(crate) compare: Vec<Arithmetic>,
 
-    /// Scene units to one unit of the file: `auto` (in fixed point the largest power of two that leaves room, otherwise 1), or
-    /// a power of two from 1/65536 to 4294967296. In exact arithmetic it would not change the picture; in fixed point lengths
-    /// are rounded to steps of the number type, which a larger scale makes finer and a smaller one coarser
-    #[arg(long, value_name = "FACTOR", default_value = "auto", value_parser = parse_scale)]
+    /// Enlarge or shrink the file by a power of two before it is rounded to the number type: `auto`, or 1/65536 to 4294967296
+    ///
+    /// One unit of the file becomes this many in the scene. In exact arithmetic the picture would be the same. Fixed point rounds
+    /// lengths to steps of fixed size: in a larger scene they matter less, but it may have coordinates beyond the number type. `auto`
+    /// takes the largest scale that leaves room in fixed point, and 1 in floating point, where it does not matter.
+    #[arg(long, value_name = "FACTOR", default_value = "auto", allow_hyphen_values = true, value_parser = parse_scale)]
     pub(crate) scale: Units,
 
-    /// Show every surface from both sides: for files whose polygons run the wrong way. Without it a polygon is seen from its front
-    /// only, and a sphere, cone or cylinder from its outside, or from within if its radii are negative
+    /// Show every surface from both sides, for files whose polygons run the wrong way
+    ///
+    /// Without it a polygon is seen only from its front, where its corners run counterclockwise; a sphere, cone or cylinder only
+    /// from outside, or only from within if its radii are negative; and what is transparent from both sides.
     #[arg(long)]
     pub(crate) both_sides: bool,
 
-    /// Ambient light, white: 0.1 makes what no light reaches a tenth as bright as a surface that faces a light of strength 1
-    #[arg(long, value_name = "LEVEL", default_value_t = 0.0, value_parser = parse_level)]
+    /// White ambient light, 0 to 1: with 0.1, what no light reaches is a tenth as bright as what faces a light of strength 1
+    #[arg(long, value_name = "LEVEL", default_value_t = 0.0, allow_hyphen_values = true, value_parser = parse_level)]
     pub(crate) ambient: f64,
 
-    /// Write levels in proportion to the light, for measuring, instead of sRGB: on a screen such a picture is too dark
+    /// Write levels in proportion to the light, for measuring. Without it they are encoded by sRGB, as screens expect it
+    ///
+    /// On a screen a linear picture is too dark. A PNG says which of the two it is.
     #[arg(long)]
     pub(crate) linear: bool,
 
-    /// Cast every reflected and refracted ray, 16 surfaces deep, however little it adds: to see that what is usually not cast
-    /// changes no level
+    /// Cast every reflected and refracted ray, 16 surfaces deep, however little it adds
+    ///
+    /// Without it those that add too little to change a level are not cast; compare the pictures to see that none changes.
     #[arg(long)]
     pub(crate) uncut: bool,
 
-    /// Threads to trace with; by default one for each processor. Never changes the picture
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
+    /// Threads to trace with, 1 to 256; by default one for each processor. The picture is the same with any number of them
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = parse_threads)]
     pub(crate) threads: Option<u16>,
 
-    /// Test every object for every ray, instead of only those whose boxes the ray meets. Never changes the picture, only
-    /// its time: to see what the boxes save
+    /// Test every object for every ray, instead of only those whose boxes the ray meets, to see what time the boxes save
+    ///
+    /// The picture is the same.
     #[arg(long)]
     pub(crate) no_hierarchy: bool,
 }
 
 impl Options {
+    /// Ends the program if the options are wrong, or ask for help.
+    pub(crate) fn of_command_line() -> Self {
+        Self::try_parse().unwrap_or_else(|error| with_suggestion(error).exit())
+    }
+
     /// What a single picture is traced in.
     pub(crate) const fn arithmetic(&self) -> Arithmetic {
         Arithmetic { number: self.number, tier: self.tier }
     }
+}
+
+/// Says of an unknown option which one is much like it. (The library `clap` would need another crate for that.)
+fn with_suggestion(mut error: clap::Error) -> clap::Error {
+    if let (ErrorKind::UnknownArgument, Some(ContextValue::String(unknown))) =
+        (error.kind(), error.get(ContextKind::InvalidArg))
+    {
+        let command = Options::command();
+        let options = command.get_arguments().filter_map(Arg::get_long);
+        if let Some(meant) = unknown.strip_prefix("--").and_then(|unknown| suggest::nearest(unknown, options)) {
+            let meant = ContextValue::String(format!("--{meant}"));
+            error.insert(ContextKind::SuggestedArg, meant);
+            // Else it also says how to make it the name of a file.
+            error.remove(ContextKind::Suggested);
+        }
+    }
+    error
 }
 
 /// How large a file is read.
@@ -188,6 +226,16 @@ fn parse_level(text: &str) -> Result<f64, String> {
         .ok()
         .filter(|level| (0.0..=1.0).contains(level))
         .ok_or_else(|| "give a number from 0 to 1, such as 0.1".to_owned())
+}
+
+fn parse_samples(text: &str) -> Result<u8, String> {
+    let samples = text.parse().ok().filter(|samples| (1..=16).contains(samples));
+    samples.ok_or_else(|| "give a whole number from 1 to 16".to_owned())
+}
+
+fn parse_threads(text: &str) -> Result<u16, String> {
+    let threads = text.parse().ok().filter(|threads| (1..=256).contains(threads));
+    threads.ok_or_else(|| "give a whole number from 1 to 256".to_owned())
 }
 
 fn parse_size(text: &str) -> Result<(u16, u16), String> {

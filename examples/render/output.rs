@@ -1,6 +1,8 @@
 //! Where pictures go. Every file is opened before anything is traced, and left as it was until a picture is there.
 
+use crate::files;
 use crate::image::{Format, Image};
+use crate::standard;
 use std::error::Error;
 use std::ffi::{OsStr, OsString};
 use std::fs::{self, File, OpenOptions};
@@ -26,7 +28,7 @@ impl Place {
         let both = || vec![(Format::Ppm, "ppm".into()), (Format::Png, "png".into())];
         let inside = |folder: &Path| Self::Files { folder: folder.into(), stem: scene.into(), formats: both() };
         let Some(output) = output else { return Ok(inside(Path::new("out"))) };
-        if output == Path::new("-") || output == Path::new("/dev/stdout") {
+        if ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].iter().any(|name| output == Path::new(name)) {
             return Ok(Self::StandardOutput);
         }
         let named_as_folder = output.as_os_str().as_encoded_bytes().last().is_some_and(|last| is_separator(*last));
@@ -112,6 +114,9 @@ impl Output {
                     "a picture would garble the terminal: redirect standard output, or give --output a name".into()
                 );
             }
+            if let Some(fault) = standard::fault() {
+                return Err(fault.into());
+            }
         }
         for (index, label) in labels.iter().enumerate() {
             opened.targets.push(Vec::new());
@@ -135,8 +140,9 @@ impl Output {
         let missing = folder.ancestors().take_while(|folder| !folder.as_os_str().is_empty() && !folder.exists());
         let missing: Vec<_> = missing.map(Path::to_owned).collect();
         if !missing.is_empty() {
-            fs::create_dir_all(folder)
-                .map_err(|error| format!("cannot make the folder {}: {error}", folder.display()))?;
+            fs::create_dir_all(folder).map_err(|error| {
+                format!("cannot make the folder {}: {error}; {}", folder.display(), files::instead(&error))
+            })?;
         }
         self.folders.extend(missing);
         Ok(())
@@ -149,14 +155,17 @@ impl Output {
         if targets.is_empty() {
             return match image.write(Format::Ppm, &mut BufWriter::new(io::stdout().lock())) {
                 Ok(()) => Ok("standard output".into()),
-                Err(error) => Err(format!("cannot write the picture to standard output: {error}").into()),
+                Err(error) => {
+                    let instead = files::instead(&error);
+                    Err(format!("cannot write the picture to standard output: {error}; {instead}").into())
+                }
             };
         }
         let (mut names, mut failure) = (Vec::new(), None);
         for target in targets {
             match target.write(image) {
                 Ok(()) => names.push(target.name.as_str()),
-                Err(error) => failure = failure.or(Some(format!("cannot write {}: {error}", target.name))),
+                Err(error) => failure = failure.or_else(|| Some(unwritten(&target.name, &error))),
             }
         }
         failure.map_or_else(|| Ok(names.join(", ")), |failure| Err(failure.into()))
@@ -179,11 +188,11 @@ impl Target {
         let name = path.display().to_string();
         let new = (!path.exists()).then(|| path.to_owned());
         let file = OpenOptions::new().write(true).create(true).truncate(false).open(path);
-        let file = file.map_err(|error| format!("cannot write {name}: {error}"))?;
+        let file = file.map_err(|error| unwritten(&name, &error))?;
         Ok(Self { name, format, file, new })
     }
 
-    fn write(&mut self, image: &Image) -> Result<(), Box<dyn Error>> {
+    fn write(&mut self, image: &Image) -> io::Result<()> {
         // What was begun may be of use, and says where to look.
         self.new = None;
         if self.file.metadata()?.is_file() {
@@ -191,6 +200,10 @@ impl Target {
         }
         image.write(self.format, &mut BufWriter::new(&self.file))
     }
+}
+
+fn unwritten(name: &str, error: &io::Error) -> String {
+    format!("cannot write {name}: {error}; {}", files::instead(error))
 }
 
 fn file_name(stem: &OsStr, label: &str, suffix: &OsStr) -> OsString {

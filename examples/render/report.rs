@@ -59,7 +59,7 @@ pub(crate) fn picture(traced: &Traced, arithmetic: Arithmetic) -> String {
     );
     if remarks.invisible > 0 {
         let objects = diagnosis::several(remarks.invisible, "object", "objects");
-        let _ = writeln!(text, "left out: {objects} too small for the number type, or without area");
+        let _ = writeln!(text, "left out: {objects} too small for {}, or without area", arithmetic.number);
     }
     text
 }

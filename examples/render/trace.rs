@@ -145,7 +145,7 @@ pub(crate) fn trace<S: Scalar, T: Tier<S> + Send + Sync>(
         }
     }
     let (called_for, used) = (called_for.effects(), picture.effects());
-    let darkness = diagnosis::darkness(&loaded, &scene, size, pixels, [called_for, used]);
+    let darkness = diagnosis::darkness(&loaded, &scene, size, pixels, [called_for, used], number);
     let remarks = loaded.remarks;
     Ok(Traced { image, sightings, counters, seconds, loading, remarks, darkness, called_for, used, objects })
 }

@@ -46,62 +46,69 @@ use support::figures::{NUMBERS, Rays};
 use support::subject::SUBJECTS;
 use support::{bounds, figures, in_repository};
 
-/// How wrong is each tier in each number type, and how long does it take?
+/// Measure how wrong each tier is in each number type, and how long it takes.
 ///
-/// Measured on every primitive and workload, against exact arithmetic on the very bits that the library received: errors of t
-/// in units in the last place and as lengths, wrong hits and misses; the time of a nearest hit as a ratio to the textbook's
-/// sphere in f32, interleaved with it in the same run; and from the firmware's baselines the instructions on four chips. The
-/// textbook's formulas stand beside the tiers, in fixed point in the operators of the crate `fixed`.
+/// Without options everything is measured, which takes minutes, and the documents and plots are written to the folder
+/// out/accuracy. `rays` measures a solid and rays of your own instead. docs/accuracy.md is what this program writes, and explains
+/// every column.
 ///
-/// Errors are the same on every machine and in every run; times are not, and nothing is decided by them.
+/// Errors: every primitive (sphere, cone, ...) is met by several kinds of seeded rays. What the library answers is compared with
+/// exact arithmetic on the very bits that the library received: the error of t, in units in the last place and as a length, and
+/// wrong hits and misses. Errors are the same on every machine and in every run.
+///
+/// Times: of a nearest hit, as a ratio to the textbook's sphere in f32, which is timed by turns with it. They differ from run to run,
+/// and no test depends on them. Beside them stand the instructions on four microcontrollers, which are read from data/chips.
+///
+/// The rows named Textbook are the formulas of most textbooks in the same number type, for comparison with the library's tiers.
 #[derive(Parser)]
 #[command(version, about, args_conflicts_with_subcommands = true)]
 #[expect(clippy::struct_excessive_bools, reason = "switches of a command line")]
 struct Options {
     #[command(subcommand)]
     command: Option<Command>,
-    /// Few rays and few rounds of timing: some seconds instead of minutes. The worst errors come out too small.
+    /// Measure few rays, and time them in few rounds: some seconds instead of minutes, to look at. The worst errors come out too small.
     #[arg(short, long, conflicts_with_all = ["write", "check", "document"])]
     quick: bool,
-    /// Rays a row; the published tables have 2000. Rows of placed solids have a quarter of them.
-    #[arg(short, long, conflicts_with_all = ["write", "check", "document", "quick"])]
+    /// How many rays to measure for each row of the tables; the published ones have 2000. Rows of placed solids take a quarter of them.
+    #[arg(short, long, value_name = "COUNT", conflicts_with_all = ["write", "check", "document", "quick"])]
     rays: Option<usize>,
-    /// Print everything as JSON instead of writing documents.
+    /// Print all figures as JSON, and write no documents.
     #[arg(short, long, conflicts_with_all = ["write", "check", "document"])]
     json: bool,
-    /// The folder that the documents and plots are written to.
+    /// The folder to write the documents and plots to.
     #[arg(short, long, default_value = "out/accuracy", value_name = "FOLDER")]
     output: PathBuf,
-    /// Write what was measured into the repository: the bounds that the tests hold the library to (data/bounds),
+    /// Write what was measured into the repository instead of a folder: the bounds that the tests hold the library to (data/bounds),
     /// docs/accuracy.md and docs/accuracy/, docs/which-one.md, docs/plots/ and the tables of the README and of
     /// docs/overview.md.
     #[arg(short, long, conflicts_with_all = ["check", "document"])]
     write: bool,
-    /// Write the documents and plots into the repository from what it holds, without measuring: after a change of the
-    /// firmware's baselines, or of a text.
+    /// Measure nothing, and write the documents and plots of the repository again from the figures in data/: for use after a
+    /// change of the chips' figures, or of a text.
     #[arg(short, long)]
     document: bool,
-    /// Measure the errors, not the times, and compare the documents and plots with what they should be. Fails, and shows how
-    /// they differ, if one does not match.
+    /// Measure the errors, not the times, and compare the documents and plots of the repository with what they should be. Shows the
+    /// lines that differ, and fails if there are any. Writes nothing.
     #[arg(short, long, conflicts_with = "document", group = "part")]
     check: bool,
-    /// Measure the errors, and print for each row in which a tier does not keep its promise how often, and the ray that breaks it worst,
-    /// by its bits. Fails if there is one.
+    /// Measure the errors, and print each row in which a tier does not keep its promise: how many rays break it, and the worst of
+    /// them, by its bits. Fails if there is such a row. Writes nothing.
     #[arg(short, long, conflicts_with_all = ["write", "document", "json", "quick"], group = "part")]
     broken: bool,
-    /// Search for rays that break the promise of Stable or Exact: each step from the worst random rays of a row changes a coordinate or the
-    /// direction a little, and stays where that is worse. Prints them as --broken does. Fails if there is one.
+    /// Search for rays that break the promise of Stable or Exact. The search starts at the worst random rays of each row, changes a coordinate
+    /// or the direction a little, and keeps what makes the error larger. Prints what it finds as --broken does, and fails if there is any.
+    /// Writes nothing.
     #[arg(short, long, conflicts_with_all = ["write", "document", "json", "quick"], group = "part")]
     search: bool,
-    /// Measure the errors of the primitives that --only names, and write their rows into data/bounds: for a new primitive, before its times
-    /// are measured. Documents are not written.
+    /// Measure the errors of the primitives that --only names, and write only their rows into data/bounds, no documents: for a new
+    /// primitive, whose times are measured later.
     #[arg(long, requires = "only", conflicts_with_all = ["write", "document", "json", "quick"], group = "part")]
     bounds: bool,
-    /// With --bounds, --check, --broken or --search: measure this primitive only (--check takes what is not measured from the bounds). May be given
-    /// several times.
+    /// Measure this primitive only; may be given several times. Needs --bounds, --check, --broken or --search. (--check takes the rows
+    /// that are not measured from data/bounds.)
     #[arg(long, requires = "part", value_name = "PRIMITIVE", value_parser = SUBJECTS)]
     only: Vec<String>,
-    /// With --broken or --search: measure this number type only. May be given several times.
+    /// Measure this number type only; may be given several times. Needs --broken or --search.
     #[arg(long, requires = "part", conflicts_with = "check", value_name = "NUMBER", value_parser = NUMBERS)]
     number: Vec<String>,
 }

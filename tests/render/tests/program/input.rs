@@ -57,3 +57,56 @@ fn a_byte_that_is_no_text_is_an_error_elsewhere_with_line_and_column() {
     let folder = Folder::with(b"v from 0 0 5 at 0 0 0 up 0 1 0 ang\xeele 45 resolution 8 6");
     folder.run("scene.nff").fails(&format!("scene.nff, line 1, column 35: {reason}"));
 }
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_file_that_cannot_be_read_says_what_to_do() {
+    let folder = Folder::with(ball());
+    std::fs::create_dir(folder.path("scenes")).unwrap();
+    std::fs::write(folder.path("scenes/star.nff"), ball()).unwrap();
+    let missing = "No such file or directory (os error 2)";
+    for (name, reason) in [
+        ("teapot.nff", format!("{missing}; check the name and the folder")),
+        ("nowhere/scene.nff", format!("{missing}; check the name and the folder")),
+        ("scene", format!("{missing}; did you mean scene.nff?")),
+        ("scenes/stars.nff", format!("{missing}; did you mean scenes/star.nff?")),
+        ("scenes", "Is a directory (os error 21); this is a folder: name a scene file in it".into()),
+        (
+            "scene.nff/a.nff",
+            "Not a directory (os error 20); a file stands where a folder should: correct the path".into(),
+        ),
+    ] {
+        folder.run(name).fails(&format!("cannot read {name}: {reason}"));
+    }
+    let said = folder.shell("\"$render\" - <scenes");
+    said.fails("cannot read standard input: Is a directory (os error 21); this is a folder: name a scene file in it");
+    assert_eq!(folder.files(), ["scene.nff", "scenes/", "scenes/star.nff"]);
+}
+
+#[test]
+fn an_empty_file_says_what_a_scene_needs() {
+    let view =
+        "the file ends without a view: add one, such as \"v from 0 0 9 at 0 0 0 up 0 1 0 angle 45 resolution 160 120\"";
+    Folder::with("").run("scene.nff").fails(&format!("scene.nff, line 1, column 1: {view}"));
+    // What it suggests is a view.
+    let (_, suggested) = view.split_once('"').unwrap();
+    let folder = Folder::with(format!("{}\n{LIGHT}s 0 0 0 1", suggested.trim_end_matches('"')));
+    folder.run("scene.nff").succeeds_silently();
+}
+
+/// Pictures and programs, and text that an editor saved as UTF-16.
+#[test]
+fn a_file_that_is_no_plain_text_says_so() {
+    let plain = "scene.nff is no plain text: give a scene in the Neutral File Format (.nff), saved as UTF-8";
+    let utf_16: Vec<u16> = std::iter::once(0xfeff).chain(ball().encode_utf16()).collect();
+    for bytes in [
+        utf_16.iter().flat_map(|unit| unit.to_le_bytes()).collect(),
+        utf_16.iter().flat_map(|unit| unit.to_be_bytes()).collect(),
+        utf_16[1..].iter().flat_map(|unit| unit.to_le_bytes()).collect(),
+        b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR".to_vec(),
+    ] {
+        Folder::with(bytes).run("scene.nff").fails(plain);
+    }
+    // The mark that some editors put before UTF-8 is none of the scene's business.
+    Folder::with(["\u{feff}", &ball()].concat()).run("scene.nff").succeeds_silently();
+}

@@ -76,11 +76,13 @@ fn an_output_that_cannot_be_written_is_found_before_tracing() {
     let huge = "scene.nff --size 60000x6000 -s 16 --uncut --threads 1";
     let said = folder.run(&format!("{huge} -o scene.nff/a.png"));
     assert!(said.error.starts_with("error: cannot write scene.nff/a.png: "), "{said:?}");
+    assert!(said.error.ends_with("; a file stands where a folder should: give --output another place\n"), "{said:?}");
     let said = folder.run(&format!("{huge} -o scene.nff/b/c/"));
     assert!(said.error.starts_with("error: cannot make the folder scene.nff/b/c/: "), "{said:?}");
     fs::create_dir(folder.path("a.ppm")).unwrap();
     let said = folder.run(&format!("{huge} -o a"));
     assert!(said.error.starts_with("error: cannot write a.ppm: "), "{said:?}");
+    assert!(said.error.ends_with("; a folder has this name: give --output another name\n"), "{said:?}");
     assert_eq!((said.code, said.output.as_str()), (Some(1), ""));
     assert_eq!(folder.files(), ["a.ppm/", "scene.nff"], "nothing is left behind");
 }
@@ -108,7 +110,7 @@ fn a_longer_file_is_replaced_whole() {
 fn a_hyphen_writes_to_standard_output_and_reports_on_standard_error() {
     let folder = Folder::with(ball());
     folder.run("scene.nff -o a.ppm").succeeds_silently();
-    for output in ["-", "/dev/stdout"] {
+    for output in ["-", "/dev/stdout", "/dev/fd/1"] {
         let run = folder.command(&format!("scene.nff -o {output}")).output().unwrap();
         assert_eq!(pixels(&run.stdout), folder.pixels("a.ppm"));
         let report = String::from_utf8(run.stderr).unwrap();
@@ -148,21 +150,55 @@ fn a_closed_standard_output_is_no_panic_and_no_lost_picture() {
     assert_eq!(folder.pixels("d.ppm").len(), 48);
 }
 
+/// The runtime opens `/dev/null` in its place, so that writing to it succeeds.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_picture_to_a_standard_output_that_is_closed_is_an_error_before_tracing() {
+    let folder = Folder::with(ball());
+    // Minutes of tracing.
+    let huge = "\"$render\" scene.nff --size 60000x6000 -s 16 --uncut --threads 1";
+    let instead = "redirect standard output to a file or a program, or give --output a name; with -o /dev/null no picture is kept";
+    let closed = format!(
+        "standard output is closed (or /dev/null, open for reading too), and the picture would be lost: {instead}"
+    );
+    for line in ["-o - >&-", "-o /dev/stdout >&-", "-o - 1<>/dev/null"] {
+        folder.shell(&format!("{huge} {line}")).fails(&closed);
+    }
+    folder
+        .shell(&format!("{huge} -o - 1<scene.nff"))
+        .fails("standard output is open for reading only: redirect it to a file or a program, or give --output a name");
+    assert_eq!(folder.shell(&format!("{huge} -o - >&- 2>&-")).code, Some(1));
+    assert_eq!(folder.read("scene.nff"), ball().as_bytes());
+    // What is open for writing takes it, and what is thrown away on purpose is.
+    for line in ["-o - >a.ppm", "-o - >>b.ppm", "-o - 1<>c.ppm", "-o - >/dev/null", "-o /dev/null >&-"] {
+        folder.shell(&format!("\"$render\" scene.nff {line}")).succeeds();
+    }
+    for name in ["a.ppm", "b.ppm", "c.ppm"] {
+        assert_eq!(folder.pixels(name).len(), 48);
+    }
+}
+
 #[test]
 #[cfg(target_os = "linux")]
 fn a_full_standard_output_is_no_panic_and_no_lost_picture() {
     let folder = Folder::with(ball());
     let full = "No space left on device (os error 28)";
     let said = folder.shell("\"$render\" scene.nff -o a.ppm >/dev/full");
-    said.fails(&format!("cannot write the report to standard output: {full}"));
+    said.fails(&format!(
+        "cannot write the report to standard output: {full}; the picture is written: send standard output somewhere else to \
+         read of it"
+    ));
     assert_eq!(folder.pixels("a.ppm").len(), 48);
     let said = folder.shell("\"$render\" scene.nff -o b.ppm --effects none >/dev/full 2>&1");
     assert_eq!(said.code, Some(1));
     assert_eq!(folder.pixels("b.ppm").len(), 48);
-    folder
-        .shell("\"$render\" scene.nff -o - >/dev/full")
-        .fails(&format!("cannot write the picture to standard output: {full}"));
-    folder.run("scene.nff -o /dev/full").fails(&format!("cannot write /dev/full: {full}"));
+    let room = format!("{full}; there is no room left: make some, or give --output another place");
+    folder.run("scene.nff -o /dev/full").fails(&format!("cannot write /dev/full: {room}"));
+    let said = folder.shell("\"$render\" scene.nff -o - >/dev/full");
+    said.fails(&format!("cannot write the picture to standard output: {room}"));
+    // A PNG comes to its file by way of a library.
+    std::os::unix::fs::symlink("/dev/full", folder.path("a.png")).unwrap();
+    folder.run("scene.nff -o a").fails(&format!("cannot write a.png: {room}"));
     assert_eq!(folder.shell("\"$render\" --help >/dev/full").code, Some(0));
 }
 

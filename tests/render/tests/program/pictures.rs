@@ -53,6 +53,18 @@ fn an_empty_picture_says_why() {
 }
 
 #[test]
+fn objects_that_are_too_small_name_the_number_type_and_what_to_do() {
+    let tiny = format!("{VIEW}{LIGHT}s 0 0 0 1e-9");
+    let left_out = "the picture shows no object: its only one was left out, too small for";
+    assert_eq!(
+        warning(&tiny, "-n i16f16 --scale 1"),
+        format!("{left_out} i16f16, or without area; make it larger, or try f64")
+    );
+    let tinier = format!("{VIEW}{LIGHT}s 0 0 0 1e-999");
+    assert_eq!(warning(&tinier, "-n f64"), format!("{left_out} f64, or without area; make it larger"));
+}
+
+#[test]
 fn both_sides_show_what_is_seen_from_the_back() {
     for text in ["p 3 -9 -9 0 0 9 0 9 -9 0", "s 0 0 0 9", "c 0 -9 0 7 0 9 0 7"] {
         for number in ["f32", "i16f16", "f64", "i32f32"] {
@@ -104,7 +116,7 @@ fn a_scale_below_one_says_what_it_costs() {
     assert_eq!(
         warning(&text, "-n i16f16"),
         "one unit of the file is 1/256 in the scene, so that its coordinates fit into i16f16: lengths are rounded to multiples of \
-         0.00390625 of the file's units, which shows in what is small, thin or mirrored; -n f64 rounds less"
+         0.00390625 of the file's units, which shows in what is small, thin or mirrored; f64 rounds less"
     );
     for number in ["f32", "f64", "i32f32"] {
         Folder::with(&text).run(&format!("scene.nff -n {number}")).succeeds_silently();

@@ -28,43 +28,57 @@ use support::figures::NUMBERS;
 /// Solids and placements, as the help shows them.
 fn forms() -> String {
     format!(
-        "Solids (axis y; they stand on y = 0, a cone on its apex; a sphere, a cuboid, a rectangle, a disc and a plane are about the origin; the sizes of cuboids and rectangles are half extents):{}\n\n\
-         Placements (those of Frame and Affine; `x y z` are the images of the axes):{}\n\n\
-         The guide: docs/your-rays.md",
+        "Example:\n  \
+         raylet-accuracy rays tools/accuracy/examples/rays.csv --solid 'sphere radius 2' --placement 'at 1 2 3'\n\n\
+         Solids: take one of these, with your own sizes. The axis of a solid is the y axis. Cylinders, capsules and frustums stand on\n\
+         y = 0, a cone stands on its apex, the origin. A sphere, a cuboid, a rectangle, a disc and a plane have their centre at the\n\
+         origin. The sizes of cuboids and rectangles are half extents. A slope is the radius divided by the height.{}\n\n\
+         Placements: take one of these, with your own numbers. `at` is the position. `axis`, `left`, `up` and `forward` are the\n\
+         directions that the solid is turned to, `stretched` the factors along its own axes, and `x`, `y`, `z` the vectors that its\n\
+         axes become.{}\n\n\
+         The guide, with all columns of the table: docs/your-rays.md",
         words::list(&solid::EXAMPLES),
         words::list(&placement::EXAMPLES)
     )
 }
 
-/// Measure the errors of your own rays at a solid: the table of the published pages, in every number type and tier.
+/// Measure the errors of your own rays at a solid, in every number type and tier.
+///
+/// The table has the columns of docs/accuracy.md. It is printed, and written to the folder out/accuracy with a plot.
 ///
 /// Sizes, coordinates and directions are decimal numbers. Each number type rounds them to what it stores, and the exact answer is the one for
-/// the stored values. A direction may have any length: it is normalised and then rounded, unless its length is 1 as far as the type
-/// tells; then it is kept as it is written. Rays that a number type does not hold are counted apart.
+/// the stored values: what is measured is the library's error, without that of rounding your numbers. Rays that a number type cannot
+/// hold are counted in a column of their own.
+///
+/// A direction may have any length but zero. It is normalised and then rounded; but if its length is already 1, as far as the number
+/// type can tell, it is taken as you wrote it.
 #[derive(Args)]
 #[command(after_help = forms())]
 pub struct Options {
-    /// The file: comma-separated values, a ray a line: ox,oy,oz,dx,dy,dz and if you like start,end of the range of t, and
-    /// part,leaving of a ray that departs from the solid, such as top,inwards. A header and lines that begin with # are allowed. `-` is
-    /// the standard input.
+    /// The file of rays, comma-separated, one ray a line; `-` reads standard input.
+    ///
+    /// The columns are ox,oy,oz,dx,dy,dz: the origin and the direction. They may be followed by start,end: the range of t in which hits count;
+    /// then by part,leaving for a ray that starts on the solid: the part that it leaves, and to which side, such as top,inwards. Cells of
+    /// these four columns may be empty. A header,
+    /// empty lines and lines that begin with # are allowed.
     #[arg(value_name = "FILE")]
     file: String,
     /// The solid and its sizes, such as 'cylinder capped radius 1 height 2'.
     #[arg(short, long, value_name = "SOLID")]
     solid: String,
-    /// Where it stands, such as 'at 1 2 3 axis 0 0 1 stretched 2 1 0.5'. Without it the solid is not placed.
-    #[arg(short, long, value_name = "PLACEMENT", default_value = "")]
+    /// Where the solid stands, such as 'at 1 2 3 axis 0 0 1 stretched 2 1 0.5'. Without it, it stands in its own frame.
+    #[arg(short, long, value_name = "PLACEMENT", default_value = "", hide_default_value = true)]
     placement: String,
-    /// This number type only. May be given several times.
+    /// Measure this number type only; may be given several times. By default all are measured.
     #[arg(short, long, value_name = "NUMBER", value_parser = NUMBERS)]
     number: Vec<String>,
-    /// Leave the times out, which differ from run to run.
+    /// Measure no times. What is printed and written is then the same in every run.
     #[arg(short, long)]
     errors_only: bool,
-    /// Print everything as JSON instead of writing documents.
+    /// Print all figures as JSON, and write no files.
     #[arg(short, long)]
     json: bool,
-    /// The folder that the page rays.md, the plot rays.svg and rays.json are written to.
+    /// The folder to write the page rays.md, the plot rays.svg and the figures rays.json to.
     #[arg(short, long, default_value = "out/accuracy", value_name = "FOLDER")]
     output: PathBuf,
 }
