@@ -191,3 +191,27 @@ fn a_stretched_line_is_the_matrix_times_the_line() {
     }
     assert!(found > tried / 4, "{found} of {tried}");
 }
+
+/// A ray along a row of a matrix that only turns: the image's longest component is next to a power of two, of either sign.
+#[test]
+fn a_line_along_a_row_keeps_its_direction() {
+    let mut words = words();
+    let mut next = move || words.next().unwrap_or(1);
+    let mut found = 0;
+    for index in 0..20_000 {
+        let vector = [next(), next(), next()].map(|word| word as i32 >> 2);
+        let Attempt::Found(row) = direction(vector) else { continue };
+        let axis = index % 3;
+        let rows = [0, 1, 2].map(|i| (if i == axis { row } else { [0; 3] }, 0));
+        for d in [row, row.map(|c| -c)] {
+            let Some(line) = stretched([5 << 16; 3], d, [0; 3], rows, 1 << 16) else { continue };
+            found += 1;
+            let along = [0, 1, 2].map(|i| if i == axis { if d == row { 1 << 30 } else { -1 << 30 } } else { 0 });
+            for (got, along) in line.direction.into_iter().zip(along) {
+                assert!(got.abs_diff(along) <= 1, "{line:?} of {d:?} {row:?}");
+            }
+        }
+    }
+    // Components that would need another bit are left to longer numbers.
+    assert!(found > 20_000, "{found}");
+}

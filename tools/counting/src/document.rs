@@ -141,6 +141,9 @@ const OF_WORKLOADS: [(&str, &[&str]); 6] = [
     ("I32F32", &["Stable"]),
 ];
 
+/// Times the mean.
+const MANY: f64 = 4.0;
+
 /// A row of a workload: its mean and its worst in each number type and tier; then how much of it the solver gets in `Stable`.
 fn workload(text: &mut String, figures: &Figures, of: &str) {
     let figure =
@@ -179,6 +182,7 @@ fn workloads(text: &mut String, figures: &Figures) {
     for of in &all {
         workload(text, figures, of);
     }
+    tail(text, figures, &all);
     text.push_str(
         "\n### How far off these answers are\n\nAgainst those of `Exact`, whose `t` is within a unit of the exact one and whose decisions are exact: the worst in units in the last place of `t` and, in brackets, how many of a hundred are a \
          hit for a miss, a miss for a hit or on another part. Rows in which all are within 1 unit and none is wrong are left out. Errors over many more rays, and the hard ones: \
@@ -197,6 +201,43 @@ fn workloads(text: &mut String, figures: &Figures) {
         }
     }
     text.push('\n');
+}
+
+/// The workloads of a number type and tier, each with a quantile of its costs over their mean.
+fn tails<'a>(figures: &Figures, all: &'a [String], [number, tier, quantile]: [&str; 3]) -> Vec<(f64, &'a str)> {
+    let figure = |of: &str, what: &str| figures.get(&format!("{of} | {number} | {tier} | {what}")).copied();
+    let tail = |of: &'a String| Some((figure(of, quantile)? as f64 / figure(of, "mean")? as f64, of.as_str()));
+    let mut tails: Vec<_> = all.iter().filter_map(tail).collect();
+    tails.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+    tails
+}
+
+/// How much more than the mean the most expensive queries take.
+fn tail(text: &mut String, figures: &Figures, all: &[String]) {
+    let _ = write!(
+        text,
+        "\n### How much the expensive rays take\n\nInstructions of the most expensive query but one of a hundred (*99 %*), and of the most expensive (*worst*), over the mean of the same \
+         workload: of the {} workloads the median and the greatest, and how many have a 99 % of more than {MANY} times their mean. Grazing rays are among them, about as often as chance makes them.\n\n",
+        all.len()
+    );
+    let over = format!("99 % above {MANY}");
+    head(
+        text,
+        ["number, tier", "99 %, median", "99 %, greatest", "of", &over, "worst, median", "worst, greatest", "of"]
+            .map(String::from),
+    );
+    for (number, tiers) in OF_WORKLOADS {
+        for tier in tiers {
+            let [most, worst] = ["99 %", "worst"].map(|quantile| tails(figures, all, [number, tier, quantile]));
+            let (Some(greatest_most), Some(greatest_worst)) = (most.last(), worst.last()) else { continue };
+            let median = |tails: &[(f64, &str)]| format!("{:.1}", tails[tails.len() / 2].0);
+            let greatest = |(ratio, of): &(f64, &str)| [format!("{ratio:.1}"), of.to_string()];
+            let above = most.iter().filter(|(ratio, _)| *ratio > MANY).count().to_string();
+            let cells = [median(&most)].into_iter().chain(greatest(greatest_most)).chain([above]);
+            let cells = cells.chain([median(&worst)]).chain(greatest(greatest_worst));
+            row(text, [format!("`{number}` `{tier}`")].into_iter().chain(cells));
+        }
+    }
 }
 
 fn text(baseline: &Baseline) -> String {

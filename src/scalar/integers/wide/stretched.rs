@@ -5,6 +5,7 @@ use super::{Digits, FINER, digits, dot, joined, root, squared_length, upper_bits
 use crate::scalar::Pace;
 
 /// As that of 32 bits; `finer` is always [`FINER`], and `start` zero.
+#[derive(Debug)]
 pub(in crate::scalar) struct Stretched {
     pub(in crate::scalar) origin: [i64; 3],
     pub(in crate::scalar) direction: [i64; 3],
@@ -61,7 +62,7 @@ pub(in crate::scalar) fn stretched(
     let image = |v: [Digits; 3]| [dot(v, rows[0]) >> down[0], dot(v, rows[1]) >> down[1], dot(v, rows[2]) >> down[2]];
     let (origin, direction) = (image(digits(from)), image(digits(d)));
 
-    // The direction, first with 62 bits in its longest component. With fewer than 80 its last bits would be missing.
+    // The direction, first with 62 bits in its longest component, or one more. With fewer than 80 its last bits would be missing.
     let excess = bits_of_longest(direction) - 62;
     if excess < 18 {
         return None;
@@ -74,7 +75,9 @@ pub(in crate::scalar) fn stretched(
     let reciprocal = reciprocal_of_digits(length << (zeros & 0x3f));
     // The component over the length, in units of 2^-62: c reciprocal 2^(zeros - 65), where zeros is 1 or 2.
     let along = |c: i64| {
-        let quotient = upper_product(c.unsigned_abs() << 2, reciprocal) >> (2_u32.saturating_sub(zeros));
+        // A component may be 2^62 itself, which has one bit too many.
+        let digits = c.unsigned_abs().min((1 << 62) - 1);
+        let quotient = upper_product(digits << 2, reciprocal) >> (2_u32.saturating_sub(zeros));
         let magnitude = ((quotient + 1) >> 1) as i64;
         if c < 0 { -magnitude } else { magnitude }
     };

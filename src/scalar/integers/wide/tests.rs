@@ -329,3 +329,63 @@ fn cones_discs_and_triangles_of_every_size_are_met_on_their_surfaces() {
         "{cones} {discs} {triangles}"
     );
 }
+
+/// Directions of all kinds, exactly and nearly along an axis among them, under matrices of which two thirds only move such an axis: the direction has
+/// length one, it and the pace are of one reciprocal, and the origin is where the matrix puts it.
+#[test]
+fn a_stretched_line_is_the_matrix_times_the_line() {
+    let mut random = Random(9);
+    let (mut found, mut along_axes) = (0, 0);
+    for index in 0..LINES {
+        let [o, position] = [(); 2].map(|()| {
+            let bits = 8 + random.below(43);
+            [(); 3].map(|()| coordinate(&mut random, bits))
+        });
+        let axis = random.below(3) as usize;
+        let d = match random.below(3) {
+            0 => [0, 1, 2].map(|i| f64::from(u8::from(i == axis))),
+            1 => unit([0, 1, 2].map(|i| if i == axis { 1.0 } else { random.either() * 1e-7 })),
+            _ => unit([(); 3].map(|()| random.either())),
+        };
+        let sign = if random.below(2) == 0 { 1.0 } else { -1.0 };
+        let d = d.map(|c| (c * sign * 2.0_f64.powi(62)) as i64);
+        let is_diagonal = random.below(3) != 0;
+        let rows = [0, 1, 2].map(|i| {
+            // As stored: the longest component has all bits. With a power of two, the direction's length may be rounded to below its component.
+            let mut row = [(); 3].map(|()| if is_diagonal { 0 } else { coordinate(&mut random, 61) });
+            row[i] = (1 << 61) + if random.below(2) == 0 { 0 } else { random.below(1 << 61) as i64 };
+            (row, random.below(13) as i32 - 6)
+        });
+        let reach = 1 << (20 + index % 24);
+        let Some(line) = stretched(o, d, position, rows, reach) else { continue };
+        found += 1;
+        along_axes += u32::from(d.iter().filter(|c| **c == 0).count() == 2 && is_diagonal);
+        let length: IBig = line.direction.iter().map(|c| IBig::from(*c) * IBig::from(*c)).sum();
+        let off = length - (IBig::from(1) << 124);
+        assert!(off.clone() * &off <= IBig::from(1) << (2 * (124 - 54)), "length {line:?} {d:?} {rows:?} {off}");
+        let reciprocal = IBig::from(joined([line.pace.below, line.pace.digits]));
+        for i in 0..3 {
+            let (row, exponent) = rows[i];
+            let image = |v: [i64; 3]| (0..3).map(|j| IBig::from(v[j]) * IBig::from(row[j])).sum::<IBig>();
+            // In units of 2^-62 times 2^-places.
+            let places = (line.pace.shift as i32 - line.scale + 62 - exponent) as usize;
+            let off = image(d) * &reciprocal - (IBig::from(line.direction[i]) << places);
+            assert!(off.clone() * &off <= IBig::from(9) << (2 * places - 2), "direction {line:?} {d:?} {rows:?}");
+            let places = 62 - exponent - line.scale - FINER;
+            let from = [0, 1, 2].map(|j| o[j] - position[j]);
+            let (got, image) = (IBig::from(line.origin[i]), image(from));
+            let (got, image) = if places >= 0 {
+                (got << places as usize, image)
+            } else {
+                (got, image << places.unsigned_abs() as usize)
+            };
+            let off = got - image;
+            // The other rows' bits below the unit of the largest are cut off.
+            assert!(
+                off.clone() * &off <= IBig::from(9) << (2 * places.max(0) as usize + 1),
+                "origin {line:?} {o:?} {position:?} {rows:?}"
+            );
+        }
+    }
+    assert!(found > LINES / 3 && along_axes > LINES / 20, "{found} {along_axes}");
+}

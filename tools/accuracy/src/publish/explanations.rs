@@ -22,7 +22,7 @@ fn is_flat(row: &Beaten<'_>) -> bool {
 }
 
 /// The first that applies counts.
-pub const WHY: [Why; 16] = [
+pub const WHY: [Why; 17] = [
     (
         |row| is_fixed(row) && row.slower.tier == "Textbook",
         "The operators of `fixed` round every product, widening and shifting each, and the textbook divides both roots by `a`. The tiers do not round products, decide most misses by the sign of an integer, and compute one root and one quotient.",
@@ -38,7 +38,7 @@ pub const WHY: [Why; 16] = [
     ),
     (
         |row| row.slower.number == "f32" && row.faster.tier == "Exact" && row.slower.tier == "Stable",
-        "What the fast path of `Stable` cannot decide is computed in integers of 64 bits. `Exact` follows the same path in doubles, whose extra bits satisfy the guards for nearly every ray; and a host has hardware for doubles.",
+        "What the first attempt of `Stable` cannot decide is computed in double words (pairs of floats), and what these cannot decide in integers of 64 bits. `Exact` follows the same path in doubles, whose extra bits satisfy the guards for nearly every ray. A host has hardware for doubles; on a chip without any, an operation on double words takes more instructions than one on doubles in software.",
     ),
     (
         |row| row.faster.tier == "Exact" && row.slower.tier == "Fast" && row.slower.primitive == "triangle",
@@ -52,6 +52,15 @@ pub const WHY: [Why; 16] = [
                 && row.machine == Machine::Host
         },
         "For stretched solids and rays from far away the fast path of `Fast` often cannot decide, and integers of 64 bits must. The doubles of `Exact` decide these rays, and a host has hardware for doubles.",
+    ),
+    (
+        |row| {
+            row.slower.number == "f32"
+                && row.faster.tier == "Exact"
+                && row.slower.tier == "Fast"
+                && row.slower.primitive.starts_with("cone")
+        },
+        "What the first attempt of `Fast` cannot decide about a cone is computed in double words (pairs of floats). On a chip without hardware for floats, an operation on them takes more instructions than one on doubles in software, in which `Exact` computes.",
     ),
     (
         |row| {
