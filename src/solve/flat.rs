@@ -10,7 +10,7 @@ use crate::ray::Range;
 use crate::scalar::Scalar;
 use core::cmp::Ordering;
 
-/// The one crossing of a plane at `t`, from the front if the direction runs against the normal.
+/// The crossing of a plane at `t`, from the front if the direction and the normal have opposite signs.
 pub(super) fn crossing<S: Scalar, N: Of<S>>(
     t: Fraction<N>,
     along_normal: Ordering,
@@ -89,7 +89,7 @@ pub(super) fn triangle<S: Scalar, N: Of<S>>(
     let normal = cross(difference(vb, va), difference(vc, va));
     let distance = dot(normal, difference(va, line.origin));
     if along_normal == Ordering::Equal {
-        // The line lies in the plane; or the corners are exactly collinear, so that there is no area and no hit.
+        // The line lies in the plane, or the vertices are exactly collinear: then there is no area and no hit.
         let misses = is_zero(normal)? || distance.sign()? != Ordering::Equal;
         return if misses { Some(Intersection::Miss) } else { lies_in(normal, line, vertices, range) };
     }

@@ -31,7 +31,8 @@ macro_rules! cone {
             })
         }
 
-        /// Where the line is inside both nappes of the cone `x^2 + z^2 = m^2 y^2`: between its ends, or (`true`) beyond them.
+        /// Where the line is inside both nappes of the cone `x^2 + z^2 = m^2 y^2`: between its ends, or (`true`) before the first and after the
+        /// second.
         #[inline(always)]
         pub(crate) fn double_cone(line: LocalLine<$Float>, m: $Float) -> Attempt<([$Float; 2], bool)> {
             let Roots { first, second, a, .. } = found!(roots(line, [0.0, m, 1.0]));
