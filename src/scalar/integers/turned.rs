@@ -54,7 +54,7 @@ pub(super) fn room(bits: u32) -> i32 {
     LENGTH_BITS - 32 + leading_zeros(bits | 1) as i32
 }
 
-/// The number of extra bits of a turned line, for a solid with the bounding radius `reach`: so few that its lengths have room too.
+/// The number of extra bits of a turned line for which the lengths of a solid with the bounding radius `reach` have room too; at least [`FINER`].
 #[inline(always)]
 pub(in crate::scalar) fn fitting(reach: i32) -> i32 {
     room(reach as u32).max(FINER)
