@@ -39,7 +39,7 @@ kinds!(Sphere Cylinder Cone Capsule Plane Disc Triangle Cuboid Rectangle Frame A
 /// it. On a Cortex-M0+ a picture of spheres and planes takes a quarter to two fifths of the flash that a picture of any primitive takes; [docs/microcontrollers.md](https://github.com/raylet-rs/raylet/blob/main/docs/microcontrollers.md) has
 /// the figures.
 ///
-/// The number type of a primitive in the tuple is of no consequence.
+/// The number type of a primitive in the tuple has no effect.
 ///
 /// ```
 /// use raylet::shape::kinds::{Kind, Kinds};
@@ -59,8 +59,8 @@ kinds!(Sphere Cylinder Cone Capsule Plane Disc Triangle Cuboid Rectangle Frame A
 /// # Ok::<(), raylet::Error>(())
 /// ```
 ///
-/// A primitive or a placement that is not in the tuple does not compile. `cargo build` says so, and not `cargo check`, since it follows from the types that
-/// generic code is compiled for:
+/// A primitive or a placement that is not in the tuple does not compile. `cargo build` reports the error, and not `cargo check`, since it depends on
+/// the types for which generic code is compiled:
 ///
 /// ```compile_fail,E0080
 /// # use raylet::{Cone, Plane, Shape, Sphere};

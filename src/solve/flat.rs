@@ -59,7 +59,7 @@ pub(super) fn disc<S: Scalar, N: Of<S>>(line: &Line<N>, r: N, range: Range<S>) -
     }
 }
 
-/// The triangle, whose front is where its vertices run counter-clockwise.
+/// The triangle. Its front is the side from which its vertices are in counter-clockwise order.
 ///
 /// The line passes inside if the three signed volumes that it spans with the edges have the same sign (Segura and Feito, *Algorithms to
 /// test ray-triangle intersection*, 2001). The volume of an edge depends only on its two end points and the line, and changes its
