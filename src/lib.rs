@@ -89,8 +89,8 @@
 //! | `std` | no | scene storage in `Vec`; enables `libm`, and changes no bit of a result |
 //! | `embedded-graphics` | no | pictures on displays: see `display` |
 //! | `mint` | no | conversions of points and vectors |
-//! | `serde` | no | serialisation of all public values: vectors, rays, hits, shapes, the parts of scenes; fixed-point numbers as decimal text from which the same bits are read (as their bits in binary formats) |
-//! | `defmt` | no | `defmt::Format` for the public value types, in every number type |
+//! | `serde` | no | serialisation of vectors, rays, hits, shapes and the parts of scenes, with the exceptions in [docs/overview.md](https://github.com/raylet-rs/raylet/blob/main/docs/overview.md#stored-and-logged); fixed-point numbers as decimal text from which the same bits are read (as their bits in binary formats) |
+//! | `defmt` | no | `defmt::Format` for the same values and for errors, in every number type, with the exceptions in that table |
 #![no_std]
 #![deny(unsafe_code, missing_docs)]
 #![warn(missing_debug_implementations)]

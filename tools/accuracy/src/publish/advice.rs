@@ -109,7 +109,7 @@ fn by_chip(study: &Study) -> Vec<Advice> {
             "No floating-point unit, and coordinates beyond `I16F16`:",
             format!(
                 "Try another split of 32 bits first: `I20F12` reaches 262,144 in units of 2.4e-4. On the host it takes about as many instructions as `I16F16`, and fewer for most placed solids far away \
-                 ([benches.md](benches.md#what-users-do)); it is not measured on chips. Beyond that, of `f64` and `I32F32`, {wide}; both take several times the instructions of 32 bits."
+                 ([benches.md](benches.md#what-users-do)); it is not measured on chips. Beyond that, of `f64` and `I32F32`, {wide}; for a hit `I32F32` takes two to four times the instructions of `I16F16`, and `f64` more than ten times."
             ),
             ["Fast", "Stable"].into_iter().flat_map(|tier| [benign("I32F32", tier), benign("f64", tier)]).collect(),
             vec![Claim::Cheaper(NO_UNIT, benign("I16F16", "Stable"), benign("f64", "Fast"))],
