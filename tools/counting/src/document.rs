@@ -184,8 +184,8 @@ fn workloads(text: &mut String, figures: &Figures) {
     }
     tail(text, figures, &all);
     text.push_str(
-        "\n### How far off these answers are\n\nAgainst those of `Exact`, whose `t` is within a unit of the exact one and whose decisions are exact: the worst in units in the last place of `t` and, in brackets, how many of a hundred are a \
-         hit for a miss, a miss for a hit or on another part. Rows in which all are within 1 unit and none is wrong are left out. Errors over many more rays, and the hard ones: \
+        "\n### How far off these answers are\n\nThe results are compared with those of `Exact`, whose `t` is within a unit of the exact one and whose decisions are exact. The figures are the largest error of `t` in units in the last place and, in brackets, how many of a hundred results are a \
+         hit for a miss, a miss for a hit or a hit on another part. Rows in which all errors are within 1 unit and no result is wrong are left out. Errors over many more rays, and the hard ones: \
          [accuracy.md](accuracy.md).\n\n",
     );
     const OFF: [(&str, &str); 4] = [("f32", "Fast"), ("f32", "Stable"), ("I16F16", "Fast"), ("I16F16", "Stable")];
@@ -216,8 +216,8 @@ fn tails<'a>(figures: &Figures, all: &'a [String], [number, tier, quantile]: [&s
 fn tail(text: &mut String, figures: &Figures, all: &[String]) {
     let _ = write!(
         text,
-        "\n### How much the expensive rays take\n\nInstructions of the most expensive query but one of a hundred (*99 %*), and of the most expensive (*worst*), over the mean of the same \
-         workload: of the {} workloads the median and the greatest, and how many have a 99 % of more than {MANY} times their mean. Grazing rays are among them, about as often as chance makes them.\n\n",
+        "\n### How much the expensive rays take\n\nThe ratio of the instructions of the second most expensive of a hundred queries (*99 %*), and of the most expensive one (*worst*), to the mean of the same \
+         workload: the median and the largest ratio of the {} workloads, and how many of them have a 99 % above {MANY} times their mean. Grazing rays are among them as often as they occur by chance.\n\n",
         all.len()
     );
     let over = format!("99 % above {MANY}");
