@@ -57,19 +57,26 @@ macro_rules! found {
 }
 pub(crate) use found;
 
-/// Whether the line hits a triangle, and whether from the front, by the signed volume that it spans with each edge and the error bound of that
-/// volume. All three volumes are negative for a hit from the front, and positive for one from the back.
+/// Whether the line hits a triangle, and whether from the front: from the signed volume that it spans with each edge, with the error bound of
+/// that. All three volumes are negative for a hit from the front, and positive for one from the back. Two of different signs are enough for a miss.
 #[inline(always)]
-pub(crate) fn within_edges<V: Copy + PartialOrd + Neg<Output = V>>(edges: [(V, V); 3]) -> Attempt<bool> {
-    let (mut left, mut right) = (0, 0);
-    for (volume, doubt) in edges {
-        left += (volume > doubt) as u32;
-        right += (volume < -doubt) as u32;
+pub(crate) fn within_edges<E, V: Copy + PartialOrd + Neg<Output = V>>(
+    [first, second, third]: [E; 3],
+    volume: impl Fn(E) -> (V, V),
+) -> Attempt<bool> {
+    let side = |edge: E| {
+        let (volume, doubt) = volume(edge);
+        (volume > doubt) as i32 - (volume < -doubt) as i32
+    };
+    let (first, second) = (side(first), side(second));
+    if first * second < 0 {
+        return Attempt::Miss;
     }
-    if left != 0 && right != 0 {
+    let third = side(third);
+    if third * first < 0 || third * second < 0 {
         Attempt::Miss
-    } else if left + right == 3 {
-        Attempt::Found(right == 3)
+    } else if first * second * third != 0 {
+        Attempt::Found(third < 0)
     } else {
         Attempt::Unsure
     }

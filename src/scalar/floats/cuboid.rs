@@ -88,16 +88,17 @@ macro_rules! cuboid {
                 is_accurate = is_good(line, t, crossing_off(line, own, climb, t));
                 off = (own + of_axis(half) + off_at(line, t)) / climb;
             }
-            // The same error as for a rectangle: three roundings of the terms, and the line's error along the plane. Along the axis itself the point
-            // is next to the plane, which is no miss.
-            let (mut is_inside, mut is_outside) = (true, false);
-            for other in 0..3 {
-                let (o, step, h) = (line.origin[other], t * line.direction[other], half[other]);
+            // As for a rectangle: three roundings of the terms, and what the line is off along the plane.
+            let beyond = |[o, d, h]: [$Float; 3]| {
+                let step = t * d;
                 let doubt = ($Float::abs(o) + $Float::abs(step) + h + off) * (8.0 * epsilon);
-                let beyond = $Float::abs(o + step) - h;
-                is_inside &= other == axis || beyond < -doubt;
-                is_outside |= beyond > doubt;
-            }
+                ($Float::abs(o + step) - h, doubt)
+            };
+            let along = |axis: usize| [line.origin[axis], line.direction[axis], half[axis]];
+            let (beyond_first, doubt_first) = beyond(if axis == 0 { along(1) } else { along(0) });
+            let (beyond_second, doubt_second) = beyond(if axis == 2 { along(1) } else { along(2) });
+            let is_outside = beyond_first > doubt_first || beyond_second > doubt_second;
+            let is_inside = beyond_first < -doubt_first && beyond_second < -doubt_second;
             if is_outside {
                 Attempt::Miss
             } else if is_inside && is_accurate {

@@ -47,17 +47,15 @@ impl<N: Length> Slab<N> {
         Some(Self { axis, o, d, half, low: -reach - o, high: reach - o })
     }
 
-    /// Whether the line is parallel to the planes; a miss if it is outside them. If it lies in one of them, the face owns the ends.
+    /// Whether a line along the planes is between them: a miss beyond them. In one of them, the face owns the ends.
     #[inline(always)]
-    fn is_parallel(&self) -> Attempt<bool> {
-        if self.d != N::ZERO {
-            Attempt::Found(false)
+    fn is_between(&self) -> Attempt<()> {
+        if self.d != N::ZERO || (self.low < N::ZERO && self.high > N::ZERO) {
+            Attempt::Found(())
         } else if self.low > N::ZERO || self.high < N::ZERO {
             Attempt::Miss
-        } else if self.low == N::ZERO || self.high == N::ZERO {
-            Attempt::Unsure
         } else {
-            Attempt::Found(true)
+            Attempt::Unsure
         }
     }
 }
@@ -80,46 +78,46 @@ impl<N: Length> Slabs<N> {
         if finer != 0 && (x.d <= N::STEP || y.d <= N::STEP || z.d <= N::STEP) {
             return Attempt::Unsure;
         }
+        if x.d == N::ZERO || y.d == N::ZERO || z.d == N::ZERO {
+            found!(x.is_between());
+            found!(y.is_between());
+            found!(z.is_between());
+        }
         // In the world the products are exact.
         let doubt = if finer == 0 { N::NOTHING } else { N::DOUBT };
         Attempt::Found(Self { each: [x, y, z], finer, doubt })
     }
 
-    /// Of the planes that `crossed` names, the one that the line crosses after all others, or, unless `is_last`, before them.
+    /// Of the planes that `crossed` names the one that the line crosses after all others, or, unless `is_last`, before them; then the other two slabs.
+    ///
+    /// `low / 0` and `high / 0`, of a line between two planes, are infinite with the signs of `low` and `high`, and so are never the one.
     #[inline(always)]
-    fn decisive(&self, crossed: impl Fn(&Slab<N>) -> N, is_last: bool) -> Attempt<Slab<N>> {
-        let mut decisive: Option<Slab<N>> = None;
-        for slab in self.each {
-            if found!(slab.is_parallel()) {
-                continue;
+    fn decisive(&self, crossed: impl Fn(&Slab<N>) -> N, is_last: bool) -> Attempt<[Slab<N>; 3]> {
+        let decides = |other: &Slab<N>, own: &Slab<N>| {
+            let later = crossed(other).difference(other.d, crossed(own), own.d);
+            if -self.doubt <= later && later <= self.doubt {
+                // Both infinite: neither is the one.
+                let are_infinite = other.d == N::ZERO && own.d == N::ZERO;
+                return if are_infinite { Attempt::Found(false) } else { Attempt::Unsure };
             }
-            decisive = match decisive {
-                None => Some(slab),
-                Some(own) => {
-                    let later = crossed(&slab).difference(slab.d, crossed(&own), own.d);
-                    if -self.doubt <= later && later <= self.doubt {
-                        return Attempt::Unsure;
-                    }
-                    Some(if (later > N::NOTHING) == is_last { slab } else { own })
-                }
-            };
-        }
-        decisive.map_or(Attempt::Unsure, Attempt::Found)
+            Attempt::Found((later > N::NOTHING) == is_last)
+        };
+        let [x, y, z] = self.each;
+        let [own, other] = if found!(decides(&y, &x)) { [y, x] } else { [x, y] };
+        Attempt::Found(if found!(decides(&z, &own)) { [z, own, other] } else { [own, other, z] })
     }
 
     /// The last of the planes by which the line enters a slab; a miss if a slab ends before it.
     #[inline(always)]
     fn entry(&self) -> Attempt<Slab<N>> {
-        let enter = found!(self.decisive(|slab| slab.low, true));
-        for slab in self.each {
-            if slab.axis != enter.axis && slab.d != N::ZERO {
-                let inside = slab.high.difference(slab.d, enter.low, enter.d);
-                if inside < -self.doubt {
-                    return Attempt::Miss;
-                }
-                if inside <= self.doubt {
-                    return Attempt::Unsure;
-                }
+        let [enter, first, second] = found!(self.decisive(|slab| slab.low, true));
+        for slab in [first, second] {
+            let inside = slab.high.difference(slab.d, enter.low, enter.d);
+            if inside < -self.doubt {
+                return Attempt::Miss;
+            }
+            if inside <= self.doubt {
+                return Attempt::Unsure;
             }
         }
         Attempt::Found(enter)
@@ -129,8 +127,10 @@ impl<N: Length> Slabs<N> {
     #[inline(always)]
     fn exit(&self) -> Attempt<(N, usize)> {
         match self.decisive(|slab| slab.high, false) {
-            Attempt::Found(exit) => Attempt::Found((found!(exit.half.crossing(exit.o, self.finer, exit.d)), exit.axis)),
-            // The line has been inside, whatever its rounded coordinates are.
+            Attempt::Found([exit, ..]) => {
+                Attempt::Found((found!(exit.half.crossing(exit.o, self.finer, exit.d)), exit.axis))
+            }
+            // The line has been inside, whatever its rounded coordinates say.
             _ => Attempt::Unsure,
         }
     }

@@ -48,13 +48,16 @@ pub(in crate::scalar) fn triangle(
     let on_grid = |vertex: [i64; 3]| vertex.map(|length| if up > 0 { length << up } else { length >> cut });
     let corners = [on_grid(a), on_grid(b), on_grid(c)].map(digits);
     let direction = digits(d);
-    // d x p in halves of the grid's unit.
-    let moments = corners.map(|p| digits(cross(direction, p).map(|component| (component >> 61) as i64)));
-    // The error of a component of d x p is less than 8 (twice 2 from the truncation of p, and as much from a framed origin and direction), that of
-    // one of q less than 2. Together that is less than 2^6 times the largest q, or half the largest d x p.
+    // A component of d x p is off by less than 8 (2 for what p is cut off by, twice, and as much for a framed origin and direction), and
+    // one of q by less than 2: less than 2^6 of the largest q, or of half the largest d x p.
     let doubt = 1_i128 << if up > 0 { GRID + 6 } else { bits - cut + 6 };
-    let edges = [(corners[1], moments[0]), (corners[2], moments[1]), (corners[0], moments[2])];
-    let from_front = found!(within_edges(edges.map(|(q, moment)| (dot(q, moment), doubt))));
+    let volume = |(p, q): ([Digits; 3], [Digits; 3])| {
+        // d x p in halves of the grid's unit.
+        let moment = digits(cross(direction, p).map(|component| (component >> 61) as i64));
+        (dot(q, moment), doubt)
+    };
+    let [p, q, r] = corners;
+    let from_front = found!(within_edges([(p, q), (q, r), (r, p)], volume));
     crossing(a, finer, direction, vertices, from_front)
 }
 
