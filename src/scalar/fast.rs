@@ -57,8 +57,8 @@ macro_rules! found {
 }
 pub(crate) use found;
 
-/// Whether the line hits a triangle, and whether from the front: from the signed volume that it spans with each edge, with the error bound of
-/// that. All three volumes are negative for a hit from the front, and positive for one from the back. Two of different signs are enough for a miss.
+/// Whether the line hits a triangle, and whether from the front, by the signed volume that it spans with each edge and the error bound of that
+/// volume. All three volumes are negative for a hit from the front, and positive for one from the back. If two have different signs, the line misses.
 #[inline(always)]
 pub(crate) fn within_edges<E, V: Copy + PartialOrd + Neg<Output = V>>(
     [first, second, third]: [E; 3],

@@ -88,7 +88,7 @@ macro_rules! cuboid {
                 is_accurate = is_good(line, t, crossing_off(line, own, climb, t));
                 off = (own + of_axis(half) + off_at(line, t)) / climb;
             }
-            // As for a rectangle: three roundings of the terms, and what the line is off along the plane.
+            // The same error as for a rectangle: three roundings of the terms, and the line's error along the plane.
             let beyond = |[o, d, h]: [$Float; 3]| {
                 let step = t * d;
                 let doubt = ($Float::abs(o) + $Float::abs(step) + h + off) * (8.0 * epsilon);

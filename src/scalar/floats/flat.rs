@@ -145,11 +145,11 @@ macro_rules! flat {
             let Limits { epsilon, .. } = Limits::of(&line);
             // The line's error acts on each of its two vertices.
             let off = off_at(&line, sizes[0]) * (sizes[0] + sizes[1] + sizes[2]);
-            // d . (p x q): the side on which the line passes the edge from p to q; off by at most seven roundings of its terms.
+            // d . (p x q): the side on which the line passes the edge from p to q; its error is at most seven roundings of its terms.
             let volume = |(p, q, terms)| (dot(d, cross(p, q)), (terms + off) * (16.0 * epsilon));
             let edges = [(a, b, terms[0]), (b, c, terms[1]), (c, a, terms[2])];
             let from_front = found!(within_edges(edges, volume));
-            // From the vertices themselves, which are close together however far the ray starts.
+            // From differences of the vertices themselves, which are close together however far away the ray starts.
             let (u, v) = (minus(vertices[1], vertices[0]), minus(vertices[2], vertices[0]));
             let normal = cross(u, v);
             let (facing, distance) = (dot(normal, d), dot(normal, a));

@@ -47,7 +47,7 @@ impl<N: Length> Slab<N> {
         Some(Self { axis, o, d, half, low: -reach - o, high: reach - o })
     }
 
-    /// Whether a line along the planes is between them: a miss beyond them. In one of them, the face owns the ends.
+    /// Whether a line parallel to the planes is between them; a miss if it is outside them. If it lies in one of them, the face owns the ends.
     #[inline(always)]
     fn is_between(&self) -> Attempt<()> {
         if self.d != N::ZERO || (self.low < N::ZERO && self.high > N::ZERO) {
@@ -88,15 +88,17 @@ impl<N: Length> Slabs<N> {
         Attempt::Found(Self { each: [x, y, z], finer, doubt })
     }
 
-    /// Of the planes that `crossed` names the one that the line crosses after all others, or, unless `is_last`, before them; then the other two slabs.
+    /// Of the planes that `crossed` names, the one that the line crosses after all others, or, unless `is_last`, before them; then the other two
+    /// slabs.
     ///
-    /// `low / 0` and `high / 0`, of a line between two planes, are infinite with the signs of `low` and `high`, and so are never the one.
+    /// For a line parallel to two planes and between them, `low / 0` and `high / 0` are infinite with the signs of `low` and `high`, so that its slab
+    /// is never chosen.
     #[inline(always)]
     fn decisive(&self, crossed: impl Fn(&Slab<N>) -> N, is_last: bool) -> Attempt<[Slab<N>; 3]> {
         let decides = |other: &Slab<N>, own: &Slab<N>| {
             let later = crossed(other).difference(other.d, crossed(own), own.d);
             if -self.doubt <= later && later <= self.doubt {
-                // Both infinite: neither is the one.
+                // Both are infinite: neither is decisive, and `own` is kept.
                 let are_infinite = other.d == N::ZERO && own.d == N::ZERO;
                 return if are_infinite { Attempt::Found(false) } else { Attempt::Unsure };
             }
@@ -130,7 +132,7 @@ impl<N: Length> Slabs<N> {
             Attempt::Found([exit, ..]) => {
                 Attempt::Found((found!(exit.half.crossing(exit.o, self.finer, exit.d)), exit.axis))
             }
-            // The line has been inside, whatever its rounded coordinates say.
+            // The line has been inside, whatever its rounded coordinates are.
             _ => Attempt::Unsure,
         }
     }

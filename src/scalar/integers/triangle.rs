@@ -46,8 +46,8 @@ pub(in crate::scalar) fn triangle(
     let cut = bits.saturating_sub(28);
     let on_grid = |vertex: [i32; 3]| vertex.map(|length| if up > 0 { length << up } else { length >> cut });
     let corners = [on_grid(a), on_grid(b), on_grid(c)];
-    // A component of d x p is off by less than 16 (4 for what p is cut off by, twice, and as much for a framed origin and direction), and
-    // one of q by less than 2: less than 2^7 of the largest q, or of a fourth of the largest d x p.
+    // The error of a component of d x p is less than 16 (twice 4 from the truncation of p, and as much from a framed origin and direction), that of
+    // one of q less than 2. Together that is less than 2^7 times the largest q, or a fourth of the largest d x p.
     let doubt = 1_i64 << if up > 0 { 35 } else { bits - cut + 7 };
     let volume = |(p, q): ([i32; 3], [i32; 3])| {
         // d x p in fourths of the grid's unit.

@@ -48,8 +48,8 @@ pub(in crate::scalar) fn triangle(
     let on_grid = |vertex: [i64; 3]| vertex.map(|length| if up > 0 { length << up } else { length >> cut });
     let corners = [on_grid(a), on_grid(b), on_grid(c)].map(digits);
     let direction = digits(d);
-    // A component of d x p is off by less than 8 (2 for what p is cut off by, twice, and as much for a framed origin and direction), and
-    // one of q by less than 2: less than 2^6 of the largest q, or of half the largest d x p.
+    // The error of a component of d x p is less than 8 (twice 2 from the truncation of p, and as much from a framed origin and direction), that of
+    // one of q less than 2. Together that is less than 2^6 times the largest q, or half the largest d x p.
     let doubt = 1_i128 << if up > 0 { GRID + 6 } else { bits - cut + 6 };
     let volume = |(p, q): ([Digits; 3], [Digits; 3])| {
         // d x p in halves of the grid's unit.
