@@ -3,7 +3,7 @@
 //! A placement is stored as a position `o` and rows `R` that take the world to the primitive: `local = R (p - o)`. The primitive's points
 //! are at `p = o + M v` with `M = adj(R) / det(R)`, the exact inverse: a frame's rows are perpendicular and unit only to their last bits (a
 //! direction from [`UnitVec3::from_components`](crate::UnitVec3::from_components) to 2^-20), so that the transpose would not do. With
-//! `m` a row of `M`, what is inside reaches along that axis of the world up to
+//! `m` a row of `M`, the primitive reaches along that axis of the world up to
 //!
 //! | part | reach |
 //! |---|---|
@@ -12,9 +12,10 @@
 //! | a vertex | `o + m_x x + m_y y + m_z z` |
 //! | a cuboid of half extents `h` | `o + abs(m_x) h_x + abs(m_y) h_y + abs(m_z) h_z` |
 //!
-//! and down to the same with every sign turned but the root's. Their convex hull reaches as far as the farthest of them.
+//! and down to the negative of the same expression with the signs of `o` and `m` reversed. The convex hull of several parts reaches as far as the
+//! farthest of them.
 //!
-//! Nothing on the way is rounded where it matters: a number has twice the precision, and a bound on what it may be off ([`Near`]). Only
+//! Intermediate results have twice the precision and an error bound ([`Near`]). Only
 //! the last step goes to the number type, upwards. A box is thus as small as the type allows but for some 2^-36 (`f32`) of the terms that
 //! it is a sum of, which shows where they cancel. (A placement pressed nearly flat loses as many bits again as its axes' directions lose
 //! volume.)
@@ -37,7 +38,7 @@ pub(crate) fn unplaced<S: Scalar, G: Described>(hull: &Hull<S>) -> Bounds<S> {
 /// The box of a primitive in a frame.
 pub(crate) fn in_frame<S: Scalar, G: Described>(hull: &Hull<S>, frame: &Frame<S>) -> Bounds<S> {
     let rows = match hull {
-        // A ball in a frame is one whatever the last bits of the axes say.
+        // A ball in a frame is a ball whatever the last bits of the axes are.
         Hull::Ball(_) if G::FIGURES.has(Figures::BALL) => unturned::<S>(),
         _ => [frame.left(), frame.up(), frame.forward()].map(|axis| (axis.to_array(), 0)),
     };
@@ -98,7 +99,7 @@ fn interval<S: Scalar, G: Described>(hull: &Hull<S>, o: S, [x, y, z]: [Near<S>; 
             let reach = |centre: S| no_less([(centre, Near::exact(one)), terms[0], terms[1], terms[2]]);
             both(reach(o), reach(-o))
         }
-        // The geometry has no other.
+        // The geometry has no other hull.
         _ => [o; 2],
     }
 }
@@ -119,7 +120,7 @@ fn inverse<S: Scalar>(rows: [Row<S>; 3]) -> Option<[[Near<S>; 3]; 3]> {
     let [x, y, z] = rows.map(|(components, _)| components.map(S::unit_real));
     let columns = [minors::<S>(y, z), minors::<S>(z, x), minors::<S>(x, y)];
     let determinant = sum(pairs(x, columns[0]));
-    // Not the negation: a NaN must fail.
+    // Not the negated comparison: NaN must fail.
     let is_certain = determinant.off.scaled(2) < determinant.high.abs();
     let columns = pairs(columns, rows)
         .map(|(column, (_, exponent))| column.map(|minor| minor.over(determinant).scaled(-exponent)));
@@ -133,14 +134,14 @@ fn minors<S: Scalar>([ax, ay, az]: [S::Real; 3], [bx, by, bz]: [S::Real; 3]) -> 
 }
 
 /// The least value of the type, or the one after it, that is surely no less than the sum of lengths times factors. Beyond the type, or
-/// where a float overflows on the way, it is infinite.
+/// if an intermediate float overflows, it is infinite.
 fn no_less<S: Scalar, const N: usize>(terms: [(S, Near<S>); N]) -> S {
     let mut infinite = None;
     for (length, factor) in terms {
         if !length.is_finite() && !factor.is_zero() {
             let is_sure = factor.off.scaled(1) < factor.high.abs();
             let is_down = is_sure && (length < S::ZERO) != factor.high.is_negative();
-            // One that leads up has the say.
+            // A positive infinity decides.
             if infinite != Some(S::INFINITY) {
                 infinite = Some(if is_down { -S::INFINITY } else { S::INFINITY });
             }
@@ -153,7 +154,7 @@ fn no_less<S: Scalar, const N: usize>(terms: [(S, Near<S>); N]) -> S {
     sum(terms.map(|(length, factor)| (finite(length), factor))).rounded_up()
 }
 
-/// A number of twice the precision, `high + low`, and how far it may be `off` the true one at most. With `u = 2^Real::ROUNDING`, by
+/// A number of twice the precision, `high + low`, and a bound `off` on its error. With `u = 2^Real::ROUNDING`, by
 /// which an operation rounds at most, `low` is never more than `3 u high`.
 ///
 /// What is derived of `off` below are bounds of second order in `u`; they are themselves computed with relative errors of some `u`, which
@@ -181,12 +182,12 @@ impl<S: Scalar> Near<S> {
         Self { high: value, low: S::Real::ZERO, off: S::Real::ZERO }
     }
 
-    /// Off by this much, and by the rounding of the bound.
+    /// The number with this further error, and with that of rounding the bound.
     fn off_by(self, off: S::Real) -> Self {
         Self { off: off + off.scaled(-8), ..self }
     }
 
-    /// True for what is surely zero.
+    /// True if it is certainly zero.
     fn is_zero(self) -> bool {
         self.high.is_zero() && self.low.is_zero() && self.off.is_zero()
     }
@@ -207,7 +208,7 @@ impl<S: Scalar> Near<S> {
         Self { high, low, off: off + lost_next_to_zero::<S>() }
     }
 
-    /// The quotient by a number of at least four times what it is off.
+    /// The quotient by a number that is at least four times its error bound.
     ///
     /// `n / d - q = (n - q d) / d`, whose numerator is a compensated sum of four terms that are together less than `2.2 n`: it errs by
     /// less than `44 u^2 n`; to compute with the rounded `d` and to round the correction is another `9 u^2`.
@@ -229,7 +230,7 @@ impl<S: Scalar> Near<S> {
         let [high, low] = S::Real::sum_with_rest([[self.high, one], [self.low, one], [self.off, one]]);
         let value = S::round(high);
         if !value.is_finite() {
-            // Below the type's range everything in it is more.
+            // If the value is below the type's range, every value of the type is larger.
             return if value < S::ZERO { value.next_up() } else { S::INFINITY };
         }
         let rest = S::Real::sum_of_products([[high, one], [low, one], [-value.real(), one]]);
@@ -272,7 +273,7 @@ fn sum<S: Scalar, const N: usize>(terms: [(S::Real, Near<S>); N]) -> Near<S> {
 /// rounding, less than `14 u^2 h`, are left.
 fn length<S: Scalar, const N: usize>(v: [Near<S>; N]) -> Near<S> {
     let (one, zero) = (S::Real::ONE, S::Real::ZERO);
-    // The only component that is not zero, if there is but one.
+    // The only component that is not zero, if there is only one.
     let (mut only, mut count, mut off) = (Near::exact(zero), 0, zero);
     for component in v {
         if !component.is_zero() {
@@ -283,13 +284,13 @@ fn length<S: Scalar, const N: usize>(v: [Near<S>; N]) -> Near<S> {
     if count <= 1 {
         return only.magnitude();
     }
-    // Near 1, where the square of no float is too large or too small.
+    // Scaled to near 1, so that the square of no float overflows or underflows.
     let exponent = S::binary_exponent(largest(v.map(|component| S::round(component.high))));
     let near_one = v.map(|c| [c.high, c.low].map(|part| part.scaled(-exponent)));
     let square = sum(near_one.map(|[high, low]| (high, Near::<S> { high, low: low.scaled(1), off: zero })));
     let high = square.high.sqrt();
     if high.is_zero() {
-        // All are next to zero; or one overflowed, and the bound with it.
+        // All components are close to zero; or one has overflowed, and so has the bound.
         return Near::exact(zero).off_by(off + square.off);
     }
     let rest = S::Real::sum_of_products([[square.high, one], [square.low, one], [-high, high]]);

@@ -1,12 +1,12 @@
 //! Scenes in flash: shapes, objects, materials, lights and cameras in a `const` or a `static`.
 //!
-//! A constant is computed by the compiler. A value that the constructors refuse then fails the build, and the program holds neither the code
-//! of the check nor a copy in RAM.
+//! A constant is computed by the compiler. A value that the constructors refuse then fails the build, and the program contains neither the code of
+//! the check nor a copy of the value in RAM.
 //!
 //! Stable Rust calls no trait method in a constant, so that a constructor that is generic over the number type cannot be called there. Those that
 //! check something have a twin for `f32`, `f64`, `FixedI32<F>` and `FixedI64<F>`, whose name is `const_` and that of the constructor. It
-//! accepts and refuses the same values and gives the same bits. The number type must be named: `Sphere::<f32>::const_new`. What checks nothing
-//! is the same function in both.
+//! accepts and refuses the same values and gives the same bits. The number type must be named: `Sphere::<f32>::const_new`. A function without checks
+//! is the same in constants and at run time.
 //!
 //! | value | in a constant |
 //! |---|---|
@@ -25,7 +25,7 @@
 //! placements, [triangles](crate::Triangle) (whose area is checked), [`Camera::new`](crate::Camera::new), distant lights by direction. Nor
 //! is a hierarchy, which is built in RAM. [`Scene::new`](crate::Scene::new) runs in the program: it compares the indices of the objects, and borrows the rest.
 //!
-//! [`constant!`](crate::constant!) takes the value out of the result:
+//! [`constant!`](crate::constant!) unwraps the result:
 //!
 //! ```
 //! use fixed::types::I16F16;
@@ -119,8 +119,8 @@
 /// The value of a constructor's result, computed by the compiler; an error fails the build with the error's message. See
 /// [`raylet::constant`](mod@crate::constant).
 ///
-/// What it is given must be a constant expression: a literal, another constant, a call of a `const fn` with such. A parameter of the function around it
-/// is none; [there](mod@crate::constant#a-helper-of-your-own) is a way around that.
+/// The argument must be a constant expression: a literal, another constant, or a call of a `const fn` with constant arguments. A parameter of the
+/// enclosing function is not constant; [a macro](mod@crate::constant#a-helper-of-your-own) can replace that function.
 ///
 /// ```
 /// use raylet::{Capsule, constant};

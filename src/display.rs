@@ -1,4 +1,4 @@
-//! Pictures on displays: any `DrawTarget` of `embedded-graphics`, in colours from one to 24 bits a pixel.
+//! Pictures on displays: a `DrawTarget` of `embedded-graphics`, in its colours from one to 24 bits a pixel.
 //!
 //! ```
 //! use embedded_graphics::{geometry::Point, mock_display::MockDisplay, pixelcolor::Rgb565};

@@ -15,7 +15,8 @@ use core::fmt;
 /// Defines the enum of all errors, and how each becomes one.
 macro_rules! errors {
     ($($(#[$doc:meta])+ $Variant:ident($Error:ty),)+) => {
-        /// Any error of the library: each of the others becomes one by [`From`], and so by `?`. Its message is theirs.
+        /// Any error of the library: all other errors are converted to it by [`From`], and therefore by `?`. Its message is that of the original
+        /// error.
         ///
         /// ```
         /// use raylet::{Capsule, Error, Frame, Ray, Shape, Vec3};
@@ -72,7 +73,7 @@ errors! {
     Effect(EffectError),
 }
 
-/// So that `?` also passes over what cannot fail, as drawing on most buffers.
+/// For `?` on results that cannot fail, such as drawing on most buffers.
 impl From<Infallible> for Error {
     fn from(never: Infallible) -> Self {
         match never {}

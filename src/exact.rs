@@ -19,10 +19,10 @@ use crate::scalar::{FromScalar, Scalar, ToScalar};
 /// Sphere::new(1.0).unwrap().hits_at::<Exact>(&ray);
 /// ```
 ///
-/// In fixed point the integers of the fast path decide most rays, with guards that let nothing uncertain pass. Doubles with an error bound
-/// decide nearly all others, and all of floats; numbers of 128 bits with an error bound decide nearly all of what is left. Integers
-/// that are wide enough for every case decide the rest, at some hundred times the cost. [`Shape::effort`](crate::Shape::effort) tells which of
-/// them decided.
+/// In fixed point the integers of the fast path decide most rays, with guards that only certain results pass. Doubles with an error bound decide
+/// nearly all other rays of fixed point and nearly all of `f32`; numbers of 128 bits with an error bound decide nearly all that remain. Integers that
+/// are wide enough for every case decide the rest, at some hundred times the cost. [`Shape::effort`](crate::Shape::effort) says which of them
+/// decided.
 ///
 /// A ray that [departs](crate::Departure) is taken to start exactly on its surface, whatever its coordinates: the constant term of the quadric
 /// that it leaves is set to zero, or the height of its origin above the plane that it leaves. All other equations use the stored coordinates. The result is
@@ -52,7 +52,7 @@ pub enum Effort {
 
 /// A scalar that has an exact tier.
 pub trait Certain: Scalar {
-    /// The first number, which decides nearly all rays.
+    /// The first number, which decides nearly all rays that the fast path cannot decide.
     type Filter: FromScalar<Self> + Number<Estimate: ToScalar<Self> + FromScalar<Self>>;
     /// The number that is used where a sign is unknown in [`Certain::Filter`].
     type Bounded: FromScalar<Self> + ToScalar<Self>;

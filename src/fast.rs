@@ -4,7 +4,7 @@ use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
 use crate::scalar::{Attempt, LocalLine, Scalar, UnitScalar};
 
-/// Whether a tier's fast path has guards against rounding.
+/// The guards of a tier's fast path against rounding errors.
 pub trait Guards: 'static {
     /// True if the fast path is unsure where its rounding may decide, so that the robust number decides.
     const GUARDED: bool;

@@ -73,7 +73,7 @@ pub enum Extent<S> {
     Capped(Option<S>, Option<S>),
 }
 
-/// Kinds of figures: a bit for each that the solver has a function of its own for.
+/// Kinds of figures: a bit for each kind for which the solver has a separate function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Figures(u16);
 
@@ -134,8 +134,8 @@ impl<S> Figure<S> {
     }
 }
 
-/// What the figures of a type can be. The solver tests this constant before it looks at a figure, so that the compiler removes the
-/// functions for all others.
+/// The figures that a type may have. The solver tests this constant before it tests a figure, so that the compiler removes the functions for all
+/// others.
 pub trait Described {
     /// The figures.
     const FIGURES: Figures;

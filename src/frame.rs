@@ -13,8 +13,9 @@ use core::fmt;
 ///
 /// The constructors make the axes orthonormal, so that lengths, and with them `t`, are the same in the frame as in the world.
 ///
-/// Coordinates are right-handed: with x to the right and y up, z comes towards the viewer. Who looks along a frame's z axis
-/// ([`Frame::forward`]), with its y axis upwards, has its x axis to the left. A camera that looks along z shows +x on the left of the picture, too.
+/// Coordinates are right-handed: with x to the right and y up, z comes towards the viewer. For a viewer who looks along a frame's z axis
+/// ([`Frame::forward`]), with its y axis upwards, its x axis points to the left. A camera that looks along z shows +x on the left of the picture,
+/// too.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Frame<S: Scalar> {
@@ -71,10 +72,10 @@ impl<S: Scalar> Frame<S> {
         Self::from_base_and_axis(Vec3::round(pairs(centre.real(), axis.real()).map(down)), axis)
     }
 
-    /// At `position`, turned about `axis` by so many degrees, counter-clockwise as seen from where the axis points to.
+    /// At `position`, turned about `axis` by this angle in degrees, counter-clockwise for a viewer towards whom the axis points.
     ///
-    /// The axes are those of the world, turned by Rodrigues' formula `v + sin a (k x v) + (1 - cos a) (k (k . v) - v)`, and good to a few units of
-    /// the number type.
+    /// The axes are those of the world, turned by Rodrigues' formula `v + sin a (k x v) + (1 - cos a) (k (k . v) - v)`, and accurate to a few units
+    /// of the number type.
     ///
     /// # Errors
     ///
@@ -89,13 +90,13 @@ impl<S: Scalar> Frame<S> {
     /// ```
     pub fn turned_about(position: Vec3<S>, axis: UnitVec3<S>, degrees: S) -> Result<Self, FrameError> {
         let half_turns = degrees.real().abs() / S::Real::from_int(720);
-        // A NaN compares false.
+        // The comparison is false for NaN.
         if !(degrees.is_finite() && half_turns <= S::Real::ONE.scaled(-1)) {
             return Err(FrameError::Angle);
         }
         let (sine, cosine) = S::sine_cosine(S::unit_round(half_turns));
         let (half_sine, half_cosine) = (S::unit_real(sine), S::unit_real(cosine));
-        // sin a = 2 sin(a/2) cos(a/2), and 1 - cos a = 2 sin(a/2)^2, which cancels nothing.
+        // sin a = 2 sin(a/2) cos(a/2), and 1 - cos a = 2 sin(a/2)^2, in which nothing cancels.
         let (sine, versine) = ((half_sine * half_cosine).scaled(1), (half_sine * half_sine).scaled(1));
         let (sine, k) = (if degrees < S::ZERO { -sine } else { sine }, axis.real());
         let turned = |v: UnitVec3<S>| {
@@ -112,8 +113,8 @@ impl<S: Scalar> Frame<S> {
     /// From two end points: the base is at `from`, and the axis points to `to`. Also returns the distance between them, for the
     /// height of the solid.
     ///
-    /// Equal points have no axis: the frame is then that of [`Frame::at`], and the height is zero. A [`Capsule`](crate::Capsule)
-    /// takes that height, and is a ball; other solids refuse it, and say that it is zero.
+    /// Equal points have no axis: the frame is then that of [`Frame::at`], and the height is zero. A [`Capsule`](crate::Capsule) accepts that height,
+    /// and is a sphere; the constructors of other solids return an error for it.
     ///
     /// # Errors
     ///
@@ -170,8 +171,8 @@ impl<S: Scalar> Frame<S> {
         Self::assembled(position, [x, up, z])
     }
 
-    /// From a position and three axes that are kept to the bit: x, y and z, perpendicular and right-handed. It needs no root: a constant can
-    /// have it, see [`mod@crate::constant`].
+    /// From a position and three axes that are kept to the bit: x, y and z, perpendicular and right-handed. It needs no square root, so that it can
+    /// be called in a constant: see [`mod@crate::constant`].
     ///
     /// # Errors
     ///
@@ -188,12 +189,12 @@ impl<S: Scalar> Frame<S> {
     /// ```
     pub fn from_axes(position: Vec3<S>, axes: [UnitVec3<S>; 3]) -> Result<Self, FrameError> {
         let [x, y, z] = axes;
-        // Far more than rounding makes of a right angle.
+        // Far larger than the error of a right angle by rounding.
         let right = S::Real::ONE.scaled(-18);
         let is_right = |a: UnitVec3<S>, b: UnitVec3<S>| a.dot(b).abs() < right;
         let [cx, cy, cz] = x.cross(y);
         let [zx, zy, zz] = z.real();
-        // Of perpendicular axes nearly 1 or -1.
+        // For perpendicular axes it is nearly 1 or -1.
         let volume = S::Real::sum_of_products([[cx, zx], [cy, zy], [cz, zz]]);
         if is_right(x, y) && is_right(y, z) && is_right(z, x) && volume > S::Real::ZERO {
             Self::assembled(position, axes)
@@ -212,7 +213,7 @@ impl<S: Scalar> Frame<S> {
         self.position
     }
 
-    /// The direction of the x axis: to the left of who looks along `forward` with `up` upwards.
+    /// The direction of the x axis: to the left of a viewer who looks along `forward` with `up` upwards.
     #[inline]
     pub const fn left(&self) -> UnitVec3<S> {
         self.axes[0]
@@ -395,7 +396,7 @@ pub enum FrameError {
 }
 
 impl FrameError {
-    /// The message, in a constant too.
+    /// The message; also for constants.
     pub const fn message(self) -> &'static str {
         match self {
             Self::Position(error) => with_fault!("a coordinate of the position ", error),

@@ -14,14 +14,14 @@ pub trait Geometry<S: Scalar>: Copy + Described {
     /// The same primitive in another number type.
     type In<R: Scalar>: Geometry<R>;
 
-    /// The primitive in a type that holds its numbers.
+    /// The primitive in a type that holds all values of this one.
     fn in_type<R: Including<S>>(&self) -> Self::In<R>;
     /// Bounding radius: the primitive lies within this distance of the origin. For an infinite primitive a characteristic size.
     fn reach(&self) -> S;
     /// The primitive with all lengths multiplied by `2^e`, as [`Computing::scaled`](crate::scalar::Computing::scaled) has it.
     #[must_use]
     fn scaled(&self, e: i32) -> Self;
-    /// A radius such that the geometry lies within that of the y axis, if that is known.
+    /// A radius about the y axis that contains the geometry, if it is known.
     #[inline(always)]
     fn girth(&self) -> Option<S> {
         None
@@ -110,7 +110,7 @@ pub enum Hull<S> {
 }
 
 impl<S: Scalar> Hull<S> {
-    /// From where to where the primitive reaches along each of its own axes, rounded.
+    /// The lowest and the highest coordinate of the primitive along each of its own axes, rounded.
     pub(crate) fn extents(&self) -> [[S; 2]; 3] {
         let around = |radius: S| [S::ZERO.minus(radius), radius];
         let larger = |a: S, b: S| if a > b { a } else { b };

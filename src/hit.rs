@@ -57,7 +57,7 @@ impl<S: Scalar> Hits<S> {
         Self { list: heapless::Vec::new(), starts_inside: false, coincident: Some(overlap) }
     }
 
-    /// Adds a hit behind all others.
+    /// Adds a hit after all others.
     #[inline]
     pub(crate) fn push(&mut self, hit: Hit<S>) {
         // Cannot be full: no primitive has more ends than the capacity.

@@ -52,7 +52,7 @@ mod with_serde {
     use serde::ser::SerializeSeq;
     use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-    /// Implements both traits by the form in which a value is stored; a constructor checks it on its way in.
+    /// Implements both traits by the form in which a value is stored; a constructor checks a value that is read.
     macro_rules! stored {
         ($Type:ident, $Stored:ty, |$value:ident| $to:expr, |$stored:pat_param| $from:expr) => {
             impl<S: Scalar> Serialize for $Type<S> {
@@ -125,7 +125,7 @@ mod with_serde {
         Along::from_stored(ray, length)
     });
 
-    /// Implements both traits of a set: as a list of the names of what is in it.
+    /// Implements both traits of a set, as a list of the names of its elements.
     macro_rules! set {
         ($Set:ident, $Member:ident, $expecting:literal) => {
             impl Serialize for $Set {
@@ -206,7 +206,7 @@ mod with_serde {
     );
 }
 
-/// What holds a number of a foreign type; what is made of these derives its format.
+/// Types with numbers of foreign types. Types that consist of these derive their format.
 #[cfg(feature = "defmt")]
 mod with_defmt {
     use crate::affine::Affine;

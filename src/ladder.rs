@@ -1,6 +1,6 @@
 //! Which numbers each tier computes in.
 //!
-//! `Fast` and `Stable` accept the result of their fast path, or of its second or third attempt; if all are unsure, the robust number decides.
+//! `Fast` and `Stable` take the result of their fast path, or of its second or third attempt; if all are unsure, the robust number decides.
 //! `Exact` repeats the query in the next wider number until every sign is certain: see `exactly`.
 
 mod exactly;
@@ -104,7 +104,7 @@ pub(crate) const fn is_ball<S, G: Described>(figure: &Figure<S>) -> bool {
     G::FIGURES.has(Figures::BALL) && matches!(figure, Figure::Ball { .. })
 }
 
-/// `Found` for the rays that are most frequent: [`rare`] has the fast path of the others, unless they are known to miss.
+/// `Found` for the most frequent rays, `Miss` for rays that are known to miss, and `Unsure` for the others, whose fast path is in [`rare`].
 #[inline(always)]
 fn is_frequent<S: Scalar, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<()> {
     if let Some(departure) = ray.departure() {
@@ -119,8 +119,8 @@ fn is_frequent<S: Scalar, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, r
     Attempt::Found(())
 }
 
-/// The intersection by the fast path, of the rays that are most frequent: see [`rare`] for the others. If `since` is given, only the first end at or
-/// after it is wanted.
+/// The intersection by the fast path for the most frequent rays; [`rare`] has that of the others. If `since` is given, only the first end at or after
+/// it is needed.
 #[inline(always)]
 fn fast<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
     geometry: &G,
@@ -134,13 +134,13 @@ fn fast<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
     };
     geometry.fit(&mut line);
     (line.is_strict, line.is_doubled) = (T::STRICT, false);
-    // Along the line itself, whose `t` is then the ray's.
+    // Only if the line's `t` is the ray's.
     line.since = since.filter(|_| !P::STRETCHES && line.start == S::ZERO);
     in_own_t(place, &line, geometry.fast_intersection::<T>(&line))
 }
 
-/// The entry, of an intersection of which the fast path is unsure, if the fast path computes that alone for the nearest hit: the list of all hits
-/// then begins with the same.
+/// The entry of an intersection for which the fast path is unsure, if the fast path can compute the entry alone, as it does for the nearest hit. The
+/// list of all hits then begins with the same hit.
 #[inline(always)]
 fn fast_entry<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
     geometry: &G,
@@ -160,8 +160,8 @@ fn fast_entry<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
     }
 }
 
-/// The fast path of rays that depart inwards, and in fixed point of all with an affine placement. These are functions of their own: where [`fast`]
-/// ends the compiler then knows of which kind an intersection is.
+/// The fast path of rays that depart inwards, and in fixed point of all with an affine placement. These are separate functions, so that the compiler
+/// knows after [`fast`] which kind of intersection there is.
 #[inline(always)]
 fn rare<S: Scalar, T: Guards, G: Geometry<S>>(
     geometry: &G,
@@ -174,7 +174,7 @@ fn rare<S: Scalar, T: Guards, G: Geometry<S>>(
     if stretches_integers(place) { stretched::<S, T, G>(geometry, place, ray) } else { Attempt::Unsure }
 }
 
-/// The fast path, of all rays.
+/// The fast path for all rays.
 #[inline(always)]
 fn fast_or_rare<S: Scalar, T: Guards, G: Geometry<S>>(
     geometry: &G,
@@ -217,22 +217,22 @@ fn from_afar<S: Scalar, T: Guards, G: Geometry<S>>(
     in_own_t(place, &line, geometry.fast_intersection::<T>(&line))
 }
 
-/// The guards of the second attempt of fixed point. Those without them take directions to have length 1, which those of a narrower type have only
-/// to their own last bits.
+/// The guards of the second attempt of fixed point. Formulas without guards assume directions of length 1; those of a narrower type have it only to
+/// their own last bits.
 struct Widely;
 
 impl Guards for Widely {
     const GUARDED: bool = true;
 }
 
-/// The second attempt of fixed point: the fast path of [`Scalar::Wider`]. It has room for all lengths of this type, in finer units, and
-/// rounds the ends to this type's.
+/// The second attempt of fixed point: the fast path of [`Scalar::Wider`]. It has room for all lengths of this type, in finer units. The ends are
+/// rounded to this type.
 #[cold]
 #[inline(never)]
 fn in_wider<S: Scalar, G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<Intersection<S>> {
     let intersection =
         found!(fast_or_rare::<S::Wider, Widely, _>(&geometry.in_type(), &place.in_type(), &ray.in_type()));
-    // An exit is ahead of the surface that the ray departs from, which rounding would decide of one next to it.
+    // An exit must be ahead of the surface that the ray departs from; for an exit next to that surface rounding would decide this.
     let departs = ray.departure().is_some();
     let narrowed = |t: S::Wider| {
         let t = S::narrowed(t);
@@ -241,8 +241,8 @@ fn in_wider<S: Scalar, G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray
     intersection.try_map(narrowed).map_or(Attempt::Unsure, Attempt::Found)
 }
 
-/// The second attempt of fixed point, see [`in_wider`]; that of floats, along a line that costs more and is rounded less, and their third, along
-/// the same in double-word numbers.
+/// The second attempt of fixed point, see [`in_wider`]; the second attempt of floats, along a more accurate line, and their third, along the same
+/// line in double-word numbers.
 #[inline(always)]
 fn second_attempt<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
     geometry: &G,
@@ -253,11 +253,11 @@ fn second_attempt<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
         return if S::WIDENS { in_wider(geometry, place, ray) } else { Attempt::Unsure };
     }
     let second = geometry.second_line(place, ray);
-    // In the world a line that starts near the primitive is exact as it is.
+    // In world coordinates a line that starts near the primitive is exact without a transformation.
     let exact = || geometry.fast_line(place, ray).filter(|line| !line.is_rounded);
     let is_new = second.is_some();
     let Some(mut line) = second.or_else(exact) else { return Attempt::Unsure };
-    // The direction of a stretched line may have any length, and the plain formulas for balls need length 1.
+    // The direction of a stretched line may have any length; the plain formulas for spheres need length 1.
     line.is_doubled = !is_new || P::STRETCHES || ray.departure().is_some();
     loop {
         let found = in_own_t(place, &line, again::<S, T, G>(geometry, ray, &line));
@@ -265,7 +265,7 @@ fn second_attempt<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
             return found;
         }
         if line.is_doubled {
-            // Next to the ray's own start the sum of a `t` and the line's start would be rounded too much.
+            // Close to the ray's start the rounding error of the sum of a `t` and the line's start would be too large.
             if line.start == S::ZERO {
                 return Attempt::Unsure;
             }
@@ -362,11 +362,11 @@ fn from_start<S: Scalar>(intersection: Intersection<S>, start: S, is_strict: boo
             return Some(t);
         }
         let whole = t.plus(start);
-        // Next to the ray's own start the rounding of a float's sum would be large relative to the result.
+        // Close to the ray's start the rounding error of a float's sum would be large relative to the result.
         let is_precise = if S::RELATIVE {
             whole.magnitude().plus(whole.magnitude()) >= start.magnitude()
         } else {
-            // Beyond the type by its rounding, perhaps.
+            // The rounding may have moved it beyond the type.
             whole.is_finite() || !is_strict
         };
         is_precise.then_some(whole)

@@ -78,7 +78,7 @@
 //! | 2 | [`vector`] | [`Vec3`], [`UnitVec3`] |
 //! | 1 | [`number`], [`scalar`] | the numbers that solvers compute in; the stored number types: `f32`, `f64`, fixed point |
 //!
-//! [`constant`](mod@constant) says how a whole scene is put in flash. `display`, `interchange`, `error` and `errata` stand beside the layers.
+//! [`constant`](mod@constant) describes scenes in flash. `display`, `interchange`, `error` and `errata` belong to no layer.
 //!
 //! # Features
 //!
@@ -87,10 +87,10 @@
 //! | `libm` | yes | square root and other functions of floats; required: a build without it stops with an error message |
 //! | `fixed` | yes | fixed-point scalars |
 //! | `std` | no | scene storage in `Vec`; enables `libm`, and changes no bit of a result |
-//! | `embedded-graphics` | no | pictures on any display: see `display` |
+//! | `embedded-graphics` | no | pictures on displays: see `display` |
 //! | `mint` | no | conversions of points and vectors |
-//! | `serde` | no | serialisation of all public values: vectors, rays, hits, shapes, the parts of scenes; fixed-point numbers as decimal text that comes back to the bit (as their bits in formats that people do not read) |
-//! | `defmt` | no | `defmt::Format` for the public value types, in every number type |
+//! | `serde` | no | serialisation of vectors, rays, hits, shapes and the parts of scenes, with the exceptions in [docs/overview.md](https://github.com/raylet-rs/raylet/blob/main/docs/overview.md#stored-and-logged); fixed-point numbers as decimal text from which the same bits are read (as their bits in binary formats) |
+//! | `defmt` | no | `defmt::Format` for the same values and for errors, in every number type, with the exceptions in that table |
 #![no_std]
 #![deny(unsafe_code, missing_docs)]
 #![warn(missing_debug_implementations)]

@@ -11,12 +11,12 @@ pub trait Place<S: Scalar> {
 
     /// True if the line's own `t` is not the ray's: see [`LocalLine::pace`].
     const STRETCHES: bool = false;
-    /// True if [`Place::fast_line_near`] does not serve for rays that start far away: floats have [`Place::far_line`] for these.
+    /// True if [`Place::fast_line_near`] does not handle rays that start far away: floats have [`Place::far_line`] for these.
     const HAS_FAR_LINES: bool = false;
 
-    /// The placement in a type that holds its numbers.
+    /// The placement in a type that holds all values of this one.
     fn in_type<R: Including<S>>(&self) -> Self::In<R>;
-    /// The line for the fast path, where the placement is simple enough for it.
+    /// The line for the fast path; `None` if the placement is not suitable for it.
     fn fast_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>>;
     /// [`Place::fast_line`]; `None` if a ray starts so far from the primitive's point `base` that [`Place::far_line`] should be tried.
     #[inline(always)]
@@ -44,7 +44,7 @@ pub trait Place<S: Scalar> {
     fn fast_ball_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
         self.fast_line(ray)
     }
-    /// The line for the fast path's second attempt, which costs more and is rounded less. Its origin is moved to a point next to the
+    /// The line for the fast path's second attempt, which costs more and is more accurate. Its origin is moved to a point next to the
     /// primitive's point `base`, and is relative to that.
     fn second_line(&self, ray: &Ray<S>, base: Vec3<S>) -> Option<LocalLine<S>>;
     /// [`Place::second_line`] for a sphere about the frame's origin.
@@ -57,7 +57,7 @@ pub trait Place<S: Scalar> {
     fn line<N: FromScalar<S>>(&self, ray: &Ray<S>) -> [[N; 3]; 2];
     /// A point in the primitive's frame, as [`Place::line`].
     fn point<N: FromScalar<S>>(&self, point: Vec3<S>) -> [N; 3];
-    /// Transforms a gradient from the primitive's frame to the world: by the transpose of the matrix that takes points to the frame.
+    /// Transforms a gradient from the primitive's frame to the world: by the transpose of the matrix that transforms points to the frame.
     fn gradient_to_world<N: FromScalar<S>>(&self, gradient: [N; 3]) -> [N; 3];
     /// [`Place::line`] for a sphere about the frame's origin. In a [`Frame`](crate::Frame) it is translated only, since a rotated sphere is the
     /// same sphere; stored axes, which are orthogonal only to their last bits, would deform it.

@@ -1,6 +1,6 @@
 //! The parts of a surface.
 
-/// A part of a primitive's surface. Each part can have a material of its own.
+/// A part of a primitive's surface. Each part can have its own material.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -22,9 +22,9 @@ pub enum Part {
     Front,
 }
 
-/// The faces of a cuboid across the axes x, z and y, at the negative and the positive half extent.
+/// The faces of a cuboid perpendicular to the axes x, z and y, at the negative and the positive half extent.
 ///
-/// This order of the axes is that in which faces own what they share: an edge or a corner belongs to the first of its faces. The
+/// Faces own shared edges and corners in this order of the axes: an edge or a corner belongs to the first of its faces. The
 /// four side faces thus own their edges with base and top, as the side of a cylinder owns its rims.
 pub(crate) const FACES: [[Part; 2]; 3] =
     [[Part::Left, Part::Right], [Part::Back, Part::Front], [Part::Base, Part::Top]];

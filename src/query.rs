@@ -13,7 +13,7 @@ pub trait Solve<S: Scalar> {
     /// True if the ends of a range are compared with exact roots, and not with the rounded `t` of hits.
     const EXACT_ENDS: bool = false;
 
-    /// The intersection by the fast path. If `since` is given, only the first end at or after it is wanted: see
+    /// The intersection by the fast path. If `since` is given, only the first end at or after it is needed: see
     /// [`LocalLine::since`](crate::scalar::LocalLine).
     fn fast<G: Geometry<S>>(
         geometry: &G,
@@ -38,7 +38,7 @@ pub trait Solve<S: Scalar> {
         }
     }
 
-    /// The first hit that `accept` takes. `short` is the geometry once more, perhaps in another type: that in which the fast path is computed.
+    /// The first hit that `accept` accepts. `short` is the same geometry, possibly in another type, in which the fast path is computed.
     #[inline]
     fn nearest<F: Geometry<S>, G: Geometry<S>>(
         short: &F,
@@ -47,7 +47,7 @@ pub trait Solve<S: Scalar> {
         ray: &Ray<S>,
         accept: impl Fn(Crossing) -> bool,
     ) -> Option<Hit<S>> {
-        // If the entry is accepted, what comes after it is not wanted.
+        // If the entry is accepted, later ends are not needed.
         let since = accept(Crossing::Enter).then(|| ray.range().start());
         match Self::fast(short, place, ray, since) {
             Attempt::Miss => None,
@@ -56,7 +56,7 @@ pub trait Solve<S: Scalar> {
         }
     }
 
-    /// True if there is a hit that `accept` takes. `short` is that of [`Solve::nearest`].
+    /// True if there is a hit that `accept` accepts. `short` is that of [`Solve::nearest`].
     #[inline]
     fn occludes<F: Geometry<S>, G: Geometry<S>>(
         short: &F,
@@ -76,7 +76,7 @@ pub trait Solve<S: Scalar> {
     }
 }
 
-/// In a function of its own, so that the code of the fast path stays small.
+/// In a separate function, so that the code of the fast path stays small.
 #[cold]
 #[inline(never)]
 fn apart<A>(work: impl FnOnce() -> A) -> A {

@@ -98,8 +98,8 @@ pub enum Leaving {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Departure {
-    /// The index of the object in its scene. The queries of a primitive or a shape ignore it: they take every ray with a departure to
-    /// depart from that shape.
+    /// The index of the object in its scene. The queries of a primitive or a shape ignore it: they assume that every ray with a departure departs
+    /// from that shape.
     pub object: u32,
     /// The part of the surface.
     pub part: Part,
@@ -166,10 +166,10 @@ impl<S: Scalar> Ray<S> {
         Self::new(origin, direction)
     }
 
-    /// The piece of a line from `a` to `b`: the ray from `a` towards `b`, whose range ends at `b`.
+    /// The segment from `a` to `b`: the ray from `a` towards `b`, whose range ends at `b`.
     ///
-    /// The end is the `t` of the point of the ray's line, as its direction is stored, that is closest to `b`, rounded to nearest. A
-    /// surface through `b` is thus met or missed as that rounding falls.
+    /// The end is the `t` of the point of the ray's line, as its direction is stored, that is closest to `b`, rounded to nearest. Whether a surface
+    /// through `b` is hit depends on that rounding.
     ///
     /// # Errors
     ///
@@ -187,7 +187,7 @@ impl<S: Scalar> Ray<S> {
         let ray = Self::towards(a, b)?;
         let [from, to] = [a, b].map(|point| point.to_array().map(<S::Robust as FromScalar<S>>::scalar));
         let direction = ray.direction.to_array().map(<S::Robust as FromScalar<S>>::unit);
-        // Divided by the square of the direction's length, which is 1 but for rounding.
+        // Divided by the square of the direction's length, which is 1 except for rounding.
         let end = S::from_robust(dot(difference(to, from), direction).over(dot(direction, direction)));
         if end.is_finite() && end <= S::BUDGET.distance {
             Ok(ray.with_range(Range { start: S::ZERO, end }))
@@ -278,10 +278,10 @@ pub struct Along<S: Scalar> {
 }
 
 impl<S: Scalar> Along<S> {
-    /// From what one has stored: the length of a vector that has a direction.
+    /// From a stored length, which must be that of a vector with a direction.
     #[cfg(feature = "serde")]
     pub(crate) fn from_stored(ray: Ray<S>, length: S) -> Result<Self, RayError> {
-        // A NaN compares false.
+        // The comparison is false for NaN.
         if length >= S::BUDGET.smallest_size && length.is_finite() {
             Ok(Self { ray, length })
         } else {

@@ -98,7 +98,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
         if E::SET.contains(Effect::Antialiasing) { picture } else { picture.with_one_sample() }
     }
 
-    /// The same picture with only those of its effects that are in the set. The others are switched off; see [`Tracer::only`].
+    /// The same picture with those of its effects that are in the set, without all others; see [`Tracer::only`].
     ///
     /// ```
     /// # use raylet::{Camera, Color, Light, Material, Object, Picture, Scene, Shape, Size, Sphere, Vec3};

@@ -98,7 +98,7 @@ impl<S: Scalar> Vec3<S> {
     /// True if every component is inside the number type's [`Budget`](crate::scalar::Budget).
     #[inline]
     pub fn is_within_budget(self) -> bool {
-        // A NaN is not within anything.
+        // The comparison is false for NaN.
         self.to_array().iter().all(|c| c.magnitude() <= S::BUDGET.coordinate)
     }
 
@@ -229,7 +229,7 @@ impl<S: Scalar> UnitVec3<S> {
     /// assert_eq!(UnitVec3::<f32>::from_components([0.6, 0.0, 0.9]), Err(ValueError::NotUnit));
     /// ```
     pub fn from_components(components: [S::Unit; 3]) -> Result<Self, ValueError> {
-        // Far too long, the squares would not fit. Not a comparison's negation: a NaN must fail.
+        // The squares of components that are much too large would not fit. Not a negated comparison: NaN must fail.
         let limit = S::Unit::ONE.plus(S::Unit::ONE.times(S::Unit::from_f64(0.25)));
         if !components.iter().all(|c| -limit < *c && *c < limit) {
             return Err(ValueError::NotUnit);
@@ -244,7 +244,7 @@ impl<S: Scalar> UnitVec3<S> {
         Self { components }
     }
 
-    /// The stored components in another type, in which the length is only next to one.
+    /// The stored components in another type, in which the length is only nearly 1.
     #[inline(always)]
     pub(crate) fn in_type<R: Including<S>>(self) -> UnitVec3<R> {
         UnitVec3 { components: self.components.map(R::unit_exactly) }

@@ -38,7 +38,7 @@ mod tests {
     use crate::part::Part;
     use crate::scene::Color;
 
-    /// Each reason to look closer, alone and at each corner: in a picture they mostly come together.
+    /// Each reason to refine a pixel, alone and at each corner; in a picture several of them mostly occur together.
     #[test]
     fn corners_differ_by_object_part_lights_or_a_channel() {
         fn check<S: Scalar>() {

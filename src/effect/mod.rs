@@ -25,7 +25,7 @@
 //! *At compile time*: [`Tracer`] and [`Picture`](crate::Picture) have their effects as a type parameter, [`All`] by
 //! default. A program contains no instruction of an effect that is not in this tuple.
 //!
-//! *When a picture is made*: [`Scene::effects`](crate::Scene::effects) tells which effects materials, lights and fog need. If one of them is not
+//! *When a picture is made*: [`Scene::effects`](crate::Scene::effects) returns the effects that materials, lights and fog need. If one of them is not
 //! compiled in, the picture is rejected with an [`EffectError`], since it would be wrong without it.
 //!
 //! *At each hit*: no shadow ray is cast towards a light that is behind the surface or would contribute nothing. No normal is

@@ -4,7 +4,7 @@ use crate::scene::{Counters, Observer};
 
 /// The number of lights in the shadow cache.
 const REMEMBERED: usize = 8;
-/// No object: a scene has fewer objects than this.
+/// Stands for no object: a scene has fewer objects than this.
 const NOBODY: u32 = u32::MAX;
 
 /// Trace context: the counters, a shadow cache and an observer.

@@ -19,7 +19,7 @@ macro_rules! constants {
                 }
             }
 
-            /// [`Frame::from_axes`] in a constant. (The other constructors compute axes, for which they need a root.)
+            /// [`Frame::from_axes`] in a constant. (The other constructors compute axes, for which they need a square root.)
             ///
             /// # Errors
             ///

@@ -48,8 +48,8 @@ impl<'a, S: Scalar> Hierarchy<'a, S> {
 
 /// Makes a tree of the leaves at the end of the list, in place.
 ///
-/// A node is never written over a leaf that is still needed: before the node at a place there are fewer inner nodes than leaves, so that
-/// the leaves that are left begin behind it, or, if it is a leaf, at it.
+/// A node is never written over a leaf that is still needed: before the node at a place there are fewer inner nodes than leaves, so that the
+/// remaining leaves begin after it, or, if it is a leaf, with it.
 fn grow<S: Scalar>(tree: &mut [Node<S>], leaves: u32) {
     let mut written = 0;
     for place in 0..tree.len() {
@@ -72,7 +72,7 @@ fn grow<S: Scalar>(tree: &mut [Node<S>], leaves: u32) {
 /// How many objects are below the node at this place of a tree of `objects` leaves, and how many levels are allowed below it.
 fn below<S: Scalar>(tree: &[Node<S>], place: usize, mut objects: u32) -> (u32, u32) {
     let (mut at, mut levels) = (0, LEVELS);
-    // One step down at a time, from the root.
+    // One step down in each round, from the root.
     while at < place
         && let Some(node) = tree.get(at)
     {
@@ -116,14 +116,14 @@ impl<S: Scalar> Node<S> {
             Placement::Affine(affine) if K::SET.contains(Kind::Affine) => Some(affine.position()),
             _ => None,
         };
-        // Two units of a fixed type, of a float nothing.
+        // Two units of a fixed type; zero for a float.
         let units = sharpness * S::BUDGET.smallest_size.real().scaled(1);
         let (centre, half) = padded(bounds.low, bounds.high, position, units);
         Self { centre, half, objects: 1, object: index }
     }
 }
 
-/// A short cut for the shapes that large scenes consist of, with the same bits: their bounds are sums without rounding.
+/// A faster computation with the same bits, for the shapes of which large scenes consist: their bounds are sums without rounding.
 fn simple_bounds<S: Scalar, K: Kinds>(shape: &Shape<S, K>) -> Option<Bounds<S>> {
     match (shape.placement(), shape.primitive()) {
         (Placement::World, Primitive::Triangle(triangle)) if K::SET.contains(Kind::Triangle) => {
@@ -164,7 +164,7 @@ fn sharpness<S: Scalar, K: Kinds>(shape: &Shape<S, K>) -> Option<S::Real> {
         _ => 0,
     };
     let most = one.scaled(8);
-    // Not the negation: a slope beyond a float's range must fail.
+    // Not the negated comparison: a slope beyond a float's range must fail.
     let sharpness = rim.scaled(placed.min(16));
     if sharpness <= most { Some(sharpness) } else { None }
 }
@@ -185,7 +185,7 @@ fn padded<S: Scalar>(low: Vec3<S>, high: Vec3<S>, position: Option<Vec3<S>>, uni
         largest(pairs(middle, position.real()).map(|(centre, position)| (centre - position).abs()))
     });
     let margin = (largest(reach) + away).scaled(-MARGIN_BITS) + units;
-    // Rounded to nearest, which may be down.
+    // The rounding to nearest may be downwards.
     (centre, reach.map(|reach| S::round(reach + margin).next_up()))
 }
 

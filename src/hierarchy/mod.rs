@@ -1,4 +1,4 @@
-//! Bounding volume hierarchy, so that a ray tests few of many objects: for a [`Scene`](crate::Scene), or for [`Shapes`] without one.
+//! Bounding volume hierarchy, with which a ray tests only few of many objects: for a [`Scene`](crate::Scene), or for [`Shapes`] without a scene.
 //!
 //! | module | what it holds |
 //! |---|---|
@@ -26,7 +26,7 @@ use search::Watch;
 pub struct Node<S> {
     centre: [S; 3],
     half: [S; 3],
-    /// How many objects lie in it.
+    /// The number of objects in it.
     objects: u32,
     /// Of a leaf, the index of its object. Of an inner node, the number of objects in its lower child, and in the top bits the axis along
     /// which that child is lower.
@@ -36,17 +36,17 @@ pub struct Node<S> {
 /// Bits of [`Node::object`] below the axis.
 const AXIS: u32 = 30;
 
-/// How many objects there may be.
+/// The largest number of objects.
 const MOST_OBJECTS: usize = (1 << AXIS) - 1;
 
-/// Levels of a tree below its root, at most: so many nodes wait at once while a ray walks through it.
+/// The largest number of levels of a tree below its root, and of nodes that wait during a traversal.
 const LEVELS: u32 = 40;
 
 impl<S: Scalar> Node<S> {
     /// An unused node.
     pub const EMPTY: Self = Self { centre: [S::ZERO; 3], half: [S::ZERO; 3], objects: 0, object: 0 };
 
-    /// How many objects lie in the lower half.
+    /// The number of objects in the lower child.
     #[inline(always)]
     const fn lower(&self) -> u32 {
         self.object & MOST_OBJECTS as u32

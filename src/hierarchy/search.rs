@@ -7,7 +7,7 @@ use crate::scalar::Scalar;
 use crate::shape::Shaped;
 use crate::tier::Tier;
 
-/// Who counts the tests. `()` does not, at no cost.
+/// Counts the tests. `()` does not count, and costs nothing.
 pub(crate) trait Watch {
     /// A ray is about to be tested against a shape.
     #[inline(always)]
@@ -39,7 +39,7 @@ pub(crate) fn nearest<S: Scalar, T: Tier<S>, W: Watch>(
     let mut test = |index: u32, watch: &mut W| {
         let shape = shapes.get(index as usize)?.shape();
         watch.count_test();
-        // An exact root next to the end of a range is rounded with more care than others: the answer of a shape must not depend on that of another.
+        // The rounding of an exact root close to the end of a range depends on that end: the result of a shape must not depend on that of another.
         let searched = if T::EXACT_ENDS { ray } else { &shortened };
         let hit = shape.nearest_at::<T>(&for_shape(searched, index));
         watch.tested(index, hit.is_some());
@@ -69,7 +69,7 @@ fn sooner<S: Scalar>(a: S, b: S) -> S {
     if a < b { a } else { b }
 }
 
-/// The index of any shape that the ray hits, not necessarily of the nearest. Stops at the first that it finds.
+/// The index of any shape that the ray hits, not necessarily of the nearest: the first one that the search finds.
 #[inline(always)]
 pub(crate) fn occluder<S: Scalar, T: Tier<S>, W: Watch>(
     shapes: &[impl Shaped<S>],

@@ -7,13 +7,13 @@ use crate::scalar::Scalar;
 use crate::shape::{Shape, Shaped};
 use crate::tier::{Stable, Tier};
 
-/// Shapes with a hierarchy of boxes around them: the nearest hit and occlusion of many shapes without a scene, for a program that wants
-/// distances and no picture. It has no camera, no materials and no counters.
+/// Shapes with a hierarchy of boxes around them: the nearest hit and occlusion of many shapes without a scene, for a program that needs distances and
+/// no picture. There is no camera, and there are no materials and counters.
 ///
 /// The list holds [`Shape`]s, of any kind or of chosen ones, or anything else that is [`Shaped`]. The hierarchy is built for the list when the value is
-/// made, and both are borrowed as long as it lives, so that the two always fit together. To move a shape, let it go, change the list and make it again.
+/// made, and both are borrowed as long as it exists, so that they cannot differ. To move a shape, drop the value, change the list and make a new one.
 ///
-/// Every answer has the bits of a loop over the list. A list may be empty; then nothing is hit.
+/// Every result has the same bits as a loop over the list. A list may be empty; then nothing is hit.
 ///
 /// The 64 zones of a range sensor, over 40 posts:
 ///
@@ -40,7 +40,7 @@ use crate::tier::{Stable, Tier};
 ///         *zone = posts.nearest(&ray).map(|(post, hit)| (post, hit.t));
 ///     }
 /// }
-/// // Between the posts of the first two rows, at one of the third.
+/// // Between the posts of the first two rows, it hits one of the third.
 /// assert_eq!(zones[3][3].map(|(post, _)| post), Some(19));
 /// assert!(zones.iter().flatten().flatten().all(|(_, t)| *t > metres(1.875)));
 /// # Ok::<(), raylet::Error>(())

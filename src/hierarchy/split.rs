@@ -13,7 +13,7 @@ use core::mem;
 /// Slices along the axis; a power of two.
 const BINS: usize = 16;
 
-/// A few objects are divided in halves.
+/// So few objects are divided into halves.
 const FEW: usize = 3;
 
 /// The lowest and the highest corner of a box.
@@ -78,7 +78,7 @@ fn cheapest<S: Scalar>(leaves: &[Node<S>], corners: Corners<S>) -> Option<(usize
         let (mut corners, mut count, mut costs) = (nothing(), 0, [S::Real::ZERO; BINS]);
         let mut last = S::Real::ZERO;
         for ((bin, more), cost) in bins.iter().zip(&mut costs).rev() {
-            // Of few objects most slices have none.
+            // If there are few objects, most slices are empty.
             if *more > 0 {
                 (corners, count) = (united(corners, *bin), count + more);
                 last = cost_of(corners, count, size);
@@ -139,7 +139,7 @@ fn cost_of<S: Scalar>([low, high]: Corners<S>, objects: u32, unit: S::Real) -> S
     if objects == 0 {
         return S::Real::ZERO;
     }
-    // In units of the longest edge of all no product leaves the type.
+    // In units of the longest edge of all objects no product is beyond the type.
     let [x, y, z] = pairs(low, high).map(|(low, high)| high.minus(low).real() / unit);
     (x * y + y * z + z * x) * S::Real::from_int(objects as i32)
 }
@@ -158,12 +158,12 @@ pub(super) fn united<S: Scalar>([low, high]: Corners<S>, [other_low, other_high]
     ]
 }
 
-/// Brings the items of the first kind before the others; how many there are.
+/// Moves the items of the first kind before the others, and returns their number.
 fn partition<T>(items: &mut [T], is_first: impl Fn(&T) -> bool) -> usize {
     let mut first = 0;
     for index in 0..items.len() {
         if items.get(index).is_some_and(&is_first) {
-            // Fails where both are one, which stays.
+            // Fails if both are the same item, which stays in place.
             if let Ok([a, b]) = items.get_disjoint_mut([first, index]) {
                 mem::swap(a, b);
             }
@@ -173,14 +173,14 @@ fn partition<T>(items: &mut [T], is_first: impl Fn(&T) -> bool) -> usize {
     first
 }
 
-/// Brings the items that come before the one of rank `rank` before it, and the others behind it (Hoare, *Algorithm 65: find*,
+/// Moves the items that come before the one of rank `rank` before it, and the others after it (Hoare, *Algorithm 65: find*,
 /// 1961). No two may be equal.
 fn select<T: Copy>(items: &mut [T], rank: usize, is_before: impl Fn(&T, &T) -> bool) {
     let (mut first, mut end) = (0, items.len());
     while first + 1 < end {
         let Some(pivot) = items.get(rank).copied() else { return };
         let (mut i, mut j) = (first, end);
-        // Before i is nothing that comes after the pivot, from j on nothing that comes before it.
+        // No item before i comes after the pivot, and no item from j on comes before it.
         while i < j {
             while items.get(i).is_some_and(|item| is_before(item, &pivot)) {
                 i += 1;

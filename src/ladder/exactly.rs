@@ -1,7 +1,7 @@
 //! The numbers of the tier `Exact`.
 //!
-//! Fixed point begins with the fast path in its own integers, with guards that let nothing uncertain pass. Floats begin with that of doubles, which is the
-//! second step of fixed point. What these cannot decide is computed in ever wider numbers, until every sign is certain.
+//! Fixed point begins with the fast path in its own integers, with guards that only certain results pass. Floats begin with the fast path in doubles,
+//! which is the second step of fixed point. Rays that these cannot decide are computed in wider and wider numbers, until every sign is certain.
 
 use super::{climb, fast_or_rare, holds};
 use crate::exact::{Certain, Effort, Exact};
@@ -73,8 +73,8 @@ pub(crate) fn effort<S: Certain, G: Geometry<S>>(geometry: &G, place: &impl Plac
     }
 }
 
-/// True if the fast path of `Exact` computes in doubles, and not in the type's own integers: for floats, and through an affine placement, for which
-/// the guards of integers let uncertain decisions pass.
+/// True if the fast path of `Exact` computes in doubles, and not in the type's own integers: for floats, and for affine placements, for which
+/// uncertain decisions may pass the guards of integers.
 #[inline(always)]
 const fn starts_in_doubles<S: Scalar, P: Place<S>>(_: &P) -> bool {
     S::RELATIVE || P::STRETCHES
@@ -88,7 +88,7 @@ impl Guards for Certainly {
     const STRICT: bool = true;
 }
 
-/// The fast path of `Exact`: that of doubles. Its guards assume 40 correct bits of 53, so that what they decide is certain.
+/// The fast path of `Exact`: that of doubles. Its guards assume 40 correct bits of 53, so that their decisions are certain.
 #[inline(always)]
 fn fast_in_doubles<S: Certain, G: Geometry<S>>(
     geometry: &G,
@@ -120,7 +120,7 @@ fn fast_in_integers<S: Scalar, G: Geometry<S>>(
 ) -> Attempt<Intersection<S>> {
     let intersection = found!(fast_or_rare::<S, Certainly, G>(geometry, place, ray));
     let (start, end) = (ray.range().start(), ray.range().end());
-    // The order of an end and the range's, which the rounding of `t` must not decide; nor whether an exit is ahead of the surface that the ray
+    // The rounding of `t` must decide neither the order of an end and an end of the range, nor whether an exit is ahead of the surface that the ray
     // departs from. A missing end is infinite.
     let is_certain = |t: S| {
         let is_doubtful = |bound: S| S::are_doubtful(t, bound);
@@ -137,7 +137,7 @@ fn fast_in_integers<S: Scalar, G: Geometry<S>>(
 #[inline(always)]
 fn is_close(t: f64, bound: f64) -> bool {
     const PART: f64 = 1.0 / (1u32 << 30) as f64;
-    // A missing end is infinite, and compares false.
+    // A missing end is infinite, for which the comparison is false.
     (t - bound).abs() <= t.abs() * PART && t.is_finite()
 }
 

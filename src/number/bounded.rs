@@ -34,7 +34,7 @@ impl<W: Word> Bounded<W> {
         Self { value, error: EXACT }
     }
 
-    /// The highest bits of a number.
+    /// The highest bits of a number, with an error bound if bits were cut off.
     pub(super) fn cut_off((value, is_cut): (Limbs<W>, bool)) -> Self {
         Self { value, error: cut(&value, is_cut) }
     }
@@ -44,7 +44,7 @@ impl<W: Word> Bounded<W> {
         let (value, is_cut) = self.value.total::<true>(&other.value);
         let mut total = Total::NONE.with(self.error).with(other.error);
         if is_cut {
-            // The shorter term where the sum ends, and the sum itself.
+            // The error of the shorter term, cut off where the sum ends, and that of the sum itself.
             let top = self.value.exponent().max(other.value.exponent());
             total = total.with(top - 2 * Limbs::<W>::BITS + 4).with(value.exponent() - Limbs::<W>::BITS);
         }
@@ -127,7 +127,7 @@ impl<W: Word> Ring for Bounded<W> {
             top = top.max(a.value.exponent() + b.value.exponent());
         }
         if is_cut {
-            // Each term where the sum ends (at most four, with three bits of room above), and the sum itself.
+            // The errors of the terms, cut off where the sum ends (at most four terms, with three bits of room above), and that of the sum itself.
             total = total.with(top - 2 * Limbs::<W>::BITS + 5).with(value.exponent() - Limbs::<W>::BITS);
         }
         Self { value, error: total.exponent() }
@@ -161,9 +161,10 @@ impl<W: Word> Estimate for Bounded<W> {
     #[inline]
     fn over(self, other: Self) -> Self {
         let value = self.value.quotient(&other.value);
-        // Residuals leave an error of a few of the last places, beside the rounding.
+        // The residual steps leave an error of a few units in the last place, in addition to the rounding.
         let own = value.exponent() - Limbs::<W>::BITS + W::SPARE as i32 + 1;
-        // (error + |quotient| error') / |divisor|, whose magnitude is at least 2^(top - 1) less its error, which is below half of that.
+        // (error + |quotient| error') / |divisor|, where the magnitude of the divisor is at least 2^(top - 1) minus its error, and the error is less
+        // than half of that.
         let inherited = Total::NONE.with(self.error).with(times(value.exponent(), other.error)).exponent();
         Self { value, error: Total::NONE.with(own).with(times(2 - other.value.exponent(), inherited)).exponent() }
     }

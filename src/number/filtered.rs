@@ -29,7 +29,7 @@ impl Filtered {
         Self::guarded(value, value.abs())
     }
 
-    /// A number that may underflow gets an infinite magnitude, and so does every result that is computed from it.
+    /// A number that may underflow gets an infinite magnitude, and so does every result computed from it.
     #[inline(always)]
     fn guarded(value: f64, magnitude: f64) -> Self {
         Self { value, magnitude: if magnitude < SMALLEST && magnitude != 0.0 { f64::INFINITY } else { magnitude } }
@@ -86,7 +86,7 @@ fn sign(value: f64, error: f64) -> Option<Ordering> {
     } else if value < -error {
         Some(Ordering::Less)
     } else if error == 0.0 {
-        // No term of it is other than zero.
+        // All its terms are zero.
         Some(Ordering::Equal)
     } else {
         None
@@ -167,8 +167,8 @@ impl Estimate for Rounded {
     fn over(self, other: Self) -> Self {
         let inverse = 1.0 / other.value;
         let value = self.value * inverse;
-        // (error + |quotient| error') / (|divisor| - error'), whose divisor is at least half of |divisor| or not known. The quotient
-        // has two roundings more.
+        // (error + |quotient| error') / (|divisor| - error'), where |divisor| - error' is at least half of |divisor|, or the quotient is unknown. The
+        // quotient has two further roundings.
         let inherited = 2.0 * ((self.error + value.abs() * other.error) * inverse.abs() + value.abs() * f64::EPSILON);
         let is_known = 2.0 * other.error <= other.value.abs();
         Self::new(value, if is_known { inherited } else { f64::INFINITY })
@@ -197,7 +197,7 @@ fn top(value: f64) -> i32 {
     ((value.to_bits() >> 52) & 0x7ff) as i32 - 1022
 }
 
-/// `2^e`; not a number, of which nothing is known, where that is beyond normal numbers.
+/// `2^e`; beyond normal numbers NaN, whose sign is unknown.
 #[inline(always)]
 fn scale(e: i32) -> f64 {
     if (-1022..=1023).contains(&e) { power_of_two(e) } else { f64::NAN }

@@ -9,11 +9,11 @@ use core::cmp::Ordering;
 
 /// Limbs of an integer that holds every polynomial of the solvers over `f32`.
 ///
-/// A coordinate spans 277 binary places; a local one, of which a row of an affine inverse is a factor, at most 690. The widest
+/// A coordinate spans 277 binary places, a local coordinate, which has a row of an affine inverse as a factor, at most 690. The widest
 /// polynomial is that of a frustum where the line crosses a plane, of less than 3,900 places.
 pub(crate) const FLOAT_LIMBS: usize = 128;
-/// The same over 32-bit fixed types: a local coordinate has 66 places, and the rows of an affine inverse lie up to 124
-/// apart; the widest polynomial spans some 640.
+/// The same over 32-bit fixed types: a local coordinate has 66 places, and the exponents of the rows of an affine inverse differ by up to 124; the
+/// widest polynomial spans some 640.
 #[cfg(feature = "fixed")]
 pub(crate) const FIXED_LIMBS: usize = 32;
 
@@ -49,14 +49,14 @@ impl<const N: usize> Integer<N> {
         }
     }
 
-    /// Counts the limbs in use, and drops lowest ones of zero.
+    /// Counts the limbs in use, and drops the lowest limbs that are zero.
     fn trimmed(mut self) -> Self {
         let Some(highest) = self.limbs.iter().rposition(|limb| *limb != 0) else {
             return Self::NOTHING;
         };
         let lowest = self.limbs.iter().position(|limb| *limb != 0).unwrap_or(0);
         if lowest > 0 {
-            // Up to the end, though all above the highest are zero: a range that cannot be empty needs no panic.
+            // Up to the end, although all limbs above the highest are zero: a range that cannot be empty has no panic path.
             self.limbs.copy_within(lowest.., 0);
             let used = highest + 1 - lowest;
             self.limbs.iter_mut().skip(used).for_each(|limb| *limb = 0);

@@ -1,10 +1,9 @@
 //! Floating-point numbers made of integers: the same bits on every machine.
 //!
-//! A number is a sign, a mantissa whose top bit is set, and an exponent of 32 bits, so that nothing overflows or underflows in a
-//! solver. Results are truncated towards zero, so that mirrored rays have mirrored results; the error of an operation is less than one unit in
-//! the last place. The basic operation is a *sum of products*: products are computed in twice the width, added, and truncated once (like the
-//! "long accumulator" of Kulisch, *Advanced Arithmetic for the Digital Computer*, 2002, but of fixed width). If products cancel, the bits that
-//! remain are exact.
+//! A number is a sign, a mantissa whose top bit is set, and an exponent of 32 bits, so that no number of a solver overflows or underflows. Results
+//! are truncated towards zero, so that mirrored rays have mirrored results; the error of an operation is less than one unit in the last place. The
+//! basic operation is a *sum of products*: products are computed in twice the width, added, and truncated once (like the "long accumulator" of
+//! Kulisch, *Advanced Arithmetic for the Digital Computer*, 2002, but of fixed width). If products cancel, the bits that remain are exact.
 
 use super::Ring;
 use super::word::{Wide, Word};
@@ -21,7 +20,7 @@ pub struct Limbs<W> {
 /// The exponent of zero: below that of any number of the solvers, and far from the limit of its type.
 pub(super) const ZERO_EXPONENT: i32 = -(1 << 28);
 
-/// Bits above a product in a sum: four of them stay below the sign.
+/// Bits above a product in a sum, so that a sum of four products does not reach the sign.
 const HEADROOM: u32 = 3;
 
 impl<W: Word> Limbs<W> {
@@ -38,8 +37,8 @@ impl<W: Word> Limbs<W> {
         Self { mantissa, exponent: exponent + 64 - zeros as i32, negative }
     }
 
-    /// From words of which the highest may be zero, the lowest first: their highest bits, and whether others were lost. The words are an
-    /// integer times `2^exponent`.
+    /// The highest bits of an integer times `2^exponent`, and whether other bits were lost. The integer is given as words, the lowest first; the
+    /// highest words may be zero.
     pub(crate) fn from_words(words: &[u32], exponent: i32, negative: bool) -> (Self, bool) {
         let Some(top) = words.iter().rposition(|word| *word != 0) else {
             return (Self::ZERO, false);
@@ -85,7 +84,7 @@ impl<W: Word> Limbs<W> {
             return Some(0);
         }
         let all = self.mantissa.highest();
-        // Shifted twice: all of it may be above the unit, or below.
+        // Two shifts, since all bits may be above the unit, or below it.
         let whole = (all >> 1 >> (127 - bits)) as u64;
         let fraction = all << bits;
         let half = 1 << 127;
@@ -177,18 +176,18 @@ impl<W: Word> Limbs<W> {
         finished(sum, top, is_cut)
     }
 
-    /// `self / divisor` to the last places; zero for a divisor of zero.
+    /// `self / divisor`, accurate to a few units in the last place; zero for a divisor of zero.
     #[inline(never)]
     pub(crate) fn quotient(&self, divisor: &Self) -> Self {
         if self.is_zero() || divisor.is_zero() {
             return Self::ZERO;
         }
-        // Halved, it is surely below the divisor.
+        // Half of it is certainly less than the divisor.
         let quotient = (self.mantissa >> 1).quotient(divisor.mantissa);
         Self::shortened(quotient, self.exponent - divisor.exponent + 1, self.negative != divisor.negative)
     }
 
-    /// The square root of the magnitude to the last places.
+    /// The square root of the magnitude, accurate to a few units in the last place.
     #[inline(never)]
     pub(crate) fn root(&self) -> Self {
         if self.is_zero() {
@@ -200,8 +199,8 @@ impl<W: Word> Limbs<W> {
         Self::shortened(mantissa.root(), (self.exponent + is_odd as i32) >> 1, false)
     }
 
-    /// From a mantissa with or without its highest bit, rounded to a few bits less, so that a quotient or a root with few bits is exact, and
-    /// a tie is a tie.
+    /// The number with this mantissa, whose highest bit may be missing. It is rounded to a few bits fewer, so that a quotient or a root with few bits
+    /// is exact, and a tie is a tie.
     #[inline(always)]
     fn shortened(mantissa: W, exponent: i32, negative: bool) -> Self {
         let zeros = mantissa.leading_zeros();
@@ -210,13 +209,13 @@ impl<W: Word> Limbs<W> {
             Some(rounded) => {
                 Self { mantissa: rounded >> W::SPARE << W::SPARE, exponent: exponent - zeros as i32, negative }
             }
-            // All bits were ones.
+            // All bits were ones: the rounding carries.
             None => Self { mantissa: W::TOP, exponent: exponent - zeros as i32 + 1, negative },
         }
     }
 }
 
-/// A product with this exponent, aligned for a sum whose terms are all below `2^top`, and whether bits of it were lost.
+/// A product with this exponent, aligned for a sum whose terms are all less than `2^top`, and whether bits of it were lost.
 #[inline(always)]
 fn term<V, D: Wide<V>, const CHECK: bool>(product: D, top: i32, exponent: i32, negative: bool) -> (D, bool) {
     let down = top.wrapping_sub(exponent) as u32 + HEADROOM;

@@ -1,6 +1,6 @@
 //! Products, reciprocals and roots of machine words, by multiplications alone.
 //!
-//! The fast path of fixed point uses all of them, the robust number some.
+//! The fast path of fixed point uses all of these functions, the robust number some of them.
 #![cfg_attr(
     not(feature = "fixed"),
     expect(dead_code, reason = "without fixed point only the robust number needs them")
@@ -67,7 +67,7 @@ pub(crate) fn square(a: i32) -> i64 {
     a as i64 * a as i64
 }
 
-/// `a * a`, as [`product`], with one product less.
+/// `a * a` as in [`product`], with one product fewer.
 #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
 #[inline(always)]
 pub(crate) fn square(a: i32) -> i64 {
@@ -123,7 +123,7 @@ const RECIPROCAL: [u8; 256] = {
     table
 };
 
-/// `1 / sqrt(m)` in units of 2^-16, to 14 bits and never more, for `m = high / 2^32` in [1/4, 1): by a table for 8 bits and a Newton
+/// `1 / sqrt(m)` in units of 2^-16, accurate to 14 bits and never too large, for `m = high / 2^32` in [1/4, 1): by a table for 8 bits and a Newton
 /// step.
 #[inline(always)]
 pub(crate) fn reciprocal_root(high: u32) -> u32 {
@@ -137,19 +137,19 @@ pub(crate) fn reciprocal_root(high: u32) -> u32 {
 
 /// The square root of `high * 2^32 + low`, which must have one of its two top bits set: rounded down, or one less.
 ///
-/// A reciprocal root of 14 bits, then the root by two steps with that: remainder over twice the root (Markstein, *IA-64 and
+/// A reciprocal root of 14 bits, and with it two steps for the root: remainder over twice the root (Markstein, *IA-64 and
 /// Elementary Functions*, 2000, chapter 8, here in integers). Multiplications only.
 #[inline]
 pub(crate) fn root_of_normalized(high: u32, low: u32) -> u32 {
     // m = high / 2^32
     let y = reciprocal_root(high);
-    // sqrt(m) = m y, in units of 2^-16; never more than it, since m is rounded down, and so is y.
+    // sqrt(m) = m y, in units of 2^-16; never too large, since m and y are rounded down.
     let root = (high >> 16).wrapping_mul(y >> 1) >> 15;
-    // (m - root^2) / (2 root), in units of 2^-32. The step can go too far by a few: 32 less is surely too little.
+    // (m - root^2) / (2 root), in units of 2^-32. The step may be too large by a few units: after subtracting 32 the root is certainly not too large.
     let rest = (high.wrapping_sub(root * root) << 11) | (low >> 21);
     let step = (high_product(rest, y) << 4) | (rest.wrapping_mul(y) >> 28);
     let root = ((root << 16) + step).wrapping_sub(32);
-    // Once more, for the last bits.
+    // A second step for the last bits.
     let (below, borrow) = low.overflowing_sub(root.wrapping_mul(root));
     let above = high.wrapping_sub(high_product(root, root)).wrapping_sub(borrow as u32);
     let rest = (above << 11) | (below >> 21);
@@ -166,9 +166,9 @@ pub(crate) fn reciprocal_of_normalized(n: u32) -> u32 {
     let y = (y << 8).wrapping_add(((y as i32).wrapping_mul(lack >> 8) >> 16) as u32);
     // 1 - m y in units of 2^-40
     let lack = (((high_product(n, y) << 24) | (n.wrapping_mul(y) >> 8)) as i32).wrapping_neg();
-    // The step can go a little too far: 8 less is surely too little.
+    // The step may be a little too large: after subtracting 8 the reciprocal is certainly not too large.
     let y = (y << 15).wrapping_add((product(lack, y as i32) >> 25) as u32).wrapping_sub(8);
-    // Once more, for the last bits: 2^63 - n y, a few units of 2^32, in units of 2^24
+    // A last step: 2^63 - n y, which is a few units of 2^32, in units of 2^24
     let lack = ((1_u32 << 31).wrapping_sub(high_product(n, y)) << 8).wrapping_sub(n.wrapping_mul(y) >> 24);
     y.saturating_add(lack.wrapping_mul(y >> 16) >> 23)
 }
@@ -198,8 +198,8 @@ pub(crate) fn leading_zeros(n: u32) -> u32 {
     n.leading_zeros()
 }
 
-/// The leading zeros of a number that is not zero, by halves: these chips have no instruction for it, and the compiler counts
-/// bits one way or the other with twice as many.
+/// The leading zeros of a number that is not zero, by halves: these chips have no instruction for it, and the compiler's own code has twice as many
+/// instructions.
 #[cfg(any(all(target_arch = "arm", not(target_has_atomic = "32")), target_arch = "riscv32"))]
 #[inline(always)]
 pub(crate) fn leading_zeros(mut n: u32) -> u32 {
@@ -216,7 +216,7 @@ pub(crate) fn leading_zeros(mut n: u32) -> u32 {
         n <<= 4;
         zeros += 4;
     }
-    // Those of four bits, two bits each.
+    // The leading zeros of four bits, from a table with two bits each.
     zeros + ((0x55af_u32 >> (2 * (n >> 28))) & 3)
 }
 

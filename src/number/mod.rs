@@ -11,7 +11,7 @@
 //! | [`Bounded`] | unknown if the value is within its error bound of zero | `Exact`, where a sign is unknown in [`Filtered`] |
 //! | [`Integer`] | always certain | `Exact`, where a sign is unknown in [`Bounded`] |
 //!
-//! All tiers take a fast path before that, in the number type's own width. It does not use these numbers.
+//! Before that all tiers take a fast path in the number type's own width, which does not use these numbers.
 
 /// The operators of a number with the methods `plus`, `negative` and `times`.
 macro_rules! operators {

@@ -79,7 +79,7 @@ fn check_quotients_and_roots<W: Word>(seed: u64) {
     let mut random = Random(seed);
     let unit = |value: &Limbs<W>| value.exponent() - Limbs::<W>::BITS;
     for round in 0..5_000 {
-        // At the ends of the mantissa's range too.
+        // Also at the ends of the mantissa's range.
         let mut mantissa = || match round % 5 {
             0 => u64::MAX - random.next() % 5,
             1 => (1 << 63) + random.next() % 5,
@@ -88,7 +88,7 @@ fn check_quotients_and_roots<W: Word>(seed: u64) {
         let n = Limbs::<W>::from_integer(mantissa(), (random.next() % 200) as i32 - 100, round & 1 != 0);
         let (d, _) = n.product(&Limbs::from_integer(random.next() | 1, -70, round & 2 != 0));
         let q = n.quotient(&d);
-        // n - q d is below a few last places of q times d.
+        // n - q d is less than a few units in the last place of q, times d.
         let (rest, _) = Limbs::sum_of_products::<2, true>(&[[n, Limbs::ONE], [q.negative(), d]]);
         assert!(
             rest.is_zero() || rest.exponent() <= unit(&q) + d.exponent() + W::SPARE as i32 + 1,

@@ -8,18 +8,18 @@ use core::ops::{Shl, Shr};
 pub trait Word: Copy + Ord + Debug + Shl<u32, Output = Self> + Shr<u32, Output = Self> + Send + Sync + 'static {
     /// An integer of twice as many bits, and a sign.
     type Wide: Wide<Self>;
-    /// Its bits.
+    /// The number of its bits.
     const BITS: u32;
-    /// No bit.
+    /// Zero: no bit is set.
     const ZERO: Self;
     /// The highest bit.
     const TOP: Self;
 
-    /// From 128 bits, the lowest of which may be lost.
+    /// The word with the highest of these 128 bits; the lowest may be lost.
     fn from_highest(bits: u128) -> Self;
-    /// From its highest 64 bits.
+    /// The word with these highest 64 bits.
     fn from_word(bits: u64) -> Self;
-    /// As the highest of 128 bits.
+    /// The word as the highest of 128 bits.
     fn highest(self) -> u128;
     /// Zeros above the highest bit.
     fn leading_zeros(self) -> u32;
@@ -29,15 +29,15 @@ pub trait Word: Copy + Ord + Debug + Shl<u32, Output = Self> + Shr<u32, Output =
     fn checked_plus(self, other: Self) -> Option<Self>;
     /// `self * other`
     fn product(self, other: Self) -> Self::Wide;
-    /// `self 2^BITS / divisor` but for some units, for a divisor with its highest bit that is larger.
+    /// `self * 2^BITS / divisor` with an error of some units, for a larger divisor whose highest bit is set.
     fn quotient(self, divisor: Self) -> Self;
-    /// `sqrt(self 2^BITS)` but for some units, for a number with one of its two highest bits.
+    /// `sqrt(self * 2^BITS)` with an error of some units, for a number with one of its two highest bits set.
     fn root(self) -> Self;
 }
 
 /// A sum of products of words.
 pub trait Wide<W>: Copy {
-    /// Nothing.
+    /// Zero.
     const ZERO: Self;
     /// `word * 2^BITS`
     fn from_high(word: W) -> Self;
@@ -53,7 +53,7 @@ pub trait Wide<W>: Copy {
     fn is_negative(self) -> bool;
     /// True at zero.
     fn is_zero(self) -> bool;
-    /// The highest bits, how many zeros stand above them, and whether bits are below them; not for zero.
+    /// The highest bits, the number of zeros above them, and whether a bit below them is set; not for zero.
     fn normalized(self) -> (W, u32, bool);
 }
 
@@ -89,7 +89,7 @@ impl Word for u64 {
         full_product(self, other)
     }
 
-    /// By a reciprocal of 30 bits: each residual adds as many.
+    /// By a reciprocal of 30 bits: each residual step adds 30 bits.
     #[inline]
     fn quotient(self, divisor: Self) -> Self {
         let reciprocal = reciprocal_of_normalized((divisor >> 32) as u32);
@@ -97,7 +97,7 @@ impl Word for u64 {
         let first = full_product(self, reciprocal as u64) >> 31;
         let first = if first >> 64 == 0 { first as u64 } else { Self::MAX };
         let residual = (self as u128).wrapping_shl(64).wrapping_sub(full_product(first, divisor)) as i128;
-        // Below 2^99: its highest 64 bits, and the quotient of those.
+        // The residual is less than 2^99: the quotient of its highest 64 bits is taken.
         let step = |residual: i128| {
             let magnitude = (residual.unsigned_abs() >> 40) as u64;
             let quotient = (full_product(magnitude, reciprocal as u64) >> 55) as u64;
@@ -111,7 +111,7 @@ impl Word for u64 {
     /// From a root of 32 bits, by `s + (n - s^2) / 2 s`.
     #[inline]
     fn root(self) -> Self {
-        // It may be one less than the root, and then without its top bit.
+        // It may be one less than the root, so that its top bit is missing.
         let high = root_of_normalized((self >> 32) as u32, self as u32).max(1 << 31);
         let reciprocal = reciprocal_of_normalized(high) as u64;
         let step = |root: u64| {
@@ -252,7 +252,7 @@ impl Word for u128 {
             let magnitude = if negative { residual.negated() } else { residual };
             let (word, zeros, _) = if magnitude.is_zero() { (0, 0, false) } else { magnitude.normalized() };
             let step = full_product((word >> 64) as u64, reciprocal);
-            // As for a quotient by s, and half of it.
+            // As for a quotient by s, halved.
             let step = if (1..129).contains(&zeros) { step >> (zeros - 1) } else { 0 };
             root = if negative { root.wrapping_sub(step) } else { root.saturating_add(step) };
         }

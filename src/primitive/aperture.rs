@@ -5,8 +5,9 @@ use super::{Cone, SizeError};
 use crate::scalar::{Real, Scalar, UnitScalar, ValueError};
 
 impl<S: Scalar> Cone<S> {
-    /// The slope of a cone whose aperture, the angle at the apex between opposite generators, is so many degrees: `tan(aperture / 2)`, for the
-    /// constructors that take a slope. It is good to a few units of the number type, next to 180 degrees to as many as rounding the angle takes.
+    /// The slope of a cone whose aperture, the angle at the apex between opposite generators, is this number of degrees: `tan(aperture / 2)`, for the
+    /// constructors that take a slope. It is accurate to a few units of the number type; close to 180 degrees the rounding of the angle has a larger
+    /// effect.
     ///
     /// # Errors
     ///
@@ -19,7 +20,7 @@ impl<S: Scalar> Cone<S> {
     /// # Ok::<(), raylet::Error>(())
     /// ```
     pub fn slope_of_aperture(aperture: S) -> Result<S, SizeError> {
-        // A NaN compares false.
+        // The comparison is false for NaN.
         let is_angle = aperture > S::ZERO && aperture.real() < S::Real::from_int(180);
         if !is_angle {
             return Err(SizeError::Slope(ValueError::of_size(aperture, S::BUDGET.smallest_slope)));

@@ -1,6 +1,6 @@
 //! The cone about the y axis.
 //!
-//! The quadric, and why no slope is ever rounded, is in `outline`.
+//! `outline` describes the quadric, and why no slope is rounded.
 
 use super::outline::{Outline, Profile, checked_slope};
 use super::{Geometry, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates};
@@ -276,7 +276,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         match self.extent {
             Extent::Open(_) => return Attempt::Unsure,
             Extent::Double => {
-                // The chord stays in the nappe that it begins in. The lower one is the upper one seen in a mirror.
+                // The chord stays in the nappe in which it begins. The lower nappe is the mirror image of the upper one.
                 let line = if line.origin[1] < S::ZERO { line.mirrored() } else { *line };
                 let exit = found!(S::fast_exit_from_nappe(&line, self.fast_outline()));
                 return Attempt::Found(End::new(exit, Part::Side));
@@ -292,8 +292,8 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         let side = End::new(side, Part::Side);
         let Extent::Capped(height) = self.extent else { return Attempt::Found(side) };
         let slab = found!(self.fast_slab(line, height));
-        // An end of the nappe that is not certain must be cut off by the slab. One that follows from the rounded coordinates of a start on a
-        // cap may be some units more off than is promised of floats.
+        // An end of the nappe that is not certain must be cut off by the slab. The error of an end that follows from the rounded coordinates of a
+        // start on a cap may be some units larger than promised for floats.
         let is_good = is_certain && (from == Part::Side || line.is_doubled || !S::RELATIVE);
         if is_good || slab.span.exit.t < side.t { slab.exit(side, from) } else { Attempt::Unsure }
     }
@@ -340,7 +340,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
                     let point = Vec3 { y, ..point };
                     return height.map_or(point, |height| coordinates::between(point, height));
                 }
-                // So flat that its height rounds to zero beside its radii: any circle between them will do.
+                // The frustum is so flat that its height rounds to zero relative to its radii: any circle between them may be chosen.
                 let radius = if profile.h.is_zero() {
                     self.base_radius().real()
                 } else {

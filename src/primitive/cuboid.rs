@@ -63,7 +63,7 @@ impl<S: Scalar> Cuboid<S> {
     }
 }
 
-/// The face across this axis by which a line along `d` enters or leaves.
+/// The face perpendicular to this axis by which a line along `d` enters or leaves.
 #[inline(always)]
 fn face<U: UnitScalar>(axis: usize, d: [U; 3], leaves: bool) -> Part {
     let [across_x, across_z, across_y] = FACES;
@@ -114,7 +114,7 @@ impl<S: Scalar> Geometry<S> for Cuboid<S> {
 
     #[inline(always)]
     fn fast_exit<T: Guards>(&self, line: &LocalLine<S>, from: Part) -> Attempt<End<S>> {
-        // Otherwise it leads along the face that it starts on, or out at once, whatever its rounded coordinates say.
+        // Otherwise it leads along the face on which it starts, or leaves at once, whatever its rounded coordinates are.
         let leads_in = |axis: usize| line.direction[axis] != S::Unit::ZERO && face(axis, line.direction, false) == from;
         if !(0..3).any(leads_in) {
             return Attempt::Unsure;
@@ -192,7 +192,7 @@ mod tests {
     use crate::tier::Stable;
     use fixed::types::{I16F16, I32F32};
 
-    /// Rays from a few units away at a cuboid and at a rectangle: how many in a hundred the fast path leaves to the solver.
+    /// For rays from a few units away at a cuboid and at a rectangle, the percentage that the fast path leaves to the solver.
     fn unsure<S: Scalar>() -> [usize; 2] {
         let n = |value: f64| S::from_f64(value).expect("within the type");
         let brick = Cuboid::new([n(1.25), n(0.75), n(1.0)]).expect("sizes");

@@ -92,7 +92,7 @@ pub enum SizeError {
 }
 
 impl SizeError {
-    /// The message, in a constant too.
+    /// The message; also for constants.
     pub const fn message(self) -> &'static str {
         match self {
             Self::Radius(error) => with_fault!("the radius ", error),
@@ -115,7 +115,7 @@ impl core::error::Error for SizeError {}
 
 /// A positive size inside the budget.
 fn checked_size<S: Scalar>(size: S, error: fn(ValueError) -> SizeError) -> Result<S, SizeError> {
-    // A NaN compares false.
+    // The comparison is false for NaN.
     if size >= S::BUDGET.smallest_size && size <= S::BUDGET.size {
         Ok(size)
     } else {

@@ -55,7 +55,7 @@ impl<R: Real> Profile<R> {
 
 /// The outline of a cone of this slope, if that is within the budget.
 pub(super) fn checked_slope<S: Scalar>(slope: S) -> Result<Outline<S>, SizeError> {
-    // A NaN compares false.
+    // The comparison is false for NaN.
     if slope >= S::BUDGET.smallest_slope && slope <= S::BUDGET.slope {
         Ok(Outline::Slope(slope))
     } else {

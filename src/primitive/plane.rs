@@ -64,7 +64,7 @@ impl<S: Scalar> Geometry<S> for Plane<S> {
         }
     }
 
-    /// Moving away from the plane: no.
+    /// False if the line leads away from the plane.
     #[inline(always)]
     fn fast_occlusion<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<()> {
         let (y, dy) = (line.origin[1], line.direction[1]);

@@ -75,7 +75,7 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
         place.fast_ball_line(ray)
     }
 
-    /// Its line is only moved, and needs no finer units.
+    /// The line is only translated, and needs no finer units.
     #[inline(always)]
     fn fit(&self, _: &mut LocalLine<S>) {}
 
@@ -133,7 +133,7 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
 
 /// The angle from the lowest point, as a fraction of half a turn.
 pub(super) fn latitude<S: Scalar>(point: Vec3<S>) -> S::Unit {
-    // Near 1 no square overflows.
+    // Scaled to near 1, so that no square overflows.
     let e = S::binary_exponent(largest([point.x, point.y, point.z]));
     let [x, y, z] = point.to_array().map(|component| component.scaled(-e).real());
     let from_axis = (x * x + z * z).sqrt();

@@ -1,4 +1,4 @@
-//! Primitives as they are stored: by constructor and sizes, which the constructor checks on the way in.
+//! Primitives as they are stored: by constructor and sizes, which the constructor checks when they are read.
 
 use super::outline::Outline;
 use super::{Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, SizeError, Sphere, Triangle, cone, cylinder};
@@ -165,7 +165,7 @@ stored!(
             AnyCone::FrustumOpen(Radii { base_radius, top_radius, height })
         }
         (Outline::Slope(slope), cone::Extent::Double) => AnyCone::Double { slope },
-        // A frustum has no other extent than open and capped.
+        // The extent of a frustum is open or capped.
         (Outline::Radii(base_radius, top_radius, height), _) => {
             AnyCone::Frustum(Radii { base_radius, top_radius, height })
         }

@@ -11,13 +11,13 @@ pub(super) fn azimuth<S: Scalar>(point: Vec3<S>) -> S::Unit {
     S::turns(-point.z.real(), point.x.real())
 }
 
-/// `part / whole` clamped to `[0, 1]`; zero if the whole is.
+/// `part / whole` clamped to `[0, 1]`; zero if `whole` is zero.
 pub(crate) fn fraction<S: Scalar>(part: S::Real, whole: S::Real) -> S::Unit {
     if whole.is_zero() {
         return S::Unit::ZERO;
     }
     let fraction = S::unit_round(part / whole);
-    // If the products of sizes overflow, this is a NaN, which compares false.
+    // If the products of sizes overflow, this is NaN, for which the comparison is false.
     if fraction > S::Unit::ONE {
         S::Unit::ONE
     } else if fraction > S::Unit::ZERO {

@@ -17,7 +17,7 @@ use crate::ray::Ray;
 use crate::scalar::{Attempt, Including, LocalLine, Real, Scalar, found, largest};
 use crate::vector::{UnitVec3, Vec3, cross};
 
-/// A triangle, its edges included; an open surface whose front is where its vertices run counter-clockwise.
+/// A triangle, its edges included; an open surface. Its front is the side from which its vertices are in counter-clockwise order.
 ///
 /// ```
 /// use raylet::{Crossing, Ray, Triangle, UnitVec3, Vec3};
@@ -111,7 +111,7 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
         place.fast_line_near(ray, self.vertices[0])
     }
 
-    /// Nothing: the triangle's fast path reduces the bits of the origin itself if it must.
+    /// Does nothing: the triangle's fast path itself reduces the bits of the origin if necessary.
     #[inline(always)]
     fn fit(&self, _: &mut LocalLine<S>) {}
 

@@ -4,8 +4,8 @@
 //! products, are exact. Only when a product would need more than the double width is an operand reduced to half the width, rounded to
 //! nearest: a relative error of at most 2^-32 (2^-64 for the wide block). Blocks never overflow: the exponent has 32 bits.
 //!
-//! Square root and quotient are made here from integers, normalised by leading zeros. The macro makes the same code for
-//! three widths; the smallest is small enough to be tested on every operand.
+//! Square roots and quotients are computed from integers, normalised by their leading zeros. The macro makes the same code for three widths; the
+//! smallest is small enough to be tested on every operand.
 
 use super::{Real, sealed::Sealed};
 use crate::number::Ring;
@@ -28,7 +28,7 @@ macro_rules! block {
         }
 
         impl $Block {
-            /// Bits of a factor that is multiplied without loss, however long the other one is.
+            /// Bits of a factor that is multiplied exactly, however long the other factor is.
             const HALF: u32 = $bits / 2 - 1;
 
             /// `mantissa * 2^exponent`, exactly; the mantissa's magnitude must not exceed `2^($bits - 2)`.
@@ -190,7 +190,7 @@ macro_rules! block {
                 if down > 0 {
                     low.mantissa = shift_right_rounded!(low.mantissa, down);
                 }
-                // Two magnitudes of at most 2^(bits - 2) can meet the sign bit only if both are that power of two.
+                // The sum of two magnitudes of at most 2^(bits - 2) reaches the sign bit only if both are that power of two.
                 match high.mantissa.checked_add(low.mantissa) {
                     Some(sum) if sum.unsigned_abs() <= 1 << ($bits - 2) => Self::new(sum, high.exponent),
                     Some(sum) => Self::new(shift_right_rounded!(sum, 1), high.exponent.wrapping_add(1)),
@@ -215,7 +215,7 @@ macro_rules! block {
                 let (mut a, mut b) = (self, other);
                 let (p, q) = (a.bits(), b.bits());
                 if p + q > ROOM {
-                    // What the shorter factor leaves free belongs to the longer one.
+                    // The longer factor may use the bits that the shorter one leaves free.
                     (a, b) = if p <= Self::HALF {
                         (a, b.reduced(q, ROOM - p))
                     } else if q <= Self::HALF {
@@ -320,13 +320,13 @@ macro_rules! sum_of_products {
         } else {
             let drop = bits - 62;
             let rounded = shift_right_rounded!(sum.mantissa, drop);
-            // What is dropped has at most as many bits as the shift.
+            // The dropped part has at most as many bits as the shift.
             let rest = Block128::new(sum.mantissa - (rounded << drop), sum.exponent).narrow();
             [$Block::new(rounded as i64, sum.exponent.wrapping_add(drop as i32)), rest]
         }
     }};
     (128, $Block:ident, $terms:expr) => {{
-        // No wider integer: the rounding of each addition is kept apart, as for floats.
+        // There is no wider integer: the rounding error of each addition is kept in a low word, as for floats.
         let (mut sum, mut error) = ($Block::ZERO, $Block::ZERO);
         for [a, b] in $terms {
             let ([a, u], [b, v]) = (a.halves(), b.halves());
@@ -368,7 +368,7 @@ impl Block128 {
         [high, self - high]
     }
 
-    /// The rounded sum and what its rounding lost (but for a unit of 2^-126 where the sum carries).
+    /// The rounded sum and its rounding error (except for a unit of 2^-126 where the sum carries).
     #[inline]
     fn add_with_rest(self, other: Self) -> [Self; 2] {
         let sum = self + other;

@@ -4,7 +4,7 @@ use super::Numbers;
 
 /// Products, lengths and directions.
 pub trait Computing: Numbers {
-    /// True if the rounding of a parameter `t` is small beside a length of this size: at most four units of the type in the quotient.
+    /// True if the rounding error of a parameter `t` is small relative to a length of this size: at most four units of the type in the quotient.
     fn resolves(t: Self, size: Self) -> bool;
     /// `o . d`; exact for fixed types.
     fn dot(o: [Self; 3], d: [Self::Unit; 3]) -> Self::Real;
@@ -12,14 +12,14 @@ pub trait Computing: Numbers {
     fn cross(o: [Self; 3], d: [Self::Unit; 3]) -> [Self::Real; 3];
     /// `d . e` of two directions; exact for fixed types.
     fn unit_dot(d: [Self::Unit; 3], e: [Self::Unit; 3]) -> Self::Real;
-    /// `o + t d`, rounded once (floats: but for an error of the second order).
+    /// `o + t d`, rounded once (for floats with a further error of the second order).
     fn advance(o: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3];
-    /// `o - base + t d`, rounded once (floats: but for an error of the second order).
+    /// `o - base + t d`, rounded once (for floats with a further error of the second order).
     fn approach(o: [Self; 3], base: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3];
     /// The vector's direction and its length; `None` for the zero vector and for a vector with a component
-    /// that is not finite. Right for every length, from the smallest to the largest.
+    /// that is not finite. Accurate for every length, from the smallest to the largest.
     fn normalize(v: [Self::Real; 3]) -> Option<([Self::Unit; 3], Self::Real)>;
-    /// The direction alone, which may be next to the one of [`Computing::normalize`].
+    /// The direction alone, which may differ from that of [`Computing::normalize`] in the last place.
     #[inline]
     fn direction(v: [Self::Real; 3]) -> Option<[Self::Unit; 3]> {
         Self::normalize(v).map(|(direction, _)| direction)
@@ -31,8 +31,8 @@ pub trait Computing: Numbers {
     fn binary_exponent(largest: Self) -> i32;
     /// `self * 2^e`, where `e` comes from [`Computing::binary_exponent`], or the product is known to fit.
     fn scaled(self, e: i32) -> Self;
-    /// Three values in the finest unit in which the type holds them: numbers to be read as `2^-n` times themselves,
-    /// and `n`; zero for floats, which are as fine as they can be.
+    /// Three values in the finest unit in which the type holds all of them: numbers that stand for `2^-n` times themselves, and `n`, which is zero
+    /// for floats.
     fn finest(values: [Self::Real; 3]) -> ([Self; 3], i32);
 }
 

@@ -15,7 +15,7 @@ macro_rules! each_number {
 }
 pub(crate) use each_number;
 
-/// Checks that are the same text for floats and for fixed point, where `raw!` gives what is compared and `infinite!` is true of what is not finite.
+/// Checks with the same code for floats and for fixed point. `raw!` gives the value to compare; `infinite!` is true for values that are not finite.
 macro_rules! checks {
     ([$($generics:tt)*] $Number:ty) => {
         const fn fault<$($generics)*>(value: $Number, least: $Number, most: $Number) -> Option<ValueError> {
@@ -35,7 +35,7 @@ macro_rules! checks {
             }
         }
 
-        /// True of zero.
+        /// True for zero.
         pub(crate) const fn is_zero<$($generics)*>(value: $Number) -> bool {
             raw!(value) == raw!(<$Number as Scalar>::ZERO)
         }
@@ -45,7 +45,7 @@ macro_rules! checks {
             fault(value, <$Number as Scalar>::BUDGET.smallest_size, <$Number as Scalar>::BUDGET.size)
         }
 
-        /// The same of a size that may be zero.
+        /// The same for a size that may be zero.
         pub(crate) const fn size_or_zero<$($generics)*>(value: $Number) -> Option<ValueError> {
             if is_zero(value) { None } else { size(value) }
         }
@@ -55,7 +55,7 @@ macro_rules! checks {
             fault(value, <$Number as Scalar>::BUDGET.smallest_slope, <$Number as Scalar>::BUDGET.slope)
         }
 
-        /// True of a positive number up to the largest coordinate.
+        /// True for a positive number up to the largest coordinate.
         pub(crate) const fn is_extent<$($generics)*>(value: $Number) -> bool {
             raw!(value) > raw!(<$Number as Scalar>::ZERO) && raw!(value) <= raw!(<$Number as Scalar>::BUDGET.coordinate)
         }
@@ -72,7 +72,7 @@ macro_rules! checks {
             }
         }
 
-        /// True of axes that are perpendicular within 2^-18, and right-handed.
+        /// True for axes that are perpendicular within 2^-18, and right-handed.
         pub(crate) const fn are_axes([x, y, z]: [[Unit; 3]; 3]) -> bool {
             is_right(x, y) && is_right(y, z) && is_right(z, x) && is_right_handed(x, y, z)
         }
@@ -118,7 +118,7 @@ macro_rules! floats {
                 dot(cross, z) > 0.0
             }
 
-            /// True of components whose length is 1 within 2^-20.
+            /// True for components whose length is 1 within 2^-20.
             pub(crate) const fn is_unit(v: [Unit; 3]) -> bool {
                 let (x, y, z) = ($Float::abs(v[0]), $Float::abs(v[1]), $Float::abs(v[2]));
                 // The limit that keeps squares in the type, as at run time. A NaN compares false.
@@ -198,7 +198,7 @@ macro_rules! fixed {
                 dot(cross, z) > 0
             }
 
-            /// True of components whose length is 1 within 2^-20.
+            /// True for components whose length is 1 within 2^-20.
             pub(crate) const fn is_unit(v: [Unit; 3]) -> bool {
                 const LIMIT: $raw = 5 << ($unit_bits - 2);
                 let (x, y, z) = (v[0].to_bits(), v[1].to_bits(), v[2].to_bits());

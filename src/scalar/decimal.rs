@@ -2,7 +2,7 @@
 
 use super::is_decimal;
 
-/// A tie of 64 fraction bits ends at the 65th decimal place: what follows these places only says that there is more.
+/// A tie of 64 fraction bits ends at the 65th decimal place: of the digits after these places it only matters whether one is not zero.
 const PLACES: usize = 66;
 
 /// The sign and the magnitude of a decimal number in units of `2^-fraction_bits`, rounded to nearest, ties to even;
@@ -19,7 +19,7 @@ pub(super) fn parse(text: &str, fraction_bits: u32) -> Option<(bool, u128)> {
     if digits().all(|digit| digit == 0) {
         return Some((negative, 0));
     }
-    // The point stands before this digit. An exponent beyond all lengths is as good as any other beyond them.
+    // The decimal point is before this digit. All exponents that are larger than any text is long have the same effect.
     let shift = exponent.parse::<i32>().unwrap_or(if exponent.starts_with('-') { i32::MIN } else { i32::MAX });
     let point = i64::from(shift) + whole.len() as i64;
     let (mut integer, mut places, mut more) = (0_u128, [0_u8; PLACES], false);
@@ -46,7 +46,7 @@ pub(super) fn parse(text: &str, fraction_bits: u32) -> Option<(bool, u128)> {
         }
         count += 1;
     }
-    // Twice the fraction, and again: the bit that comes out is the next of the binary number.
+    // The fraction is doubled repeatedly: each carry is the next bit of the binary number.
     let mut double = || {
         let mut carry = 0;
         for digit in places.iter_mut().rev() {
@@ -75,18 +75,18 @@ pub(super) struct Decimal {
     pub(super) fraction: u128,
 }
 
-/// `magnitude * 2^-fraction_bits` with the fewest places of which [`parse`] makes the same number; at most 20. (The `Display` of `fixed`
+/// `magnitude * 2^-fraction_bits` with the fewest places from which [`parse`] gives the same number; at most 20. (The `Display` of `fixed`
 /// 1.29 drops digits: two numbers are `440.1` in 16 fraction bits.)
 #[cfg(any(feature = "serde", test))]
 pub(super) fn shortest(magnitude: u64, fraction_bits: u32) -> Decimal {
     let one = 1_u128 << fraction_bits;
     let mut whole = (u128::from(magnitude) >> fraction_bits) as u64;
-    // What is behind the places that there are, in units of 2^-fraction_bits of the last place.
+    // The part below the last place so far, in units of 2^-fraction_bits of that place.
     let mut rest = u128::from(magnitude) & (one - 1);
     let (mut places, mut fraction, mut power) = (0, 0_u128, 1_u128);
     loop {
         let up = one - rest;
-        // Less than half a unit off.
+        // The error is less than half a unit.
         if 2 * rest.min(up) < power {
             if up < rest {
                 fraction += 1;

@@ -1,8 +1,7 @@
 //! Angle, sine, cosine and power in integers, for the fixed-point types.
 //!
-//! Shift and add throughout (Volder, *The CORDIC Trigonometric Computing Technique*, 1959): a loop with a fixed
-//! number of turns, one table for every width, the same bits on every machine. Angles are in turns: a whole
-//! turn is 2^64, so that they wrap by themselves.
+//! All use shifts and additions (Volder, *The CORDIC Trigonometric Computing Technique*, 1959): a loop with a fixed number of steps, one table for
+//! every width, the same bits on every machine. Angles are in turns: a whole turn is 2^64, so that they wrap around without a test.
 
 /// `atan(2^-i)` in turns, in units of 2^-64.
 const ARC_TANGENT: [u64; 64] = [
@@ -169,7 +168,7 @@ pub(super) fn angle(y: i64, x: i64, steps: usize) -> u64 {
 
 /// Sine and cosine in Q2.62 of an angle in units of 2^-64 turns.
 pub(super) fn sine_cosine(angle: u64, steps: usize) -> (i64, i64) {
-    // The quadrant comes off first, exactly; what remains lies within an eighth of a turn.
+    // The quadrant is subtracted first, exactly; the remaining angle is within an eighth of a turn.
     let quadrant = angle.wrapping_add(1 << 61) >> 62;
     let mut rest = angle.wrapping_sub(quadrant << 62) as i64;
     let (mut x, mut y) = (GAIN, 0_i64);
@@ -217,7 +216,7 @@ pub(super) fn power(base: u64, exponent: u64, fraction: u32) -> u64 {
     // -log2(base), in Q7.62, times the exponent: base = 2^-(shift - bits).
     let negative_log = ((shift as u128) << 62) - bits as u128;
     let (high, low) = (negative_log >> 32, negative_log & 0xffff_ffff);
-    // Below 2^-63 the result is zero in every type, so that a saturated product is as good as the true one.
+    // Below 2^-63 the result is zero in every type, so that a saturated product gives the same result as the true one.
     let scaled = (high.saturating_mul(exponent as u128)).saturating_add((low * exponent as u128) >> 32);
     let scaled = if fraction >= 32 { scaled >> (fraction - 32) } else { scaled.saturating_mul(1 << (32 - fraction)) };
     let whole = scaled >> 62;

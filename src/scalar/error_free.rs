@@ -3,7 +3,7 @@
 //! With a floating-point unit they are computed in floats. Without one each operation on floats is a call of some hundred instructions.
 //! There a product is computed in integers, and a sum by three operations instead of six, with the same bits.
 
-/// Defines them for a float. `$half` are the mantissa bits that a split moves to the low part.
+/// Defines these functions for a float. `$half` is the number of mantissa bits that a split moves to the low part.
 macro_rules! error_free {
     (
         $name:ident, $Float:ident, $bits:ident, $half:literal, $mantissa:literal, $bias:literal, product: $product:path,
@@ -50,14 +50,14 @@ macro_rules! error_free {
                 const FIELD: $bits = 2 * $bias + 1;
                 const SIGN: $bits = 1 << ($bits::BITS - 1);
 
-                /// As of floats.
+                /// The same bits as in floats.
                 #[inline(never)]
                 pub(in crate::scalar) fn two_product(a: $Float, b: $Float) -> ($Float, $Float) {
                     const ONE: $bits = 1 << $mantissa;
                     let (x, y) = (a.to_bits(), b.to_bits());
                     let (ex, ey) = ((x >> $mantissa) & FIELD, (y >> $mantissa) & FIELD);
                     let sum = (ex + ey) as i32;
-                    // Normal numbers, of which the lowest bit of the product is one too.
+                    // Both are normal numbers, and so is the lowest bit of the product.
                     let is_normal = 0 < ex && ex < FIELD - 1 && 0 < ey && ey < FIELD - 1;
                     if !is_normal || sum <= $bias + 2 * $mantissa + 2 || sum >= 3 * $bias - 2 {
                         return super::by_floats::two_product(a, b);
@@ -70,7 +70,7 @@ macro_rules! error_free {
                     let up = (rest > ONE || rest == ONE && high & 1 != 0) as $bits;
                     let sign = (x ^ y) & SIGN;
                     let place = sum - $bias + top;
-                    // The mantissas' top bit is one more in the exponent's field, into which a carry goes by itself.
+                    // The mantissa's top bit adds one to the exponent's field, and so does a carry.
                     let p = sign | ((((place - 1) as $bits) << $mantissa) + high + up);
                     if rest == 0 {
                         return ($Float::from_bits(p), 0.0);
@@ -82,7 +82,7 @@ macro_rules! error_free {
                     ($Float::from_bits(p), $Float::from_bits(e))
                 }
 
-                /// As of floats (Dekker 1971, for a first operand that is not the smaller).
+                /// The same bits as in floats (Dekker 1971, for a first operand that is not the smaller).
                 #[inline(never)]
                 pub(in crate::scalar) fn two_sum(a: $Float, b: $Float) -> ($Float, $Float) {
                     let s = a + b;

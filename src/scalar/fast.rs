@@ -38,9 +38,9 @@ pub struct NappeOutline<S> {
 /// The interval of a line inside a cuboid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InCuboid<S> {
-    /// The ends; the second is infinite if it is not wanted.
+    /// The ends; the second is infinite if it is not needed.
     pub ends: [S; 2],
-    /// For each end, the axis that its face lies across: 0, 1 or 2 for x, y or z.
+    /// For each end, the axis perpendicular to its face: 0, 1 or 2 for x, y or z.
     pub axes: [usize; 2],
 }
 
@@ -57,8 +57,8 @@ macro_rules! found {
 }
 pub(crate) use found;
 
-/// Whether the line hits a triangle, and whether from the front: from the signed volume that it spans with each edge, with the error bound of
-/// that. All three volumes are negative for a hit from the front, and positive for one from the back. Two of different signs are enough for a miss.
+/// Whether the line hits a triangle, and whether from the front, by the signed volume that it spans with each edge and the error bound of that
+/// volume. All three volumes are negative for a hit from the front, and positive for one from the back. If two have different signs, the line misses.
 #[inline(always)]
 pub(crate) fn within_edges<E, V: Copy + PartialOrd + Neg<Output = V>>(
     [first, second, third]: [E; 3],
@@ -92,7 +92,7 @@ pub struct LocalLine<S: Numbers> {
     pub finer: i32,
     /// The direction.
     pub direction: [S::Unit; 3],
-    /// What rounding left over of both: in floats, for spheres and in double-word numbers.
+    /// The low words of both: in floats, for spheres and for double-word numbers.
     pub rests: S::Rests,
     /// With an affine placement, the ray's `t` divided by the line's (one over the length of the transformed direction); otherwise unused.
     pub pace: S,
@@ -107,12 +107,12 @@ pub struct LocalLine<S: Numbers> {
     pub is_relative: bool,
     /// True if the components of a float line are computed, and not the ray's own: each has an error of one rounding, plus `off`.
     pub is_rounded: bool,
-    /// True for a float line of which a guard of the plain formulas failed: round solids are intersected in double-word numbers, with `rests`.
+    /// True for a float line for which a guard of the plain formulas has failed: round solids are intersected in double-word numbers, with `rests`.
     pub is_doubled: bool,
-    /// True for the tier [`Exact`](crate::tier::Exact): what the guards let pass is certain, except for the rounding of `t`, by less than a unit. Floats have
-    /// this for doubles in place of 32-bit numbers, of which nearly all rays still pass; fixed point has it in 32 bits.
+    /// True for the tier [`Exact`](crate::tier::Exact): a result that passes the guards is certain, except that `t` is rounded, by less than a unit.
+    /// `f32` then computes in doubles, in which nearly all rays pass; fixed point computes in its own 32 bits.
     pub is_strict: bool,
-    /// If given, only the first end at or after this `t` is wanted: what comes after it may be left out, as if it were infinitely far away, and a line
+    /// If given, only the first end at or after this `t` is needed. Later ends may be left out, as if they were infinitely far away, and a line
     /// without such an end may be a miss.
     pub since: Option<S>,
 }
@@ -182,14 +182,14 @@ pub trait FastPath: Numbers {
         Attempt::Unsure
     }
 
-    /// The two ends of the line inside the sphere of radius `r` about the origin: from the point of closest approach, or, if `by_moment`, from
-    /// the Pluecker moment. `is_strict` is that of the line, as a constant of the tier, which costs the others nothing.
+    /// The two ends of the line inside the sphere of radius `r` about the origin: from the point of closest approach, or, if `by_moment`, from the
+    /// Pluecker moment. `is_strict` is that of the line, passed as a constant of the tier so that it costs the other tiers nothing.
     #[inline(always)]
     fn fast_ball(_: LocalLine<Self>, _r: Self, _by_moment: bool, _is_strict: bool) -> Attempt<[Self; 2]> {
         Attempt::Unsure
     }
 
-    /// Whether one of these ends is at `t >= 0`, if no end is beyond the number type.
+    /// Whether one of these ends is at `t >= 0`; unsure if an end is beyond the number type.
     #[inline(always)]
     fn fast_ball_ahead(_: LocalLine<Self>, _r: Self, _by_moment: bool) -> Attempt<()> {
         Attempt::Unsure
@@ -255,13 +255,13 @@ pub trait FastPath: Numbers {
         Attempt::Unsure
     }
 
-    /// The interval of the line inside the cuboid about the origin with these half extents along x, y and z. Unsure of ends next to an edge.
+    /// The interval of the line inside the cuboid about the origin with these half extents along x, y and z. Unsure if an end is next to an edge.
     #[inline(always)]
     fn fast_cuboid(_: &LocalLine<Self>, _half: [Self; 3]) -> Attempt<InCuboid<Self>> {
         Attempt::Unsure
     }
 
-    /// Where a line that starts on the surface of that cuboid leads out of it, and the axis that this face lies across.
+    /// Where a line that starts on the surface of that cuboid leaves it, and the axis perpendicular to the face by which it leaves.
     #[inline(always)]
     fn fast_exit_from_cuboid(_: &LocalLine<Self>, _half: [Self; 3]) -> Attempt<(Self, usize)> {
         Attempt::Unsure
@@ -323,7 +323,7 @@ pub trait FastPath: Numbers {
     }
 
     /// The line from `o` along `d` in the frame of an affine map, whose inverse has these rows, each to be multiplied by its power of two. `None` if
-    /// products cancel so much that their rounding would be large relative to the line.
+    /// the products cancel so much that their rounding errors would be large relative to the line.
     #[inline(always)]
     fn fast_stretched(
         _o: [Self; 3],

@@ -149,7 +149,7 @@ macro_rules! fixed {
         impl<F: $LeEq + Send + Sync + 'static> Computing for $Fixed<F> {
             #[inline(always)]
             fn resolves(_: Self, size: Self) -> bool {
-                // Half of one, in units; a type without that many fraction bits resolves one unit.
+                // Half of 1, in units; the limit is one unit for a type without fraction bits.
                 size.to_bits() >= (1 as $raw).checked_shl(F::U32.saturating_sub(1)).unwrap_or(<$raw>::MAX)
             }
             #[inline(always)]
@@ -175,7 +175,7 @@ macro_rules! fixed {
                 let walked = |o: $raw, base: $raw, d: Self::Unit| {
                     let from_base = (o as $wide - base as $wide) << $unit_bits;
                     let sum = from_base + $product(t.to_bits(), d.to_bits());
-                    // To nearest, ties to even; beyond the type infinite.
+                    // Rounded to nearest, ties to even; infinite beyond the type.
                     let rounding = (1 << ($unit_bits - 1)) - 1 + ((sum >> $unit_bits) & 1);
                     let units = (sum + rounding) >> $unit_bits;
                     match units.unsigned_abs() < <$raw>::MAX as $unsigned {
@@ -223,7 +223,7 @@ macro_rules! fixed {
                 }
                 let units = |unit: i32| values.map(|value| value.to_units(unit).unwrap_or(0));
                 let unit = top.wrapping_sub($bits - 1);
-                // Rounded up, all bits of ones are one bit more.
+                // A number whose bits are all ones has one bit more when it is rounded up.
                 let is_full = units(unit).iter().any(|raw| raw.unsigned_abs() >= <$raw>::MAX as $unsigned);
                 let unit = if is_full { unit.wrapping_add(1) } else { unit };
                 (units(unit).map(|raw| Self::from_bits(raw as $raw)), (-(F::I32)).wrapping_sub(unit))
@@ -334,7 +334,7 @@ fixed!(
         }
         #[inline]
         fn direction(v: [Block64; 3]) -> Option<[Self::Unit; 3]> {
-            // Rounded to 31 bits of the longest component, which is another half a unit.
+            // Rounded to 31 bits of the longest component, which adds an error of half a unit.
             match Self::fast_direction(Self::finest(v).0) {
                 Attempt::Found(direction) => Some(direction),
                 Attempt::Miss => None,

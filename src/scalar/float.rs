@@ -60,7 +60,7 @@ macro_rules! float {
             }
             #[inline]
             fn from_limbs<W: Word>(value: Limbs<W>) -> Self {
-                // The fraction, and above it the exponent's field, into which a subnormal number or a carry grows by itself.
+                // The fraction, and above it the exponent's field. A subnormal number or a carry changes that field without a test.
                 const LEAST: i32 = 1 - $bias - $mantissa;
                 let unit = Self::last_place(value.exponent());
                 let field = unit.saturating_sub(LEAST);
@@ -123,7 +123,7 @@ macro_rules! float {
                 if !super::is_decimal(text) {
                     return None;
                 }
-                // Exact, but for what becomes subnormal.
+                // Exact, unless the result is subnormal.
                 let value = Ring::scaled(text.parse::<Self>().ok()?, power);
                 Some(value).filter(|value| Scalar::is_finite(*value))
             }
@@ -165,7 +165,7 @@ macro_rules! float {
                     let (p, e) = $exact::two_product(t, d);
                     let (s, f) = $exact::two_sum(o, p);
                     let correction = e + f;
-                    // At the end of the float range the error terms overflow; the plain sum stands.
+                    // At the end of the float range the error terms overflow; then the plain sum is the result.
                     if Scalar::is_finite(correction) { s + correction } else { s }
                 };
                 [step(o[0], d[0]), step(o[1], d[1]), step(o[2], d[2])]
@@ -227,7 +227,7 @@ macro_rules! float {
                     // A tiny negative angle rounds up to a whole turn.
                     if turns < 1.0 { turns } else { 0.0 }
                 } else {
-                    // Adding zero turns -0 into 0.
+                    // Adding zero makes -0 positive.
                     turns + 0.0
                 }
             }
@@ -257,7 +257,7 @@ macro_rules! float {
             }
             #[inline]
             fn level(self, levels: u16) -> u16 {
-                // A float-to-integer cast saturates, and takes NaN to zero.
+                // A cast from float to integer saturates, and gives zero for NaN.
                 ((self * levels as $Float + 0.5) as u16).min(levels)
             }
             #[inline]

@@ -48,7 +48,7 @@ impl<F: LeEqU64 + Send + Sync + 'static> Including<Self> for FixedI64<F> {
     }
 }
 
-/// With 32 fraction bits it holds all types of 32 bits, of however many fraction bits.
+/// With 32 fraction bits it holds all values of 32-bit types with any number of fraction bits.
 #[cfg(feature = "fixed")]
 impl<F: LeEqU32 + Send + Sync + 'static> Including<FixedI32<F>> for FixedI64<U32> {
     #[inline(always)]
@@ -61,13 +61,13 @@ impl<F: LeEqU32 + Send + Sync + 'static> Including<FixedI32<F>> for FixedI64<U32
     }
 }
 
-/// A value of [`Scalar::Wider`] in the type of 32 bits: rounded to nearest, ties to even; beyond the type infinite.
+/// A value of [`Scalar::Wider`] in the type of 32 bits: rounded to nearest, ties to even; infinite beyond the type.
 #[cfg(feature = "fixed")]
 #[inline]
 pub(super) fn narrowed<F: LeEqU32 + Send + Sync + 'static>(value: FixedI64<U32>) -> FixedI32<F> {
     let infinite = <FixedI32<F> as Scalar>::INFINITY;
     let (raw, shift) = (value.to_bits(), 32 - F::U32);
-    // Ties to even, so that a ray turned around has the negative ends.
+    // Ties to even, so that a ray in the opposite direction has the negated ends.
     let odd = (raw >> shift) & 1;
     let units = if shift == 0 { raw } else { raw.saturating_add((1 << (shift - 1)) - 1 + odd) >> shift };
     match i32::try_from(units) {

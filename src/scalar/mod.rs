@@ -150,7 +150,7 @@ pub trait Numbers:
     type Unit: UnitScalar;
     /// The number to compute in.
     type Real: Real + written::ForSerde;
-    /// What rounding leaves over of a line: a type without values for fixed point.
+    /// The low words of a line, which are its rounding errors; a type without values for fixed point.
     type Rests: Rests<Self>;
 }
 
@@ -258,7 +258,7 @@ pub trait UnitScalar:
     fn times(self, other: Self) -> Self;
     /// The nearest of `0, 1 / levels, 2 / levels, ... 1`, as its index; values outside are clamped.
     fn level(self, levels: u16) -> u16;
-    /// How many whole 65536ths it has, clamped to `[0, 1]`. Nothing is rounded: equal values give equal results in every type.
+    /// The value in 65536ths, rounded down and clamped to `[0, 1]`. Equal values give equal results in every type.
     fn in_65536ths(self) -> u32;
     /// The nearest value to an `f64`, saturated; NaN gives zero.
     fn from_f64(value: f64) -> Self;
@@ -293,7 +293,7 @@ pub trait Real:
     /// The sum of products as a double-word, a rounded value and a low word: about twice the working precision, so that
     /// cancellation loses no accuracy ("Dot2": Ogita, Rump, Oishi, *Accurate Sum and Dot Product*, 2005).
     fn sum_with_rest<const N: usize>(terms: [[Self; 2]; N]) -> [Self; 2];
-    /// The sum of products, rounded once, or nearly so, even if it cancels.
+    /// The sum of products, even if it cancels, with little more error than that of one rounding.
     #[inline]
     fn sum_of_products<const N: usize>(terms: [[Self; 2]; N]) -> Self {
         let [sum, _] = Self::sum_with_rest(terms);
@@ -325,8 +325,8 @@ pub(crate) fn is_zero_decimal(text: &str) -> bool {
     !mantissa.bytes().any(|byte| matches!(byte, b'1'..=b'9'))
 }
 
-/// True for an optional sign, digits with at most one point, and an optional decimal exponent. Every scalar parses this syntax; others,
-/// such as `inf` or `1_000`, are not numbers here.
+/// True for an optional sign, digits with at most one point, and an optional decimal exponent. Every scalar parses this syntax and no other: `inf`
+/// and `1_000` are not numbers.
 pub(crate) fn is_decimal(text: &str) -> bool {
     let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
     let (mantissa, exponent) = unsigned.split_once(['e', 'E']).unwrap_or((unsigned, "0"));

@@ -1,13 +1,13 @@
-//! What rounding leaves over of a local line: its low words in floats, nothing in fixed point.
+//! The low words of a local line in floats, which are the rounding errors of its components; fixed point has none.
 
 use super::Real;
 use core::fmt::Debug;
 
-/// The low words of a line, if the number type has such.
+/// The low words of a line, if the number type has any.
 pub trait Rests<S>: Copy + Debug {
-    /// None are left.
+    /// All of them zero.
     const NONE: Self;
-    /// Those of the origin, and none of the direction.
+    /// Those of the origin; those of the direction are zero.
     fn of_origin(origin: [S; 3]) -> Self;
     /// Those of the line mirrored in the plane `y = 0`.
     #[must_use]
@@ -21,7 +21,7 @@ pub struct LowWords<F> {
     pub origin: [F; 3],
     /// Of the direction.
     pub direction: [F; 3],
-    /// How far off origin and direction are even with these, in squares of the relative rounding error.
+    /// The errors that origin and direction still have with these, in squares of the relative rounding error.
     pub off: [F; 2],
 }
 

@@ -82,7 +82,7 @@ impl<S: Scalar> FromScalar<S> for Filtered {
     }
 }
 
-/// As of [`Filtered`].
+/// As for [`Filtered`].
 impl<S: Scalar> FromScalar<S> for Rounded {
     #[inline(always)]
     fn scalar(value: S) -> Self {

@@ -25,7 +25,7 @@ pub(crate) const MARGIN_BITS: i32 = 14;
 #[derive(Clone, Copy, Debug)]
 pub struct Slabs<N, R> {
     pub(super) origin: [N; 3],
-    /// Of the direction's components; of floats as they are, of integers times `2^45` over the direction's fraction bits.
+    /// The reciprocals of the direction's components: floats as they are, integers as `reciprocal` gives them.
     pub(super) reciprocals: [R; 3],
 }
 
@@ -50,7 +50,7 @@ macro_rules! slabs {
                 [hx, hy, hz]: [$Float; 3],
             ) -> bool {
                 const PART: $Float = 1.0 / (1_u32 << MARGIN_BITS) as $Float;
-                // Next to zero products vanish: what they lose is less than this.
+                // Products close to zero underflow: the error of that is less than this.
                 const TINY: $Float = 64.0 * $Float::MIN_POSITIVE;
                 let ([ox, oy, oz], [ix, iy, iz]) = (self.origin, self.reciprocals);
                 let (cx, cy, cz) = (x - ox, y - oy, z - oz);
@@ -66,7 +66,7 @@ macro_rules! slabs {
                         last = middle + reach;
                     }
                 }
-                // What overflowed, beyond some 2^106, is not missed.
+                // If a value has overflowed, beyond some 2^106, the result is no miss.
                 first > last && first < $Float::INFINITY && last > -$Float::INFINITY
             }
         }
@@ -84,7 +84,7 @@ mod in_integers {
     use crate::number::machine::reciprocal_of_normalized;
     use crate::scalar::integers::product;
 
-    /// What halving, shifting and the rounding of `t` leave over, and as much again.
+    /// Twice the error from halving, shifting and the rounding of `t`.
     const FEW_UNITS: i32 = 8;
 
     /// Fraction bits of a `t` here.
@@ -96,7 +96,7 @@ mod in_integers {
         x.max(y).max(z)
     }
 
-    /// `2^45 / d`, for a component of a direction with 30 fraction bits: at least 2^15, and good to 2^-15.
+    /// `2^45 / d`, for a component of a direction with 30 fraction bits: at least 2^15, with a relative error of at most 2^-15.
     #[inline(always)]
     fn reciprocal(d: i32) -> i32 {
         let magnitude = d.unsigned_abs().max(1 << 14);
@@ -109,7 +109,7 @@ mod in_integers {
     /// True if the slabs and `range` have nothing in common; `c`, `half` and `range` are in one unit, the range with [`FINER`] fraction bits.
     #[inline(always)]
     fn are_apart(c: [i32; 3], half: [i32; 3], reciprocals: [i32; 3], [start, end]: [i64; 2]) -> bool {
-        // A part more than that of floats: the reciprocals and the least components are coarser.
+        // The margin is larger than that of floats, since the reciprocals and the least components are coarser.
         let margin = (largest(c.map(i32::abs)) >> (MARGIN_BITS - 1)) + FEW_UNITS;
         let ([cx, cy, cz], [hx, hy, hz], [ix, iy, iz]) = (c, half, reciprocals);
         let (mut first, mut last) = (start, end);
@@ -156,7 +156,7 @@ mod in_integers {
             let bits = 64 - (largest(c.map(i64::unsigned_abs)) | largest(half) as u64).leading_zeros();
             let shift = bits.saturating_sub(30);
             let coarse = |n: i64| (n >> shift) as i32;
-            // What lies farther than any box is as good as infinite.
+            // A `t` farther away than any box has the same effect as infinity.
             let time = |t: i64| (t >> 1 >> shift).clamp(-(1 << 47), 1 << 47) << FINER;
             are_apart(c.map(coarse), half.map(coarse), self.reciprocals, range.map(time))
         }

@@ -3,7 +3,7 @@
 use super::Scalar;
 use core::fmt;
 
-/// What is wrong with a number or a vector. The errors of constructors hold it, and say of which value it is.
+/// What is wrong with a number or a vector. The errors of constructors hold it, and name the value that it concerns.
 ///
 /// ```
 /// use fixed::types::I16F16;
@@ -19,11 +19,11 @@ use core::fmt;
 pub enum ValueError {
     /// It is NaN, infinite, or the value of a fixed type that stands for infinity ([`Scalar::INFINITY`]).
     NotFinite,
-    /// It is below zero where there is no such thing.
+    /// It is below zero where only other values are allowed.
     Negative,
-    /// It is zero where there must be something: given as zero, or rounded to it, since it was below one unit of the number type.
+    /// It is zero where it must not be: it was given as zero, or was below one unit of the number type and rounded to zero.
     Zero,
-    /// It is above zero and below the least that the [`Budget`](super::Budget) has of its kind.
+    /// It is above zero and below the smallest value of its kind that the [`Budget`](super::Budget) allows.
     BelowBudget,
     /// Its magnitude is beyond the [`Budget`](super::Budget) of the number type.
     BeyondBudget,
@@ -63,7 +63,7 @@ impl ValueError {
     }
 }
 
-/// The message of a fault, behind the name of the value that has it: without formatting, for constants.
+/// The message of a fault after the name of the value, made without formatting, so that constants can have it.
 macro_rules! with_fault {
     ($value:literal, $fault:expr) => {
         match $fault {
@@ -89,7 +89,7 @@ impl ValueError {
         with_fault!("the value ", self)
     }
 
-    /// The message without its subject, to stand behind the name of the value.
+    /// The message without its subject, to be written after the name of the value.
     ///
     /// ```
     /// # use raylet::{UnitVec3, ValueError};

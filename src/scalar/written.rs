@@ -1,6 +1,7 @@
 //! How stored numbers are written: for `serde` and for `defmt`.
 //!
-//! A fixed-point number is decimal text in formats that people read, with as many digits as bring every bit back, and its bits in others.
+//! In formats that people read, a fixed-point number is decimal text, with as many digits as are needed to read the same bits back. In binary formats
+//! it is its bits.
 
 /// What stored numbers and unit components do for the optional features.
 pub trait Written: ForSerde + ForDefmt {}
@@ -16,7 +17,7 @@ pub trait ForDefmt {}
 #[cfg(not(feature = "defmt"))]
 impl<T> ForDefmt for T {}
 
-/// A number as the optional features see it: foreign types cannot have their traits.
+/// A number for the optional features, whose traits cannot be implemented for foreign types.
 #[cfg(any(feature = "serde", feature = "defmt"))]
 pub(crate) struct Plain<T>(pub T);
 
@@ -66,7 +67,7 @@ mod with_serde {
                 }
                 fn read<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
                     let (mantissa, exponent) = <($mantissa, i32)>::deserialize(deserializer)?;
-                    // What a block may hold, and an exponent with which no computation comes near the end of 32 bits.
+                    // The largest mantissa that a block may have, and an exponent with which no computation approaches the limit of 32 bits.
                     if mantissa.unsigned_abs() <= 1 << (<$mantissa>::BITS - 2) && exponent.unsigned_abs() <= 2048 {
                         Ok(Self::new(mantissa, exponent))
                     } else {
@@ -121,7 +122,7 @@ mod with_serde {
         use serde::de::{Error, Unexpected, Visitor};
         use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-        /// A number of this sign and magnitude, with the fewest decimal places that come back to the bit.
+        /// A number of this sign and magnitude, with the fewest decimal places from which the same bits are read.
         struct Text {
             negative: bool,
             magnitude: u64,
@@ -136,7 +137,7 @@ mod with_serde {
             }
         }
 
-        /// Reads decimal text; a number too, as people write it.
+        /// Reads decimal text, or a number, which people may write instead.
         struct AnyNumber<T>(PhantomData<T>);
 
         impl<T: Fixed> Visitor<'_> for AnyNumber<T>
@@ -229,7 +230,7 @@ mod with_defmt {
         use fixed::types::extra::{LeEqU32, LeEqU64};
         use fixed::{FixedI32, FixedI64};
 
-        // Ten and nineteen places: a chip need not carry a formatter, and no digit is rounded.
+        // Ten and nineteen places, cut off and not rounded, so that the chip needs no formatter.
         impl<F: LeEqU32> ForDefmt for FixedI32<F> {
             fn log(&self, f: defmt::Formatter<'_>) {
                 let (whole, places) = digits(self.to_bits().unsigned_abs().into(), F::U32, 10);

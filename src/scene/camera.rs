@@ -80,7 +80,7 @@ impl<S: Scalar> Camera<S> {
     }
 
     /// A pinhole camera at the position of a frame, that looks along the frame's z axis, with its y axis up. (The x axis points to the left of the
-    /// picture, since a frame is right-handed.) It keeps the axes to the bit, and needs no root: a constant can have it, see
+    /// picture, since a frame is right-handed.) It keeps the axes to the bit, and needs no square root, so that it can be called in a constant: see
     /// [`mod@crate::constant`].
     ///
     /// `tangent` is that of half the angle between the centres of the first and the last row of pixels: half of the picture's height, one unit in front
@@ -155,7 +155,7 @@ impl<S: Scalar> Camera<S> {
         self.is_orthographic
     }
 
-    /// From what a camera has stored, to the bit.
+    /// From the stored values of a camera, to the bit.
     #[cfg(feature = "serde")]
     pub(super) fn from_stored(
         position: Vec3<S>,
@@ -174,7 +174,7 @@ impl<S: Scalar> Camera<S> {
         } else {
             half_height >= one.scaled(-bound) && half_height <= one.scaled(bound)
         };
-        // A NaN compares false. Half of the least float is zero.
+        // The comparison is false for NaN. Half of the least float is zero.
         let is_positive = half_height > S::Real::ZERO && in_type;
         let is_least = S::RELATIVE && half_height.is_zero();
         let is_height = is_least || (is_positive && half_height.scaled(1) <= S::BUDGET.coordinate.real());
@@ -263,7 +263,7 @@ impl<S: Scalar> Raster<S> {
     /// as a zone of a range sensor is measured. `n` rows that span an angle `w` between their outer edges need a camera of the angle
     /// `2 atan((1 - 1/n) tan(w/2))` ([`Camera::new`]).
     ///
-    /// Pixels and samples outside the picture are allowed. `None` only of an orthographic camera, for a ray that starts beyond the budget.
+    /// Pixels and samples outside the picture are allowed. `None` only for an orthographic camera, for a ray that starts beyond the budget.
     pub fn ray(&self, [x, y]: [u16; 2], [column, row]: [u8; 2]) -> Option<Ray<S>> {
         let samples = i64::from(self.size.samples.max(1));
         let odd = |pixel: u16, sample: u8| 2 * (i64::from(pixel) * samples + i64::from(sample)) + 1;
@@ -318,7 +318,7 @@ pub enum CameraError {
 }
 
 impl CameraError {
-    /// The message, in a constant too.
+    /// The message; also for constants.
     pub const fn message(self) -> &'static str {
         match self {
             Self::Position => "the camera is beyond the number type's budget: move it closer to the origin",

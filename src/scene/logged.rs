@@ -59,7 +59,7 @@ impl<S: Scalar> Format for Texture<'_, S> {
             Self::Cells { counts, colors: [a, b] } => {
                 write!(f, "Cells {{ counts: {}, colors: [{}, {}] }}", counts, a, b);
             }
-            // Not the pixels, which may be many.
+            // Without the pixels, which may be many.
             Self::Image { width, height, .. } => write!(f, "Image {{ width: {}, height: {} }}", width, height),
         }
     }
@@ -73,7 +73,7 @@ impl<S: Scalar> Format for Fog<S> {
 
 impl<S: Scalar> Format for Camera<S> {
     fn format(&self, f: Formatter<'_>) {
-        // The height of its picture is a number to compute in; this is it in the type's own numbers.
+        // The height of its picture is a computing number; this is its value rounded to the number type.
         let half_height = Plain(S::round(self.half_height()));
         let [forward, right, up] = self.axes();
         write!(f, "Camera {{ position: {}, forward: {}, right: {}, ", self.position(), forward, right);

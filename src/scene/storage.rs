@@ -7,7 +7,7 @@ use core::fmt;
 /// Implemented for `heapless::Vec` and `heapless::VecView`, for `std::vec::Vec` with the feature `std`, and for
 /// mutable references to any of these.
 pub trait Store<T> {
-    /// Adds an item behind all others.
+    /// Adds an item after all others.
     ///
     /// # Errors
     ///

@@ -1,4 +1,4 @@
-//! The parts of a scene that do not store all that they hold as it is: cameras, rasters, fog and textures, for `serde`.
+//! The parts of a scene whose stored form differs from their fields, for `serde`: cameras, rasters, fog and textures.
 
 use super::{Camera, Color, Coordinate, Fog, Raster, Size, Texture};
 use crate::scalar::Scalar;
@@ -86,7 +86,7 @@ enum ReadTexture<S: Scalar> {
     Image(IgnoredAny),
 }
 
-/// A pattern. An image borrows its pixels and there is nothing that they could be read to, so that it is refused.
+/// A pattern. An image borrows its pixels, for which a reader has no storage, so that it is refused.
 impl<'de, S: Scalar> Deserialize<'de> for Texture<'_, S> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let texture = match ReadTexture::deserialize(deserializer)? {

@@ -36,10 +36,10 @@ kinds!(Sphere Cylinder Cone Capsule Plane Disc Triangle Cuboid Rectangle Frame A
 ///
 /// A shape is one of the primitives in the tuple. It is not placed, or is placed by one of the placements in the tuple. What is not in the tuple
 /// contributes no instruction to the program: its code runs only after a test of the constant [`SET`](Kinds::SET), and the compiler removes
-/// it. On a Cortex-M0+ a picture of spheres and planes takes a third of the flash that a picture of anything takes; [docs/microcontrollers.md](https://github.com/raylet-rs/raylet/blob/main/docs/microcontrollers.md) has
+/// it. On a Cortex-M0+ a picture of spheres and planes takes a quarter to two fifths of the flash that a picture of any primitive takes; [docs/microcontrollers.md](https://github.com/raylet-rs/raylet/blob/main/docs/microcontrollers.md) has
 /// the figures.
 ///
-/// The number type of a primitive in the tuple is of no consequence.
+/// The number type of a primitive in the tuple has no effect.
 ///
 /// ```
 /// use raylet::shape::kinds::{Kind, Kinds};
@@ -59,8 +59,8 @@ kinds!(Sphere Cylinder Cone Capsule Plane Disc Triangle Cuboid Rectangle Frame A
 /// # Ok::<(), raylet::Error>(())
 /// ```
 ///
-/// A primitive or a placement that is not in the tuple does not compile. `cargo build` says so, and not `cargo check`, since it follows from the types that
-/// generic code is compiled for:
+/// A primitive or a placement that is not in the tuple does not compile. `cargo build` reports the error, and not `cargo check`, since it depends on
+/// the types for which generic code is compiled:
 ///
 /// ```compile_fail,E0080
 /// # use raylet::{Cone, Plane, Shape, Sphere};

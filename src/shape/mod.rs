@@ -150,7 +150,7 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
         Self { member: Member::new(primitive), placement: Placement::World, visible: Visible::Both }
     }
 
-    /// The same shape, placed by a frame as [`Shape::placed`] does; in a constant too. The program does not compile if frames are not among the
+    /// The same shape, placed by a frame as by [`Shape::placed`]; also for constants. The program does not compile if frames are not among the
     /// kinds.
     #[must_use]
     pub const fn in_frame(self, frame: Frame<S>) -> Self {

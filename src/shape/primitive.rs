@@ -1,4 +1,4 @@
-//! Any primitive, and any of a set.
+//! Any primitive, and any primitive of a set.
 
 use super::kinds::{Kind, KindSet, Kinds};
 use super::{Shape, Surface};
@@ -67,8 +67,8 @@ macro_rules! primitives {
 
         $(
             impl<S: Scalar> $Variant<S> {
-                /// The shape of this primitive in its canonical pose, seen from both sides, as [`Shape::of`] makes it; in a constant too. The program
-                /// does not compile if the primitive is not among the kinds.
+                /// The shape of this primitive in its canonical pose, seen from both sides, as [`Shape::of`] makes it; also for constants. The
+                /// program does not compile if the primitive is not among the kinds.
                 pub const fn into_shape<K: Kinds>(self) -> Shape<S, K> {
                     const {
                         assert!(
@@ -92,11 +92,11 @@ macro_rules! primitives {
             figures
         }
 
-        /// Evaluates an expression with the primitive in its own type; another one for a primitive that is not among the kinds, which no
-        /// shape has.
+        /// Evaluates an expression with the primitive in its own type; another expression for a primitive that is not among the kinds, which no shape
+        /// has.
         macro_rules! with {
             ($of:ident, |$primitive:ident| $answer:expr, $none:expr) => {
-                // Without an arm for all others, which the compiler would not know to be unreachable.
+                // There is no wildcard arm: the compiler does not know that it would be unreachable.
                 match &$of.primitive {
                     $(
                         Primitive::$Variant($primitive) => {
@@ -107,7 +107,7 @@ macro_rules! primitives {
             };
         }
 
-        /// The same where the answer is of the primitive's own type. Each is made where it is returned: it is not copied.
+        /// The same for a result of the primitive's own type. Each result is made where it is returned, without a copy.
         macro_rules! map {
             ($of:ident, |$primitive:ident| $answer:expr, $none:expr) => {
                 match &$of.primitive {

@@ -1,10 +1,10 @@
-//! What has a shape.
+//! Types that have a shape.
 
 use super::Shape;
 use super::kinds::Kinds;
 use crate::scalar::Scalar;
 
-/// What has a shape: a [`Shape`] itself, an [`Object`](crate::Object) of a scene, or a type of your own.
+/// A type that has a shape: a [`Shape`] itself, an [`Object`](crate::Object) of a scene, or a type of your own.
 ///
 /// A [`Hierarchy`](crate::hierarchy::Hierarchy) and [`Shapes`](crate::hierarchy::Shapes) are made of such things.
 ///
@@ -25,7 +25,7 @@ pub trait Shaped<S: Scalar> {
     /// The kinds among which the shape is.
     type Kinds: Kinds;
 
-    /// The shape. It must be the same at every call, until the thing itself is changed.
+    /// The shape. It must be the same at every call, until the value itself is changed.
     fn shape(&self) -> &Shape<S, Self::Kinds>;
 }
 

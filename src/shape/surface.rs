@@ -53,7 +53,7 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
             Placement::Frame(frame) if K::SET.contains(Kind::Frame) => frame.point_to_world(self.local_point()),
             _ => self.local_point(),
         });
-        // Next to the world's origin a point of floats has smaller units than next to the primitive's.
+        // Close to the world's origin floats have smaller units than close to the primitive's origin.
         let twice = self.hit.t.plus(self.hit.t);
         let is_fine = |point: &Vec3<S>| !S::RELATIVE || S::resolves(twice, largest([point.x, point.y, point.z]));
         let point = if let Some(point) = resolved.filter(is_fine) {
@@ -65,7 +65,7 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         } else {
             return self.exact_point();
         };
-        // At the end of the float range the image of a local point overflows where the ray itself need not.
+        // At the end of the float range the image of a local point may overflow where the ray's own point does not.
         if point.to_array().iter().all(|c| c.is_finite()) { point } else { self.exact_point() }
     }
 
@@ -110,7 +110,7 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         }
     }
 
-    /// True if the rounding of `t` is small beside the hit's local coordinates and the surface's curvature.
+    /// True if the rounding error of `t` is small relative to the hit's local coordinates and the surface's radius of curvature.
     #[inline(always)]
     fn is_resolved(&self, local: Vec3<S>) -> bool {
         let Vec3 { x, y, z } = local;
@@ -149,8 +149,8 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         ladder::is_ball::<S, Member<S, K>>(&self.shape.member.figure())
     }
 
-    /// The error of the rounded `t`, by one Newton step. `None` in fixed point, which has no bits left for that, and where the step is not
-    /// accurate to a few units.
+    /// The error of the rounded `t`, by one Newton step. `None` in fixed point, which has no bits for it, and if the step is not accurate to a few
+    /// units.
     #[inline(always)]
     fn correction(&self, rough: Vec3<S>) -> Option<Correction<S::Real>> {
         if !S::RELATIVE {
@@ -169,8 +169,8 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         let [p, d] = [point, direction].map(|vector| vector.map(|component| component.high));
         let gradient = solve::gradient::<S, _, Member<S, K>>(&figure, part, p, S::real);
         let (slope, squares, square) = (dot(gradient, d), dot(gradient, gradient), dot(d, d));
-        // The line leaves the surface by more than 14 degrees, so that the rounding of the local point matters by a few units, and what is
-        // rounded of the equation is no underflow.
+        // The line leaves the surface by more than 14 degrees, so that the rounding of the local point changes the result by a few units, and the
+        // terms of the equation do not underflow.
         let most = squares * square;
         let is_steep = (slope * slope).scaled(4) >= most && S::round(most).is_finite();
         if !(is_steep && squares >= S::Real::ONE.scaled(-90)) {

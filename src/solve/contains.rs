@@ -75,7 +75,7 @@ pub(crate) fn holds<S: Scalar, N: Of<S>, G: Described>(figure: &Figure<S>, point
         Figure::Rectangle { half: [x, z] } if G::FIGURES.has(Figures::RECTANGLE) => {
             is_between(point, [N::scalar(x), N::ZERO, N::scalar(z)])
         }
-        // The geometry has none of these.
+        // The geometry has none of these figures.
         Figure::Ball { .. }
         | Figure::Capsule { .. }
         | Figure::Round { .. }

@@ -10,7 +10,7 @@ use crate::ray::Range;
 use crate::scalar::Scalar;
 use core::cmp::Ordering;
 
-/// The one crossing of a plane at `t`, from the front if the direction runs against the normal.
+/// The crossing of a plane at `t`, from the front if the direction and the normal have opposite signs.
 pub(super) fn crossing<S: Scalar, N: Of<S>>(
     t: Fraction<N>,
     along_normal: Ordering,
@@ -59,7 +59,7 @@ pub(super) fn disc<S: Scalar, N: Of<S>>(line: &Line<N>, r: N, range: Range<S>) -
     }
 }
 
-/// The triangle, whose front is where its vertices run counter-clockwise.
+/// The triangle. Its front is the side from which its vertices are in counter-clockwise order.
 ///
 /// The line passes inside if the three signed volumes that it spans with the edges have the same sign (Segura and Feito, *Algorithms to
 /// test ray-triangle intersection*, 2001). The volume of an edge depends only on its two end points and the line, and changes its
@@ -89,7 +89,7 @@ pub(super) fn triangle<S: Scalar, N: Of<S>>(
     let normal = cross(difference(vb, va), difference(vc, va));
     let distance = dot(normal, difference(va, line.origin));
     if along_normal == Ordering::Equal {
-        // The line lies in the plane; or the corners are exactly collinear, so that there is no area and no hit.
+        // The line lies in the plane, or the vertices are exactly collinear: then there is no area and no hit.
         let misses = is_zero(normal)? || distance.sign()? != Ordering::Equal;
         return if misses { Some(Intersection::Miss) } else { lies_in(normal, line, vertices, range) };
     }

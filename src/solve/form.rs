@@ -174,7 +174,7 @@ impl<N: Ring> Quadric<N> for Cone<N> {
     }
 }
 
-/// Any of the quadrics, for functions of points rather than lines.
+/// Any of the quadrics, for functions of points instead of lines.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Form<N> {
     Ball(Ball<N>),

@@ -5,8 +5,8 @@
 //! with each other. This is the method of adaptive exact predicates (Shewchuk, *Adaptive Precision Floating-Point Arithmetic and Fast Robust
 //! Geometric Predicates*, 1997), applied to a whole query instead of one determinant.
 //!
-//! In [`Robust`](crate::number::Robust) a sign is that of the rounded value. Such signs may contradict each other; in any case the ends of
-//! intervals are sorted and paired.
+//! In [`Robust`](crate::number::Robust) a sign is that of the rounded value. Such signs may contradict each other; the ends of intervals are sorted
+//! and paired nevertheless.
 //!
 //! | file | what it holds |
 //! |---|---|
@@ -87,7 +87,7 @@ pub(crate) fn intersect<S: Scalar, N: Of<S>, G: Described>(
         Figure::Rectangle { half } if G::FIGURES.has(Figures::RECTANGLE) => {
             slabs::rectangle(line, half.map(N::scalar), range)
         }
-        // The geometry has none of these. (An arm for all others would cost a test: the compiler does not know that it is unreachable.)
+        // The geometry has none of these figures. (A wildcard arm would cost a test: the compiler does not know that it is unreachable.)
         Figure::Ball { .. }
         | Figure::Capsule { .. }
         | Figure::Round { .. }

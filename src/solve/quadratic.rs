@@ -136,7 +136,7 @@ pub(super) struct Quadratic<'a, N, F> {
     discriminant_sign: Ordering,
 }
 
-// Not inlined, although generic: each is called in several places, and the solver runs too seldom to be worth the code size.
+// These functions are not inlined: each is called in several places, and the solver runs too seldom to justify the code size.
 impl<'a, N: Number, F: Quadric<N>> Quadratic<'a, N, F> {
     #[inline(never)]
     pub(super) fn new(form: F, line: &'a Line<N>, departs: bool) -> Option<Self> {
@@ -197,7 +197,7 @@ impl<'a, N: Number, F: Quadric<N>> Quadratic<'a, N, F> {
     /// How the end compares with another, which is not a root.
     #[inline]
     pub(super) fn order(&self, end: &End<N>, other: &End<N>) -> Option<Ordering> {
-        // The approximate parameters decide nearly always.
+        // The approximate parameters decide in nearly all cases.
         end.t.compare(other.t).or_else(|| match other.place {
             Place::At(t) => self.order_for_certain(end.place, t),
             Place::First | Place::Second => None,
@@ -254,7 +254,7 @@ impl<'a, N: Number, F: Quadric<N>> Quadratic<'a, N, F> {
         } else {
             zero
         };
-        // -k and the root are added where they have one sign; the other root is c over that sum (Press et al., *Numerical Recipes*,
+        // -k and the root are added where they have the same sign; the other root is c over that sum (Press et al., *Numerical Recipes*,
         // 5.6).
         let [lower, upper] = match k.sign() {
             Some(Ordering::Greater) => {
@@ -265,7 +265,7 @@ impl<'a, N: Number, F: Quadric<N>> Quadratic<'a, N, F> {
                 let q = root - k;
                 [c.over(q), q.over(a)]
             }
-            // k is zero or next to zero: nothing cancels.
+            // k is zero or close to zero: nothing cancels.
             _ => [(-k - root).over(a), (root - k).over(a)],
         };
         if self.a_sign == Ordering::Greater { [lower, upper] } else { [upper, lower] }
@@ -285,7 +285,7 @@ impl<N: Number, F: Quadric<N>> Curve<N> for Quadratic<'_, N, F> {
             // f = 2 k t + c: where it has the sign of k, the root has passed.
             return Some(times(f, self.k.sign()?).reverse());
         }
-        // Downwards or upwards, f / a is a parabola that opens upwards.
+        // For either sign of a, f / a is a parabola that opens upwards.
         let f = times(f, self.a_sign);
         if f == Ordering::Less {
             return Some(if second { Ordering::Greater } else { Ordering::Less });

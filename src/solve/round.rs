@@ -17,7 +17,7 @@ pub(super) fn ball<S: Scalar, N: Of<S>>(line: &Line<N>, r: N, range: Range<S>) -
     let departs = line.departure.is_some();
     let quadratic = Quadratic::new(Ball { r }, line, departs)?;
     let Inside::Between(touch) = quadratic.inside()? else {
-        // a > 0: no other case.
+        // a > 0, so that there is no other case.
         return Some(Intersection::Miss);
     };
     let interval = quadratic.between(touch);
@@ -82,7 +82,7 @@ fn departing_double_cone<S: Scalar, N: Of<S>>(
         (Inside::Between(_), Leaving::Inwards) => Intersection::One(until(Some(second))?),
         // The other root is the entry into the other nappe.
         (Inside::Beyond, Leaving::Outwards) if is_ahead(&second)? => Intersection::One(from(second)?),
-        // A ray that departs inwards but leads away from the nappe ends where it starts.
+        // The interval of a ray that departs inwards but leads away from the nappe ends at its start.
         (Inside::Beyond, Leaving::Inwards) if is_ahead(&second)? => in_order(until(Some(first))?, from(second)?),
         (Inside::Beyond | Inside::From, Leaving::Inwards) => Intersection::One(until(None)?),
         (Inside::Until, Leaving::Inwards) => Intersection::One(until(Some(first))?),
@@ -92,9 +92,8 @@ fn departing_double_cone<S: Scalar, N: Of<S>>(
 
 /// All points within `r` of the segment from the origin to `(0, height, 0)`.
 ///
-/// The balls at its ends lie in the infinite tube, and a line that is in the tube beyond a ball without hitting the ball does not come
-/// back to the side. Therefore each end of the interval in the tube corresponds to one end of the interval in the capsule, or the line misses
-/// the capsule.
+/// The balls at its ends lie in the infinite tube, and a line that is in the tube beyond a ball without hitting the ball does not return to the side.
+/// Therefore each end of the interval in the tube corresponds to one end of the interval in the capsule, or the line misses the capsule.
 #[inline(never)]
 pub(super) fn capsule<S: Scalar, N: Of<S>>(
     line: &Line<N>,
@@ -123,7 +122,7 @@ pub(super) fn capsule<S: Scalar, N: Of<S>>(
         _ => return Some(Intersection::Miss),
     };
     if let Some((part, _)) = line.departure {
-        // If by its rounded coordinates it misses the ball at its end, it ends where it starts.
+        // If it misses the ball at its end by its rounded coordinates, its interval ends at its start.
         let exit = match solver.end(interval.exit, false)? {
             Some((exit, _)) => exit,
             None => settle::exit(&Flat, Some(End::<N>::start(part)), range, intersection::End::none(-S::INFINITY))?,

@@ -73,7 +73,7 @@ pub(super) fn span<S: Scalar, N: Of<S>>(
 ) -> Option<Span<S>> {
     let enter = entry(curve, interval.enter, range)?;
     let exit = exit(curve, interval.exit, range, enter)?;
-    // One point, whatever its two roundings.
+    // The ends are one point, although they may be rounded differently.
     let exit = if interval.touch { intersection::End { t: enter.t, ..exit } } else { exit };
     Some(Span { enter, exit, touch: interval.touch })
 }

@@ -63,10 +63,10 @@ fn within<N: Number, F: Quadric<N>>(quadratic: &Quadratic<'_, N, F>, side: F, li
             let is_lower = F::IS_CONE && vertex().sign()? == Ordering::Less;
             if is_lower { Within::Nowhere } else { Within::In(quadratic.between(touch)) }
         }
-        // Steeper than the side: one half-line in each nappe; the outline grows with t if it rises.
+        // The line is steeper than the side: a half-line lies in each nappe. The outline grows with t if the line rises.
         Inside::Beyond if slope().sign()? == Ordering::Greater => from(quadratic.ends()[1]),
         Inside::Beyond => until(quadratic.ends()[0]),
-        // Parallel to a generator: one half-line, in the nappe into which it leads.
+        // The line is parallel to a generator: one half-line, in the nappe into which it leads.
         Inside::From if slope().sign()? == Ordering::Greater => from(quadratic.ends()[0]),
         Inside::Until if slope().sign()? == Ordering::Less => until(quadratic.ends()[0]),
         Inside::From | Inside::Until => Within::Nowhere,
@@ -157,7 +157,7 @@ fn within_a_side<S: Scalar, N: Of<S>, F: Quadric<N>>(
     let departs = line.departure.is_some();
     let planes = match slab(line, low, high)? {
         Some(planes) => planes,
-        // It departs from a point of the slab, although its rounded coordinates are outside.
+        // The line departs from a point of the slab, although its rounded coordinates are outside.
         None if departs => Interval::EVERYWHERE,
         None => return Some(Intersection::Miss),
     };
@@ -178,7 +178,8 @@ fn within_a_side<S: Scalar, N: Of<S>, F: Quadric<N>>(
             Some(if let Extent::Capped(..) = extent { Intersection::One(span) } else { Intersection::LiesIn(span) })
         }
         Within::Nowhere if departs && !is_open => {
-            // A line parallel to the axis, next to the wall, ends at the plane. Any other only touches, by its rounded coordinates.
+            // The interval of a line parallel to the axis, next to the side, ends at the plane. Any other line only touches the side, by its rounded
+            // coordinates.
             let own = if quadratic.a_sign == Ordering::Equal { None } else { Some(End::start(Part::Side)) };
             let exit = choose(&quadratic, own, planes.exit, Ordering::Greater)?;
             Some(Intersection::One(inwards(&quadratic, exit, range)?))

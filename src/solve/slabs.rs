@@ -31,7 +31,7 @@ impl<N: Number> Crossed<N> {
         Fraction { n: self.bound - self.o, e: self.d }
     }
 
-    /// How it compares with another: by one sum of products, so that the start of a far line cancels before anything is rounded.
+    /// How it compares with another, by one sum of products, so that the start of a far line cancels before any rounding.
     fn order(self, other: Self) -> Option<Ordering> {
         let sum = N::sum([[self.bound, other.d], [-self.o, other.d], [-other.bound, self.d], [other.o, self.d]]);
         Some(times(sum.sign()?, times(self.d.sign()?, other.d.sign()?)))
@@ -50,7 +50,7 @@ struct Clipped<N> {
 impl<N: Number> Clipped<N> {
     /// The interval of the line with every coordinate at most that of `half` in magnitude; `Some(None)` if there is none.
     ///
-    /// Of two planes that are crossed at the same `t` the first counts. The start of a line that departs from a face is taken to lie on it
+    /// If two planes are crossed at the same `t`, the first one counts. The start of a line that departs from a face is taken to lie on it
     /// and between all others, and there is no entry.
     fn new(line: &Line<N>, half: [N; 3]) -> Option<Option<Self>> {
         let departs = line.departure.is_some();
@@ -106,7 +106,7 @@ impl<N: Number> Clipped<N> {
         Some(match first.order(last)? {
             Ordering::Greater => None,
             Ordering::Less => Some(Interval { enter, exit, touch: false }),
-            // One point of an edge.
+            // The interval is one point of an edge.
             Ordering::Equal => {
                 let end = self.end(Some(if first.rank < last.rank { first } else { last }));
                 Some(Interval { enter: end, exit: end, touch: true })
@@ -115,7 +115,7 @@ impl<N: Number> Clipped<N> {
     }
 }
 
-/// The new crossing if it compares with the own one as `counts` says, otherwise the own one.
+/// `new` if it compares with `own` as `counts` says, otherwise `own`.
 fn later<N: Number>(own: Option<Crossed<N>>, new: Crossed<N>, counts: Ordering) -> Option<Option<Crossed<N>>> {
     Some(match own {
         Some(own) if new.order(own)? != counts => Some(own),

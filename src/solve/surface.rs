@@ -121,7 +121,7 @@ pub(crate) fn correction<S: Scalar, N: FromScalar<S> + Estimate, G: Described>(
     };
     let along = Homogeneous { v: d, w: Weight::Zero };
     let a = form.at(along);
-    // If the curvature is negligible, by the slope alone.
+    // If the curvature is negligible, the slope alone gives the correction.
     if let (Some(f_top), Some(h_top), Some(a_top)) = (f.top(), h.top(), a.top())
         && a_top + f_top < 2 * h_top - SMALL
     {

@@ -1,4 +1,4 @@
-//! The solver over numbers of which every sign, order and value is random: whatever they say, ends come out sorted and paired.
+//! The solver over numbers with random signs, orders and values: its ends are always sorted and paired.
 
 use super::{Line, intersect, meets_nothing};
 use crate::figure::{Described, Extent, Figure, Figures, Side};
@@ -38,7 +38,7 @@ fn random_order() -> Ordering {
     [Ordering::Less, Ordering::Equal, Ordering::Greater][(random() % 3) as usize]
 }
 
-/// A number that contradicts itself.
+/// A number whose comparisons contradict each other.
 #[derive(Clone, Copy, Debug)]
 struct Fickle;
 
@@ -90,7 +90,7 @@ impl Estimate for Fickle {
         Self
     }
     fn compare(self, _: Self) -> Option<Ordering> {
-        // At times nothing is known, so that the longer way is taken too.
+        // Sometimes the order is unknown, so that the decision by signs is tested too.
         (!random().is_multiple_of(4)).then(random_order)
     }
     fn top(self) -> Option<i32> {
@@ -162,7 +162,7 @@ fn contradicting_signs_leave_ends_sorted_and_paired() {
             let line = Line { origin: [Fickle; 3], direction: [Fickle; 3], departure: *departure };
             for _ in 0..2_000 {
                 let range = ranges[(random() % 3) as usize];
-                // `None` where even the longer way is not told.
+                // `None` if a sign is unknown too.
                 let Some(intersection) = intersect::<_, _, Any>(&figure, &line, range) else { continue };
                 let hits = intersection.hits(range);
                 met += hits.len();

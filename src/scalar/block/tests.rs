@@ -13,7 +13,7 @@ fn floor_sqrt(n: u128) -> u128 {
     root
 }
 
-/// A small multiplicative generator: the tests need spread, not statistics.
+/// A simple multiplicative generator. The tests need numbers of all sizes, and no statistical quality.
 fn random_words() -> impl Iterator<Item = u128> {
     let mut state = 0x2545_f491_4f6c_dd1d_u64;
     core::iter::repeat_with(move || {
@@ -73,7 +73,7 @@ fn square_root_of_64_and_128_bits_is_right_near_squares() {
 #[test]
 fn quotient_of_16_bits_is_right_for_every_pair() {
     for divisor in 0x8000..=u16::MAX {
-        // Every high part would be 2^30 pairs: a stride coprime to the width visits them all in turn.
+        // All high parts would be 2^30 pairs: a stride that is coprime to the width takes a sample of them.
         for high in (0..divisor).step_by(61).chain(divisor.saturating_sub(3)..divisor) {
             let exact = ((high as u32) << 16) / divisor as u32;
             assert_eq!(Block16::divide_wide(high, divisor) as u32, exact, "{high} {divisor}");

@@ -1,6 +1,6 @@
 //! With and without a floating-point unit the bits are the same.
 
-/// Floats of all exponents, of one exponent, and next to powers of two; and those that are special.
+/// Floats of all exponents, of one exponent and next to powers of two, and special values.
 macro_rules! both_ways_have_the_same_bits {
     ($test:ident, $module:ident, $Float:ident, $bits:ident, $mantissa:literal) => {
         #[test]
@@ -29,7 +29,7 @@ macro_rules! both_ways_have_the_same_bits {
             let bits = |(a, b): ($Float, $Float)| (a.to_bits(), if b.is_finite() { b.to_bits() } else { 0 });
             for _ in 0..1_000_000 {
                 let (a, b) = (number(), number());
-                // At the very end of the range floats overflow on the way.
+                // At the end of the range intermediate results in floats overflow.
                 if !(a.abs() < $Float::MAX / 8.0 && b.abs() < $Float::MAX / 8.0) {
                     continue;
                 }

@@ -1,6 +1,6 @@
 //! Cones on the fast path of floats.
 
-/// Defines them for a float.
+/// Defines the intersection with cones for a float.
 macro_rules! cone {
     ($Float:ident, sqrt: $sqrt:path) => {
         /// Where the line is inside the nappe `h^2 (x^2 + z^2) <= (h r + g y)^2`, `h r + g y >= 0`, of a cone with radius `r` at
@@ -10,7 +10,7 @@ macro_rules! cone {
             let Roots { first, second, a, a_terms, k, k_terms, outline, rim, slope } = found!(roots(line, outline));
             let limits = Limits::of(&line);
             let (enter, exit) = if a < 0.0 {
-                // Steeper than the side: a half-line in each nappe; the outline grows along the one in the upper.
+                // The line is steeper than the side: a half-line lies in each nappe. Along the one in the upper nappe the outline grows.
                 if slope > 0.0 { (second, ($Float::INFINITY, 0.0)) } else { ((-$Float::INFINITY, 0.0), first) }
             } else {
                 // The sign of the outline halfway between the ends, at t = -k / a.
@@ -31,7 +31,8 @@ macro_rules! cone {
             })
         }
 
-        /// Where the line is inside both nappes of the cone `x^2 + z^2 = m^2 y^2`: between its ends, or (`true`) beyond them.
+        /// Where the line is inside both nappes of the cone `x^2 + z^2 = m^2 y^2`: between its ends, or (`true`) before the first and after the
+        /// second.
         #[inline(always)]
         pub(crate) fn double_cone(line: LocalLine<$Float>, m: $Float) -> Attempt<([$Float; 2], bool)> {
             let Roots { first, second, a, .. } = found!(roots(line, [0.0, m, 1.0]));
@@ -39,15 +40,15 @@ macro_rules! cone {
             if is_clear { Attempt::Found(([first.0, second.0], a < 0.0)) } else { Attempt::Unsure }
         }
 
-        /// `h^2 (dx^2 + dz^2) - (g dy)^2`, where it is mostly rounding: without that, also of the growth `g`.
+        /// `h^2 (dx^2 + dz^2) - (g dy)^2` where it cancels, by compensated products and with the low word of the growth `g`.
         #[inline(never)]
         fn compensated_a([dx, dy, dz]: [$Float; 3], [g, g_rest]: [$Float; 2], h: $Float) -> $Float {
             let [[x, e], [y, f], [z, i]] = [h.times_with_rest(dx), g.times_with_rest(dy), h.times_with_rest(dz)];
             Real::sum_of_products([[x, x], [z, z], [-y, y]]) + 2.0 * (x * e + z * i - y * (f + g_rest * dy))
         }
 
-        /// The roots of a cone's quadric in order, each with how much it may be off if that is too much to take it, and what tells the
-        /// nappes apart.
+        /// The roots of a cone's quadric in order, each with its error bound if that is too large to accept it, and the values that distinguish the
+        /// nappes.
         struct Roots {
             first: ($Float, $Float),
             second: ($Float, $Float),
@@ -60,7 +61,7 @@ macro_rules! cone {
             slope: $Float,
         }
 
-        /// The discriminant of the quadric of [`nappe`], whose leading coefficient is `a`, and how large the terms are whose rounding moves it.
+        /// The discriminant of the quadric of [`nappe`], whose leading coefficient is `a`, and the magnitude of the terms whose rounding changes it.
         #[inline(always)]
         fn discriminant(line: &LocalLine<$Float>, [r, g, h]: [$Float; 3], a: $Float) -> Attempt<($Float, $Float)> {
             let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
@@ -136,7 +137,7 @@ macro_rules! cone {
                 a_terms = 2.0 * $Float::abs(a);
             }
             let limits = Limits::of(&line);
-            // Nearly parallel to a generator, of which a direction that is off may be on either side.
+            // The line is nearly parallel to a generator: a direction with an error may be on either side of it.
             let most = if line.off[0] == 0.0 { a_terms } else { steepness * steepness };
             let is_clear = $Float::abs(a) >= most * limits.doubt();
             if !is_clear {
@@ -145,7 +146,7 @@ macro_rules! cone {
             let (discriminant, terms) = found!(discriminant(&line, [r, g, h], a));
             let k = h * h * (x * dx + z * dz) - outline * slope;
             let root = h * $sqrt(discriminant);
-            // -k and the root are added where they have one sign; the other end is c over that sum.
+            // -k and the root are added where they have the same sign; the other end is c over that sum.
             let sum = $Float::abs(k) + root;
             // The outline cancels towards the apex.
             let rim = g0 + $Float::abs(g) * ay;
@@ -158,10 +159,10 @@ macro_rules! cone {
             }
             let q = if k > 0.0 { -sum } else { sum };
             let start = line.start;
-            // Next to its closest point the root may be rounded by more than k.
+            // If the line starts next to its closest point, the rounding error of the root may be larger than k.
             let sum_terms = if start == 0.0 { k_terms } else { k_terms + h * h * terms / root };
-            // Of an end whose numbers cancel only that is said which lies surely inside: the planes may cut it off. The relative
-            // errors of both parts of the quotient add up.
+            // If the terms of an end cancel, the interval is given only as far as it certainly reaches: the planes may cut off that end. The relative
+            // errors of numerator and denominator add up.
             let off = |difference: $Float, terms: $Float, divisor: $Float| {
                 let magnitude = $Float::abs(difference);
                 let whole = if start == 0.0 {
@@ -172,10 +173,10 @@ macro_rules! cone {
                 let is_good = terms * sum + sum_terms * magnitude <= limits.together * whole;
                 if is_good { 0.0 } else { terms * limits.doubt() / magnitude }
             };
-            // The quadric's half gradient is as long as its derivative along a generator, the outline there times h^2 + g^2, at most.
+            // The length of half the quadric's gradient is at most that of its derivative along a generator: the outline there times h^2 + g^2.
             let moved = |t: $Float| {
                 let gradient = $Float::abs(outline + t * slope) * steepness;
-                // Next to the apex the gradient itself is off.
+                // Next to the apex the gradient itself has an error.
                 let is_off_apex = off_at(&line, t) * (steepness * steepness * 32.0 * limits.epsilon) <= gradient;
                 if is_off_apex && is_steady(&line, t, gradient, root, $Float::abs(a)) {
                     0.0
@@ -187,7 +188,7 @@ macro_rules! cone {
             let by_a = (by_a, off(a, a_terms, a) * $Float::abs(by_a) + moved(by_a));
             let by_c = (by_c, off(c, c_terms, q) * $Float::abs(by_c) + moved(by_c));
             let (first, second) = if (k > 0.0) == (a > 0.0) { (by_a, by_c) } else { (by_c, by_a) };
-            // So close to each other, beside their distance, that rounding may exchange them.
+            // If the ends are so close to each other, relative to their distance from the start, rounding may exchange them.
             let are_apart = first.0 < second.0;
             if !are_apart {
                 return Attempt::Unsure;

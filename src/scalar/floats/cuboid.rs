@@ -1,10 +1,10 @@
 //! Cuboids on the fast path of floats.
 
-/// Defines them for a float.
+/// Defines the intersection with cuboids for a float.
 macro_rules! cuboid {
     ($Float:ident) => {
-        /// The interval of the line inside the cuboid with these half extents about the origin. Of the planes by which the line enters a slab the last
-        /// is that of its entry, if the point there lies in the other two slabs; otherwise it misses.
+        /// The interval of the line inside the cuboid with these half extents about the origin. The line enters the cuboid by the last of the planes
+        /// by which it enters a slab, if the point there lies in the other two slabs; otherwise it misses.
         #[inline(always)]
         pub(crate) fn cuboid(line: &LocalLine<$Float>, half: [$Float; 3]) -> Attempt<InCuboid<$Float>> {
             if !is_clear_of_planes(line, half) {
@@ -25,7 +25,7 @@ macro_rules! cuboid {
             }
         }
 
-        /// Where the line leaves the cuboid that it has been in: by the first of the planes by which it leaves a slab.
+        /// Where the line leaves the cuboid: by the first of the planes by which it leaves a slab.
         #[inline(always)]
         pub(crate) fn exit_from_cuboid(line: &LocalLine<$Float>, half: [$Float; 3]) -> Attempt<($Float, usize)> {
             if !is_clear_of_planes(line, half) {
@@ -40,7 +40,8 @@ macro_rules! cuboid {
             }
         }
 
-        /// Whether this computation has room for the sizes, and no component of a rounded direction may be of the other sign.
+        /// Whether the sizes neither overflow nor underflow in this computation, and rounding cannot have changed the sign of a component of the
+        /// direction.
         #[inline(always)]
         fn is_clear_of_planes(line: &LocalLine<$Float>, half: [$Float; 3]) -> bool {
             let least = 32.0 * Limits::of(line).epsilon;
@@ -53,8 +54,8 @@ macro_rules! cuboid {
                 && !(line.is_rounded && (leads_along(dx) || leads_along(dy) || leads_along(dz)))
         }
 
-        /// Where the line crosses, of the two planes across each axis, the farther for half extents, and the nearer for their negatives. For a line along
-        /// the planes, that is infinitely far away if it lies between them, and no number if it lies in the one.
+        /// Where the line crosses one of the two planes perpendicular to each axis: the farther one for half extents, the nearer one for their
+        /// negatives. For a line parallel to the planes that is infinity if the line lies between them, and NaN if it lies in one of them.
         #[inline(always)]
         fn crossed(line: &LocalLine<$Float>, half: [$Float; 3]) -> [$Float; 3] {
             let along = |axis: usize| {
@@ -64,7 +65,7 @@ macro_rules! cuboid {
             [along(0), along(1), along(2)]
         }
 
-        /// Whether the line crosses the plane of a face, which lies across this axis, inside that face; and whether `t` is accurate enough.
+        /// Whether the line crosses the plane of a face, which is perpendicular to this axis, inside that face; and whether `t` is accurate enough.
         #[inline(always)]
         fn in_face(line: &LocalLine<$Float>, half: [$Float; 3], t: $Float, axis: usize) -> Attempt<()> {
             let Limits { epsilon, .. } = Limits::of(line);
@@ -75,7 +76,7 @@ macro_rules! cuboid {
                 let misses = !line.is_rounded && (is_beyond(0) || is_beyond(1) || is_beyond(2));
                 return if misses { Attempt::Miss } else { Attempt::Unsure };
             }
-            // What a rounding of each coordinate of the origin, and the line's own error, make of the crossing.
+            // The error of the crossing from a rounding of each coordinate of the origin, and from the line's own error.
             let (mut off, mut is_accurate) = (0.0, true);
             if line.is_rounded {
                 let of_axis = |v: [$Float; 3]| match axis {
@@ -87,7 +88,7 @@ macro_rules! cuboid {
                 is_accurate = is_good(line, t, crossing_off(line, own, climb, t));
                 off = (own + of_axis(half) + off_at(line, t)) / climb;
             }
-            // As for a rectangle: three roundings of the terms, and what the line is off along the plane.
+            // The same error as for a rectangle: three roundings of the terms, and the line's error along the plane.
             let beyond = |[o, d, h]: [$Float; 3]| {
                 let step = t * d;
                 let doubt = ($Float::abs(o) + $Float::abs(step) + h + off) * (8.0 * epsilon);

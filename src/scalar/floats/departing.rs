@@ -1,6 +1,6 @@
 //! Lines that depart inwards from a surface, on the fast path of floats.
 
-/// Defines them for a float.
+/// Defines the exit of such lines for a float.
 macro_rules! departing {
     ($Float:ident) => {
         /// A line in the coordinates in which a quadric is `X^2 + s Y^2 + Z^2`.
@@ -10,11 +10,11 @@ macro_rules! departing {
             terms: [$Float; 3],
             along: [$Float; 3],
             s: $Float,
-            /// By how much these coordinates are larger than the line's at most.
+            /// The largest ratio of these coordinates to those of the line.
             scale: $Float,
         }
 
-        /// The other root of `a t^2 + 2 k t`: the line begins in the quadric, whatever its rounded coordinates say. With `a` and `k`.
+        /// The other root of `a t^2 + 2 k t`, with `a` and `k`: the line begins in the quadric, whatever its rounded coordinates are.
         #[inline(always)]
         fn other_root(line: &LocalLine<$Float>, seen: InQuadric) -> Attempt<($Float, $Float, $Float)> {
             let InQuadric { point, terms, along, s, scale } = seen;
@@ -24,8 +24,8 @@ macro_rules! departing {
             // If the line's origin was moved to `start`, the roots are -start and another one; the sum of both is -2 k / a.
             let n = line.start * a - k;
             let off = if line.is_rounded { line.off } else { [0.0; 2] };
-            // How far off these are, in roundings of one: three of their terms, and as much as the line is. (.6 of the sum of a vector's
-            // components is its length or a little more or less: roundings do not all have one sign.)
+            // The errors of these, in units of the relative rounding error: three roundings of their terms, and the error of the line. (.6 times the
+            // sum of a vector's components is about its length: the roundings do not all have the same sign.)
             let length = |v: [$Float; 3]| 0.6 * size(v);
             let a_off = 3.0 * size(squares) + 2.0 * scale * off[1] * length(sizes);
             let k_off = 3.0 * dot(terms, sizes) + scale * (off[0] * length(sizes) + off[1] * length(terms));
@@ -53,7 +53,7 @@ macro_rules! departing {
             let (point, along) = ([x, s * y, z], [dx, s * dy, dz]);
             let seen = InQuadric { point, terms: magnitudes(point), along, s, scale: 1.0 };
             let (t, ..) = found!(other_root(line, seen));
-            // Before its start the line would be outside.
+            // An end before the start of the ray would be outside.
             if t > -line.start { Attempt::Found(t) } else { Attempt::Unsure }
         }
 
@@ -76,7 +76,7 @@ macro_rules! departing {
             });
             let (outline, slope, is_ahead) = (point[1], along[1], t > -line.start);
             if a < 0.0 {
-                // Steeper than the side: a half-line in each nappe, and this one's has no end.
+                // The line is steeper than the side: a half-line lies in each nappe, and that of this nappe has no end.
                 return if !is_ahead && slope > 0.0 { Attempt::Found($Float::INFINITY) } else { Attempt::Unsure };
             }
             // The outline halfway between the roots, where it is positive in this nappe.

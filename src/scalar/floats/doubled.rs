@@ -1,24 +1,24 @@
-//! Round solids in double-word numbers, on the fast path of floats: for lines of which a guard of the plain formulas fails.
+//! Round solids in double-word numbers, on the fast path of floats: for lines for which a guard of the plain formulas fails.
 //!
 //! In coordinates in which a quadric is `u . u = v^2` a line `u + t u'`, `v + t v'` meets it where `a t^2 + 2 k t + c = 0` with
 //! `a = u' . u' - v'^2`, `k = u . u' - v v'` and `c = u . u - v^2`. The coefficients and `D = k^2 - a c` are computed in numbers of twice the
-//! precision, so that some units in the last place remain of each in spite of cancellation. The line has twice the precision too, in any frame.
+//! precision, so that each is accurate to some units in the last place in spite of cancellation. The line has twice the precision too, in any frame.
 
-/// Defines them for a float.
+/// Defines the intersection with round solids for a float.
 macro_rules! doubled {
     ($Float:ident, sqrt: $sqrt:path) => {
         type DoubleWord = Twofold<$Float>;
 
-        /// A sum of products that is less than this part of its terms may be rounding. (It is off by some squares of the relative rounding
-        /// error of them.)
+        /// A sum of products that is less than this fraction of its terms may be only rounding error. (Its error is some squares of the relative
+        /// rounding error, times the terms.)
         const LEFT: $Float = 8.0 * $Float::EPSILON;
-        /// The low words of the products in terms less than this underflow.
+        /// If a term is less than this, the low words of its products underflow.
         const LEAST: $Float = $Float::MIN_POSITIVE / LEFT;
 
         /// A point or a vector in the coordinates `u` and, last, `v`.
         struct FormVector<const N: usize> {
             parts: [DoubleWord; N],
-            /// How far off they are, in squares of the relative rounding error.
+            /// The error of these coordinates, in squares of the relative rounding error.
             off: $Float,
         }
 
@@ -35,7 +35,7 @@ macro_rules! doubled {
             k: $Float,
         }
 
-        /// A line's origin and direction, with what rounding left over of them.
+        /// A line's origin and direction, with their low words.
         #[inline(always)]
         fn double_words(line: &LocalLine<$Float>) -> [[DoubleWord; 3]; 2] {
             let component = |i: usize| DoubleWord { high: line.origin[i], low: line.rests.origin[i] };
@@ -44,8 +44,8 @@ macro_rules! doubled {
         }
 
         impl<const N: usize> FormVector<N> {
-            /// `x . y` of the coordinates `u` less the product of the last, and the sum of the magnitudes of its terms, with what it is off because
-            /// `x` and `y` are.
+            /// `x . y` of the coordinates `u`, less the product of the last coordinates; and the sum of the magnitudes of its terms, enlarged by the
+            /// errors of `x` and `y`.
             #[inline(always)]
             fn product(&self, y: &Self) -> (DoubleWord, $Float) {
                 let (mut sum, mut terms) = (DoubleWord::ZERO, 0.0);
@@ -61,13 +61,13 @@ macro_rules! doubled {
         }
 
         impl<const N: usize> FormLine<N> {
-            /// `v`, and by how much it grows along the line.
+            /// `v`, and its growth along the line.
             #[inline(always)]
             fn rim(&self) -> [$Float; 2] {
                 [self.point.parts[N - 1].high, self.along.parts[N - 1].high]
             }
 
-            /// The roots, if some units in the last place of both are left; a miss if there are certainly none.
+            /// The roots, if both are accurate to some units in the last place; a miss if there are certainly none.
             #[inline(never)]
             fn quadratic(&self) -> Attempt<Quadratic> {
                 let (a, a_terms) = self.along.product(&self.along);
@@ -78,7 +78,7 @@ macro_rules! doubled {
                 let [a_size, k_size, c_size] = [$Float::abs(a), $Float::abs(k), $Float::abs(c)];
                 let doubt = LEFT * (k_size * k_terms + a_size * c_terms + c_size * a_terms);
                 let are_clear = a_size >= LEFT * a_terms && c_size >= LEFT * c_terms;
-                // (What k loses by underflow is less than the doubt.)
+                // (The error of k by underflow is less than the doubt.)
                 let is_in_range = a_terms >= LEAST && c_terms >= LEAST && doubt >= $Float::MIN_POSITIVE;
                 if !(are_clear && is_in_range) {
                     return Attempt::Unsure;
@@ -91,11 +91,11 @@ macro_rules! doubled {
                     return Attempt::Unsure;
                 }
                 let root = $sqrt(discriminant);
-                // -k and the root are added where they have one sign; the other root is c over that sum.
+                // -k and the root are added where they have the same sign; the other root is c over that sum.
                 let sum = if k > 0.0 { -k - root } else { root - k };
                 let (by_a, by_c) = (sum / a, c / sum);
                 let [low, high] = if (k > 0.0) == (a > 0.0) { [by_a, by_c] } else { [by_c, by_a] };
-                // Next to each other, beside their distance, rounding may exchange them; and neither may overflow.
+                // Rounding may exchange the roots if they are close to each other relative to their magnitude. Neither may overflow.
                 let are_apart = low < high && high - low < $Float::MAX;
                 if are_apart { Attempt::Found(Quadratic { roots: [low, high], a, k }) } else { Attempt::Unsure }
             }
@@ -154,14 +154,14 @@ macro_rules! doubled {
             }
         }
 
-        /// `crossings` of heights.
+        /// The function `crossings` in double-word numbers.
         #[cold]
         #[inline(never)]
         fn crossings_doubled(line: &LocalLine<$Float>, heights: [$Float; 2]) -> Attempt<([$Float; 2], [$Float; 2])> {
             let [[_, y, _], [_, dy, _]] = double_words(line);
             let speed = $Float::abs(dy.high);
             let crossing = |height: $Float| {
-                // The quotient of double-word numbers, to some units of the rounded one.
+                // The quotient of double-word numbers, accurate to some units in the last place of a float.
                 let way = DoubleWord::of(height) - y;
                 let terms = $Float::abs(height) + $Float::abs(y.high) + line.rests.off[0];
                 (way.high / dy.high, terms * (LEFT * $Float::EPSILON) / speed)

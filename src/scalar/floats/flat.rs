@@ -1,10 +1,9 @@
 //! Planes, discs, rectangles and triangles on the fast path of floats.
 
-/// Defines them for a float.
+/// Defines the intersection with flat primitives for a float.
 macro_rules! flat {
     ($Float:ident) => {
-        /// Where the line crosses each of the heights, and how much of that may be off because of a frame. A line that stays in one height
-        /// meets none of them.
+        /// Where the line crosses each of the heights, and the error of that due to a frame. A line of constant height crosses none of them.
         #[inline(always)]
         pub(crate) fn crossings(
             line: LocalLine<$Float>,
@@ -17,7 +16,7 @@ macro_rules! flat {
             if line.is_doubled {
                 return crossings_doubled(&line, [low, high]);
             }
-            // Divided, not multiplied by a reciprocal: then planes that lie in each other are crossed at the same `t`, whatever they belong to.
+            // Division, not multiplication by a reciprocal: then coplanar planes of different primitives are crossed at the same `t`.
             let ends = [(low - y) / dy, (high - y) / dy];
             let is_finite = $Float::abs(ends[0]) < $Float::MAX && $Float::abs(ends[1]) < $Float::MAX;
             if !is_finite {
@@ -57,7 +56,7 @@ macro_rules! flat {
                 return Attempt::Unsure;
             }
             let Limits { epsilon, .. } = Limits::of(&line);
-            // Each coordinate is off by at most three roundings of its terms, and by as much as the line is along the plane.
+            // The error of each coordinate is at most three roundings of its terms, and the line's error along the plane.
             let length = $Float::abs(x) + $Float::abs(z) + $Float::abs(across) + $Float::abs(along);
             let off = off_at(&line, t) / dy;
             let moved = off * (4.0 * epsilon);
@@ -85,7 +84,7 @@ macro_rules! flat {
                 return Attempt::Unsure;
             }
             let Limits { epsilon, .. } = Limits::of(&line);
-            // As for a disc: three roundings of the terms, and what the line is off along the plane.
+            // The same error as for a disc: three roundings of the terms, and the line's error along the plane.
             let off = off_at(&line, t) / dy;
             let beyond = |o: $Float, step: $Float, h: $Float| {
                 let doubt = ($Float::abs(o) + $Float::abs(step) + h + off) * (8.0 * epsilon);
@@ -119,7 +118,8 @@ macro_rules! flat {
             }
         }
 
-        /// Whether a quotient of sums of three products of three factors is good to a few units of itself, or of what begins at the line's start.
+        /// Whether a quotient of sums of three products of three factors is accurate to a few units in its last place, or in that of the `t` from the
+        /// ray's start.
         #[inline(always)]
         fn is_quotient_clear(line: &LocalLine<$Float>, n: $Float, d: $Float, n_terms: $Float, d_terms: $Float) -> bool {
             let whole = $Float::abs(n * d + line.start * (d * d));
@@ -135,7 +135,7 @@ macro_rules! flat {
         pub(crate) fn triangle(line: LocalLine<$Float>, vertices: [[$Float; 3]; 3]) -> Attempt<($Float, bool)> {
             let (o, d) = (line.origin, line.direction);
             let [a, b, c] = [minus(vertices[0], o), minus(vertices[1], o), minus(vertices[2], o)];
-            // A rounded origin is off by a rounding of itself.
+            // The error of a rounded origin is a rounding of itself.
             let own = if line.is_rounded { size(o) } else { 0.0 };
             let sizes = [size(a) + own, size(b) + own, size(c) + own];
             let terms = [sizes[0] * sizes[1], sizes[1] * sizes[2], sizes[2] * sizes[0]];
@@ -143,13 +143,13 @@ macro_rules! flat {
                 return Attempt::Unsure;
             }
             let Limits { epsilon, .. } = Limits::of(&line);
-            // It moves with each of its two vertices as the line is off.
+            // The line's error acts on each of its two vertices.
             let off = off_at(&line, sizes[0]) * (sizes[0] + sizes[1] + sizes[2]);
-            // d . (p x q): the side on which the line passes the edge from p to q; off by at most seven roundings of its terms.
+            // d . (p x q): the side on which the line passes the edge from p to q; its error is at most seven roundings of its terms.
             let volume = |(p, q, terms)| (dot(d, cross(p, q)), (terms + off) * (16.0 * epsilon));
             let edges = [(a, b, terms[0]), (b, c, terms[1]), (c, a, terms[2])];
             let from_front = found!(within_edges(edges, volume));
-            // From the vertices themselves, which are close together however far the ray starts.
+            // From differences of the vertices themselves, which are close together however far away the ray starts.
             let (u, v) = (minus(vertices[1], vertices[0]), minus(vertices[2], vertices[0]));
             let normal = cross(u, v);
             let (facing, distance) = (dot(normal, d), dot(normal, a));

@@ -1,6 +1,6 @@
 //! The guards of the fast path of floats, and its local lines.
 
-/// Defines them for a float.
+/// Defines the guards and the local lines for a float.
 macro_rules! guards {
     ($Float:ident, $bits:ty, $bias:literal, $mantissa:literal, sqrt: $sqrt:path, may_have_spare_bits: $spare:literal) => {
         /// The limits of the guards.
@@ -42,12 +42,12 @@ macro_rules! guards {
         }
 
         impl Limits {
-            /// Of answers in as many bits as the computation has.
+            /// For results with as many bits as the computation has.
             const OWN: Self = Self { epsilon: $Float::EPSILON, cancelled: 16.0, together: 7.0, moved: 8.0, near: 8.0 };
-            /// The same of a line whose components have been rounded once.
+            /// The same for a line whose components have been rounded once.
             const ROUNDED: Self = Self { cancelled: 12.0, together: 6.0, near: 8.0, ..Self::OWN };
-            /// Of answers in so many bits less that guards may count with roundings 2^13 times as large: whatever a guard leaves out of
-            /// account is less than that, and what it decides is certain.
+            /// For results with so many fewer bits that guards may assume roundings 2^13 times as large. Whatever a guard neglects is less than that,
+            /// so that its decisions are certain.
             const SPARE: Self =
                 Self { epsilon: 8192.0 * $Float::EPSILON, cancelled: 64.0, together: 36.0, moved: 64.0, near: 2048.0 };
 
@@ -62,24 +62,24 @@ macro_rules! guards {
                 }
             }
 
-            /// How much a difference of squares may be off, by more than a hundred roundings.
+            /// A bound on the error of a difference of squares; it allows for more than a hundred roundings.
             #[inline(always)]
             fn doubt(&self) -> $Float {
                 128.0 * self.epsilon
             }
 
-            /// How much the square of a line's distance may be off, next to `rr` or beyond: a distance `p` from a start of which the closest point
-            /// is `k` away is off by less than 3 epsilon (|k| + p), and 2 |k| p <= k^2 / 64 + 64 p^2.
+            /// A bound on the error of the square of a line's distance, if it is near `rr` or larger. If the closest point is `k` away from the
+            /// start, the error of the distance `p` is less than 3 epsilon (|k| + p), and 2 |k| p <= k^2 / 64 + 64 p^2.
             #[inline(always)]
             fn of_distance(&self, pp: $Float, rr: $Float, kk: $Float) -> $Float {
                 (pp + rr) * self.doubt() + kk * (self.epsilon / 16.0)
             }
         }
 
-        /// Rays of balls and tubes start at most this many sizes away, squared: their error grows as `t` itself does, until it is as large as
-        /// the chord.
+        /// The square of the largest distance, in sizes, from which rays at spheres and infinite cylinders may start: their error grows in proportion
+        /// to `t`, until it is as large as the chord.
         const FAR_SQUARE: $Float = 1024.0 * 1024.0;
-        /// Sums of three products of three factors are taken where their terms are up to this many times larger.
+        /// Sums of three products of three factors are accepted if their terms are at most this many times larger.
         const FLAT_CANCELLED: $Float = 4.0;
 
         /// The line from `o` along `d` in the frame with these axes at `position`.
@@ -114,7 +114,7 @@ macro_rules! guards {
             a: [$Float; 3],
             r: $Float,
         ) -> bool {
-            // Far more than rounding may change, and what frames that were read from files may lack of right angles.
+            // Far above all rounding errors, and above the errors of the right angles of frames that were read from files.
             const DOUBT: $Float = 1.0 / 4096.0;
             let (from, n) = (minus(o, position), cross(d, a));
             let (moment, rr) = (dot(n, from), r * r);
@@ -138,11 +138,11 @@ macro_rules! guards {
         }
 
         /// The `t` of the line's point closest to the origin, if the line starts far away (the squared ratio of its start's distance to the closest
-        /// distance is the criterion); otherwise zero. (The direction is nearly of length 1, and `t` need not be accurate.)
+        /// distance is the criterion); otherwise zero. (The length of the direction is nearly 1, and `t` need not be accurate.)
         #[inline(always)]
         fn closest(from: [$Float; 3], d: [$Float; 3], far: $Float) -> $Float {
             let k = dot(from, d);
-            // It passes at a distance of the root of |from|^2 - k^2.
+            // It passes the origin at a distance of the square root of |from|^2 - k^2.
             if k * k * (1.0 + far) > far * dot(from, from) { -k } else { 0.0 }
         }
 
@@ -151,8 +151,8 @@ macro_rules! guards {
             [from[0] + t * d[0], from[1] + t * d[1], from[2] + t * d[2]]
         }
 
-        /// The error bound of a line whose origin was moved to `start`: a difference, a product and their sum, half a rounding each; and a
-        /// rotation, four halves.
+        /// The error bound of a line whose origin was moved to `start`: half a rounding each for a difference, a product and their sum, and four
+        /// halves for a rotation.
         #[inline(always)]
         fn off(start: $Float, origin: [$Float; 3]) -> $Float {
             0.75 * $Float::abs(start) + size(origin)
@@ -200,7 +200,7 @@ macro_rules! guards {
             (is_within(x.1) && is_within(y.1) && is_within(z.1)).then(|| [scale(x.1), scale(y.1), scale(z.1)])
         }
 
-        /// True for a positive size whose eighth powers stay in the type (its squares, for `NARROW` of 2).
+        /// True for a positive size whose eighth power is within the type's range (its square, for `NARROW` of 2).
         #[inline(always)]
         fn is_handy<const NARROW: u32>(size: $Float) -> bool {
             // By the exponent's bits: between 2^-(bias / NARROW) and its reciprocal.
@@ -221,22 +221,23 @@ macro_rules! guards {
             a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
         }
 
-        /// Whether rounding, or what they may be off beside it, decides which comes first.
+        /// Whether rounding, or a further error of the two, may decide which comes first.
         #[inline(always)]
         pub(crate) fn are_close(line: &LocalLine<$Float>, a: $Float, b: $Float, off: $Float) -> bool {
-            // Not if one is infinite, or both are: that compares false.
+            // The comparison is false if one or both are infinite.
             $Float::abs(a - b)
                 < ($Float::abs(a) + $Float::abs(b) + line.off[0]) * (64.0 * Limits::of(line).epsilon) + off
         }
 
-        /// Whether an end that may be off by so much is good to some units.
+        /// Whether an end with this error is accurate to some units in the last place.
         #[inline(always)]
         pub(crate) fn is_good(line: &LocalLine<$Float>, t: $Float, off: $Float) -> bool {
             off <= $Float::abs(t + line.start) * (11.0 * Limits::of(line).epsilon)
         }
 
-        /// How far off the crossing at `t` of a plane is, by the rounding of a line: that of the coordinate `o` across the plane, some units of twice the
-        /// precision of the longest coordinate, and what the line is off. `climb` is the magnitude of the direction's component across the plane.
+        /// The error of the crossing of a plane at `t`, due to the line: the rounding of the coordinate `o` perpendicular to the plane, some units of
+        /// twice the precision of the longest coordinate, and the line's own error. `climb` is the magnitude of the direction's component
+        /// perpendicular to the plane.
         #[inline(always)]
         fn crossing_off(line: &LocalLine<$Float>, o: $Float, climb: $Float, t: $Float) -> $Float {
             let Limits { epsilon, .. } = Limits::of(line);

@@ -2,7 +2,7 @@
 //!
 //! Where nothing cancels, the textbook formulas are accurate to a few units in the last place. A guard, which is a comparison, checks each
 //! difference for cancellation. Rays that fail a guard (grazing rays, starts next to a surface, sizes whose powers overflow or underflow) are
-//! [`Attempt::Unsure`]. They are tried once more along a line that is rounded less, and, if a guard still fails, in double-word numbers.
+//! [`Attempt::Unsure`]. They are tried again along a more accurate line, and, if a guard still fails, in double-word numbers.
 //!
 //! Numbers are not scaled. Of the plain formulas only two values are compensated, where that is cheaper than double-word numbers: the constant
 //! term of a sphere next to the start, and the leading coefficient of a cone next to a generator.
@@ -90,7 +90,7 @@ macro_rules! floats {
                 if discriminant == 0.0 {
                     return Attempt::Unsure;
                 }
-                // Moving away, the far end counts.
+                // The line leads away from the closest point: the far end decides.
                 if k <= 0.0 || $sqrt(discriminant) >= k { Attempt::Found(()) } else { Attempt::Miss }
             }
             #[inline(always)]
@@ -207,7 +207,7 @@ macro_rules! floats {
             #[inline(always)]
             fn fast_lowered(line: LocalLine<Self>, y: Self) -> Attempt<LocalLine<Self>> {
                 let ([ox, oy, oz], [rx, ry, rz]) = (line.origin, line.rests.origin);
-                // Next to the surface the rounding of this difference counts.
+                // Next to the surface the rounding error of this difference matters.
                 let [low, rest] = oy.plus_with_rest(-y);
                 let [low, rest] = low.plus_with_rest(rest + ry);
                 let [off, along_off] = line.rests.off;

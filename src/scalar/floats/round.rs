@@ -1,6 +1,6 @@
 //! Spheres and cylinders on the fast path of floats.
 
-/// Defines them for a float.
+/// Defines the intersection with spheres and cylinders for a float.
 macro_rules! round {
     ($Float:ident, sqrt: $sqrt:path) => {
         /// `k = o . d` and `D = r^2 - |o - k d|^2`; a miss if `D < 0`.
@@ -12,13 +12,13 @@ macro_rules! round {
             let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
             let k = dot(line.origin, line.direction);
             let p = [x - k * dx, y - k * dy, z - k * dz];
-            // Where this overflows the line is far away from the ball: a miss.
+            // If this overflows, the line is far away from the ball: a miss.
             let pp = dot(p, p);
             let rr = r * r;
             if pp > rr { Attempt::Miss } else { Attempt::Found((k, rr - pp)) }
         }
 
-        /// `k` and `D` of a closest approach, if both are good to a few units, and, if `-k -+ sqrt(D)` are not, `c`.
+        /// `k` and `D` of a closest approach, if both are accurate to a few units in the last place; and `c`, if `-k -+ sqrt(D)` are not.
         #[inline(always)]
         fn clear_approach(line: LocalLine<$Float>, r: $Float) -> Attempt<($Float, $Float, Option<$Float>)> {
             if !is_handy::<2>(r) {
@@ -28,7 +28,7 @@ macro_rules! round {
             let limits = Limits::of(&line);
             let (along, mut a) = (dot(line.origin, line.direction), dot(line.direction, line.direction));
             if !is_strict(&line) {
-                // The formula takes the direction for unit; one that was given by its components may be next to it.
+                // The formula assumes a direction of length 1; one that was given by its components may have another.
                 if $Float::abs(a - 1.0) > 4.0 * $Float::EPSILON {
                     return Attempt::Unsure;
                 }
@@ -39,7 +39,7 @@ macro_rules! round {
             let (rr, kk) = (r * r, k * along);
             let pp = dot(p, p);
             let discriminant = rr - pp;
-            // Not the comparisons' negations: what overflowed must fail.
+            // Not the negated comparisons: a value that has overflowed must fail.
             if !(kk <= rr * FAR_SQUARE && 2.0 * discriminant * limits.cancelled >= rr) {
                 let off = off_at(&line, k);
                 let doubt = limits.of_distance(pp, rr, kk + off * off);
@@ -66,7 +66,7 @@ macro_rules! round {
             if line.off[0] != 0.0 || is_strict(&line) {
                 return Attempt::Unsure;
             }
-            // Next to the surface the nearer end is c over the farther one, and c = |o|^2 - r^2 is mostly rounding: without that.
+            // Next to the surface the nearer end is c over the farther one. c = |o|^2 - r^2 cancels, and is therefore compensated.
             let c =
                 Real::sum_of_products([[x, x], [y, y], [z, z], [-r, r]]) + 2.0 * dot(line.origin, line.rests.origin);
             let is_known = $Float::abs(c) * 4096.0 >= rr && is_handy::<4>(r);
@@ -75,8 +75,8 @@ macro_rules! round {
             if is_known { Attempt::Found((k, discriminant, Some(c))) } else { Attempt::Unsure }
         }
 
-        /// `answer`, if neither of the ends `-k -+ sqrt(D)` is small beside what rounding moves it: some `eps` times the root of
-        /// `moved`, over `sqrt(D)`. The smaller end is `|k^2 - D| / (|k| + sqrt(D))`, and the square of that sum at most `2 (k^2 + D)`.
+        /// `answer`, if both ends `-k -+ sqrt(D)` are large relative to their error, which is some `eps` times the root of `moved`, over `sqrt(D)`.
+        /// The smaller end is `|k^2 - D| / (|k| + sqrt(D))`, and the square of that sum at most `2 (k^2 + D)`.
         #[inline(always)]
         fn clear_of_the_start<T>(
             kk: $Float,
@@ -103,7 +103,7 @@ macro_rules! round {
             IN_RANGE.contains(&most) && moved + kk * discriminant <= most
         }
 
-        /// Neither overflowed nor underflowed, which would make comparisons meaningless.
+        /// Values that have neither overflowed nor underflowed, so that comparisons are meaningful.
         const IN_RANGE: core::ops::Range<$Float> = $Float::MIN_POSITIVE / $Float::EPSILON..$Float::MAX;
 
         /// The comparison of [`clear_of_the_start`] with lengths brought near 1.
@@ -138,7 +138,7 @@ macro_rules! round {
             }
         }
 
-        /// Whether the line has an end in the ball's surface at `t >= 0`; the same as [`ball`] says.
+        /// Whether the line has an end on the ball's surface at `t >= 0`; the same result as that of [`ball`].
         #[inline(always)]
         pub(crate) fn ball_ahead(line: LocalLine<$Float>, r: $Float) -> Attempt<()> {
             if line.off[0] != 0.0 {
@@ -176,7 +176,7 @@ macro_rules! round {
                 if discriminant < -doubt {
                     return Attempt::Miss;
                 }
-                // As for a ball.
+                // As for a sphere.
                 if !(line.start != 0.0 && discriminant > doubt) {
                     return Attempt::Unsure;
                 }

@@ -1,14 +1,15 @@
-//! The local lines of the second attempt on the fast path of floats: with the origin moved next to the solid, by sums of twice the precision.
+//! The local lines of the second attempt on the fast path of floats: with the origin moved next to the solid, computed by sums of twice the
+//! precision.
 //!
 //! The error of each component is then one rounding of itself, in any frame and however far away the ray starts.
 
-/// Defines them for a float.
+/// Defines these lines for a float.
 macro_rules! second {
     ($Float:ident) => {
-        /// A vector, and what rounding left over of each component.
+        /// A vector, and the low word of each component.
         type Compensated = [[$Float; 2]; 3];
 
-        /// The line of a world's ray next to `base`, and relative to it; `None` if it begins there.
+        /// The line of a ray in world coordinates, with its origin moved next to `base`, and relative to it; `None` if it begins there.
         #[inline(never)]
         pub(crate) fn closer(o: [$Float; 3], d: [$Float; 3], base: [$Float; 3]) -> Option<LocalLine<$Float>> {
             let start = closest_along(minus(o, base), d);
@@ -21,7 +22,7 @@ macro_rules! second {
             compensated(origin, direction, start, 0, off)
         }
 
-        /// The line in the frame of these axes at `position`, next to the frame's point `base` and relative to it.
+        /// The line in the frame with these axes at `position`, with its origin moved next to the frame's point `base`, and relative to it.
         #[inline(never)]
         pub(crate) fn turned_again(
             o: [$Float; 3],
@@ -42,8 +43,8 @@ macro_rules! second {
             compensated(relative(seen, base), direction, start, 1, [4.0 * terms, 4.0])
         }
 
-        /// The line in the frame of a matrix at `position` whose inverse has these rows, next to its point `base` and relative to it;
-        /// `None` if the powers of two leave the type.
+        /// The line in the frame of a matrix at `position` whose inverse has these rows, with its origin moved next to the frame's point `base`, and
+        /// relative to it; `None` if the powers of two are beyond the type.
         #[inline(never)]
         pub(crate) fn stretched_again(
             o: [$Float; 3],
@@ -116,7 +117,7 @@ macro_rules! second {
             [component(0), component(1), component(2)]
         }
 
-        /// The sum of the products, and what is left of it, both rounded (Ogita, Rump and Oishi, *Accurate sum and dot product*, 2005,
+        /// The sum of the products as a rounded value and a low word (Ogita, Rump and Oishi, *Accurate sum and dot product*, 2005,
         /// algorithm 5.3).
         #[inline(always)]
         fn sum_and_rest(a: [$Float; 3], b: [$Float; 3]) -> [$Float; 2] {
@@ -152,7 +153,7 @@ macro_rules! second {
             let along = LocalLine::along(part(origin, 0), part(direction, 0), 0.0);
             let rests = LowWords { origin: part(origin, 1), direction: part(direction, 1), off };
             let line = LocalLine { rests, start, finer, is_relative: true, is_rounded: true, ..along };
-            // Where something overflowed a rest is not a number.
+            // If something has overflowed, a low word is NaN.
             let is_finite = line.rests.origin.iter().chain(&line.direction).all(|part| part.is_finite());
             (is_finite && start.is_finite()).then_some(line)
         }

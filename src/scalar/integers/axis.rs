@@ -2,18 +2,18 @@
 
 use super::{leading_zeros, leading_zeros_of_64, magnitude_bits};
 
-/// Bits of all factors.
+/// Bits of each factor.
 const BITS: u32 = 14;
 
-/// What rounding leaves uncertain of the distance, in its units: less than 17 of them, and what frames that were read from files may lack of right
-/// angles.
+/// The uncertainty of the distance, in its units: less than 17 of them from rounding, and the errors of the right angles of frames that were read
+/// from files.
 const DOUBT: i32 = 20;
 
-/// True if the line along `d` passes the axis `a` at a distance greater than `r`. `from` leads from a point of the axis to one of the line.
+/// True if the line along `d` passes the axis `a` at a distance greater than `r`. `from` is the vector from a point of the axis to one of the line.
 #[inline(always)]
 pub(in crate::scalar) fn passes(from: [i32; 3], d: [i32; 3], a: [i32; 3], r: i32) -> bool {
     let bits = magnitude_bits(from[0]) | magnitude_bits(from[1]) | magnitude_bits(from[2]);
-    // The difference of coordinates at opposite ends of the budget, 2^31, has wrapped around to the other sign.
+    // The difference of coordinates at opposite ends of the budget, 2^31, overflows and has the wrong sign.
     if bits == i32::MAX as u32 {
         return false;
     }
@@ -42,11 +42,11 @@ fn is_beyond(from: [i32; 3], d: [i32; 3], a: [i32; 3], r: i32) -> bool {
         return false;
     }
     let (d, a) = (d.map(|component| component >> (30 - BITS)), a.map(|component| component >> (30 - BITS)));
-    // Each component is off by less than 4 units of 2^-14: by the rounding of four factors, and its own.
+    // The error of each component is less than 4 units of 2^-14: from the rounding of four factors, and its own.
     let cross = |i: usize, j: usize| (d[i] * a[j] - d[j] * a[i]) >> BITS;
     let n = [cross(1, 2), cross(2, 0), cross(0, 1)];
     let distance = ((n[0] * from[0] + n[1] * from[1] + n[2] * from[2]) >> BITS).abs() - DOUBT;
-    // |n|^2 in units of 2^-14, and what it may be off.
+    // |n|^2 in units of 2^-14, and its error bound.
     let nn = ((n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) >> BITS) + 16;
     let r = r + 1;
     distance > 0 && distance * distance > (((r * r) >> BITS) + 1) * nn

@@ -12,7 +12,7 @@ fn squared_length([x, y, z]: [i32; 3]) -> i64 {
     square(x) + square(y) + square(z)
 }
 
-/// How a line comes close to a ball, for a direction taken to be exactly unit: `k = o . d` and `D = r^2 - |o - k d|^2`, so that
+/// The closest approach of a line to a ball, for a direction assumed to have length 1: `k = o . d` and `D = r^2 - |o - k d|^2`, so that
 /// `t = -k -+ sqrt(D)`.
 pub(in crate::scalar) struct ByApproach {
     o: [i32; 3],
@@ -27,9 +27,9 @@ impl ByApproach {
     /// The origin is in units of `2^-finer` of the radius's.
     #[inline(always)]
     pub(in crate::scalar) fn new(o: [i32; 3], finer: i32, d: [i32; 3], r: i32) -> Attempt<Self> {
-        // For an origin that is kept finer there is no room here.
+        // There is no room here for an origin with more extra bits.
         let (o, finer) = if finer > FINER { (coarser(o, (finer - FINER) as u32), FINER) } else { (o, finer) };
-        // All lengths in the origin's unit, then on a grid on which none has more than 28 bits.
+        // All lengths are converted to the origin's unit, then to a grid on which none has more than 28 bits.
         if !(0..28).contains(&finer) {
             return Attempt::Unsure;
         }
@@ -43,7 +43,7 @@ impl ByApproach {
         if unit > 30 {
             return Attempt::Unsure;
         }
-        // Products with the direction are cut off at the grid: a unit and a half together, made up for by one.
+        // Products with the direction are cut off at the grid: an error of a unit and a half in sum, of which one unit is added back.
         let along = |length: i32, d: i32| high_product_signed(length << 2, d);
         let [x, y, z] = o.map(|length| length << grid);
         let k = along(x, d[0]) + along(y, d[1]) + along(z, d[2]) + 1;
@@ -66,7 +66,7 @@ impl ByApproach {
         Attempt::Found([(half - self.k - root) >> self.unit, (half - self.k + root) >> self.unit])
     }
 
-    /// Whether there is an end at `t >= 0`; the same as [`ByApproach::ends`] says.
+    /// Whether there is an end at `t >= 0`; the same result as that of [`ByApproach::ends`].
     #[inline(always)]
     pub(in crate::scalar) fn meets_ahead(self) -> Attempt<()> {
         if self.discriminant < 0 {
@@ -78,8 +78,8 @@ impl ByApproach {
         if self.k < 0 {
             return Attempt::Found(());
         }
-        // Moving away: the far end is at -c / (k + sqrt(D)), where within half a unit of the type zero is zero. (The grid must be
-        // so much finer that its rounding decides nothing.)
+        // The line leads away: the far end is at -c / (k + sqrt(D)), and an end within half a unit of the type of zero counts as zero. (The grid must
+        // be so fine that its rounding cannot decide this.)
         let near = (self.k as i64 + 1) << (self.unit + 1);
         let c = squared_length(self.o) - self.rr;
         if self.unit < 4 || (c >= 0 && c <= near) {
@@ -92,9 +92,9 @@ impl ByApproach {
     }
 }
 
-/// How a line comes close to a ball, from its moment `w = o x d`: `D = a r^2 - |w|^2`, so that `t = (-k -+ sqrt(D)) / a`.
+/// The closest approach of a line to a ball, from its Pluecker moment `w = o x d`: `D = a r^2 - |w|^2`, so that `t = (-k -+ sqrt(D)) / a`.
 ///
-/// `k` is exact; `a = 1 + e` with an `e` of at most 2^-20, whose square is nothing beside 1.
+/// `k` is exact; `a = 1 + e` with an `e` of at most 2^-20, whose square is negligible.
 pub(in crate::scalar) struct ByMoment {
     d: [i32; 3],
     k: i64,
@@ -111,7 +111,7 @@ impl ByMoment {
     /// The origin is in units of `2^-finer` of the radius's.
     #[inline(always)]
     pub(in crate::scalar) fn new(o: [i32; 3], finer: i32, d: [i32; 3], r: i32) -> Attempt<Self> {
-        // A grid on which the radius has 29 bits; the moment is brought there by a shift down.
+        // A grid on which the radius has 29 bits; the moment is shifted down to it.
         let grid = leading_zeros(r as u32) as i32 - 3;
         let down = 30 + finer - grid;
         if grid < 4 || !(3..32).contains(&down) {
@@ -134,15 +134,15 @@ impl ByMoment {
         Attempt::Found(Self { d, k, rr, residual, grid, unit: (30 + finer) as u32, down })
     }
 
-    /// How small the square of the root may be: a framed origin is off by a hundredth of a unit, of which a root a sixteenth of the radius
-    /// makes a sixth. With each bit that it is finer, the root may be half as large.
+    /// The smallest square of the root. The error of a framed origin, a hundredth of a unit, becomes a sixth of a unit if the root is a sixteenth of
+    /// the radius. With each further bit of the origin the root may be half as large.
     #[inline(always)]
     fn most(&self, unframed: i32) -> i32 {
         let finer = self.unit as i32 - 30;
         if finer == 0 { unframed } else { (8 + 2 * more_bits(finer, self.grid)).min(unframed) }
     }
 
-    /// The two ends, in the radius's unit; `is_strict`: if it is certain that they exist.
+    /// The two ends, in the radius's unit; with `is_strict` only if it is certain that they exist.
     #[inline(always)]
     pub(in crate::scalar) fn ends(self, is_strict: bool) -> Attempt<[i32; 2]> {
         // In units of 2^-48.
@@ -166,28 +166,28 @@ impl ByMoment {
         if is_strict && (is_beyond(ends[0]) || is_beyond(ends[1])) { Attempt::Unsure } else { Attempt::Found(ends) }
     }
 
-    /// Whether there is an end at `t >= 0`; the same as [`ByMoment::ends`] says.
+    /// Whether there is an end at `t >= 0`; the same result as that of [`ByMoment::ends`].
     #[inline(always)]
     pub(in crate::scalar) fn meets_ahead(self) -> Attempt<()> {
-        // Whatever the direction's length.
+        // For any length of the direction within these bounds.
         let certain = self.rr >> (2 * (self.grid - 5)).clamp(3, self.most(17));
         if self.residual < certain {
             return if self.residual < -certain { Attempt::Miss } else { Attempt::Unsure };
         }
-        // So far away that an end may be beyond the type.
+        // The line starts so far away that an end may be beyond the type.
         if magnitude_bits(high(self.k)) >= 1 << 28 {
             return Attempt::Unsure;
         }
         if self.k < 0 {
             return Attempt::Found(());
         }
-        // Moving away: the far end is at (D - k^2) / (k + sqrt(D)), where within half a unit of the type zero is zero.
+        // The line leads away: the far end is at (D - k^2) / (k + sqrt(D)), and an end within half a unit of the type of zero counts as zero.
         let k = self.k >> self.down;
         if k >= 1 << 30 {
             return Attempt::Miss;
         }
         let beyond = square(k as i32) - self.residual;
-        // Two units, or what the direction's length makes of the discriminant.
+        // Two units, or the error of the discriminant from the direction's length.
         let near = ((k + 2) << (self.grid + 2)) + (self.rr >> 18);
         if beyond > near {
             Attempt::Miss
@@ -199,7 +199,7 @@ impl ByMoment {
     }
 }
 
-/// The number, or the largest that stands for infinity.
+/// The number, or the largest raw value, which stands for infinity.
 #[inline(always)]
 fn within_type(t: i64) -> i32 {
     if t >= i32::MAX as i64 {

@@ -44,8 +44,8 @@ struct Scaled {
 }
 
 impl Scaled {
-    /// The origin is in units of `2^-finer` of the sizes'. It is moved next to the line's closest point, unless the line `departs`.
-    // Not inlined: a shape that may be any cone has it twice.
+    /// The origin is in units of `2^-finer` of the sizes'. It is moved to a point next to the line's closest point, unless the line `departs`.
+    // Not inlined: a shape that may be any cone would contain it twice.
     #[inline(never)]
     fn new(o: [i32; 3], finer: i32, d: [i32; 3], [r, g, h]: [i32; 3], departs: bool, is_strict: bool) -> Attempt<Self> {
         // The proportions, the larger one above 1/2 and at most 1 in units of 2^-30.
@@ -55,8 +55,8 @@ impl Scaled {
             return Attempt::Unsure;
         }
         let (g, h) = (g << (free - 2), h << (free - 2));
-        // From the whole unit of t next to the point closest to the frame's origin: the products are exact, and lengths are those of
-        // the cone and of the line's distance from it, however far away the ray starts.
+        // The origin is moved to the whole unit of t next to the point closest to the frame's origin. The products are exact, and the lengths are
+        // those of the cone and of the line's distance from it, however far away the ray starts.
         let closest = if departs {
             0
         } else {
@@ -78,7 +78,7 @@ impl Scaled {
         }
         let up = zeros - 3;
         let unit = (up as i32 - 2 + finer) as u32;
-        // Cut off towards zero, so that a mirrored line is on mirrored points.
+        // Truncated towards zero, so that a mirrored line has mirrored points.
         let on_grid = |length: i64| {
             let magnitude = length.unsigned_abs();
             let length_on_grid = (((magnitude >> 32) as u32) << up | (magnitude as u32) >> (32 - up)) as i32;
@@ -95,17 +95,17 @@ impl Scaled {
         Attempt::Found(Self { point: [x, y, z], direction: [dx, dy, dz], a, digits, unit, start, finer, is_strict })
     }
 
-    /// How many bits finer than an eighth of the type's unit the coordinates are, and a framed origin than a fourth, where the roots make
-    /// `2^shift` of that.
+    /// The number of bits by which the coordinates are finer than an eighth of the type's unit, and a framed origin than a fourth, if the roots
+    /// multiply errors by `2^shift`.
     #[inline(always)]
     fn spare(&self) -> i32 {
         let shift = self.digits.shift as i32;
         let spare = self.unit as i32 - 3 - shift;
-        // A framed origin is off by half of its own unit.
+        // The error of a framed origin is half of its own unit.
         if self.finer == 0 { spare } else { spare.min(self.finer - 2 - shift) }
     }
 
-    /// A coordinate is off by this power of two of its units, if it comes from a framed origin.
+    /// The exponent of the error of a coordinate, in its units, if it comes from a framed origin.
     #[inline(always)]
     fn framed_bits(&self) -> i32 {
         framed_bits(self.finer, self.unit as i32)
@@ -123,7 +123,7 @@ impl Scaled {
     fn is_middle_inside(&self, k: i64) -> Attempt<bool> {
         let (a, k) = (high(self.a << 2), high(k << 2));
         let middle = product(self.point[1], a) - product(self.direction[1], k);
-        // Strictly: Y a and dY k are off by 2^35 together, and by 2^31.4 for each unit that a framed origin is off.
+        // If strict: the sum of the errors of Y a and dY k is 2^35, and 2^31.4 more for each unit of error of a framed origin.
         let doubtful = if self.is_strict { 36.max(34 + self.framed_bits()) } else { 34 };
         if middle.unsigned_abs() >> doubtful == 0 { Attempt::Unsure } else { Attempt::Found(middle > 0) }
     }
@@ -140,9 +140,9 @@ impl AtCone {
         let wy = nearest(product(z, dx) - product(x, dz));
         let wz = nearest(product(x, dy) - product(y, dx));
         let discriminant = square(wx) + square(wz) - square(wy);
-        // The coordinates' rounding, of up to 1.5 units across the axis and 3 along it, moves D by no more than ten times this.
+        // The rounding of the coordinates, up to 1.5 units perpendicular to the axis and 3 along it, changes D by at most ten times this.
         let moment = wx.unsigned_abs() as i64 + wy.unsigned_abs() as i64 + wz.unsigned_abs() as i64;
-        // Strictly: by 16 times this, and by 4 times for each unit that a framed origin is off.
+        // If strict: by 16 times this, and by 4 times this for each unit of error of a framed origin.
         let doubt = moment << if is_strict { 5.max(3 + line.framed_bits()) } else { 4 };
         if discriminant < -doubt && line.a > 0 {
             return Attempt::Miss;
@@ -150,7 +150,7 @@ impl AtCone {
         if is_strict && discriminant <= doubt {
             return Attempt::Unsure;
         }
-        // ... and t by no more than half a unit (in all that was measured, by a twentieth), if the root is not small against the moment.
+        // It changes t by at most half a unit (a twentieth in all measurements), if the root is not small relative to the moment.
         let spare = line.spare();
         if high(discriminant) <= 0 || spare < 0 {
             return Attempt::Unsure;
@@ -161,7 +161,7 @@ impl AtCone {
         }
         let k = line.k();
         let divisor = line.digits.divisor();
-        // Farther away, the rounding of a turned direction counts, 2^-31 of t, of which a small root makes as much more.
+        // Farther away the rounding of a turned direction matters: an error of 2^-31 of t, which a small root enlarges likewise.
         let more = leading_zeros(root as u32) as i32 - leading_zeros(moment as u32) as i32 + 1;
         let farthest = (1 << if finer == 0 { 24 } else { (28 - more).clamp(0, 24) }) >> divisor.shift;
         Attempt::Found(Self { line, k, root, divisor, farthest })
@@ -231,8 +231,8 @@ pub(in crate::scalar) fn nappe(
     found!(AtCone::new(o, finer, d, outline, is_strict)).in_nappe()
 }
 
-/// Where the line is inside both nappes of the cone of slope `g / h` about its apex at the origin: between its ends, or (`true`) beyond
-/// them.
+/// Where the line is inside both nappes of the cone of slope `g / h` about its apex at the origin: between its ends, or (`true`) before the first and
+/// after the second.
 #[inline(always)]
 pub(in crate::scalar) fn double_cone(
     o: [i32; 3],
@@ -244,8 +244,8 @@ pub(in crate::scalar) fn double_cone(
     found!(AtCone::new(o, finer, d, [0, g, h], is_strict)).in_both()
 }
 
-/// Where a line that begins in the side of [`nappe`] leaves that nappe: the other root of `a t^2 + 2 k t`, whatever its rounded coordinates
-/// say; the largest number if it does not.
+/// Where a line that begins in the side of [`nappe`] leaves that nappe: the other root of `a t^2 + 2 k t`, whatever its rounded coordinates are; the
+/// largest number if it does not leave it.
 #[inline]
 pub(in crate::scalar) fn exit_from_nappe(
     o: [i32; 3],
@@ -256,7 +256,7 @@ pub(in crate::scalar) fn exit_from_nappe(
 ) -> Attempt<i32> {
     let line = found!(Scaled::new(o, finer, d, outline, true, is_strict));
     let (k, shift) = (line.k(), line.digits.shift);
-    // The coordinates' rounding moves t by a fourth of a unit at most.
+    // The rounding of the coordinates changes t by at most a fourth of a unit.
     if line.spare() < 3 {
         return Attempt::Unsure;
     }
@@ -264,7 +264,7 @@ pub(in crate::scalar) fn exit_from_nappe(
         return Attempt::Unsure;
     };
     if line.a < 0 {
-        // Steeper than the side: a half-line in each nappe, and this one's has no end.
+        // The line is steeper than the side: a half-line lies in each nappe, and that of this nappe has no end.
         return if t < -1 && line.direction[1] > 0 { Attempt::Found(i32::MAX) } else { Attempt::Unsure };
     }
     if 0 < t && t < 1 << 24 >> shift && found!(line.is_middle_inside(k)) { Attempt::Found(t) } else { Attempt::Unsure }

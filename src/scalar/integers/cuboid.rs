@@ -4,18 +4,18 @@ use super::{crossings, magnitude_bits, product};
 use crate::scalar::{Attempt, InCuboid, found};
 use core::ops::{Neg, Sub};
 
-/// The integers of one width, as far as slabs need them.
+/// The integers of one width, with the operations that slabs need.
 pub(in crate::scalar) trait Length: Copy + Ord + Neg<Output = Self> + Sub<Output = Self> {
     /// Holds differences of two products.
     type Product: Copy + Ord + Neg<Output = Self::Product>;
     const ZERO: Self;
-    /// Infinite.
+    /// Infinity.
     const MAX: Self;
-    /// A framed component up to this may lead the other way.
+    /// A framed component of a direction up to this may have the wrong sign.
     const STEP: Self;
     const NOTHING: Self::Product;
-    /// By how much the rounding of a framed line moves a difference of products: the origin is off by less than two of its units, and the direction by
-    /// less than two.
+    /// The largest change of a difference of products by the rounding of a framed line: the errors of origin and direction are each less than two of
+    /// their units.
     const DOUBT: Self::Product;
 
     /// A length of the type in units of `2^-finer`, if its difference from the coordinate `o`, and the product of that, have room.
@@ -47,7 +47,7 @@ impl<N: Length> Slab<N> {
         Some(Self { axis, o, d, half, low: -reach - o, high: reach - o })
     }
 
-    /// Whether a line along the planes is between them: a miss beyond them. In one of them, the face owns the ends.
+    /// Whether a line parallel to the planes is between them; a miss if it is outside them. If it lies in one of them, the face owns the ends.
     #[inline(always)]
     fn is_between(&self) -> Attempt<()> {
         if self.d != N::ZERO || (self.low < N::ZERO && self.high > N::ZERO) {
@@ -60,7 +60,7 @@ impl<N: Length> Slab<N> {
     }
 }
 
-/// The slabs of a cuboid, and by how much the rounding of the line may move a difference of their crossings.
+/// The slabs of a cuboid, and the largest change of a difference of their crossings by the rounding of the line.
 struct Slabs<N: Length> {
     each: [Slab<N>; 3],
     finer: i32,
@@ -88,15 +88,17 @@ impl<N: Length> Slabs<N> {
         Attempt::Found(Self { each: [x, y, z], finer, doubt })
     }
 
-    /// Of the planes that `crossed` names the one that the line crosses after all others, or, unless `is_last`, before them; then the other two slabs.
+    /// Of the planes that `crossed` names, the one that the line crosses after all others, or, unless `is_last`, before them; then the other two
+    /// slabs.
     ///
-    /// `low / 0` and `high / 0`, of a line between two planes, are infinite with the signs of `low` and `high`, and so are never the one.
+    /// For a line parallel to two planes and between them, `low / 0` and `high / 0` are infinite with the signs of `low` and `high`, so that its slab
+    /// is never chosen.
     #[inline(always)]
     fn decisive(&self, crossed: impl Fn(&Slab<N>) -> N, is_last: bool) -> Attempt<[Slab<N>; 3]> {
         let decides = |other: &Slab<N>, own: &Slab<N>| {
             let later = crossed(other).difference(other.d, crossed(own), own.d);
             if -self.doubt <= later && later <= self.doubt {
-                // Both infinite: neither is the one.
+                // Both are infinite: neither is decisive, and `own` is kept.
                 let are_infinite = other.d == N::ZERO && own.d == N::ZERO;
                 return if are_infinite { Attempt::Found(false) } else { Attempt::Unsure };
             }
@@ -130,7 +132,7 @@ impl<N: Length> Slabs<N> {
             Attempt::Found([exit, ..]) => {
                 Attempt::Found((found!(exit.half.crossing(exit.o, self.finer, exit.d)), exit.axis))
             }
-            // The line has been inside, whatever its rounded coordinates say.
+            // The line has been inside, whatever its rounded coordinates are.
             _ => Attempt::Unsure,
         }
     }
@@ -149,7 +151,8 @@ pub(in crate::scalar) fn cuboid<N: Length>(
     since: Option<N>,
 ) -> Attempt<InCuboid<N>> {
     let slabs = found!(Slabs::new(o, finer, d, half));
-    // A slab that lies behind the start. In a frame that is certain of two units of `t`: one that is nearer may be rounded to zero, which counts.
+    // A slab that lies behind the start. In a frame that is certain from two units of `t` on: an end that is nearer may be rounded to zero, which
+    // counts as a hit.
     let [x, y, z] = slabs.each;
     let least = if finer == 0 { N::ZERO } else { N::two_behind(finer) };
     if since.is_some_and(|since| since >= N::ZERO) && (x.high < least || y.high < least || z.high < least) {
@@ -168,7 +171,7 @@ pub(in crate::scalar) fn cuboid<N: Length>(
     Attempt::Found(InCuboid { ends: [first, second], axes: [enter.axis, exit] })
 }
 
-/// Where a line that starts on the surface leads out of the cuboid, and the axis of that face.
+/// Where a line that starts on the surface leaves the cuboid, and the axis of that face.
 #[inline(always)]
 pub(in crate::scalar) fn exit_from_cuboid<N: Length>(
     o: [N; 3],
@@ -186,7 +189,7 @@ impl Length for i32 {
     const MAX: Self = Self::MAX;
     const STEP: Self = 2;
     const NOTHING: i64 = 0;
-    // Two products of at most 2 2^30, and two of at most 2 2^31.
+    // Two products of at most 2 * 2^30, and two of at most 2 * 2^31.
     const DOUBT: i64 = 1 << 34;
 
     #[inline(always)]

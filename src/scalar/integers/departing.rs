@@ -5,7 +5,7 @@ use super::{high, magnitude_bits, product, square};
 use crate::scalar::Attempt;
 
 /// Where a line that begins in the surface of a ball about the origin, or of a cylinder about the y axis, leaves it: the other root of
-/// `a t^2 + 2 k t`, whatever its rounded coordinates say.
+/// `a t^2 + 2 k t`, whatever its rounded coordinates are.
 ///
 /// The origin is in units of `2^-finer` of the answer's.
 #[inline]
@@ -19,8 +19,8 @@ pub(in crate::scalar) fn exit_from_round(o: [i32; 3], finer: i32, d: [i32; 3], i
     let Some(digits) = Normalized::new(a).filter(|_| magnitude_bits(high(k)) >> 28 == 0) else {
         return Attempt::Unsure;
     };
-    // A framed origin is off by half of its own unit, and lies less than 2^30 of them away, which the rounding of a framed direction,
-    // 2^-31, makes a unit and a half of: 2^(2 + shift) of these units together.
+    // The error of a framed origin is half of its own unit. The origin is less than 2^30 of these units away, so that with the rounding of a framed
+    // direction, 2^-31, the error becomes a unit and a half: at most 2^(2 + shift) of these units at the exit.
     if finer != 0 && finer < digits.shift as i32 + 5 {
         return Attempt::Unsure;
     }

@@ -7,19 +7,19 @@ use crate::scalar::{Attempt, found};
 pub(super) struct Unit {
     /// In units of 2^-30.
     pub(super) components: [i32; 3],
-    /// One over the length is `reciprocal * 2^-(31 + halvings)`. At least 2^31, and off by two units at most.
+    /// One over the length is `reciprocal * 2^-(31 + halvings)`. It is at least 2^31, with an error of at most two units.
     pub(super) reciprocal: u32,
     pub(super) halvings: i32,
 }
 
-/// The unit vector along `v`, as [`unit`] has it.
+/// The unit vector along `v`, as [`unit`] computes it.
 #[inline]
 pub(in crate::scalar) fn direction(v: [i32; 3]) -> Attempt<[i32; 3]> {
     Attempt::Found(found!(unit(v)).components)
 }
 
 /// The unit vector along `v`, each component within .51 units of 2^-30 (a miss for the zero vector): `r = 1 / |v|` by Newton's
-/// steps `r (1 + e / 2)` with `e = 1 - |v|^2 r^2`, of which the last is taken by the products with `v`.
+/// steps `r (1 + e / 2)` with `e = 1 - |v|^2 r^2`, of which the last is applied to the products with `v`.
 #[inline(always)]
 pub(super) fn unit(v: [i32; 3]) -> Attempt<Unit> {
     let [x, y, z] = v.map(i32::unsigned_abs);
@@ -27,7 +27,7 @@ pub(super) fn unit(v: [i32; 3]) -> Attempt<Unit> {
     if all >= i32::MAX as u32 {
         return Attempt::Unsure;
     }
-    // The longest between 2^30 and 2^31.
+    // The longest component is brought between 2^30 and 2^31.
     let up = leading_zeros(all | 1) - 1;
     let [x, y, z] = [(x << up) as i32, (y << up) as i32, (z << up) as i32];
     let squares = square(x) as u64 + square(y) as u64 + square(z) as u64;
@@ -52,7 +52,7 @@ pub(super) fn unit(v: [i32; 3]) -> Attempt<Unit> {
     let lack = (lack >> 22) as i32;
 
     let along = |component: i32, signed: i32| {
-        // v r, in units of 2^-62 or of 2^-61, and what the last step adds to it.
+        // v r, in units of 2^-62 or of 2^-61, and the correction by the last step.
         let product = product(component, r as i32);
         let step = ((high(product) >> 13).wrapping_mul(lack) as i64) << 6;
         let sum = if long { product + step } else { (product + step) << 1 };
@@ -60,7 +60,7 @@ pub(super) fn unit(v: [i32; 3]) -> Attempt<Unit> {
         if signed < 0 { -magnitude } else { magnitude }
     };
     let components = [along(x, v[0]), along(y, v[1]), along(z, v[2])];
-    // r (1 + e / 2), in units of 2^-31; the length is 2^31 or 2^32 times the root of m, less what it was shifted up.
+    // r (1 + e / 2), in units of 2^-31; the length is 2^31 or 2^32 times the root of m, divided by the power of two by which v was shifted up.
     let reciprocal = ((r as i64) << 1) + (product(r as i32, lack) >> 38);
     let reciprocal = if reciprocal > u32::MAX as i64 { u32::MAX } else { reciprocal as u32 };
     Attempt::Found(Unit { components, reciprocal, halvings: 31 + long as i32 - up as i32 })

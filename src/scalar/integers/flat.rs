@@ -4,7 +4,7 @@ use super::quotient::Normalized;
 use super::{half, high_product_signed, leading_zeros, magnitude_bits, product, product_unsigned, round_off, square};
 use crate::scalar::{Attempt, found};
 
-/// Where the line crosses each of the heights: `t = (y - oy) / dy`. A line that stays in one height meets none of them.
+/// Where the line crosses each of the heights: `t = (y - oy) / dy`. A line of constant height crosses none of them.
 ///
 /// The origin is in units of `2^-finer` of the heights'; the answer is in the heights'.
 #[inline(always)]
@@ -18,7 +18,8 @@ pub(in crate::scalar) fn crossings(oy: i32, finer: i32, dy: i32, [low, high]: [i
     let Some(divisor) = Normalized::new((dy as i64) << 30).map(Normalized::divisor) else {
         return Attempt::Unsure;
     };
-    // A framed origin is rounded to half of its own unit, which a line almost in the plane makes more of; to an eighth of a unit at most.
+    // The rounding error of a framed origin, half of its own unit, is larger at the crossing if the line is nearly parallel to the plane; it must not
+    // exceed an eighth of a unit.
     let is_level = finer != 0 && divisor.shift > 3;
     if is_level && divisor.shift as i32 > finer - 3 {
         return Attempt::Unsure;
@@ -28,10 +29,10 @@ pub(in crate::scalar) fn crossings(oy: i32, finer: i32, dy: i32, [low, high]: [i
     if (low.unsigned_abs() | high.unsigned_abs()) >> 33 != 0 {
         return Attempt::Unsure;
     }
-    // With 28 bits more, so that the quotient has room for its fraction.
+    // With 28 further bits, so that the quotient has room for its fraction.
     let unit = 28 + finer as u32;
     match (divisor.quotient(low << 28, unit), divisor.quotient(high << 28, unit)) {
-        // The direction's rounding, 2^-31 of t, grows as the origin's does.
+        // The rounding error of the direction, 2^-31 of t, grows as that of the origin.
         (Some(low), Some(high))
             if is_level
                 && (magnitude_bits(low) | magnitude_bits(high)) >> 27_u32.saturating_sub(divisor.shift) != 0 =>
@@ -65,7 +66,7 @@ pub(in crate::scalar) fn disc(o: [i32; 3], finer: i32, d: [i32; 3], r: i32) -> A
     let on_grid = |minor: u64| half((((minor >> 32) as u32) << (33 - down)) | (minor as u32 >> (down - 1)));
     let [wx, wz, reach] = [on_grid(wx), on_grid(wz), high_product_signed(r << grid << 2, dy)];
     let inside = square(reach) - square(wx) - square(wz);
-    // Each of the three is off by less than 4 units, and through a frame by two roundings of the origin more.
+    // The error of each of the three is less than 4 units, in a frame with two further roundings of the origin.
     let off = if finer == 0 { 4 } else { 4 + (2 << (grid - finer).clamp(0, 24)) };
     let all = reach.unsigned_abs() | wx as u32 | wz as u32;
     if inside.unsigned_abs() >> 3 <= product_unsigned(all, off) {
@@ -88,7 +89,7 @@ pub(in crate::scalar) fn rectangle(o: [i32; 3], finer: i32, d: [i32; 3], [hx, hz
     if !(0..28).contains(&finer) {
         return Attempt::Unsure;
     }
-    // In units of 2^-(30 + finer), exactly, but for what a framed line is rounded: less than two of the origin's units.
+    // In units of 2^-(30 + finer), exact except for the rounding of a framed line, which is less than two of the origin's units.
     let [wx, wz] = [product(y, dz) - product(z, dy), product(x, dy) - product(y, dx)];
     let doubt = if finer == 0 { 0 } else { 1_i64 << 33 };
     let mut is_inside = true;
@@ -112,7 +113,7 @@ pub(in crate::scalar) fn rectangle(o: [i32; 3], finer: i32, d: [i32; 3], [hx, hz
 /// The height `oy + t dy`, rounded to the unit of `t`; the origin is in units of `2^-finer` of that.
 #[inline(always)]
 pub(in crate::scalar) fn height(oy: i32, finer: i32, dy: i32, t: i32) -> Attempt<i32> {
-    // Farther away, the rounding of a turned direction counts.
+    // Farther away the rounding of a turned direction matters.
     if !(0..=30).contains(&finer) || magnitude_bits(t) >> 24 != 0 {
         return Attempt::Unsure;
     }
@@ -124,7 +125,7 @@ pub(in crate::scalar) fn height(oy: i32, finer: i32, dy: i32, t: i32) -> Attempt
 #[inline(always)]
 pub(in crate::scalar) fn lowered(oy: i32, finer: i32, y: i32) -> Attempt<i32> {
     let lowered = oy as i64 - ((y as i64) << (finer & 0x1f));
-    // Up to 2^30 its moment fits.
+    // Up to 2^30 the moment fits.
     if lowered.unsigned_abs() >> 30 == 0 && (0..28).contains(&finer) {
         Attempt::Found(lowered as i32)
     } else {

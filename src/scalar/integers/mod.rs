@@ -1,4 +1,4 @@
-//! The fast path of fixed point, in plain integers without exponents.
+//! The fast path of fixed point, in integers without exponents.
 //!
 //! For most rays all lengths can be scaled to a common unit (the *grid*) so that they fit in 32 bits and their products in 64 bits, with a
 //! rounding error far below one unit of the type. Other rays are [`Attempt::Unsure`], and the robust number decides: grazing rays, sizes near the
@@ -45,15 +45,16 @@ use crate::number::machine::{
     reciprocal_root, root_of_normalized, square,
 };
 
-/// By how many bits an origin that is kept `finer` is so beyond [`FINER`], as far as a radius has them too: it has 29 bits on a grid `grid`
-/// bits finer.
+/// The number of bits by which an origin with `finer` extra bits exceeds [`FINER`], limited to those that a radius has too: on a grid of `2^-grid`
+/// units it has 29 bits.
 #[inline(always)]
 fn more_bits(finer: i32, grid: i32) -> i32 {
     (finer - FINER).min(grid - 5).max(0)
 }
 
-/// By how many bits the error of a length on a grid of `2^-grid` units is larger than that grid's unit, if it comes from a framed origin. Each of
-/// its coordinates is off by less than 2 of its own units: by its rounding, by that of the point that it was moved to, and by the direction's.
+/// The number of bits by which the error of a length on a grid of `2^-grid` units exceeds that unit, if it comes from a framed origin. The error of
+/// each coordinate of the origin is less than 2 of its own units: from its rounding, from that of the point to which it was moved, and from that of
+/// the direction.
 #[inline(always)]
 fn framed_bits(finer: i32, grid: i32) -> i32 {
     if finer == 0 { 0 } else { 1 + (grid - finer).max(0) }
@@ -63,7 +64,7 @@ fn framed_bits(finer: i32, grid: i32) -> i32 {
 #[inline(always)]
 fn root(n: u64) -> u32 {
     let (high, low) = ((n >> 32) as u32, n as u32);
-    // An even shift: 2 and up to 28 more.
+    // An even shift: 2, and up to 28 further bits.
     let more = leading_zeros(high).wrapping_sub(2) & 0x1e;
     let root = root_of_normalized((high << more << 2) | (low >> (30 - more)), low << more << 2);
     ((root >> (more / 2)) + 1) >> 1
@@ -75,7 +76,7 @@ const fn high(n: i64) -> i32 {
     (n >> 32) as i32
 }
 
-/// `n * 2^-shift` rounded to nearest, ties to even: a line turned around has the negative ends.
+/// `n * 2^-shift` rounded to nearest, ties to even, so that a line in the opposite direction has the negated ends.
 #[inline(always)]
 pub(super) const fn round_off(n: i64, shift: u32) -> i64 {
     let odd = (n >> shift) & 1;
@@ -88,7 +89,7 @@ const fn half(n: u32) -> i32 {
     ((n >> 1) + (n & 1)) as i32
 }
 
-/// The bits of a number's magnitude, or those of the magnitude less one.
+/// The bits of a number's magnitude, or, for a negative number, those of the magnitude less one.
 #[inline(always)]
 const fn magnitude_bits(n: i32) -> u32 {
     (n ^ (n >> 31)) as u32

@@ -8,13 +8,13 @@ pub(super) trait Roots {
     /// Of a `t`.
     type Length: Copy + PartialOrd + Neg<Output = Self::Length>;
 
-    /// An end that is not there.
+    /// A missing end.
     const INFINITY: Self::Length;
 
     /// The `t` to which the line's origin was moved.
     fn start(&self) -> Self::Length;
 
-    /// Whether the line is steeper than the side, `a < 0`: then it is inside beyond its ends.
+    /// Whether the line is steeper than the side, `a < 0`: then it is inside before its first end and after its second.
     fn is_steep(&self) -> bool;
 
     /// Whether the cone's outline grows along the line.
@@ -24,8 +24,8 @@ pub(super) trait Roots {
     /// `Y a - dY k`.
     fn is_middle_inside(&self) -> Attempt<bool>;
 
-    /// The end at the lower root for a positive `a`, and at the higher for a negative one; and whether the line ends there, or somewhere
-    /// beyond.
+    /// The end at the lower root for a positive `a`, and at the higher one for a negative `a`; and true if the interval ends there, false if it ends
+    /// somewhere beyond.
     fn first(&self) -> (Self::Length, bool);
 
     /// The other one.
@@ -35,21 +35,21 @@ pub(super) trait Roots {
     #[inline(always)]
     fn in_nappe(&self) -> Attempt<InNappe<Self::Length>> {
         let (low, high) = if self.is_steep() {
-            // A half-line in each nappe; the outline grows along the one in the upper.
+            // A half-line lies in each nappe. Along the one in the upper nappe the outline grows.
             if self.rises() { (self.first(), (Self::INFINITY, true)) } else { ((-Self::INFINITY, true), self.second()) }
         } else if found!(self.is_middle_inside()) {
             (self.first(), self.second())
         } else {
             return Attempt::Miss;
         };
-        // What begins somewhere beyond one end, or ends somewhere beyond the other, may be anywhere or nowhere.
+        // An interval that begins or ends somewhere beyond an inaccurate end may be anywhere, or empty.
         if (!low.1 && low.0 > self.start()) || (!high.1 && high.0 < self.start()) {
             return Attempt::Unsure;
         }
         Attempt::Found(InNappe { ends: [low.0, high.0], certain: [low.1, high.1] })
     }
 
-    /// Where the line is inside both nappes: between its ends, or (`true`) beyond them.
+    /// Where the line is inside both nappes: between its ends, or (`true`) before the first and after the second.
     #[inline(always)]
     fn in_both(&self) -> Attempt<([Self::Length; 2], bool)> {
         match (self.first(), self.second()) {

@@ -8,11 +8,11 @@ use core::cmp::Ordering;
 use fixed::types::extra::{LeEqU32, LeEqU64};
 use fixed::{FixedI32, FixedI64};
 
-/// Ends are off by a unit at most, and heights at them by less than two: the order of two that are not 2 to the power of this apart may be decided
-/// by rounding.
+/// The error of an end is at most a unit, that of the height there less than two: rounding may decide the order of two that are less than 2 to the
+/// power of this apart.
 const DOUBTFUL_BITS: u32 = 2;
 
-/// Defines it for the types of one width, with what only one of them has.
+/// Defines it for the types of one width, with the functions that only this width has.
 macro_rules! fast {
     ($Fixed:ident, $LeEq:ident, $raw:ty, $($kernels:ident)::+, [$($strict:ident)?], { $($own:tt)* }) => {
         impl<F: $LeEq + Send + Sync + 'static> FastPath for $Fixed<F> {
@@ -237,7 +237,7 @@ fast!(FixedI32, LeEqU32, i32, integers, [is_strict], {
         let (o, d) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits));
         let vertices = vertices.map(|vertex| vertex.map(Self::to_bits));
         let found = match integers::triangle(o, line.finer, d, vertices) {
-            // Its vertices may have left the origin too little room.
+            // There may be too little room for the origin beside the vertices.
             Attempt::Unsure if line.finer > integers::FINER => {
                 let origin = integers::coarser(o, (line.finer - integers::FINER) as u32);
                 integers::triangle(origin, integers::FINER, d, vertices)

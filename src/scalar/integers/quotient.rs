@@ -2,7 +2,7 @@
 
 use super::{high, high_product, leading_zeros, product, reciprocal_of_normalized, round_off};
 
-/// A number that is to be divided by, with its top bit set.
+/// A divisor with its top bit set.
 #[derive(Clone, Copy)]
 pub(super) struct Normalized {
     /// The magnitude is `digits * 2^(-31 - shift)`.
@@ -22,18 +22,18 @@ impl Normalized {
         }
         let zeros = leading_zeros(above) & 0xf;
         let digits = (above << zeros) | (below >> (32 - zeros));
-        // Above 1 by rounding it has one zero less; callers need no more than that.
+        // If rounding has made it larger than 1, it has one zero fewer; that precision is sufficient for the callers.
         Some(Self { digits, shift: zeros.saturating_sub(3), negative: a < 0 })
     }
 
-    /// The reciprocal, made ready.
+    /// The divisor with its reciprocal.
     #[inline(always)]
     pub(super) fn divisor(self) -> Divisor {
         Divisor { reciprocal: reciprocal_of_normalized(self.digits), shift: self.shift, negative: self.negative }
     }
 }
 
-/// A number to divide by: the product with the reciprocal costs a fourth of a division, and two ends share it.
+/// A divisor as its reciprocal: a product with it costs a fourth of a division, and two ends share the reciprocal.
 #[derive(Clone, Copy)]
 pub(super) struct Divisor {
     /// `2^63` over the digits of [`Normalized`], to 31 bits.
@@ -43,7 +43,7 @@ pub(super) struct Divisor {
     negative: bool,
 }
 
-/// Quotients of this magnitude and more are left to longer numbers: the reciprocal's error would be a sixteenth of a unit.
+/// Quotients of at least this magnitude are left to wider numbers: the error from the reciprocal would be a sixteenth of a unit.
 const TOO_LARGE: i32 = 1 << 27;
 
 impl Divisor {
@@ -54,7 +54,7 @@ impl Divisor {
         Some(if self.negative { -quotient } else { quotient })
     }
 
-    /// The same of any size: from 2^28 on it is off by more than a fourth of a unit, beside its rounding.
+    /// The same for a quotient of any size: from 2^28 on its error is more than a fourth of a unit in addition to its rounding.
     #[inline(always)]
     pub(super) fn long_quotient(self, numerator: i64, unit: u32) -> i64 {
         let quotient = round_off(self.times_reciprocal(numerator), unit.wrapping_sub(self.shift) & 0x3f);
@@ -72,7 +72,7 @@ impl Divisor {
 /// `value / 2^shift` for a shift between 9 and 64, rounded; `None` if that is too large.
 #[inline(always)]
 fn rounded(value: i64, shift: u32) -> Option<i32> {
-    // With five bits more, in the high word.
+    // With five further bits, in the high word.
     let (above, below) = (high(value), value as u32);
     let fine = if shift > 37 {
         above >> ((shift - 37) & 0x1f)

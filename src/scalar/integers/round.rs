@@ -1,4 +1,4 @@
-//! A line and the round sides: cylinder and cone, without their ends.
+//! A line and the round side of a cylinder, without its ends.
 
 use super::quotient::Normalized;
 use super::{framed_bits, half, high, high_product, leading_zeros, more_bits, product, root, square};
@@ -6,7 +6,8 @@ use crate::scalar::Attempt;
 
 /// Where the line is inside the infinite cylinder about the y axis: `a = dx^2 + dz^2`, `D = a r^2 - w_y^2`, `t = (-k -+ sqrt(D)) / a`.
 ///
-/// The origin is in units of `2^-finer` of the radius's; the answer is in the radius's. `is_strict`: if it is certain whether the line is inside.
+/// The origin is in units of `2^-finer` of the radius's; the answer is in the radius's. With `is_strict` only if it is certain whether the line is
+/// inside.
 #[inline(always)]
 pub(in crate::scalar) fn tube(o: [i32; 3], finer: i32, d: [i32; 3], r: i32, is_strict: bool) -> Attempt<[i32; 2]> {
     let ([x, _, z], [dx, _, dz]) = (o, d);
@@ -38,11 +39,10 @@ pub(in crate::scalar) fn tube(o: [i32; 3], finer: i32, d: [i32; 3], r: i32, is_s
     if high(discriminant) < -doubt {
         return Attempt::Miss;
     }
-    // The moment's rounding, half a unit of the grid, moves t by no more than a thirtieth of a unit (near the upper limit of the
-    // radius, a fifth).
+    // The rounding of the moment, half a unit of the grid, changes t by at most a thirtieth of a unit (near the upper limit of the radius, a fifth).
     let spare = grid - digits.shift as i32;
-    // A framed origin is off by a hundredth of a unit, of which a root a sixteenth of the radius makes a sixth, and so does a direction
-    // at an eighth to the axis. With each bit that it is finer, the root may be half as large.
+    // The error of a framed origin, a hundredth of a unit, becomes a sixth of a unit if the root is a sixteenth of the radius, or if the direction is
+    // at an angle of an eighth to the axis. With each further bit of the origin the root may be half as large.
     let (most, steep) = if finer == 0 { (22, 63) } else { (8 + 2 * more_bits(finer, grid), 6) };
     let least = high(positive) >> (2 * (spare - 5)).clamp(3, most);
     if spare < 4 || digits.shift > steep || high(discriminant) <= least || (is_strict && high(discriminant) <= doubt) {

@@ -9,8 +9,8 @@ use crate::scalar::{Attempt, Pace};
 /// position.
 const FAR: u32 = 19;
 
-/// The line, its direction of unit length, in a unit of length that is a power of two finer than the type's: half a unit that an end
-/// along it is off is then at most a fourth of one of the ray's own `t`.
+/// The line with a direction of length 1, in a unit of length that is finer than the type's by a power of two. An error of half a unit of an end
+/// along it is then at most a fourth of a unit of the ray's own `t`.
 #[derive(Debug)]
 pub(in crate::scalar) struct Stretched {
     /// The ray's `t` at the origin.
@@ -19,15 +19,15 @@ pub(in crate::scalar) struct Stretched {
     pub(in crate::scalar) origin: [i32; 3],
     pub(in crate::scalar) finer: i32,
     pub(in crate::scalar) direction: [i32; 3],
-    /// By how many bits the unit is finer than the type's.
+    /// The number of bits by which the unit is finer than the type's.
     pub(in crate::scalar) scale: i32,
     pub(in crate::scalar) pace: Pace,
 }
 
-/// Ends beyond this are left to longer numbers: the error of pace and direction would be an eighth of a unit.
+/// Ends beyond this are left to wider numbers: the error from pace and direction would be an eighth of a unit.
 const TOO_FAR: i32 = 1 << 26;
 
-/// The ray's `t` for one along the line, which is infinite or not; `None` if it is too large for this.
+/// The ray's `t` for a `t` along the line, which may be infinite; `None` if it is too large.
 #[inline(always)]
 pub(in crate::scalar) fn along_ray(Pace { digits, shift, .. }: Pace, start: i32, t: i32) -> Option<i32> {
     if t == i32::MAX || t == -i32::MAX {
@@ -56,7 +56,7 @@ pub(in crate::scalar) fn stretched(
     let is_far = bits >> FAR != 0;
     let (start, point, finer) = if is_far { closest(from, d, 2 * FINEST)? } else { (0, from, 0) };
 
-    // Exact but for what smaller rows have below the unit of the largest: in units of 2^(exponent - 30 - finer) and 2^(exponent - 60).
+    // Exact except for the bits of smaller rows below the unit of the largest: in units of 2^(exponent - 30 - finer) and 2^(exponent - 60).
     let [x, y, z] = rows.map(|(_, exponent)| exponent);
     let exponent = x.max(y).max(z);
     let down = [x, y, z].map(|own| (exponent - own).min(63) as u32);
@@ -64,7 +64,7 @@ pub(in crate::scalar) fn stretched(
         |v: [i32; 3]| [dot(v, rows[0].0) >> down[0], dot(v, rows[1].0) >> down[1], dot(v, rows[2].0) >> down[2]];
     let (origin, direction) = (image(point), image(d));
 
-    // The direction, first with 31 bits in its longest component, and the pace, one over its length.
+    // The direction, at first with 31 bits in its longest component, and the pace, which is one over its length.
     let excess = bits_of_longest(direction) - 31;
     if excess < 1 {
         return None;
@@ -72,12 +72,12 @@ pub(in crate::scalar) fn stretched(
     let Attempt::Found(Unit { components, reciprocal, halvings }) = unit(shifted(direction, excess)) else {
         return None;
     };
-    // The length is that of what unit() is given, times 2^(excess + exponent - 60).
+    // The length is that of the argument of unit(), times 2^(excess + exponent - 60).
     let shift = halvings + excess + exponent - 29;
 
     // A unit along the line is at most half of one along the ray.
     let scale = (33 - shift).max(0);
-    // As fine as the lengths of line and solid leave bits for; and what has been rounded is not made finer again.
+    // As many extra bits as the lengths of line and solid leave; but rounded bits are not replaced by zeros.
     let top = bits_of_longest(origin) + exponent - 30 - finer;
     let rounded = if is_far { finer - 2 - exponent } else { i32::MAX };
     let finer_than_type = (LENGTH_BITS - top).min(room(reach as u32)).min(rounded).min(scale + FINEST);

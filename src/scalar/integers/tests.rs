@@ -76,13 +76,13 @@ fn directions_are_within_a_hair_of_half_a_unit() {
     }
 }
 
-/// A line that rises steeper than the side, far away from the nappe that it will enter: where exactly is beyond what is certain, and
-/// so is that it has not entered it yet.
+/// A line that is steeper than the side, far away from the nappe that it will enter: neither the place of the entry nor that it is still ahead is
+/// certain.
 #[test]
 fn a_nappe_that_begins_somewhere_beyond_is_unclear() {
     let (o, d) = ([15487837, -82574188, 2456411], [-802209627, 669821284, 246415638]);
     assert_eq!(nappe(o, 6, d, [273, 73268, 16384], false), Attempt::Unsure);
-    // Back along the same line, it ends there.
+    // In the opposite direction the line ends there.
     assert_eq!(nappe(o, 6, d.map(|c| -c), [273, 73268, 16384], false), Attempt::Unsure);
 }
 
@@ -92,8 +92,8 @@ fn volume(a: [i128; 3], b: [i128; 3], c: [i128; 3]) -> i128 {
     a[0] * minor(1, 2) + a[1] * minor(2, 0) + a[2] * minor(0, 1)
 }
 
-/// Triangles of all sizes and proportions, near and far, met, missed and aimed at their edges: what is told is what exact arithmetic
-/// says, and `t` is within a unit.
+/// Triangles of all sizes and proportions, near and far, hit, missed and aimed at their edges: the results are those of exact arithmetic, and `t` is
+/// within a unit.
 #[test]
 fn a_triangle_is_met_where_exact_arithmetic_says() {
     let mut random = words();
@@ -103,7 +103,7 @@ fn a_triangle_is_met_where_exact_arithmetic_says() {
         let bits = 3 + round % 27;
         let vertices = [(); 3].map(|()| [next(bits), next(bits), next(bits)]);
         let origin = [(); 3].map(|()| next(4 + (round * 7) % 26));
-        // At a point of its plane, about half of which lie inside.
+        // Aimed at a point of its plane; about half of these lie inside.
         let (u, v) = (next(31) as i128, next(31) as i128);
         let aim = [0, 1, 2].map(|i| {
             let [a, b, c] = vertices.map(|vertex| vertex[i] as i128);
@@ -139,8 +139,8 @@ fn a_triangle_is_met_where_exact_arithmetic_says() {
     assert!(found > 1_500 && missed > 10_000 && unsure < 5_000, "{found} found, {missed} missed, {unsure} unsure");
 }
 
-/// The line under a matrix, against doubles, which hold all of it: the origin to its own unit, the direction to little more
-/// than a unit of its type, the pace to as many bits as it has.
+/// The line in the frame of a matrix compared with one in doubles, which hold it exactly: the origin within its own unit, the direction within little
+/// more than a unit of its type, the pace to all its bits.
 #[test]
 fn a_stretched_line_is_the_matrix_times_the_line() {
     let mut words = words();
@@ -151,7 +151,7 @@ fn a_stretched_line_is_the_matrix_times_the_line() {
         let sizes = 8 + (tried as u32 * 7) % 23;
         let (o, position) = (vector(sizes), vector(sizes.min(12 + tried as u32 % 17)));
         let Attempt::Found(d) = direction(vector(29)) else { continue };
-        // Also off unit length by 2^-20, as the rounded directions of others may be.
+        // Also with lengths that differ from 1 by 2^-20, as directions that were rounded elsewhere may have.
         let d = d.map(|c| c + (c >> 20) * (tried % 3 - 1));
         let rows = [vector(30), vector(30), vector(30)];
         let spread = tried % 12;
@@ -192,7 +192,7 @@ fn a_stretched_line_is_the_matrix_times_the_line() {
     assert!(found > tried / 4, "{found} of {tried}");
 }
 
-/// A ray along a row of a matrix that only turns: the image's longest component is next to a power of two, of either sign.
+/// A ray along a row of a matrix that only turns: the longest component of its image is close to a power of two, with either sign.
 #[test]
 fn a_line_along_a_row_keeps_its_direction() {
     let mut words = words();
@@ -212,6 +212,6 @@ fn a_line_along_a_row_keeps_its_direction() {
             }
         }
     }
-    // Components that would need another bit are left to longer numbers.
+    // Components that would need another bit are left to wider numbers.
     assert!(found > 20_000, "{found}");
 }

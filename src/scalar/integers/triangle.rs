@@ -28,7 +28,7 @@ pub(in crate::scalar) fn triangle(
     d: [i32; 3],
     vertices: [[i32; 3]; 3],
 ) -> Attempt<(i32, bool)> {
-    // Exactly, in the origin's unit, of which 30 bits are taken.
+    // Exact, in the origin's unit, with 30 bits.
     let mut all = 0;
     let mut from_origin = |v: i32, o: i32| {
         let length = ((v as i64) << (finer & 0x1f)) - o as i64;
@@ -39,15 +39,15 @@ pub(in crate::scalar) fn triangle(
     if all >> 30 != 0 {
         return Attempt::Unsure;
     }
-    // On a grid on which none has more than 28 bits, cut off by less than one. A framed origin is off by half of its own unit: a finer
-    // grid would gain nothing.
+    // On a grid on which none has more than 28 bits, truncated by less than one unit. The error of a framed origin is half of its own unit, so that a
+    // finer grid would gain nothing.
     let bits = 32 - leading_zeros(all as u32 | 1);
     let up = if finer == 0 { 28 - bits as i32 } else { 0 };
     let cut = bits.saturating_sub(28);
     let on_grid = |vertex: [i32; 3]| vertex.map(|length| if up > 0 { length << up } else { length >> cut });
     let corners = [on_grid(a), on_grid(b), on_grid(c)];
-    // A component of d x p is off by less than 16 (4 for what p is cut off by, twice, and as much for a framed origin and direction), and
-    // one of q by less than 2: less than 2^7 of the largest q, or of a fourth of the largest d x p.
+    // The error of a component of d x p is less than 16 (twice 4 from the truncation of p, and as much from a framed origin and direction), that of
+    // one of q less than 2. Together that is less than 2^7 times the largest q, or a fourth of the largest d x p.
     let doubt = 1_i64 << if up > 0 { 35 } else { bits - cut + 7 };
     let volume = |(p, q): ([i32; 3], [i32; 3])| {
         // d x p in fourths of the grid's unit.
@@ -70,7 +70,7 @@ fn crossing(a: [i32; 3], finer: i32, d: [i32; 3], [u, v, w]: [[i32; 3]; 3], from
     if all >> 30 != 0 {
         return Attempt::Unsure;
     }
-    // The normal, exactly but for its last bit, as 2^31 times one of 30 bits and a rest.
+    // The normal, exact except for its last bit, as 2^31 times a number of 30 bits, and a remainder.
     let normal = cross(edges[0], edges[1]);
     let longest = normal.into_iter().fold(0, |all, component| all | component.unsigned_abs());
     let scaled = normal.map(|component| component << (longest.leading_zeros().saturating_sub(2) & 0x3f) >> 1);
@@ -80,7 +80,8 @@ fn crossing(a: [i32; 3], finer: i32, d: [i32; 3], [u, v, w]: [[i32; 3]; 3], from
     let Some(digits) = Normalized::new(slope).filter(|_| (slope < 0) == from_front) else {
         return Attempt::Unsure;
     };
-    // A framed origin and direction are off by half of the origin's unit and by 2^-31, which an angle makes more of.
+    // The errors of a framed origin and direction, half of the origin's unit and 2^-31, are larger at the crossing if the line is nearly parallel to
+    // the plane.
     if finer != 0 && digits.shift as i32 > finer - 4 {
         return Attempt::Unsure;
     }

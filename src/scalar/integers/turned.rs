@@ -8,7 +8,7 @@ pub(in crate::scalar) const FINER: i32 = 6;
 /// The largest number of extra bits, for lines next to the frame's origin.
 pub(super) const FINEST: i32 = 12;
 
-/// Bits of the lengths of a line that is kept finer than [`FINER`]: one less than there is room for, so that two may be added.
+/// Bits of the lengths of a line with more extra bits than [`FINER`]: one less than there is room for, so that two may be added.
 pub(super) const LENGTH_BITS: i32 = 29;
 
 /// The extra bits of a line that passes far away: its rounding error, a sixteenth of a unit, is too large for a hit, but not for a miss.
@@ -48,19 +48,19 @@ pub(super) fn dot([x, y, z]: [i32; 3], [a, b, c]: [i32; 3]) -> i64 {
     product(x, a) + product(y, b) + product(z, c)
 }
 
-/// How much finer lengths may be, of which the longest has these bits.
+/// The number of extra bits for which lengths have room, if the longest has these bits.
 #[inline(always)]
 pub(super) fn room(bits: u32) -> i32 {
     LENGTH_BITS - 32 + leading_zeros(bits | 1) as i32
 }
 
-/// How much finer a turned line may be kept, for a solid that reaches so far: so fine that its lengths have room too.
+/// The number of extra bits of a turned line for which the lengths of a solid with the bounding radius `reach` have room too; at least [`FINER`].
 #[inline(always)]
 pub(in crate::scalar) fn fitting(reach: i32) -> i32 {
     room(reach as u32).max(FINER)
 }
 
-/// The point in a unit by so many bits larger.
+/// The point in a unit that is larger by this number of bits.
 #[cold]
 #[inline(never)]
 pub(in crate::scalar) fn coarser(origin: [i32; 3], bits: u32) -> [i32; 3] {
@@ -70,7 +70,7 @@ pub(in crate::scalar) fn coarser(origin: [i32; 3], bits: u32) -> [i32; 3] {
 /// The whole unit of `t` next to the point closest to the frame's origin, and that point in units of `2^-finer`, at most `2^-finest`.
 #[inline]
 pub(super) fn closest(from: [i32; 3], d: [i32; 3], finest: i32) -> Option<(i32, [i32; 3], i32)> {
-    // Between points within the budget of coordinates, which is 2^30, nothing has overflowed but at its very ends.
+    // The difference of points within the budget of coordinates, which is 2^30, overflows only at the ends of the budget.
     if from.iter().any(|&length| magnitude_bits(length) >> 30 != 0) {
         return None;
     }
@@ -78,7 +78,7 @@ pub(super) fn closest(from: [i32; 3], d: [i32; 3], finest: i32) -> Option<(i32, 
     // Exact in units of 2^-30.
     let walked = |from: i32, d: i32| ((from as i64) << 30) + product(t, d);
     let exact = [walked(from[0], d[0]), walked(from[1], d[1]), walked(from[2], d[2])];
-    // What is left over of its whole units is rounded away only once, however far the ray begins.
+    // The part below whole units is rounded only once, however far away the ray begins.
     let bits = exact.into_iter().fold(0, |all, length| all | length.unsigned_abs()) >> 30;
     let finer = match bits {
         0..0x100_0000 => room(bits as u32).clamp(FINER, finest),

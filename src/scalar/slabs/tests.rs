@@ -1,4 +1,4 @@
-//! A box is never missed by a ray that meets it, and is by one that passes it well.
+//! The test of a box never reports a miss for a ray that meets it, and reports one for a ray that passes it at a sufficient distance.
 
 use super::super::{Scalar, UnitScalar};
 use super::MARGIN_BITS;
@@ -24,7 +24,7 @@ impl Random {
         [(); 3].map(|()| self.between(-most, most))
     }
 
-    /// Along an axis, in a plane of two, or anyhow.
+    /// Along an axis, in the plane of two axes, or in any direction.
     fn direction(&mut self) -> [f64; 3] {
         let mut v = self.point(1.0);
         for component in &mut v {
@@ -45,16 +45,16 @@ fn unit<S: Scalar>(d: [f64; 3]) -> [S::Unit; 3] {
     d.map(<S::Unit as UnitScalar>::from_f64)
 }
 
-/// For a box of about this size, about as far away as that.
+/// For a box of about this size at about this distance.
 fn meets_what_it_meets<S: Scalar>(size: f64, away: f64) {
     let mut random = Random(0x2545_f491_4f6c_dd1d);
     for _ in 0..20_000 {
         let centre = random.point(away).map(number::<S>);
-        // Half extents as they are made: larger than what is in the box by the part of its size.
+        // Half extents as a hierarchy makes them: larger than the content of the box by the fraction of its size.
         let within = [(); 3].map(|()| if random.unit() < 0.2 { 0.0 } else { size * random.unit() });
         let part = within.iter().fold(0.0_f64, |most, half| most.max(*half)) * f64::from(MARGIN_BITS).exp2().recip();
         let half = within.map(|half| number::<S>(half + part));
-        // A point in the box, on a face as often as not, on an edge, at a corner.
+        // A point in the box, often on a face, an edge or a corner.
         let inner = [0, 1, 2].map(|i| {
             let side = (random.between(-2.0, 2.0)).clamp(-1.0, 1.0);
             centre[i].to_f64() + side * within[i]
@@ -71,7 +71,7 @@ fn meets_what_it_meets<S: Scalar>(size: f64, away: f64) {
     }
 }
 
-/// A ball that a ray passes by more than a thousandth of its distance and size is in a box that it is said to miss.
+/// If a ray passes a ball by more than a thousandth of its distance and size, the test reports a miss of the ball's box.
 fn misses_what_it_passes<S: Scalar>(size: f64, away: f64) {
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     let clear = (away + size) * 1e-3;
@@ -155,7 +155,7 @@ mod in_fixed_point {
     }
 }
 
-/// What stands above as numbers, written out.
+/// Rays at one box, and past it, with the expected results.
 #[test]
 fn the_middle_of_a_face_and_the_way_past_it() {
     let (centre, half) = ([10.0_f32, 0.0, 0.0], [1.0_f32; 3]);

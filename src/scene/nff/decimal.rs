@@ -1,7 +1,7 @@
-//! Decimal numbers of up to 19 digits, as nearly all numbers of scene files are: soon read and soon compared.
+//! Fast reading and comparison of decimal numbers of up to 19 digits, which nearly all numbers of scene files are.
 //!
-//! Scalars read any decimal ([`Scalar::parse_scaled`]), those of fixed point digit by digit and bit by bit. What this module
-//! reads has the same value, to the bit, for a small part of the time.
+//! Scalars read any decimal ([`Scalar::parse_scaled`]), those of fixed point digit by digit and bit by bit. This module gives the same value, to the
+//! bit, in a small fraction of the time.
 
 use crate::number::Limbs;
 use crate::scalar::{Real, Scalar};
@@ -25,7 +25,7 @@ pub(super) struct Magnitude {
 /// Any 19 digits fit into 64 bits.
 const DIGITS: u32 = 19;
 
-/// What has 19 digits or more takes no other.
+/// A number with 19 digits or more takes no further digit.
 const FULL: u64 = 10_u64.pow(DIGITS - 1);
 
 /// Exponents of more digits than these are left to [`Scalar::parse_scaled`].
@@ -76,7 +76,7 @@ impl Decimal {
         any.then_some(Self { negative, digits, exponent: shift.saturating_add(exponent), exact })
     }
 
-    /// False for a number of more than 19 digits that count.
+    /// False for a number of more than 19 significant digits.
     pub(super) const fn is_exact(self) -> bool {
         self.exact
     }
@@ -108,7 +108,7 @@ impl Decimal {
         } else {
             let numerator = u128::from(digits) << bits;
             let units = u64::try_from(numerator.checked_div(u128::from(divisor))?).ok()?;
-            // Less than the divisor, so that its low half is all of it.
+            // It is less than the divisor, so that its upper half is zero.
             (units, (numerator as u64).wrapping_sub(units.wrapping_mul(divisor)))
         };
         // Ties to even. Twice the rest may be more than 64 bits hold.
@@ -119,8 +119,8 @@ impl Decimal {
         value.is_finite().then_some(value)
     }
 
-    /// What stands from the decimal place `place` to the eighth behind it, as an integer with the number's sign. No digit
-    /// may stand before that place.
+    /// The digits from the decimal place `place` to the eighth place after it, as an integer with the number's sign. There must be no digit before
+    /// that place.
     pub(super) fn leading<R: Real>(self, place: i32) -> R {
         let dropped = place.saturating_sub(8).saturating_sub(self.exponent);
         let digits = match power_of_ten(dropped.unsigned_abs()) {
@@ -140,7 +140,7 @@ impl Magnitude {
     }
 }
 
-/// A sign, and what follows it: true for a minus.
+/// The sign, true for a minus, and the text after it.
 const fn signed(text: &[u8]) -> (bool, &[u8]) {
     match text {
         [b'-', rest @ ..] => (true, rest),
@@ -149,7 +149,7 @@ const fn signed(text: &[u8]) -> (bool, &[u8]) {
     }
 }
 
-/// The exponent behind an `e`.
+/// The exponent after an `e`.
 fn exponent_of(text: &[u8]) -> Option<i32> {
     let (negative, unsigned) = signed(text);
     let mut exponent = (!unsigned.is_empty()).then_some(0_i32)?;
@@ -163,7 +163,7 @@ fn exponent_of(text: &[u8]) -> Option<i32> {
     Some(if negative { -exponent } else { exponent })
 }
 
-/// As [`Scalar::parse_scaled`], and sooner in fixed point.
+/// As [`Scalar::parse_scaled`], but faster in fixed point.
 pub(super) fn parse_scaled<S: Scalar>(text: &str, power: i32) -> Option<S> {
     if S::RELATIVE {
         return S::parse_scaled(text, power);
@@ -192,7 +192,7 @@ mod tests {
 
     #[test]
     fn hard_numbers_are_rounded_as_the_scalar_rounds_them() {
-        // Ties, last places, the limits of the digits that are read at once, and what is no number.
+        // Ties, last places, the limits of the digits that are read together, and texts that are not numbers.
         let numbers = "0 -0 +.5 5. 1e0 1E-3 1e+4 12e-1 0.00000762939453125 0.00002288818359375 -0.00002288818359375 \
             1.00000762939453125 1.000007629394531250000000000000001 0.000007629394531249999999999999999 \
             9999999999999999999e-19 9999999999999999999e-16 1234567890123456789e-15 0.1234567890123456789 \

@@ -1,4 +1,4 @@
-//! Words and where they stand. Lines mean nothing to the format, except that they end a comment.
+//! Words and their places. Line breaks are white space, except that they end a comment.
 
 use super::error::Place;
 
@@ -23,7 +23,7 @@ impl<'t> Lexer<'t> {
         Self { rest, place: Place { line: 1, column: 1 } }
     }
 
-    /// The word that comes next, without taking it.
+    /// The next word, without taking it.
     pub(super) fn peek(&self) -> Option<Word<'t>> {
         self.clone().next()
     }
@@ -43,7 +43,7 @@ impl<'t> Lexer<'t> {
         let mut characters = self.rest.chars();
         while let Some(character) = characters.next() {
             match character {
-                // A lone carriage return ends a line too; before a line feed the two are one end.
+                // A single carriage return ends a line too; followed by a line feed the two are one line end.
                 '\n' | '\r' => comment = false,
                 '#' => comment = true,
                 other if comment || other.is_whitespace() => {}
@@ -79,7 +79,7 @@ impl<'t> Iterator for Lexer<'t> {
 fn end_of_word(text: &str) -> [usize; 2] {
     let bytes = text.as_bytes();
     let end = bytes.iter().position(|byte| !byte.is_ascii_graphic() || *byte == b'#').unwrap_or(bytes.len());
-    // Nearly all words are of ASCII, a byte a character.
+    // Nearly all words are ASCII, with one byte for each character.
     if matches!(bytes.get(end), None | Some(b' ' | b'\t' | b'\n' | b'\r' | b'#')) {
         return [end; 2];
     }

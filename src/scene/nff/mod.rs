@@ -29,7 +29,7 @@
 //! - A shine beyond the number type's range (100000 in `I16F16`) becomes the largest that it holds: that highlight is
 //!   smaller than a pixel in either case.
 //! - A file's unit of length is the scene's, unless [`read_scaled`] is given another scale.
-//! - The corners of a `pp` run counterclockwise seen from the side that its normals point to. Where they run the other way, the
+//! - The corners of a `pp` run counterclockwise seen from the side that its normals point to. If their order contradicts the normals, the
 //!   normals decide; [`View::turned`] counts these polygons.
 //! - A light that is too far away for the number type becomes a distant light: see [`View::distant`].
 //! - Bytes that are not UTF-8 are accepted in comments if the file is converted with `String::from_utf8_lossy`.
@@ -184,7 +184,7 @@ pub struct Counts {
 }
 
 impl Counts {
-    /// Counts the entities of a text without reading its numbers; of a malformed text, what can be counted.
+    /// Counts the entities of a text without reading its numbers; for a malformed text, those that can be counted.
     ///
     /// ```
     /// let counts = raylet::scene::nff::Counts::of("s 0 0 0 1  p 4  0 0 0  1 0 0  1 1 0  0 1 0");
@@ -200,7 +200,7 @@ impl Counts {
                 "l" => counts.lights = counts.lights.saturating_add(1),
                 "p" | "pp" => {
                     let corners = words.peek().and_then(|word| word.text.parse().ok()).unwrap_or(0_usize);
-                    // A count that the rest of the text cannot hold is a mistake, and no reason to reserve memory.
+                    // A count that is larger than the rest of the text allows is an error in the text; no memory is reserved for it.
                     let corners = corners.min(text.len() / SHORTEST_POINT);
                     let triangles = corners.saturating_sub(2);
                     counts.corners = counts.corners.max(corners);

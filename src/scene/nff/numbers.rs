@@ -1,4 +1,4 @@
-//! Words into numbers: the first half of the reader, below the entities.
+//! Conversion of words to numbers: the part of the reader below the entities.
 
 use super::decimal::{Decimal, Magnitude, parse_scaled};
 use super::error::{NffError, Place, Reason};
@@ -8,7 +8,7 @@ use crate::scalar::{Ring, Scalar, is_decimal, is_zero_decimal};
 use crate::vector::{UnitVec3, Vec3};
 use core::marker::PhantomData;
 
-/// A number with the place where it stands, and whether rounding made it vanish.
+/// A number with its place, and whether rounding has made it zero.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Number<S> {
     pub(super) value: S,
@@ -45,7 +45,7 @@ impl<'t, S: Scalar> Numbers<'t, S> {
         self.peek().map_or(self.words.place(), |word| word.place)
     }
 
-    /// True if the next word is a number, as against the next entity.
+    /// True if the next word is a number, and not the name of an entity.
     pub(super) fn number_follows(&self) -> bool {
         self.peek().is_some_and(|word| is_decimal(word.text))
     }
@@ -106,7 +106,7 @@ impl<'t, S: Scalar> Numbers<'t, S> {
     /// A coordinate or size inside the budget.
     pub(super) fn size(&mut self, what: &'static str) -> Result<Number<S>, NffError> {
         let place = self.place();
-        // To the reader of the message the limit that counts is the budget, whichever limit was met first.
+        // The message names the budget, whichever limit was exceeded first.
         let beyond = NffError { place, reason: Reason::BeyondBudget { what } };
         let number = self.scaled(what, self.scale).map_err(|error| match error.reason {
             Reason::BeyondType { .. } => beyond,
@@ -120,7 +120,7 @@ impl<'t, S: Scalar> Numbers<'t, S> {
         Ok(Vec3::new(self.size(what)?.value, self.size(what)?.value, self.size(what)?.value))
     }
 
-    /// The direction of a point, however far; `None` if the point is the origin. Nine digits of its coordinates count.
+    /// The direction of a point at any distance; `None` if the point is the origin. Nine digits of its coordinates are used.
     pub(super) fn direction(&mut self, what: &'static str) -> Result<Option<UnitVec3<S>>, NffError> {
         let mut decimals = [None; 3];
         for decimal in &mut decimals {

@@ -3,8 +3,8 @@
 //! A convex polygon becomes a fan about its first corner; any other loses one "ear" after the other (Meisters,
 //! *Polygons have ears*, 1975). Nothing is allocated: ears are cut out of the caller's list of corners.
 //!
-//! That takes time with the square of the corners, or worse: a star of 20,000 takes seconds on a host. Convex polygons
-//! take time in proportion.
+//! The time grows with the square of the number of corners, or faster: a star of 20,000 corners takes seconds on a host. For convex polygons it is
+//! proportional to the number of corners.
 
 use crate::scalar::{Real, Ring, Scalar};
 use crate::vector::{UnitVec3, Vec3, cross};
@@ -46,7 +46,7 @@ impl<S: Scalar> Default for Corner<S> {
 ///
 /// The corners are counterclockwise as seen from the front. The triangles cover exactly the polygon's area.
 /// Triangles without area (three corners on a line) are left out, so that a polygon without area has none. The order of `corners` is
-/// changed. Of a polygon that intersects itself, which NFF does not allow, the counterclockwise parts are covered as far as ears can be found.
+/// changed. If a polygon intersects itself, which NFF does not allow, its counterclockwise parts are covered as far as ears are found.
 ///
 /// # Errors
 ///
@@ -56,7 +56,7 @@ pub fn triangulate<S: Scalar, E>(
     mut each: impl FnMut([Corner<S>; 3]) -> Result<(), E>,
 ) -> Result<usize, E> {
     let Some(plane) = Projection::of(corners) else { return Ok(0) };
-    // A triangle needs no cutting, and is by far the most frequent.
+    // A triangle needs no cutting, and is the most frequent case.
     if let [a, b, c] = &*corners {
         return each([*a, *b, *c]).map(|()| 1);
     }
@@ -103,12 +103,12 @@ fn around<S: Scalar>(corners: &[Corner<S>], index: usize) -> Option<(&Corner<S>,
 
 /// The corner to cut off next, and whether a triangle goes with it.
 fn next_cut<S: Scalar>(corners: &[Corner<S>], plane: Projection) -> (usize, bool) {
-    // Corners on a line go first: a spike that stayed would let an ear be cut across it.
+    // Corners on a line are cut off first: with a spike left, an ear could be cut across it.
     let is_straight = |index: &usize| around(corners, *index).is_some_and(|(a, b, c)| plane.turn(a, b, c).is_zero());
     if let Some(index) = (0..corners.len()).find(is_straight) {
         return (index, false);
     }
-    // Should no corner be an ear, the polygon crosses itself (or does after rounding): the first convex corner goes.
+    // If no corner is an ear, the polygon intersects itself (at least after rounding): the first convex corner is cut off.
     let mut fallback = None;
     for index in 0..corners.len() {
         let Some((a, b, c)) = around(corners, index) else { continue };
@@ -162,9 +162,8 @@ fn turns_back<S: Scalar>(corners: &[Corner<S>]) -> bool {
     })
 }
 
-/// Twice the area, along the normal of the side from which the corners run counterclockwise. It is Newell's (Tampieri, *Newell's
-/// method for computing the plane equation of a polygon*, Graphics Gems III): it does not mind corners on a line or a reflex first
-/// corner.
+/// Twice the area, along the normal of the side from which the corners run counterclockwise. It is computed by Newell's method (Tampieri, *Newell's
+/// method for computing the plane equation of a polygon*, Graphics Gems III), which allows corners on a line and a reflex first corner.
 fn area_vector<S: Scalar>(corners: &[Corner<S>]) -> [S::Real; 3] {
     let mut normal = [S::Real::ZERO; 3];
     let Some((first, rest)) = corners.split_first() else { return normal };
@@ -205,7 +204,7 @@ impl Projection {
         let normal = area_vector(corners);
         let [x, y, z] = normal;
         let [wide, high, deep] = normal.map(Real::abs);
-        // Seen from behind, left and right change places.
+        // Seen from behind, left and right are exchanged.
         let (projection, largest) = if wide > high && wide > deep {
             (Self::AlongX { mirrored: x.is_negative() }, x)
         } else if high > deep {

@@ -1,4 +1,4 @@
-//! Entities into objects, materials, lights and a camera.
+//! Conversion of entities to objects, materials, lights and a camera.
 
 use super::error::{NffError, Place, Reason};
 use super::lexer::Lexer;
@@ -55,7 +55,7 @@ impl<'t, 'a, S: Scalar> Reader<'t, 'a, S> {
     fn entities(mut self) -> Result<View<S>, NffError> {
         let mut viewpoint = None;
         let mut background = None;
-        // How bright a light without a colour is depends on lights that come later: count them first.
+        // The strength of a light without a colour depends on lights that come later: they are counted first.
         let lights = u32::try_from(Counts::of(self.text).lights).unwrap_or(u32::MAX);
         let strength = Light::<S>::usual_strength(lights);
         while let Some(entity) = self.numbers.word() {
@@ -250,7 +250,7 @@ impl<'t, 'a, S: Scalar> Reader<'t, 'a, S> {
             if pairs.all(|(base, apex)| base == apex) {
                 return Err(NffError { place: apex_words.place(), reason: Reason::ZeroLength });
             }
-            // Apart in the text, and the same after rounding.
+            // The points differ in the text, and are equal after rounding.
             self.leave_out();
             return Ok(());
         }
@@ -271,7 +271,7 @@ impl<'t, 'a, S: Scalar> Reader<'t, 'a, S> {
         let reason =
             if can_hold { Reason::TooManyCorners { room } } else { Reason::EndsBeforeCorners { corners: count } };
         let too_many = NffError { place: count_place, reason };
-        // Out of `self`, so that its triangles can be added while they are cut.
+        // Taken out of `self`, so that triangles can be added while they are cut.
         let scratch = core::mem::take(&mut self.stores.corners);
         let corners = usize::try_from(count).ok().and_then(|count| scratch.get_mut(..count)).ok_or(too_many)?;
         for corner in &mut *corners {
@@ -309,7 +309,7 @@ impl<'t, 'a, S: Scalar> Reader<'t, 'a, S> {
     }
 }
 
-/// The error of a word that is no text, if the word at this place is none.
+/// The error for a word that is not valid text, if the word at this place is one.
 fn not_text_at(text: &str, place: Place) -> Option<NffError> {
     let word = Lexer::new(text).find(|word| word.place == place)?;
     let (before, _) = word.text.split_once(char::REPLACEMENT_CHARACTER)?;

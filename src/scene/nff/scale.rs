@@ -9,13 +9,13 @@ use core::fmt;
 /// to `2^-12`, which changes a colour by less than a level.
 const DISTANT: i8 = 12;
 
-/// How many units of the scene one unit of a file is: a power of two.
+/// The number of units of the scene for one unit of a file: a power of two.
 ///
 /// Fixed-point numbers have an absolute precision, so that the relative error of small objects is larger than that of large ones: a sphere of
 /// radius 0.02 has an error of 0.04 percent in `I16F16`, which mirrors magnify. If all coordinates of a file are within 12, nine bits of the type
 /// are unused. Read 512 times as large, the scene gives the same picture with errors 512 times as small. (NFF has no other measure of
-/// length, so that the picture does not depend on the units. What is added to the scene afterwards, such as the clarity of fog or a texture on a
-/// plane, is in the scene's units.) This is block floating point: numbers that share one exponent (J. H. Wilkinson, Rounding Errors in
+/// length, so that the picture does not depend on the units. Values that are added to the scene afterwards, such as the clarity of fog or a texture
+/// on a plane, are in the scene's units.) This is block floating point: numbers that share one exponent (J. H. Wilkinson, Rounding Errors in
 /// Algebraic Processes, 1963).
 ///
 /// ```
@@ -77,7 +77,7 @@ impl Scale {
         if all >= others {
             return others;
         }
-        // Some light is beyond the scale of all else. Those that are not too far are fitted.
+        // A light is beyond the scale of all other objects. Lights that are not too far away are fitted.
         let least = Self::power_of_two(others.power.saturating_sub(DISTANT));
         if all >= least {
             return all;
@@ -190,7 +190,7 @@ fn each_length<'t>(text: &'t str, mut each: impl FnMut(Kind, &'t str)) {
         };
         for _ in 0..groups {
             let looked_at = words.by_ref().take(coordinates).map(|word| each(kind, word.text)).count();
-            // A text that ends has no more, whatever the number of corners that it announced.
+            // At the end of the text there are no more corners, whatever number was announced.
             if looked_at < coordinates || words.by_ref().take(others).count() < others {
                 break;
             }

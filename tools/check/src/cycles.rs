@@ -10,15 +10,15 @@ use std::fmt::Write;
 const INTRODUCTION: &str = "\
 ## Modelled cycles
 
-Instructions hide that some take one cycle and others a dozen: divides and roots above all. `.ci/cycles` runs the same programs in Unicorn, with
-a clock that adds up what each instruction takes by its class. The latencies are in
+Some instructions take one cycle, others a dozen: divides and roots above all. `.ci/cycles` runs the same programs in Unicorn, with
+a clock that adds up the cycles of each instruction by its class. The latencies are in
 [tools/cycles/latencies.toml](../tools/cycles/latencies.toml), from the manuals of the Cortex-M0+ (with the multiplier of one cycle), the
-Cortex-M3, the Cortex-M4F, and for RV32IMC of Hazard3, the core of the RP2350. These cycles are a **model, not a measurement**: memory
-answers at once, instructions and data alike, where the flash of many chips does not; where a manual gives a range, the most counts. With an
-instruction as a cycle, Unicorn counts what QEMU does: `.ci/cycles` compares both. Cycles of what users do, and of all other queries, are
+Cortex-M3, the Cortex-M4F, and for RV32IMC from that of Hazard3, the core of the RP2350. These cycles are a **model, not a measurement**. The model assumes
+memory without wait states, for instructions and data; the flash of many chips is slower. Where a manual gives a range, the model takes its upper end. With one cycle for every
+instruction, Unicorn counts as many as QEMU: `.ci/cycles` compares both. The cycles of what users do, and of all other queries, are
 in [data/cycles](../data/cycles).
 
-Cycles an instruction, of nearest hits: the median over all solids below and all tiers.
+Cycles per instruction of a nearest hit: the median over all primitives and tiers in the tables below.
 
 ";
 
@@ -90,7 +90,7 @@ fn ranges(text: &mut String, chips: &[Measured]) {
     let less: Vec<_> = less.collect();
     let _ = writeln!(
         text,
-        "With the least of each range the same queries take fewer cycles, in the median: {}.\n",
+        "With the lower end of each range instead, the same queries take fewer cycles, in the median: {}.\n",
         less.join(", ")
     );
 }
@@ -101,7 +101,7 @@ fn shown(text: &mut String, chip: &Measured) -> Option<()> {
     let [root, without] = [sphere(chip, "f32", "textbook, VSQRT")?, sphere(chip, "f32", "textbook")?];
     let _ = writeln!(
         text,
-        "On the {FLOATS} a divide or a root of floats is one instruction and {DIVIDE_OR_ROOT} cycles. The nearest hit of a sphere in `Fast` is {} instructions \
+        "On the {FLOATS} a divide or a root of floats is one instruction, which takes {DIVIDE_OR_ROOT} cycles. The nearest hit of a sphere in `Fast` takes {} instructions \
          and {} cycles in `f32`, {} and {} in `I16F16`: `f32` takes {} the instructions of fixed point, and {} its cycles. The textbook's sphere \
          with the chip's root takes {} the instructions of the one with `libm`'s, and {} its cycles.\n",
         grouped(float[0]),

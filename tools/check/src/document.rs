@@ -31,23 +31,41 @@ pub struct Measured {
 const INTRODUCTION: &str = "\
 # On microcontrollers
 
-What a query costs on four chips in instructions, in modelled cycles and in stack, how much flash a primitive takes, and what an effect costs a pixel. Written by
-`.ci/measure --renew` and `.ci/cycles --renew`; do not edit. `.ci/measure` fails if a figure gets more than 2 % worse: `.ci/run` calls it for the M0+, `.ci/long` for all four;
-so does `.ci/cycles` for modelled cycles, which `.ci/long` calls.
+Flash, stack, instructions and modelled cycles on four chips: Cortex-M0+, Cortex-M3, Cortex-M4F and RV32IMC.
 
-Where nothing else is said, the figures are **instructions, not cycles**: a chip takes one or more cycles for each, depending on its pipeline and on its
-memory. Cycles are [modelled](#modelled-cycles). Instructions are counted by QEMU (`-icount shift=0`: its clock advances by one nanosecond an instruction), so that they are
-the same on every run. Where nothing else is said, each is the mean over 64 seeded rays that start 2 to 6 units away; all of them hit, or all miss. What users do is
-described in [benches.md](benches.md). Each query is a call of a function that is not inlined; what the loop and the call of an empty function take is
-subtracted. The
-programs are built with `opt-level = 3`, link-time optimisation and one codegen unit.
+| section | what it holds |
+|---|---|
+| [Whole uses](#whole-uses) | flash and stack of a range sensor and of pictures |
+| [How it is measured](#how-it-is-measured) | what the figures mean, and what checks them |
+| [Modelled cycles](#modelled-cycles) | the model, and what cycles show that instructions do not |
+| [The marks](#the-marks) | limits that the library was written to reach |
+| [The nearest hit, beside the textbook](#the-nearest-hit-beside-the-textbook) | three primitives in every number type and tier, on all chips |
+| What users do: [M0+](#what-users-do-cortex-m0), [M3](#what-users-do-cortex-m3), [M4F](#what-users-do-cortex-m4f), [RV32IMC](#what-users-do-rv32imc) | the mean and the worst of single queries |
+| All primitives: [M0+](#cortex-m0), [M3](#cortex-m3), [M4F](#cortex-m4f), [RV32IMC](#rv32imc) | instructions, cycles and stack of every query |
+| [Flash](#flash) | bytes of a program with one primitive |
+| [Effects](#effects) | instructions, cycles, stack and flash of a pixel |
 
-The *textbook* is `k^2 - a c` as everyone writes it first: for floats with `libm`'s square root, for fixed point with the
-operators of the crate `fixed` in the same type, wrapping where a square overflows. It is here for its cost: what it gets wrong is in
-[accuracy.md](accuracy.md). On the Cortex-M4F a second row has it with the chip's instruction for the root, as raylet uses it.
+";
 
-What the tiers promise is in the documentation of `raylet::tier`. M0+ is measured on QEMU's M3, which runs the same
-instructions.
+const METHOD: &str = "\
+## How it is measured
+
+Unless a table says otherwise, the figures are **instructions, not cycles**: a chip takes one or more cycles for each, depending on its pipeline and on its
+memory. Cycles are [modelled](#modelled-cycles). QEMU counts the instructions (`-icount shift=0`: its clock advances by one nanosecond an instruction), so that
+the counts are the same on every run. The programs of the M0+ run on QEMU's Cortex-M3, which executes all instructions of an M0+.
+
+Unless a table says otherwise, a figure is the mean over 64 seeded rays that start 2 to 6 units away; all of them hit, or all miss. The queries of the sections *What users do* are
+described in [benches.md](benches.md). Each query is a call of a function that is not inlined; the cost of the loop and of a call of an empty function is
+subtracted. The programs are built with `opt-level = 3`, link-time optimisation and one codegen unit.
+
+The *textbook* is the formula `k^2 - a c` as it is usually written: for floats with `libm`'s square root, for fixed point with the
+operators of the crate `fixed` in the same type, wrapping where a square overflows. The tables here show its cost; its errors are in
+[accuracy.md](accuracy.md). On the Cortex-M4F a second row of the sphere, *VSQRT*, has the textbook with the chip's instruction for the square root, which raylet uses too.
+
+The documentation of `raylet::tier` says what the tiers promise.
+
+`.ci/measure --renew` and `.ci/cycles --renew` write this page; do not edit it. `.ci/measure` fails if a figure gets more than 2 % worse: `.ci/run` calls it for the
+M0+, `.ci/long` for all four. `.ci/cycles` does the same for modelled cycles, and `.ci/long` calls it.
 
 ";
 
@@ -61,12 +79,24 @@ pub fn cell(baseline: &Baseline, subject: &str, query: &str, number: &str, tier:
     }
 }
 
+/// The tests of a range sensor, as a subject.
+const SENSOR: &str = "range sensor";
+
+/// The subjects whose stack is measured: the sensor has rays that the fast path of floats cannot decide.
+fn stacked() -> impl Iterator<Item = &'static str> {
+    SUBJECTS.into_iter().chain([SENSOR])
+}
+
 /// What the uses of the library take: a shape of any primitive and placement, and pictures of them.
 fn whole_uses(text: &mut String, chips: &[Measured]) {
     text.push_str(
-        "## Whole uses\n\nBytes of flash over those of a program that does nothing, bytes of stack at most, instructions and [modelled cycles](#modelled-cycles), in `Stable`. The *range sensor* tests a `Shape`, which may be any primitive in any placement: instructions of one test of one of its zones against one of its forty solids, 1 to 200 metres away, most of them upright; its stack is the \
-         largest of all nearest hits below. The *picture* is that of the section on effects, and its shapes may be any primitive too: instructions a pixel; with all effects, pixels at edges have several samples. The others name the primitives and placements that they use (`Shape<S, K>`), and no code of other ones is linked: spheres and planes, or cylinders and planes, in frames or not placed. Flash depends on the \
-         profile: `opt-level = 3`, which is the fastest.\n\n",
+        "## Whole uses\n\nIn `Stable`. *Flash* is bytes over those of a program that does nothing, built with `opt-level = 3`, the fastest profile and not the smallest. *Stack* is the most bytes that were measured: no bound is proved. \
+         A ray that the fast path cannot decide needs the stack of the solver; the sensor has such rays, and a simple picture may have none. \
+         Instructions and [modelled cycles](#modelled-cycles) are means.\n\n\
+         - The *range sensor* tests a `Shape`, which may be any primitive in any placement. Instructions and cycles are those of one test, of one of 64 zones against one of forty solids, 1 to 200 metres away and most of them upright; most tests miss. \
+         They are means over every 37th pair of a zone and a solid; the sections *What users do* have the mean and the worst of other pairs. The stack is the largest of all nearest hits that are measured.\n\
+         - The *picture* is that of the section [Effects](#effects), and its shapes may be any primitive too. Instructions and cycles are those of a pixel; with all effects, pixels at edges have several samples.\n\
+         - Rows that name primitives are programs that name them as well (`Shape<S, K>`): spheres and planes, or cylinders and planes, in frames or not placed. They contain no code of other primitives and placements. Only their flash is measured.\n\n",
     );
     head(text, ["use", "number", "chip", "flash", "stack", "instructions", "cycles"].map(String::from));
     for number in effects::NUMBERS {
@@ -74,14 +104,14 @@ fn whole_uses(text: &mut String, chips: &[Measured]) {
             let cost = |baseline: &Baseline, subject: &str, of: &str| {
                 Part::Cost.figure(baseline, &cost::key(subject, "nearest", number, "Stable", of))
             };
-            let deepest = SUBJECTS.iter().filter_map(|subject| cost(baseline, subject, "stack")).max();
+            let deepest = stacked().filter_map(|subject| cost(baseline, subject, "stack")).max();
             let flash = Part::Size.figure(baseline, &size::key(size::SHAPE, [number, "Stable"]));
             let mut line = |of: &str, figures: [Option<u64>; 4]| {
                 let figures = figures.map(|figure| figure.map_or("–".into(), grouped));
                 row(text, [of, number, chip].map(String::from).into_iter().chain(figures));
             };
-            let sensor = |figures| cost(figures, "range sensor", "hit");
-            line("range sensor", [flash, deepest, sensor(baseline), sensor(modelled)]);
+            let sensor = |figures| cost(figures, SENSOR, "hit");
+            line(SENSOR, [flash, deepest, sensor(baseline), sensor(modelled)]);
             let ends = [("picture, no effects", effects::SETS.first()), ("picture, all effects", effects::SETS.last())];
             for (name, set) in ends.into_iter().filter_map(|(name, set)| Some((name, set?.1))) {
                 let figure = |what: &str| Part::Effects.figure(baseline, &effects::key(set, number, what));
@@ -130,7 +160,7 @@ fn workloads(text: &mut String, chip: &str, baseline: &Baseline) {
     ];
     let _ = write!(
         text,
-        "\n## What users do: {chip}\n\nInstructions of a nearest hit, each of a hundred queries by itself: the mean (the worst).\n\n"
+        "\n## What users do: {chip}\n\nInstructions of a nearest hit. Each of a hundred queries is counted by itself: the mean (the worst).\n\n"
     );
     head(text, std::iter::once(String::new()).chain(KINDS.map(|(number, tier)| format!("{number} {tier}"))));
     let names: std::collections::BTreeSet<_> =
@@ -150,7 +180,7 @@ fn workloads(text: &mut String, chip: &str, baseline: &Baseline) {
 
 /// Every primitive on one chip.
 fn one_chip(text: &mut String, Measured { chip, counted: baseline, modelled }: &Measured) {
-    let _ = write!(text, "\n## {chip}\n\nThe nearest hit; instructions: hit / miss.\n\n");
+    let _ = write!(text, "\n## {chip}\n\nThe nearest hit, in instructions: hit / miss.\n\n");
     let kinds: Vec<_> =
         NUMBERS.iter().flat_map(|(number, tiers)| tiers.iter().map(move |tier| (*number, *tier))).collect();
     let nearest = |text: &mut String, figures: &Baseline| {
@@ -165,19 +195,19 @@ fn one_chip(text: &mut String, Measured { chip, counted: baseline, modelled }: &
     text.push_str("\nThe same in [modelled cycles](#modelled-cycles): hit / miss.\n\n");
     nearest(text, modelled);
     text.push_str(
-        "\nThe stack of a nearest hit, bytes at most for these rays, the caller's frames not counted. A ray that the fast path leaves to the robust \
-         number takes more: plan with the largest figure of the column.\n\n",
+        "\nThe stack of a nearest hit: the most bytes that these rays take, the caller's frames not counted. A ray that the fast path leaves to the solver takes more than the others, \
+         and not every row has one: plan with the largest figure of the column, and with a margin, since no bound is proved.\n\n",
     );
     let titles = kinds.iter().map(|(number, tier)| format!("{number} {tier}"));
     head(text, std::iter::once(String::new()).chain(titles));
-    for subject in SUBJECTS {
+    for subject in stacked() {
         let cells = kinds.iter().map(|(number, tier)| {
             let key = cost::key(subject, "nearest", number, tier, "stack");
             Part::Cost.figure(baseline, &key).map_or("–".into(), grouped)
         });
         row(text, std::iter::once(subject.to_string()).chain(cells));
     }
-    text.push_str("\nThe other queries, in `Stable`; instructions: hit / miss. Normals and surface coordinates (uv) are computed at a known hit.\n\n");
+    text.push_str("\nThe other queries in `Stable`, in instructions: hit / miss. Normals and surface coordinates (uv) are computed at a known hit.\n\n");
     let queries = ["all hits", "occlusion", "normal", "uv"];
     let numbers = ["I16F16", "f32"];
     let titles = numbers.iter().flat_map(|number| queries.iter().map(move |query| format!("{number} {query}")));
@@ -196,8 +226,8 @@ fn one_chip(text: &mut String, Measured { chip, counted: baseline, modelled }: &
 /// Bytes of flash.
 fn sizes(text: &mut String, chips: &[Measured]) {
     text.push_str(
-        "\n## Flash\n\nBytes of code and constants of a program that computes the nearest hit with one primitive, over those of a program that does nothing; \
-         `shape` is a `Shape`: any primitive in any placement. Primitives share code, such as the arithmetic of the number type, which is counted in each row.\n\n",
+        "\n## Flash\n\nBytes of code and constants of a program that computes the nearest hit of one primitive, over those of a program that does nothing. \
+         `shape` is a `Shape`, which may be any primitive in any placement. Primitives share code, such as the arithmetic of the number type; each row counts it.\n\n",
     );
     let titles = chips.iter().map(|Measured { chip, .. }| (*chip).to_string());
     head(text, ["", "number", "tier"].map(String::from).into_iter().chain(titles));
@@ -217,10 +247,11 @@ fn text() -> Outcome<String> {
         chips.push(Measured { chip, counted: chip::baseline(target)?, modelled: chip::cycles(target)? });
     }
     let mut text = INTRODUCTION.to_string();
+    whole_uses(&mut text, &chips);
+    text.push_str(METHOD);
     if let Some(Measured { counted, .. }) = chips.first() {
         let _ = write!(text, "Compiler: {}.\n\n", counted.compiler);
     }
-    whole_uses(&mut text, &chips);
     cycles::section(&mut text, &chips);
     marks::table(&mut text, &chips);
     comparison(&mut text, &chips);

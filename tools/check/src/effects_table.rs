@@ -10,15 +10,19 @@ use std::fmt::Write;
 const INTRODUCTION: &str = "
 ## Effects
 
-What a pixel costs with a set of effects compiled in: a ball, a can and a cone on a plane under two lamps, 16 by 12 pixels (the
-scenes of `tools/firmware/programs/src/effects/stage.rs`; each calls for just what is in its set, and the first is black: nothing but the
-nearest hit is looked for). *Code* is what a program takes that finds out what a scene calls for and traces such a pixel, over a
-program that does nothing: all primitives are in it. *Cycles* are [modelled](#modelled-cycles), a pixel. *Stack* is what tracing a row takes at most, the caller's frames not counted. *Among all* is the same picture with
-every effect compiled in and only these at work: CI compares the pictures and the number of rays, which are equal to the last bit.
+What a pixel costs with a set of effects compiled in. The picture has 16 by 12 pixels: a ball, a can and a cone on a plane under two lamps. The scenes are in
+`tools/firmware/programs/src/effects/stage.rs`; each uses exactly the effects of its set. With none the picture is black, and only
+nearest hits are computed.
 
-An effect that is not in the set leaves nothing behind: `check left-out` looks up where each instruction of these programs comes from,
-inlined functions included, and finds none from a file of `src/effect` that is another effect's, and some from each that is its own (but
-for diffuse, which is one multiplication: the compiler may keep no line for it).
+- *Code* is bytes of flash over those of a program that does nothing. The program finds out which effects a scene uses, and traces such a pixel; it contains all primitives.
+- *Cycles* are [modelled](#modelled-cycles), a pixel.
+- *Stack* is the most that was measured while a row of pixels is traced, the caller's frames not counted.
+- *Among all* is the same picture in a program with every effect compiled in, of which only those of the set are used. CI compares the pictures and the numbers of rays, which
+  are equal to the last bit.
+
+An effect that is not in the set leaves no code in the program. `check left-out` looks up the source line of each instruction of these programs, inlined functions
+included. It finds no instruction from a file of `src/effect` of an effect that is left out, and some from each file of an effect in the set, except
+for diffuse: that is one multiplication, for which the compiler may keep no line.
 
 ";
 
@@ -35,7 +39,7 @@ pub fn tables(text: &mut String, chips: &[Measured]) {
                 "cycles",
                 "stack",
                 "instructions among all",
-                "",
+                "more among all",
                 "stack among all",
             ];
             head(text, titles.map(String::from));

@@ -12,30 +12,33 @@ const DRAWN_ON: [&str; 2] = ["Cortex-M0+", "Cortex-M4F"];
 const INTRODUCTION: &str = "\
 # Gallery
 
-Each picture with the command that draws it, what that command says, and what a pixel costs on a chip. Written by `.ci/measure
---document` from the output of `.ci/gallery --renew` and the figures of `.ci/measure --renew`; do not edit. CI draws every picture
+Each picture with the command that draws it, the output of that command, and the cost of a pixel on two chips. `.ci/measure
+--document` writes this page from the output of `.ci/gallery --renew` and the figures of `.ci/measure --renew`; do not edit it. CI draws every picture
 again and compares it to the bit.
 
-The instructions are those of the same scene at 24 by 18 pixels, in the mean, with 3 by 3 samples where a pixel's corners differ: at that
-size more of the pixels have an edge in them than in the picture shown. What instructions are is told in
-[microcontrollers.md](microcontrollers.md).
+Instructions are the mean over the pixels of the same scene at 24 by 18 pixels, with 3 by 3 samples where a pixel's corners differ. At that
+size a larger share of the pixels contains an edge than in the picture shown. How instructions are counted:
+[microcontrollers.md](microcontrollers.md#how-it-is-measured).
 ";
 
 /// The file of a picture, and what the gallery says of it: in this order.
 const PICTURES: [(&str, &str); 7] = [
     (
         "still-life",
-        "Every solid of revolution, a disc and a pyramid. A ball stretched to an ellipsoid, a cone on its apex, a disc that leans on it.",
+        "All solids of revolution, a disc and a pyramid; a ball is stretched to an ellipsoid, a cone stands on its apex, and a disc leans on it.",
     ),
     (
         "patterns",
-        "Materials of their own on base and top; checkers, stripes and an image of 8 by 8 pixels through `uv`, on a cuboid and a rectangle too; a capsule carved from cells in space, through `uvw`.",
+        "Separate materials on base and top; checkers, stripes and an image of 8 by 8 pixels through `uv`, on a cuboid and a rectangle too; a capsule carved from cells in space, through `uvw`.",
     ),
-    ("glass", "Refraction with Fresnel's weights and total reflection, mirrors, a pane of index 1 that bends nothing."),
+    (
+        "glass",
+        "Refraction with Fresnel's weights and total reflection, mirrors, and a pane of index 1, which refracts nothing.",
+    ),
     ("waves", "Bump mapping through the tangents: on water that mirrors, on a ball, as flutes of columns in fog."),
     (
         "tubes",
-        "Cylinders, cones and a ball from a file in the Neutral File Format, in fixed point read in larger units; one is seen from within.",
+        "Cylinders, cones and a ball from a file in the Neutral File Format, which fixed point reads in larger units; one is seen from inside.",
     ),
     ("star", "Concave polygons from a file, cut into triangles on the chip."),
     (

@@ -57,7 +57,7 @@ fn cell(baseline: &Baseline, mark: &Mark, tier: &str) -> Option<String> {
 /// A table of the marks: a row for each mark and chip.
 pub fn table(text: &mut String, chips: &[Measured]) {
     text.push_str(
-        "## The marks\n\nWhat the kernels were written for: instructions of a nearest hit, or a ratio of them. In bold: reached.\n\n\
+        "## The marks\n\nLimits that were set before the fast paths of spheres, cylinders and cones were written: instructions of a nearest hit, or a ratio of them. A figure in bold is within its limit.\n\n\
          | mark | chip | at most | Fast | Stable |\n|---|---|---:|---:|---:|\n",
     );
     for (name, mark) in &MARKS {
@@ -76,7 +76,7 @@ pub fn table(text: &mut String, chips: &[Measured]) {
 
 /// Why marks are missed, by counting operations: what of a formula no kernel can leave out.
 const LIMITS: &str = "\
-Marks are missed in `Fast` because `Fast` made the sphere cheaper than the others. What the formulas need:
+`Fast` misses most marks that are ratios to the sphere, because its sphere takes so few instructions. The capped cone misses its mark in both tiers. The formulas need:
 
 | nearest hit | products of 32 bits | roots | reciprocals | quotients by them |
 |---|---:|---:|---:|---:|
@@ -84,10 +84,10 @@ Marks are missed in `Fast` because `Fast` made the sphere cheaper than the other
 | capped cylinder: `w_y`, `k`, `a`, `a r^2`; two planes | 10 | 1 | 2 | 4 |
 | capped cone: `k`, the closest point, both scaled by the slope, `a`, `k`, the discriminant, the nappe; two planes | 30 | 1 | 2 | 4 |
 
-- *Occlusion on the Cortex-M0+.* A ray that hits needs all that a ray that misses needs, the discriminant, and the signs of the ends besides. Only the root is
-  left out. The row of the sphere below has what a miss takes alone: more than the mark's part of a hit.
-- *Capped cylinder.* A reciprocal costs as much as a root, and a quotient by it half of that. Its root, reciprocals and quotients are together more
-  than five roots, and a whole sphere in `Fast` is little more than two on the Cortex-M3: nothing of the mark is left for all other instructions.
-- *Capped cone.* The divisions are those of the cylinder, and its products are three times as many.
+- *Occlusion on the Cortex-M0+.* A ray that hits needs all that a ray that misses needs: the discriminant, and the signs of the ends. It leaves out only the
+  root. A miss alone takes more than the mark allows for a hit: the row of the sphere in the next table has both.
+- *Capped cylinder.* A reciprocal costs as much as a root, and a quotient by it half as much. Its root, reciprocals and quotients cost as much as
+  five roots. A whole sphere in `Fast` costs little more than two on the Cortex-M3: within 2.5 spheres next to nothing remains for all other instructions.
+- *Capped cone.* The divisions are those of the cylinder, and it has three times as many products.
 
 ";

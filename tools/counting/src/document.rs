@@ -33,14 +33,14 @@ const SCENE_QUERIES: [&str; 2] = ["nearest", "occlusion"];
 const INTRODUCTION: &str = "\
 # On the host
 
-What a query costs on an ordinary computer, in instructions, and how that grows with the objects of a scene. Written by
-`.ci/instructions --renew` with `data/host.tsv`, which has all figures; do not edit. `.ci/instructions` fails if a figure gets more than 2 % worse. How long a query takes on
-your machine: `cargo bench -p raylet-counting`.
+What a query costs on an ordinary computer, in instructions, and how that grows with the objects of a scene.
+`.ci/instructions --renew` writes this page and `data/host.tsv`, which has all figures; do not edit them. `.ci/instructions` fails if a figure gets more than 2 % worse.
+`cargo bench -p raylet-counting` measures how long a query takes on your machine.
 
-The figures are **instructions, never cycles**, counted by valgrind's callgrind, so that they are the same on every run. But for the first
-table each is the mean over 64 seeded rays, which start 2 to 6 units away; all of them hit, or all miss. Subjects, rays and queries are those of
-[microcontrollers.md](microcontrollers.md). Each query is a call of a function that is not inlined; what the loop and the call of an
-empty function take is subtracted. The program is built with `opt-level = 3`, link-time optimisation and one codegen unit, and for any processor of its
+The figures are **instructions, never cycles**, counted by valgrind's callgrind, so that they are the same on every run. Except in the section *What users do*,
+each is the mean over 64 seeded rays, which start 2 to 6 units away; all of them hit, or all miss. Subjects, rays and queries are those of
+[microcontrollers.md](microcontrollers.md). Each query is a call of a function that is not inlined; the cost of the loop and of a call of an
+empty function is subtracted. The program is built with `opt-level = 3`, link-time optimisation and one codegen unit, for any processor of its
 architecture.
 
 ";
@@ -80,7 +80,7 @@ fn query(text: &mut String, figures: &Figures, title: &str, query: &str) {
 /// Normals and surface coordinates at a hit.
 fn surface(text: &mut String, figures: &Figures) {
     text.push_str(
-        "## Normal and surface coordinates\n\nInstructions at a hit that is known; no tier changes them.\n\n",
+        "## Normal and surface coordinates\n\nInstructions at a known hit. They do not depend on the tier.\n\n",
     );
     let columns: Vec<_> =
         FEWER_NUMBERS.iter().flat_map(|number| ["normal", "uv"].map(|query| (*number, query))).collect();
@@ -95,8 +95,8 @@ fn surface(text: &mut String, figures: &Figures) {
 /// Scenes of ever more spheres.
 fn scenes(text: &mut String, figures: &Figures) {
     text.push_str(
-        "## Cost against work\n\nInstructions a ray in a scene of small framed spheres, `Stable`: hit / miss. Without a hierarchy a scene tests every object, so that each further object costs a nearest hit the same again; occlusion stops at the first object that is hit. With one (`Scene::with_hierarchy`) it tests boxes, and only the objects in those that the ray meets. The last row of \
-         each table is what a sphere adds, from the fewest to 256. The 66,430 spheres are a sphere flake: on each sphere nine of a third of \
+        "## Cost against work\n\nInstructions a ray in a scene of small framed spheres, `Stable`: hit / miss. Without a hierarchy a scene tests every object, so that each further object adds the same cost to a nearest hit; occlusion stops at the first object that is hit. With a hierarchy (`Scene::with_hierarchy`) it tests boxes, and only the objects in the boxes that the ray meets. The last row of \
+         each table is what a further sphere adds, between the smallest scene and that of 256. The 66,430 spheres are a sphere flake: each sphere bears nine of a third of \
          its radius.\n",
     );
     for walk in WALKS {
@@ -162,11 +162,11 @@ fn workload(text: &mut String, figures: &Figures, of: &str) {
 /// What users do: pictures, a range sensor, each solid as it is placed.
 fn workloads(text: &mut String, figures: &Figures) {
     text.push_str(
-        "## What users do\n\nInstructions of a nearest hit, each query counted by itself: the mean and, in brackets, the worst of a hundred. *Left* is how many of a hundred queries in `Stable` the fast path cannot decide and the solver computes, for each of these number types in the order of their columns. `Exact` of `f32` first computes in doubles, for which this machine has hardware; without it, this takes the most instructions ([microcontrollers.md](microcontrollers.md)). `Exact` of `I16F16` computes in integers first, but for what is stretched.\n\n\
-         The rays of a picture are those through its pixels, from what they meet to a lamp, and mirrored there; in the built-in scenes, of which the still life has \
-         no mirrors, glass refracts rays too, up to three times. Each ray tests the objects whose boxes it meets, in the built-in scenes all. The range sensor has 64 zones, one row of them level, and forty solids 1 to 200 metres away, most of them upright. The solids \
+        "## What users do\n\nInstructions of a nearest hit, each query counted by itself: the mean and, in brackets, the worst of a hundred. *Left* is how many of a hundred queries in `Stable` the fast path cannot decide and the solver computes, for each of these number types in the order of their columns. `f32` `Exact` computes in doubles first, for which this machine has hardware; on a chip without it the doubles take most of the instructions ([microcontrollers.md](microcontrollers.md)). `I16F16` `Exact` computes in integers first, except for stretched solids.\n\n\
+         The rays of a picture are those through its pixels, those from the objects that they hit to a lamp, and those mirrored there. In the built-in scenes glass refracts rays too, up to three times; the still life has \
+         no mirrors. Each ray tests the objects whose boxes it meets; in the built-in scenes it tests all objects. The range sensor has 64 zones, one row of them level, and forty solids 1 to 200 metres away, most of them upright. The other solids \
          are about as large as the unit ball; *moved* and *turned* are frames, *stretched* is a matrix, *near* is 2 to 6 away and *far* 20 to 1,000; each query \
-         has a placement of its own. *Departing* rays leave the solid's own surface, to either side.\n\n",
+         has a placement of its own. *Departing* rays leave the surface of the solid itself, outwards or inwards.\n\n",
     );
     let titles: Vec<_> = OF_WORKLOADS
         .iter()
@@ -184,8 +184,8 @@ fn workloads(text: &mut String, figures: &Figures) {
     }
     tail(text, figures, &all);
     text.push_str(
-        "\n### How far off these answers are\n\nAgainst those of `Exact`, whose `t` is within a unit of the exact one and whose decisions are exact: the worst in units in the last place of `t` and, in brackets, how many of a hundred are a \
-         hit for a miss, a miss for a hit or on another part. Rows in which all are within 1 unit and none is wrong are left out. Errors over many more rays, and the hard ones: \
+        "\n### How far off these answers are\n\nThe results are compared with those of `Exact`, whose `t` is within a unit of the exact one and whose decisions are exact. The figures are the largest error of `t` in units in the last place and, in brackets, how many of a hundred results are a \
+         hit for a miss, a miss for a hit or a hit on another part. Rows in which all errors are within 1 unit and no result is wrong are left out. Errors over many more rays, and the hard ones: \
          [accuracy.md](accuracy.md).\n\n",
     );
     const OFF: [(&str, &str); 4] = [("f32", "Fast"), ("f32", "Stable"), ("I16F16", "Fast"), ("I16F16", "Stable")];
@@ -216,8 +216,8 @@ fn tails<'a>(figures: &Figures, all: &'a [String], [number, tier, quantile]: [&s
 fn tail(text: &mut String, figures: &Figures, all: &[String]) {
     let _ = write!(
         text,
-        "\n### How much the expensive rays take\n\nInstructions of the most expensive query but one of a hundred (*99 %*), and of the most expensive (*worst*), over the mean of the same \
-         workload: of the {} workloads the median and the greatest, and how many have a 99 % of more than {MANY} times their mean. Grazing rays are among them, about as often as chance makes them.\n\n",
+        "\n### How much the expensive rays take\n\nThe ratio of the instructions of the second most expensive of a hundred queries (*99 %*), and of the most expensive one (*worst*), to the mean of the same \
+         workload: the median and the largest ratio of the {} workloads, and how many of them have a 99 % above {MANY} times their mean. Grazing rays are among them as often as they occur by chance.\n\n",
         all.len()
     );
     let over = format!("99 % above {MANY}");

@@ -14,35 +14,35 @@ use support::workload::{WORKLOADS, Workload};
 fn head(environment: &Environment) -> String {
     let version = |name| environment.version(name);
     let roots = if environment.has_exact_roots {
-        "embedded-3dgfx has its square roots from the standard library here, since parry brings that into the build. On a chip they are
-`micromath`'s approximations, and its spheres and capsules are then some 1e-2 off: the same program built with
-`--no-default-features`, which leaves parry out, shows them."
+        "embedded-3dgfx takes its square roots from the standard library here, since parry makes that part of the build. On a chip it takes
+`micromath`'s approximations, and its spheres and capsules are then some 1e-2 off. The same program built with
+`--no-default-features`, that is, without parry, shows this."
     } else {
-        "parry is left out, so that embedded-3dgfx has its square roots from `micromath`, as on a chip."
+        "parry is left out, so that embedded-3dgfx takes its square roots from `micromath`, as on a chip."
     };
     format!(
         "# Beside other libraries
 
-The same queries, the same rays, the same numbers: raylet {}, `parry3d` and `parry3d-f64` {}, `embedded-3dgfx` {} and a textbook.
-Written by `cargo run --release --manifest-path tools/peers/Cargo.toml -- --write`; do not edit.
+Errors and times of raylet {}, `parry3d` and `parry3d-f64` {}, `embedded-3dgfx` {} and a textbook's formulas, for the same queries and rays in the same number types.
+`cargo run --release --manifest-path tools/peers/Cargo.toml -- --write` writes this page; do not edit it. It holds for the commit named here, not for later ones.
 
 Commit {}; {}; {}.
 
-The query is the nearest hit. Errors are of `t`, against exact arithmetic on the very bits that each contestant received, in
-units in the last place; *lost* are hits of exact arithmetic that were not found, *phantom* hits that it does not have, *wrong* hits
-more than {} units off. Rays are those of [accuracy.md](accuracy.md), the primitives those of its tables.
+The query is the nearest hit. Errors are those of `t` in units in the last place, against exact arithmetic on the bits that each library received.
+*Lost* hits are those of exact arithmetic that a library did not find, *phantom* hits those that exact arithmetic does not have, *wrong* hits those
+more than {} units off. The rays and the primitives are those of [accuracy.md](accuracy.md).
 
-Times are of a loop over a thousand rays, prepared in the contestant's own types; whole answers are kept, be it a distance
-(parry, textbook), a hit with its part and crossing (raylet) or one with point and normal (embedded-3dgfx). The contestants take
-turns of some 50 microseconds; of the ratios within a round the median counts, and nanoseconds stand beside them for the
-scale. Independent rays overlap in the processor: these are throughputs. Everything is compiled in one piece (`lto = \"fat\"`, one
-codegen unit, no `target-cpu`). raylet's square root is `libm`'s, on a host an instruction.
+Times are those of a loop over a thousand rays, prepared in the library's own types. Each library returns its whole result: a distance
+(parry, textbook), a hit with its part and crossing (raylet) or one with point and normal (embedded-3dgfx). The libraries take
+turns of some 50 microseconds. The published ratio is the median of the ratios of all rounds; nanoseconds are given for
+scale. The processor overlaps independent rays, so that these times are throughputs and not latencies. All is compiled together (`lto = \"fat\"`, one
+codegen unit, no `target-cpu`). raylet's square root is that of `libm`, which is an instruction on a host.
 
-parry's cylinder and cone have their middle in the origin: their rays are moved there beforehand, which is not timed, and the reference is of the rays so moved. parry computes these two by iteration (GJK), all others in closed form.
+parry's cylinder and cone are centred on the origin. Their rays are moved accordingly before the timing, and the reference takes the moved rays. parry computes these two by iteration (GJK) and all others in closed form.
 
-{roots} Its triangle is a mesh of one face.
+{roots} The triangle of embedded-3dgfx is a mesh of one face.
 
-The textbook is `k^2 - a c`, and Moeller and Trumbore's triangle: [tools/peers/src/textbook.rs](../tools/peers/src/textbook.rs).
+The textbook's formulas are `k^2 - a c`, and the triangle of Moeller and Trumbore: [tools/peers/src/textbook.rs](../tools/peers/src/textbook.rs).
 \n",
         version("raylet"),
         version("parry3d"),
@@ -83,8 +83,8 @@ fn bar_cell(reached: Option<&Reached>, needed: Needed, tells_place: bool) -> Str
 /// The bars, and what was reached.
 fn bars(rows: &[Row]) -> String {
     let mut text = String::from(
-        "## The bars\n\nWhat raylet's `f32` set out to reach on a host. **Bold: reached**; what is not bold is not. Median and quartiles.\n\n\
-         | bar | needed | benign, hits | benign, misses | worst of its workloads |\n|---|---:|---:|---:|---|\n",
+        "## Limits\n\nLimits that were set for raylet's `f32` on a host. A figure in **bold** reaches its limit. Median and quartiles.\n\n\
+         | limit on | needed | benign, hits | benign, misses | worst of its workloads |\n|---|---:|---:|---:|---|\n",
     );
     let (mut count, mut reached) = (0, 0);
     for bar in speed_bars(rows) {
@@ -98,11 +98,11 @@ fn bars(rows: &[Row]) -> String {
         let worst = bar_cell(bar.worst.as_ref(), bar.needed, true);
         line(&mut text, &[&bar.what, &needed, &hits, &misses, &worst]);
     }
-    let _ = writeln!(text, "\nOf these {count} bars {reached} are reached at their worst workload too.\n");
+    let _ = writeln!(text, "\nOf these {count} limits, {reached} are reached in their worst workload too.\n");
     text.push_str(
-        "`Stable`'s errors (median, 99.9 %, worst, and how many hits are lost, phantom or wrong) beside a peer's; \
-         the bar is that none is larger in any row of primitive and workload. (Within a hundredth is equal.)\n\n\
-         | number | peer | rows | none larger, some smaller | all equal | some larger |\n|---|---|---:|---:|---:|---:|\n",
+        "`Stable`'s errors (median, 99.9 %, worst, and how many hits are lost, phantom or wrong) beside those of another library. \
+         The limit: none is larger in any row of primitive and workload. Errors that differ by less than a hundredth count as equal.\n\n\
+         | number | library | rows | none larger, some smaller | all equal | some larger |\n|---|---|---:|---:|---:|---:|\n",
     );
     let bars = error_bars(rows);
     for bar in &bars {
@@ -114,8 +114,8 @@ fn bars(rows: &[Row]) -> String {
     let larger: Vec<_> = bars.iter().flat_map(|bar| &bar.larger).collect();
     if !larger.is_empty() {
         text.push_str(
-            "\nThe rows in which something is larger, median / 99.9 % / worst, and failures in brackets:\n\n\
-             | number | primitive | workload | `Stable` | peer | the peer's |\n|---|---|---|---:|---|---:|\n",
+            "\nThe rows in which one of `Stable`'s errors is larger, median / 99.9 % / worst; in brackets how many hits are lost, phantom or wrong:\n\n\
+             | number | primitive | workload | `Stable` | library | its errors |\n|---|---|---|---:|---|---:|\n",
         );
         for (ours, theirs) in larger {
             let workload = ours.workload.name();
@@ -278,7 +278,7 @@ fn three_times(speed: &Option<Speed>) -> String {
 pub fn document(environment: &Environment, rows: &[Row], users: &str) -> String {
     let tables = [times::<f32>(rows), errors::<f32>(rows), times::<f64>(rows), errors::<f64>(rows)].concat();
     format!(
-        "{}{users}{}{tables}## All rows\n\n`to {STABLE}` is the contestant's time over that of `Stable` in the same number at the same rays.\n\n{}{}",
+        "{}{users}{}{tables}## All rows\n\n`to {STABLE}` is the library's time over that of `Stable` in the same number type, for the same rays.\n\n{}{}",
         head(environment),
         bars(rows),
         all::<f32>(rows),

@@ -31,10 +31,10 @@ pub fn section(rows: &[UserRow]) -> String {
     let mut text = format!(
         "## What users do, `f32`\n\n\
          Placed solids, near and far, and a range sensor: the queries of [benches.md](benches.md), each with a solid and a ray of its own. \
-         Each library takes the ray into the solid's frame itself. parry has no frustum and stretches nothing: such queries are left out for both. \
-         Nanoseconds a query; in brackets the answers that are wrong, which are hits for misses, misses for hits, and distances off by more than {OFF} \
-         (the solids are about as large as the unit ball), against `{EXACT}`. parry returns the distance. raylet returns the part and the crossing with it, \
-         and keeps the ray's range.\n\n\
+         Each library transforms the ray to the solid's frame itself. parry has no frustum and no stretched solids: such queries are left out for both. \
+         Times are nanoseconds a query. In brackets is the number of wrong answers, compared with `{EXACT}`: hits for misses, misses for hits, and distances off by more than {OFF} \
+         (the solids are about as large as the unit ball). parry returns the distance. raylet also returns the part and the crossing, \
+         and respects the ray's range. The last column is the limit that was set for the ratio; a ratio in **bold** is within it.\n\n\
          | what | queries | {} | {STABLE} over {PARRY} | at most |\n|---|---|{}\n",
         NAMES.join(" | "),
         "---:|".repeat(NAMES.len() + 2)
@@ -57,6 +57,6 @@ pub fn section(rows: &[UserRow]) -> String {
             .collect();
         line(&mut text, &cells.iter().map(String::as_str).collect::<Vec<_>>());
     }
-    let _ = writeln!(text, "\nOf these {count} rows {reached} keep what stands in the last column (**bold**).\n");
+    let _ = writeln!(text, "\nOf these {count} rows, {reached} are within the limit.\n");
     text
 }

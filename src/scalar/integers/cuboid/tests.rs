@@ -3,14 +3,14 @@ use crate::scalar::integers::wide;
 use core::cmp::Ordering;
 use core::fmt::Debug;
 
-/// A line in quarters of the units in which the code has it, so that it can lie between them.
+/// A line in quarters of the units of the tested code, so that it can lie between its values.
 struct Exactly {
     o: [i128; 3],
     d: [i128; 3],
     reach: [i128; 3],
 }
 
-/// `n / d`, with a divisor of at least zero. Without one it is infinite.
+/// `n / d`, with a divisor of at least zero. With a divisor of zero it is infinite.
 type Quotient = (i128, i128);
 
 fn compared((n, d): Quotient, (m, e): Quotient) -> Ordering {
@@ -37,7 +37,7 @@ impl Exactly {
     }
 }
 
-/// How many were found, missed and left unsure.
+/// The numbers of hits, misses and unsure results.
 fn agree<N: Length + Debug + TryFrom<i128> + Into<i128>>(unit: u32, bits: u32, finer: i32) -> [u32; 3]
 where
     <N as TryFrom<i128>>::Error: Debug,
@@ -63,7 +63,7 @@ where
         if round % 9 == 0 {
             along[(round % 3) as usize] = below(1);
         }
-        // From next to the surface.
+        // The start is next to the surface.
         let (o, along) =
             if round % 11 == 0 { (aim.map(|c| c + below(1 << finer)), half.map(&mut below)) } else { (o, along) };
         let length = along.iter().map(|c| c * c).sum::<i128>().isqrt() + 1;
@@ -71,13 +71,13 @@ where
         if d == [0; 3] {
             continue;
         }
-        // The line itself: off by less than two units, if it is framed.
+        // The line itself: with an error of less than two units, if it is framed.
         let mut off = |n: i128| 4 * n + if finer == 0 { 0 } else { below(7) };
         let exactly = Exactly { o: o.map(&mut off), d: d.map(&mut off), reach: half.map(|h| (4 * h) << finer) };
         let ends = exactly.ends();
         let told = |since: Option<N>| cuboid(o.map(number), finer, d.map(number), half.map(number), since);
         let is_near = |t: N, (n, d): Quotient| {
-            // In units of t: times 2^(unit - finer).
+            // In the units of t, multiplied by 2^(unit - finer).
             let (n, d) = (n << unit, d << finer);
             let (n, d) = if d == 0 { (n, 1) } else { (n, d) };
             (t.into() * d - n).abs() <= d
@@ -104,7 +104,7 @@ where
                 assert!(ends.is_some_and(|[enter, _]| is_near(t, enter.0)), "{t:?}: {o:?} {d:?} {half:?}");
                 assert!(t >= N::ZERO || found == Attempt::Found(first));
             }
-            // It misses, or all of it lies so far behind the start that not even rounding moves it there.
+            // It misses, or the interval lies so far behind the start that rounding cannot move it to the start.
             Attempt::Miss => {
                 let is_behind = |((n, d), _): (Quotient, usize)| 2 * (n << unit) < -(d << finer);
                 assert!(ends.is_none_or(|[_, exit]| is_behind(exit)), "{o:?} {d:?} {half:?}");

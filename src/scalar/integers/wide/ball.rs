@@ -6,16 +6,16 @@ use super::{
 };
 use crate::scalar::Attempt;
 
-/// How a line comes close to a ball, for a direction taken to be exactly unit: `k = o . d` and `D = r^2 - |o - k d|^2`, so that
+/// The closest approach of a line to a ball, for a direction assumed to have length 1: `k = o . d` and `D = r^2 - |o - k d|^2`, so that
 /// `t = -k -+ sqrt(D)`.
 pub(in crate::scalar) struct ByApproach {
     o: [Digits; 3],
     r: Digits,
     k: i64,
     discriminant: i128,
-    /// What rounding may have made of the discriminant's upper half.
+    /// The error bound of the discriminant's upper half.
     certain: i64,
-    /// Lengths are in units of `2^-unit`, those that the discriminant is made of `2^-up` of that.
+    /// Lengths are in units of `2^-unit`; those in the discriminant are in units finer by `up` bits.
     unit: u32,
     up: u32,
 }
@@ -24,7 +24,7 @@ impl ByApproach {
     /// The origin is in units of `2^-finer` of the radius's.
     #[inline(always)]
     pub(in crate::scalar) fn new(o: [i64; 3], finer: i32, d: [i64; 3], r: i64) -> Attempt<Self> {
-        // On a grid on which no length has more than 60 bits. With less than four bits below the unit its rounding would count.
+        // On a grid on which no length has more than 60 bits. With fewer than four bits below the unit its rounding would matter.
         let Some(r) = refined(r, finer) else { return Attempt::Unsure };
         let all = upper_bits(o[0]) | upper_bits(o[1]) | upper_bits(o[2]) | (r >> 32) as u32;
         if all >= 1 << 24 {
@@ -35,7 +35,7 @@ impl ByApproach {
         let unit = grid + finer as u32;
         let [x, y, z] = [up(o[0], grid), up(o[1], grid), up(o[2], grid)];
         let (o, d) = (digits([x, y, z]), digits(d));
-        // Products with the direction are rounded to the grid; what their low digits would add, a unit each at most, is left out.
+        // Products with the direction are rounded to the grid. The products of the low digits, at most a unit each, are left out.
         let on_grid = |high: i64, middle: i64| (high << 2) + ((middle + (1 << 29)) >> 30);
         let k = on_grid(
             product(o[0].high, d[0].high) + product(o[1].high, d[1].high) + product(o[2].high, d[2].high),
@@ -44,7 +44,7 @@ impl ByApproach {
         let back = Digits::new(k);
         let along = |d: Digits| on_grid(product(back.high, d.high), back.middle(d));
         let p = [x - along(d[0]), y - along(d[1]), z - along(d[2])];
-        // From here on a grid on which the radius has 61 bits.
+        // From here on the grid is one on which the radius has 61 bits.
         let r = up(r, grid);
         let more = leading_zeros((r >> 32) as u32 | 1) - 3;
         // Twice the radius or more.
@@ -53,8 +53,8 @@ impl ByApproach {
         }
         let radius = Digits::new(up(r, more));
         let discriminant = squared(radius) - squared_length(digits(p.map(|length| up(length, more))));
-        // A unit and a half of the grid on each axis, which moves t by no more than a third of a unit; of a framed origin a
-        // five-hundredth of a unit has been rounded off.
+        // The error is a unit and a half of the grid on each axis, which changes t by at most a third of a unit; that of a framed origin is a
+        // five-hundredth of a unit.
         let known = if finer == 0 { unit } else { FINER as u32 + 1 };
         let certain = down(square(radius.high), (2 * (known - 3)).min(30)) + 2;
         Attempt::Found(Self { o, r: Digits::new(r), k, discriminant, certain, unit, up: more })
@@ -71,7 +71,7 @@ impl ByApproach {
         Attempt::Found([down(middle - root, self.unit), down(middle + root, self.unit)])
     }
 
-    /// Whether there is an end at `t >= 0`; the same as [`ByApproach::ends`] says.
+    /// Whether there is an end at `t >= 0`; the same result as that of [`ByApproach::ends`].
     #[inline(always)]
     pub(in crate::scalar) fn meets_ahead(self) -> Attempt<()> {
         if high(self.discriminant) < self.certain {
@@ -80,8 +80,8 @@ impl ByApproach {
         if self.k < 0 {
             return Attempt::Found(());
         }
-        // Moving away: the far end is at -c / (k + sqrt(D)), where within half a unit of the type zero is zero; here within one, with
-        // what the upper half of c leaves out, and what a direction 2^-49 longer or shorter makes of k^2.
+        // The line leads away: the far end is at -c / (k + sqrt(D)), and an end within half a unit of the type of zero counts as zero; here within
+        // one, to include the lower half of c, and the change of k^2 by a direction that is longer or shorter by 2^-49.
         let k = (self.k >> 32) as i32;
         let near = (k >> (31 - self.unit)) as i64 + (square(k) >> 48) + 2;
         let c = high(squared_length(self.o) - squared(self.r));
@@ -95,9 +95,9 @@ impl ByApproach {
     }
 }
 
-/// How a line comes close to a ball, from its moment `w = o x d`: `D = a r^2 - |w|^2`, so that `t = (-k -+ sqrt(D)) / a`.
+/// The closest approach of a line to a ball, from its Pluecker moment `w = o x d`: `D = a r^2 - |w|^2`, so that `t = (-k -+ sqrt(D)) / a`.
 ///
-/// `k` is exact; `a = 1 + e` with an `e` of at most 2^-39, whose square is nothing beside 1, or, rarely, of at most 2^-26.
+/// `k` is exact; `a = 1 + e` with an `e` of at most 2^-39, whose square is negligible, or, rarely, of at most 2^-26.
 pub(in crate::scalar) struct ByMoment {
     d: [Digits; 3],
     k: i128,
@@ -117,8 +117,8 @@ impl ByMoment {
     /// The origin is in units of `2^-finer` of the radius's.
     #[inline(always)]
     pub(in crate::scalar) fn new(o: [i64; 3], finer: i32, d: [i64; 3], r: i64) -> Attempt<Self> {
-        // A grid on which the radius has 61 bits; the moment is brought there by a shift down. With less than eight bits below the
-        // unit its rounding would count.
+        // A grid on which the radius has 61 bits; the moment is shifted down to it. With fewer than eight bits below the unit its rounding would
+        // matter.
         let [low, above] = words(r as u64);
         // Farther away on all axes sums of products would not fit.
         let all = upper_bits(o[0]) | upper_bits(o[1]) | upper_bits(o[2]);
@@ -142,8 +142,8 @@ impl ByMoment {
         Attempt::Found(Self { d, k: dot(o, d), rr, residual: rr - squared_length(w), grid, down, finer })
     }
 
-    /// How many bits smaller than `r^2` the discriminant may be: the moment's rounding, half a unit of the grid, then moves t by no
-    /// more than a thirtieth of a unit, that of a framed origin by no more than a twentieth.
+    /// The number of bits by which the discriminant may be smaller than `r^2`: the rounding of the moment, half a unit of the grid, then changes t by
+    /// at most a thirtieth of a unit, that of a framed origin by at most a twentieth.
     #[inline(always)]
     const fn spare(&self) -> u32 {
         if self.finer == 0 { 2 * (self.grid - 5) } else { 8 }
@@ -162,7 +162,7 @@ impl ByMoment {
         self.ends_by(excess, |numerator| (product((numerator >> 94) as i32, e) as i128) << 24)
     }
 
-    /// The two ends for an `e` of up to 2^-26, as a direction of 30 bits has, whose square counts.
+    /// The two ends for an `e` of up to 2^-26, as a direction of 30 bits has; its square is not negligible.
     #[cold]
     #[inline(never)]
     fn ends_along_rounded(self) -> Attempt<[i64; 2]> {
@@ -178,7 +178,7 @@ impl ByMoment {
         self.ends_by(times(self.rr, e), |numerator| times(numerator, part))
     }
 
-    /// The two ends from `e r^2`, and the part that `a` takes from a numerator.
+    /// The two ends from `e r^2`, and the fraction by which `a` reduces a numerator.
     #[inline(always)]
     fn ends_by(&self, excess: i128, part: impl Fn(i128) -> i128) -> Attempt<[i64; 2]> {
         let discriminant = self.residual + excess;
@@ -191,10 +191,10 @@ impl ByMoment {
         Attempt::Found([end(-self.k - root), end(root - self.k)])
     }
 
-    /// Whether there is an end at `t >= 0`; the same as [`ByMoment::ends`] says.
+    /// Whether there is an end at `t >= 0`; the same result as that of [`ByMoment::ends`].
     #[inline(always)]
     pub(in crate::scalar) fn meets_ahead(self) -> Attempt<()> {
-        // Whatever the direction's length.
+        // For any length of the direction within these bounds.
         let certain = down(high(self.rr), self.spare().min(17));
         if high(self.residual) < certain {
             return if high(self.residual) < -certain { Attempt::Miss } else { Attempt::Unsure };
@@ -202,14 +202,14 @@ impl ByMoment {
         if self.k < 0 {
             return Attempt::Found(());
         }
-        // Moving away: the far end is at (D - k^2) / (k + sqrt(D)), where within half a unit of the type zero is zero.
+        // The line leads away: the far end is at (D - k^2) / (k + sqrt(D)), and an end within half a unit of the type of zero counts as zero.
         let k = self.k as u128;
         if down_to_64(k >> 64, self.down - 2) != 0 {
             return Attempt::Miss;
         }
         let k = down_to_64(k, self.down);
         let beyond = high(squared(Digits::new(k as i64)) - self.residual);
-        // Two units, or what the direction's length makes of the discriminant.
+        // Two units, or the error of the discriminant from the direction's length.
         let near = down_to_64(k as u128, self.down - self.finer as u32) as i64 + (high(self.rr) >> 18) + 1;
         if beyond > near {
             Attempt::Miss

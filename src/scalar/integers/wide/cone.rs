@@ -33,15 +33,15 @@ struct Scaled {
     finer: i32,
 }
 
-/// `length * proportion`, of which that has 62 bits below the point, rounded to nearest.
+/// `length * proportion`, rounded to nearest; the proportion has 62 fraction bits.
 #[inline(always)]
 fn along(length: i64, proportion: Digits) -> i64 {
     round_off::<62>(dot([Digits::new(length)], [proportion]))
 }
 
 impl Scaled {
-    /// The origin is in units of `2^-finer` of the sizes'. It is moved next to the line's closest point, unless the line `departs`.
-    // Not inlined: a shape that may be any cone has it twice.
+    /// The origin is in units of `2^-finer` of the sizes'. It is moved to a point next to the line's closest point, unless the line `departs`.
+    // Not inlined: a shape that may be any cone would contain it twice.
     #[inline(never)]
     fn new(o: [i64; 3], finer: i32, d: [i64; 3], [r, g, h]: [i64; 3], departs: bool) -> Attempt<Self> {
         let Some(radius) = refined(r, finer) else { return Attempt::Unsure };
@@ -54,7 +54,7 @@ impl Scaled {
             return Attempt::Unsure;
         }
         let (g, h) = (Digits::new(g << (free - 2)), Digits::new(h << (free - 2)));
-        // From the whole unit of t next to the point closest to the frame's origin, as with 32 bits.
+        // The origin is moved to the whole unit of t next to the point closest to the frame's origin, as with 32 bits.
         let direction = digits(d);
         let closest = if departs { 0 } else { -(dot(digits(o), direction) >> 62 >> finer) };
         let start = closest as i64;
@@ -76,7 +76,7 @@ impl Scaled {
         if unit < 0 {
             return Attempt::Unsure;
         }
-        // Cut off towards zero, so that a mirrored line is on mirrored points.
+        // Truncated towards zero, so that a mirrored line has mirrored points.
         let on_grid = |length: i128| {
             let on_grid = down_to_64(length.unsigned_abs(), 64 - up) as i64;
             if length < 0 { -on_grid } else { on_grid }
@@ -95,10 +95,10 @@ impl Scaled {
         Attempt::Found(Self { point, direction, a, digits, unit, start, finer })
     }
 
-    /// As 32 bits have it.
+    /// As with 32 bits.
     #[inline(always)]
     fn shift(&self) -> i32 {
-        // 1 has one.
+        // A divisor of 1 has a shift of one.
         self.digits.shift as i32 - 1
     }
 
@@ -140,7 +140,7 @@ impl AtCone {
         let w = [minor([y, z], [ey, ez]), minor([z, x], [ez, ex]), minor([x, y], [ex, ey])].map(round_off::<62>);
         let [wx, wy, wz] = digits(w);
         let discriminant = squared(wx) + squared(wz) - squared(wy);
-        // The coordinates' rounding, of up to 1.5 units across the axis and 3 along it, moves D by no more than ten times this.
+        // The rounding of the coordinates, up to 1.5 units perpendicular to the axis and 3 along it, changes D by at most ten times this.
         let moment = w.into_iter().fold(0, |sum, w| sum + w.unsigned_abs() as i128);
         if discriminant < -(moment << 4) && line.a > 0 {
             return Attempt::Miss;
@@ -157,7 +157,7 @@ impl AtCone {
         }
         let k = line.k();
         let divisor = line.digits.divisor();
-        // Farther away, the rounding of a turned direction counts, 2^-63 of t, of which a small root makes as much more.
+        // Farther away the rounding of a turned direction matters: an error of 2^-63 of t, which a small root enlarges likewise.
         let more = leading_zeros_of_64(root) as i32 - leading_zeros_of_64(moment | 1) as i32 + 3;
         let farthest = (1 << if finer == 0 { 52 } else { (58 - more).clamp(0, 52) }) >> line.shift().max(0);
         Attempt::Found(Self { line, k, root, divisor, farthest })
@@ -166,7 +166,7 @@ impl AtCone {
     #[inline(always)]
     fn end(&self, numerator: i128) -> (i64, bool) {
         let (Scaled { start, a, unit, .. }, farthest) = (self.line, self.farthest);
-        // What is cut off moves t by 2^-51 at most.
+        // The truncation changes t by at most 2^-51.
         match self.divisor.quotient(numerator >> unit, 0) {
             Some(t) if -farthest < t && t < farthest => (start.saturating_add(t), true),
             _ if (numerator < 0) == (a < 0) => (start.saturating_add(farthest), false),
@@ -219,8 +219,8 @@ pub(in crate::scalar) fn nappe(o: [i64; 3], finer: i32, d: [i64; 3], outline: [i
     found!(AtCone::new(o, finer, d, outline)).in_nappe()
 }
 
-/// Where the line is inside both nappes of the cone of slope `g / h` about its apex at the origin: between its ends, or (`true`) beyond
-/// them.
+/// Where the line is inside both nappes of the cone of slope `g / h` about its apex at the origin: between its ends, or (`true`) before the first and
+/// after the second.
 #[inline(always)]
 pub(in crate::scalar) fn double_cone(
     o: [i64; 3],

@@ -11,7 +11,7 @@ impl Length for i64 {
     const MAX: Self = Self::MAX;
     const STEP: Self = 2;
     const NOTHING: i128 = 0;
-    // Two products of at most 2 2^62, and two of at most 2 2^61.
+    // Two products of at most 2 * 2^62, and two of at most 2 * 2^61.
     const DOUBT: i128 = 1 << 65;
 
     #[inline(always)]

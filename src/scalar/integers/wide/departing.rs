@@ -16,7 +16,8 @@ pub(in crate::scalar) fn exit_from_round(o: [i64; 3], finer: i32, d: [i64; 3], i
     } else {
         (squared(dx) + squared(dz), dot([x, z], [dx, dz]))
     };
-    // A framed origin is off by a five-hundredth of a unit, of which a line next to the axis makes more. (1 has one in its shift.)
+    // The error of a framed origin, a five-hundredth of a unit, is larger at the exit if the line is nearly parallel to the axis. (A divisor of 1 has
+    // a shift of one.)
     let Some(digits) = Normalized::new(a).filter(|digits| finer == 0 || digits.shift <= 6) else {
         return Attempt::Unsure;
     };

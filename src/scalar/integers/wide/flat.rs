@@ -7,7 +7,7 @@ use super::{
 };
 use crate::scalar::{Attempt, found};
 
-/// Where the line crosses each of the heights: `t = (y - oy) / dy`. A line that stays in one height meets none of them.
+/// Where the line crosses each of the heights: `t = (y - oy) / dy`. A line of constant height crosses none of them.
 ///
 /// The origin is in units of `2^-finer` of the heights'; the answer is in the heights'.
 #[inline(always)]
@@ -25,7 +25,7 @@ pub(in crate::scalar) fn crossings(oy: i64, finer: i32, dy: i64, [low, high]: [i
     let Some(divisor) = Normalized::new((dy as i128) << 62).map(Normalized::divisor) else {
         return Attempt::Unsure;
     };
-    // A framed origin is rounded to a five-hundredth of a unit, which a line almost in the plane makes more of.
+    // The rounding error of a framed origin, a five-hundredth of a unit, is larger at the crossing if the line is nearly parallel to the plane.
     if finer != 0 && divisor.shift > 6 {
         return Attempt::Unsure;
     }
@@ -61,7 +61,7 @@ pub(in crate::scalar) fn disc(o: [i64; 3], finer: i32, d: [i64; 3], r: i64) -> A
     let (wx, wz) = (on_grid(wx), on_grid(wz));
     let square = |n: u64| squared(Digits::new(n as i64));
     let inside = square(reach) - square(wx) - square(wz);
-    // Each of the three is off by less than 4 units, and through a frame by two roundings of the origin more.
+    // The error of each of the three is less than 4 units, in a frame with two further roundings of the origin.
     let off = if finer == 0 { 2 } else { grid.saturating_sub(finer as u32) + 3 };
     if off > 56 || inside.unsigned_abs() <= up_to_128(reach | wx | wz, off + 3) {
         return Attempt::Unsure;
@@ -86,7 +86,7 @@ pub(in crate::scalar) fn rectangle(o: [i64; 3], finer: i32, d: [i64; 3], [hx, hz
     if (far | upper_bits(hx) | upper_bits(hz)) >> 28 != 0 || !(finer == 0 || finer == FINER) {
         return Attempt::Unsure;
     }
-    // In units of 2^-(62 + finer), exactly, but for what a framed line is rounded: less than two of the origin's units.
+    // In units of 2^-(62 + finer), exact except for the rounding of a framed line, which is less than two of the origin's units.
     let ([x, y, z], [dx, dy, dz]) = (digits(o), digits(d));
     let [wx, wz] = [minor([y, z], [dy, dz]), minor([x, y], [dx, dy])].map(i128::unsigned_abs);
     let doubt = if finer == 0 { 0 } else { 1_i128 << 65 };

@@ -1,9 +1,9 @@
-//! The same for 64-bit types: lengths of 64 bits, their products in 128, made of products of 32.
+//! The fast path of the 64-bit types: lengths of 64 bits, and products of 128 bits that are made of products of 32 bits.
 //!
 //! A number is multiplied as two [`Digits`] of 32 bits, both signed, so that the four products of two numbers need no
-//! correction, and sums of products add each kind of them in 64 bits before anything is carried.
+//! correction, and sums of products add each of the four kinds in 64 bits before any carry.
 //!
-//! Sums of 128 bits are a chain of additions on any chip; products and shifts of 128 bits would be calls of functions.
+//! Sums of 128 bits are a few additions with carry on any chip; products and shifts of 128 bits would be calls of functions.
 
 mod ball;
 mod cone;
@@ -38,7 +38,7 @@ struct Digits {
 }
 
 impl Digits {
-    /// Of a number of at most 2^62 in magnitude, or little more.
+    /// The digits of a number of at most little more than 2^62 in magnitude.
     #[inline(always)]
     const fn new(n: i64) -> Self {
         // The low word as a signed number is 2^32 less if its top bit is set.
@@ -108,8 +108,7 @@ const fn upper_bits(n: i64) -> u32 {
     magnitude_bits((n >> 32) as i32)
 }
 
-/// A length of the type in units of `2^-finer` of its own; `None` if it does not fit, or where the units are others than those of
-/// [`turned`].
+/// A length of the type in units of `2^-finer` of its own; `None` if it does not fit, or if `finer` is not that of [`turned`].
 #[inline(always)]
 const fn refined(length: i64, finer: i32) -> Option<i64> {
     match finer {
@@ -207,19 +206,19 @@ const fn round_off<const SHIFT: u32>(n: i128) -> i64 {
 
 /// The square root of `(high * 2^32 + low) * 2^64`, which must have one of its two top bits set; to within 64.
 ///
-/// From 14 bits of the reciprocal root a step of the third order to 29, and with that the root's own by one of Markstein's, as in
-/// the [`root_of_normalized`](super::root_of_normalized) of half the length.
+/// A step of the third order leads from 14 bits of the reciprocal root to 29, and one of Markstein's steps from there to the root, as in
+/// [`root_of_normalized`](super::root_of_normalized) for half the length.
 #[inline]
 fn root_of_normalized(high: u32, low: u32) -> u64 {
     // y = 1 / sqrt(m), in units of 2^-15
     let y = reciprocal_root(high) >> 1;
     // 1 - m y^2 in units of 2^-43, below 2^-12 in magnitude: the product wraps around one.
     let lack = ((product_unsigned(high, y * y) >> 19) as u32).wrapping_neg() as i32;
-    // y (1 + lack / 2 + 3 lack^2 / 8) in units of 2^-31; a little less, so that it stays below 2.
+    // y (1 + lack / 2 + 3 lack^2 / 8) in units of 2^-31; a little too small, so that it stays below 2.
     let short = lack >> 16;
     let step = lack.wrapping_add(((3 * (short * short) as u32) >> 13) as i32);
     let y = (y << 16).wrapping_add((product(y as i32, step) >> 28) as u32).wrapping_sub(1);
-    // sqrt(m) = m y, in units of 2^-32; never more than it.
+    // sqrt(m) = m y, in units of 2^-32; never larger than the root.
     let root = (product_unsigned(high, y) >> 31) as u32;
     // (m - root^2) / (2 root): the remainder has a few bits more than a word.
     let [rest, above] = words(joined([low, high]).wrapping_sub(product_unsigned(root, root)));
@@ -227,7 +226,7 @@ fn root_of_normalized(high: u32, low: u32) -> u64 {
     joined([0, root]).saturating_add(step)
 }
 
-/// The square root of a number of at least 2^64 and below 2^126, rounded down, or next to it by no more than 2^-57 of itself.
+/// The square root of a number of at least 2^64 and below 2^126, rounded down, with a relative error of at most 2^-57.
 #[inline(always)]
 fn root(n: i128) -> u64 {
     let ([a, b], [c, d]) = (words(n as u64), words(high(n) as u64));

@@ -5,7 +5,7 @@ use super::{
 };
 use crate::scalar::integers::reciprocal_of_normalized;
 
-/// A number that is to be divided by, with its top bit set.
+/// A divisor with its top bit set.
 #[derive(Clone, Copy)]
 pub(super) struct Normalized {
     /// The magnitude is `digits * 2^(-62 - shift)`.
@@ -26,20 +26,20 @@ impl Normalized {
         }
         let zeros = leading_zeros(above);
         let digits = joined([moved_up(middle, low, zeros), moved_up(above, middle, zeros)]);
-        // 1 has three.
+        // A divisor of 1 has three.
         Some(Self { digits, shift: zeros.wrapping_sub(2), negative: a < 0 })
     }
 
-    /// The reciprocal, made ready.
+    /// The divisor with its reciprocal.
     #[inline(always)]
     pub(super) fn divisor(self) -> Divisor {
         Divisor { reciprocal: reciprocal_of_digits(self.digits), shift: self.shift, negative: self.negative }
     }
 }
 
-/// `2^127 / n` for a number with its top bit set, to within 2^-59 of itself.
+/// `2^127 / n` for a number with its top bit set, with a relative error of at most 2^-59.
 ///
-/// A step of the third order from the reciprocal of the upper word.
+/// It is a step of the third order from the reciprocal of the upper word.
 #[inline(always)]
 pub(super) fn reciprocal_of_digits(n: u64) -> u64 {
     let [low, high] = words(n);
@@ -54,7 +54,7 @@ pub(super) fn reciprocal_of_digits(n: u64) -> u64 {
     joined([0, y]).saturating_add_signed((product(y as i32, step) + ((step as i64) << 32)) >> 28)
 }
 
-/// A number to divide by.
+/// A divisor as its reciprocal.
 #[derive(Clone, Copy)]
 pub(super) struct Divisor {
     /// `2^127` over the digits of [`Normalized`].
@@ -64,8 +64,8 @@ pub(super) struct Divisor {
     negative: bool,
 }
 
-/// Bits below the unit of a numerator, if the divisor is next to 1: what is cut off from it moves the quotient by no more than a
-/// hundredth of a unit. The quotient stays below 2^55, where the reciprocal's error is no more than a sixteenth of a unit.
+/// Bits below the unit of a numerator, if the divisor is near 1: its truncation changes the quotient by at most a hundredth of a unit. The quotient
+/// stays below 2^55, so that the error from the reciprocal is at most a sixteenth of a unit.
 const FRACTION: u32 = 7;
 
 impl Divisor {
@@ -91,7 +91,7 @@ impl Divisor {
         Some(self.signed(up(magnitude as i64, more) as u64, numerator < 0))
     }
 
-    /// Of a numerator in units of `2^(-FRACTION - shift)`, below 2^63.
+    /// The quotient of a numerator in units of `2^(-FRACTION - shift)`, below 2^63.
     #[inline(always)]
     fn signed(self, magnitude: u64, negative: bool) -> i64 {
         let quotient = ((upper_product(magnitude, self.reciprocal) >> FRACTION) + 1) >> 1;

@@ -37,8 +37,8 @@ pub(in crate::scalar) fn tube(o: [i64; 3], finer: i32, d: [i64; 3], r: i64) -> A
     let positive = carried(product(scaled.high, r.high), scaled.middle(r), product(scaled.low, r.low) as i128);
     let positive = down_by_few(positive, digits.shift - 1);
     let discriminant = positive - squared(wy);
-    // The moment's rounding, half a unit of the grid, moves t by no more than a thirtieth of a unit, that of a framed origin by no
-    // more than a twentieth.
+    // The rounding of the moment, half a unit of the grid, changes t by at most a thirtieth of a unit, that of a framed origin by at most a
+    // twentieth.
     let spare = grid.wrapping_sub(digits.shift) as i32;
     if spare < 8 || finer != 0 && digits.shift > 6 {
         return Attempt::Unsure;

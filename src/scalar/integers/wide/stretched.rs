@@ -19,7 +19,7 @@ const FRACTION: u32 = 5;
 /// Longer ends have no room for [`FRACTION`].
 const TOO_FAR: u64 = 1 << (62 - FRACTION);
 
-/// The ray's `t` for one along the line, which is infinite or not; `None` if it is too large for this.
+/// The ray's `t` for a `t` along the line, which may be infinite; `None` if it is too large.
 #[inline(always)]
 pub(in crate::scalar) fn along_ray(Pace { digits, below, shift }: Pace, t: i64) -> Option<i64> {
     if t == i64::MAX || t == -i64::MAX {
@@ -29,7 +29,7 @@ pub(in crate::scalar) fn along_ray(Pace { digits, below, shift }: Pace, t: i64) 
     if magnitude >= TOO_FAR {
         return None;
     }
-    // What the upper half of the product lacks is less than 2^-FRACTION of a unit along the line.
+    // The upper half of the product is too small by less than 2^-FRACTION of a unit along the line.
     let whole = upper_product(magnitude << FRACTION, joined([below, digits])) >> (shift - 65);
     let rounded = ((whole >> FRACTION) + 1) >> 1;
     Some(if t < 0 { -(rounded as i64) } else { rounded as i64 })
@@ -50,11 +50,11 @@ pub(in crate::scalar) fn stretched(
 ) -> Option<Stretched> {
     let apart = |o: i64, position: i64| o.wrapping_sub(position);
     let from = [apart(o[0], position[0]), apart(o[1], position[1]), apart(o[2], position[2])];
-    // As far as a frame reaches.
+    // The same limit as for a frame.
     if (upper_bits(from[0]) | upper_bits(from[1]) | upper_bits(from[2])) >> 20 != 0 {
         return None;
     }
-    // Exact but for what smaller rows have below the unit of the largest: in units of 2^(exponent - 62) and 2^(exponent - 124).
+    // Exact except for the bits of smaller rows below the unit of the largest: in units of 2^(exponent - 62) and 2^(exponent - 124).
     let [x, y, z] = rows.map(|(_, exponent)| exponent);
     let exponent = x.max(y).max(z);
     let down = [x, y, z].map(|own| (exponent - own).min(126) as u32);
@@ -62,7 +62,7 @@ pub(in crate::scalar) fn stretched(
     let image = |v: [Digits; 3]| [dot(v, rows[0]) >> down[0], dot(v, rows[1]) >> down[1], dot(v, rows[2]) >> down[2]];
     let (origin, direction) = (image(digits(from)), image(digits(d)));
 
-    // The direction, first with 62 bits in its longest component, or one more. With fewer than 80 its last bits would be missing.
+    // The direction, at first with 62 bits in its longest component, or one more. With fewer than 80 its last bits would be missing.
     let excess = bits_of_longest(direction) - 62;
     if excess < 18 {
         return None;

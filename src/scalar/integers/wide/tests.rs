@@ -2,7 +2,7 @@ use super::*;
 use crate::scalar::{Attempt, InNappe, found};
 use dashu_int::IBig;
 
-/// Lines a test; two million were tried.
+/// The number of lines of each test; two million have been tried.
 const LINES: u32 = 20_000;
 
 /// Random words.
@@ -21,7 +21,7 @@ impl Random {
     fn either(&mut self) -> f64 {
         (self.next() as i64) as f64 * 2.0_f64.powi(-63)
     }
-    /// A number of any size up to so many bits.
+    /// A number of any size up to this number of bits.
     fn sized(&mut self, bits: u64) -> i64 {
         let n = self.next() >> 1 >> (63 - 1 - self.below(bits - 1)).min(62);
         (n as i64).max(1)
@@ -65,20 +65,20 @@ fn line_and_ball(random: &mut Random) -> ([i64; 3], [i64; 3], i64) {
         if at.iter().any(|c| c.abs() >= 2.0_f64.powi(62)) {
             continue;
         }
-        // Below the precision of doubles any bits will do.
+        // The bits below the precision of doubles are random.
         let mut bits = |c: f64, one: f64| {
             (c * one) as i64 ^ (random.next() & ((1 << 8) - 1) & ((c.abs() * one) as u64 >> 53)) as i64
         };
         let o = at.map(|c| bits(c, 1.0));
         let mut d = d.map(|c| (c * 2.0_f64.powi(62)) as i64);
         match random.below(4) {
-            // As long as a rounded unit vector.
+            // With the length of a rounded unit vector.
             0 | 1 => {
                 let largest = (0..3).fold(0, |i, j| if d[j].abs() > d[i].abs() { j } else { i });
                 let others: i128 = (0..3).filter(|i| *i != largest).map(|i| (d[i] as i128) * d[i] as i128).sum();
                 d[largest] = d[largest].signum() * ((1 << 124) - others).isqrt() as i64;
             }
-            // As long as one of a type of 32 bits.
+            // With the length of one of a type of 32 bits.
             2 => d = d.map(|c| ((c + (1 << 31)) >> 32) << 32),
             _ => {}
         }
@@ -91,7 +91,7 @@ fn units(length: i64) -> (i32, i64) {
     if length % (1 << FINER) == 0 { (FINER, length >> FINER) } else { (0, length) }
 }
 
-/// `a t^2 + 2 k t + c` with numbers as large as they get; `t` is in units of 2^-10.
+/// `a t^2 + 2 k t + c` in numbers of any size; `t` is in units of 2^-10.
 struct Exactly {
     a: IBig,
     k: IBig,
@@ -126,7 +126,7 @@ impl Exactly {
     }
 }
 
-/// What the kernel says of a line: its ends, and whether one is ahead.
+/// The result of the fast path for a line: its ends, and whether one is ahead.
 fn queried(o: [i64; 3], finer: i32, d: [i64; 3], r: i64, by_moment: bool) -> (Attempt<[i64; 2]>, Attempt<()>) {
     let ends = || {
         Attempt::Found(if by_moment {
@@ -153,7 +153,7 @@ fn balls_are_met_where_they_are() {
         let (o, d, r) = line_and_ball(&mut random);
         let exactly = Exactly::new(o, d, r);
         let (finer, r) = units(r);
-        // The closest approach takes the direction for unit; half a unit of 1024ths is that of rounding.
+        // The closest approach assumes a direction of length 1. Half a unit, of 1024ths, is that of rounding.
         for (by_moment, within) in [(true, 528), (false, 1024)] {
             if !by_moment && !exactly.is_unit() {
                 continue;
@@ -261,15 +261,14 @@ fn coordinate(random: &mut Random, bits: u64) -> i64 {
     if random.below(2) == 0 { n } else { -n }
 }
 
-/// Whatever the sizes, nothing overflows, and what is found lies on the surface; for lines from afar and near, in the world and through
-/// frames.
+/// For all sizes nothing overflows, and hits lie on the surface; for lines from far and near, in the world and in frames.
 #[test]
 fn cones_discs_and_triangles_of_every_size_are_met_on_their_surfaces() {
     let mut random = Random(7);
     let (mut cones, mut discs, mut triangles) = (0, 0, 0);
     for index in 0..4 * LINES {
         let finer = if index % 2 == 0 { 0 } else { FINER };
-        // Of alike sizes, or of any.
+        // Of similar sizes, or of any sizes.
         let bits = 20 + random.below(42);
         let size = |random: &mut Random| if index % 3 == 0 { random.sized(62) } else { random.sized(bits.max(4)) };
         let sizes = [size(&mut random), size(&mut random), size(&mut random)];
@@ -277,7 +276,7 @@ fn cones_discs_and_triangles_of_every_size_are_met_on_their_surfaces() {
         let o = [(); 3].map(|()| coordinate(&mut random, if index % 5 == 0 { 62 } else { (bits + 3).min(62) }));
         let unit_of = 2.0_f64.powi(-finer);
         let from = o.map(|c| c as f64 * unit_of);
-        // Towards the solid, about.
+        // Approximately towards the solid.
         let aim = [0, 1, 2]
             .map(|i| vertices[index as usize % 3][i] as f64 / 3.0 - from[i] + random.either() * sizes[0] as f64);
         let d = unit(aim).map(|c| (c * 2.0_f64.powi(62)) as i64);
@@ -330,8 +329,8 @@ fn cones_discs_and_triangles_of_every_size_are_met_on_their_surfaces() {
     );
 }
 
-/// Directions of all kinds, exactly and nearly along an axis among them, under matrices of which two thirds only move such an axis: the direction has
-/// length one, it and the pace are of one reciprocal, and the origin is where the matrix puts it.
+/// Directions of all kinds, among them exactly and nearly along an axis, and matrices of which two thirds map such an axis to itself: the direction
+/// has length 1, direction and pace have the same reciprocal, and the origin is the image by the matrix.
 #[test]
 fn a_stretched_line_is_the_matrix_times_the_line() {
     let mut random = Random(9);

@@ -24,7 +24,7 @@ pub(in crate::scalar) fn triangle(
     d: [i64; 3],
     vertices: [[i64; 3]; 3],
 ) -> Attempt<(i64, bool)> {
-    // Exactly, in the origin's unit.
+    // Exact, in the origin's unit.
     let (mut all, mut fits) = (0, true);
     let mut from_origin = |v: i64, o: i64| {
         let Some(v) = refined(v, finer) else {
@@ -40,16 +40,16 @@ pub(in crate::scalar) fn triangle(
     if !fits {
         return Attempt::Unsure;
     }
-    // On a grid on which none has more than 59 bits, cut off by less than one. A framed origin is off by half of its own unit: a finer
-    // grid would gain nothing.
+    // On a grid on which none has more than 59 bits, truncated by less than one unit. The error of a framed origin is half of its own unit, so that a
+    // finer grid would gain nothing.
     let bits = 64 - leading_zeros_of_64(all | 1);
     let up = if finer == 0 { GRID as i32 - bits as i32 } else { 0 };
     let cut = bits.saturating_sub(GRID);
     let on_grid = |vertex: [i64; 3]| vertex.map(|length| if up > 0 { length << up } else { length >> cut });
     let corners = [on_grid(a), on_grid(b), on_grid(c)].map(digits);
     let direction = digits(d);
-    // A component of d x p is off by less than 8 (2 for what p is cut off by, twice, and as much for a framed origin and direction), and
-    // one of q by less than 2: less than 2^6 of the largest q, or of half the largest d x p.
+    // The error of a component of d x p is less than 8 (twice 2 from the truncation of p, and as much from a framed origin and direction), that of
+    // one of q less than 2. Together that is less than 2^6 times the largest q, or half the largest d x p.
     let doubt = 1_i128 << if up > 0 { GRID + 6 } else { bits - cut + 6 };
     let volume = |(p, q): ([Digits; 3], [Digits; 3])| {
         // d x p in halves of the grid's unit.
@@ -77,7 +77,7 @@ fn crossing(
     if edges.into_iter().flatten().fold(0, |all, component| all | upper_bits(component)) >> 28 != 0 {
         return Attempt::Unsure;
     }
-    // The normal, exactly but for its last bits, as 2^61 times one of 61 bits and a rest.
+    // The normal, exact except for its last bits, as 2^61 times a number of 61 bits, and a remainder.
     let normal = cross(digits(edges[0]), digits(edges[1]));
     let longest = normal.into_iter().fold(0, |all, component| all | component.unsigned_abs());
     let up = longest.leading_zeros().saturating_sub(6) & 0x7f;
@@ -89,7 +89,8 @@ fn crossing(
     let Some(divisor) = Normalized::new(slope).filter(|_| (slope < 0) == from_front) else {
         return Attempt::Unsure;
     };
-    // A framed origin is off by a five-hundredth of a unit, of which an angle makes more. (A normal of 61 bits has 1 or 2 in its shift.)
+    // The error of a framed origin, a five-hundredth of a unit, is larger at the crossing if the line is nearly parallel to the plane. (A normal of
+    // 61 bits has a shift of 1 or 2.)
     if finer != 0 && divisor.shift > 8 {
         return Attempt::Unsure;
     }

@@ -1,8 +1,8 @@
-//! A line seen from a frame.
+//! Transformation of a line to a frame.
 
 use super::{Digits, digits, dot, round_off, upper_bits};
 
-/// How much finer than the type's unit the origin is kept: its rounding is then a five-hundredth of a unit.
+/// The number of extra bits of the origin below the type's unit: its rounding error is then a five-hundredth of a unit.
 pub(in crate::scalar) const FINER: i32 = 8;
 
 /// As that of 32 bits.
@@ -13,9 +13,7 @@ pub(in crate::scalar) struct Turned {
     pub(in crate::scalar) direction: [i64; 3],
 }
 
-/// The line with its
-/// origin in units of `2^-FINER` of the type's, and direction in the frame of these axes; `None` if the origin is too far away
-/// for that.
+/// The line in the frame of these axes, with its origin in units of `2^-FINER` of the type's; `None` if the origin is too far away.
 #[inline(always)]
 pub(in crate::scalar) fn turned(o: [i64; 3], position: [i64; 3], axes: [[i64; 3]; 3], d: [i64; 3]) -> Option<Turned> {
     let apart = |o: i64, position: i64| o.wrapping_sub(position);

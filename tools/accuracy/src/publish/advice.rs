@@ -7,7 +7,7 @@ use crate::study::Study;
 #[derive(Clone, Copy)]
 pub struct Row(pub &'static str, pub &'static str, pub &'static str, pub &'static str);
 
-/// What an advice rests on. Times are no ground: they differ from run to run.
+/// What must hold for a piece of advice. Times are not compared: they differ from run to run.
 pub enum Claim {
     /// On each of these chips the first row takes fewer instructions than the second.
     Cheaper(&'static [&'static str], Row, Row),
@@ -78,9 +78,9 @@ fn by_chip(study: &Study) -> Vec<Advice> {
     vec![
         advice(
             "No floating-point unit (M0+, M3, RV32IMC):",
-            "`I16F16`, `Stable`. It takes fewer instructions than `Fast` in `f32` for spheres, cylinders and cones, and is within a unit (of 1.5e-5) to \
-             16,384 from the origin. `Fast` takes two fifths to two thirds of its instructions for a sphere, and is within a unit too from nearby; for a cylinder \
-             and a cone it gains next to nothing.",
+            "`I16F16`, `Stable`. It takes fewer instructions than `f32` `Fast` for spheres, cylinders and cones, and its error is within a unit (1.5e-5) up to \
+             16,384 from the origin. `I16F16` `Fast` takes two fifths to two thirds of the instructions of `Stable` for a sphere, and is within a unit too for rays from nearby; for a cylinder \
+             and a cone it takes nearly as many as `Stable`.",
             vec![
                 benign("I16F16", "Stable"),
                 benign("I16F16", "Fast"),
@@ -108,8 +108,8 @@ fn by_chip(study: &Study) -> Vec<Advice> {
         advice(
             "No floating-point unit, and coordinates beyond `I16F16`:",
             format!(
-                "Another split first: `I20F12` reaches 262,144 in units of 2.4e-4, at the same price. Beyond that, of `f64` and `I32F32`, \
-                 {wide}; both take several times the instructions of 32 bits."
+                "Try another split of 32 bits first: `I20F12` reaches 262,144 in units of 2.4e-4. On the host it takes about as many instructions as `I16F16`, and fewer for most placed solids far away \
+                 ([benches.md](benches.md#what-users-do)); it is not measured on chips. Beyond that, of `f64` and `I32F32`, {wide}; for a hit `I32F32` takes two to four times the instructions of `I16F16`, and `f64` more than ten times."
             ),
             ["Fast", "Stable"].into_iter().flat_map(|tier| [benign("I32F32", tier), benign("f64", tier)]).collect(),
             vec![Claim::Cheaper(NO_UNIT, benign("I16F16", "Stable"), benign("f64", "Fast"))],
@@ -117,8 +117,8 @@ fn by_chip(study: &Study) -> Vec<Advice> {
         advice(
             "A single-precision unit (M4F):",
             format!(
-                "`f32`. `Fast` is the cheapest tier for spheres; `Stable` takes about twice as many instructions for a sphere and is right where rays graze. {single} \
-                 Doubles are software, and `f32` `Exact` computes in them."
+                "`f32`. `Fast` takes the fewest instructions for spheres. `Stable` takes about twice as many for a sphere, and keeps its accuracy where rays graze. {single} \
+                 This chip computes doubles in software, and `f32` `Exact` needs them."
             ),
             vec![
                 benign("f32", "Fast"),
@@ -139,8 +139,8 @@ fn by_chip(study: &Study) -> Vec<Advice> {
         ),
         advice(
             "A double-precision unit, or a host:",
-            "`f64`, `Stable`, if memory allows: mostly up to a fifth slower than `f32`, and finer by nine digits. `f64` `Fast` is finer than `f32` `Exact` for rays \
-             that do not graze, but promises no decision; `Exact` exists for `f32` and 32-bit fixed point.",
+            "`f64`, `Stable`, if memory allows: it is at most a fifth slower than `f32` in most rows, and finer by nearly nine decimal digits. `f64` `Fast` has smaller errors than `f32` `Exact` for rays \
+             that do not graze, but does not promise that hits and misses are right; `Exact` exists for `f32` and 32-bit fixed point.",
             vec![
                 benign("f64", "Fast"),
                 benign("f64", "Stable"),
@@ -159,7 +159,7 @@ fn by_distance() -> Vec<Advice> {
     vec![
         advice(
             "Up to 100 away:",
-            "Any. `Fast` is within a few units for well-aimed rays; the textbook has lost two digits at 100.",
+            "Any tier. `Fast` is within a few units for well-aimed rays. The textbook loses two decimal digits at 100.",
             vec![
                 sphere("f32", "Textbook", "100 away"),
                 sphere("f32", "Fast", "100 away"),
@@ -174,8 +174,8 @@ fn by_distance() -> Vec<Advice> {
         ),
         advice(
             "1,000 to 16,000 away:",
-            "`Stable`. Where one unit has to be the same near and far, `I16F16`: its unit is smaller than that of `f32` from 256 on. Its `Fast` is \
-             about as good there, but takes longer, because its fast path does not reach so far. The textbook loses hits.",
+            "`Stable`. Where the unit must be the same near and far, take `I16F16`: from 256 on its unit is smaller than that of `f32`. `I16F16` `Fast` has \
+             about the same errors as `Stable` there, but takes longer, because its fast path has no room for coordinates so large. The textbook loses hits.",
             vec![
                 sphere("f32", "Textbook", "10000 away"),
                 sphere("f32", "Fast", "10000 away"),
@@ -194,8 +194,8 @@ fn by_distance() -> Vec<Advice> {
         ),
         advice(
             "A million away:",
-            "`f32` `Stable` decides rightly, but its unit is a sixteenth there: for a `t` that is good to a thousandth take `f64`, or `I32F32` if floats \
-             are out of the question.",
+            "`f32` `Stable` finds all hits of these rows, but its unit is a sixteenth there. For a `t` that is accurate to a thousandth take `f64`, or `I32F32` if the program must not use \
+             floats.",
             vec![
                 sphere("f32", "Stable", "1000000 away"),
                 sphere("f64", "Fast", "1000000 away"),
@@ -216,7 +216,7 @@ fn by_fault() -> Vec<Advice> {
     vec![
         advice(
             "Hit or miss, the part, or the order must never be wrong:",
-            "`Exact`, in `f32` or 32-bit fixed point. In all rows nothing is lost, invented or on another part, placed or not. `Stable` is right in most rows too, and for nearly every ray; only for `Exact` it is proved.",
+            "`Exact`, in `f32` or 32-bit fixed point. In no row is a hit lost, invented or on another part, for placed solids too. `Stable` has none in most rows either; but only `Exact` decides by proved bounds.",
             vec![
                 Row("f32", "Fast", SPHERE, "grazing 1e-7"),
                 Row("f32", "Stable", SPHERE, "grazing 1e-7"),
@@ -231,7 +231,7 @@ fn by_fault() -> Vec<Advice> {
         ),
         advice(
             "`t` must be good even where a ray grazes:",
-            "`Stable`; in fixed point `Fast` does nearly as well, since its products are whole.",
+            "`Stable`. In fixed point `Fast` is nearly as accurate, since it does not round products.",
             vec![
                 Row("f32", "Fast", SPHERE, "grazing 1e-4"),
                 Row("f32", "Stable", SPHERE, "grazing 1e-4"),
@@ -246,8 +246,8 @@ fn by_fault() -> Vec<Advice> {
         ),
         advice(
             "Rays that leave a surface:",
-            "Say so (`Ray::departing`): such a ray needs no epsilon in any tier. A start that merely happens to lie on a surface has a `t` next to \
-             zero: `Fast` in floats has few right digits of it.",
+            "Make them with `Ray::departing`: such a ray needs no epsilon in any tier. The rows below have rays that start on the surface without it. One of their `t` is close to \
+             zero, and `Fast` in floats has few correct digits of it.",
             vec![
                 Row("f32", "Fast", SPHERE, "on the surface"),
                 Row("f32", "Stable", SPHERE, "on the surface"),
@@ -262,8 +262,8 @@ fn by_fault() -> Vec<Advice> {
         ),
         advice(
             "Cones seen along their generators:",
-            "`Stable`. `Fast` takes the same fast path there, but promises less where a ray also grazes. In `f32` on a host `Exact` costs no more than \
-             `Stable` for many such rays.",
+            "`Stable`. `Fast` has the same fast path there, but promises less where a ray also grazes. In `f32` on a host `Exact` costs no more than \
+             `Stable` in most of these rows.",
             vec![
                 Row("f32", "Fast", CONE, "1e-4 off a generator"),
                 Row("f32", "Stable", CONE, "1e-4 off a generator"),
@@ -274,9 +274,8 @@ fn by_fault() -> Vec<Advice> {
         ),
         advice(
             "Solids that are turned or stretched:",
-            "The same advice: `Stable` and `Exact` promise the same wherever a solid is placed. What is taken as exact are the axes of a \
-             frame and the inverse of a stretch as they are stored, rounded. Where that rounding matters, as under large stretches, give the solid \
-             its size instead.",
+            "The same advice: `Stable` and `Exact` promise the same wherever a solid is placed. They take the axes of a frame and the inverse of a stretch as they \
+             are stored, that is, rounded. Where that rounding matters, as with large stretches, give the solid its size in its constructor instead.",
             vec![
                 Row("f32", "Stable", CYLINDER, "benign"),
                 Row("f32", "Stable", CYLINDER, "benign, moved"),

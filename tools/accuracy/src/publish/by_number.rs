@@ -8,15 +8,15 @@ use support::subject::SUBJECTS;
 
 fn head(study: &Study, number: &str) -> String {
     let textbook = match number {
-        "f32" | "f64" => "the formulas that everyone writes first, with the machine's square root",
-        _ => "the formulas that everyone writes first, in the wrapping operators of the crate `fixed`",
+        "f32" | "f64" => "the formulas of most textbooks, with the machine's square root",
+        _ => "the formulas of most textbooks, in the wrapping operators of the crate `fixed`",
     };
     format!(
         "# Rows of `{number}`\n\n\
-         Written by `cargo run --release -p raylet-accuracy -- --write`; what the columns and the workloads are, and what to make of them, \
-         stands in [accuracy.md](../accuracy.md). Further angles, departing rays and the other workloads at placed solids stand in \
-         [data/bounds](../../data/bounds) alone. *Textbook*: {textbook}; it tells `t` alone, no part. Errors are the same on every \
-         machine. Times are of {}: hit / miss, as a ratio to the textbook's sphere in `f32` ({} ns), and in nanoseconds.\n\n",
+         `cargo run --release -p raylet-accuracy -- --write` writes this page. [accuracy.md](../accuracy.md) defines the columns and the workloads, \
+         and says what follows from them. Further angles, departing rays and the other workloads at placed solids are only in \
+         [data/bounds](../../data/bounds). *Textbook*: {textbook}; it computes `t` and no part. Errors are the same on every \
+         machine. Times are those of {}: hit / miss, as a ratio to the textbook's sphere in `f32` ({} ns), and in nanoseconds.\n\n",
         study.times.machine, study.times.reference_nanoseconds
     )
 }
@@ -82,7 +82,7 @@ fn chips(study: &Study, rows: &[&Figures]) -> String {
                 continue;
             }
             any = true;
-            let place = if row.is_unplaced() { "as it is" } else { place.split(' ').next().unwrap_or(place) };
+            let place = if row.is_unplaced() { "not placed" } else { place.split(' ').next().unwrap_or(place) };
             table.row(&[vec![place.into(), row.tier.to_string()], cells].concat());
         }
     }

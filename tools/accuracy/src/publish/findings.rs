@@ -216,5 +216,9 @@ pub fn dominated_everywhere(study: &Study) -> String {
     if words.is_empty() {
         words.push("No combination is beaten everywhere on any machine.\n".into());
     }
-    format!("{}Beaten in every row, and why one may take it all the same:\n\n{}\n", table.done(), words.concat())
+    format!(
+        "{}These combinations are beaten in every row; why one may take them nevertheless:\n\n{}\n",
+        table.done(),
+        words.concat()
+    )
 }

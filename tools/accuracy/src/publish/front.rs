@@ -13,28 +13,33 @@ fn head(study: &Study) -> String {
         "\
 # Accuracy, and what it costs
 
-How wrong is each tier in each number type, and how long does it take? Written by `cargo run --release -p raylet-accuracy -- --write`
-(`--json` prints all of it); `tests/promises/src/number_types.rs` holds the library to the errors: in `.ci/long` the test fails if a figure is exceeded, or if
-one is more than 5% too large; in its quick form, if one of the first {} rays of a row (placed: {}) is worse than its worst. [Which one do I take?](which-one.md) gives the advice that follows.
+How large are the errors of each tier in each number type, and how long does a query take? [Which one do I take?](which-one.md) gives the advice that follows.
 [Your own rays](your-rays.md) says how to measure other rays and other solids.
 
-Every row is {} seeded rays at one primitive, of size about 1; at placed ones {}, each with a placement of its own. The reference is
-exact arithmetic on the very bits that the library received. *Median*, *99.9%* and *worst* are errors of `t` in units in the last place: of a float's spacing at `t`, or of the fixed type's
-unit (of a hit nearer to the ray's start than a thousandth of the size: of the size's spacing, but in `Exact`); an answer rounded correctly is off by at most .5. *Length* is the same error as a length. *Lost* are hits of exact arithmetic that are
-missing, *phantom* hits that it does not have (both together: *wrong*), *edge* hits within one unit of the ray's start on the wrong side of
-it (of a start on a surface: hits of that surface itself), *part* hits on another part or with another crossing, *broken* rays of which the tier does not keep
-its promise. Errors are the same on every machine and in every run.
+`cargo run --release -p raylet-accuracy -- --write` writes this page; `--json` prints all its figures. `tests/promises/src/number_types.rs` compares the library with the errors.
+In `.ci/long` the test fails if a figure is exceeded, or if one is more than 5 % too large. Its quick form fails if one of the first {} rays of a row (placed: {}) is worse than the worst of the row.
 
-Times are those of a nearest hit on one machine ({}), as a ratio to the textbook's sphere in `f32` that hits ({} ns), which is timed
-before each short batch; the median of several rounds; hit / miss. Misses are the workload's own, and where it is aimed at the solid, rays from
-the same origins past it. They vary by a tenth between runs, and nothing is decided by them. Instructions are those of
-[microcontrollers.md](microcontrollers.md): hit / miss, of rays from 2 to 6 away, like *benign*; where they stand in brackets, beside another
-workload, its rays may take more. The plots of chips show each workload at its own cost, the mean of a query.
+Every row is {} seeded rays at one primitive of size about 1; at a placed one {}, each with a placement of its own. The reference is
+exact arithmetic on the bits that the library received.
 
-*Textbook* is `k^2 - a c` in the operators of the number type, as in most textbooks; for fixed point these are the operators of the crate `fixed`,
-which wrap. It computes `t` and nothing else.
+- *Median*, *99.9%* and *worst* are errors of `t` in units in the last place: of a float's spacing at `t`, or of the fixed type's unit. An answer that is rounded correctly is off
+  by at most .5. If a hit is nearer to the ray's start than a thousandth of the size, the unit is the spacing at the size, except in `Exact`. *Length* is the same error as a length.
+- *Lost* hits are those of exact arithmetic that are missing; *phantom* hits are those that exact arithmetic does not have. *Wrong* counts both.
+- *Edge* hits are within one unit of the ray's start, on the wrong side of it; if the ray starts on a surface, hits of that surface itself.
+- *Part* hits are on another part or have another crossing. *Broken* rays are those for which the tier does not keep its promise.
 
-Rows that are timed: {}. All rows: [data/bounds](../data/bounds).
+Errors are the same on every machine and in every run.
+
+Times are those of a nearest hit on one machine ({}): hit / miss, as a ratio to the textbook's sphere in `f32` that hits ({} ns), which is timed
+before each short batch. Each is the median of several rounds. The misses are those of the workload; if all its rays are aimed at the solid, they are rays from
+the same origins that pass it. Times vary by a tenth between runs; no advice depends on them alone. Instructions are those of
+[microcontrollers.md](microcontrollers.md): hit / miss, of rays from 2 to 6 away, which are like *benign*. In brackets, beside another
+workload, they are those of the same benign rays, and the workload's own rays may take more. The plots of chips show each workload at its own cost, the mean of a query.
+
+*Textbook* is the formula `k^2 - a c` of most textbooks in the operators of the number type; for fixed point these are the wrapping operators of the crate `fixed`.
+It computes `t` and nothing else.
+
+The rows that are timed: {}. All rows: [data/bounds](../data/bounds).
 
 ",
         bounds::QUICK.unplaced,
@@ -57,14 +62,14 @@ const WORKLOADS: &str = "\
 | 100 to 1000000 away | from that far, at a point well inside; the solid's size is about 1 |
 | grazing 1e-1 to 1e-7 | past the side, by one or two times that fraction inside or outside of touching |
 | inside | from a point inside |
-| on the surface | from a point of the side, rounded to the type: one `t` is nearly 0 |
+| on the surface | from a point of the side, rounded to the type: one `t` is close to 0 |
 | off the axis | nearly parallel to the axis |
 | off a generator | nearly parallel to a generator of a cone: a hit may be very far away |
-| off a plane | at that angle to the plane of a flat or of a cap, at a point of it |
+| off a plane | at that angle to the plane of a flat primitive or of a cap, aimed at a point of it |
 | rims | within a thousandth of a rim, a seam or the apex |
 | zero components | directions with one or two zero components |
-| departing | from a hit, inwards or outwards, and said to depart there; every fourth nearly along the surface. The reference takes the start for a point of the surface |
-| moved | at the solid in a frame that only moves it: half of them within 4 of the world's origin, the others within 1,000 and 1,000,000, or as far as the type reaches |
+| departing | from a hit, inwards or outwards, as a departing ray; every fourth is nearly parallel to the surface. The reference treats the start as a point of the surface |
+| moved | at the solid in a frame that only moves it: half of the frames within 4 of the world's origin, the others within 1,000 and 1,000,000, or as far as the type reaches |
 | turned | at the solid in such a frame with a random rotation |
 | stretched by 1/f to f | each axis of such a frame stretched by a factor of its own between these |
 
@@ -137,7 +142,7 @@ fn ordered<'a>(study: &'a Study, primitive: &'a str) -> impl Iterator<Item = &'a
 const INTEGERS: &str = "\
 ## How often integers decide
 
-Rays of a million that the filter of the `Exact` tier cannot decide, so that integers do, over all 16 primitives:
+Of a million rays, how many the doubles of the `Exact` tier cannot decide, so that integers decide them; over all 16 primitives:
 
 ";
 
@@ -176,8 +181,8 @@ fn pictures(study: &Study) -> String {
         "## Error against distance and grazing\n\n\
          ![Error against distance, a line a tier]({})\n\n![Error against grazing, a line a tier]({})\n\n\
          ## Error against cost\n\n\
-         One point a number type and tier, one panel a workload. The line is the front of those that nothing beats in both. Sphere, on the host:\n\n\
-         ![Error against time, sphere]({})\n\nThe same of other primitives, and against instructions on each chip:\n\n",
+         Each number type and tier is a point, each workload a panel. The line connects the points that no other point beats in both error and cost. Sphere, on the host:\n\n\
+         ![Error against time, sphere]({})\n\nThe same for other primitives, and against instructions on each chip:\n\n",
         at(plots::sweep_path("distance")),
         at(plots::sweep_path("grazing")),
         at(plots::cost_path(None, "sphere"))
@@ -198,19 +203,20 @@ pub fn document(study: &Study) -> String {
     let (faster, unexplained) = findings::faster_and_more_accurate(study);
     let told = match unexplained {
         0 => "All of them are explained below the table.".to_string(),
+        1 => "**One of them is not explained.**".to_string(),
         rows => format!("**{rows} of them are not explained.**"),
     };
     let mut text = head(study);
     let _ = write!(
         text,
-        "## What to expect\n\nThe largest error of all 16 primitives in units in the last place, median / worst, and how many hits of some 10,000 to \
-         400,000 are wrong:\n\n{}## What it costs\n\nA benign nearest hit, hit / miss: time on the host, instructions on the chips.\n\n{}{}\
-         ## Faster and more accurate\n\nRows (of hits and of misses) in which one tier is both more accurate (99.9 % error, and no more wrong hits or misses) \
-         and cheaper than another of the same number type; in brackets the smallest ratio of their costs. On the host a time counts as \
-         shorter below nine tenths. {told}\n\n{faster}\
-         ## Beaten by another\n\nThe share of rows in which another combination, of any number type, costs no more and is no more wrong as a length, and is better \
-         in one of them. A number type that cannot hold a row's rays does not beat there. On the chips, the instructions of benign rays \
-         stand for those of every workload.\n\n{}{WORKLOADS}{}{INTEGERS}{}",
+        "## What to expect\n\nThe largest error of all 16 primitives in units in the last place, median / worst, and how many of some 10,000 to \
+         400,000 hits are wrong:\n\n{}## What it costs\n\nThe nearest hit of benign rays, hit / miss: time on the host, instructions on the chips.\n\n{}{}\
+         ## Faster and more accurate\n\nThe number of rows in which one tier is both more accurate (99.9 % error, and no more wrong hits or misses) \
+         and cheaper than another of the same number type; hits and misses count as two rows. In brackets is the smallest ratio of their costs. On the host a time counts as \
+         shorter if it is below nine tenths of the other. {told}\n\n{faster}\
+         ## Beaten by another\n\nThe share of rows in which another combination of number type and tier costs no more, has no larger error as a length and no more wrong hits, and is better \
+         in one of them. A number type that cannot hold a row's rays is not compared in that row. On the chips, the instructions of benign rays \
+         are used for every workload.\n\n{}{WORKLOADS}{}{INTEGERS}{}",
         summary(study),
         costs(study),
         pictures(study),

@@ -14,10 +14,10 @@ const TEXT: &str = "\
 ## Placed solids
 
 The promise of a tier holds for the solid as it is placed. The axes of a frame and the inverse of a stretch are taken as they are
-stored; a ball in a frame has no axes, since a turned ball is a ball. The table has the largest error of `t` in units in the last place, of
-well-aimed rays / of all workloads; how many hits are lost, invented or on another part (wrong); and of how many rays the tier does
-not keep its promise (broken), which excuses wrong hits within a unit of touching or of a rim. Stretched solids have no rows
-along an axis or a generator, from inside, on the surface and departing. Each row stands in [data/bounds](../data/bounds).
+stored; for a sphere in a frame only the position counts, since a turned sphere is the same sphere. The table has the largest error of `t` in units in the last place, of
+well-aimed rays / of all workloads; how many hits are lost, invented or on another part (*wrong*); and for how many rays the tier does
+not keep its promise (*broken*). The promise excuses wrong hits within a unit of touching or of a rim. Stretched solids are not measured with rays
+along an axis or a generator, from inside, from the surface or departing. All rows are in [data/bounds](../data/bounds).
 
 ";
 

@@ -10,15 +10,14 @@ use support::figures::Figures;
 const HEAD: &str = "\
 # Which one do I take?
 
-In one line: **`Stable` in the number type that your chip computes in**: `f32` with a single-precision unit, `f64` with a double-precision one,
-`I16F16` (or another split of 32 bits) without. `Fast` where rays are aimed well and a few units do not matter; `Exact` where a wrong hit,
+In short: take **`Stable` in the number type that your chip computes in**: `f32` with a single-precision unit, `f64` with a double-precision one,
+`I16F16` (or another split of 32 bits) without. Take `Fast` where rays are aimed well and a few units do not matter, and `Exact` where a wrong hit,
 miss or part would be a fault.
 
-Every advice stands above the rows that back it: the 99.9 % error of `t` in units in the last place and as a length, hits lost or invented
-of some 4,000, the time on the host (1 is the textbook's sphere in `f32`) and instructions on the chips, hit / miss (in brackets: of rays from 2 to 6
-away; the row's own may take more). Written by
-`cargo run --release -p raylet-accuracy -- --write` from the figures of [accuracy.md](accuracy.md), where all the others are; what an
-advice claims is checked against them.
+Below each piece of advice are the rows that support it: the 99.9 % error of `t` in units in the last place and as a length, hits lost or invented
+of some 4,000 (*wrong*), the time on the host (1 is the textbook's sphere in `f32`) and instructions on the chips, hit / miss. Instructions in brackets are those of rays from 2 to 6
+away; the rays of the row may take more. `cargo run --release -p raylet-accuracy -- --write` writes this page from the figures of [accuracy.md](accuracy.md), which has all other rows.
+It compares what the advice claims of errors and instructions with these figures.
 
 ";
 
