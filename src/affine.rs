@@ -260,9 +260,9 @@ impl<S: Scalar> Place<S> for Affine<S> {
     }
 
     #[inline]
-    fn finer_line(&self, ray: &Ray<S>, reach: S) -> Option<FinerLine<S>> {
+    fn finer_line(&self, ray: &Ray<S>, bounding_radius: S) -> Option<FinerLine<S>> {
         let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
-        S::fast_stretched_finely(o, d, self.position.to_array(), self.inverse(), reach)
+        S::fast_stretched_finely(o, d, self.position.to_array(), self.inverse(), bounding_radius)
     }
 
     #[inline(always)]

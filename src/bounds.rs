@@ -21,7 +21,7 @@
 //! volume.)
 
 use crate::affine::Affine;
-use crate::figure::{Described, Figures};
+use crate::equations::{Described, EquationKinds};
 use crate::frame::Frame;
 use crate::geometry::{Bounds, Hull};
 use crate::scalar::{Real, Ring, Scalar, Unit, largest};
@@ -39,7 +39,7 @@ pub(crate) fn unplaced<S: Scalar, G: Described>(hull: &Hull<S>) -> Bounds<S> {
 pub(crate) fn in_frame<S: Scalar, G: Described>(hull: &Hull<S>, frame: &Frame<S>) -> Bounds<S> {
     let rows = match hull {
         // A ball in a frame is a ball whatever the last bits of the axes are.
-        Hull::Ball(_) if G::FIGURES.has(Figures::BALL) => unturned::<S>(),
+        Hull::Ball(_) if G::EQUATIONS.has(EquationKinds::BALL) => unturned::<S>(),
         _ => [frame.left(), frame.up(), frame.forward()].map(|axis| (axis.to_array(), 0)),
     };
     placed::<S, G>(hull, frame.position(), rows)
@@ -72,32 +72,32 @@ fn interval<S: Scalar, G: Described>(hull: &Hull<S>, o: S, [x, y, z]: [Near<S>; 
     let round = |[height, radius]: [S; 2], spread: Near<S>| {
         both(no_less([moved, (height, y), (radius, spread)]), no_less([mirrored, (-height, y), (radius, spread)]))
     };
-    // Only the hulls of the geometry's figures are linked.
-    let has = |figures| G::FIGURES.has(figures);
-    let between_discs = Figures::TUBE.and(Figures::CONE).and(Figures::DOUBLE_CONE);
+    // Only the hulls of the geometry's kinds are linked.
+    let has = |kind| G::EQUATIONS.has(kind);
+    let between_discs = EquationKinds::TUBE.and(EquationKinds::CONE).and(EquationKinds::DOUBLE_CONE);
     match hull {
-        Hull::Ball(radius) if has(Figures::BALL) => round([S::ZERO, *radius], length([x, y, z])),
-        Hull::Balls(balls) if has(Figures::CAPSULE) => {
+        Hull::Ball(radius) if has(EquationKinds::BALL) => round([S::ZERO, *radius], length([x, y, z])),
+        Hull::Balls(balls) if has(EquationKinds::CAPSULE) => {
             let spread = length([x, y, z]);
             united(balls.map(|ball| round(ball, spread)))
         }
-        Hull::Discs(discs) if has(between_discs.and(Figures::PLANE).and(Figures::DISC)) => {
+        Hull::Discs(discs) if has(between_discs.and(EquationKinds::PLANE).and(EquationKinds::DISC)) => {
             let spread = length([x, z]);
             united(discs.map(|disc| round(disc, spread)))
         }
-        Hull::Cone { slope, height } if has(Figures::CONE) => {
+        Hull::Cone { slope, height } if has(EquationKinds::CONE) => {
             let spread = length([x, z]);
             let [rise, fall] = [one, -one].map(|sign| sum([(sign, y), (slope.real(), spread)]));
             united([[o; 2], both(no_less([moved, (*height, rise)]), no_less([mirrored, (*height, fall)]))])
         }
-        Hull::Points(points) if has(Figures::TRIANGLE) => united(points.map(|point| {
+        Hull::Points(points) if has(EquationKinds::TRIANGLE) => united(points.map(|point| {
             let [a, b, c] = point.to_array();
             both(no_less([moved, (a, x), (b, y), (c, z)]), no_less([mirrored, (-a, x), (-b, y), (-c, z)]))
         })),
-        Hull::Cuboid([a, b, c]) if has(Figures::CUBOID.and(Figures::RECTANGLE)) => {
+        Hull::Cuboid([a, b, c]) if has(EquationKinds::CUBOID.and(EquationKinds::RECTANGLE)) => {
             let terms = [(*a, x.magnitude()), (*b, y.magnitude()), (*c, z.magnitude())];
-            let reach = |centre: S| no_less([(centre, Near::exact(one)), terms[0], terms[1], terms[2]]);
-            both(reach(o), reach(-o))
+            let bounding_radius = |centre: S| no_less([(centre, Near::exact(one)), terms[0], terms[1], terms[2]]);
+            both(bounding_radius(o), bounding_radius(-o))
         }
         // The geometry has no other hull.
         _ => [o; 2],

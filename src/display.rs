@@ -32,7 +32,7 @@
 //! # let _: Option<(FlatTriangle, Pixel<f32>, Primitive<f32>, Triangle<f32>)> = None;
 //! ```
 
-use crate::effect::{Effects, Work};
+use crate::effect::{Effects, TraceContext};
 use crate::render::Picture;
 use crate::scalar::{Scalar, UnitScalar};
 use crate::scene::{Color, Counters, Observer, encoded, nearest};
@@ -141,15 +141,15 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'_, S, E, T, K> {
         corner: Point,
         display: &mut D,
     ) -> Result<Counters, D::Error> {
-        let mut work = Work::new(());
-        self.draw_rows(0..self.size().height, corner, display, &mut work)?;
-        Ok(work.counters)
+        let mut context = TraceContext::new(());
+        self.draw_rows(0..self.size().height, corner, display, &mut context)?;
+        Ok(context.counters)
     }
 
     /// Draws some rows of the picture, whose upper left corner is at `corner`, each row by one [`DrawTarget::fill_contiguous`]. Adds rays and
-    /// tests to `work`. Rows beyond the last are ignored.
+    /// tests to `context`. Rows beyond the last are ignored.
     ///
-    /// Rows do not depend on each other: two processors may each draw a part of the picture, with a [`Work`] of its own.
+    /// Rows do not depend on each other: two processors may each draw a part of the picture, with a [`TraceContext`] of its own.
     ///
     /// # Errors
     ///
@@ -159,25 +159,26 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'_, S, E, T, K> {
         rows: Range<u16>,
         corner: Point,
         display: &mut D,
-        work: &mut Work<O>,
+        context: &mut TraceContext<O>,
     ) -> Result<(), D::Error> {
         let (size, finely) = (self.size(), self.finely());
         for y in rows.start..rows.end.min(size.height) {
             let below = Point::new(corner.x, corner.y.saturating_add(i32::from(y)));
             let area = Rectangle::new(below, Size::new(u32::from(size.width), 1));
-            let colors = (0..=u16::MAX).zip(finely.row(y, work)).map(|(x, pixel)| D::Color::shown(pixel.color, x, y));
+            let colors =
+                (0..=u16::MAX).zip(finely.row(y, context)).map(|(x, pixel)| D::Color::shown(pixel.color, x, y));
             display.fill_contiguous(&area, colors)?;
         }
         Ok(())
     }
 
     /// Traces row `y` into a buffer, for instance to send it to a display by DMA while the next row is traced into another buffer. Adds rays
-    /// and tests to `work`. Returns the number of pixels written: at most the length of the buffer and the picture's width, and 0 beyond the
+    /// and tests to `context`. Returns the number of pixels written: at most the length of the buffer and the picture's width, and 0 beyond the
     /// last row.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};
-    /// # use raylet::{Camera, Color, Light, Material, Object, Picture, Scene, Shape, Size, Sphere, Vec3, Work};
+    /// # use raylet::{Camera, Color, Light, Material, Object, Picture, Scene, Shape, Size, Sphere, Vec3, TraceContext};
     /// # let y = Vec3::new(0.0_f32, 1.0, 0.0);
     /// # let camera = Camera::new(Vec3::new(0.0, 0.0, 5.0), Vec3::ZERO, y, 40.0)?;
     /// # let objects = [Object::new(Shape::new(Sphere::new(1.0_f32)?), 0)];
@@ -185,17 +186,17 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'_, S, E, T, K> {
     /// # let lights = [Light::new(Vec3::new(0.0, 9.0, 9.0), 0.5)];
     /// # let scene = Scene::new(&objects, &materials, &lights, camera)?.with_background(Color::WHITE);
     /// let picture = Picture::new(&scene, Size::new(32, 24));
-    /// let (mut line, mut work) = ([Rgb565::BLACK; 32], Work::new(()));
-    /// assert_eq!(picture.line(0, &mut line, &mut work), 32);
+    /// let (mut line, mut context) = ([Rgb565::BLACK; 32], TraceContext::new(()));
+    /// assert_eq!(picture.line(0, &mut line, &mut context), 32);
     /// assert_eq!(line[0], Rgb565::WHITE);
     /// # Ok::<(), raylet::Error>(())
     /// ```
-    pub fn line<C: DisplayColor, O: Observer>(&self, y: u16, buffer: &mut [C], work: &mut Work<O>) -> usize {
+    pub fn line<C: DisplayColor, O: Observer>(&self, y: u16, buffer: &mut [C], context: &mut TraceContext<O>) -> usize {
         if y >= self.size().height {
             return 0;
         }
         let (mut pixels, finely) = (0, self.finely());
-        for (x, (own, pixel)) in (0..=u16::MAX).zip(buffer.iter_mut().zip(finely.row(y, work))) {
+        for (x, (own, pixel)) in (0..=u16::MAX).zip(buffer.iter_mut().zip(finely.row(y, context))) {
             *own = C::shown(pixel.color, x, y);
             pixels += 1;
         }

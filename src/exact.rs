@@ -21,7 +21,7 @@ use crate::scalar::{FromScalar, Scalar, ToScalar};
 ///
 /// In fixed point the integers of the fast path decide most rays, with guards that only certain results pass. Doubles with an error bound decide
 /// nearly all other rays of fixed point and nearly all of `f32`; numbers of 128 bits with an error bound decide nearly all that remain. Integers that
-/// are wide enough for every case decide the rest, at some hundred times the cost. [`Shape::effort`](crate::Shape::effort) says which of them
+/// are wide enough for every case decide the rest, at some hundred times the cost. [`Shape::precision`](crate::Shape::precision) says which of them
 /// decided.
 ///
 /// A ray that [departs](crate::Departure) is taken to start exactly on its surface, whatever its coordinates: the constant term of the quadric
@@ -43,7 +43,7 @@ pub struct Exact;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub enum Effort {
+pub enum Precision {
     /// Numbers with an error bound decided every sign.
     Filter,
     /// Wide integers were needed.
@@ -51,24 +51,24 @@ pub enum Effort {
 }
 
 /// A scalar that has an exact tier.
-pub trait Certain: Scalar {
+pub trait ExactScalar: Scalar {
     /// The first number, which decides nearly all rays that the fast path cannot decide.
     type Filter: FromScalar<Self> + Number<Estimate: ToScalar<Self> + FromScalar<Self>>;
-    /// The number that is used where a sign is unknown in [`Certain::Filter`].
+    /// The number that is used where a sign is unknown in [`ExactScalar::Filter`].
     type Bounded: FromScalar<Self> + ToScalar<Self>;
-    /// The integer that is used where a sign is unknown in [`Certain::Bounded`]. It is wide enough for every polynomial of the solvers.
+    /// The integer that is used where a sign is unknown in [`ExactScalar::Bounded`]. It is wide enough for every polynomial of the solvers.
     type Integer: FromScalar<Self> + Number<Estimate = Self::Bounded>;
 }
 
 #[cfg(feature = "libm")]
-impl Certain for f32 {
+impl ExactScalar for f32 {
     type Filter = Filtered;
     type Bounded = Bounded<u128>;
     type Integer = Integer<FLOAT_LIMBS>;
 }
 
 #[cfg(feature = "fixed")]
-impl<F: fixed::types::extra::LeEqU32 + Send + Sync + 'static> Certain for fixed::FixedI32<F> {
+impl<F: fixed::types::extra::LeEqU32 + Send + Sync + 'static> ExactScalar for fixed::FixedI32<F> {
     type Filter = Filtered;
     type Bounded = Bounded<u128>;
     type Integer = Integer<FIXED_LIMBS>;

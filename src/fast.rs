@@ -25,17 +25,17 @@ impl<'a, S: Scalar> Slab<'a, S> {
     pub(crate) fn new(line: &'a LocalLine<S>, low: S, high: S) -> Attempt<Self> {
         let ([_, y, _], [_, dy, _]) = (line.origin, line.direction);
         match S::fast_crossings(*line, [low, high]) {
-            Attempt::Found(([low, high], [off_low, off_high])) => {
+            Attempt::Hit(([low, high], [off_low, off_high])) => {
                 let (base, top) = (End::new(low, Part::Base), End::new(high, Part::Top));
-                Attempt::Found(if dy < S::Unit::ZERO {
+                Attempt::Hit(if dy < S::Unit::ZERO {
                     Self { line, span: Span::new(top, base), off: [off_high, off_low] }
                 } else {
                     Self { line, span: Span::new(base, top), off: [off_low, off_high] }
                 })
             }
-            Attempt::Miss if line.finer == 0 => {
+            Attempt::Miss if line.extra_bits == 0 => {
                 if low <= y && y <= high {
-                    Attempt::Found(Self { line, span: Span::everywhere(), off: [S::ZERO; 2] })
+                    Attempt::Hit(Self { line, span: Span::everywhere(), off: [S::ZERO; 2] })
                 } else {
                     Attempt::Miss
                 }
@@ -64,9 +64,9 @@ impl<'a, S: Scalar> Slab<'a, S> {
         if leads_away || S::are_close(self.line, side.t, plane.t, off) {
             Attempt::Unsure
         } else if plane.t >= side.t {
-            Attempt::Found(side)
+            Attempt::Hit(side)
         } else if S::is_good(self.line, plane.t, off) {
-            Attempt::Found(plane)
+            Attempt::Hit(plane)
         } else {
             Attempt::Unsure
         }
@@ -79,7 +79,7 @@ impl<'a, S: Scalar> Slab<'a, S> {
         let [enter, exit] = self.off;
         let is_good = |end: End<S>, off: S| end.part == Part::Side || S::is_good(self.line, end.t, off);
         if is_good(span.enter, enter) && is_good(span.exit, exit) {
-            Attempt::Found(Intersection::One(span))
+            Attempt::Hit(Intersection::One(span))
         } else {
             Attempt::Unsure
         }

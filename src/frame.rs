@@ -5,7 +5,7 @@ mod constant;
 use crate::line::{InWorld, Place};
 use crate::number::{difference, dot};
 use crate::ray::Ray;
-use crate::scalar::{FromScalar, Including, LocalLine, Real, Rests, Ring, Scalar, ValueError, with_fault};
+use crate::scalar::{FromScalar, Including, LocalLine, OptionalLowWords, Real, Ring, Scalar, ValueError, with_fault};
 use crate::vector::{UnitVec3, Vec3, pairs, transposed};
 use core::fmt;
 
@@ -316,8 +316,8 @@ impl<S: Scalar> Place<S> for Frame<S> {
         if !S::RELATIVE {
             return Some(line);
         }
-        let rests = pairs(ray.origin().real(), self.position.real()).map(|(o, p)| o.plus_with_rest(-p)[1]);
-        Some(LocalLine { rests: S::Rests::of_origin(rests.map(S::round)), ..line })
+        let low_words = pairs(ray.origin().real(), self.position.real()).map(|(o, p)| o.plus_with_rest(-p)[1]);
+        Some(LocalLine { low_words: S::LowWords::of_origin(low_words.map(S::round)), ..line })
     }
 
     #[inline(always)]

@@ -1,7 +1,7 @@
 //! The interface of a primitive.
 
+use crate::equations::{Described, Equations};
 use crate::fast::Guards;
-use crate::figure::{Described, Figure};
 use crate::intersection::{End, Intersection};
 use crate::line::Place;
 use crate::part::Part;
@@ -17,13 +17,13 @@ pub trait Geometry<S: Scalar>: Copy + Described {
     /// The primitive in a type that holds all values of this one.
     fn in_type<R: Including<S>>(&self) -> Self::In<R>;
     /// Bounding radius: the primitive lies within this distance of the origin. For an infinite primitive a characteristic size.
-    fn reach(&self) -> S;
+    fn bounding_radius(&self) -> S;
     /// The primitive with all lengths multiplied by `2^e`, as [`Computing::scaled`](crate::scalar::Computing::scaled) has it.
     #[must_use]
     fn scaled(&self, e: i32) -> Self;
     /// A radius about the y axis that contains the geometry, if it is known.
     #[inline(always)]
-    fn girth(&self) -> Option<S> {
+    fn radius_about_axis(&self) -> Option<S> {
         None
     }
     /// The local line for the fast path.
@@ -34,7 +34,7 @@ pub trait Geometry<S: Scalar>: Copy + Described {
     /// An upper bound of the lengths in its equations, besides those of the line.
     #[inline(always)]
     fn lengths(&self) -> S {
-        self.reach()
+        self.bounding_radius()
     }
     /// Reduces the extra bits of the line as far as the primitive's lengths require ([`FastPath::fast_fit`](crate::scalar::FastPath::fast_fit)).
     #[inline(always)]
@@ -62,7 +62,7 @@ pub trait Geometry<S: Scalar>: Copy + Described {
     #[inline(always)]
     fn fast_occlusion<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<()> {
         let intersection = found!(self.fast_intersection::<T>(line));
-        if intersection.nearest(Range::FORWARD, |_| true).is_some() { Attempt::Found(()) } else { Attempt::Miss }
+        if intersection.nearest(Range::FORWARD, |_| true).is_some() { Attempt::Hit(()) } else { Attempt::Miss }
     }
     /// The exit of a line that starts on the part `from` and leads inwards, by the fast path. For convex primitives.
     #[inline(always)]
@@ -70,7 +70,7 @@ pub trait Geometry<S: Scalar>: Copy + Described {
         Attempt::Unsure
     }
     /// The equations and inequalities that its points satisfy.
-    fn figure(&self) -> Figure<S>;
+    fn equations(&self) -> Equations<S>;
     /// The points, discs or balls whose convex hull determines its bounding box in any placement.
     fn hull(&self) -> Hull<S>;
     /// The point of the part that is nearest, or nearly nearest, to a point close to it.

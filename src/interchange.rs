@@ -210,7 +210,7 @@ mod with_serde {
 #[cfg(feature = "defmt")]
 mod with_defmt {
     use crate::affine::Affine;
-    use crate::effect::Sight;
+    use crate::effect::Sample;
     use crate::hit::Hit;
     use crate::ray::{Along, Range};
     use crate::render::Pixel;
@@ -264,9 +264,9 @@ mod with_defmt {
         }
     }
 
-    impl<S: Scalar> Format for Sight<S> {
+    impl<S: Scalar> Format for Sample<S> {
         fn format(&self, f: Formatter<'_>) {
-            write!(f, "Sight {{ color: {}, seen: {}, lit_by: {} }}", self.color, self.seen, self.lit_by);
+            write!(f, "Sample {{ color: {}, seen: {}, lit_by: {} }}", self.color, self.seen, self.lit_by);
         }
     }
 

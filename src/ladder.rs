@@ -5,10 +5,10 @@
 
 mod exactly;
 
-pub(crate) use exactly::effort;
+pub(crate) use exactly::precision;
 
+use crate::equations::{Described, EquationKinds, Equations};
 use crate::fast::Guards;
-use crate::figure::{Described, Figure, Figures};
 use crate::geometry::Geometry;
 use crate::intersection::{End, Intersection, Span};
 use crate::line::Place;
@@ -43,11 +43,11 @@ macro_rules! solve_robustly {
                     found => found,
                 };
                 let intersection = match found {
-                    Attempt::Found(intersection) => intersection,
+                    Attempt::Hit(intersection) => intersection,
                     Attempt::Miss => Intersection::Miss,
                     // The robust number knows every sign, so that there is always a result.
                     Attempt::Unsure => {
-                        climb::<S, S::Robust, G>(&geometry.figure(), place, ray).unwrap_or(Intersection::Miss)
+                        climb::<S, S::Robust, G>(&geometry.equations(), place, ray).unwrap_or(Intersection::Miss)
                     }
                 };
                 match fast_entry::<S, $Tier, G, _>(geometry, place, ray) {
@@ -56,7 +56,7 @@ macro_rules! solve_robustly {
                 }
             }
             fn contains<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, point: Vec3<S>) -> bool {
-                holds::<S, S::Robust, G>(&geometry.figure(), place, point).unwrap_or(false)
+                holds::<S, S::Robust, G>(&geometry.equations(), place, point).unwrap_or(false)
             }
         }
     };
@@ -67,44 +67,48 @@ solve_robustly!(Stable);
 /// The intersection, computed in numbers of the type `N`; `None` if they do not know a sign.
 #[inline]
 fn climb<S: Scalar, N: Of<S>, G: Described>(
-    figure: &Figure<S>,
+    equations: &Equations<S>,
     place: &impl Place<S>,
     ray: &Ray<S>,
 ) -> Option<Intersection<S>> {
-    debug_assert!(G::FIGURES.has(figure.figures()));
+    debug_assert!(G::EQUATIONS.has(equations.kind()));
     let departure = ray.departure().map(|departure| (departure.part, departure.leaving));
-    if solve::meets_nothing(figure, departure) {
+    if solve::meets_nothing(equations, departure) {
         return Some(Intersection::Miss);
     }
-    solve::intersect::<S, N, G>(figure, &line::<S, N, G>(figure, place, ray), ray.range())
+    solve::intersect::<S, N, G>(equations, &line::<S, N, G>(equations, place, ray), ray.range())
 }
 
 /// The ray's line in the primitive's frame.
 #[inline]
 pub(crate) fn line<S: Scalar, N: FromScalar<S>, G: Described>(
-    figure: &Figure<S>,
+    equations: &Equations<S>,
     place: &impl Place<S>,
     ray: &Ray<S>,
 ) -> Line<N> {
     let departure = ray.departure().map(|departure| (departure.part, departure.leaving));
-    let [origin, direction] = if is_ball::<S, G>(figure) { place.ball_line::<N>(ray) } else { place.line::<N>(ray) };
+    let [origin, direction] = if is_ball::<S, G>(equations) { place.ball_line::<N>(ray) } else { place.line::<N>(ray) };
     Line { origin, direction, departure }
 }
 
 /// The inside test, computed in numbers of the type `N`; `None` if they do not know a sign.
-fn holds<S: Scalar, N: Of<S>, G: Described>(figure: &Figure<S>, place: &impl Place<S>, point: Vec3<S>) -> Option<bool> {
-    debug_assert!(G::FIGURES.has(figure.figures()));
-    let point = if is_ball::<S, G>(figure) { place.ball_point::<N>(point) } else { place.point::<N>(point) };
-    solve::holds::<S, N, G>(figure, point)
+fn holds<S: Scalar, N: Of<S>, G: Described>(
+    equations: &Equations<S>,
+    place: &impl Place<S>,
+    point: Vec3<S>,
+) -> Option<bool> {
+    debug_assert!(G::EQUATIONS.has(equations.kind()));
+    let point = if is_ball::<S, G>(equations) { place.ball_point::<N>(point) } else { place.point::<N>(point) };
+    solve::holds::<S, N, G>(equations, point)
 }
 
 /// True for a ball; a constant for a geometry that has none.
 #[inline(always)]
-pub(crate) const fn is_ball<S, G: Described>(figure: &Figure<S>) -> bool {
-    G::FIGURES.has(Figures::BALL) && matches!(figure, Figure::Ball { .. })
+pub(crate) const fn is_ball<S, G: Described>(equations: &Equations<S>) -> bool {
+    G::EQUATIONS.has(EquationKinds::BALL) && matches!(equations, Equations::Ball { .. })
 }
 
-/// `Found` for the most frequent rays, `Miss` for rays that are known to miss, and `Unsure` for the others, whose fast path is in [`rare`].
+/// `Hit` for the most frequent rays, `Miss` for rays that are known to miss, and `Unsure` for the others, whose fast path is in [`rare`].
 #[inline(always)]
 fn is_frequent<S: Scalar, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<()> {
     if let Some(departure) = ray.departure() {
@@ -113,10 +117,10 @@ fn is_frequent<S: Scalar, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, r
     if stretches_integers(place) {
         return Attempt::Unsure;
     }
-    if geometry.girth().is_some_and(|r| place.passes_axis(ray, r)) {
+    if geometry.radius_about_axis().is_some_and(|r| place.passes_axis(ray, r)) {
         return Attempt::Miss;
     }
-    Attempt::Found(())
+    Attempt::Hit(())
 }
 
 /// The intersection by the fast path for the most frequent rays; [`rare`] has that of the others. If `since` is given, only the first end at or after
@@ -155,7 +159,7 @@ fn fast_entry<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
         return None;
     }
     match geometry.fast_intersection::<T>(&line) {
-        Attempt::Found(Intersection::One(Span { enter, .. })) => Some(enter),
+        Attempt::Hit(Intersection::One(Span { enter, .. })) => Some(enter),
         _ => None,
     }
 }
@@ -202,7 +206,7 @@ fn stretched<S: Scalar, T: Guards, G: Geometry<S>>(
 ) -> Attempt<Intersection<S>> {
     let Some(line) = place.finer_line(ray, geometry.lengths()) else { return Attempt::Unsure };
     let intersection = found!(geometry.scaled(line.scale).fast_intersection::<T>(&line.line));
-    intersection.try_map(|t| S::fast_along_ray(&line, t)).map_or(Attempt::Unsure, Attempt::Found)
+    intersection.try_map(|t| S::fast_along_ray(&line, t)).map_or(Attempt::Unsure, Attempt::Hit)
 }
 
 /// The intersection by the fast path of a ray that starts far away. It is a function of its own so that the common case stays short.
@@ -238,7 +242,7 @@ fn in_wider<S: Scalar, G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray
         let t = S::narrowed(t);
         (!departs || t != S::ZERO).then_some(t)
     };
-    intersection.try_map(narrowed).map_or(Attempt::Unsure, Attempt::Found)
+    intersection.try_map(narrowed).map_or(Attempt::Unsure, Attempt::Hit)
 }
 
 /// The second attempt of fixed point, see [`in_wider`]; the second attempt of floats, along a more accurate line, and their third, along the same
@@ -291,7 +295,7 @@ fn again<S: Scalar, T: Guards, G: Geometry<S>>(
 /// True if a ray that departs like this cannot meet the geometry again.
 #[inline(always)]
 fn meets_nothing<S: Scalar, G: Geometry<S>>(geometry: &G, departure: Departure) -> bool {
-    solve::meets_nothing(&geometry.figure(), Some((departure.part, departure.leaving)))
+    solve::meets_nothing(&geometry.equations(), Some((departure.part, departure.leaving)))
 }
 
 /// The exit of a ray that departs inwards. It is a function of its own so that the common case stays short.
@@ -306,7 +310,7 @@ fn inwards<S: Scalar, T: Guards, G: Geometry<S>>(
     if stretches_integers(place) {
         let Some(line) = place.finer_line(ray, geometry.lengths()) else { return Attempt::Unsure };
         let intersection = found!(exit(&geometry.scaled(line.scale), &line.line));
-        return intersection.try_map(|t| S::fast_along_ray(&line, t)).map_or(Attempt::Unsure, Attempt::Found);
+        return intersection.try_map(|t| S::fast_along_ray(&line, t)).map_or(Attempt::Unsure, Attempt::Hit);
     }
     let Some(mut line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
     geometry.fit(&mut line);
@@ -326,8 +330,8 @@ fn exit_along<S: Scalar, T: Guards, G: Geometry<S>>(
         return Attempt::Unsure;
     }
     match geometry.fast_exit::<T>(line, departure.part) {
-        Attempt::Found(exit) if exit.t.plus(line.start) > S::ZERO => {
-            Attempt::Found(Intersection::One(Span::new(End::none(-S::INFINITY), exit)))
+        Attempt::Hit(exit) if exit.t.plus(line.start) > S::ZERO => {
+            Attempt::Hit(Intersection::One(Span::new(End::none(-S::INFINITY), exit)))
         }
         _ => Attempt::Unsure,
     }
@@ -348,8 +352,8 @@ fn in_own_t<S: Scalar, P: Place<S>>(
     }
     let found = if line.start == S::ZERO { found } else { from_start(found!(found), line.start, line.is_strict) };
     if P::STRETCHES {
-        let pace = line.pace.real();
-        return Attempt::Found(found!(found).map(|t| S::round(t.real() * pace)));
+        let inverse_length = line.inverse_length.real();
+        return Attempt::Hit(found!(found).map(|t| S::round(t.real() * inverse_length)));
     }
     found
 }
@@ -371,7 +375,7 @@ fn from_start<S: Scalar>(intersection: Intersection<S>, start: S, is_strict: boo
         };
         is_precise.then_some(whole)
     };
-    intersection.try_map(whole).map_or(Attempt::Unsure, Attempt::Found)
+    intersection.try_map(whole).map_or(Attempt::Unsure, Attempt::Hit)
 }
 
 /// The occlusion test by the fast path.
@@ -385,5 +389,5 @@ fn fast_ahead<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(geometry: &G, p
         return geometry.fast_occlusion::<T>(&line);
     }
     let intersection = found!(in_own_t(place, &line, geometry.fast_intersection::<T>(&line)));
-    if intersection.nearest(Range::FORWARD, |_| true).is_some() { Attempt::Found(()) } else { Attempt::Miss }
+    if intersection.nearest(Range::FORWARD, |_| true).is_some() { Attempt::Hit(()) } else { Attempt::Miss }
 }

@@ -9,7 +9,7 @@ pub trait Place<S: Scalar> {
     /// The same placement in another number type.
     type In<R: Scalar>: Place<R>;
 
-    /// True if the line's own `t` is not the ray's: see [`LocalLine::pace`].
+    /// True if the line's own `t` is not the ray's: see [`LocalLine::inverse_length`].
     const STRETCHES: bool = false;
     /// True if [`Place::fast_line_near`] does not handle rays that start far away: floats have [`Place::far_line`] for these.
     const HAS_FAR_LINES: bool = false;
@@ -23,7 +23,7 @@ pub trait Place<S: Scalar> {
     fn fast_line_near(&self, ray: &Ray<S>, _base: Vec3<S>) -> Option<LocalLine<S>> {
         self.fast_line(ray)
     }
-    /// [`Place::fast_line`] where the placement stretches and the number type is fixed point, for a solid whose lengths are at most `reach`.
+    /// [`Place::fast_line`] where the placement stretches and the number type is fixed point, for a solid whose lengths are at most `bounding_radius`.
     #[inline(always)]
     fn finer_line(&self, _ray: &Ray<S>, _reach: S) -> Option<FinerLine<S>> {
         None

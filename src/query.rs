@@ -33,7 +33,7 @@ pub trait Solve<S: Scalar> {
     fn hits<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Hits<S> {
         match Self::fast(geometry, place, ray, None) {
             Attempt::Miss => Hits::none(),
-            Attempt::Found(intersection) => intersection.hits(ray.range()),
+            Attempt::Hit(intersection) => intersection.hits(ray.range()),
             Attempt::Unsure => apart(|| Self::climb(geometry, place, ray).hits(ray.range())),
         }
     }
@@ -51,7 +51,7 @@ pub trait Solve<S: Scalar> {
         let since = accept(Crossing::Enter).then(|| ray.range().start());
         match Self::fast(short, place, ray, since) {
             Attempt::Miss => None,
-            Attempt::Found(intersection) => intersection.nearest(ray.range(), accept),
+            Attempt::Hit(intersection) => intersection.nearest(ray.range(), accept),
             Attempt::Unsure => apart(|| Self::climb(geometry, place, ray).nearest(ray.range(), accept)),
         }
     }
@@ -68,7 +68,7 @@ pub trait Solve<S: Scalar> {
         if ray.range() == Range::FORWARD && accept(Crossing::Enter) && accept(Crossing::Exit) {
             match Self::fast_ahead(short, place, ray) {
                 Attempt::Miss => return false,
-                Attempt::Found(()) => return true,
+                Attempt::Hit(()) => return true,
                 Attempt::Unsure => {}
             }
         }
@@ -87,7 +87,7 @@ fn apart<A>(work: impl FnOnce() -> A) -> A {
 /// the exponent of that power, which is zero for fixed types.
 #[inline]
 pub(crate) fn near_one<S: Scalar, G: Geometry<S>>(geometry: &G, point: Vec3<S>) -> (G, Vec3<S>, i32) {
-    let exponent = S::binary_exponent(largest([point.x, point.y, point.z, geometry.reach()]));
+    let exponent = S::binary_exponent(largest([point.x, point.y, point.z, geometry.bounding_radius()]));
     (geometry.scaled(-exponent), scaled(point, -exponent), exponent)
 }
 

@@ -3,7 +3,7 @@
 //! No frame buffer is needed: a [`Picture`] computes any single pixel or row, and [`Picture::render`] passes the pixels to a function one
 //! by one, row after row, so that they may be sent directly to a display. Rows do not depend on each other.
 
-use crate::effect::{All, Effect, EffectError, EffectSet, Effects, Sight, Tracer, Work, differ};
+use crate::effect::{All, Effect, EffectError, EffectSet, Effects, Sample, TraceContext, Tracer, differ};
 use crate::part::Part;
 use crate::ray::Ray;
 use crate::scalar::{Real, Ring, Scalar};
@@ -160,68 +160,73 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
         E::SET.contains(Effect::Antialiasing) && self.size().samples > 1
     }
 
-    /// Traces the pixel in column `x` of row `y`, counted from the upper left. Adds its rays and tests to `work`.
+    /// Traces the pixel in column `x` of row `y`, counted from the upper left. Adds its rays and tests to `context`.
     ///
     /// With several samples for each pixel, [`Picture::row`] gives the same pixels with fewer rays.
-    pub fn pixel<O: Observer>(&self, x: u16, y: u16, work: &mut Work<O>) -> Pixel<S> {
+    pub fn pixel<O: Observer>(&self, x: u16, y: u16, context: &mut TraceContext<O>) -> Pixel<S> {
         if self.is_antialiased() {
-            return self.pixel_of_many(x, y, work);
+            return self.pixel_of_many(x, y, context);
         }
-        let Sight { color, seen, lit_by } = self.sample(self.raster.ray([x, y], [0, 0]), self.levels, work);
+        let Sample { color, seen, lit_by } = self.sample(self.raster.ray([x, y], [0, 0]), self.levels, context);
         Pixel { color, seen, lit_by }
     }
 
     /// Not inlined, so that pictures with one sample for each pixel do not take its stack frame.
     #[inline(never)]
-    fn pixel_of_many<O: Observer>(&self, x: u16, y: u16, work: &mut Work<O>) -> Pixel<S> {
-        let (left, right) = (self.edge(u32::from(x), y, work), self.edge(u32::from(x) + 1, y, work));
-        self.between([left, right], [x, y], work)
+    fn pixel_of_many<O: Observer>(&self, x: u16, y: u16, context: &mut TraceContext<O>) -> Pixel<S> {
+        let (left, right) = (self.edge(u32::from(x), y, context), self.edge(u32::from(x) + 1, y, context));
+        self.between([left, right], [x, y], context)
     }
 
-    /// The pixels of row `y` from the left. Clears the shadow cache of `work`, and adds rays and tests to its counters.
+    /// The pixels of row `y` from the left. Clears the shadow cache of `context`, and adds rays and tests to its counters.
     ///
     /// With several samples for each pixel, its corners are traced first, which neighbours share. If the corners see
     /// the same part of the same object in the same lights, and no channel differs by more than eight levels of sRGB, the pixel is their mean.
     /// Otherwise the whole grid of `samples * samples` rays is traced, and the pixel is the mean of these.
-    pub fn row<'w, O: Observer>(&'w self, y: u16, work: &'w mut Work<O>) -> Row<'w, 'a, S, E, O, T, K> {
-        work.forget();
-        let left = if self.is_antialiased() { Some(self.edge(0, y, work)) } else { None };
-        Row { picture: self, work, next: 0, y, left }
+    pub fn row<'w, O: Observer>(&'w self, y: u16, context: &'w mut TraceContext<O>) -> Row<'w, 'a, S, E, O, T, K> {
+        context.forget();
+        let left = if self.is_antialiased() { Some(self.edge(0, y, context)) } else { None };
+        Row { picture: self, context, next: 0, y, left }
     }
 
     /// Traces every pixel, row after row from the upper left, and passes each to `each` with its column and row. Returns the counters of
     /// rays and tests.
     pub fn render(&self, mut each: impl FnMut(u16, u16, Pixel<S>)) -> Counters {
-        let mut work = Work::new(());
+        let mut context = TraceContext::new(());
         for y in 0..self.size().height {
-            for (x, pixel) in (0..=u16::MAX).zip(self.row(y, &mut work)) {
+            for (x, pixel) in (0..=u16::MAX).zip(self.row(y, &mut context)) {
                 each(x, y, pixel);
             }
         }
-        work.counters
+        context.counters
     }
 
     /// What a primary ray sees, its colour clamped to `[0, 1]`.
-    fn sample<O: Observer>(&self, ray: Option<Ray<S>>, levels: Levels, work: &mut Work<O>) -> Sight<S> {
-        let Some(ray) = ray else { return Sight { color: Color::BLACK, seen: None, lit_by: 0 } };
-        work.counters.primary_rays += 1;
-        let sight = self.tracer.look_in_levels(&ray, levels, work);
-        Sight { color: sight.color.clamped(), ..sight }
+    fn sample<O: Observer>(&self, ray: Option<Ray<S>>, levels: Levels, context: &mut TraceContext<O>) -> Sample<S> {
+        let Some(ray) = ray else { return Sample { color: Color::BLACK, seen: None, lit_by: 0 } };
+        context.counters.primary_rays += 1;
+        let sample = self.tracer.look_in_levels(&ray, levels, context);
+        Sample { color: sample.color.clamped(), ..sample }
     }
 
     /// The two corners, upper and lower, on the left of the pixel in column `x`.
-    fn edge<O: Observer>(&self, x: u32, y: u16, work: &mut Work<O>) -> [Sight<S>; 2] {
+    fn edge<O: Observer>(&self, x: u32, y: u16, context: &mut TraceContext<O>) -> [Sample<S>; 2] {
         let y = u32::from(y);
-        [y, y + 1].map(|y| self.sample(self.raster.corner([x, y]), Levels::Fine, work))
+        [y, y + 1].map(|y| self.sample(self.raster.corner([x, y]), Levels::Fine, context))
     }
 
     /// The pixel between two edges.
-    fn between<O: Observer>(&self, edges: [[Sight<S>; 2]; 2], at: [u16; 2], work: &mut Work<O>) -> Pixel<S> {
+    fn between<O: Observer>(
+        &self,
+        edges: [[Sample<S>; 2]; 2],
+        at: [u16; 2],
+        context: &mut TraceContext<O>,
+    ) -> Pixel<S> {
         let [[a, b], [c, d]] = edges;
         let corners = [a, b, c, d];
         if differ(&corners) {
-            work.counters.refined_pixels += 1;
-            return self.grid(at, work);
+            context.counters.refined_pixels += 1;
+            return self.grid(at, context);
         }
         let mut mean = Mean::new();
         for corner in corners {
@@ -231,16 +236,16 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
     }
 
     /// The pixel from the whole grid of its samples.
-    fn grid<O: Observer>(&self, at: [u16; 2], work: &mut Work<O>) -> Pixel<S> {
+    fn grid<O: Observer>(&self, at: [u16; 2], context: &mut TraceContext<O>) -> Pixel<S> {
         let samples = self.size().samples.max(1);
         let mut mean = Mean::new();
-        let mut middle = Sight { color: Color::BLACK, seen: None, lit_by: 0 };
+        let mut middle = Sample { color: Color::BLACK, seen: None, lit_by: 0 };
         for row in 0..samples {
             for column in 0..samples {
-                let sight = self.sample(self.raster.ray(at, [column, row]), Levels::Fine, work);
-                mean.take(sight.color);
+                let sample = self.sample(self.raster.ray(at, [column, row]), Levels::Fine, context);
+                mean.take(sample.color);
                 if (column, row) == (samples / 2, samples / 2) {
-                    middle = sight;
+                    middle = sample;
                 }
             }
         }
@@ -275,11 +280,11 @@ impl<S: Scalar> Mean<S> {
 #[derive(Debug)]
 pub struct Row<'w, 'a, S: Scalar, E, O, T = Stable, K: Kinds = kinds::All> {
     picture: &'w Picture<'a, S, E, T, K>,
-    work: &'w mut Work<O>,
+    context: &'w mut TraceContext<O>,
     next: u32,
     y: u16,
     /// The corners on the left of the next pixel.
-    left: Option<[Sight<S>; 2]>,
+    left: Option<[Sample<S>; 2]>,
 }
 
 impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> Iterator for Row<'_, '_, S, E, O, T, K> {
@@ -289,12 +294,12 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> Iterator for Row<
         let x = u16::try_from(self.next).ok().filter(|x| *x < self.picture.size().width)?;
         self.next += 1;
         if !self.picture.is_antialiased() {
-            return Some(self.picture.pixel(x, self.y, self.work));
+            return Some(self.picture.pixel(x, self.y, self.context));
         }
         let left = self.left?;
-        let right = self.picture.edge(self.next, self.y, self.work);
+        let right = self.picture.edge(self.next, self.y, self.context);
         self.left = Some(right);
-        Some(self.picture.between([left, right], [x, self.y], self.work))
+        Some(self.picture.between([left, right], [x, self.y], self.context))
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {
@@ -324,10 +329,10 @@ mod tests {
         let scene = camera.ok().and_then(|camera| Scene::<f32>::new(&[], &[], &[], camera).ok());
         let scene = scene.expect("an empty scene");
         let picture = Picture::new(&scene, Size::new(8, 6).with_samples(2));
-        let corner = |steps: f32| Sight { color: Color::from([steps / 128.0; 3]), seen: None, lit_by: 0 };
-        let mut work = Work::new(());
-        let pixel = picture.between([[corner(64.0), corner(65.0)], [corner(66.0), corner(67.0)]], [0, 0], &mut work);
+        let corner = |steps: f32| Sample { color: Color::from([steps / 128.0; 3]), seen: None, lit_by: 0 };
+        let mut context = TraceContext::new(());
+        let pixel = picture.between([[corner(64.0), corner(65.0)], [corner(66.0), corner(67.0)]], [0, 0], &mut context);
         assert_eq!(pixel.color.to_array(), [65.5 / 128.0; 3]);
-        assert_eq!(work.counters, Counters::default());
+        assert_eq!(context.counters, Counters::default());
     }
 }

@@ -20,8 +20,8 @@ use crate::fast::Guards;
 use crate::query::Solve;
 use crate::scalar::Scalar;
 
-pub use crate::exact::Certain;
-pub use crate::exact::{Effort, Exact};
+pub use crate::exact::ExactScalar;
+pub use crate::exact::{Exact, Precision};
 
 mod sealed {
     pub trait Sealed {}

@@ -162,7 +162,7 @@ impl<S: Scalar> UnitVec3<S> {
     #[inline]
     fn of(v: Vec3<S>) -> Option<Self> {
         match S::fast_direction(v.to_array()) {
-            Attempt::Found(components) => return Some(Self { components }),
+            Attempt::Hit(components) => return Some(Self { components }),
             Attempt::Miss => return None,
             Attempt::Unsure => {}
         }

@@ -9,7 +9,7 @@ use crate::progress::Progress;
 use raylet::effect::EffectSet;
 use raylet::scene::{Hierarchy, Node, Observer};
 use raylet::tier::Tier;
-use raylet::{Color, Counters, Part, Picture, Pixel, Scalar, Size, Work};
+use raylet::{Color, Counters, Part, Picture, Pixel, Scalar, Size, TraceContext};
 use std::error::Error;
 use std::num::NonZero;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -109,12 +109,12 @@ pub(crate) fn trace<S: Scalar, T: Tier<S> + Send + Sync>(
     let next_row = AtomicU32::new(0);
     let parts = on_threads(options.threads, height, || {
         let (mut row, mut pixels) = (Vec::new(), Pixels::default());
-        let mut work = Work::new(PerObject(vec![Tests::default(); listened_to]));
+        let mut context = TraceContext::new(PerObject(vec![Tests::default(); listened_to]));
         while let Ok(y) = u16::try_from(next_row.fetch_add(1, Ordering::Relaxed))
             && y < height
         {
             row.clear();
-            row.extend(picture.row(y, &mut work));
+            row.extend(picture.row(y, &mut context));
             let mut canvas = canvas.lock().unwrap_or_else(PoisonError::into_inner);
             let (image, sightings) = &mut *canvas;
             let from = usize::from(y) * usize::from(width);
@@ -128,7 +128,7 @@ pub(crate) fn trace<S: Scalar, T: Tier<S> + Send + Sync>(
             }
             progress.step();
         }
-        (pixels, work)
+        (pixels, context)
     })?;
     progress.end();
 
@@ -136,10 +136,10 @@ pub(crate) fn trace<S: Scalar, T: Tier<S> + Send + Sync>(
     let (image, sightings) = canvas.into_inner().unwrap_or_else(PoisonError::into_inner);
     let (mut counters, mut objects) = (Counters::default(), vec![Tests::default(); listened_to]);
     let mut pixels = Pixels::default();
-    for (part, work) in parts {
+    for (part, context) in parts {
         pixels.add(part);
-        counters.add(&work.counters);
-        for (sum, tests) in objects.iter_mut().zip(work.observer.0) {
+        counters.add(&context.counters);
+        for (sum, tests) in objects.iter_mut().zip(context.observer.0) {
             sum.tested += tests.tested;
             sum.met += tests.met;
         }
@@ -160,11 +160,15 @@ fn counted<S: Scalar>(pixel: &Pixel<S>, levels: [u8; 3]) -> Pixels {
 
 /// Does the same work on as many threads as are wanted, or as there are processors, and at most on `most`; fails if one of
 /// them panics.
-fn on_threads<R: Send>(threads: Option<u16>, most: u16, work: impl Fn() -> R + Sync) -> Result<Vec<R>, Box<dyn Error>> {
+fn on_threads<R: Send>(
+    threads: Option<u16>,
+    most: u16,
+    context: impl Fn() -> R + Sync,
+) -> Result<Vec<R>, Box<dyn Error>> {
     let processors = || thread::available_parallelism().map_or(1, NonZero::get);
     let threads = threads.map_or_else(processors, usize::from).min(usize::from(most));
     thread::scope(|scope| {
-        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(&work)).collect();
+        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(&context)).collect();
         let results: Vec<_> = workers.into_iter().map(thread::ScopedJoinHandle::join).collect();
         results.into_iter().collect::<Result<_, _>>()
     })
@@ -181,11 +185,11 @@ mod tests {
     #[test]
     fn a_worker_that_panics_fails_the_program() {
         let worker = AtomicU32::new(0);
-        let work = || match worker.fetch_add(1, Ordering::Relaxed) {
+        let context = || match worker.fetch_add(1, Ordering::Relaxed) {
             1 => panic!("the second worker"),
             number => number,
         };
-        let error = on_threads(Some(3), 9, work).unwrap_err();
+        let error = on_threads(Some(3), 9, context).unwrap_err();
         assert!(error.to_string().contains("a thread panicked"), "{error}");
         assert_eq!(on_threads(Some(4), 2, || 7).unwrap(), [7, 7]);
     }

@@ -1,7 +1,7 @@
 //! Adaptive supersampling where a pixel's corners differ: Whitted, *An Improved Illumination Model for Shaded Display* (1980),
 //! section 4.
 
-use super::Sight;
+use super::Sample;
 use crate::scalar::Scalar;
 use crate::scene::Levels;
 
@@ -13,7 +13,7 @@ const THRESHOLD: u16 = 16 * 8;
 ///
 /// Detail between four corners that agree is missed. Otherwise the mean of such corners differs by at most the threshold from the mean
 /// of the whole grid of samples.
-pub(crate) fn differ<S: Scalar>(corners: &[Sight<S>; 4]) -> bool {
+pub(crate) fn differ<S: Scalar>(corners: &[Sample<S>; 4]) -> bool {
     let [first, others @ ..] = corners;
     let (mut low, mut high) = (first.color.clamped().to_array(), first.color.clamped().to_array());
     for other in others {
@@ -42,9 +42,9 @@ mod tests {
     #[test]
     fn corners_differ_by_object_part_lights_or_a_channel() {
         fn check<S: Scalar>() {
-            let sight = |color, seen, lit_by| Sight::<S> { color: Color::from_f64(color), seen, lit_by };
+            let sample = |color, seen, lit_by| Sample::<S> { color: Color::from_f64(color), seen, lit_by };
             let (gray, ball) = ([0.5; 3], Some((1, Part::Side)));
-            let same = sight(gray, ball, 1);
+            let same = sample(gray, ball, 1);
             for place in 0..4 {
                 let with = |other| {
                     let mut corners = [same; 4];
@@ -52,18 +52,18 @@ mod tests {
                     differ(&corners)
                 };
                 assert!(!with(same));
-                assert!(with(sight(gray, Some((2, Part::Side)), 1)) && with(sight(gray, Some((1, Part::Top)), 1)));
-                assert!(with(sight(gray, None, 1)) && with(sight(gray, ball, 3)));
+                assert!(with(sample(gray, Some((2, Part::Side)), 1)) && with(sample(gray, Some((1, Part::Top)), 1)));
+                assert!(with(sample(gray, None, 1)) && with(sample(gray, ball, 3)));
                 for channel in 0..3 {
                     for (by, expected) in [(0.048, false), (0.050, true), (-0.045, false), (-0.047, true)] {
                         let mut color = gray;
                         color[channel] += by;
-                        assert_eq!(with(sight(color, ball, 1)), expected, "{channel} by {by}");
+                        assert_eq!(with(sample(color, ball, 1)), expected, "{channel} by {by}");
                     }
                 }
             }
             // Both are white on a display.
-            let glaring = |red| sight([red, 0.5, 0.5], ball, 1);
+            let glaring = |red| sample([red, 0.5, 0.5], ball, 1);
             assert!(!differ(&[glaring(1.1), glaring(1.5), glaring(1.0), glaring(1.2)]));
         }
         check::<f32>();

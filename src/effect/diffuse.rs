@@ -1,6 +1,6 @@
 //! Diffuse shading: Lambert's cosine law (*Photometria*, 1760).
 
-use super::site::Towards;
+use super::shading_point::Towards;
 use crate::scalar::Scalar;
 use crate::scene::Material;
 

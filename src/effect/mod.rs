@@ -16,7 +16,7 @@
 //! | `called_for` | which effects a scene needs, and the error if one is missing |
 //! | `tracer`, `cutoff` | tracing of a primary ray and its secondary rays; where paths end |
 //! | `field` | the unit interval in equal fields, for patterns and waves |
-//! | `site`, `work` | the shading point; the trace context: counters and a shadow cache |
+//! | `shading_point`, `trace_context` | the shading point; the trace context: counters and a shadow cache |
 //!
 //! Without ambient light a surface that no light reaches and that neither reflects nor transmits is black.
 //!
@@ -61,12 +61,12 @@ mod fog;
 mod reflection;
 mod refraction;
 mod set;
+mod shading_point;
 mod shadow;
-mod site;
 mod specular;
 mod texture;
+mod trace_context;
 mod tracer;
-mod work;
 
 pub(crate) use antialiasing::differ;
 pub use called_for::EffectError;
@@ -75,8 +75,8 @@ pub use compiled::{
 };
 pub use cutoff::DEPTH;
 pub use set::{Effect, EffectSet, Iter};
+pub use trace_context::TraceContext;
 pub use tracer::Tracer;
-pub use work::Work;
 
 use crate::part::Part;
 use crate::scalar::Scalar;
@@ -85,7 +85,7 @@ use crate::scene::Color;
 /// What a ray sees: radiance and first hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = ""))]
-pub struct Sight<S: Scalar> {
+pub struct Sample<S: Scalar> {
     /// The radiance.
     pub color: Color<S>,
     /// The index of the object of the first hit and the part of its surface; `None` for the background.

@@ -6,7 +6,7 @@
 //! A single pane, tube or triangle with the same medium on both sides should have the index 1, which does not bend the light.
 
 use super::reflection::part;
-use super::site::Site;
+use super::shading_point::ShadingPoint;
 use crate::hit::Crossing;
 use crate::scalar::{Real, Ring, Scalar};
 use crate::scene::Material;
@@ -32,7 +32,7 @@ pub(super) fn transmittance<S: Scalar>(material: &Material<S>) -> S::Real {
 }
 
 /// How light is divided at a shading point.
-pub(super) fn split<S: Scalar>(material: &Material<S>, site: &Site<S>, crossing: Crossing) -> Split<S> {
+pub(super) fn split<S: Scalar>(material: &Material<S>, site: &ShadingPoint<S>, crossing: Crossing) -> Split<S> {
     let (zero, one) = (S::Real::ZERO, S::Real::ONE);
     let transmittance = transmittance(material);
     let straight =
@@ -62,7 +62,7 @@ pub(super) fn split<S: Scalar>(material: &Material<S>, site: &Site<S>, crossing:
 }
 
 /// The refracted direction, and the fraction that is reflected; `None` at total reflection.
-fn bend<S: Scalar>(site: &Site<S>, normal: UnitVec3<S>, denser: S::Real) -> Option<(UnitVec3<S>, S::Real)> {
+fn bend<S: Scalar>(site: &ShadingPoint<S>, normal: UnitVec3<S>, denser: S::Real) -> Option<(UnitVec3<S>, S::Real)> {
     let (zero, one) = (S::Real::ZERO, S::Real::ONE);
     let cosine = normal.dot(site.to_viewer);
     // For a grazing ray the cosine with a rounded normal may be negative.

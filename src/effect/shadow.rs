@@ -1,8 +1,8 @@
 //! Shadow rays: whether a light reaches a point (Appel, *Some Techniques for Shading Machine Renderings of Solids*,
 //! 1968).
 
-use super::site::{Site, Towards};
-use super::work::Work;
+use super::shading_point::{ShadingPoint, Towards};
+use super::trace_context::TraceContext;
 use crate::ray::Range;
 use crate::scalar::Scalar;
 use crate::scene::{Observer, Scene};
@@ -17,22 +17,22 @@ use crate::tier::Tier;
 /// point beyond the number type's budget, from which no ray can start, is not in shadow.
 pub(super) fn is_shadowed<S: Scalar, T: Tier<S>, O: Observer, K: Kinds>(
     scene: &Scene<'_, S, T, K>,
-    site: &Site<S>,
+    site: &ShadingPoint<S>,
     light: u32,
     towards: &Towards<S>,
-    work: &mut Work<O>,
+    context: &mut TraceContext<O>,
 ) -> bool {
     let Some(mut ray) = site.ray(towards.direction, false) else { return false };
     if let Ok(range) = Range::new(S::ZERO, towards.distance) {
         ray = ray.with_range(range);
     }
-    work.counters.shadow_rays += 1;
-    if let Some(last) = work.last_occluder(light)
-        && scene.stands_on(last, &ray, &mut work.counters, &mut work.observer)
+    context.counters.shadow_rays += 1;
+    if let Some(last) = context.last_occluder(light)
+        && scene.stands_on(last, &ray, &mut context.counters, &mut context.observer)
     {
         return true;
     }
-    let occluder = scene.occluder(&ray, &mut work.counters, &mut work.observer);
-    work.remember_occluder(light, occluder);
+    let occluder = scene.occluder(&ray, &mut context.counters, &mut context.observer);
+    context.remember_occluder(light, occluder);
     occluder.is_some()
 }

@@ -1,13 +1,13 @@
 //! Specular highlights: Phong, *Illumination for computer generated pictures* (1975).
 
-use super::site::{Site, Towards};
+use super::shading_point::{ShadingPoint, Towards};
 use crate::scalar::{Ring, Scalar, UnitScalar};
 use crate::scene::Material;
 
 /// `Ks (R . V)^shine`, with the light's direction mirrored in the normal: `R = 2 (N . L) N - L`.
 ///
 /// A highlight has the colour of the light. It is zero where the mirrored direction points away from the viewer.
-pub(super) fn weight<S: Scalar>(material: &Material<S>, site: &Site<S>, towards: &Towards<S>) -> S::Real {
+pub(super) fn weight<S: Scalar>(material: &Material<S>, site: &ShadingPoint<S>, towards: &Towards<S>) -> S::Real {
     if material.specular <= S::ZERO {
         return S::Real::ZERO;
     }

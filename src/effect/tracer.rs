@@ -4,9 +4,9 @@ use super::called_for::{EffectError, missing};
 use super::compiled::{All, Effects};
 use super::cutoff::{self, DEPTH, brightest};
 use super::set::{Effect, EffectSet};
-use super::site::Site;
-use super::work::Work;
-use super::{Sight, ambient, bump, diffuse, fog, reflection, refraction, shadow, specular, texture};
+use super::shading_point::ShadingPoint;
+use super::trace_context::TraceContext;
+use super::{Sample, ambient, bump, diffuse, fog, reflection, refraction, shadow, specular, texture};
 use crate::hit::Crossing;
 use crate::ray::Ray;
 use crate::scalar::{Ring, Scalar};
@@ -22,7 +22,7 @@ const FAINT: i32 = -7;
 /// Computes what rays see in a scene, with the effects `E` compiled in, in the scene's accuracy tier `T`.
 ///
 /// ```
-/// # use raylet::{Camera, Color, Light, Material, Object, Ray, Scene, Shape, Sphere, Tracer, UnitVec3, Vec3, Work};
+/// # use raylet::{Camera, Color, Light, Material, Object, Ray, Scene, Shape, Sphere, Tracer, UnitVec3, Vec3, TraceContext};
 /// # use raylet::effect::{Diffuse, Shadows};
 /// # let y = Vec3::new(0.0_f32, 1.0, 0.0);
 /// # let camera = Camera::new(Vec3::new(0.0, 0.0, 5.0), Vec3::ZERO, y, 40.0)?;
@@ -33,7 +33,7 @@ const FAINT: i32 = -7;
 /// let ray = Ray::new(Vec3::new(0.0, 0.0, 5.0), -UnitVec3::Z)?;
 ///
 /// let tracer = Tracer::<f32, (Diffuse, Shadows)>::try_new(&scene)?;
-/// assert_eq!(tracer.look(&ray, &mut Work::<()>::default()).color.red, 0.5);
+/// assert_eq!(tracer.look(&ray, &mut TraceContext::<()>::default()).color.red, 0.5);
 /// let error = Tracer::<f32, (Diffuse,)>::try_new(&scene).unwrap_err();
 /// assert_eq!(error.to_string(), "object 0 calls for shadows, which is not compiled in: name `Shadows` among the effects");
 /// # Ok::<(), raylet::Error>(())
@@ -138,23 +138,28 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
 
     /// What a ray sees: the radiance from the nearest surface, with reflection and refraction, or that of the background.
     ///
-    /// Rays and tests are counted in `work`. A ray whose light could not change the colour's eight-bit
+    /// Rays and tests are counted in `context`. A ray whose light could not change the colour's eight-bit
     /// level is not cast; see [`effect`](crate::effect#the-cut-off).
-    pub fn look<O: Observer>(&self, ray: &Ray<S>, work: &mut Work<O>) -> Sight<S> {
-        self.look_in_levels(ray, Levels::Srgb, work)
+    pub fn look<O: Observer>(&self, ray: &Ray<S>, context: &mut TraceContext<O>) -> Sample<S> {
+        self.look_in_levels(ray, Levels::Srgb, context)
     }
 
     /// As [`Tracer::look`], with other levels for the cut-off, for displays and for sums of samples.
-    pub(crate) fn look_in_levels<O: Observer>(&self, ray: &Ray<S>, levels: Levels, work: &mut Work<O>) -> Sight<S> {
+    pub(crate) fn look_in_levels<O: Observer>(
+        &self,
+        ray: &Ray<S>,
+        levels: Levels,
+        context: &mut TraceContext<O>,
+    ) -> Sample<S> {
         let mut gathered = Gathered::new();
         if self.uses(Effect::Refraction) {
-            self.follow_tree(ray, &mut gathered, levels, work);
+            self.follow_tree(ray, &mut gathered, levels, context);
         } else if self.uses(Effect::Reflection) {
-            self.follow_chain(ray, &mut gathered, levels, work);
+            self.follow_chain(ray, &mut gathered, levels, context);
         } else {
-            self.meet(&Segment::from_eye(*ray), &mut gathered, work);
+            self.meet(&Segment::from_eye(*ray), &mut gathered, context);
         }
-        gathered.sight()
+        gathered.sample()
     }
 
     /// Upper bound of the light that rays of this weight contribute.
@@ -166,10 +171,16 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
     ///
     /// Not inlined, so that tracing a scene without reflection does not take its stack frame.
     #[inline(never)]
-    fn follow_chain<O: Observer>(&self, ray: &Ray<S>, gathered: &mut Gathered<S>, levels: Levels, work: &mut Work<O>) {
+    fn follow_chain<O: Observer>(
+        &self,
+        ray: &Ray<S>,
+        gathered: &mut Gathered<S>,
+        levels: Levels,
+        context: &mut TraceContext<O>,
+    ) {
         let mut next = Some(Segment::from_eye(*ray));
         while let Some(segment) = next {
-            [next, _] = self.meet(&segment, gathered, work);
+            [next, _] = self.meet(&segment, gathered, context);
             next = next.filter(|next| {
                 let left = self.at_most(S::unit_real(next.weight));
                 self.uncut || !cutoff::is_settled::<S>(gathered.light, left, levels)
@@ -182,13 +193,19 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
     /// Rays of small weight are deferred, and cast last in order of decreasing weight. Not inlined, so that tracing a scene without refraction
     /// takes no stack for the lists.
     #[inline(never)]
-    fn follow_tree<O: Observer>(&self, ray: &Ray<S>, gathered: &mut Gathered<S>, levels: Levels, work: &mut Work<O>) {
+    fn follow_tree<O: Observer>(
+        &self,
+        ray: &Ray<S>,
+        gathered: &mut Gathered<S>,
+        levels: Levels,
+        context: &mut TraceContext<O>,
+    ) {
         let faint = S::unit_round(S::Real::ONE.scaled(FAINT));
         let mut waiting = heapless::Vec::<Segment<S>, { DEPTH as usize + 1 }>::new();
         let mut aside = heapless::Vec::<Segment<S>, { DEPTH as usize }>::new();
         let mut next = Some(Segment::from_eye(*ray));
         while let Some(segment) = next {
-            for mut onward in self.meet(&segment, gathered, work).into_iter().flatten() {
+            for mut onward in self.meet(&segment, gathered, context).into_iter().flatten() {
                 if onward.weight < faint && !self.uncut {
                     match aside.push(onward) {
                         Ok(()) => continue,
@@ -214,20 +231,20 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         &self,
         segment: &Segment<S>,
         gathered: &mut Gathered<S>,
-        work: &mut Work<O>,
+        context: &mut TraceContext<O>,
     ) -> [Option<Segment<S>>; 2] {
         match segment.cause {
-            Some(Effect::Reflection) => work.counters.reflection_rays += 1,
-            Some(_) => work.counters.refraction_rays += 1,
+            Some(Effect::Reflection) => context.counters.reflection_rays += 1,
+            Some(_) => context.counters.refraction_rays += 1,
             None => {}
         }
-        let on = self.scene.nearest_for(&segment.ray, &mut work.counters, &mut work.observer);
+        let on = self.scene.nearest_for(&segment.ray, &mut context.counters, &mut context.observer);
         if segment.cause.is_none() {
             gathered.first = on;
         }
         let mut weight = S::unit_real(segment.weight);
         if self.uses(Effect::Fog) && !segment.enclosed {
-            weight = self.through_fog(weight, on.map(|on| on.hit.t), gathered, work);
+            weight = self.through_fog(weight, on.map(|on| on.hit.t), gathered, context);
         }
         let Some(on) = on else {
             gathered.add(self.scene.background(), weight);
@@ -241,11 +258,11 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         if !self.is_seen(material) {
             return [None, None];
         }
-        work.counters.hits_refined += 1;
+        context.counters.hits_refined += 1;
         let surface = object.shape.surface(&segment.ray, &on.hit);
-        let mut site = Site::new(self.scene, object, &surface, &segment.ray, &on);
-        let color = self.dress(material, &surface, &mut site, work);
-        let lit_by = self.shade(material, color, &site, weight, gathered, work);
+        let mut site = ShadingPoint::new(self.scene, object, &surface, &segment.ray, &on);
+        let color = self.dress(material, &surface, &mut site, context);
+        let lit_by = self.shade(material, color, &site, weight, gathered, context);
         if segment.cause.is_none() {
             gathered.lit_by = lit_by;
         }
@@ -273,10 +290,10 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         weight: S::Real,
         t: Option<S>,
         gathered: &mut Gathered<S>,
-        work: &mut Work<O>,
+        context: &mut TraceContext<O>,
     ) -> S::Real {
         let Some(haze) = self.scene.fog() else { return weight };
-        work.counters.fogged_rays += 1;
+        context.counters.fogged_rays += 1;
         let visible = weight * fog::visibility(haze, t);
         gathered.add(haze.color(), weight - visible);
         visible
@@ -288,8 +305,8 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         &self,
         material: &Material<S>,
         surface: &Surface<S, K>,
-        site: &mut Site<S>,
-        work: &mut Work<O>,
+        site: &mut ShadingPoint<S>,
+        context: &mut TraceContext<O>,
     ) -> Color<S> {
         let pattern = if self.uses(Effect::Texture) { self.scene.texture(material) } else { None };
         let waves = if self.uses(Effect::Bump) { material.bump.filter(Waves::are_visible) } else { None };
@@ -298,11 +315,11 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         }
         let uv = surface.uv();
         if let Some(waves) = waves {
-            work.counters.bumps += 1;
+            context.counters.bumps += 1;
             site.normal = bump::bent(&waves, surface, uv, site.normal, site.from_outside);
         }
         pattern.map_or(material.color, |pattern| {
-            work.counters.texture_lookups += 1;
+            context.counters.texture_lookups += 1;
             material.color.times(texture::color(pattern, uv, || surface.uvw()))
         })
     }
@@ -314,10 +331,10 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         &self,
         material: &Material<S>,
         color: Color<S>,
-        site: &Site<S>,
+        site: &ShadingPoint<S>,
         weight: S::Real,
         gathered: &mut Gathered<S>,
-        work: &mut Work<O>,
+        context: &mut TraceContext<O>,
     ) -> u32 {
         let mut lit_by = 0;
         if self.uses(Effect::Ambient) {
@@ -341,7 +358,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
                 |own: S::Unit, strength: S| (S::unit_real(own) * scattered + mirrored) * strength.real() * weight;
             let light_of = [channel(own_red, red), channel(own_green, green), channel(own_blue, blue)];
             if Color::<S>::from(light_of.map(S::unit_round)) == Color::BLACK
-                || self.uses(Effect::Shadows) && shadow::is_shadowed(self.scene, site, index, &towards, work)
+                || self.uses(Effect::Shadows) && shadow::is_shadowed(self.scene, site, index, &towards, context)
             {
                 continue;
             }
@@ -356,7 +373,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         &self,
         segment: &Segment<S>,
         material: &Material<S>,
-        site: &Site<S>,
+        site: &ShadingPoint<S>,
         crossing: Crossing,
         weight: S::Real,
     ) -> [Option<Segment<S>>; 2] {
@@ -449,8 +466,8 @@ impl<S: Scalar> Gathered<S> {
         self.gather(color.to_array().map(|channel| S::unit_real(channel) * weight));
     }
 
-    fn sight(&self) -> Sight<S> {
-        Sight {
+    fn sample(&self) -> Sample<S> {
+        Sample {
             color: self.light.map(S::unit_round).into(),
             seen: self.first.map(|on| (on.object, on.hit.part)),
             lit_by: self.lit_by,

@@ -4,12 +4,12 @@
 //!
 //! ```
 //! use raylet::gallery::BuiltIn;
-//! use raylet::{Picture, Size, Work};
+//! use raylet::{Picture, Size, TraceContext};
 //!
 //! let stage = BuiltIn::StillLife.build::<f32>().expect("every number type holds it");
 //! let scene = stage.scene()?;
 //! let picture = Picture::new(&scene, Size::new(40, 30));
-//! assert_ne!(picture.pixel(20, 15, &mut Work::new(())).color, stage.background);
+//! assert_ne!(picture.pixel(20, 15, &mut TraceContext::new(())).color, stage.background);
 //! # Ok::<(), raylet::scene::SceneError>(())
 //! ```
 

@@ -4,9 +4,9 @@
 //! which is the second step of fixed point. Rays that these cannot decide are computed in wider and wider numbers, until every sign is certain.
 
 use super::{climb, fast_or_rare, holds};
-use crate::exact::{Certain, Effort, Exact};
+use crate::equations::{Described, Equations};
+use crate::exact::{Exact, ExactScalar, Precision};
 use crate::fast::Guards;
-use crate::figure::{Described, Figure};
 use crate::geometry::Geometry;
 use crate::intersection::Intersection;
 use crate::line::Place;
@@ -42,19 +42,19 @@ macro_rules! solve_exactly {
             fn climb<G: Geometry<$S>>(geometry: &G, place: &impl Place<$S>, ray: &Ray<$S>) -> Intersection<$S> {
                 if !starts_in_doubles(place) {
                     match fast_in_doubles(geometry, place, ray) {
-                        Attempt::Found(intersection) => return intersection,
+                        Attempt::Hit(intersection) => return intersection,
                         Attempt::Miss => return Intersection::Miss,
                         Attempt::Unsure => {}
                     }
                 }
-                let (intersection, _) = exactly::<$S, G>(&geometry.figure(), place, ray);
+                let (intersection, _) = exactly::<$S, G>(&geometry.equations(), place, ray);
                 intersection
             }
             fn contains<G: Geometry<$S>>(geometry: &G, place: &impl Place<$S>, point: Vec3<$S>) -> bool {
-                let figure = geometry.figure();
-                holds::<$S, <$S as Certain>::Filter, G>(&figure, place, point)
-                    .or_else(|| holds::<$S, <$S as Certain>::Bounded, G>(&figure, place, point))
-                    .or_else(|| holds::<$S, <$S as Certain>::Integer, G>(&figure, place, point))
+                let equations = geometry.equations();
+                holds::<$S, <$S as ExactScalar>::Filter, G>(&equations, place, point)
+                    .or_else(|| holds::<$S, <$S as ExactScalar>::Bounded, G>(&equations, place, point))
+                    .or_else(|| holds::<$S, <$S as ExactScalar>::Integer, G>(&equations, place, point))
                     .unwrap_or(false)
             }
         }
@@ -65,11 +65,15 @@ solve_exactly!(f32);
 solve_exactly!(fixed::FixedI32<F>, F: fixed::types::extra::LeEqU32);
 
 /// The precision that an exact result needs.
-pub(crate) fn effort<S: Certain, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Effort {
+pub(crate) fn precision<S: ExactScalar, G: Geometry<S>>(
+    geometry: &G,
+    place: &impl Place<S>,
+    ray: &Ray<S>,
+) -> Precision {
     let in_integers = if starts_in_doubles(place) { Attempt::Unsure } else { fast_in_integers(geometry, place, ray) };
     match (in_integers, fast_in_doubles(geometry, place, ray)) {
-        (Attempt::Unsure, Attempt::Unsure) => exactly::<S, G>(&geometry.figure(), place, ray).1,
-        _ => Effort::Filter,
+        (Attempt::Unsure, Attempt::Unsure) => exactly::<S, G>(&geometry.equations(), place, ray).1,
+        _ => Precision::Filter,
     }
 }
 
@@ -90,7 +94,7 @@ impl Guards for Certainly {
 
 /// The fast path of `Exact`: that of doubles. Its guards assume 40 correct bits of 53, so that their decisions are certain.
 #[inline(always)]
-fn fast_in_doubles<S: Certain, G: Geometry<S>>(
+fn fast_in_doubles<S: ExactScalar, G: Geometry<S>>(
     geometry: &G,
     place: &impl Place<S>,
     ray: &Ray<S>,
@@ -106,7 +110,7 @@ fn fast_in_doubles<S: Certain, G: Geometry<S>>(
         Some(if t < start || t > end { beyond } else { S::from_f64(t).unwrap_or(beyond) })
     };
     match intersection.try_map(settled) {
-        Some(intersection) => Attempt::Found(intersection),
+        Some(intersection) => Attempt::Hit(intersection),
         None => Attempt::Unsure,
     }
 }
@@ -128,7 +132,7 @@ fn fast_in_integers<S: Scalar, G: Geometry<S>>(
             || !(is_doubtful(start) || is_doubtful(end) || (ray.departure().is_some() && is_doubtful(S::ZERO)))
     };
     match intersection.try_map(|t| is_certain(t).then_some(t)) {
-        Some(intersection) => Attempt::Found(intersection),
+        Some(intersection) => Attempt::Hit(intersection),
         None => Attempt::Unsure,
     }
 }
@@ -143,25 +147,29 @@ fn is_close(t: f64, bound: f64) -> bool {
 
 /// The intersection where the fast path is unsure, and the precision that was needed.
 #[inline(never)]
-fn exactly<S: Certain, G: Described>(
-    figure: &Figure<S>,
+fn exactly<S: ExactScalar, G: Described>(
+    equations: &Equations<S>,
     place: &impl Place<S>,
     ray: &Ray<S>,
-) -> (Intersection<S>, Effort) {
-    if let Some(intersection) = climb::<S, S::Filter, G>(figure, place, ray) {
-        return (intersection, Effort::Filter);
+) -> (Intersection<S>, Precision) {
+    if let Some(intersection) = climb::<S, S::Filter, G>(equations, place, ray) {
+        return (intersection, Precision::Filter);
     }
-    match climb::<S, S::Bounded, G>(figure, place, ray) {
-        Some(intersection) => (intersection, Effort::Filter),
-        None => (in_integers::<S, G>(figure, place, ray), Effort::Integers),
+    match climb::<S, S::Bounded, G>(equations, place, ray) {
+        Some(intersection) => (intersection, Precision::Filter),
+        None => (in_integers::<S, G>(equations, place, ray), Precision::Integers),
     }
 }
 
 #[cold]
 #[inline(never)]
-fn in_integers<S: Certain, G: Described>(figure: &Figure<S>, place: &impl Place<S>, ray: &Ray<S>) -> Intersection<S> {
+fn in_integers<S: ExactScalar, G: Described>(
+    equations: &Equations<S>,
+    place: &impl Place<S>,
+    ray: &Ray<S>,
+) -> Intersection<S> {
     // Integers know every sign, so that there is always a result.
-    let intersection = climb::<S, S::Integer, G>(figure, place, ray);
+    let intersection = climb::<S, S::Integer, G>(equations, place, ray);
     debug_assert!(intersection.is_some());
     intersection.unwrap_or(Intersection::Miss)
 }

@@ -1,8 +1,8 @@
 //! The capsule: a cylinder with round ends, all points within `r` of the segment from the origin to (0, height, 0).
 
 use super::{Geometry, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates};
+use crate::equations::{Described, EquationKinds, Equations};
 use crate::fast::Guards;
-use crate::figure::{Described, Figure, Figures};
 use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
@@ -80,10 +80,10 @@ impl<S: Scalar> Capsule<S> {
         let (part, centre) = match found!(S::fast_seams(*line, tube, self.height)) {
             Ordering::Less => (Part::Base, S::ZERO),
             Ordering::Greater => (Part::Top, self.height),
-            Ordering::Equal => return Attempt::Found(End::new(tube, Part::Side)),
+            Ordering::Equal => return Attempt::Hit(End::new(tube, Part::Side)),
         };
         let t = found!(of_ball(&found!(S::fast_lowered(*line, centre)), part));
-        Attempt::Found(End::new(t, part))
+        Attempt::Hit(End::new(t, part))
     }
 
     /// The point of the axis's segment nearest to a point of the part.
@@ -101,7 +101,7 @@ impl<S: Copy> Capsule<S> {
 }
 
 impl<S> Described for Capsule<S> {
-    const FIGURES: Figures = Figures::CAPSULE;
+    const EQUATIONS: EquationKinds = EquationKinds::CAPSULE;
 }
 
 impl<S: Scalar> Geometry<S> for Capsule<S> {
@@ -111,12 +111,12 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
     fn in_type<R: Including<S>>(&self) -> Self::In<R> {
         self.map(R::exactly)
     }
-    fn reach(&self) -> S {
+    fn bounding_radius(&self) -> S {
         self.radius.plus(self.height)
     }
 
     #[inline(always)]
-    fn girth(&self) -> Option<S> {
+    fn radius_about_axis(&self) -> Option<S> {
         Some(self.radius)
     }
 
@@ -128,9 +128,9 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
     fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
         let [low, high] = found!(S::fast_tube(*line, self.radius));
         let ball = |line: &LocalLine<S>| S::fast_ball(*line, self.radius, T::GUARDED, T::STRICT);
-        let enter = found!(self.fast_end(line, low, |line, _| Attempt::Found(found!(ball(line))[0])));
-        let exit = found!(self.fast_end(line, high, |line, _| Attempt::Found(found!(ball(line))[1])));
-        Attempt::Found(if enter.t > exit.t { Intersection::Miss } else { Intersection::One(Span::new(enter, exit)) })
+        let enter = found!(self.fast_end(line, low, |line, _| Attempt::Hit(found!(ball(line))[0])));
+        let exit = found!(self.fast_end(line, high, |line, _| Attempt::Hit(found!(ball(line))[1])));
+        Attempt::Hit(if enter.t > exit.t { Intersection::Miss } else { Intersection::One(Span::new(enter, exit)) })
     }
 
     #[inline(always)]
@@ -145,12 +145,12 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
                 return S::fast_exit_from_round(line, true);
             }
             let [_, high] = found!(S::fast_ball(*line, self.radius, T::GUARDED, T::STRICT));
-            Attempt::Found(high)
+            Attempt::Hit(high)
         })
     }
 
-    fn figure(&self) -> Figure<S> {
-        Figure::Capsule { radius: self.radius, height: self.height }
+    fn equations(&self) -> Equations<S> {
+        Equations::Capsule { radius: self.radius, height: self.height }
     }
 
     fn hull(&self) -> Hull<S> {

@@ -4,8 +4,8 @@
 
 use super::outline::{Outline, Profile, checked_slope};
 use super::{Geometry, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates};
+use crate::equations::{self, Described, EquationKinds, Equations, Side};
 use crate::fast::{Guards, Slab, between_rims};
-use crate::figure::{self, Described, Figure, Figures, Side};
 use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
 use crate::line::Place;
@@ -167,7 +167,7 @@ impl<S: Scalar> Cone<S> {
                 between.exit = End::none(S::INFINITY);
             }
         }
-        Attempt::Found(slab)
+        Attempt::Hit(slab)
     }
 }
 
@@ -190,7 +190,7 @@ impl<S: Copy> Cone<S> {
 }
 
 impl<S> Described for Cone<S> {
-    const FIGURES: Figures = Figures::CONE.and(Figures::DOUBLE_CONE);
+    const EQUATIONS: EquationKinds = EquationKinds::CONE.and(EquationKinds::DOUBLE_CONE);
 }
 
 impl<S: Scalar> Geometry<S> for Cone<S> {
@@ -201,7 +201,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         self.map(R::exactly, R::exactly)
     }
 
-    fn reach(&self) -> S {
+    fn bounding_radius(&self) -> S {
         match (self.outline, self.height()) {
             (Outline::Radii(base, top, height), _) => base.plus(top).plus(height),
             (Outline::Slope(slope), Some(height)) => S::round(slope.real() * height.real()).plus(height),
@@ -211,7 +211,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
     }
 
     #[inline(always)]
-    fn girth(&self) -> Option<S> {
+    fn radius_about_axis(&self) -> Option<S> {
         match self.outline {
             Outline::Radii(base, top, _) => Some(if base > top { base } else { top }),
             // The product of a slope and a height would cost too much in fixed point.
@@ -247,7 +247,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         if let (Extent::Double, Outline::Slope(slope)) = (self.extent, self.outline) {
             let ([first, second], beyond) = found!(S::fast_double_cone(*line, slope));
             let (first, second) = (End::new(first, Part::Side), End::new(second, Part::Side));
-            return Attempt::Found(if beyond {
+            return Attempt::Hit(if beyond {
                 let (until, from) = (End::none(-S::INFINITY), End::none(S::INFINITY));
                 Intersection::Two(Span::new(until, first), Span::new(second, from))
             } else {
@@ -257,7 +257,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         let InNappe { ends: [low, high], certain } = found!(S::fast_nappe(*line, self.fast_outline()));
         let side = Span::new(End::new(low, Part::Side), End::new(high, Part::Side));
         let (Extent::Open(height) | Extent::Capped(height)) = self.extent else {
-            return if certain == [true; 2] { Attempt::Found(Intersection::One(side)) } else { Attempt::Unsure };
+            return if certain == [true; 2] { Attempt::Hit(Intersection::One(side)) } else { Attempt::Unsure };
         };
         let slab = found!(self.fast_slab(line, height));
         // An end of the nappe that is not certain must be cut off by the slab.
@@ -266,7 +266,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
             return Attempt::Unsure;
         }
         match self.extent {
-            Extent::Open(_) => Attempt::Found(between_rims(side, slab.span)),
+            Extent::Open(_) => Attempt::Hit(between_rims(side, slab.span)),
             _ => slab.clip(side),
         }
     }
@@ -279,7 +279,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
                 // The chord stays in the nappe in which it begins. The lower nappe is the mirror image of the upper one.
                 let line = if line.origin[1] < S::ZERO { line.mirrored() } else { *line };
                 let exit = found!(S::fast_exit_from_nappe(&line, self.fast_outline()));
-                return Attempt::Found(End::new(exit, Part::Side));
+                return Attempt::Hit(End::new(exit, Part::Side));
             }
             Extent::Nappe | Extent::Capped(_) => {}
         }
@@ -290,7 +290,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
             (ends[1], certain[1])
         };
         let side = End::new(side, Part::Side);
-        let Extent::Capped(height) = self.extent else { return Attempt::Found(side) };
+        let Extent::Capped(height) = self.extent else { return Attempt::Hit(side) };
         let slab = found!(self.fast_slab(line, height));
         // An end of the nappe that is not certain must be cut off by the slab. The error of an end that follows from the rounded coordinates of a
         // start on a cap may be some units larger than promised for floats.
@@ -298,21 +298,21 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         if is_good || slab.span.exit.t < side.t { slab.exit(side, from) } else { Attempt::Unsure }
     }
 
-    fn figure(&self) -> Figure<S> {
+    fn equations(&self) -> Equations<S> {
         let side = match self.outline {
             Outline::Slope(slope) => Side::Slope(slope),
             Outline::Radii(base, top, height) => Side::Radii(base, top, height),
         };
         let extent = match (self.extent, self.outline) {
-            (Extent::Double, Outline::Slope(slope)) => return Figure::DoubleCone { slope },
-            (Extent::Double | Extent::Nappe, _) => figure::Extent::Infinite,
-            (Extent::Open(height), _) => figure::Extent::Open(height),
+            (Extent::Double, Outline::Slope(slope)) => return Equations::DoubleCone { slope },
+            (Extent::Double | Extent::Nappe, _) => equations::Extent::Infinite,
+            (Extent::Open(height), _) => equations::Extent::Open(height),
             (Extent::Capped(_), _) => {
                 let (low, high) = self.planes();
-                figure::Extent::Capped(low, high)
+                equations::Extent::Capped(low, high)
             }
         };
-        Figure::Round { side, extent }
+        Equations::Round { side, extent }
     }
 
     fn hull(&self) -> Hull<S> {

@@ -1,8 +1,8 @@
 //! The cuboid: `|x| <= h_x`, `|y| <= h_y`, `|z| <= h_z`.
 
 use super::{Geometry, SizeError, checked_size, queries, surface_coordinates as coordinates};
+use crate::equations::{Described, EquationKinds, Equations};
 use crate::fast::Guards;
-use crate::figure::{Described, Figure, Figures};
 use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
 use crate::line::Place;
@@ -76,7 +76,7 @@ fn face<U: UnitScalar>(axis: usize, d: [U; 3], leaves: bool) -> Part {
 }
 
 impl<S> Described for Cuboid<S> {
-    const FIGURES: Figures = Figures::CUBOID;
+    const EQUATIONS: EquationKinds = EquationKinds::CUBOID;
 }
 
 impl<S: Scalar> Geometry<S> for Cuboid<S> {
@@ -88,7 +88,7 @@ impl<S: Scalar> Geometry<S> for Cuboid<S> {
     }
 
     /// The sum of the half extents, which is no less than the half diagonal.
-    fn reach(&self) -> S {
+    fn bounding_radius(&self) -> S {
         let [x, y, z] = self.half;
         x.plus(y).plus(z)
     }
@@ -109,7 +109,7 @@ impl<S: Scalar> Geometry<S> for Cuboid<S> {
     fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
         let InCuboid { ends: [enter, exit], axes } = found!(S::fast_cuboid(line, self.half));
         let end = |t: S, axis: usize, leaves: bool| End::new(t, face(axis, line.direction, leaves));
-        Attempt::Found(Intersection::One(Span::new(end(enter, axes[0], false), end(exit, axes[1], true))))
+        Attempt::Hit(Intersection::One(Span::new(end(enter, axes[0], false), end(exit, axes[1], true))))
     }
 
     #[inline(always)]
@@ -120,11 +120,11 @@ impl<S: Scalar> Geometry<S> for Cuboid<S> {
             return Attempt::Unsure;
         }
         let (t, axis) = found!(S::fast_exit_from_cuboid(line, self.half));
-        Attempt::Found(End::new(t, face(axis, line.direction, true)))
+        Attempt::Hit(End::new(t, face(axis, line.direction, true)))
     }
 
-    fn figure(&self) -> Figure<S> {
-        Figure::Cuboid { half: self.half }
+    fn equations(&self) -> Equations<S> {
+        Equations::Cuboid { half: self.half }
     }
 
     fn hull(&self) -> Hull<S> {

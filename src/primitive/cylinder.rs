@@ -1,9 +1,9 @@
 //! The cylinder about the y axis: `x^2 + z^2 = r^2`.
 
 use super::{Geometry, SizeError, checked_size, queries, surface_coordinates as coordinates};
+use crate::equations::{self, Described, EquationKinds, Equations, Side};
 use crate::fast::Guards;
 use crate::fast::{Slab, between_rims};
-use crate::figure::{self, Described, Figure, Figures, Side};
 use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
@@ -93,7 +93,7 @@ impl<S: Copy> Cylinder<S> {
 }
 
 impl<S> Described for Cylinder<S> {
-    const FIGURES: Figures = Figures::TUBE;
+    const EQUATIONS: EquationKinds = EquationKinds::TUBE;
 }
 
 impl<S: Scalar> Geometry<S> for Cylinder<S> {
@@ -104,12 +104,12 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
         self.map(R::exactly)
     }
 
-    fn reach(&self) -> S {
+    fn bounding_radius(&self) -> S {
         self.height().map_or(self.radius, |height| self.radius.plus(height))
     }
 
     #[inline(always)]
-    fn girth(&self) -> Option<S> {
+    fn radius_about_axis(&self) -> Option<S> {
         Some(self.radius)
     }
 
@@ -122,14 +122,14 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
         let [low, high] = found!(S::fast_tube(*line, self.radius));
         let side = Span::new(End::new(low, Part::Side), End::new(high, Part::Side));
         let (Extent::Open(height) | Extent::Capped(height)) = self.extent else {
-            return Attempt::Found(Intersection::One(side));
+            return Attempt::Hit(Intersection::One(side));
         };
         let slab = found!(Slab::new(line, S::ZERO, height));
         if slab.is_close_to(&side) {
             return Attempt::Unsure;
         }
         match self.extent {
-            Extent::Open(_) => Attempt::Found(between_rims(side, slab.span)),
+            Extent::Open(_) => Attempt::Hit(between_rims(side, slab.span)),
             _ => slab.clip(side),
         }
     }
@@ -143,19 +143,19 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
         };
         let side = End::new(side, Part::Side);
         match self.extent {
-            Extent::Infinite => Attempt::Found(side),
+            Extent::Infinite => Attempt::Hit(side),
             Extent::Open(_) => Attempt::Unsure,
             Extent::Capped(height) => found!(Slab::new(line, S::ZERO, height)).exit(side, from),
         }
     }
 
-    fn figure(&self) -> Figure<S> {
+    fn equations(&self) -> Equations<S> {
         let extent = match self.extent {
-            Extent::Infinite => figure::Extent::Infinite,
-            Extent::Open(height) => figure::Extent::Open(height),
-            Extent::Capped(height) => figure::Extent::Capped(Some(S::ZERO), Some(height)),
+            Extent::Infinite => equations::Extent::Infinite,
+            Extent::Open(height) => equations::Extent::Open(height),
+            Extent::Capped(height) => equations::Extent::Capped(Some(S::ZERO), Some(height)),
         };
-        Figure::Round { side: Side::Straight(self.radius), extent }
+        Equations::Round { side: Side::Straight(self.radius), extent }
     }
 
     fn hull(&self) -> Hull<S> {

@@ -1,9 +1,9 @@
 //! The disc in the plane `y = 0`.
 
 use super::{Geometry, SizeError, checked_size, queries, surface_coordinates as coordinates};
+use crate::equations::{Described, EquationKinds, Equations};
 use crate::fast::Guards;
 use crate::fast::surface_hit;
-use crate::figure::{Described, Figure, Figures};
 use crate::geometry::Hull;
 use crate::intersection::Intersection;
 use crate::part::Part;
@@ -49,7 +49,7 @@ impl<S: Copy> Disc<S> {
 }
 
 impl<S> Described for Disc<S> {
-    const FIGURES: Figures = Figures::DISC;
+    const EQUATIONS: EquationKinds = EquationKinds::DISC;
 }
 
 impl<S: Scalar> Geometry<S> for Disc<S> {
@@ -59,7 +59,7 @@ impl<S: Scalar> Geometry<S> for Disc<S> {
     fn in_type<R: Including<S>>(&self) -> Self::In<R> {
         self.map(R::exactly)
     }
-    fn reach(&self) -> S {
+    fn bounding_radius(&self) -> S {
         self.radius
     }
 
@@ -70,11 +70,11 @@ impl<S: Scalar> Geometry<S> for Disc<S> {
     #[inline(always)]
     fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
         let t = found!(S::fast_disc(*line, self.radius));
-        Attempt::Found(surface_hit(t, line.direction[1] < S::Unit::ZERO))
+        Attempt::Hit(surface_hit(t, line.direction[1] < S::Unit::ZERO))
     }
 
-    fn figure(&self) -> Figure<S> {
-        Figure::Disc { radius: self.radius }
+    fn equations(&self) -> Equations<S> {
+        Equations::Disc { radius: self.radius }
     }
 
     fn hull(&self) -> Hull<S> {

@@ -1,9 +1,9 @@
 //! The plane `y = 0`.
 
 use super::{Geometry, queries, surface_coordinates as coordinates};
+use crate::equations::{Described, EquationKinds, Equations};
 use crate::fast::Guards;
 use crate::fast::surface_hit;
-use crate::figure::{Described, Figure, Figures};
 use crate::geometry::Hull;
 use crate::intersection::Intersection;
 use crate::part::Part;
@@ -34,7 +34,7 @@ impl<S: Scalar> Plane<S> {
 }
 
 impl<S> Described for Plane<S> {
-    const FIGURES: Figures = Figures::PLANE;
+    const EQUATIONS: EquationKinds = EquationKinds::PLANE;
 }
 
 impl<S: Scalar> Geometry<S> for Plane<S> {
@@ -45,7 +45,7 @@ impl<S: Scalar> Geometry<S> for Plane<S> {
         Plane::new()
     }
 
-    fn reach(&self) -> S {
+    fn bounding_radius(&self) -> S {
         S::ZERO
     }
 
@@ -56,8 +56,8 @@ impl<S: Scalar> Geometry<S> for Plane<S> {
     #[inline(always)]
     fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
         match S::fast_crossings(*line, [S::ZERO; 2]) {
-            Attempt::Found(([t, _], [off, _])) if S::is_good(line, t, off) => {
-                Attempt::Found(surface_hit(t, line.direction[1] < S::Unit::ZERO))
+            Attempt::Hit(([t, _], [off, _])) if S::is_good(line, t, off) => {
+                Attempt::Hit(surface_hit(t, line.direction[1] < S::Unit::ZERO))
             }
             // A line parallel to the plane may lie in it.
             _ => Attempt::Unsure,
@@ -69,15 +69,15 @@ impl<S: Scalar> Geometry<S> for Plane<S> {
     fn fast_occlusion<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<()> {
         let (y, dy) = (line.origin[1], line.direction[1]);
         let moves_away = if y < S::ZERO { dy <= S::Unit::ZERO } else { y > S::ZERO && dy >= S::Unit::ZERO };
-        if !S::RELATIVE && line.finer == 0 && moves_away {
+        if !S::RELATIVE && line.extra_bits == 0 && moves_away {
             return Attempt::Miss;
         }
         let meeting = found!(self.fast_intersection::<T>(line));
-        if meeting.nearest(Range::FORWARD, |_| true).is_some() { Attempt::Found(()) } else { Attempt::Miss }
+        if meeting.nearest(Range::FORWARD, |_| true).is_some() { Attempt::Hit(()) } else { Attempt::Miss }
     }
 
-    fn figure(&self) -> Figure<S> {
-        Figure::Plane
+    fn equations(&self) -> Equations<S> {
+        Equations::Plane
     }
 
     fn hull(&self) -> Hull<S> {

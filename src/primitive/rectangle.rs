@@ -1,8 +1,8 @@
 //! The rectangle in the plane `y = 0`.
 
 use super::{Geometry, SizeError, checked_size, queries, surface_coordinates as coordinates};
+use crate::equations::{Described, EquationKinds, Equations};
 use crate::fast::{Guards, surface_hit};
-use crate::figure::{Described, Figure, Figures};
 use crate::geometry::Hull;
 use crate::intersection::Intersection;
 use crate::part::Part;
@@ -44,7 +44,7 @@ impl<S: Scalar> Rectangle<S> {
 }
 
 impl<S> Described for Rectangle<S> {
-    const FIGURES: Figures = Figures::RECTANGLE;
+    const EQUATIONS: EquationKinds = EquationKinds::RECTANGLE;
 }
 
 impl<S: Scalar> Geometry<S> for Rectangle<S> {
@@ -56,7 +56,7 @@ impl<S: Scalar> Geometry<S> for Rectangle<S> {
     }
 
     /// The sum of the half extents, which is no less than the half diagonal.
-    fn reach(&self) -> S {
+    fn bounding_radius(&self) -> S {
         let [x, z] = self.half;
         x.plus(z)
     }
@@ -68,11 +68,11 @@ impl<S: Scalar> Geometry<S> for Rectangle<S> {
     #[inline(always)]
     fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
         let t = found!(S::fast_rectangle(*line, self.half));
-        Attempt::Found(surface_hit(t, line.direction[1] < S::Unit::ZERO))
+        Attempt::Hit(surface_hit(t, line.direction[1] < S::Unit::ZERO))
     }
 
-    fn figure(&self) -> Figure<S> {
-        Figure::Rectangle { half: self.half }
+    fn equations(&self) -> Equations<S> {
+        Equations::Rectangle { half: self.half }
     }
 
     fn hull(&self) -> Hull<S> {

@@ -1,8 +1,8 @@
 //! The sphere about the origin: `x^2 + y^2 + z^2 = r^2`.
 
 use super::{Geometry, SizeError, checked_size, queries, surface_coordinates as coordinates};
+use crate::equations::{Described, EquationKinds, Equations};
 use crate::fast::Guards;
-use crate::figure::{Described, Figure, Figures};
 use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
 use crate::line::Place;
@@ -52,7 +52,7 @@ impl<S: Copy> Sphere<S> {
 }
 
 impl<S> Described for Sphere<S> {
-    const FIGURES: Figures = Figures::BALL;
+    const EQUATIONS: EquationKinds = EquationKinds::BALL;
 }
 
 impl<S: Scalar> Geometry<S> for Sphere<S> {
@@ -62,7 +62,7 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
     fn in_type<R: Including<S>>(&self) -> Self::In<R> {
         self.map(R::exactly)
     }
-    fn reach(&self) -> S {
+    fn bounding_radius(&self) -> S {
         self.radius
     }
 
@@ -87,7 +87,7 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
     #[inline(always)]
     fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
         let [low, high] = found!(S::fast_ball(*line, self.radius, T::GUARDED, T::STRICT));
-        Attempt::Found(Intersection::One(Span::new(End::new(low, Part::Side), End::new(high, Part::Side))))
+        Attempt::Hit(Intersection::One(Span::new(End::new(low, Part::Side), End::new(high, Part::Side))))
     }
 
     #[inline(always)]
@@ -97,11 +97,11 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
 
     #[inline(always)]
     fn fast_exit<T: Guards>(&self, line: &LocalLine<S>, _: Part) -> Attempt<End<S>> {
-        Attempt::Found(End::new(found!(S::fast_exit_from_round(line, true)), Part::Side))
+        Attempt::Hit(End::new(found!(S::fast_exit_from_round(line, true)), Part::Side))
     }
 
-    fn figure(&self) -> Figure<S> {
-        Figure::Ball { radius: self.radius }
+    fn equations(&self) -> Equations<S> {
+        Equations::Ball { radius: self.radius }
     }
 
     fn hull(&self) -> Hull<S> {

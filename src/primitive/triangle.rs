@@ -6,9 +6,9 @@
 //! edge. Where rounding may decide the sign of a volume, the fast path is unsure and the solver decides (`solve::flat`).
 
 use super::{Geometry, SizeError, queries, surface_coordinates as coordinates};
+use crate::equations::{Described, EquationKinds, Equations};
 use crate::fast::Guards;
 use crate::fast::surface_hit;
-use crate::figure::{Described, Figure, Figures};
 use crate::geometry::Hull;
 use crate::intersection::Intersection;
 use crate::line::Place;
@@ -54,7 +54,7 @@ impl<S: Scalar> Triangle<S> {
     /// The edges from the first vertex, scaled by a power of two to lengths near 1, so that their products stay in range.
     fn edges(&self) -> [[S::Real; 3]; 2] {
         let [a, b, c] = self.vertices;
-        let e = S::binary_exponent(self.reach());
+        let e = S::binary_exponent(self.bounding_radius());
         let [a, b, c] = [a, b, c].map(|vertex| vertex.to_array().map(|component| component.scaled(-e)));
         [difference::<S, S::Real>(b, a, S::real), difference::<S, S::Real>(c, a, S::real)]
     }
@@ -66,7 +66,7 @@ impl<S: Scalar> Triangle<S> {
 
     /// Barycentric weights of the second and the third vertex, for a point of the triangle's plane.
     pub(crate) fn barycentric(&self, point: Vec3<S>) -> (S::Unit, S::Unit) {
-        let e = S::binary_exponent(self.reach());
+        let e = S::binary_exponent(self.bounding_radius());
         let [p, a] = [point, self.vertices[0]].map(|v| v.to_array().map(|component| component.scaled(-e)));
         let (to_point, [e1, e2]) = (difference::<S, S::Real>(p, a, S::real), self.edges());
         let normal = cross(e1, e2);
@@ -85,7 +85,7 @@ fn dot<R: Real>(a: [R; 3], b: [R; 3]) -> R {
 }
 
 impl<S> Described for Triangle<S> {
-    const FIGURES: Figures = Figures::TRIANGLE;
+    const EQUATIONS: EquationKinds = EquationKinds::TRIANGLE;
 }
 
 impl<S: Scalar> Geometry<S> for Triangle<S> {
@@ -97,7 +97,7 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
     }
 
     /// The largest coordinate of a vertex.
-    fn reach(&self) -> S {
+    fn bounding_radius(&self) -> S {
         let [a, b, c] = self.vertices;
         largest([a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z])
     }
@@ -130,11 +130,11 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
         let [a, b, c] = self.vertices;
         let vertices = if line.is_relative { [Vec3::ZERO, b - a, c - a] } else { self.vertices };
         let (t, from_front) = found!(S::fast_triangle(*line, vertices.map(Vec3::to_array)));
-        Attempt::Found(surface_hit(t, from_front))
+        Attempt::Hit(surface_hit(t, from_front))
     }
 
-    fn figure(&self) -> Figure<S> {
-        Figure::Triangle { vertices: self.vertices.map(Vec3::to_array) }
+    fn equations(&self) -> Equations<S> {
+        Equations::Triangle { vertices: self.vertices.map(Vec3::to_array) }
     }
 
     fn hull(&self) -> Hull<S> {

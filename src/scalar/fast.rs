@@ -1,6 +1,6 @@
 //! The fast path: intersection in the number type's own width. Where it is unsure, the solver decides.
 
-use super::{Numbers, Rests};
+use super::{Numbers, OptionalLowWords};
 use core::cmp::Ordering;
 use core::ops::Neg;
 
@@ -10,7 +10,7 @@ pub enum Attempt<T> {
     /// The line misses.
     Miss,
     /// The result.
-    Found(T),
+    Hit(T),
     /// A guard fails: the solver decides.
     Unsure,
 }
@@ -49,7 +49,7 @@ pub struct InCuboid<S> {
 macro_rules! found {
     ($attempt:expr) => {
         match $attempt {
-            $crate::scalar::Attempt::Found(answer) => answer,
+            $crate::scalar::Attempt::Hit(answer) => answer,
             $crate::scalar::Attempt::Miss => return $crate::scalar::Attempt::Miss,
             $crate::scalar::Attempt::Unsure => return $crate::scalar::Attempt::Unsure,
         }
@@ -76,7 +76,7 @@ pub(crate) fn within_edges<E, V: Copy + PartialOrd + Neg<Output = V>>(
     if third * first < 0 || third * second < 0 {
         Attempt::Miss
     } else if first * second * third != 0 {
-        Attempt::Found(third < 0)
+        Attempt::Hit(third < 0)
     } else {
         Attempt::Unsure
     }
@@ -86,16 +86,16 @@ pub(crate) fn within_edges<E, V: Copy + PartialOrd + Neg<Output = V>>(
 #[expect(clippy::struct_excessive_bools, reason = "properties that do not depend on each other")]
 #[derive(Clone, Copy, Debug)]
 pub struct LocalLine<S: Numbers> {
-    /// The origin, in units of `2^-finer` of the type's.
+    /// The origin, in units of `2^-extra_bits` of the type's.
     pub origin: [S; 3],
     /// Extra bits of the origin below the type's unit; for floats 1 if the line has been rounded.
-    pub finer: i32,
+    pub extra_bits: i32,
     /// The direction.
     pub direction: [S::Unit; 3],
     /// The low words of both: in floats, for spheres and for double-word numbers.
-    pub rests: S::Rests,
+    pub low_words: S::LowWords,
     /// With an affine placement, the ray's `t` divided by the line's (one over the length of the transformed direction); otherwise unused.
-    pub pace: S,
+    pub inverse_length: S,
     /// The ray's `t` at the line's origin.
     pub start: S,
     /// True if the line is accurate enough only to decide a miss.
@@ -107,7 +107,7 @@ pub struct LocalLine<S: Numbers> {
     pub is_relative: bool,
     /// True if the components of a float line are computed, and not the ray's own: each has an error of one rounding, plus `off`.
     pub is_rounded: bool,
-    /// True for a float line for which a guard of the plain formulas has failed: round solids are intersected in double-word numbers, with `rests`.
+    /// True for a float line for which a guard of the plain formulas has failed: round solids are intersected in double-word numbers, with `low_words`.
     pub is_doubled: bool,
     /// True for the tier [`Exact`](crate::tier::Exact): a result that passes the guards is certain, except that `t` is rounded, by less than a unit.
     /// `f32` then computes in doubles, in which nearly all rays pass; fixed point computes in its own 32 bits.
@@ -123,10 +123,10 @@ impl<S: Numbers + Copy> LocalLine<S> {
     pub(crate) const fn along(origin: [S; 3], direction: [S::Unit; 3], zero: S) -> Self {
         Self {
             origin,
-            finer: 0,
+            extra_bits: 0,
             direction,
-            rests: S::Rests::NONE,
-            pace: zero,
+            low_words: S::LowWords::NONE,
+            inverse_length: zero,
             start: zero,
             is_coarse: false,
             off: [zero, zero],
@@ -146,7 +146,7 @@ impl<S: super::Scalar> LocalLine<S> {
         let mut line = *self;
         line.origin[1] = -line.origin[1];
         line.direction[1] = -line.direction[1];
-        line.rests = line.rests.mirrored();
+        line.low_words = line.low_words.mirrored();
         line
     }
 }
@@ -159,12 +159,12 @@ pub struct FinerLine<S: Numbers> {
     /// Extra bits of the unit of length below the type's.
     pub scale: i32,
     /// The ray's `t` divided by the line's, in the type's unit over the line's.
-    pub pace: Pace,
+    pub inverse_length: InverseLength,
 }
 
 /// A ratio of lengths, at most a half: `digits * 2^-shift`, or `(digits * 2^32 + below) * 2^-shift` for the types of 64 bits.
 #[derive(Clone, Copy, Debug)]
-pub struct Pace {
+pub struct InverseLength {
     /// At least 2^31.
     pub digits: u32,
     /// The digits below these; zero for the types of 32 bits.
@@ -334,7 +334,7 @@ pub trait FastPath: Numbers {
         None
     }
 
-    /// The same for fixed point, for a solid whose lengths are at most `reach`. `None` if they do not fit.
+    /// The same for fixed point, for a solid whose lengths are at most `bounding_radius`. `None` if they do not fit.
     #[inline(always)]
     fn fast_stretched_finely(
         _o: [Self; 3],
@@ -358,7 +358,7 @@ pub trait FastPath: Numbers {
         None
     }
 
-    /// Reduces the extra bits of the origin in fixed point so far that lengths up to the solid's bounding radius `reach` fit in the same unit.
+    /// Reduces the extra bits of the origin in fixed point so far that lengths up to the solid's bounding radius `bounding_radius` fit in the same unit.
     #[inline(always)]
     fn fast_fit(_line: &mut LocalLine<Self>, _reach: Self) {}
 

@@ -36,7 +36,7 @@ macro_rules! fixed {
         impl<F: $LeEq + Send + Sync + 'static> Numbers for $Fixed<F> {
             type Unit = $Fixed<$UnitBits>;
             type Real = $Block;
-            type Rests = ();
+            type LowWords = ();
         }
 
         impl<F: $LeEq + Send + Sync + 'static> Scalar for $Fixed<F> {
@@ -336,7 +336,7 @@ fixed!(
         fn direction(v: [Block64; 3]) -> Option<[Self::Unit; 3]> {
             // Rounded to 31 bits of the longest component, which adds an error of half a unit.
             match Self::fast_direction(Self::finest(v).0) {
-                Attempt::Found(direction) => Some(direction),
+                Attempt::Hit(direction) => Some(direction),
                 Attempt::Miss => None,
                 Attempt::Unsure => Self::normalize(v).map(|(direction, _)| direction),
             }

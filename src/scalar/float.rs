@@ -19,7 +19,7 @@ macro_rules! float {
         impl Numbers for $Float {
             type Unit = $Float;
             type Real = $Float;
-            type Rests = LowWords<$Float>;
+            type LowWords = LowWords<$Float>;
         }
 
         impl Scalar for $Float {

@@ -50,7 +50,7 @@ mod floats;
 mod including;
 #[cfg(feature = "fixed")]
 mod integers;
-mod rests;
+mod low_words;
 mod rungs;
 pub(crate) mod slabs;
 #[cfg(feature = "libm")]
@@ -65,9 +65,9 @@ pub use fixed::{DISTANCE_BITS, SIZE_BITS};
 pub use crate::number::Ring;
 pub use computing::{Computing, Elementary};
 pub(crate) use fast::found;
-pub use fast::{Attempt, FastPath, FinerLine, InCuboid, InNappe, LocalLine, NappeOutline, Pace};
+pub use fast::{Attempt, FastPath, FinerLine, InCuboid, InNappe, InverseLength, LocalLine, NappeOutline};
 pub use including::Including;
-pub use rests::{LowWords, Rests};
+pub use low_words::{LowWords, OptionalLowWords};
 pub use rungs::{FromScalar, ToScalar};
 pub use twofold::Twofold;
 pub use value::ValueError;
@@ -151,7 +151,7 @@ pub trait Numbers:
     /// The number to compute in.
     type Real: Real + written::ForSerde;
     /// The low words of a line, which are its rounding errors; a type without values for fixed point.
-    type Rests: Rests<Self>;
+    type LowWords: OptionalLowWords<Self>;
 }
 
 /// The type of a direction's components that belongs to the coordinate type `S`.

@@ -57,13 +57,13 @@ macro_rules! slabs {
                 let margin = ($Float::abs(cx) + $Float::abs(cy) + $Float::abs(cz)) * PART + TINY;
                 let (mut first, mut last) = (start, end);
                 for (c, h, reciprocal) in [(cx, hx, ix), (cy, hy, iy), (cz, hz, iz)] {
-                    let (middle, reach) = (c * reciprocal, (h + margin) * $Float::abs(reciprocal));
+                    let (middle, bounding_radius) = (c * reciprocal, (h + margin) * $Float::abs(reciprocal));
                     // A comparison with NaN is false.
-                    if middle - reach > first {
-                        first = middle - reach;
+                    if middle - bounding_radius > first {
+                        first = middle - bounding_radius;
                     }
-                    if middle + reach < last {
-                        last = middle + reach;
+                    if middle + bounding_radius < last {
+                        last = middle + bounding_radius;
                     }
                 }
                 // If a value has overflowed, beyond some 2^106, the result is no miss.
@@ -115,9 +115,9 @@ mod in_integers {
         let (mut first, mut last) = (start, end);
         for (c, h, reciprocal) in [(cx, hx, ix), (cy, hy, iy), (cz, hz, iz)] {
             // Two products of at most 2^61 each.
-            let (middle, reach) = (product(c, reciprocal), product(h + margin, reciprocal.abs()));
-            first = first.max(middle - reach);
-            last = last.min(middle + reach);
+            let (middle, bounding_radius) = (product(c, reciprocal), product(h + margin, reciprocal.abs()));
+            first = first.max(middle - bounding_radius);
+            last = last.min(middle + bounding_radius);
         }
         first > last
     }

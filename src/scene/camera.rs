@@ -131,8 +131,8 @@ impl<S: Scalar> Camera<S> {
         if !target.is_within_budget() {
             return Err(CameraError::Target);
         }
-        let sight = difference(target, position);
-        let forward = UnitVec3::from_real(sight).ok_or(CameraError::Target)?;
+        let sample = difference(target, position);
+        let forward = UnitVec3::from_real(sample).ok_or(CameraError::Target)?;
         let up = UnitVec3::new(up).map_err(|_| CameraError::Up)?;
         let right = UnitVec3::from_real(forward.cross(up)).ok_or(CameraError::Up)?;
         let up = UnitVec3::from_real(right.cross(forward)).ok_or(CameraError::Up)?;

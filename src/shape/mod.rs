@@ -25,7 +25,7 @@ pub use surface::Surface;
 pub use visible::Visible;
 
 use crate::bounds;
-use crate::exact::Certain;
+use crate::exact::ExactScalar;
 use crate::frame::Frame;
 use crate::geometry::{Bounds, Geometry};
 use crate::hit::{Hit, Hits};
@@ -33,7 +33,7 @@ use crate::ladder;
 use crate::line::InWorld;
 use crate::ray::Ray;
 use crate::scalar::Scalar;
-use crate::tier::{Effort, Stable, Tier};
+use crate::tier::{Precision, Stable, Tier};
 use crate::vector::Vec3;
 use core::fmt;
 use kinds::{All, Chosen, Kind, KindError, Kinds, OfKind};
@@ -86,17 +86,17 @@ macro_rules! through {
 
 /// [`through`], but a sphere, a disc or a triangle that is not placed by an [`Affine`](crate::Affine) is passed as its own type. Their fast paths are
 /// short enough to be compiled into the query: calls, and copies of lines and intersections, would cost more than the arithmetic does.
-macro_rules! shortly {
+macro_rules! through_inline {
     ($shape:ident, |$primitive:ident, $place:ident| $query:expr) => {
         match ($shape.primitive(), matches!($shape.placement, Placement::Affine(_))) {
             (Primitive::Sphere($primitive), false) if K::SET.contains(Kind::Sphere) => {
-                shortly!($shape.placement, |$place| $query)
+                through_inline!($shape.placement, |$place| $query)
             }
             (Primitive::Disc($primitive), false) if K::SET.contains(Kind::Disc) => {
-                shortly!($shape.placement, |$place| $query)
+                through_inline!($shape.placement, |$place| $query)
             }
             (Primitive::Triangle($primitive), false) if K::SET.contains(Kind::Triangle) => {
-                shortly!($shape.placement, |$place| $query)
+                through_inline!($shape.placement, |$place| $query)
             }
             _ => through!($shape, |$primitive, $place| $query),
         }
@@ -225,7 +225,7 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
     /// The visible hit with the smallest `t`, in a chosen accuracy tier.
     pub fn nearest_at<T: Tier<S>>(&self, ray: &Ray<S>) -> Option<Hit<S>> {
         let accept = |crossing| self.visible.sees(crossing);
-        shortly!(self, |short, place| T::nearest(short, &self.member, place, ray, accept))
+        through_inline!(self, |primitive, place| T::nearest(primitive, &self.member, place, ray, accept))
     }
 
     /// True if there is any visible hit.
@@ -236,7 +236,7 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
     /// True if there is any visible hit, in a chosen accuracy tier.
     pub fn occludes_at<T: Tier<S>>(&self, ray: &Ray<S>) -> bool {
         let accept = |crossing| self.visible.sees(crossing);
-        shortly!(self, |short, place| T::occludes(short, &self.member, place, ray, accept))
+        through_inline!(self, |primitive, place| T::occludes(primitive, &self.member, place, ray, accept))
     }
 
     /// True if the point belongs to the shape: inside or on a solid, on an open surface.
@@ -250,11 +250,11 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
     }
 
     /// The precision that the tier [`Exact`](crate::tier::Exact) uses to decide this ray.
-    pub fn effort(&self, ray: &Ray<S>) -> Effort
+    pub fn precision(&self, ray: &Ray<S>) -> Precision
     where
-        S: Certain,
+        S: ExactScalar,
     {
-        through!(self, |primitive, place| ladder::effort(primitive, place, ray))
+        through!(self, |primitive, place| ladder::precision(primitive, place, ray))
     }
 
     /// The axis-aligned bounding box. It contains every point of the shape, with position, axes or matrix and sizes taken exactly as
@@ -272,7 +272,7 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
     /// let rod = Shape::new(Capsule::new(1.0_f64, 3.0)?);
     /// let leaning = UnitVec3::new(Vec3::new(1.0, 1.0, 0.0)).expect("it is not zero");
     /// let box_of_it = rod.placed(Frame::from_base_and_axis(Vec3::ZERO, leaning)?).bounds();
-    /// // 3 / sqrt(2) + 1, and 1: the box of the unplaced box would reach up to 5 / sqrt(2).
+    /// // 3 / sqrt(2) + 1, and 1: the box of the unplaced box would bounding_radius up to 5 / sqrt(2).
     /// assert!(box_of_it.high.x < 3.122 && box_of_it.high.z < 1.000_001);
     /// # Ok::<(), raylet::Error>(())
     /// ```

@@ -3,8 +3,8 @@
 use super::kinds::{Kind, KindSet, Kinds};
 use super::{Shape, Surface};
 use crate::bounds;
+use crate::equations::{Described, EquationKinds, Equations};
 use crate::fast::Guards;
-use crate::figure::{Described, Figure, Figures};
 use crate::geometry::{Bounds, Geometry, Hull};
 use crate::hit::Hit;
 use crate::intersection::{End, Intersection};
@@ -81,15 +81,15 @@ macro_rules! primitives {
             }
         )+
 
-        /// The figures of the primitives of a set.
-        const fn figures(kinds: KindSet) -> Figures {
-            let mut figures = Figures::NONE;
+        /// The kinds of equations of the primitives of a set.
+        const fn kind(kinds: KindSet) -> EquationKinds {
+            let mut kind = EquationKinds::NONE;
             $(
                 if kinds.contains(Kind::$Variant) {
-                    figures = figures.and(<$Variant<f32> as Described>::FIGURES);
+                    kind = kind.and(<$Variant<f32> as Described>::EQUATIONS);
                 }
             )+
-            figures
+            kind
         }
 
         /// Evaluates an expression with the primitive in its own type; another expression for a primitive that is not among the kinds, which no shape
@@ -144,7 +144,7 @@ impl<S: Scalar, K: Kinds> Member<S, K> {
 }
 
 impl<S: Scalar, K: Kinds> Described for Member<S, K> {
-    const FIGURES: Figures = figures(K::SET);
+    const EQUATIONS: EquationKinds = kind(K::SET);
 }
 
 impl<S: Scalar, K: Kinds> Geometry<S> for Member<S, K> {
@@ -154,12 +154,12 @@ impl<S: Scalar, K: Kinds> Geometry<S> for Member<S, K> {
     fn in_type<R: Including<S>>(&self) -> Self::In<R> {
         map!(self, |p| p.in_type(), Member::new(Primitive::Plane(Plane::new())))
     }
-    fn reach(&self) -> S {
-        with!(self, |p| p.reach(), S::ZERO)
+    fn bounding_radius(&self) -> S {
+        with!(self, |p| p.bounding_radius(), S::ZERO)
     }
     #[inline(always)]
-    fn girth(&self) -> Option<S> {
-        with!(self, |p| p.girth(), None)
+    fn radius_about_axis(&self) -> Option<S> {
+        with!(self, |p| p.radius_about_axis(), None)
     }
     fn scaled(&self, e: i32) -> Self {
         map!(self, |p| p.scaled(e), *self)
@@ -199,8 +199,8 @@ impl<S: Scalar, K: Kinds> Geometry<S> for Member<S, K> {
     fn fast_exit<T: Guards>(&self, line: &LocalLine<S>, from: Part) -> Attempt<End<S>> {
         with!(self, |p| p.fast_exit::<T>(line, from), Attempt::Miss)
     }
-    fn figure(&self) -> Figure<S> {
-        with!(self, |p| p.figure(), Figure::Plane)
+    fn equations(&self) -> Equations<S> {
+        with!(self, |p| p.equations(), Equations::Plane)
     }
     fn hull(&self) -> Hull<S> {
         with!(self, |p| p.hull(), Hull::Ball(S::ZERO))

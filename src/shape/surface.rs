@@ -4,7 +4,7 @@ use super::kinds::{All, Kind, Kinds};
 use super::primitive::Member;
 use super::{Placement, Shape, through};
 use crate::affine::Affine;
-use crate::figure::Figure;
+use crate::equations::Equations;
 use crate::frame::Frame;
 use crate::geometry::Geometry;
 use crate::hit::{Crossing, Hit};
@@ -146,7 +146,7 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
     }
 
     fn is_ball(&self) -> bool {
-        ladder::is_ball::<S, Member<S, K>>(&self.shape.member.figure())
+        ladder::is_ball::<S, Member<S, K>>(&self.shape.member.equations())
     }
 
     /// The error of the rounded `t`, by one Newton step. `None` in fixed point, which has no bits for it, and if the step is not accurate to a few
@@ -156,18 +156,18 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         if !S::RELATIVE {
             return None;
         }
-        let (shape, part, figure) = (&self.shape, self.hit.part, self.shape.member.figure());
+        let (shape, part, equations) = (&self.shape, self.hit.part, self.shape.member.equations());
         // In a frame the local point is computed in twice the precision: its rounding would be amplified.
         let (point, direction) = if let Placement::World = shape.placement {
             (rough.real().map(Twofold::of), self.ray.direction().real().map(Twofold::of))
         } else {
             let line: Line<Twofold<S::Real>> =
-                through!(shape, |_primitive, place| ladder::line::<S, _, Member<S, K>>(&figure, place, &self.ray));
+                through!(shape, |_primitive, place| ladder::line::<S, _, Member<S, K>>(&equations, place, &self.ray));
             let t = <Twofold<S::Real> as FromScalar<S>>::scalar(self.hit.t);
             (solve::point_at(&line, t), line.direction)
         };
         let [p, d] = [point, direction].map(|vector| vector.map(|component| component.high));
-        let gradient = solve::gradient::<S, _, Member<S, K>>(&figure, part, p, S::real);
+        let gradient = solve::gradient::<S, _, Member<S, K>>(&equations, part, p, S::real);
         let (slope, squares, square) = (dot(gradient, d), dot(gradient, gradient), dot(d, d));
         // The line leaves the surface by more than 14 degrees, so that the rounding of the local point changes the result by a few units, and the
         // terms of the equation do not underflow.
@@ -176,7 +176,7 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         if !(is_steep && squares >= S::Real::ONE.scaled(-90)) {
             return None;
         }
-        let value = solve::value::<S, _, Member<S, K>>(&figure, part, point, |size| Twofold::of(size.real()));
+        let value = solve::value::<S, _, Member<S, K>>(&equations, part, point, |size| Twofold::of(size.real()));
         let step = -value.high / slope.scaled(1);
         let length = step.abs();
         // The error after the step is about its square over the radius of curvature.
@@ -196,7 +196,7 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
 
     fn gradient_at(&self, point: [S::Real; 3]) -> Option<UnitVec3<S>> {
         UnitVec3::from_real(solve::gradient::<S, _, Member<S, K>>(
-            &self.shape.member.figure(),
+            &self.shape.member.equations(),
             self.hit.part,
             point,
             S::real,
@@ -212,19 +212,19 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         };
         let Correction { point, direction, step } = correction;
         let point = pairs(point, direction).map(|(p, d)| p + d * Twofold::of(step));
-        let figure = self.shape.member.figure();
+        let equations = self.shape.member.equations();
         let gradient =
-            solve::gradient::<S, _, Member<S, K>>(&figure, self.hit.part, point, |size: S| Twofold::of(size.real()));
+            solve::gradient::<S, _, Member<S, K>>(&equations, self.hit.part, point, |size: S| Twofold::of(size.real()));
         UnitVec3::from_real(affine.gradient_to_world(gradient).map(|component| component.high))
     }
 
     /// The hit's `t` in the robust number.
-    fn exact_t(&self, figure: &Figure<S>) -> (Line<S::Robust>, S::Robust) {
+    fn exact_t(&self, equations: &Equations<S>) -> (Line<S::Robust>, S::Robust) {
         let shape = &self.shape;
-        let line = through!(shape, |_primitive, place| ladder::line::<S, _, Member<S, K>>(figure, place, &self.ray));
+        let line = through!(shape, |_primitive, place| ladder::line::<S, _, Member<S, K>>(equations, place, &self.ray));
         let t = <S::Robust as FromScalar<S>>::scalar(self.hit.t);
         let correction =
-            solve::correction::<S, _, Member<S, K>>(figure, &self.hit, solve::point_at(&line, t), line.direction);
+            solve::correction::<S, _, Member<S, K>>(equations, &self.hit, solve::point_at(&line, t), line.direction);
         // A correction of many units is not one of a rounding error: the tier is `Fast`, or rule 8 has put the hit at the start.
         let most = S::last_place(t.top().unwrap_or(i32::MIN / 2)) + 6;
         let is_rounding = correction.top().is_none_or(|top| top <= most);
@@ -233,7 +233,7 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
 
     #[cold]
     fn exact_local_point(&self) -> Vec3<S> {
-        let (_, t) = self.exact_t(&self.shape.member.figure());
+        let (_, t) = self.exact_t(&self.shape.member.equations());
         let shape = &self.shape;
         let [origin, direction] = through!(shape, |_primitive, place| place.line::<S::Robust>(&self.ray));
         rounded(solve::point_at(&Line { origin, direction, departure: None }, t))
@@ -241,7 +241,7 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
 
     #[cold]
     fn exact_point(&self) -> Vec3<S> {
-        let (_, t) = self.exact_t(&self.shape.member.figure());
+        let (_, t) = self.exact_t(&self.shape.member.equations());
         let [origin, direction] = InWorld.line::<S::Robust>(&self.ray);
         rounded(solve::point_at(&Line { origin, direction, departure: None }, t))
     }
@@ -250,9 +250,9 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
     /// the world's axes.
     #[cold]
     fn exact_gradient(&self) -> [S::Robust; 3] {
-        let figure = self.shape.member.figure();
-        let (line, t) = self.exact_t(&figure);
-        solve::gradient::<S, _, Member<S, K>>(&figure, self.hit.part, solve::point_at(&line, t), S::Robust::scalar)
+        let equations = self.shape.member.equations();
+        let (line, t) = self.exact_t(&equations);
+        solve::gradient::<S, _, Member<S, K>>(&equations, self.hit.part, solve::point_at(&line, t), S::Robust::scalar)
     }
 
     /// The normal at the exact hit; `None` at an apex.

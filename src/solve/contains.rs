@@ -3,21 +3,21 @@
 use super::flat::is_zero;
 use super::form::{Ball, Cone, Form, Homogeneous, Quadric, Tube, Weight};
 use super::settle::Of;
-use crate::figure::{Described, Extent, Figure, Figures};
+use crate::equations::{Described, EquationKinds, Equations, Extent};
 use crate::number::{Number, cross, difference, dot};
 use crate::scalar::Scalar;
 use core::cmp::Ordering;
 
-/// True if the point belongs to the closed set. Only the tests for figures of the geometry `G` are linked.
-pub(crate) fn holds<S: Scalar, N: Of<S>, G: Described>(figure: &Figure<S>, point: [N; 3]) -> Option<bool> {
+/// True if the point belongs to the closed set. Only the tests for the kinds of equations of the geometry `G` are linked.
+pub(crate) fn holds<S: Scalar, N: Of<S>, G: Described>(equations: &Equations<S>, point: [N; 3]) -> Option<bool> {
     let here = Homogeneous { v: point, w: Weight::One };
     let [_, y, _] = point;
     let is_inside = |form: Form<N>, p: Homogeneous<N>| Some(form.at(p).sign()? != Ordering::Greater);
-    match *figure {
-        Figure::Ball { radius } if G::FIGURES.has(Figures::BALL) => {
+    match *equations {
+        Equations::Ball { radius } if G::EQUATIONS.has(EquationKinds::BALL) => {
             is_inside(Form::Ball(Ball { r: N::scalar(radius) }), here)
         }
-        Figure::Capsule { radius, height } if G::FIGURES.has(Figures::CAPSULE) => {
+        Equations::Capsule { radius, height } if G::EQUATIONS.has(EquationKinds::CAPSULE) => {
             let (r, height) = (N::scalar(radius), N::scalar(height));
             let below = y.sign()? == Ordering::Less;
             let above = (y - height).sign()? == Ordering::Greater;
@@ -25,10 +25,10 @@ pub(crate) fn holds<S: Scalar, N: Of<S>, G: Described>(figure: &Figure<S>, point
             let seen = Homogeneous { v: [x, if above { y - height } else { y }, z], w: Weight::One };
             is_inside(if below || above { Form::Ball(Ball { r }) } else { Form::Tube(Tube { r }) }, seen)
         }
-        Figure::DoubleCone { slope } if G::FIGURES.has(Figures::DOUBLE_CONE) => {
+        Equations::DoubleCone { slope } if G::EQUATIONS.has(EquationKinds::DOUBLE_CONE) => {
             is_inside(Form::Cone(Cone::slope(N::scalar(slope))), here)
         }
-        Figure::Round { side, extent } if G::FIGURES.has(Figures::TUBE.and(Figures::CONE)) => {
+        Equations::Round { side, extent } if G::EQUATIONS.has(EquationKinds::TUBE.and(EquationKinds::CONE)) => {
             let form = Form::of_side::<S, G>(side, N::scalar);
             let outline = match form {
                 Form::Ball(ball) => ball.outline(here),
@@ -53,11 +53,11 @@ pub(crate) fn holds<S: Scalar, N: Of<S>, G: Described>(figure: &Figure<S>, point
                 Ordering::Greater => false,
             })
         }
-        Figure::Plane if G::FIGURES.has(Figures::PLANE) => Some(y.sign()? == Ordering::Equal),
-        Figure::Disc { radius } if G::FIGURES.has(Figures::DISC) => {
+        Equations::Plane if G::EQUATIONS.has(EquationKinds::PLANE) => Some(y.sign()? == Ordering::Equal),
+        Equations::Disc { radius } if G::EQUATIONS.has(EquationKinds::DISC) => {
             Some(y.sign()? == Ordering::Equal && is_inside(Form::Tube(Tube { r: N::scalar(radius) }), here)?)
         }
-        Figure::Triangle { vertices } if G::FIGURES.has(Figures::TRIANGLE) => {
+        Equations::Triangle { vertices } if G::EQUATIONS.has(EquationKinds::TRIANGLE) => {
             let corners = vertices.map(|vertex| vertex.map(N::scalar));
             let [a, b, c] = corners.map(|corner| difference(corner, point));
             let normal = cross(difference(corners[1], corners[0]), difference(corners[2], corners[0]));
@@ -71,20 +71,20 @@ pub(crate) fn holds<S: Scalar, N: Of<S>, G: Described>(figure: &Figure<S>, point
             }
             Some(true)
         }
-        Figure::Cuboid { half } if G::FIGURES.has(Figures::CUBOID) => is_between(point, half.map(N::scalar)),
-        Figure::Rectangle { half: [x, z] } if G::FIGURES.has(Figures::RECTANGLE) => {
+        Equations::Cuboid { half } if G::EQUATIONS.has(EquationKinds::CUBOID) => is_between(point, half.map(N::scalar)),
+        Equations::Rectangle { half: [x, z] } if G::EQUATIONS.has(EquationKinds::RECTANGLE) => {
             is_between(point, [N::scalar(x), N::ZERO, N::scalar(z)])
         }
-        // The geometry has none of these figures.
-        Figure::Ball { .. }
-        | Figure::Capsule { .. }
-        | Figure::Round { .. }
-        | Figure::DoubleCone { .. }
-        | Figure::Plane
-        | Figure::Disc { .. }
-        | Figure::Cuboid { .. }
-        | Figure::Rectangle { .. }
-        | Figure::Triangle { .. } => Some(false),
+        // The geometry has no such equations.
+        Equations::Ball { .. }
+        | Equations::Capsule { .. }
+        | Equations::Round { .. }
+        | Equations::DoubleCone { .. }
+        | Equations::Plane
+        | Equations::Disc { .. }
+        | Equations::Cuboid { .. }
+        | Equations::Rectangle { .. }
+        | Equations::Triangle { .. } => Some(false),
     }
 }
 

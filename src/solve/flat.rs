@@ -40,8 +40,8 @@ pub(super) fn disc<S: Scalar, N: Of<S>>(line: &Line<N>, r: N, range: Range<S>) -
     if line.direction[1].sign()? != Ordering::Equal {
         // |p|^2 <= r^2 where the line crosses the plane, times dy^2.
         let [wx, _, wz] = number::cross(line.origin, line.direction);
-        let reach = r * line.direction[1];
-        let outside = N::sum([[wx, wx], [wz, wz], [-reach, reach]]).sign()? == Ordering::Greater;
+        let bounding_radius = r * line.direction[1];
+        let outside = N::sum([[wx, wx], [wz, wz], [-bounding_radius, bounding_radius]]).sign()? == Ordering::Greater;
         return if outside { Some(Intersection::Miss) } else { plane(line, range) };
     }
     match plane(line, range)? {

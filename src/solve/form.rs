@@ -1,6 +1,6 @@
 //! The line and the quadrics along it.
 
-use crate::figure::{Described, Figures, Side};
+use crate::equations::{Described, EquationKinds, Side};
 use crate::number::{Ring, cross};
 use crate::part::Part;
 use crate::ray::Leaving;
@@ -186,7 +186,7 @@ impl<N: Ring> Form<N> {
     /// The side's quadric, for a side that the geometry `G` has.
     #[inline(always)]
     pub(super) fn of_side<S, G: Described>(side: Side<S>, number: impl Fn(S) -> N) -> Self {
-        let is_cone = G::FIGURES.has(Figures::CONE);
+        let is_cone = G::EQUATIONS.has(EquationKinds::CONE);
         match side {
             Side::Slope(slope) if is_cone => Self::Cone(Cone::slope(number(slope))),
             Side::Radii(base, top, height) if is_cone => {

@@ -39,7 +39,7 @@ pub(crate) use form::Line;
 pub(crate) use settle::Of;
 pub(crate) use surface::{correction, gradient, point_at, value};
 
-use crate::figure::{Described, Figure, Figures};
+use crate::equations::{Described, EquationKinds, Equations};
 use crate::intersection::Intersection;
 use crate::part::Part;
 use crate::ray::{Leaving, Range};
@@ -48,54 +48,62 @@ use crate::scalar::Scalar;
 /// True if rule 8 of the contract implies that a departing ray misses, without any arithmetic: if it departs outwards from a convex
 /// solid, or from a flat primitive.
 #[inline(always)]
-pub(crate) fn meets_nothing<S>(figure: &Figure<S>, departure: Option<(Part, Leaving)>) -> bool {
-    match (departure, figure) {
+pub(crate) fn meets_nothing<S>(equations: &Equations<S>, departure: Option<(Part, Leaving)>) -> bool {
+    match (departure, equations) {
         (None, _) => false,
-        (_, Figure::Plane | Figure::Disc { .. } | Figure::Rectangle { .. } | Figure::Triangle { .. }) => true,
-        (_, Figure::DoubleCone { .. }) => false,
+        (_, Equations::Plane | Equations::Disc { .. } | Equations::Rectangle { .. } | Equations::Triangle { .. }) => {
+            true
+        }
+        (_, Equations::DoubleCone { .. }) => false,
         (Some((_, leaving)), _) => leaving == Leaving::Outwards,
     }
 }
 
-/// The intersection of the line with the figure; `None` if the number does not know a sign. [`meets_nothing`] must be false for a line
+/// The intersection of the line with a primitive; `None` if the number does not know a sign. [`meets_nothing`] must be false for a line
 /// that departs.
 ///
-/// Only the functions for figures of the geometry `G` are linked.
+/// Only the functions for the kinds of equations of the geometry `G` are linked.
 #[inline(always)]
 pub(crate) fn intersect<S: Scalar, N: Of<S>, G: Described>(
-    figure: &Figure<S>,
+    equations: &Equations<S>,
     line: &Line<N>,
     range: Range<S>,
 ) -> Option<Intersection<S>> {
-    match *figure {
-        Figure::Ball { radius } if G::FIGURES.has(Figures::BALL) => round::ball(line, N::scalar(radius), range),
-        Figure::Capsule { radius, height } if G::FIGURES.has(Figures::CAPSULE) => {
+    match *equations {
+        Equations::Ball { radius } if G::EQUATIONS.has(EquationKinds::BALL) => {
+            round::ball(line, N::scalar(radius), range)
+        }
+        Equations::Capsule { radius, height } if G::EQUATIONS.has(EquationKinds::CAPSULE) => {
             round::capsule(line, N::scalar(radius), N::scalar(height), range)
         }
-        Figure::Round { side, extent } if G::FIGURES.has(Figures::TUBE.and(Figures::CONE)) => {
+        Equations::Round { side, extent } if G::EQUATIONS.has(EquationKinds::TUBE.and(EquationKinds::CONE)) => {
             side::intersect::<S, N, G>(line, side, extent, range)
         }
-        Figure::DoubleCone { slope } if G::FIGURES.has(Figures::DOUBLE_CONE) => {
+        Equations::DoubleCone { slope } if G::EQUATIONS.has(EquationKinds::DOUBLE_CONE) => {
             round::double_cone(line, N::scalar(slope), range)
         }
-        Figure::Plane if G::FIGURES.has(Figures::PLANE) => flat::plane(line, range),
-        Figure::Disc { radius } if G::FIGURES.has(Figures::DISC) => flat::disc(line, N::scalar(radius), range),
-        Figure::Triangle { vertices } if G::FIGURES.has(Figures::TRIANGLE) => {
+        Equations::Plane if G::EQUATIONS.has(EquationKinds::PLANE) => flat::plane(line, range),
+        Equations::Disc { radius } if G::EQUATIONS.has(EquationKinds::DISC) => {
+            flat::disc(line, N::scalar(radius), range)
+        }
+        Equations::Triangle { vertices } if G::EQUATIONS.has(EquationKinds::TRIANGLE) => {
             flat::triangle(line, vertices.map(|vertex| vertex.map(N::scalar)), range)
         }
-        Figure::Cuboid { half } if G::FIGURES.has(Figures::CUBOID) => slabs::cuboid(line, half.map(N::scalar), range),
-        Figure::Rectangle { half } if G::FIGURES.has(Figures::RECTANGLE) => {
+        Equations::Cuboid { half } if G::EQUATIONS.has(EquationKinds::CUBOID) => {
+            slabs::cuboid(line, half.map(N::scalar), range)
+        }
+        Equations::Rectangle { half } if G::EQUATIONS.has(EquationKinds::RECTANGLE) => {
             slabs::rectangle(line, half.map(N::scalar), range)
         }
-        // The geometry has none of these figures. (A wildcard arm would cost a test: the compiler does not know that it is unreachable.)
-        Figure::Ball { .. }
-        | Figure::Capsule { .. }
-        | Figure::Round { .. }
-        | Figure::DoubleCone { .. }
-        | Figure::Plane
-        | Figure::Disc { .. }
-        | Figure::Cuboid { .. }
-        | Figure::Rectangle { .. }
-        | Figure::Triangle { .. } => Some(Intersection::Miss),
+        // The geometry has no such equations. (A wildcard arm would cost a test: the compiler does not know that it is unreachable.)
+        Equations::Ball { .. }
+        | Equations::Capsule { .. }
+        | Equations::Round { .. }
+        | Equations::DoubleCone { .. }
+        | Equations::Plane
+        | Equations::Disc { .. }
+        | Equations::Cuboid { .. }
+        | Equations::Rectangle { .. }
+        | Equations::Triangle { .. } => Some(Intersection::Miss),
     }
 }

@@ -3,7 +3,7 @@
 use super::form::{Form, Homogeneous, Line, Quadric, Weight};
 use super::quadratic::{End, Fraction, Inside, Interval, Place, Quadratic};
 use super::settle::{self, Of, inwards, span};
-use crate::figure::{Described, Extent, Figures, Side};
+use crate::equations::{Described, EquationKinds, Extent, Side};
 use crate::intersection::{self, Intersection, Span};
 use crate::number::Number;
 use crate::part::Part;
@@ -133,8 +133,8 @@ pub(super) fn intersect<S: Scalar, N: Of<S>, G: Described>(
     range: Range<S>,
 ) -> Option<Intersection<S>> {
     match Form::of_side::<S, G>(side, N::scalar) {
-        Form::Tube(tube) if G::FIGURES.has(Figures::TUBE) => within_a_side(line, tube, extent, range),
-        Form::Cone(cone) if G::FIGURES.has(Figures::CONE) => within_a_side(line, cone, extent, range),
+        Form::Tube(tube) if G::EQUATIONS.has(EquationKinds::TUBE) => within_a_side(line, tube, extent, range),
+        Form::Cone(cone) if G::EQUATIONS.has(EquationKinds::CONE) => within_a_side(line, cone, extent, range),
         // The geometry has no other side.
         _ => Some(Intersection::Miss),
     }

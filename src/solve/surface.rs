@@ -1,7 +1,7 @@
 //! The exact point of a hit on its surface, and the surface's gradient there.
 
 use super::form::{Ball, Cone, Form, Homogeneous, Line, Quadric, Tube, Weight};
-use crate::figure::{Described, Extent, Figure, Figures};
+use crate::equations::{Described, EquationKinds, Equations, Extent};
 use crate::hit::{Crossing, Hit};
 use crate::number::{Estimate, Ring, cross, difference, dot};
 use crate::part::Part;
@@ -19,32 +19,34 @@ enum Surface<N> {
 
 /// The surface of a part, and the height of its centre.
 fn surface_of<S: Copy, N: Ring, G: Described>(
-    figure: &Figure<S>,
+    equations: &Equations<S>,
     part: Part,
     number: impl Fn(S) -> N + Copy,
 ) -> (Surface<N>, N) {
-    let (zero, figures) = (N::ZERO, G::FIGURES);
+    let (zero, kind) = (N::ZERO, G::EQUATIONS);
     let ball = |radius: S| Surface::Quadric(Form::Ball(Ball { r: number(radius) }));
-    let surface = match *figure {
-        Figure::Ball { radius } if figures.has(Figures::BALL) => ball(radius),
-        Figure::Capsule { radius, height } if figures.has(Figures::CAPSULE) => match part {
+    let surface = match *equations {
+        Equations::Ball { radius } if kind.has(EquationKinds::BALL) => ball(radius),
+        Equations::Capsule { radius, height } if kind.has(EquationKinds::CAPSULE) => match part {
             Part::Base => ball(radius),
             Part::Top => return (ball(radius), number(height)),
             _ => Surface::Quadric(Form::Tube(Tube { r: number(radius) })),
         },
-        Figure::DoubleCone { slope } if figures.has(Figures::DOUBLE_CONE) => {
+        Equations::DoubleCone { slope } if kind.has(EquationKinds::DOUBLE_CONE) => {
             Surface::Quadric(Form::Cone(Cone::slope(number(slope))))
         }
-        Figure::Round { side, extent } if figures.has(Figures::TUBE.and(Figures::CONE)) => match (extent, part) {
-            (_, Part::Side) => Surface::Quadric(Form::of_side::<S, G>(side, number)),
-            (Extent::Open(height) | Extent::Capped(_, Some(height)), Part::Top) => Surface::Across(number(height)),
-            _ => Surface::Across(zero),
-        },
-        Figure::Triangle { vertices } if figures.has(Figures::TRIANGLE) => {
+        Equations::Round { side, extent } if kind.has(EquationKinds::TUBE.and(EquationKinds::CONE)) => {
+            match (extent, part) {
+                (_, Part::Side) => Surface::Quadric(Form::of_side::<S, G>(side, number)),
+                (Extent::Open(height) | Extent::Capped(_, Some(height)), Part::Top) => Surface::Across(number(height)),
+                _ => Surface::Across(zero),
+            }
+        }
+        Equations::Triangle { vertices } if kind.has(EquationKinds::TRIANGLE) => {
             let [a, b, c] = vertices.map(|vertex| vertex.map(number));
             Surface::Plane(a, cross(difference(b, a), difference(c, a)))
         }
-        Figure::Cuboid { half } if figures.has(Figures::CUBOID) => {
+        Equations::Cuboid { half } if kind.has(EquationKinds::CUBOID) => {
             let [x, y, z] = half;
             let one = N::ONE;
             let (vertex, normal) = match part {
@@ -58,15 +60,15 @@ fn surface_of<S: Copy, N: Ring, G: Described>(
             Surface::Plane(vertex, normal)
         }
         // A plane, a disc or a rectangle; the geometry has none of the others.
-        Figure::Ball { .. }
-        | Figure::Capsule { .. }
-        | Figure::Round { .. }
-        | Figure::DoubleCone { .. }
-        | Figure::Plane
-        | Figure::Disc { .. }
-        | Figure::Cuboid { .. }
-        | Figure::Rectangle { .. }
-        | Figure::Triangle { .. } => Surface::Across(zero),
+        Equations::Ball { .. }
+        | Equations::Capsule { .. }
+        | Equations::Round { .. }
+        | Equations::DoubleCone { .. }
+        | Equations::Plane
+        | Equations::Disc { .. }
+        | Equations::Cuboid { .. }
+        | Equations::Rectangle { .. }
+        | Equations::Triangle { .. } => Surface::Across(zero),
     };
     (surface, zero)
 }
@@ -82,12 +84,12 @@ fn quotient<N: Estimate>(numerator: N, denominator: N) -> N {
 /// The value of the equation `f` of a part's surface at a point, negative inside. For a flat part it is twice the distance times the length
 /// of its [`gradient`].
 pub(crate) fn value<S: Copy, N: Ring, G: Described>(
-    figure: &Figure<S>,
+    equations: &Equations<S>,
     part: Part,
     [x, y, z]: [N; 3],
     number: impl Fn(S) -> N + Copy,
 ) -> N {
-    let (surface, centre) = surface_of::<S, N, G>(figure, part, number);
+    let (surface, centre) = surface_of::<S, N, G>(equations, part, number);
     let p = [x, y - centre, z];
     match surface {
         Surface::Across(height) => {
@@ -109,14 +111,14 @@ pub(crate) fn value<S: Copy, N: Ring, G: Described>(
 /// The correction `x` of the `t` of a point `p` on the line along `d`, so that the point lies on the surface: the root of
 /// `f(t + x) = f + 2 h x + a x^2` at which `f` decreases, if the line enters, or increases, if it leaves.
 pub(crate) fn correction<S: Scalar, N: FromScalar<S> + Estimate, G: Described>(
-    figure: &Figure<S>,
+    equations: &Equations<S>,
     hit: &Hit<S>,
     p: [N; 3],
     d: [N; 3],
 ) -> N {
-    let f = value::<S, N, G>(figure, hit.part, p, N::scalar);
-    let h = dot(gradient::<S, N, G>(figure, hit.part, p, N::scalar), d);
-    let (Surface::Quadric(form), _) = surface_of::<S, N, G>(figure, hit.part, N::scalar) else {
+    let f = value::<S, N, G>(equations, hit.part, p, N::scalar);
+    let h = dot(gradient::<S, N, G>(equations, hit.part, p, N::scalar), d);
+    let (Surface::Quadric(form), _) = surface_of::<S, N, G>(equations, hit.part, N::scalar) else {
         return quotient(-f, h + h);
     };
     let along = Homogeneous { v: d, w: Weight::Zero };
@@ -147,12 +149,12 @@ pub(crate) fn point_at<N: Ring>(line: &Line<N>, t: N) -> [N; 3] {
 
 /// The outward normal at a point of a part, half the gradient of its equation; zero at an apex.
 pub(crate) fn gradient<S: Copy, N: Ring, G: Described>(
-    figure: &Figure<S>,
+    equations: &Equations<S>,
     part: Part,
     [x, y, z]: [N; 3],
     number: impl Fn(S) -> N + Copy,
 ) -> [N; 3] {
-    let (surface, centre) = surface_of::<S, N, G>(figure, part, number);
+    let (surface, centre) = surface_of::<S, N, G>(equations, part, number);
     let zero = N::ZERO;
     match surface {
         Surface::Quadric(Form::Ball(_)) => [x, y - centre, z],

@@ -1,7 +1,7 @@
 //! The solver over numbers with random signs, orders and values: its ends are always sorted and paired.
 
 use super::{Line, intersect, meets_nothing};
-use crate::figure::{Described, Extent, Figure, Figures, Side};
+use crate::equations::{Described, EquationKinds, Equations, Extent, Side};
 use crate::hit::Crossing;
 use crate::number::{Estimate, Number, Ring};
 use crate::part::Part;
@@ -13,11 +13,11 @@ use std::cell::Cell;
 use std::format;
 use std::vec::Vec;
 
-/// A geometry with every figure.
+/// A geometry with equations of every kind.
 struct Any;
 
 impl Described for Any {
-    const FIGURES: Figures = Figures::ALL;
+    const EQUATIONS: EquationKinds = EquationKinds::ALL;
 }
 
 std::thread_local! {
@@ -117,22 +117,22 @@ impl ToScalar<f32> for Fickle {
     }
 }
 
-fn figures() -> Vec<Figure<f32>> {
+fn all() -> Vec<Equations<f32>> {
     let mut all = Vec::from([
-        Figure::Ball { radius: 1.0 },
-        Figure::Capsule { radius: 1.0, height: 2.0 },
-        Figure::DoubleCone { slope: 1.0 },
-        Figure::Plane,
-        Figure::Disc { radius: 1.0 },
-        Figure::Cuboid { half: [1.0, 2.0, 3.0] },
-        Figure::Rectangle { half: [1.0, 2.0] },
-        Figure::Triangle { vertices: [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]] },
+        Equations::Ball { radius: 1.0 },
+        Equations::Capsule { radius: 1.0, height: 2.0 },
+        Equations::DoubleCone { slope: 1.0 },
+        Equations::Plane,
+        Equations::Disc { radius: 1.0 },
+        Equations::Cuboid { half: [1.0, 2.0, 3.0] },
+        Equations::Rectangle { half: [1.0, 2.0] },
+        Equations::Triangle { vertices: [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]] },
     ]);
     for side in [Side::Straight(1.0), Side::Slope(1.0), Side::Radii(1.0, 0.5, 2.0)] {
         for extent in
             [Extent::Infinite, Extent::Open(2.0), Extent::Capped(Some(0.0), Some(2.0)), Extent::Capped(None, Some(2.0))]
         {
-            all.push(Figure::Round { side, extent });
+            all.push(Equations::Round { side, extent });
         }
     }
     all
@@ -146,27 +146,27 @@ fn contradicting_signs_leave_ends_sorted_and_paired() {
         departures.extend([Some((part, Leaving::Inwards)), Some((part, Leaving::Outwards))]);
     }
     let mut met = 0;
-    for figure in figures() {
+    for equations in all() {
         let is_surface = matches!(
-            figure,
-            Figure::Plane
-                | Figure::Disc { .. }
-                | Figure::Rectangle { .. }
-                | Figure::Triangle { .. }
-                | Figure::Round { extent: Extent::Open(_), .. }
+            equations,
+            Equations::Plane
+                | Equations::Disc { .. }
+                | Equations::Rectangle { .. }
+                | Equations::Triangle { .. }
+                | Equations::Round { extent: Extent::Open(_), .. }
         );
         for departure in &departures {
-            if meets_nothing(&figure, *departure) {
+            if meets_nothing(&equations, *departure) {
                 continue;
             }
             let line = Line { origin: [Fickle; 3], direction: [Fickle; 3], departure: *departure };
             for _ in 0..2_000 {
                 let range = ranges[(random() % 3) as usize];
                 // `None` if a sign is unknown too.
-                let Some(intersection) = intersect::<_, _, Any>(&figure, &line, range) else { continue };
+                let Some(intersection) = intersect::<_, _, Any>(&equations, &line, range) else { continue };
                 let hits = intersection.hits(range);
                 met += hits.len();
-                let told = || format!("{figure:?} {departure:?} {range:?}: {intersection:?} {hits:?}");
+                let told = || format!("{equations:?} {departure:?} {range:?}: {intersection:?} {hits:?}");
                 assert!(hits.iter().all(|hit| range.contains(hit.t)), "{}", told());
                 assert!(hits.windows(2).all(|pair| pair[0].t <= pair[1].t), "{}", told());
                 let mut is_inside = hits.starts_inside();

@@ -25,7 +25,7 @@ macro_rules! cone {
                 }
                 (first, second)
             };
-            Attempt::Found(InNappe {
+            Attempt::Hit(InNappe {
                 ends: [enter.0 + enter.1, exit.0 - exit.1],
                 certain: [enter.1 == 0.0, exit.1 == 0.0],
             })
@@ -37,7 +37,7 @@ macro_rules! cone {
         pub(crate) fn double_cone(line: LocalLine<$Float>, m: $Float) -> Attempt<([$Float; 2], bool)> {
             let Roots { first, second, a, .. } = found!(roots(line, [0.0, m, 1.0]));
             let is_clear = first.1 == 0.0 && second.1 == 0.0;
-            if is_clear { Attempt::Found(([first.0, second.0], a < 0.0)) } else { Attempt::Unsure }
+            if is_clear { Attempt::Hit(([first.0, second.0], a < 0.0)) } else { Attempt::Unsure }
         }
 
         /// `h^2 (dx^2 + dz^2) - (g dy)^2` where it cancels, by compensated products and with the low word of the growth `g`.
@@ -85,13 +85,13 @@ macro_rules! cone {
             }
             if is_close && line.start != 0.0 {
                 // If the line's origin was moved next to the cone, only the sign must be certain: errors of the ends are compared with `start`.
-                return if discriminant > doubt { Attempt::Found((discriminant, terms)) } else { Attempt::Unsure };
+                return if discriminant > doubt { Attempt::Hit((discriminant, terms)) } else { Attempt::Unsure };
             }
             if is_close {
                 return Attempt::Unsure;
             }
             match (discriminant < 0.0, a > 0.0) {
-                (false, _) => Attempt::Found((discriminant, terms)),
+                (false, _) => Attempt::Hit((discriminant, terms)),
                 (true, true) => Attempt::Miss,
                 (true, false) => Attempt::Unsure,
             }
@@ -107,7 +107,7 @@ macro_rules! cone {
             let rim = $Float::abs(outline);
             let (first, second) = ((first, 0.0), (second, 0.0));
             let (a_terms, k_terms) = (2.0 * $Float::abs(a), 2.0 * $Float::abs(k));
-            Attempt::Found(Roots { first, second, a, a_terms, k, k_terms, outline, rim, slope })
+            Attempt::Hit(Roots { first, second, a, a_terms, k, k_terms, outline, rim, slope })
         }
 
         /// The roots of the quadric of [`nappe`].
@@ -120,15 +120,15 @@ macro_rules! cone {
             let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
             let (g0, steepness) = (r * h, $Float::abs(g) + h);
             let [ax, ay, az] = [$Float::abs(x), $Float::abs(y), $Float::abs(z)];
-            let reach = steepness * (ax + ay + az) + g0;
-            if !is_handy::<8>(steepness) || !is_handy::<8>(reach) {
+            let bounding_radius = steepness * (ax + ay + az) + g0;
+            if !is_handy::<8>(steepness) || !is_handy::<8>(bounding_radius) {
                 return Attempt::Unsure;
             }
             let (slope, outline) = (g * dy, g0 + g * y);
             let (across, along) = (h * h * (dx * dx + dz * dz), slope * slope);
             let mut a = across - along;
             let mut a_terms = across + along;
-            if a_terms > 4.0 * $Float::abs(a) && line.finer == 0 && !is_strict(&line) {
+            if a_terms > 4.0 * $Float::abs(a) && line.extra_bits == 0 && !is_strict(&line) {
                 a = compensated_a(line.direction, [g, g_rest], h);
                 let is_clear = $Float::abs(a) >= a_terms * LEFT;
                 if !is_clear {
@@ -194,7 +194,7 @@ macro_rules! cone {
                 return Attempt::Unsure;
             }
             let (a_terms, rim) = (most, rim + steepness * off_at(&line, k / a));
-            Attempt::Found(Roots { first, second, a, a_terms, k, k_terms, outline, rim, slope })
+            Attempt::Hit(Roots { first, second, a, a_terms, k, k_terms, outline, rim, slope })
         }
     };
 }

@@ -15,11 +15,11 @@ macro_rules! cuboid {
             let (enter, first) = if z > enter { (z, 2) } else { (enter, first) };
             found!(in_face(line, half, enter, first));
             if line.since.is_some_and(|since| enter >= since) {
-                return Attempt::Found(InCuboid { ends: [enter, $Float::INFINITY], axes: [first; 2] });
+                return Attempt::Hit(InCuboid { ends: [enter, $Float::INFINITY], axes: [first; 2] });
             }
             let (exit, last) = found!(exit_from_cuboid(line, half));
             if enter < exit {
-                Attempt::Found(InCuboid { ends: [enter, exit], axes: [first, last] })
+                Attempt::Hit(InCuboid { ends: [enter, exit], axes: [first, last] })
             } else {
                 Attempt::Unsure
             }
@@ -35,7 +35,7 @@ macro_rules! cuboid {
             let (exit, last) = if y < x { (y, 1) } else { (x, 0) };
             let (exit, last) = if z < exit { (z, 2) } else { (exit, last) };
             match in_face(line, half, exit, last) {
-                Attempt::Found(()) => Attempt::Found((exit, last)),
+                Attempt::Hit(()) => Attempt::Hit((exit, last)),
                 _ => Attempt::Unsure,
             }
         }
@@ -102,7 +102,7 @@ macro_rules! cuboid {
             if is_outside {
                 Attempt::Miss
             } else if is_inside && is_accurate {
-                Attempt::Found(())
+                Attempt::Hit(())
             } else {
                 Attempt::Unsure
             }

@@ -34,7 +34,7 @@ macro_rules! departing {
             let is_clear = is_handy::<2>(a_size)
                 && is_handy::<2>(n_size)
                 && n_off * a_size + n_size * a_off <= 2.0 * Limits::of(line).moved * (n_size * a_size);
-            if is_clear { Attempt::Found((2.0 * n / a - line.start, a, k)) } else { Attempt::Unsure }
+            if is_clear { Attempt::Hit((2.0 * n / a - line.start, a, k)) } else { Attempt::Unsure }
         }
 
         /// Where a line that begins in the surface of a ball about the origin, or of a cylinder about the y axis, leaves it.
@@ -47,14 +47,14 @@ macro_rules! departing {
                 } else {
                     tube_form(line, 0.0).other_root(line)
                 });
-                return if t > -line.start { Attempt::Found(t) } else { Attempt::Unsure };
+                return if t > -line.start { Attempt::Hit(t) } else { Attempt::Unsure };
             }
             let [[x, y, z], [dx, dy, dz]] = [line.origin, line.direction];
             let (point, along) = ([x, s * y, z], [dx, s * dy, dz]);
             let seen = InQuadric { point, terms: magnitudes(point), along, s, scale: 1.0 };
             let (t, ..) = found!(other_root(line, seen));
             // An end before the start of the ray would be outside.
-            if t > -line.start { Attempt::Found(t) } else { Attempt::Unsure }
+            if t > -line.start { Attempt::Hit(t) } else { Attempt::Unsure }
         }
 
         /// Where a line that begins in the side of [`nappe`] leaves that nappe; infinite if it does not.
@@ -77,12 +77,12 @@ macro_rules! departing {
             let (outline, slope, is_ahead) = (point[1], along[1], t > -line.start);
             if a < 0.0 {
                 // The line is steeper than the side: a half-line lies in each nappe, and that of this nappe has no end.
-                return if !is_ahead && slope > 0.0 { Attempt::Found($Float::INFINITY) } else { Attempt::Unsure };
+                return if !is_ahead && slope > 0.0 { Attempt::Hit($Float::INFINITY) } else { Attempt::Unsure };
             }
             // The outline halfway between the roots, where it is positive in this nappe.
             let middle = outline * a - slope * k;
             let doubt = (rim * a + $Float::abs(slope * k)) * (2.0 * Limits::of(line).doubt());
-            if is_ahead && middle > doubt { Attempt::Found(t) } else { Attempt::Unsure }
+            if is_ahead && middle > doubt { Attempt::Hit(t) } else { Attempt::Unsure }
         }
     };
 }

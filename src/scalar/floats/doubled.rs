@@ -38,8 +38,8 @@ macro_rules! doubled {
         /// A line's origin and direction, with their low words.
         #[inline(always)]
         fn double_words(line: &LocalLine<$Float>) -> [[DoubleWord; 3]; 2] {
-            let component = |i: usize| DoubleWord { high: line.origin[i], low: line.rests.origin[i] };
-            let along = |i: usize| DoubleWord { high: line.direction[i], low: line.rests.direction[i] };
+            let component = |i: usize| DoubleWord { high: line.origin[i], low: line.low_words.origin[i] };
+            let along = |i: usize| DoubleWord { high: line.direction[i], low: line.low_words.direction[i] };
             [[component(0), component(1), component(2)], [along(0), along(1), along(2)]]
         }
 
@@ -97,7 +97,7 @@ macro_rules! doubled {
                 let [low, high] = if (k > 0.0) == (a > 0.0) { [by_a, by_c] } else { [by_c, by_a] };
                 // Rounding may exchange the roots if they are close to each other relative to their magnitude. Neither may overflow.
                 let are_apart = low < high && high - low < $Float::MAX;
-                if are_apart { Attempt::Found(Quadratic { roots: [low, high], a, k }) } else { Attempt::Unsure }
+                if are_apart { Attempt::Hit(Quadratic { roots: [low, high], a, k }) } else { Attempt::Unsure }
             }
 
             /// The other root of `a t^2 + 2 k t`, for a line that begins in the quadric; with `a` and `k`.
@@ -114,14 +114,14 @@ macro_rules! doubled {
                     && is_handy::<2>(n_size)
                     && a_size >= LEFT * a_terms
                     && n_size >= LEFT * n_terms;
-                if is_clear { Attempt::Found((2.0 * n / a - line.start, a, k)) } else { Attempt::Unsure }
+                if is_clear { Attempt::Hit((2.0 * n / a - line.start, a, k)) } else { Attempt::Unsure }
             }
         }
 
         /// A ball about the origin.
         #[inline(always)]
         fn ball_form(line: &LocalLine<$Float>, r: $Float) -> FormLine<4> {
-            let ([[x, y, z], [dx, dy, dz]], [off, along_off]) = (double_words(line), line.rests.off);
+            let ([[x, y, z], [dx, dy, dz]], [off, along_off]) = (double_words(line), line.low_words.off);
             FormLine {
                 point: FormVector { parts: [x, y, z, DoubleWord::of(r)], off },
                 along: FormVector { parts: [dx, dy, dz, DoubleWord::ZERO], off: along_off },
@@ -131,7 +131,7 @@ macro_rules! doubled {
         /// An infinite cylinder about the y axis.
         #[inline(always)]
         fn tube_form(line: &LocalLine<$Float>, r: $Float) -> FormLine<3> {
-            let ([[x, _, z], [dx, _, dz]], [off, along_off]) = (double_words(line), line.rests.off);
+            let ([[x, _, z], [dx, _, dz]], [off, along_off]) = (double_words(line), line.low_words.off);
             FormLine {
                 point: FormVector { parts: [x, z, DoubleWord::of(r)], off },
                 along: FormVector { parts: [dx, dz, DoubleWord::ZERO], off: along_off },
@@ -141,7 +141,7 @@ macro_rules! doubled {
         /// A cone about the y axis with radius `r` at `y = 0` and `top` at the height `h`: see `nappe`.
         #[inline(always)]
         fn cone_form(line: &LocalLine<$Float>, [r, top, h]: [$Float; 3]) -> FormLine<3> {
-            let ([[x, y, z], [dx, dy, dz]], off) = (double_words(line), line.rests.off);
+            let ([[x, y, z], [dx, dy, dz]], off) = (double_words(line), line.low_words.off);
             let [r, top, h] = [r, top, h].map(DoubleWord::of);
             let g = top - r;
             let scale = $Float::abs(g.high) + h.high;
@@ -163,13 +163,13 @@ macro_rules! doubled {
             let crossing = |height: $Float| {
                 // The quotient of double-word numbers, accurate to some units in the last place of a float.
                 let way = DoubleWord::of(height) - y;
-                let terms = $Float::abs(height) + $Float::abs(y.high) + line.rests.off[0];
+                let terms = $Float::abs(height) + $Float::abs(y.high) + line.low_words.off[0];
                 (way.high / dy.high, terms * (LEFT * $Float::EPSILON) / speed)
             };
             let [(low, low_off), (high, high_off)] = heights.map(crossing);
             let is_clear =
-                speed >= (4.0 + line.rests.off[1]) * LEFT && $Float::abs(low) + $Float::abs(high) < $Float::MAX;
-            if is_clear { Attempt::Found(([low, high], [low_off, high_off])) } else { Attempt::Unsure }
+                speed >= (4.0 + line.low_words.off[1]) * LEFT && $Float::abs(low) + $Float::abs(high) < $Float::MAX;
+            if is_clear { Attempt::Hit(([low, high], [low_off, high_off])) } else { Attempt::Unsure }
         }
 
         /// The line with its origin moved back to the start of the ray.
@@ -179,24 +179,24 @@ macro_rules! doubled {
             let ([origin, along], start) = (double_words(line), DoubleWord::of(line.start));
             let point = |i: usize| origin[i] - start * along[i];
             let [x, y, z] = [point(0), point(1), point(2)];
-            let [off, along_off] = line.rests.off;
+            let [off, along_off] = line.low_words.off;
             let off = off + $Float::abs(line.start) * (2.0 + along_off);
-            let rests = LowWords { origin: [x.low, y.low, z.low], off: [off, along_off], ..line.rests };
-            LocalLine { origin: [x.high, y.high, z.high], rests, start: 0.0, ..*line }
+            let low_words = LowWords { origin: [x.low, y.low, z.low], off: [off, along_off], ..line.low_words };
+            LocalLine { origin: [x.high, y.high, z.high], low_words, start: 0.0, ..*line }
         }
 
         /// The ends of a line in a ball.
         #[cold]
         #[inline(never)]
         pub(crate) fn ball_doubled(line: &LocalLine<$Float>, r: $Float) -> Attempt<[$Float; 2]> {
-            Attempt::Found(found!(ball_form(line, r).quadratic()).roots)
+            Attempt::Hit(found!(ball_form(line, r).quadratic()).roots)
         }
 
         /// The ends of a line in a tube.
         #[cold]
         #[inline(never)]
         fn tube_doubled(line: &LocalLine<$Float>, r: $Float) -> Attempt<[$Float; 2]> {
-            Attempt::Found(found!(tube_form(line, r).quadratic()).roots)
+            Attempt::Hit(found!(tube_form(line, r).quadratic()).roots)
         }
     };
 }

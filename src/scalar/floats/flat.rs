@@ -10,7 +10,7 @@ macro_rules! flat {
             [low, high]: [$Float; 2],
         ) -> Attempt<([$Float; 2], [$Float; 2])> {
             let ([_, y, _], [_, dy, _]) = (line.origin, line.direction);
-            if line.finer == 0 && dy == 0.0 {
+            if line.extra_bits == 0 && dy == 0.0 {
                 return Attempt::Miss;
             }
             if line.is_doubled {
@@ -23,14 +23,14 @@ macro_rules! flat {
                 return Attempt::Unsure;
             }
             if !line.is_rounded {
-                return Attempt::Found((ends, [0.0; 2]));
+                return Attempt::Hit((ends, [0.0; 2]));
             }
             let Limits { epsilon, .. } = Limits::of(&line);
             if $Float::abs(dy) < 32.0 * epsilon {
                 return Attempt::Unsure;
             }
             let off = |t: $Float| crossing_off(&line, y, $Float::abs(dy), t);
-            Attempt::Found((ends, [off(ends[0]), off(ends[1])]))
+            Attempt::Hit((ends, [off(ends[0]), off(ends[1])]))
         }
 
         /// Whether the crossing of the plane `y = 0` at `t` is accurate enough.
@@ -62,7 +62,7 @@ macro_rules! flat {
             let moved = off * (4.0 * epsilon);
             let doubt = length * (length + off) * (16.0 * epsilon) + moved * moved;
             if inside > doubt {
-                Attempt::Found(t)
+                Attempt::Hit(t)
             } else if inside < -doubt {
                 Attempt::Miss
             } else {
@@ -94,7 +94,7 @@ macro_rules! flat {
             if beyond_x > doubt_x || beyond_z > doubt_z {
                 Attempt::Miss
             } else if beyond_x < -doubt_x && beyond_z < -doubt_z {
-                Attempt::Found(t)
+                Attempt::Hit(t)
             } else {
                 Attempt::Unsure
             }
@@ -110,11 +110,11 @@ macro_rules! flat {
             if are_close(&line, climb, low, off) || are_close(&line, climb, high, off) {
                 Attempt::Unsure
             } else if climb < low {
-                Attempt::Found(Ordering::Less)
+                Attempt::Hit(Ordering::Less)
             } else if climb > high {
-                Attempt::Found(Ordering::Greater)
+                Attempt::Hit(Ordering::Greater)
             } else {
-                Attempt::Found(Ordering::Equal)
+                Attempt::Hit(Ordering::Equal)
             }
         }
 
@@ -163,7 +163,7 @@ macro_rules! flat {
                 && is_quotient_clear(&line, distance, facing, distance_terms, facing_terms);
             let t = distance / facing;
             let is_clear = is_clear && is_steady(&line, t, size(normal), $Float::abs(facing), 0.0);
-            if is_clear && (facing < 0.0) == from_front { Attempt::Found((t, from_front)) } else { Attempt::Unsure }
+            if is_clear && (facing < 0.0) == from_front { Attempt::Hit((t, from_front)) } else { Attempt::Unsure }
         }
     };
 }

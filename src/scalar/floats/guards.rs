@@ -97,7 +97,7 @@ macro_rules! guards {
             let direction = [dot(axes[0], d), dot(axes[1], d), dot(axes[2], d)];
             LocalLine {
                 start,
-                finer: 1,
+                extra_bits: 1,
                 off: [off(start, origin), 1.0],
                 is_rounded: true,
                 ..LocalLine::along(origin, direction, 0.0)
@@ -184,11 +184,11 @@ macro_rules! guards {
             let from = at(from, d, start);
             let origin = applied(from);
             let (length, far) = ($sqrt(square), $Float::abs(start));
-            let pace = 1.0 / length;
+            let inverse_length = 1.0 / length;
             let d_terms = terms(magnitudes(d));
-            let off = [terms(magnitudes(from)) + 0.75 * far * d_terms, d_terms * pace];
-            let line = LocalLine::along(origin, direction.map(|component| component * pace), 0.0);
-            Some(LocalLine { start: start * length, finer: 1, pace, off, is_rounded: true, ..line })
+            let off = [terms(magnitudes(from)) + 0.75 * far * d_terms, d_terms * inverse_length];
+            let line = LocalLine::along(origin, direction.map(|component| component * inverse_length), 0.0);
+            Some(LocalLine { start: start * length, extra_bits: 1, inverse_length, off, is_rounded: true, ..line })
         }
 
         /// The powers of two of the rows; `None` if one leaves a quarter of the type's range.

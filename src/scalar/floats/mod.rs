@@ -79,7 +79,7 @@ macro_rules! floats {
                     return Attempt::Unsure;
                 }
                 let root = $sqrt(discriminant);
-                Attempt::Found([-k - root, root - k])
+                Attempt::Hit([-k - root, root - k])
             }
             #[inline(always)]
             fn fast_ball_ahead(line: LocalLine<Self>, r: Self, by_moment: bool) -> Attempt<()> {
@@ -91,7 +91,7 @@ macro_rules! floats {
                     return Attempt::Unsure;
                 }
                 // The line leads away from the closest point: the far end decides.
-                if k <= 0.0 || $sqrt(discriminant) >= k { Attempt::Found(()) } else { Attempt::Miss }
+                if k <= 0.0 || $sqrt(discriminant) >= k { Attempt::Hit(()) } else { Attempt::Miss }
             }
             #[inline(always)]
             fn fast_tube(line: LocalLine<Self>, r: Self) -> Attempt<[Self; 2]> {
@@ -206,13 +206,13 @@ macro_rules! floats {
             }
             #[inline(always)]
             fn fast_lowered(line: LocalLine<Self>, y: Self) -> Attempt<LocalLine<Self>> {
-                let ([ox, oy, oz], [rx, ry, rz]) = (line.origin, line.rests.origin);
+                let ([ox, oy, oz], [rx, ry, rz]) = (line.origin, line.low_words.origin);
                 // Next to the surface the rounding error of this difference matters.
                 let [low, rest] = oy.plus_with_rest(-y);
                 let [low, rest] = low.plus_with_rest(rest + ry);
-                let [off, along_off] = line.rests.off;
-                let rests = LowWords { origin: [rx, rest, rz], off: [off + $Float::abs(y), along_off], ..line.rests };
-                Attempt::Found(LocalLine { origin: [ox, low, oz], rests, ..line })
+                let [off, along_off] = line.low_words.off;
+                let low_words = LowWords { origin: [rx, rest, rz], off: [off + $Float::abs(y), along_off], ..line.low_words };
+                Attempt::Hit(LocalLine { origin: [ox, low, oz], low_words, ..line })
             }
             #[inline(always)]
             fn are_close(line: &LocalLine<Self>, a: Self, b: Self, off: Self) -> bool {

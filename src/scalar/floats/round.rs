@@ -15,7 +15,7 @@ macro_rules! round {
             // If this overflows, the line is far away from the ball: a miss.
             let pp = dot(p, p);
             let rr = r * r;
-            if pp > rr { Attempt::Miss } else { Attempt::Found((k, rr - pp)) }
+            if pp > rr { Attempt::Miss } else { Attempt::Hit((k, rr - pp)) }
         }
 
         /// `k` and `D` of a closest approach, if both are accurate to a few units in the last place; and `c`, if `-k -+ sqrt(D)` are not.
@@ -58,21 +58,21 @@ macro_rules! round {
             let answer = (k, discriminant / a);
             if line.start != 0.0 {
                 let is_clear = is_clear_of_start(line.start, kk, discriminant, moved, limits.near);
-                return if is_clear { Attempt::Found((k, discriminant / a, None)) } else { Attempt::Unsure };
+                return if is_clear { Attempt::Hit((k, discriminant / a, None)) } else { Attempt::Unsure };
             }
-            if let Attempt::Found((k, over_a)) = clear_of_the_start(kk, discriminant, moved, limits.near, answer) {
-                return Attempt::Found((k, over_a, None));
+            if let Attempt::Hit((k, over_a)) = clear_of_the_start(kk, discriminant, moved, limits.near, answer) {
+                return Attempt::Hit((k, over_a, None));
             }
             if line.off[0] != 0.0 || is_strict(&line) {
                 return Attempt::Unsure;
             }
             // Next to the surface the nearer end is c over the farther one. c = |o|^2 - r^2 cancels, and is therefore compensated.
-            let c =
-                Real::sum_of_products([[x, x], [y, y], [z, z], [-r, r]]) + 2.0 * dot(line.origin, line.rests.origin);
+            let c = Real::sum_of_products([[x, x], [y, y], [z, z], [-r, r]])
+                + 2.0 * dot(line.origin, line.low_words.origin);
             let is_known = $Float::abs(c) * 4096.0 >= rr && is_handy::<4>(r);
             // The farther end is at least sqrt(k^2 + D) away.
             let is_known = is_known && moved <= limits.near * discriminant * (kk + discriminant);
-            if is_known { Attempt::Found((k, discriminant, Some(c))) } else { Attempt::Unsure }
+            if is_known { Attempt::Hit((k, discriminant, Some(c))) } else { Attempt::Unsure }
         }
 
         /// `answer`, if both ends `-k -+ sqrt(D)` are large relative to their error, which is some `eps` times the root of `moved`, over `sqrt(D)`.
@@ -92,7 +92,7 @@ macro_rules! round {
             } else {
                 is_clear_near_one(kk, discriminant, moved, near)
             };
-            if is_clear { Attempt::Found(answer) } else { Attempt::Unsure }
+            if is_clear { Attempt::Hit(answer) } else { Attempt::Unsure }
         }
 
         /// Whether the errors of the ends of a line whose origin was moved to `start` are small relative to `start`, as for
@@ -120,7 +120,7 @@ macro_rules! round {
         #[inline(always)]
         pub(crate) fn ball(line: LocalLine<$Float>, r: $Float) -> Attempt<[$Float; 2]> {
             match clear_approach(line, r) {
-                Attempt::Found((k, discriminant, c)) => {
+                Attempt::Hit((k, discriminant, c)) => {
                     let root = $sqrt(discriminant);
                     let ends = match c {
                         None => [-k - root, root - k],
@@ -128,7 +128,7 @@ macro_rules! round {
                         Some(c) => [c / (root - k), root - k],
                     };
                     if is_steady(&line, ends[0], r, root, 1.0) && is_steady(&line, ends[1], r, root, 1.0) {
-                        Attempt::Found(ends)
+                        Attempt::Hit(ends)
                     } else {
                         Attempt::Unsure
                     }
@@ -143,12 +143,12 @@ macro_rules! round {
         pub(crate) fn ball_ahead(line: LocalLine<$Float>, r: $Float) -> Attempt<()> {
             if line.off[0] != 0.0 {
                 let [_, far] = found!(ball(line, r));
-                return if far >= 0.0 { Attempt::Found(()) } else { Attempt::Miss };
+                return if far >= 0.0 { Attempt::Hit(()) } else { Attempt::Miss };
             }
             match clear_approach(line, r) {
-                Attempt::Found((k, ..)) if k <= 0.0 => Attempt::Found(()),
-                Attempt::Found((k, discriminant, c)) if c.unwrap_or(k * k - discriminant) <= 0.0 => Attempt::Found(()),
-                Attempt::Found(_) | Attempt::Miss => Attempt::Miss,
+                Attempt::Hit((k, ..)) if k <= 0.0 => Attempt::Hit(()),
+                Attempt::Hit((k, discriminant, c)) if c.unwrap_or(k * k - discriminant) <= 0.0 => Attempt::Hit(()),
+                Attempt::Hit(_) | Attempt::Miss => Attempt::Miss,
                 Attempt::Unsure => Attempt::Unsure,
             }
         }
@@ -190,7 +190,7 @@ macro_rules! round {
             }
             if line.start != 0.0 {
                 let is_clear = is_clear_of_start(a * line.start, kk, discriminant, moved, limits.near);
-                return if is_clear { Attempt::Found(ends) } else { Attempt::Unsure };
+                return if is_clear { Attempt::Hit(ends) } else { Attempt::Unsure };
             }
             clear_of_the_start(kk, discriminant, moved, limits.near, ends)
         }

@@ -68,17 +68,17 @@ macro_rules! second {
                 return None;
             }
             // A power of two, which rounds nothing.
-            let pace = near_one(longest);
+            let inverse_length = near_one(longest);
             let terms = |v: [$Float; 3]| {
                 let each = |i: usize| dot(magnitudes(rows[i].0), v) * scales[i];
                 each(0).max(each(1)).max(each(2))
             };
             let d_terms = terms(magnitudes(d));
             let from_terms = terms(magnitudes(from.map(|[high, _]| high)));
-            let off = [4.0 * ($Float::abs(start) * d_terms + from_terms + size(base)), 4.0 * d_terms * pace];
-            let direction = seen.map(|parts| parts.map(|part| part * pace));
-            let line = compensated(origin, direction, start / pace, 1, off)?;
-            Some(LocalLine { pace, ..line })
+            let off = [4.0 * ($Float::abs(start) * d_terms + from_terms + size(base)), 4.0 * d_terms * inverse_length];
+            let direction = seen.map(|parts| parts.map(|part| part * inverse_length));
+            let line = compensated(origin, direction, start / inverse_length, 1, off)?;
+            Some(LocalLine { inverse_length, ..line })
         }
 
         /// [`closest`] along a direction of any length.
@@ -146,15 +146,15 @@ macro_rules! second {
             origin: Compensated,
             direction: Compensated,
             start: $Float,
-            finer: i32,
+            extra_bits: i32,
             off: [$Float; 2],
         ) -> Option<LocalLine<$Float>> {
             let part = |of: Compensated, i: usize| [of[0][i], of[1][i], of[2][i]];
             let along = LocalLine::along(part(origin, 0), part(direction, 0), 0.0);
-            let rests = LowWords { origin: part(origin, 1), direction: part(direction, 1), off };
-            let line = LocalLine { rests, start, finer, is_relative: true, is_rounded: true, ..along };
+            let low_words = LowWords { origin: part(origin, 1), direction: part(direction, 1), off };
+            let line = LocalLine { low_words, start, extra_bits, is_relative: true, is_rounded: true, ..along };
             // If something has overflowed, a low word is NaN.
-            let is_finite = line.rests.origin.iter().chain(&line.direction).all(|part| part.is_finite());
+            let is_finite = line.low_words.origin.iter().chain(&line.direction).all(|part| part.is_finite());
             (is_finite && start.is_finite()).then_some(line)
         }
     };

@@ -24,22 +24,23 @@ pub(in crate::scalar) struct ByApproach {
 }
 
 impl ByApproach {
-    /// The origin is in units of `2^-finer` of the radius's.
+    /// The origin is in units of `2^-extra_bits` of the radius's.
     #[inline(always)]
-    pub(in crate::scalar) fn new(o: [i32; 3], finer: i32, d: [i32; 3], r: i32) -> Attempt<Self> {
+    pub(in crate::scalar) fn new(o: [i32; 3], extra_bits: i32, d: [i32; 3], r: i32) -> Attempt<Self> {
         // There is no room here for an origin with more extra bits.
-        let (o, finer) = if finer > FINER { (coarser(o, (finer - FINER) as u32), FINER) } else { (o, finer) };
+        let (o, extra_bits) =
+            if extra_bits > FINER { (coarser(o, (extra_bits - FINER) as u32), FINER) } else { (o, extra_bits) };
         // All lengths are converted to the origin's unit, then to a grid on which none has more than 28 bits.
-        if !(0..28).contains(&finer) {
+        if !(0..28).contains(&extra_bits) {
             return Attempt::Unsure;
         }
-        let radius = r << finer;
+        let radius = r << extra_bits;
         let all = magnitude_bits(o[0]) | magnitude_bits(o[1]) | magnitude_bits(o[2]) | radius as u32;
-        if all >= 1 << 28 || radius >> finer != r {
+        if all >= 1 << 28 || radius >> extra_bits != r {
             return Attempt::Unsure;
         }
         let grid = leading_zeros(all) - 4;
-        let unit = grid + finer as u32;
+        let unit = grid + extra_bits as u32;
         if unit > 30 {
             return Attempt::Unsure;
         }
@@ -49,7 +50,7 @@ impl ByApproach {
         let k = along(x, d[0]) + along(y, d[1]) + along(z, d[2]) + 1;
         let p = [x - along(k, d[0]), y - along(k, d[1]), z - along(k, d[2])];
         let rr = square(radius << grid);
-        Attempt::Found(Self { o: [x, y, z], rr, k, discriminant: rr - squared_length(p), unit })
+        Attempt::Hit(Self { o: [x, y, z], rr, k, discriminant: rr - squared_length(p), unit })
     }
 
     /// The two ends, in the radius's unit.
@@ -63,7 +64,7 @@ impl ByApproach {
         }
         let root = root(self.discriminant as u64) as i32;
         let half = (1 << self.unit) >> 1;
-        Attempt::Found([(half - self.k - root) >> self.unit, (half - self.k + root) >> self.unit])
+        Attempt::Hit([(half - self.k - root) >> self.unit, (half - self.k + root) >> self.unit])
     }
 
     /// Whether there is an end at `t >= 0`; the same result as that of [`ByApproach::ends`].
@@ -76,7 +77,7 @@ impl ByApproach {
             return Attempt::Unsure;
         }
         if self.k < 0 {
-            return Attempt::Found(());
+            return Attempt::Hit(());
         }
         // The line leads away: the far end is at -c / (k + sqrt(D)), and an end within half a unit of the type of zero counts as zero. (The grid must
         // be so fine that its rounding cannot decide this.)
@@ -85,7 +86,7 @@ impl ByApproach {
         if self.unit < 4 || (c >= 0 && c <= near) {
             Attempt::Unsure
         } else if c < 0 {
-            Attempt::Found(())
+            Attempt::Hit(())
         } else {
             Attempt::Miss
         }
@@ -108,12 +109,12 @@ pub(in crate::scalar) struct ByMoment {
 }
 
 impl ByMoment {
-    /// The origin is in units of `2^-finer` of the radius's.
+    /// The origin is in units of `2^-extra_bits` of the radius's.
     #[inline(always)]
-    pub(in crate::scalar) fn new(o: [i32; 3], finer: i32, d: [i32; 3], r: i32) -> Attempt<Self> {
+    pub(in crate::scalar) fn new(o: [i32; 3], extra_bits: i32, d: [i32; 3], r: i32) -> Attempt<Self> {
         // A grid on which the radius has 29 bits; the moment is shifted down to it.
         let grid = leading_zeros(r as u32) as i32 - 3;
-        let down = 30 + finer - grid;
+        let down = 30 + extra_bits - grid;
         if grid < 4 || !(3..32).contains(&down) {
             return Attempt::Unsure;
         }
@@ -131,15 +132,15 @@ impl ByMoment {
         let rr = square(r << grid);
         let residual = rr - squared_length(w);
         let k = product(x, dx) + product(y, dy) + product(z, dz);
-        Attempt::Found(Self { d, k, rr, residual, grid, unit: (30 + finer) as u32, down })
+        Attempt::Hit(Self { d, k, rr, residual, grid, unit: (30 + extra_bits) as u32, down })
     }
 
     /// The smallest square of the root. The error of a framed origin, a hundredth of a unit, becomes a sixth of a unit if the root is a sixteenth of
     /// the radius. With each further bit of the origin the root may be half as large.
     #[inline(always)]
     fn most(&self, unframed: i32) -> i32 {
-        let finer = self.unit as i32 - 30;
-        if finer == 0 { unframed } else { (8 + 2 * more_bits(finer, self.grid)).min(unframed) }
+        let extra_bits = self.unit as i32 - 30;
+        if extra_bits == 0 { unframed } else { (8 + 2 * more_bits(extra_bits, self.grid)).min(unframed) }
     }
 
     /// The two ends, in the radius's unit; with `is_strict` only if it is certain that they exist.
@@ -163,7 +164,7 @@ impl ByMoment {
         let ends = [end(-self.k - root), end(root - self.k)];
         // Rounding may decide whether an end is beyond the type.
         let is_beyond = |t: i32| t.unsigned_abs() == i32::MAX as u32;
-        if is_strict && (is_beyond(ends[0]) || is_beyond(ends[1])) { Attempt::Unsure } else { Attempt::Found(ends) }
+        if is_strict && (is_beyond(ends[0]) || is_beyond(ends[1])) { Attempt::Unsure } else { Attempt::Hit(ends) }
     }
 
     /// Whether there is an end at `t >= 0`; the same result as that of [`ByMoment::ends`].
@@ -179,7 +180,7 @@ impl ByMoment {
             return Attempt::Unsure;
         }
         if self.k < 0 {
-            return Attempt::Found(());
+            return Attempt::Hit(());
         }
         // The line leads away: the far end is at (D - k^2) / (k + sqrt(D)), and an end within half a unit of the type of zero counts as zero.
         let k = self.k >> self.down;
@@ -192,7 +193,7 @@ impl ByMoment {
         if beyond > near {
             Attempt::Miss
         } else if beyond < -near {
-            Attempt::Found(())
+            Attempt::Hit(())
         } else {
             Attempt::Unsure
         }

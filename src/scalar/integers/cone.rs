@@ -37,21 +37,28 @@ struct Scaled {
     unit: u32,
     /// The whole unit of `t` at that point.
     start: i32,
-    /// The origin was in units of `2^-finer`.
-    finer: i32,
+    /// The origin was in units of `2^-extra_bits`.
+    extra_bits: i32,
     /// Decisions must be certain.
     is_strict: bool,
 }
 
 impl Scaled {
-    /// The origin is in units of `2^-finer` of the sizes'. It is moved to a point next to the line's closest point, unless the line `departs`.
+    /// The origin is in units of `2^-extra_bits` of the sizes'. It is moved to a point next to the line's closest point, unless the line `departs`.
     // Not inlined: a shape that may be any cone would contain it twice.
     #[inline(never)]
-    fn new(o: [i32; 3], finer: i32, d: [i32; 3], [r, g, h]: [i32; 3], departs: bool, is_strict: bool) -> Attempt<Self> {
+    fn new(
+        o: [i32; 3],
+        extra_bits: i32,
+        d: [i32; 3],
+        [r, g, h]: [i32; 3],
+        departs: bool,
+        is_strict: bool,
+    ) -> Attempt<Self> {
         // The proportions, the larger one above 1/2 and at most 1 in units of 2^-30.
         let free = leading_zeros(magnitude_bits(g) | (h - 1) as u32 | 1);
-        let radius = r << (finer & 0x1f);
-        if free < 2 || !(0..28).contains(&finer) || radius >> finer != r {
+        let radius = r << (extra_bits & 0x1f);
+        if free < 2 || !(0..28).contains(&extra_bits) || radius >> extra_bits != r {
             return Attempt::Unsure;
         }
         let (g, h) = (g << (free - 2), h << (free - 2));
@@ -60,14 +67,15 @@ impl Scaled {
         let closest = if departs {
             0
         } else {
-            -((product(o[0], d[0]) + product(o[1], d[1]) + product(o[2], d[2])) >> (30 + finer))
+            -((product(o[0], d[0]) + product(o[1], d[1]) + product(o[2], d[2])) >> (30 + extra_bits))
         };
-        if closest != closest as i32 as i64 || finer + 32 - (closest.unsigned_abs() as u32).leading_zeros() as i32 > 31
+        if closest != closest as i32 as i64
+            || extra_bits + 32 - (closest.unsigned_abs() as u32).leading_zeros() as i32 > 31
         {
             return Attempt::Unsure;
         }
         let start = closest as i32;
-        let walked = |length: i32, d: i32| ((length as i64) << 30) + product(start << finer, d);
+        let walked = |length: i32, d: i32| ((length as i64) << 30) + product(start << extra_bits, d);
         let near = [walked(o[0], d[0]), walked(o[1], d[1]), walked(o[2], d[2])];
         let radius = (radius as i64) << 30;
         // Lengths on a grid on which none has more than 29 bits.
@@ -77,7 +85,7 @@ impl Scaled {
             return Attempt::Unsure;
         }
         let up = zeros - 3;
-        let unit = (up as i32 - 2 + finer) as u32;
+        let unit = (up as i32 - 2 + extra_bits) as u32;
         // Truncated towards zero, so that a mirrored line has mirrored points.
         let on_grid = |length: i64| {
             let magnitude = length.unsigned_abs();
@@ -92,7 +100,7 @@ impl Scaled {
         let Some(digits) = Normalized::new(a) else {
             return Attempt::Unsure;
         };
-        Attempt::Found(Self { point: [x, y, z], direction: [dx, dy, dz], a, digits, unit, start, finer, is_strict })
+        Attempt::Hit(Self { point: [x, y, z], direction: [dx, dy, dz], a, digits, unit, start, extra_bits, is_strict })
     }
 
     /// The number of bits by which the coordinates are finer than an eighth of the type's unit, and a framed origin than a fourth, if the roots
@@ -102,13 +110,13 @@ impl Scaled {
         let shift = self.digits.shift as i32;
         let spare = self.unit as i32 - 3 - shift;
         // The error of a framed origin is half of its own unit.
-        if self.finer == 0 { spare } else { spare.min(self.finer - 2 - shift) }
+        if self.extra_bits == 0 { spare } else { spare.min(self.extra_bits - 2 - shift) }
     }
 
     /// The exponent of the error of a coordinate, in its units, if it comes from a framed origin.
     #[inline(always)]
     fn framed_bits(&self) -> i32 {
-        framed_bits(self.finer, self.unit as i32)
+        framed_bits(self.extra_bits, self.unit as i32)
     }
 
     #[inline(always)]
@@ -125,16 +133,16 @@ impl Scaled {
         let middle = product(self.point[1], a) - product(self.direction[1], k);
         // If strict: the sum of the errors of Y a and dY k is 2^35, and 2^31.4 more for each unit of error of a framed origin.
         let doubtful = if self.is_strict { 36.max(34 + self.framed_bits()) } else { 34 };
-        if middle.unsigned_abs() >> doubtful == 0 { Attempt::Unsure } else { Attempt::Found(middle > 0) }
+        if middle.unsigned_abs() >> doubtful == 0 { Attempt::Unsure } else { Attempt::Hit(middle > 0) }
     }
 }
 
 impl AtCone {
-    /// The origin is in units of `2^-finer` of the sizes'.
+    /// The origin is in units of `2^-extra_bits` of the sizes'.
     // Not inlined, as above.
     #[inline(never)]
-    fn new(o: [i32; 3], finer: i32, d: [i32; 3], outline: [i32; 3], is_strict: bool) -> Attempt<Self> {
-        let line = found!(Scaled::new(o, finer, d, outline, false, is_strict));
+    fn new(o: [i32; 3], extra_bits: i32, d: [i32; 3], outline: [i32; 3], is_strict: bool) -> Attempt<Self> {
+        let line = found!(Scaled::new(o, extra_bits, d, outline, false, is_strict));
         let ([x, y, z], [dx, dy, dz]) = (line.point, line.direction);
         let wx = nearest(product(y, dz) - product(z, dy));
         let wy = nearest(product(z, dx) - product(x, dz));
@@ -163,8 +171,8 @@ impl AtCone {
         let divisor = line.digits.divisor();
         // Farther away the rounding of a turned direction matters: an error of 2^-31 of t, which a small root enlarges likewise.
         let more = leading_zeros(root as u32) as i32 - leading_zeros(moment as u32) as i32 + 1;
-        let farthest = (1 << if finer == 0 { 24 } else { (28 - more).clamp(0, 24) }) >> divisor.shift;
-        Attempt::Found(Self { line, k, root, divisor, farthest })
+        let farthest = (1 << if extra_bits == 0 { 24 } else { (28 - more).clamp(0, 24) }) >> divisor.shift;
+        Attempt::Hit(Self { line, k, root, divisor, farthest })
     }
 
     #[inline(always)]
@@ -219,16 +227,16 @@ impl Roots for AtCone {
 
 /// Where the line is inside the nappe of [`AtCone`] in which `h r + g y >= 0`.
 ///
-/// The origin is in units of `2^-finer` of the sizes'; the answer is in the sizes'.
+/// The origin is in units of `2^-extra_bits` of the sizes'; the answer is in the sizes'.
 #[inline(always)]
 pub(in crate::scalar) fn nappe(
     o: [i32; 3],
-    finer: i32,
+    extra_bits: i32,
     d: [i32; 3],
     outline: [i32; 3],
     is_strict: bool,
 ) -> Attempt<InNappe<i32>> {
-    found!(AtCone::new(o, finer, d, outline, is_strict)).in_nappe()
+    found!(AtCone::new(o, extra_bits, d, outline, is_strict)).in_nappe()
 }
 
 /// Where the line is inside both nappes of the cone of slope `g / h` about its apex at the origin: between its ends, or (`true`) before the first and
@@ -236,12 +244,12 @@ pub(in crate::scalar) fn nappe(
 #[inline(always)]
 pub(in crate::scalar) fn double_cone(
     o: [i32; 3],
-    finer: i32,
+    extra_bits: i32,
     d: [i32; 3],
     [g, h]: [i32; 2],
     is_strict: bool,
 ) -> Attempt<([i32; 2], bool)> {
-    found!(AtCone::new(o, finer, d, [0, g, h], is_strict)).in_both()
+    found!(AtCone::new(o, extra_bits, d, [0, g, h], is_strict)).in_both()
 }
 
 /// Where a line that begins in the side of [`nappe`] leaves that nappe: the other root of `a t^2 + 2 k t`, whatever its rounded coordinates are; the
@@ -249,12 +257,12 @@ pub(in crate::scalar) fn double_cone(
 #[inline]
 pub(in crate::scalar) fn exit_from_nappe(
     o: [i32; 3],
-    finer: i32,
+    extra_bits: i32,
     d: [i32; 3],
     outline: [i32; 3],
     is_strict: bool,
 ) -> Attempt<i32> {
-    let line = found!(Scaled::new(o, finer, d, outline, true, is_strict));
+    let line = found!(Scaled::new(o, extra_bits, d, outline, true, is_strict));
     let (k, shift) = (line.k(), line.digits.shift);
     // The rounding of the coordinates changes t by at most a fourth of a unit.
     if line.spare() < 3 {
@@ -265,7 +273,7 @@ pub(in crate::scalar) fn exit_from_nappe(
     };
     if line.a < 0 {
         // The line is steeper than the side: a half-line lies in each nappe, and that of this nappe has no end.
-        return if t < -1 && line.direction[1] > 0 { Attempt::Found(i32::MAX) } else { Attempt::Unsure };
+        return if t < -1 && line.direction[1] > 0 { Attempt::Hit(i32::MAX) } else { Attempt::Unsure };
     }
-    if 0 < t && t < 1 << 24 >> shift && found!(line.is_middle_inside(k)) { Attempt::Found(t) } else { Attempt::Unsure }
+    if 0 < t && t < 1 << 24 >> shift && found!(line.is_middle_inside(k)) { Attempt::Hit(t) } else { Attempt::Unsure }
 }

@@ -18,14 +18,14 @@ pub(in crate::scalar) trait Length: Copy + Ord + Neg<Output = Self> + Sub<Output
     /// their units.
     const DOUBT: Self::Product;
 
-    /// A length of the type in units of `2^-finer`, if its difference from the coordinate `o`, and the product of that, have room.
-    fn refined(self, o: Self, finer: i32) -> Option<Self>;
+    /// A length of the type in units of `2^-extra_bits`, if its difference from the coordinate `o`, and the product of that, have room.
+    fn refined(self, o: Self, extra_bits: i32) -> Option<Self>;
     /// `self d_other - other d`
     fn difference(self, d: Self, other: Self, d_other: Self) -> Self::Product;
     /// Where the line crosses this height: see `crossings`.
-    fn crossing(self, o: Self, finer: i32, d: Self) -> Attempt<Self>;
-    /// `-2^(finer + 1)`
-    fn two_behind(finer: i32) -> Self;
+    fn crossing(self, o: Self, extra_bits: i32, d: Self) -> Attempt<Self>;
+    /// `-2^(extra_bits + 1)`
+    fn two_behind(extra_bits: i32) -> Self;
 }
 
 /// A line along one axis, mirrored so that it does not descend: it crosses the planes of the two faces at `t = low / d` and `t = high / d`.
@@ -41,17 +41,17 @@ struct Slab<N> {
 
 impl<N: Length> Slab<N> {
     #[inline(always)]
-    fn new(axis: usize, o: N, finer: i32, d: N, half: N) -> Option<Self> {
-        let reach = half.refined(o, finer)?;
+    fn new(axis: usize, o: N, extra_bits: i32, d: N, half: N) -> Option<Self> {
+        let bounding_radius = half.refined(o, extra_bits)?;
         let (o, d) = if d < N::ZERO { (-o, -d) } else { (o, d) };
-        Some(Self { axis, o, d, half, low: -reach - o, high: reach - o })
+        Some(Self { axis, o, d, half, low: -bounding_radius - o, high: bounding_radius - o })
     }
 
     /// Whether a line parallel to the planes is between them; a miss if it is outside them. If it lies in one of them, the face owns the ends.
     #[inline(always)]
     fn is_between(&self) -> Attempt<()> {
         if self.d != N::ZERO || (self.low < N::ZERO && self.high > N::ZERO) {
-            Attempt::Found(())
+            Attempt::Hit(())
         } else if self.low > N::ZERO || self.high < N::ZERO {
             Attempt::Miss
         } else {
@@ -63,19 +63,19 @@ impl<N: Length> Slab<N> {
 /// The slabs of a cuboid, and the largest change of a difference of their crossings by the rounding of the line.
 struct Slabs<N: Length> {
     each: [Slab<N>; 3],
-    finer: i32,
+    extra_bits: i32,
     doubt: N::Product,
 }
 
 impl<N: Length> Slabs<N> {
-    /// The origin is in units of `2^-finer` of the half extents'.
+    /// The origin is in units of `2^-extra_bits` of the half extents'.
     #[inline(always)]
-    fn new(o: [N; 3], finer: i32, d: [N; 3], half: [N; 3]) -> Attempt<Self> {
-        let slab = |axis: usize| Slab::new(axis, o[axis], finer, d[axis], half[axis]);
+    fn new(o: [N; 3], extra_bits: i32, d: [N; 3], half: [N; 3]) -> Attempt<Self> {
+        let slab = |axis: usize| Slab::new(axis, o[axis], extra_bits, d[axis], half[axis]);
         let (Some(x), Some(y), Some(z)) = (slab(0), slab(1), slab(2)) else {
             return Attempt::Unsure;
         };
-        if finer != 0 && (x.d <= N::STEP || y.d <= N::STEP || z.d <= N::STEP) {
+        if extra_bits != 0 && (x.d <= N::STEP || y.d <= N::STEP || z.d <= N::STEP) {
             return Attempt::Unsure;
         }
         if x.d == N::ZERO || y.d == N::ZERO || z.d == N::ZERO {
@@ -84,8 +84,8 @@ impl<N: Length> Slabs<N> {
             found!(z.is_between());
         }
         // In the world the products are exact.
-        let doubt = if finer == 0 { N::NOTHING } else { N::DOUBT };
-        Attempt::Found(Self { each: [x, y, z], finer, doubt })
+        let doubt = if extra_bits == 0 { N::NOTHING } else { N::DOUBT };
+        Attempt::Hit(Self { each: [x, y, z], extra_bits, doubt })
     }
 
     /// Of the planes that `crossed` names, the one that the line crosses after all others, or, unless `is_last`, before them; then the other two
@@ -100,13 +100,13 @@ impl<N: Length> Slabs<N> {
             if -self.doubt <= later && later <= self.doubt {
                 // Both are infinite: neither is decisive, and `own` is kept.
                 let are_infinite = other.d == N::ZERO && own.d == N::ZERO;
-                return if are_infinite { Attempt::Found(false) } else { Attempt::Unsure };
+                return if are_infinite { Attempt::Hit(false) } else { Attempt::Unsure };
             }
-            Attempt::Found((later > N::NOTHING) == is_last)
+            Attempt::Hit((later > N::NOTHING) == is_last)
         };
         let [x, y, z] = self.each;
         let [own, other] = if found!(decides(&y, &x)) { [y, x] } else { [x, y] };
-        Attempt::Found(if found!(decides(&z, &own)) { [z, own, other] } else { [own, other, z] })
+        Attempt::Hit(if found!(decides(&z, &own)) { [z, own, other] } else { [own, other, z] })
     }
 
     /// The last of the planes by which the line enters a slab; a miss if a slab ends before it.
@@ -122,15 +122,15 @@ impl<N: Length> Slabs<N> {
                 return Attempt::Unsure;
             }
         }
-        Attempt::Found(enter)
+        Attempt::Hit(enter)
     }
 
     /// The first of the planes by which the line leaves a slab, with its axis.
     #[inline(always)]
     fn exit(&self) -> Attempt<(N, usize)> {
         match self.decisive(|slab| slab.high, false) {
-            Attempt::Found([exit, ..]) => {
-                Attempt::Found((found!(exit.half.crossing(exit.o, self.finer, exit.d)), exit.axis))
+            Attempt::Hit([exit, ..]) => {
+                Attempt::Hit((found!(exit.half.crossing(exit.o, self.extra_bits, exit.d)), exit.axis))
             }
             // The line has been inside, whatever its rounded coordinates are.
             _ => Attempt::Unsure,
@@ -140,46 +140,46 @@ impl<N: Length> Slabs<N> {
 
 /// The interval of the line inside the cuboid with these half extents about the origin.
 ///
-/// The origin is in units of `2^-finer` of the half extents'; the ends are in theirs. See [`LocalLine::since`](crate::scalar::LocalLine) for
+/// The origin is in units of `2^-extra_bits` of the half extents'; the ends are in theirs. See [`LocalLine::since`](crate::scalar::LocalLine) for
 /// `since`.
 #[inline(always)]
 pub(in crate::scalar) fn cuboid<N: Length>(
     o: [N; 3],
-    finer: i32,
+    extra_bits: i32,
     d: [N; 3],
     half: [N; 3],
     since: Option<N>,
 ) -> Attempt<InCuboid<N>> {
-    let slabs = found!(Slabs::new(o, finer, d, half));
+    let slabs = found!(Slabs::new(o, extra_bits, d, half));
     // A slab that lies behind the start. In a frame that is certain from two units of `t` on: an end that is nearer may be rounded to zero, which
     // counts as a hit.
     let [x, y, z] = slabs.each;
-    let least = if finer == 0 { N::ZERO } else { N::two_behind(finer) };
+    let least = if extra_bits == 0 { N::ZERO } else { N::two_behind(extra_bits) };
     if since.is_some_and(|since| since >= N::ZERO) && (x.high < least || y.high < least || z.high < least) {
         return Attempt::Miss;
     }
     let enter = found!(slabs.entry());
-    let first = found!((-enter.half).crossing(enter.o, finer, enter.d));
+    let first = found!((-enter.half).crossing(enter.o, extra_bits, enter.d));
     if since.is_some_and(|since| first >= since) {
-        return Attempt::Found(InCuboid { ends: [first, N::MAX], axes: [enter.axis; 2] });
+        return Attempt::Hit(InCuboid { ends: [first, N::MAX], axes: [enter.axis; 2] });
     }
     let (second, exit) = found!(slabs.exit());
     // Two ends less than a unit apart may be rounded in the other order.
     if first > second {
         return Attempt::Unsure;
     }
-    Attempt::Found(InCuboid { ends: [first, second], axes: [enter.axis, exit] })
+    Attempt::Hit(InCuboid { ends: [first, second], axes: [enter.axis, exit] })
 }
 
 /// Where a line that starts on the surface leaves the cuboid, and the axis of that face.
 #[inline(always)]
 pub(in crate::scalar) fn exit_from_cuboid<N: Length>(
     o: [N; 3],
-    finer: i32,
+    extra_bits: i32,
     d: [N; 3],
     half: [N; 3],
 ) -> Attempt<(N, usize)> {
-    found!(Slabs::new(o, finer, d, half)).exit()
+    found!(Slabs::new(o, extra_bits, d, half)).exit()
 }
 
 /// Products of up to 2^61 in 64 bits.
@@ -193,23 +193,24 @@ impl Length for i32 {
     const DOUBT: i64 = 1 << 34;
 
     #[inline(always)]
-    fn refined(self, o: Self, finer: i32) -> Option<Self> {
-        let reach = self << (finer & 0x1f);
-        let fits = reach >> (finer & 0x1f) == self && (magnitude_bits(o) | reach as u32) >> 30 == 0;
-        (fits && (0..28).contains(&finer)).then_some(reach)
+    fn refined(self, o: Self, extra_bits: i32) -> Option<Self> {
+        let bounding_radius = self << (extra_bits & 0x1f);
+        let fits =
+            bounding_radius >> (extra_bits & 0x1f) == self && (magnitude_bits(o) | bounding_radius as u32) >> 30 == 0;
+        (fits && (0..28).contains(&extra_bits)).then_some(bounding_radius)
     }
     #[inline(always)]
     fn difference(self, d: Self, other: Self, d_other: Self) -> i64 {
         product(self, d_other) - product(other, d)
     }
     #[inline(always)]
-    fn crossing(self, o: Self, finer: i32, d: Self) -> Attempt<Self> {
-        let [t, _] = found!(crossings(o, finer, d, [self; 2]));
-        Attempt::Found(t)
+    fn crossing(self, o: Self, extra_bits: i32, d: Self) -> Attempt<Self> {
+        let [t, _] = found!(crossings(o, extra_bits, d, [self; 2]));
+        Attempt::Hit(t)
     }
     #[inline(always)]
-    fn two_behind(finer: i32) -> Self {
-        -(2 << (finer & 0x1f))
+    fn two_behind(extra_bits: i32) -> Self {
+        -(2 << (extra_bits & 0x1f))
     }
 }
 

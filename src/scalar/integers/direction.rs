@@ -15,7 +15,7 @@ pub(super) struct Unit {
 /// The unit vector along `v`, as [`unit`] computes it.
 #[inline]
 pub(in crate::scalar) fn direction(v: [i32; 3]) -> Attempt<[i32; 3]> {
-    Attempt::Found(found!(unit(v)).components)
+    Attempt::Hit(found!(unit(v)).components)
 }
 
 /// The unit vector along `v`, each component within .51 units of 2^-30 (a miss for the zero vector): `r = 1 / |v|` by Newton's
@@ -63,5 +63,5 @@ pub(super) fn unit(v: [i32; 3]) -> Attempt<Unit> {
     // r (1 + e / 2), in units of 2^-31; the length is 2^31 or 2^32 times the root of m, divided by the power of two by which v was shifted up.
     let reciprocal = ((r as i64) << 1) + (product(r as i32, lack) >> 38);
     let reciprocal = if reciprocal > u32::MAX as i64 { u32::MAX } else { reciprocal as u32 };
-    Attempt::Found(Unit { components, reciprocal, halvings: 31 + long as i32 - up as i32 })
+    Attempt::Hit(Unit { components, reciprocal, halvings: 31 + long as i32 - up as i32 })
 }

@@ -8,7 +8,7 @@
 //! inlined on chips without a 64-bit product. Shifts of 64 bits by a variable count are done in two halves, because compilers for these chips
 //! would call a function.
 //!
-//! In comments, a number "in units of `2^-finer`" has `finer` extra bits below the unit of the type, and the origin of a line is "framed" if it has
+//! In comments, a number "in units of `2^-extra_bits`" has `extra_bits` extra bits below the unit of the type, and the origin of a line is "framed" if it has
 //! been transformed to a frame.
 
 mod axis;
@@ -45,19 +45,19 @@ use crate::number::machine::{
     reciprocal_root, root_of_normalized, square,
 };
 
-/// The number of bits by which an origin with `finer` extra bits exceeds [`FINER`], limited to those that a radius has too: on a grid of `2^-grid`
+/// The number of bits by which an origin with `extra_bits` extra bits exceeds [`FINER`], limited to those that a radius has too: on a grid of `2^-grid`
 /// units it has 29 bits.
 #[inline(always)]
-fn more_bits(finer: i32, grid: i32) -> i32 {
-    (finer - FINER).min(grid - 5).max(0)
+fn more_bits(extra_bits: i32, grid: i32) -> i32 {
+    (extra_bits - FINER).min(grid - 5).max(0)
 }
 
 /// The number of bits by which the error of a length on a grid of `2^-grid` units exceeds that unit, if it comes from a framed origin. The error of
 /// each coordinate of the origin is less than 2 of its own units: from its rounding, from that of the point to which it was moved, and from that of
 /// the direction.
 #[inline(always)]
-fn framed_bits(finer: i32, grid: i32) -> i32 {
-    if finer == 0 { 0 } else { 1 + (grid - finer).max(0) }
+fn framed_bits(extra_bits: i32, grid: i32) -> i32 {
+    if extra_bits == 0 { 0 } else { 1 + (grid - extra_bits).max(0) }
 }
 
 /// The square root of a number of at least 2^32 and below 2^62, to within one.

@@ -46,15 +46,15 @@ pub(super) trait Roots {
         if (!low.1 && low.0 > self.start()) || (!high.1 && high.0 < self.start()) {
             return Attempt::Unsure;
         }
-        Attempt::Found(InNappe { ends: [low.0, high.0], certain: [low.1, high.1] })
+        Attempt::Hit(InNappe { ends: [low.0, high.0], certain: [low.1, high.1] })
     }
 
     /// Where the line is inside both nappes: between its ends, or (`true`) before the first and after the second.
     #[inline(always)]
     fn in_both(&self) -> Attempt<([Self::Length; 2], bool)> {
         match (self.first(), self.second()) {
-            ((first, true), (second, true)) if self.is_steep() => Attempt::Found(([second, first], true)),
-            ((first, true), (second, true)) => Attempt::Found(([first, second], false)),
+            ((first, true), (second, true)) if self.is_steep() => Attempt::Hit(([second, first], true)),
+            ((first, true), (second, true)) => Attempt::Hit(([first, second], false)),
             _ => Attempt::Unsure,
         }
     }

@@ -22,26 +22,26 @@ macro_rules! fast {
             let line = LocalLine { is_strict, ..line };
             let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits), r.to_bits());
             let [low, high] = if by_moment {
-                found!(found!($($kernels)::+::ByMoment::new(o, line.finer, d, r)).ends($(line.$strict)?))
+                found!(found!($($kernels)::+::ByMoment::new(o, line.extra_bits, d, r)).ends($(line.$strict)?))
             } else {
-                found!(found!($($kernels)::+::ByApproach::new(o, line.finer, d, r)).ends())
+                found!(found!($($kernels)::+::ByApproach::new(o, line.extra_bits, d, r)).ends())
             };
-            Attempt::Found([Self::from_bits(low), Self::from_bits(high)])
+            Attempt::Hit([Self::from_bits(low), Self::from_bits(high)])
         }
         #[inline(always)]
         fn fast_ball_ahead(line: LocalLine<Self>, r: Self, by_moment: bool) -> Attempt<()> {
             let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits), r.to_bits());
             if by_moment {
-                found!($($kernels)::+::ByMoment::new(o, line.finer, d, r)).meets_ahead()
+                found!($($kernels)::+::ByMoment::new(o, line.extra_bits, d, r)).meets_ahead()
             } else {
-                found!($($kernels)::+::ByApproach::new(o, line.finer, d, r)).meets_ahead()
+                found!($($kernels)::+::ByApproach::new(o, line.extra_bits, d, r)).meets_ahead()
             }
         }
         #[inline(always)]
         fn fast_tube(line: LocalLine<Self>, r: Self) -> Attempt<[Self; 2]> {
             let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits), r.to_bits());
-            let [low, high] = found!($($kernels)::+::tube(o, line.finer, d, r $(, line.$strict)?));
-            Attempt::Found([Self::from_bits(low), Self::from_bits(high)])
+            let [low, high] = found!($($kernels)::+::tube(o, line.extra_bits, d, r $(, line.$strict)?));
+            Attempt::Hit([Self::from_bits(low), Self::from_bits(high)])
         }
         #[inline(always)]
         fn fast_exit_from_round(line: &LocalLine<Self>, is_ball: bool) -> Attempt<Self> {
@@ -49,8 +49,8 @@ macro_rules! fast {
                 return Attempt::Unsure;
             }
             let (o, d) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits));
-            let exit = found!($($kernels)::+::exit_from_round(o, line.finer, d, is_ball));
-            Attempt::Found(Self::from_bits(exit))
+            let exit = found!($($kernels)::+::exit_from_round(o, line.extra_bits, d, is_ball));
+            Attempt::Hit(Self::from_bits(exit))
         }
         #[inline(always)]
         fn fast_exit_from_nappe(
@@ -64,18 +64,18 @@ macro_rules! fast {
             let height = height.map_or((1 as $raw).checked_shl(F::U32).unwrap_or(0), Self::to_bits);
             let height = if height > 0 { height } else { return Attempt::Unsure };
             let outline = [base.to_bits(), top.minus(base).to_bits(), height];
-            let exit = found!($($kernels)::+::exit_from_nappe(o, line.finer, d, outline $(, line.$strict)?));
-            Attempt::Found(Self::from_bits(exit))
+            let exit = found!($($kernels)::+::exit_from_nappe(o, line.extra_bits, d, outline $(, line.$strict)?));
+            Attempt::Hit(Self::from_bits(exit))
         }
         #[inline(always)]
         fn fast_seams(line: LocalLine<Self>, t: Self, height: Self) -> Attempt<Ordering> {
             let (oy, dy) = (line.origin[1].to_bits(), line.direction[1].to_bits());
-            let y = found!($($kernels)::+::height(oy, line.finer, dy, t.to_bits()));
+            let y = found!($($kernels)::+::height(oy, line.extra_bits, dy, t.to_bits()));
             let is_close = |height: $raw| y.abs_diff(height) >> DOUBTFUL_BITS == 0;
             if line.is_strict && (is_close(0) || is_close(height.to_bits())) {
                 return Attempt::Unsure;
             }
-            Attempt::Found(if y < 0 {
+            Attempt::Hit(if y < 0 {
                 Ordering::Less
             } else if y > height.to_bits() {
                 Ordering::Greater
@@ -94,14 +94,14 @@ macro_rules! fast {
         #[inline(always)]
         fn fast_lowered(line: LocalLine<Self>, y: Self) -> Attempt<LocalLine<Self>> {
             let [ox, oy, oz] = line.origin;
-            let lowered = found!($($kernels)::+::lowered(oy.to_bits(), line.finer, y.to_bits()));
-            Attempt::Found(LocalLine { origin: [ox, Self::from_bits(lowered), oz], ..line })
+            let lowered = found!($($kernels)::+::lowered(oy.to_bits(), line.extra_bits, y.to_bits()));
+            Attempt::Hit(LocalLine { origin: [ox, Self::from_bits(lowered), oz], ..line })
         }
         #[inline(always)]
         fn fast_crossings(line: LocalLine<Self>, y: [Self; 2]) -> Attempt<([Self; 2], [Self; 2])> {
             let (oy, dy) = (line.origin[1].to_bits(), line.direction[1].to_bits());
-            let [first, second] = found!($($kernels)::+::crossings(oy, line.finer, dy, y.map(Self::to_bits)));
-            Attempt::Found(([Self::from_bits(first), Self::from_bits(second)], [Self::from_bits(0); 2]))
+            let [first, second] = found!($($kernels)::+::crossings(oy, line.extra_bits, dy, y.map(Self::to_bits)));
+            Attempt::Hit(([Self::from_bits(first), Self::from_bits(second)], [Self::from_bits(0); 2]))
         }
         #[inline(always)]
         fn fast_nappe(
@@ -113,9 +113,9 @@ macro_rules! fast {
             let height = if height > 0 { height } else { return Attempt::Unsure };
             let outline = [base.to_bits(), top.minus(base).to_bits(), height];
             let InNappe { ends, certain } =
-                found!($($kernels)::+::nappe(o, line.finer, d, outline $(, line.$strict)?));
+                found!($($kernels)::+::nappe(o, line.extra_bits, d, outline $(, line.$strict)?));
             let [low, high] = ends;
-            Attempt::Found(InNappe { ends: [Self::from_bits(low), Self::from_bits(high)], certain })
+            Attempt::Hit(InNappe { ends: [Self::from_bits(low), Self::from_bits(high)], certain })
         }
         #[inline(always)]
         fn fast_double_cone(line: LocalLine<Self>, slope: Self) -> Attempt<([Self; 2], bool)> {
@@ -124,27 +124,27 @@ macro_rules! fast {
                 Some(one) if one > 0 => one,
                 _ => return Attempt::Unsure,
             };
-            let (ends, beyond) = found!($($kernels)::+::double_cone(o, line.finer, d, [slope.to_bits(), one] $(, line.$strict)?));
-            Attempt::Found((ends.map(Self::from_bits), beyond))
+            let (ends, beyond) = found!($($kernels)::+::double_cone(o, line.extra_bits, d, [slope.to_bits(), one] $(, line.$strict)?));
+            Attempt::Hit((ends.map(Self::from_bits), beyond))
         }
         #[inline(always)]
         fn fast_disc(line: LocalLine<Self>, r: Self) -> Attempt<Self> {
             let (o, d) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits));
-            Attempt::Found(Self::from_bits(found!($($kernels)::+::disc(o, line.finer, d, r.to_bits()))))
+            Attempt::Hit(Self::from_bits(found!($($kernels)::+::disc(o, line.extra_bits, d, r.to_bits()))))
         }
         #[inline(always)]
         fn fast_rectangle(line: LocalLine<Self>, half: [Self; 2]) -> Attempt<Self> {
             let (o, d) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits));
-            let t = found!($($kernels)::+::rectangle(o, line.finer, d, half.map(Self::to_bits)));
-            Attempt::Found(Self::from_bits(t))
+            let t = found!($($kernels)::+::rectangle(o, line.extra_bits, d, half.map(Self::to_bits)));
+            Attempt::Hit(Self::from_bits(t))
         }
         #[inline(always)]
         fn fast_cuboid(line: &LocalLine<Self>, half: [Self; 3]) -> Attempt<InCuboid<Self>> {
             let (o, d) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits));
             let since = line.since.map(Self::to_bits);
             let InCuboid { ends, axes } =
-                found!(integers::cuboid(o, line.finer, d, half.map(Self::to_bits), since));
-            Attempt::Found(InCuboid { ends: ends.map(Self::from_bits), axes })
+                found!(integers::cuboid(o, line.extra_bits, d, half.map(Self::to_bits), since));
+            Attempt::Hit(InCuboid { ends: ends.map(Self::from_bits), axes })
         }
         #[inline(always)]
         fn fast_exit_from_cuboid(line: &LocalLine<Self>, half: [Self; 3]) -> Attempt<(Self, usize)> {
@@ -153,8 +153,8 @@ macro_rules! fast {
             }
             let (o, d) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits));
             let (t, axis) =
-                found!(integers::exit_from_cuboid(o, line.finer, d, half.map(Self::to_bits)));
-            Attempt::Found((Self::from_bits(t), axis))
+                found!(integers::exit_from_cuboid(o, line.extra_bits, d, half.map(Self::to_bits)));
+            Attempt::Hit((Self::from_bits(t), axis))
         }
         #[inline(always)]
         fn fast_turned(
@@ -168,10 +168,10 @@ macro_rules! fast {
                 $($kernels)::+::turned(raw, position, axes.map(|axis| axis.map($Fixed::to_bits)), d.map($Fixed::to_bits))?;
             Some(LocalLine {
                 origin: line.origin.map(Self::from_bits),
-                finer: line.finer,
+                extra_bits: line.extra_bits,
                 direction: line.direction.map($Fixed::from_bits),
                 start: Self::from_bits(line.start),
-                is_coarse: line.finer < $($kernels)::+::FINER,
+                is_coarse: line.extra_bits < $($kernels)::+::FINER,
                 ..LocalLine::along(o, d, Self::from_bits(0))
             })
         }
@@ -201,51 +201,52 @@ fast!(FixedI32, LeEqU32, i32, integers, [is_strict], {
         d: [Self::Unit; 3],
         position: [Self; 3],
         rows: [([Self::Unit; 3], i32); 3],
-        reach: Self,
+        bounding_radius: Self,
     ) -> Option<FinerLine<Self>> {
-        let (raw, position, reach) = (o.map(Self::to_bits), position.map(Self::to_bits), reach.to_bits());
+        let (raw, position, bounding_radius) =
+            (o.map(Self::to_bits), position.map(Self::to_bits), bounding_radius.to_bits());
         let rows = rows.map(|(row, exponent)| (row.map(FixedI32::to_bits), exponent));
-        let line = integers::stretched(raw, d.map(FixedI32::to_bits), position, rows, reach)?;
-        let (scale, pace) = (line.scale, line.pace);
+        let line = integers::stretched(raw, d.map(FixedI32::to_bits), position, rows, bounding_radius)?;
+        let (scale, inverse_length) = (line.scale, line.inverse_length);
         let line = LocalLine {
             origin: line.origin.map(Self::from_bits),
-            finer: line.finer,
+            extra_bits: line.extra_bits,
             direction: line.direction.map(FixedI32::from_bits),
             start: Self::from_bits(line.start),
             ..LocalLine::along(o, d, Self::from_bits(0))
         };
-        Some(FinerLine { line, scale, pace })
+        Some(FinerLine { line, scale, inverse_length })
     }
     #[inline(always)]
     fn fast_along_ray(line: &FinerLine<Self>, t: Self) -> Option<Self> {
-        integers::along_ray(line.pace, line.line.start.to_bits(), t.to_bits()).map(Self::from_bits)
+        integers::along_ray(line.inverse_length, line.line.start.to_bits(), t.to_bits()).map(Self::from_bits)
     }
     #[inline(always)]
-    fn fast_fit(line: &mut LocalLine<Self>, reach: Self) {
-        let fitting = integers::fitting(reach.to_bits());
-        if line.finer > fitting {
-            let origin = integers::coarser(line.origin.map(Self::to_bits), (line.finer - fitting) as u32);
-            (line.origin, line.finer) = (origin.map(Self::from_bits), fitting);
+    fn fast_fit(line: &mut LocalLine<Self>, bounding_radius: Self) {
+        let fitting = integers::fitting(bounding_radius.to_bits());
+        if line.extra_bits > fitting {
+            let origin = integers::coarser(line.origin.map(Self::to_bits), (line.extra_bits - fitting) as u32);
+            (line.origin, line.extra_bits) = (origin.map(Self::from_bits), fitting);
         }
     }
     #[inline(always)]
     fn fast_direction(v: [Self; 3]) -> Attempt<[Self::Unit; 3]> {
-        Attempt::Found(found!(integers::direction(v.map(Self::to_bits))).map(FixedI32::from_bits))
+        Attempt::Hit(found!(integers::direction(v.map(Self::to_bits))).map(FixedI32::from_bits))
     }
     #[inline(always)]
     fn fast_triangle(line: LocalLine<Self>, vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {
         let (o, d) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits));
         let vertices = vertices.map(|vertex| vertex.map(Self::to_bits));
-        let found = match integers::triangle(o, line.finer, d, vertices) {
+        let found = match integers::triangle(o, line.extra_bits, d, vertices) {
             // There may be too little room for the origin beside the vertices.
-            Attempt::Unsure if line.finer > integers::FINER => {
-                let origin = integers::coarser(o, (line.finer - integers::FINER) as u32);
+            Attempt::Unsure if line.extra_bits > integers::FINER => {
+                let origin = integers::coarser(o, (line.extra_bits - integers::FINER) as u32);
                 integers::triangle(origin, integers::FINER, d, vertices)
             }
             found => found,
         };
         let (t, from_front) = found!(found);
-        Attempt::Found((Self::from_bits(t), from_front))
+        Attempt::Hit((Self::from_bits(t), from_front))
     }
 });
 fast!(FixedI64, LeEqU64, i64, integers::wide, [], {
@@ -261,29 +262,30 @@ fast!(FixedI64, LeEqU64, i64, integers::wide, [], {
         d: [Self::Unit; 3],
         position: [Self; 3],
         rows: [([Self::Unit; 3], i32); 3],
-        reach: Self,
+        bounding_radius: Self,
     ) -> Option<FinerLine<Self>> {
-        let (raw, position, reach) = (o.map(Self::to_bits), position.map(Self::to_bits), reach.to_bits());
+        let (raw, position, bounding_radius) =
+            (o.map(Self::to_bits), position.map(Self::to_bits), bounding_radius.to_bits());
         let rows = rows.map(|(row, exponent)| (row.map(FixedI64::to_bits), exponent));
-        let line = integers::wide::stretched(raw, d.map(FixedI64::to_bits), position, rows, reach)?;
-        let (scale, pace) = (line.scale, line.pace);
+        let line = integers::wide::stretched(raw, d.map(FixedI64::to_bits), position, rows, bounding_radius)?;
+        let (scale, inverse_length) = (line.scale, line.inverse_length);
         let line = LocalLine {
             origin: line.origin.map(Self::from_bits),
-            finer: integers::wide::FINER,
+            extra_bits: integers::wide::FINER,
             direction: line.direction.map(FixedI64::from_bits),
             ..LocalLine::along(o, d, Self::from_bits(0))
         };
-        Some(FinerLine { line, scale, pace })
+        Some(FinerLine { line, scale, inverse_length })
     }
     #[inline(always)]
     fn fast_along_ray(line: &FinerLine<Self>, t: Self) -> Option<Self> {
-        integers::wide::along_ray(line.pace, t.to_bits()).map(Self::from_bits)
+        integers::wide::along_ray(line.inverse_length, t.to_bits()).map(Self::from_bits)
     }
     #[inline(always)]
     fn fast_triangle(line: LocalLine<Self>, vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {
         let (o, d) = (line.origin.map(Self::to_bits), line.direction.map(FixedI64::to_bits));
         let vertices = vertices.map(|vertex| vertex.map(Self::to_bits));
-        let (t, from_front) = found!(integers::wide::triangle(o, line.finer, d, vertices));
-        Attempt::Found((Self::from_bits(t), from_front))
+        let (t, from_front) = found!(integers::wide::triangle(o, line.extra_bits, d, vertices));
+        Attempt::Hit((Self::from_bits(t), from_front))
     }
 });

@@ -3,7 +3,7 @@
 use super::direction::{Unit, unit};
 use super::turned::{FINER, FINEST, LENGTH_BITS, closest, dot, room};
 use super::{leading_zeros_of_64, magnitude_bits, round_off};
-use crate::scalar::{Attempt, Pace};
+use crate::scalar::{Attempt, InverseLength};
 
 /// If the largest coordinate of a line's origin, relative to the map's position, has at least this many bits, the origin is moved next to that
 /// position.
@@ -15,21 +15,25 @@ const FAR: u32 = 19;
 pub(in crate::scalar) struct Stretched {
     /// The ray's `t` at the origin.
     pub(in crate::scalar) start: i32,
-    /// In units of `2^-finer` of the finer unit.
+    /// In units of `2^-extra_bits` of the finer unit.
     pub(in crate::scalar) origin: [i32; 3],
-    pub(in crate::scalar) finer: i32,
+    pub(in crate::scalar) extra_bits: i32,
     pub(in crate::scalar) direction: [i32; 3],
     /// The number of bits by which the unit is finer than the type's.
     pub(in crate::scalar) scale: i32,
-    pub(in crate::scalar) pace: Pace,
+    pub(in crate::scalar) inverse_length: InverseLength,
 }
 
-/// Ends beyond this are left to wider numbers: the error from pace and direction would be an eighth of a unit.
+/// Ends beyond this are left to wider numbers: the error from inverse length and direction would be an eighth of a unit.
 const TOO_FAR: i32 = 1 << 26;
 
 /// The ray's `t` for a `t` along the line, which may be infinite; `None` if it is too large.
 #[inline(always)]
-pub(in crate::scalar) fn along_ray(Pace { digits, shift, .. }: Pace, start: i32, t: i32) -> Option<i32> {
+pub(in crate::scalar) fn along_ray(
+    InverseLength { digits, shift, .. }: InverseLength,
+    start: i32,
+    t: i32,
+) -> Option<i32> {
     if t == i32::MAX || t == -i32::MAX {
         return Some(t);
     }
@@ -41,22 +45,22 @@ pub(in crate::scalar) fn along_ray(Pace { digits, shift, .. }: Pace, start: i32,
 }
 
 /// The line in the frame at `position` of a matrix whose inverse has these rows, each to be multiplied by its power of two, for a solid
-/// whose lengths are at most `reach`; `None` if there is no room for them.
+/// whose lengths are at most `bounding_radius`; `None` if there is no room for them.
 #[inline]
 pub(in crate::scalar) fn stretched(
     o: [i32; 3],
     d: [i32; 3],
     position: [i32; 3],
     rows: [([i32; 3], i32); 3],
-    reach: i32,
+    bounding_radius: i32,
 ) -> Option<Stretched> {
     let apart = |o: i32, position: i32| o.wrapping_sub(position);
     let from = [apart(o[0], position[0]), apart(o[1], position[1]), apart(o[2], position[2])];
     let bits = magnitude_bits(from[0]) | magnitude_bits(from[1]) | magnitude_bits(from[2]);
     let is_far = bits >> FAR != 0;
-    let (start, point, finer) = if is_far { closest(from, d, 2 * FINEST)? } else { (0, from, 0) };
+    let (start, point, extra_bits) = if is_far { closest(from, d, 2 * FINEST)? } else { (0, from, 0) };
 
-    // Exact except for the bits of smaller rows below the unit of the largest: in units of 2^(exponent - 30 - finer) and 2^(exponent - 60).
+    // Exact except for the bits of smaller rows below the unit of the largest: in units of 2^(exponent - 30 - extra_bits) and 2^(exponent - 60).
     let [x, y, z] = rows.map(|(_, exponent)| exponent);
     let exponent = x.max(y).max(z);
     let down = [x, y, z].map(|own| (exponent - own).min(63) as u32);
@@ -64,12 +68,12 @@ pub(in crate::scalar) fn stretched(
         |v: [i32; 3]| [dot(v, rows[0].0) >> down[0], dot(v, rows[1].0) >> down[1], dot(v, rows[2].0) >> down[2]];
     let (origin, direction) = (image(point), image(d));
 
-    // The direction, at first with 31 bits in its longest component, and the pace, which is one over its length.
+    // The direction, at first with 31 bits in its longest component, and the inverse length, which is one over its length.
     let excess = bits_of_longest(direction) - 31;
     if excess < 1 {
         return None;
     }
-    let Attempt::Found(Unit { components, reciprocal, halvings }) = unit(shifted(direction, excess)) else {
+    let Attempt::Hit(Unit { components, reciprocal, halvings }) = unit(shifted(direction, excess)) else {
         return None;
     };
     // The length is that of the argument of unit(), times 2^(excess + exponent - 60).
@@ -78,19 +82,19 @@ pub(in crate::scalar) fn stretched(
     // A unit along the line is at most half of one along the ray.
     let scale = (33 - shift).max(0);
     // As many extra bits as the lengths of line and solid leave; but rounded bits are not replaced by zeros.
-    let top = bits_of_longest(origin) + exponent - 30 - finer;
-    let rounded = if is_far { finer - 2 - exponent } else { i32::MAX };
-    let finer_than_type = (LENGTH_BITS - top).min(room(reach as u32)).min(rounded).min(scale + FINEST);
+    let top = bits_of_longest(origin) + exponent - 30 - extra_bits;
+    let rounded = if is_far { extra_bits - 2 - exponent } else { i32::MAX };
+    let finer_than_type = (LENGTH_BITS - top).min(room(bounding_radius as u32)).min(rounded).min(scale + FINEST);
     if finer_than_type < scale + FINER || shift + scale > 62 {
         return None;
     }
     Some(Stretched {
         start,
-        origin: shifted(origin, 30 + finer - exponent - finer_than_type),
-        finer: finer_than_type - scale,
+        origin: shifted(origin, 30 + extra_bits - exponent - finer_than_type),
+        extra_bits: finer_than_type - scale,
         direction: components,
         scale,
-        pace: Pace { digits: reciprocal, below: 0, shift: (shift + scale) as u32 },
+        inverse_length: InverseLength { digits: reciprocal, below: 0, shift: (shift + scale) as u32 },
     })
 }
 

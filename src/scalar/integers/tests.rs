@@ -60,7 +60,7 @@ fn directions_are_within_a_hair_of_half_a_unit() {
         [shrunk(a, by % 3), shrunk(b, by / 3 % 5), shrunk(b >> 32, by / 15)].map(|c| shrunk(c as u64, 2 + by % 29))
     });
     for v in special.chain(mixed) {
-        let Attempt::Found(got) = direction(v) else {
+        let Attempt::Hit(got) = direction(v) else {
             let large = v.iter().fold(0, |all, &c| all | c.unsigned_abs()) >= i32::MAX as u32;
             assert!(large || v == [0; 3], "no direction of {v:?}");
             continue;
@@ -71,7 +71,7 @@ fn directions_are_within_a_hair_of_half_a_unit() {
             let error = (f64::from(*got) - exact / length * f64::from(1 << 30)).abs();
             assert!(error <= 0.51, "{v:?} has the direction {got}, {error} off");
         }
-        let Attempt::Found(mirrored) = direction(v.map(i32::wrapping_neg)) else { continue };
+        let Attempt::Hit(mirrored) = direction(v.map(i32::wrapping_neg)) else { continue };
         assert_eq!(mirrored, got.map(|c| -c), "{v:?}");
     }
 }
@@ -120,7 +120,7 @@ fn a_triangle_is_met_where_exact_arithmetic_says() {
         let volumes = [volume(along, a, b), volume(along, b, c), volume(along, c, a)];
         let inside = volumes.iter().all(|v| *v > 0) || volumes.iter().all(|v| *v < 0);
         match triangle(origin, 0, d, vertices) {
-            Attempt::Found((t, from_front)) => {
+            Attempt::Hit((t, from_front)) => {
                 found += 1;
                 assert!(inside, "{vertices:?} from {origin:?} along {d:?}");
                 assert_eq!(from_front, volumes[0] < 0);
@@ -140,7 +140,7 @@ fn a_triangle_is_met_where_exact_arithmetic_says() {
 }
 
 /// The line in the frame of a matrix compared with one in doubles, which hold it exactly: the origin within its own unit, the direction within little
-/// more than a unit of its type, the pace to all its bits.
+/// more than a unit of its type, the inverse length to all its bits.
 #[test]
 fn a_stretched_line_is_the_matrix_times_the_line() {
     let mut words = words();
@@ -150,7 +150,7 @@ fn a_stretched_line_is_the_matrix_times_the_line() {
         let mut vector = |bits: u32| [next(), next(), next()].map(|word| word as i32 >> (31 - bits));
         let sizes = 8 + (tried as u32 * 7) % 23;
         let (o, position) = (vector(sizes), vector(sizes.min(12 + tried as u32 % 17)));
-        let Attempt::Found(d) = direction(vector(29)) else { continue };
+        let Attempt::Hit(d) = direction(vector(29)) else { continue };
         // Also with lengths that differ from 1 by 2^-20, as directions that were rounded elsewhere may have.
         let d = d.map(|c| c + (c >> 20) * (tried % 3 - 1));
         let rows = [vector(30), vector(30), vector(30)];
@@ -158,8 +158,8 @@ fn a_stretched_line_is_the_matrix_times_the_line() {
         let exponents = [0, 1, 2].map(|i| (tried / 7 + i * spread) % 13 - 6);
         tried += 1;
         let stored = [0, 1, 2].map(|i| (rows[i], exponents[i]));
-        let reach = 1 << (4 + tried % 20);
-        let Some(line) = stretched(o, d, position, stored, reach) else { continue };
+        let bounding_radius = 1 << (4 + tried % 20);
+        let Some(line) = stretched(o, d, position, stored, bounding_radius) else { continue };
         found += 1;
         let of = |v: [f64; 3]| {
             [0, 1, 2].map(|i| {
@@ -170,7 +170,7 @@ fn a_stretched_line_is_the_matrix_times_the_line() {
         let d = d.map(|c| f64::from(c) * 2.0_f64.powi(-30));
         let start = f64::from(line.start);
         let origin = of([0, 1, 2].map(|i| f64::from(o[i]) - f64::from(position[i]) + start * d[i]));
-        let unit = 2.0_f64.powi(-line.scale - line.finer);
+        let unit = 2.0_f64.powi(-line.scale - line.extra_bits);
         for (got, exact) in line.origin.into_iter().zip(origin) {
             assert!((f64::from(got) * unit - exact).abs() <= 1.1 * unit, "{line:?} of {o:?} {position:?} {stored:?}");
             assert!(got.unsigned_abs() >> 30 == 0);
@@ -181,12 +181,13 @@ fn a_stretched_line_is_the_matrix_times_the_line() {
             let off = (f64::from(got) - exact / length * 2.0_f64.powi(30)).abs();
             assert!(off <= 1.3, "{line:?} {along:?} {off}");
         }
-        let pace = f64::from(line.pace.digits) * 2.0_f64.powi(line.scale - line.pace.shift as i32);
-        assert!((pace * length - 1.0).abs() <= 2.0_f64.powi(-29), "{line:?} {pace} {length}");
+        let inverse_length =
+            f64::from(line.inverse_length.digits) * 2.0_f64.powi(line.scale - line.inverse_length.shift as i32);
+        assert!((inverse_length * length - 1.0).abs() <= 2.0_f64.powi(-29), "{line:?} {inverse_length} {length}");
         assert!(
-            pace * 2.0_f64.powi(-line.scale) <= 0.5
-                && line.finer >= FINER
-                && (reach << line.scale << line.finer) >> 30 == 0
+            inverse_length * 2.0_f64.powi(-line.scale) <= 0.5
+                && line.extra_bits >= FINER
+                && (bounding_radius << line.scale << line.extra_bits) >> 30 == 0
         );
     }
     assert!(found > tried / 4, "{found} of {tried}");
@@ -200,7 +201,7 @@ fn a_line_along_a_row_keeps_its_direction() {
     let mut found = 0;
     for index in 0..20_000 {
         let vector = [next(), next(), next()].map(|word| word as i32 >> 2);
-        let Attempt::Found(row) = direction(vector) else { continue };
+        let Attempt::Hit(row) = direction(vector) else { continue };
         let axis = index % 3;
         let rows = [0, 1, 2].map(|i| (if i == axis { row } else { [0; 3] }, 0));
         for d in [row, row.map(|c| -c)] {

@@ -20,18 +20,18 @@ fn cross([x, y, z]: [i32; 3], [u, v, w]: [i32; 3]) -> [i64; 3] {
 /// Where the line crosses the triangle, and whether it comes from the front; the signs as in `solve::flat`, with the line's origin as
 /// the origin, so that the volume of an edge from `p` to `q` is `d . (p x q) = q . (d x p)`.
 ///
-/// The origin is in units of `2^-finer` of the vertices'; the answer is in the vertices'.
+/// The origin is in units of `2^-extra_bits` of the vertices'; the answer is in the vertices'.
 #[inline(always)]
 pub(in crate::scalar) fn triangle(
     o: [i32; 3],
-    finer: i32,
+    extra_bits: i32,
     d: [i32; 3],
     vertices: [[i32; 3]; 3],
 ) -> Attempt<(i32, bool)> {
     // Exact, in the origin's unit, with 30 bits.
     let mut all = 0;
     let mut from_origin = |v: i32, o: i32| {
-        let length = ((v as i64) << (finer & 0x1f)) - o as i64;
+        let length = ((v as i64) << (extra_bits & 0x1f)) - o as i64;
         all |= (length ^ (length >> 63)) as u64;
         length as i32
     };
@@ -42,7 +42,7 @@ pub(in crate::scalar) fn triangle(
     // On a grid on which none has more than 28 bits, truncated by less than one unit. The error of a framed origin is half of its own unit, so that a
     // finer grid would gain nothing.
     let bits = 32 - leading_zeros(all as u32 | 1);
-    let up = if finer == 0 { 28 - bits as i32 } else { 0 };
+    let up = if extra_bits == 0 { 28 - bits as i32 } else { 0 };
     let cut = bits.saturating_sub(28);
     let on_grid = |vertex: [i32; 3]| vertex.map(|length| if up > 0 { length << up } else { length >> cut });
     let corners = [on_grid(a), on_grid(b), on_grid(c)];
@@ -56,12 +56,18 @@ pub(in crate::scalar) fn triangle(
     };
     let [p, q, r] = corners;
     let from_front = found!(within_edges([(p, q), (q, r), (r, p)], volume));
-    crossing(a, finer, d, vertices, from_front)
+    crossing(a, extra_bits, d, vertices, from_front)
 }
 
 /// Where the line crosses the plane of a triangle that it meets, `t = a . n / d . n`, from a vertex `a` seen from its origin.
 #[inline(always)]
-fn crossing(a: [i32; 3], finer: i32, d: [i32; 3], [u, v, w]: [[i32; 3]; 3], from_front: bool) -> Attempt<(i32, bool)> {
+fn crossing(
+    a: [i32; 3],
+    extra_bits: i32,
+    d: [i32; 3],
+    [u, v, w]: [[i32; 3]; 3],
+    from_front: bool,
+) -> Attempt<(i32, bool)> {
     let edge = |from: [i32; 3], to: [i32; 3]| {
         [to[0].wrapping_sub(from[0]), to[1].wrapping_sub(from[1]), to[2].wrapping_sub(from[2])]
     };
@@ -82,10 +88,10 @@ fn crossing(a: [i32; 3], finer: i32, d: [i32; 3], [u, v, w]: [[i32; 3]; 3], from
     };
     // The errors of a framed origin and direction, half of the origin's unit and 2^-31, are larger at the crossing if the line is nearly parallel to
     // the plane.
-    if finer != 0 && digits.shift as i32 > finer - 4 {
+    if extra_bits != 0 && digits.shift as i32 > extra_bits - 4 {
         return Attempt::Unsure;
     }
-    let farthest = if finer == 0 { 1 << 28 } else { (1 << 26) >> digits.shift };
-    let t = digits.divisor().long_quotient(distance, (30 + finer) as u32);
-    if -farthest < t && t < farthest { Attempt::Found((t as i32, from_front)) } else { Attempt::Unsure }
+    let farthest = if extra_bits == 0 { 1 << 28 } else { (1 << 26) >> digits.shift };
+    let t = digits.divisor().long_quotient(distance, (30 + extra_bits) as u32);
+    if -farthest < t && t < farthest { Attempt::Hit((t as i32, from_front)) } else { Attempt::Unsure }
 }

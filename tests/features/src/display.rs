@@ -10,7 +10,8 @@ use embedded_graphics::pixelcolor::{
 use fixed::types::{I16F16, I32F32};
 use raylet::display::DisplayColor;
 use raylet::{
-    Camera, Color, Frame, Light, Material, Object, Picture, Plane, Scalar, Scene, Shape, Size, Sphere, Vec3, Work,
+    Camera, Color, Frame, Light, Material, Object, Picture, Plane, Scalar, Scene, Shape, Size, Sphere, TraceContext,
+    Vec3,
 };
 
 const WIDTH: u16 = 24;
@@ -109,7 +110,7 @@ fn rows_may_be_drawn_apart_and_in_any_order() {
     with_picture::<f32, _>(|picture| {
         let (mut whole, mut parts) = (Screen::<Rgb565>::new(), Screen::<Rgb565>::new());
         let counters = picture.draw(Point::zero(), &mut whole).unwrap();
-        let (mut first, mut second) = (Work::new(()), Work::new(()));
+        let (mut first, mut second) = (TraceContext::new(()), TraceContext::new(()));
         // The lower half, to a row that does not exist, before the upper one.
         picture.draw_rows(HEIGHT / 2..HEIGHT + 5, Point::zero(), &mut parts, &mut second).unwrap();
         picture.draw_rows(0..HEIGHT / 2, Point::zero(), &mut parts, &mut first).unwrap();
@@ -124,19 +125,19 @@ fn a_line_holds_what_a_display_shows() {
     with_picture::<I16F16, _>(|picture| {
         let mut screen = Screen::<Rgb565>::new();
         picture.draw(Point::zero(), &mut screen).unwrap();
-        let mut work = Work::new(());
+        let mut context = TraceContext::new(());
         for y in 0..HEIGHT {
             let mut line = [Rgb565::MAGENTA; WIDTH as usize + 3];
-            assert_eq!(picture.line(y, &mut line, &mut work), usize::from(WIDTH));
+            assert_eq!(picture.line(y, &mut line, &mut context), usize::from(WIDTH));
             for (x, color) in (0..WIDTH).zip(line) {
                 assert_eq!(screen.at(x, y), Some(color));
             }
             assert_eq!(line[usize::from(WIDTH)..], [Rgb565::MAGENTA; 3], "beyond the width");
         }
         let mut short = [Rgb565::MAGENTA; 5];
-        assert_eq!(picture.line(3, &mut short, &mut work), 5);
+        assert_eq!(picture.line(3, &mut short, &mut context), 5);
         assert_eq!(Some(short[4]), screen.at(4, 3));
-        assert_eq!(picture.line(HEIGHT, &mut short, &mut work), 0, "beyond the last row");
+        assert_eq!(picture.line(HEIGHT, &mut short, &mut context), 0, "beyond the last row");
     });
 }
 

@@ -9,7 +9,7 @@ use embedded_graphics::pixelcolor::{BinaryColor, IntoStorage, Rgb565, RgbColor};
 use fixed::types::I16F16;
 use raylet::gallery::BuiltIn;
 use raylet::scene::{Hierarchy, Node};
-use raylet::{Scalar, Work};
+use raylet::{Scalar, TraceContext};
 use shared::one_bit;
 use shared::turntable::{self, FRAMES, Line, NODES};
 
@@ -98,12 +98,12 @@ fn frames<S: Scalar>(frames: impl IntoIterator<Item = u8>) -> Vec<Screen<Rgb565>
     let mut nodes = [Node::EMPTY; NODES];
     let hierarchy = Hierarchy::build(&stage.objects, &mut nodes).unwrap();
     let mut line: Line = [Rgb565::BLACK; turntable::WIDTH as usize];
-    let mut work = Work::new(());
+    let mut context = TraceContext::new(());
     let mut show = |frame| {
         let mut screen = Screen::new(turntable::WIDTH, turntable::HEIGHT, Rgb565::MAGENTA);
         stage.camera = turntable::camera(frame).unwrap();
         let scene = turntable::lit(stage.scene().unwrap()).with_hierarchy(&hierarchy).unwrap();
-        let Ok(()) = turntable::show(&turntable::picture(&scene), &mut line, &mut work, &mut screen);
+        let Ok(()) = turntable::show(&turntable::picture(&scene), &mut line, &mut context, &mut screen);
         assert_eq!(screen.drawn, screen.pixels.len(), "each pixel is drawn once");
         screen
     };
@@ -177,9 +177,9 @@ fn pictures_of_one_bit() {
     let Ok(_) = picture.draw(Point::zero(), &mut screen);
 
     let (mut shares, mut of_ball) = ([Share::default(); 14], vec![]);
-    let mut work = Work::new(());
+    let mut context = TraceContext::new(());
     for y in 0..one_bit::HEIGHT {
-        for (x, pixel) in (0_u16..).zip(picture.row(y, &mut work)) {
+        for (x, pixel) in (0_u16..).zip(picture.row(y, &mut context)) {
             let is_on = screen.pixels[usize::from(y) * usize::from(one_bit::WIDTH) + usize::from(x)].is_on();
             let Some((object, _)) = pixel.seen else { continue };
             shares[object as usize].add(is_on);

@@ -1,13 +1,13 @@
 //! The parts of a scene, and all other public values, are stored and come back to the bit; what no constructor makes is refused.
 
 use fixed::types::{I16F16, I32F32};
-use raylet::effect::{Effect, EffectSet, Sight};
+use raylet::effect::{Effect, EffectSet, Sample};
 use raylet::gallery::BuiltIn;
 use raylet::scalar::{Budget, UnitScalar};
 use raylet::scene::nff::{Corner, Counts, Scale, View};
 use raylet::scene::{CameraError, Coordinate, CornerNormals, Raster, SceneHit, Waves};
 use raylet::shape::kinds::{Kind, KindSet};
-use raylet::tier::Effort;
+use raylet::tier::Precision;
 use raylet::{
     Along, Camera, Color, Counters, Cylinder, Fog, Frame, Hit, Light, Material, Object, Part, Pixel, Plane, Ray,
     Scalar, Scene, Shape, Size, Sphere, Texture, UnitVec3, ValueError, Vec3,
@@ -92,7 +92,7 @@ fn all_come_back<S: Scalar>() {
     let hit = Sphere::new(third).expect("a size").nearest(&ray).expect("from inside");
     round_trip(&SceneHit { object: 9, hit });
     round_trip(&Pixel { color, seen: Some((3, Part::Top)), lit_by: 5 });
-    round_trip(&Sight { color, seen: None, lit_by: 0 });
+    round_trip(&Sample { color, seen: None, lit_by: 0 });
     let camera = cameras::<S>()[2];
     let (resolution, hither) = ([640, 480], third);
     round_trip(&View { camera, resolution, hither, background: color, invisible: 1, turned: 2, distant: 3 });
@@ -119,7 +119,7 @@ fn serde_brings_the_parts_of_a_scene_back() {
     round_trip(&Counts::of("s 0 0 0 1"));
     round_trip(&Scale::power_of_two(-3));
     BuiltIn::EVERY.iter().for_each(round_trip);
-    [Effort::Filter, Effort::Integers].iter().for_each(round_trip);
+    [Precision::Filter, Precision::Integers].iter().for_each(round_trip);
     Effect::EVERY.iter().for_each(round_trip);
     Kind::EVERY.iter().for_each(round_trip);
     round_trip(&EffectSet::EMPTY);
@@ -219,7 +219,7 @@ fn defmt_formats_every_value_in_every_number_type() {
         formats::<Waves<S>>();
         formats::<SceneHit<S>>();
         formats::<Pixel<S>>();
-        formats::<Sight<S>>();
+        formats::<Sample<S>>();
         formats::<View<S>>();
         formats::<Along<S>>();
     }

@@ -10,7 +10,7 @@ use raylet::scalar::UnitScalar;
 use raylet::scene::{self, Coordinate, Observer, Waves};
 use raylet::{
     Camera, Color, Counters, Cylinder, Frame, Light, Material, Object, Part, Picture, Pixel, Plane, Ray, Scalar, Scene,
-    Shape, Size, Sphere, Tracer, UnitVec3, Vec3, Work,
+    Shape, Size, Sphere, TraceContext, Tracer, UnitVec3, Vec3,
 };
 
 pub(crate) fn number<S: Scalar>(value: f64) -> S {
@@ -277,7 +277,7 @@ fn the_memory_of_shadows_saves_tests_and_changes_no_bit() {
     fn check<S: Scalar>() {
         with_scene::<S, _>(matte(), true, None, |scene| {
             let picture = Picture::new(scene, Size::new(40, 30));
-            let (mut with, mut without) = (Work::new(()), Work::new(()));
+            let (mut with, mut without) = (TraceContext::new(()), TraceContext::new(()));
             for y in 0..30 {
                 let row: Vec<_> = picture.row(y, &mut with).collect();
                 let apart: Vec<_> = (0..40)
@@ -291,16 +291,16 @@ fn the_memory_of_shadows_saves_tests_and_changes_no_bit() {
             assert_eq!(with.counters.shadow_rays, without.counters.shadow_rays);
             assert!(with.counters.intersection_tests < without.counters.intersection_tests);
             // Rows cost the same in whatever order they are traced.
-            let mut backwards = Work::new(());
+            let mut backwards = TraceContext::new(());
             (0..30).rev().for_each(|y| picture.row(y, &mut backwards).for_each(drop));
             assert_eq!(with.counters, backwards.counters);
             // And after a row that was left in the middle of a shadow.
-            let mut other = Work::new(());
+            let mut other = TraceContext::new(());
             picture.row(20, &mut other).for_each(drop);
             let alone = other.counters;
             let mut shadowed = 0;
             for x in 0..40 {
-                let mut left = Work::new(());
+                let mut left = TraceContext::new(());
                 let last = picture.row(20, &mut left).nth(x).unwrap();
                 shadowed += u32::from(last.seen.is_some() && last.lit_by == 0);
                 left.counters = Counters::default();
@@ -326,11 +326,11 @@ fn an_observer_hears_of_every_test() {
     }
     with_scene::<f32, _>(matte().with_mirror(0.5), true, None, |scene| {
         let picture = Picture::new(scene, Size::new(16, 12));
-        let mut work = Work::new(Heard::default());
-        (0..12).for_each(|y| picture.row(y, &mut work).for_each(drop));
-        assert_eq!(work.observer.0.iter().sum::<u64>(), work.counters.intersection_tests);
-        assert!(work.observer.0.iter().all(|tests| *tests > 0) && work.observer.1 > 0);
-        assert_eq!(work.counters, render(&picture).1);
+        let mut context = TraceContext::new(Heard::default());
+        (0..12).for_each(|y| picture.row(y, &mut context).for_each(drop));
+        assert_eq!(context.observer.0.iter().sum::<u64>(), context.counters.intersection_tests);
+        assert!(context.observer.0.iter().all(|tests| *tests > 0) && context.observer.1 > 0);
+        assert_eq!(context.counters, render(&picture).1);
         // Whether the first ball stands over the floor, too.
         let (mut heard, up) = (Heard::default(), Ray::new(point(-1.2, 0.0, 0.0), UnitVec3::Y).unwrap());
         assert!(scene.stands_on(1, &up, &mut Counters::default(), &mut heard));
@@ -375,7 +375,7 @@ fn parts_have_materials_of_their_own() {
     ] {
         let lights = [Light::new(from.into(), 1.0)];
         let scene = Scene::new(&objects, &materials, &lights, camera()).unwrap();
-        let sight = Tracer::new(&scene).look(&Ray::new(from.into(), to).unwrap(), &mut Work::new(()));
+        let sight = Tracer::new(&scene).look(&Ray::new(from.into(), to).unwrap(), &mut TraceContext::new(()));
         assert_eq!((sight.seen, sight.color.to_array()), (Some((0, part)), colors[can.material_of(part) as usize]));
     }
     let error = Scene::new(&[can.with_top(3)], &materials, &[], camera()).err().unwrap();

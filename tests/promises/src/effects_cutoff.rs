@@ -4,7 +4,7 @@ use fixed::types::{I16F16, I32F32};
 use raylet::scene::nff::{self, Corner, Counts, Stores};
 use raylet::{
     Camera, Color, Counters, Frame, Light, Material, Object, Picture, Pixel, Plane, Scalar, Scene, Shape, Size, Sphere,
-    Vec3, Work,
+    TraceContext, Vec3,
 };
 use std::fmt::Write;
 
@@ -195,7 +195,7 @@ fn samples_are_added_where_corners_differ_and_rows_are_the_same_as_pixels() {
         let lights = [Light::new(point(-4.0, 7.0, 6.0), number(0.6))];
         let scene = Scene::new(&objects, &materials, &lights, camera).unwrap();
         let picture = Picture::new(&scene, Size::new(40, 30).with_samples(3));
-        let (mut by_rows, mut apart) = (Work::new(()), Work::new(()));
+        let (mut by_rows, mut apart) = (TraceContext::new(()), TraceContext::new(()));
         let (mut refined, mut far) = (0, 0);
         for y in 0..30 {
             let row: Vec<Pixel<S>> = picture.row(y, &mut by_rows).collect();
@@ -212,8 +212,8 @@ fn samples_are_added_where_corners_differ_and_rows_are_the_same_as_pixels() {
                 far += u32::from(error > 1e-6 && is_refined) + u32::from(error > 1.0 / 32.0);
                 if is_refined {
                     let raster = scene.camera().raster(picture.size());
-                    let middle =
-                        raylet::Tracer::new(&scene).look(&raster.ray([x, y], [1, 1]).unwrap(), &mut Work::new(()));
+                    let middle = raylet::Tracer::new(&scene)
+                        .look(&raster.ray([x, y], [1, 1]).unwrap(), &mut TraceContext::new(()));
                     assert_eq!((pixel.seen, pixel.lit_by), (middle.seen, middle.lit_by), "{x}, {y}: the middle sample");
                 }
             }
@@ -243,9 +243,9 @@ impl<S: Scalar> Channels for Color<S> {
 /// The mean of a pixel's grid of samples.
 fn mean<S: Scalar>(scene: &Scene<'_, S>, [x, y]: [u16; 2], samples: u8) -> [f64; 3] {
     let raster = scene.camera().raster(Size::new(40, 30).with_samples(samples));
-    let (tracer, mut work, mut sum) = (raylet::Tracer::new(scene).uncut(), Work::new(()), [0.0; 3]);
+    let (tracer, mut context, mut sum) = (raylet::Tracer::new(scene).uncut(), TraceContext::new(()), [0.0; 3]);
     for (row, column) in (0..samples).flat_map(|row| (0..samples).map(move |column| (row, column))) {
-        let sight = tracer.look(&raster.ray([x, y], [column, row]).unwrap(), &mut work);
+        let sight = tracer.look(&raster.ray([x, y], [column, row]).unwrap(), &mut context);
         let channels = sight.color.clamped().to_f64s();
         sum = std::array::from_fn(|i| sum[i] + channels[i] / f64::from(samples).powi(2));
     }

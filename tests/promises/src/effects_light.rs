@@ -7,7 +7,7 @@ use raylet::scalar::UnitScalar;
 use raylet::scene::{Coordinate, Fog, Texture, Waves};
 use raylet::{
     Camera, Color, Counters, Cylinder, Disc, Frame, Light, Material, Object, Picture, Plane, Ray, Scalar, Scene, Shape,
-    Size, Sphere, Tracer, UnitVec3, Vec3, Work,
+    Size, Sphere, TraceContext, Tracer, UnitVec3, Vec3,
 };
 
 fn number<S: Scalar>(value: f64) -> S {
@@ -39,9 +39,9 @@ fn glass<S: Scalar>(index: f64) -> Material<S> {
 fn seen<S: Scalar>(objects: &[Object<S>], materials: &[Material<S>], from: [f64; 3], to: [f64; 3]) -> (f64, Counters) {
     let scene = Scene::new(objects, materials, &[], camera()).unwrap().with_background(Color::WHITE);
     let ray = Ray::towards(Vec3::from_f64(from).unwrap(), Vec3::from_f64(to).unwrap()).unwrap();
-    let mut work = Work::new(());
-    let sight = Tracer::new(&scene).uncut().look(&ray, &mut work);
-    (sight.color.red.to_f64(), work.counters)
+    let mut context = TraceContext::new(());
+    let sight = Tracer::new(&scene).uncut().look(&ray, &mut context);
+    (sight.color.red.to_f64(), context.counters)
 }
 
 #[test]
@@ -222,7 +222,7 @@ fn fog_hides_what_is_far_and_fills_no_glass() {
         let look = |objects: &[Object<S>], materials: &[Material<S>]| {
             let scene = Scene::new(objects, materials, &[], camera()).unwrap().with_fog(fog);
             let ray = Ray::new(point(0.0, 0.0, 9.0), -UnitVec3::Z).unwrap();
-            Tracer::new(&scene).look(&ray, &mut Work::new(())).color.to_array().map(UnitScalar::to_f64)
+            Tracer::new(&scene).look(&ray, &mut TraceContext::new(())).color.to_array().map(UnitScalar::to_f64)
         };
         let near = |[red, green, blue]: [f64; 3], hidden: f64| {
             assert!(
@@ -280,7 +280,7 @@ fn plane_at<S: Scalar>(
     let scene = Scene::new(&objects, &materials, &lights, camera()).unwrap().with_textures(textures).unwrap();
     let eye = if lamp[1] > 0.0 { 5.0 } else { -5.0 };
     let ray = Ray::towards(point(x, eye, z), point(x, 0.0, z)).unwrap();
-    Tracer::new(&scene).look(&ray, &mut Work::new(())).color.to_array().map(UnitScalar::to_f64)
+    Tracer::new(&scene).look(&ray, &mut TraceContext::new(())).color.to_array().map(UnitScalar::to_f64)
 }
 
 #[test]
@@ -312,13 +312,13 @@ fn waves_lean_the_normal_against_their_slope() {
         let lights = [Light::new(point(-100.0, -1.0, 0.0), number(1.0))];
         let scene = Scene::new(&objects, &materials, &lights, camera()).unwrap();
         let ray = Ray::towards(point::<S>(0.0, 5.0, 0.0), point(0.0, 0.0, 0.0)).unwrap();
-        assert_eq!(Tracer::new(&scene).look(&ray, &mut Work::new(())).color, Color::BLACK);
+        assert_eq!(Tracer::new(&scene).look(&ray, &mut TraceContext::new(())).color, Color::BLACK);
         // And the other way round: above the plane, and behind the leaning normal. It takes no light away, nor costs a ray.
         let lights = [Light::new(point(100.0, 1.0, 0.0), number(1.0))];
         let scene = Scene::new(&objects, &materials, &lights, camera()).unwrap();
-        let mut work = Work::new(());
-        let sight = Tracer::new(&scene).look(&ray, &mut work);
-        assert_eq!((sight.color, sight.lit_by, work.counters.shadow_rays), (Color::BLACK, 0, 0));
+        let mut context = TraceContext::new(());
+        let sight = Tracer::new(&scene).look(&ray, &mut context);
+        assert_eq!((sight.color, sight.lit_by, context.counters.shadow_rays), (Color::BLACK, 0, 0));
     }
     check::<f32>();
     check::<f64>();
@@ -433,10 +433,10 @@ fn a_ray_that_only_touches_glass_stays_outside() {
             let materials = [touched, black()];
             let scene = Scene::new(&objects, &materials, &[], camera()).unwrap().with_fog(fog);
             let ray = Ray::new(point(0.0, 1.0, 9.0), -UnitVec3::Z).unwrap();
-            let mut work = Work::new(());
-            let sight = Tracer::new(&scene).uncut().look(&ray, &mut work);
+            let mut context = TraceContext::new(());
+            let sight = Tracer::new(&scene).uncut().look(&ray, &mut context);
             let red = sight.color.red.to_f64();
-            assert_eq!((sight.seen.map(|(object, _)| object), work.counters.refraction_rays), (Some(0), 1));
+            assert_eq!((sight.seen.map(|(object, _)| object), context.counters.refraction_rays), (Some(0), 1));
             assert!((red - (1.0 - 0.9_f64.powi(16))).abs() < 1e-4, "{red}");
         }
     }

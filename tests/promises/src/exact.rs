@@ -4,7 +4,7 @@
 //! In the long form (`.ci/long`) a million rays a primitive.
 
 use fixed::types::{I2F30, I8F24, I16F16, I20F12, I28F4};
-use raylet::tier::{Certain, Effort, Exact, Tier};
+use raylet::tier::{Exact, ExactScalar, Precision, Tier};
 use raylet::{Range, Ray, Shape};
 use std::fmt::Write;
 use support::amount::{amount, times};
@@ -67,7 +67,7 @@ struct Tally {
     worst: f64,
 }
 
-fn try_workload<S: Number + Certain>(subject: &Subject<S>, workload: Workload, rays: usize, seed: u64) -> Tally
+fn try_workload<S: Number + ExactScalar>(subject: &Subject<S>, workload: Workload, rays: usize, seed: u64) -> Tally
 where
     Exact: Tier<S>,
 {
@@ -79,13 +79,13 @@ where
             let error = assert_exact(subject.name, &subject.shape, &subject.solid, &ray);
             tally.worst = tally.worst.max(error);
             tally.rays += 1;
-            tally.in_integers += usize::from(subject.shape.effort(&ray) == Effort::Integers);
+            tally.in_integers += usize::from(subject.shape.precision(&ray) == Precision::Integers);
         }
     }
     tally
 }
 
-fn never_wrong<S: Number + Certain>(rays_a_primitive: usize)
+fn never_wrong<S: Number + ExactScalar>(rays_a_primitive: usize)
 where
     Exact: Tier<S>,
 {
@@ -130,7 +130,7 @@ macro_rules! types {
 types!(f32: f32, i16f16: I16F16, i8f24: I8F24, i20f12: I20F12);
 
 /// Rays at, along and through rims, seams, walls, caps and apexes.
-fn edges<S: Number + Certain>()
+fn edges<S: Number + ExactScalar>()
 where
     Exact: Tier<S>,
 {
@@ -141,7 +141,7 @@ where
             for ray in [ray, ray.with_range(Range::FORWARD)] {
                 assert_exact(case.name, &shape, &case.solid, &ray);
                 rays += 1;
-                in_integers += usize::from(shape.effort(&ray) == Effort::Integers);
+                in_integers += usize::from(shape.precision(&ray) == Precision::Integers);
             }
         }
     }
@@ -151,7 +151,7 @@ where
 /// The smallest and the largest sizes, and types of hardly an integer or a fraction bit.
 #[test]
 fn extremes_of_the_types() {
-    fn check<S: Number + Certain>(values: &[S])
+    fn check<S: Number + ExactScalar>(values: &[S])
     where
         Exact: Tier<S>,
     {

@@ -4,7 +4,7 @@
 //! `RAYLET_WRITE_EXPECTED=1 cargo test -p raylet-promises firmware` writes the files anew.
 
 use fixed::types::I16F16;
-use raylet::{Picture, Scalar, Work};
+use raylet::{Picture, Scalar, TraceContext};
 use shared::picture::Storage;
 use shared::{digest, flash, picture};
 use std::fmt::Write;
@@ -48,11 +48,11 @@ fn with_picture<S: Scalar>(use_it: impl FnOnce(&Picture<'_, S>)) {
 fn render<S: Scalar>(number: &str) {
     with_picture::<S>(|picture| {
         let mut file = picture::HEADER.as_bytes().to_vec();
-        let mut work = Work::new(());
+        let mut context = TraceContext::new(());
         for y in 0..picture::HEIGHT {
-            file.extend(picture::row(picture, y, &mut work));
+            file.extend(picture::row(picture, y, &mut context));
         }
-        assert_eq!(work.counters.primary_rays, picture::PIXELS);
+        assert_eq!(context.counters.primary_rays, picture::PIXELS);
         expect(&format!("picture-{number}.ppm"), &file);
     });
 }

@@ -6,7 +6,7 @@ use raylet::scene::nff::{self, Corner, Counts, Scale, Stores};
 use raylet::tier::{Exact, Fast, Tier};
 use raylet::{
     Camera, Color, Counters, Cylinder, Light, Material, Object, Part, Picture, Pixel, Plane, Ray, Scalar, Scene, Shape,
-    Size, Sphere, Tracer, Triangle, UnitVec3, Vec3, Visible, Work,
+    Size, Sphere, TraceContext, Tracer, Triangle, UnitVec3, Vec3, Visible,
 };
 use support::amount::amount;
 
@@ -230,7 +230,7 @@ fn middle<S: Scalar>(objects: &[Object<S>]) -> Pixel<S> {
     let materials = [Material::matte(Color::WHITE)];
     let lights = [Light::new(Vec3::from_f64([0.0, 4.0, 9.0]).unwrap(), S::from_f64(1.0).unwrap())];
     let scene = Scene::new(objects, &materials, &lights, camera()).unwrap();
-    Picture::new(&scene, Size::new(3, 3)).pixel(1, 1, &mut Work::new(()))
+    Picture::new(&scene, Size::new(3, 3)).pixel(1, 1, &mut TraceContext::new(()))
 }
 
 #[test]
@@ -300,7 +300,7 @@ fn a_light_between_two_things_is_not_shadowed_by_the_farther() {
     let lit_by = |height| {
         let lights = [Light::new(point(0.0, height, 0.0), number(1.0))];
         let scene = Scene::new(&objects, &materials, &lights, camera()).unwrap();
-        Picture::new(&scene, Size::new(3, 3)).pixel(1, 1, &mut Work::new(())).lit_by
+        Picture::new(&scene, Size::new(3, 3)).pixel(1, 1, &mut TraceContext::new(())).lit_by
     };
     assert_eq!(lit_by(3.0), 1);
     assert_eq!(lit_by(7.0), 0);
@@ -320,7 +320,7 @@ fn smooth_triangles_interpolate_their_normals() {
     let scene = Scene::new(&objects, &materials, &lights, camera()).unwrap().with_normals(&normals).unwrap();
     let red = |x, y| {
         let ray = Ray::new(Vec3::new(x, y, 5.0), -UnitVec3::Z).unwrap();
-        Tracer::new(&scene).look(&ray, &mut Work::new(())).color.red
+        Tracer::new(&scene).look(&ray, &mut TraceContext::new(())).color.red
     };
     assert!((red(0.0, 0.0) - 1.0).abs() < 1e-9);
     assert!((red(0.0, 1.999_99) - 0.2_f64.sqrt()).abs() < 1e-4);
@@ -329,12 +329,12 @@ fn smooth_triangles_interpolate_their_normals() {
     assert!((red(0.0, -0.999_99) - 0.5_f64.sqrt()).abs() < 1e-4);
     // Near a silhouette a normal that leans away from the viewer still faces the lamp: no black rim.
     let ray = Ray::towards(Vec3::new(0.0, -5.0, 0.5), Vec3::new(0.0, 1.9, 0.0)).unwrap();
-    assert!((Tracer::new(&scene).look(&ray, &mut Work::new(())).color.red - 0.2_f64.sqrt()).abs() < 0.05);
+    assert!((Tracer::new(&scene).look(&ray, &mut TraceContext::new(())).color.red - 0.2_f64.sqrt()).abs() < 0.05);
     // From behind, the normals are turned to the viewer, and a lamp there shines.
     let lights = [Light::new(Vec3::new(0.0, 0.0, -1e6), 1.0)];
     let scene = Scene::new(&objects, &materials, &lights, camera()).unwrap().with_normals(&normals).unwrap();
     let ray = Ray::new(Vec3::new(0.0, 0.0, -5.0), UnitVec3::Z).unwrap();
-    assert!((Tracer::new(&scene).look(&ray, &mut Work::new(())).color.red - 1.0).abs() < 1e-9);
+    assert!((Tracer::new(&scene).look(&ray, &mut TraceContext::new(())).color.red - 1.0).abs() < 1e-9);
 }
 
 #[test]
@@ -345,7 +345,7 @@ fn highlights_follow_phong() {
         let (materials, lights) = ([material], [Light::new(lamp.into(), 1.0)]);
         let scene = Scene::new(&objects, &materials, &lights, camera()).unwrap();
         let ray = Ray::towards(Vec3::new(-3.0, 3.0, 0.0), Vec3::ZERO).unwrap();
-        Tracer::new(&scene).look(&ray, &mut Work::new(())).color.red
+        Tracer::new(&scene).look(&ray, &mut TraceContext::new(())).color.red
     };
     let black = Material { diffuse: 0.0, ..Material::matte(Color::WHITE) };
     assert!((cast(black.with_highlight(0.5, 10.0), [3.0, 3.0, 0.0]) - 0.5).abs() < 1e-12, "in the mirror direction");
@@ -369,7 +369,7 @@ fn scattered_light_has_the_colour_of_surface_and_lamp_and_a_highlight_that_of_th
         let lights = [Light { position: point(0.0, 8.0, 0.0), strength, distant: false }];
         let scene = Scene::new(&objects, &materials, &lights, camera()).unwrap();
         let ray = Ray::new(point(0.0, 4.0, 0.0), -UnitVec3::Y).unwrap();
-        let color = Tracer::new(&scene).look(&ray, &mut Work::new(())).color;
+        let color = Tracer::new(&scene).look(&ray, &mut TraceContext::new(())).color;
         assert_eq!(color, Color::from_f64([0.5 + 0.25, 0.5 * (0.25 + 0.25), 2.0 * (0.125 + 0.25)]));
     }
     check::<f32>();
@@ -393,7 +393,7 @@ fn a_highlight_is_never_brighter_than_its_weight() {
             let lights = [Light::new(eye, number(1.0))];
             let scene = Scene::new(&objects, &materials, &lights, camera()).unwrap();
             let ray = Ray::towards(eye, Vec3::ZERO).unwrap();
-            let red = Tracer::new(&scene).look(&ray, &mut Work::new(())).color.red;
+            let red = Tracer::new(&scene).look(&ray, &mut TraceContext::new(())).color.red;
             brightest = if red > brightest { red } else { brightest };
         }
         let weight = Color::<S>::from_f64([0.5; 3]).red;
@@ -416,7 +416,7 @@ fn a_pixel_tells_its_own_object_and_lights() {
     let look = |lights: &[Light<f32>]| {
         let scene = Scene::new(&objects, &materials, lights, camera()).unwrap();
         let ray = Ray::towards(Vec3::new(-0.2, 1.0, 0.0), Vec3::ZERO).unwrap();
-        let sight = Tracer::new(&scene).look(&ray, &mut Work::new(()));
+        let sight = Tracer::new(&scene).look(&ray, &mut TraceContext::new(()));
         (sight.seen, sight.lit_by)
     };
     let floor = Some((0, Part::Side));

@@ -5,7 +5,7 @@
 use heapless::Vec;
 use raylet::scene::nff::{self, Corner, NffError, Stores, View};
 use raylet::scene::{CornerNormals, SceneError};
-use raylet::{Light, Material, Object, Picture, Scalar, Scene, Size, Work};
+use raylet::{Light, Material, Object, Picture, Scalar, Scene, Size, TraceContext};
 
 /// The scene, as it stands in flash.
 const TEXT: &str = include_str!("picture.nff");
@@ -78,9 +78,9 @@ pub fn picture<'a, S: Scalar>(scene: &'a Scene<'a, S>) -> Picture<'a, S> {
 }
 
 /// One row as eight-bit levels of red, green and blue.
-pub fn row<S: Scalar>(picture: &Picture<'_, S>, y: u16, work: &mut Work) -> Row {
+pub fn row<S: Scalar>(picture: &Picture<'_, S>, y: u16, context: &mut TraceContext) -> Row {
     let mut row = [0; WIDTH as usize * 3];
-    for (pixel, levels) in picture.row(y, work).zip(row.chunks_exact_mut(3)) {
+    for (pixel, levels) in picture.row(y, context).zip(row.chunks_exact_mut(3)) {
         levels.copy_from_slice(&pixel.color.to_srgb888());
     }
     row

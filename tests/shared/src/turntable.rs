@@ -9,7 +9,7 @@ use embedded_graphics_core::primitives::Rectangle;
 use raylet::effect::{Ambient, Diffuse, Effects, Shadows, Specular};
 use raylet::scalar::{Real, Ring};
 use raylet::scene::{Hierarchy, Observer};
-use raylet::{Camera, Color, Picture, Scalar, Scene, Size, Vec3, Work};
+use raylet::{Camera, Color, Picture, Scalar, Scene, Size, TraceContext, Vec3};
 
 /// Columns of the display.
 pub const WIDTH: u16 = 160;
@@ -56,11 +56,11 @@ pub fn picture<'a, S: Scalar>(scene: &'a Scene<'a, S>) -> Picture<'a, S, Shaded>
 pub fn show<S: Scalar, E: Effects, O: Observer, D: DrawTarget<Color = Rgb565>>(
     picture: &Picture<'_, S, E>,
     line: &mut Line,
-    work: &mut Work<O>,
+    context: &mut TraceContext<O>,
     display: &mut D,
 ) -> Result<(), D::Error> {
     for y in 0..picture.size().height {
-        picture.line(y, line, work);
+        picture.line(y, line, context);
         let area = Rectangle::new(Point::new(0, i32::from(y)), Area::new(u32::from(WIDTH), 1));
         display.fill_contiguous(&area, line.iter().copied())?;
     }

@@ -6,7 +6,7 @@ use super::placed::Placed;
 use super::subject::Subject;
 use super::textbook::{Form, Place, Plain, PlainRay, Reach};
 use fixed::types::{I16F16, I32F32};
-use raylet::tier::{Effort, Exact, Fast, Stable, Tier};
+use raylet::tier::{Exact, Fast, Precision, Stable, Tier};
 use raylet::{Crossing, Part, Ray, Shape};
 
 /// A primitive where it stands, which a method intersects with a ray.
@@ -94,8 +94,8 @@ macro_rules! measurable {
     };
 }
 measurable! {
-    f32: Method { in_integers: |shape, ray| shape.effort(ray) == Effort::Integers, ..Method::tier::<Exact>("Exact") };
+    f32: Method { in_integers: |shape, ray| shape.precision(ray) == Precision::Integers, ..Method::tier::<Exact>("Exact") };
     f64:;
-    I16F16: Method { in_integers: |shape, ray| shape.effort(ray) == Effort::Integers, ..Method::tier::<Exact>("Exact") };
+    I16F16: Method { in_integers: |shape, ray| shape.precision(ray) == Precision::Integers, ..Method::tier::<Exact>("Exact") };
     I32F32:;
 }

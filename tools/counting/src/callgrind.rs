@@ -260,7 +260,7 @@ mod tests {
     #[test]
     fn the_solver_of_every_figure_is_counted() {
         let text = std::fs::read_to_string(raylet_tables::in_repository("src/solve/mod.rs")).unwrap();
-        let (_, arms) = text.split_once("    match *figure {").unwrap();
+        let (_, arms) = text.split_once("    match *equations {").unwrap();
         let modules = ["round::", "side::", "flat::", "slabs::"];
         let is_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
         let mut called = Vec::new();

@@ -5,7 +5,7 @@
 
 use core::ffi::CStr;
 use fixed::types::I16F16;
-use raylet::{Scalar, Work};
+use raylet::{Scalar, TraceContext};
 use raylet_firmware::figures::Figures;
 use raylet_firmware::footprint::Footprint;
 use raylet_firmware::{clock, stack};
@@ -24,15 +24,15 @@ fn render<S: Scalar>(number: &'static str, path: &CStr) {
     let picture = picture(&scene);
     let mut file = File::create(path).expect("the host lets a file be written");
     file.write_all(HEADER.as_bytes()).expect("the host lets it be written");
-    let (mut work, mut instructions) = (Work::new(()), 0);
+    let (mut context, mut instructions) = (TraceContext::new(()), 0);
     for y in 0..HEIGHT {
         let start = clock::instructions();
-        let row = row(&picture, y, &mut work);
+        let row = row(&picture, y, &mut context);
         instructions += clock::instructions() - start;
         file.write_all(&row).expect("the host lets it be written");
     }
     let stack = stack::used();
-    println!("{}", Figures { number, instructions, counters: work.counters, stack, scene: size_of::<Storage<S>>() });
+    println!("{}", Figures { number, instructions, counters: context.counters, stack, scene: size_of::<Storage<S>>() });
 }
 
 fn run() -> ! {

@@ -5,7 +5,7 @@
 
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 use fixed::types::I16F16;
-use raylet::Work;
+use raylet::TraceContext;
 use raylet::gallery::BuiltIn;
 use raylet::scene::{Hierarchy, Node};
 use raylet_firmware::footprint::Footprint;
@@ -25,7 +25,7 @@ fn turn() {
     // The objects stay where they are: one hierarchy is enough for all frames.
     let hierarchy = Hierarchy::build(&stage.objects, &mut nodes).expect("there are nodes for fourteen objects");
     let mut line: Line = [Rgb565::BLACK; WIDTH as usize];
-    let mut work = Work::new(());
+    let mut context = TraceContext::new(());
     for frame in 0..DRAWN {
         // A real display's driver stands here in the place of `Panel`, before the loop.
         let mut display = Panel::new(WIDTH, HEIGHT, Fold::new());
@@ -33,7 +33,7 @@ fn turn() {
         let scene = turntable::lit(stage.scene().expect("the lists are those that were built"));
         let scene = scene.with_hierarchy(&hierarchy).expect("it is that of these objects");
         let start = clock::instructions();
-        let Ok(()) = turntable::show(&turntable::picture(&scene), &mut line, &mut work, &mut display);
+        let Ok(()) = turntable::show(&turntable::picture(&scene), &mut line, &mut context, &mut display);
         let instructions = (clock::instructions() - start) / (u64::from(WIDTH) * u64::from(HEIGHT));
         println!("frame {frame}: {:08x}, {instructions} instructions a pixel", display.bus.digest());
     }

@@ -7,7 +7,7 @@ use core::fmt::Debug;
 struct Exactly {
     o: [i128; 3],
     d: [i128; 3],
-    reach: [i128; 3],
+    bounding_radius: [i128; 3],
 }
 
 /// `n / d`, with a divisor of at least zero. With a divisor of zero it is infinite.
@@ -23,12 +23,12 @@ impl Exactly {
         let along = |axis: usize, bound: i128| {
             let (o, d) = (self.o[axis], self.d[axis]);
             let sign = if d < 0 { -1 } else { 1 };
-            ((bound * self.reach[axis] - sign * o, d.abs()), axis)
+            ((bound * self.bounding_radius[axis] - sign * o, d.abs()), axis)
         };
         let by_t = |a: &(Quotient, usize), b: &(Quotient, usize)| compared(a.0, b.0);
         // A line along the planes is between them, or it misses.
         let crossed = || (0..3).filter(|axis| self.d[*axis] != 0);
-        if (0..3).any(|axis| self.d[axis] == 0 && self.o[axis].abs() > self.reach[axis]) {
+        if (0..3).any(|axis| self.d[axis] == 0 && self.o[axis].abs() > self.bounding_radius[axis]) {
             return None;
         }
         let enter = crossed().map(|axis| along(axis, -1)).max_by(by_t)?;
@@ -38,7 +38,7 @@ impl Exactly {
 }
 
 /// The numbers of hits, misses and unsure results.
-fn agree<N: Length + Debug + TryFrom<i128> + Into<i128>>(unit: u32, bits: u32, finer: i32) -> [u32; 3]
+fn agree<N: Length + Debug + TryFrom<i128> + Into<i128>>(unit: u32, bits: u32, extra_bits: i32) -> [u32; 3]
 where
     <N as TryFrom<i128>>::Error: Debug,
 {
@@ -52,12 +52,12 @@ where
     for round in 0..60_000 {
         let size = 1_i128 << (3 + round % bits);
         let half = [0; 3].map(|_: i32| below(size).abs() + 1);
-        let o = [0; 3].map(|_: i32| below(size << (finer + (round as i32 / 7) % 3)));
+        let o = [0; 3].map(|_: i32| below(size << (extra_bits + (round as i32 / 7) % 3)));
         // At a point of the cuboid or next to it; in every fifth round next to an edge; in every ninth along a plane.
-        let mut aim = half.map(|h| below(h + h / 4) << finer);
+        let mut aim = half.map(|h| below(h + h / 4) << extra_bits);
         if round % 5 == 0 {
-            aim[0] = half[0] << finer;
-            aim[1] = (half[1] << finer) + below(3);
+            aim[0] = half[0] << extra_bits;
+            aim[1] = (half[1] << extra_bits) + below(3);
         }
         let mut along = [0, 1, 2].map(|i| aim[i] - o[i]);
         if round % 9 == 0 {
@@ -65,31 +65,32 @@ where
         }
         // The start is next to the surface.
         let (o, along) =
-            if round % 11 == 0 { (aim.map(|c| c + below(1 << finer)), half.map(&mut below)) } else { (o, along) };
+            if round % 11 == 0 { (aim.map(|c| c + below(1 << extra_bits)), half.map(&mut below)) } else { (o, along) };
         let length = along.iter().map(|c| c * c).sum::<i128>().isqrt() + 1;
         let d = along.map(|c| (c << unit) / length);
         if d == [0; 3] {
             continue;
         }
         // The line itself: with an error of less than two units, if it is framed.
-        let mut off = |n: i128| 4 * n + if finer == 0 { 0 } else { below(7) };
-        let exactly = Exactly { o: o.map(&mut off), d: d.map(&mut off), reach: half.map(|h| (4 * h) << finer) };
+        let mut off = |n: i128| 4 * n + if extra_bits == 0 { 0 } else { below(7) };
+        let exactly =
+            Exactly { o: o.map(&mut off), d: d.map(&mut off), bounding_radius: half.map(|h| (4 * h) << extra_bits) };
         let ends = exactly.ends();
-        let told = |since: Option<N>| cuboid(o.map(number), finer, d.map(number), half.map(number), since);
+        let told = |since: Option<N>| cuboid(o.map(number), extra_bits, d.map(number), half.map(number), since);
         let is_near = |t: N, (n, d): Quotient| {
-            // In the units of t, multiplied by 2^(unit - finer).
-            let (n, d) = (n << unit, d << finer);
+            // In the units of t, multiplied by 2^(unit - extra_bits).
+            let (n, d) = (n << unit, d << extra_bits);
             let (n, d) = if d == 0 { (n, 1) } else { (n, d) };
             (t.into() * d - n).abs() <= d
         };
         let found = told(None);
         match (found, ends) {
-            (Attempt::Found(InCuboid { ends: [t, u], axes }), Some([enter, exit])) => {
+            (Attempt::Hit(InCuboid { ends: [t, u], axes }), Some([enter, exit])) => {
                 assert_eq!(axes, [enter.1, exit.1], "{o:?} {d:?} {half:?}");
                 assert!(is_near(t, enter.0) && is_near(u, exit.0), "{t:?} {u:?}: {o:?} {d:?} {half:?}");
                 counted[0] += 1;
             }
-            (Attempt::Found(_), None) => panic!("found: {o:?} {d:?} {half:?}"),
+            (Attempt::Hit(_), None) => panic!("found: {o:?} {d:?} {half:?}"),
             (Attempt::Miss, ends) => {
                 assert_eq!(ends, None, "missed: {o:?} {d:?} {half:?}");
                 counted[1] += 1;
@@ -98,15 +99,15 @@ where
         }
         match told(Some(N::ZERO)) {
             // The same entry, or the same ends.
-            Attempt::Found(first) => {
+            Attempt::Hit(first) => {
                 let InCuboid { ends: [t, _], axes } = first;
                 assert_eq!(ends.map(|[enter, _]| enter.1), Some(axes[0]), "{o:?} {d:?} {half:?}");
                 assert!(ends.is_some_and(|[enter, _]| is_near(t, enter.0)), "{t:?}: {o:?} {d:?} {half:?}");
-                assert!(t >= N::ZERO || found == Attempt::Found(first));
+                assert!(t >= N::ZERO || found == Attempt::Hit(first));
             }
             // It misses, or the interval lies so far behind the start that rounding cannot move it to the start.
             Attempt::Miss => {
-                let is_behind = |((n, d), _): (Quotient, usize)| 2 * (n << unit) < -(d << finer);
+                let is_behind = |((n, d), _): (Quotient, usize)| 2 * (n << unit) < -(d << extra_bits);
                 assert!(ends.is_none_or(|[_, exit]| is_behind(exit)), "{o:?} {d:?} {half:?}");
             }
             Attempt::Unsure => {}

@@ -21,18 +21,18 @@ pub(in crate::scalar) struct ByApproach {
 }
 
 impl ByApproach {
-    /// The origin is in units of `2^-finer` of the radius's.
+    /// The origin is in units of `2^-extra_bits` of the radius's.
     #[inline(always)]
-    pub(in crate::scalar) fn new(o: [i64; 3], finer: i32, d: [i64; 3], r: i64) -> Attempt<Self> {
+    pub(in crate::scalar) fn new(o: [i64; 3], extra_bits: i32, d: [i64; 3], r: i64) -> Attempt<Self> {
         // On a grid on which no length has more than 60 bits. With fewer than four bits below the unit its rounding would matter.
-        let Some(r) = refined(r, finer) else { return Attempt::Unsure };
+        let Some(r) = refined(r, extra_bits) else { return Attempt::Unsure };
         let all = upper_bits(o[0]) | upper_bits(o[1]) | upper_bits(o[2]) | (r >> 32) as u32;
         if all >= 1 << 24 {
             return Attempt::Unsure;
         }
         // The unit's exponent has five bits.
         let grid = leading_zeros(all | 1 << 4) - 4;
-        let unit = grid + finer as u32;
+        let unit = grid + extra_bits as u32;
         let [x, y, z] = [up(o[0], grid), up(o[1], grid), up(o[2], grid)];
         let (o, d) = (digits([x, y, z]), digits(d));
         // Products with the direction are rounded to the grid. The products of the low digits, at most a unit each, are left out.
@@ -55,9 +55,9 @@ impl ByApproach {
         let discriminant = squared(radius) - squared_length(digits(p.map(|length| up(length, more))));
         // The error is a unit and a half of the grid on each axis, which changes t by at most a third of a unit; that of a framed origin is a
         // five-hundredth of a unit.
-        let known = if finer == 0 { unit } else { FINER as u32 + 1 };
+        let known = if extra_bits == 0 { unit } else { FINER as u32 + 1 };
         let certain = down(square(radius.high), (2 * (known - 3)).min(30)) + 2;
-        Attempt::Found(Self { o, r: Digits::new(r), k, discriminant, certain, unit, up: more })
+        Attempt::Hit(Self { o, r: Digits::new(r), k, discriminant, certain, unit, up: more })
     }
 
     /// The two ends, in the radius's unit.
@@ -68,7 +68,7 @@ impl ByApproach {
         }
         let root = down(root(self.discriminant) as i64, self.up);
         let middle = ((1_u32 << self.unit) >> 1) as i64 - self.k;
-        Attempt::Found([down(middle - root, self.unit), down(middle + root, self.unit)])
+        Attempt::Hit([down(middle - root, self.unit), down(middle + root, self.unit)])
     }
 
     /// Whether there is an end at `t >= 0`; the same result as that of [`ByApproach::ends`].
@@ -78,7 +78,7 @@ impl ByApproach {
             return if high(self.discriminant) < -self.certain { Attempt::Miss } else { Attempt::Unsure };
         }
         if self.k < 0 {
-            return Attempt::Found(());
+            return Attempt::Hit(());
         }
         // The line leads away: the far end is at -c / (k + sqrt(D)), and an end within half a unit of the type of zero counts as zero; here within
         // one, to include the lower half of c, and the change of k^2 by a direction that is longer or shorter by 2^-49.
@@ -88,7 +88,7 @@ impl ByApproach {
         if c > near {
             Attempt::Miss
         } else if c < -near {
-            Attempt::Found(())
+            Attempt::Hit(())
         } else {
             Attempt::Unsure
         }
@@ -104,30 +104,30 @@ pub(in crate::scalar) struct ByMoment {
     rr: i128,
     /// `r^2 - |w|^2`
     residual: i128,
-    /// Radius and moment are in units of `2^-grid`, `k` of `2^(-62 - finer)`, which is finer by `down` bits.
+    /// Radius and moment are in units of `2^-grid`, `k` of `2^(-62 - extra_bits)`, which is finer by `down` bits.
     grid: u32,
     down: u32,
-    finer: i32,
+    extra_bits: i32,
 }
 
 /// `1 + e` in units of `2^-124`.
 const ONE: i128 = 1 << 124;
 
 impl ByMoment {
-    /// The origin is in units of `2^-finer` of the radius's.
+    /// The origin is in units of `2^-extra_bits` of the radius's.
     #[inline(always)]
-    pub(in crate::scalar) fn new(o: [i64; 3], finer: i32, d: [i64; 3], r: i64) -> Attempt<Self> {
+    pub(in crate::scalar) fn new(o: [i64; 3], extra_bits: i32, d: [i64; 3], r: i64) -> Attempt<Self> {
         // A grid on which the radius has 61 bits; the moment is shifted down to it. With fewer than eight bits below the unit its rounding would
         // matter.
         let [low, above] = words(r as u64);
         // Farther away on all axes sums of products would not fit.
         let all = upper_bits(o[0]) | upper_bits(o[1]) | upper_bits(o[2]);
-        if above >= 1 << 21 || all >= 1 << 29 || !(finer == 0 || finer == FINER) {
+        if above >= 1 << 21 || all >= 1 << 29 || !(extra_bits == 0 || extra_bits == FINER) {
             return Attempt::Unsure;
         }
         let (top, grid) = if above != 0 { (above, 0) } else { (low, 32) };
         let grid = leading_zeros(top | 1) + grid - 3;
-        let down = 62 + finer as u32 - grid;
+        let down = 62 + extra_bits as u32 - grid;
         let (o, d) = (digits(o), digits(d));
         let ([x, y, z], [dx, dy, dz]) = (o, d);
         let w = [minor([y, z], [dy, dz]), minor([z, x], [dz, dx]), minor([x, y], [dx, dy])];
@@ -139,14 +139,14 @@ impl ByMoment {
         let on_grid = |minor: u128| Digits::new(((down_to_64(minor, down - 1) + 1) >> 1) as i64);
         let w = [on_grid(wx), on_grid(wy), on_grid(wz)];
         let rr = squared(Digits::new(up_to_128(r as u64, grid) as i64));
-        Attempt::Found(Self { d, k: dot(o, d), rr, residual: rr - squared_length(w), grid, down, finer })
+        Attempt::Hit(Self { d, k: dot(o, d), rr, residual: rr - squared_length(w), grid, down, extra_bits })
     }
 
     /// The number of bits by which the discriminant may be smaller than `r^2`: the rounding of the moment, half a unit of the grid, then changes t by
     /// at most a thirtieth of a unit, that of a framed origin by at most a twentieth.
     #[inline(always)]
     const fn spare(&self) -> u32 {
-        if self.finer == 0 { 2 * (self.grid - 5) } else { 8 }
+        if self.extra_bits == 0 { 2 * (self.grid - 5) } else { 8 }
     }
 
     /// The two ends, in the radius's unit.
@@ -187,8 +187,8 @@ impl ByMoment {
             return if high(discriminant) < -certain { Attempt::Miss } else { Attempt::Unsure };
         }
         let root = up_to_128(root(discriminant), self.down) as i128;
-        let end = |numerator: i128| rounded(numerator - part(numerator), self.finer);
-        Attempt::Found([end(-self.k - root), end(root - self.k)])
+        let end = |numerator: i128| rounded(numerator - part(numerator), self.extra_bits);
+        Attempt::Hit([end(-self.k - root), end(root - self.k)])
     }
 
     /// Whether there is an end at `t >= 0`; the same result as that of [`ByMoment::ends`].
@@ -200,7 +200,7 @@ impl ByMoment {
             return if high(self.residual) < -certain { Attempt::Miss } else { Attempt::Unsure };
         }
         if self.k < 0 {
-            return Attempt::Found(());
+            return Attempt::Hit(());
         }
         // The line leads away: the far end is at (D - k^2) / (k + sqrt(D)), and an end within half a unit of the type of zero counts as zero.
         let k = self.k as u128;
@@ -210,11 +210,11 @@ impl ByMoment {
         let k = down_to_64(k, self.down);
         let beyond = high(squared(Digits::new(k as i64)) - self.residual);
         // Two units, or the error of the discriminant from the direction's length.
-        let near = down_to_64(k as u128, self.down - self.finer as u32) as i64 + (high(self.rr) >> 18) + 1;
+        let near = down_to_64(k as u128, self.down - self.extra_bits as u32) as i64 + (high(self.rr) >> 18) + 1;
         if beyond > near {
             Attempt::Miss
         } else if beyond < -near {
-            Attempt::Found(())
+            Attempt::Hit(())
         } else {
             Attempt::Unsure
         }

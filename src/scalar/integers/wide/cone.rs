@@ -29,8 +29,8 @@ struct Scaled {
     unit: i32,
     /// The whole unit of `t` to which the origin was moved.
     start: i64,
-    /// The origin was in units of `2^-finer`.
-    finer: i32,
+    /// The origin was in units of `2^-extra_bits`.
+    extra_bits: i32,
 }
 
 /// `length * proportion`, rounded to nearest; the proportion has 62 fraction bits.
@@ -40,11 +40,11 @@ fn along(length: i64, proportion: Digits) -> i64 {
 }
 
 impl Scaled {
-    /// The origin is in units of `2^-finer` of the sizes'. It is moved to a point next to the line's closest point, unless the line `departs`.
+    /// The origin is in units of `2^-extra_bits` of the sizes'. It is moved to a point next to the line's closest point, unless the line `departs`.
     // Not inlined: a shape that may be any cone would contain it twice.
     #[inline(never)]
-    fn new(o: [i64; 3], finer: i32, d: [i64; 3], [r, g, h]: [i64; 3], departs: bool) -> Attempt<Self> {
-        let Some(radius) = refined(r, finer) else { return Attempt::Unsure };
+    fn new(o: [i64; 3], extra_bits: i32, d: [i64; 3], [r, g, h]: [i64; 3], departs: bool) -> Attempt<Self> {
+        let Some(radius) = refined(r, extra_bits) else { return Attempt::Unsure };
         if (upper_bits(o[0]) | upper_bits(o[1]) | upper_bits(o[2]) | upper_bits(radius)) >> 28 != 0 {
             return Attempt::Unsure;
         }
@@ -56,12 +56,15 @@ impl Scaled {
         let (g, h) = (Digits::new(g << (free - 2)), Digits::new(h << (free - 2)));
         // The origin is moved to the whole unit of t next to the point closest to the frame's origin, as with 32 bits.
         let direction = digits(d);
-        let closest = if departs { 0 } else { -(dot(digits(o), direction) >> 62 >> finer) };
+        let closest = if departs { 0 } else { -(dot(digits(o), direction) >> 62 >> extra_bits) };
         let start = closest as i64;
-        if upper_bits(start << finer) >> 29 != 0 || (start << finer) >> finer != start || start as i128 != closest {
+        if upper_bits(start << extra_bits) >> 29 != 0
+            || (start << extra_bits) >> extra_bits != start
+            || start as i128 != closest
+        {
             return Attempt::Unsure;
         }
-        let walk = Digits::new(start << finer);
+        let walk = Digits::new(start << extra_bits);
         let walked = |i: usize| ((o[i] as i128) << 62) + dot([walk], [direction[i]]);
         let near = [walked(0), walked(1), walked(2)];
         let radius = (radius as i128) << 62;
@@ -72,7 +75,7 @@ impl Scaled {
             return Attempt::Unsure;
         }
         let up = zeros - 3;
-        let unit = up as i32 - 2 + finer;
+        let unit = up as i32 - 2 + extra_bits;
         if unit < 0 {
             return Attempt::Unsure;
         }
@@ -92,7 +95,7 @@ impl Scaled {
         let Some(digits) = Normalized::new(a) else {
             return Attempt::Unsure;
         };
-        Attempt::Found(Self { point, direction, a, digits, unit, start, finer })
+        Attempt::Hit(Self { point, direction, a, digits, unit, start, extra_bits })
     }
 
     /// As with 32 bits.
@@ -106,7 +109,7 @@ impl Scaled {
     #[inline(always)]
     fn spare(&self) -> i32 {
         let spare = self.unit - 3 - self.shift();
-        if self.finer == 0 { spare } else { spare.min(FINER - 2 - self.shift()) }
+        if self.extra_bits == 0 { spare } else { spare.min(FINER - 2 - self.shift()) }
     }
 
     #[inline(always)]
@@ -126,16 +129,16 @@ impl Scaled {
     fn is_middle_inside(&self, k: i128) -> Attempt<bool> {
         let [a, k] = [self.a, k].map(|n| Digits::new(high(n << 2)));
         let middle = dot([self.point[1]], [a]) - dot([self.direction[1]], [k]);
-        if middle.unsigned_abs() >> 66 == 0 { Attempt::Unsure } else { Attempt::Found(middle > 0) }
+        if middle.unsigned_abs() >> 66 == 0 { Attempt::Unsure } else { Attempt::Hit(middle > 0) }
     }
 }
 
 impl AtCone {
-    /// The origin is in units of `2^-finer` of the sizes'.
+    /// The origin is in units of `2^-extra_bits` of the sizes'.
     // Not inlined, as above.
     #[inline(never)]
-    fn new(o: [i64; 3], finer: i32, d: [i64; 3], outline: [i64; 3]) -> Attempt<Self> {
-        let line = found!(Scaled::new(o, finer, d, outline, false));
+    fn new(o: [i64; 3], extra_bits: i32, d: [i64; 3], outline: [i64; 3]) -> Attempt<Self> {
+        let line = found!(Scaled::new(o, extra_bits, d, outline, false));
         let ([x, y, z], [ex, ey, ez]) = (line.point, line.direction);
         let w = [minor([y, z], [ey, ez]), minor([z, x], [ez, ex]), minor([x, y], [ex, ey])].map(round_off::<62>);
         let [wx, wy, wz] = digits(w);
@@ -159,8 +162,8 @@ impl AtCone {
         let divisor = line.digits.divisor();
         // Farther away the rounding of a turned direction matters: an error of 2^-63 of t, which a small root enlarges likewise.
         let more = leading_zeros_of_64(root) as i32 - leading_zeros_of_64(moment | 1) as i32 + 3;
-        let farthest = (1 << if finer == 0 { 52 } else { (58 - more).clamp(0, 52) }) >> line.shift().max(0);
-        Attempt::Found(Self { line, k, root, divisor, farthest })
+        let farthest = (1 << if extra_bits == 0 { 52 } else { (58 - more).clamp(0, 52) }) >> line.shift().max(0);
+        Attempt::Hit(Self { line, k, root, divisor, farthest })
     }
 
     #[inline(always)]
@@ -213,10 +216,10 @@ impl Roots for AtCone {
 
 /// Where the line is inside the nappe of [`AtCone`] in which `h r + g y >= 0`.
 ///
-/// The origin is in units of `2^-finer` of the sizes'; the answer is in the sizes'.
+/// The origin is in units of `2^-extra_bits` of the sizes'; the answer is in the sizes'.
 #[inline(always)]
-pub(in crate::scalar) fn nappe(o: [i64; 3], finer: i32, d: [i64; 3], outline: [i64; 3]) -> Attempt<InNappe<i64>> {
-    found!(AtCone::new(o, finer, d, outline)).in_nappe()
+pub(in crate::scalar) fn nappe(o: [i64; 3], extra_bits: i32, d: [i64; 3], outline: [i64; 3]) -> Attempt<InNappe<i64>> {
+    found!(AtCone::new(o, extra_bits, d, outline)).in_nappe()
 }
 
 /// Where the line is inside both nappes of the cone of slope `g / h` about its apex at the origin: between its ends, or (`true`) before the first and
@@ -224,17 +227,17 @@ pub(in crate::scalar) fn nappe(o: [i64; 3], finer: i32, d: [i64; 3], outline: [i
 #[inline(always)]
 pub(in crate::scalar) fn double_cone(
     o: [i64; 3],
-    finer: i32,
+    extra_bits: i32,
     d: [i64; 3],
     [g, h]: [i64; 2],
 ) -> Attempt<([i64; 2], bool)> {
-    found!(AtCone::new(o, finer, d, [0, g, h])).in_both()
+    found!(AtCone::new(o, extra_bits, d, [0, g, h])).in_both()
 }
 
 /// Where a line that begins in the side of [`nappe`] leaves that nappe; as with 32 bits.
 #[inline]
-pub(in crate::scalar) fn exit_from_nappe(o: [i64; 3], finer: i32, d: [i64; 3], outline: [i64; 3]) -> Attempt<i64> {
-    let line = found!(Scaled::new(o, finer, d, outline, true));
+pub(in crate::scalar) fn exit_from_nappe(o: [i64; 3], extra_bits: i32, d: [i64; 3], outline: [i64; 3]) -> Attempt<i64> {
+    let line = found!(Scaled::new(o, extra_bits, d, outline, true));
     let k = line.k();
     if line.spare() < 3 {
         return Attempt::Unsure;
@@ -243,8 +246,8 @@ pub(in crate::scalar) fn exit_from_nappe(o: [i64; 3], finer: i32, d: [i64; 3], o
         return Attempt::Unsure;
     };
     if line.a < 0 {
-        return if t < -1 && line.rises() { Attempt::Found(i64::MAX) } else { Attempt::Unsure };
+        return if t < -1 && line.rises() { Attempt::Hit(i64::MAX) } else { Attempt::Unsure };
     }
     let is_near = 0 < t && t < 1 << 52 >> line.shift().max(0);
-    if is_near && found!(line.is_middle_inside(k)) { Attempt::Found(t) } else { Attempt::Unsure }
+    if is_near && found!(line.is_middle_inside(k)) { Attempt::Hit(t) } else { Attempt::Unsure }
 }

@@ -15,20 +15,20 @@ impl Length for i64 {
     const DOUBT: i128 = 1 << 65;
 
     #[inline(always)]
-    fn refined(self, o: Self, finer: i32) -> Option<Self> {
-        refined(self, finer).filter(|reach| (upper_bits(o) | upper_bits(*reach)) >> 28 == 0)
+    fn refined(self, o: Self, extra_bits: i32) -> Option<Self> {
+        refined(self, extra_bits).filter(|bounding_radius| (upper_bits(o) | upper_bits(*bounding_radius)) >> 28 == 0)
     }
     #[inline(always)]
     fn difference(self, d: Self, other: Self, d_other: Self) -> i128 {
         minor([Digits::new(self), Digits::new(other)], [Digits::new(d), Digits::new(d_other)])
     }
     #[inline(always)]
-    fn crossing(self, o: Self, finer: i32, d: Self) -> Attempt<Self> {
-        let [t, _] = found!(crossings(o, finer, d, [self; 2]));
-        Attempt::Found(t)
+    fn crossing(self, o: Self, extra_bits: i32, d: Self) -> Attempt<Self> {
+        let [t, _] = found!(crossings(o, extra_bits, d, [self; 2]));
+        Attempt::Hit(t)
     }
     #[inline(always)]
-    fn two_behind(finer: i32) -> Self {
-        -(2 << (finer & 0x1f))
+    fn two_behind(extra_bits: i32) -> Self {
+        -(2 << (extra_bits & 0x1f))
     }
 }

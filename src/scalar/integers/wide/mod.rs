@@ -108,20 +108,20 @@ const fn upper_bits(n: i64) -> u32 {
     magnitude_bits((n >> 32) as i32)
 }
 
-/// A length of the type in units of `2^-finer` of its own; `None` if it does not fit, or if `finer` is not that of [`turned`].
+/// A length of the type in units of `2^-extra_bits` of its own; `None` if it does not fit, or if `extra_bits` is not that of [`turned`].
 #[inline(always)]
-const fn refined(length: i64, finer: i32) -> Option<i64> {
-    match finer {
+const fn refined(length: i64, extra_bits: i32) -> Option<i64> {
+    match extra_bits {
         0 => Some(length),
         FINER if upper_bits(length) >> (30 - FINER) == 0 => Some(length << FINER),
         _ => None,
     }
 }
 
-/// A number in units of `2^(-62 - finer)`, rounded to nearest, ties to even.
+/// A number in units of `2^(-62 - extra_bits)`, rounded to nearest, ties to even.
 #[inline(always)]
-const fn rounded(n: i128, finer: i32) -> i64 {
-    if finer == 0 { round_off::<62>(n) } else { round_off::<{ 62 + FINER as u32 }>(n) }
+const fn rounded(n: i128, extra_bits: i32) -> i64 {
+    if extra_bits == 0 { round_off::<62>(n) } else { round_off::<{ 62 + FINER as u32 }>(n) }
 }
 
 /// The upper half.

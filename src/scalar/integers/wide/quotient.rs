@@ -69,22 +69,22 @@ pub(super) struct Divisor {
 const FRACTION: u32 = 7;
 
 impl Divisor {
-    /// The quotient of a number in units of `2^(-62 - finer)`, rounded to nearest; `None` if it is too large for that.
+    /// The quotient of a number in units of `2^(-62 - extra_bits)`, rounded to nearest; `None` if it is too large for that.
     #[inline(always)]
-    pub(super) fn quotient(self, numerator: i128, finer: i32) -> Option<i64> {
+    pub(super) fn quotient(self, numerator: i128, extra_bits: i32) -> Option<i64> {
         let magnitude = numerator.unsigned_abs();
-        let down = 62 + finer as u32 - FRACTION - self.shift;
+        let down = 62 + extra_bits as u32 - FRACTION - self.shift;
         if down_to_64(magnitude >> 64, down.wrapping_sub(1)) != 0 {
             return None;
         }
         Some(self.signed(down_to_64(magnitude, down), numerator < 0))
     }
 
-    /// The quotient of a number in units of `2^-finer`, no finer than half of [`FRACTION`]'s.
+    /// The quotient of a number in units of `2^-extra_bits`, no finer than half of [`FRACTION`]'s.
     #[inline(always)]
-    pub(super) fn quotient_of_length(self, numerator: i64, finer: i32) -> Option<i64> {
+    pub(super) fn quotient_of_length(self, numerator: i64, extra_bits: i32) -> Option<i64> {
         let magnitude = numerator.unsigned_abs();
-        let more = FRACTION + self.shift - finer as u32;
+        let more = FRACTION + self.shift - extra_bits as u32;
         if upper_bits(magnitude as i64) >> (31 - more) != 0 {
             return None;
         }

@@ -9,17 +9,18 @@ use crate::scalar::Attempt;
 
 /// Where the line is inside the infinite cylinder about the y axis: `a = dx^2 + dz^2`, `D = a r^2 - w_y^2`, `t = (-k -+ sqrt(D)) / a`.
 ///
-/// The origin is in units of `2^-finer` of the radius's; the answer is in the radius's.
+/// The origin is in units of `2^-extra_bits` of the radius's; the answer is in the radius's.
 #[inline(always)]
-pub(in crate::scalar) fn tube(o: [i64; 3], finer: i32, d: [i64; 3], r: i64) -> Attempt<[i64; 2]> {
+pub(in crate::scalar) fn tube(o: [i64; 3], extra_bits: i32, d: [i64; 3], r: i64) -> Attempt<[i64; 2]> {
     // As for a ball: a grid on which the radius has 61 bits, and the moment shifted down to it.
     let [low, above] = words(r as u64);
-    if above >= 1 << 21 || (upper_bits(o[0]) | upper_bits(o[2])) >= 1 << 29 || !(finer == 0 || finer == FINER) {
+    if above >= 1 << 21 || (upper_bits(o[0]) | upper_bits(o[2])) >= 1 << 29 || !(extra_bits == 0 || extra_bits == FINER)
+    {
         return Attempt::Unsure;
     }
     let (top, grid) = if above != 0 { (above, 0) } else { (low, 32) };
     let grid = leading_zeros(top | 1) + grid - 3;
-    let less = 62 + finer as u32 - grid;
+    let less = 62 + extra_bits as u32 - grid;
     let ([x, _, z], [dx, _, dz]) = (digits(o), digits(d));
     let wy = minor([z, x], [dz, dx]).unsigned_abs();
     // Twice the radius or more.
@@ -40,18 +41,19 @@ pub(in crate::scalar) fn tube(o: [i64; 3], finer: i32, d: [i64; 3], r: i64) -> A
     // The rounding of the moment, half a unit of the grid, changes t by at most a thirtieth of a unit, that of a framed origin by at most a
     // twentieth.
     let spare = grid.wrapping_sub(digits.shift) as i32;
-    if spare < 8 || finer != 0 && digits.shift > 6 {
+    if spare < 8 || extra_bits != 0 && digits.shift > 6 {
         return Attempt::Unsure;
     }
-    let certain = down(high(positive), if finer == 0 { (2 * (spare as u32 - 5)).min(30) } else { 8 - digits.shift });
+    let certain =
+        down(high(positive), if extra_bits == 0 { (2 * (spare as u32 - 5)).min(30) } else { 8 - digits.shift });
     if high(discriminant) < certain {
         return if high(discriminant) < -certain { Attempt::Miss } else { Attempt::Unsure };
     }
     let divisor = digits.divisor();
     let root = up_to_128(root(discriminant), less) as i128;
     let k = dot([x, z], [dx, dz]);
-    match (divisor.quotient(-k - root, finer), divisor.quotient(root - k, finer)) {
-        (Some(low), Some(high)) => Attempt::Found([low, high]),
+    match (divisor.quotient(-k - root, extra_bits), divisor.quotient(root - k, extra_bits)) {
+        (Some(low), Some(high)) => Attempt::Hit([low, high]),
         _ => Attempt::Unsure,
     }
 }

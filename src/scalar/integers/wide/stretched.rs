@@ -2,18 +2,18 @@
 
 use super::quotient::{reciprocal_of_digits, upper_product};
 use super::{Digits, FINER, digits, dot, joined, root, squared_length, upper_bits, words};
-use crate::scalar::Pace;
+use crate::scalar::InverseLength;
 
-/// As that of 32 bits; `finer` is always [`FINER`], and `start` zero.
+/// As that of 32 bits; `extra_bits` is always [`FINER`], and `start` zero.
 #[derive(Debug)]
 pub(in crate::scalar) struct Stretched {
     pub(in crate::scalar) origin: [i64; 3],
     pub(in crate::scalar) direction: [i64; 3],
     pub(in crate::scalar) scale: i32,
-    pub(in crate::scalar) pace: Pace,
+    pub(in crate::scalar) inverse_length: InverseLength,
 }
 
-/// Bits of an end below its unit, while it is multiplied by the pace.
+/// Bits of an end below its unit, while it is multiplied by the inverse length.
 const FRACTION: u32 = 5;
 
 /// Longer ends have no room for [`FRACTION`].
@@ -21,7 +21,7 @@ const TOO_FAR: u64 = 1 << (62 - FRACTION);
 
 /// The ray's `t` for a `t` along the line, which may be infinite; `None` if it is too large.
 #[inline(always)]
-pub(in crate::scalar) fn along_ray(Pace { digits, below, shift }: Pace, t: i64) -> Option<i64> {
+pub(in crate::scalar) fn along_ray(InverseLength { digits, below, shift }: InverseLength, t: i64) -> Option<i64> {
     if t == i64::MAX || t == -i64::MAX {
         return Some(t);
     }
@@ -36,9 +36,9 @@ pub(in crate::scalar) fn along_ray(Pace { digits, below, shift }: Pace, t: i64) 
 }
 
 /// The line in the frame at `position` of a matrix whose inverse has these rows, each to be multiplied by its power of two, for a solid
-/// whose lengths are at most `reach`; `None` if there is no room for them.
+/// whose lengths are at most `bounding_radius`; `None` if there is no room for them.
 ///
-/// The direction's length is rounded to some 2^-57 of itself. Direction and pace are multiples of the same rounded reciprocal, so that the line and its `t`
+/// The direction's length is rounded to some 2^-57 of itself. Direction and inverse length are multiples of the same rounded reciprocal, so that the line and its `t`
 /// are accurate to their last bits; only the direction's length differs from 1 by that.
 #[inline]
 pub(in crate::scalar) fn stretched(
@@ -46,7 +46,7 @@ pub(in crate::scalar) fn stretched(
     d: [i64; 3],
     position: [i64; 3],
     rows: [([i64; 3], i32); 3],
-    reach: i64,
+    bounding_radius: i64,
 ) -> Option<Stretched> {
     let apart = |o: i64, position: i64| o.wrapping_sub(position);
     let from = [apart(o[0], position[0]), apart(o[1], position[1]), apart(o[2], position[2])];
@@ -87,7 +87,7 @@ pub(in crate::scalar) fn stretched(
     let shift = 3 + excess + exponent - zeros as i32;
     let scale = (65 - shift).max(0);
     let shift = shift + scale;
-    let has_room = scale < 40 && reach >> (53 - scale.min(40)) == 0 && shift < 65 + 62;
+    let has_room = scale < 40 && bounding_radius >> (53 - scale.min(40)) == 0 && shift < 65 + 62;
     // To units of 2^-FINER of that.
     let by = 62 - FINER - exponent - scale;
     if !has_room || bits_of_longest(origin) - by > 62 || by >= 126 {
@@ -95,7 +95,7 @@ pub(in crate::scalar) fn stretched(
     }
     let origin = if by > 0 { shifted(origin, by as u32) } else { origin.map(|n| (n << by.unsigned_abs()) as i64) };
     let [below, digits] = words(reciprocal);
-    Some(Stretched { origin, direction, scale, pace: Pace { digits, below, shift: shift as u32 } })
+    Some(Stretched { origin, direction, scale, inverse_length: InverseLength { digits, below, shift: shift as u32 } })
 }
 
 /// The bits of the longest component, or one less.

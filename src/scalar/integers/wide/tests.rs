@@ -116,9 +116,9 @@ impl Exactly {
         &self.a * t * t + ((&self.k * t) << 11) + (&self.c << 20)
     }
     /// Whether the first (or the second) end is within so many 1024ths of this one, which is in units that are coarser.
-    fn is_end(&self, t: i64, finer: i32, second: bool, within: i64) -> bool {
-        let t = if second { -IBig::from(t) } else { IBig::from(t) } << (10 + finer as usize);
-        let within = within << finer;
+    fn is_end(&self, t: i64, extra_bits: i32, second: bool, within: i64) -> bool {
+        let t = if second { -IBig::from(t) } else { IBig::from(t) } << (10 + extra_bits as usize);
+        let within = within << extra_bits;
         let turned = Self { a: self.a.clone(), k: if second { -&self.k } else { self.k.clone() }, c: self.c.clone() };
         let (low, high) = (&t - IBig::from(within), &t + IBig::from(within));
         let beyond = |t: &IBig| &turned.a * t + (&turned.k << 10) >= IBig::ZERO;
@@ -127,19 +127,19 @@ impl Exactly {
 }
 
 /// The result of the fast path for a line: its ends, and whether one is ahead.
-fn queried(o: [i64; 3], finer: i32, d: [i64; 3], r: i64, by_moment: bool) -> (Attempt<[i64; 2]>, Attempt<()>) {
+fn queried(o: [i64; 3], extra_bits: i32, d: [i64; 3], r: i64, by_moment: bool) -> (Attempt<[i64; 2]>, Attempt<()>) {
     let ends = || {
-        Attempt::Found(if by_moment {
-            found!(found!(ByMoment::new(o, finer, d, r)).ends())
+        Attempt::Hit(if by_moment {
+            found!(found!(ByMoment::new(o, extra_bits, d, r)).ends())
         } else {
-            found!(found!(ByApproach::new(o, finer, d, r)).ends())
+            found!(found!(ByApproach::new(o, extra_bits, d, r)).ends())
         })
     };
     let ahead = || {
         if by_moment {
-            found!(ByMoment::new(o, finer, d, r)).meets_ahead()
+            found!(ByMoment::new(o, extra_bits, d, r)).meets_ahead()
         } else {
-            found!(ByApproach::new(o, finer, d, r)).meets_ahead()
+            found!(ByApproach::new(o, extra_bits, d, r)).meets_ahead()
         }
     };
     (ends(), ahead())
@@ -152,29 +152,29 @@ fn balls_are_met_where_they_are() {
     for _ in 0..LINES {
         let (o, d, r) = line_and_ball(&mut random);
         let exactly = Exactly::new(o, d, r);
-        let (finer, r) = units(r);
+        let (extra_bits, r) = units(r);
         // The closest approach assumes a direction of length 1. Half a unit, of 1024ths, is that of rounding.
         for (by_moment, within) in [(true, 528), (false, 1024)] {
             if !by_moment && !exactly.is_unit() {
                 continue;
             }
-            let (ends, ahead) = queried(o, finer, d, r, by_moment);
-            let line = std::format!("{o:?} {d:?} {r}, finer: {finer}, by moment: {by_moment}");
+            let (ends, ahead) = queried(o, extra_bits, d, r, by_moment);
+            let line = std::format!("{o:?} {d:?} {r}, extra bits: {extra_bits}, by moment: {by_moment}");
             match ends {
                 Attempt::Unsure => {}
                 Attempt::Miss => assert!(exactly.misses(), "lost: {line}"),
-                Attempt::Found([low, high]) => {
+                Attempt::Hit([low, high]) => {
                     found += 1;
                     assert!(!exactly.misses(), "phantom: {line}");
-                    assert!(exactly.is_end(low, finer, false, within), "{low} is no end: {line}");
-                    assert!(exactly.is_end(high, finer, true, within), "{high} is no end: {line}");
+                    assert!(exactly.is_end(low, extra_bits, false, within), "{low} is no end: {line}");
+                    assert!(exactly.is_end(high, extra_bits, true, within), "{high} is no end: {line}");
                 }
             }
             match (ahead, ends) {
                 (Attempt::Unsure, _) | (_, Attempt::Unsure) => {}
                 (ahead, Attempt::Miss) => assert_eq!(ahead, Attempt::Miss, "missed, but met ahead: {line}"),
-                (Attempt::Miss, Attempt::Found([_, high])) => assert!(high < 0, "{high} is ahead: {line}"),
-                (Attempt::Found(()), Attempt::Found([_, high])) => assert!(high >= 0, "{high} is not ahead: {line}"),
+                (Attempt::Miss, Attempt::Hit([_, high])) => assert!(high < 0, "{high} is ahead: {line}"),
+                (Attempt::Hit(()), Attempt::Hit([_, high])) => assert!(high >= 0, "{high} is not ahead: {line}"),
             }
         }
     }
@@ -188,16 +188,16 @@ fn cylinders_are_met_where_they_are() {
     for _ in 0..LINES {
         let (o, d, r) = line_and_ball(&mut random);
         let exactly = Exactly::new([o[0], 0, o[2]], [d[0], 0, d[2]], r);
-        let (finer, r) = units(r);
-        let line = std::format!("{o:?} {d:?} {r}, finer: {finer}");
-        match tube(o, finer, d, r) {
+        let (extra_bits, r) = units(r);
+        let line = std::format!("{o:?} {d:?} {r}, extra bits: {extra_bits}");
+        match tube(o, extra_bits, d, r) {
             Attempt::Unsure => {}
             Attempt::Miss => assert!(exactly.misses(), "lost: {line}"),
-            Attempt::Found([low, high]) => {
+            Attempt::Hit([low, high]) => {
                 found += 1;
                 assert!(!exactly.misses(), "phantom: {line}");
-                assert!(exactly.is_end(low, finer, false, 560), "{low} is no end: {line}");
-                assert!(exactly.is_end(high, finer, true, 560), "{high} is no end: {line}");
+                assert!(exactly.is_end(low, extra_bits, false, 560), "{low} is no end: {line}");
+                assert!(exactly.is_end(high, extra_bits, true, 560), "{high} is no end: {line}");
             }
         }
     }
@@ -210,17 +210,17 @@ fn planes_are_met_where_they_are() {
     let mut found = 0;
     for _ in 0..LINES {
         let (o, d, fine) = line_and_ball(&mut random);
-        let (finer, y) = units(fine);
-        let Attempt::Found([first, second]) = crossings(o[1], finer, d[1], [y, 0]) else { continue };
+        let (extra_bits, y) = units(fine);
+        let Attempt::Hit([first, second]) = crossings(o[1], extra_bits, d[1], [y, 0]) else { continue };
         found += 1;
         for (t, y) in [(first, fine), (second, 0)] {
             // dy (t -+ 1/2 and a bit) on both sides of the height
-            let beyond = (IBig::from(y - o[1]) << 62) - (IBig::from(t) << finer as usize) * IBig::from(d[1]);
-            let half = IBig::from(d[1].unsigned_abs()) * IBig::from(560 << finer);
+            let beyond = (IBig::from(y - o[1]) << 62) - (IBig::from(t) << extra_bits as usize) * IBig::from(d[1]);
+            let half = IBig::from(d[1].unsigned_abs()) * IBig::from(560 << extra_bits);
             assert!(beyond.clone() << 10 <= half && -beyond << 10 <= half, "{t}: {o:?} {d:?} {y}");
         }
-        match height(o[1], finer, d[1], first) {
-            Attempt::Found(there) => assert!((there - y).abs() <= 1, "{there}: {o:?} {d:?} {y}"),
+        match height(o[1], extra_bits, d[1], first) {
+            Attempt::Hit(there) => assert!((there - y).abs() <= 1, "{there}: {o:?} {d:?} {y}"),
             _ => assert!(first.unsigned_abs() >> 52 != 0, "{o:?} {d:?} {y}"),
         }
     }
@@ -267,14 +267,14 @@ fn cones_discs_and_triangles_of_every_size_are_met_on_their_surfaces() {
     let mut random = Random(7);
     let (mut cones, mut discs, mut triangles) = (0, 0, 0);
     for index in 0..4 * LINES {
-        let finer = if index % 2 == 0 { 0 } else { FINER };
+        let extra_bits = if index % 2 == 0 { 0 } else { FINER };
         // Of similar sizes, or of any sizes.
         let bits = 20 + random.below(42);
         let size = |random: &mut Random| if index % 3 == 0 { random.sized(62) } else { random.sized(bits.max(4)) };
         let sizes = [size(&mut random), size(&mut random), size(&mut random)];
         let vertices = [(); 3].map(|()| [(); 3].map(|()| coordinate(&mut random, bits)));
         let o = [(); 3].map(|()| coordinate(&mut random, if index % 5 == 0 { 62 } else { (bits + 3).min(62) }));
-        let unit_of = 2.0_f64.powi(-finer);
+        let unit_of = 2.0_f64.powi(-extra_bits);
         let from = o.map(|c| c as f64 * unit_of);
         // Approximately towards the solid.
         let aim = [0, 1, 2]
@@ -283,7 +283,7 @@ fn cones_discs_and_triangles_of_every_size_are_met_on_their_surfaces() {
         let e = d.map(|c| c as f64 * 2.0_f64.powi(-62));
         let at = |t: i64| [0, 1, 2].map(|i| from[i] + t as f64 * e[i]);
         let off = |t: i64| 1e-12 * (from.iter().map(|c| c.abs()).sum::<f64>() + t as f64) + 8.0;
-        if let Attempt::Found(t) = disc(o, finer, d, sizes[0]) {
+        if let Attempt::Hit(t) = disc(o, extra_bits, d, sizes[0]) {
             discs += 1;
             let [x, y, z] = at(t);
             assert!(
@@ -291,7 +291,7 @@ fn cones_discs_and_triangles_of_every_size_are_met_on_their_surfaces() {
                 "{o:?} {d:?} {sizes:?}"
             );
         }
-        if let Attempt::Found((t, _)) = triangle(o, finer, d, vertices) {
+        if let Attempt::Hit((t, _)) = triangle(o, extra_bits, d, vertices) {
             triangles += 1;
             let p = at(t);
             let [a, b, c] = vertices.map(|v| [0, 1, 2].map(|i| v[i] as f64 - p[i]));
@@ -310,7 +310,7 @@ fn cones_discs_and_triangles_of_every_size_are_met_on_their_surfaces() {
                 <= (1.0 + ratio.abs()) * (off + 1e-9 * (x.abs() + y.abs() + z.abs()));
             assert!(near, "{o:?} {d:?} {:?}: {x} {y} {z} {outline}", [r, g, h]);
         };
-        if let Attempt::Found(InNappe { ends, certain }) = nappe(o, finer, d, [r, g, h]) {
+        if let Attempt::Hit(InNappe { ends, certain }) = nappe(o, extra_bits, d, [r, g, h]) {
             cones += 1;
             for (end, certain) in ends.into_iter().zip(certain) {
                 if certain && end.unsigned_abs() != i64::MAX as u64 {
@@ -318,7 +318,7 @@ fn cones_discs_and_triangles_of_every_size_are_met_on_their_surfaces() {
                 }
             }
         }
-        if let Attempt::Found((ends, _)) = double_cone(o, finer, d, [g.abs(), h]) {
+        if let Attempt::Hit((ends, _)) = double_cone(o, extra_bits, d, [g.abs(), h]) {
             cones += 1;
             assert!(ends[0] <= ends[1]);
         }
@@ -330,7 +330,7 @@ fn cones_discs_and_triangles_of_every_size_are_met_on_their_surfaces() {
 }
 
 /// Directions of all kinds, among them exactly and nearly along an axis, and matrices of which two thirds map such an axis to itself: the direction
-/// has length 1, direction and pace have the same reciprocal, and the origin is the image by the matrix.
+/// has length 1, direction and inverse length have the same reciprocal, and the origin is the image by the matrix.
 #[test]
 fn a_stretched_line_is_the_matrix_times_the_line() {
     let mut random = Random(9);
@@ -355,19 +355,19 @@ fn a_stretched_line_is_the_matrix_times_the_line() {
             row[i] = (1 << 61) + if random.below(2) == 0 { 0 } else { random.below(1 << 61) as i64 };
             (row, random.below(13) as i32 - 6)
         });
-        let reach = 1 << (20 + index % 24);
-        let Some(line) = stretched(o, d, position, rows, reach) else { continue };
+        let bounding_radius = 1 << (20 + index % 24);
+        let Some(line) = stretched(o, d, position, rows, bounding_radius) else { continue };
         found += 1;
         along_axes += u32::from(d.iter().filter(|c| **c == 0).count() == 2 && is_diagonal);
         let length: IBig = line.direction.iter().map(|c| IBig::from(*c) * IBig::from(*c)).sum();
         let off = length - (IBig::from(1) << 124);
         assert!(off.clone() * &off <= IBig::from(1) << (2 * (124 - 54)), "length {line:?} {d:?} {rows:?} {off}");
-        let reciprocal = IBig::from(joined([line.pace.below, line.pace.digits]));
+        let reciprocal = IBig::from(joined([line.inverse_length.below, line.inverse_length.digits]));
         for i in 0..3 {
             let (row, exponent) = rows[i];
             let image = |v: [i64; 3]| (0..3).map(|j| IBig::from(v[j]) * IBig::from(row[j])).sum::<IBig>();
             // In units of 2^-62 times 2^-places.
-            let places = (line.pace.shift as i32 - line.scale + 62 - exponent) as usize;
+            let places = (line.inverse_length.shift as i32 - line.scale + 62 - exponent) as usize;
             let off = image(d) * &reciprocal - (IBig::from(line.direction[i]) << places);
             assert!(off.clone() * &off <= IBig::from(9) << (2 * places - 2), "direction {line:?} {d:?} {rows:?}");
             let places = 62 - exponent - line.scale - FINER;

@@ -16,18 +16,18 @@ fn cross([x, y, z]: [Digits; 3], [u, v, w]: [Digits; 3]) -> [i128; 3] {
 
 /// Where the line crosses the triangle, and whether it comes from the front; as with 32 bits.
 ///
-/// The origin is in units of `2^-finer` of the vertices'; the answer is in the vertices'.
+/// The origin is in units of `2^-extra_bits` of the vertices'; the answer is in the vertices'.
 #[inline(always)]
 pub(in crate::scalar) fn triangle(
     o: [i64; 3],
-    finer: i32,
+    extra_bits: i32,
     d: [i64; 3],
     vertices: [[i64; 3]; 3],
 ) -> Attempt<(i64, bool)> {
     // Exact, in the origin's unit.
     let (mut all, mut fits) = (0, true);
     let mut from_origin = |v: i64, o: i64| {
-        let Some(v) = refined(v, finer) else {
+        let Some(v) = refined(v, extra_bits) else {
             fits = false;
             return 0;
         };
@@ -43,7 +43,7 @@ pub(in crate::scalar) fn triangle(
     // On a grid on which none has more than 59 bits, truncated by less than one unit. The error of a framed origin is half of its own unit, so that a
     // finer grid would gain nothing.
     let bits = 64 - leading_zeros_of_64(all | 1);
-    let up = if finer == 0 { GRID as i32 - bits as i32 } else { 0 };
+    let up = if extra_bits == 0 { GRID as i32 - bits as i32 } else { 0 };
     let cut = bits.saturating_sub(GRID);
     let on_grid = |vertex: [i64; 3]| vertex.map(|length| if up > 0 { length << up } else { length >> cut });
     let corners = [on_grid(a), on_grid(b), on_grid(c)].map(digits);
@@ -58,14 +58,14 @@ pub(in crate::scalar) fn triangle(
     };
     let [p, q, r] = corners;
     let from_front = found!(within_edges([(p, q), (q, r), (r, p)], volume));
-    crossing(a, finer, direction, vertices, from_front)
+    crossing(a, extra_bits, direction, vertices, from_front)
 }
 
 /// Where the line crosses the plane of a triangle that it meets, `t = a . n / d . n`, from a vertex `a` seen from its origin.
 #[inline(always)]
 fn crossing(
     a: [i64; 3],
-    finer: i32,
+    extra_bits: i32,
     d: [Digits; 3],
     [u, v, w]: [[i64; 3]; 3],
     from_front: bool,
@@ -91,11 +91,11 @@ fn crossing(
     };
     // The error of a framed origin, a five-hundredth of a unit, is larger at the crossing if the line is nearly parallel to the plane. (A normal of
     // 61 bits has a shift of 1 or 2.)
-    if finer != 0 && divisor.shift > 8 {
+    if extra_bits != 0 && divisor.shift > 8 {
         return Attempt::Unsure;
     }
-    match divisor.divisor().quotient(distance, finer) {
-        Some(t) if upper_bits(t) >> 20 == 0 => Attempt::Found((t, from_front)),
+    match divisor.divisor().quotient(distance, extra_bits) {
+        Some(t) if upper_bits(t) >> 20 == 0 => Attempt::Hit((t, from_front)),
         _ => Attempt::Unsure,
     }
 }

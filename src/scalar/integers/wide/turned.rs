@@ -9,7 +9,7 @@ pub(in crate::scalar) const FINER: i32 = 8;
 pub(in crate::scalar) struct Turned {
     pub(in crate::scalar) start: i64,
     pub(in crate::scalar) origin: [i64; 3],
-    pub(in crate::scalar) finer: i32,
+    pub(in crate::scalar) extra_bits: i32,
     pub(in crate::scalar) direction: [i64; 3],
 }
 
@@ -27,5 +27,5 @@ pub(in crate::scalar) fn turned(o: [i64; 3], position: [i64; 3], axes: [[i64; 3]
         let along = |axis: [i64; 3]| round_off::<62>(dot(v, digits(axis)));
         [along(axes[0]), along(axes[1]), along(axes[2])]
     };
-    Some(Turned { start: 0, origin: seen(from), finer: FINER, direction: seen(d) })
+    Some(Turned { start: 0, origin: seen(from), extra_bits: FINER, direction: seen(d) })
 }

@@ -3,7 +3,7 @@
 use raylet::scalar::UnitScalar;
 use raylet::scene::nff::{self, Corner, Counts, NffError, Scale, Stores, View};
 use raylet::scene::{CornerNormals, Full, Store};
-use raylet::{Light, Material, Object, Picture, Scalar, Scene, Size, Work};
+use raylet::{Light, Material, Object, Picture, Scalar, Scene, Size, TraceContext};
 use std::fmt::Debug;
 
 /// Reads any bytes as a scene, in two number types, into stores of fixed capacity and into stores that grow; fails if one of
@@ -145,7 +145,7 @@ fn draw<S: Scalar>(text: &str, contents: &Contents<S>) {
     // One pixel of the picture of the text, whatever its size.
     let [width, height] = view.resolution;
     let picture = Picture::new(&scene, Size::new(width, height));
-    picture.pixel(width - 1, height / 2, &mut Work::new(()));
+    picture.pixel(width - 1, height / 2, &mut TraceContext::new(()));
 }
 
 fn ok<T, E: Debug>(text: &str, result: Result<T, E>) -> T {

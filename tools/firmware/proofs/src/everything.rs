@@ -3,7 +3,7 @@
 use crate::input::{Any, any_direction, any_point, any_word, give};
 use raylet::scalar::{Real, UnitScalar};
 use raylet::shape::kinds::{KindError, Kinds};
-use raylet::tier::{Certain, Tier};
+use raylet::tier::{ExactScalar, Tier};
 use raylet::{
     Affine, Capsule, Cone, Cuboid, Cylinder, Departure, Disc, Frame, Leaving, Part, Plane, Range, Ray, Rectangle, Shape, Sphere, Surface,
     Triangle, UnitVec3, Vec3, Visible,
@@ -150,8 +150,8 @@ fn among<S: Any, K: Kinds>() -> Option<Shape<S, K>> {
 }
 
 /// What the exact tier has besides.
-pub fn effort<S: Any + Certain>() -> Option<()> {
-    give(any_shape::<S>()?.effort(&any_ray()?));
+pub fn effort<S: Any + ExactScalar>() -> Option<()> {
+    give(any_shape::<S>()?.precision(&any_ray()?));
     Some(())
 }
 

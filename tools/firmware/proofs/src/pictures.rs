@@ -5,7 +5,7 @@ use crate::input::{Any, any_direction, any_point, any_text, any_word, give};
 use raylet::Tracer;
 use raylet::scene::nff::{self, Corner, Counts, Stores};
 use raylet::scene::{Hierarchy, Node};
-use raylet::{Camera, Color, Light, Material, Object, Picture, Scene, Size, Work};
+use raylet::{Camera, Color, Light, Material, Object, Picture, Scene, Size, TraceContext};
 
 fn any_color<S: Any>() -> Color<S> {
     let [red, green, blue] = any_direction::<S>().to_array();
@@ -39,15 +39,15 @@ pub fn pictures<S: Any>(camera: Camera<S>) -> Option<()> {
     let mut nodes = [Node::EMPTY; 3];
     let hierarchy = Hierarchy::build(any_list(&objects), any_list_mut(&mut nodes)).ok()?;
     let scene = scene.with_hierarchy(&hierarchy).ok()?;
-    let mut work = Work::new(());
+    let mut context = TraceContext::new(());
     let ray = any_ray::<S>()?;
-    give(scene.nearest(&ray, &mut work.counters));
-    give(scene.occludes(&ray, &mut work.counters));
-    give(Tracer::new(&scene).look(&ray, &mut work));
+    give(scene.nearest(&ray, &mut context.counters));
+    give(scene.occludes(&ray, &mut context.counters));
+    give(Tracer::new(&scene).look(&ray, &mut context));
     let size = Size::new(any_word() as u16, any_word() as u16).with_samples(any_word() as u8);
     let picture = Picture::new(&scene, size);
     give(scene.camera().raster(size).ray([any_word() as u16, any_word() as u16], [any_word() as u8, 0]));
-    give(picture.pixel(any_word() as u16, any_word() as u16, &mut work));
+    give(picture.pixel(any_word() as u16, any_word() as u16, &mut context));
     give(picture.render(|x, y, pixel| give((x, y, pixel.color.to_srgb888(), pixel.seen, pixel.lit_by))));
     give((any_color::<S>().plus(any_color()), any_color::<S>().times(any_color())));
     Some(())

@@ -39,7 +39,7 @@ macro_rules! nearest {
 macro_rules! pixel {
     ($S:ty, $Effects:ty) => {
         $crate::raylet_proofs::program! {
-            use $crate::raylet::{Picture, Scene, Size, Work};
+            use $crate::raylet::{Picture, Scene, Size, TraceContext};
             use $crate::raylet_proofs::input::{any_reference, any_word, give};
 
             let scene = any_reference::<Scene<'static, $S>>();
@@ -47,7 +47,7 @@ macro_rules! pixel {
             let size = Size::new(width, height).with_samples(any_word() as u8);
             let picture = Picture::<$S, $Effects>::leaving_out(scene, size);
             let [x, y] = [any_word() as u16, any_word() as u16];
-            give(picture.pixel(x, y, &mut Work::new(())));
+            give(picture.pixel(x, y, &mut TraceContext::new(())));
         }
     };
 }
@@ -72,7 +72,7 @@ macro_rules! range {
 macro_rules! picture {
     ($S:ty, $Kinds:ty, $Effects:ty) => {
         $crate::raylet_proofs::program! {
-            use $crate::raylet::{Picture, Scene, Size, Stable, Work};
+            use $crate::raylet::{Picture, Scene, Size, Stable, TraceContext};
             use $crate::raylet_proofs::input::{any_reference, any_word, give};
 
             let scene = any_reference::<Scene<'static, $S, Stable, $Kinds>>();
@@ -80,7 +80,7 @@ macro_rules! picture {
             let size = Size::new(width, height).with_samples(any_word() as u8);
             let picture = Picture::<$S, $Effects, Stable, $Kinds>::leaving_out(scene, size);
             let [x, y] = [any_word() as u16, any_word() as u16];
-            give(picture.pixel(x, y, &mut Work::new(())));
+            give(picture.pixel(x, y, &mut TraceContext::new(())));
         }
     };
 }
@@ -105,7 +105,7 @@ macro_rules! asked {
             call::<Fast>(shape, ray);
             call::<Stable>(shape, ray);
             call::<Exact>(shape, ray);
-            give((shape.effort(ray), shape.bounds()));
+            give((shape.precision(ray), shape.bounds()));
         }
     };
 }

@@ -4,7 +4,7 @@ use crate::stack::{depth, used_since};
 use core::fmt::{self, Display};
 use core::hint::black_box;
 use raylet::effect::Effects;
-use raylet::{Counters, Picture, Scalar, Work};
+use raylet::{Counters, Picture, Scalar, TraceContext};
 use raylet_firmware::clock;
 
 /// What a picture took.
@@ -31,22 +31,22 @@ impl Display for Measured {
 /// Measures a picture, row by row.
 pub fn picture<S: Scalar, E: Effects>(picture: &Picture<'_, S, E>) -> Measured {
     let mut measured = Measured { instructions: 0, stack: 0, rays: 0, levels: 0 };
-    let (mut work, mut instructions) = (Work::new(()), 0);
+    let (mut context, mut instructions) = (TraceContext::new(()), 0);
     let size = picture.size();
     for y in 0..size.height {
         let (start, taken) = (depth(), clock::instructions());
-        measured.levels = row(black_box(picture), y, &mut work, measured.levels);
+        measured.levels = row(black_box(picture), y, &mut context, measured.levels);
         instructions += clock::instructions() - taken;
         measured.stack = measured.stack.max(used_since(start));
     }
-    measured.rays = Counters::rays(&work.counters);
+    measured.rays = Counters::rays(&context.counters);
     measured.instructions = instructions / (u64::from(size.width) * u64::from(size.height)).max(1);
     measured
 }
 
 /// Traces a row, to eight bits a channel.
 #[inline(never)]
-fn row<S: Scalar, E: Effects>(picture: &Picture<'_, S, E>, y: u16, work: &mut Work, levels: u32) -> u32 {
+fn row<S: Scalar, E: Effects>(picture: &Picture<'_, S, E>, y: u16, context: &mut TraceContext, levels: u32) -> u32 {
     let mix = |sum: u32, level: u8| (sum ^ u32::from(level)).wrapping_mul(0x0100_0193);
-    picture.row(y, work).fold(levels, |sum, pixel| pixel.color.to_srgb888().into_iter().fold(sum, mix))
+    picture.row(y, context).fold(levels, |sum, pixel| pixel.color.to_srgb888().into_iter().fold(sum, mix))
 }

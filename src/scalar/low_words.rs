@@ -4,7 +4,7 @@ use super::Real;
 use core::fmt::Debug;
 
 /// The low words of a line, if the number type has any.
-pub trait Rests<S>: Copy + Debug {
+pub trait OptionalLowWords<S>: Copy + Debug {
     /// All of them zero.
     const NONE: Self;
     /// Those of the origin; those of the direction are zero.
@@ -25,7 +25,7 @@ pub struct LowWords<F> {
     pub off: [F; 2],
 }
 
-impl<F: Real> Rests<F> for LowWords<F> {
+impl<F: Real> OptionalLowWords<F> for LowWords<F> {
     const NONE: Self = Self { origin: [F::ZERO; 3], direction: [F::ZERO; 3], off: [F::ZERO; 2] };
     #[inline(always)]
     fn of_origin(origin: [F; 3]) -> Self {
@@ -38,7 +38,7 @@ impl<F: Real> Rests<F> for LowWords<F> {
     }
 }
 
-impl<S> Rests<S> for () {
+impl<S> OptionalLowWords<S> for () {
     const NONE: Self = ();
     #[inline(always)]
     fn of_origin(_: [S; 3]) -> Self {}

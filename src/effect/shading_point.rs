@@ -12,7 +12,7 @@ use crate::vector::{UnitVec3, Vec3};
 
 /// A shading point.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Site<S: Scalar> {
+pub(super) struct ShadingPoint<S: Scalar> {
     /// Index of the object that the point lies on.
     pub(super) object: u32,
     /// The part of its surface.
@@ -40,7 +40,7 @@ pub(super) struct Towards<S: Scalar> {
     pub(super) cosine: S::Real,
 }
 
-impl<S: Scalar> Site<S> {
+impl<S: Scalar> ShadingPoint<S> {
     /// The shading point of a hit, before bump mapping.
     pub(super) fn new<K: Kinds>(
         scene: &Scene<'_, S, impl Tier<S>, K>,

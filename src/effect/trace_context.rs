@@ -13,7 +13,7 @@ const NOBODY: u32 = u32::MAX;
 /// tested first, since neighbouring points are often in the shadow of the same object. The cache never changes a result, only the number of
 /// tests. It is cleared at the start of every row, so that the cost of a row does not depend on the rows before it.
 #[derive(Clone, Debug)]
-pub struct Work<O = ()> {
+pub struct TraceContext<O = ()> {
     /// Counters of rays and tests.
     pub counters: Counters,
     /// Called after every intersection test.
@@ -21,7 +21,7 @@ pub struct Work<O = ()> {
     occluders: [u32; REMEMBERED],
 }
 
-impl<O: Observer> Work<O> {
+impl<O: Observer> TraceContext<O> {
     /// A context with all counters at zero and an empty cache.
     pub fn new(observer: O) -> Self {
         Self { counters: Counters::default(), observer, occluders: [NOBODY; REMEMBERED] }
@@ -45,7 +45,7 @@ impl<O: Observer> Work<O> {
     }
 }
 
-impl<O: Observer + Default> Default for Work<O> {
+impl<O: Observer + Default> Default for TraceContext<O> {
     fn default() -> Self {
         Self::new(O::default())
     }
@@ -58,12 +58,12 @@ mod tests {
     /// One entry for all lights would give the same results with more tests.
     #[test]
     fn each_light_has_a_memory_of_its_own() {
-        let mut work = Work::new(());
-        (0..10).for_each(|light| work.remember_occluder(light, Some(light + 100)));
-        (0..10).for_each(|light| assert_eq!(work.last_occluder(light), (light < 8).then_some(light + 100)));
-        work.remember_occluder(3, None);
-        assert_eq!([2, 3].map(|light| work.last_occluder(light)), [Some(102), None]);
-        work.forget();
-        assert_eq!(work.last_occluder(2), None);
+        let mut context = TraceContext::new(());
+        (0..10).for_each(|light| context.remember_occluder(light, Some(light + 100)));
+        (0..10).for_each(|light| assert_eq!(context.last_occluder(light), (light < 8).then_some(light + 100)));
+        context.remember_occluder(3, None);
+        assert_eq!([2, 3].map(|light| context.last_occluder(light)), [Some(102), None]);
+        context.forget();
+        assert_eq!(context.last_occluder(2), None);
     }
 }

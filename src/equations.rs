@@ -2,7 +2,7 @@
 
 /// The equations and inequalities of a primitive, in the numbers that it was built from.
 #[derive(Clone, Copy, Debug)]
-pub enum Figure<S> {
+pub enum Equations<S> {
     /// All points within `radius` of the origin.
     Ball {
         /// The radius.
@@ -73,32 +73,32 @@ pub enum Extent<S> {
     Capped(Option<S>, Option<S>),
 }
 
-/// Kinds of figures: a bit for each kind for which the solver has a separate function.
+/// Kinds of equations: a bit for each kind for which the solver has a separate function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Figures(u16);
+pub struct EquationKinds(u16);
 
-impl Figures {
+impl EquationKinds {
     /// None.
     pub(crate) const NONE: Self = Self(0);
-    /// [`Figure::Ball`].
+    /// [`Equations::Ball`].
     pub(crate) const BALL: Self = Self(1);
-    /// [`Figure::Capsule`].
+    /// [`Equations::Capsule`].
     pub(crate) const CAPSULE: Self = Self(1 << 1);
-    /// [`Figure::Round`] with a straight side.
+    /// [`Equations::Round`] with a straight side.
     pub(crate) const TUBE: Self = Self(1 << 2);
-    /// [`Figure::Round`] with any other side.
+    /// [`Equations::Round`] with any other side.
     pub(crate) const CONE: Self = Self(1 << 3);
-    /// [`Figure::DoubleCone`].
+    /// [`Equations::DoubleCone`].
     pub(crate) const DOUBLE_CONE: Self = Self(1 << 4);
-    /// [`Figure::Plane`].
+    /// [`Equations::Plane`].
     pub(crate) const PLANE: Self = Self(1 << 5);
-    /// [`Figure::Disc`].
+    /// [`Equations::Disc`].
     pub(crate) const DISC: Self = Self(1 << 6);
-    /// [`Figure::Triangle`].
+    /// [`Equations::Triangle`].
     pub(crate) const TRIANGLE: Self = Self(1 << 7);
-    /// [`Figure::Cuboid`].
+    /// [`Equations::Cuboid`].
     pub(crate) const CUBOID: Self = Self(1 << 8);
-    /// [`Figure::Rectangle`].
+    /// [`Equations::Rectangle`].
     pub(crate) const RECTANGLE: Self = Self(1 << 9);
     /// All of these.
     #[cfg(test)]
@@ -116,27 +116,27 @@ impl Figures {
     }
 }
 
-impl<S> Figure<S> {
-    /// Which of the figures it is.
-    pub(crate) const fn figures(&self) -> Figures {
+impl<S> Equations<S> {
+    /// The kind of these.
+    pub(crate) const fn kind(&self) -> EquationKinds {
         match self {
-            Self::Ball { .. } => Figures::BALL,
-            Self::Capsule { .. } => Figures::CAPSULE,
-            Self::Round { side: Side::Straight(_), .. } => Figures::TUBE,
-            Self::Round { .. } => Figures::CONE,
-            Self::DoubleCone { .. } => Figures::DOUBLE_CONE,
-            Self::Plane => Figures::PLANE,
-            Self::Disc { .. } => Figures::DISC,
-            Self::Cuboid { .. } => Figures::CUBOID,
-            Self::Rectangle { .. } => Figures::RECTANGLE,
-            Self::Triangle { .. } => Figures::TRIANGLE,
+            Self::Ball { .. } => EquationKinds::BALL,
+            Self::Capsule { .. } => EquationKinds::CAPSULE,
+            Self::Round { side: Side::Straight(_), .. } => EquationKinds::TUBE,
+            Self::Round { .. } => EquationKinds::CONE,
+            Self::DoubleCone { .. } => EquationKinds::DOUBLE_CONE,
+            Self::Plane => EquationKinds::PLANE,
+            Self::Disc { .. } => EquationKinds::DISC,
+            Self::Cuboid { .. } => EquationKinds::CUBOID,
+            Self::Rectangle { .. } => EquationKinds::RECTANGLE,
+            Self::Triangle { .. } => EquationKinds::TRIANGLE,
         }
     }
 }
 
-/// The figures that a type may have. The solver tests this constant before it tests a figure, so that the compiler removes the functions for all
+/// The equations that a type may have. The solver tests this constant before the equations themselves, so that the compiler removes the functions for all
 /// others.
 pub trait Described {
-    /// The figures.
-    const FIGURES: Figures;
+    /// Their kinds.
+    const EQUATIONS: EquationKinds;
 }
