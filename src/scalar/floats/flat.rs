@@ -138,6 +138,8 @@ macro_rules! flat {
             // The error of a rounded origin is a rounding of itself.
             let own = if line.is_rounded { size(o) } else { 0.0 };
             let sizes = [size(a) + own, size(b) + own, size(c) + own];
+            // d . (p x q): the side on which the line passes the edge from p to q; its error is at most seven roundings of its terms.
+            let volumes = [dot(d, cross(a, b)), dot(d, cross(b, c)), dot(d, cross(c, a))];
             let terms = [sizes[0] * sizes[1], sizes[1] * sizes[2], sizes[2] * sizes[0]];
             if !(is_handy::<2>(terms[0]) && is_handy::<2>(terms[1]) && is_handy::<2>(terms[2])) {
                 return Attempt::Unsure;
@@ -145,10 +147,8 @@ macro_rules! flat {
             let Limits { epsilon, .. } = Limits::of(&line);
             // The line's error acts on each of its two vertices.
             let off = off_at(&line, sizes[0]) * (sizes[0] + sizes[1] + sizes[2]);
-            // d . (p x q): the side on which the line passes the edge from p to q; its error is at most seven roundings of its terms.
-            let volume = |(p, q, terms)| (dot(d, cross(p, q)), (terms + off) * (16.0 * epsilon));
-            let edges = [(a, b, terms[0]), (b, c, terms[1]), (c, a, terms[2])];
-            let from_front = found!(within_edges(edges, volume));
+            let edge = |i: usize| (volumes[i], (terms[i] + off) * (16.0 * epsilon));
+            let from_front = found!(within_edges([edge(0), edge(1), edge(2)]));
             // From differences of the vertices themselves, which are close together however far away the ray starts.
             let (u, v) = (minus(vertices[1], vertices[0]), minus(vertices[2], vertices[0]));
             let normal = cross(u, v);

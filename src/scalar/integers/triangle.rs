@@ -2,7 +2,7 @@
 
 use super::quotient::Normalized;
 use super::{leading_zeros, magnitude_bits, product};
-use crate::scalar::fast::within_edges;
+use crate::scalar::fast::within_edges_in_turn;
 use crate::scalar::{Attempt, found};
 
 /// `a . b`
@@ -52,10 +52,10 @@ pub(in crate::scalar) fn triangle(
     let volume = |(p, q): ([i32; 3], [i32; 3])| {
         // d x p in fourths of the grid's unit.
         let moment = cross(d, p).map(|component| (component >> 28) as i32);
-        (dot(q, moment), doubt)
+        dot(q, moment)
     };
     let [p, q, r] = corners;
-    let from_front = found!(within_edges([(p, q), (q, r), (r, p)], volume));
+    let from_front = found!(within_edges_in_turn([(p, q), (q, r), (r, p)], doubt, volume));
     crossing(a, extra_bits, d, vertices, from_front)
 }
 

@@ -2,7 +2,7 @@
 
 use super::quotient::Normalized;
 use super::{Digits, digits, dot, leading_zeros_of_64, minor, refined, upper_bits};
-use crate::scalar::fast::within_edges;
+use crate::scalar::fast::within_edges_in_turn;
 use crate::scalar::{Attempt, found};
 
 /// Bits of a vertex on the grid of the edges.
@@ -54,10 +54,10 @@ pub(in crate::scalar) fn triangle(
     let volume = |(p, q): ([Digits; 3], [Digits; 3])| {
         // d x p in halves of the grid's unit.
         let moment = digits(cross(direction, p).map(|component| (component >> 61) as i64));
-        (dot(q, moment), doubt)
+        dot(q, moment)
     };
     let [p, q, r] = corners;
-    let from_front = found!(within_edges([(p, q), (q, r), (r, p)], volume));
+    let from_front = found!(within_edges_in_turn([(p, q), (q, r), (r, p)], doubt, volume));
     crossing(a, extra_bits, direction, vertices, from_front)
 }
 

@@ -150,7 +150,7 @@ fn among<S: Any, K: Kinds>() -> Option<Shape<S, K>> {
 }
 
 /// What the exact tier has besides.
-pub fn effort<S: Any + ExactScalar>() -> Option<()> {
+pub fn precision<S: Any + ExactScalar>() -> Option<()> {
     give(any_shape::<S>()?.precision(&any_ray()?));
     Some(())
 }
