@@ -188,6 +188,9 @@ pub fn query<S: Scalar>(solid: &str, placed: Placed, rays: Rays, index: usize) -
 /// Queries of the range sensor: each zone tests each solid.
 pub const SENSED: usize = SOLIDS * ZONES as usize * ZONES as usize;
 
+/// Of the range sensor's tests every so many is measured: no divisor of the number of solids or of zones.
+pub const SENSED_EVERY: usize = 27;
+
 /// The query of this index of the range sensor.
 pub fn sensed<S: Scalar>(index: usize) -> Option<Query<S>> {
     let (zone, solid) = (index / SOLIDS, index % SOLIDS);

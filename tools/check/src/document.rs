@@ -94,7 +94,7 @@ fn whole_uses(text: &mut String, chips: &[Measured]) {
          A ray that the fast path cannot decide needs the stack of the solver; the sensor has such rays, and a simple picture may have none. \
          Instructions and [modelled cycles](#modelled-cycles) are means.\n\n\
          - The *range sensor* tests a `Shape`, which may be any primitive in any placement. Instructions and cycles are those of one test, of one of 64 zones against one of forty solids, 1 to 200 metres away and most of them upright; most tests miss. \
-         They are means over every 37th pair of a zone and a solid; the sections *What users do* have the mean and the worst of other pairs. The stack is the largest of all nearest hits that are measured.\n\
+         They are means over every 27th pair of a zone and a solid; the sections *What users do* have the worst of these too. The stack is the largest of all nearest hits that are measured.\n\
          - The *picture* is that of the section [Effects](#effects), and its shapes may be any primitive too. Instructions and cycles are those of a pixel; with all effects, pixels at edges have several samples.\n\
          - Rows that name primitives are programs that name them as well (`Shape<S, K>`): spheres and planes, or cylinders and planes, in frames or not placed. They contain no code of other primitives and placements. Only their flash is measured.\n\n",
     );

@@ -12,11 +12,10 @@ use raylet::Scalar;
 use raylet::tier::{Exact, Fast, Stable, Tier};
 use shared::digest::Bits;
 use shared::subject::query;
-use shared::workload::{PLACEMENTS, Placed, QUERIES, Query, RAYS, Rays, SENSED, SOLIDS_BY_NAME, query, sensed};
+use shared::workload::{
+    PLACEMENTS, Placed, QUERIES, Query, RAYS, Rays, SENSED, SENSED_EVERY, SOLIDS_BY_NAME, query, sensed,
+};
 use std::hint::black_box;
-
-/// One of so many queries of the range sensor is run, a hundred in all: no divisor of the number of solids or of zones.
-const EVERY: usize = 27;
 
 /// One row to be measured.
 pub struct Workload {
@@ -105,7 +104,7 @@ fn queries<S: Scalar>() -> Vec<(String, Vec<Query<S>>)> {
             }
         }
     }
-    all.push((RANGE_SENSOR.into(), (0..SENSED).step_by(EVERY).filter_map(sensed).take(QUERIES).collect()));
+    all.push((RANGE_SENSOR.into(), (0..SENSED).step_by(SENSED_EVERY).filter_map(sensed).take(QUERIES).collect()));
     for (picture, tests) in pictures::tests_of_each() {
         all.push((picture.into(), tests));
     }

@@ -11,16 +11,13 @@ use raylet::{Scalar, Shape};
 use raylet_firmware::clock;
 use shared::pictured::{BUILT_IN, of_built_in};
 use shared::subject::query;
-use shared::workload::{Placed, QUERIES, Query, Rays, SENSED, SOLIDS_BY_NAME, query, sensed};
+use shared::workload::{Placed, QUERIES, Query, Rays, SENSED, SENSED_EVERY, SOLIDS_BY_NAME, query, sensed};
 
 /// A query is repeated until that took so many instructions: then the grain of the clock is one hundredth.
 const ENOUGH: u64 = 100 * clock::GRAIN;
 
 /// So many times a function is called that does nothing.
 const LOOPS: u64 = 500;
-
-/// One of so many queries of the range sensor is run, a hundred in all: no divisor of the number of solids or of zones.
-const EVERY: usize = 27;
 
 /// Which solids and rays: of each solid.
 const KINDS: [(Placed, Rays); 7] = [
@@ -87,7 +84,7 @@ macro_rules! number {
         let mut all = |of: &str, kind: Option<(Placed, Rays)>, tests: &Queries<$S>| {
             $($report(Row { of, kind, number: $number, tier: stringify!($T), instructions: tier::<$S, $T>(tests) });)+
         };
-        all("range sensor", None, &(0..SENSED).step_by(EVERY).filter_map(sensed).take(QUERIES).collect());
+        all("range sensor", None, &(0..SENSED).step_by(SENSED_EVERY).filter_map(sensed).take(QUERIES).collect());
         for (scene, of) in BUILT_IN {
             all(of, None, &of_built_in(scene).unwrap_or_default());
         }

@@ -5,8 +5,8 @@ use raylet::scalar::{Real, UnitScalar};
 use raylet::shape::kinds::{KindError, Kinds};
 use raylet::tier::{ExactScalar, Tier};
 use raylet::{
-    Affine, Capsule, Cone, Cuboid, Cylinder, Departure, Disc, Frame, Leaving, Part, Plane, Range, Ray, Rectangle, Shape, Sphere, Surface,
-    Triangle, UnitVec3, Vec3, Visible,
+    Affine, Capsule, Cone, Cuboid, Cylinder, Departure, Disc, Frame, Leaving, Part, Plane, Range, Ray, Rectangle,
+    Shape, Sphere, Surface, Triangle, UnitVec3, Vec3, Visible,
 };
 
 /// Calls the methods that a primitive shares with a shape, in one tier.
@@ -54,7 +54,9 @@ pub fn any_ray<S: Any>() -> Option<Ray<S>> {
     give(range.contains(S::any()));
     let ray = ray.ok()?.with_range(range);
     give(ray.at(S::any()));
-    let part = [Part::Side, Part::Base, Part::Top, Part::Left, Part::Right, Part::Back, Part::Front].into_iter().nth(any_word() as usize)?;
+    let part = [Part::Side, Part::Base, Part::Top, Part::Left, Part::Right, Part::Back, Part::Front]
+        .into_iter()
+        .nth(any_word() as usize)?;
     let leaving = if any_word() == 0 { Leaving::Inwards } else { Leaving::Outwards };
     Some(if any_word() == 0 { ray } else { ray.departing(Departure { object: 0, part, leaving }) })
 }

@@ -19,7 +19,7 @@ use raylet::{Hit, Ray, Scalar};
 use shared::every_subject;
 use shared::rays::{RAYS, rays};
 use shared::subject::{Subject, query};
-use shared::workload::{Query, SENSED, sensed};
+use shared::workload::{Query, SENSED, SENSED_EVERY, sensed};
 use textbook::Plain;
 
 /// One figure.
@@ -125,14 +125,11 @@ macro_rules! measure {
     }};
 }
 
-/// Of the range sensor's tests every so many is measured: no divisor of the number of solids or of zones.
-const EVERY: usize = 37;
-
 /// The tests of the range sensor: each zone tests each solid. None is told apart from another: most miss.
 #[inline(never)]
 fn sensor<S: Scalar, T: Tier<S>>(names: Names, report: Report<'_>) {
-    let mut tests = heapless::Vec::<Query<S>, { SENSED.div_ceil(EVERY) }>::new();
-    for query in (0..SENSED).step_by(EVERY).filter_map(sensed) {
+    let mut tests = heapless::Vec::<Query<S>, { SENSED.div_ceil(SENSED_EVERY) }>::new();
+    for query in (0..SENSED).step_by(SENSED_EVERY).filter_map(sensed) {
         // There is room for all of them.
         let _ = tests.push(query);
     }

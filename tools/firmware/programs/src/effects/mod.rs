@@ -12,7 +12,8 @@ use core::fmt::{self, Display};
 use fixed::types::I16F16;
 pub use measure::{Measured, picture};
 use raylet::effect::{
-    All, Ambient, Antialiasing, Bump, Diffuse, EffectSet, Effects, Fog, Reflection, Refraction, Shadows, Specular, Texture,
+    All, Ambient, Antialiasing, Bump, Diffuse, EffectSet, Effects, Fog, Reflection, Refraction, Shadows, Specular,
+    Texture,
 };
 use raylet::{Picture, Scalar, Size};
 use stage::Stage;
