@@ -31,7 +31,7 @@ program! {
     queries::<I16F16, Exact>();
     queries::<I32F32, Fast>();
     queries::<I32F32, Stable>();
-    give((everything::precision::<f32>(), everything::effort::<I16F16>()));
+    give((everything::precision::<f32>(), everything::precision::<I16F16>()));
     the_rest::<f32>();
     the_rest::<f64>();
     the_rest::<I16F16>();
