@@ -3,13 +3,18 @@
 
 use crate::named::{any_frame, assert_hits, bits, judge, line_in, ray, ray_in};
 use core::any::TypeId;
+use fixed::FixedI64;
 use fixed::types::{I8F24, I16F16, I32F32};
 use raylet::tier::{Exact, Fast, Stable, Tier};
-use raylet::{Cone, Crossing, Cylinder, Departure, Disc, Frame, Leaving, Part, Ray, Shape, Sphere, UnitVec3, Vec3};
+use raylet::{
+    Affine, Cone, Crossing, Cylinder, Departure, Disc, Frame, Leaving, Part, Plane, Range, Ray, Shape, Sphere,
+    UnitVec3, Vec3,
+};
 use support::amount::times;
 use support::cases::{n, v};
-use support::exact_types::{Exact as Number, same_part};
+use support::exact_types::{Exact as Number, expected_of, same_part};
 use support::oracle::{self, ConeExtent, CylinderExtent, Dyadic, Line, Root, Solid};
+use support::placed::{Placed, Placement};
 use support::promise::Judged;
 use support::random::{Random, add, dot, normalize, scale};
 use support::subject::Subject;
@@ -287,4 +292,23 @@ fn cylinders_at_the_other_end_of_the_budget_are_met() {
     meets_across_the_budget::<I16F16>(16_384.0);
     meets_across_the_budget::<I8F24>(64.0);
     meets_across_the_budget::<I32F32>(1_073_741_824.0);
+}
+
+/// All components of a row of the inverse, and of the direction, are large: sums of the middle digits of their products exceeded 64 bits.
+#[test]
+fn large_components_in_a_row_of_a_matrix_do_not_overflow() {
+    let vector = |bits: [i64; 3]| Vec3::from(bits.map(I32F32::from_bits));
+    let axes = [[820138503, 1093518004, 273379501], [1093518004, 1093518004, 273379501], [-273379501, 0, 273379501]];
+    let matrix = Affine::new(axes.map(vector), Vec3::ZERO).expect("axes with a volume");
+    let placed = Placed::by(&Shape::new(Plane::new()), &Solid::Plane, Placement::Matrix(matrix)).expect("a place");
+    let d = [2443330940812613890_i64, -3054163676015767843, 2443330940812613890].map(FixedI64::from_bits);
+    let ray =
+        Ray::new(vector([11187790695, 14112477396, -7528022794]), UnitVec3::from_components(d).expect("length 1"));
+    let ray = ray.expect("an origin within the budget").with_range(Range::line());
+    let exact = expected_of(&Solid::Plane, &placed.line(&ray), &ray);
+    let hits = placed.shape.hits_at::<Stable>(&ray);
+    assert_eq!((hits.len(), exact.hits.len()), (1, 1));
+    let t = &exact.hits[0].t;
+    let off = t.error_in(&hits[0].t.exact(), &I32F32::unit_at(t));
+    assert!(off <= 1.0, "{off} units: {hits:?}, exactly {}", t.to_f64());
 }

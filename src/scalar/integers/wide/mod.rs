@@ -64,7 +64,7 @@ const fn carried(high: i64, middle: i64, low: i128) -> i128 {
     ((high as i128) << 64) + ((middle as i128) << 32) + low
 }
 
-/// `a . b`
+/// `a . b`. The middle digits are added in 64 bits: `sum |a_i| + sum |b_i|` must be below 2^64, as it is for two unit vectors (`2 sqrt(3) 2^62`).
 #[inline(always)]
 fn dot<const N: usize>(a: [Digits; N], b: [Digits; N]) -> i128 {
     let (mut high, mut middle, mut low) = (0, 0, 0);

@@ -59,7 +59,11 @@ pub(in crate::scalar) fn stretched(
     let exponent = x.max(y).max(z);
     let down = [x, y, z].map(|own| (exponent - own).min(126) as u32);
     let rows = rows.map(|(row, _)| digits(row));
-    let image = |v: [Digits; 3]| [dot(v, rows[0]) >> down[0], dot(v, rows[1]) >> down[1], dot(v, rows[2]) >> down[2]];
+    // Not one sum of three: all components of a row may be next to 1, and the middle digits of the products then exceed 64 bits.
+    let product = |[x, y, z]: [Digits; 3], [a, b, c]: [Digits; 3]| dot([x, y], [a, b]) + dot([z], [c]);
+    let image = |v: [Digits; 3]| {
+        [product(v, rows[0]) >> down[0], product(v, rows[1]) >> down[1], product(v, rows[2]) >> down[2]]
+    };
     let (origin, direction) = (image(digits(from)), image(digits(d)));
 
     // The direction, at first with 62 bits in its longest component, or one more. With fewer than 80 its last bits would be missing.

@@ -329,6 +329,11 @@ fn cones_discs_and_triangles_of_every_size_are_met_on_their_surfaces() {
     );
 }
 
+/// The low digit as large as it can be.
+fn low_digit_is_largest(n: i64) -> i64 {
+    (n >> 32 << 32) | i64::from(i32::MAX)
+}
+
 /// Directions of all kinds, among them exactly and nearly along an axis, and matrices of which two thirds map such an axis to itself: the direction
 /// has length 1, direction and inverse length have the same reciprocal, and the origin is the image by the matrix.
 #[test]
@@ -349,16 +354,23 @@ fn a_stretched_line_is_the_matrix_times_the_line() {
         let sign = if random.below(2) == 0 { 1.0 } else { -1.0 };
         let d = d.map(|c| (c * sign * 2.0_f64.powi(62)) as i64);
         let is_diagonal = random.below(3) != 0;
+        // All components of a row next to 1, with the signs of the direction's, and low digits with the signs of the high ones.
+        let is_full = random.below(8) == 0;
+        let d = if is_full { d.map(|c| low_digit_is_largest(c.abs()) * c.signum()) } else { d };
         let rows = [0, 1, 2].map(|i| {
             // As stored: the longest component has all bits. With a power of two, the direction's length may be rounded to below its component.
             let mut row = [(); 3].map(|()| if is_diagonal { 0 } else { coordinate(&mut random, 61) });
+            if is_full {
+                let mut full = |c: i64| low_digit_is_largest((1 << 62) - 1 - random.below(1 << 40) as i64) * c.signum();
+                return (d.map(&mut full), 0);
+            }
             row[i] = (1 << 61) + if random.below(2) == 0 { 0 } else { random.below(1 << 61) as i64 };
             (row, random.below(13) as i32 - 6)
         });
         let bounding_radius = 1 << (20 + index % 24);
         let Some(line) = stretched(o, d, position, rows, bounding_radius) else { continue };
         found += 1;
-        along_axes += u32::from(d.iter().filter(|c| **c == 0).count() == 2 && is_diagonal);
+        along_axes += u32::from(d.iter().filter(|c| **c == 0).count() == 2 && is_diagonal && !is_full);
         let length: IBig = line.direction.iter().map(|c| IBig::from(*c) * IBig::from(*c)).sum();
         let off = length - (IBig::from(1) << 124);
         assert!(off.clone() * &off <= IBig::from(1) << (2 * (124 - 54)), "length {line:?} {d:?} {rows:?} {off}");
