@@ -37,7 +37,11 @@ fn turn() {
         let instructions = (clock::instructions() - start) / (u64::from(WIDTH) * u64::from(HEIGHT));
         println!("frame {frame}: {:08x}, {instructions} instructions a pixel", display.bus.digest());
     }
-    println!("stack {} bytes (of which scene and hierarchy {})", stack::used(), size_of_val(&stage) + size_of_val(&nodes));
+    println!(
+        "stack {} bytes (of which scene and hierarchy {})",
+        stack::used(),
+        size_of_val(&stage) + size_of_val(&nodes)
+    );
 }
 
 fn run() -> ! {
