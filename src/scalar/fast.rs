@@ -77,6 +77,7 @@ pub(crate) fn within_edges<V: Copy + PartialOrd + Neg<Output = V>>(edges: [(V, V
 
 /// [`within_edges`] for integers, in which the volumes are computed one after the other: a miss is often decided by the first two. (Floats compute
 /// all three at once.)
+#[cfg(feature = "fixed")]
 #[inline(always)]
 pub(crate) fn within_edges_in_turn<E, V: Copy + PartialOrd + Neg<Output = V>>(
     [first, second, third]: [E; 3],
