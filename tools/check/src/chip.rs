@@ -148,7 +148,6 @@ mod tests {
     }
 
     #[test]
-    #[ignore = "data/cycles has no rows of cuboids yet: .ci/cycles --renew"]
     fn what_has_instructions_has_cycles_and_no_stack() {
         for (target, _) in CHIPS {
             let (instructions, cycles) = (baseline(target).expect("it is there"), cycles(target).expect("so is this"));
