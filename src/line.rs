@@ -25,7 +25,7 @@ pub trait Place<S: Scalar> {
     }
     /// [`Place::fast_line`] where the placement stretches and the number type is fixed point, for a solid whose lengths are at most `bounding_radius`.
     #[inline(always)]
-    fn finer_line(&self, _ray: &Ray<S>, _reach: S) -> Option<FinerLine<S>> {
+    fn finer_line(&self, _ray: &Ray<S>, _bounding_radius: S) -> Option<FinerLine<S>> {
         None
     }
     /// True if the ray's line passes the placement's y axis at a distance greater than `r`; false where rounding may decide, and for placements

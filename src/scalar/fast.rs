@@ -361,7 +361,7 @@ pub trait FastPath: Numbers {
         _d: [Self::Unit; 3],
         _position: [Self; 3],
         _rows: [([Self::Unit; 3], i32); 3],
-        _reach: Self,
+        _bounding_radius: Self,
     ) -> Option<FinerLine<Self>> {
         None
     }
@@ -380,7 +380,7 @@ pub trait FastPath: Numbers {
 
     /// Reduces the extra bits of the origin in fixed point so far that lengths up to the solid's bounding radius `bounding_radius` fit in the same unit.
     #[inline(always)]
-    fn fast_fit(_line: &mut LocalLine<Self>, _reach: Self) {}
+    fn fast_fit(_line: &mut LocalLine<Self>, _bounding_radius: Self) {}
 
     /// The line in the frame of this position and these axes, for a second attempt: by compensated sums, with its origin moved next to the
     /// frame's point `base`, and relative to that.

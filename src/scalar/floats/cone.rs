@@ -70,7 +70,7 @@ macro_rules! cone {
             let [wx, wy, wz] = [y * dz - z * dy, z * dx - x * dz, x * dy - y * dx];
             let (p, q, s) = (g * wz - g0 * dx, g * wx + g0 * dz, h * wy);
             let (discriminant, moment) = ((p * p + q * q) - s * s, $Float::abs(p) + $Float::abs(q) + $Float::abs(s));
-            // Each term of p, q and s is at most the reach: the rounding of all of them moves D by a few halves of epsilon times it and the
+            // Each term of p, q and s is at most the bounding radius: the rounding of all of them moves D by a few halves of epsilon times it and the
             // moment.
             let terms = moment * (steepness * length + g0);
             let is_close = $Float::abs(discriminant) * (4.0 * limits.cancelled) <= terms;

@@ -175,6 +175,31 @@ macro_rules! fast {
                 ..LocalLine::along(o, d, Self::from_bits(0))
             })
         }
+        #[inline(always)]
+        fn fast_stretched_finely(
+            o: [Self; 3],
+            d: [Self::Unit; 3],
+            position: [Self; 3],
+            rows: [([Self::Unit; 3], i32); 3],
+            bounding_radius: Self,
+        ) -> Option<FinerLine<Self>> {
+            let (raw, position) = (o.map(Self::to_bits), position.map(Self::to_bits));
+            let rows = rows.map(|(row, exponent)| (row.map($Fixed::to_bits), exponent));
+            let line = $($kernels)::+::stretched(raw, d.map($Fixed::to_bits), position, rows, bounding_radius.to_bits())?;
+            let (scale, inverse_length) = (line.scale, line.inverse_length);
+            let line = LocalLine {
+                origin: line.origin.map(Self::from_bits),
+                extra_bits: line.extra_bits,
+                direction: line.direction.map($Fixed::from_bits),
+                start: Self::from_bits(line.start),
+                ..LocalLine::along(o, d, Self::from_bits(0))
+            };
+            Some(FinerLine { line, scale, inverse_length })
+        }
+        #[inline(always)]
+        fn fast_along_ray(line: &FinerLine<Self>, t: Self) -> Option<Self> {
+            $($kernels)::+::along_ray(line.inverse_length, line.line.start.to_bits(), t.to_bits()).map(Self::from_bits)
+        }
         type Slabs = Slabs<$raw, i32>;
         #[inline(always)]
         fn slabs(o: [Self; 3], d: [Self::Unit; 3]) -> Self::Slabs {
@@ -194,32 +219,6 @@ fast!(FixedI32, LeEqU32, i32, integers, [is_strict], {
         let from = |i: usize| o[i].to_bits().wrapping_sub(position[i].to_bits());
         let (d, axis) = (d.map(FixedI32::to_bits), axis.map(FixedI32::to_bits));
         integers::passes([from(0), from(1), from(2)], d, axis, r.to_bits())
-    }
-    #[inline(always)]
-    fn fast_stretched_finely(
-        o: [Self; 3],
-        d: [Self::Unit; 3],
-        position: [Self; 3],
-        rows: [([Self::Unit; 3], i32); 3],
-        bounding_radius: Self,
-    ) -> Option<FinerLine<Self>> {
-        let (raw, position, bounding_radius) =
-            (o.map(Self::to_bits), position.map(Self::to_bits), bounding_radius.to_bits());
-        let rows = rows.map(|(row, exponent)| (row.map(FixedI32::to_bits), exponent));
-        let line = integers::stretched(raw, d.map(FixedI32::to_bits), position, rows, bounding_radius)?;
-        let (scale, inverse_length) = (line.scale, line.inverse_length);
-        let line = LocalLine {
-            origin: line.origin.map(Self::from_bits),
-            extra_bits: line.extra_bits,
-            direction: line.direction.map(FixedI32::from_bits),
-            start: Self::from_bits(line.start),
-            ..LocalLine::along(o, d, Self::from_bits(0))
-        };
-        Some(FinerLine { line, scale, inverse_length })
-    }
-    #[inline(always)]
-    fn fast_along_ray(line: &FinerLine<Self>, t: Self) -> Option<Self> {
-        integers::along_ray(line.inverse_length, line.line.start.to_bits(), t.to_bits()).map(Self::from_bits)
     }
     #[inline(always)]
     fn fast_fit(line: &mut LocalLine<Self>, bounding_radius: Self) {
@@ -255,31 +254,6 @@ fast!(FixedI64, LeEqU64, i64, integers::wide, [], {
         let from = |i: usize| o[i].to_bits().wrapping_sub(position[i].to_bits());
         let (d, axis) = (d.map(|c| (c.to_bits() >> 32) as i32), axis.map(|c| (c.to_bits() >> 32) as i32));
         integers::passes_wide([from(0), from(1), from(2)], d, axis, r.to_bits())
-    }
-    #[inline(always)]
-    fn fast_stretched_finely(
-        o: [Self; 3],
-        d: [Self::Unit; 3],
-        position: [Self; 3],
-        rows: [([Self::Unit; 3], i32); 3],
-        bounding_radius: Self,
-    ) -> Option<FinerLine<Self>> {
-        let (raw, position, bounding_radius) =
-            (o.map(Self::to_bits), position.map(Self::to_bits), bounding_radius.to_bits());
-        let rows = rows.map(|(row, exponent)| (row.map(FixedI64::to_bits), exponent));
-        let line = integers::wide::stretched(raw, d.map(FixedI64::to_bits), position, rows, bounding_radius)?;
-        let (scale, inverse_length) = (line.scale, line.inverse_length);
-        let line = LocalLine {
-            origin: line.origin.map(Self::from_bits),
-            extra_bits: integers::wide::FINER,
-            direction: line.direction.map(FixedI64::from_bits),
-            ..LocalLine::along(o, d, Self::from_bits(0))
-        };
-        Some(FinerLine { line, scale, inverse_length })
-    }
-    #[inline(always)]
-    fn fast_along_ray(line: &FinerLine<Self>, t: Self) -> Option<Self> {
-        integers::wide::along_ray(line.inverse_length, t.to_bits()).map(Self::from_bits)
     }
     #[inline(always)]
     fn fast_triangle(line: LocalLine<Self>, vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {

@@ -12,13 +12,13 @@ const FAR: u32 = 19;
 /// The line with a direction of length 1, in a unit of length that is finer than the type's by a power of two. An error of half a unit of an end
 /// along it is then at most a fourth of a unit of the ray's own `t`.
 #[derive(Debug)]
-pub(in crate::scalar) struct Stretched {
+pub(in crate::scalar) struct Stretched<N> {
     /// The ray's `t` at the origin.
-    pub(in crate::scalar) start: i32,
+    pub(in crate::scalar) start: N,
     /// In units of `2^-extra_bits` of the finer unit.
-    pub(in crate::scalar) origin: [i32; 3],
+    pub(in crate::scalar) origin: [N; 3],
     pub(in crate::scalar) extra_bits: i32,
-    pub(in crate::scalar) direction: [i32; 3],
+    pub(in crate::scalar) direction: [N; 3],
     /// The number of bits by which the unit is finer than the type's.
     pub(in crate::scalar) scale: i32,
     pub(in crate::scalar) inverse_length: InverseLength,
@@ -53,7 +53,7 @@ pub(in crate::scalar) fn stretched(
     position: [i32; 3],
     rows: [([i32; 3], i32); 3],
     bounding_radius: i32,
-) -> Option<Stretched> {
+) -> Option<Stretched<i32>> {
     let apart = |o: i32, position: i32| o.wrapping_sub(position);
     let from = [apart(o[0], position[0]), apart(o[1], position[1]), apart(o[2], position[2])];
     let bits = magnitude_bits(from[0]) | magnitude_bits(from[1]) | magnitude_bits(from[2]);

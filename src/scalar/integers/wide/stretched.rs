@@ -3,15 +3,7 @@
 use super::quotient::{reciprocal_of_digits, upper_product};
 use super::{Digits, FINER, digits, dot, joined, root, squared_length, upper_bits, words};
 use crate::scalar::InverseLength;
-
-/// As that of 32 bits; `extra_bits` is always [`FINER`], and `start` zero.
-#[derive(Debug)]
-pub(in crate::scalar) struct Stretched {
-    pub(in crate::scalar) origin: [i64; 3],
-    pub(in crate::scalar) direction: [i64; 3],
-    pub(in crate::scalar) scale: i32,
-    pub(in crate::scalar) inverse_length: InverseLength,
-}
+use crate::scalar::integers::stretched::Stretched;
 
 /// Bits of an end below its unit, while it is multiplied by the inverse length.
 const FRACTION: u32 = 5;
@@ -19,9 +11,13 @@ const FRACTION: u32 = 5;
 /// Longer ends have no room for [`FRACTION`].
 const TOO_FAR: u64 = 1 << (62 - FRACTION);
 
-/// The ray's `t` for a `t` along the line, which may be infinite; `None` if it is too large.
+/// The ray's `t` for a `t` along the line, which may be infinite; `None` if it is too large. A line of 64 bits always starts at zero.
 #[inline(always)]
-pub(in crate::scalar) fn along_ray(InverseLength { digits, below, shift }: InverseLength, t: i64) -> Option<i64> {
+pub(in crate::scalar) fn along_ray(
+    InverseLength { digits, below, shift }: InverseLength,
+    _start: i64,
+    t: i64,
+) -> Option<i64> {
     if t == i64::MAX || t == -i64::MAX {
         return Some(t);
     }
@@ -47,7 +43,7 @@ pub(in crate::scalar) fn stretched(
     position: [i64; 3],
     rows: [([i64; 3], i32); 3],
     bounding_radius: i64,
-) -> Option<Stretched> {
+) -> Option<Stretched<i64>> {
     let apart = |o: i64, position: i64| o.wrapping_sub(position);
     let from = [apart(o[0], position[0]), apart(o[1], position[1]), apart(o[2], position[2])];
     // The same limit as for a frame.
@@ -99,7 +95,14 @@ pub(in crate::scalar) fn stretched(
     }
     let origin = if by > 0 { shifted(origin, by as u32) } else { origin.map(|n| (n << by.unsigned_abs()) as i64) };
     let [below, digits] = words(reciprocal);
-    Some(Stretched { origin, direction, scale, inverse_length: InverseLength { digits, below, shift: shift as u32 } })
+    Some(Stretched {
+        start: 0,
+        origin,
+        extra_bits: FINER,
+        direction,
+        scale,
+        inverse_length: InverseLength { digits, below, shift: shift as u32 },
+    })
 }
 
 /// The bits of the longest component, or one less.
