@@ -68,7 +68,8 @@ impl<S: Scalar> Tier<S> for Fast {}
 /// units down to rays that graze to 10^-7. For fixed point: at most one unit. For a hit within a thousandth of the solid's size of the ray's start these
 /// are units of the size. Measured errors are in [docs/accuracy.md](https://github.com/raylet-rs/raylet/blob/main/docs/accuracy.md).
 ///
-/// Within one unit of a rim or a seam (in space, or in the `t` of its plane), of touching, or of the range's start, rounding may decide the hit, its part or its crossing.
+/// Within one unit of a rim or a seam (in space, or in the `t` of its plane), of touching, or of the range's start, rounding may decide the hit, its part
+/// or its crossing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Stable;
 

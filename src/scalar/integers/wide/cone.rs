@@ -160,7 +160,7 @@ impl AtCone {
         }
         let k = line.k();
         let divisor = line.digits.divisor();
-        // Farther away the rounding of a turned direction matters: an error of 2^-63 of t, which a small root enlarges likewise.
+        // Farther away the rounding of a turned direction matters: an error of 2^-63 of t (1.3 2^-62 if it is stretched), which a small root enlarges likewise.
         let more = leading_zeros_of_64(root) as i32 - leading_zeros_of_64(moment | 1) as i32 + 3;
         let farthest = (1 << if extra_bits == 0 { 52 } else { (58 - more).clamp(0, 52) }) >> line.shift().max(0);
         Attempt::Hit(Self { line, k, root, divisor, farthest })

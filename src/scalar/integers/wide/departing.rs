@@ -23,7 +23,7 @@ pub(in crate::scalar) fn exit_from_round(o: [i64; 3], extra_bits: i32, d: [i64; 
         return Attempt::Unsure;
     };
     match digits.divisor().quotient(-2 * k, extra_bits) {
-        // Up to here the rounding of a framed direction, 2^-63, is less than an eighth of a unit.
+        // Up to here the rounding of a framed direction, 2^-63, is less than an eighth of a unit; that of a stretched one, up to 1.3 2^-62, less than a third.
         Some(t) if t > 0 && upper_bits(t) >> 16 == 0 => Attempt::Hit(t),
         _ => Attempt::Unsure,
     }
