@@ -266,9 +266,9 @@ impl<S: Scalar> Place<S> for Affine<S> {
     }
 
     #[inline(always)]
-    fn second_line(&self, ray: &Ray<S>, base: Vec3<S>) -> Option<LocalLine<S>> {
+    fn second_line(&self, ray: &Ray<S>, base: Vec3<S>, near: S) -> Option<LocalLine<S>> {
         let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
-        S::fast_stretched_again(o, d, self.position.to_array(), self.inverse(), base.to_array())
+        S::fast_stretched_again(o, d, self.position.to_array(), self.inverse(), base.to_array(), near)
     }
 
     fn line<N: FromScalar<S>>(&self, ray: &Ray<S>) -> [[N; 3]; 2] {

@@ -2,7 +2,7 @@
 
 use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
-use crate::scalar::{Attempt, LocalLine, Scalar, UnitScalar};
+use crate::scalar::{Attempt, InSide, LocalLine, Scalar, UnitScalar};
 
 /// The guards of a tier's fast path against rounding errors.
 pub trait Guards: 'static {
@@ -44,15 +44,36 @@ impl<'a, S: Scalar> Slab<'a, S> {
         }
     }
 
-    /// Whether rounding may decide the order of the ends of a side and of these planes, or of the two planes.
+    /// Whether rounding may decide the entry into a side and these planes.
     #[inline(always)]
-    pub(crate) fn is_close_to(&self, side: &Span<S>) -> bool {
+    fn is_entry_close(&self, side: &Span<S>) -> bool {
         let (planes, [enter, exit]) = (&self.span, self.off);
         S::are_close(self.line, side.enter.t, planes.enter.t, enter)
-            || S::are_close(self.line, side.exit.t, planes.exit.t, exit)
             || S::are_close(self.line, side.enter.t, planes.exit.t, exit)
             || S::are_close(self.line, side.exit.t, planes.enter.t, enter)
             || S::are_close(self.line, planes.enter.t, planes.exit.t, enter)
+    }
+
+    /// The same for their exit, once their entry is certain.
+    #[inline(always)]
+    fn is_exit_close(&self, side: &Span<S>) -> bool {
+        S::are_close(self.line, side.exit.t, self.span.exit.t, self.off[1])
+    }
+
+    /// Whether an end is accurate enough, with this error if it is that of a plane.
+    #[inline(always)]
+    fn is_good(&self, end: End<S>, off: S) -> bool {
+        end.part == Part::Side || S::is_good(self.line, end.t, off)
+    }
+
+    /// Whether a side's interval certainly ends before these planes, or begins after them.
+    #[inline(always)]
+    fn is_apart_from(&self, InSide { ends: [low, high], beyond }: &InSide<S>) -> bool {
+        let (planes, [enter, exit]) = (&self.span, self.off);
+        let (low, high) = (low.minus(beyond[0]), high.plus(beyond[1]));
+        let ends_before = high < planes.enter.t && !S::are_close(self.line, high, planes.enter.t, enter);
+        let begins_after = low > planes.exit.t && !S::are_close(self.line, low, planes.exit.t, exit);
+        ends_before || begins_after
     }
 
     /// The exit of a line that starts on the part `from` of a side or of these planes: the nearer of the side's and the plane's.
@@ -72,23 +93,73 @@ impl<'a, S: Scalar> Slab<'a, S> {
         }
     }
 
-    /// The part of a side's interval that lies between the planes, if its ends are accurate enough.
+    /// The part of a side's interval that lies between the planes, if its ends are accurate enough. An end that is cut off by a plane need not be.
     #[inline(always)]
-    pub(crate) fn clip(&self, side: Span<S>) -> Attempt<Intersection<S>> {
-        let Some(span) = side.intersection(self.span) else { return Attempt::Miss };
-        let [enter, exit] = self.off;
-        let is_good = |end: End<S>, off: S| end.part == Part::Side || S::is_good(self.line, end.t, off);
-        if is_good(span.enter, enter) && is_good(span.exit, exit) {
-            Attempt::Hit(Intersection::One(span))
-        } else {
-            Attempt::Unsure
+    pub(crate) fn clip(&self, inside: &InSide<S>) -> Attempt<Intersection<S>> {
+        let (side, [enter, exit]) = (Span::of_side(inside.ends), self.off);
+        let [is_enter_accurate, is_exit_accurate] = inside.are_accurate();
+        if S::RELATIVE && !(is_enter_accurate && is_exit_accurate) && self.is_apart_from(inside) {
+            return Attempt::Miss;
+        }
+        if self.is_entry_close(&side) || !(is_enter_accurate || self.span.enter.t > side.enter.t) {
+            return Attempt::Unsure;
+        }
+        let span = side.intersection(self.span);
+        // Integers are seldom unsure of an exit.
+        let entered = match span {
+            Some(Span { enter: end, exit: later, .. })
+                if S::RELATIVE && end.t < later.t && self.is_good(end, enter) =>
+            {
+                Attempt::Hit(Intersection::Entered(end))
+            }
+            _ => Attempt::Unsure,
+        };
+        if let Attempt::Hit(Intersection::Entered(end)) = entered
+            && self.line.needs_only(end.t)
+        {
+            return entered;
+        }
+        if self.is_exit_close(&side) || !(is_exit_accurate || self.span.exit.t < side.exit.t) {
+            let is_behind =
+                S::RELATIVE && !is_exit_accurate && self.line.needs_none_until(inside.ends[1].plus(inside.beyond[1]));
+            return if is_behind { Attempt::Miss } else { entered };
+        }
+        match span {
+            None => Attempt::Miss,
+            Some(span) if self.is_good(span.enter, enter) && self.is_good(span.exit, exit) => {
+                Attempt::Hit(Intersection::One(span))
+            }
+            Some(_) => entered,
         }
     }
+
+    /// The ends of a side's interval that lie between the planes, if they are accurate enough; the rims belong to the side.
+    #[inline(always)]
+    pub(crate) fn rims(&self, inside: &InSide<S>) -> Attempt<Intersection<S>> {
+        let side = Span::of_side(inside.ends);
+        if self.is_entry_close(&side) || self.is_exit_close(&side) || !self.cuts_off_what_is_inaccurate(inside) {
+            return Attempt::Unsure;
+        }
+        Attempt::Hit(between_rims(side, self.span))
+    }
+
+    /// Whether each end of a side's interval is accurate, or is cut off by a plane.
+    #[inline(always)]
+    fn cuts_off_what_is_inaccurate(&self, inside: &InSide<S>) -> bool {
+        let ([is_enter_accurate, is_exit_accurate], [low, high]) = (inside.are_accurate(), inside.ends);
+        (is_enter_accurate || self.span.enter.t > low) && (is_exit_accurate || self.span.exit.t < high)
+    }
+}
+
+/// The interval of an infinite side, if its ends are accurate.
+#[inline(always)]
+pub(crate) fn whole_side<S: Scalar>(inside: &InSide<S>) -> Attempt<Span<S>> {
+    if inside.are_accurate() == [true; 2] { Attempt::Hit(Span::of_side(inside.ends)) } else { Attempt::Unsure }
 }
 
 /// The ends of `side` that lie in the slab between the rims; the rims belong to it.
 #[inline(always)]
-pub(crate) fn between_rims<S: Scalar>(side: Span<S>, between: Span<S>) -> Intersection<S> {
+fn between_rims<S: Scalar>(side: Span<S>, between: Span<S>) -> Intersection<S> {
     let on_surface = |end: End<S>| between.enter.t <= end.t && end.t <= between.exit.t;
     let (enter, exit) = (on_surface(side.enter), on_surface(side.exit));
     if !enter && !exit {

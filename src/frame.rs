@@ -321,14 +321,14 @@ impl<S: Scalar> Place<S> for Frame<S> {
     }
 
     #[inline(always)]
-    fn second_line(&self, ray: &Ray<S>, base: Vec3<S>) -> Option<LocalLine<S>> {
+    fn second_line(&self, ray: &Ray<S>, base: Vec3<S>, near: S) -> Option<LocalLine<S>> {
         let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
         let axes = self.axes.map(UnitVec3::to_array);
-        S::fast_turned_again(o, d, self.position.to_array(), axes, base.to_array())
+        S::fast_turned_again(o, d, self.position.to_array(), axes, base.to_array(), near)
     }
     #[inline(always)]
     fn second_ball_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
-        InWorld.second_line(ray, self.position)
+        InWorld.second_line(ray, self.position, S::ZERO)
     }
 
     #[inline]

@@ -5,7 +5,7 @@ use crate::fast::Guards;
 use crate::intersection::{End, Intersection};
 use crate::line::Place;
 use crate::part::Part;
-use crate::ray::{Range, Ray};
+use crate::ray::Ray;
 use crate::scalar::{Attempt, Including, LocalLine, Scalar, found};
 use crate::vector::{UnitVec3, Vec3};
 
@@ -49,20 +49,16 @@ pub trait Geometry<S: Scalar>: Copy + Described {
     /// The local line for the fast path's second attempt.
     #[inline(always)]
     fn second_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
-        place.second_line(ray, Vec3::ZERO)
+        // From nearer by, ends would often be too close to the ray's start for the sum of a `t` and the line's start.
+        let bounding_radius = self.bounding_radius();
+        place.second_line(ray, Vec3::ZERO, bounding_radius.plus(bounding_radius))
     }
-    /// For a primitive whose fast path may compute the entry without the exit ([`LocalLine::since`]): the line for the entry alone.
-    #[inline(always)]
-    fn entry_line(&self, _place: &impl Place<S>, _ray: &Ray<S>) -> Option<LocalLine<S>> {
-        None
-    }
-    /// The intersection by the fast path.
+    /// The intersection by the fast path; that may be the entry alone where the exit is uncertain or not needed: see [`LocalLine::since`].
     fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>>;
     /// Occlusion of the half-line `t >= 0` by the fast path; agrees with [`Geometry::fast_intersection`].
     #[inline(always)]
     fn fast_occlusion<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<()> {
-        let intersection = found!(self.fast_intersection::<T>(line));
-        if intersection.nearest(Range::FORWARD, |_| true).is_some() { Attempt::Hit(()) } else { Attempt::Miss }
+        found!(self.fast_intersection::<T>(line)).occlusion()
     }
     /// The exit of a line that starts on the part `from` and leads inwards, by the fast path. For convex primitives.
     #[inline(always)]

@@ -3,7 +3,7 @@
 use crate::hit::{Crossing, Hit, Hits};
 use crate::part::Part;
 use crate::ray::Range;
-use crate::scalar::Scalar;
+use crate::scalar::{Attempt, Scalar};
 
 /// One end of an interval: where the line crosses the surface, and on which part.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,6 +39,12 @@ impl<S: Scalar> Span<S> {
     #[inline(always)]
     pub(crate) const fn new(enter: End<S>, exit: End<S>) -> Self {
         Self { enter, exit, touch: false }
+    }
+
+    /// Between two ends on the side.
+    #[inline(always)]
+    pub(crate) const fn of_side([enter, exit]: [S; 2]) -> Self {
+        Self::new(End::new(enter, Part::Side), End::new(exit, Part::Side))
     }
 
     /// The whole line.
@@ -79,6 +85,8 @@ pub enum Intersection<S> {
     Miss,
     /// One interval, whose ends are the hits.
     One(Span<S>),
+    /// The entry of one interval, whose exit was not computed. Only fast paths give this.
+    Entered(End<S>),
     /// Two intervals, in order (a double cone).
     Two(Span<S>, Span<S>),
     /// The crossings of an open surface: those ends of the interval that lie on it. The others are infinite.
@@ -96,6 +104,7 @@ impl<R> Intersection<R> {
         Some(match self {
             Self::Miss => Intersection::Miss,
             Self::One(one) => Intersection::One(span(one)?),
+            Self::Entered(enter) => Intersection::Entered(end(enter)?),
             Self::Two(one, two) => Intersection::Two(span(one)?, span(two)?),
             Self::Surface(one) => Intersection::Surface(span(one)?),
             Self::LiesIn(one) => Intersection::LiesIn(span(one)?),
@@ -123,11 +132,22 @@ impl<S: Scalar> Intersection<S> {
         };
         match self {
             Self::Miss | Self::LiesIn(_) => {}
+            Self::Entered(End { t, part }) => report(Hit { t, part, crossing: Crossing::Enter }),
             Self::One(span) | Self::Surface(span) => span_ends(span),
             Self::Two(first, second) => {
                 span_ends(first);
                 span_ends(second);
             }
+        }
+    }
+
+    /// The entry alone, if there is one, and one interval longer than a point.
+    pub(crate) fn entered(self) -> Option<Self> {
+        match self {
+            Self::One(Span { enter, exit, .. }) if enter.t.is_finite() && enter.t < exit.t => {
+                Some(Self::Entered(enter))
+            }
+            _ => None,
         }
     }
 
@@ -181,8 +201,24 @@ impl<S: Scalar> Intersection<S> {
         };
         match self {
             Self::Miss | Self::LiesIn(_) => None,
+            Self::Entered(enter) => take(enter, Crossing::Enter),
             Self::One(span) | Self::Surface(span) => first(span),
             Self::Two(one, two) => first(one).or_else(|| first(two)),
         }
+    }
+
+    /// False if the first end in the range that `accept` accepts may be an exit that was not computed.
+    #[inline(always)]
+    pub(crate) fn has_nearest(&self, range: Range<S>, accept: impl Fn(Crossing) -> bool) -> bool {
+        if let Self::Entered(End { t, .. }) = *self { range.contains(t) && accept(Crossing::Enter) } else { true }
+    }
+
+    /// Occlusion of the half-line `t >= 0`.
+    #[inline(always)]
+    pub(crate) fn occlusion(self) -> Attempt<()> {
+        if !self.has_nearest(Range::FORWARD, |_| true) {
+            return Attempt::Unsure;
+        }
+        self.nearest(Range::FORWARD, |_| true).map_or(Attempt::Miss, |_| Attempt::Hit(()))
     }
 }

@@ -13,7 +13,7 @@ use crate::geometry::Geometry;
 use crate::intersection::{End, Intersection, Span};
 use crate::line::Place;
 use crate::query::Solve;
-use crate::ray::{Departure, Leaving, Range, Ray};
+use crate::ray::{Departure, Leaving, Ray};
 use crate::scalar::{Attempt, FromScalar, LocalLine, Scalar, found};
 use crate::solve::{self, Line, Of};
 use crate::tier::{Fast, Stable};
@@ -36,23 +36,20 @@ macro_rules! solve_robustly {
             fn fast_ahead<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<()> {
                 fast_ahead::<S, $Tier, G, _>(geometry, place, ray)
             }
-            #[inline]
+            // Not inlined, so that programs that list hits and search nearest hits have it once.
+            #[inline(never)]
             fn climb<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Intersection<S> {
                 let found = match rare::<S, $Tier, G>(geometry, place, ray) {
                     Attempt::Unsure => second_attempt::<S, $Tier, G, _>(geometry, place, ray),
                     found => found,
                 };
-                let intersection = match found {
+                match found {
                     Attempt::Hit(intersection) => intersection,
                     Attempt::Miss => Intersection::Miss,
                     // The robust number knows every sign, so that there is always a result.
                     Attempt::Unsure => {
                         climb::<S, S::Robust, G>(&geometry.equations(), place, ray).unwrap_or(Intersection::Miss)
                     }
-                };
-                match fast_entry::<S, $Tier, G, _>(geometry, place, ray) {
-                    Some(enter) => intersection.entered_at(enter),
-                    None => intersection,
                 }
             }
             fn contains<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, point: Vec3<S>) -> bool {
@@ -134,34 +131,13 @@ fn fast<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
 ) -> Attempt<Intersection<S>> {
     found!(is_frequent(geometry, place, ray));
     let Some(mut line) = geometry.fast_line(place, ray) else {
-        return if P::HAS_FAR_LINES { from_afar::<S, T, G>(geometry, place, ray) } else { Attempt::Unsure };
+        return if P::HAS_FAR_LINES { from_afar::<S, T, G>(geometry, place, ray, since) } else { Attempt::Unsure };
     };
     geometry.fit(&mut line);
     (line.is_strict, line.is_doubled) = (T::STRICT, false);
-    // Only if the line's `t` is the ray's.
-    line.since = since.filter(|_| !P::STRETCHES && line.start == S::ZERO);
+    // Only if the line's `t` is the ray's, but for its start.
+    line.since = since.filter(|_| !P::STRETCHES && (S::RELATIVE || line.start == S::ZERO));
     in_own_t(place, &line, geometry.fast_intersection::<T>(&line))
-}
-
-/// The entry of an intersection for which the fast path is unsure, if the fast path can compute the entry alone, as it does for the nearest hit. The
-/// list of all hits then begins with the same hit.
-#[inline(always)]
-fn fast_entry<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
-    geometry: &G,
-    place: &P,
-    ray: &Ray<S>,
-) -> Option<End<S>> {
-    if P::STRETCHES || ray.departure().is_some() {
-        return None;
-    }
-    let line = geometry.entry_line(place, ray)?;
-    if line.start != S::ZERO || line.is_coarse {
-        return None;
-    }
-    match geometry.fast_intersection::<T>(&line) {
-        Attempt::Hit(Intersection::One(Span { enter, .. })) => Some(enter),
-        _ => None,
-    }
 }
 
 /// The fast path of rays that depart inwards, and in fixed point of all with an affine placement. These are separate functions, so that the compiler
@@ -175,7 +151,7 @@ fn rare<S: Scalar, T: Guards, G: Geometry<S>>(
     if let Some(departure) = ray.departure() {
         return inwards::<S, T, G>(geometry, place, ray, departure);
     }
-    if stretches_integers(place) { stretched::<S, T, G>(geometry, place, ray) } else { Attempt::Unsure }
+    if stretches_integers(place) { whole(stretched::<S, T, G>(geometry, place, ray)) } else { Attempt::Unsure }
 }
 
 /// The fast path for all rays.
@@ -185,10 +161,16 @@ fn fast_or_rare<S: Scalar, T: Guards, G: Geometry<S>>(
     place: &impl Place<S>,
     ray: &Ray<S>,
 ) -> Attempt<Intersection<S>> {
-    match fast::<S, T, G, _>(geometry, place, ray, None) {
+    match whole(fast::<S, T, G, _>(geometry, place, ray, None)) {
         Attempt::Unsure => rare::<S, T, G>(geometry, place, ray),
         found => found,
     }
+}
+
+/// The intersection, if it is more than an entry.
+#[inline(always)]
+fn whole<S>(found: Attempt<Intersection<S>>) -> Attempt<Intersection<S>> {
+    if let Attempt::Hit(Intersection::Entered(_)) = found { Attempt::Unsure } else { found }
 }
 
 /// True for fixed point with an affine placement.
@@ -215,9 +197,10 @@ fn from_afar<S: Scalar, T: Guards, G: Geometry<S>>(
     geometry: &G,
     place: &impl Place<S>,
     ray: &Ray<S>,
+    since: Option<S>,
 ) -> Attempt<Intersection<S>> {
     let Some(mut line) = geometry.far_line(place, ray) else { return Attempt::Unsure };
-    (line.is_strict, line.is_doubled) = (T::STRICT, false);
+    (line.is_strict, line.is_doubled, line.since) = (T::STRICT, false, since);
     in_own_t(place, &line, geometry.fast_intersection::<T>(&line))
 }
 
@@ -264,12 +247,13 @@ fn second_attempt<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
     // The direction of a stretched line may have any length; the plain formulas for spheres need length 1.
     line.is_doubled = !is_new || P::STRETCHES || ray.departure().is_some();
     loop {
-        let found = in_own_t(place, &line, again::<S, T, G>(geometry, ray, &line));
+        let along = again::<S, T, G>(geometry, ray, &line);
+        let found = whole(in_own_t(place, &line, along));
         if found != Attempt::Unsure {
             return found;
         }
-        if line.is_doubled {
-            // Close to the ray's start the rounding error of the sum of a `t` and the line's start would be too large.
+        // Close to the ray's start the rounding error of the sum of a `t` and the line's start would be too large.
+        if line.is_doubled || whole(along) != Attempt::Unsure {
             if line.start == S::ZERO {
                 return Attempt::Unsure;
             }
@@ -358,7 +342,7 @@ fn in_own_t<S: Scalar, P: Place<S>>(
     found
 }
 
-/// An intersection along a line whose origin was moved to `start`, with `start` added to its `t`.
+/// An intersection along a line whose origin was moved to `start`, with `start` added to its `t`; the entry alone if only the exit is inaccurate.
 #[inline(never)]
 fn from_start<S: Scalar>(intersection: Intersection<S>, start: S, is_strict: bool) -> Attempt<Intersection<S>> {
     let whole = |t: S| {
@@ -375,7 +359,8 @@ fn from_start<S: Scalar>(intersection: Intersection<S>, start: S, is_strict: boo
         };
         is_precise.then_some(whole)
     };
-    intersection.try_map(whole).map_or(Attempt::Unsure, Attempt::Hit)
+    let entered = || intersection.entered()?.try_map(whole);
+    intersection.try_map(whole).or_else(entered).map_or(Attempt::Unsure, Attempt::Hit)
 }
 
 /// The occlusion test by the fast path.
@@ -384,10 +369,9 @@ fn fast_ahead<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(geometry: &G, p
     found!(is_frequent(geometry, place, ray));
     let Some(mut line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
     geometry.fit(&mut line);
+    line.since = (!P::STRETCHES && (S::RELATIVE || line.start == S::ZERO)).then_some(S::ZERO);
     if line.start == S::ZERO && !line.is_coarse {
-        line.since = (!P::STRETCHES).then_some(S::ZERO);
         return geometry.fast_occlusion::<T>(&line);
     }
-    let intersection = found!(in_own_t(place, &line, geometry.fast_intersection::<T>(&line)));
-    if intersection.nearest(Range::FORWARD, |_| true).is_some() { Attempt::Hit(()) } else { Attempt::Miss }
+    found!(in_own_t(place, &line, geometry.fast_intersection::<T>(&line))).occlusion()
 }

@@ -45,12 +45,12 @@ pub trait Place<S: Scalar> {
         self.fast_line(ray)
     }
     /// The line for the fast path's second attempt, which costs more and is more accurate. Its origin is moved to a point next to the
-    /// primitive's point `base`, and is relative to that.
-    fn second_line(&self, ray: &Ray<S>, base: Vec3<S>) -> Option<LocalLine<S>>;
+    /// primitive's point `base`, and is relative to that. In a frame it is moved only if it starts farther away than `near`.
+    fn second_line(&self, ray: &Ray<S>, base: Vec3<S>, near: S) -> Option<LocalLine<S>>;
     /// [`Place::second_line`] for a sphere about the frame's origin.
     #[inline(always)]
     fn second_ball_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
-        self.second_line(ray, Vec3::ZERO)
+        self.second_line(ray, Vec3::ZERO, S::ZERO)
     }
     /// Origin and direction of the ray's line in the primitive's frame, rounded only by the operations of the number `N`. The direction may
     /// have any length, so that `t` is the ray's.
@@ -103,7 +103,7 @@ impl<S: Scalar> Place<S> for InWorld {
         S::fast_from_afar(ray.origin().to_array(), ray.direction().to_array(), base.to_array())
     }
     #[inline(always)]
-    fn second_line(&self, ray: &Ray<S>, base: Vec3<S>) -> Option<LocalLine<S>> {
+    fn second_line(&self, ray: &Ray<S>, base: Vec3<S>, _near: S) -> Option<LocalLine<S>> {
         S::fast_closer(ray.origin().to_array(), ray.direction().to_array(), base.to_array())
     }
     #[inline]

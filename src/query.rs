@@ -31,10 +31,13 @@ pub trait Solve<S: Scalar> {
     /// All hits.
     #[inline]
     fn hits<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Hits<S> {
+        let whole = || Self::climb(geometry, place, ray);
         match Self::fast(geometry, place, ray, None) {
             Attempt::Miss => Hits::none(),
+            Attempt::Unsure => apart(|| whole().hits(ray.range())),
+            // The list begins with the nearest hit, for which the fast path needs only the entry.
+            Attempt::Hit(Intersection::Entered(enter)) => apart(|| whole().entered_at(enter).hits(ray.range())),
             Attempt::Hit(intersection) => intersection.hits(ray.range()),
-            Attempt::Unsure => apart(|| Self::climb(geometry, place, ray).hits(ray.range())),
         }
     }
 
@@ -49,7 +52,11 @@ pub trait Solve<S: Scalar> {
     ) -> Option<Hit<S>> {
         // If the entry is accepted, later ends are not needed.
         let since = accept(Crossing::Enter).then(|| ray.range().start());
-        match Self::fast(short, place, ray, since) {
+        let found = match Self::fast(short, place, ray, since) {
+            Attempt::Hit(intersection) if !intersection.has_nearest(ray.range(), &accept) => Attempt::Unsure,
+            found => found,
+        };
+        match found {
             Attempt::Miss => None,
             Attempt::Hit(intersection) => intersection.nearest(ray.range(), accept),
             Attempt::Unsure => apart(|| Self::climb(geometry, place, ray).nearest(ray.range(), accept)),

@@ -6,7 +6,7 @@ use crate::fast::Guards;
 use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
-use crate::scalar::{Attempt, Including, LocalLine, Real, Ring, Scalar, found};
+use crate::scalar::{Attempt, InSide, Including, LocalLine, Real, Ring, Scalar, found};
 use crate::vector::{UnitVec3, Vec3};
 use core::cmp::Ordering;
 
@@ -68,16 +68,20 @@ impl<S: Scalar> Capsule<S> {
         self.height
     }
 
-    /// The end of the line's interval in the capsule, for one end in the infinite tube: the same point if it lies between the seams,
-    /// otherwise the end in the ball beyond the seam, which `of_ball` computes from the line relative to the ball's centre.
+    /// The end of the line's interval in the capsule, for one end in the infinite tube, which may lie as far as `outer`: the same point if it lies
+    /// between the seams, otherwise the end in the ball beyond the seam, which `of_ball` computes from the line relative to the ball's centre.
     #[inline(always)]
     fn fast_end(
         &self,
         line: &LocalLine<S>,
-        tube: S,
+        [tube, outer]: [S; 2],
         of_ball: impl FnOnce(&LocalLine<S>, Part) -> Attempt<S>,
     ) -> Attempt<End<S>> {
-        let (part, centre) = match found!(S::fast_seams(*line, tube, self.height)) {
+        let seams = found!(S::fast_seams(*line, tube, self.height));
+        if tube != outer && (seams == Ordering::Equal || found!(S::fast_seams(*line, outer, self.height)) != seams) {
+            return Attempt::Unsure;
+        }
+        let (part, centre) = match seams {
             Ordering::Less => (Part::Base, S::ZERO),
             Ordering::Greater => (Part::Top, self.height),
             Ordering::Equal => return Attempt::Hit(End::new(tube, Part::Side)),
@@ -126,26 +130,38 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
 
     #[inline(always)]
     fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
-        let [low, high] = found!(S::fast_tube(*line, self.radius));
-        let ball = |line: &LocalLine<S>| S::fast_ball(*line, self.radius, T::GUARDED, T::STRICT);
-        let enter = found!(self.fast_end(line, low, |line, _| Attempt::Hit(found!(ball(line))[0])));
-        let exit = found!(self.fast_end(line, high, |line, _| Attempt::Hit(found!(ball(line))[1])));
-        Attempt::Hit(if enter.t > exit.t { Intersection::Miss } else { Intersection::One(Span::new(enter, exit)) })
+        let inside = found!(S::fast_tube(*line, self.radius));
+        let InSide { ends: [low, high], beyond } = inside;
+        // Next to a seam the ends in the ball are as inaccurate as those in the tube.
+        let is_guarded = T::GUARDED || inside.are_accurate() != [true; 2];
+        let ball = |line: &LocalLine<S>| S::fast_ball(*line, self.radius, is_guarded, T::STRICT);
+        let outer = low.minus(beyond[0]);
+        let enter = found!(self.fast_end(line, [low, outer], |line, _| Attempt::Hit(found!(ball(line))[0])));
+        if line.needs_only(enter.t) {
+            return Attempt::Hit(Intersection::Entered(enter));
+        }
+        let outer = high.plus(beyond[1]);
+        match self.fast_end(line, [high, outer], |line, _| Attempt::Hit(found!(ball(line))[1])) {
+            Attempt::Hit(exit) if enter.t <= exit.t => Attempt::Hit(Intersection::One(Span::new(enter, exit))),
+            // A line that enters leaves, but by rounding.
+            _ => Attempt::Hit(Intersection::Entered(enter)),
+        }
     }
 
     #[inline(always)]
     fn fast_exit<T: Guards>(&self, line: &LocalLine<S>, from: Part) -> Attempt<End<S>> {
         let tube = if from == Part::Side {
-            found!(S::fast_exit_from_round(line, false))
+            [found!(S::fast_exit_from_round(line, false)); 2]
         } else {
-            found!(S::fast_tube(*line, self.radius))[1]
+            let InSide { ends: [_, high], beyond: [_, beyond] } = found!(S::fast_tube(*line, self.radius));
+            [high, high.plus(beyond)]
         };
         self.fast_end(line, tube, |line, part| {
             if part == from {
                 return S::fast_exit_from_round(line, true);
             }
-            let [_, high] = found!(S::fast_ball(*line, self.radius, T::GUARDED, T::STRICT));
-            Attempt::Hit(high)
+            let is_guarded = T::GUARDED || tube[0] != tube[1];
+            Attempt::Hit(found!(S::fast_ball(*line, self.radius, is_guarded, T::STRICT))[1])
         })
     }
 

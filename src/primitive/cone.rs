@@ -5,13 +5,13 @@
 use super::outline::{Outline, Profile, checked_slope};
 use super::{Geometry, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates};
 use crate::equations::{self, Described, EquationKinds, Equations, Side};
-use crate::fast::{Guards, Slab, between_rims};
+use crate::fast::{Guards, Slab, whole_side};
 use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
 use crate::line::Place;
 use crate::part::Part;
 use crate::ray::Ray;
-use crate::scalar::{Attempt, InNappe, Including, LocalLine, NappeOutline, Real, Scalar, ValueError, found, largest};
+use crate::scalar::{Attempt, Including, LocalLine, NappeOutline, Real, Scalar, ValueError, found, largest};
 use crate::vector::{UnitVec3, Vec3};
 
 /// The extent of a cone along its axis, and whether it is closed.
@@ -105,6 +105,22 @@ impl<S: Scalar> Cone<S> {
         match self.extent {
             Extent::Double | Extent::Nappe => None,
             Extent::Open(height) | Extent::Capped(height) => Some(height),
+        }
+    }
+
+    /// The slope, which is the radius at the height 1; `None` for a frustum, which has two radii instead.
+    ///
+    /// ```
+    /// use raylet::Cone;
+    ///
+    /// assert_eq!(Cone::double(0.5_f32)?.slope(), Some(0.5));
+    /// assert_eq!(Cone::frustum(2.0_f32, 1.0, 4.0)?.slope(), None);
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub const fn slope(&self) -> Option<S> {
+        match self.outline {
+            Outline::Slope(slope) => Some(slope),
+            Outline::Radii(..) => None,
         }
     }
 
@@ -254,20 +270,11 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
                 Intersection::One(Span::new(first, second))
             });
         }
-        let InNappe { ends: [low, high], certain } = found!(S::fast_nappe(*line, self.fast_outline()));
-        let side = Span::new(End::new(low, Part::Side), End::new(high, Part::Side));
-        let (Extent::Open(height) | Extent::Capped(height)) = self.extent else {
-            return if certain == [true; 2] { Attempt::Hit(Intersection::One(side)) } else { Attempt::Unsure };
-        };
-        let slab = found!(self.fast_slab(line, height));
-        // An end of the nappe that is not certain must be cut off by the slab.
-        let is_cut = (certain[0] || slab.span.enter.t > low) && (certain[1] || slab.span.exit.t < high);
-        if slab.is_close_to(&side) || !is_cut {
-            return Attempt::Unsure;
-        }
+        let inside = found!(S::fast_nappe(*line, self.fast_outline()));
         match self.extent {
-            Extent::Open(_) => Attempt::Hit(between_rims(side, slab.span)),
-            _ => slab.clip(side),
+            Extent::Double | Extent::Nappe => Attempt::Hit(Intersection::One(found!(whole_side(&inside)))),
+            Extent::Open(height) => found!(self.fast_slab(line, height)).rims(&inside),
+            Extent::Capped(height) => found!(self.fast_slab(line, height)).clip(&inside),
         }
     }
 
@@ -286,8 +293,8 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         let (side, is_certain) = if from == Part::Side {
             (found!(S::fast_exit_from_nappe(line, self.fast_outline())), true)
         } else {
-            let InNappe { ends, certain } = found!(S::fast_nappe(*line, self.fast_outline()));
-            (ends[1], certain[1])
+            let inside = found!(S::fast_nappe(*line, self.fast_outline()));
+            (inside.ends[1], inside.are_accurate()[1])
         };
         let side = End::new(side, Part::Side);
         let Extent::Capped(height) = self.extent else { return Attempt::Hit(side) };

@@ -5,9 +5,7 @@ use crate::equations::{Described, EquationKinds, Equations};
 use crate::fast::Guards;
 use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
-use crate::line::Place;
 use crate::part::{FACES, Part};
-use crate::ray::Ray;
 use crate::scalar::{Attempt, InCuboid, Including, LocalLine, Scalar, UnitScalar, found};
 use crate::vector::{UnitVec3, Vec3};
 
@@ -98,18 +96,14 @@ impl<S: Scalar> Geometry<S> for Cuboid<S> {
     }
 
     #[inline(always)]
-    fn entry_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
-        let mut line = self.fast_line(place, ray)?;
-        self.fit(&mut line);
-        line.since = Some(-S::INFINITY);
-        Some(line)
-    }
-
-    #[inline(always)]
     fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
         let InCuboid { ends: [enter, exit], axes } = found!(S::fast_cuboid(line, self.half));
         let end = |t: S, axis: usize, leaves: bool| End::new(t, face(axis, line.direction, leaves));
-        Attempt::Hit(Intersection::One(Span::new(end(enter, axes[0], false), end(exit, axes[1], true))))
+        let enter = end(enter, axes[0], false);
+        if !exit.is_finite() {
+            return Attempt::Hit(Intersection::Entered(enter));
+        }
+        Attempt::Hit(Intersection::One(Span::new(enter, end(exit, axes[1], true))))
     }
 
     #[inline(always)]

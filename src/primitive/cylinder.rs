@@ -3,9 +3,9 @@
 use super::{Geometry, SizeError, checked_size, queries, surface_coordinates as coordinates};
 use crate::equations::{self, Described, EquationKinds, Equations, Side};
 use crate::fast::Guards;
-use crate::fast::{Slab, between_rims};
+use crate::fast::{Slab, whole_side};
 use crate::geometry::Hull;
-use crate::intersection::{End, Intersection, Span};
+use crate::intersection::{End, Intersection};
 use crate::part::Part;
 use crate::scalar::{Attempt, Including, LocalLine, Scalar, found};
 use crate::vector::{UnitVec3, Vec3};
@@ -119,18 +119,11 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
 
     #[inline(always)]
     fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
-        let [low, high] = found!(S::fast_tube(*line, self.radius));
-        let side = Span::new(End::new(low, Part::Side), End::new(high, Part::Side));
-        let (Extent::Open(height) | Extent::Capped(height)) = self.extent else {
-            return Attempt::Hit(Intersection::One(side));
-        };
-        let slab = found!(Slab::new(line, S::ZERO, height));
-        if slab.is_close_to(&side) {
-            return Attempt::Unsure;
-        }
+        let inside = found!(S::fast_tube(*line, self.radius));
         match self.extent {
-            Extent::Open(_) => Attempt::Hit(between_rims(side, slab.span)),
-            _ => slab.clip(side),
+            Extent::Infinite => Attempt::Hit(Intersection::One(found!(whole_side(&inside)))),
+            Extent::Open(height) => found!(Slab::new(line, S::ZERO, height)).rims(&inside),
+            Extent::Capped(height) => found!(Slab::new(line, S::ZERO, height)).clip(&inside),
         }
     }
 
@@ -139,7 +132,7 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
         let side = if from == Part::Side {
             found!(S::fast_exit_from_round(line, false))
         } else {
-            found!(S::fast_tube(*line, self.radius))[1]
+            found!(found!(S::fast_tube(*line, self.radius)).exit())
         };
         let side = End::new(side, Part::Side);
         match self.extent {

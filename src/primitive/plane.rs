@@ -7,7 +7,6 @@ use crate::fast::surface_hit;
 use crate::geometry::Hull;
 use crate::intersection::Intersection;
 use crate::part::Part;
-use crate::ray::Range;
 use crate::scalar::{Attempt, Including, LocalLine, Scalar, UnitScalar, found};
 use crate::vector::{UnitVec3, Vec3};
 use core::marker::PhantomData;
@@ -72,8 +71,7 @@ impl<S: Scalar> Geometry<S> for Plane<S> {
         if !S::RELATIVE && line.extra_bits == 0 && moves_away {
             return Attempt::Miss;
         }
-        let meeting = found!(self.fast_intersection::<T>(line));
-        if meeting.nearest(Range::FORWARD, |_| true).is_some() { Attempt::Hit(()) } else { Attempt::Miss }
+        found!(self.fast_intersection::<T>(line)).occlusion()
     }
 
     fn equations(&self) -> Equations<S> {

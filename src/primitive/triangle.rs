@@ -106,27 +106,21 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
         Self { vertices: self.vertices.map(|v| Vec3::new(v.x.scaled(e), v.y.scaled(e), v.z.scaled(e))) }
     }
 
-    #[inline(always)]
-    fn fast_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
-        place.fast_line_near(ray, self.vertices[0])
-    }
-
     /// Does nothing: the triangle's fast path itself reduces the bits of the origin if necessary.
     #[inline(always)]
     fn fit(&self, _: &mut LocalLine<S>) {}
 
     #[inline(always)]
-    fn far_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
-        place.far_line(ray, self.vertices[0])
-    }
-
-    #[inline(always)]
     fn second_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
-        place.second_line(ray, self.vertices[0])
+        place.second_line(ray, self.vertices[0], S::ZERO)
     }
 
     #[inline(always)]
     fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
+        if S::RELATIVE && line.is_doubled {
+            let (t, from_front) = found!(S::fast_triangle_doubled(line, self.vertices.map(Vec3::to_array)));
+            return Attempt::Hit(surface_hit(t, from_front));
+        }
         let [a, b, c] = self.vertices;
         let vertices = if line.is_relative { [Vec3::ZERO, b - a, c - a] } else { self.vertices };
         let (t, from_front) = found!(S::fast_triangle(*line, vertices.map(Vec3::to_array)));

@@ -15,13 +15,27 @@ pub enum Attempt<T> {
     Unsure,
 }
 
-/// The interval of a line inside a nappe of a cone.
+/// The interval of a line inside an infinite cylinder, or a nappe of a cone.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct InNappe<S> {
+pub struct InSide<S> {
     /// The ends; infinite for a missing end.
     pub ends: [S; 2],
-    /// For each end, true if it is accurate; otherwise it is only certain that the interval extends at least so far.
-    pub certain: [bool; 2],
+    /// For each end, how much farther the interval may extend: zero if the end is accurate, infinite if that is not known.
+    pub beyond: [S; 2],
+}
+
+impl<S: super::Scalar> InSide<S> {
+    /// For each end, whether it is accurate.
+    #[inline(always)]
+    pub(crate) fn are_accurate(&self) -> [bool; 2] {
+        self.beyond.map(|beyond| beyond == S::ZERO)
+    }
+
+    /// The exit, if it is accurate.
+    #[inline(always)]
+    pub(crate) fn exit(&self) -> Attempt<S> {
+        if self.are_accurate()[1] { Attempt::Hit(self.ends[1]) } else { Attempt::Unsure }
+    }
 }
 
 /// The outline of a nappe about the y axis: a cone through two circles.
@@ -38,7 +52,7 @@ pub struct NappeOutline<S> {
 /// The interval of a line inside a cuboid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InCuboid<S> {
-    /// The ends; the second is infinite if it is not needed.
+    /// The ends; the second is infinite if it was not computed: it is uncertain, or not needed.
     pub ends: [S; 2],
     /// For each end, the axis perpendicular to its face: 0, 1 or 2 for x, y or z.
     pub axes: [usize; 2],
@@ -132,8 +146,7 @@ pub struct LocalLine<S: Numbers> {
     /// True for the tier [`Exact`](crate::tier::Exact): a result that passes the guards is certain, except that `t` is rounded, by less than a unit.
     /// `f32` then computes in doubles, in which nearly all rays pass; fixed point computes in its own 32 bits.
     pub is_strict: bool,
-    /// If given, only the first end at or after this `t` is needed. Later ends may be left out, as if they were infinitely far away, and a line
-    /// without such an end may be a miss.
+    /// If given, only the first end at or after this `t` of the ray is needed: an entry is enough, and a line without such an end may be a miss.
     pub since: Option<S>,
 }
 
@@ -160,6 +173,18 @@ impl<S: Numbers + Copy> LocalLine<S> {
 }
 
 impl<S: super::Scalar> LocalLine<S> {
+    /// Whether no end is needed but the entry at this `t` of the line.
+    #[inline(always)]
+    pub(crate) fn needs_only(&self, enter: S) -> bool {
+        self.since.is_some_and(|since| enter.plus(self.start) >= since)
+    }
+
+    /// Whether no end at this `t` of the line, or before it, is needed.
+    #[inline(always)]
+    pub(crate) fn needs_none_until(&self, t: S) -> bool {
+        self.since.is_some_and(|since| t.plus(self.start) < since)
+    }
+
     /// The line mirrored in the plane `y = 0`.
     #[inline]
     pub(crate) fn mirrored(&self) -> Self {
@@ -215,15 +240,15 @@ pub trait FastPath: Numbers {
         Attempt::Unsure
     }
 
-    /// The two ends of the line inside the infinite cylinder of radius `r` about the y axis.
+    /// The interval of the line inside the infinite cylinder of radius `r` about the y axis.
     #[inline(always)]
-    fn fast_tube(_: LocalLine<Self>, _r: Self) -> Attempt<[Self; 2]> {
+    fn fast_tube(_: LocalLine<Self>, _r: Self) -> Attempt<InSide<Self>> {
         Attempt::Unsure
     }
 
     /// The interval of the line inside the nappe.
     #[inline(always)]
-    fn fast_nappe(_: LocalLine<Self>, _: NappeOutline<Self>) -> Attempt<InNappe<Self>> {
+    fn fast_nappe(_: LocalLine<Self>, _: NappeOutline<Self>) -> Attempt<InSide<Self>> {
         Attempt::Unsure
     }
 
@@ -290,6 +315,12 @@ pub trait FastPath: Numbers {
     /// Where the line crosses the triangle with these vertices, and whether it comes from the side from which they are counter-clockwise.
     #[inline(always)]
     fn fast_triangle(_: LocalLine<Self>, _vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {
+        Attempt::Unsure
+    }
+
+    /// [`FastPath::fast_triangle`] in double-word numbers. If the line's origin is relative to the first vertex, the vertices are not.
+    #[inline(always)]
+    fn fast_triangle_doubled(_: &LocalLine<Self>, _vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {
         Attempt::Unsure
     }
 
@@ -383,7 +414,7 @@ pub trait FastPath: Numbers {
     fn fast_fit(_line: &mut LocalLine<Self>, _bounding_radius: Self) {}
 
     /// The line in the frame of this position and these axes, for a second attempt: by compensated sums, with its origin moved next to the
-    /// frame's point `base`, and relative to that.
+    /// frame's point `base` if it starts farther than `near` away, and relative to that.
     #[inline(always)]
     fn fast_turned_again(
         _o: [Self; 3],
@@ -391,6 +422,7 @@ pub trait FastPath: Numbers {
         _position: [Self; 3],
         _axes: [[Self::Unit; 3]; 3],
         _base: [Self; 3],
+        _near: Self,
     ) -> Option<LocalLine<Self>> {
         None
     }
@@ -403,6 +435,7 @@ pub trait FastPath: Numbers {
         _position: [Self; 3],
         _rows: [([Self::Unit; 3], i32); 3],
         _base: [Self; 3],
+        _near: Self,
     ) -> Option<LocalLine<Self>> {
         None
     }

@@ -65,7 +65,7 @@ pub use fixed::{DISTANCE_BITS, SIZE_BITS};
 pub use crate::number::Ring;
 pub use computing::{Computing, Elementary};
 pub(crate) use fast::found;
-pub use fast::{Attempt, FastPath, FinerLine, InCuboid, InNappe, InverseLength, LocalLine, NappeOutline};
+pub use fast::{Attempt, FastPath, FinerLine, InCuboid, InSide, InverseLength, LocalLine, NappeOutline};
 pub use including::Including;
 pub use low_words::{LowWords, OptionalLowWords};
 pub use rungs::{FromScalar, ToScalar};

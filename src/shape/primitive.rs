@@ -184,10 +184,6 @@ impl<S: Scalar, K: Kinds> Geometry<S> for Member<S, K> {
         with!(self, |p| p.second_line(place, ray), None)
     }
     #[inline(always)]
-    fn entry_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
-        with!(self, |p| p.entry_line(place, ray), None)
-    }
-    #[inline(always)]
     fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
         with!(self, |p| fast_intersection::<S, T, _>(p, line), Attempt::Miss)
     }

@@ -6,7 +6,7 @@ macro_rules! cone {
         /// Where the line is inside the nappe `h^2 (x^2 + z^2) <= (h r + g y)^2`, `h r + g y >= 0`, of a cone with radius `r` at
         /// `y = 0` and `r + g` at the height `h`; see `integers::nappe`, whose moment is here that of the unscaled line.
         #[inline(always)]
-        pub(crate) fn nappe(line: LocalLine<$Float>, outline: [$Float; 3]) -> Attempt<InNappe<$Float>> {
+        pub(crate) fn nappe(line: LocalLine<$Float>, outline: [$Float; 3]) -> Attempt<InSide<$Float>> {
             let Roots { first, second, a, a_terms, k, k_terms, outline, rim, slope } = found!(roots(line, outline));
             let limits = Limits::of(&line);
             let (enter, exit) = if a < 0.0 {
@@ -25,10 +25,7 @@ macro_rules! cone {
                 }
                 (first, second)
             };
-            Attempt::Hit(InNappe {
-                ends: [enter.0 + enter.1, exit.0 - exit.1],
-                certain: [enter.1 == 0.0, exit.1 == 0.0],
-            })
+            Attempt::Hit(InSide { ends: [enter.0 + enter.1, exit.0 - exit.1], beyond: [2.0 * enter.1, 2.0 * exit.1] })
         }
 
         /// Where the line is inside both nappes of the cone `x^2 + z^2 = m^2 y^2`: between its ends, or (`true`) before the first and after the
@@ -61,39 +58,34 @@ macro_rules! cone {
             slope: $Float,
         }
 
-        /// The discriminant of the quadric of [`nappe`], whose leading coefficient is `a`, and the magnitude of the terms whose rounding changes it.
+        /// The discriminant of the quadric of [`nappe`], whose leading coefficient is `a`, if its sign is certain; and the magnitude of the terms whose
+        /// rounding changes it, which is zero if that changes no end by more than a few units.
         #[inline(always)]
         fn discriminant(line: &LocalLine<$Float>, [r, g, h]: [$Float; 3], a: $Float) -> Attempt<($Float, $Float)> {
             let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
-            let (g0, steepness, length) = (r * h, $Float::abs(g) + h, size(line.origin));
+            let [ax, ay, az] = magnitudes(line.origin);
+            let (g0, steepness, length) = (r * h, $Float::abs(g) + h, ax + ay + az);
             let limits = Limits::of(line);
             let [wx, wy, wz] = [y * dz - z * dy, z * dx - x * dz, x * dy - y * dx];
             let (p, q, s) = (g * wz - g0 * dx, g * wx + g0 * dz, h * wy);
             let (discriminant, moment) = ((p * p + q * q) - s * s, $Float::abs(p) + $Float::abs(q) + $Float::abs(s));
-            // Each term of p, q and s is at most the bounding radius: the rounding of all of them moves D by a few halves of epsilon times it and the
-            // moment.
-            let terms = moment * (steepness * length + g0);
-            let is_close = $Float::abs(discriminant) * (4.0 * limits.cancelled) <= terms;
+            // The terms of p and q are at most |g| times the distance of the origin, and g0; those of s at most h times its distance from the axis.
+            // Their rounding moves D by a few halves of epsilon times them and p, q and s; where these cancel, by its square.
+            let (pq_terms, s_terms) = ($Float::abs(g) * length + g0, h * (ax + az));
+            let least = 4.0 * limits.epsilon;
+            let terms = ($Float::abs(p) + $Float::abs(q) + least * pq_terms) * pq_terms
+                + ($Float::abs(s) + least * s_terms) * s_terms;
+            let is_close = $Float::abs(discriminant) * limits.cancelled <= terms;
             let off = steepness * off_at(line, length);
             let moved = off * (4.0 * limits.epsilon);
             let doubt = (terms + moment * off) * limits.doubt() + moved * moved;
-            if discriminant < -doubt && a > 0.0 {
-                return Attempt::Miss;
-            }
-            if discriminant < 0.0 && !is_close {
-                return Attempt::Unsure;
-            }
-            if is_close && line.start != 0.0 {
-                // If the line's origin was moved next to the cone, only the sign must be certain: errors of the ends are compared with `start`.
-                return if discriminant > doubt { Attempt::Hit((discriminant, terms)) } else { Attempt::Unsure };
-            }
-            if is_close {
-                return Attempt::Unsure;
-            }
-            match (discriminant < 0.0, a > 0.0) {
-                (false, _) => Attempt::Hit((discriminant, terms)),
-                (true, true) => Attempt::Miss,
-                (true, false) => Attempt::Unsure,
+            if discriminant > doubt {
+                let counts = is_close || line.start != 0.0;
+                Attempt::Hit((discriminant, if counts { terms } else { 0.0 }))
+            } else if discriminant < -doubt && a > 0.0 {
+                Attempt::Miss
+            } else {
+                Attempt::Unsure
             }
         }
 
@@ -151,7 +143,7 @@ macro_rules! cone {
             // The outline cancels towards the apex.
             let rim = g0 + $Float::abs(g) * ay;
             let (outside, inside) = (h * h * (x * x + z * z), outline * outline);
-            let (c, c_terms) = (outside - inside, outside + $Float::abs(outline) * rim);
+            let (c, c_terms) = (outside - inside, outside + ($Float::abs(outline) + 4.0 * limits.epsilon * rim) * rim);
             let k_terms = h * h * (ax + az) + rim * $Float::abs(slope);
             let is_clear = sum * limits.cancelled >= k_terms;
             if !is_clear {
@@ -159,8 +151,8 @@ macro_rules! cone {
             }
             let q = if k > 0.0 { -sum } else { sum };
             let start = line.start;
-            // If the line starts next to its closest point, the rounding error of the root may be larger than k.
-            let sum_terms = if start == 0.0 { k_terms } else { k_terms + h * h * terms / root };
+            // The root's error, which may be larger than that of k.
+            let sum_terms = if terms == 0.0 { k_terms } else { k_terms + 0.5 * (h * h) * terms / root };
             // If the terms of an end cancel, the interval is given only as far as it certainly reaches: the planes may cut off that end. The relative
             // errors of numerator and denominator add up.
             let off = |difference: $Float, terms: $Float, divisor: $Float| {
@@ -171,7 +163,7 @@ macro_rules! cone {
                     $Float::abs(difference * q + start * (divisor * divisor))
                 };
                 let is_good = terms * sum + sum_terms * magnitude <= limits.together * whole;
-                if is_good { 0.0 } else { terms * limits.doubt() / magnitude }
+                if is_good { 0.0 } else { (terms / magnitude + sum_terms / sum) * limits.doubt() }
             };
             // The length of half the quadric's gradient is at most that of its derivative along a generator: the outline there times h^2 + g^2.
             let moved = |t: $Float| {

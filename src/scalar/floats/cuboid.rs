@@ -14,14 +14,15 @@ macro_rules! cuboid {
             let (enter, first) = if y > x { (y, 1) } else { (x, 0) };
             let (enter, first) = if z > enter { (z, 2) } else { (enter, first) };
             found!(in_face(line, half, enter, first));
-            if line.since.is_some_and(|since| enter >= since) {
-                return Attempt::Hit(InCuboid { ends: [enter, $Float::INFINITY], axes: [first; 2] });
+            let entry_alone = Attempt::Hit(InCuboid { ends: [enter, $Float::INFINITY], axes: [first; 2] });
+            if line.needs_only(enter) {
+                return entry_alone;
             }
-            let (exit, last) = found!(exit_from_cuboid(line, half));
-            if enter < exit {
-                Attempt::Hit(InCuboid { ends: [enter, exit], axes: [first, last] })
-            } else {
-                Attempt::Unsure
+            match exit_from_cuboid(line, half) {
+                Attempt::Hit((exit, last)) if enter < exit => {
+                    Attempt::Hit(InCuboid { ends: [enter, exit], axes: [first, last] })
+                }
+                _ => entry_alone,
             }
         }
 
@@ -41,17 +42,20 @@ macro_rules! cuboid {
         }
 
         /// Whether the sizes neither overflow nor underflow in this computation, and rounding cannot have changed the sign of a component of the
-        /// direction.
+        /// direction, or that sign does not matter: the line stays between these planes as far as it comes near the cuboid.
         #[inline(always)]
         fn is_clear_of_planes(line: &LocalLine<$Float>, half: [$Float; 3]) -> bool {
             let least = 32.0 * Limits::of(line).epsilon;
-            let leads_along = |d: $Float| $Float::abs(d) <= least;
-            let [dx, dy, dz] = line.direction;
-            !line.is_doubled
+            let may_turn = |axis: usize| {
+                $Float::abs(line.direction[axis]) <= least && $Float::abs(line.origin[axis]) > 0.875 * half[axis]
+            };
+            // There are no formulas in double-word numbers; but an end next to the ray's start may be accurate if the line's origin is moved back there.
+            let is_new = !line.is_doubled || line.start == 0.0;
+            is_new
                 && is_handy::<2>(half[0])
                 && is_handy::<2>(half[1])
                 && is_handy::<2>(half[2])
-                && !(line.is_rounded && (leads_along(dx) || leads_along(dy) || leads_along(dz)))
+                && !(line.is_rounded && (may_turn(0) || may_turn(1) || may_turn(2)))
         }
 
         /// Where the line crosses one of the two planes perpendicular to each axis: the farther one for half extents, the nearer one for their

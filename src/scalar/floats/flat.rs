@@ -135,24 +135,28 @@ macro_rules! flat {
         pub(crate) fn triangle(line: LocalLine<$Float>, vertices: [[$Float; 3]; 3]) -> Attempt<($Float, bool)> {
             let (o, d) = (line.origin, line.direction);
             let [a, b, c] = [minus(vertices[0], o), minus(vertices[1], o), minus(vertices[2], o)];
-            // The error of a rounded origin is a rounding of itself.
-            let own = if line.is_rounded { size(o) } else { 0.0 };
-            let sizes = [size(a) + own, size(b) + own, size(c) + own];
-            // d . (p x q): the side on which the line passes the edge from p to q; its error is at most seven roundings of its terms.
-            let volumes = [dot(d, cross(a, b)), dot(d, cross(b, c)), dot(d, cross(c, a))];
-            let terms = [sizes[0] * sizes[1], sizes[1] * sizes[2], sizes[2] * sizes[0]];
-            if !(is_handy::<2>(terms[0]) && is_handy::<2>(terms[1]) && is_handy::<2>(terms[2])) {
-                return Attempt::Unsure;
-            }
-            let Limits { epsilon, .. } = Limits::of(&line);
-            // The line's error acts on each of its two vertices.
-            let off = off_at(&line, sizes[0]) * (sizes[0] + sizes[1] + sizes[2]);
-            let edge = |i: usize| (volumes[i], (terms[i] + off) * (16.0 * epsilon));
-            let from_front = found!(within_edges([edge(0), edge(1), edge(2)]));
             // From differences of the vertices themselves, which are close together however far away the ray starts.
             let (u, v) = (minus(vertices[1], vertices[0]), minus(vertices[2], vertices[0]));
-            let normal = cross(u, v);
-            let (facing, distance) = (dot(normal, d), dot(normal, a));
+            // d . (p x q): the side on which the line passes each edge, from p to q; and, for the edges from the first vertex, the cosine of the line
+            // and the triangle's normal u x v, times its length. Side by side, which processors with vectors compute at once.
+            let (p, q) = ([a, b, c, u], [b, c, a, v]);
+            let of_each = |f: fn([$Float; 3], [$Float; 3]) -> $Float| {
+                [f(p[0], q[0]), f(p[1], q[1]), f(p[2], q[2]), f(p[3], q[3])]
+            };
+            let x = of_each(|p, q| p[1] * q[2] - p[2] * q[1]);
+            let y = of_each(|p, q| p[2] * q[0] - p[0] * q[2]);
+            let z = of_each(|p, q| p[0] * q[1] - p[1] * q[0]);
+            let volume = |i: usize| d[0] * x[i] + d[1] * y[i] + d[2] * z[i];
+            let volumes = [volume(0), volume(1), volume(2), volume(3)];
+            let from_front = match is_within(&volumes, edge_doubt(&line, [a, b, c])) {
+                Attempt::Hit(from_front) => from_front,
+                Attempt::Miss => return Attempt::Miss,
+                Attempt::Unsure => found!(is_closely_within(&line, [a, b, c], [volumes[0], volumes[1], volumes[2]])),
+            };
+            let normal = [x[3], y[3], z[3]];
+            let (facing, distance) = (volumes[3], dot(normal, a));
+            // The error of a rounded origin is a rounding of itself.
+            let own = if line.is_rounded { size(o) } else { 0.0 };
             let (u, v) = (magnitudes(u), magnitudes(v));
             let terms = [u[1] * v[2] + u[2] * v[1], u[2] * v[0] + u[0] * v[2], u[0] * v[1] + u[1] * v[0]];
             let most = |v: [$Float; 3], least: $Float| v.map(|c| if c > least { c } else { least });
@@ -164,6 +168,58 @@ macro_rules! flat {
             let t = distance / facing;
             let is_clear = is_clear && is_steady(&line, t, size(normal), $Float::abs(facing), 0.0);
             if is_clear && (facing < 0.0) == from_front { Attempt::Hit((t, from_front)) } else { Attempt::Unsure }
+        }
+
+        /// The result of [`within_edges`] for edges with one error bound: of the first three volumes.
+        #[inline(always)]
+        fn is_within(&[a, b, c, _]: &[$Float; 4], doubt: $Float) -> Attempt<bool> {
+            let (low, high) = if a < b { (a, b) } else { (b, a) };
+            let (least, most) = (if c < low { c } else { low }, if c > high { c } else { high });
+            if least < -doubt && most > doubt {
+                Attempt::Miss
+            } else if least > doubt || most < -doubt {
+                Attempt::Hit(most < 0.0)
+            } else {
+                Attempt::Unsure
+            }
+        }
+
+        /// A bound on the error of each d . (p x q) of two of these vectors. Seven roundings of its terms are less than 3 eps |p| |q|, and a change
+        /// of p and q by `off` eps changes it by off eps (|p| + |q|). Both are less than a few times the sum of the squares.
+        #[inline(always)]
+        fn edge_doubt(line: &LocalLine<$Float>, vectors: [[$Float; 3]; 3]) -> $Float {
+            let Limits { epsilon, .. } = Limits::of(line);
+            let squares = dot(vectors[0], vectors[0]) + dot(vectors[1], vectors[1]) + dot(vectors[2], vectors[2]);
+            let doubt = if line.is_rounded {
+                // The change of p and q is a rounding of the origin, off[0], and off[1] times their length.
+                let (o, [off, along_off]) = (line.origin, line.off);
+                (4.0 + 2.0 * along_off) * squares + dot(o, o) + off * off
+            } else {
+                squares
+            };
+            if is_handy::<2>(doubt) { doubt * (8.0 * epsilon) } else { $Float::INFINITY }
+        }
+
+        /// The result of [`within_edges`] with an error bound for each edge, for lines next to an edge.
+        #[cold]
+        #[inline(never)]
+        fn is_closely_within(
+            line: &LocalLine<$Float>,
+            [a, b, c]: [[$Float; 3]; 3],
+            volumes: [$Float; 3],
+        ) -> Attempt<bool> {
+            // The error of a rounded origin is a rounding of itself.
+            let own = if line.is_rounded { size(line.origin) } else { 0.0 };
+            let sizes = [size(a) + own, size(b) + own, size(c) + own];
+            let terms = [sizes[0] * sizes[1], sizes[1] * sizes[2], sizes[2] * sizes[0]];
+            if !(is_handy::<2>(terms[0]) && is_handy::<2>(terms[1]) && is_handy::<2>(terms[2])) {
+                return Attempt::Unsure;
+            }
+            let Limits { epsilon, .. } = Limits::of(line);
+            // The line's error acts on each of its two vertices; a volume's error is at most seven roundings of its terms.
+            let off = off_at(line, sizes[0]) * (sizes[0] + sizes[1] + sizes[2]);
+            let edge = |i: usize| (volumes[i], (terms[i] + off) * (16.0 * epsilon));
+            within_edges([edge(0), edge(1), edge(2)])
         }
     };
 }

@@ -180,7 +180,7 @@ macro_rules! guards {
             if !is_handy::<4>(square) {
                 return None;
             }
-            let start = closest_along(applied(from), direction);
+            let start = closest_along(applied(from), direction, 0.0);
             let from = at(from, d, start);
             let origin = applied(from);
             let (length, far) = ($sqrt(square), $Float::abs(start));
@@ -236,12 +236,14 @@ macro_rules! guards {
         }
 
         /// The error of the crossing of a plane at `t`, due to the line: the rounding of the coordinate `o` perpendicular to the plane, some units of
-        /// twice the precision of the longest coordinate, and the line's own error. `climb` is the magnitude of the direction's component
+        /// twice the precision of the longest coordinate and of the terms of compensated sums, and the line's own error. `climb` is the magnitude of the direction's component
         /// perpendicular to the plane.
         #[inline(always)]
         fn crossing_off(line: &LocalLine<$Float>, o: $Float, climb: $Float, t: $Float) -> $Float {
             let Limits { epsilon, .. } = Limits::of(line);
-            let own = $Float::abs(o) + 16.0 * epsilon * size(line.origin);
+            let [low_off, low_along_off] = line.low_words.off;
+            let low = 2.0 * size(line.origin) + low_off + low_along_off * $Float::abs(t);
+            let own = $Float::abs(o) + 8.0 * epsilon * low;
             (own + off_at(line, t)) * epsilon / climb
         }
 

@@ -17,6 +17,7 @@
 //! | `round` | spheres and cylinders |
 //! | `cone` | cones |
 //! | `doubled` | round solids in double-word numbers |
+//! | `doubled_triangle` | triangles in double-word numbers |
 //! | `departing` | lines that depart from a surface |
 //! | `cuboid` | cuboids |
 //! | `flat` | planes, discs, rectangles, triangles |
@@ -32,6 +33,8 @@ mod cone;
 #[macro_use]
 mod doubled;
 #[macro_use]
+mod doubled_triangle;
+#[macro_use]
 mod departing;
 #[macro_use]
 mod cuboid;
@@ -39,7 +42,7 @@ mod cuboid;
 mod flat;
 
 use crate::scalar::{
-    Attempt, FastPath, InCuboid, InNappe, LocalLine, LowWords, NappeOutline, Real, found, slabs::Slabs,
+    Attempt, FastPath, InCuboid, InSide, LocalLine, LowWords, NappeOutline, Real, found, slabs::Slabs,
 };
 use core::cmp::Ordering;
 
@@ -52,7 +55,7 @@ macro_rules! floats {
             use crate::number::Ring;
             use crate::scalar::fast::within_edges;
             use crate::scalar::twofold::Twofold;
-            use crate::scalar::{Attempt, InCuboid, InNappe, LocalLine, LowWords, Real, found};
+            use crate::scalar::{Attempt, InCuboid, InSide, LocalLine, LowWords, Real, found};
             use core::cmp::Ordering;
 
             guards!($Float, $bits, $bias, $mantissa, sqrt: $sqrt, may_have_spare_bits: $spare);
@@ -60,6 +63,7 @@ macro_rules! floats {
             round!($Float, sqrt: $sqrt);
             cone!($Float, sqrt: $sqrt);
             doubled!($Float, sqrt: $sqrt);
+            doubled_triangle!($Float);
             departing!($Float);
             cuboid!($Float);
             flat!($Float);
@@ -94,14 +98,14 @@ macro_rules! floats {
                 if k <= 0.0 || $sqrt(discriminant) >= k { Attempt::Hit(()) } else { Attempt::Miss }
             }
             #[inline(always)]
-            fn fast_tube(line: LocalLine<Self>, r: Self) -> Attempt<[Self; 2]> {
+            fn fast_tube(line: LocalLine<Self>, r: Self) -> Attempt<InSide<Self>> {
                 $name::tube(line, r)
             }
             #[inline(always)]
             fn fast_nappe(
                 line: LocalLine<Self>,
                 NappeOutline { base, top, height }: NappeOutline<Self>,
-            ) -> Attempt<InNappe<Self>> {
+            ) -> Attempt<InSide<Self>> {
                 $name::nappe(line, [base, top, height.unwrap_or(1.0)])
             }
             #[inline(always)]
@@ -164,8 +168,9 @@ macro_rules! floats {
                 position: [Self; 3],
                 axes: [[Self; 3]; 3],
                 base: [Self; 3],
+                near: Self,
             ) -> Option<LocalLine<Self>> {
-                $name::turned_again(o, d, position, axes, base)
+                $name::turned_again(o, d, position, axes, base, near)
             }
             #[inline(always)]
             fn fast_stretched_again(
@@ -174,8 +179,9 @@ macro_rules! floats {
                 position: [Self; 3],
                 rows: [([Self; 3], i32); 3],
                 base: [Self; 3],
+                near: Self,
             ) -> Option<LocalLine<Self>> {
-                $name::stretched_again(o, d, position, rows, base)
+                $name::stretched_again(o, d, position, rows, base, near)
             }
             fn fast_moved_back(line: &LocalLine<Self>) -> LocalLine<Self> {
                 $name::moved_back(line)
@@ -199,6 +205,10 @@ macro_rules! floats {
             #[inline(always)]
             fn fast_triangle(line: LocalLine<Self>, vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {
                 $name::triangle(line, vertices)
+            }
+            #[inline(always)]
+            fn fast_triangle_doubled(line: &LocalLine<Self>, vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {
+                $name::triangle_doubled(line, vertices)
             }
             #[inline(always)]
             fn fast_seams(line: LocalLine<Self>, t: Self, height: Self) -> Attempt<Ordering> {

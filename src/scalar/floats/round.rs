@@ -55,13 +55,12 @@ macro_rules! round {
             if line.is_rounded {
                 moved += rr * (kk + pp);
             }
-            let answer = (k, discriminant / a);
             if line.start != 0.0 {
                 let is_clear = is_clear_of_start(line.start, kk, discriminant, moved, limits.near);
                 return if is_clear { Attempt::Hit((k, discriminant / a, None)) } else { Attempt::Unsure };
             }
-            if let Attempt::Hit((k, over_a)) = clear_of_the_start(kk, discriminant, moved, limits.near, answer) {
-                return Attempt::Hit((k, over_a, None));
+            if are_clear_of_the_start(kk, discriminant, moved, limits.near) {
+                return Attempt::Hit((k, discriminant / a, None));
             }
             if line.off[0] != 0.0 || is_strict(&line) {
                 return Attempt::Unsure;
@@ -75,28 +74,21 @@ macro_rules! round {
             if is_known { Attempt::Hit((k, discriminant, Some(c))) } else { Attempt::Unsure }
         }
 
-        /// `answer`, if both ends `-k -+ sqrt(D)` are large relative to their error, which is some `eps` times the root of `moved`, over `sqrt(D)`.
-        /// The smaller end is `|k^2 - D| / (|k| + sqrt(D))`, and the square of that sum at most `2 (k^2 + D)`.
+        /// Whether both ends `-k -+ sqrt(D)` are large relative to their error, which is some `eps` times the root of `moved`, over `sqrt(D)`. The
+        /// smaller end is `|k^2 - D| / (|k| + sqrt(D))`, and the square of that sum at most `2 (k^2 + D)`.
         #[inline(always)]
-        fn clear_of_the_start<T>(
-            kk: $Float,
-            discriminant: $Float,
-            moved: $Float,
-            near: $Float,
-            answer: T,
-        ) -> Attempt<T> {
+        fn are_clear_of_the_start(kk: $Float, discriminant: $Float, moved: $Float, near: $Float) -> bool {
             let c = kk - discriminant;
             let most = near * (c * c) * discriminant;
-            let is_clear = if IN_RANGE.contains(&most) {
+            if IN_RANGE.contains(&most) {
                 moved * (kk + discriminant) <= most
             } else {
                 is_clear_near_one(kk, discriminant, moved, near)
-            };
-            if is_clear { Attempt::Hit(answer) } else { Attempt::Unsure }
+            }
         }
 
         /// Whether the errors of the ends of a line whose origin was moved to `start` are small relative to `start`, as for
-        /// [`clear_of_the_start`].
+        /// [`are_clear_of_the_start`].
         #[inline(always)]
         fn is_clear_of_start(start: $Float, kk: $Float, discriminant: $Float, moved: $Float, near: $Float) -> bool {
             let most = near * discriminant * (start * start);
@@ -106,7 +98,7 @@ macro_rules! round {
         /// Values that have neither overflowed nor underflowed, so that comparisons are meaningful.
         const IN_RANGE: core::ops::Range<$Float> = $Float::MIN_POSITIVE / $Float::EPSILON..$Float::MAX;
 
-        /// The comparison of [`clear_of_the_start`] with lengths brought near 1.
+        /// The comparison of [`are_clear_of_the_start`] with lengths brought near 1.
         #[cold]
         fn is_clear_near_one(kk: $Float, discriminant: $Float, moved: $Float, near: $Float) -> bool {
             let scale = near_one(discriminant);
@@ -153,12 +145,12 @@ macro_rules! round {
             }
         }
 
-        /// The two ends of the line inside the cylinder about the y axis: `a = dx^2 + dz^2`, `D = a r^2 - w_y^2`,
+        /// The interval of the line inside the cylinder about the y axis: `a = dx^2 + dz^2`, `D = a r^2 - w_y^2`,
         /// `t = (-k -+ sqrt(D)) / a`.
         #[inline(always)]
-        pub(crate) fn tube(line: LocalLine<$Float>, r: $Float) -> Attempt<[$Float; 2]> {
+        pub(crate) fn tube(line: LocalLine<$Float>, r: $Float) -> Attempt<InSide<$Float>> {
             if line.is_doubled {
-                return tube_doubled(&line, r);
+                return Attempt::Hit(InSide { ends: found!(tube_doubled(&line, r)), beyond: [0.0; 2] });
             }
             let ([x, _, z], [dx, _, dz]) = (line.origin, line.direction);
             let a = dx * dx + dz * dz;
@@ -185,14 +177,31 @@ macro_rules! round {
             let root = $sqrt(discriminant);
             let inverse = 1.0 / a;
             let ends = [(-k - root) * inverse, (root - k) * inverse];
-            if !(is_steady(&line, ends[0], r, root, a) && is_steady(&line, ends[1], r, root, a)) {
+            let is_clear = if line.start == 0.0 {
+                are_clear_of_the_start(kk, discriminant, moved, limits.near)
+            } else {
+                is_clear_of_start(a * line.start, kk, discriminant, moved, limits.near)
+            };
+            if !is_clear {
                 return Attempt::Unsure;
             }
-            if line.start != 0.0 {
-                let is_clear = is_clear_of_start(a * line.start, kk, discriminant, moved, limits.near);
-                return if is_clear { Attempt::Hit(ends) } else { Attempt::Unsure };
+            let [enter, exit] = ends;
+            let are_steady = [is_steady(&line, enter, r, root, a), is_steady(&line, exit, r, root, a)];
+            if are_steady == [true; 2] {
+                return Attempt::Hit(InSide { ends, beyond: [0.0; 2] });
             }
-            clear_of_the_start(kk, discriminant, moved, limits.near, ends)
+            // The error of an end is that of the line over the derivative, which is the root.
+            let off = |is_steady: bool, t: $Float| {
+                if is_steady { 0.0 } else { off_at(&line, t) * r * limits.doubt() / root }
+            };
+            let [off_enter, off_exit] = [off(are_steady[0], enter), off(are_steady[1], exit)];
+            let ends = [enter + off_enter, exit - off_exit];
+            let is_inside = ends[0] < ends[1];
+            if is_inside {
+                Attempt::Hit(InSide { ends, beyond: [2.0 * off_enter, 2.0 * off_exit] })
+            } else {
+                Attempt::Unsure
+            }
         }
     };
 }

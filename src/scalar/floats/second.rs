@@ -12,7 +12,7 @@ macro_rules! second {
         /// The line of a ray in world coordinates, with its origin moved next to `base`, and relative to it; `None` if it begins there.
         #[inline(never)]
         pub(crate) fn closer(o: [$Float; 3], d: [$Float; 3], base: [$Float; 3]) -> Option<LocalLine<$Float>> {
-            let start = closest_along(minus(o, base), d);
+            let start = closest_along(minus(o, base), d, 0.0);
             if start == 0.0 {
                 return None;
             }
@@ -30,11 +30,12 @@ macro_rules! second {
             position: [$Float; 3],
             axes: [[$Float; 3]; 3],
             base: [$Float; 3],
+            near: $Float,
         ) -> Option<LocalLine<$Float>> {
             let [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] = axes;
             let [x, y, z] = base;
             let target = [x * ax + y * bx + z * cx, x * ay + y * by + z * cy, x * az + y * bz + z * cz];
-            let start = closest_along(minus(minus(o, position), target), d);
+            let start = closest_along(minus(minus(o, position), target), d, near);
             let from = point(o, d, position, start);
             let seen = [dot_with_rest(axes[0], from), dot_with_rest(axes[1], from), dot_with_rest(axes[2], from)];
             let direction = [dot_compensated(axes[0], d), dot_compensated(axes[1], d), dot_compensated(axes[2], d)];
@@ -52,6 +53,7 @@ macro_rules! second {
             position: [$Float; 3],
             rows: [([$Float; 3], i32); 3],
             base: [$Float; 3],
+            near: $Float,
         ) -> Option<LocalLine<$Float>> {
             let scales = scales(rows)?;
             let each = |i: usize| dot_compensated(rows[i].0, d).map(|part| part * scales[i]);
@@ -59,7 +61,7 @@ macro_rules! second {
             let direction = seen.map(|[high, _]| high);
             let from = minus(o, position);
             let each = |i: usize| dot(rows[i].0, from) * scales[i];
-            let start = closest_along(minus([each(0), each(1), each(2)], base), direction);
+            let start = closest_along(minus([each(0), each(1), each(2)], base), direction, near);
             let from = point(o, d, position, start);
             let each = |i: usize| dot_with_rest(rows[i].0, from).map(|part| part * scales[i]);
             let origin = relative([each(0), each(1), each(2)], base);
@@ -81,13 +83,14 @@ macro_rules! second {
             Some(LocalLine { inverse_length, ..line })
         }
 
-        /// [`closest`] along a direction of any length.
+        /// [`closest`] along a direction of any length; zero also if that point is nearer to the start than `near`.
         #[inline(always)]
-        fn closest_along(from: [$Float; 3], d: [$Float; 3]) -> $Float {
+        fn closest_along(from: [$Float; 3], d: [$Float; 3], near: $Float) -> $Float {
             let square = dot(d, d);
             let k = dot(from, d) / square;
             let p = [from[0] - k * d[0], from[1] - k * d[1], from[2] - k * d[2]];
-            if k * k * square > 16.0 * dot(p, p) { -k } else { 0.0 }
+            let (along, across) = (k * k * square, dot(p, p));
+            if along > 16.0 * across && along > near * near { -k } else { 0.0 }
         }
 
         /// The line's point at `t` relative to `base`.

@@ -3,7 +3,7 @@
 use super::nappes::Roots;
 use super::quotient::{Divisor, Normalized};
 use super::{framed_bits, high, leading_zeros, magnitude_bits, product, root, round_off, square};
-use crate::scalar::{Attempt, InNappe, found};
+use crate::scalar::{Attempt, InSide, found};
 
 /// A number with 30 bits below the point, rounded to nearest.
 #[inline(always)]
@@ -192,6 +192,7 @@ impl AtCone {
 impl Roots for AtCone {
     type Length = i32;
 
+    const ZERO: i32 = 0;
     const INFINITY: i32 = i32::MAX;
 
     #[inline(always)]
@@ -235,7 +236,7 @@ pub(in crate::scalar) fn nappe(
     d: [i32; 3],
     outline: [i32; 3],
     is_strict: bool,
-) -> Attempt<InNappe<i32>> {
+) -> Attempt<InSide<i32>> {
     found!(AtCone::new(o, extra_bits, d, outline, is_strict)).in_nappe()
 }
 

@@ -160,15 +160,17 @@ pub(in crate::scalar) fn cuboid<N: Length>(
     }
     let enter = found!(slabs.entry());
     let first = found!((-enter.half).crossing(enter.o, extra_bits, enter.d));
+    let entry_alone = Attempt::Hit(InCuboid { ends: [first, N::MAX], axes: [enter.axis; 2] });
     if since.is_some_and(|since| first >= since) {
-        return Attempt::Hit(InCuboid { ends: [first, N::MAX], axes: [enter.axis; 2] });
+        return entry_alone;
     }
-    let (second, exit) = found!(slabs.exit());
-    // Two ends less than a unit apart may be rounded in the other order.
-    if first > second {
-        return Attempt::Unsure;
+    match slabs.exit() {
+        Attempt::Hit((second, exit)) if first <= second => {
+            Attempt::Hit(InCuboid { ends: [first, second], axes: [enter.axis, exit] })
+        }
+        // Two ends less than a unit apart may be rounded in the other order.
+        _ => entry_alone,
     }
-    Attempt::Hit(InCuboid { ends: [first, second], axes: [enter.axis, exit] })
 }
 
 /// Where a line that starts on the surface leaves the cuboid, and the axis of that face.

@@ -1,6 +1,6 @@
 //! The interval of a line in one nappe of a cone, from its intersections with the double cone.
 
-use crate::scalar::{Attempt, InNappe, found};
+use crate::scalar::{Attempt, InSide, found};
 use core::ops::Neg;
 
 /// The roots of a line and both nappes of a cone, `a t^2 + 2 k t + c`.
@@ -8,6 +8,7 @@ pub(super) trait Roots {
     /// Of a `t`.
     type Length: Copy + PartialOrd + Neg<Output = Self::Length>;
 
+    const ZERO: Self::Length;
     /// A missing end.
     const INFINITY: Self::Length;
 
@@ -33,7 +34,7 @@ pub(super) trait Roots {
 
     /// Where the line is inside the nappe whose outline is positive.
     #[inline(always)]
-    fn in_nappe(&self) -> Attempt<InNappe<Self::Length>> {
+    fn in_nappe(&self) -> Attempt<InSide<Self::Length>> {
         let (low, high) = if self.is_steep() {
             // A half-line lies in each nappe. Along the one in the upper nappe the outline grows.
             if self.rises() { (self.first(), (Self::INFINITY, true)) } else { ((-Self::INFINITY, true), self.second()) }
@@ -46,7 +47,8 @@ pub(super) trait Roots {
         if (!low.1 && low.0 > self.start()) || (!high.1 && high.0 < self.start()) {
             return Attempt::Unsure;
         }
-        Attempt::Hit(InNappe { ends: [low.0, high.0], certain: [low.1, high.1] })
+        let beyond = |is_end: bool| if is_end { Self::ZERO } else { Self::INFINITY };
+        Attempt::Hit(InSide { ends: [low.0, high.0], beyond: [beyond(low.1), beyond(high.1)] })
     }
 
     /// Where the line is inside both nappes: between its ends, or (`true`) before the first and after the second.

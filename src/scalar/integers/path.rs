@@ -2,7 +2,7 @@
 
 use crate::scalar::integers;
 use crate::scalar::{
-    Attempt, FastPath, FinerLine, InCuboid, InNappe, LocalLine, NappeOutline, Scalar, found, slabs::Slabs,
+    Attempt, FastPath, FinerLine, InCuboid, InSide, LocalLine, NappeOutline, Scalar, found, slabs::Slabs,
 };
 use core::cmp::Ordering;
 use fixed::types::extra::{LeEqU32, LeEqU64};
@@ -38,10 +38,10 @@ macro_rules! fast {
             }
         }
         #[inline(always)]
-        fn fast_tube(line: LocalLine<Self>, r: Self) -> Attempt<[Self; 2]> {
+        fn fast_tube(line: LocalLine<Self>, r: Self) -> Attempt<InSide<Self>> {
             let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits), r.to_bits());
-            let [low, high] = found!($($kernels)::+::tube(o, line.extra_bits, d, r $(, line.$strict)?));
-            Attempt::Hit([Self::from_bits(low), Self::from_bits(high)])
+            let ends = found!($($kernels)::+::tube(o, line.extra_bits, d, r $(, line.$strict)?));
+            Attempt::Hit(InSide { ends: ends.map(Self::from_bits), beyond: [Self::from_bits(0); 2] })
         }
         #[inline(always)]
         fn fast_exit_from_round(line: &LocalLine<Self>, is_ball: bool) -> Attempt<Self> {
@@ -107,15 +107,14 @@ macro_rules! fast {
         fn fast_nappe(
             line: LocalLine<Self>,
             NappeOutline { base, top, height }: NappeOutline<Self>,
-        ) -> Attempt<InNappe<Self>> {
+        ) -> Attempt<InSide<Self>> {
             let (o, d) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits));
             let height = height.map_or((1 as $raw).checked_shl(F::U32).unwrap_or(0), Self::to_bits);
             let height = if height > 0 { height } else { return Attempt::Unsure };
             let outline = [base.to_bits(), top.minus(base).to_bits(), height];
-            let InNappe { ends, certain } =
+            let InSide { ends, beyond } =
                 found!($($kernels)::+::nappe(o, line.extra_bits, d, outline $(, line.$strict)?));
-            let [low, high] = ends;
-            Attempt::Hit(InNappe { ends: [Self::from_bits(low), Self::from_bits(high)], certain })
+            Attempt::Hit(InSide { ends: ends.map(Self::from_bits), beyond: beyond.map(Self::from_bits) })
         }
         #[inline(always)]
         fn fast_double_cone(line: LocalLine<Self>, slope: Self) -> Attempt<([Self; 2], bool)> {

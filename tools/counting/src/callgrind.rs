@@ -11,6 +11,7 @@ use std::error::Error;
 use std::fs::{self, File};
 use std::hint::black_box;
 use std::io::{BufRead, BufReader};
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
@@ -47,13 +48,22 @@ fn counted(run: &dyn Fn()) {
     black_box(run)();
 }
 
-/// Runs the queries of a workload, each by a function of its own, so that callgrind knows them apart.
+/// The queries of a workload in blocks of as many as there are numbered functions.
+fn blocks(workload: &Workload) -> impl Iterator<Item = Range<usize>> + use<> {
+    let queries = workload.queries;
+    (0..queries).step_by(NUMBERS).map(move |first| first..queries.min(first + NUMBERS))
+}
+
+/// Runs some queries of a workload, each by a function of its own, so that callgrind knows them apart.
 #[inline(never)]
-fn singly(workload: &Workload) {
-    for (index, query) in numbered::ALL.as_flattened().iter().enumerate().take(workload.queries) {
+fn singly(workload: &Workload, block: Range<usize>) {
+    for (index, query) in block.zip(numbered::ALL.as_flattened()) {
         black_box(query)(black_box(workload), index);
     }
 }
+
+/// How many numbered functions there are.
+const NUMBERS: usize = numbered::ALL.as_flattened().len();
 
 /// What the hundred functions begin with in callgrind's text.
 const NUMBERED: &str = "instructions::callgrind::numbered::";
@@ -97,12 +107,15 @@ pub fn run_queries() {
         for case in cases() {
             counted(&|| case.run());
         }
-        let workloads = workloads::all();
-        // Callgrind counts calls, not instructions, outside of what is counted too, and forgets them when it has written them down: this
-        // part takes the calls by which the workloads were made.
-        counted(&|| workloads.iter().for_each(singly));
-        for workload in &workloads {
-            counted(&|| singly(workload));
+        for workloads in [workloads::all(), workloads::away_from_grazing()] {
+            // Callgrind counts calls, not instructions, outside of what is counted too, and forgets them when it has written them down: this
+            // part takes the calls by which the workloads were made.
+            counted(&|| workloads.iter().for_each(|workload| singly(workload, 0..workload.queries)));
+            for workload in &workloads {
+                for block in blocks(workload) {
+                    counted(&|| singly(workload, block.clone()));
+                }
+            }
         }
     });
     // Should it have failed, the figures are not complete, which is noticed.
@@ -115,6 +128,8 @@ pub struct Counted {
     pub cost: Figures,
     /// Of every workload the mean, the 99 %, the worst, and how many of a hundred queries are left to the solver.
     pub workloads: Figures,
+    /// Of the rays away from grazing of every solid the mean, the 99.9 %, the worst, and how many of a hundred are left to the solver.
+    pub away_from_grazing: Figures,
 }
 
 /// Instructions a query, for every case and workload.
@@ -123,42 +138,60 @@ pub fn count() -> Result<Counted, Box<dyn Error>> {
     let parts = run(&file);
     // The file is of no use to anyone, whatever became of it.
     let _ = fs::remove_file(&file);
-    let (parts, cases, workloads) = (parts?, cases(), workloads::all());
-    let expected = cases.len() + 1 + workloads.len();
-    if parts.len() != expected {
-        return Err(format!("callgrind counted {} cases of {expected}", parts.len()).into());
+    let (mut parts, cases) = (parts?.into_iter(), cases());
+    let mut next = || parts.next().ok_or("callgrind did not count all cases");
+    let nothing = next()?.instructions;
+    let mut cost = Figures::new();
+    for case in cases.iter().skip(1) {
+        let net = next()?.instructions.saturating_sub(nothing);
+        let queries = QUERIES as u64;
+        cost.insert(case.name.to_string(), (net + queries / 2) / queries);
     }
-    let (of_cases, of_workloads) = parts.split_at(cases.len());
-    let nothing = of_cases.first().map_or(0, |part| part.instructions);
-    let queries = QUERIES as u64;
-    let cost = cases.iter().zip(of_cases).skip(1).map(|(case, part)| {
-        let net = part.instructions.saturating_sub(nothing);
-        (case.name.to_string(), (net + queries / 2) / queries)
-    });
-    let mut figures = Figures::new();
-    for (workload, part) in workloads.iter().zip(&of_workloads[1..]) {
-        if part.singly.len() != workload.queries {
-            return Err(format!("callgrind counted {} queries of {}", part.singly.len(), workload.name).into());
+    let mut figures_of = |workloads: &[Workload], tail: Tail| -> Result<Figures, Box<dyn Error>> {
+        next()?;
+        let mut figures = Figures::new();
+        for workload in workloads {
+            let mut whole = Part::default();
+            for _ in blocks(workload) {
+                let Part { singly, solved, .. } = next()?;
+                whole.singly.extend(singly);
+                whole.solved += solved;
+            }
+            if whole.singly.len() != workload.queries {
+                return Err(format!("callgrind counted {} queries of {}", whole.singly.len(), workload.name).into());
+            }
+            figures.extend(summary(&workload.name, tail, &whole));
+            if let Some(off) = workload.off {
+                let told = [("off, units", off.units), ("wrong", off.wrong)];
+                figures.extend(told.map(|(what, figure)| (format!("{} | {what}", workload.name), figure)));
+            }
         }
-        figures.extend(summary(&workload.name, part));
-        if let Some(off) = workload.off {
-            let told = [("off, units", off.units), ("wrong", off.wrong)];
-            figures.extend(told.map(|(what, figure)| (format!("{} | {what}", workload.name), figure)));
-        }
+        Ok(figures)
+    };
+    let workloads = figures_of(&workloads::all(), OF_A_HUNDRED)?;
+    let away_from_grazing = figures_of(&workloads::away_from_grazing(), OF_A_THOUSAND)?;
+    if parts.next().is_some() {
+        return Err("callgrind counted more cases than there are".into());
     }
-    Ok(Counted { cost: cost.collect(), workloads: figures })
+    Ok(Counted { cost, workloads, away_from_grazing })
 }
 
+/// A quantile: its name, and of how many queries it is the second most expensive.
+type Tail = (&'static str, usize);
+
+const OF_A_HUNDRED: Tail = ("99 %", 100);
+const OF_A_THOUSAND: Tail = ("99.9 %", 1_000);
+
 /// The figures of a workload, each under its name.
-fn summary(name: &str, part: &Part) -> Vec<(String, u64)> {
+fn summary(name: &str, (quantile, of): Tail, part: &Part) -> Vec<(String, u64)> {
     let mut counts: Vec<_> = part.singly.iter().map(|count| count.saturating_sub(ASKING)).collect();
     counts.sort_unstable();
     let Some(&worst) = counts.last() else { return vec![] };
     let count = counts.len() as u64;
     let mean = (counts.iter().sum::<u64>() + count / 2) / count;
-    let nearly_worst = counts[(counts.len() * 99).div_ceil(100).saturating_sub(1)];
+    let nearly_worst = counts[(counts.len() * (of - 1)).div_ceil(of).saturating_sub(1)];
     let solved = (100 * part.solved + count / 2) / count;
-    [("mean", mean), ("99 %", nearly_worst), ("worst", worst), ("solved, %", solved)]
+    [("mean", mean), (quantile, nearly_worst), ("worst", worst), ("solved, %", solved)]
         .map(|(what, figure)| (format!("{name} | {what}"), figure))
         .into()
 }

@@ -2,7 +2,7 @@
 
 use crate::callgrind::Counted;
 use crate::cost::scenes::{FLAKE, OBJECTS, WALKS, subject};
-use crate::workloads::{PICTURES, RANGE_SENSOR, of_solid};
+use crate::workloads::{ARRIVING, NUMBERS_AWAY, PICTURES, RANGE_SENSOR, of_solid};
 use raylet_tables::markdown::{head, row};
 use raylet_tables::{Baseline, Figures, Outcome, SUBJECTS, grouped, in_repository};
 use shared::workload::{PLACEMENTS, RAYS, SOLIDS_BY_NAME};
@@ -14,6 +14,7 @@ const PATH: &str = "docs/benches.md";
 const BASELINE: &str = "data/host.tsv";
 const PART: &str = "cost";
 const WORKLOADS: &str = "workload";
+const AWAY: &str = "away from grazing";
 const RENEW: &str = ".ci/instructions --renew";
 
 /// Number types, and their tiers.
@@ -160,7 +161,7 @@ fn workload(text: &mut String, figures: &Figures, of: &str) {
 }
 
 /// What users do: pictures, a range sensor, each solid as it is placed.
-fn workloads(text: &mut String, figures: &Figures) {
+fn workloads(text: &mut String, figures: &Figures, away_from_grazing: &Figures) {
     text.push_str(
         "## What users do\n\nInstructions of a nearest hit, each query counted by itself: the mean and, in brackets, the worst of a hundred. *Left* is how many of a hundred queries in `Stable` the fast path cannot decide and the solver computes, for each of these number types in the order of their columns. `f32` `Exact` computes in doubles first, for which this machine has hardware; on a chip without it the doubles take most of the instructions ([microcontrollers.md](microcontrollers.md)). `I16F16` `Exact` computes in integers first, except for stretched solids.\n\n\
          The rays of a picture are those through its pixels, those from the objects that they hit to a lamp, and those mirrored there. In the built-in scenes glass refracts rays too, up to three times; the still life has \
@@ -183,6 +184,7 @@ fn workloads(text: &mut String, figures: &Figures) {
         workload(text, figures, of);
     }
     tail(text, figures, &all);
+    tail_away_from_grazing(text, away_from_grazing);
     text.push_str(
         "\n### How far off these answers are\n\nThe results are compared with those of `Exact`, whose `t` is within a unit of the exact one and whose decisions are exact. The figures are the largest error of `t` in units in the last place and, in brackets, how many of a hundred results are a \
          hit for a miss, a miss for a hit or a hit on another part. Rows in which all errors are within 1 unit and no result is wrong are left out. Errors over many more rays, and the hard ones: \
@@ -220,23 +222,59 @@ fn tail(text: &mut String, figures: &Figures, all: &[String]) {
          workload: the median and the largest ratio of the {} workloads, and how many of them have a 99 % above {MANY} times their mean. Grazing rays are among them as often as they occur by chance.\n\n",
         all.len()
     );
-    let over = format!("99 % above {MANY}");
+    let rows = OF_WORKLOADS.iter().flat_map(|(number, tiers)| tiers.iter().map(move |tier| [*number, *tier]));
+    ratios(text, figures, all, "99 %", rows);
+}
+
+/// The median and the largest ratio of a quantile, and of the worst, to the mean.
+fn ratios<'a>(
+    text: &mut String,
+    figures: &Figures,
+    all: &[String],
+    quantile: &str,
+    rows: impl IntoIterator<Item = [&'a str; 2]>,
+) {
+    let [median, greatest] = ["median", "greatest"].map(|of| format!("{quantile}, {of}"));
+    let over = format!("{quantile} above {MANY}");
     head(
         text,
-        ["number, tier", "99 %, median", "99 %, greatest", "of", &over, "worst, median", "worst, greatest", "of"]
-            .map(String::from),
+        ["number, tier", &median, &greatest, "of", &over, "worst, median", "worst, greatest", "of"].map(String::from),
     );
-    for (number, tiers) in OF_WORKLOADS {
-        for tier in tiers {
-            let [most, worst] = ["99 %", "worst"].map(|quantile| tails(figures, all, [number, tier, quantile]));
-            let (Some(greatest_most), Some(greatest_worst)) = (most.last(), worst.last()) else { continue };
-            let median = |tails: &[(f64, &str)]| format!("{:.1}", tails[tails.len() / 2].0);
-            let greatest = |(ratio, of): &(f64, &str)| [format!("{ratio:.1}"), of.to_string()];
-            let above = most.iter().filter(|(ratio, _)| *ratio > MANY).count().to_string();
-            let cells = [median(&most)].into_iter().chain(greatest(greatest_most)).chain([above]);
-            let cells = cells.chain([median(&worst)]).chain(greatest(greatest_worst));
-            row(text, [format!("`{number}` `{tier}`")].into_iter().chain(cells));
-        }
+    for [number, tier] in rows {
+        let [most, worst] = [quantile, "worst"].map(|quantile| tails(figures, all, [number, tier, quantile]));
+        let (Some(greatest_most), Some(greatest_worst)) = (most.last(), worst.last()) else { continue };
+        let median = |tails: &[(f64, &str)]| format!("{:.1}", tails[tails.len() / 2].0);
+        let greatest = |(ratio, of): &(f64, &str)| [format!("{ratio:.1}"), of.to_string()];
+        let above = most.iter().filter(|(ratio, _)| *ratio > MANY).count().to_string();
+        let cells = [median(&most)].into_iter().chain(greatest(greatest_most)).chain([above]);
+        let cells = cells.chain([median(&worst)]).chain(greatest(greatest_worst));
+        row(text, [format!("`{number}` `{tier}`")].into_iter().chain(cells));
+    }
+}
+
+/// The same of rays away from grazing; then the ratio of each solid and placement.
+fn tail_away_from_grazing(text: &mut String, figures: &Figures) {
+    let names = |solid, placed| ARRIVING.map(|rays| of_solid(solid, placed, rays));
+    let rows = SOLIDS_BY_NAME.into_iter().flat_map(|solid| PLACEMENTS.into_iter().map(move |placed| (solid, placed)));
+    let all: Vec<_> = rows.clone().flat_map(|(solid, placed)| names(solid, placed)).collect();
+    let _ = write!(
+        text,
+        "\n### Rays away from grazing\n\nThe same of a thousand rays from near and from far that do not graze, for each solid and placement ({} workloads): the *99.9 %* is the second most expensive of them. A ray grazes a solid if it meets a side, a ball or a nappe whose radii \
+         are a hundredth smaller and not one whose radii are a hundredth larger, or conversely; if its angle to an axis, a generator or a flat surface is less than a hundredth of a radian; or if it starts within a thousandth of a unit of an infinite surface.\n\n",
+        all.len()
+    );
+    ratios(text, figures, &all, "99.9 %", NUMBERS_AWAY.map(|number| [number, "Stable"]));
+    text.push_str("\nThe 99.9 % of each, in multiples of its mean, near / far:\n\n");
+    head(text, cells("solid", NUMBERS_AWAY.map(|number| format!("`{number}`"))));
+    for (solid, placed) in rows {
+        let cell = |number: &str| {
+            let ratio = |of: String| {
+                let figure = |what: &str| figures.get(&format!("{of} | {number} | Stable | {what}")).copied();
+                figure("99.9 %").zip(figure("mean")).map(|(most, mean)| format!("{:.1}", most as f64 / mean as f64))
+            };
+            names(solid, placed).map(|of| ratio(of).unwrap_or("–".into())).join(" / ")
+        };
+        row(text, cells(&format!("{solid}, {}", placed.name()), NUMBERS_AWAY.map(cell)));
     }
 }
 
@@ -244,7 +282,7 @@ fn text(baseline: &Baseline) -> String {
     let figures = baseline.part(PART);
     let mut text = INTRODUCTION.to_string();
     let _ = write!(text, "Counted on {} with {}.\n\n", baseline.machine, baseline.compiler);
-    workloads(&mut text, baseline.part(WORKLOADS));
+    workloads(&mut text, baseline.part(WORKLOADS), baseline.part(AWAY));
     query(&mut text, figures, "The nearest hit of rays from 2 to 6 away", "nearest");
     query(&mut text, figures, "Occlusion of rays from 2 to 6 away", "occlusion");
     surface(&mut text, figures);
@@ -254,7 +292,10 @@ fn text(baseline: &Baseline) -> String {
 
 /// Makes what was counted the baseline, and writes the document.
 pub fn renew(now: &Baseline) -> Outcome {
-    println!("{} figures: the baseline is renewed", now.part(PART).len() + now.part(WORKLOADS).len());
+    println!(
+        "{} figures: the baseline is renewed",
+        [PART, WORKLOADS, AWAY].map(|part| now.part(part).len()).iter().sum::<usize>()
+    );
     now.write(BASELINE)?;
     Ok(fs::write(in_repository(PATH), text(now))?)
 }
@@ -264,6 +305,7 @@ pub fn verify(now: &Baseline) -> Outcome {
     let baseline = Baseline::read(BASELINE, RENEW)?;
     baseline.compare(now, PART, "instructions", RENEW)?;
     baseline.compare(now, WORKLOADS, "instructions of what users do", RENEW)?;
+    baseline.compare(now, AWAY, "instructions of rays away from grazing", RENEW)?;
     if fs::read_to_string(in_repository(PATH)).is_ok_and(|found| found == text(&baseline)) {
         Ok(())
     } else {
@@ -272,8 +314,10 @@ pub fn verify(now: &Baseline) -> Outcome {
 }
 
 /// What was counted on this machine.
-pub fn counted(compiler: &str, Counted { cost, workloads }: Counted) -> Baseline {
+pub fn counted(compiler: &str, Counted { cost, workloads, away_from_grazing }: Counted) -> Baseline {
     let mut baseline = Baseline::new(ARCH, compiler, PART, cost);
-    baseline.parts.extend(Baseline::new(ARCH, compiler, WORKLOADS, workloads).parts);
+    for (part, figures) in [(WORKLOADS, workloads), (AWAY, away_from_grazing)] {
+        baseline.parts.extend(Baseline::new(ARCH, compiler, part, figures).parts);
+    }
     baseline
 }

@@ -2,8 +2,10 @@
 //!
 //! | module | what it holds |
 //! |---|---|
+//! | `grazing` | which rays graze a solid |
 //! | `pictures` | the tests that the rays of pictures put to objects |
 
+mod grazing;
 mod pictures;
 
 use fixed::types::{I8F24, I16F16, I20F12, I32F32};
@@ -109,6 +111,51 @@ fn queries<S: Scalar>() -> Vec<(String, Vec<Query<S>>)> {
         all.push((picture.into(), tests));
     }
     all
+}
+
+/// How many rays away from grazing are counted of a solid and a placement: the second most expensive of them is the 99.9 %.
+const AWAY: usize = 1_000;
+
+/// Arriving rays, near and far.
+pub const ARRIVING: [Rays; 2] = [Rays::Near, Rays::Far];
+
+/// The number types whose rays away from grazing are counted, in `Stable`.
+pub const NUMBERS_AWAY: [&str; 4] = ["f32", "f64", "I16F16", "I32F32"];
+
+/// A solid, as it is placed, and arriving rays that do not graze it.
+struct Away {
+    solid: &'static str,
+    placed: Placed,
+    rays: Rays,
+    indices: Vec<usize>,
+}
+
+impl Away {
+    fn new(solid: &'static str, placed: Placed, rays: Rays) -> Self {
+        let is_away = |index: &usize| query(solid, placed, rays, *index).is_some_and(|query| !grazing::grazes(&query));
+        Self { solid, placed, rays, indices: (0..).filter(is_away).take(AWAY).collect() }
+    }
+
+    /// The same rays in a number type.
+    fn workload<S: Scalar>(&self, number: &str) -> Workload {
+        let Self { solid, placed, rays, ref indices } = *self;
+        let queries = indices.iter().filter_map(|index| query(solid, placed, rays, *index)).collect();
+        Workload::new::<S, Stable>(&of_solid(solid, placed, rays), number, "Stable", queries)
+    }
+}
+
+/// Rays away from grazing, in each of [`NUMBERS_AWAY`], always in the same order.
+pub fn away_from_grazing() -> Vec<Workload> {
+    let of_solid = |solid| {
+        let placed = move |placed| ARRIVING.map(|rays| Away::new(solid, placed, rays));
+        PLACEMENTS.into_iter().flat_map(placed)
+    };
+    let in_each = |away: Away| {
+        let [f32, f64, i16f16, i32f32] = NUMBERS_AWAY;
+        let floats = [away.workload::<f32>(f32), away.workload::<f64>(f64)];
+        floats.into_iter().chain([away.workload::<I16F16>(i16f16), away.workload::<I32F32>(i32f32)])
+    };
+    SOLIDS_BY_NAME.into_iter().flat_map(of_solid).flat_map(in_each).collect()
 }
 
 macro_rules! number {

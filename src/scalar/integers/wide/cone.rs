@@ -6,7 +6,7 @@ use super::{
     Digits, FINER, digits, dot, down_to_64, high, leading_zeros_of_64, minor, refined, root, round_off, squared,
     up_to_128, upper_bits,
 };
-use crate::scalar::{Attempt, InNappe, found};
+use crate::scalar::{Attempt, InSide, found};
 
 /// A line and both nappes of a cone, in the coordinates that the kernel of 32 bits describes.
 struct AtCone {
@@ -181,6 +181,7 @@ impl AtCone {
 impl Roots for AtCone {
     type Length = i64;
 
+    const ZERO: i64 = 0;
     const INFINITY: i64 = i64::MAX;
 
     #[inline(always)]
@@ -218,7 +219,7 @@ impl Roots for AtCone {
 ///
 /// The origin is in units of `2^-extra_bits` of the sizes'; the answer is in the sizes'.
 #[inline(always)]
-pub(in crate::scalar) fn nappe(o: [i64; 3], extra_bits: i32, d: [i64; 3], outline: [i64; 3]) -> Attempt<InNappe<i64>> {
+pub(in crate::scalar) fn nappe(o: [i64; 3], extra_bits: i32, d: [i64; 3], outline: [i64; 3]) -> Attempt<InSide<i64>> {
     found!(AtCone::new(o, extra_bits, d, outline)).in_nappe()
 }
 

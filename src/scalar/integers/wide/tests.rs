@@ -1,5 +1,5 @@
 use super::*;
-use crate::scalar::{Attempt, InNappe, found};
+use crate::scalar::{Attempt, InSide, found};
 use dashu_int::IBig;
 
 /// The number of lines of each test; two million have been tried.
@@ -310,10 +310,10 @@ fn cones_discs_and_triangles_of_every_size_are_met_on_their_surfaces() {
                 <= (1.0 + ratio.abs()) * (off + 1e-9 * (x.abs() + y.abs() + z.abs()));
             assert!(near, "{o:?} {d:?} {:?}: {x} {y} {z} {outline}", [r, g, h]);
         };
-        if let Attempt::Hit(InNappe { ends, certain }) = nappe(o, extra_bits, d, [r, g, h]) {
+        if let Attempt::Hit(InSide { ends, beyond }) = nappe(o, extra_bits, d, [r, g, h]) {
             cones += 1;
-            for (end, certain) in ends.into_iter().zip(certain) {
-                if certain && end.unsigned_abs() != i64::MAX as u64 {
+            for (end, beyond) in ends.into_iter().zip(beyond) {
+                if beyond == 0 && end.unsigned_abs() != i64::MAX as u64 {
                     on_cone(end, r);
                 }
             }

@@ -36,7 +36,7 @@ pub const FARTHER: Sweep = Sweep {
     name: "ever farther",
     // From 2^64 sizes away and farther, where the robust number's own bits end; nearer than that a far line on the fast path is off by
     // as many roundings of its length as its incidence is oblique.
-    limits: &[("f32", 0, 0, 4.5), ("f64", 408, 0, 4.5)],
+    limits: &[("f32", 0, 0, 4.5), ("f64", 568, 0, 4.5)],
 };
 pub const ENDS: Sweep = Sweep {
     name: "at the ends of the type",

@@ -1,0 +1,110 @@
+//! Which rays graze a solid. Without them the most expensive rays are those that a user cannot foresee.
+
+use raylet::scalar::UnitScalar;
+use raylet::{Primitive, Vec3};
+use shared::workload::Query;
+
+/// A depth below the surface in radii there, an angle in radians, and ten times a distance of the start from the surface in sizes. What is less is
+/// grazing.
+const GRAZING: f64 = 1e-2;
+
+/// A line in the primitive's coordinates.
+#[derive(Clone, Copy)]
+struct Line {
+    origin: [f64; 3],
+    /// Of length 1.
+    direction: [f64; 3],
+}
+
+/// A side: the radius at the height 0, and how fast it grows.
+#[derive(Clone, Copy)]
+struct Side {
+    base: f64,
+    slope: f64,
+}
+
+fn dot([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> f64 {
+    a * x + b * y + c * z
+}
+
+fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+impl Line {
+    fn of(query: &Query<f64>) -> Self {
+        let (ray, placement) = (&query.ray, query.shape.placement());
+        let (from, d) = (ray.origin(), ray.direction().to_array().map(UnitScalar::to_f64));
+        let origin = placement.point_to_local(from).to_array();
+        let ahead = placement.point_to_local(from + Vec3::from(d)).to_array();
+        let d = minus(ahead, origin);
+        let length = dot(d, d).sqrt();
+        Self { origin, direction: d.map(|c| c / length) }
+    }
+
+    /// Whether it is nearly parallel to the plane with this unit normal.
+    fn is_parallel_to(self, normal: [f64; 3]) -> bool {
+        dot(self.direction, normal).abs() < GRAZING.sin()
+    }
+
+    /// The sign of the discriminant of the line with a side whose radii are `scale` times as large: whether it meets that.
+    fn meets(self, Side { base, slope }: Side, scale: f64) -> bool {
+        let ([x, y, z], [dx, dy, dz]) = (self.origin, self.direction);
+        let (radius, growth) = (scale * (base + slope * y), scale * slope * dy);
+        let a = dx * dx + dz * dz - growth * growth;
+        let k = x * dx + z * dz - radius * growth;
+        let c = x * x + z * z - radius * radius;
+        k * k >= a * c
+    }
+
+    fn grazes_side(self, side: Side) -> bool {
+        let ([x, y, z], [dx, dy, dz]) = (self.origin, self.direction);
+        let to_axis = libm::atan2(libm::hypot(dx, dz), dy.abs());
+        let to_generator = (to_axis - libm::atan(side.slope.abs())).abs();
+        let to_surface = (libm::hypot(x, z) - (side.base + side.slope * y).abs()).abs();
+        self.meets(side, 1.0 - GRAZING) != self.meets(side, 1.0 + GRAZING)
+            || to_axis.min(to_generator) < GRAZING
+            || to_surface < GRAZING / 10.0
+    }
+
+    fn grazes_ball(self, height: f64, radius: f64) -> bool {
+        let from = minus(self.origin, [0.0, height, 0.0]);
+        let k = dot(from, self.direction);
+        let distance = (dot(from, from) - k * k).max(0.0).sqrt();
+        (distance / radius - 1.0).abs() < GRAZING
+    }
+}
+
+/// Whether the query's ray grazes one of the surfaces that its solid is made of, or starts next to it.
+pub fn grazes(query: &Query<f64>) -> bool {
+    let line = Line::of(query);
+    let is_level = || line.is_parallel_to([0.0, 1.0, 0.0]);
+    match query.shape.primitive() {
+        Primitive::Sphere(sphere) => line.grazes_ball(0.0, sphere.radius()),
+        Primitive::Cylinder(cylinder) => line.grazes_side(Side { base: cylinder.radius(), slope: 0.0 }) || is_level(),
+        Primitive::Capsule(capsule) => {
+            let (r, h) = (capsule.radius(), capsule.height());
+            line.grazes_side(Side { base: r, slope: 0.0 }) || line.grazes_ball(0.0, r) || line.grazes_ball(h, r)
+        }
+        Primitive::Cone(cone) => {
+            let base = cone.base_radius();
+            let of_radii = || Some((cone.top_radius()? - base) / cone.height()?);
+            let slope = cone.slope().or_else(of_radii).unwrap_or_default();
+            line.grazes_side(Side { base, slope }) || cone.height().is_some() && is_level()
+        }
+        Primitive::Disc(_) | Primitive::Rectangle(_) => is_level(),
+        Primitive::Plane(_) => is_level() || line.origin[1].abs() < GRAZING / 10.0,
+        Primitive::Cuboid(_) => {
+            [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].iter().any(|n| line.is_parallel_to(*n))
+        }
+        Primitive::Triangle(triangle) => {
+            let [a, b, c] = triangle.vertices().map(Vec3::to_array);
+            let ([p, q, r], [x, y, z]) = (minus(b, a), minus(c, a));
+            let n = [q * z - r * y, r * x - p * z, p * y - q * x];
+            let length = dot(n, n).sqrt();
+            line.is_parallel_to(n.map(|c| c / length))
+        }
+        // Of the solids that come later this has to say something too.
+        other => unimplemented!("{other:?}"),
+    }
+}
