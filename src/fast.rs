@@ -105,7 +105,7 @@ impl<'a, S: Scalar> Slab<'a, S> {
             return Attempt::Unsure;
         }
         let span = side.intersection(self.span);
-        // Integers are seldom unsure of an exit.
+        // Between planes, integers are seldom unsure of an exit.
         let entered = match span {
             Some(Span { enter: end, exit: later, .. })
                 if S::RELATIVE && end.t < later.t && self.is_good(end, enter) =>

@@ -207,10 +207,12 @@ impl<S: Scalar> Intersection<S> {
         }
     }
 
-    /// False if the first end in the range that `accept` accepts may be an exit that was not computed.
+    /// False if the first end in the range that `accept` accepts may be an exit that was not computed. If the range ends before the entry, it holds
+    /// no exit either.
     #[inline(always)]
     pub(crate) fn has_nearest(&self, range: Range<S>, accept: impl Fn(Crossing) -> bool) -> bool {
-        if let Self::Entered(End { t, .. }) = *self { range.contains(t) && accept(Crossing::Enter) } else { true }
+        let Self::Entered(End { t, .. }) = *self else { return true };
+        t > range.end() || !accept(Crossing::Exit) || (range.contains(t) && accept(Crossing::Enter))
     }
 
     /// Occlusion of the half-line `t >= 0`.

@@ -52,15 +52,20 @@ pub trait Solve<S: Scalar> {
     ) -> Option<Hit<S>> {
         // If the entry is accepted, later ends are not needed.
         let since = accept(Crossing::Enter).then(|| ray.range().start());
-        let found = match Self::fast(short, place, ray, since) {
-            Attempt::Hit(intersection) if !intersection.has_nearest(ray.range(), &accept) => Attempt::Unsure,
-            found => found,
+        let entered = match Self::fast(short, place, ray, since) {
+            Attempt::Miss => return None,
+            Attempt::Hit(intersection) if intersection.has_nearest(ray.range(), &accept) => {
+                return intersection.nearest(ray.range(), accept);
+            }
+            // The entry stays as it is, so that the hit is one of [`Solve::hits`].
+            Attempt::Hit(intersection) => intersection,
+            Attempt::Unsure => Intersection::Miss,
         };
-        match found {
-            Attempt::Miss => None,
-            Attempt::Hit(intersection) => intersection.nearest(ray.range(), accept),
-            Attempt::Unsure => apart(|| Self::climb(geometry, place, ray).nearest(ray.range(), accept)),
-        }
+        apart(|| {
+            let whole = Self::climb(geometry, place, ray);
+            let whole = if let Intersection::Entered(enter) = entered { whole.entered_at(enter) } else { whole };
+            whole.nearest(ray.range(), accept)
+        })
     }
 
     /// True if there is a hit that `accept` accepts. `short` is that of [`Solve::nearest`].

@@ -143,7 +143,7 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
         let outer = high.plus(beyond[1]);
         match self.fast_end(line, [high, outer], |line, _| Attempt::Hit(found!(ball(line))[1])) {
             Attempt::Hit(exit) if enter.t <= exit.t => Attempt::Hit(Intersection::One(Span::new(enter, exit))),
-            // A line that enters leaves, but by rounding.
+            // The exit is uncertain, or rounding put it before the entry.
             _ => Attempt::Hit(Intersection::Entered(enter)),
         }
     }

@@ -141,7 +141,8 @@ pub struct LocalLine<S: Numbers> {
     pub is_relative: bool,
     /// True if the components of a float line are computed, and not the ray's own: each has an error of one rounding, plus `off`.
     pub is_rounded: bool,
-    /// True for a float line for which a guard of the plain formulas has failed: round solids are intersected in double-word numbers, with `low_words`.
+    /// True for a float line for which a guard of the plain formulas has failed: round solids and triangles are intersected in double-word numbers, and the
+    /// errors of planes' crossings are judged, with `low_words`.
     pub is_doubled: bool,
     /// True for the tier [`Exact`](crate::tier::Exact): a result that passes the guards is certain, except that `t` is rounded, by less than a unit.
     /// `f32` then computes in doubles, in which nearly all rays pass; fixed point computes in its own 32 bits.

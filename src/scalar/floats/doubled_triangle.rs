@@ -46,7 +46,7 @@ macro_rules! doubled_triangle {
                 Self { value: self.value * other.value, terms: self.terms * other.terms }
             }
 
-            /// The value and the greatest error of its sign.
+            /// The value and a bound on its error.
             #[inline(always)]
             fn with_doubt(self) -> ($Float, $Float) {
                 (self.value.high, MAY_BE_ZERO * self.terms)
@@ -98,10 +98,11 @@ macro_rules! doubled_triangle {
             if !(is_handy::<2>(n_terms) && is_handy::<2>(cosine_terms)) {
                 return Attempt::Unsure;
             }
-            // The error of t must be small against a rounding of the ray's t.
+            // The error of t must be small against a rounding of the ray's t, and no product may underflow.
             let whole = $Float::abs(n * cosine + line.start * (cosine * cosine));
             let terms = n_terms * $Float::abs(cosine) + $Float::abs(n) * cosine_terms;
-            let is_clear = (32.0 * $Float::EPSILON) * terms <= whole;
+            let doubt = (32.0 * $Float::EPSILON) * terms;
+            let is_clear = doubt >= $Float::MIN_POSITIVE && doubt <= whole;
             // The edges give the sign of the cosine too.
             if is_clear && (cosine < 0.0) == from_front {
                 Attempt::Hit((n / cosine, from_front))

@@ -184,7 +184,7 @@ macro_rules! flat {
             }
         }
 
-        /// A bound on the error of each d . (p x q) of two of these vectors. Seven roundings of its terms are less than 3 eps |p| |q|, and a change
+        /// A bound on the error of each d . (p x q) of two of these vectors. Seven roundings of its terms are less than 5 eps |p| |q|, and a change
         /// of p and q by `off` eps changes it by off eps (|p| + |q|). Both are less than a few times the sum of the squares.
         #[inline(always)]
         fn edge_doubt(line: &LocalLine<$Float>, vectors: [[$Float; 3]; 3]) -> $Float {

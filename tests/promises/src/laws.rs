@@ -103,7 +103,11 @@ mod law {
     ) -> Law {
         let end = number::<S>(random.between(0.0, 10.0)).expect("in range");
         let short = Range::new(S::ZERO, end).expect("in order");
-        for range in [setting.ray.range(), short, Range::FORWARD, Range::line()] {
+        let mut ranges = vec![setting.ray.range(), short, Range::FORWARD, Range::line()];
+        for hit in &setting.shape.hits_at::<T>(&setting.ray.with_range(Range::line())) {
+            ranges.extend(support::laws::ranges_next_to(hit.t));
+        }
+        for range in ranges {
             let ray = setting.ray.with_range(range);
             let hits = setting.shape.hits_at::<T>(&ray);
             prop_assert_eq!(setting.shape.nearest_at::<T>(&ray), hits.first().copied(), "{:?}", ray);

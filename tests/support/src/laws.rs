@@ -11,7 +11,7 @@ use super::subject::Subject;
 use super::workload::Workload;
 use proptest::test_runner::TestCaseError;
 use raylet::tier::{Exact, Fast, Stable, Tier};
-use raylet::{Crossing, Hit, Hits, Part, Ray, Shape};
+use raylet::{Crossing, Hit, Hits, Part, Range, Ray, Shape};
 
 /// What a law says of one ray.
 pub type Law = Result<(), TestCaseError>;
@@ -167,6 +167,16 @@ pub fn unit<S: Number>() -> f64 {
 pub fn unit_at<S: Number>(t: S) -> f64 {
     let t = t.magnitude();
     (&t.next_up().exact() - &t.exact()).to_f64()
+}
+
+/// Ranges that end or start at this `t`, or next to it.
+pub fn ranges_next_to<S: Number>(t: S) -> Vec<Range<S>> {
+    let (below, above) = (-(-t).next_up(), t.next_up());
+    let [first, last] = [Range::line().start(), Range::line().end()];
+    [[first, below], [first, t], [t, last], [above, last]]
+        .into_iter()
+        .filter_map(|[a, b]| Range::new(a, b).ok())
+        .collect()
 }
 
 /// The unit of the numbers that the answer is made from: ray, `t` and solid.

@@ -260,7 +260,7 @@ fn tail_away_from_grazing(text: &mut String, figures: &Figures) {
     let _ = write!(
         text,
         "\n### Rays away from grazing\n\nThe same of a thousand rays from near and from far that do not graze, for each solid and placement ({} workloads): the *99.9 %* is the second most expensive of them. A ray grazes a solid if it meets a side, a ball or a nappe whose radii \
-         are a hundredth smaller and not one whose radii are a hundredth larger, or conversely; if its angle to an axis, a generator or a flat surface is less than a hundredth of a radian; or if it starts within a thousandth of a unit of an infinite surface.\n\n",
+         are a hundredth larger and not one whose radii are a hundredth smaller, or conversely; if its angle to an axis, a generator or a flat surface is less than a hundredth of a radian; or if it starts within a thousandth of a unit of an infinite surface.\n\n",
         all.len()
     );
     ratios(text, figures, &all, "99.9 %", NUMBERS_AWAY.map(|number| [number, "Stable"]));
