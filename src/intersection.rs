@@ -207,18 +207,13 @@ impl<S: Scalar> Intersection<S> {
         }
     }
 
-    /// False if the first end in the range that `accept` accepts may be an exit that was not computed. If the range ends before the entry, it holds
-    /// no exit either.
-    #[inline(always)]
-    pub(crate) fn has_nearest(&self, range: Range<S>, accept: impl Fn(Crossing) -> bool) -> bool {
-        let Self::Entered(End { t, .. }) = *self else { return true };
-        t > range.end() || !accept(Crossing::Exit) || (range.contains(t) && accept(Crossing::Enter))
-    }
-
     /// Occlusion of the half-line `t >= 0`.
     #[inline(always)]
     pub(crate) fn occlusion(self) -> Attempt<()> {
-        if !self.has_nearest(Range::FORWARD, |_| true) {
+        if let Self::Entered(End { t, .. }) = self
+            && t < S::ZERO
+        {
+            // The exit, which was not computed, may be ahead.
             return Attempt::Unsure;
         }
         self.nearest(Range::FORWARD, |_| true).map_or(Attempt::Miss, |_| Attempt::Hit(()))

@@ -12,6 +12,8 @@ use crate::vector::Vec3;
 pub trait Solve<S: Scalar> {
     /// True if the ends of a range are compared with exact roots, and not with the rounded `t` of hits.
     const EXACT_ENDS: bool = false;
+    /// False if the fast path gives no entry without its exit.
+    const GIVES_ENTRIES: bool = true;
 
     /// The intersection by the fast path. If `since` is given, only the first end at or after it is needed: see
     /// [`LocalLine::since`](crate::scalar::LocalLine).
@@ -36,7 +38,9 @@ pub trait Solve<S: Scalar> {
             Attempt::Miss => Hits::none(),
             Attempt::Unsure => apart(|| whole().hits(ray.range())),
             // The list begins with the nearest hit, for which the fast path needs only the entry.
-            Attempt::Hit(Intersection::Entered(enter)) => apart(|| whole().entered_at(enter).hits(ray.range())),
+            Attempt::Hit(Intersection::Entered(enter)) if Self::GIVES_ENTRIES => {
+                apart(|| whole().entered_at(enter).hits(ray.range()))
+            }
             Attempt::Hit(intersection) => intersection.hits(ray.range()),
         }
     }
@@ -52,20 +56,18 @@ pub trait Solve<S: Scalar> {
     ) -> Option<Hit<S>> {
         // If the entry is accepted, later ends are not needed.
         let since = accept(Crossing::Enter).then(|| ray.range().start());
-        let entered = match Self::fast(short, place, ray, since) {
-            Attempt::Miss => return None,
-            Attempt::Hit(intersection) if intersection.has_nearest(ray.range(), &accept) => {
-                return intersection.nearest(ray.range(), accept);
+        let (range, whole) = (ray.range(), || Self::climb(geometry, place, ray));
+        match Self::fast(short, place, ray, since) {
+            Attempt::Miss => None,
+            Attempt::Unsure => apart(|| whole().nearest(range, accept)),
+            Attempt::Hit(Intersection::Entered(enter))
+                if Self::GIVES_ENTRIES && !(range.contains(enter.t) && accept(Crossing::Enter)) =>
+            {
+                // If the range ends before the entry, it holds no exit either. The entry stays as it is, so that the hit is one of [`Solve::hits`].
+                apart(|| if enter.t > range.end() { None } else { whole().entered_at(enter).nearest(range, accept) })
             }
-            // The entry stays as it is, so that the hit is one of [`Solve::hits`].
-            Attempt::Hit(intersection) => intersection,
-            Attempt::Unsure => Intersection::Miss,
-        };
-        apart(|| {
-            let whole = Self::climb(geometry, place, ray);
-            let whole = if let Intersection::Entered(enter) = entered { whole.entered_at(enter) } else { whole };
-            whole.nearest(ray.range(), accept)
-        })
+            Attempt::Hit(intersection) => intersection.nearest(range, accept),
+        }
     }
 
     /// True if there is a hit that `accept` accepts. `short` is that of [`Solve::nearest`].

@@ -20,6 +20,7 @@ macro_rules! solve_exactly {
     ($S:ty $(, $F:ident: $Bits:path)?) => {
         impl$(<$F: $Bits + Send + Sync + 'static>)? Solve<$S> for Exact {
             const EXACT_ENDS: bool = true;
+            const GIVES_ENTRIES: bool = false;
 
             #[inline(always)]
             fn fast<G: Geometry<$S>>(
