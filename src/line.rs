@@ -18,9 +18,9 @@ pub trait Place<S: Scalar> {
     fn in_type<R: Including<S>>(&self) -> Self::In<R>;
     /// The line for the fast path; `None` if the placement is not suitable for it.
     fn fast_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>>;
-    /// [`Place::fast_line`]; `None` if a ray starts so far from the primitive's point `base` that [`Place::far_line`] should be tried.
+    /// [`Place::fast_line`]; `None` if a ray starts so far from the frame's origin that [`Place::far_line`] should be tried.
     #[inline(always)]
-    fn fast_line_near(&self, ray: &Ray<S>, _base: Vec3<S>) -> Option<LocalLine<S>> {
+    fn fast_line_near(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
         self.fast_line(ray)
     }
     /// [`Place::fast_line`] where the placement stretches and the number type is fixed point, for a solid whose lengths are at most `bounding_radius`.
@@ -34,9 +34,9 @@ pub trait Place<S: Scalar> {
     fn passes_axis(&self, _ray: &Ray<S>, _r: S) -> bool {
         false
     }
-    /// The line of a ray that starts far away, with its origin moved to a point next to the primitive's point `base`, and relative to that.
+    /// The line of a ray that starts far away, with its origin moved to a point next to the frame's origin.
     #[inline(always)]
-    fn far_line(&self, _ray: &Ray<S>, _base: Vec3<S>) -> Option<LocalLine<S>> {
+    fn far_line(&self, _ray: &Ray<S>) -> Option<LocalLine<S>> {
         None
     }
     /// The line for the fast path of a sphere about the frame's origin, which needs no rotation.
@@ -94,13 +94,13 @@ impl<S: Scalar> Place<S> for InWorld {
         Some(LocalLine::along(ray.origin().to_array(), ray.direction().to_array(), S::ZERO))
     }
     #[inline(always)]
-    fn fast_line_near(&self, ray: &Ray<S>, base: Vec3<S>) -> Option<LocalLine<S>> {
-        let is_far = S::is_far(ray.origin().to_array(), ray.direction().to_array(), base.to_array());
+    fn fast_line_near(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
+        let is_far = S::is_far(ray.origin().to_array(), ray.direction().to_array());
         if is_far { None } else { self.fast_line(ray) }
     }
     #[inline(always)]
-    fn far_line(&self, ray: &Ray<S>, base: Vec3<S>) -> Option<LocalLine<S>> {
-        S::fast_from_afar(ray.origin().to_array(), ray.direction().to_array(), base.to_array())
+    fn far_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
+        S::fast_from_afar(ray.origin().to_array(), ray.direction().to_array())
     }
     #[inline(always)]
     fn second_line(&self, ray: &Ray<S>, base: Vec3<S>, _near: S) -> Option<LocalLine<S>> {

@@ -242,7 +242,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
 
     #[inline(always)]
     fn fast_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
-        place.fast_line_near(ray, Vec3::ZERO)
+        place.fast_line_near(ray)
     }
 
     #[inline(always)]
@@ -255,7 +255,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
 
     #[inline(always)]
     fn far_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
-        place.far_line(ray, Vec3::ZERO)
+        place.far_line(ray)
     }
 
     #[inline(always)]

@@ -1,120 +1,7 @@
 //! The fast path: intersection in the number type's own width. Where it is unsure, the solver decides.
 
-use super::{Numbers, OptionalLowWords};
+use super::{Attempt, InCuboid, InSide, NappeOutline, Numbers, OptionalLowWords};
 use core::cmp::Ordering;
-use core::ops::Neg;
-
-/// A result of the fast path.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Attempt<T> {
-    /// The line misses.
-    Miss,
-    /// The result.
-    Hit(T),
-    /// A guard fails: the solver decides.
-    Unsure,
-}
-
-/// The interval of a line inside an infinite cylinder, or a nappe of a cone.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct InSide<S> {
-    /// The ends; infinite for a missing end.
-    pub ends: [S; 2],
-    /// For each end, how much farther the interval may extend: zero if the end is accurate, infinite if that is not known.
-    pub beyond: [S; 2],
-}
-
-impl<S: super::Scalar> InSide<S> {
-    /// For each end, whether it is accurate.
-    #[inline(always)]
-    pub(crate) fn are_accurate(&self) -> [bool; 2] {
-        self.beyond.map(|beyond| beyond == S::ZERO)
-    }
-
-    /// The exit, if it is accurate.
-    #[inline(always)]
-    pub(crate) fn exit(&self) -> Attempt<S> {
-        if self.are_accurate()[1] { Attempt::Hit(self.ends[1]) } else { Attempt::Unsure }
-    }
-}
-
-/// The outline of a nappe about the y axis: a cone through two circles.
-#[derive(Clone, Copy, Debug)]
-pub struct NappeOutline<S> {
-    /// The radius at `y = 0`.
-    pub base: S,
-    /// The radius at `y = height`.
-    pub top: S,
-    /// `None` for 1.
-    pub height: Option<S>,
-}
-
-/// The interval of a line inside a cuboid.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct InCuboid<S> {
-    /// The ends; the second is infinite if it was not computed: it is uncertain, or not needed.
-    pub ends: [S; 2],
-    /// For each end, the axis perpendicular to its face: 0, 1 or 2 for x, y or z.
-    pub axes: [usize; 2],
-}
-
-/// Like `?`: the result, or a return from the calling function with [`Attempt::Miss`] or [`Attempt::Unsure`]. (A macro, since closures
-/// are not always inlined.)
-macro_rules! found {
-    ($attempt:expr) => {
-        match $attempt {
-            $crate::scalar::Attempt::Hit(answer) => answer,
-            $crate::scalar::Attempt::Miss => return $crate::scalar::Attempt::Miss,
-            $crate::scalar::Attempt::Unsure => return $crate::scalar::Attempt::Unsure,
-        }
-    };
-}
-pub(crate) use found;
-
-/// Whether the line hits a triangle, and whether from the front, by the signed volume that it spans with each edge and the error bound of that
-/// volume. All three volumes are negative for a hit from the front, and positive for one from the back.
-#[inline(always)]
-pub(crate) fn within_edges<V: Copy + PartialOrd + Neg<Output = V>>(edges: [(V, V); 3]) -> Attempt<bool> {
-    let (mut left, mut right) = (0, 0);
-    for (volume, doubt) in edges {
-        left += (volume > doubt) as u32;
-        right += (volume < -doubt) as u32;
-    }
-    if left != 0 && right != 0 {
-        Attempt::Miss
-    } else if left + right == 3 {
-        Attempt::Hit(right == 3)
-    } else {
-        Attempt::Unsure
-    }
-}
-
-/// [`within_edges`] for integers, in which the volumes are computed one after the other: a miss is often decided by the first two. (Floats compute
-/// all three at once.)
-#[cfg(feature = "fixed")]
-#[inline(always)]
-pub(crate) fn within_edges_in_turn<E, V: Copy + PartialOrd + Neg<Output = V>>(
-    [first, second, third]: [E; 3],
-    doubt: V,
-    volume: impl Fn(E) -> V,
-) -> Attempt<bool> {
-    let side = |edge: E| {
-        let volume = volume(edge);
-        (volume > doubt) as i32 - (volume < -doubt) as i32
-    };
-    let (first, second) = (side(first), side(second));
-    if first * second < 0 {
-        return Attempt::Miss;
-    }
-    let third = side(third);
-    if third * first < 0 || third * second < 0 {
-        Attempt::Miss
-    } else if first * second * third != 0 {
-        Attempt::Hit(third < 0)
-    } else {
-        Attempt::Unsure
-    }
-}
 
 /// A line in a primitive's frame, for the fast path.
 #[expect(clippy::struct_excessive_bools, reason = "properties that do not depend on each other")]
@@ -344,15 +231,15 @@ pub trait FastPath: Numbers {
         true
     }
 
-    /// Whether the line from `o` along `d` starts so far from `base` that its origin should be moved next to `base`, to keep rounding errors small.
+    /// Whether the line from `o` along `d` starts so far from zero that its origin should be moved next to zero, to keep rounding errors small.
     #[inline(always)]
-    fn is_far(_o: [Self; 3], _d: [Self::Unit; 3], _base: [Self; 3]) -> bool {
+    fn is_far(_o: [Self; 3], _d: [Self::Unit; 3]) -> bool {
         false
     }
 
-    /// Such a line with its origin moved next to `base`, and relative to `base`.
+    /// Such a line with its origin moved next to zero.
     #[inline(always)]
-    fn fast_from_afar(_o: [Self; 3], _d: [Self::Unit; 3], _base: [Self; 3]) -> Option<LocalLine<Self>> {
+    fn fast_from_afar(_o: [Self; 3], _d: [Self::Unit; 3]) -> Option<LocalLine<Self>> {
         None
     }
 

@@ -136,9 +136,8 @@ macro_rules! float {
                     false => Err(ValueError::NotFinite),
                 }
             }
-            #[allow(clippy::unnecessary_cast, reason = "necessary for `f32`")]
             fn to_f64(self) -> f64 {
-                self as f64
+                f64::from(self)
             }
         }
 
@@ -268,9 +267,8 @@ macro_rules! float {
             fn from_f64(value: f64) -> Self {
                 if value.is_nan() { 0.0 } else { value as $Float }
             }
-            #[allow(clippy::unnecessary_cast, reason = "necessary for `f32`")]
             fn to_f64(self) -> f64 {
-                self as f64
+                f64::from(self)
             }
         }
 

@@ -13,6 +13,7 @@
 //! | `fixed` | `FixedI32<F>` and `FixedI64<F>`, for every `F` |
 //! | `computing` | operations on stored numbers |
 //! | `fast` | the interface of a number type's fast path |
+//! | `attempt` | results of the fast path |
 //! | `integers` | the fast path of fixed point, in plain integers |
 //! | `floats` | the fast path of floats, mostly without compensation |
 //! | `rungs`, `twofold` | conversion between stored numbers and those of [`crate::number`]; numbers of twice the precision |
@@ -31,6 +32,7 @@ use crate::number::{Limbs, Number, Parts};
 use core::fmt::Debug;
 use core::ops::{Div, Neg};
 
+mod attempt;
 pub mod block;
 mod computing;
 pub(crate) mod constant;
@@ -63,9 +65,10 @@ pub(crate) mod written;
 pub use fixed::{DISTANCE_BITS, SIZE_BITS};
 
 pub use crate::number::Ring;
+pub(crate) use attempt::found;
+pub use attempt::{Attempt, InCuboid, InSide, NappeOutline};
 pub use computing::{Computing, Elementary};
-pub(crate) use fast::found;
-pub use fast::{Attempt, FastPath, FinerLine, InCuboid, InSide, InverseLength, LocalLine, NappeOutline};
+pub use fast::{FastPath, FinerLine, InverseLength, LocalLine};
 pub use including::Including;
 pub use low_words::{LowWords, OptionalLowWords};
 pub use rungs::{FromScalar, ToScalar};

@@ -121,20 +121,19 @@ macro_rules! guards {
             moment * moment > rr * dot(n, n) + (dot(from, from) + rr) * DOUBT
         }
 
-        /// Whether the line from `o` along `d` begins more than sixteen times as far from `base` as it passes.
+        /// Whether the line from `o` along `d` begins more than sixteen times as far from zero as it passes.
         #[inline(always)]
-        pub(crate) fn is_far(o: [$Float; 3], d: [$Float; 3], base: [$Float; 3]) -> bool {
-            closest(minus(o, base), d, 256.0) != 0.0
+        pub(crate) fn is_far(o: [$Float; 3], d: [$Float; 3]) -> bool {
+            closest(o, d, 256.0) != 0.0
         }
 
-        /// The line from `o` along `d`, with its origin moved next to `base`, and relative to `base`.
+        /// The line from `o` along `d`, with its origin moved next to zero.
         #[inline(always)]
-        pub(crate) fn from_afar(o: [$Float; 3], d: [$Float; 3], base: [$Float; 3]) -> LocalLine<$Float> {
-            let from = minus(o, base);
-            let start = -dot(from, d);
-            let origin = at(from, d, start);
+        pub(crate) fn from_afar(o: [$Float; 3], d: [$Float; 3]) -> LocalLine<$Float> {
+            let start = -dot(o, d);
+            let origin = at(o, d, start);
             let line = LocalLine::along(origin, d, 0.0);
-            LocalLine { start, off: [off(start, origin), 0.0], is_relative: true, is_rounded: true, ..line }
+            LocalLine { start, off: [off(start, origin), 0.0], is_rounded: true, ..line }
         }
 
         /// The `t` of the line's point closest to the origin, if the line starts far away (the squared ratio of its start's distance to the closest
@@ -236,8 +235,8 @@ macro_rules! guards {
         }
 
         /// The error of the crossing of a plane at `t`, due to the line: the rounding of the coordinate `o` perpendicular to the plane, some units of
-        /// twice the precision of the longest coordinate and of the terms of compensated sums, and the line's own error. `climb` is the magnitude of the direction's component
-        /// perpendicular to the plane.
+        /// twice the precision of the longest coordinate and of the terms of compensated sums, and the line's own error. `climb` is the magnitude
+        /// of the direction's component perpendicular to the plane.
         #[inline(always)]
         fn crossing_off(line: &LocalLine<$Float>, o: $Float, climb: $Float, t: $Float) -> $Float {
             let Limits { epsilon, .. } = Limits::of(line);

@@ -53,7 +53,7 @@ macro_rules! floats {
     ) => {
         pub(super) mod $name {
             use crate::number::Ring;
-            use crate::scalar::fast::within_edges;
+            use crate::scalar::attempt::within_edges;
             use crate::scalar::twofold::Twofold;
             use crate::scalar::{Attempt, InCuboid, InSide, LocalLine, LowWords, Real, found};
             use core::cmp::Ordering;
@@ -150,12 +150,12 @@ macro_rules! floats {
                 $name::stretched(o, d, position, rows)
             }
             #[inline(always)]
-            fn is_far(o: [Self; 3], d: [Self; 3], base: [Self; 3]) -> bool {
-                $name::is_far(o, d, base)
+            fn is_far(o: [Self; 3], d: [Self; 3]) -> bool {
+                $name::is_far(o, d)
             }
             #[inline(always)]
-            fn fast_from_afar(o: [Self; 3], d: [Self; 3], base: [Self; 3]) -> Option<LocalLine<Self>> {
-                Some($name::from_afar(o, d, base))
+            fn fast_from_afar(o: [Self; 3], d: [Self; 3]) -> Option<LocalLine<Self>> {
+                Some($name::from_afar(o, d))
             }
             #[inline(always)]
             fn fast_closer(o: [Self; 3], d: [Self; 3], base: [Self; 3]) -> Option<LocalLine<Self>> {

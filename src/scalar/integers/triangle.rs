@@ -2,7 +2,7 @@
 
 use super::quotient::Normalized;
 use super::{leading_zeros, magnitude_bits, product};
-use crate::scalar::fast::within_edges_in_turn;
+use crate::scalar::attempt::within_edges_in_turn;
 use crate::scalar::{Attempt, found};
 
 /// `a . b`

@@ -2,7 +2,7 @@
 
 use super::quotient::Normalized;
 use super::{Digits, digits, dot, leading_zeros_of_64, minor, refined, upper_bits};
-use crate::scalar::fast::within_edges_in_turn;
+use crate::scalar::attempt::within_edges_in_turn;
 use crate::scalar::{Attempt, found};
 
 /// Bits of a vertex on the grid of the edges.
