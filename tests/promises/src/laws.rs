@@ -10,7 +10,7 @@
 
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-use raylet::{Crossing, Range};
+use raylet::{Crossing, Range, Visible};
 use support::exact_types::Exact as Number;
 use support::laws::{Graded, Law, Nature, Setting, bound};
 use support::random::Random;
@@ -112,6 +112,12 @@ mod law {
             let hits = setting.shape.hits_at::<T>(&ray);
             prop_assert_eq!(setting.shape.nearest_at::<T>(&ray), hits.first().copied(), "{:?}", ray);
             prop_assert_eq!(setting.shape.occludes_at::<T>(&ray), !hits.is_empty(), "{:?}: {:?}", ray, hits);
+            for visible in [Visible::Outside, Visible::Inside] {
+                let shape = setting.shape.seen_from(visible);
+                let first = shape.hits_at::<T>(&ray).first().copied();
+                prop_assert_eq!(shape.nearest_at::<T>(&ray), first, "{:?} from {:?}", ray, visible);
+                prop_assert_eq!(shape.occludes_at::<T>(&ray), first.is_some(), "{:?} from {:?}", ray, visible);
+            }
         }
         Ok(())
     }

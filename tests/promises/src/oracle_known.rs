@@ -5,7 +5,7 @@ use crate::oracle::*;
 use support::amount::times;
 use support::oracle::{
     Answer, ConeExtent, CylinderExtent, Dyadic, ExpectedCrossing, Line, Membership, Part, Root, Solid, contains,
-    exact_f32, gradient, hits_in_range, margin, normal, solve,
+    gradient, hits_in_range, margin, normal, solve,
 };
 
 #[test]
@@ -128,7 +128,7 @@ fn expect(solid: &Solid, line: &Line, expected: &[(f64, Part)]) {
 }
 
 #[test]
-#[allow(clippy::excessive_precision, reason = "the digits are those of the list of hard cases")]
+#[expect(clippy::excessive_precision, reason = "the digits are those of the list of hard cases")]
 fn hard_cases_have_their_known_answers() {
     use Part::{Base, Side, Top};
     // Numbered as in the list of hard cases; those of decimal or other poses are scaled and moved into this one.
@@ -277,40 +277,4 @@ fn margins_tell_how_near_grazing_a_line_is() {
     assert_eq!(margin(&cone(1.0, ConeExtent::Nappe), &across), Some(0.5));
     assert_eq!(margin(&capped_cylinder(2.0, 2.0), &line([1.0, 0.0, 0.0], [0.0, 1.0, 0.0])), Some(0.5));
     assert_eq!(margin(&Solid::Plane, &across), None);
-}
-
-/// Prints what a solve costs; run with `--release -- --ignored --nocapture`.
-#[test]
-#[ignore = "measures, and asserts nothing"]
-fn cost_of_a_solve() {
-    let mut random = Random(13);
-    let lines: Vec<Line> = (0..20_000)
-        .map(|_| {
-            let mut coordinate = |scale: f32| exact_f32((random.next() as i32 as f32) * 2f32.powi(-31) * scale);
-            let origin: [Dyadic; 3] = std::array::from_fn(|_| coordinate(20.0));
-            let target: [Dyadic; 3] = std::array::from_fn(|_| coordinate(1.5));
-            let direction: [Dyadic; 3] =
-                std::array::from_fn(|axis| exact_f32((target[axis].to_f64() - origin[axis].to_f64()) as f32 / 17.0));
-            Line::new(origin, direction)
-        })
-        .collect();
-    let open = open_and_capped().into_iter().map(|(open, _)| open);
-    let flat = [
-        Solid::Plane,
-        Solid::Disc { radius: number(2.0) },
-        triangle([[2.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 2.0]]),
-    ];
-    for solid in solids().into_iter().chain(open).chain(flat) {
-        let start = std::time::Instant::now();
-        let mut hits = 0;
-        for line in &lines {
-            hits += hits_in_range(&solve(&solid, line), &Dyadic::zero(), None).hits.len();
-        }
-        let cost = start.elapsed().as_secs_f64() * 1e6 / lines.len() as f64;
-        println!("{cost:6.2} us, {hits} hits: {solid:?}");
-    }
-    let answers: Vec<Root> = lines.iter().flat_map(|line| parameters(&solve(&sphere(1.5), line))).collect();
-    let start = std::time::Instant::now();
-    let total: f64 = answers.iter().map(|t| t.error_in(&exact_f32(17.0), &t.ulp_f32())).sum();
-    println!("{:6.2} us an error in ulp ({total:e})", start.elapsed().as_secs_f64() * 1e6 / answers.len() as f64);
 }
