@@ -132,9 +132,16 @@ struct Away {
 
 impl Away {
     fn new(solid: &'static str, placed: Placed, rays: Rays) -> Self {
-        let is_away = |index: &usize| query(solid, placed, rays, *index).is_some_and(|query| !grazing::grazes(&query));
+        let is_away = |index: &usize| {
+            query(solid, placed, rays, *index).is_some_and(|query| grazing::grazes(&query) == Some(false))
+        };
         let indices: Vec<usize> = (0..100 * AWAY).filter(is_away).take(AWAY).collect();
-        assert_eq!(indices.len(), AWAY, "{} is grazed by nearly all rays", of_solid(solid, placed, rays));
+        assert_eq!(
+            indices.len(),
+            AWAY,
+            "{}: too few rays are known not to graze it (workloads/grazing.rs)",
+            of_solid(solid, placed, rays)
+        );
         Self { solid, placed, rays, indices }
     }
 

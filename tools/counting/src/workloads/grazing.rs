@@ -75,11 +75,11 @@ impl Line {
     }
 }
 
-/// Whether the query's ray grazes one of the surfaces that its solid is made of, or starts next to it.
-pub fn grazes(query: &Query<f64>) -> bool {
+/// Whether the query's ray grazes one of the surfaces that its solid is made of, or starts next to it; `None` for a solid that is not listed here.
+pub fn grazes(query: &Query<f64>) -> Option<bool> {
     let line = Line::of(query);
     let is_level = || line.is_parallel_to([0.0, 1.0, 0.0]);
-    match query.shape.primitive() {
+    Some(match query.shape.primitive() {
         Primitive::Sphere(sphere) => line.grazes_ball(0.0, sphere.radius()),
         Primitive::Cylinder(cylinder) => line.grazes_side(Side { base: cylinder.radius(), slope: 0.0 }) || is_level(),
         Primitive::Capsule(capsule) => {
@@ -104,7 +104,7 @@ pub fn grazes(query: &Query<f64>) -> bool {
             let length = dot(n, n).sqrt();
             line.is_parallel_to(n.map(|c| c / length))
         }
-        // Of the solids that come later this has to say something too.
-        other => unimplemented!("{other:?}"),
-    }
+        // A primitive may be added.
+        _ => return None,
+    })
 }
