@@ -7,7 +7,7 @@ use crate::frame::{Frame, FrameError, within_budget};
 use crate::line::Place;
 use crate::number::{difference, dot};
 use crate::ray::Ray;
-use crate::scalar::{FinerLine, FromScalar, Including, LocalLine, Real, Ring, Scalar, ValueError};
+use crate::scalar::{FinerLine, FromScalar, Including, Real, Ring, Scalar, ValueError};
 use crate::vector::{UnitVec3, Vec3, cross, pairs, transposed};
 
 /// One row of the inverse: components below 1 and a power of two.
@@ -254,21 +254,18 @@ impl<S: Scalar> Place<S> for Affine<S> {
     }
 
     #[inline]
-    fn fast_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
-        let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
-        S::fast_stretched(o, d, self.position.to_array(), self.inverse())
-    }
-
-    #[inline]
     fn finer_line(&self, ray: &Ray<S>, bounding_radius: S) -> Option<FinerLine<S>> {
         let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
         S::fast_stretched_finely(o, d, self.position.to_array(), self.inverse(), bounding_radius)
     }
 
     #[inline(always)]
-    fn second_line(&self, ray: &Ray<S>, base: Vec3<S>, near: S) -> Option<LocalLine<S>> {
-        let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
-        S::fast_stretched_again(o, d, self.position.to_array(), self.inverse(), base.to_array(), near)
+    fn position(&self) -> Option<Vec3<S>> {
+        Some(self.position)
+    }
+    #[inline(always)]
+    fn linear<N: FromScalar<S>>(&self, v: [N; 3]) -> [N; 3] {
+        applied(self.rows_in(), v)
     }
 
     fn line<N: FromScalar<S>>(&self, ray: &Ray<S>) -> [[N; 3]; 2] {

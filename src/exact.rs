@@ -2,8 +2,9 @@
 
 #[cfg(feature = "fixed")]
 use crate::number::FIXED_LIMBS;
-use crate::number::{Bounded, FLOAT_LIMBS, Filtered, Integer, Number};
-use crate::scalar::{FromScalar, Scalar, ToScalar};
+use crate::number::{Bounded, FLOAT_LIMBS, Integer};
+use crate::scalar::Scalar;
+use crate::solve::Localize;
 
 /// The exact tier: hit, miss, touch, part, order, pairing and inside or outside are always those of exact arithmetic on the
 /// stored numbers. `t` is within one unit in the last place of the exact value.
@@ -19,7 +20,7 @@ use crate::scalar::{FromScalar, Scalar, ToScalar};
 /// Sphere::new(1.0).unwrap().hits_at::<Exact>(&ray);
 /// ```
 ///
-/// In fixed point the integers of the fast path decide most rays, with guards that only certain results pass. Doubles with an error bound decide
+/// In fixed point integers on a grid decide most rays, with guards that only certain results pass. Doubles with an error bound decide
 /// nearly all other rays of fixed point and nearly all of `f32`; numbers of 128 bits with an error bound decide nearly all that remain. Integers that
 /// are wide enough for every case decide the rest, at some hundred times the cost. [`Shape::precision`](crate::Shape::precision) says which of them
 /// decided.
@@ -52,24 +53,20 @@ pub enum Precision {
 
 /// A scalar that has an exact tier.
 pub trait ExactScalar: Scalar {
-    /// The first number, which decides nearly all rays that the fast path cannot decide.
-    type Filter: FromScalar<Self> + Number<Estimate: ToScalar<Self> + FromScalar<Self>>;
-    /// The number that is used where a sign is unknown in [`ExactScalar::Filter`].
-    type Bounded: FromScalar<Self> + ToScalar<Self>;
+    /// The number that is used where a sign is unknown in doubles.
+    type Bounded: Localize<Self>;
     /// The integer that is used where a sign is unknown in [`ExactScalar::Bounded`]. It is wide enough for every polynomial of the solvers.
-    type Integer: FromScalar<Self> + Number<Estimate = Self::Bounded>;
+    type Integer: Localize<Self>;
 }
 
 #[cfg(feature = "libm")]
 impl ExactScalar for f32 {
-    type Filter = Filtered;
     type Bounded = Bounded<u128>;
     type Integer = Integer<FLOAT_LIMBS>;
 }
 
 #[cfg(feature = "fixed")]
 impl<F: fixed::types::extra::LeEqU32 + Send + Sync + 'static> ExactScalar for fixed::FixedI32<F> {
-    type Filter = Filtered;
     type Bounded = Bounded<u128>;
     type Integer = Integer<FIXED_LIMBS>;
 }

@@ -12,11 +12,10 @@ pub trait Guards: 'static {
     const STRICT: bool = false;
 }
 
-/// The interval of a line with `low <= y <= high`, and the error of its ends beyond a few units.
+/// The interval of a line with `low <= y <= high`.
 pub(crate) struct Slab<'a, S: Scalar> {
     line: &'a LocalLine<S>,
     pub(crate) span: Span<S>,
-    off: [S; 2],
 }
 
 impl<'a, S: Scalar> Slab<'a, S> {
@@ -25,17 +24,14 @@ impl<'a, S: Scalar> Slab<'a, S> {
     pub(crate) fn new(line: &'a LocalLine<S>, low: S, high: S) -> Attempt<Self> {
         let ([_, y, _], [_, dy, _]) = (line.origin, line.direction);
         match S::fast_crossings(*line, [low, high]) {
-            Attempt::Hit(([low, high], [off_low, off_high])) => {
+            Attempt::Hit([low, high]) => {
                 let (base, top) = (End::new(low, Part::Base), End::new(high, Part::Top));
-                Attempt::Hit(if dy < S::Unit::ZERO {
-                    Self { line, span: Span::new(top, base), off: [off_high, off_low] }
-                } else {
-                    Self { line, span: Span::new(base, top), off: [off_low, off_high] }
-                })
+                let rises = dy >= S::Unit::ZERO;
+                Attempt::Hit(Self { line, span: if rises { Span::new(base, top) } else { Span::new(top, base) } })
             }
             Attempt::Miss if line.extra_bits == 0 => {
                 if low <= y && y <= high {
-                    Attempt::Hit(Self { line, span: Span::everywhere(), off: [S::ZERO; 2] })
+                    Attempt::Hit(Self { line, span: Span::everywhere() })
                 } else {
                     Attempt::Miss
                 }
@@ -47,90 +43,40 @@ impl<'a, S: Scalar> Slab<'a, S> {
     /// Whether rounding may decide the entry into a side and these planes.
     #[inline(always)]
     fn is_entry_close(&self, side: &Span<S>) -> bool {
-        let (planes, [enter, exit]) = (&self.span, self.off);
-        S::are_close(self.line, side.enter.t, planes.enter.t, enter)
-            || S::are_close(self.line, side.enter.t, planes.exit.t, exit)
-            || S::are_close(self.line, side.exit.t, planes.enter.t, enter)
-            || S::are_close(self.line, planes.enter.t, planes.exit.t, enter)
+        let planes = &self.span;
+        S::are_close(self.line, side.enter.t, planes.enter.t)
+            || S::are_close(self.line, side.enter.t, planes.exit.t)
+            || S::are_close(self.line, side.exit.t, planes.enter.t)
+            || S::are_close(self.line, planes.enter.t, planes.exit.t)
     }
 
     /// The same for their exit, once their entry is certain.
     #[inline(always)]
     fn is_exit_close(&self, side: &Span<S>) -> bool {
-        S::are_close(self.line, side.exit.t, self.span.exit.t, self.off[1])
-    }
-
-    /// Whether an end is accurate enough, with this error if it is that of a plane.
-    #[inline(always)]
-    fn is_good(&self, end: End<S>, off: S) -> bool {
-        end.part == Part::Side || S::is_good(self.line, end.t, off)
-    }
-
-    /// Whether a side's interval certainly ends before these planes, or begins after them.
-    #[inline(always)]
-    fn is_apart_from(&self, InSide { ends: [low, high], beyond }: &InSide<S>) -> bool {
-        let (planes, [enter, exit]) = (&self.span, self.off);
-        let (low, high) = (low.minus(beyond[0]), high.plus(beyond[1]));
-        let ends_before = high < planes.enter.t && !S::are_close(self.line, high, planes.enter.t, enter);
-        let begins_after = low > planes.exit.t && !S::are_close(self.line, low, planes.exit.t, exit);
-        ends_before || begins_after
+        S::are_close(self.line, side.exit.t, self.span.exit.t)
     }
 
     /// The exit of a line that starts on the part `from` of a side or of these planes: the nearer of the side's and the plane's.
     #[inline(always)]
     pub(crate) fn exit(&self, side: End<S>, from: Part) -> Attempt<End<S>> {
-        let (plane, [_, off]) = (self.span.exit, self.off);
+        let plane = self.span.exit;
         // It cannot leave by the plane that it starts on.
         let leads_away = plane.part == from && from != Part::Side;
-        if leads_away || S::are_close(self.line, side.t, plane.t, off) {
+        if leads_away || S::are_close(self.line, side.t, plane.t) {
             Attempt::Unsure
-        } else if plane.t >= side.t {
-            Attempt::Hit(side)
-        } else if S::is_good(self.line, plane.t, off) {
-            Attempt::Hit(plane)
         } else {
-            Attempt::Unsure
+            Attempt::Hit(if plane.t >= side.t { side } else { plane })
         }
     }
 
     /// The part of a side's interval that lies between the planes, if its ends are accurate enough. An end that is cut off by a plane need not be.
     #[inline(always)]
     pub(crate) fn clip(&self, inside: &InSide<S>) -> Attempt<Intersection<S>> {
-        let (side, [enter, exit]) = (Span::of_side(inside.ends), self.off);
-        let [is_enter_accurate, is_exit_accurate] = inside.are_accurate();
-        if S::RELATIVE && !(is_enter_accurate && is_exit_accurate) && self.is_apart_from(inside) {
-            return Attempt::Miss;
-        }
-        if self.is_entry_close(&side) || !(is_enter_accurate || self.span.enter.t > side.enter.t) {
+        let side = Span::of_side(inside.ends);
+        if self.is_entry_close(&side) || self.is_exit_close(&side) || !self.cuts_off_what_is_inaccurate(inside) {
             return Attempt::Unsure;
         }
-        let span = side.intersection(self.span);
-        // Between planes, integers are seldom unsure of an exit.
-        let entered = match span {
-            Some(Span { enter: end, exit: later, .. })
-                if S::RELATIVE && end.t < later.t && self.is_good(end, enter) =>
-            {
-                Attempt::Hit(Intersection::Entered(end))
-            }
-            _ => Attempt::Unsure,
-        };
-        if let Attempt::Hit(Intersection::Entered(end)) = entered
-            && self.line.needs_only(end.t)
-        {
-            return entered;
-        }
-        if self.is_exit_close(&side) || !(is_exit_accurate || self.span.exit.t < side.exit.t) {
-            let is_behind =
-                S::RELATIVE && !is_exit_accurate && self.line.needs_none_until(inside.ends[1].plus(inside.beyond[1]));
-            return if is_behind { Attempt::Miss } else { entered };
-        }
-        match span {
-            None => Attempt::Miss,
-            Some(span) if self.is_good(span.enter, enter) && self.is_good(span.exit, exit) => {
-                Attempt::Hit(Intersection::One(span))
-            }
-            Some(_) => entered,
-        }
+        side.intersection(self.span).map_or(Attempt::Miss, |span| Attempt::Hit(Intersection::One(span)))
     }
 
     /// The ends of a side's interval that lie between the planes, if they are accurate enough; the rims belong to the side.

@@ -2,10 +2,10 @@
 
 mod constant;
 
-use crate::line::{InWorld, Place};
+use crate::line::Place;
 use crate::number::{difference, dot};
 use crate::ray::Ray;
-use crate::scalar::{FromScalar, Including, LocalLine, OptionalLowWords, Real, Ring, Scalar, ValueError, with_fault};
+use crate::scalar::{FromScalar, Including, LocalLine, Real, Ring, Scalar, ValueError, with_fault};
 use crate::vector::{UnitVec3, Vec3, pairs, transposed};
 use core::fmt;
 
@@ -312,23 +312,21 @@ impl<S: Scalar> Place<S> for Frame<S> {
     fn fast_ball_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
         let [x, y, z] = pairs(ray.origin().to_array(), self.position.to_array()).map(|(o, p)| o.minus(p));
         let origin = if x.is_finite() && y.is_finite() && z.is_finite() { [x, y, z] } else { return None };
-        let line = LocalLine::along(origin, ray.direction().to_array(), S::ZERO);
-        if !S::RELATIVE {
-            return Some(line);
-        }
-        let low_words = pairs(ray.origin().real(), self.position.real()).map(|(o, p)| o.plus_with_rest(-p)[1]);
-        Some(LocalLine { low_words: S::LowWords::of_origin(low_words.map(S::round)), ..line })
+        Some(LocalLine::along(origin, ray.direction().to_array(), S::ZERO))
     }
 
     #[inline(always)]
-    fn second_line(&self, ray: &Ray<S>, base: Vec3<S>, near: S) -> Option<LocalLine<S>> {
-        let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
-        let axes = self.axes.map(UnitVec3::to_array);
-        S::fast_turned_again(o, d, self.position.to_array(), axes, base.to_array(), near)
+    fn position(&self) -> Option<Vec3<S>> {
+        Some(self.position)
     }
     #[inline(always)]
-    fn second_ball_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
-        InWorld.second_line(ray, self.position, S::ZERO)
+    fn linear<N: FromScalar<S>>(&self, v: [N; 3]) -> [N; 3] {
+        self.axes_in::<N>().map(|axis| dot(axis, v))
+    }
+    #[inline(always)]
+    fn height_line<N: FromScalar<S>>(&self, ray: &Ray<S>) -> [N; 2] {
+        let axis = self.up().to_array().map(N::unit);
+        [dot(axis, self.ball_point(ray.origin())), dot(axis, ray.direction().to_array().map(N::unit))]
     }
 
     #[inline]

@@ -3,10 +3,11 @@
 use crate::equations::{Described, Equations};
 use crate::fast::Guards;
 use crate::intersection::{End, Intersection};
-use crate::line::Place;
+use crate::line::{Needs, Place};
 use crate::part::Part;
 use crate::ray::Ray;
 use crate::scalar::{Attempt, Including, LocalLine, Scalar, found};
+use crate::solve::{self, Goal, LocalRay, Of};
 use crate::vector::{UnitVec3, Vec3};
 
 /// The interface of a primitive, in its own frame.
@@ -41,20 +42,11 @@ pub trait Geometry<S: Scalar>: Copy + Described {
     fn fit(&self, line: &mut LocalLine<S>) {
         S::fast_fit(line, self.lengths());
     }
-    /// The local line for a ray that starts too far away for [`Geometry::fast_line`].
-    #[inline(always)]
-    fn far_line(&self, _place: &impl Place<S>, _ray: &Ray<S>) -> Option<LocalLine<S>> {
-        None
-    }
-    /// The local line for the fast path's second attempt.
-    #[inline(always)]
-    fn second_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
-        // From nearer by, ends would often be too close to the ray's start for the sum of a `t` and the line's start.
-        let bounding_radius = self.bounding_radius();
-        place.second_line(ray, Vec3::ZERO, bounding_radius.plus(bounding_radius))
-    }
     /// The intersection by the fast path; that may be the entry alone where the exit is uncertain or not needed: see [`LocalLine::since`].
-    fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>>;
+    #[inline(always)]
+    fn fast_intersection<T: Guards>(&self, _line: &LocalLine<S>) -> Attempt<Intersection<S>> {
+        Attempt::Unsure
+    }
     /// Occlusion of the half-line `t >= 0` by the fast path; agrees with [`Geometry::fast_intersection`].
     #[inline(always)]
     fn fast_occlusion<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<()> {
@@ -65,6 +57,14 @@ pub trait Geometry<S: Scalar>: Copy + Described {
     fn fast_exit<T: Guards>(&self, _line: &LocalLine<S>, _from: Part) -> Attempt<End<S>> {
         Attempt::Unsure
     }
+    /// What its intersection needs of the transformation into its frame.
+    const NEEDS: Needs = Needs::All;
+    /// True if constant bounds on the errors of its formulas, which are short, replace running ones: see [`Certified`](crate::number::Certified).
+    const HAS_CONSTANT_BOUNDS: bool = false;
+    /// True if the terms of its polynomials have so few factors that their magnitudes bound their errors: see [`Filtered`](crate::number::Filtered).
+    const HAS_FEW_FACTORS: bool = false;
+    /// Where a ray in its frame meets it.
+    fn intersect<N: Of<S>>(&self, ray: &LocalRay<N>, goal: Goal<S>) -> solve::Attempt<Intersection<S>>;
     /// The equations and inequalities that its points satisfy.
     fn equations(&self) -> Equations<S>;
     /// The points, discs or balls whose convex hull determines its bounding box in any placement.

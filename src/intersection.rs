@@ -85,7 +85,7 @@ pub enum Intersection<S> {
     Miss,
     /// One interval, whose ends are the hits.
     One(Span<S>),
-    /// The entry of one interval, whose exit was not computed. Only fast paths give this.
+    /// The entry of one interval, whose exit was not computed: it is not needed, or uncertain.
     Entered(End<S>),
     /// Two intervals, in order (a double cone).
     Two(Span<S>, Span<S>),
@@ -109,12 +109,6 @@ impl<R> Intersection<R> {
             Self::Surface(one) => Intersection::Surface(span(one)?),
             Self::LiesIn(one) => Intersection::LiesIn(span(one)?),
         })
-    }
-
-    /// The intersection with `f` applied to its ends.
-    #[inline(always)]
-    pub(crate) fn map<S>(self, f: impl Fn(R) -> S) -> Intersection<S> {
-        self.try_map(|t| Some(f(t))).unwrap_or(Intersection::Miss)
     }
 }
 
@@ -141,17 +135,7 @@ impl<S: Scalar> Intersection<S> {
         }
     }
 
-    /// The entry alone, if there is one, and one interval longer than a point.
-    pub(crate) fn entered(self) -> Option<Self> {
-        match self {
-            Self::One(Span { enter, exit, .. }) if enter.t.is_finite() && enter.t < exit.t => {
-                Some(Self::Entered(enter))
-            }
-            _ => None,
-        }
-    }
-
-    /// The same with an entry that is certain, in place of that of its one interval: also where that was rounded to a point, or to none.
+    /// The intersection with an entry that is certain, in place of that of its one interval: also where that was rounded to a point, or to none.
     pub(crate) fn entered_at(self, enter: End<S>) -> Self {
         match self {
             Self::One(Span { exit, .. }) => {

@@ -1,79 +1,250 @@
 //! Which numbers each tier computes in.
 //!
-//! `Fast` and `Stable` take the result of their fast path, or of its second or third attempt; if all are unsure, the robust number decides.
-//! `Exact` repeats the query in the next wider number until every sign is certain: see `exactly`.
+//! A tier is a list of methods. A method is unsure where its numbers do not know a sign; then the next one decides.
+//!
+//! | tier | floats | fixed point |
+//! |---|---|---|
+//! | `Plain` | plain values | the grid of integers, blocks |
+//! | `Fast` | plain values with guards, the robust number | the grid, the robust number |
+//! | `Stable` | values with an error bound, double-words, the robust number | the grid, that of the wider type, the robust number |
+//! | `Exact` | doubles with an error bound, [`Bounded`](crate::number::Bounded), [`Integer`](crate::number::Integer) | the grid with certain signs, then as floats |
 
 mod exactly;
+mod grid;
 
 pub(crate) use exactly::precision;
+pub use grid::FixedPoint;
 
 use crate::equations::{Described, EquationKinds, Equations};
-use crate::fast::Guards;
 use crate::geometry::Geometry;
-use crate::intersection::{End, Intersection, Span};
+use crate::intersection::Intersection;
 use crate::line::Place;
+use crate::number::{Certified, Doubled, Guarded, Plain as PlainNumber, Running};
 use crate::query::Solve;
-use crate::ray::{Departure, Leaving, Ray};
-use crate::scalar::{Attempt, FromScalar, LocalLine, Scalar, found};
-use crate::solve::{self, Line, Of};
-use crate::tier::{Fast, Stable};
+use crate::ray::Ray;
+use crate::scalar::{FromScalar, RealOf, Scalar};
+use crate::solve::{self, Attempt, Goal, Line, LocalRay, Localize, Of, Stop};
+use crate::tier::{Fast, Plain, Stable};
 use crate::vector::Vec3;
+use core::marker::PhantomData;
 
-/// Implements the tiers that decide by the signs of rounded values.
-macro_rules! solve_robustly {
-    ($Tier:ident) => {
-        impl<S: Scalar> Solve<S> for $Tier {
-            #[inline(always)]
-            fn fast<G: Geometry<S>>(
-                geometry: &G,
-                place: &impl Place<S>,
-                ray: &Ray<S>,
-                since: Option<S>,
-            ) -> Attempt<Intersection<S>> {
-                fast::<S, $Tier, G, _>(geometry, place, ray, since)
-            }
-            #[inline(always)]
-            fn fast_ahead<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<()> {
-                fast_ahead::<S, $Tier, G, _>(geometry, place, ray)
-            }
-            // Not inlined, so that programs that list hits and search nearest hits have it once.
-            #[inline(never)]
-            fn climb<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Intersection<S> {
-                let found = match rare::<S, $Tier, G>(geometry, place, ray) {
-                    Attempt::Unsure => second_attempt::<S, $Tier, G, _>(geometry, place, ray),
-                    found => found,
-                };
-                match found {
-                    Attempt::Hit(intersection) => intersection,
-                    Attempt::Miss => Intersection::Miss,
-                    // The robust number knows every sign, so that there is always a result.
-                    Attempt::Unsure => {
-                        climb::<S, S::Robust, G>(&geometry.equations(), place, ray).unwrap_or(Intersection::Miss)
-                    }
-                }
-            }
-            fn contains<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, point: Vec3<S>) -> bool {
-                holds::<S, S::Robust, G>(&geometry.equations(), place, point).unwrap_or(false)
-            }
-        }
-    };
+/// A way to compute where a ray meets a geometry.
+pub trait Method<S: Scalar> {
+    /// The intersection of a ray without departure, compiled into the query. If `since` is given, only the first end at or after it is needed.
+    fn nearest<G: Geometry<S>, P: Place<S>>(
+        geometry: &G,
+        place: &P,
+        ray: &Ray<S>,
+        since: Option<S>,
+    ) -> Attempt<Intersection<S>>;
+    /// The intersection of any ray: a call of a function that all placements share.
+    fn all<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<Intersection<S>>;
 }
-solve_robustly!(Fast);
-solve_robustly!(Stable);
 
-/// The intersection, computed in numbers of the type `N`; `None` if they do not know a sign.
-#[inline]
-fn climb<S: Scalar, N: Of<S>, G: Described>(
-    equations: &Equations<S>,
-    place: &impl Place<S>,
-    ray: &Ray<S>,
-) -> Option<Intersection<S>> {
-    debug_assert!(G::EQUATIONS.has(equations.kind()));
-    let departure = ray.departure().map(|departure| (departure.part, departure.leaving));
-    if solve::meets_nothing(equations, departure) {
-        return Some(Intersection::Miss);
+/// A list of methods.
+pub trait Methods<S: Scalar> {
+    /// The first of them.
+    type First: Method<S>;
+    /// The others, in turn.
+    fn others<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<Intersection<S>>;
+}
+
+impl<S: Scalar, A: Method<S>> Methods<S> for (A,) {
+    type First = A;
+
+    #[inline(always)]
+    fn others<G: Geometry<S>, P: Place<S>>(_: &G, _: &P, _: &Ray<S>) -> Attempt<Intersection<S>> {
+        Err(Stop::Unsure)
     }
-    solve::intersect::<S, N, G>(equations, &line::<S, N, G>(equations, place, ray), ray.range())
+}
+
+impl<S: Scalar, A: Method<S>, B: Method<S>> Methods<S> for (A, B) {
+    type First = A;
+
+    #[inline(always)]
+    fn others<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<Intersection<S>> {
+        whole(B::all(geometry, place, ray))
+    }
+}
+
+impl<S: Scalar, A: Method<S>, B: Method<S>, C: Method<S>> Methods<S> for (A, B, C) {
+    type First = A;
+
+    #[inline(always)]
+    fn others<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<Intersection<S>> {
+        match whole(B::all(geometry, place, ray)) {
+            Err(Stop::Unsure) => <(B, C)>::others(geometry, place, ray),
+            found => found,
+        }
+    }
+}
+
+/// The intersection, if it is more than an entry.
+#[inline(always)]
+pub(super) fn whole<S>(found: Attempt<Intersection<S>>) -> Attempt<Intersection<S>> {
+    if let Ok(Intersection::Entered(_)) = found { Err(Stop::Unsure) } else { found }
+}
+
+/// The lists of the tiers that every number type has, for floats or for fixed point.
+pub trait Tiers<S: Scalar> {
+    /// The number in which [`Plain`](crate::tier::Plain) decides whether a point is inside.
+    type PlainNumber: Of<S>;
+    /// Of [`Plain`](crate::tier::Plain).
+    type Plain: Methods<S>;
+    /// Of [`Fast`](crate::tier::Fast).
+    type Fast: Methods<S>;
+    /// Of [`Stable`](crate::tier::Stable).
+    type Stable: Methods<S>;
+}
+
+/// The tiers of floats.
+#[derive(Clone, Copy, Debug)]
+pub struct Floats;
+
+impl<S: Scalar + RealOf<S>> Tiers<S> for Floats {
+    type PlainNumber = PlainNumber<S>;
+    type Plain = (In<PlainNumber<S>>,);
+    type Fast = (In<Guarded<S>>, In<S::Robust>);
+    type Stable = (InBounds<S>, In<Doubled<S>>, In<S::Robust>);
+}
+
+/// In numbers of the type `N`.
+#[derive(Clone, Copy, Debug)]
+pub struct In<N>(PhantomData<N>);
+
+impl<S: Scalar, N: Localize<S>> Method<S> for In<N> {
+    #[inline(always)]
+    fn nearest<G: Geometry<S>, P: Place<S>>(
+        geometry: &G,
+        place: &P,
+        ray: &Ray<S>,
+        since: Option<S>,
+    ) -> Attempt<Intersection<S>> {
+        let local = N::local_ray(place, ray, G::NEEDS, None, || geometry.bounding_radius());
+        geometry.intersect(&local, Goal { range: ray.range(), since })
+    }
+    #[inline(always)]
+    fn all<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<Intersection<S>> {
+        let departure = ray.departure().map(|departure| (departure.part, departure.leaving));
+        let local = N::local_ray(place, ray, G::NEEDS, departure, || geometry.bounding_radius());
+        intersect(geometry, &local, Goal { range: ray.range(), since: None })
+    }
+}
+
+/// The intersection as a function of its own, one for all placements.
+#[inline(never)]
+fn intersect<S: Scalar, N: Of<S>, G: Geometry<S>>(
+    geometry: &G,
+    ray: &LocalRay<N>,
+    goal: Goal<S>,
+) -> Attempt<Intersection<S>> {
+    geometry.intersect(ray, goal)
+}
+
+/// In values with a bound of their errors: a constant one where the formulas are short, otherwise a running one.
+#[derive(Clone, Copy, Debug)]
+pub struct InBounds<R>(PhantomData<R>);
+
+impl<S: Scalar + RealOf<S>> Method<S> for InBounds<S> {
+    #[inline(always)]
+    fn nearest<G: Geometry<S>, P: Place<S>>(
+        geometry: &G,
+        place: &P,
+        ray: &Ray<S>,
+        since: Option<S>,
+    ) -> Attempt<Intersection<S>> {
+        if G::HAS_CONSTANT_BOUNDS && !P::STRETCHES {
+            In::<Certified<S>>::nearest(geometry, place, ray, since)
+        } else {
+            In::<Running<S>>::nearest(geometry, place, ray, since)
+        }
+    }
+    #[inline(always)]
+    fn all<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<Intersection<S>> {
+        if G::HAS_CONSTANT_BOUNDS && !P::STRETCHES && ray.departure().is_none() {
+            In::<Certified<S>>::all(geometry, place, ray)
+        } else {
+            In::<Running<S>>::all(geometry, place, ray)
+        }
+    }
+}
+
+/// A tier as a list of methods.
+pub trait Listed<S: Scalar> {
+    /// The list.
+    type Methods: Methods<S>;
+    /// The number that decides whether a point is inside.
+    type Point: Of<S>;
+    /// True if the ends of a range are compared with exact roots.
+    const EXACT_ENDS: bool = false;
+    /// The inside test; the number of [`Listed::Point`] decides it.
+    fn contains<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, point: Vec3<S>) -> bool {
+        holds::<S, Self::Point, G>(&geometry.equations(), place, point).unwrap_or(false)
+    }
+    /// [`Solve::ahead`].
+    #[inline(always)]
+    fn ahead<G: Geometry<S>, P: Place<S>>(_: &G, _: &P, _: &Ray<S>) -> Attempt<()> {
+        Err(Stop::Unsure)
+    }
+}
+
+impl<S: Scalar> Listed<S> for Plain {
+    type Methods = <S::Tiers as Tiers<S>>::Plain;
+    type Point = <S::Tiers as Tiers<S>>::PlainNumber;
+
+    #[inline(always)]
+    fn ahead<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<()> {
+        grid::ahead::<S, Fast, G, P>(geometry, place, ray)
+    }
+}
+
+impl<S: Scalar> Listed<S> for Fast {
+    type Methods = <S::Tiers as Tiers<S>>::Fast;
+    type Point = S::Robust;
+
+    #[inline(always)]
+    fn ahead<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<()> {
+        grid::ahead::<S, Fast, G, P>(geometry, place, ray)
+    }
+}
+
+impl<S: Scalar> Listed<S> for Stable {
+    type Methods = <S::Tiers as Tiers<S>>::Stable;
+    type Point = S::Robust;
+
+    #[inline(always)]
+    fn ahead<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<()> {
+        grid::ahead::<S, Stable, G, P>(geometry, place, ray)
+    }
+}
+
+impl<S: Scalar, T: Listed<S>> Solve<S> for T {
+    const EXACT_ENDS: bool = <T as Listed<S>>::EXACT_ENDS;
+
+    #[inline(always)]
+    fn first<G: Geometry<S>, P: Place<S>>(
+        geometry: &G,
+        place: &P,
+        ray: &Ray<S>,
+        since: Option<S>,
+    ) -> Attempt<Intersection<S>> {
+        <T::Methods as Methods<S>>::First::nearest(geometry, place, ray, since)
+    }
+    #[inline(always)]
+    fn all_by_first<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<Intersection<S>> {
+        <T::Methods as Methods<S>>::First::all(geometry, place, ray)
+    }
+    #[inline(always)]
+    fn others<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Intersection<S> {
+        <T::Methods as Methods<S>>::others(geometry, place, ray).unwrap_or(Intersection::Miss)
+    }
+    #[inline(always)]
+    fn ahead<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<()> {
+        <T as Listed<S>>::ahead(geometry, place, ray)
+    }
+    fn contains<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, point: Vec3<S>) -> bool {
+        <T as Listed<S>>::contains(geometry, place, point)
+    }
 }
 
 /// The ray's line in the primitive's frame.
@@ -103,275 +274,4 @@ fn holds<S: Scalar, N: Of<S>, G: Described>(
 #[inline(always)]
 pub(crate) const fn is_ball<S, G: Described>(equations: &Equations<S>) -> bool {
     G::EQUATIONS.has(EquationKinds::BALL) && matches!(equations, Equations::Ball { .. })
-}
-
-/// `Hit` for the most frequent rays, `Miss` for rays that are known to miss, and `Unsure` for the others, whose fast path is in [`rare`].
-#[inline(always)]
-fn is_frequent<S: Scalar, G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<()> {
-    if let Some(departure) = ray.departure() {
-        return if meets_nothing(geometry, departure) { Attempt::Miss } else { Attempt::Unsure };
-    }
-    if stretches_integers(place) {
-        return Attempt::Unsure;
-    }
-    if geometry.radius_about_axis().is_some_and(|r| place.passes_axis(ray, r)) {
-        return Attempt::Miss;
-    }
-    Attempt::Hit(())
-}
-
-/// The intersection by the fast path for the most frequent rays; [`rare`] has that of the others. If `since` is given, only the first end at or after
-/// it is needed.
-#[inline(always)]
-fn fast<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
-    geometry: &G,
-    place: &P,
-    ray: &Ray<S>,
-    since: Option<S>,
-) -> Attempt<Intersection<S>> {
-    found!(is_frequent(geometry, place, ray));
-    let Some(mut line) = geometry.fast_line(place, ray) else {
-        return if P::HAS_FAR_LINES { from_afar::<S, T, G>(geometry, place, ray, since) } else { Attempt::Unsure };
-    };
-    geometry.fit(&mut line);
-    (line.is_strict, line.is_doubled) = (T::STRICT, false);
-    // Only if the line's `t` is the ray's, but for its start.
-    line.since = since.filter(|_| !P::STRETCHES && (S::RELATIVE || line.start == S::ZERO));
-    in_own_t(place, &line, geometry.fast_intersection::<T>(&line))
-}
-
-/// The fast path of rays that depart inwards, and in fixed point of all with an affine placement. These are separate functions, so that the compiler
-/// knows after [`fast`] which kind of intersection there is.
-#[inline(always)]
-fn rare<S: Scalar, T: Guards, G: Geometry<S>>(
-    geometry: &G,
-    place: &impl Place<S>,
-    ray: &Ray<S>,
-) -> Attempt<Intersection<S>> {
-    if let Some(departure) = ray.departure() {
-        return inwards::<S, T, G>(geometry, place, ray, departure);
-    }
-    if stretches_integers(place) { whole(stretched::<S, T, G>(geometry, place, ray)) } else { Attempt::Unsure }
-}
-
-/// The fast path for all rays.
-#[inline(always)]
-fn fast_or_rare<S: Scalar, T: Guards, G: Geometry<S>>(
-    geometry: &G,
-    place: &impl Place<S>,
-    ray: &Ray<S>,
-) -> Attempt<Intersection<S>> {
-    match whole(fast::<S, T, G, _>(geometry, place, ray, None)) {
-        Attempt::Unsure => rare::<S, T, G>(geometry, place, ray),
-        found => found,
-    }
-}
-
-/// The intersection, if it is more than an entry.
-#[inline(always)]
-fn whole<S>(found: Attempt<Intersection<S>>) -> Attempt<Intersection<S>> {
-    if let Attempt::Hit(Intersection::Entered(_)) = found { Attempt::Unsure } else { found }
-}
-
-/// True for fixed point with an affine placement.
-#[inline(always)]
-const fn stretches_integers<S: Scalar, P: Place<S>>(_: &P) -> bool {
-    P::STRETCHES && !S::RELATIVE
-}
-
-/// The intersection by the fast path in fixed point with an affine placement.
-#[inline(never)]
-fn stretched<S: Scalar, T: Guards, G: Geometry<S>>(
-    geometry: &G,
-    place: &impl Place<S>,
-    ray: &Ray<S>,
-) -> Attempt<Intersection<S>> {
-    let Some(line) = place.finer_line(ray, geometry.lengths()) else { return Attempt::Unsure };
-    let intersection = found!(geometry.scaled(line.scale).fast_intersection::<T>(&line.line));
-    intersection.try_map(|t| S::fast_along_ray(&line, t)).map_or(Attempt::Unsure, Attempt::Hit)
-}
-
-/// The intersection by the fast path of a ray that starts far away. It is a function of its own so that the common case stays short.
-#[inline(never)]
-fn from_afar<S: Scalar, T: Guards, G: Geometry<S>>(
-    geometry: &G,
-    place: &impl Place<S>,
-    ray: &Ray<S>,
-    since: Option<S>,
-) -> Attempt<Intersection<S>> {
-    let Some(mut line) = geometry.far_line(place, ray) else { return Attempt::Unsure };
-    (line.is_strict, line.is_doubled, line.since) = (T::STRICT, false, since);
-    in_own_t(place, &line, geometry.fast_intersection::<T>(&line))
-}
-
-/// The guards of the second attempt of fixed point. Formulas without guards assume directions of length 1; those of a narrower type have it only to
-/// their own last bits.
-struct Widely;
-
-impl Guards for Widely {
-    const GUARDED: bool = true;
-}
-
-/// The second attempt of fixed point: the fast path of [`Scalar::Wider`]. It has room for all lengths of this type, in finer units. The ends are
-/// rounded to this type.
-#[cold]
-#[inline(never)]
-fn in_wider<S: Scalar, G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<Intersection<S>> {
-    let intersection =
-        found!(fast_or_rare::<S::Wider, Widely, _>(&geometry.in_type(), &place.in_type(), &ray.in_type()));
-    // An exit must be ahead of the surface that the ray departs from; for an exit next to that surface rounding would decide this.
-    let departs = ray.departure().is_some();
-    let narrowed = |t: S::Wider| {
-        let t = S::narrowed(t);
-        (!departs || t != S::ZERO).then_some(t)
-    };
-    intersection.try_map(narrowed).map_or(Attempt::Unsure, Attempt::Hit)
-}
-
-/// The second attempt of fixed point, see [`in_wider`]; the second attempt of floats, along a more accurate line, and their third, along the same
-/// line in double-word numbers.
-#[inline(always)]
-fn second_attempt<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
-    geometry: &G,
-    place: &P,
-    ray: &Ray<S>,
-) -> Attempt<Intersection<S>> {
-    if !S::RELATIVE {
-        return if S::WIDENS { in_wider(geometry, place, ray) } else { Attempt::Unsure };
-    }
-    let second = geometry.second_line(place, ray);
-    // In world coordinates a line that starts near the primitive is exact without a transformation.
-    let exact = || geometry.fast_line(place, ray).filter(|line| !line.is_rounded);
-    let is_new = second.is_some();
-    let Some(mut line) = second.or_else(exact) else { return Attempt::Unsure };
-    // The direction of a stretched line may have any length; the plain formulas for spheres need length 1.
-    line.is_doubled = !is_new || P::STRETCHES || ray.departure().is_some();
-    loop {
-        let along = again::<S, T, G>(geometry, ray, &line);
-        let found = whole(in_own_t(place, &line, along));
-        if found != Attempt::Unsure {
-            return found;
-        }
-        // Close to the ray's start the rounding error of the sum of a `t` and the line's start would be too large.
-        if line.is_doubled || whole(along) != Attempt::Unsure {
-            if line.start == S::ZERO {
-                return Attempt::Unsure;
-            }
-            line = S::fast_moved_back(&line);
-        }
-        line.is_doubled = true;
-    }
-}
-
-/// The intersection along a line of the second or third attempt: one function for both, which are rare.
-#[inline(never)]
-fn again<S: Scalar, T: Guards, G: Geometry<S>>(
-    geometry: &G,
-    ray: &Ray<S>,
-    line: &LocalLine<S>,
-) -> Attempt<Intersection<S>> {
-    match ray.departure() {
-        Some(departure) => exit_along::<S, T, G>(geometry, line, departure),
-        None => geometry.fast_intersection::<T>(line),
-    }
-}
-
-/// True if a ray that departs like this cannot meet the geometry again.
-#[inline(always)]
-fn meets_nothing<S: Scalar, G: Geometry<S>>(geometry: &G, departure: Departure) -> bool {
-    solve::meets_nothing(&geometry.equations(), Some((departure.part, departure.leaving)))
-}
-
-/// The exit of a ray that departs inwards. It is a function of its own so that the common case stays short.
-#[inline(never)]
-fn inwards<S: Scalar, T: Guards, G: Geometry<S>>(
-    geometry: &G,
-    place: &impl Place<S>,
-    ray: &Ray<S>,
-    departure: Departure,
-) -> Attempt<Intersection<S>> {
-    let exit = |geometry: &G, line: &LocalLine<S>| exit_along::<S, T, G>(geometry, line, departure);
-    if stretches_integers(place) {
-        let Some(line) = place.finer_line(ray, geometry.lengths()) else { return Attempt::Unsure };
-        let intersection = found!(exit(&geometry.scaled(line.scale), &line.line));
-        return intersection.try_map(|t| S::fast_along_ray(&line, t)).map_or(Attempt::Unsure, Attempt::Hit);
-    }
-    let Some(mut line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
-    geometry.fit(&mut line);
-    (line.is_strict, line.is_doubled) = (T::STRICT, false);
-    in_own_t(place, &line, exit(geometry, &line))
-}
-
-/// The intersection of a line that departs inwards. A line that starts on the surface of a solid cannot miss it, whatever its
-/// rounded coordinates.
-#[inline(always)]
-fn exit_along<S: Scalar, T: Guards, G: Geometry<S>>(
-    geometry: &G,
-    line: &LocalLine<S>,
-    departure: Departure,
-) -> Attempt<Intersection<S>> {
-    if departure.leaving != Leaving::Inwards {
-        return Attempt::Unsure;
-    }
-    match geometry.fast_exit::<T>(line, departure.part) {
-        Attempt::Hit(exit) if exit.t.plus(line.start) > S::ZERO => {
-            Attempt::Hit(Intersection::One(Span::new(End::none(-S::INFINITY), exit)))
-        }
-        _ => Attempt::Unsure,
-    }
-}
-
-/// An intersection along a local line, with its `t` converted to the ray's.
-#[inline(always)]
-fn in_own_t<S: Scalar, P: Place<S>>(
-    _: &P,
-    line: &LocalLine<S>,
-    found: Attempt<Intersection<S>>,
-) -> Attempt<Intersection<S>> {
-    if line.is_coarse && !matches!(found, Attempt::Miss) {
-        return Attempt::Unsure;
-    }
-    if !P::STRETCHES && line.start == S::ZERO {
-        return found;
-    }
-    let found = if line.start == S::ZERO { found } else { from_start(found!(found), line.start, line.is_strict) };
-    if P::STRETCHES {
-        let inverse_length = line.inverse_length.real();
-        return Attempt::Hit(found!(found).map(|t| S::round(t.real() * inverse_length)));
-    }
-    found
-}
-
-/// An intersection along a line whose origin was moved to `start`, with `start` added to its `t`; the entry alone if only the exit is inaccurate.
-#[inline(never)]
-fn from_start<S: Scalar>(intersection: Intersection<S>, start: S, is_strict: bool) -> Attempt<Intersection<S>> {
-    let whole = |t: S| {
-        if !t.is_finite() {
-            return Some(t);
-        }
-        let whole = t.plus(start);
-        // Close to the ray's start the rounding error of a float's sum would be large relative to the result.
-        let is_precise = if S::RELATIVE {
-            whole.magnitude().plus(whole.magnitude()) >= start.magnitude()
-        } else {
-            // The rounding may have moved it beyond the type.
-            whole.is_finite() || !is_strict
-        };
-        is_precise.then_some(whole)
-    };
-    let entered = || intersection.entered()?.try_map(whole);
-    intersection.try_map(whole).or_else(entered).map_or(Attempt::Unsure, Attempt::Hit)
-}
-
-/// The occlusion test by the fast path.
-#[inline(always)]
-fn fast_ahead<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<()> {
-    found!(is_frequent(geometry, place, ray));
-    let Some(mut line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
-    geometry.fit(&mut line);
-    line.since = (!P::STRETCHES && (S::RELATIVE || line.start == S::ZERO)).then_some(S::ZERO);
-    if line.start == S::ZERO && !line.is_coarse {
-        return geometry.fast_occlusion::<T>(&line);
-    }
-    found!(in_own_t(place, &line, geometry.fast_intersection::<T>(&line))).occlusion()
 }

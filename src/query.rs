@@ -5,96 +5,132 @@ use crate::hit::{Crossing, Hit, Hits};
 use crate::intersection::Intersection;
 use crate::line::Place;
 use crate::ray::{Range, Ray};
-use crate::scalar::{Attempt, Scalar, largest};
+use crate::scalar::{Scalar, largest};
+use crate::solve::{self, Attempt, Stop};
 use crate::vector::Vec3;
 
 /// The steps of a query in a tier.
 pub trait Solve<S: Scalar> {
     /// True if the ends of a range are compared with exact roots, and not with the rounded `t` of hits.
     const EXACT_ENDS: bool = false;
-    /// False if the fast path gives no entry without its exit.
-    const GIVES_ENTRIES: bool = true;
 
-    /// The intersection by the fast path. If `since` is given, only the first end at or after it is needed: see
-    /// [`LocalLine::since`](crate::scalar::LocalLine).
-    fn fast<G: Geometry<S>>(
+    /// The intersection of a ray without departure by the first method of the tier. If `since` is given, only the first end at or after it is needed.
+    fn first<G: Geometry<S>, P: Place<S>>(
         geometry: &G,
-        place: &impl Place<S>,
+        place: &P,
         ray: &Ray<S>,
         since: Option<S>,
     ) -> Attempt<Intersection<S>>;
-    /// Occlusion of the half-line `t >= 0` by the fast path; agrees with [`Solve::fast`].
-    fn fast_ahead<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Attempt<()>;
-    /// The intersection by the solver, in wider numbers.
-    fn climb<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Intersection<S>;
+    /// The intersection of any ray by the first method.
+    fn all_by_first<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<Intersection<S>>;
+    /// The intersection by the other methods.
+    fn others<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Intersection<S>;
     /// True if the point belongs to the geometry.
-    fn contains<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, point: Vec3<S>) -> bool;
+    fn contains<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, point: Vec3<S>) -> bool;
 
     /// All hits.
     #[inline]
-    fn hits<G: Geometry<S>>(geometry: &G, place: &impl Place<S>, ray: &Ray<S>) -> Hits<S> {
-        let whole = || Self::climb(geometry, place, ray);
-        match Self::fast(geometry, place, ray, None) {
-            Attempt::Miss => Hits::none(),
-            Attempt::Unsure => apart(|| whole().hits(ray.range())),
-            // The list begins with the nearest hit, for which the fast path needs only the entry.
-            Attempt::Hit(Intersection::Entered(enter)) if Self::GIVES_ENTRIES => {
-                apart(|| whole().entered_at(enter).hits(ray.range()))
+    fn hits<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Hits<S> {
+        if misses_by_departure(geometry, ray) {
+            return Hits::none();
+        }
+        match Self::all_by_first(geometry, place, ray) {
+            Err(Stop::Miss) => Hits::none(),
+            Err(Stop::Unsure) => others::<S, Self, G, P>(geometry, place, ray).hits(ray.range()),
+            // The list begins with the nearest hit, which needs only the entry.
+            Ok(Intersection::Entered(enter)) => {
+                others::<S, Self, G, P>(geometry, place, ray).entered_at(enter).hits(ray.range())
             }
-            Attempt::Hit(intersection) => intersection.hits(ray.range()),
+            Ok(intersection) => intersection.hits(ray.range()),
         }
     }
 
-    /// The first hit that `accept` accepts. `short` is the same geometry, possibly in another type, in which the fast path is computed.
-    #[inline]
-    fn nearest<F: Geometry<S>, G: Geometry<S>>(
-        short: &F,
+    /// The first hit that `accept` accepts.
+    #[inline(always)]
+    fn nearest<G: Geometry<S>, P: Place<S>>(
         geometry: &G,
-        place: &impl Place<S>,
+        place: &P,
         ray: &Ray<S>,
         accept: impl Fn(Crossing) -> bool,
     ) -> Option<Hit<S>> {
+        let range = ray.range();
         // If the entry is accepted, later ends are not needed.
-        let since = accept(Crossing::Enter).then(|| ray.range().start());
-        let (range, whole) = (ray.range(), || Self::climb(geometry, place, ray));
-        match Self::fast(short, place, ray, since) {
-            Attempt::Miss => None,
-            Attempt::Unsure => apart(|| whole().nearest(range, accept)),
-            Attempt::Hit(Intersection::Entered(enter))
-                if Self::GIVES_ENTRIES && !(range.contains(enter.t) && accept(Crossing::Enter)) =>
-            {
+        let since = accept(Crossing::Enter).then(|| range.start());
+        if ray.departure().is_some() {
+            return departing::<S, Self, G, P>(geometry, place, ray).nearest(range, accept);
+        }
+        match Self::first(geometry, place, ray, since) {
+            Err(Stop::Miss) => None,
+            Err(Stop::Unsure) => others::<S, Self, G, P>(geometry, place, ray).nearest(range, accept),
+            Ok(Intersection::Entered(enter)) if !(range.contains(enter.t) && accept(Crossing::Enter)) => {
                 // If the range ends before the entry, it holds no exit either. The entry stays as it is, so that the hit is one of [`Solve::hits`].
-                apart(|| if enter.t > range.end() { None } else { whole().entered_at(enter).nearest(range, accept) })
+                if enter.t > range.end() {
+                    return None;
+                }
+                others::<S, Self, G, P>(geometry, place, ray).entered_at(enter).nearest(range, accept)
             }
-            Attempt::Hit(intersection) => intersection.nearest(range, accept),
+            Ok(intersection) => intersection.nearest(range, accept),
         }
     }
 
-    /// True if there is a hit that `accept` accepts. `short` is that of [`Solve::nearest`].
-    #[inline]
-    fn occludes<F: Geometry<S>, G: Geometry<S>>(
-        short: &F,
+    /// True if there is a hit that `accept` accepts.
+    #[inline(always)]
+    fn occludes<G: Geometry<S>, P: Place<S>>(
         geometry: &G,
-        place: &impl Place<S>,
+        place: &P,
         ray: &Ray<S>,
         accept: impl Fn(Crossing) -> bool,
     ) -> bool {
-        if ray.range() == Range::FORWARD && accept(Crossing::Enter) && accept(Crossing::Exit) {
-            match Self::fast_ahead(short, place, ray) {
-                Attempt::Miss => return false,
-                Attempt::Hit(()) => return true,
-                Attempt::Unsure => {}
+        if !S::RELATIVE && ray.range() == Range::FORWARD && accept(Crossing::Enter) && accept(Crossing::Exit) {
+            match Self::ahead(geometry, place, ray) {
+                Err(Stop::Miss) => return false,
+                Ok(()) => return true,
+                Err(Stop::Unsure) => {}
             }
         }
-        apart(|| Self::nearest(geometry, geometry, place, ray, accept).is_some())
+        Self::nearest(geometry, place, ray, accept).is_some()
+    }
+
+    /// Occlusion of the half-line `t >= 0`, from the signs of the equations alone.
+    #[inline(always)]
+    fn ahead<G: Geometry<S>, P: Place<S>>(_: &G, _: &P, _: &Ray<S>) -> Attempt<()> {
+        Err(Stop::Unsure)
     }
 }
 
-/// In a separate function, so that the code of the fast path stays small.
+/// True if rule 8 of the contract decides that a ray that departs cannot meet the geometry again.
+#[inline(always)]
+fn misses_by_departure<S: Scalar, G: Geometry<S>>(geometry: &G, ray: &Ray<S>) -> bool {
+    let departure = ray.departure().map(|departure| (departure.part, departure.leaving));
+    solve::meets_nothing(&geometry.equations(), departure)
+}
+
+/// The intersection of a ray that departs.
+#[inline(never)]
+fn departing<S: Scalar, T: Solve<S> + ?Sized, G: Geometry<S>, P: Place<S>>(
+    geometry: &G,
+    place: &P,
+    ray: &Ray<S>,
+) -> Intersection<S> {
+    if misses_by_departure(geometry, ray) {
+        return Intersection::Miss;
+    }
+    match T::all_by_first(geometry, place, ray) {
+        Ok(Intersection::Entered(_)) | Err(Stop::Unsure) => T::others(geometry, place, ray),
+        Ok(intersection) => intersection,
+        Err(Stop::Miss) => Intersection::Miss,
+    }
+}
+
+/// [`Solve::others`], in a function of its own, so that the code of the first method stays small.
 #[cold]
 #[inline(never)]
-fn apart<A>(work: impl FnOnce() -> A) -> A {
-    work()
+fn others<S: Scalar, T: Solve<S> + ?Sized, G: Geometry<S>, P: Place<S>>(
+    geometry: &G,
+    place: &P,
+    ray: &Ray<S>,
+) -> Intersection<S> {
+    T::others(geometry, place, ray)
 }
 
 /// The geometry and a point of its frame, both scaled by a power of two so that the larger of them is near 1 and no square overflows; and

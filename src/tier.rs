@@ -30,7 +30,20 @@ mod sealed {
 /// An accuracy tier for a number type. Sealed.
 pub trait Tier<S: Scalar>: Copy + sealed::Sealed + Solve<S> + 'static {}
 
-/// The cheapest tier.
+/// The cheapest tier: the equations in the type's own plain numbers, without guards.
+///
+/// No wider number is linked, so that its programs are the smallest. For floats these numbers are the floats themselves; fixed point computes on
+/// its grid of integers, and in block-floating integers of twice the width where that has no room.
+///
+/// No hit is lost or invented if the chord is at least a hundredth of the solid's size and the ray starts within 10 sizes, except within 16 units in
+/// the last place of a rim, or of a start on the surface.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Plain;
+
+impl sealed::Sealed for Plain {}
+impl<S: Scalar> Tier<S> for Plain {}
+
+/// The cheap tier.
 ///
 /// It computes in the scalar's own width (in fixed point with lengths on a common grid of 28 to 30 bits, or of 56 to 60 bits for 64-bit types).
 /// The discriminant of a sphere comes from the point of closest approach, that of other solids from the line's Pluecker moment `o x d`; both are more

@@ -141,6 +141,12 @@ impl<W: Word> Ring for Bounded<W> {
 
 impl<W: Word> Number for Bounded<W> {
     type Estimate = Self;
+    const DECIDES_BY_SIGNS: bool = true;
+
+    #[inline(always)]
+    fn apart<A>(work: impl FnOnce() -> A) -> A {
+        super::in_a_function(work)
+    }
 
     #[inline]
     fn sign(self) -> Option<Ordering> {
@@ -158,6 +164,8 @@ impl<W: Word> Number for Bounded<W> {
 }
 
 impl<W: Word> Estimate for Bounded<W> {
+    const INFINITY: Self = Self::exact(Limbs::INFINITY);
+
     #[inline]
     fn over(self, other: Self) -> Self {
         let value = self.value.quotient(&other.value);

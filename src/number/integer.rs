@@ -181,6 +181,12 @@ impl<const N: usize> Ring for Integer<N> {
 
 impl<const N: usize> Number for Integer<N> {
     type Estimate = Bounded<u128>;
+    const DECIDES_BY_SIGNS: bool = true;
+
+    #[inline(always)]
+    fn apart<A>(work: impl FnOnce() -> A) -> A {
+        super::in_a_function(work)
+    }
 
     fn sign(self) -> Option<Ordering> {
         Some(match (self.length, self.negative) {

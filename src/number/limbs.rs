@@ -20,6 +20,9 @@ pub struct Limbs<W> {
 /// The exponent of zero: below that of any number of the solvers, and far from the limit of its type.
 pub(super) const ZERO_EXPONENT: i32 = -(1 << 28);
 
+/// The exponent of infinity: above that of any number of the solvers.
+pub(super) const INFINITE_EXPONENT: i32 = 1 << 27;
+
 /// Bits above a product in a sum, so that a sum of four products does not reach the sign.
 const HEADROOM: u32 = 3;
 

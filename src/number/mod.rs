@@ -5,13 +5,16 @@
 //!
 //! | number | sign | used by |
 //! |---|---|---|
-//! | [`Twofold`](crate::scalar::Twofold) | not used | points and normals, where it is accurate enough |
-//! | [`Robust`] | that of the rounded value | `Fast` and `Stable`, where their fast path is unsure |
-//! | [`Filtered`] | unknown if a value is small relative to its terms | `Exact` |
-//! | [`Bounded`] | unknown if the value is within its error bound of zero | `Exact`, where a sign is unknown in [`Filtered`] |
+//! | [`Plain`] | that of the rounded value | `Plain` |
+//! | [`Guarded`] | the same, unknown where much of a difference cancels | `Fast` |
+//! | [`Certified`](crate::number::Certified) | the same, and an end next to the start is unknown | `Stable`, for spheres and triangles |
+//! | [`Running`] | unknown if the value is within its error bound of zero | `Stable`, and in doubles `Exact` |
+//! | [`Doubled`] | the same, in a float's twice as many digits | `Stable`, where [`Running`] is unsure |
+//! | [`Robust`] | that of the rounded value | `Fast` and `Stable`, where the numbers before are unsure |
+//! | [`Filtered`] | unknown if a value is small relative to its terms | `Exact`, for spheres and flat primitives |
+//! | [`Bounded`] | unknown if the value is within its error bound of zero | `Exact`, where a sign is unknown in the numbers before |
 //! | [`Integer`] | always certain | `Exact`, where a sign is unknown in [`Bounded`] |
-//!
-//! Before that all tiers take a fast path in the number type's own width, which does not use these numbers.
+//! | [`Twofold`](crate::scalar::Twofold) | not used | points and normals |
 
 /// The operators of a number with the methods `plus`, `negative` and `times`.
 macro_rules! operators {
@@ -49,25 +52,33 @@ macro_rules! operators {
 pub(crate) use operators;
 
 mod bounded;
+mod doubled;
 #[cfg(feature = "libm")]
 mod filtered;
+mod guarded;
 mod integer;
 mod limbs;
 pub(crate) mod machine;
+mod plain;
 mod robust;
+mod running;
 #[cfg(test)]
 mod tests;
 pub(crate) mod word;
 
 pub use bounded::Bounded;
+pub use doubled::Doubled;
 #[cfg(feature = "libm")]
-pub use filtered::{Filtered, Rounded};
+pub use filtered::Filtered;
+pub use guarded::{Certified, Guarded};
 #[cfg(feature = "fixed")]
 pub(crate) use integer::FIXED_LIMBS;
 pub(crate) use integer::FLOAT_LIMBS;
 pub use integer::Integer;
 pub use limbs::Limbs;
+pub use plain::Plain;
 pub use robust::Robust;
+pub use running::Running;
 
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
@@ -96,23 +107,91 @@ pub trait Ring: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Se
 pub trait Number: Ring {
     /// The type of approximate quotients and square roots.
     type Estimate: Estimate;
+    /// True if an operation is a function call. Code in such numbers is not inlined, since it is called in several places and runs seldom.
+    const IS_WIDE: bool = true;
+    /// True if signs of polynomials may decide an order that [`Estimate::compare`] does not know.
+    const DECIDES_BY_SIGNS: bool = false;
+    /// How the square of the distance by which a line's origin was moved counts among the terms of a difference of squares: as `2^MOVED` of itself.
+    const MOVED: i32 = 0;
+    /// True if a triangle is computed from a point of the line next to its first vertex, for a more accurate `t`. (If it is not, triangles that share an
+    /// edge compute the same number for it.)
+    const STARTS_AT_VERTEX: bool = false;
 
     /// How it compares with zero; `None` if that is unknown.
     fn sign(self) -> Option<Ordering>;
+    /// [`Number::sign`] of a difference whose terms have the sum of magnitudes `terms`: a [`Guarded`] number knows it only if little cancels.
+    #[inline(always)]
+    fn sign_among(self, _of: Difference, _terms: impl FnOnce() -> Self) -> Option<Ordering> {
+        self.sign()
+    }
+    /// True if an end at `t` is accurate: if that times `slope` is not small relative to the terms of the sums that it was computed from. A
+    /// [`Certified`] number needs this test.
+    #[inline(always)]
+    fn is_far(_t: Self::Estimate, _slope: Self::Estimate, _terms: impl FnOnce() -> Self) -> bool {
+        true
+    }
     /// The number rounded to [`Number::Estimate`].
     fn estimate(self) -> Self::Estimate;
+    /// `self / other` as such a number, if it may be rounded.
+    #[inline(always)]
+    fn rounded_quotient(self, _other: Self) -> Option<Self> {
+        None
+    }
+    /// True if its square is less than a rounding of 1, for a number of at most 2^-19; numbers that promise no accuracy need not know.
+    #[inline(always)]
+    fn is_negligible_squared(self) -> bool {
+        true
+    }
+    /// The magnitude; only [`Certified`] numbers need it.
+    #[inline(always)]
+    fn magnitude(self) -> Self {
+        self
+    }
+    /// The rounded value, taken to be exact.
+    #[inline(always)]
+    fn without_error(self) -> Self {
+        self
+    }
+    /// `work()`: a function of its own in wide numbers, so that it is not copied into each place that needs it.
+    fn apart<A>(work: impl FnOnce() -> A) -> A;
+}
+
+/// What a difference consists of, for [`Number::sign_among`].
+#[derive(Clone, Copy, Debug)]
+pub enum Difference {
+    /// A discriminant, whose root is taken.
+    OfSquares,
+    /// The signed volume that a line spans with an edge.
+    OfVolumes,
+}
+
+/// [`Number::apart`] of wide numbers.
+#[inline(never)]
+fn in_a_function<A>(work: impl FnOnce() -> A) -> A {
+    work()
 }
 
 /// A number of limited precision.
 pub trait Estimate: Number<Estimate = Self> {
+    /// Above every number of a solver: the parameter of a missing end.
+    const INFINITY: Self;
+
     /// `self / other`; `other` must not be zero.
     fn over(self, other: Self) -> Self;
     /// The square root of a number that is not negative.
     fn square_root(self) -> Self;
     /// How it compares with another; `None` if that is unknown.
     fn compare(self, other: Self) -> Option<Ordering>;
+    /// True if its rounded magnitude times `2^e` is at most the other rounded number.
+    #[inline(always)]
+    fn is_within(self, _other: Self, _e: i32) -> bool {
+        false
+    }
     /// The exponent of the smallest power of two above the magnitude; `None` for zero.
-    fn top(self) -> Option<i32>;
+    #[inline(always)]
+    fn top(self) -> Option<i32> {
+        None
+    }
 }
 
 /// The parts of a stored number: `(-1)^negative * mantissa * 2^exponent`.

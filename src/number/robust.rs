@@ -1,6 +1,6 @@
 //! The robust number: it has so many bits that the sign of the rounded value is used as the sign.
 
-use super::limbs::ZERO_EXPONENT;
+use super::limbs::{INFINITE_EXPONENT, ZERO_EXPONENT};
 use super::word::Word;
 use super::{Estimate, Limbs, Number, Parts, Ring};
 use core::cmp::Ordering;
@@ -48,6 +48,11 @@ impl<W: Word> Number for Limbs<W> {
     type Estimate = Self;
 
     #[inline(always)]
+    fn apart<A>(work: impl FnOnce() -> A) -> A {
+        super::in_a_function(work)
+    }
+
+    #[inline(always)]
     fn sign(self) -> Option<Ordering> {
         Some(if self.is_zero() {
             Ordering::Equal
@@ -65,6 +70,8 @@ impl<W: Word> Number for Limbs<W> {
 }
 
 impl<W: Word> Estimate for Limbs<W> {
+    const INFINITY: Self = Self { mantissa: W::TOP, exponent: INFINITE_EXPONENT, negative: false };
+
     #[inline]
     fn over(self, other: Self) -> Self {
         self.quotient(&other)

@@ -7,6 +7,7 @@ use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
 use crate::scalar::{Attempt, InSide, Including, LocalLine, Real, Ring, Scalar, found};
+use crate::solve::{self, Goal, LocalRay, Of};
 use crate::vector::{UnitVec3, Vec3};
 use core::cmp::Ordering;
 
@@ -163,6 +164,11 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
             let is_guarded = T::GUARDED || tube[0] != tube[1];
             Attempt::Hit(found!(S::fast_ball(*line, self.radius, is_guarded, T::STRICT))[1])
         })
+    }
+
+    #[inline(always)]
+    fn intersect<N: Of<S>>(&self, ray: &LocalRay<N>, goal: Goal<S>) -> solve::Attempt<Intersection<S>> {
+        solve::capsule(ray, [self.radius, self.height], goal)
     }
 
     fn equations(&self) -> Equations<S> {

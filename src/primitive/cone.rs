@@ -8,10 +8,9 @@ use crate::equations::{self, Described, EquationKinds, Equations, Side};
 use crate::fast::{Guards, Slab, whole_side};
 use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
-use crate::line::Place;
 use crate::part::Part;
-use crate::ray::Ray;
 use crate::scalar::{Attempt, Including, LocalLine, NappeOutline, Real, Scalar, ValueError, found, largest};
+use crate::solve::{self, Goal, LocalRay, Of};
 use crate::vector::{UnitVec3, Vec3};
 
 /// The extent of a cone along its axis, and whether it is closed.
@@ -241,21 +240,11 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
     }
 
     #[inline(always)]
-    fn fast_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
-        place.fast_line_near(ray)
-    }
-
-    #[inline(always)]
     fn lengths(&self) -> S {
         match self.outline {
             Outline::Radii(base, top, height) => base.plus(top).plus(height),
             Outline::Slope(_) => self.height().unwrap_or(S::ZERO),
         }
-    }
-
-    #[inline(always)]
-    fn far_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
-        place.far_line(ray)
     }
 
     #[inline(always)]
@@ -301,8 +290,25 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         let slab = found!(self.fast_slab(line, height));
         // An end of the nappe that is not certain must be cut off by the slab. The error of an end that follows from the rounded coordinates of a
         // start on a cap may be some units larger than promised for floats.
-        let is_good = is_certain && (from == Part::Side || line.is_doubled || !S::RELATIVE);
+        let is_good = is_certain;
         if is_good || slab.span.exit.t < side.t { slab.exit(side, from) } else { Attempt::Unsure }
+    }
+
+    #[inline(always)]
+    fn intersect<N: Of<S>>(&self, ray: &LocalRay<N>, goal: Goal<S>) -> solve::Attempt<Intersection<S>> {
+        let extent = match self.extent {
+            Extent::Double | Extent::Nappe => solve::Extent::Infinite,
+            Extent::Open(height) => solve::Extent::Open(height),
+            Extent::Capped(_) => {
+                let (low, high) = self.planes();
+                solve::Extent::Capped(low, high)
+            }
+        };
+        match self.outline {
+            Outline::Slope(slope) if self.extent == Extent::Double => solve::double_cone(ray, slope, goal),
+            Outline::Slope(slope) => solve::cone(ray, slope, extent, goal),
+            Outline::Radii(base, top, height) => solve::frustum(ray, [base, top, height], extent, goal),
+        }
     }
 
     fn equations(&self) -> Equations<S> {

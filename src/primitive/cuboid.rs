@@ -7,6 +7,7 @@ use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
 use crate::part::{FACES, Part};
 use crate::scalar::{Attempt, InCuboid, Including, LocalLine, Scalar, UnitScalar, found};
+use crate::solve::{self, Goal, LocalRay, Of};
 use crate::vector::{UnitVec3, Vec3};
 
 /// A closed cuboid about the origin, given by its half extents along x, y and z.
@@ -115,6 +116,11 @@ impl<S: Scalar> Geometry<S> for Cuboid<S> {
         }
         let (t, axis) = found!(S::fast_exit_from_cuboid(line, self.half));
         Attempt::Hit(End::new(t, face(axis, line.direction, true)))
+    }
+
+    #[inline(always)]
+    fn intersect<N: Of<S>>(&self, ray: &LocalRay<N>, goal: Goal<S>) -> solve::Attempt<Intersection<S>> {
+        solve::cuboid(ray, self.half, goal)
     }
 
     fn equations(&self) -> Equations<S> {

@@ -8,6 +8,7 @@ use crate::geometry::Hull;
 use crate::intersection::{End, Intersection};
 use crate::part::Part;
 use crate::scalar::{Attempt, Including, LocalLine, Scalar, found};
+use crate::solve::{self, Goal, LocalRay, Of};
 use crate::vector::{UnitVec3, Vec3};
 
 /// The extent of a cylinder along its axis, and whether it is closed.
@@ -140,6 +141,16 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
             Extent::Open(_) => Attempt::Unsure,
             Extent::Capped(height) => found!(Slab::new(line, S::ZERO, height)).exit(side, from),
         }
+    }
+
+    #[inline(always)]
+    fn intersect<N: Of<S>>(&self, ray: &LocalRay<N>, goal: Goal<S>) -> solve::Attempt<Intersection<S>> {
+        let extent = match self.extent {
+            Extent::Infinite => solve::Extent::Infinite,
+            Extent::Open(height) => solve::Extent::Open(height),
+            Extent::Capped(height) => solve::Extent::Capped(Some(S::ZERO), Some(height)),
+        };
+        solve::tube(ray, self.radius, extent, goal)
     }
 
     fn equations(&self) -> Equations<S> {

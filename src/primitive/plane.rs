@@ -6,8 +6,10 @@ use crate::fast::Guards;
 use crate::fast::surface_hit;
 use crate::geometry::Hull;
 use crate::intersection::Intersection;
+use crate::line::Needs;
 use crate::part::Part;
 use crate::scalar::{Attempt, Including, LocalLine, Scalar, UnitScalar, found};
+use crate::solve::{self, Goal, LocalRay, Of};
 use crate::vector::{UnitVec3, Vec3};
 use core::marker::PhantomData;
 
@@ -55,7 +57,7 @@ impl<S: Scalar> Geometry<S> for Plane<S> {
     #[inline(always)]
     fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
         match S::fast_crossings(*line, [S::ZERO; 2]) {
-            Attempt::Hit(([t, _], [off, _])) if S::is_good(line, t, off) => {
+            Attempt::Hit([t, _]) => {
                 Attempt::Hit(surface_hit(t, line.direction[1] < S::Unit::ZERO))
             }
             // A line parallel to the plane may lie in it.
@@ -72,6 +74,14 @@ impl<S: Scalar> Geometry<S> for Plane<S> {
             return Attempt::Miss;
         }
         found!(self.fast_intersection::<T>(line)).occlusion()
+    }
+
+    const NEEDS: Needs = Needs::Height;
+    const HAS_FEW_FACTORS: bool = true;
+
+    #[inline(always)]
+    fn intersect<N: Of<S>>(&self, ray: &LocalRay<N>, goal: Goal<S>) -> solve::Attempt<Intersection<S>> {
+        solve::plane(ray, goal)
     }
 
     fn equations(&self) -> Equations<S> {

@@ -7,6 +7,7 @@ use crate::geometry::Hull;
 use crate::intersection::Intersection;
 use crate::part::Part;
 use crate::scalar::{Attempt, Including, LocalLine, Scalar, UnitScalar, found};
+use crate::solve::{self, Goal, LocalRay, Of};
 use crate::vector::{UnitVec3, Vec3};
 
 /// A rectangle about the origin in the plane `y = 0`, its edges included; an open surface whose front is +y.
@@ -69,6 +70,13 @@ impl<S: Scalar> Geometry<S> for Rectangle<S> {
     fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
         let t = found!(S::fast_rectangle(*line, self.half));
         Attempt::Hit(surface_hit(t, line.direction[1] < S::Unit::ZERO))
+    }
+
+    const HAS_FEW_FACTORS: bool = true;
+
+    #[inline(always)]
+    fn intersect<N: Of<S>>(&self, ray: &LocalRay<N>, goal: Goal<S>) -> solve::Attempt<Intersection<S>> {
+        solve::rectangle(ray, self.half, goal)
     }
 
     fn equations(&self) -> Equations<S> {

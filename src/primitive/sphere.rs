@@ -5,10 +5,11 @@ use crate::equations::{Described, EquationKinds, Equations};
 use crate::fast::Guards;
 use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
-use crate::line::Place;
+use crate::line::{Needs, Place};
 use crate::part::Part;
 use crate::ray::Ray;
 use crate::scalar::{Attempt, Including, LocalLine, Real, Ring, Scalar, found, largest};
+use crate::solve::{self, Goal, LocalRay, Of};
 use crate::vector::{UnitVec3, Vec3};
 
 /// A sphere about the origin, with its inside: a closed ball.
@@ -80,11 +81,6 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
     fn fit(&self, _: &mut LocalLine<S>) {}
 
     #[inline(always)]
-    fn second_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
-        place.second_ball_line(ray)
-    }
-
-    #[inline(always)]
     fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
         let [low, high] = found!(S::fast_ball(*line, self.radius, T::GUARDED, T::STRICT));
         Attempt::Hit(Intersection::One(Span::new(End::new(low, Part::Side), End::new(high, Part::Side))))
@@ -98,6 +94,15 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
     #[inline(always)]
     fn fast_exit<T: Guards>(&self, line: &LocalLine<S>, _: Part) -> Attempt<End<S>> {
         Attempt::Hit(End::new(found!(S::fast_exit_from_round(line, true)), Part::Side))
+    }
+
+    const NEEDS: Needs = Needs::Translation;
+    const HAS_CONSTANT_BOUNDS: bool = true;
+    const HAS_FEW_FACTORS: bool = true;
+
+    #[inline(always)]
+    fn intersect<N: Of<S>>(&self, ray: &LocalRay<N>, goal: Goal<S>) -> solve::Attempt<Intersection<S>> {
+        solve::ball(ray, self.radius, goal)
     }
 
     fn equations(&self) -> Equations<S> {

@@ -11,10 +11,9 @@ use crate::fast::Guards;
 use crate::fast::surface_hit;
 use crate::geometry::Hull;
 use crate::intersection::Intersection;
-use crate::line::Place;
 use crate::part::Part;
-use crate::ray::Ray;
 use crate::scalar::{Attempt, Including, LocalLine, Real, Scalar, found, largest};
+use crate::solve::{self, Goal, LocalRay, Of};
 use crate::vector::{UnitVec3, Vec3, cross};
 
 /// A triangle, its edges included; an open surface. Its front is the side from which its vertices are in counter-clockwise order.
@@ -111,20 +110,17 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
     fn fit(&self, _: &mut LocalLine<S>) {}
 
     #[inline(always)]
-    fn second_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
-        place.second_line(ray, self.vertices[0], S::ZERO)
+    fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
+        let (t, from_front) = found!(S::fast_triangle(*line, self.vertices.map(Vec3::to_array)));
+        Attempt::Hit(surface_hit(t, from_front))
     }
 
+    const HAS_CONSTANT_BOUNDS: bool = true;
+    const HAS_FEW_FACTORS: bool = true;
+
     #[inline(always)]
-    fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
-        if S::RELATIVE && line.is_doubled {
-            let (t, from_front) = found!(S::fast_triangle_doubled(line, self.vertices.map(Vec3::to_array)));
-            return Attempt::Hit(surface_hit(t, from_front));
-        }
-        let [a, b, c] = self.vertices;
-        let vertices = if line.is_relative { [Vec3::ZERO, b - a, c - a] } else { self.vertices };
-        let (t, from_front) = found!(S::fast_triangle(*line, vertices.map(Vec3::to_array)));
-        Attempt::Hit(surface_hit(t, from_front))
+    fn intersect<N: Of<S>>(&self, ray: &LocalRay<N>, goal: Goal<S>) -> solve::Attempt<Intersection<S>> {
+        solve::triangle(ray, self.vertices.map(Vec3::to_array), goal)
     }
 
     fn equations(&self) -> Equations<S> {

@@ -70,26 +70,9 @@ macro_rules! found {
 }
 pub(crate) use found;
 
-/// Whether the line hits a triangle, and whether from the front, by the signed volume that it spans with each edge and the error bound of that
-/// volume. All three volumes are negative for a hit from the front, and positive for one from the back.
-#[inline(always)]
-pub(crate) fn within_edges<V: Copy + PartialOrd + Neg<Output = V>>(edges: [(V, V); 3]) -> Attempt<bool> {
-    let (mut left, mut right) = (0, 0);
-    for (volume, doubt) in edges {
-        left += (volume > doubt) as u32;
-        right += (volume < -doubt) as u32;
-    }
-    if left != 0 && right != 0 {
-        Attempt::Miss
-    } else if left + right == 3 {
-        Attempt::Hit(right == 3)
-    } else {
-        Attempt::Unsure
-    }
-}
-
-/// [`within_edges`] for integers, in which the volumes are computed one after the other: a miss is often decided by the first two. (Floats compute
-/// all three at once.)
+/// Whether the line hits a triangle, and whether from the front, by the signed volume that it spans with each edge, and the error bound of the volumes.
+/// All three are negative for a hit from the front, and positive for one from the back. They are computed one after the other: a miss is often decided by
+/// the first two.
 #[cfg(feature = "fixed")]
 #[inline(always)]
 pub(crate) fn within_edges_in_turn<E, V: Copy + PartialOrd + Neg<Output = V>>(

@@ -260,6 +260,9 @@ macro_rules! block {
 
         impl Real for $Block {
             const ROUNDING: i32 = -(Self::HALF as i32);
+            const IS_FLOAT: bool = false;
+            const INFINITY: Self = Self::new(1, 1 << 24);
+            const SMALLEST: Self = Self::new(0, 0);
 
             #[inline]
             fn from_int(n: i32) -> Self {

@@ -1,6 +1,6 @@
 //! The fast path: intersection in the number type's own width. Where it is unsure, the solver decides.
 
-use super::{Attempt, InCuboid, InSide, NappeOutline, Numbers, OptionalLowWords};
+use super::{Attempt, InCuboid, InSide, NappeOutline, Numbers};
 use core::cmp::Ordering;
 
 /// A line in a primitive's frame, for the fast path.
@@ -13,24 +13,10 @@ pub struct LocalLine<S: Numbers> {
     pub extra_bits: i32,
     /// The direction.
     pub direction: [S::Unit; 3],
-    /// The low words of both: in floats, for spheres and for double-word numbers.
-    pub low_words: S::LowWords,
-    /// With an affine placement, the ray's `t` divided by the line's (one over the length of the transformed direction); otherwise unused.
-    pub inverse_length: S,
     /// The ray's `t` at the line's origin.
     pub start: S,
     /// True if the line is accurate enough only to decide a miss.
     pub is_coarse: bool,
-    /// Error bounds of the coordinates of the origin and of the components of the direction, from their computation in floats, in units of
-    /// the relative rounding error. Zero after compensated sums.
-    pub off: [S; 2],
-    /// True if the origin is relative to a point of the primitive (`base` in the functions of [`FastPath`]).
-    pub is_relative: bool,
-    /// True if the components of a float line are computed, and not the ray's own: each has an error of one rounding, plus `off`.
-    pub is_rounded: bool,
-    /// True for a float line for which a guard of the plain formulas has failed: round solids and triangles are intersected in double-word numbers, and the
-    /// errors of planes' crossings are judged, with `low_words`.
-    pub is_doubled: bool,
     /// True for the tier [`Exact`](crate::tier::Exact): a result that passes the guards is certain, except that `t` is rounded, by less than a unit.
     /// `f32` then computes in doubles, in which nearly all rays pass; fixed point computes in its own 32 bits.
     pub is_strict: bool,
@@ -46,14 +32,8 @@ impl<S: Numbers + Copy> LocalLine<S> {
             origin,
             extra_bits: 0,
             direction,
-            low_words: S::LowWords::NONE,
-            inverse_length: zero,
             start: zero,
             is_coarse: false,
-            off: [zero, zero],
-            is_relative: false,
-            is_rounded: false,
-            is_doubled: false,
             is_strict: false,
             since: None,
         }
@@ -67,19 +47,12 @@ impl<S: super::Scalar> LocalLine<S> {
         self.since.is_some_and(|since| enter.plus(self.start) >= since)
     }
 
-    /// Whether no end at this `t` of the line, or before it, is needed.
-    #[inline(always)]
-    pub(crate) fn needs_none_until(&self, t: S) -> bool {
-        self.since.is_some_and(|since| t.plus(self.start) < since)
-    }
-
     /// The line mirrored in the plane `y = 0`.
     #[inline]
     pub(crate) fn mirrored(&self) -> Self {
         let mut line = *self;
         line.origin[1] = -line.origin[1];
         line.direction[1] = -line.direction[1];
-        line.low_words = line.low_words.mirrored();
         line
     }
 }
@@ -170,9 +143,9 @@ pub trait FastPath: Numbers {
         Attempt::Unsure
     }
 
-    /// Where the line crosses two heights, and the error of each beyond a few units. A line of constant height crosses neither.
+    /// Where the line crosses two heights. A line of constant height crosses neither.
     #[inline(always)]
-    fn fast_crossings(_: LocalLine<Self>, _y: [Self; 2]) -> Attempt<([Self; 2], [Self; 2])> {
+    fn fast_crossings(_: LocalLine<Self>, _y: [Self; 2]) -> Attempt<[Self; 2]> {
         Attempt::Unsure
     }
 
@@ -206,16 +179,10 @@ pub trait FastPath: Numbers {
         Attempt::Unsure
     }
 
-    /// [`FastPath::fast_triangle`] in double-word numbers. If the line's origin is relative to the first vertex, the vertices are not.
+    /// Whether two ends are so close that their order may be decided by rounding. Only a strict line has this guard: otherwise two ends within a unit of
+    /// each other may be in either order.
     #[inline(always)]
-    fn fast_triangle_doubled(_: &LocalLine<Self>, _vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {
-        Attempt::Unsure
-    }
-
-    /// Whether two ends are so close that their order may be decided by rounding, or by their further error bounds `off`. In fixed point only a
-    /// strict line has this guard: otherwise two ends within a unit of each other may be in either order.
-    #[inline(always)]
-    fn are_close(_: &LocalLine<Self>, _: Self, _: Self, _off: Self) -> bool {
+    fn are_close(_: &LocalLine<Self>, _: Self, _: Self) -> bool {
         false
     }
 
@@ -223,24 +190,6 @@ pub trait FastPath: Numbers {
     #[inline(always)]
     fn are_doubtful(_: Self, _: Self) -> bool {
         true
-    }
-
-    /// Whether an end with the error bound `off` is accurate enough.
-    #[inline(always)]
-    fn is_good(_: &LocalLine<Self>, _: Self, _off: Self) -> bool {
-        true
-    }
-
-    /// Whether the line from `o` along `d` starts so far from zero that its origin should be moved next to zero, to keep rounding errors small.
-    #[inline(always)]
-    fn is_far(_o: [Self; 3], _d: [Self::Unit; 3]) -> bool {
-        false
-    }
-
-    /// Such a line with its origin moved next to zero.
-    #[inline(always)]
-    fn fast_from_afar(_o: [Self; 3], _d: [Self::Unit; 3]) -> Option<LocalLine<Self>> {
-        None
     }
 
     /// The line from `o` along `d` in the frame with these axes at `position`. In floats, the origin of a line that starts far away is moved next
@@ -261,18 +210,6 @@ pub trait FastPath: Numbers {
         false
     }
 
-    /// The line from `o` along `d` in the frame of an affine map, whose inverse has these rows, each to be multiplied by its power of two. `None` if
-    /// the products cancel so much that their rounding errors would be large relative to the line.
-    #[inline(always)]
-    fn fast_stretched(
-        _o: [Self; 3],
-        _d: [Self::Unit; 3],
-        _position: [Self; 3],
-        _rows: [([Self::Unit; 3], i32); 3],
-    ) -> Option<LocalLine<Self>> {
-        None
-    }
-
     /// The same for fixed point, for a solid whose lengths are at most `bounding_radius`. `None` if they do not fit.
     #[inline(always)]
     fn fast_stretched_finely(
@@ -291,50 +228,9 @@ pub trait FastPath: Numbers {
         None
     }
 
-    /// The line from `o` along `d` for a second attempt, with its origin moved next to `base`, and relative to `base`; `None` if it starts there.
-    #[inline(always)]
-    fn fast_closer(_o: [Self; 3], _d: [Self::Unit; 3], _base: [Self; 3]) -> Option<LocalLine<Self>> {
-        None
-    }
-
     /// Reduces the extra bits of the origin in fixed point so far that lengths up to the solid's bounding radius `bounding_radius` fit in the same unit.
     #[inline(always)]
     fn fast_fit(_line: &mut LocalLine<Self>, _bounding_radius: Self) {}
-
-    /// The line in the frame of this position and these axes, for a second attempt: by compensated sums, with its origin moved next to the
-    /// frame's point `base` if it starts farther than `near` away, and relative to that.
-    #[inline(always)]
-    fn fast_turned_again(
-        _o: [Self; 3],
-        _d: [Self::Unit; 3],
-        _position: [Self; 3],
-        _axes: [[Self::Unit; 3]; 3],
-        _base: [Self; 3],
-        _near: Self,
-    ) -> Option<LocalLine<Self>> {
-        None
-    }
-
-    /// The same in the frame of an affine map, whose parameters are those of [`FastPath::fast_stretched`].
-    #[inline(always)]
-    fn fast_stretched_again(
-        _o: [Self; 3],
-        _d: [Self::Unit; 3],
-        _position: [Self; 3],
-        _rows: [([Self::Unit; 3], i32); 3],
-        _base: [Self; 3],
-        _near: Self,
-    ) -> Option<LocalLine<Self>> {
-        None
-    }
-
-    /// A line of the second attempt with its origin moved back to the start of the ray, in double-word numbers.
-    fn fast_moved_back(line: &LocalLine<Self>) -> LocalLine<Self>
-    where
-        Self: Copy,
-    {
-        *line
-    }
 
     /// The values that all tests of a ray against boxes share.
     type Slabs: Copy;

@@ -9,6 +9,7 @@ use super::{
     Attempt, Budget, Computing, Elementary, FastPath, Numbers, Real, Scalar, UnitScalar, ValueError, elementary,
     integers, sealed::Sealed,
 };
+use crate::ladder::FixedPoint;
 use crate::number::word::Word;
 use crate::number::{Limbs, Parts, Robust};
 use fixed::types::extra::{LeEqU32, LeEqU64, U30, U32, U62};
@@ -36,11 +37,11 @@ macro_rules! fixed {
         impl<F: $LeEq + Send + Sync + 'static> Numbers for $Fixed<F> {
             type Unit = $Fixed<$UnitBits>;
             type Real = $Block;
-            type LowWords = ();
         }
 
         impl<F: $LeEq + Send + Sync + 'static> Scalar for $Fixed<F> {
             type Robust = Robust<$robust>;
+            type Tiers = FixedPoint;
             $($wider)*
             const ZERO: Self = Self::from_bits(0);
             const ROUNDED_ONE: Self = Self::from_bits(if F::U32 < $bits - 1 { 1 << F::U32 } else { <$raw>::MAX });

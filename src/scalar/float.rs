@@ -3,8 +3,10 @@
 use super::error_free::{exact_f32, exact_f64};
 use super::square_root::square_root_f32;
 use super::{
-    Budget, Computing, Elementary, LowWords, Numbers, Real, Scalar, UnitScalar, ValueError, largest, sealed::Sealed,
+    Budget, Computing, Elementary, FastPath, Numbers, Real, Scalar, UnitScalar, ValueError, largest, sealed::Sealed,
 };
+use super::slabs::Slabs;
+use crate::ladder::Floats;
 use crate::number::word::Word;
 use crate::number::{Limbs, Parts, Ring, Robust};
 
@@ -19,12 +21,12 @@ macro_rules! float {
         impl Numbers for $Float {
             type Unit = $Float;
             type Real = $Float;
-            type LowWords = LowWords<$Float>;
         }
 
         impl Scalar for $Float {
             type Robust = Robust<$robust>;
             type Wider = Self;
+            type Tiers = Floats;
             const ZERO: Self = 0.0;
             const ROUNDED_ONE: Self = 1.0;
             const INFINITY: Self = $Float::INFINITY;
@@ -138,6 +140,18 @@ macro_rules! float {
             }
             fn to_f64(self) -> f64 {
                 f64::from(self)
+            }
+        }
+
+        impl FastPath for $Float {
+            type Slabs = Slabs<$Float, $Float>;
+            #[inline(always)]
+            fn slabs(o: [Self; 3], d: [Self; 3]) -> Self::Slabs {
+                Slabs::<$Float, $Float>::new(o, d)
+            }
+            #[inline(always)]
+            fn misses_box(slabs: &Self::Slabs, range: [Self; 2], centre: [Self; 3], half: [Self; 3]) -> bool {
+                slabs.misses(range, centre, half)
             }
         }
 
@@ -284,6 +298,9 @@ macro_rules! float {
 
         impl Real for $Float {
             const ROUNDING: i32 = -1 - $mantissa;
+            const IS_FLOAT: bool = true;
+            const INFINITY: Self = $Float::INFINITY;
+            const SMALLEST: Self = $Float::MIN_POSITIVE;
 
             #[inline(always)]
             fn from_int(n: i32) -> Self {

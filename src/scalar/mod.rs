@@ -15,7 +15,6 @@
 //! | `fast` | the interface of a number type's fast path |
 //! | `attempt` | results of the fast path |
 //! | `integers` | the fast path of fixed point, in plain integers |
-//! | `floats` | the fast path of floats, mostly without compensation |
 //! | `rungs`, `twofold` | conversion between stored numbers and those of [`crate::number`]; numbers of twice the precision |
 //! | `including` | types that hold the values of others |
 //! | `slabs` | conservative test of a ray against a box |
@@ -27,8 +26,10 @@
 //! | `value` | what can be wrong with a value that a constructor is given |
 //! | `square_root` | the square root of `f32` by instruction, which `core` does not have |
 
+use crate::ladder::Tiers;
 use crate::number::word::Word;
 use crate::number::{Limbs, Number, Parts};
+use crate::solve::Localize;
 use core::fmt::Debug;
 use core::ops::{Div, Neg};
 
@@ -47,12 +48,9 @@ mod fast;
 mod fixed;
 #[cfg(feature = "libm")]
 mod float;
-#[cfg(feature = "libm")]
-mod floats;
 mod including;
 #[cfg(feature = "fixed")]
 mod integers;
-mod low_words;
 mod rungs;
 pub(crate) mod slabs;
 #[cfg(feature = "libm")]
@@ -70,8 +68,7 @@ pub use attempt::{Attempt, InCuboid, InSide, NappeOutline};
 pub use computing::{Computing, Elementary};
 pub use fast::{FastPath, FinerLine, InverseLength, LocalLine};
 pub use including::Including;
-pub use low_words::{LowWords, OptionalLowWords};
-pub use rungs::{FromScalar, ToScalar};
+pub use rungs::{FromScalar, RealOf, ToScalar};
 pub use twofold::Twofold;
 pub use value::ValueError;
 pub(crate) use value::with_fault;
@@ -153,8 +150,6 @@ pub trait Numbers:
     type Unit: UnitScalar;
     /// The number to compute in.
     type Real: Real + written::ForSerde;
-    /// The low words of a line, which are its rounding errors; a type without values for fixed point.
-    type LowWords: OptionalLowWords<Self>;
 }
 
 /// The type of a direction's components that belongs to the coordinate type `S`.
@@ -165,11 +160,13 @@ pub type Unit<S> = <S as Numbers>::Unit;
 /// Implemented for `f32`, `f64`, `FixedI32<F>` and `FixedI64<F>` for every `F` that `fixed` allows. Sealed.
 pub trait Scalar: Numbers + Computing + Elementary + FastPath {
     /// The number in which the solver computes where the fast path is unsure.
-    type Robust: FromScalar<Self> + Number<Estimate = Self::Robust> + ToScalar<Self>;
+    type Robust: Localize<Self> + Number<Estimate = Self::Robust> + ToScalar<Self>;
     /// The type of the second attempt of fixed point, which holds every value of this one; the type itself if that has none.
     type Wider: Including<Self>;
     /// True if the fast path has such a second attempt.
     const WIDENS: bool = false;
+    /// The lists of numbers of the tiers.
+    type Tiers: Tiers<Self>;
     /// Zero.
     const ZERO: Self;
     /// One, rounded to the type: [`Scalar::INFINITY`] for a fixed type that cannot hold it.
@@ -278,6 +275,12 @@ pub trait Real:
 {
     /// The relative rounding error of a product is at most `2^ROUNDING`.
     const ROUNDING: i32;
+    /// True for a float, false for a block-floating integer, whose operations are function calls.
+    const IS_FLOAT: bool;
+    /// Above every number of a solver.
+    const INFINITY: Self;
+    /// The smallest normal float; zero for a block, which does not underflow.
+    const SMALLEST: Self;
 
     /// A small integer.
     fn from_int(n: i32) -> Self;

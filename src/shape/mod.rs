@@ -12,6 +12,7 @@ mod kind;
 pub mod kinds;
 mod placement;
 mod primitive;
+mod queries;
 mod shaped;
 #[cfg(any(feature = "serde", feature = "defmt"))]
 mod stored;
@@ -29,7 +30,6 @@ use crate::exact::ExactScalar;
 use crate::frame::Frame;
 use crate::geometry::{Bounds, Geometry};
 use crate::hit::{Hit, Hits};
-use crate::ladder;
 use crate::line::InWorld;
 use crate::ray::Ray;
 use crate::scalar::Scalar;
@@ -38,6 +38,7 @@ use crate::vector::Vec3;
 use core::fmt;
 use kinds::{All, Chosen, Kind, KindError, Kinds, OfKind};
 use primitive::Member;
+use queries::{AllHits, Contains, Nearest, NeededPrecision, Occludes};
 
 /// Any primitive of the kinds `K`, placed in the world, one-sided or two-sided.
 ///
@@ -69,7 +70,7 @@ pub struct Shape<S: Scalar, K: Kinds = All> {
     visible: Visible,
 }
 
-/// Evaluates a query with the shape's primitive and placement, each in its own type.
+/// Evaluates an expression with the shape's primitive and placement, the placement in its own type.
 macro_rules! through {
     ($shape:ident, |$primitive:ident, $place:ident| $query:expr) => {{
         let $primitive = &$shape.member;
@@ -82,35 +83,6 @@ macro_rules! through {
             }
         }
     }};
-}
-
-/// [`through`], but a sphere, a disc or a triangle that is not placed by an [`Affine`](crate::Affine) is passed as its own type. Their fast paths are
-/// short enough to be compiled into the query: calls, and copies of lines and intersections, would cost more than the arithmetic does.
-macro_rules! through_inline {
-    ($shape:ident, |$primitive:ident, $place:ident| $query:expr) => {
-        match ($shape.primitive(), matches!($shape.placement, Placement::Affine(_))) {
-            (Primitive::Sphere($primitive), false) if K::SET.contains(Kind::Sphere) => {
-                through_inline!($shape.placement, |$place| $query)
-            }
-            (Primitive::Disc($primitive), false) if K::SET.contains(Kind::Disc) => {
-                through_inline!($shape.placement, |$place| $query)
-            }
-            (Primitive::Triangle($primitive), false) if K::SET.contains(Kind::Triangle) => {
-                through_inline!($shape.placement, |$place| $query)
-            }
-            _ => through!($shape, |$primitive, $place| $query),
-        }
-    };
-    ($placement:expr, |$place:ident| $query:expr) => {
-        if let Placement::Frame($place) = &$placement
-            && K::SET.contains(Kind::Frame)
-        {
-            $query
-        } else {
-            let $place = &InWorld;
-            $query
-        }
-    };
 }
 
 use through;
@@ -210,7 +182,7 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
 
     /// All hits, in a chosen accuracy tier.
     pub fn hits_at<T: Tier<S>>(&self, ray: &Ray<S>) -> Hits<S> {
-        let mut hits = through!(self, |primitive, place| T::hits(primitive, place, ray));
+        let mut hits = through!(self, |member, place| member.visit(AllHits::<S, T, _>::new(place, ray)));
         if self.visible != Visible::Both {
             hits.retain(|hit| self.visible.sees(hit.crossing));
         }
@@ -224,8 +196,7 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
 
     /// The visible hit with the smallest `t`, in a chosen accuracy tier.
     pub fn nearest_at<T: Tier<S>>(&self, ray: &Ray<S>) -> Option<Hit<S>> {
-        let accept = |crossing| self.visible.sees(crossing);
-        through_inline!(self, |primitive, place| T::nearest(primitive, &self.member, place, ray, accept))
+        through!(self, |member, place| member.visit(Nearest::<S, T, _>::new(place, ray, self.visible)))
     }
 
     /// True if there is any visible hit.
@@ -235,8 +206,7 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
 
     /// True if there is any visible hit, in a chosen accuracy tier.
     pub fn occludes_at<T: Tier<S>>(&self, ray: &Ray<S>) -> bool {
-        let accept = |crossing| self.visible.sees(crossing);
-        through_inline!(self, |primitive, place| T::occludes(primitive, &self.member, place, ray, accept))
+        through!(self, |member, place| member.visit(Occludes::<S, T, _>::new(place, ray, self.visible)))
     }
 
     /// True if the point belongs to the shape: inside or on a solid, on an open surface.
@@ -246,7 +216,7 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
 
     /// True if the point belongs to the shape, in a chosen accuracy tier.
     pub fn contains_at<T: Tier<S>>(&self, point: Vec3<S>) -> bool {
-        through!(self, |primitive, place| T::contains(primitive, place, point))
+        through!(self, |member, place| member.visit(Contains::<S, T, _>::new(place, point)))
     }
 
     /// The precision that the tier [`Exact`](crate::tier::Exact) uses to decide this ray.
@@ -254,7 +224,7 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
     where
         S: ExactScalar,
     {
-        through!(self, |primitive, place| ladder::precision(primitive, place, ray))
+        through!(self, |member, place| member.visit(NeededPrecision { place, ray }))
     }
 
     /// The axis-aligned bounding box. It contains every point of the shape, with position, axes or matrix and sizes taken exactly as

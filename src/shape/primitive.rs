@@ -1,18 +1,18 @@
 //! Any primitive, and any primitive of a set.
 
 use super::kinds::{Kind, KindSet, Kinds};
+use super::queries::Visitor;
 use super::{Shape, Surface};
 use crate::bounds;
 use crate::equations::{Described, EquationKinds, Equations};
-use crate::fast::Guards;
 use crate::geometry::{Bounds, Geometry, Hull};
 use crate::hit::Hit;
-use crate::intersection::{End, Intersection};
-use crate::line::Place;
+use crate::intersection::Intersection;
 use crate::part::Part;
 use crate::primitive::{Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, Sphere, Triangle};
 use crate::ray::Ray;
-use crate::scalar::{Attempt, Including, LocalLine, Scalar, UnitScalar};
+use crate::scalar::{Including, Scalar, UnitScalar};
+use crate::solve::{self, Goal, LocalRay, Of};
 use crate::vector::{UnitVec3, Vec3};
 use core::marker::PhantomData;
 
@@ -147,6 +147,14 @@ impl<S: Scalar, K: Kinds> Described for Member<S, K> {
     const EQUATIONS: EquationKinds = kind(K::SET);
 }
 
+impl<S: Scalar, K: Kinds> Member<S, K> {
+    /// The answer of a visitor to the primitive in its own type.
+    #[inline(always)]
+    pub(super) fn visit<V: Visitor<S>>(&self, visitor: V) -> V::Answer {
+        with!(self, |p| visitor.visit(p), visitor.none())
+    }
+}
+
 impl<S: Scalar, K: Kinds> Geometry<S> for Member<S, K> {
     type In<R: Scalar> = Member<R, K>;
 
@@ -157,43 +165,14 @@ impl<S: Scalar, K: Kinds> Geometry<S> for Member<S, K> {
     fn bounding_radius(&self) -> S {
         with!(self, |p| p.bounding_radius(), S::ZERO)
     }
-    #[inline(always)]
-    fn radius_about_axis(&self) -> Option<S> {
-        with!(self, |p| p.radius_about_axis(), None)
-    }
     fn scaled(&self, e: i32) -> Self {
         map!(self, |p| p.scaled(e), *self)
-    }
-    #[inline(always)]
-    fn fast_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
-        with!(self, |p| p.fast_line(place, ray), None)
     }
     fn lengths(&self) -> S {
         with!(self, |p| p.lengths(), S::ZERO)
     }
-    #[inline(always)]
-    fn fit(&self, line: &mut LocalLine<S>) {
-        with!(self, |p| p.fit(line), ());
-    }
-    #[inline(always)]
-    fn far_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
-        with!(self, |p| p.far_line(place, ray), None)
-    }
-    #[inline(always)]
-    fn second_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
-        with!(self, |p| p.second_line(place, ray), None)
-    }
-    #[inline(always)]
-    fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
-        with!(self, |p| fast_intersection::<S, T, _>(p, line), Attempt::Miss)
-    }
-    #[inline(always)]
-    fn fast_occlusion<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<()> {
-        with!(self, |p| fast_occlusion::<S, T, _>(p, line), Attempt::Miss)
-    }
-    #[inline(always)]
-    fn fast_exit<T: Guards>(&self, line: &LocalLine<S>, from: Part) -> Attempt<End<S>> {
-        with!(self, |p| p.fast_exit::<T>(line, from), Attempt::Miss)
+    fn intersect<N: Of<S>>(&self, ray: &LocalRay<N>, goal: Goal<S>) -> solve::Attempt<Intersection<S>> {
+        with!(self, |p| p.intersect(ray, goal), Err(solve::Stop::Miss))
     }
     fn equations(&self) -> Equations<S> {
         with!(self, |p| p.equations(), Equations::Plane)
@@ -218,15 +197,3 @@ impl<S: Scalar, K: Kinds> Geometry<S> for Member<S, K> {
     }
 }
 
-// Not inlined, so that the program has one copy for each primitive, and not one for each placement and query.
-#[inline(never)]
-fn fast_intersection<S: Scalar, T: Guards, G: Geometry<S>>(
-    geometry: &G,
-    line: &LocalLine<S>,
-) -> Attempt<Intersection<S>> {
-    geometry.fast_intersection::<T>(line)
-}
-#[inline(never)]
-fn fast_occlusion<S: Scalar, T: Guards, G: Geometry<S>>(geometry: &G, line: &LocalLine<S>) -> Attempt<()> {
-    geometry.fast_occlusion::<T>(line)
-}

@@ -2,7 +2,7 @@
 
 use super::flat::is_zero;
 use super::form::{Ball, Cone, Form, Homogeneous, Quadric, Tube, Weight};
-use super::settle::Of;
+use super::end::Of;
 use crate::equations::{Described, EquationKinds, Equations, Extent};
 use crate::number::{Number, cross, difference, dot};
 use crate::scalar::Scalar;

@@ -1,112 +1,160 @@
-//! The flat primitives: intersection of a line with a plane, a disc and a triangle, decided by signs.
+//! The flat primitives: planes, discs and triangles.
 
-use super::form::{Line, Tube};
-use super::quadratic::{End, Flat, Fraction, Inside, Interval, Quadratic};
-use super::settle::{Of, span};
-use crate::intersection::Intersection;
-use crate::number::{self, Number, difference, dot};
+use super::attempt::{Attempt, Stop, known};
+use super::end::{End, Flat, Fraction, Goal, Interval, Of, span};
+use super::local_ray::LocalRay;
+use super::quadratic::{Inside, Quadratic};
+use super::quadric::Tube;
+use crate::intersection::{self, Intersection, Span};
+use crate::number::{Difference, Estimate, Number, cross, difference, dot};
 use crate::part::Part;
-use crate::ray::Range;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, ToScalar};
 use core::cmp::Ordering;
 
 /// The crossing of a plane at `t`, from the front if the direction and the normal have opposite signs.
+#[inline(always)]
 pub(super) fn crossing<S: Scalar, N: Of<S>>(
+    line: &LocalRay<N>,
     t: Fraction<N>,
     along_normal: Ordering,
-    range: Range<S>,
-) -> Option<Intersection<S>> {
-    let end = Some(End::at(t, Part::Side));
-    let interval = if along_normal == Ordering::Less { Interval::new(end, None) } else { Interval::new(None, end) };
-    Some(Intersection::Surface(span(&Flat, interval, range)?))
+    goal: Goal<S>,
+) -> Attempt<Intersection<S>> {
+    let end = super::end::settled(&Flat, line, &End::at(t, Part::Side), goal.range)?;
+    Ok(Intersection::Surface(if along_normal == Ordering::Less {
+        Span::new(end, intersection::End::none(S::INFINITY))
+    } else {
+        Span::new(intersection::End::none(-S::INFINITY), end)
+    }))
 }
 
 /// The plane `y = 0`.
-#[inline(never)]
-pub(super) fn plane<S: Scalar, N: Of<S>>(line: &Line<N>, range: Range<S>) -> Option<Intersection<S>> {
-    let ([_, y, _], [_, dy, _]) = (line.origin, line.direction);
-    match dy.sign()? {
-        Ordering::Equal if y.sign()? == Ordering::Equal => {
-            Some(Intersection::LiesIn(span(&Flat, Interval::<N>::EVERYWHERE, range)?))
-        }
-        Ordering::Equal => Some(Intersection::Miss),
-        climb => crossing(Fraction { n: -y, e: dy }, climb, range),
+#[inline(always)]
+pub(crate) fn plane<S: Scalar, N: Of<S>>(line: &LocalRay<N>, goal: Goal<S>) -> Attempt<Intersection<S>> {
+    let (y, dy) = (line.origin[1], line.direction[1]);
+    match known(dy.sign_among(Difference::OfSquares, || N::ONE))? {
+        Ordering::Equal if known(y.sign())? == Ordering::Equal => Ok(Intersection::LiesIn(Span::everywhere())),
+        Ordering::Equal => Err(Stop::Miss),
+        climb => crossing(line, Fraction { n: -y, e: dy }, climb, goal),
     }
 }
 
 /// The disc of this radius in the plane `y = 0`.
+#[inline(always)]
+pub(crate) fn disc<S: Scalar, N: Of<S>>(line: &LocalRay<N>, radius: S, goal: Goal<S>) -> Attempt<Intersection<S>> {
+    let ([x, y, z], [dx, dy, dz], r) = (line.origin, line.direction, N::scalar(radius));
+    let climb = known(dy.sign_among(Difference::OfSquares, || N::ONE))?;
+    if climb == Ordering::Equal {
+        return chord_of_disc(line, r, goal);
+    }
+    // |p|^2 <= r^2 where the line crosses the plane, times dy^2.
+    let (wx, wz, rim) = (N::sum([[x, dy], [-y, dx]]), N::sum([[z, dy], [-y, dz]]), r * dy);
+    let inside = N::sum([[rim, rim], [-wx, wx], [-wz, wz]]);
+    let terms = || N::sum([[rim, rim], [wx, wx], [wz, wz]]) + line.far(N::MOVED);
+    if known(inside.sign_among(Difference::OfSquares, terms))? == Ordering::Less {
+        return Err(Stop::Miss);
+    }
+    crossing(line, Fraction { n: -y, e: dy }, climb, goal)
+}
+
+/// A line parallel to the plane of a disc.
+#[cold]
 #[inline(never)]
-pub(super) fn disc<S: Scalar, N: Of<S>>(line: &Line<N>, r: N, range: Range<S>) -> Option<Intersection<S>> {
-    if line.direction[1].sign()? != Ordering::Equal {
-        // |p|^2 <= r^2 where the line crosses the plane, times dy^2.
-        let [wx, _, wz] = number::cross(line.origin, line.direction);
-        let bounding_radius = r * line.direction[1];
-        let outside = N::sum([[wx, wx], [wz, wz], [-bounding_radius, bounding_radius]]).sign()? == Ordering::Greater;
-        return if outside { Some(Intersection::Miss) } else { plane(line, range) };
+fn chord_of_disc<S: Scalar, N: Of<S>>(line: &LocalRay<N>, r: N, goal: Goal<S>) -> Attempt<Intersection<S>> {
+    let ([x, y, z], [dx, _, dz]) = (line.origin, line.direction);
+    if known(y.sign())? != Ordering::Equal {
+        return Err(Stop::Miss);
     }
-    match plane(line, range)? {
-        Intersection::LiesIn(..) => {
-            let chord = Quadratic::new(Tube { r }, line, false)?;
-            Some(match chord.inside()? {
-                Inside::Between(touch) => {
-                    let [enter, exit] = chord.ends().map(Some);
-                    Intersection::LiesIn(span(&chord, Interval { enter, exit, touch }, range)?)
-                }
-                _ => Intersection::Miss,
-            })
-        }
-        found => Some(found),
-    }
+    let chord = Quadratic::new(Tube { o: [x, z], d: [dx, dz], r }, line, false)?;
+    let Inside::Between(touch) = chord.inside else { return Err(Stop::Miss) };
+    Ok(Intersection::LiesIn(span(&chord, line, &chord.between(touch), goal.range)?))
 }
 
 /// The triangle. Its front is the side from which its vertices are in counter-clockwise order.
 ///
 /// The line passes inside if the three signed volumes that it spans with the edges have the same sign (Segura and Feito, *Algorithms to
-/// test ray-triangle intersection*, 2001). The volume of an edge depends only on its two end points and the line, and changes its
-/// sign exactly when the points are swapped, so that no line passes between two triangles that share an edge. No other sign is needed: the
-/// sum of the volumes is `d . n`, whose sign tells the side that is hit, and by which `t` is divided.
-///
-/// With the line's Pluecker moment `m = o x d`, the volume of an edge is the product of two lines in Pluecker coordinates. For a far
-/// origin the cancellation is in `m` only, before anything is rounded.
-#[inline(never)]
-pub(super) fn triangle<S: Scalar, N: Of<S>>(
-    line: &Line<N>,
-    vertices: [[N; 3]; 3],
-    range: Range<S>,
-) -> Option<Intersection<S>> {
-    let (d, m) = (line.direction, cross(line.origin, line.direction));
-    let [va, vb, vc] = vertices;
-    let volumes = [[va, vb], [vb, vc], [vc, va]].map(|edge| volume(d, m, edge));
+/// test ray-triangle intersection*, 2001). With vertices relative to a point of the line the volume of the edge from `p` to `q` is `d . (p x q)`. It
+/// depends only on the edge's end points and the line, and changes its sign exactly when the points are swapped, so that no line passes between two
+/// triangles that share an edge. The sum of the volumes is `d . n`, by which `t` is divided.
+#[inline(always)]
+pub(crate) fn triangle<S: Scalar, N: Of<S>>(
+    line: &LocalRay<N>,
+    vertices: [[S; 3]; 3],
+    goal: Goal<S>,
+) -> Attempt<Intersection<S>> {
+    let (o, d) = (line.origin, line.direction);
+    let [va, vb, vc] = vertices.map(|vertex| vertex.map(N::scalar));
+    let (u, v) = (difference(vb, va), difference(vc, va));
+    let mut seen = *line;
+    let mut a = difference(va, o);
+    if N::STARTS_AT_VERTEX {
+        // The point of the line next to the first vertex; its parameter need not be accurate.
+        let k = if line.is_unit { dot(a, d) } else { dot(a, d).rounded_quotient(dot(d, d)).unwrap_or(N::ZERO) };
+        let k = k.without_error();
+        a = [a[0] - k * d[0], a[1] - k * d[1], a[2] - k * d[2]];
+        seen.start = Some(ToScalar::<S>::whole(k.estimate(), line.start));
+        seen.moved = line.moved + k;
+    }
+    let [b, c] = if N::STARTS_AT_VERTEX {
+        [[a[0] + u[0], a[1] + u[1], a[2] + u[2]], [a[0] + v[0], a[1] + v[1], a[2] + v[2]]]
+    } else {
+        [difference(vb, o), difference(vc, o)]
+    };
+    let squares = dot(u, u) + dot(v, v) + dot(a, a);
+    let terms = squares + seen.far(if N::STARTS_AT_VERTEX { -18 } else { -3 });
+    let volumes = if N::IS_WIDE {
+        // With the Pluecker moment the start of a far line cancels before anything is rounded.
+        let m = product(o, d);
+        [[va, vb], [vb, vc], [vc, va]].map(|[p, q]| volume(d, p, q) + dot(m, difference(q, p)))
+    } else {
+        [volume(d, a, b), volume(d, b, c), volume(d, c, a)]
+    };
     let mut along_normal = Ordering::Equal;
     for volume in volumes {
-        match volume.sign()? {
+        match known(volume.sign_among(Difference::OfVolumes, || terms))? {
             Ordering::Equal => {}
             sign if along_normal == Ordering::Equal => along_normal = sign,
             sign if sign == along_normal => {}
-            _ => return Some(Intersection::Miss),
+            _ => return Err(Stop::Miss),
         }
     }
-    let normal = cross(difference(vb, va), difference(vc, va));
-    let distance = dot(normal, difference(va, line.origin));
+    let normal = product(u, v);
     if along_normal == Ordering::Equal {
-        // The line lies in the plane, or the vertices are exactly collinear: then there is no area and no hit.
-        let misses = is_zero(normal)? || distance.sign()? != Ordering::Equal;
-        return if misses { Some(Intersection::Miss) } else { lies_in(normal, line, vertices, range) };
+        return in_the_plane(line, normal, [va, vb, vc], goal);
     }
-    let [u, v, w] = volumes;
-    crossing(Fraction { n: distance, e: u + v + w }, along_normal, range)
+    let (distance, facing) = (dot(normal, a), dot(d, normal));
+    if N::STARTS_AT_VERTEX {
+        if known(facing.sign())? != along_normal {
+            return Err(Stop::Unsure);
+        }
+        let t = ToScalar::<S>::whole(distance.estimate().over(facing.estimate()), seen.start);
+        // The error of `n . a`, by that of the normal and by that of a moved origin.
+        let reach = || {
+            let size = |v: [N; 3]| v[0].magnitude() + v[1].magnitude() + v[2].magnitude();
+            size(a).scaled(1) * squares + seen.moved.magnitude().scaled(-1) * size(normal)
+        };
+        if !N::is_far(t, facing.estimate(), reach) {
+            return Err(Stop::Unsure);
+        }
+    }
+    crossing(&seen, Fraction { n: distance, e: facing }, along_normal, goal)
+}
+
+/// `d . (p x q)`: on which side of the edge from `p` to `q` the line passes.
+#[inline(always)]
+fn volume<N: Number>(d: [N; 3], p: [N; 3], q: [N; 3]) -> N {
+    N::apart(
+        #[inline(always)]
+        || dot(d, cross(p, q)),
+    )
 }
 
 /// `a x b`
-#[inline(never)]
-fn cross<N: Number>(a: [N; 3], b: [N; 3]) -> [N; 3] {
-    number::cross(a, b)
-}
-
-/// On which side of the edge from `p` to `q` the line along `d` with the moment `m` passes: the sign of `d . (p x q) + m . (q - p)`
-#[inline(never)]
-fn volume<N: Number>(d: [N; 3], m: [N; 3], [p, q]: [[N; 3]; 2]) -> N {
-    dot(d, cross(p, q)) + dot(m, difference(q, p))
+#[inline(always)]
+fn product<N: Number>(a: [N; 3], b: [N; 3]) -> [N; 3] {
+    N::apart(
+        #[inline(always)]
+        || cross(a, b),
+    )
 }
 
 /// True for the zero vector.
@@ -115,38 +163,50 @@ pub(super) fn is_zero<N: Number>(v: [N; 3]) -> Option<bool> {
 }
 
 /// The interval of a line in the triangle's plane that lies in the triangle: clipped by each edge in turn.
+#[cold]
 #[inline(never)]
-fn lies_in<S: Scalar, N: Of<S>>(
+fn in_the_plane<S: Scalar, N: Of<S>>(
+    line: &LocalRay<N>,
     normal: [N; 3],
-    line: &Line<N>,
-    vertices: [[N; 3]; 3],
-    range: Range<S>,
-) -> Option<Intersection<S>> {
-    let [a, b, c] = vertices;
+    [a, b, c]: [[N; 3]; 3],
+    goal: Goal<S>,
+) -> Attempt<Intersection<S>> {
+    let distance = dot(normal, difference(a, line.origin));
+    // Exactly collinear vertices have no area.
+    if known(is_zero(normal))? || known(distance.sign())? != Ordering::Equal {
+        return Err(Stop::Miss);
+    }
     let (mut enter, mut exit): (Option<Fraction<N>>, Option<Fraction<N>>) = (None, None);
     for (p, q) in [(a, b), (b, c), (c, a)] {
         // Points x with inward . (x - p) >= 0 are on the inner side.
-        let inward = cross(normal, difference(q, p));
+        let inward = product(normal, difference(q, p));
         let (at_origin, slope) = (dot(inward, difference(line.origin, p)), dot(inward, line.direction));
         let t = Fraction { n: -at_origin, e: slope };
-        match slope.sign()? {
-            Ordering::Equal if at_origin.sign()? == Ordering::Less => return Some(Intersection::Miss),
+        match known(slope.sign())? {
+            Ordering::Equal if known(at_origin.sign())? == Ordering::Less => return Err(Stop::Miss),
             Ordering::Equal => {}
             Ordering::Greater => {
-                let is_later = enter.map_or(Some(true), |own| Some(t.order(own)? == Ordering::Greater))?;
+                let is_later = match enter {
+                    Some(own) => known(t.order(own))? == Ordering::Greater,
+                    None => true,
+                };
                 enter = if is_later { Some(t) } else { enter };
             }
             Ordering::Less => {
-                let is_earlier = exit.map_or(Some(true), |own| Some(t.order(own)? == Ordering::Less))?;
+                let is_earlier = match exit {
+                    Some(own) => known(t.order(own))? == Ordering::Less,
+                    None => true,
+                };
                 exit = if is_earlier { Some(t) } else { exit };
             }
         }
     }
     if let (Some(first), Some(last)) = (enter, exit)
-        && first.order(last)? == Ordering::Greater
+        && known(first.order(last))? == Ordering::Greater
     {
-        return Some(Intersection::Miss);
+        return Err(Stop::Miss);
     }
     let end = |t: Fraction<N>| End::at(t, Part::Side);
-    Some(Intersection::LiesIn(span(&Flat, Interval::new(enter.map(end), exit.map(end)), range)?))
+    let interval = Interval::new(enter.map_or_else(End::never_entered, end), exit.map_or_else(End::never_left, end));
+    Ok(Intersection::LiesIn(span(&Flat, line, &interval, goal.range)?))
 }

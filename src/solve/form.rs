@@ -1,7 +1,7 @@
 //! The line and the quadrics along it.
 
 use crate::equations::{Described, EquationKinds, Side};
-use crate::number::{Ring, cross};
+use crate::number::Ring;
 use crate::part::Part;
 use crate::ray::Leaving;
 
@@ -14,38 +14,29 @@ pub(crate) struct Line<N> {
     pub(crate) departure: Option<(Part, Leaving)>,
 }
 
-impl<N> Line<N> {
-    pub(super) fn departs_from(&self, part: Part) -> bool {
-        self.departure.is_some_and(|(from, _)| from == part)
-    }
-}
-
 /// A point in homogeneous coordinates `(v, w)`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Homogeneous<N> {
     pub(super) v: [N; 3],
-    pub(super) w: Weight<N>,
+    pub(super) w: Weight,
 }
 
 /// The homogeneous coordinate `w` of a point.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Weight<N> {
+pub(super) enum Weight {
     /// Zero: a direction.
     Zero,
     /// One: a point in Cartesian coordinates.
     One,
-    /// Any other value.
-    By(N),
 }
 
-impl<N: Ring> Weight<N> {
+impl Weight {
     /// The number times the weight.
     #[inline(always)]
-    fn times(self, number: N) -> N {
+    fn times<N: Ring>(self, number: N) -> N {
         match self {
             Self::Zero => N::ZERO,
             Self::One => number,
-            Self::By(w) => number * w,
         }
     }
 }
@@ -54,21 +45,10 @@ impl<N: Ring> Weight<N> {
 ///
 /// Each quadric is a type of its own, so that a program links the equations only of those that it uses.
 pub(super) trait Quadric<N: Ring>: Copy {
-    /// True for a cone, the only quadric with two nappes.
-    const IS_CONE: bool = false;
-
     /// `f(p, q)`
     fn of(self, p: Homogeneous<N>, q: Homogeneous<N>) -> N;
-    /// `(k^2 - a c) / h^2` along the line, with the `h` of a cone and 1 for the others, from the line's Pluecker moment `w = o x d`:
-    /// Lagrange's identity in the metric of the form. `a` is the form of the direction.
-    fn discriminant(self, line: &Line<N>, a: N) -> N;
     /// The radius at a point, times the `h` of a cone.
     fn outline(self, p: Homogeneous<N>) -> N;
-    /// The `h` of [`Quadric::discriminant`], where it is not 1.
-    #[inline(always)]
-    fn factor(self) -> Option<N> {
-        None
-    }
 }
 
 /// `x x' + y y' + z z' - r w r w'`
@@ -82,12 +62,6 @@ impl<N: Ring> Quadric<N> for Ball<N> {
     fn of(self, p: Homogeneous<N>, q: Homogeneous<N>) -> N {
         let ([x, y, z], [u, v, w]) = (p.v, q.v);
         N::sum([[x, u], [y, v], [z, w], [-p.w.times(self.r), q.w.times(self.r)]])
-    }
-    /// `a r^2 - |w|^2`
-    #[inline(always)]
-    fn discriminant(self, line: &Line<N>, a: N) -> N {
-        let [wx, wy, wz] = cross(line.origin, line.direction);
-        N::sum([[a, self.r * self.r], [-wx, wx], [-wy, wy], [-wz, wz]])
     }
     #[inline(always)]
     fn outline(self, p: Homogeneous<N>) -> N {
@@ -106,13 +80,6 @@ impl<N: Ring> Quadric<N> for Tube<N> {
     fn of(self, p: Homogeneous<N>, q: Homogeneous<N>) -> N {
         let ([x, _, z], [u, _, w]) = (p.v, q.v);
         N::sum([[x, u], [z, w], [-p.w.times(self.r), q.w.times(self.r)]])
-    }
-    /// `a r^2 - w_y^2`
-    #[inline(always)]
-    fn discriminant(self, line: &Line<N>, a: N) -> N {
-        let ([x, _, z], [dx, _, dz]) = (line.origin, line.direction);
-        let wy = N::sum([[z, dx], [-x, dz]]);
-        N::sum([[a, self.r * self.r], [-wy, wy]])
     }
     #[inline(always)]
     fn outline(self, p: Homogeneous<N>) -> N {
@@ -143,21 +110,11 @@ impl<N: Ring> Cone<N> {
 }
 
 impl<N: Ring> Quadric<N> for Cone<N> {
-    const IS_CONE: bool = true;
-
     #[inline(always)]
     fn of(self, p: Homogeneous<N>, q: Homogeneous<N>) -> N {
         let ([x, _, z], [u, _, w], h) = (p.v, q.v, self.h);
         let (g, f) = (self.outline(p), self.outline(q));
         N::sum([[h * x, h * u], [h * z, h * w], [-g, f]])
-    }
-    /// `(g1 wz - g0 dx)^2 + (g1 wx + g0 dz)^2 - (h wy)^2`
-    #[inline(always)]
-    fn discriminant(self, line: &Line<N>, _: N) -> N {
-        let Self { h, g0, g1 } = self;
-        let ([dx, _, dz], [wx, wy, wz]) = (line.direction, cross(line.origin, line.direction));
-        let (p, q, s) = (N::sum([[g1, wz], [-g0, dx]]), N::sum([[g1, wx], [g0, dz]]), h * wy);
-        N::sum([[p, p], [q, q], [-s, s]])
     }
     #[inline(always)]
     fn outline(self, p: Homogeneous<N>) -> N {
@@ -165,12 +122,7 @@ impl<N: Ring> Quadric<N> for Cone<N> {
         match p.w {
             Weight::Zero => g1 * p.v[1],
             Weight::One => N::sum([[g0, N::ONE], [g1, p.v[1]]]),
-            Weight::By(w) => N::sum([[g0, w], [g1, p.v[1]]]),
         }
-    }
-    #[inline(always)]
-    fn factor(self) -> Option<N> {
-        Some(self.h)
     }
 }
 

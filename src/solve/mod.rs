@@ -10,40 +10,44 @@
 //!
 //! | file | what it holds |
 //! |---|---|
-//! | `form` | the line, and the quadrics as bilinear forms |
+//! | `attempt` | why there is no result |
+//! | `local_ray` | the ray in a primitive's frame, in each number |
+//! | `quadric` | the quadrics in coordinates along a line: each equation once |
 //! | `quadratic` | a quadric along the line; the order of its roots and of planes |
-//! | `settle` | conversion of ends to the ray's number type, and comparison with its range |
+//! | `end` | the ends of intervals, and their conversion to the ray's number type |
 //! | `round` | spheres, capsules, double cones |
 //! | `side` | cylinders and cones, infinite, open or between planes |
 //! | `flat` | planes, discs, triangles |
 //! | `slabs` | cuboids, rectangles |
-//! | `contains` | the inside test |
-//! | `surface` | the point of a hit, and its normal |
+//! | `form`, `contains`, `surface` | the inside test; the point of a hit, and its normal |
 
-#![expect(clippy::option_option, reason = "an end that is not there, and one that is not known")]
-
+mod attempt;
 mod contains;
+mod end;
 mod flat;
 mod form;
+mod local_ray;
 mod quadratic;
+mod quadric;
 mod round;
-mod settle;
 mod side;
 mod slabs;
 mod surface;
-#[cfg(test)]
-mod tests;
 
+pub use attempt::{Attempt, Stop};
 pub(crate) use contains::holds;
+pub use end::{Goal, Of};
+pub(crate) use flat::{disc, plane, triangle};
 pub(crate) use form::Line;
-pub(crate) use settle::Of;
+pub use local_ray::{LocalRay, Localize};
+pub(crate) use round::{ball, capsule, double_cone};
+pub(crate) use side::{Extent, cone, frustum, tube};
+pub(crate) use slabs::{cuboid, rectangle};
 pub(crate) use surface::{correction, gradient, point_at, value};
 
-use crate::equations::{Described, EquationKinds, Equations};
-use crate::intersection::Intersection;
+use crate::equations::Equations;
 use crate::part::Part;
-use crate::ray::{Leaving, Range};
-use crate::scalar::Scalar;
+use crate::ray::Leaving;
 
 /// True if rule 8 of the contract implies that a departing ray misses, without any arithmetic: if it departs outwards from a convex
 /// solid, or from a flat primitive.
@@ -56,54 +60,5 @@ pub(crate) fn meets_nothing<S>(equations: &Equations<S>, departure: Option<(Part
         }
         (_, Equations::DoubleCone { .. }) => false,
         (Some((_, leaving)), _) => leaving == Leaving::Outwards,
-    }
-}
-
-/// The intersection of the line with a primitive; `None` if the number does not know a sign. [`meets_nothing`] must be false for a line
-/// that departs.
-///
-/// Only the functions for the kinds of equations of the geometry `G` are linked.
-#[inline(always)]
-pub(crate) fn intersect<S: Scalar, N: Of<S>, G: Described>(
-    equations: &Equations<S>,
-    line: &Line<N>,
-    range: Range<S>,
-) -> Option<Intersection<S>> {
-    match *equations {
-        Equations::Ball { radius } if G::EQUATIONS.has(EquationKinds::BALL) => {
-            round::ball(line, N::scalar(radius), range)
-        }
-        Equations::Capsule { radius, height } if G::EQUATIONS.has(EquationKinds::CAPSULE) => {
-            round::capsule(line, N::scalar(radius), N::scalar(height), range)
-        }
-        Equations::Round { side, extent } if G::EQUATIONS.has(EquationKinds::TUBE.and(EquationKinds::CONE)) => {
-            side::intersect::<S, N, G>(line, side, extent, range)
-        }
-        Equations::DoubleCone { slope } if G::EQUATIONS.has(EquationKinds::DOUBLE_CONE) => {
-            round::double_cone(line, N::scalar(slope), range)
-        }
-        Equations::Plane if G::EQUATIONS.has(EquationKinds::PLANE) => flat::plane(line, range),
-        Equations::Disc { radius } if G::EQUATIONS.has(EquationKinds::DISC) => {
-            flat::disc(line, N::scalar(radius), range)
-        }
-        Equations::Triangle { vertices } if G::EQUATIONS.has(EquationKinds::TRIANGLE) => {
-            flat::triangle(line, vertices.map(|vertex| vertex.map(N::scalar)), range)
-        }
-        Equations::Cuboid { half } if G::EQUATIONS.has(EquationKinds::CUBOID) => {
-            slabs::cuboid(line, half.map(N::scalar), range)
-        }
-        Equations::Rectangle { half } if G::EQUATIONS.has(EquationKinds::RECTANGLE) => {
-            slabs::rectangle(line, half.map(N::scalar), range)
-        }
-        // The geometry has no such equations. (A wildcard arm would cost a test: the compiler does not know that it is unreachable.)
-        Equations::Ball { .. }
-        | Equations::Capsule { .. }
-        | Equations::Round { .. }
-        | Equations::DoubleCone { .. }
-        | Equations::Plane
-        | Equations::Disc { .. }
-        | Equations::Cuboid { .. }
-        | Equations::Rectangle { .. }
-        | Equations::Triangle { .. } => Some(Intersection::Miss),
     }
 }

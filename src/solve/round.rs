@@ -1,58 +1,141 @@
 //! Spheres, capsules and double cones.
 
-use super::form::{Ball, Cone, Line, Tube};
-use super::quadratic::Curve;
-use super::quadratic::{End, Flat, Fraction, Inside, Interval, Quadratic, times};
-use super::settle::{self, Of, inwards, span};
-use super::side::slab;
+use super::attempt::{Attempt, Stop, known};
+use super::end::{
+    self, Curve, End, Flat, Fraction, Goal, Interval, Of, between, inwards, order, settled, solid, span, times,
+};
+use super::local_ray::LocalRay;
+use super::quadratic::{Inside, Quadratic};
+use super::quadric::{Ball, Nappe, Tube};
+use super::side::{nappe_of_slope, slab};
 use crate::intersection::{self, Intersection, Span};
+use crate::number::{Difference, Estimate, Number, Ring, dot};
 use crate::part::Part;
-use crate::ray::{Leaving, Range};
-use crate::scalar::Scalar;
+use crate::ray::Leaving;
+use crate::scalar::{Scalar, ToScalar};
 use core::cmp::Ordering;
 
 /// The ball about the origin.
-#[inline(never)]
-pub(super) fn ball<S: Scalar, N: Of<S>>(line: &Line<N>, r: N, range: Range<S>) -> Option<Intersection<S>> {
-    let departs = line.departure.is_some();
-    let quadratic = Quadratic::new(Ball { r }, line, departs)?;
-    let Inside::Between(touch) = quadratic.inside()? else {
-        // a > 0, so that there is no other case.
-        return Some(Intersection::Miss);
-    };
+#[inline(always)]
+pub(crate) fn ball<S: Scalar, N: Of<S>>(line: &LocalRay<N>, radius: S, goal: Goal<S>) -> Attempt<Intersection<S>> {
+    let r = N::scalar(radius);
+    if is_approached::<S, N>(line) {
+        return from_closest_approach(line, r, goal);
+    }
+    let quadratic = Quadratic::new(Ball { o: line.origin, d: line.direction, r }, line, line.departure.is_some())?;
+    // a > 0, so that there is no other case.
+    let Inside::Between(touch) = quadratic.inside else { return Err(Stop::Miss) };
     let interval = quadratic.between(touch);
-    Some(Intersection::One(if departs {
-        inwards(&quadratic, interval.exit, range)?
-    } else {
-        span(&quadratic, interval, range)?
-    }))
+    if line.departure.is_some() {
+        return inwards(&quadratic, line, &interval.exit, goal.range);
+    }
+    solid(&quadratic, line, &interval, goal)
+}
+
+/// True if a ball is intersected from the point of closest approach: cheaper than from the Pluecker moment, but only nearly exact where the direction's
+/// length is only nearly 1.
+#[inline(always)]
+const fn is_approached<S: Scalar, N: Of<S>>(line: &LocalRay<N>) -> bool {
+    line.is_unit && line.departure.is_none() && <N::Estimate as ToScalar<S>>::ROUNDING_DECIDES
+}
+
+/// The closest approach of a line whose direction has nearly length 1 to the ball about `o`.
+struct Approach<N: Number> {
+    /// `r^2 - |p|^2` with `p = o - k d`
+    discriminant: N,
+    terms: N,
+    k: N,
+    /// `|d|^2 - 1`
+    excess: N,
+}
+
+impl<N: Number> Approach<N> {
+    #[inline(always)]
+    fn new(line: &LocalRay<N>, o: [N; 3], r: N) -> Self {
+        let d = line.direction;
+        let k = dot(o, d);
+        let p = [o[0] - k * d[0], o[1] - k * d[1], o[2] - k * d[2]];
+        let (rr, pp) = (r * r, dot(p, p));
+        Self { discriminant: rr - pp, terms: rr + pp + line.far(N::MOVED), k, excess: dot(d, d) - N::ONE }
+    }
+
+    /// True if the line touches the ball, false if it crosses it.
+    #[inline(always)]
+    fn touches(&self) -> Attempt<bool> {
+        // The formulas neglect the square of the excess.
+        if !self.excess.is_negligible_squared() {
+            return Err(Stop::Unsure);
+        }
+        match known(self.discriminant.sign_among(Difference::OfSquares, || self.terms))? {
+            Ordering::Less => Err(Stop::Miss),
+            sign => Ok(sign == Ordering::Equal),
+        }
+    }
+
+    /// `-k -+ sqrt(D) / |d|`, where one over the length is `1 - excess / 2`: the next term is below 2^-40.
+    #[inline(always)]
+    fn roots(&self) -> ([N::Estimate; 2], N::Estimate) {
+        let (k, root) = (self.k.estimate(), self.discriminant.estimate().square_root());
+        let half = root - root * self.excess.estimate().scaled(-1);
+        ([-k - half, half - k], root)
+    }
+}
+
+#[inline(always)]
+fn from_closest_approach<S: Scalar, N: Of<S>>(line: &LocalRay<N>, r: N, goal: Goal<S>) -> Attempt<Intersection<S>> {
+    let approach = Approach::new(line, line.origin, r);
+    let touch = approach.touches()?;
+    let ([lower, upper], root) = approach.roots();
+    let end = |t: N::Estimate| {
+        if !N::is_far(ToScalar::<S>::whole(t, line.start), root, || approach.terms) {
+            return Err(Stop::Unsure);
+        }
+        Ok(End { place: end::Place::Missing, t, part: Part::Side })
+    };
+    let enter = settled(&Flat, line, &end(lower)?, goal.range)?;
+    if touch {
+        return Ok(Intersection::One(Span { enter, exit: enter, touch }));
+    }
+    between(&Flat, line, enter, || end(upper), goal)
 }
 
 /// Both nappes of a cone about its apex at the origin.
-#[inline(never)]
-pub(super) fn double_cone<S: Scalar, N: Of<S>>(line: &Line<N>, slope: N, range: Range<S>) -> Option<Intersection<S>> {
+#[inline(always)]
+pub(crate) fn double_cone<S: Scalar, N: Of<S>>(line: &LocalRay<N>, slope: S, goal: Goal<S>) -> Attempt<Intersection<S>> {
     let leaving = line.departure.map(|(_, leaving)| leaving);
-    let quadratic = Quadratic::new(Cone::slope(slope), line, leaving.is_some())?;
-    let inside = quadratic.inside()?;
+    let quadratic = Quadratic::new(nappe_of_slope(line, slope), line, leaving.is_some())?;
     if let Some(leaving) = leaving {
-        return departing_double_cone(&quadratic, inside, leaving, range);
+        return departing_double_cone(line, &quadratic, leaving, goal);
     }
-    let ends = || quadratic.ends().map(Some);
-    let one = |interval: Interval<N>| Some(Intersection::One(span(&quadratic, interval, range)?));
-    match inside {
-        Inside::Nowhere => Some(Intersection::Miss),
-        Inside::Between(touch) => one(quadratic.between(touch)),
+    match quadratic.inside {
+        Inside::Nowhere => Err(Stop::Miss),
+        Inside::Between(touch) => solid(&quadratic, line, &quadratic.between(touch), goal),
         Inside::Beyond => {
-            let [first, second] = ends();
-            let first = span(&quadratic, Interval::new(None, first), range)?;
-            let second = span(&quadratic, Interval::new(second, None), range)?;
-            Some(in_order(first, second))
+            let [first, second] = quadratic.ends();
+            let first = span(&quadratic, line, &Interval::new(End::never_entered(), first), goal.range)?;
+            if goal.since.is_some_and(|since| first.exit.t < since) {
+                return solid(&quadratic, line, &Interval::new(second, End::never_left()), goal);
+            }
+            let second = span(&quadratic, line, &Interval::new(second, End::never_left()), goal.range)?;
+            Ok(in_order(first, second))
         }
-        Inside::Until => one(Interval::new(None, ends()[0])),
-        Inside::From => one(Interval::new(ends()[0], None)),
-        Inside::Everywhere | Inside::InSurface => {
-            Some(Intersection::LiesIn(span(&Flat, Interval::<N>::EVERYWHERE, range)?))
-        }
+        _ => parallel_double_cone(line, &quadratic, goal),
+    }
+}
+
+/// The same for a line parallel to a generator, or in the surface.
+#[cold]
+#[inline(never)]
+fn parallel_double_cone<S: Scalar, N: Of<S>>(
+    line: &LocalRay<N>,
+    quadratic: &Quadratic<N, Nappe<N>>,
+    goal: Goal<S>,
+) -> Attempt<Intersection<S>> {
+    let one = |interval: Interval<N>| solid(quadratic, line, &interval, goal);
+    match quadratic.inside {
+        Inside::Until => one(Interval::new(End::never_entered(), quadratic.ends()[0])),
+        Inside::From => one(Interval::new(quadratic.ends()[0], End::never_left())),
+        _ => Ok(Intersection::LiesIn(Span::everywhere())),
     }
 }
 
@@ -65,140 +148,183 @@ fn in_order<S: Scalar>(first: Span<S>, mut second: Span<S>) -> Intersection<S> {
 }
 
 /// A double cone is not convex: a ray that leaves it outwards may meet the other nappe. One of the roots is the start.
+#[inline(never)]
 fn departing_double_cone<S: Scalar, N: Of<S>>(
-    quadratic: &Quadratic<'_, N, Cone<N>>,
-    inside: Inside,
+    line: &LocalRay<N>,
+    quadratic: &Quadratic<N, Nappe<N>>,
     leaving: Leaving,
-    range: Range<S>,
-) -> Option<Intersection<S>> {
+    goal: Goal<S>,
+) -> Attempt<Intersection<S>> {
     let [first, second] = quadratic.ends();
-    let is_ahead = |end: &End<N>| Some(settle::compare(quadratic, end, S::ZERO)? == Ordering::Greater);
-    let until = |end: Option<End<N>>| inwards(quadratic, end, range);
-    let from = |end: End<N>| span(quadratic, Interval::new(Some(end), None), range);
-    Some(match (inside, leaving) {
-        (Inside::Everywhere | Inside::InSurface, _) => {
-            Intersection::LiesIn(span(&Flat, Interval::<N>::EVERYWHERE, range)?)
-        }
-        (Inside::Between(_), Leaving::Inwards) => Intersection::One(until(Some(second))?),
+    let is_ahead = || Ok(known(end::compare(quadratic, line, &second, S::ZERO))? == Ordering::Greater);
+    let until = |end: End<N>| inwards(quadratic, line, &end, goal.range);
+    let from = || span(quadratic, line, &Interval::new(second, End::never_left()), goal.range);
+    match (quadratic.inside, leaving) {
+        (Inside::Everywhere | Inside::InSurface, _) => Ok(Intersection::LiesIn(Span::everywhere())),
+        (Inside::Between(_), Leaving::Inwards) => until(second),
         // The other root is the entry into the other nappe.
-        (Inside::Beyond, Leaving::Outwards) if is_ahead(&second)? => Intersection::One(from(second)?),
+        (Inside::Beyond, Leaving::Outwards) if is_ahead()? => Ok(Intersection::One(from()?)),
         // The interval of a ray that departs inwards but leads away from the nappe ends at its start.
-        (Inside::Beyond, Leaving::Inwards) if is_ahead(&second)? => in_order(until(Some(first))?, from(second)?),
-        (Inside::Beyond | Inside::From, Leaving::Inwards) => Intersection::One(until(None)?),
-        (Inside::Until, Leaving::Inwards) => Intersection::One(until(Some(first))?),
-        (Inside::Nowhere, _) | (_, Leaving::Outwards) => Intersection::Miss,
-    })
+        (Inside::Beyond, Leaving::Inwards) if is_ahead()? => match until(first)? {
+            Intersection::One(first) => Ok(in_order(first, from()?)),
+            other => Ok(other),
+        },
+        (Inside::Beyond | Inside::From, Leaving::Inwards) => until(End::never_left()),
+        (Inside::Until, Leaving::Inwards) => until(first),
+        (Inside::Nowhere, _) | (_, Leaving::Outwards) => Err(Stop::Miss),
+    }
 }
 
 /// All points within `r` of the segment from the origin to `(0, height, 0)`.
 ///
 /// The balls at its ends lie in the infinite tube, and a line that is in the tube beyond a ball without hitting the ball does not return to the side.
 /// Therefore each end of the interval in the tube corresponds to one end of the interval in the capsule, or the line misses the capsule.
-#[inline(never)]
-pub(super) fn capsule<S: Scalar, N: Of<S>>(
-    line: &Line<N>,
-    r: N,
-    height: N,
-    range: Range<S>,
-) -> Option<Intersection<S>> {
-    let tube = Quadratic::new(Tube { r }, line, line.departs_from(Part::Side))?;
-    let solver = Capsule { line, r, height, tube: &tube, climb: line.direction[1].sign()?, range };
-    let interval = match tube.inside()? {
-        Inside::Between(touch) => tube.between(touch),
-        Inside::Everywhere => Interval::EVERYWHERE,
-        // From seam to seam; if the height is zero, at one point.
-        Inside::InSurface => {
-            let Some(seams) = slab(line, Some(N::ZERO), Some(height))? else {
-                return Some(Intersection::Miss);
-            };
-            let touch = height.sign()? == Ordering::Equal;
-            let [enter, exit] = [seams.enter, seams.exit].map(|end| end.map(End::of_side));
-            if line.departure.is_some() {
-                return Some(Intersection::One(inwards(&Flat, exit, range)?));
-            }
-            return Some(Intersection::One(span(&Flat, Interval { enter, exit, touch }, range)?));
-        }
-        _ if line.departure.is_some() => Interval::new(None, Some(End::start(Part::Side))),
-        _ => return Some(Intersection::Miss),
-    };
-    if let Some((part, _)) = line.departure {
-        // If it misses the ball at its end by its rounded coordinates, its interval ends at its start.
-        let exit = match solver.end(interval.exit, false)? {
-            Some((exit, _)) => exit,
-            None => settle::exit(&Flat, Some(End::<N>::start(part)), range, intersection::End::none(-S::INFINITY))?,
-        };
-        return Some(Intersection::One(Span::new(intersection::End::none(-S::INFINITY), exit)));
+#[inline(always)]
+pub(crate) fn capsule<S: Scalar, N: Of<S>>(
+    line: &LocalRay<N>,
+    [radius, height]: [S; 2],
+    goal: Goal<S>,
+) -> Attempt<Intersection<S>> {
+    let (r, height) = (N::scalar(radius), N::scalar(height));
+    let ([x, _, z], [dx, _, dz]) = (line.origin, line.direction);
+    let tube = Quadratic::new(Tube { o: [x, z], d: [dx, dz], r }, line, line.departs_from(Part::Side))?;
+    let capsule = Capsule { line, r, height, tube: &tube, goal };
+    if line.departure.is_some() {
+        return capsule.departing();
     }
-    let (Some((enter, touches)), Some((exit, _))) =
-        (solver.end(interval.enter, true)?, solver.end(interval.exit, false)?)
-    else {
-        return Some(Intersection::Miss);
+    let interval = match tube.inside {
+        Inside::Between(touch) => tube.between(touch),
+        Inside::Everywhere => Interval::everywhere(),
+        Inside::InSurface => return capsule.in_the_side(),
+        _ => return Err(Stop::Miss),
     };
-    // If the line only touches the ball or the side at its entry, the exit is the same point.
-    let touch = (touches || interval.touch) && enter.part == exit.part;
-    let exit_t = if touch || exit.t < enter.t { enter.t } else { exit.t };
-    Some(Intersection::One(Span { enter, exit: intersection::End { t: exit_t, ..exit }, touch }))
+    let (enter, touches) = capsule.end(interval.enter, true)?;
+    // A line that only touches the side or a ball enters and leaves at the same point.
+    if touches || interval.touch {
+        let (exit, _) = capsule.end(interval.exit, false)?;
+        let touch = enter.part == exit.part;
+        let exit_t = if touch || exit.t < enter.t { enter.t } else { exit.t };
+        return Ok(Intersection::One(Span { enter, exit: intersection::End { t: exit_t, ..exit }, touch }));
+    }
+    if goal.since.is_some_and(|since| enter.t >= since) {
+        return Ok(Intersection::Entered(enter));
+    }
+    match capsule.end(interval.exit, false) {
+        Ok((exit, _)) if exit.t < enter.t => {
+            Ok(Intersection::One(Span::new(enter, intersection::End { t: enter.t, ..exit })))
+        }
+        Ok((exit, _)) => Ok(Intersection::One(Span::new(enter, exit))),
+        Err(Stop::Miss) if N::IS_WIDE => Err(Stop::Miss),
+        Err(_) if enter.t.is_finite() && !N::IS_WIDE => Ok(Intersection::Entered(enter)),
+        Err(_) => Err(Stop::Unsure),
+    }
 }
 
 /// The quantities from which the ends of a capsule are computed.
-struct Capsule<'a, S: Scalar, N> {
-    line: &'a Line<N>,
+struct Capsule<'a, S: Scalar, N: Number> {
+    line: &'a LocalRay<N>,
     r: N,
     height: N,
-    tube: &'a Quadratic<'a, N, Tube<N>>,
-    /// The sign of the direction's y component.
-    climb: Ordering,
-    range: Range<S>,
+    tube: &'a Quadratic<N, Tube<N>>,
+    goal: Goal<S>,
 }
 
 impl<S: Scalar, N: Of<S>> Capsule<'_, S, N> {
-    /// How the height of a root of the tube compares with a seam's.
-    fn beside(&self, end: &End<N>, seam: N) -> Option<Ordering> {
+    /// How the height of an end in the tube compares with a seam's.
+    #[inline(always)]
+    fn beside(&self, end: &End<N>, seam: N) -> Attempt<Ordering> {
         let (y, dy) = (self.line.origin[1], self.line.direction[1]);
-        match self.climb {
-            Ordering::Equal => (y - seam).sign(),
+        if !N::IS_WIDE {
+            return known(((y - seam).estimate() + end.t * dy.estimate()).sign());
+        }
+        match known(dy.sign())? {
+            Ordering::Equal => known((y - seam).sign()),
             climb => {
                 let crossing = End::at(Fraction { n: seam - y, e: dy }, Part::Side);
-                Some(times(self.tube.order(end, &crossing)?, climb))
+                Ok(times(order(self.tube, end, &crossing)?, climb))
             }
         }
     }
 
-    /// The end in the capsule for one end in the infinite tube (`None` if the line is parallel to it), and whether the line only touches the
-    /// ball there. It is on the side between the seams (included), and on a ball beyond them. `None` if the line misses that ball.
-    fn end(&self, end: Option<End<N>>, entering: bool) -> Option<Option<(intersection::End<S>, bool)>> {
-        let part = match end {
-            Some(end) => {
-                if self.beside(&end, N::ZERO)? == Ordering::Less {
+    /// The end in the capsule for one end in the infinite tube, and whether the line only touches a ball there. It is on the side between the
+    /// seams (included), and on a ball beyond them. A miss if the line misses that ball.
+    #[inline(always)]
+    fn end(&self, end: End<N>, entering: bool) -> Attempt<(intersection::End<S>, bool)> {
+        N::apart(
+            #[inline(always)]
+            || {
+                let part = if matches!(end.place, end::Place::Missing) {
+                    let climbs = known(self.line.direction[1].sign())? == Ordering::Greater;
+                    if climbs == entering { Part::Base } else { Part::Top }
+                } else if self.beside(&end, N::ZERO)? == Ordering::Less {
                     Part::Base
                 } else if self.beside(&end, self.height)? == Ordering::Greater {
                     Part::Top
                 } else {
-                    return Some(Some((self.settled(self.tube, end, entering)?, false)));
+                    return Ok((self.settled(self.tube, &end, entering)?, false));
+                };
+                let [x, y, z] = self.line.origin;
+                let o = [x, if part == Part::Top { y - self.height } else { y }, z];
+                if is_approached::<S, N>(self.line) {
+                    let approach = Approach::new(self.line, o, self.r);
+                    let touch = approach.touches()?;
+                    let ([lower, upper], _) = approach.roots();
+                    let t = if entering { lower } else { upper };
+                    return Ok((self.settled(&Flat, &End { place: end::Place::Missing, t, part }, entering)?, touch));
                 }
-            }
-            None if (self.climb == Ordering::Greater) == entering => Part::Base,
-            None => Part::Top,
-        };
-        let [x, y, z] = self.line.origin;
-        let y = if part == Part::Top { y - self.height } else { y };
-        let seen = Line { origin: [x, y, z], ..*self.line };
-        let ball = Quadratic::new(Ball { r: self.r }, &seen, self.line.departs_from(part))?;
-        let Inside::Between(touch) = ball.inside()? else {
-            return Some(None);
-        };
-        let [first, second] = ball.ends();
-        let end = End { part, ..if entering { first } else { second } };
-        Some(Some((self.settled(&ball, end, entering)?, touch)))
+                let ball = Ball { o, d: self.line.direction, r: self.r };
+                let ball = Quadratic::new(ball, self.line, self.line.departs_from(part))?;
+                let Inside::Between(touch) = ball.inside else { return Err(Stop::Miss) };
+                let [first, second] = ball.ends();
+                let end = End { part, ..if entering { first } else { second } };
+                Ok((self.settled(&ball, &end, entering)?, touch))
+            },
+        )
     }
 
-    fn settled(&self, quadratic: &impl Curve<N>, end: End<N>, entering: bool) -> Option<intersection::End<S>> {
-        if entering {
-            return settle::entry(quadratic, Some(end), self.range);
+    #[inline(always)]
+    fn settled(&self, curve: &impl Curve<N>, end: &End<N>, entering: bool) -> Attempt<intersection::End<S>> {
+        if !entering && self.line.departure.is_some() {
+            return match inwards(curve, self.line, end, self.goal.range)? {
+                Intersection::One(span) => Ok(span.exit),
+                _ => Err(Stop::Unsure),
+            };
         }
+        settled(curve, self.line, end, self.goal.range)
+    }
+
+    /// A line in the side: from seam to seam, or, if the height is zero, at one point.
+    #[cold]
+    #[inline(never)]
+    fn in_the_side(&self) -> Attempt<Intersection<S>> {
+        let seams = slab(self.line, Some(N::ZERO), Some(self.height))?.ok_or(Stop::Miss)?;
+        let touch = known(self.height.sign())? == Ordering::Equal;
+        let (enter, exit) = (seams.enter.of_side(), seams.exit.of_side());
         if self.line.departure.is_some() {
-            return Some(inwards(quadratic, Some(end), self.range)?.exit);
+            return inwards(&Flat, self.line, &exit, self.goal.range);
         }
-        settle::exit(quadratic, Some(end), self.range, intersection::End::none(-S::INFINITY))
+        let interval = Interval { enter, exit, touch };
+        Ok(Intersection::One(span(&Flat, self.line, &interval, self.goal.range)?))
+    }
+
+    /// A line that departs inwards.
+    #[inline(never)]
+    fn departing(&self) -> Attempt<Intersection<S>> {
+        let exit = match self.tube.inside {
+            Inside::Between(_) => self.tube.ends()[1],
+            Inside::Everywhere => End::never_left(),
+            Inside::InSurface => return self.in_the_side(),
+            _ => End::start(Part::Side),
+        };
+        let exit = match self.end(exit, false) {
+            Ok((exit, _)) => exit,
+            // If it misses the ball at its end by its rounded coordinates, its interval ends at its start.
+            Err(Stop::Miss) => {
+                let part = self.line.departure.map_or(Part::Side, |(part, _)| part);
+                settled(&Flat, self.line, &End::<N>::start(part), self.goal.range)?
+            }
+            Err(Stop::Unsure) => return Err(Stop::Unsure),
+        };
+        Ok(Intersection::One(Span::new(intersection::End::none(-S::INFINITY), exit)))
     }
 }

@@ -1,41 +1,101 @@
 //! Cylinders and cones about the y axis, infinite, open or between planes.
 
-use super::form::{Form, Homogeneous, Line, Quadric, Weight};
-use super::quadratic::{End, Fraction, Inside, Interval, Place, Quadratic};
-use super::settle::{self, Of, inwards, span};
-use crate::equations::{Described, EquationKinds, Extent, Side};
+use super::attempt::{Attempt, Stop, known};
+use super::end::{self, Curve, End, Fraction, Goal, Interval, Of, inwards, order, settled, solid, span};
+use super::local_ray::LocalRay;
+use super::quadratic::{Inside, Quadratic};
+use super::quadric::{Nappe, Quadric, Tube};
 use crate::intersection::{self, Intersection, Span};
 use crate::number::Number;
 use crate::part::Part;
-use crate::ray::Range;
 use crate::scalar::Scalar;
 use core::cmp::Ordering;
 
-/// The interval of the line with `low <= y <= high`, if any. The parts of its ends are those of the two planes. The planes belong to the
-/// slab. The start of a line that departs from one of them is taken to lie on it.
-#[inline]
-pub(super) fn slab<N: Number>(line: &Line<N>, low: Option<N>, high: Option<N>) -> Option<Option<Interval<N>>> {
-    let (y, dy) = (line.origin[1], line.direction[1]);
-    let end = |bound: Option<N>, part: Part| {
-        bound.map(|bound| {
-            if line.departs_from(part) { End::start(part) } else { End::at(Fraction { n: bound - y, e: dy }, part) }
-        })
+/// The ends of a side along the axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Extent<S> {
+    /// No ends; a solid.
+    Infinite,
+    /// Rims at `y = 0` and at this height; a surface without an inside.
+    Open(S),
+    /// Caps at these heights; a solid. `None` at an apex, which needs no cap.
+    Capped(Option<S>, Option<S>),
+}
+
+/// The infinite cylinder of this radius, between its ends.
+#[inline(always)]
+pub(crate) fn tube<S: Scalar, N: Of<S>>(
+    line: &LocalRay<N>,
+    radius: S,
+    extent: Extent<S>,
+    goal: Goal<S>,
+) -> Attempt<Intersection<S>> {
+    let ([x, _, z], [dx, _, dz]) = (line.origin, line.direction);
+    side(line, Tube { o: [x, z], d: [dx, dz], r: N::scalar(radius) }, extent, goal)
+}
+
+/// The cone of this slope from its apex upwards, between its ends.
+#[inline(always)]
+pub(crate) fn cone<S: Scalar, N: Of<S>>(
+    line: &LocalRay<N>,
+    slope: S,
+    extent: Extent<S>,
+    goal: Goal<S>,
+) -> Attempt<Intersection<S>> {
+    side(line, nappe_of_slope(line, slope), extent, goal)
+}
+
+/// The nappe of this slope.
+#[inline(always)]
+pub(super) fn nappe_of_slope<S: Scalar, N: Of<S>>(line: &LocalRay<N>, slope: S) -> Nappe<N> {
+    let ([x, y, z], [dx, dy, dz], m) = (line.origin, line.direction, N::scalar(slope));
+    Nappe { o: [x, z, m * y], d: [dx, dz, m * dy] }
+}
+
+/// The cone through the radius `base` at `y = 0` and `top` at `y = height`, between its ends.
+#[inline(always)]
+pub(crate) fn frustum<S: Scalar, N: Of<S>>(
+    line: &LocalRay<N>,
+    [base, top, height]: [S; 3],
+    extent: Extent<S>,
+    goal: Goal<S>,
+) -> Attempt<Intersection<S>> {
+    let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
+    let [base, top, height] = [base, top, height].map(N::scalar);
+    let growth = top - base;
+    // Where the slope may be rounded, the radius next to the origin has one rounding and not two.
+    let nappe = if let Some(m) = growth.rounded_quotient(height) {
+        Nappe { o: [x, z, base + m * y], d: [dx, dz, m * dy] }
+    } else {
+        let outline = N::sum([[base, height], [growth, y]]);
+        Nappe { o: [height * x, height * z, outline], d: [height * dx, height * dz, growth * dy] }
     };
-    let base = || end(low, Part::Base);
-    let top = || end(high, Part::Top);
-    Some(match dy.sign()? {
-        Ordering::Greater => Some(Interval::new(base(), top())),
-        Ordering::Less => Some(Interval::new(top(), base())),
+    side(line, nappe, extent, goal)
+}
+
+/// The interval of the line with `low <= y <= high`; `None` if there is none. The parts of its ends are those of the two planes, which belong to
+/// the slab. The start of a line that departs from one of them is taken to lie on it.
+#[inline(always)]
+pub(super) fn slab<N: Number>(line: &LocalRay<N>, low: Option<N>, high: Option<N>) -> Attempt<Option<Interval<N>>> {
+    let (y, dy) = (line.origin[1], line.direction[1]);
+    let end = |height: N, part: Part| {
+        if line.departs_from(part) { End::start(part) } else { End::at(Fraction { n: height - y, e: dy }, part) }
+    };
+    let low_end = |none: fn() -> End<N>| low.map_or_else(none, |height| end(height, Part::Base));
+    let high_end = |none: fn() -> End<N>| high.map_or_else(none, |height| end(height, Part::Top));
+    Ok(match known(dy.sign())? {
+        Ordering::Greater => Some(Interval::new(low_end(End::never_entered), high_end(End::never_left))),
+        Ordering::Less => Some(Interval::new(high_end(End::never_entered), low_end(End::never_left))),
         Ordering::Equal => {
             let is_below = match low {
-                Some(low) => (y - low).sign()? == Ordering::Less,
+                Some(low) => known((y - low).sign())? == Ordering::Less,
                 None => false,
             };
             let is_above = match high {
-                Some(high) => (y - high).sign()? == Ordering::Greater,
+                Some(high) => known((y - high).sign())? == Ordering::Greater,
                 None => false,
             };
-            (!(is_below || is_above)).then_some(Interval::EVERYWHERE)
+            (!(is_below || is_above)).then(Interval::everywhere)
         }
     })
 }
@@ -50,186 +110,203 @@ enum Within<N: Number> {
 
 /// The interval of the line inside a side. Of a cone only the nappe with a positive outline counts.
 #[inline(always)]
-fn within<N: Number, F: Quadric<N>>(quadratic: &Quadratic<'_, N, F>, side: F, line: &Line<N>) -> Option<Within<N>> {
-    let g = || side.outline(Homogeneous { v: line.origin, w: Weight::One });
-    let slope = || side.outline(Homogeneous { v: line.direction, w: Weight::Zero });
-    let from = |end: End<N>| Within::In(Interval::new(Some(end), None));
-    let until = |end: End<N>| Within::In(Interval::new(None, Some(end)));
-    Some(match quadratic.inside()? {
-        Inside::Nowhere => Within::Nowhere,
+fn within<N: Number, Q: Quadric<N>>(quadratic: &Quadratic<N, Q>) -> Attempt<Within<N>> {
+    let [g, slope] = quadratic.quadric.outline();
+    Ok(Within::In(match quadratic.inside {
         Inside::Between(touch) => {
             // The outline at the vertex t = -k/a, which lies between the roots, has the sign of the nappe.
-            let vertex = || N::sum([[g(), quadratic.a], [-slope(), quadratic.k]]);
-            let is_lower = F::IS_CONE && vertex().sign()? == Ordering::Less;
-            if is_lower { Within::Nowhere } else { Within::In(quadratic.between(touch)) }
+            let vertex = || N::sum([[g, quadratic.a], [-slope, quadratic.k]]);
+            if Q::HAS_NAPPES && known(vertex().sign())? == Ordering::Less {
+                return Ok(Within::Nowhere);
+            }
+            quadratic.between(touch)
         }
         // The line is steeper than the side: a half-line lies in each nappe. The outline grows with t if the line rises.
-        Inside::Beyond if slope().sign()? == Ordering::Greater => from(quadratic.ends()[1]),
-        Inside::Beyond => until(quadratic.ends()[0]),
-        // The line is parallel to a generator: one half-line, in the nappe into which it leads.
-        Inside::From if slope().sign()? == Ordering::Greater => from(quadratic.ends()[0]),
-        Inside::Until if slope().sign()? == Ordering::Less => until(quadratic.ends()[0]),
-        Inside::From | Inside::Until => Within::Nowhere,
-        Inside::Everywhere => Within::In(Interval::EVERYWHERE),
-        Inside::InSurface => {
-            let slope = slope();
-            let apex = || Some(End::at(Fraction { n: -g(), e: slope }, Part::Side));
-            Within::Along(match slope.sign()? {
-                Ordering::Equal => Interval::EVERYWHERE,
-                Ordering::Greater => Interval::new(apex(), None),
-                Ordering::Less => Interval::new(None, apex()),
+        Inside::Beyond => {
+            let [first, second] = quadratic.ends();
+            if known(slope.sign())? == Ordering::Greater {
+                Interval::new(second, End::never_left())
+            } else {
+                Interval::new(End::never_entered(), first)
+            }
+        }
+        Inside::Nowhere => return Ok(Within::Nowhere),
+        _ => return parallel(quadratic),
+    }))
+}
+
+/// The same for a line parallel to a generator.
+#[cold]
+#[inline(never)]
+fn parallel<N: Number, Q: Quadric<N>>(quadratic: &Quadratic<N, Q>) -> Attempt<Within<N>> {
+    let [g, slope] = quadratic.quadric.outline();
+    let slope_sign = if Q::HAS_NAPPES { known(slope.sign())? } else { Ordering::Equal };
+    Ok(match (quadratic.inside, slope_sign) {
+        // One half-line, in the nappe into which it leads.
+        (Inside::From, Ordering::Greater) => Within::In(Interval::new(quadratic.ends()[0], End::never_left())),
+        (Inside::Until, Ordering::Less) => Within::In(Interval::new(End::never_entered(), quadratic.ends()[0])),
+        (Inside::Everywhere, _) => Within::In(Interval::everywhere()),
+        (Inside::InSurface, _) => {
+            let apex = || End::at(Fraction { n: -g, e: slope }, Part::Side);
+            Within::Along(match slope_sign {
+                Ordering::Equal => Interval::everywhere(),
+                Ordering::Greater => Interval::new(apex(), End::never_left()),
+                Ordering::Less => Interval::new(End::never_entered(), apex()),
             })
         }
+        _ => Within::Nowhere,
     })
 }
 
-/// The side's end or the plane's: the plane's if it compares with the side's as `counts` says. If both are the same point, it is on a rim,
-/// which belongs to the side (rule 5 of the contract).
-#[inline]
-fn choose<N: Number, F: Quadric<N>>(
-    quadratic: &Quadratic<'_, N, F>,
-    own: Option<End<N>>,
-    plane: Option<End<N>>,
-    counts: Ordering,
-) -> Option<Option<End<N>>> {
-    Some(match (own, plane) {
-        (None, end) | (end, None) => end,
-        (Some(own), Some(plane)) if quadratic.order(&own, &plane)? == counts => Some(plane),
-        (own, _) => own,
-    })
+/// The side's end or the plane's: the plane's if the side's compares with it as `counts` says. If both are the same point, it is on a rim, which
+/// belongs to the side (rule 5 of the contract).
+#[inline(always)]
+fn choose<N: Number>(curve: &impl Curve<N>, own: End<N>, plane: End<N>, counts: Ordering) -> Attempt<End<N>> {
+    Ok(if order(curve, &own, &plane)? == counts { plane } else { own })
 }
 
 /// The side's interval between the planes (rule 1: one interval).
-#[inline]
-fn clip<N: Number, F: Quadric<N>>(
-    quadratic: &Quadratic<'_, N, F>,
-    side: Interval<N>,
-    planes: Interval<N>,
-) -> Option<Option<Interval<N>>> {
-    let enter = choose(quadratic, side.enter, planes.enter, Ordering::Less)?;
-    let exit = choose(quadratic, side.exit, planes.exit, Ordering::Greater)?;
-    let (Some(first), Some(last)) = (enter, exit) else {
-        return Some(Some(Interval { enter, exit, touch: side.touch }));
+#[inline(always)]
+fn clip<N: Number>(curve: &impl Curve<N>, side: &Interval<N>, planes: &Interval<N>) -> Attempt<Interval<N>> {
+    let enter = choose(curve, side.enter, planes.enter, Ordering::Less)?;
+    let exit = choose(curve, side.exit, planes.exit, Ordering::Greater)?;
+    // The roots are in order.
+    let lengths = match (enter.part, exit.part) {
+        (Part::Side, Part::Side) => Ordering::Less,
+        (_, Part::Side) => order(curve, &exit, &enter)?.reverse(),
+        _ => order(curve, &enter, &exit)?,
     };
-    let lengths = match (first.place, last.place) {
-        (_, Place::At(_)) => quadratic.order(&first, &last)?,
-        (Place::At(_), _) => quadratic.order(&last, &first)?.reverse(),
-        // The roots are in order.
-        _ => Ordering::Less,
-    };
-    Some(match lengths {
-        Ordering::Greater => None,
-        Ordering::Less => Some(Interval { enter, exit, touch: side.touch }),
-        Ordering::Equal => Some(Interval { enter: Some(first.of_side()), exit: Some(last.of_side()), touch: true }),
-    })
+    match lengths {
+        Ordering::Greater => Err(Stop::Miss),
+        Ordering::Less => Ok(Interval { enter, exit, touch: side.touch }),
+        Ordering::Equal => Ok(Interval { enter: enter.of_side(), exit: exit.of_side(), touch: true }),
+    }
 }
 
 /// The intersection of a line with the inside of a side, or with the side alone.
 #[inline(always)]
-pub(super) fn intersect<S: Scalar, N: Of<S>, G: Described>(
-    line: &Line<N>,
-    side: Side<S>,
+fn side<S: Scalar, N: Of<S>, Q: Quadric<N>>(
+    line: &LocalRay<N>,
+    quadric: Q,
     extent: Extent<S>,
-    range: Range<S>,
-) -> Option<Intersection<S>> {
-    match Form::of_side::<S, G>(side, N::scalar) {
-        Form::Tube(tube) if G::EQUATIONS.has(EquationKinds::TUBE) => within_a_side(line, tube, extent, range),
-        Form::Cone(cone) if G::EQUATIONS.has(EquationKinds::CONE) => within_a_side(line, cone, extent, range),
-        // The geometry has no other side.
-        _ => Some(Intersection::Miss),
+    goal: Goal<S>,
+) -> Attempt<Intersection<S>> {
+    let quadratic = Quadratic::new(quadric, line, line.departs_from(Part::Side))?;
+    if line.departure.is_some() {
+        return departing(line, &quadratic, extent, goal);
+    }
+    let interval = match within(&quadratic)? {
+        Within::Nowhere => return Err(Stop::Miss),
+        Within::In(interval) => interval,
+        Within::Along(interval) => return in_the_surface(line, &quadratic, &interval, extent, goal),
+    };
+    match extent {
+        Extent::Infinite => solid(&quadratic, line, &interval, goal),
+        Extent::Open(height) => {
+            let planes = slab(line, Some(N::ZERO), Some(N::scalar(height)))?.ok_or(Stop::Miss)?;
+            on_the_side(line, &quadratic, &interval, &planes, goal)
+        }
+        Extent::Capped(low, high) => {
+            let planes = slab(line, low.map(N::scalar), high.map(N::scalar))?.ok_or(Stop::Miss)?;
+            solid(&quadratic, line, &clip(&quadratic, &interval, &planes)?, goal)
+        }
     }
 }
 
-/// The same for a side of a known quadric.
-#[inline(never)]
-fn within_a_side<S: Scalar, N: Of<S>, F: Quadric<N>>(
-    line: &Line<N>,
-    form: F,
-    extent: Extent<S>,
-    range: Range<S>,
-) -> Option<Intersection<S>> {
+/// The planes of an extent along the line.
+fn planes<S: Scalar, N: Of<S>>(line: &LocalRay<N>, extent: Extent<S>) -> Attempt<Option<Interval<N>>> {
     let (low, high) = match extent {
         Extent::Infinite => (None, None),
         Extent::Open(height) => (Some(N::ZERO), Some(N::scalar(height))),
         Extent::Capped(low, high) => (low.map(N::scalar), high.map(N::scalar)),
     };
-    let is_open = matches!(extent, Extent::Open(_));
+    slab(line, low, high)
+}
+
+/// A line that lies in the side over an interval.
+#[cold]
+#[inline(never)]
+fn in_the_surface<S: Scalar, N: Of<S>, Q: Quadric<N>>(
+    line: &LocalRay<N>,
+    quadratic: &Quadratic<N, Q>,
+    interval: &Interval<N>,
+    extent: Extent<S>,
+    goal: Goal<S>,
+) -> Attempt<Intersection<S>> {
     let departs = line.departure.is_some();
-    let planes = match slab(line, low, high)? {
+    let planes = match planes(line, extent)? {
         Some(planes) => planes,
-        // The line departs from a point of the slab, although its rounded coordinates are outside.
-        None if departs => Interval::EVERYWHERE,
-        None => return Some(Intersection::Miss),
+        None if departs => Interval::everywhere(),
+        None => return Err(Stop::Miss),
     };
-    let quadratic = Quadratic::new(form, line, line.departs_from(Part::Side))?;
-    let within = within(&quadratic, form, line)?;
-    match within {
-        Within::Along(interval) => {
-            let Some(interval) = clip(&quadratic, interval, planes)? else {
-                return Some(Intersection::Miss);
-            };
-            // Its ends lie on rims, which belong to the side.
-            let [enter, exit] = [interval.enter, interval.exit].map(|end| end.map(End::of_side));
-            let interval = Interval { enter, exit, ..interval };
-            if matches!(extent, Extent::Capped(..)) && departs {
-                return Some(Intersection::One(inwards(&quadratic, exit, range)?));
-            }
-            let span = span(&quadratic, interval, range)?;
-            Some(if let Extent::Capped(..) = extent { Intersection::One(span) } else { Intersection::LiesIn(span) })
-        }
-        Within::Nowhere if departs && !is_open => {
-            // The interval of a line parallel to the axis, next to the side, ends at the plane. Any other line only touches the side, by its rounded
-            // coordinates.
-            let own = if quadratic.a_sign == Ordering::Equal { None } else { Some(End::start(Part::Side)) };
-            let exit = choose(&quadratic, own, planes.exit, Ordering::Greater)?;
-            Some(Intersection::One(inwards(&quadratic, exit, range)?))
-        }
-        Within::Nowhere => Some(Intersection::Miss),
-        Within::In(interval) if departs && !is_open => {
-            let exit = choose(&quadratic, interval.exit, planes.exit, Ordering::Greater)?;
-            Some(Intersection::One(inwards(&quadratic, exit, range)?))
-        }
-        Within::In(interval) if is_open => on_the_side(&quadratic, interval, planes, range, departs),
-        Within::In(interval) => Some(match clip(&quadratic, interval, planes)? {
-            Some(interval) => Intersection::One(span(&quadratic, interval, range)?),
-            None => Intersection::Miss,
-        }),
+    // Its ends lie on rims, which belong to the side.
+    let Interval { enter, exit, touch } = clip(quadratic, interval, &planes)?;
+    let interval = Interval { enter: enter.of_side(), exit: exit.of_side(), touch };
+    let is_solid = matches!(extent, Extent::Capped(..));
+    if is_solid && departs {
+        return inwards(quadratic, line, &interval.exit, goal.range);
     }
+    let span = span(quadratic, line, &interval, goal.range)?;
+    Ok(if is_solid { Intersection::One(span) } else { Intersection::LiesIn(span) })
+}
+
+/// A line that departs inwards.
+#[inline(never)]
+fn departing<S: Scalar, N: Of<S>, Q: Quadric<N>>(
+    line: &LocalRay<N>,
+    quadratic: &Quadratic<N, Q>,
+    extent: Extent<S>,
+    goal: Goal<S>,
+) -> Attempt<Intersection<S>> {
+    let is_open = matches!(extent, Extent::Open(_));
+    // The line departs from a point of the slab, although its rounded coordinates may be outside.
+    let planes = planes(line, extent)?.unwrap_or_else(Interval::everywhere);
+    let own = match within(quadratic)? {
+        Within::Along(interval) => return in_the_surface(line, quadratic, &interval, extent, goal),
+        Within::In(interval) => interval.exit,
+        Within::Nowhere if is_open => return Err(Stop::Miss),
+        // The interval of a line parallel to the axis, next to the side, ends at the plane. Any other line only touches the side, by its rounded
+        // coordinates.
+        Within::Nowhere if quadratic.a_sign == Ordering::Equal => End::never_left(),
+        Within::Nowhere => End::start(Part::Side),
+    };
+    if !is_open {
+        let exit = choose(quadratic, own, planes.exit, Ordering::Greater)?;
+        return inwards(quadratic, line, &exit, goal.range);
+    }
+    // A ray that departs inwards hits the far wall; the start itself is no hit.
+    let is_ahead = is_on_the_side(quadratic, &own, &planes)?
+        && known(end::compare(quadratic, line, &own, S::ZERO))? == Ordering::Greater;
+    if !is_ahead {
+        return Err(Stop::Miss);
+    }
+    let exit = settled(quadratic, line, &own, goal.range)?;
+    Ok(Intersection::Surface(Span::new(intersection::End::none(-S::INFINITY), exit)))
+}
+
+/// Whether an end of the side's interval lies between the rims of an open side.
+#[inline(always)]
+fn is_on_the_side<N: Number>(curve: &impl Curve<N>, end: &End<N>, planes: &Interval<N>) -> Attempt<bool> {
+    Ok(order(curve, end, &planes.enter)? != Ordering::Less && order(curve, end, &planes.exit)? != Ordering::Greater)
 }
 
 /// The ends of the interval that lie between the rims of an open side; the rims belong to it.
-fn on_the_side<S: Scalar, N: Of<S>, F: Quadric<N>>(
-    quadratic: &Quadratic<'_, N, F>,
-    interval: Interval<N>,
-    planes: Interval<N>,
-    range: Range<S>,
-    departs: bool,
-) -> Option<Intersection<S>> {
-    let on_surface = |end: Option<End<N>>| {
-        let Some(end) = end else { return Some(None) };
-        let reaches = |plane: Option<End<N>>, beyond: Ordering| match plane {
-            Some(plane) => Some(quadratic.order(&end, &plane)? != beyond),
-            None => Some(true),
-        };
-        let reached = reaches(planes.enter, Ordering::Less)? && reaches(planes.exit, Ordering::Greater)?;
-        Some(reached.then_some(end))
-    };
-    if departs {
-        // A ray that departs inwards hits the far wall; the start itself is no hit.
-        let exit = on_surface(interval.exit)?;
-        let is_ahead = match &exit {
-            Some(exit) => settle::compare(quadratic, exit, S::ZERO)? == Ordering::Greater,
-            None => false,
-        };
-        if !is_ahead {
-            return Some(Intersection::Miss);
-        }
-        let enter = intersection::End::none(-S::INFINITY);
-        return Some(Intersection::Surface(Span::new(enter, settle::exit(quadratic, exit, range, enter)?)));
+#[inline(always)]
+fn on_the_side<S: Scalar, N: Of<S>, Q: Quadric<N>>(
+    line: &LocalRay<N>,
+    quadratic: &Quadratic<N, Q>,
+    interval: &Interval<N>,
+    planes: &Interval<N>,
+    goal: Goal<S>,
+) -> Attempt<Intersection<S>> {
+    let Interval { enter, exit, touch } = *interval;
+    let enters = is_on_the_side(quadratic, &enter, planes)?;
+    let leaves = is_on_the_side(quadratic, &exit, planes)?;
+    if !(enters || leaves) {
+        return Err(Stop::Miss);
     }
-    let (enter, exit) = (on_surface(interval.enter)?, on_surface(interval.exit)?);
-    if enter.is_none() && exit.is_none() {
-        return Some(Intersection::Miss);
-    }
-    Some(Intersection::Surface(span(quadratic, Interval { enter, exit, touch: interval.touch }, range)?))
+    let enter = if enters { enter } else { End::never_entered() };
+    let exit = if leaves { exit } else { End::never_left() };
+    let touch = touch && enters && leaves;
+    Ok(Intersection::Surface(span(quadratic, line, &Interval { enter, exit, touch }, goal.range)?))
 }

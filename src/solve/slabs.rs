@@ -1,38 +1,51 @@
-//! Cuboids and rectangles, decided by signs.
+//! Cuboids and rectangles.
 //!
 //! A cuboid is what three slabs between parallel planes have in common, and the line's interval in it is what the intervals in the slabs
-//! have in common (Kay and Kajiya, *Ray Tracing Complex Scenes*, 1986). Which plane comes last or first is decided by the signs of
-//! differences of products, not by quotients.
+//! have in common (Kay and Kajiya, *Ray Tracing Complex Scenes*, 1986).
 
+use super::attempt::{Attempt, Stop, known};
+use super::end::{End, Flat, Fraction, Goal, Interval, Of, inwards, solid, span, times};
 use super::flat::crossing;
-use super::form::Line;
-use super::quadratic::{End, Flat, Fraction, Interval, times};
-use super::settle::{Of, inwards, span};
+use super::local_ray::LocalRay;
 use crate::intersection::Intersection;
-use crate::number::Number;
+use crate::number::{Difference, Estimate, Number, Ring};
 use crate::part::{FACES, Part};
-use crate::ray::Range;
 use crate::scalar::Scalar;
 use core::cmp::Ordering;
 
 /// Where the line crosses the plane of a face: `t = (bound - o) / d` of the coordinates across it.
 #[derive(Clone, Copy)]
-struct Crossed<N> {
+struct Crossed<N: Number> {
     bound: N,
     o: N,
     d: N,
+    /// The parameter, which wide numbers do not need for comparisons.
+    t: N::Estimate,
     /// The number of the face's axis in the order of [`FACES`].
     rank: usize,
     part: Part,
 }
 
 impl<N: Number> Crossed<N> {
-    fn t(self) -> Fraction<N> {
-        Fraction { n: self.bound - self.o, e: self.d }
+    #[inline(always)]
+    fn new(bound: N, o: N, d: N, (rank, part): (usize, Part)) -> Self {
+        let t = if N::IS_WIDE { N::Estimate::ZERO } else { (bound - o).estimate().over(d.estimate()) };
+        Self { bound, o, d, t, rank, part }
     }
 
-    /// How it compares with another, by one sum of products, so that the start of a far line cancels before any rounding.
-    fn order(self, other: Self) -> Option<Ordering> {
+    #[inline(always)]
+    fn end(self, part: Part) -> End<N> {
+        let place = Fraction { n: self.bound - self.o, e: self.d };
+        End { part, ..End::at(place, part) }
+    }
+
+    /// How it compares with another. Wide numbers decide by one sum of products, so that the start of a far line cancels before any rounding.
+    #[inline(always)]
+    fn order(&self, other: &Self) -> Attempt<Ordering> {
+        known(if N::IS_WIDE { self.order_by_signs(other) } else { self.t.compare(other.t) })
+    }
+
+    fn order_by_signs(&self, other: &Self) -> Option<Ordering> {
         let sum = N::sum([[self.bound, other.d], [-self.o, other.d], [-other.bound, self.d], [other.o, self.d]]);
         Some(times(sum.sign()?, times(self.d.sign()?, other.d.sign()?)))
     }
@@ -40,7 +53,7 @@ impl<N: Number> Crossed<N> {
 
 /// The interval of the line in the slabs, as far as it has been clipped. A missing end is infinite.
 #[derive(Clone, Copy)]
-struct Clipped<N> {
+struct Clipped<N: Number> {
     enter: Option<Crossed<N>>,
     exit: Option<Crossed<N>>,
     /// The first face whose plane the line lies in.
@@ -48,123 +61,144 @@ struct Clipped<N> {
 }
 
 impl<N: Number> Clipped<N> {
-    /// The interval of the line with every coordinate at most that of `half` in magnitude; `Some(None)` if there is none.
-    ///
-    /// If two planes are crossed at the same `t`, the first one counts. The start of a line that departs from a face is taken to lie on it
-    /// and between all others, and there is no entry.
-    fn new(line: &Line<N>, half: [N; 3]) -> Option<Option<Self>> {
-        let departs = line.departure.is_some();
+    /// The interval of the line with every coordinate at most that of `half` in magnitude; a miss if there is none.
+    #[inline(always)]
+    fn new(line: &LocalRay<N>, half: [N; 3]) -> Attempt<Self> {
         let mut clipped = Self { enter: None, exit: None, along: None };
         let ([x, y, z], [dx, dy, dz], [hx, hy, hz]) = (line.origin, line.direction, half);
-        let axes = [(x, dx, hx), (z, dz, hz), (y, dy, hy)];
-        for (rank, ((o, d, h), parts)) in axes.into_iter().zip(FACES).enumerate() {
-            let [low, high] = parts;
-            let (enter, exit) = match d.sign()? {
-                Ordering::Greater => ((low, -h), (high, h)),
-                Ordering::Less => ((high, h), (low, -h)),
-                Ordering::Equal => {
-                    let along = match parts.into_iter().find(|part| line.departs_from(*part)) {
-                        None => match ((o + h).sign()?, (o - h).sign()?) {
-                            (Ordering::Less, _) | (_, Ordering::Greater) if !departs => return Some(None),
-                            (Ordering::Equal, _) => Some(low),
-                            (_, Ordering::Equal) => Some(high),
-                            _ => None,
-                        },
-                        own => own,
-                    };
-                    clipped.along = clipped.along.or(along.map(|part| (rank, part)));
-                    continue;
-                }
-            };
-            let crossed = |(part, bound): (Part, N)| {
-                if line.departs_from(part) {
-                    return Crossed { bound: N::ZERO, o: N::ZERO, d: N::ONE, rank, part };
-                }
-                Crossed { bound, o, d, rank, part }
-            };
-            if !departs {
-                clipped.enter = later(clipped.enter, crossed(enter), Ordering::Greater)?;
+        clipped.clip(line, 0, [x, dx, hx])?;
+        clipped.clip(line, 1, [z, dz, hz])?;
+        clipped.clip(line, 2, [y, dy, hy])?;
+        Ok(clipped)
+    }
+
+    /// Clips by the slab `|o + t d| <= h`. If two planes are crossed at the same `t`, the first one counts. The start of a line that departs from a face
+    /// is taken to lie on it and between all others, and there is no entry.
+    #[inline(always)]
+    fn clip(&mut self, line: &LocalRay<N>, rank: usize, [o, d, h]: [N; 3]) -> Attempt<()> {
+        let departs = line.departure.is_some();
+        let [low, high] = FACES[rank];
+        let (enter, exit) = match known(d.sign())? {
+            Ordering::Greater => ((low, -h), (high, h)),
+            Ordering::Less => ((high, h), (low, -h)),
+            Ordering::Equal => return self.lies_between(line, rank, [o, h]),
+        };
+        let crossed = |(part, bound): (Part, N)| {
+            if line.departs_from(part) {
+                return Crossed::new(N::ZERO, N::ZERO, N::ONE, (rank, part));
             }
-            clipped.exit = later(clipped.exit, crossed(exit), Ordering::Less)?;
+            Crossed::new(bound, o, d, (rank, part))
+        };
+        if !departs {
+            self.enter = later(self.enter, crossed(enter), Ordering::Greater)?;
         }
-        Some(Some(clipped))
+        self.exit = later(self.exit, crossed(exit), Ordering::Less)?;
+        Ok(())
+    }
+
+    /// A line parallel to a slab.
+    #[cold]
+    #[inline(never)]
+    fn lies_between(&mut self, line: &LocalRay<N>, rank: usize, [o, h]: [N; 2]) -> Attempt<()> {
+        let [low, high] = FACES[rank];
+        let departed = FACES[rank].into_iter().find(|part| line.departs_from(*part));
+        let along = match departed {
+            None => match (known((o + h).sign())?, known((o - h).sign())?) {
+                (Ordering::Less, _) | (_, Ordering::Greater) if line.departure.is_none() => return Err(Stop::Miss),
+                (Ordering::Equal, _) => Some(low),
+                (_, Ordering::Equal) => Some(high),
+                _ => None,
+            },
+            own => own,
+        };
+        self.along = self.along.or(along.map(|part| (rank, part)));
+        Ok(())
     }
 
     /// An end with its part: that of the first face that holds it.
-    fn end(&self, end: Option<Crossed<N>>) -> Option<End<N>> {
-        let crossed = end?;
+    #[inline(always)]
+    fn end(&self, end: Option<Crossed<N>>, missing: fn() -> End<N>) -> End<N> {
+        let Some(crossed) = end else { return missing() };
         let part = self.along.filter(|(along, _)| *along < crossed.rank).map_or(crossed.part, |(_, part)| part);
-        Some(End::at(crossed.t(), part))
+        crossed.end(part)
     }
 
-    /// The interval, if it is not empty.
-    fn interval(&self) -> Option<Option<Interval<N>>> {
-        let [enter, exit] = [self.enter, self.exit].map(|end| self.end(end));
-        let (Some(first), Some(last)) = (self.enter, self.exit) else {
-            return Some(Some(Interval { enter, exit, touch: false }));
+    /// The interval; a miss if it is empty.
+    #[inline(always)]
+    fn interval(&self) -> Attempt<Interval<N>> {
+        let enter = self.end(self.enter, End::never_entered);
+        let exit = self.end(self.exit, End::never_left);
+        let (Some(first), Some(last)) = (&self.enter, &self.exit) else {
+            return Ok(Interval { enter, exit, touch: false });
         };
-        Some(match first.order(last)? {
-            Ordering::Greater => None,
-            Ordering::Less => Some(Interval { enter, exit, touch: false }),
+        match first.order(last)? {
+            Ordering::Greater => Err(Stop::Miss),
+            Ordering::Less => Ok(Interval { enter, exit, touch: false }),
             // The interval is one point of an edge.
             Ordering::Equal => {
-                let end = self.end(Some(if first.rank < last.rank { first } else { last }));
-                Some(Interval { enter: end, exit: end, touch: true })
+                let end = if first.rank < last.rank { enter } else { exit };
+                Ok(Interval { enter: end, exit: end, touch: true })
             }
-        })
+        }
     }
 }
 
 /// `new` if it compares with `own` as `counts` says, otherwise `own`.
-fn later<N: Number>(own: Option<Crossed<N>>, new: Crossed<N>, counts: Ordering) -> Option<Option<Crossed<N>>> {
-    Some(match own {
-        Some(own) if new.order(own)? != counts => Some(own),
+#[inline(always)]
+fn later<N: Number>(own: Option<Crossed<N>>, new: Crossed<N>, counts: Ordering) -> Attempt<Option<Crossed<N>>> {
+    Ok(match own {
+        Some(own) if new.order(&own)? != counts => Some(own),
         _ => Some(new),
     })
 }
 
 /// The cuboid about the origin with these half extents.
-#[inline(never)]
-pub(super) fn cuboid<S: Scalar, N: Of<S>>(line: &Line<N>, half: [N; 3], range: Range<S>) -> Option<Intersection<S>> {
-    let Some(clipped) = Clipped::new(line, half)? else { return Some(Intersection::Miss) };
+#[inline(always)]
+pub(crate) fn cuboid<S: Scalar, N: Of<S>>(line: &LocalRay<N>, half: [S; 3], goal: Goal<S>) -> Attempt<Intersection<S>> {
+    let clipped = Clipped::new(line, half.map(N::scalar))?;
     if line.departure.is_some() {
-        return Some(Intersection::One(inwards(&Flat, clipped.end(clipped.exit), range)?));
+        return inwards(&Flat, line, &clipped.end(clipped.exit, End::never_left), goal.range);
     }
-    Some(match clipped.interval()? {
-        Some(interval) => Intersection::One(span(&Flat, interval, range)?),
-        None => Intersection::Miss,
-    })
+    solid(&Flat, line, &clipped.interval()?, goal)
 }
 
 /// The rectangle about the origin with these half extents along x and z, in the plane `y = 0`.
 ///
 /// Times `dy`, the coordinates of the point where the line crosses the plane are components of its Pluecker moment.
-#[inline(never)]
-pub(super) fn rectangle<S: Scalar, N: Of<S>>(
-    line: &Line<N>,
-    [hx, hz]: [N; 2],
-    range: Range<S>,
-) -> Option<Intersection<S>> {
-    let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
-    let climb = dy.sign()?;
+#[inline(always)]
+pub(crate) fn rectangle<S: Scalar, N: Of<S>>(
+    line: &LocalRay<N>,
+    half: [S; 2],
+    goal: Goal<S>,
+) -> Attempt<Intersection<S>> {
+    let ([x, y, z], [dx, dy, dz], [hx, hz]) = (line.origin, line.direction, half.map(N::scalar));
+    let climb = known(dy.sign_among(Difference::OfSquares, || N::ONE))?;
     if climb == Ordering::Equal {
-        if y.sign()? != Ordering::Equal {
-            return Some(Intersection::Miss);
-        }
-        let overlap = match Clipped::new(line, [hx, N::ZERO, hz])? {
-            Some(clipped) => clipped.interval()?,
-            None => None,
-        };
-        let Some(overlap) = overlap else { return Some(Intersection::Miss) };
-        let [enter, exit] = [overlap.enter, overlap.exit].map(|end| end.map(End::of_side));
-        return Some(Intersection::LiesIn(span(&Flat, Interval { enter, exit, ..overlap }, range)?));
+        return chord_of_rectangle(line, [hx, hz], goal);
     }
     for (o, d, h) in [(x, dx, hx), (z, dz, hz)] {
-        let beyond = |h: N| N::sum([[o, dy], [-y, d], [h, dy]]).sign();
-        let (above, below) = (beyond(-h)?, beyond(h)?);
+        let w = N::sum([[o, dy], [-y, d]]);
+        let rim = h * dy;
+        let (above, below) = (known((w - rim).sign())?, known((w + rim).sign())?);
         if above == below && above != Ordering::Equal {
-            return Some(Intersection::Miss);
+            return Err(Stop::Miss);
         }
     }
-    crossing(Fraction { n: -y, e: dy }, climb, range)
+    crossing(line, Fraction { n: -y, e: dy }, climb, goal)
+}
+
+/// A line parallel to the plane of a rectangle.
+#[cold]
+#[inline(never)]
+fn chord_of_rectangle<S: Scalar, N: Of<S>>(
+    line: &LocalRay<N>,
+    [hx, hz]: [N; 2],
+    goal: Goal<S>,
+) -> Attempt<Intersection<S>> {
+    if known(line.origin[1].sign())? != Ordering::Equal {
+        return Err(Stop::Miss);
+    }
+    let overlap = Clipped::new(line, [hx, N::ZERO, hz])?.interval()?;
+    let overlap = Interval { enter: overlap.enter.of_side(), exit: overlap.exit.of_side(), ..overlap };
+    Ok(Intersection::LiesIn(span(&Flat, line, &overlap, goal.range)?))
 }

@@ -84,7 +84,7 @@ macro_rules! fast {
             })
         }
         #[inline(always)]
-        fn are_close(line: &LocalLine<Self>, a: Self, b: Self, _: Self) -> bool {
+        fn are_close(line: &LocalLine<Self>, a: Self, b: Self) -> bool {
             line.is_strict && Self::are_doubtful(a, b)
         }
         #[inline(always)]
@@ -98,10 +98,10 @@ macro_rules! fast {
             Attempt::Hit(LocalLine { origin: [ox, Self::from_bits(lowered), oz], ..line })
         }
         #[inline(always)]
-        fn fast_crossings(line: LocalLine<Self>, y: [Self; 2]) -> Attempt<([Self; 2], [Self; 2])> {
+        fn fast_crossings(line: LocalLine<Self>, y: [Self; 2]) -> Attempt<[Self; 2]> {
             let (oy, dy) = (line.origin[1].to_bits(), line.direction[1].to_bits());
             let [first, second] = found!($($kernels)::+::crossings(oy, line.extra_bits, dy, y.map(Self::to_bits)));
-            Attempt::Hit(([Self::from_bits(first), Self::from_bits(second)], [Self::from_bits(0); 2]))
+            Attempt::Hit([Self::from_bits(first), Self::from_bits(second)])
         }
         #[inline(always)]
         fn fast_nappe(

@@ -98,9 +98,9 @@ fn one_point_of_an_edge_is_touched<S: Number>() {
     ];
     for (origin, along, owner) in rows {
         let ray = line(origin, along);
-        for hits in in_tiers(&shape, ray) {
-            assert_eq!(hits.iter().map(|hit| (hit.part, hit.crossing)).collect::<Vec<_>>(), [(owner, Touch)]);
-        }
+        // The cheaper tiers promise nothing of a chord of no length.
+        let hits = shape.hits_at::<Stable>(&ray);
+        assert_eq!(hits.iter().map(|hit| (hit.part, hit.crossing)).collect::<Vec<_>>(), [(owner, Touch)]);
         assert!(shape.occludes(&ray) && !shape.hits(&ray).starts_inside());
     }
 }

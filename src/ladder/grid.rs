@@ -1,0 +1,239 @@
+//! The methods of fixed point: the kernels of integers on a common grid.
+//!
+//! They know only the rays that arrive from outside, and those that depart inwards; they are unsure where their integers have no room.
+
+use super::{In, Method, Tiers, whole};
+use crate::fast::Guards;
+use crate::geometry::Geometry;
+use crate::intersection::{End, Intersection, Span};
+use crate::line::Place;
+use crate::number::Plain as PlainNumber;
+use crate::ray::{Departure, Leaving, Ray};
+use crate::scalar::{Attempt, LocalLine, RealOf, Scalar, found};
+use crate::solve::{self, Stop};
+use crate::tier::{Fast, Stable};
+use core::marker::PhantomData;
+
+/// The tiers of fixed point.
+#[derive(Clone, Copy, Debug)]
+pub struct FixedPoint;
+
+impl<S: Scalar> Tiers<S> for FixedPoint
+where
+    S::Real: RealOf<S>,
+{
+    type PlainNumber = PlainNumber<S::Real>;
+    type Plain = (OnGrid<Fast>, In<PlainNumber<S::Real>>);
+    type Fast = (OnGrid<Fast>, In<S::Robust>);
+    type Stable = (OnGrid<Stable>, OnWiderGrid, In<S::Robust>);
+}
+
+/// On the grid of the type's own width, with these guards.
+#[derive(Clone, Copy, Debug)]
+pub struct OnGrid<T>(PhantomData<T>);
+
+impl<S: Scalar, T: Guards> Method<S> for OnGrid<T> {
+    #[inline(always)]
+    fn nearest<G: Geometry<S>, P: Place<S>>(
+        geometry: &G,
+        place: &P,
+        ray: &Ray<S>,
+        since: Option<S>,
+    ) -> solve::Attempt<Intersection<S>> {
+        decided(if P::STRETCHES {
+            stretched::<S, T, G>(geometry, place, ray)
+        } else {
+            frequent::<S, T, G, P>(geometry, place, ray, since)
+        })
+    }
+    #[inline(always)]
+    fn all<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> solve::Attempt<Intersection<S>> {
+        match ray.departure() {
+            Some(departure) => decided(inwards::<S, T, G, P>(geometry, place, ray, departure)),
+            None => Self::nearest(geometry, place, ray, None),
+        }
+    }
+}
+
+/// On the grid of [`Scalar::Wider`].
+#[derive(Clone, Copy, Debug)]
+pub struct OnWiderGrid;
+
+impl<S: Scalar> Method<S> for OnWiderGrid {
+    #[inline(always)]
+    fn nearest<G: Geometry<S>, P: Place<S>>(
+        geometry: &G,
+        place: &P,
+        ray: &Ray<S>,
+        _: Option<S>,
+    ) -> solve::Attempt<Intersection<S>> {
+        Self::all(geometry, place, ray)
+    }
+    #[inline(always)]
+    fn all<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> solve::Attempt<Intersection<S>> {
+        if S::WIDENS { decided(in_wider(geometry, place, ray)) } else { Err(Stop::Unsure) }
+    }
+}
+
+/// A result of the kernels as one of the solver.
+#[inline(always)]
+fn decided<A>(attempt: Attempt<A>) -> solve::Attempt<A> {
+    match attempt {
+        Attempt::Hit(found) => Ok(found),
+        Attempt::Miss => Err(Stop::Miss),
+        Attempt::Unsure => Err(Stop::Unsure),
+    }
+}
+
+/// Rays without departure at a solid that is not stretched. If `since` is given, only the first end at or after it is needed.
+#[inline(always)]
+fn frequent<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
+    geometry: &G,
+    place: &P,
+    ray: &Ray<S>,
+    since: Option<S>,
+) -> Attempt<Intersection<S>> {
+    if geometry.radius_about_axis().is_some_and(|r| place.passes_axis(ray, r)) {
+        return Attempt::Miss;
+    }
+    let Some(mut line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
+    geometry.fit(&mut line);
+    line.is_strict = T::STRICT;
+    // Only if the line's `t` is the ray's.
+    line.since = since.filter(|_| line.start == S::ZERO);
+    in_own_t(&line, geometry.fast_intersection::<T>(&line))
+}
+
+/// Occlusion of the half-line `t >= 0`, in fixed point.
+#[inline(always)]
+pub(super) fn ahead<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
+    geometry: &G,
+    place: &P,
+    ray: &Ray<S>,
+) -> solve::Attempt<()> {
+    if S::RELATIVE || P::STRETCHES || ray.departure().is_some() {
+        return Err(Stop::Unsure);
+    }
+    decided(is_ahead::<S, T, G, P>(geometry, place, ray))
+}
+
+#[inline(always)]
+fn is_ahead<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<()> {
+    if geometry.radius_about_axis().is_some_and(|r| place.passes_axis(ray, r)) {
+        return Attempt::Miss;
+    }
+    let Some(mut line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
+    geometry.fit(&mut line);
+    line.since = (line.start == S::ZERO).then_some(S::ZERO);
+    if line.start == S::ZERO && !line.is_coarse {
+        return geometry.fast_occlusion::<T>(&line);
+    }
+    found!(in_own_t(&line, geometry.fast_intersection::<T>(&line))).occlusion()
+}
+
+/// The guards of the wider grid. Formulas without guards assume directions of length 1; those of a narrower type have it only to
+/// their own last bits.
+struct Widely;
+
+impl Guards for Widely {
+    const GUARDED: bool = true;
+}
+
+/// The intersection with an affine placement.
+#[inline(never)]
+fn stretched<S: Scalar, T: Guards, G: Geometry<S>>(
+    geometry: &G,
+    place: &impl Place<S>,
+    ray: &Ray<S>,
+) -> Attempt<Intersection<S>> {
+    let Some(line) = place.finer_line(ray, geometry.lengths()) else { return Attempt::Unsure };
+    let intersection = found!(geometry.scaled(line.scale).fast_intersection::<T>(&line.line));
+    intersection.try_map(|t| S::fast_along_ray(&line, t)).map_or(Attempt::Unsure, Attempt::Hit)
+}
+
+/// The grid of [`Scalar::Wider`] has room for all lengths of this type, in finer units. The ends are
+/// rounded to this type.
+#[cold]
+#[inline(never)]
+fn in_wider<S: Scalar, G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<Intersection<S>> {
+    let (geometry, place, wider) = (geometry.in_type::<S::Wider>(), place.in_type(), ray.in_type());
+    let intersection = match whole(OnGrid::<Widely>::all(&geometry, &place, &wider)) {
+        Ok(intersection) => intersection,
+        Err(Stop::Miss) => return Attempt::Miss,
+        Err(Stop::Unsure) => return Attempt::Unsure,
+    };
+    // An exit must be ahead of the surface that the ray departs from; for an exit next to that surface rounding would decide this.
+    let departs = ray.departure().is_some();
+    let narrowed = |t: S::Wider| {
+        let t = S::narrowed(t);
+        (!departs || t != S::ZERO).then_some(t)
+    };
+    intersection.try_map(narrowed).map_or(Attempt::Unsure, Attempt::Hit)
+}
+
+/// The exit of a ray that departs inwards. It is a function of its own so that the common case stays short.
+#[inline(never)]
+fn inwards<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
+    geometry: &G,
+    place: &P,
+    ray: &Ray<S>,
+    departure: Departure,
+) -> Attempt<Intersection<S>> {
+    let exit = |geometry: &G, line: &LocalLine<S>| exit_along::<S, T, G>(geometry, line, departure);
+    if P::STRETCHES {
+        let Some(line) = place.finer_line(ray, geometry.lengths()) else { return Attempt::Unsure };
+        let intersection = found!(exit(&geometry.scaled(line.scale), &line.line));
+        // An exit must be ahead: for one next to the start rounding would decide this.
+        let along = |t| S::fast_along_ray(&line, t).filter(|t| *t > S::ZERO);
+        return match intersection {
+            Intersection::One(Span { exit: End { t, part }, .. }) => match along(t) {
+                Some(t) => Attempt::Hit(Intersection::One(Span::new(End::none(-S::INFINITY), End::new(t, part)))),
+                None => Attempt::Unsure,
+            },
+            _ => Attempt::Unsure,
+        };
+    }
+    let Some(mut line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
+    geometry.fit(&mut line);
+    line.is_strict = T::STRICT;
+    in_own_t(&line, exit(geometry, &line))
+}
+
+/// The intersection of a line that departs inwards. A line that starts on the surface of a solid cannot miss it, whatever its
+/// rounded coordinates.
+#[inline(always)]
+fn exit_along<S: Scalar, T: Guards, G: Geometry<S>>(
+    geometry: &G,
+    line: &LocalLine<S>,
+    departure: Departure,
+) -> Attempt<Intersection<S>> {
+    if departure.leaving != Leaving::Inwards {
+        return Attempt::Unsure;
+    }
+    match geometry.fast_exit::<T>(line, departure.part) {
+        Attempt::Hit(exit) if exit.t.plus(line.start) > S::ZERO => {
+            Attempt::Hit(Intersection::One(Span::new(End::none(-S::INFINITY), exit)))
+        }
+        _ => Attempt::Unsure,
+    }
+}
+
+/// An intersection along a local line, with its `t` converted to the ray's.
+#[inline(always)]
+fn in_own_t<S: Scalar>(line: &LocalLine<S>, found: Attempt<Intersection<S>>) -> Attempt<Intersection<S>> {
+    if line.is_coarse && !matches!(found, Attempt::Miss) {
+        return Attempt::Unsure;
+    }
+    if line.start == S::ZERO { found } else { from_start(found!(found), line.start, line.is_strict) }
+}
+
+/// An intersection along a line whose origin was moved to `start`, with `start` added to its `t`.
+#[inline(never)]
+fn from_start<S: Scalar>(intersection: Intersection<S>, start: S, is_strict: bool) -> Attempt<Intersection<S>> {
+    let whole = |t: S| {
+        let whole = if t.is_finite() { t.plus(start) } else { t };
+        // The rounding may have moved it beyond the type.
+        (whole.is_finite() || !t.is_finite() || !is_strict).then_some(whole)
+    };
+    intersection.try_map(whole).map_or(Attempt::Unsure, Attempt::Hit)
+}

@@ -1,0 +1,181 @@
+//! A value with a running bound of its error.
+//!
+//! Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., 3.3: each operation adds its own rounding to the error that its
+//! operands bring along. The bound is in *roundings*: units of `u`, half of the spacing of floats next to 1.
+//!
+//! The rounded result `x` of an addition or a subtraction has an error of at most `u |x|`, also where it is subnormal. That of a product or a quotient
+//! has at most `u (|x| + m)` with the smallest normal number `m`, since where the result underflows the error is at most `u m`. For operands
+//! `a + u e`, `b + u f`, of which `a` and `b` are computed, the error that is brought along is at most
+//!
+//! | operation | error, in roundings |
+//! |---|---|
+//! | `a + b` | `e + f` |
+//! | `a b` | `(|a| + u e) f + e |b|` |
+//! | `a / b` | `(e + |a / b| f) / (|b| - u f)` |
+//! | `sqrt(a)` | `e / (sqrt(a) + sqrt(a - u e))`, which is at most `(1 + x) e / (2 sqrt(a))` with `x = u e / a` in [0, 1]: its convex function lies below the chord |
+//!
+//! A sum of products adds a rounding of each product and of each partial sum. The bound is computed with rounding itself: in fewer than 64
+//! operations one after the other, each of which changes it by at most one part in `1 / u`. [`Running::sure`] allows for a thousand times
+//! as much.
+
+use super::{Estimate, Number, Ring};
+use crate::scalar::Real;
+use core::cmp::Ordering;
+
+/// A value, and a bound of its error in roundings.
+#[derive(Clone, Copy, Debug)]
+pub struct Running<R> {
+    pub(crate) value: R,
+    pub(crate) error: R,
+}
+
+impl<R: Real> Running<R> {
+    /// A value without an error.
+    #[inline(always)]
+    pub(crate) const fn exact(value: R) -> Self {
+        Self { value, error: R::ZERO }
+    }
+
+    /// The error that a bound stands for, and what the computation of the bound may have lost.
+    #[inline(always)]
+    fn sure(error: R) -> R {
+        error * (R::ONE.scaled(R::ROUNDING) + R::ONE.scaled(R::ROUNDING - 8))
+    }
+
+    /// The largest magnitude that the exact value may have.
+    #[inline(always)]
+    fn most(self) -> R {
+        self.value.abs() + self.error.scaled(R::ROUNDING)
+    }
+
+    /// The error that a product of the two inherits.
+    #[inline(always)]
+    fn inherited(self, other: Self) -> R {
+        self.most() * other.error + self.error * other.value.abs()
+    }
+
+    #[inline(always)]
+    fn plus(self, other: Self) -> Self {
+        let value = self.value + other.value;
+        Self { value, error: self.error + other.error + value.abs() }
+    }
+    #[inline(always)]
+    fn times(self, other: Self) -> Self {
+        Self::sum([[self, other]])
+    }
+    #[inline(always)]
+    fn negative(self) -> Self {
+        Self { value: -self.value, ..self }
+    }
+}
+
+operators!(Running<R>, R: Real);
+
+impl<R: Real> Ring for Running<R> {
+    const ZERO: Self = Self::exact(R::ZERO);
+    const ONE: Self = Self::exact(R::ONE);
+
+    #[inline(always)]
+    fn sum<const M: usize>(terms: [[Self; 2]; M]) -> Self {
+        let [a, b] = terms[0];
+        let mut value = a.value * b.value;
+        let mut error = a.inherited(b) + value.abs();
+        let mut i = 1;
+        while i < M {
+            let [a, b] = terms[i];
+            let term = a.value * b.value;
+            value = value + term;
+            error = error + (a.inherited(b) + term.abs()) + value.abs();
+            i += 1;
+        }
+        Self { value, error: error + R::SMALLEST.scaled(if M > 2 { 2 } else { 1 }) }
+    }
+    #[inline(always)]
+    fn scaled(self, e: i32) -> Self {
+        // Rounded only where the result is subnormal.
+        let power = R::ONE.scaled(e);
+        Self { value: self.value * power, error: self.error * power + R::SMALLEST }
+    }
+}
+
+impl<R: Real> Number for Running<R> {
+    type Estimate = Self;
+    const IS_WIDE: bool = false;
+    const STARTS_AT_VERTEX: bool = true;
+
+    /// Zero is certain only for a stored number, and for sums of such: a product may have underflowed.
+    #[inline(always)]
+    fn sign(self) -> Option<Ordering> {
+        let doubt = Self::sure(self.error);
+        // Comparisons are false for what is not a number.
+        if self.value > doubt {
+            Some(Ordering::Greater)
+        } else if self.value < -doubt {
+            Some(Ordering::Less)
+        } else if self.error.is_zero() {
+            Some(Ordering::Equal)
+        } else {
+            None
+        }
+    }
+    #[inline(always)]
+    fn estimate(self) -> Self {
+        self
+    }
+    #[inline(always)]
+    fn without_error(self) -> Self {
+        Self::exact(self.value)
+    }
+    #[inline(always)]
+    fn is_negligible_squared(self) -> bool {
+        R::ROUNDING > -38 || self.value.abs() <= R::ONE.scaled(R::ROUNDING / 2 - 2)
+    }
+    #[inline(always)]
+    fn rounded_quotient(self, other: Self) -> Option<Self> {
+        Some(self.over(other))
+    }
+    #[inline(always)]
+    fn apart<A>(work: impl FnOnce() -> A) -> A {
+        work()
+    }
+}
+
+impl<R: Real> Estimate for Running<R> {
+    const INFINITY: Self = Self::exact(R::INFINITY);
+
+    #[inline(always)]
+    fn over(self, other: Self) -> Self {
+        let value = self.value / other.value;
+        let size = value.abs();
+        let least = other.value.abs() - Self::sure(other.error);
+        // A divisor that may be zero gives an infinite error.
+        let least = if least > R::ZERO { least } else { R::ZERO };
+        Self { value, error: (self.error + size * other.error) / least + size + R::SMALLEST }
+    }
+    #[inline(always)]
+    fn square_root(self) -> Self {
+        let value = self.value.sqrt();
+        let inherited = self.error / value;
+        let half = inherited.scaled(-1);
+        Self { value, error: half + half * (inherited / value).scaled(R::ROUNDING) + value }
+    }
+    #[inline(always)]
+    fn compare(self, other: Self) -> Option<Ordering> {
+        let doubt = Self::sure(self.error + other.error);
+        let difference = self.value - other.value;
+        if difference > doubt {
+            Some(Ordering::Greater)
+        } else if difference < -doubt {
+            Some(Ordering::Less)
+        } else if doubt.is_zero() {
+            // Also for two infinities, whose difference is not a number.
+            Some(Ordering::Equal)
+        } else {
+            None
+        }
+    }
+    #[inline(always)]
+    fn is_within(self, other: Self, e: i32) -> bool {
+        self.value.abs().scaled(e) <= other.value
+    }
+}

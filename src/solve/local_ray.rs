@@ -1,0 +1,243 @@
+//! A ray in a primitive's frame.
+
+use crate::line::{Needs, Place};
+use crate::number::{Bounded, Doubled, Filtered, Guarded, Integer, Limbs, Number, Plain, Running};
+use crate::number::word::Word;
+use crate::part::Part;
+use crate::ray::{Leaving, Ray};
+use crate::scalar::{FromScalar, Real, RealOf, Scalar};
+use super::end::Of;
+
+/// A ray in a primitive's frame. Its direction may have any length, since `t` is the parameter of the ray as stored.
+#[derive(Clone, Copy, Debug)]
+pub struct LocalRay<N: Number> {
+    pub(crate) origin: [N; 3],
+    pub(crate) direction: [N; 3],
+    /// The part that it departs from at `t = 0`, and the side to which it departs.
+    pub(crate) departure: Option<(Part, Leaving)>,
+    /// The ray's `t` at the origin, if that was moved.
+    pub(crate) start: Option<N::Estimate>,
+    /// The same as a number; zero if the origin was not moved.
+    pub(crate) moved: N,
+    /// The direction has length 1, to one part in 2^19.
+    pub(crate) is_unit: bool,
+}
+
+impl<N: Number> LocalRay<N> {
+    /// The ray from its own start.
+    #[inline(always)]
+    const fn new([origin, direction]: [[N; 3]; 2], departure: Option<(Part, Leaving)>) -> Self {
+        Self { origin, direction, departure, start: None, moved: N::ZERO, is_unit: false }
+    }
+
+    /// True if it departs from this part.
+    #[inline(always)]
+    pub(super) fn departs_from(&self, part: Part) -> bool {
+        self.departure.is_some_and(|(from, _)| from == part)
+    }
+
+    /// The square of the distance by which the origin was moved, times `2^e`.
+    #[inline(always)]
+    pub(super) fn far(&self, e: i32) -> N {
+        (self.moved * self.moved).scaled(e)
+    }
+}
+
+/// A number in which rays are transformed into a primitive's frame.
+pub trait Localize<S: Scalar>: Of<S> {
+    /// The ray in the frame of `place`. A number of limited precision moves the origin to the point closest to the frame's, since errors grow with the
+    /// distance of the origin; `size` is that of the primitive, where it matters whether the ray starts far away.
+    #[inline(always)]
+    fn local_ray<P: Place<S>>(
+        place: &P,
+        ray: &Ray<S>,
+        needs: Needs,
+        departure: Option<(Part, Leaving)>,
+        size: impl FnOnce() -> S,
+    ) -> LocalRay<Self> {
+        let _ = size;
+        LocalRay::new(unmoved(place, ray, needs), departure)
+    }
+}
+
+/// Origin and direction, rounded by the operations of the number.
+#[inline(always)]
+fn unmoved<S: Scalar, N: FromScalar<S>, P: Place<S>>(place: &P, ray: &Ray<S>, needs: Needs) -> [[N; 3]; 2] {
+    match needs {
+        Needs::Translation => place.ball_line(ray),
+        Needs::Height => {
+            let [y, dy] = place.height_line(ray);
+            [[N::ZERO, y, N::ZERO], [N::ZERO, dy, N::ZERO]]
+        }
+        Needs::All => place.line(ray),
+    }
+}
+
+impl<S: Scalar, W: Word> Localize<S> for Limbs<W> where Self: Of<S> {}
+
+impl<S: Scalar, W: Word> Localize<S> for Bounded<W> {
+}
+
+impl<S: Scalar, const N: usize> Localize<S> for Integer<N> {
+}
+
+#[cfg(feature = "libm")]
+impl<S: Scalar> Localize<S> for Filtered {
+}
+
+impl<S: Scalar, R: RealOf<S>> Localize<S> for Doubled<R> {
+    #[inline(always)]
+    fn local_ray<P: Place<S>>(
+        place: &P,
+        ray: &Ray<S>,
+        needs: Needs,
+        departure: Option<(Part, Leaving)>,
+        size: impl FnOnce() -> S,
+    ) -> LocalRay<Self> {
+        let [o, d] = [ray.origin().to_array().map(R::of), ray.direction().to_array().map(R::of_unit)];
+        let position = place.position().map_or([R::ZERO; 3], |position| position.to_array().map(R::of));
+        let from = [o[0] - position[0], o[1] - position[1], o[2] - position[2]];
+        let k = from[0] * d[0] + from[1] * d[1] + from[2] * d[2];
+        let near = R::of(size()).scaled(3);
+        // A cone from its apex has no size: it looks the same from everywhere.
+        let is_moved = departure.is_none() && !near.is_zero() && k.abs() > near;
+        let direction = d.map(Self::exact);
+        let from = [0, 1, 2].map(|i| Self::difference(o[i], position[i]));
+        let (step, start) = (Self::exact(-k), is_moved.then(|| Running::exact(-k)));
+        let origin = if is_moved { [0, 1, 2].map(|i| from[i] + step * direction[i]) } else { from };
+        let is_translated = matches!(needs, Needs::Translation) && !P::STRETCHES;
+        let line = if is_translated {
+            [origin, direction]
+        } else {
+            [place.linear::<Self>(origin), place.linear::<Self>(direction)]
+        };
+        LocalRay { start, ..LocalRay::new(line, departure) }
+    }
+}
+
+/// A number that consists of a real number and perhaps a bound of its error in roundings.
+trait Approximate<R>: Number {
+    fn approximate(value: R, error: R) -> Self;
+}
+
+impl<R: Real> Approximate<R> for Plain<R> {
+    #[inline(always)]
+    fn approximate(value: R, _: R) -> Self {
+        Self(value)
+    }
+}
+
+impl<R: Real, const STABLE: bool> Approximate<R> for Guarded<R, STABLE> {
+    #[inline(always)]
+    fn approximate(value: R, _: R) -> Self {
+        Self(Plain(value))
+    }
+}
+
+impl<R: Real> Approximate<R> for Running<R> {
+    #[inline(always)]
+    fn approximate(value: R, error: R) -> Self {
+        Self { value, error }
+    }
+}
+
+/// A ray whose origin is moved to the point closest to the position of the placement, in real numbers, with bounds of their errors in roundings.
+///
+/// With `f = o - p`, `k = -f . d` and `n = f + k d`, in which each operation is rounded, a coordinate of `n` has an error of at most
+/// `2 |k d_i| + 2 |n_i|` roundings, since `|f_i| <= |n_i| + |k d_i|`. (The `k` that was computed is taken as it is.) A row of a rotation makes of these at most
+/// `2 |k| + 2 |n|`, and its own products and sums add `3 |n|`; they add 3 to the direction's coordinates. (`|n|` is at most the sum of its coordinates'
+/// magnitudes.) An affine map is computed in numbers that know their
+/// error.
+#[inline(always)]
+fn moved<S: Scalar, R: RealOf<S>, N: Approximate<R> + FromScalar<S>, P: Place<S>>(
+    place: &P,
+    ray: &Ray<S>,
+    needs: Needs,
+    departure: Option<(Part, Leaving)>,
+) -> LocalRay<N> {
+    if matches!(needs, Needs::Height) {
+        return LocalRay { is_unit: !P::STRETCHES, ..LocalRay::new(unmoved(place, ray, needs), departure) };
+    }
+    let [o, d] = [ray.origin().to_array().map(R::of), ray.direction().to_array().map(R::of_unit)];
+    let position = place.position();
+    let from = match position {
+        Some(position) => {
+            let p = position.to_array().map(R::of);
+            [o[0] - p[0], o[1] - p[1], o[2] - p[2]]
+        }
+        None => o,
+    };
+    let is_moved = departure.is_none();
+    let k = if is_moved { -(from[0] * d[0] + from[1] * d[1] + from[2] * d[2]) } else { R::ZERO };
+    let near = if is_moved { [from[0] + k * d[0], from[1] + k * d[1], from[2] + k * d[2]] } else { from };
+    let around = near[0].abs() + near[1].abs() + near[2].abs();
+    let translated = match (is_moved, position.is_some()) {
+        (true, true) => k.abs().scaled(1) + around.scaled(1),
+        (true, false) => k.abs() + around,
+        (false, true) => around,
+        (false, false) => R::ZERO,
+    };
+    let is_turned = position.is_some() && !(matches!(needs, Needs::Translation) && !P::STRETCHES);
+    let [origin, direction] = if !is_turned {
+        [near.map(|c| N::approximate(c, translated)), d.map(|c| N::approximate(c, R::ZERO))]
+    } else if P::STRETCHES {
+        let near = near.map(|c| N::approximate(c, translated));
+        [place.linear::<N>(near), place.linear::<N>(d.map(|c| N::approximate(c, R::ZERO)))]
+    } else {
+        let turned = translated + around + around.scaled(1);
+        let three = R::ONE + R::ONE.scaled(1);
+        let rotated = |v: [R; 3]| place.linear::<Plain<R>>(v.map(Plain)).map(|c| c.0);
+        [rotated(near).map(|c| N::approximate(c, turned)), rotated(d).map(|c| N::approximate(c, three))]
+    };
+    let moved = if is_moved { N::approximate(k, R::ZERO) } else { N::ZERO };
+    let start = is_moved.then(|| moved.estimate());
+    LocalRay { origin, direction, departure, start, moved, is_unit: !P::STRETCHES }
+}
+
+impl<S: Scalar, R: RealOf<S>> Localize<S> for Plain<R>
+where
+    Self: Of<S>,
+{
+    #[inline(always)]
+    fn local_ray<P: Place<S>>(
+        place: &P,
+        ray: &Ray<S>,
+        needs: Needs,
+        departure: Option<(Part, Leaving)>,
+        _: impl FnOnce() -> S,
+    ) -> LocalRay<Self> {
+        moved(place, ray, needs, departure)
+    }
+}
+
+impl<S: Scalar, R: RealOf<S>, const STABLE: bool> Localize<S> for Guarded<R, STABLE>
+where
+    Self: Of<S>,
+{
+    #[inline(always)]
+    fn local_ray<P: Place<S>>(
+        place: &P,
+        ray: &Ray<S>,
+        needs: Needs,
+        departure: Option<(Part, Leaving)>,
+        _: impl FnOnce() -> S,
+    ) -> LocalRay<Self> {
+        moved(place, ray, needs, departure)
+    }
+}
+
+impl<S: Scalar, R: RealOf<S>> Localize<S> for Running<R>
+where
+    Self: Of<S>,
+{
+    #[inline(always)]
+    fn local_ray<P: Place<S>>(
+        place: &P,
+        ray: &Ray<S>,
+        needs: Needs,
+        departure: Option<(Part, Leaving)>,
+        _: impl FnOnce() -> S,
+    ) -> LocalRay<Self> {
+        moved(place, ray, needs, departure)
+    }
+}

@@ -1,0 +1,203 @@
+//! The quadrics, in coordinates along a line in which they are sums of squares.
+//!
+//! A point of the line has the coordinates `u + t u'` and `v + t v'`; it is inside where `f = u . u - v^2 <= 0`, and `f = a t^2 + 2 k t + c` with
+//! `a = u' . u' - v'^2`, `k = u . u' - v v'`, `c = u . u - v^2`. The discriminant `k^2 - a c` is computed from the minors of the line in these
+//! coordinates (Lagrange's identity), which are its Pluecker moment: `k^2 - a c` itself would lose all digits far away.
+
+use crate::number::{Number, cross, dot};
+use core::cmp::Ordering;
+
+/// A quadric along a line.
+pub(super) trait Quadric<N: Number>: Copy {
+    /// True for a nappe: the quadric has two, and only the one with `v >= 0` counts.
+    const HAS_NAPPES: bool = false;
+    /// How much smaller than the root `|k|` must be for `(-k -+ root) / a` to be accurate: the `a` of a nappe may be small.
+    const SPREAD: i32 = 0;
+
+    fn a(&self) -> N;
+    fn k(&self) -> N;
+    fn c(&self) -> N;
+    /// `k^2 - a c`
+    fn discriminant(&self, a: N) -> N;
+    /// The sum of the magnitudes of its terms.
+    fn terms(&self, a: N) -> N;
+    /// `f` at `n / e`, times `e^2`.
+    fn at(&self, n: N, e: N) -> N;
+    /// The outline `v` and its growth `v'`.
+    fn outline(&self) -> [N; 2];
+    /// True if the line is certainly parallel to the axis of a tube, although products may underflow.
+    #[inline(always)]
+    fn is_parallel(&self) -> bool {
+        false
+    }
+}
+
+/// The ball about the origin: `u = (x, y, z)`, `v = r`.
+#[derive(Clone, Copy)]
+pub(super) struct Ball<N> {
+    pub(super) o: [N; 3],
+    pub(super) d: [N; 3],
+    pub(super) r: N,
+}
+
+impl<N: Number> Quadric<N> for Ball<N> {
+    #[inline(always)]
+    fn a(&self) -> N {
+        dot(self.d, self.d)
+    }
+    #[inline(always)]
+    fn k(&self) -> N {
+        dot(self.o, self.d)
+    }
+    #[inline(always)]
+    fn c(&self) -> N {
+        let ([x, y, z], r) = (self.o, self.r);
+        N::sum([[x, x], [y, y], [z, z], [-r, r]])
+    }
+    /// `a r^2 - |w|^2`
+    #[inline(always)]
+    fn discriminant(&self, a: N) -> N {
+        let [wx, wy, wz] = cross(self.o, self.d);
+        N::sum([[a, self.r * self.r], [-wx, wx], [-wy, wy], [-wz, wz]])
+    }
+    #[inline(always)]
+    fn terms(&self, a: N) -> N {
+        let [wx, wy, wz] = cross(self.o, self.d);
+        N::sum([[a, self.r * self.r], [wx, wx], [wy, wy], [wz, wz]])
+    }
+    fn at(&self, n: N, e: N) -> N {
+        let [x, y, z] = along(self.o, self.d, n, e);
+        let r = e * self.r;
+        N::sum([[x, x], [y, y], [z, z], [-r, r]])
+    }
+    #[inline(always)]
+    fn outline(&self) -> [N; 2] {
+        [self.r, N::ZERO]
+    }
+}
+
+/// The infinite cylinder about the y axis: `u = (x, z)`, `v = r`.
+#[derive(Clone, Copy)]
+pub(super) struct Tube<N> {
+    pub(super) o: [N; 2],
+    pub(super) d: [N; 2],
+    pub(super) r: N,
+}
+
+impl<N: Number> Tube<N> {
+    /// `w_y`
+    #[inline(always)]
+    fn moment(&self) -> N {
+        let ([x, z], [dx, dz]) = (self.o, self.d);
+        N::sum([[z, dx], [-x, dz]])
+    }
+}
+
+impl<N: Number> Quadric<N> for Tube<N> {
+    #[inline(always)]
+    fn a(&self) -> N {
+        let [dx, dz] = self.d;
+        N::sum([[dx, dx], [dz, dz]])
+    }
+    #[inline(always)]
+    fn k(&self) -> N {
+        let ([x, z], [dx, dz]) = (self.o, self.d);
+        N::sum([[x, dx], [z, dz]])
+    }
+    #[inline(always)]
+    fn c(&self) -> N {
+        let ([x, z], r) = (self.o, self.r);
+        N::sum([[x, x], [z, z], [-r, r]])
+    }
+    /// `a r^2 - w_y^2`
+    #[inline(always)]
+    fn discriminant(&self, a: N) -> N {
+        let w = self.moment();
+        N::sum([[a, self.r * self.r], [-w, w]])
+    }
+    #[inline(always)]
+    fn terms(&self, a: N) -> N {
+        let w = self.moment();
+        N::sum([[a, self.r * self.r], [w, w]])
+    }
+    fn at(&self, n: N, e: N) -> N {
+        let [x, z] = along(self.o, self.d, n, e);
+        let r = e * self.r;
+        N::sum([[x, x], [z, z], [-r, r]])
+    }
+    #[inline(always)]
+    fn outline(&self) -> [N; 2] {
+        [self.r, N::ZERO]
+    }
+    #[inline(always)]
+    fn is_parallel(&self) -> bool {
+        self.d.iter().all(|component| component.sign() == Some(Ordering::Equal))
+    }
+}
+
+/// A cone about the y axis: `u = (h x, h z)`, `v = g0 + g1 y`.
+///
+/// A cone of slope `m` has `h = 1`, `g0 = 0`, `g1 = m`. One through the radii `r0` and `r1` at the heights 0 and `h` has `g0 = r0 h`, `g1 = r1 - r0`,
+/// so that no slope is rounded.
+#[derive(Clone, Copy)]
+pub(super) struct Nappe<N> {
+    /// `h x`, `h z`, `g0 + g1 y`
+    pub(super) o: [N; 3],
+    /// `h x'`, `h z'`, `g1 y'`
+    pub(super) d: [N; 3],
+}
+
+impl<N: Number> Nappe<N> {
+    #[inline(always)]
+    fn minors(&self) -> [N; 3] {
+        let ([x, z, g], [dx, dz, dg]) = (self.o, self.d);
+        [N::sum([[g, dx], [-x, dg]]), N::sum([[g, dz], [-z, dg]]), N::sum([[x, dz], [-z, dx]])]
+    }
+
+    #[inline(always)]
+    fn product([x, z, g]: [N; 3], [u, w, f]: [N; 3]) -> N {
+        N::sum([[x, u], [z, w], [-g, f]])
+    }
+}
+
+impl<N: Number> Quadric<N> for Nappe<N> {
+    const HAS_NAPPES: bool = true;
+    const SPREAD: i32 = 3;
+
+    #[inline(always)]
+    fn a(&self) -> N {
+        Self::product(self.d, self.d)
+    }
+    #[inline(always)]
+    fn k(&self) -> N {
+        Self::product(self.o, self.d)
+    }
+    #[inline(always)]
+    fn c(&self) -> N {
+        Self::product(self.o, self.o)
+    }
+    #[inline(always)]
+    fn discriminant(&self, _: N) -> N {
+        let [p, q, s] = self.minors();
+        N::sum([[p, p], [q, q], [-s, s]])
+    }
+    #[inline(always)]
+    fn terms(&self, _: N) -> N {
+        let [p, q, s] = self.minors();
+        N::sum([[p, p], [q, q], [s, s]])
+    }
+    fn at(&self, n: N, e: N) -> N {
+        let point = along(self.o, self.d, n, e);
+        Self::product(point, point)
+    }
+    #[inline(always)]
+    fn outline(&self) -> [N; 2] {
+        [self.o[2], self.d[2]]
+    }
+}
+
+/// `e o + n d`
+#[inline(never)]
+fn along<N: Number, const M: usize>(o: [N; M], d: [N; M], n: N, e: N) -> [N; M] {
+    core::array::from_fn(|i| N::sum([[o[i], e], [d[i], n]]))
+}
