@@ -16,7 +16,7 @@ use crate::query::Solve;
 use crate::ray::{Departure, Leaving, Ray};
 use crate::scalar::{Attempt, FromScalar, LocalLine, Scalar, found};
 use crate::solve::{self, Line, Of};
-use crate::tier::{Fast, Stable};
+use crate::tier::{Fast, Plain, Stable};
 use crate::vector::Vec3;
 
 /// Implements the tiers that decide by the signs of rounded values.
@@ -58,6 +58,8 @@ macro_rules! solve_robustly {
         }
     };
 }
+// `Plain` has no solver of its own: it answers as `Fast` does.
+solve_robustly!(Plain);
 solve_robustly!(Fast);
 solve_robustly!(Stable);
 

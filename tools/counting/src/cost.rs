@@ -7,7 +7,7 @@
 pub mod scenes;
 
 use fixed::types::{I16F16, I32F32};
-use raylet::tier::{Exact, Fast, Stable, Tier};
+use raylet::tier::{Exact, Fast, Plain, Stable, Tier};
 use raylet::{Hit, Ray, Scalar};
 use shared::every_subject;
 use shared::rays::{RAYS, rays};
@@ -144,10 +144,10 @@ macro_rules! number {
 /// The wanted cases of the primitives, always in the same order.
 pub fn of_primitives<const ALL_HITS: bool>(wanted: Wanted<'_>) -> Vec<Case> {
     let mut cases = Vec::new();
-    number!(cases, wanted, f32, "f32": Fast Stable Exact);
-    number!(cases, wanted, f64, "f64": Fast Stable);
-    number!(cases, wanted, I16F16, "I16F16": Fast Stable Exact);
-    number!(cases, wanted, I32F32, "I32F32": Fast Stable);
+    number!(cases, wanted, f32, "f32": Plain Fast Stable Exact);
+    number!(cases, wanted, f64, "f64": Plain Fast Stable);
+    number!(cases, wanted, I16F16, "I16F16": Plain Fast Stable Exact);
+    number!(cases, wanted, I32F32, "I32F32": Plain Fast Stable);
     cases
 }
 
