@@ -60,7 +60,7 @@ subtracted. The programs are built with `opt-level = 3`, link-time optimisation 
 
 The *textbook* is the formula `k^2 - a c` as it is usually written: for floats with `libm`'s square root, for fixed point with the
 operators of the crate `fixed` in the same type, wrapping where a square overflows. The tables here show its cost; its errors are in
-[accuracy.md](accuracy.md). On the Cortex-M4F a second row of the sphere, *VSQRT*, has the textbook with the chip's instruction for the square root, which raylet uses too.
+[accuracy.md](accuracy.md). On the Cortex-M4F a second row, *VSQRT*, has the textbook with the chip's instruction for the square root, which raylet uses too.
 
 The documentation of `raylet::tier` says what the tiers promise.
 

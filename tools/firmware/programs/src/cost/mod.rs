@@ -160,7 +160,7 @@ pub fn all(report: Report<'_>) {
     number!(report, I16F16, "I16F16": Plain Fast Stable Exact);
     number!(report, I32F32, "I32F32": Plain Fast Stable);
     number!(report, f64, "f64": Plain Fast Stable);
-    textbook::sphere_with_the_chips_root(&mut |subject, of, instructions| {
+    textbook::with_the_chips_root(&mut |subject, of, instructions| {
         report(Names { subject, number: "f32", tier: "textbook, VSQRT" }.row("nearest", of, instructions));
     });
 }
