@@ -20,9 +20,9 @@ use support::random::{Random, add, normalize, scale};
 use support::subject::{SUBJECTS, Subject};
 use support::workload::{Line, Workload};
 
-/// Rays at each solid, in each placement and number type: in the long form some ten million in all.
+/// Rays at each solid, in each placement, number type and tier: in the long form more than ten million chords in all.
 fn rays() -> usize {
-    amount(2_000, 24_000)
+    amount(2_000, 40_000)
 }
 
 /// A placement is made anew for so many rays.
@@ -113,9 +113,13 @@ struct Seen {
     chords: usize,
     /// Those whose hits are others than the finer tier's, promised or not.
     differing: usize,
+    /// Those that break the promise, and the first of them by their bits.
     broken: usize,
-    worst: String,
+    told: String,
 }
+
+/// So many rays are told of a row.
+const TOLD: usize = 3;
 
 /// One solid in one placement, in one tier.
 fn row<S: Number>(
@@ -150,7 +154,9 @@ fn row<S: Number>(
         seen.differing += 1;
         if let (_, Some(broken)) = measure_one(method, &target, &ray) {
             seen.broken += 1;
-            seen.worst = broken.told;
+            if seen.broken <= TOLD {
+                seen.told = format!("{}\n    {}", seen.told, broken.told);
+            }
         }
     }
     seen
@@ -171,7 +177,7 @@ fn no_hit_is_lost_or_invented<S: Number>(finer: Finer<S>) {
                 let seen = row(tested, finer, &subject, placing, seed);
                 if seen.broken > 0 {
                     let placed = placing.map_or("in the world".into(), Placing::name);
-                    writeln!(broken, "{tier} {name}, {placed}: {} of {} rays: {}", seen.broken, seen.rays, seen.worst)
+                    writeln!(broken, "{tier} {name}, {placed}: {} of {} rays:{}", seen.broken, seen.rays, seen.told)
                         .expect("a text grows");
                 }
                 all.rays += seen.rays;
