@@ -5,6 +5,7 @@
 //! `docs/microcontrollers.md`.
 
 pub mod scenes;
+mod textbook;
 
 use fixed::types::{I16F16, I32F32};
 use raylet::tier::{Exact, Fast, Plain, Stable, Tier};
@@ -27,7 +28,7 @@ pub struct Name {
     pub query: &'static str,
     /// The number type.
     pub number: &'static str,
-    /// The tier; `any` where an answer does not depend on it.
+    /// The tier; `any` where an answer does not depend on it, `textbook` for the formulas to compare with.
     pub tier: &'static str,
     /// `hit` or `miss`: what all the rays do.
     pub rays: &'static str,
@@ -148,6 +149,15 @@ pub fn of_primitives<const ALL_HITS: bool>(wanted: Wanted<'_>) -> Vec<Case> {
     number!(cases, wanted, f64, "f64": Plain Fast Stable);
     number!(cases, wanted, I16F16, "I16F16": Plain Fast Stable Exact);
     number!(cases, wanted, I32F32, "I32F32": Plain Fast Stable);
+    cases
+}
+
+/// The cases of the textbook's formulas, always in the same order.
+pub fn of_textbook() -> Vec<Case> {
+    let mut cases = textbook::cases::<f32>("f32");
+    cases.extend(textbook::cases::<f64>("f64"));
+    cases.extend(textbook::cases::<I16F16>("I16F16"));
+    cases.extend(textbook::cases::<I32F32>("I32F32"));
     cases
 }
 

@@ -1,6 +1,6 @@
 //! The tables of the README and of docs/overview.md.
 
-use super::markdown::{NONE, Table, between_marks, instructions, length, row_ratios, short};
+use super::markdown::{NONE, Table, between_marks, few_digits, instructions, length, row_ratios, short};
 use crate::chips::Chip;
 use crate::study::Study;
 use raylet_tables::grouped;
@@ -84,7 +84,8 @@ fn tiers(study: &Study, host: &Chip) -> Option<String> {
             for (_, rays) in RAYS {
                 let row = study.row(NUMBER, tier, primitive, rays)?;
                 let wrong = if row.wrong() > 0 { format!(" ({})", row.wrong()) } else { String::new() };
-                cells.push(format!("{}{wrong}", length(row.lengths[1])));
+                let error = row.lengths[1];
+                cells.push(format!("{}{wrong}", if error < 1.0 { length(error) } else { few_digits(error) }));
             }
             cells.extend([host, chip].map(|of| instructions(of, near)));
             cells.push(chip.flash(near).map_or(NONE.into(), grouped));
@@ -92,9 +93,9 @@ fn tiers(study: &Study, host: &Chip) -> Option<String> {
         }
     }
     Some(format!(
-        "What a tier buys, in `{NUMBER}`, for a sphere and a capped cone that a frame turns: the 99.9 % error of `t` as a length and, in brackets, how many of \
-         some {} hits are lost or invented. *Textbook* is the formula `k^2 - a c` after the same transformation. Costs are instructions of a nearest hit, hit / \
-         miss, of rays from nearby, and bytes of flash of a program with one such solid on the {CHIP}.\n\n{}",
+        "What a tier buys, in `{NUMBER}`, for a sphere and a capped cone that a frame turns. Errors are those of 99.9 % of the hits, as a length; in brackets\n\
+         is how many of some {} hits are lost or invented. *Textbook* is the formula `k^2 - a c` after the same transformation. Costs are instructions of a\n\
+         nearest hit, hit / miss, of rays from nearby, and on the {CHIP} bytes of flash of a program with one such solid.\n\n{}",
         grouped(2 * study.rays.placed as u64),
         table.done()
     ))
