@@ -39,7 +39,8 @@ pub trait Tier<S: Scalar>: Copy + sealed::Sealed + Solve<S> + 'static {}
 /// calls only this tier contains no wider number, so that it takes the least flash too.
 ///
 /// No hit is lost or invented if the chord is at least a hundredth of the solid's size and the ray starts within 10 sizes, except within 16 units in the last
-/// place of a rim, or of a start on the surface. Beyond that nothing is promised: with growing distance and towards grazing, `t` loses digits, and then hits are lost or
+/// place of a rim, or of a start on the surface. The same holds for a line that has no chord, since it meets the surface once or not at all, unless the ray grazes
+/// (see [`tier`](self)). Beyond that nothing is promised: with growing distance and towards grazing, `t` loses digits, and then hits are lost or
 /// invented. Measured errors are in [docs/accuracy.md](https://github.com/raylet-rs/raylet/blob/main/docs/accuracy.md).
 ///
 /// ```
@@ -69,7 +70,8 @@ impl<S: Scalar> Tier<S> for Plain {}
 /// fast path is unsure. Measured errors are in [docs/accuracy.md](https://github.com/raylet-rs/raylet/blob/main/docs/accuracy.md).
 ///
 /// No hit is lost or invented if the chord is at least a hundredth of the solid's size and the ray starts within 100 sizes, except within 16 units in the last
-/// place of a rim, or of a start on the surface.
+/// place of a rim, or of a start on the surface. The same holds for a line that has no chord, since it meets the surface once or not at all, unless the ray grazes
+/// (see [`tier`](self)).
 ///
 /// ```
 /// use raylet::{Ray, Sphere, UnitVec3, Vec3, tier::Fast};
