@@ -154,7 +154,7 @@ pub use render::{Picture, Pixel};
 pub use scalar::{Scalar, ValueError};
 pub use scene::{Camera, Color, Counters, Fog, Light, Material, Object, Scene, Size, Texture};
 pub use shape::{Placement, Primitive, Shape, Shaped, Surface, Visible};
-pub use tier::{Exact, Fast, Stable, Tier};
+pub use tier::{Exact, Fast, Plain, Stable, Tier};
 pub use vector::{UnitVec3, Vec3};
 
 /// The examples of the README are tests.

@@ -1,15 +1,18 @@
 //! Accuracy tiers, chosen by type.
 //!
-//! A query first takes a *fast path*, which computes in the number type's own width. A *guard* is a test in it that fails where rounding may
-//! decide the result. Where the fast path is unsure, the solver computes again in a wider number, the *robust number* (64 bits for 32-bit types, 128 bits
-//! for 64-bit types). A ray *grazes to `g`* if it passes within `g` times the radius of touching the surface, or if the sine of its angle to the solid's axis, a
+//! A tier is a list of numbers. A query is computed in the first; where that does not know a sign, because rounding may decide it, in the next. The last
+//! of `Fast` and `Stable` is the *robust number*, of 64 bits for 32-bit types and 128 bits for 64-bit types, whose rounded value decides.
+//! A ray *grazes to `g`* if it passes within `g` times the radius of touching the surface, or if the sine of its angle to the solid's axis, a
 //! generator or a plane is at most `g`. A *grazing ray* is one that grazes to 10^-2.
 //!
 //! | tier | numbers | what it does | promise for `t`, in units in the last place |
 //! |---|---|---|---|
-//! | [`Fast`] | all | the fast path, for spheres without guards; the robust number where it is unsure | error grows with distance and towards grazing, most of all for spheres |
-//! | [`Stable`], the default | all | the fast path with guards; the robust number where one fails | floats: about half a unit in the median, at most 16 except for grazing rays, at most 31 down to rays that graze to 10^-7; fixed point: at most 1 unit |
+//! | [`Plain`] | all | the equations once, in plain numbers, without guards | hits and misses near and away from grazing; error of `t` grows with distance and towards grazing |
+//! | [`Fast`] | all | the same with a guard on the difference that decides; the robust number where it is small | error grows with distance and towards grazing |
+//! | [`Stable`], the default | all | numbers that know a bound of their error, then wider ones, then the robust number | floats: about half a unit in the median, at most 16 except for grazing rays, at most 31 down to rays that graze to 10^-7; fixed point: at most 1 unit |
 //! | [`Exact`] | `f32`, `FixedI32<F>` | every decision by a sign that is certain | hit, miss, touch, part and order are those of exact arithmetic; `t` within one unit |
+//!
+//! Each tier costs more than the one above it in the table and decides more rays rightly.
 //!
 //! The promises hold for placed solids too. A frame's position and axes are taken as stored, and the transformation into the frame is part of the
 //! computation. Stored axes are perpendicular only to their last bits; a sphere in a frame is nevertheless an exact sphere.
@@ -30,20 +33,30 @@ mod sealed {
 /// An accuracy tier for a number type. Sealed.
 pub trait Tier<S: Scalar>: Copy + sealed::Sealed + Solve<S> + 'static {}
 
-/// The cheapest tier: the equations in the type's own plain numbers, without guards.
+/// The cheapest tier.
 ///
-/// No wider number is linked, so that its programs are the smallest. For floats these numbers are the floats themselves; fixed point computes on
-/// its grid of integers, and in block-floating integers of twice the width where that has no room.
+/// It evaluates the equations once, in the scalar's own numbers. No test asks whether rounding may have decided, and nothing is computed again: a program that
+/// calls only this tier contains no wider number, so that it takes the least flash too.
 ///
-/// No hit is lost or invented if the chord is at least a hundredth of the solid's size and the ray starts within 10 sizes, except within 16 units in
-/// the last place of a rim, or of a start on the surface.
+/// No hit is lost or invented if the chord is at least a hundredth of the solid's size and the ray starts within 10 sizes, except within 16 units in the last
+/// place of a rim, or of a start on the surface. The same holds for a line that has no chord, since it meets the surface once or not at all, unless the ray grazes
+/// (see [`tier`](self)). Beyond that nothing is promised: with growing distance and towards grazing, `t` loses digits, and then hits are lost or
+/// invented. Measured errors are in [docs/accuracy.md](https://github.com/raylet-rs/raylet/blob/main/docs/accuracy.md).
+///
+/// ```
+/// use raylet::{Cone, Ray, UnitVec3, Vec3, tier::Plain};
+/// let ray = Ray::new(Vec3::new(0.0_f32, 1.5, 4.0), -UnitVec3::Z)?;
+/// let hit = Cone::capped(0.5, 2.0)?.nearest_at::<Plain>(&ray);
+/// assert_eq!(hit.map(|hit| hit.t), Some(3.25));
+/// # Ok::<(), raylet::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Plain;
 
 impl sealed::Sealed for Plain {}
 impl<S: Scalar> Tier<S> for Plain {}
 
-/// The cheap tier.
+/// The tier between [`Plain`] and [`Stable`].
 ///
 /// It computes in the scalar's own width (in fixed point with lengths on a common grid of 28 to 30 bits, or of 56 to 60 bits for 64-bit types).
 /// The discriminant of a sphere comes from the point of closest approach, that of other solids from the line's Pluecker moment `o x d`; both are more
@@ -54,7 +67,8 @@ impl<S: Scalar> Tier<S> for Plain {}
 /// fast path is unsure. Measured errors are in [docs/accuracy.md](https://github.com/raylet-rs/raylet/blob/main/docs/accuracy.md).
 ///
 /// No hit is lost or invented if the chord is at least a hundredth of the solid's size and the ray starts within 100 sizes, except within 16 units in the last
-/// place of a rim, or of a start on the surface.
+/// place of a rim, or of a start on the surface. The same holds for a line that has no chord, since it meets the surface once or not at all, unless the ray grazes
+/// (see [`tier`](self)).
 ///
 /// ```
 /// use raylet::{Ray, Sphere, UnitVec3, Vec3, tier::Fast};

@@ -3,8 +3,8 @@
 
 use fixed::types::{I16F16, I32F32};
 use raylet::{
-    Affine, Capsule, Cone, Crossing, Cuboid, Cylinder, Disc, Exact, Fast, Frame, Part, Plane, Ray, Rectangle, Scalar,
-    Shape, Sphere, Stable, Tier, Triangle, UnitVec3, Vec3,
+    Affine, Capsule, Cone, Crossing, Cuboid, Cylinder, Disc, Exact, Fast, Frame, Part, Plain, Plane, Ray, Rectangle,
+    Scalar, Shape, Sphere, Stable, Tier, Triangle, UnitVec3, Vec3,
 };
 
 fn n<S: Scalar>(value: f64) -> S {
@@ -98,8 +98,8 @@ macro_rules! types {
     };
 }
 types! {
-    f32: f32, Fast Stable Exact;
-    f64: f64, Fast Stable;
-    i16f16: I16F16, Fast Stable Exact;
-    i32f32: I32F32, Fast Stable;
+    f32: f32, Plain Fast Stable Exact;
+    f64: f64, Plain Fast Stable;
+    i16f16: I16F16, Plain Fast Stable Exact;
+    i32f32: I32F32, Plain Fast Stable;
 }

@@ -52,7 +52,9 @@ impl fmt::Display for Number {
 /// The accuracy tiers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum TierName {
-    /// The cheapest; less accurate for rays that graze a surface or come from far away
+    /// The cheapest: for rays that start near and do not graze a surface
+    Plain,
+    /// Less accurate for rays that graze a surface or come from far away
     Fast,
     /// Accurate to some units in the last place for any ray
     #[default]
@@ -64,6 +66,7 @@ pub(crate) enum TierName {
 impl fmt::Display for TierName {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
+            Self::Plain => "plain",
             Self::Fast => "fast",
             Self::Stable => "stable",
             Self::Exact => "exact",
@@ -99,7 +102,7 @@ impl Arithmetic {
             )
         })?;
         let tier = TierName::from_str(tier, true).map_err(|_| {
-            format!("there is no tier `{tier}`: choose among {}", ["fast", "stable", "exact"].join(", "))
+            format!("there is no tier `{tier}`: choose among {}", ["plain", "fast", "stable", "exact"].join(", "))
         })?;
         Self { number, tier }.checked()
     }
@@ -109,6 +112,7 @@ impl fmt::Display for Arithmetic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let number = self.number;
         match self.tier {
+            TierName::Plain => write!(f, "{number}-plain"),
             TierName::Fast => write!(f, "{number}-fast"),
             TierName::Stable => write!(f, "{number}"),
             TierName::Exact => write!(f, "{number}-exact"),

@@ -75,16 +75,20 @@ fn trace(
     Arithmetic { number, tier }: Arithmetic,
     effects: EffectSet,
 ) -> Result<Traced, Box<dyn Error>> {
-    use TierName::{Exact, Fast, Stable};
+    use TierName::{Exact, Fast, Plain, Stable};
     match (number, tier) {
+        (Number::F32, Plain) => trace::trace::<f32, tier::Plain>(source, options, number, effects),
         (Number::F32, Fast) => trace::trace::<f32, tier::Fast>(source, options, number, effects),
         (Number::F32, Stable) => trace::trace::<f32, tier::Stable>(source, options, number, effects),
         (Number::F32, Exact) => trace::trace::<f32, tier::Exact>(source, options, number, effects),
+        (Number::F64, Plain) => trace::trace::<f64, tier::Plain>(source, options, number, effects),
         (Number::F64, Fast) => trace::trace::<f64, tier::Fast>(source, options, number, effects),
         (Number::F64, Stable) => trace::trace::<f64, tier::Stable>(source, options, number, effects),
+        (Number::I16f16, Plain) => trace::trace::<I16F16, tier::Plain>(source, options, number, effects),
         (Number::I16f16, Fast) => trace::trace::<I16F16, tier::Fast>(source, options, number, effects),
         (Number::I16f16, Stable) => trace::trace::<I16F16, tier::Stable>(source, options, number, effects),
         (Number::I16f16, Exact) => trace::trace::<I16F16, tier::Exact>(source, options, number, effects),
+        (Number::I32f32, Plain) => trace::trace::<I32F32, tier::Plain>(source, options, number, effects),
         (Number::I32f32, Fast) => trace::trace::<I32F32, tier::Fast>(source, options, number, effects),
         (Number::I32f32, Stable) => trace::trace::<I32F32, tier::Stable>(source, options, number, effects),
         (Number::F64 | Number::I32f32, Exact) => Err("the options are checked before".into()),

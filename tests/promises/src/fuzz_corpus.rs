@@ -5,7 +5,7 @@
 
 use fixed::types::{I16F16, I32F32};
 use raylet::scalar::UnitScalar;
-use raylet::tier::Fast;
+use raylet::tier::{Fast, Plain};
 use raylet::{
     Capsule, Cone, Crossing, Cylinder, Departure, Disc, Frame, Leaving, Part, Plane, Range, Ray, Scalar, Shape, Sphere,
     Triangle, UnitVec3, ValueError, Vec3,
@@ -277,7 +277,7 @@ fn a_departing_ray_far_along_a_tube_stays_where_it_departs() {
 }
 
 #[test]
-fn a_fast_sphere_is_hit_or_not_whichever_query_is_called() {
+fn an_unguarded_sphere_is_hit_or_not_whichever_query_is_called() {
     let ball = Sphere::new(1.0_f32).expect("a size");
     let mut random = Random(3);
     for _ in 0..times(1000) {
@@ -287,16 +287,19 @@ fn a_fast_sphere_is_hit_or_not_whichever_query_is_called() {
         let far = ray::<f32>(origin, units(towards));
         let (hits, occludes) = (ball.hits_at::<Fast>(&far), ball.occludes_at::<Fast>(&far));
         assert_eq!(occludes, !hits.is_empty(), "{far:?}: {hits:?}");
+        let (hits, occludes) = (ball.hits_at::<Plain>(&far), ball.occludes_at::<Plain>(&far));
+        assert_eq!(occludes, !hits.is_empty(), "{far:?}: {hits:?}");
     }
 }
 
 #[test]
-fn a_fast_pointed_cone_has_two_ends() {
+fn an_unguarded_pointed_cone_has_two_ends() {
     let cone = Cone::frustum(number::<I16F16>(0.0), number(127.16797), number(127.16797)).expect("sizes");
     let half = std::f64::consts::FRAC_1_SQRT_2;
     let past = ray([0.0, 23.83287, 16383.99998], units([-half, -half, 0.0])).with_range(Range::line());
-    let hits = cone.hits_at::<Fast>(&past);
-    assert!(hits.len() != 1 || hits[0].crossing == Crossing::Touch, "{hits:?}");
+    for hits in [cone.hits_at::<Plain>(&past), cone.hits_at::<Fast>(&past)] {
+        assert!(hits.len() != 1 || hits[0].crossing == Crossing::Touch, "{hits:?}");
+    }
 }
 
 #[test]

@@ -4,7 +4,7 @@ use raylet::scene::{Hierarchy, Node};
 use raylet::shape::kinds::{All, Chosen, Kind, KindError, Kinds};
 use raylet::{
     Affine, Camera, Capsule, Color, Cone, Cuboid, Cylinder, Disc, Exact, Fast, Frame, Light, Material, Object, Picture,
-    Plane, Ray, Rectangle, Scalar, Scene, Shape, Size, Sphere, Stable, Tier, Triangle, UnitVec3, Vec3, Visible,
+    Plain, Plane, Ray, Rectangle, Scalar, Scene, Shape, Size, Sphere, Stable, Tier, Triangle, UnitVec3, Vec3, Visible,
 };
 use std::fmt::Debug;
 use support::amount::times;
@@ -91,7 +91,7 @@ fn of_these<S: exact_types::Exact, K: Kinds>(tiers: &[Compare<S, K>]) -> usize {
 }
 
 fn in_rounding_tiers<S: exact_types::Exact, K: Kinds>() -> usize {
-    of_these::<S, K>(&[same_answers::<S, K, Fast>, same_answers::<S, K, Stable>])
+    of_these::<S, K>(&[same_answers::<S, K, Plain>, same_answers::<S, K, Fast>, same_answers::<S, K, Stable>])
 }
 
 /// Compares every primitive with every placement, a few in each set, and in sets without a placement or with one of them.

@@ -98,7 +98,7 @@ mod law {
                 // Swapped, a rounded sum of three has another order, and so may have another last bit. The fast tier cuts
                 // products off, which of a negative number goes the other way.
                 let rounds = match T::GRADE {
-                    Grade::Fast => true,
+                    Grade::Plain | Grade::Fast => true,
                     Grade::Stable => swap && is_float::<S>(),
                     Grade::Exact => false,
                 };
@@ -190,7 +190,7 @@ mod law {
     }
 
     /// Law 5, where every number is exact: an axis-parallel ray from a grid, moved by a number of the grid, in a world that is turned
-    /// by quarter turns and powers of two at most. In fixed point `t` shifts to the last bit (`Stable`: but for ties; `Fast`, and `Stable`
+    /// by quarter turns and powers of two at most. In fixed point `t` shifts to the last bit (`Stable`: but for ties; `Plain`, `Fast`, and `Stable`
     /// where the world is stretched, which round on the way: within the bound); a float's `t` is rounded where it stands.
     pub(super) fn a_shift_along_an_axis_shifts_t_exactly<S: Number, T: Graded<S>>(
         setting: &Setting<S>,
@@ -219,7 +219,7 @@ mod law {
         let (here, there) = (setting.shape.hits_at::<T>(&ray), setting.shape.hits_at::<T>(&moved));
         let shift = number::<S>(shift).expect("small");
         let rounds_on_the_way = is_float::<S>() || matches!(setting.pose, Pose::Affine { .. });
-        if T::GRADE == Grade::Fast || rounds_on_the_way && T::GRADE != Grade::Exact {
+        if T::GRADE <= Grade::Fast || rounds_on_the_way && T::GRADE != Grade::Exact {
             let shifted: Vec<Met> =
                 met(&there).into_iter().map(|hit| Met { t: &hit.t + &shift.exact(), ..hit }).collect();
             return on_one_line::<S, T>(setting, &ray, &met(&here), &shifted, 0.0);

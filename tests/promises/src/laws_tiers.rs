@@ -6,7 +6,7 @@
 
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-use raylet::tier::{Exact, Fast, Stable};
+use raylet::tier::{Exact, Fast, Plain, Stable};
 use raylet::{Hits, Range};
 use support::amount::times;
 use support::exact_types::Exact as Number;
@@ -18,7 +18,7 @@ laws!(finer_tiers_see_the_same_crossings_on_the_same_parts);
 mod law {
     use super::*;
 
-    /// Law 4, of this tier against `Stable`, and of `Fast` against `Exact` too: `Exact` exists where the tier is it.
+    /// Law 4, of this tier against `Stable`, and of `Plain` and `Fast` against `Exact` too: `Exact` exists where the tier is it.
     pub(super) fn finer_tiers_see_the_same_crossings_on_the_same_parts<S: Number, T: Graded<S>>(
         setting: &Setting<S>,
         _: &mut Random,
@@ -31,12 +31,14 @@ mod law {
             let hits = setting.shape.hits_at::<T>(&ray);
             let stable = setting.shape.hits_at::<Stable>(&ray);
             match T::GRADE {
-                Grade::Fast => same::<S, Fast>(setting, &ray, &hits, &stable)?,
+                Grade::Plain | Grade::Fast => same::<S, T>(setting, &ray, &hits, &stable)?,
                 Grade::Stable => {}
                 Grade::Exact => {
                     same::<S, Stable>(setting, &ray, &stable, &hits)?;
                     let fast = setting.shape.hits_at::<Fast>(&ray);
                     same::<S, Fast>(setting, &ray, &fast, &hits)?;
+                    let plain = setting.shape.hits_at::<Plain>(&ray);
+                    same::<S, Plain>(setting, &ray, &plain, &hits)?;
                 }
             }
         }
@@ -90,11 +92,15 @@ fn benign_rays_need_no_excuse() {
         let most = if support::laws::is_float::<S>() { 0 } else { rays / 100_000 };
         assert!(differ <= most, "{} {:?}: {differ} of {rays} rays", S::name(), T::GRADE);
     }
+    check::<f32, Plain>();
     check::<f32, Fast>();
     check::<f32, Exact>();
+    check::<f64, Plain>();
     check::<f64, Fast>();
+    check::<fixed::types::I16F16, Plain>();
     check::<fixed::types::I16F16, Fast>();
     check::<fixed::types::I16F16, Exact>();
+    check::<fixed::types::I32F32, Plain>();
     check::<fixed::types::I32F32, Fast>();
     check::<fixed::types::I8F24, Exact>();
 }

@@ -10,6 +10,7 @@ extern crate support;
 mod named;
 
 mod cameras;
+mod chords;
 mod constants;
 mod contract;
 mod contract_departures;

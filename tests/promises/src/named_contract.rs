@@ -2,7 +2,7 @@
 //! contains; and occlusion that agrees with the nearest hit for every size.
 
 use crate::named::{any_frame, extreme_ray, extreme_solid, point_in, ray_in};
-use raylet::tier::{Exact, Fast, Stable, Tier};
+use raylet::tier::{Exact, Fast, Plain, Stable, Tier};
 use raylet::{
     Capsule, Cone, Crossing, Cylinder, Disc, Frame, Hits, Part, Placement, Primitive, Range, Ray, Shape, Sphere,
     Triangle, UnitVec3, Vec3,
@@ -239,5 +239,6 @@ fn occlusion_agrees_with_the_nearest_hit_for_every_size<S: Number, T: Tier<S>>(_
         let shape = if round % 2 == 0 { shape } else { shape.placed(any_frame::<S>(&mut random, 1.0)) };
         agree::<S, T>(&shape, &ray);
         agree::<S, Fast>(&shape, &ray);
+        agree::<S, Plain>(&shape, &ray);
     }
 }

@@ -3,7 +3,7 @@
 use fixed::types::{I16F16, I32F32};
 use raylet::gallery::BuiltIn;
 use raylet::scene::nff::{self, Corner, Counts, Scale, Stores};
-use raylet::tier::{Exact, Fast, Tier};
+use raylet::tier::{Exact, Fast, Plain, Tier};
 use raylet::{
     Camera, Color, Counters, Cylinder, Light, Material, Object, Part, Picture, Pixel, Plane, Ray, Scalar, Scene, Shape,
     Size, Sphere, TraceContext, Tracer, Triangle, UnitVec3, Vec3, Visible,
@@ -506,11 +506,12 @@ fn a_scene_meets_its_objects_in_its_own_tier() {
     {
         let stage = BuiltIn::StillLife.build::<S>().unwrap();
         let scene = stage.scene().unwrap();
-        let (fast, exact) = (scene.at_tier::<Fast>(), scene.at_tier::<Exact>());
+        let (plain, fast, exact) = (scene.at_tier::<Plain>(), scene.at_tier::<Fast>(), scene.at_tier::<Exact>());
         let size = Size::new(16, 12);
         let raster = scene.camera().raster(size);
         for (x, y) in (0..size.height).flat_map(|y| (0..size.width).map(move |x| (x, y))) {
             let ray = raster.ray([x, y], [0, 0]).unwrap();
+            in_tier(&plain, &ray);
             in_tier(&fast, &ray);
             in_tier(&scene, &ray);
             in_tier(&exact, &ray);

@@ -6,8 +6,8 @@ use proptest::test_runner::RngSeed;
 use raylet::hierarchy::{Hierarchy, HierarchyError, Node, Shapes};
 use raylet::shape::kinds::All;
 use raylet::{
-    Departure, Exact, Fast, Frame, Hit, Leaving, Material, Part, Ray, Scalar, Scene, Shape, Shaped, Sphere, Stable,
-    Tier, UnitVec3, Vec3,
+    Departure, Exact, Fast, Frame, Hit, Leaving, Material, Part, Plain, Ray, Scalar, Scene, Shape, Shaped, Sphere,
+    Stable, Tier, UnitVec3, Vec3,
 };
 use support::amount::amount;
 use support::crowd;
@@ -77,9 +77,17 @@ fn any_list<S: Scalar>(seed: u64, count: usize, tiers: &[Law<S>]) -> Result<Met,
 
 fn of_three_types(seed: u64, count: usize) -> Result<[Met; 3], TestCaseError> {
     Ok([
-        any_list::<f32>(seed, count, &[agrees::<_, Fast>, agrees::<_, Stable>, agrees::<_, Exact>])?,
-        any_list::<I16F16>(seed, count, &[agrees::<_, Fast>, agrees::<_, Stable>, agrees::<_, Exact>])?,
-        any_list::<I32F32>(seed, count, &[agrees::<_, Fast>, agrees::<_, Stable>])?,
+        any_list::<f32>(
+            seed,
+            count,
+            &[agrees::<_, Plain>, agrees::<_, Fast>, agrees::<_, Stable>, agrees::<_, Exact>],
+        )?,
+        any_list::<I16F16>(
+            seed,
+            count,
+            &[agrees::<_, Plain>, agrees::<_, Fast>, agrees::<_, Stable>, agrees::<_, Exact>],
+        )?,
+        any_list::<I32F32>(seed, count, &[agrees::<_, Plain>, agrees::<_, Fast>, agrees::<_, Stable>])?,
     ])
 }
 

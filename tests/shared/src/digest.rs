@@ -5,7 +5,7 @@
 use fixed::types::extra::{LeEqU32, LeEqU64};
 use fixed::types::{I16F16, I32F32};
 use fixed::{FixedI32, FixedI64};
-use raylet::tier::{Exact, Fast, Stable, Tier};
+use raylet::tier::{Exact, Fast, Plain, Stable, Tier};
 use raylet::{
     Affine, Capsule, Cone, Cuboid, Cylinder, Departure, Disc, Frame, Leaving, Plane, Primitive, Range, Ray, Rectangle,
     Scalar, Shape, Sphere, Triangle, UnitVec3, Vec3,
@@ -181,14 +181,18 @@ pub fn all(report: &mut dyn FnMut(&str, &str, &str, u64)) {
             index += 1;
         }
     }
+    tier::<f32, Plain>("f32", "Plain", report);
     tier::<f32, Fast>("f32", "Fast", report);
     tier::<f32, Stable>("f32", "Stable", report);
     tier::<f32, Exact>("f32", "Exact", report);
+    tier::<I16F16, Plain>("I16F16", "Plain", report);
     tier::<I16F16, Fast>("I16F16", "Fast", report);
     tier::<I16F16, Stable>("I16F16", "Stable", report);
     tier::<I16F16, Exact>("I16F16", "Exact", report);
+    tier::<I32F32, Plain>("I32F32", "Plain", report);
     tier::<I32F32, Fast>("I32F32", "Fast", report);
     tier::<I32F32, Stable>("I32F32", "Stable", report);
+    tier::<f64, Plain>("f64", "Plain", report);
     tier::<f64, Fast>("f64", "Fast", report);
     tier::<f64, Stable>("f64", "Stable", report);
 }

@@ -105,10 +105,15 @@ pub fn triangle<S: Scalar>() -> Option<Triangle<S>> {
     Triangle::new(vector(-9, 0, -6), vector(7, 2, -5), vector(2, -2, 10)).ok()
 }
 
+/// The frame of what is turned and moved.
+pub fn frame<S: Scalar>() -> Option<Frame<S>> {
+    let (forward, up) = (UnitVec3::new(vector(8, 16, 16)).ok()?, UnitVec3::new(vector(-3, 9, 1)).ok()?);
+    Frame::looking(vector(2, -4, 2), forward, up).ok()
+}
+
 /// A shape, turned and moved.
 pub fn framed<S: Scalar>(shape: Shape<S>) -> Option<Shape<S>> {
-    let (forward, up) = (UnitVec3::new(vector(8, 16, 16)).ok()?, UnitVec3::new(vector(-3, 9, 1)).ok()?);
-    Some(shape.placed(Frame::looking(vector(2, -4, 2), forward, up).ok()?))
+    Some(shape.placed(frame()?))
 }
 
 /// A shape, stretched, sheared, turned and moved.

@@ -72,7 +72,11 @@ const STABLE: Agreement = Agreement::Backward { float: 16.0, fixed: 2.5 };
 
 /// The tiers of every number type: a line each.
 fn every_tier<S: Number>(query: &Query<S>) -> Vec<Verdict> {
-    vec![test_tier::<S, tier::Stable>(query, STABLE), test_tier::<S, tier::Fast>(query, Agreement::Lawful)]
+    vec![
+        test_tier::<S, tier::Stable>(query, STABLE),
+        test_tier::<S, tier::Fast>(query, Agreement::Lawful),
+        test_tier::<S, tier::Plain>(query, Agreement::Lawful),
+    ]
 }
 
 /// The tiers of `f32` and of the 32-bit fixed types alone: a line each.

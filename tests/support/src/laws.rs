@@ -10,7 +10,7 @@ use super::random::Random;
 use super::subject::Subject;
 use super::workload::Workload;
 use proptest::test_runner::TestCaseError;
-use raylet::tier::{Exact, Fast, Stable, Tier};
+use raylet::tier::{Exact, Fast, Plain, Stable, Tier};
 use raylet::{Crossing, Hit, Hits, Part, Range, Ray, Shape};
 
 /// What a law says of one ray.
@@ -19,6 +19,7 @@ pub type Law = Result<(), TestCaseError>;
 /// A tier, so that a law can tell which it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Grade {
+    Plain,
     Fast,
     Stable,
     Exact,
@@ -29,6 +30,9 @@ pub trait Graded<S: Number>: Tier<S> {
     const GRADE: Grade;
 }
 
+impl<S: Number> Graded<S> for Plain {
+    const GRADE: Grade = Grade::Plain;
+}
 impl<S: Number> Graded<S> for Fast {
     const GRADE: Grade = Grade::Fast;
 }
@@ -187,8 +191,8 @@ pub fn unit_on_the_way<S: Number>(ray: &Ray<S>, t: f64) -> f64 {
 
 /// How far from the surface a hit may lie in space, whatever the angle: the bound that every law here shares.
 ///
-/// `Exact`: one unit in the last place of `t`, and nothing else. `Stable`: 16 units of the numbers on the way. `Fast` subtracts
-/// plainly: what its quadratic equation is off by, `eta`, grows with the square of the distance and with `1 / a` towards a cone's
+/// `Exact`: one unit in the last place of `t`, and nothing else. `Stable`: 16 units of the numbers on the way. `Fast` and `Plain`
+/// subtract plainly: what their quadratic equation is off by, `eta`, grows with the square of the distance and with `1 / a` towards a cone's
 /// generator or a cylinder's axis, where one root cancels; at a distance `rho` from the axis that is `eta / rho` in space, and at an
 /// apex its root.
 pub fn bound<S: Number, T: Graded<S>>(setting: &Setting<S>, ray: &Ray<S>, t: S) -> f64 {
@@ -205,7 +209,7 @@ pub fn bound<S: Number, T: Graded<S>>(setting: &Setting<S>, ray: &Ray<S>, t: S) 
                 2.0 * units
             }
         }
-        Grade::Fast => {
+        Grade::Plain | Grade::Fast => {
             let start = setting.local_point(ray, &Dyadic::zero()).map(|c| c.to_f64());
             let one = setting.local_point(ray, &Dyadic::from(1)).map(|c| c.to_f64());
             let [dx, dy, dz] = [0, 1, 2].map(|i| one[i] - start[i]);
@@ -341,19 +345,25 @@ pub fn each_edge<S: Number>(every: usize, mut law: impl FnMut(&Setting<S>, &mut 
 #[macro_export]
 macro_rules! in_every_tier {
     ($on:ident ! ($($rest:tt)*)) => {
+        $on!(f32, raylet::tier::Plain, $($rest)*);
         $on!(f32, raylet::tier::Fast, $($rest)*);
         $on!(f32, raylet::tier::Stable, $($rest)*);
         $on!(f32, raylet::tier::Exact, $($rest)*);
+        $on!(f64, raylet::tier::Plain, $($rest)*);
         $on!(f64, raylet::tier::Fast, $($rest)*);
         $on!(f64, raylet::tier::Stable, $($rest)*);
+        $on!(fixed::types::I16F16, raylet::tier::Plain, $($rest)*);
         $on!(fixed::types::I16F16, raylet::tier::Fast, $($rest)*);
         $on!(fixed::types::I16F16, raylet::tier::Stable, $($rest)*);
         $on!(fixed::types::I16F16, raylet::tier::Exact, $($rest)*);
+        $on!(fixed::types::I32F32, raylet::tier::Plain, $($rest)*);
         $on!(fixed::types::I32F32, raylet::tier::Fast, $($rest)*);
         $on!(fixed::types::I32F32, raylet::tier::Stable, $($rest)*);
+        $on!(fixed::types::I8F24, raylet::tier::Plain, $($rest)*);
         $on!(fixed::types::I8F24, raylet::tier::Fast, $($rest)*);
         $on!(fixed::types::I8F24, raylet::tier::Stable, $($rest)*);
         $on!(fixed::types::I8F24, raylet::tier::Exact, $($rest)*);
+        $on!(fixed::types::I20F12, raylet::tier::Plain, $($rest)*);
         $on!(fixed::types::I20F12, raylet::tier::Fast, $($rest)*);
         $on!(fixed::types::I20F12, raylet::tier::Stable, $($rest)*);
         $on!(fixed::types::I20F12, raylet::tier::Exact, $($rest)*);

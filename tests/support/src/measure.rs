@@ -59,7 +59,7 @@ impl Measured {
         let wrong = !self.compare(tier, got.to_vec(), judged);
         let errors = &self.errors[before.0..];
         let by = if wrong || self.part > before.1 {
-            if judged.excuses(tier) { 0.0 } else { f64::INFINITY }
+            if judged.excuses(tier, got) { 0.0 } else { f64::INFINITY }
         } else {
             let most = errors.iter().copied().fold(0.0, f64::max);
             // The limit takes longer to find than that it is kept.

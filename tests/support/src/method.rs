@@ -6,7 +6,7 @@ use super::placed::Placed;
 use super::subject::Subject;
 use super::textbook::{Form, Place, Plain, PlainRay, Reach};
 use fixed::types::{I16F16, I32F32};
-use raylet::tier::{Exact, Fast, Precision, Stable, Tier};
+use raylet::tier::{self, Exact, Fast, Precision, Stable, Tier};
 use raylet::{Crossing, Part, Ray, Shape};
 
 /// A primitive where it stands, which a method intersects with a ray.
@@ -84,6 +84,7 @@ macro_rules! measurable {
                 fn methods() -> Vec<Method<Self>> {
                     vec![
                         Method::textbook(),
+                        Method::tier::<tier::Plain>("Plain"),
                         Method::tier::<Fast>("Fast"),
                         Method::tier::<Stable>("Stable"),
                         $($exact,)?

@@ -4,7 +4,7 @@ use super::exact_types::Exact;
 use super::oracle::{self, Dyadic, Solid};
 use super::random::{Random, add, dot, normalize, scale};
 use super::subject::Subject;
-use super::workload::Workload;
+use super::workload::{Line, Workload};
 use raylet::{Affine, Frame, FrameError, Ray, Shape, UnitVec3, Vec3};
 
 /// How a primitive is placed: a half of the placements within 4 of the world's origin, the others within 1,000 and 1,000,000, or as far
@@ -158,10 +158,14 @@ impl<S: Exact> Placed<S> {
     /// The next ray of the workload at the subject where it stands; `None` where the workload has no sense for it, or the draw does not
     /// fit the type. It is rounded in the world: from far away, what the workload says of it is only what it was drawn from.
     pub fn ray(&self, subject: &Subject<S>, workload: Workload, random: &mut Random) -> Option<Ray<S>> {
-        let (origin, direction) = workload.line(subject, random)?;
-        let image = |v: [f64; 3]| (0..3).fold([0.0; 3], |sum, i| add(sum, scale(self.axes[i], v[i])));
-        let ray = Workload::rounded((add(self.position, image(origin)), normalize(image(direction))))?;
+        let ray = self.ray_along(workload.line(subject, random)?)?;
         workload.from_there(&self.shape, ray, random)
+    }
+
+    /// The ray along a line of the primitive's frame, given by its origin and direction; `None` if it does not fit the type.
+    pub fn ray_along(&self, (origin, direction): Line) -> Option<Ray<S>> {
+        let image = |v: [f64; 3]| (0..3).fold([0.0; 3], |sum, i| add(sum, scale(self.axes[i], v[i])));
+        Workload::rounded((add(self.position, image(origin)), normalize(image(direction))))
     }
 
     /// The ray's line in the primitive's frame, exactly.

@@ -2,16 +2,21 @@
 //!
 //! | tier | hits | `t` |
 //! |---|---|---|
-//! | `Fast` | none lost or invented where the exact chord is at least a hundredth of the solid's size and the start within 100 sizes, but within 16 units of a rim or of the start | |
+//! | `Plain` | none lost or invented where the ray is plain and the start within 10 sizes, but within 16 units of a rim or of the start | |
+//! | `Fast` | the same where the start is within 100 sizes | |
 //! | `Stable` | none lost, invented or on another part but within a unit of touching or of a rim | floats: 16 units away from grazing, 31 at any ray that grazes to 1e-7; fixed point: one unit |
 //! | `Exact` | those of exact arithmetic | one unit |
 //!
+//! A ray is *plain* if each chord of its line is at least a hundredth of the solid's size; if the line has no chord, since it meets the surface once or not
+//! at all, the ray is plain if it does not graze.
+//!
 //! And for all of them: a ray that departs outwards does not meet what it departs from.
 
-use super::exact_types::{Exact as Number, expected_of};
-use super::oracle::{ConeExtent, CylinderExtent, Dyadic, ExpectedHit, InRange, Line, Solid, exact_f64};
+use super::exact_types::{Exact as Number, expected_of, same_crossing, same_part};
+use super::method::Told;
+use super::oracle::{ConeExtent, CylinderExtent, Dyadic, ExpectedHit, InRange, Line, Root, Solid, exact_f64};
 use super::random::{add, cross, dot, scale};
-use raylet::Ray;
+use raylet::{Range, Ray};
 
 /// Away from grazing is what is farther than this from touching, and by as much off an axis, a generator and a plane.
 const AWAY: f64 = 1e-2;
@@ -107,17 +112,31 @@ impl<S: Number> Judged<'_, S> {
         }
     }
 
-    /// Whether the tier's promise leaves room for other hits than the exact ones. A ray that departs never meets what it departs from.
-    pub fn excuses(&self, tier: &str) -> bool {
+    /// Whether the tier's promise leaves room for these hits, which are others than the exact ones. A ray that departs never meets what it departs from.
+    pub fn excuses(&self, tier: &str, told: &[Told<S>]) -> bool {
         if self.ray.departure().is_some() && self.want.hits.is_empty() {
             return false;
         }
         match tier {
             "Exact" => false,
             "Stable" => self.is_within_units(0),
-            "Fast" => !self.is_plain() || self.is_within_units(4),
+            "Plain" => !self.is_plain(10.0) || self.differs_at_start(told, 4) || self.is_within_units(4),
+            "Fast" => !self.is_plain(100.0) || self.differs_at_start(told, 4) || self.is_within_units(4),
             _ => true,
         }
+    }
+
+    /// Whether hits differ only within `2^power` units of the size from the start, which then is as near to the surface.
+    fn differs_at_start(&self, told: &[Told<S>], power: isize) -> bool {
+        let unit = self.unit_of_size().scaled(power);
+        let is_off = |t: &Root| t.error_in(&S::ZERO.exact(), &unit) > 1.0;
+        let told: Vec<_> = told.iter().filter(|hit| is_off(&(&hit.t.exact()).into())).collect();
+        let want: Vec<_> = self.want.hits.iter().filter(|hit| is_off(&hit.t)).collect();
+        let same = |(told, want): (&&Told<S>, &&ExpectedHit)| {
+            told.surface
+                .is_none_or(|(part, crossing)| same_part(part, want.part) && same_crossing(crossing, want.crossing))
+        };
+        told.len() == want.len() && told.iter().zip(&want).all(same)
     }
 
     /// Whether the ray has other hits twice `2^power` units of the size beside, along an axis of the solid's frame: then it is within so
@@ -132,13 +151,26 @@ impl<S: Number> Judged<'_, S> {
         })
     }
 
-    /// Whether the exact chord is long and the start near.
-    fn is_plain(&self) -> bool {
-        let hits = &self.want.hits;
-        let chord = hits.windows(2).map(|pair| pair[1].t.to_f64() - pair[0].t.to_f64()).fold(0.0, f64::max);
-        let first = hits.first().map_or(f64::INFINITY, |hit| hit.t.to_f64());
-        chord >= 1e-2 * self.size && first <= 100.0 * self.size
+    /// Whether the ray is plain and starts within so many sizes. A ray that meets nothing starts as far away as its point next to the frame's origin.
+    pub fn is_plain(&self, sizes: f64) -> bool {
+        let away = self.want.hits.first().map_or_else(|| nearest_to_origin(self.line), |hit| hit.t.to_f64());
+        if away.abs() > sizes * self.size {
+            return false;
+        }
+        // The chord that a ray starts in counts from its beginning.
+        let whole = expected_of(self.solid, self.line, &self.ray.without_departure().with_range(Range::line()));
+        let gaps = whole.hits.windows(2).map(|pair| pair[1].t.to_f64() - pair[0].t.to_f64());
+        match gaps.reduce(f64::min) {
+            Some(shortest) => shortest >= 1e-2 * self.size,
+            None => clearance(self.solid, self.line) >= AWAY,
+        }
     }
+}
+
+/// The `t` at which a line comes nearest to its frame's origin.
+fn nearest_to_origin(line: &Line) -> f64 {
+    let [o, d] = [&line.origin, &line.direction].map(|v| v.each_ref().map(Dyadic::to_f64));
+    -dot(o, d) / dot(d, d)
 }
 
 /// Whether the hits are the same, whatever their `t`.

@@ -34,7 +34,7 @@ pub enum Workload {
 }
 
 /// A line's origin and direction.
-type Line = ([f64; 3], [f64; 3]);
+pub type Line = ([f64; 3], [f64; 3]);
 
 /// Those that are timed too, and given to other libraries.
 pub const WORKLOADS: [Workload; 21] = [

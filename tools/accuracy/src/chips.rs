@@ -1,4 +1,4 @@
-//! What the firmware's baselines say: instructions a query on four chips.
+//! What the baselines say: instructions a query on four chips and on the host, and bytes of programs on the chips.
 
 use raylet_tables::{Baseline, CHIPS, Outcome};
 use support::figures::Figures;
@@ -8,6 +8,7 @@ pub struct Chip {
     pub name: &'static str,
     cost: raylet_tables::Figures,
     workloads: raylet_tables::Figures,
+    sizes: raylet_tables::Figures,
 }
 
 /// Instructions of a nearest hit, for rays that hit and for rays that miss.
@@ -40,9 +41,20 @@ fn subject(row: &Figures) -> Option<String> {
 }
 
 impl Chip {
+    fn new(name: &'static str, baseline: &Baseline) -> Self {
+        let part = |part: &str| baseline.part(part).clone();
+        Self { name, cost: part("cost"), workloads: part("workload"), sizes: part("size") }
+    }
+
     /// What a workload's nearest hits take in the mean; `None` if the firmware does not measure it.
     pub fn of_workload(&self, workload: &str, number: &str, tier: &str) -> Option<u64> {
         self.workloads.get(&format!("{workload} | {number} | {tier} | mean")).copied()
+    }
+
+    /// Bytes of a program that finds the nearest hit of a row's primitive, not placed, in its number type and tier; `None` if there is none.
+    pub fn flash(&self, row: &Figures) -> Option<u64> {
+        let primitive = row.primitive.split(' ').next()?;
+        self.sizes.get(&format!("{primitive} | {} | {}", row.number, row.tier)).copied()
     }
 
     /// What a row costs; `None` if the firmware does not measure it.
@@ -66,8 +78,12 @@ pub fn read() -> Outcome<Vec<Chip>> {
         .into_iter()
         .map(|(target, name)| {
             let baseline = Baseline::read(&format!("data/chips/{target}.tsv"), ".ci/measure --renew")?;
-            let part = |part: &str| baseline.part(part).clone();
-            Ok(Chip { name, cost: part("cost"), workloads: part("workload") })
+            Ok(Chip::new(name, &baseline))
         })
         .collect()
+}
+
+/// The same of the host, where bytes are not counted.
+pub fn host() -> Outcome<Chip> {
+    Ok(Chip::new("host", &Baseline::read("data/host.tsv", ".ci/instructions --renew")?))
 }

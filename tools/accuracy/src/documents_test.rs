@@ -41,7 +41,7 @@ fn no_primitive_or_number_type_is_missing() {
     let study = Study::committed().unwrap();
     for number in NUMBERS {
         for primitive in support::subject::SUBJECTS {
-            for tier in &TIERS[..3] {
+            for tier in &TIERS[..4] {
                 let row = study.row(number, tier, primitive, "benign");
                 let row = row.unwrap_or_else(|| panic!("{number} {tier}, {primitive}: no figures"));
                 assert!(study.time(row).is_some(), "{number} {tier}, {primitive}: no time");

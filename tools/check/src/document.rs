@@ -12,10 +12,10 @@ const COMPARED: [&str; 3] = ["sphere", "cylinder, capped", "cone, capped"];
 
 /// Number types, and their tiers.
 const NUMBERS: [(&str, &[&str]); 4] = [
-    ("I16F16", &["Fast", "Stable", "Exact"]),
-    ("f32", &["Fast", "Stable", "Exact"]),
-    ("I32F32", &["Fast", "Stable"]),
-    ("f64", &["Fast", "Stable"]),
+    ("I16F16", &["Plain", "Fast", "Stable", "Exact"]),
+    ("f32", &["Plain", "Fast", "Stable", "Exact"]),
+    ("I32F32", &["Plain", "Fast", "Stable"]),
+    ("f64", &["Plain", "Fast", "Stable"]),
 ];
 
 /// A chip, and what it takes.
@@ -60,7 +60,7 @@ subtracted. The programs are built with `opt-level = 3`, link-time optimisation 
 
 The *textbook* is the formula `k^2 - a c` as it is usually written: for floats with `libm`'s square root, for fixed point with the
 operators of the crate `fixed` in the same type, wrapping where a square overflows. The tables here show its cost; its errors are in
-[accuracy.md](accuracy.md). On the Cortex-M4F a second row of the sphere, *VSQRT*, has the textbook with the chip's instruction for the square root, which raylet uses too.
+[accuracy.md](accuracy.md). On the Cortex-M4F a second row, *VSQRT*, has the textbook with the chip's instruction for the square root, which raylet uses too.
 
 The documentation of `raylet::tier` says what the tiers promise.
 
@@ -148,10 +148,12 @@ fn comparison(text: &mut String, chips: &[Measured]) {
 
 /// What users do, on one chip.
 fn workloads(text: &mut String, chip: &str, baseline: &Baseline) {
-    const KINDS: [(&str, &str); 8] = [
+    const KINDS: [(&str, &str); 10] = [
+        ("I16F16", "Plain"),
         ("I16F16", "Fast"),
         ("I16F16", "Stable"),
         ("I16F16", "Exact"),
+        ("f32", "Plain"),
         ("f32", "Fast"),
         ("f32", "Stable"),
         ("f32", "Exact"),

@@ -13,7 +13,16 @@ pub const PRIMITIVES: [&str; 10] =
 pub const SHAPE: &str = "shape";
 
 /// Number types and tiers.
-pub const KINDS: [[&str; 2]; 4] = [["f32", "Fast"], ["f32", "Stable"], ["I16F16", "Fast"], ["I16F16", "Stable"]];
+pub const KINDS: [[&str; 2]; 8] = [
+    ["f32", "Plain"],
+    ["f32", "Fast"],
+    ["f32", "Stable"],
+    ["f32", "Exact"],
+    ["I16F16", "Plain"],
+    ["I16F16", "Fast"],
+    ["I16F16", "Stable"],
+    ["I16F16", "Exact"],
+];
 
 /// The name of a figure in a baseline.
 pub fn key(primitive: &str, [number, tier]: [&str; 2]) -> String {

@@ -26,6 +26,7 @@ fn cases() -> Vec<Case> {
         "normal" | "uv" => matches!(name.number, "f32" | "I16F16"),
         _ => false,
     }));
+    cases.extend(cost::of_textbook());
     cases.extend(cost::of_scenes());
     cases
 }

@@ -5,9 +5,10 @@
 //! `docs/microcontrollers.md`.
 
 pub mod scenes;
+mod textbook;
 
 use fixed::types::{I16F16, I32F32};
-use raylet::tier::{Exact, Fast, Stable, Tier};
+use raylet::tier::{Exact, Fast, Plain, Stable, Tier};
 use raylet::{Hit, Ray, Scalar};
 use shared::every_subject;
 use shared::rays::{RAYS, rays};
@@ -27,7 +28,7 @@ pub struct Name {
     pub query: &'static str,
     /// The number type.
     pub number: &'static str,
-    /// The tier; `any` where an answer does not depend on it.
+    /// The tier; `any` where an answer does not depend on it, `textbook` for the formulas to compare with.
     pub tier: &'static str,
     /// `hit` or `miss`: what all the rays do.
     pub rays: &'static str,
@@ -144,10 +145,19 @@ macro_rules! number {
 /// The wanted cases of the primitives, always in the same order.
 pub fn of_primitives<const ALL_HITS: bool>(wanted: Wanted<'_>) -> Vec<Case> {
     let mut cases = Vec::new();
-    number!(cases, wanted, f32, "f32": Fast Stable Exact);
-    number!(cases, wanted, f64, "f64": Fast Stable);
-    number!(cases, wanted, I16F16, "I16F16": Fast Stable Exact);
-    number!(cases, wanted, I32F32, "I32F32": Fast Stable);
+    number!(cases, wanted, f32, "f32": Plain Fast Stable Exact);
+    number!(cases, wanted, f64, "f64": Plain Fast Stable);
+    number!(cases, wanted, I16F16, "I16F16": Plain Fast Stable Exact);
+    number!(cases, wanted, I32F32, "I32F32": Plain Fast Stable);
+    cases
+}
+
+/// The cases of the textbook's formulas, always in the same order.
+pub fn of_textbook() -> Vec<Case> {
+    let mut cases = textbook::cases::<f32>("f32");
+    cases.extend(textbook::cases::<f64>("f64"));
+    cases.extend(textbook::cases::<I16F16>("I16F16"));
+    cases.extend(textbook::cases::<I32F32>("I32F32"));
     cases
 }
 

@@ -19,10 +19,10 @@ const RENEW: &str = ".ci/instructions --renew";
 
 /// Number types, and their tiers.
 const NUMBERS: [(&str, &[&str]); 4] = [
-    ("f32", &["Fast", "Stable", "Exact"]),
-    ("f64", &["Fast", "Stable"]),
-    ("I16F16", &["Fast", "Stable", "Exact"]),
-    ("I32F32", &["Fast", "Stable"]),
+    ("f32", &["Plain", "Fast", "Stable", "Exact"]),
+    ("f64", &["Plain", "Fast", "Stable"]),
+    ("I16F16", &["Plain", "Fast", "Stable", "Exact"]),
+    ("I32F32", &["Plain", "Fast", "Stable"]),
 ];
 
 /// The number types of the scenes, and of normals and surface coordinates.
@@ -134,8 +134,8 @@ fn scenes_by(text: &mut String, figures: &Figures, walk: &str) {
 
 /// The number types and tiers of the workloads.
 const OF_WORKLOADS: [(&str, &[&str]); 6] = [
-    ("f32", &["Fast", "Stable", "Exact"]),
-    ("I16F16", &["Fast", "Stable", "Exact"]),
+    ("f32", &["Plain", "Fast", "Stable", "Exact"]),
+    ("I16F16", &["Plain", "Fast", "Stable", "Exact"]),
     ("I20F12", &["Stable"]),
     ("I8F24", &["Stable"]),
     ("f64", &["Stable"]),
@@ -190,7 +190,14 @@ fn workloads(text: &mut String, figures: &Figures, away_from_grazing: &Figures) 
          hit for a miss, a miss for a hit or a hit on another part. Rows in which all errors are within 1 unit and no result is wrong are left out. Errors over many more rays, and the hard ones: \
          [accuracy.md](accuracy.md).\n\n",
     );
-    const OFF: [(&str, &str); 4] = [("f32", "Fast"), ("f32", "Stable"), ("I16F16", "Fast"), ("I16F16", "Stable")];
+    const OFF: [(&str, &str); 6] = [
+        ("f32", "Plain"),
+        ("f32", "Fast"),
+        ("f32", "Stable"),
+        ("I16F16", "Plain"),
+        ("I16F16", "Fast"),
+        ("I16F16", "Stable"),
+    ];
     head(text, cells("rays", OFF.map(|(number, tier)| format!("`{number}` `{tier}`"))));
     for of in &all {
         let told = OFF.map(|(number, tier)| {

@@ -1,7 +1,7 @@
 //! Who takes part: for each number type and primitive everyone that has it.
 
 use crate::contestant::{Entrant, Number};
-use crate::names::{EMBEDDED_3DGFX, EXACT, FAST, STABLE, TEXTBOOK};
+use crate::names::{EMBEDDED_3DGFX, EXACT, FAST, PLAIN, STABLE, TEXTBOOK};
 use crate::sizes::Sizes;
 use crate::{embedded_3dgfx_rays, raylet_tiers, textbook};
 #[cfg(feature = "parry")]
@@ -18,6 +18,7 @@ pub trait Field: Number {
 
 impl Field for f32 {
     const NAMES: &'static [&'static str] = &[
+        PLAIN,
         FAST,
         STABLE,
         EXACT,
@@ -41,6 +42,7 @@ impl Field for f32 {
 
 impl Field for f64 {
     const NAMES: &'static [&'static str] = &[
+        PLAIN,
         FAST,
         STABLE,
         #[cfg(feature = "parry")]

@@ -1,6 +1,8 @@
 //! How the contestants are called.
 
 /// raylet's cheapest tier.
+pub const PLAIN: &str = "raylet Plain";
+/// The tier between it and the default.
 pub const FAST: &str = "raylet Fast";
 /// raylet's default tier.
 pub const STABLE: &str = "raylet Stable";

@@ -1,8 +1,8 @@
 //! raylet, in each of its tiers: a primitive's own `nearest_at`.
 
 use crate::contestant::{Contestant, Entrant, Number};
-use crate::names::{EXACT, FAST, STABLE};
-use raylet::tier::{Exact, Fast, Stable, Tier};
+use crate::names::{EXACT, FAST, PLAIN, STABLE};
+use raylet::tier::{Exact, Fast, Plain, Stable, Tier};
 use raylet::{Capsule, Cone, Cylinder, Disc, Hit, Plane, Primitive, Ray, Sphere, Triangle};
 use std::marker::PhantomData;
 use support::subject::Subject;
@@ -41,8 +41,8 @@ macro_rules! contestants {
 contestants!(Sphere Cylinder Cone Capsule Plane Disc Triangle);
 
 /// The tiers that both floats have.
-pub fn entrants<S: Number>(subject: &Subject<S>) -> [Entrant<S>; 2] {
-    [entrant::<S, Fast>(FAST, subject), entrant::<S, Stable>(STABLE, subject)]
+pub fn entrants<S: Number>(subject: &Subject<S>) -> [Entrant<S>; 3] {
+    [entrant::<S, Plain>(PLAIN, subject), entrant::<S, Fast>(FAST, subject), entrant::<S, Stable>(STABLE, subject)]
 }
 
 /// The tier of `f32` alone.

@@ -4,11 +4,11 @@
 //! solid's pose, raylet's shape does the same with its frame. Each query has a solid and a ray of its own.
 
 use crate::contestant::Prepared;
-use crate::names::{EXACT, FAST, PARRY, STABLE};
+use crate::names::{EXACT, FAST, PARRY, PLAIN, STABLE};
 use crate::parry::placed::Posed;
 use crate::speed::{Effort, Speed, race};
 use raylet::Hit;
-use raylet::tier::{Exact, Fast, Stable};
+use raylet::tier::{Exact, Fast, Plain, Stable};
 use shared::workload::{Placed, QUERIES, Query, Rays, SENSED, query, sensed};
 use std::hint::black_box;
 
@@ -67,14 +67,15 @@ fn distance_of_hit(hit: &Option<Hit<f32>>) -> Option<f32> {
 }
 
 /// The contestants, in the order of the tables.
-pub const NAMES: [&str; 4] = [FAST, STABLE, EXACT, PARRY];
+pub const NAMES: [&str; 5] = [PLAIN, FAST, STABLE, EXACT, PARRY];
 
-fn prepare(queries: &[Query<f32>]) -> Option<[Box<dyn Prepared<f32>>; 4]> {
+fn prepare(queries: &[Query<f32>]) -> Option<[Box<dyn Prepared<f32>>; 5]> {
     let ours = |answer: fn(&Query<f32>) -> Option<Hit<f32>>| -> Box<dyn Prepared<f32>> {
         Box::new(Queries { queries: queries.to_vec(), answer, distance: distance_of_hit })
     };
     let theirs: Option<Vec<_>> = queries.iter().map(Posed::of).collect();
     Some([
+        ours(|query| query.shape.nearest_at::<Plain>(&query.ray)),
         ours(|query| query.shape.nearest_at::<Fast>(&query.ray)),
         ours(|query| query.shape.nearest_at::<Stable>(&query.ray)),
         ours(|query| query.shape.nearest_at::<Exact>(&query.ray)),
@@ -121,8 +122,8 @@ pub fn measure(effort: Effort, sphere: &dyn Prepared<f32>, tick: &mut dyn FnMut(
     for (what, rays, queries) in workloads() {
         let contestants = prepare(&queries).expect("parry has every solid that is chosen");
         let answers = contestants.each_ref().map(|contestant| contestant.distances());
-        let [_, _, exact, _] = &answers;
-        let speeds = race(&contestants, 1, sphere, effort.rounds);
+        let [_, _, _, exact, _] = &answers;
+        let speeds = race(&contestants, 2, sphere, effort.rounds);
         for ((contestant, answers), speed) in NAMES.into_iter().zip(&answers).zip(speeds) {
             let wrong = self::wrong(answers, exact);
             let (what, rays) = (what.clone(), rays.clone());

@@ -31,6 +31,7 @@ fn advice(situation: &'static str, take: impl Into<String>, rows: Vec<Row>, clai
 }
 
 const NO_UNIT: &[&str] = &["Cortex-M0+", "Cortex-M3", "RV32IMC"];
+const EVERY_CHIP: &[&str] = &["Cortex-M0+", "Cortex-M3", "Cortex-M4F", "RV32IMC"];
 const SPHERE: &str = "sphere";
 const CYLINDER: &str = "cylinder capped";
 const CONE: &str = "cone capped";
@@ -159,9 +160,10 @@ fn by_distance() -> Vec<Advice> {
     vec![
         advice(
             "Up to 100 away:",
-            "Any tier. `Fast` is within a few units for well-aimed rays. The textbook loses two decimal digits at 100.",
+            "Any tier but `Plain`, which promises right hits up to 10 sizes away. `Fast` is within a few units for well-aimed rays. The textbook loses two decimal digits at 100.",
             vec![
                 sphere("f32", "Textbook", "100 away"),
+                sphere("f32", "Plain", "100 away"),
                 sphere("f32", "Fast", "100 away"),
                 sphere("f32", "Stable", "100 away"),
                 sphere("I16F16", "Fast", "100 away"),
@@ -214,6 +216,29 @@ fn by_distance() -> Vec<Advice> {
 
 fn by_fault() -> Vec<Advice> {
     vec![
+        advice(
+            "Only flash and time count:",
+            "`Plain`, for rays that start within 10 sizes of a solid and do not graze it. It computes the equations once, in the number type's own width, and a program that calls no other tier contains no \
+             wider number: [microcontrollers.md](microcontrollers.md#flash) has the bytes.",
+            vec![
+                Row("f32", "Plain", SPHERE, "benign"),
+                Row("f32", "Fast", SPHERE, "benign"),
+                Row("f32", "Plain", CONE, "benign"),
+                Row("f32", "Fast", CONE, "benign"),
+                Row("I16F16", "Plain", CONE, "benign"),
+                Row("I16F16", "Fast", CONE, "benign"),
+                Row("f32", "Plain", CONE, "grazing 1e-2"),
+                Row("f32", "Plain", CONE, "grazing 1e-4"),
+            ],
+            vec![
+                Claim::Cheaper(EVERY_CHIP, Row("f32", "Plain", CONE, "benign"), Row("f32", "Fast", CONE, "benign")),
+                Claim::Cheaper(
+                    EVERY_CHIP,
+                    Row("I16F16", "Plain", CONE, "benign"),
+                    Row("I16F16", "Fast", CONE, "benign"),
+                ),
+            ],
+        ),
         advice(
             "Hit or miss, the part, or the order must never be wrong:",
             "`Exact`, in `f32` or 32-bit fixed point. In no row is a hit lost, invented or on another part, for placed solids too. `Stable` has none in most rows either; but only `Exact` decides by proved bounds.",

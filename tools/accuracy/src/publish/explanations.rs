@@ -80,7 +80,7 @@ pub const WHY: [Why; 17] = [
         "Both run the same kernel; what differs is the code that the compiler makes of it (under 1 %). In these types `Fast` has no advantage for this primitive.",
     ),
     (
-        |row| row.faster.tier == "Fast" && row.slower.tier == "Textbook",
+        |row| matches!(row.faster.tier, "Plain" | "Fast") && row.slower.tier == "Textbook",
         "The formula of closest approach takes the direction for exactly unit, so that there is no `a` to divide by. And a miss is decided before the root.",
     ),
     (

@@ -24,6 +24,7 @@ mod rays;
 mod readme;
 mod which_one;
 
+use crate::chips;
 use crate::study::Study;
 use std::error::Error;
 use std::path::Path;
@@ -39,7 +40,7 @@ pub fn documents(study: &Study, root: &Path) -> Result<Vec<(String, String)>, Bo
     let mut files = vec![
         ("docs/accuracy.md".to_string(), front::document(study)),
         ("docs/which-one.md".into(), which_one::document(study)?),
-        ("README.md".into(), readme::document(&readme, study)?),
+        ("README.md".into(), readme::document(&readme, study, &chips::host()?)?),
         ("docs/overview.md".into(), readme::overview(&overview, study)?),
     ];
     files

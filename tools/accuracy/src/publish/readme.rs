@@ -1,7 +1,9 @@
 //! The tables of the README and of docs/overview.md.
 
-use super::markdown::{Table, between_marks, length, row_ratios, short};
+use super::markdown::{NONE, Table, between_marks, few_digits, instructions, length, row_ratios, short};
+use crate::chips::Chip;
 use crate::study::Study;
+use raylet_tables::grouped;
 use support::figures::{Figures, NUMBERS, TIERS};
 
 /// Few rows of errors.
@@ -54,18 +56,60 @@ fn cost_table(study: &Study, rows: &[&Figures]) -> String {
     let titles = ["number", "tier", "99.9 % error", "host"].map(String::from).into_iter().chain(chips);
     let mut table = Table::new(&titles.collect::<Vec<_>>(), 2);
     for row in rows {
-        let tier = if row.tier == "Textbook" { String::from("textbook") } else { format!("`{}`", row.tier) };
-        let mut cells = vec![format!("`{}`", row.number), tier, length(row.lengths[1]), row_ratios(study, row)];
-        cells.extend(study.chips.iter().map(|chip| super::markdown::instructions(chip, row)));
+        let mut cells =
+            vec![format!("`{}`", row.number), tier_name(row.tier), length(row.lengths[1]), row_ratios(study, row)];
+        cells.extend(study.chips.iter().map(|chip| instructions(chip, row)));
         table.row(&cells);
     }
     table.done()
 }
 
-/// The README with its table written anew.
-pub fn document(readme: &str, study: &Study) -> Result<String, String> {
-    let costs = few_costs(study).ok_or("a row that the README shows was not measured")?;
-    replaced(readme, "README.md", "placed", &costs)
+/// What a tier buys, for two solids that a frame turns: errors near, far away and where rays graze, beside the cost. The textbook is the first row of each.
+fn tiers(study: &Study, host: &Chip) -> Option<String> {
+    const NUMBER: &str = "f32";
+    const CHIP: &str = "Cortex-M4F";
+    const RAYS: [(&str, &str); 3] = [
+        ("near", "benign, turned"),
+        ("grazing to 1e-4", "grazing 1e-4, turned"),
+        ("10,000 away", "10000 away, turned"),
+    ];
+    let chip = study.chips.iter().find(|chip| chip.name == CHIP)?;
+    let costs = ["host".to_string(), CHIP.into(), "flash".into()];
+    let titles = ["solid", "tier"].into_iter().chain(RAYS.map(|(title, _)| title)).map(String::from).chain(costs);
+    let mut table = Table::new(&titles.collect::<Vec<_>>(), 2);
+    for primitive in ["sphere", "cone capped"] {
+        for tier in TIERS {
+            let near = study.row(NUMBER, tier, primitive, RAYS[0].1)?;
+            let mut cells = vec![primitive.to_string(), tier_name(tier)];
+            for (_, rays) in RAYS {
+                let row = study.row(NUMBER, tier, primitive, rays)?;
+                let wrong = if row.wrong() > 0 { format!(" ({})", row.wrong()) } else { String::new() };
+                let error = row.lengths[1];
+                cells.push(format!("{}{wrong}", if error < 1.0 { length(error) } else { few_digits(error) }));
+            }
+            cells.extend([host, chip].map(|of| instructions(of, near)));
+            cells.push(chip.flash(near).map_or(NONE.into(), grouped));
+            table.row(&cells);
+        }
+    }
+    Some(format!(
+        "What a tier buys, in `{NUMBER}`, for a sphere and a capped cone that a frame turns. Errors are those of 99.9 % of the hits, as a length; in brackets\n\
+         is how many of some {} hits are lost or invented. *Textbook* is the formula `k^2 - a c` after the same transformation. Costs are instructions of a\n\
+         nearest hit, hit / miss, of rays from nearby; *flash* is bytes of a program with one such solid on the {CHIP}.\n\n{}",
+        grouped(2 * study.rays.placed as u64),
+        table.done()
+    ))
+}
+
+/// A tier as a table calls it.
+fn tier_name(tier: &str) -> String {
+    if tier == "Textbook" { "textbook".into() } else { format!("`{tier}`") }
+}
+
+/// The README with its tables written anew.
+pub fn document(readme: &str, study: &Study, host: &Chip) -> Result<String, String> {
+    let tables = few_costs(study).and_then(|costs| Some(costs + &tiers(study, host)?));
+    replaced(readme, "README.md", "placed", &tables.ok_or("a row that the README shows was not measured")?)
 }
 
 /// docs/overview.md with its tables written anew.

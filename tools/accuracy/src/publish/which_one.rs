@@ -11,7 +11,8 @@ const HEAD: &str = "\
 # Which one do I take?
 
 In short: take **`Stable` in the number type that your chip computes in**: `f32` with a single-precision unit, `f64` with a double-precision one,
-`I16F16` (or another split of 32 bits) without. Take `Fast` where rays are aimed well and a few units do not matter, and `Exact` where a wrong hit,
+`I16F16` (or another split of 32 bits) without. Take `Plain` where flash and time count most and rays start
+near and do not graze, `Fast` where rays are aimed well and a few units do not matter, and `Exact` where a wrong hit,
 miss or part would be a fault.
 
 Below each piece of advice are the rows that support it: the 99.9 % error of `t` in units in the last place and as a length, hits lost or invented

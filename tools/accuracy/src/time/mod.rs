@@ -16,7 +16,7 @@ pub use rays::{Query, RAYS};
 use crate::study::{Cost, Time, Times};
 use batch::{Batch, nothing, textbook, tier};
 use fixed::types::{I16F16, I32F32};
-use raylet::tier::{Exact, Fast, Stable};
+use raylet::tier::{Exact, Fast, Plain, Stable};
 use rays::{Kind, queries};
 use support::method::{Measurable, Method};
 use support::oracle::Solid;
@@ -45,10 +45,10 @@ macro_rules! timed {
     };
 }
 timed! {
-    f32: Fast Stable Exact;
-    f64: Fast Stable;
-    I16F16: Fast Stable Exact;
-    I32F32: Fast Stable;
+    f32: Plain Fast Stable Exact;
+    f64: Plain Fast Stable;
+    I16F16: Plain Fast Stable Exact;
+    I32F32: Plain Fast Stable;
 }
 
 fn median(mut values: Vec<f64>) -> f64 {

@@ -90,7 +90,7 @@ macro_rules! picture {
 macro_rules! asked {
     ($S:ty, $Kinds:ty) => {
         $crate::raylet_proofs::program! {
-            use $crate::raylet::{Exact, Fast, Ray, Shape, Stable, Tier};
+            use $crate::raylet::{Exact, Fast, Plain, Ray, Shape, Stable, Tier};
             use $crate::raylet_proofs::input::{any_point, any_reference, give};
 
             fn call<T: Tier<$S>>(shape: &Shape<$S, $Kinds>, ray: &Ray<$S>) {
@@ -102,6 +102,7 @@ macro_rules! asked {
             }
             let shape = any_reference::<Shape<$S, $Kinds>>();
             let ray = any_reference::<Ray<$S>>();
+            call::<Plain>(shape, ray);
             call::<Fast>(shape, ray);
             call::<Stable>(shape, ray);
             call::<Exact>(shape, ray);

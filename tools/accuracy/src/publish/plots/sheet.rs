@@ -27,6 +27,7 @@ const STYLE: &str = "<style>\
 #[derive(Clone, Copy)]
 pub enum Mark {
     Cross,
+    Diamond,
     Triangle,
     Circle,
     Square,
@@ -36,6 +37,7 @@ impl Mark {
     pub fn of(tier: &str) -> Self {
         match tier {
             "Textbook" => Self::Cross,
+            "Plain" => Self::Diamond,
             "Fast" => Self::Triangle,
             "Stable" => Self::Circle,
             _ => Self::Square,
@@ -57,6 +59,14 @@ impl Mark {
         let point = EmptyElement::at(at);
         match self {
             Self::Cross => area.draw(&(point + Cross::new((0, 0), 4, color.stroke_width(if hollow { 1 } else { 2 })))),
+            Self::Diamond => {
+                let corners = vec![(0, -5), (5, 0), (0, 5), (-5, 0), (0, -5)];
+                if hollow {
+                    area.draw(&(point + PathElement::new(corners, style)))
+                } else {
+                    area.draw(&(point + Polygon::new(corners, style)))
+                }
+            }
             Self::Triangle => area.draw(&(point + TriangleMarker::new((0, 0), 5, style))),
             Self::Circle => area.draw(&(point + Circle::new((0, 0), 4, style))),
             Self::Square => area.draw(&(point + Rectangle::new([(-4, -4), (4, 4)], style))),

@@ -19,6 +19,7 @@ const ENOUGH: usize = 10;
 pub(super) fn color(tier: &str) -> RGBColor {
     match tier {
         "Textbook" => RGBColor(0x80, 0x88, 0x90),
+        "Plain" => RGBColor(0xc2, 0x35, 0x4b),
         "Fast" => RGBColor(0xd9, 0x73, 0x0d),
         "Stable" => RGBColor(0x1f, 0x77, 0xe0),
         _ => RGBColor(0x2d, 0xa4, 0x4e),

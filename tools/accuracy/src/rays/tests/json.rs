@@ -49,7 +49,7 @@ fn file_of_rays() {
     assert_eq!(value["placement"], "at 0 -1 0");
     assert_eq!((&value["rays"], &value["machine"]), (&3.into(), &Value::Null));
     let rows = value["rows"].as_array().unwrap();
-    assert_eq!(rows.len(), 14);
+    assert_eq!(rows.len(), 18);
     let row = rows.iter().find(|row| row["number"] == "I16F16" && row["tier"] == "Exact").unwrap();
     assert_eq!(
         (&row["rays"], &row["not_held"], &row["hits"], &row["lost"]),

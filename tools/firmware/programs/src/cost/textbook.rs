@@ -9,9 +9,9 @@ use core::hint::black_box;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use fixed::Wrapping;
 use fixed::types::{I16F16, I32F32};
-use raylet::{Cone, Cylinder, Ray, Scalar, Sphere};
+use raylet::{Cone, Cylinder, Frame, Ray, Scalar, Shape, Sphere};
 use shared::rays::{RAYS, rays};
-use shared::subject::{Subject, eighths};
+use shared::subject::{Subject, eighths, frame, framed};
 
 /// A number with operators.
 pub trait Number:
@@ -105,6 +105,34 @@ impl<N> PlainRay<N> {
 /// Radius and height, or slope and height.
 type Sizes<N> = [N; 2];
 
+/// A solid that is turned and moved: its sizes, where it stands, and its axes.
+struct Placed<N> {
+    sizes: Sizes<N>,
+    position: [N; 3],
+    axes: [[N; 3]; 3],
+}
+
+impl<N: Number> Placed<N> {
+    fn new<S: Plain<Number = N>>(sizes: Sizes<S>, frame: &Frame<S>) -> Self {
+        Self {
+            sizes: sizes.map(S::plain),
+            position: frame.position().to_array().map(S::plain),
+            axes: frame.axes().map(|axis| axis.to_array().map(S::plain_unit)),
+        }
+    }
+
+    /// The ray as the solid sees it.
+    #[inline(always)]
+    fn to_local(&self, ray: &PlainRay<N>) -> PlainRay<N> {
+        let ([x, y, z], [px, py, pz]) = (ray.origin, self.position);
+        let from = [x - px, y - py, z - pz];
+        PlainRay {
+            origin: self.axes.map(|axis| dot(axis, from)),
+            direction: self.axes.map(|axis| dot(axis, ray.direction)),
+        }
+    }
+}
+
 fn dot<N: Number>(a: [N; 3], b: [N; 3]) -> N {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
@@ -159,16 +187,12 @@ fn cylinder<N: Number>([radius, height]: Sizes<N>, ray: &PlainRay<N>) -> Option<
 
 /// The capped cone about the y axis, its apex in the origin.
 #[inline(always)]
-fn cone<N: Number>([slope, height]: Sizes<N>, ray: &PlainRay<N>) -> Option<N> {
+fn cone<N: Number>([slope, height]: Sizes<N>, ray: &PlainRay<N>, root: impl Fn(N) -> N) -> Option<N> {
     let ([ox, oy, oz], [dx, dy, dz]) = (ray.origin, ray.direction);
     let mut best = None;
     let m = slope * slope;
-    let side = roots(
-        dx * dx + dz * dz - m * dy * dy,
-        ox * dx + oz * dz - m * oy * dy,
-        ox * ox + oz * oz - m * oy * oy,
-        N::root,
-    );
+    let side =
+        roots(dx * dx + dz * dz - m * dy * dy, ox * dx + oz * dz - m * oy * dy, ox * ox + oz * oz - m * oy * oy, root);
     for t in side.into_iter().flatten() {
         let y = oy + t * dy;
         if y >= N::ZERO && y <= height {
@@ -197,7 +221,17 @@ fn nearest_of_cylinder<N: Number>(sizes: &Sizes<N>, ray: &PlainRay<N>) {
 
 #[inline(never)]
 fn nearest_of_cone<N: Number>(sizes: &Sizes<N>, ray: &PlainRay<N>) {
-    black_box(cone(*sizes, ray));
+    black_box(cone(*sizes, ray, N::root));
+}
+
+#[inline(never)]
+fn nearest_of_placed_sphere<N: Number>(placed: &Placed<N>, ray: &PlainRay<N>) {
+    black_box(sphere(placed.sizes[0], &placed.to_local(ray), N::root));
+}
+
+#[inline(never)]
+fn nearest_of_placed_cone<N: Number>(placed: &Placed<N>, ray: &PlainRay<N>) {
+    black_box(cone(placed.sizes, &placed.to_local(ray), N::root));
 }
 
 /// With the square root that raylet itself uses: an instruction, where the chip has one.
@@ -206,17 +240,27 @@ fn nearest_of_sphere_with_the_chips_root([radius, _]: &Sizes<f32>, ray: &PlainRa
     black_box(sphere(*radius, ray, raylet::scalar::Real::sqrt));
 }
 
+#[inline(never)]
+fn nearest_of_placed_sphere_with_the_chips_root(placed: &Placed<f32>, ray: &PlainRay<f32>) {
+    black_box(sphere(placed.sizes[0], &placed.to_local(ray), raylet::scalar::Real::sqrt));
+}
+
+#[inline(never)]
+fn nearest_of_placed_cone_with_the_chips_root(placed: &Placed<f32>, ray: &PlainRay<f32>) {
+    black_box(cone(placed.sizes, &placed.to_local(ray), raylet::scalar::Real::sqrt));
+}
+
 /// Measures a formula at the rays that hit `subject`, and at those that miss it.
-fn measure<S: Plain, P: Subject<S>>(
+fn measure<S: Plain, P: Subject<S>, Solid>(
     subject: Option<P>,
-    sizes: Sizes<S>,
-    formula: fn(&Sizes<S::Number>, &PlainRay<S::Number>),
+    solid: Option<Solid>,
+    formula: fn(&Solid, &PlainRay<S::Number>),
     report: &mut dyn FnMut(Of, u64),
 ) {
-    let Some(subject) = subject else { return };
+    let (Some(subject), Some(solid)) = (subject, solid) else { return };
     for (hits, of) in [(true, Of::Hit), (false, Of::Miss)] {
         let rays: [PlainRay<S::Number>; RAYS] = rays(&subject, hits).map(|ray| PlainRay::of(&ray));
-        report(of, instructions(&sizes.map(S::plain), &rays, formula));
+        report(of, instructions(&solid, &rays, formula));
     }
 }
 
@@ -224,20 +268,53 @@ fn measure<S: Plain, P: Subject<S>>(
 /// `subject`.
 pub fn every_formula<S: Plain>(report: &mut dyn FnMut(&'static str, Of, u64)) {
     let (radius, slope, height) = (eighths::<S>(8), eighths::<S>(6), eighths::<S>(12));
-    measure(Sphere::new(radius).ok(), [radius, S::ZERO], nearest_of_sphere, &mut |of, n| report("sphere", of, n));
-    measure(Cylinder::capped(radius, height).ok(), [radius, height], nearest_of_cylinder, &mut |of, n| {
+    let [ball, tube, cone] = [[radius, S::ZERO], [radius, height], [slope, height]];
+    let plain = |sizes: Sizes<S>| Some(sizes.map(S::plain));
+    measure(Sphere::new(radius).ok(), plain(ball), nearest_of_sphere, &mut |of, n| report("sphere", of, n));
+    measure(Cylinder::capped(radius, height).ok(), plain(tube), nearest_of_cylinder, &mut |of, n| {
         report("cylinder, capped", of, n);
     });
-    measure(Cone::capped(slope, height).ok(), [slope, height], nearest_of_cone, &mut |of, n| {
+    measure(Cone::capped(slope, height).ok(), plain(cone), nearest_of_cone, &mut |of, n| {
         report("cone, capped", of, n);
+    });
+    measure::<S, _, _>(framed_sphere(), placed(ball), nearest_of_placed_sphere, &mut |of, n| {
+        report("sphere, framed", of, n)
+    });
+    measure::<S, _, _>(framed_cone(), placed(cone), nearest_of_placed_cone, &mut |of, n| {
+        report("cone, capped, framed", of, n)
     });
 }
 
+/// The solid of these sizes in the frame of the subjects that are framed.
+fn placed<S: Plain>(sizes: Sizes<S>) -> Option<Placed<S::Number>> {
+    Some(Placed::new(sizes, &frame()?))
+}
+
+fn framed_sphere<S: Scalar>() -> Option<Shape<S>> {
+    framed(Shape::new(Sphere::new(eighths(8)).ok()?))
+}
+
+fn framed_cone<S: Scalar>() -> Option<Shape<S>> {
+    framed(Shape::new(Cone::capped(eighths(6), eighths(12)).ok()?))
+}
+
 /// As [`every_formula`], for the one chip whose square root is an instruction that `libm` does not use.
-pub fn sphere_with_the_chips_root(report: &mut dyn FnMut(&'static str, Of, u64)) {
+pub fn with_the_chips_root(report: &mut dyn FnMut(&'static str, Of, u64)) {
     if cfg!(all(target_arch = "arm", target_abi = "eabihf")) {
-        measure(Sphere::new(1.0_f32).ok(), [1.0_f32, 0.0], nearest_of_sphere_with_the_chips_root, &mut |of, n| {
+        let [ball, cone] = [[1.0_f32, 0.0], [0.75, 1.5]];
+        measure(Sphere::new(1.0_f32).ok(), Some(ball), nearest_of_sphere_with_the_chips_root, &mut |of, n| {
             report("sphere", of, n);
+        });
+        measure::<f32, _, _>(
+            framed_sphere(),
+            placed(ball),
+            nearest_of_placed_sphere_with_the_chips_root,
+            &mut |of, n| {
+                report("sphere, framed", of, n);
+            },
+        );
+        measure::<f32, _, _>(framed_cone(), placed(cone), nearest_of_placed_cone_with_the_chips_root, &mut |of, n| {
+            report("cone, capped, framed", of, n);
         });
     }
 }

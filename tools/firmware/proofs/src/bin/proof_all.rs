@@ -3,7 +3,7 @@
 #![no_main]
 
 use fixed::types::{I16F16, I32F32};
-use raylet::tier::{Exact, Fast, Stable, Tier};
+use raylet::tier::{Exact, Fast, Plain, Stable, Tier};
 use raylet_proofs::input::{Any, give};
 use raylet_proofs::{everything, pictures, program};
 
@@ -21,14 +21,18 @@ fn the_rest<S: Any>() {
 }
 
 program! {
+    queries::<f32, Plain>();
     queries::<f32, Fast>();
     queries::<f32, Stable>();
     queries::<f32, Exact>();
+    queries::<f64, Plain>();
     queries::<f64, Fast>();
     queries::<f64, Stable>();
+    queries::<I16F16, Plain>();
     queries::<I16F16, Fast>();
     queries::<I16F16, Stable>();
     queries::<I16F16, Exact>();
+    queries::<I32F32, Plain>();
     queries::<I32F32, Fast>();
     queries::<I32F32, Stable>();
     give((everything::precision::<f32>(), everything::precision::<I16F16>()));

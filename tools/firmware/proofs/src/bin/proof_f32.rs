@@ -1,4 +1,4 @@
-//! Every public query in `f32`, `Fast` and `Stable`: linked without an operation on doubles.
+//! Every public query in `f32`, `Plain`, `Fast` and `Stable`: linked without an operation on doubles.
 //!
 //! But for the making of a camera, which is given here ready made: `libm` computes the sine of its angle in doubles, once a
 //! picture.
@@ -6,11 +6,12 @@
 #![no_main]
 
 use raylet::Camera;
-use raylet::tier::{Fast, Stable};
+use raylet::tier::{Fast, Plain, Stable};
 use raylet_proofs::input::{any_reference, give};
 use raylet_proofs::{everything, pictures, program};
 
 program! {
+    give(everything::queries::<f32, Plain>());
     give(everything::queries::<f32, Fast>());
     give(everything::queries::<f32, Stable>());
     give(everything::geometry::<f32>());
