@@ -17,6 +17,7 @@
 //! | `integers` | the fast path of fixed point, in plain integers |
 //! | `floats` | the fast path of floats, mostly without compensation |
 //! | `rungs`, `twofold` | conversion between stored numbers and those of [`crate::number`]; numbers of twice the precision |
+//! | `summed` | numbers whose sums of products are rounded once |
 //! | `including` | types that hold the values of others |
 //! | `slabs` | conservative test of a ray against a box |
 //! | [`block`] | integer mantissa and exponent; square root and quotient of integers |
@@ -57,6 +58,7 @@ mod rungs;
 pub(crate) mod slabs;
 #[cfg(feature = "libm")]
 mod square_root;
+mod summed;
 mod twofold;
 mod value;
 pub(crate) mod written;
@@ -72,6 +74,7 @@ pub use fast::{FastPath, FinerLine, InverseLength, LocalLine};
 pub use including::Including;
 pub use low_words::{LowWords, OptionalLowWords};
 pub use rungs::{FromScalar, ToScalar};
+pub use summed::Summed;
 pub use twofold::Twofold;
 pub use value::ValueError;
 pub(crate) use value::with_fault;

@@ -37,7 +37,7 @@ mod tests;
 pub(crate) use contains::holds;
 pub(crate) use form::Line;
 pub(crate) use settle::Of;
-pub(crate) use surface::{correction, gradient, point_at, value};
+pub(crate) use surface::{bending, correction, gradient, point_at, value};
 
 use crate::equations::{Described, EquationKinds, Equations};
 use crate::intersection::Intersection;

@@ -6,8 +6,8 @@ use fixed::types::{I8F24, I16F16, I24F8, I32F32};
 use raylet::scalar::UnitScalar;
 use raylet::tier::{Exact, Stable, Tier};
 use raylet::{
-    Capsule, Cone, Crossing, Cylinder, Departure, Frame, Hit, Leaving, Part, Plane, Primitive, Range, Ray, Scalar,
-    Shape, Sphere, Surface, Triangle, UnitVec3, Vec3,
+    Capsule, Cone, Crossing, Cylinder, Departure, Frame, Hit, Leaving, Part, Plane, Primitive, Range, Ray, Shape,
+    Sphere, Surface, Triangle, UnitVec3, Vec3,
 };
 use support::amount::times;
 use support::cases::{direction, n, v};
@@ -98,7 +98,7 @@ fn a_rim_that_is_touched_from_afar_has_its_own_point_and_normal() {
         assert_close(surface.normal().to_f64(), [-1.0, 0.0, 0.0], 1e-6, "normal");
         assert_close(surface.point().to_f64(), [-1.0, 0.0, 0.0], 1e-6, "point");
         assert_close(surface.local_point().to_f64(), [-1.0, 0.0, 0.0], 1e-6, "local point");
-        assert!((surface.uv().0 - 0.5).abs() < 1e-6 && surface.uv().1 == 0.0, "{:?}", surface.uv());
+        assert!((surface.uv().0 - 0.5).abs() < 1e-6 && surface.uv().1 < 1e-6, "{:?}", surface.uv());
     }
 }
 
@@ -264,8 +264,7 @@ fn a_point_whose_offset_alone_is_beyond_the_type_is_right() {
 /// What a coordinate repeats to.
 fn fraction(exact: &Root) -> f64 {
     let exact = exact.approximation(160);
-    let floor = exact.in_units_of(-80) >> 80_usize;
-    (&exact - &Dyadic::from(i64::try_from(floor).expect("a short integer"))).to_f64()
+    (&exact - &Dyadic::new(exact.to_rational().floor(), 0)).to_f64()
 }
 
 fn apart(a: f64, b: f64) -> f64 {
@@ -423,7 +422,10 @@ fn assert_lies_on<S: Number>(cone: &Shape<S>, slope: S, ray: &Ray<S>, hit: &Hit<
     let [x, y, z] = point.to_array().map(S::exact);
     let reach = &slope.exact() * &y;
     let apart = &(&(&x * &x) + &(&z * &z)) - &(&reach * &reach);
-    // The gradient's length is twice this.
+    if apart.is_zero() {
+        return;
+    }
+    // The gradient's length.
     let steepness = {
         let [x, y, z, s] = [&x, &y, &z, &slope.exact()].map(Dyadic::to_f64);
         2.0 * (x * x + z * z + s * s * s * s * y * y).sqrt()
