@@ -3,7 +3,7 @@
 //! Only the inverse of the matrix is stored. Each of its rows has its own power of two, so that in fixed point a scale of 1000
 //! along one axis and one of 1/1000 along another both keep all their bits.
 
-use crate::frame::{Frame, FrameError, within_budget};
+use crate::frame::{Frame, FrameError};
 use crate::line::Place;
 use crate::number::{difference, dot};
 use crate::ray::Ray;
@@ -302,4 +302,16 @@ impl<S: Scalar> Affine<S> {
 #[inline(always)]
 fn applied<N: Ring>(rows: [Row<N>; 3], v: [N; 3]) -> [N; 3] {
     rows.map(|row| dot(row.components, v).scaled(row.exponent))
+}
+
+/// The coordinate, clamped to the budget if it overflowed: infinities of opposite sign would add up to NaN.
+fn within_budget<S: Scalar>(coordinate: S) -> S {
+    let limit = S::BUDGET.coordinate;
+    if coordinate.is_finite() {
+        coordinate
+    } else if coordinate < S::ZERO {
+        -limit
+    } else {
+        limit
+    }
 }

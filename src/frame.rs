@@ -248,10 +248,14 @@ impl<S: Scalar> Frame<S> {
 
     /// A direction of the frame in world coordinates.
     pub fn direction_to_world(&self, direction: UnitVec3<S>) -> UnitVec3<S> {
-        let d = direction.real();
+        UnitVec3::from_real(self.vector_to_world(direction.real())).unwrap_or(direction)
+    }
+
+    /// A vector of the frame in world coordinates.
+    pub(crate) fn vector_to_world(&self, v: [S::Real; 3]) -> [S::Real; 3] {
         let a = self.axes.map(UnitVec3::real);
-        let component = |i: usize| d[0] * a[0][i] + d[1] * a[1][i] + d[2] * a[2][i];
-        UnitVec3::from_real([component(0), component(1), component(2)]).unwrap_or(direction)
+        let component = |i: usize| v[0] * a[0][i] + v[1] * a[1][i] + v[2] * a[2][i];
+        [component(0), component(1), component(2)]
     }
 
     /// A direction of the world in the frame's coordinates.
@@ -270,11 +274,15 @@ impl<S: Scalar> Frame<S> {
     }
 
     /// The ray's point at `t` in the frame's coordinates. The point relative to the frame's origin is rounded once, before the rotation, so
-    /// that the result is as accurate far from the world's origin as near it.
+    /// that the result is as accurate far from the world's origin as near it. It is infinite if that relative point is beyond the type.
     pub(crate) fn ray_point_to_local(&self, ray: &Ray<S>, t: S) -> Vec3<S> {
         let from_position =
             S::approach(ray.origin().to_array(), self.position.to_array(), ray.direction().to_array(), t);
-        self.vector_to_local(from_position.into())
+        if from_position.iter().all(|component| component.is_finite()) {
+            self.vector_to_local(from_position.into())
+        } else {
+            [S::INFINITY; 3].into()
+        }
     }
 
     /// The axes in other numbers.
@@ -285,8 +293,7 @@ impl<S: Scalar> Frame<S> {
 
     /// A vector of the world in the frame's coordinates.
     pub(crate) fn vector_to_local(&self, vector: Vec3<S>) -> Vec3<S> {
-        let vector = vector.to_array().map(within_budget);
-        Vec3::round(self.axes.map(|axis| S::dot(vector, axis.to_array())))
+        Vec3::round(self.axes.map(|axis| S::dot(vector.to_array(), axis.to_array())))
     }
 }
 
@@ -359,18 +366,6 @@ impl<S: Scalar> Place<S> for Frame<S> {
 
     fn ball_gradient_to_world<N: FromScalar<S>>(&self, gradient: [N; 3]) -> [N; 3] {
         gradient
-    }
-}
-
-/// The coordinate, clamped to the budget if it overflowed: infinities of opposite sign would add up to NaN.
-pub(crate) fn within_budget<S: Scalar>(coordinate: S) -> S {
-    let limit = S::BUDGET.coordinate;
-    if coordinate.is_finite() {
-        coordinate
-    } else if coordinate < S::ZERO {
-        -limit
-    } else {
-        limit
     }
 }
 

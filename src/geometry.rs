@@ -122,7 +122,8 @@ impl<S: Scalar> Hull<S> {
                 [across, [low, high], across]
             }
             Self::Cone { slope, height } => {
-                let across = around(S::round(slope.real() * height.real()));
+                let is_endless = !height.is_finite();
+                let across = around(if is_endless { S::INFINITY } else { S::round(slope.real() * height.real()) });
                 [across, [S::ZERO, height], across]
             }
             Self::Points(points) => [0, 1, 2].map(|axis| {

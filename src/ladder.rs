@@ -254,9 +254,8 @@ pub(crate) fn line<S: Scalar, N: FromScalar<S>, G: Described>(
     place: &impl Place<S>,
     ray: &Ray<S>,
 ) -> Line<N> {
-    let departure = ray.departure().map(|departure| (departure.part, departure.leaving));
     let [origin, direction] = if is_ball::<S, G>(equations) { place.ball_line::<N>(ray) } else { place.line::<N>(ray) };
-    Line { origin, direction, departure }
+    Line { origin, direction }
 }
 
 /// The inside test, computed in numbers of the type `N`; `None` if they do not know a sign.

@@ -11,10 +11,11 @@ use crate::fast::Guards;
 use crate::fast::surface_hit;
 use crate::geometry::Hull;
 use crate::intersection::Intersection;
+use crate::number::{self, Ring};
 use crate::part::Part;
-use crate::scalar::{Attempt, Including, LocalLine, Real, Scalar, found, largest};
+use crate::scalar::{Attempt, FromScalar, Including, LocalLine, Real, Scalar, found, largest};
 use crate::solve::{self, Goal, LocalRay, Of};
-use crate::vector::{UnitVec3, Vec3, cross};
+use crate::vector::{UnitVec3, Vec3, cross, pairs};
 
 /// A triangle, its edges included; an open surface. Its front is the side from which its vertices are in counter-clockwise order.
 ///
@@ -42,7 +43,8 @@ impl<S: Scalar> Triangle<S> {
         for vertex in triangle.vertices {
             vertex.checked().map_err(SizeError::Vertex)?;
         }
-        if triangle.unit_normal().is_some() { Ok(triangle) } else { Err(SizeError::Vertices) }
+        let [e1, e2] = triangle.edges();
+        if UnitVec3::<S>::from_real(cross(e1, e2)).is_some() { Ok(triangle) } else { Err(SizeError::Vertices) }
     }
 
     /// The vertices, in the order given.
@@ -58,9 +60,34 @@ impl<S: Scalar> Triangle<S> {
         [difference::<S, S::Real>(b, a, S::real), difference::<S, S::Real>(c, a, S::real)]
     }
 
+    /// The cross product of the edges, of which each component is rounded once unless nearly all of it cancels: in floats it includes the rounding
+    /// errors of the edges, which in a sliver are large relative to its width.
     fn unit_normal(&self) -> Option<UnitVec3<S>> {
         let [e1, e2] = self.edges();
-        UnitVec3::from_real(cross(e1, e2))
+        let normal = cross(e1, e2);
+        if !S::RELATIVE {
+            return UnitVec3::from_real(normal);
+        }
+        let [a, b, c] = self.vertices;
+        let e = S::binary_exponent(self.bounding_radius());
+        let [a, b, c] = [a, b, c].map(|vertex| vertex.to_array().map(|component| component.scaled(-e).real()));
+        let rest = |end: [S::Real; 3]| pairs(end, a).map(|(end, a)| end.plus_with_rest(-a)[1]);
+        let (r1, r2) = (rest(b), rest(c));
+        let more = pairs(plain_cross(r1, e2), plain_cross(e1, r2)).map(|(x, y)| x + y);
+        let normal = pairs(normal, more).map(|(n, more)| n + more);
+        // What is left is the rounding of the products of edges and rests.
+        let lengths = dot(e1, e1) * dot(e2, e2);
+        if dot(normal, normal) >= lengths.scaled(2 * S::Real::ROUNDING + 8) {
+            return UnitVec3::from_real(normal);
+        }
+        self.robust_normal()
+    }
+
+    /// The normal in the robust number.
+    #[cold]
+    fn robust_normal(&self) -> Option<UnitVec3<S>> {
+        let [a, b, c] = self.vertices.map(|vertex| vertex.to_array().map(<S::Robust as FromScalar<S>>::scalar));
+        UnitVec3::from_robust(number::cross(number::difference(b, a), number::difference(c, a)))
     }
 
     /// Barycentric weights of the second and the third vertex, for a point of the triangle's plane.
@@ -77,6 +104,12 @@ impl<S: Scalar> Triangle<S> {
 
 fn difference<S: Scalar, R: Real>(a: [S; 3], b: [S; 3], real: impl Fn(S) -> R) -> [R; 3] {
     [0, 1, 2].map(|i| real(a[i]) - real(b[i]))
+}
+
+/// The cross product, rounded by each operation.
+fn plain_cross<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
+    let minor = |i: usize, j: usize| a[i] * b[j] - a[j] * b[i];
+    [minor(1, 2), minor(2, 0), minor(0, 1)]
 }
 
 fn dot<R: Real>(a: [R; 3], b: [R; 3]) -> R {

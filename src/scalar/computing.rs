@@ -6,6 +6,8 @@ use super::Numbers;
 pub trait Computing: Numbers {
     /// True if the rounding error of a parameter `t` is small relative to a length of this size: at most four units of the type in the quotient.
     fn resolves(t: Self, size: Self) -> bool;
+    /// True if the rounding error of a parameter `t` turns the normal of a surface with this radius of curvature by at most four units of a direction.
+    fn resolves_turn(t: Self, radius: Self) -> bool;
     /// `o . d`; exact for fixed types.
     fn dot(o: [Self; 3], d: [Self::Unit; 3]) -> Self::Real;
     /// `o x d`, the line's Pluecker moment about the origin; exact for fixed types.
@@ -16,6 +18,16 @@ pub trait Computing: Numbers {
     fn advance(o: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3];
     /// `o - base + t d`, rounded once (for floats with a further error of the second order).
     fn approach(o: [Self; 3], base: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3];
+    /// `o - base + t d`, exact for fixed types.
+    fn approach_exactly(o: [Self; 3], base: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self::Real; 3];
+    /// [`Computing::approach_exactly`] along these axes, for fixed types to the last bits of the double width.
+    fn approach_along(
+        o: [Self; 3],
+        base: [Self; 3],
+        d: [Self::Unit; 3],
+        t: Self,
+        axes: [[Self::Unit; 3]; 3],
+    ) -> [Self::Real; 3];
     /// The vector's direction and its length; `None` for the zero vector and for a vector with a component
     /// that is not finite. Accurate for every length, from the smallest to the largest.
     fn normalize(v: [Self::Real; 3]) -> Option<([Self::Unit; 3], Self::Real)>;

@@ -26,6 +26,14 @@ fn product(a: i64, b: i64) -> i128 {
     a as i128 * b as i128
 }
 
+/// `o - base + t d` in integers of twice the width.
+trait WideApproach: Numbers {
+    type Wide;
+
+    /// In units of a coordinate times a direction's.
+    fn wide_approach(o: [Self; 3], base: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self::Wide; 3];
+}
+
 /// Defines the implementations for one width.
 macro_rules! fixed {
     (
@@ -147,11 +155,29 @@ macro_rules! fixed {
             }
         }
 
+        impl<F: $LeEq + Send + Sync + 'static> WideApproach for $Fixed<F> {
+            type Wide = $wide;
+
+            #[inline(always)]
+            fn wide_approach(o: [Self; 3], base: [Self; 3], d: [Self::Unit; 3], t: Self) -> [$wide; 3] {
+                let walked = |i: usize| {
+                    let from_base = (o[i].to_bits() as $wide - base[i].to_bits() as $wide) << $unit_bits;
+                    from_base + $product(t.to_bits(), d[i].to_bits())
+                };
+                [walked(0), walked(1), walked(2)]
+            }
+        }
+
         impl<F: $LeEq + Send + Sync + 'static> Computing for $Fixed<F> {
             #[inline(always)]
             fn resolves(_: Self, size: Self) -> bool {
                 // Half of 1, in units; the limit is one unit for a type without fraction bits.
                 size.to_bits() >= (1 as $raw).checked_shl(F::U32.saturating_sub(1)).unwrap_or(<$raw>::MAX)
+            }
+            #[inline(always)]
+            fn resolves_turn(_: Self, radius: Self) -> bool {
+                // Half a unit of `t` over the radius, in units of a direction.
+                radius.to_bits() >= 1 << ($unit_bits - 3)
             }
             #[inline(always)]
             fn dot(o: [Self; 3], d: [Self::Unit; 3]) -> $Block {
@@ -171,11 +197,7 @@ macro_rules! fixed {
             }
             #[inline]
             fn approach(o: [Self; 3], base: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3] {
-                let [x, y, z] = o.map(Self::to_bits);
-                let [base_x, base_y, base_z] = base.map(Self::to_bits);
-                let walked = |o: $raw, base: $raw, d: Self::Unit| {
-                    let from_base = (o as $wide - base as $wide) << $unit_bits;
-                    let sum = from_base + $product(t.to_bits(), d.to_bits());
+                Self::wide_approach(o, base, d, t).map(|sum| {
                     // Rounded to nearest, ties to even; infinite beyond the type.
                     let rounding = (1 << ($unit_bits - 1)) - 1 + ((sum >> $unit_bits) & 1);
                     let units = (sum + rounding) >> $unit_bits;
@@ -184,8 +206,28 @@ macro_rules! fixed {
                         false if units < 0 => Self::from_bits(-<$raw>::MAX),
                         false => Self::INFINITY,
                     }
-                };
-                [walked(x, base_x, d[0]), walked(y, base_y, d[1]), walked(z, base_z, d[2])]
+                })
+            }
+            #[inline]
+            fn approach_exactly(o: [Self; 3], base: [Self; 3], d: [Self::Unit; 3], t: Self) -> [$Block; 3] {
+                Self::wide_approach(o, base, d, t).map(|sum| $Block::new(sum, -(F::I32) - $unit_bits))
+            }
+            #[inline]
+            fn approach_along(
+                o: [Self; 3],
+                base: [Self; 3],
+                d: [Self::Unit; 3],
+                t: Self,
+                axes: [[Self::Unit; 3]; 3],
+            ) -> [$Block; 3] {
+                // Words of the number's own width, so that no product is longer than the double width.
+                let v = Self::wide_approach(o, base, d, t);
+                let (high, low) = (v.map(|c| c >> $bits), v.map(|c| c & ((1 << $bits) - 1)));
+                axes.map(|axis| {
+                    let a = axis.map(|c| c.to_bits() as $wide);
+                    let along = |i: usize| high[i] * a[i] + (low[i] * a[i] >> $bits);
+                    $Block::new(along(0) + along(1) + along(2), -(F::I32) - 2 * $unit_bits + $bits)
+                })
             }
             #[inline]
             fn advance(o: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3] {

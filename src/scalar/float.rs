@@ -161,6 +161,10 @@ macro_rules! float {
                 $Float::abs(t) <= 4.0 * size
             }
             #[inline(always)]
+            fn resolves_turn(t: Self, radius: Self) -> bool {
+                Self::resolves(t, radius)
+            }
+            #[inline(always)]
             fn dot(o: [Self; 3], d: [Self; 3]) -> Self {
                 o[0] * d[0] + o[1] * d[1] + o[2] * d[2]
             }
@@ -192,6 +196,15 @@ macro_rules! float {
                     let correction = e + f + g;
                     if Scalar::is_finite(correction) { s + correction } else { s }
                 })
+            }
+            #[inline(always)]
+            fn approach_exactly(o: [Self; 3], base: [Self; 3], d: [Self; 3], t: Self) -> [Self; 3] {
+                Self::approach(o, base, d, t)
+            }
+            #[inline(always)]
+            fn approach_along(o: [Self; 3], base: [Self; 3], d: [Self; 3], t: Self, axes: [[Self; 3]; 3]) -> [Self; 3] {
+                let v = Self::approach(o, base, d, t);
+                axes.map(|axis| Self::dot(v, axis))
             }
             #[inline]
             fn normalize(v: [Self; 3]) -> Option<([Self; 3], Self)> {

@@ -16,6 +16,7 @@
 //! | `attempt` | results of the fast path |
 //! | `integers` | the fast path of fixed point, in plain integers |
 //! | `rungs`, `twofold` | conversion between stored numbers and those of [`crate::number`]; numbers of twice the precision |
+//! | `summed` | numbers whose sums of products are rounded once |
 //! | `including` | types that hold the values of others |
 //! | `slabs` | conservative test of a ray against a box |
 //! | [`block`] | integer mantissa and exponent; square root and quotient of integers |
@@ -55,6 +56,7 @@ mod rungs;
 pub(crate) mod slabs;
 #[cfg(feature = "libm")]
 mod square_root;
+mod summed;
 mod twofold;
 mod value;
 pub(crate) mod written;
@@ -69,6 +71,7 @@ pub use computing::{Computing, Elementary};
 pub use fast::{FastPath, FinerLine, InverseLength, LocalLine};
 pub use including::Including;
 pub use rungs::{FromScalar, RealOf, ToScalar};
+pub use summed::Summed;
 pub use twofold::Twofold;
 pub use value::ValueError;
 pub(crate) use value::with_fault;

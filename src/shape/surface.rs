@@ -10,13 +10,15 @@ use crate::geometry::Geometry;
 use crate::hit::{Crossing, Hit};
 use crate::ladder;
 use crate::line::{InWorld, Place};
-use crate::number::{Estimate, dot};
+use crate::number::{Estimate, Number, dot};
+use crate::part::Part;
 use crate::primitive::surface_coordinates as coordinates;
 use crate::query;
 use crate::ray::{Departure, Leaving, Ray};
-use crate::scalar::{FromScalar, Real, Ring, Scalar, Twofold, largest};
+use crate::scalar::{FromScalar, Real, Ring, Scalar, Summed, Twofold, largest};
 use crate::solve::{self, Line};
 use crate::vector::{UnitVec3, Vec3, pairs};
+use core::cmp::Ordering;
 
 /// The surface of a shape at a hit. Its methods compute point, normal, surface coordinates and tangents.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,7 +36,10 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
 
     /// The point in the primitive's own coordinates, on its surface. It is accurate however far away the ray starts.
     pub fn local_point(&self) -> Vec3<S> {
-        let mut rough = self.rough_local_point();
+        self.local_point_near(self.rough_local_point())
+    }
+
+    fn local_point_near(&self, mut rough: Vec3<S>) -> Vec3<S> {
         if !self.is_resolved(rough) {
             let Some(correction) = self.correction(rough) else { return self.exact_local_point() };
             rough = Vec3::round(correction.local_point());
@@ -42,7 +47,11 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
                 rough = frame.vector_to_local(rough);
             }
         }
-        let (primitive, point, exponent) = query::near_one(&self.shape.member, rough);
+        self.on_surface(rough)
+    }
+
+    fn on_surface(&self, point: Vec3<S>) -> Vec3<S> {
+        let (primitive, point, exponent) = query::near_one(&self.shape.member, point);
         query::scaled(primitive.on_surface(point, self.hit.part), exponent)
     }
 
@@ -50,8 +59,8 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
     pub fn point(&self) -> Vec3<S> {
         let rough = self.rough_local_point();
         let resolved = self.is_resolved(rough).then(|| match &self.shape.placement {
-            Placement::Frame(frame) if K::SET.contains(Kind::Frame) => frame.point_to_world(self.local_point()),
-            _ => self.local_point(),
+            Placement::Frame(frame) if K::SET.contains(Kind::Frame) => frame.point_to_world(self.local_point_near(rough)),
+            _ => self.local_point_near(rough),
         });
         // Close to the world's origin floats have smaller units than close to the primitive's origin.
         let twice = self.hit.t.plus(self.hit.t);
@@ -82,7 +91,18 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
 
     /// True if the rounding of `t` may rotate the normal by more than a few units in the last place.
     fn needs_exact_normal(&self, rough: Vec3<S>) -> bool {
-        self.is_stretched() || !S::resolves(self.hit.t, self.bend(rough))
+        let bend = self.bend(rough);
+        self.is_stretched() || !S::resolves_turn(self.hit.t, bend) || !self.is_turned_finely(rough, bend)
+    }
+
+    /// False if a rotation spreads the rounding error of a large coordinate to smaller ones, so that the surface curves more than these resolve.
+    fn is_turned_finely(&self, local: Vec3<S>, bend: S) -> bool {
+        match self.shape.placement {
+            Placement::Frame(_) if S::RELATIVE && K::SET.contains(Kind::Frame) => {
+                S::resolves(largest([local.x, local.y, local.z]), bend)
+            }
+            _ => true,
+        }
     }
 
     /// True if the placement changes lengths, and with them the rounding error of `t`.
@@ -113,11 +133,10 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
     /// True if the rounding error of `t` is small relative to the hit's local coordinates and the surface's radius of curvature.
     #[inline(always)]
     fn is_resolved(&self, local: Vec3<S>) -> bool {
-        let Vec3 { x, y, z } = local;
-        let is_finite = x.is_finite() && y.is_finite() && z.is_finite();
-        let size = largest([x, y, z]);
+        let (size, bend) = (largest([local.x, local.y, local.z]), self.bend(local));
         let resolves = |size: S| S::resolves(self.hit.t, size);
-        !self.is_stretched() && is_finite && resolves(size) && resolves(self.bend(local))
+        let is_known = !self.is_stretched() && is_finite(local) && resolves(size) && resolves(bend);
+        is_known && self.is_turned_finely(local, bend)
     }
 
     /// The point in the primitive's coordinates, from the rounded `t` alone.
@@ -131,10 +150,16 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         }
     }
 
-    /// The surface's radius of curvature at a local point; zero if the point is beyond the number type.
+    /// The surface's radius of curvature at a local point, infinite where it is flat; zero if the surface is curved and the point beyond the number
+    /// type.
     fn bend(&self, point: Vec3<S>) -> S {
-        let is_known = point.to_array().iter().all(|c| c.is_finite());
+        let is_known = is_finite(point) || self.is_flat();
         if is_known { self.shape.member.bend(point, self.hit.part) } else { S::ZERO }
+    }
+
+    /// True if the part is flat, so that its normal and its tangents are the same everywhere.
+    fn is_flat(&self) -> bool {
+        !self.shape.member.bend(Vec3::ZERO, self.hit.part).is_finite()
     }
 
     /// The frame, if the primitive is a sphere. Its line is then only translated, not rotated, so that local results are along world axes.
@@ -189,7 +214,55 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         (is_small && is_rounding && is_number).then_some(correction)
     }
 
+    /// In fixed point: the gradient at the exact hit in the primitive's frame, or for a ball along the world's axes. It is that of a point of which
+    /// all bits are known, moved along the line to the nearest root of `f + 2 h x + a x^2`; `None` if two terms of the root's series do not give it
+    /// to less than a unit of a direction.
+    #[inline(never)]
+    fn gradient_by_integers(&self) -> Option<[S::Real; 3]> {
+        if self.is_stretched() || self.hit.crossing == Crossing::Touch {
+            return None;
+        }
+        let (equations, part) = (self.shape.member.equations(), self.hit.part);
+        let (o, d, t) = (self.ray.origin().to_array(), self.ray.direction(), self.hit.t);
+        let (point, direction) = match &self.shape.placement {
+            Placement::Frame(frame) if K::SET.contains(Kind::Frame) => {
+                let (base, axes) = (frame.position().to_array(), frame.axes());
+                if self.is_ball() {
+                    (S::approach_exactly(o, base, d.to_array(), t), d.real())
+                } else {
+                    let point = S::approach_along(o, base, d.to_array(), t, axes.map(UnitVec3::to_array));
+                    (point, axes.map(|axis| axis.dot(d)))
+                }
+            }
+            _ => (S::approach_exactly(o, [S::ZERO; 3], d.to_array(), t), d.real()),
+        };
+        let gradient = |point| solve::gradient::<S, _, Member<S, K>>(&equations, part, point, S::real);
+        let value = solve::value::<S, _, Member<S, K>>(&equations, part, point.map(Summed), |size| Summed(size.real()));
+        let slope = dot(gradient(point), direction);
+        if slope.is_zero() || slope.is_negative() != (self.hit.crossing == Crossing::Enter) {
+            return None;
+        }
+        let inverse = S::Real::ONE / slope.scaled(1);
+        let step = -value.0 * inverse;
+        let bending = solve::bending::<S, _, Member<S, K>>(&equations, part, direction, S::real);
+        let term = bending * step * inverse;
+        // A step of many units is no correction of a rounding error.
+        let is_rounding = step.abs() <= S::Real::ONE.scaled(S::last_place(0) + 6);
+        // What is left is twice the square of the term, times the step.
+        let radius = self.bend(Vec3::round(point)).real();
+        let is_accurate = (term * term * step).abs() <= radius.scaled(S::Real::ROUNDING - 3);
+        if !(is_rounding && is_accurate) {
+            return None;
+        }
+        let step = step - term * step;
+        Some(gradient(pairs(point, direction).map(|(p, d)| p + step * d)))
+    }
+
     fn corrected_local_normal(&self, rough: Vec3<S>) -> Option<UnitVec3<S>> {
+        if !S::RELATIVE {
+            let normal = UnitVec3::from_real(self.gradient_by_integers()?)?;
+            return Some(self.frame_of_a_ball().map_or(normal, |frame| frame.direction_to_local(normal)));
+        }
         let normal = self.gradient_at(self.correction(rough)?.local_point())?;
         Some(self.frame_of_a_ball().map_or(normal, |frame| frame.direction_to_local(normal)))
     }
@@ -204,6 +277,15 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
     }
 
     fn corrected_normal(&self, rough: Vec3<S>) -> Option<UnitVec3<S>> {
+        if !S::RELATIVE {
+            let gradient = self.gradient_by_integers()?;
+            return UnitVec3::from_real(match &self.shape.placement {
+                Placement::Frame(frame) if K::SET.contains(Kind::Frame) && !self.is_ball() => {
+                    frame.vector_to_world(gradient)
+                }
+                _ => gradient,
+            });
+        }
         let correction = self.correction(rough)?;
         let Some(affine) = self.affine() else {
             let normal = self.gradient_at(correction.local_point())?;
@@ -218,8 +300,8 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         UnitVec3::from_real(affine.gradient_to_world(gradient).map(|component| component.high))
     }
 
-    /// The hit's `t` in the robust number.
-    fn exact_t(&self, equations: &Equations<S>) -> (Line<S::Robust>, S::Robust) {
+    /// The line, the hit's `t` in the robust number, and whether that is the surface's: if not, the surface is many units away.
+    fn exact_t(&self, equations: &Equations<S>) -> (Line<S::Robust>, S::Robust, bool) {
         let shape = &self.shape;
         let line = through!(shape, |_primitive, place| ladder::line::<S, _, Member<S, K>>(equations, place, &self.ray));
         let t = <S::Robust as FromScalar<S>>::scalar(self.hit.t);
@@ -228,22 +310,41 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         // A correction of many units is not one of a rounding error: the tier is `Fast`, or rule 8 has put the hit at the start.
         let most = S::last_place(t.top().unwrap_or(i32::MIN / 2)) + 6;
         let is_rounding = correction.top().is_none_or(|top| top <= most);
-        if is_rounding { (line, t + correction) } else { (line, t) }
+        (line, if is_rounding { t + correction } else { t }, is_rounding)
     }
 
     #[cold]
     fn exact_local_point(&self) -> Vec3<S> {
-        let (_, t) = self.exact_t(&self.shape.member.equations());
+        let (point, is_on_surface) = self.exact_local_coordinates();
+        let point = rounded(point);
+        if is_on_surface { point } else { self.on_surface(point) }
+    }
+
+    /// The hit in the primitive's frame, and whether it is on the surface.
+    #[cold]
+    fn exact_local_coordinates(&self) -> ([S::Robust; 3], bool) {
+        let (_, t, is_on_surface) = self.exact_t(&self.shape.member.equations());
         let shape = &self.shape;
         let [origin, direction] = through!(shape, |_primitive, place| place.line::<S::Robust>(&self.ray));
-        rounded(solve::point_at(&Line { origin, direction, departure: None }, t))
+        (solve::point_at(&Line { origin, direction }, t), is_on_surface)
     }
 
     #[cold]
     fn exact_point(&self) -> Vec3<S> {
-        let (_, t) = self.exact_t(&self.shape.member.equations());
+        let (_, t, is_on_surface) = self.exact_t(&self.shape.member.equations());
+        if !is_on_surface {
+            return match &self.shape.placement {
+                Placement::Frame(frame) if K::SET.contains(Kind::Frame) => {
+                    frame.point_to_world(self.exact_local_point())
+                }
+                Placement::Affine(affine) if K::SET.contains(Kind::Affine) => {
+                    affine.point_to_world(self.exact_local_point())
+                }
+                _ => self.exact_local_point(),
+            };
+        }
         let [origin, direction] = InWorld.line::<S::Robust>(&self.ray);
-        rounded(solve::point_at(&Line { origin, direction, departure: None }, t))
+        rounded(solve::point_at(&Line { origin, direction }, t))
     }
 
     /// The gradient of the surface's equation in the primitive's frame, of any length. For a sphere, whose line is not rotated, it is along
@@ -251,7 +352,7 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
     #[cold]
     fn exact_gradient(&self) -> [S::Robust; 3] {
         let equations = self.shape.member.equations();
-        let (line, t) = self.exact_t(&equations);
+        let (line, t, _) = self.exact_t(&equations);
         solve::gradient::<S, _, Member<S, K>>(&equations, self.hit.part, solve::point_at(&line, t), S::Robust::scalar)
     }
 
@@ -279,7 +380,34 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
 
     /// Surface coordinates, each in `[0, 1]`: see [`crate::primitive`].
     pub fn uv(&self) -> (S::Unit, S::Unit) {
-        self.shape.member.uv(self.local_point(), self.hit.part)
+        let rough = self.rough_local_point();
+        let point = if is_finite(rough) { self.local_point_near(rough) } else { self.coordinates_beyond().0 };
+        self.shape.member.uv(point, self.hit.part)
+    }
+
+    /// The local point as far as surface coordinates depend on it, and as far as solid coordinates do, where it may be beyond the number type:
+    /// coordinates that repeat are less by a whole number, and those that only give an angle about the axis are less by a factor.
+    #[cold]
+    fn coordinates_beyond(&self) -> (Vec3<S>, [S; 3]) {
+        let (exact, _) = self.exact_local_coordinates();
+        let repeated = exact.map(repeated::<S>);
+        let point = self.exact_local_point();
+        if exact.iter().all(|component| S::from_robust(*component).is_finite()) {
+            return (point, point.to_array());
+        }
+        if matches!(self.shape.member.equations(), Equations::Plane) {
+            return (repeated.into(), repeated);
+        }
+        if self.hit.part != Part::Side {
+            return (point, repeated);
+        }
+        let ([x, _, z], [_, y, _]) = (exact, repeated);
+        // Below the largest coordinate.
+        let top = x.top().max(z.top()).unwrap_or(0);
+        let room = S::BUDGET.coordinate.real();
+        let room = <S::Robust as FromScalar<S>>::scalar(S::round(room)).top().unwrap_or(0) - 1;
+        let [x, z] = [x, z].map(|c| S::from_robust(c.scaled((room - top).min(0))));
+        (Vec3 { x, y, z }, repeated)
     }
 
     /// Solid coordinates: where the hit lies in the primitive's bounding box along its x, y and z axes, each in `[0, 1]`. They belong to points of
@@ -298,7 +426,10 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
     /// ```
     pub fn uvw(&self) -> [S::Unit; 3] {
         let extents = self.shape.member.hull().extents();
-        pairs(self.local_point().to_array(), extents).map(|(c, [low, high])| {
+        let rough = self.rough_local_point();
+        let point =
+            if is_finite(rough) { self.local_point_near(rough).to_array() } else { self.coordinates_beyond().1 };
+        pairs(point, extents).map(|(c, [low, high])| {
             if !(low.is_finite() && high.is_finite()) {
                 return coordinates::repeating(c);
             }
@@ -313,9 +444,7 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         let rough = self.rough_local_point();
         let (primitive, point, _) = query::near_one(&self.shape.member, rough);
         let mut tangents = primitive.tangents(point, self.hit.part);
-        // On a flat part the tangents are the same everywhere.
-        let is_curved = self.bend(rough).is_finite();
-        if is_curved
+        if !self.is_flat()
             && self.needs_exact_normal(rough)
             && let Some(normal) = self.corrected_local_normal(rough).or_else(|| self.exact_local_normal())
         {
@@ -366,6 +495,26 @@ fn along_the_surface<S: Scalar>(normal: UnitVec3<S>) -> (UnitVec3<S>, UnitVec3<S
     let u = UnitVec3::from_real([z, S::Real::ZERO, -x]).unwrap_or(-UnitVec3::Z);
     let v = UnitVec3::from_real(normal.cross(u)).unwrap_or(UnitVec3::Y);
     (u, v)
+}
+
+fn is_finite<S: Scalar>(point: Vec3<S>) -> bool {
+    point.x.is_finite() && point.y.is_finite() && point.z.is_finite()
+}
+
+/// The coordinate, less by a whole number if it is beyond the number type.
+fn repeated<S: Scalar>(coordinate: S::Robust) -> S {
+    let mut rest = coordinate;
+    loop {
+        let value = S::from_robust(rest);
+        // The highest bit of the magnitude, a whole number.
+        match rest.top() {
+            Some(top) if top > 0 && !value.is_finite() => {
+                let highest = S::Robust::ONE.scaled(top - 1);
+                rest = if rest.sign() == Some(Ordering::Less) { rest + highest } else { rest - highest };
+            }
+            _ => return value,
+        }
+    }
 }
 
 /// The point rounded to the number type; coordinates beyond it are clamped to the largest distance.

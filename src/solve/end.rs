@@ -149,7 +149,7 @@ pub(super) fn order<N: Number>(curve: &impl Curve<N>, end: &End<N>, other: &End<
 }
 
 /// Which results of a query are needed.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Goal<S> {
     /// The ray's range.
     pub range: Range<S>,

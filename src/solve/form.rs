@@ -2,16 +2,12 @@
 
 use crate::equations::{Described, EquationKinds, Side};
 use crate::number::Ring;
-use crate::part::Part;
-use crate::ray::Leaving;
 
 /// A line in a primitive's frame. Its direction may have any length, since `t` is the parameter of the ray as stored.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Line<N> {
     pub(crate) origin: [N; 3],
     pub(crate) direction: [N; 3],
-    /// The part that it departs from at `t = 0`, and the side to which it departs.
-    pub(crate) departure: Option<(Part, Leaving)>,
 }
 
 /// A point in homogeneous coordinates `(v, w)`.

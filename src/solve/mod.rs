@@ -43,7 +43,7 @@ pub use local_ray::{LocalRay, Localize};
 pub(crate) use round::{ball, capsule, double_cone};
 pub(crate) use side::{Extent, cone, frustum, tube};
 pub(crate) use slabs::{cuboid, rectangle};
-pub(crate) use surface::{correction, gradient, point_at, value};
+pub(crate) use surface::{bending, correction, gradient, point_at, value};
 
 use crate::equations::Equations;
 use crate::part::Part;

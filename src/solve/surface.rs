@@ -123,6 +123,10 @@ pub(crate) fn correction<S: Scalar, N: FromScalar<S> + Estimate, G: Described>(
     };
     let along = Homogeneous { v: d, w: Weight::Zero };
     let a = form.at(along);
+    let is_zero = |n: N| n.sign() == Some(Ordering::Equal);
+    if hit.crossing == Crossing::Touch || is_zero(h) && is_zero(a) {
+        return touched(equations, p, d, [f, h, a]);
+    }
     // If the curvature is negligible, the slope alone gives the correction.
     if let (Some(f_top), Some(h_top), Some(a_top)) = (f.top(), h.top(), a.top())
         && a_top + f_top < 2 * h_top - SMALL
@@ -132,13 +136,56 @@ pub(crate) fn correction<S: Scalar, N: FromScalar<S> + Estimate, G: Described>(
     let rest = N::sum([[h, h], [-a, f]]);
     let root = if rest.sign() == Some(Ordering::Greater) { rest.square_root() } else { N::ZERO };
     // Half the slope at the root.
-    let slope = match hit.crossing {
-        Crossing::Enter => -root,
-        Crossing::Exit => root,
-        Crossing::Touch => N::ZERO,
-    };
+    let slope = if hit.crossing == Crossing::Enter { -root } else { root };
     // (slope - h) / a, or -f / (slope + h): whichever does not cancel.
     if slope.sign() == h.sign() { quotient(-f, slope + h) } else { quotient(slope - h, a) }
+}
+
+/// The correction of the `t` of a touch, or of a line in the surface. A line touches a surface where `f + 2 h x + a x^2` is least, or a solid at a
+/// rim, where the line crosses the surface beyond the solid: of the vertex and of the points at the rims' heights, the one at which
+/// `f` is nearest to zero.
+fn touched<S: Scalar, N: FromScalar<S> + Estimate>(
+    equations: &Equations<S>,
+    p: [N; 3],
+    d: [N; 3],
+    [f, h, a]: [N; 3],
+) -> N {
+    let magnitude = |n: N| if n.sign() == Some(Ordering::Less) { -n } else { n };
+    let is_less = |n: N, m: N| magnitude(n).compare(magnitude(m)) == Some(Ordering::Less);
+    let value = |x: N| N::sum([[f, N::ONE], [h + h, x], [a * x, x]]);
+    let is_along = d[1].sign() == Some(Ordering::Equal);
+    let rims = match *equations {
+        Equations::Round { extent: Extent::Open(height), .. } if !is_along => [Some(S::ZERO), Some(height)],
+        Equations::Round { extent: Extent::Capped(low, high), .. } if !is_along => [low, high],
+        _ => [None; 2],
+    };
+    let vertex = (a.sign() != Some(Ordering::Equal)).then(|| (-h).over(a));
+    let crossings = rims.map(|rim| rim.map(|height| (N::scalar(height) - p[1]).over(d[1])));
+    let mut best: Option<[N; 2]> = None;
+    for x in crossings.into_iter().chain([vertex]).flatten() {
+        let value = value(x);
+        // Of points that are on the surface alike, the nearest.
+        let is_better = best.is_none_or(|[nearest, least]| {
+            is_less(value, least) || !is_less(least, value) && is_less(x, nearest)
+        });
+        if is_better {
+            best = Some([x, value]);
+        }
+    }
+    best.map_or(N::ZERO, |[x, _]| x)
+}
+
+/// The form of the direction on a part's surface, `a` in `f(t + x) = f + 2 h x + a x^2`; zero for a flat part.
+pub(crate) fn bending<S: Copy, N: Ring, G: Described>(
+    equations: &Equations<S>,
+    part: Part,
+    d: [N; 3],
+    number: impl Fn(S) -> N + Copy,
+) -> N {
+    match surface_of::<S, N, G>(equations, part, number).0 {
+        Surface::Quadric(form) => form.at(Homogeneous { v: d, w: Weight::Zero }),
+        Surface::Across(_) | Surface::Plane(..) => N::ZERO,
+    }
 }
 
 /// The line's point at `t`.

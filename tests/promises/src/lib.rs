@@ -38,6 +38,7 @@ mod named_double_words;
 mod named_placed;
 mod named_searched;
 mod named_surface;
+mod named_surface_exact;
 mod named_unplaced;
 mod named_watertight;
 mod nff;
