@@ -76,7 +76,7 @@ pub fn table(text: &mut String, chips: &[Measured]) {
 
 /// Why marks are missed, by counting operations: what of a formula no kernel can leave out.
 const LIMITS: &str = "\
-`Fast` misses most marks that are ratios to the sphere, because its sphere takes so few instructions. The capped cone misses its mark in both tiers. The formulas need:
+`Fast` misses most marks that are ratios to the sphere, because its sphere takes so few instructions. The capped cone misses its mark in `Fast` and in `Stable`. The formulas need:
 
 | nearest hit | products of 32 bits | roots | reciprocals | quotients by them |
 |---|---:|---:|---:|---:|

@@ -56,7 +56,8 @@ queries! {
 }
 
 fn primitives(query: &'static str) -> impl Iterator<Item = Listed> {
-    cost::of_primitives::<true>(&|name| name.query == query).into_iter().map(Listed)
+    let formulas = cost::of_textbook().into_iter().filter(move |case| case.name.query == query);
+    cost::of_primitives::<true>(&|name| name.query == query).into_iter().chain(formulas).map(Listed)
 }
 
 /// Cost against work.

@@ -17,8 +17,11 @@ fn nearest<S: Plain>((form, place): &Model<S::Number>, ray: &PlainRay<S::Number>
     black_box(form.nearest(place.as_ref(), ray));
 }
 
-/// The subjects, as the library and as the formulas see them; `None` if a size does not fit the type.
-fn subjects<S: Plain>() -> Option<[(&'static str, Shape<S>, Solid, bool); 5]> {
+/// A subject as the library and as the formulas see it, and whether it is framed.
+type Of<S> = (&'static str, Shape<S>, Solid, bool);
+
+/// The subjects; `None` if a size does not fit the type.
+fn subjects<S: Plain>() -> Option<[Of<S>; 5]> {
     let (radius, slope, height) = (eighths::<S>(8), eighths::<S>(6), eighths::<S>(12));
     let ball = Solid::Sphere { radius: radius.exact() };
     let tube = Solid::Cylinder { radius: radius.exact(), extent: CylinderExtent::Capped(height.exact()) };
