@@ -58,13 +58,9 @@ impl<S: Scalar> Tier<S> for Plain {}
 
 /// The tier between [`Plain`] and [`Stable`].
 ///
-/// It computes in the scalar's own width (in fixed point with lengths on a common grid of 28 to 30 bits, or of 56 to 60 bits for 64-bit types).
-/// The discriminant of a sphere comes from the point of closest approach, that of other solids from the line's Pluecker moment `o x d`; both are more
-/// accurate than `k^2 - a c`.
-///
-/// A sphere has no guards: the fast path decides however far away the ray starts and however closely it grazes. It also takes the direction to be of
-/// length exactly 1, which costs `t` an error of about a unit in the last place of the direction. For the other solids the robust number decides where the
-/// fast path is unsure. Measured errors are in [docs/accuracy.md](https://github.com/raylet-rs/raylet/blob/main/docs/accuracy.md).
+/// It computes as [`Plain`] does, with one guard: the discriminant must not be small relative to its terms, nor the angle to a plane, nor the volume that decides on
+/// which side of a triangle's edge a ray passes. Where it is, the robust number decides. In fixed point lengths are on a common grid of 28 to 30 bits (of 56
+/// to 60 bits for 64-bit types), and the robust number decides where that has no room.
 ///
 /// No hit is lost or invented if the chord is at least a hundredth of the solid's size and the ray starts within 100 sizes, except within 16 units in the last
 /// place of a rim, or of a start on the surface. The same holds for a line that has no chord, since it meets the surface once or not at all, unless the ray grazes
@@ -88,15 +84,15 @@ impl<S: Scalar> Tier<S> for Fast {}
 
 /// The default tier.
 ///
-/// It takes a fast path with a guard at each difference that may cancel. Where a guard fails, the solver computes in a number of 64 bits (128 bits for
-/// 64-bit types) and decides by the signs of its rounded values.
+/// Floats compute in numbers that know a bound of their error. Where a sign or a `t` is not certain enough, double-words decide, and then the robust number, of 64 bits
+/// (128 bits for 64-bit types), by the signs of its rounded values. Fixed point computes on a grid of integers, with a guard at each difference that may cancel.
 ///
 /// Error of `t` for floats: about half a unit in the last place in the median, at most 16 units except for grazing rays (see [`tier`](self)), and at most 31
 /// units down to rays that graze to 10^-7. For fixed point: at most one unit. For a hit within a thousandth of the solid's size of the ray's start these
 /// are units of the size. Measured errors are in [docs/accuracy.md](https://github.com/raylet-rs/raylet/blob/main/docs/accuracy.md).
 ///
 /// Within one unit of a rim or a seam (in space, or in the `t` of its plane), of touching, or of the range's start, rounding may decide the hit, its part
-/// or its crossing.
+/// or its crossing. In fixed point the promise does not hold for a ray within some 10^-11 of a generator of a turned cone: `t` may then be 20 units off.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Stable;
 

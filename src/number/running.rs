@@ -179,3 +179,6 @@ impl<R: Real> Estimate for Running<R> {
         self.value.abs().scaled(e) <= other.value
     }
 }
+
+#[cfg(test)]
+mod tests;

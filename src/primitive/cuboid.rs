@@ -215,8 +215,8 @@ mod tests {
     }
 
     #[test]
-    fn the_fast_path_decides_nearly_all_rays() {
-        for left in [unsure::<f32>(), unsure::<f64>(), unsure::<I16F16>(), unsure::<I32F32>()] {
+    fn the_grid_decides_nearly_all_rays() {
+        for left in [unsure::<I16F16>(), unsure::<I32F32>()] {
             assert!(left[0] <= 2 && left[1] <= 2, "{left:?}");
         }
     }

@@ -130,7 +130,7 @@ pub(crate) fn triangle<S: Scalar, N: Of<S>>(
         // The error of `n . a`, by that of the normal and by that of a moved origin.
         let reach = || {
             let size = |v: [N; 3]| v[0].magnitude() + v[1].magnitude() + v[2].magnitude();
-            size(a).scaled(1) * squares + seen.moved.magnitude().scaled(-1) * size(normal)
+            size(a).scaled(-1) * squares + seen.moved.magnitude().scaled(-3) * size(normal)
         };
         if !N::is_far(t, facing.estimate(), reach) {
             return Err(Stop::Unsure);

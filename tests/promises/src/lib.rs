@@ -35,6 +35,7 @@ mod laws_tiers;
 mod named_bounds;
 mod named_contract;
 mod named_double_words;
+mod named_judged;
 mod named_placed;
 mod named_searched;
 mod named_surface;

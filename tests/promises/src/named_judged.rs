@@ -1,0 +1,85 @@
+//! Faults of tiers that an outside judge found beside exact arithmetic, each with the bits that showed it.
+
+use fixed::types::I16F16;
+use raylet::tier::{Fast, Stable};
+use raylet::{Affine, Crossing, Cylinder, Departure, Frame, Leaving, Part, Plane, Ray, Shape, Sphere, UnitVec3, Vec3};
+
+fn f32s(bits: [u32; 3]) -> Vec3<f32> {
+    Vec3::from(bits.map(f32::from_bits))
+}
+
+/// The distance between two floats, in units in the last place.
+fn units_apart(t: f32, exact: f64) -> f64 {
+    let unit = f64::from((exact as f32).next_up()) - f64::from(exact as f32);
+    (f64::from(t) - exact).abs() / unit
+}
+
+/// The formula from the point of closest approach took the direction's length to be 1. From close by that is many units of `t`.
+#[test]
+fn a_sphere_close_by_is_met_as_promised() {
+    let direction = UnitVec3::new(f32s([0xbf25_aa24, 0x3f41_84c6, 0xbdca_aa5c])).expect("a length");
+    let ray = Ray::new(f32s([0x3db7_fc88, 0xbdd6_cfb1, 0x3c62_dc45]), direction).expect("a ray");
+    let hit = Sphere::new(f32::from_bits(0x3de0_79a2)).expect("a radius").nearest(&ray).expect("it is ahead");
+    assert!(units_apart(hit.t, 0.029_187_813_997_858_81) <= 16.0, "{hit:?}");
+
+    let frame = Frame::at(f32s([0xbfc4_5a4c, 0xbf49_859d, 0x3f3f_d4de])).expect("a position");
+    let ball = Shape::new(Sphere::new(f32::from_bits(0x3edf_f6d5)).expect("a radius")).placed(frame);
+    let direction = UnitVec3::new(f32s([0x3f03_87c3, 0x3f54_26c6, 0x3e63_3ef6])).expect("a length");
+    let ray = Ray::new(f32s([0xbfe8_8d5f, 0xbf9f_1d12, 0x3f20_b802]), direction).expect("a ray");
+    let hit = ball.nearest(&ray).expect("it is ahead");
+    assert!(units_apart(hit.t, 0.112_640_475_695_695_7) <= 16.0, "{hit:?}");
+}
+
+/// A direction whose length is not 1 lost a hit just ahead in the tier `Fast`.
+#[test]
+fn fast_knows_directions_that_are_given_by_components() {
+    let frame = Frame::at(Vec3::new(-0.061_238_352_664_314_45, -0.091_140_290_242_942_81, -0.118_667_668_333_428_09));
+    let ball = Shape::new(Sphere::new(0.183_256_221_676_696_2).expect("a radius")).placed(frame.expect("a position"));
+    let along = [0.567_655_878_162_231_8, 0.823_233_215_787_499_3, 0.007_420_547_932_853_118];
+    let origin = Vec3::new(-0.181_439_124_235_822_1, 0.024_778_446_802_599_052, -0.193_150_220_553_873_01);
+    let ray = Ray::new(origin, UnitVec3::from_components(along).expect("nearly a unit vector")).expect("a ray");
+    let hit = ball.nearest_at::<Fast>(&ray).expect("the exit is ahead");
+    assert!(hit.crossing == Crossing::Exit && (hit.t - 1.26e-8).abs() < 1e-10, "{hit:?}");
+    assert!(ball.occludes_at::<Fast>(&ray));
+}
+
+/// Occlusion was answered by another formula than the nearest hit, beyond 7e35.
+#[test]
+fn occlusion_and_nearest_hit_agree_at_a_stretched_ball_far_away() {
+    let [x, y, z] = [0x3b19_b23f, 0x3c34_c6f6, 0x3b00_b9e0].map(f32::from_bits);
+    let axes = [Vec3::new(x, 0.0, 0.0), Vec3::new(0.0, y, 0.0), Vec3::new(0.0, 0.0, z)];
+    let ball = Shape::new(Sphere::new(1.0).expect("a radius"))
+        .placed(Affine::new(axes, Vec3::ZERO).expect("an invertible matrix"));
+    let along = f32s([0xbd9d_80c7, 0x3e2e_3f7e, 0xbf7b_7f3b]);
+    let ray = Ray::new(f32s([0x7923_9d52, 0xf9b5_025e, 0x7b02_a0ba]), UnitVec3::new(along).expect("a length"));
+    let ray = ray.expect("a ray");
+    assert_eq!(ball.occludes_at::<Fast>(&ray), ball.nearest_at::<Fast>(&ray).is_some());
+}
+
+/// The exit of a ray that departs next to a rim was lost, since its converted `t` was not tested again.
+#[test]
+fn a_ray_that_departs_at_the_rim_of_a_stretched_cylinder_leaves_it_once() {
+    let n = I16F16::from_num::<f64>;
+    let v = |x, y, z| Vec3::new(n(x), n(y), n(z));
+    let axes = [v(2.125, 0.0, 0.0), v(0.0, 3.5, 0.0), v(0.0, 0.0, 3.75)];
+    let affine = Affine::new(axes, v(0.375, -3.375, 1.625)).expect("an invertible matrix");
+    let can = Shape::new(Cylinder::capped(n(2.75), n(0.375)).expect("sizes")).placed(affine);
+    let along = UnitVec3::from_f64([0.408_248_29, -0.408_248_29, 0.816_496_581]).expect("a length");
+    let origin = Vec3::from([254_362, -135_168, 647_168].map(I16F16::from_bits));
+    let departure = Departure { object: 0, part: Part::Top, leaving: Leaving::Inwards };
+    let ray = Ray::new(origin, along).expect("a ray").departing(departure);
+    for hits in [can.hits_at::<Fast>(&ray), can.hits_at::<Stable>(&ray)] {
+        assert_eq!(hits.iter().map(|hit| (hit.t, hit.crossing)).collect::<Vec<_>>(), [(n(0.0), Crossing::Exit)]);
+    }
+}
+
+/// Occlusion counted a `t` beyond the type.
+#[test]
+fn a_plane_beyond_the_type_hides_nothing() {
+    let axes = [Vec3::new(2.0_f32, 0.0, 0.0), Vec3::new(0.0, 2.0, 0.0), Vec3::new(0.0, 0.0, 2.0)];
+    let floor = Shape::new(Plane::new()).placed(Affine::new(axes, Vec3::ZERO).expect("an invertible matrix"));
+    let along = UnitVec3::from_components([0.979_804, -0.199_960_01, 0.0]).expect("nearly a unit vector");
+    let ray = Ray::new(Vec3::new(0.0, 8e37, 0.0), along).expect("a ray");
+    assert_eq!((floor.occludes(&ray), floor.nearest(&ray)), (false, None));
+    assert_eq!((floor.occludes_at::<Fast>(&ray), floor.nearest_at::<Fast>(&ray)), (false, None));
+}
