@@ -409,9 +409,11 @@ fn a_point_next_to_an_apex_lies_on_the_surface_after_a_departure() {
     let (slope, height) = (1.406_159_6_f32, 0.871_144_3_f32);
     let cone = Shape::new(Cone::capped(slope, height).unwrap());
     let along = UnitVec3::from_components([0.120_571_56, -0.578_643_74, 0.806_618_87]).unwrap();
-    let ray = Ray::new(bits([0xbe10_70c4, 0x3f2d_b4df, 0xbf71_9340]).into(), along)
-        .unwrap()
-        .departing(Departure { object: 0, part: Part::Side, leaving: Leaving::Inwards });
+    let ray = Ray::new(bits([0xbe10_70c4, 0x3f2d_b4df, 0xbf71_9340]).into(), along).unwrap().departing(Departure {
+        object: 0,
+        part: Part::Side,
+        leaving: Leaving::Inwards,
+    });
     let hit = cone.nearest(&ray).expect("it leaves");
     assert_lies_on::<f32>(&cone, slope, &ray, &hit);
 }
