@@ -285,7 +285,7 @@ macro_rules! fixed {
                 let f = (squares << BELOW)
                     + (product(units, rests) >> (DIRECTION - BELOW - 1))
                     + (product(halves, halves) >> (DIRECTION - BELOW));
-                let h = product(units, d);
+                let h = product(units, d) + (product(rests, d) >> DIRECTION);
                 if h == 0 || (h < 0) != enters {
                     return None;
                 }

@@ -296,10 +296,11 @@ fn beyond_the_type<S: Number, T: Tier<S>>() {
         };
         let mut corner = || v::<S>([(); 3].map(|()| reach * random.between(0.6, 1.0) * random.sign()));
         let (position, origin) = (corner(), corner());
-        let frame = match round % 3 {
-            0 => Frame::at(position),
-            1 => Frame::turned_about(position, random.unit_vector(), n(45.0)),
-            _ => Frame::looking(position, random.unit_vector(), random.unit_vector()),
+        // Axes that are perpendicular and unit to their last bits, which tell of a point far away.
+        let frame = if round % 3 == 0 {
+            Frame::at(position)
+        } else {
+            Frame::turned_about(position, random.unit_vector(), n(random.between(-60.0, 60.0)))
         };
         let Ok(frame) = frame else { continue };
         let ray = Ray::new(origin, random.unit_vector()).unwrap().with_range(Range::line());
