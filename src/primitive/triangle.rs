@@ -76,8 +76,9 @@ impl<S: Scalar> Triangle<S> {
         let more = pairs(plain_cross(r1, e2), plain_cross(e1, r2)).map(|(x, y)| x + y);
         let normal = pairs(normal, more).map(|(n, more)| n + more);
         // What is left is the rounding of the products of edges and rests.
-        let lengths = dot(e1, e1) * dot(e2, e2);
-        if dot(normal, normal) >= lengths.scaled(2 * S::Real::ROUNDING + 8) {
+        let square = |[x, y, z]: [S::Real; 3]| x * x + y * y + z * z;
+        let lengths = square(e1) * square(e2);
+        if square(normal) >= lengths.scaled(2 * S::Real::ROUNDING + 8) {
             return UnitVec3::from_real(normal);
         }
         self.robust_normal()

@@ -28,6 +28,12 @@ pub trait Computing: Numbers {
         t: Self,
         axes: [[Self::Unit; 3]; 3],
     ) -> [Self::Real; 3];
+    /// For fixed types: the normal, of any length, where the ray meets a ball about `centre` on the y axis, or a tube about that axis, of this
+    /// radius; `t` is rounded. It is along these axes, or along the world's. `None` where it takes more than one step and integers of the double
+    /// width, or is not determined.
+    fn round_normal(_line: RoundLine<Self>, _solid: RoundSolid<Self>) -> Option<[Self::Real; 3]> {
+        None
+    }
     /// The vector's direction and its length; `None` for the zero vector and for a vector with a component
     /// that is not finite. Accurate for every length, from the smallest to the largest.
     fn normalize(v: [Self::Real; 3]) -> Option<([Self::Unit; 3], Self::Real)>;
@@ -46,6 +52,32 @@ pub trait Computing: Numbers {
     /// Three values in the finest unit in which the type holds all of them: numbers that stand for `2^-n` times themselves, and `n`, which is zero
     /// for floats.
     fn finest(values: [Self::Real; 3]) -> ([Self; 3], i32);
+}
+
+/// A ray's line and a `t`, the frame's origin, and its axes if it is turned.
+#[derive(Clone, Copy, Debug)]
+pub struct RoundLine<S: Numbers> {
+    /// The ray's origin.
+    pub o: [S; 3],
+    /// The frame's origin.
+    pub base: [S; 3],
+    /// The ray's direction.
+    pub d: [S::Unit; 3],
+    /// The parameter of the hit, rounded.
+    pub t: S,
+    /// The frame's axes.
+    pub axes: Option<[[S::Unit; 3]; 3]>,
+    /// True if the line enters at the hit.
+    pub enters: bool,
+}
+
+/// A ball about a point of the y axis, or a tube about the axis.
+#[derive(Clone, Copy, Debug)]
+pub struct RoundSolid<S> {
+    /// The radius.
+    pub radius: S,
+    /// The height of a ball's centre; `None` for a tube.
+    pub centre: Option<S>,
 }
 
 /// Functions for textures, light and surface coordinates.

@@ -6,8 +6,8 @@
 use super::block::{Block64, Block128};
 use super::including::narrowed;
 use super::{
-    Attempt, Budget, Computing, Elementary, FastPath, Numbers, Real, Scalar, UnitScalar, ValueError, elementary,
-    integers, sealed::Sealed,
+    Attempt, Budget, Computing, Elementary, FastPath, Numbers, Real, RoundLine, RoundSolid, Scalar, UnitScalar,
+    ValueError, elementary, integers, sealed::Sealed,
 };
 use crate::ladder::FixedPoint;
 use crate::number::word::Word;
@@ -32,6 +32,10 @@ trait WideApproach: Numbers {
 
     /// In units of a coordinate times a direction's.
     fn wide_approach(o: [Self; 3], base: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self::Wide; 3];
+    /// That vector along these axes, in units of a coordinate times two directions' less a word.
+    fn wide_along(v: [Self::Wide; 3], axes: [[Self::Unit; 3]; 3]) -> [Self::Wide; 3];
+    /// Units of a coordinate, and rests in units of those times a direction's.
+    fn from_units(units: [Self::Wide; 3], rests: [Self::Wide; 3]) -> [Self::Real; 3];
 }
 
 /// Defines the implementations for one width.
@@ -166,6 +170,22 @@ macro_rules! fixed {
                 };
                 [walked(0), walked(1), walked(2)]
             }
+
+            #[inline(always)]
+            fn wide_along(v: [$wide; 3], axes: [[Self::Unit; 3]; 3]) -> [$wide; 3] {
+                // Words of the number's own width, so that no product is longer than the double width.
+                let (high, low) = (v.map(|c| c >> $bits), v.map(|c| c & ((1 << $bits) - 1)));
+                axes.map(|axis| {
+                    let a = axis.map(|c| c.to_bits() as $wide);
+                    let along = |i: usize| high[i] * a[i] + (low[i] * a[i] >> $bits);
+                    along(0) + along(1) + along(2)
+                })
+            }
+
+            #[inline(always)]
+            fn from_units(units: [$wide; 3], rests: [$wide; 3]) -> [$Block; 3] {
+                [0, 1, 2].map(|i| $Block::new((units[i] << $unit_bits) + rests[i], -(F::I32) - $unit_bits))
+            }
         }
 
         impl<F: $LeEq + Send + Sync + 'static> Computing for $Fixed<F> {
@@ -177,7 +197,7 @@ macro_rules! fixed {
             #[inline(always)]
             fn resolves_turn(_: Self, radius: Self) -> bool {
                 // Half a unit of `t` over the radius, in units of a direction.
-                radius.to_bits() >= 1 << ($unit_bits - 3)
+                radius.to_bits() >= 1 << ($unit_bits - 2)
             }
             #[inline(always)]
             fn dot(o: [Self; 3], d: [Self::Unit; 3]) -> $Block {
@@ -220,14 +240,85 @@ macro_rules! fixed {
                 t: Self,
                 axes: [[Self::Unit; 3]; 3],
             ) -> [$Block; 3] {
-                // Words of the number's own width, so that no product is longer than the double width.
-                let v = Self::wide_approach(o, base, d, t);
-                let (high, low) = (v.map(|c| c >> $bits), v.map(|c| c & ((1 << $bits) - 1)));
-                axes.map(|axis| {
-                    let a = axis.map(|c| c.to_bits() as $wide);
-                    let along = |i: usize| high[i] * a[i] + (low[i] * a[i] >> $bits);
-                    $Block::new(along(0) + along(1) + along(2), -(F::I32) - 2 * $unit_bits + $bits)
-                })
+                let along = Self::wide_along(Self::wide_approach(o, base, d, t), axes);
+                along.map(|sum| $Block::new(sum, -(F::I32) - 2 * $unit_bits + $bits))
+            }
+            fn round_normal(line: RoundLine<Self>, solid: RoundSolid<Self>) -> Option<[$Block; 3]> {
+                // Bits of a direction, and those of `f` below the square of a unit.
+                const DIRECTION: u32 = $unit_bits;
+                const BELOW: u32 = DIRECTION - 6;
+                let RoundLine { o, base, d, t, axes, enters } = line;
+                let world = (Self::wide_approach(o, base, d, t), d.map(|c| c.to_bits() as $wide));
+                // The point in units of `2^-fraction` coordinate units, and the direction in its own.
+                let (fraction, (p, d)) = match axes {
+                    None => (DIRECTION, world),
+                    Some(axes) => {
+                        let turned = |axis: [Self::Unit; 3]| {
+                            let a = axis.map(|c| c.to_bits() as $wide);
+                            let sum = a[0] * world.1[0] + a[1] * world.1[1] + a[2] * world.1[2];
+                            sum >> DIRECTION
+                        };
+                        (2 * DIRECTION - $bits, (Self::wide_along(world.0, axes), axes.map(turned)))
+                    }
+                };
+                let radius = solid.radius.to_bits() as $wide;
+                // Coordinates from the centre, in units, and rests in units of `2^-DIRECTION`.
+                let mut units = p.map(|c| (c + (1 << (fraction - 1))) >> fraction);
+                let mut rests = [0, 1, 2].map(|i| (p[i] - (units[i] << fraction)) << (DIRECTION - fraction));
+                let mut d = d;
+                match solid.centre {
+                    Some(centre) => units[1] -= centre.to_bits() as $wide,
+                    None => (units[1], rests[1], d[1]) = (0, 0, 0),
+                }
+                // Next to the surface, so that no square overflows.
+                let limit = radius + (1 << 6);
+                // In the small the bits of `f` are too few.
+                if radius < 1 << 10 || !units.iter().all(|c| -limit < *c && *c < limit) {
+                    return None;
+                }
+                let product = |a: [$wide; 3], b: [$wide; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+                let squares = product(units, units) - radius * radius;
+                if squares.unsigned_abs() >= 1 << (DIRECTION + 7) {
+                    return None;
+                }
+                let halves = rests.map(|c| c >> (DIRECTION / 2));
+                // f, and half its slope in units of a coordinate times a direction.
+                let f = (squares << BELOW)
+                    + (product(units, rests) >> (DIRECTION - BELOW - 1))
+                    + (product(halves, halves) >> (DIRECTION - BELOW));
+                let h = product(units, d) + (product(rests, d) >> DIRECTION);
+                if h == 0 || (h < 0) != enters {
+                    return None;
+                }
+                if f == 0 {
+                    return Some(Self::from_units(units, rests));
+                }
+                // |f| / 2 |h| by words of the number's own width, with the exponents that belong to them.
+                let (mut divisor, mut down) = (h.unsigned_abs(), 0);
+                let excess = (2 * $bits - divisor.leading_zeros()).saturating_sub($bits - 1);
+                if excess > 0 {
+                    (divisor, down) = (divisor >> excess, excess);
+                }
+                let up = f.unsigned_abs().leading_zeros() - 2;
+                let quotient = (f.unsigned_abs() << up) / divisor;
+                let bits = 2 * $bits - quotient.leading_zeros();
+                let surplus = bits.saturating_sub(DIRECTION);
+                let short = (quotient >> surplus) as $wide;
+                // short 2^surplus 2^-up 2^-BELOW / 2^down 2^DIRECTION / 2 units, times a direction, in rests.
+                let shift = (up + BELOW + down + 1) as i32 - (surplus + DIRECTION) as i32;
+                if shift < 8 {
+                    return None;
+                }
+                let moved_by = |a: $wide, shift: u32| if shift < 2 * $bits { a >> shift } else { 0 };
+                // The step in units of `2^-8`; its square over the slope is what a second step would add.
+                let coarse = moved_by(short, shift as u32 - 8);
+                let room = ((h >> DIRECTION).abs() * radius) >> (DIRECTION - 15);
+                if coarse >= 1 << 12 || coarse * coarse > room {
+                    return None;
+                }
+                let step = if (f < 0) == (h < 0) { -short } else { short };
+                let moved = [0, 1, 2].map(|i| rests[i] + moved_by(step * d[i], shift as u32));
+                Some(Self::from_units(units, moved))
             }
             #[inline]
             fn advance(o: [Self; 3], d: [Self::Unit; 3], t: Self) -> [Self; 3] {

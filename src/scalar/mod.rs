@@ -67,7 +67,7 @@ pub use fixed::{DISTANCE_BITS, SIZE_BITS};
 pub use crate::number::Ring;
 pub(crate) use attempt::found;
 pub use attempt::{Attempt, InCuboid, InSide, NappeOutline};
-pub use computing::{Computing, Elementary};
+pub use computing::{Computing, Elementary, RoundLine, RoundSolid};
 pub use fast::{FastPath, FinerLine, InverseLength, LocalLine};
 pub use including::Including;
 pub use rungs::{FromScalar, RealOf, ToScalar};

@@ -4,7 +4,7 @@ use super::kinds::{All, Kind, Kinds};
 use super::primitive::Member;
 use super::{Placement, Shape, through};
 use crate::affine::Affine;
-use crate::equations::Equations;
+use crate::equations::{Equations, Side};
 use crate::frame::Frame;
 use crate::geometry::Geometry;
 use crate::hit::{Crossing, Hit};
@@ -15,7 +15,7 @@ use crate::part::Part;
 use crate::primitive::surface_coordinates as coordinates;
 use crate::query;
 use crate::ray::{Departure, Leaving, Ray};
-use crate::scalar::{FromScalar, Real, Ring, Scalar, Summed, Twofold, largest};
+use crate::scalar::{FromScalar, Real, Ring, RoundLine, RoundSolid, Scalar, Summed, Twofold, largest};
 use crate::solve::{self, Line};
 use crate::vector::{UnitVec3, Vec3, pairs};
 use core::cmp::Ordering;
@@ -59,7 +59,9 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
     pub fn point(&self) -> Vec3<S> {
         let rough = self.rough_local_point();
         let resolved = self.is_resolved(rough).then(|| match &self.shape.placement {
-            Placement::Frame(frame) if K::SET.contains(Kind::Frame) => frame.point_to_world(self.local_point_near(rough)),
+            Placement::Frame(frame) if K::SET.contains(Kind::Frame) => {
+                frame.point_to_world(self.local_point_near(rough))
+            }
             _ => self.local_point_near(rough),
         });
         // Close to the world's origin floats have smaller units than close to the primitive's origin.
@@ -224,6 +226,19 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         }
         let (equations, part) = (self.shape.member.equations(), self.hit.part);
         let (o, d, t) = (self.ray.origin().to_array(), self.ray.direction(), self.hit.t);
+        if let Some(solid) = round_solid(&equations, part) {
+            let frame = match &self.shape.placement {
+                Placement::Frame(frame) if K::SET.contains(Kind::Frame) => Some(frame),
+                _ => None,
+            };
+            let base = frame.map_or(Vec3::ZERO, Frame::position).to_array();
+            let axes = frame.filter(|_| !self.is_ball()).map(|frame| frame.axes().map(UnitVec3::to_array));
+            let enters = self.hit.crossing == Crossing::Enter;
+            let line = RoundLine { o, base, d: d.to_array(), t, axes, enters };
+            if let Some(gradient) = S::round_normal(line, solid) {
+                return Some(gradient);
+            }
+        }
         let (point, direction) = match &self.shape.placement {
             Placement::Frame(frame) if K::SET.contains(Kind::Frame) => {
                 let (base, axes) = (frame.position().to_array(), frame.axes());
@@ -495,6 +510,21 @@ fn along_the_surface<S: Scalar>(normal: UnitVec3<S>) -> (UnitVec3<S>, UnitVec3<S
     let u = UnitVec3::from_real([z, S::Real::ZERO, -x]).unwrap_or(-UnitVec3::Z);
     let v = UnitVec3::from_real(normal.cross(u)).unwrap_or(UnitVec3::Y);
     (u, v)
+}
+
+/// The ball or tube that a part lies on, if it is one.
+fn round_solid<S: Scalar>(equations: &Equations<S>, part: Part) -> Option<RoundSolid<S>> {
+    match (*equations, part) {
+        (Equations::Ball { radius }, _) | (Equations::Capsule { radius, .. }, Part::Base) => {
+            Some(RoundSolid { radius, centre: Some(S::ZERO) })
+        }
+        (Equations::Capsule { radius, height }, Part::Top) => Some(RoundSolid { radius, centre: Some(height) }),
+        (Equations::Capsule { radius, .. }, _)
+        | (Equations::Round { side: Side::Straight(radius), .. }, Part::Side) => {
+            Some(RoundSolid { radius, centre: None })
+        }
+        _ => None,
+    }
 }
 
 fn is_finite<S: Scalar>(point: Vec3<S>) -> bool {

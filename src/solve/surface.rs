@@ -165,9 +165,8 @@ fn touched<S: Scalar, N: FromScalar<S> + Estimate>(
     for x in crossings.into_iter().chain([vertex]).flatten() {
         let value = value(x);
         // Of points that are on the surface alike, the nearest.
-        let is_better = best.is_none_or(|[nearest, least]| {
-            is_less(value, least) || !is_less(least, value) && is_less(x, nearest)
-        });
+        let is_better =
+            best.is_none_or(|[nearest, least]| is_less(value, least) || !is_less(least, value) && is_less(x, nearest));
         if is_better {
             best = Some([x, value]);
         }

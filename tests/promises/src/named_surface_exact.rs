@@ -296,10 +296,11 @@ fn beyond_the_type<S: Number, T: Tier<S>>() {
         };
         let mut corner = || v::<S>([(); 3].map(|()| reach * random.between(0.6, 1.0) * random.sign()));
         let (position, origin) = (corner(), corner());
-        let frame = match round % 3 {
-            0 => Frame::at(position),
-            1 => Frame::turned_about(position, random.unit_vector(), n(45.0)),
-            _ => Frame::looking(position, random.unit_vector(), random.unit_vector()),
+        // Axes that are perpendicular and unit to their last bits, which tell of a point far away.
+        let frame = if round % 3 == 0 {
+            Frame::at(position)
+        } else {
+            Frame::turned_about(position, random.unit_vector(), n(random.between(-60.0, 60.0)))
         };
         let Ok(frame) = frame else { continue };
         let ray = Ray::new(origin, random.unit_vector()).unwrap().with_range(Range::line());
@@ -409,9 +410,11 @@ fn a_point_next_to_an_apex_lies_on_the_surface_after_a_departure() {
     let (slope, height) = (1.406_159_6_f32, 0.871_144_3_f32);
     let cone = Shape::new(Cone::capped(slope, height).unwrap());
     let along = UnitVec3::from_components([0.120_571_56, -0.578_643_74, 0.806_618_87]).unwrap();
-    let ray = Ray::new(bits([0xbe10_70c4, 0x3f2d_b4df, 0xbf71_9340]).into(), along)
-        .unwrap()
-        .departing(Departure { object: 0, part: Part::Side, leaving: Leaving::Inwards });
+    let ray = Ray::new(bits([0xbe10_70c4, 0x3f2d_b4df, 0xbf71_9340]).into(), along).unwrap().departing(Departure {
+        object: 0,
+        part: Part::Side,
+        leaving: Leaving::Inwards,
+    });
     let hit = cone.nearest(&ray).expect("it leaves");
     assert_lies_on::<f32>(&cone, slope, &ray, &hit);
 }
