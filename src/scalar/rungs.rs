@@ -234,8 +234,8 @@ impl<S: Scalar, R: RealOf<S>> ToScalar<S> for Running<R> {
     }
     #[inline(always)]
     fn rounded(self) -> Option<S> {
-        // A unit in the last place is between one and two roundings of the value. Bounds are some six times as large as errors.
-        let most = if <Self as ToScalar<S>>::ROUNDING_DECIDES { R::from_int(40) } else { R::ONE.scaled(22) };
+        // A unit in the last place is between one and two roundings of the value. Bounds are a few times as large as errors.
+        let most = if <Self as ToScalar<S>>::ROUNDING_DECIDES { R::from_int(32) } else { R::ONE.scaled(22) };
         // Not the comparison of the two, since both may be infinite.
         (self.value.abs() * most - self.error >= R::ZERO).then(|| self.value.rounded())
     }

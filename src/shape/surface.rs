@@ -348,7 +348,7 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
     fn exact_point(&self) -> Vec3<S> {
         let (_, t, is_on_surface) = self.exact_t(&self.shape.member.equations());
         if !is_on_surface {
-            return match &self.shape.placement {
+            let point = match &self.shape.placement {
                 Placement::Frame(frame) if K::SET.contains(Kind::Frame) => {
                     frame.point_to_world(self.exact_local_point())
                 }
@@ -357,6 +357,9 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
                 }
                 _ => self.exact_local_point(),
             };
+            // At the ends of the float range the image may overflow, and then cancel.
+            let is_number = |c: S| c <= S::ZERO || c >= S::ZERO;
+            return if point.to_array().into_iter().all(is_number) { point } else { self.ray.at(self.hit.t) };
         }
         let [origin, direction] = InWorld.line::<S::Robust>(&self.ray);
         rounded(solve::point_at(&Line { origin, direction }, t))

@@ -167,7 +167,8 @@ fn moved<S: Scalar, R: RealOf<S>, N: Approximate<R> + FromScalar<S>, P: Place<S>
         }
         None => o,
     };
-    let is_moved = departure.is_none();
+    // Blocks have so many bits that the origin stays.
+    let is_moved = departure.is_none() && R::IS_FLOAT;
     let k = if is_moved { -(from[0] * d[0] + from[1] * d[1] + from[2] * d[2]) } else { R::ZERO };
     let near = if is_moved { [from[0] + k * d[0], from[1] + k * d[1], from[2] + k * d[2]] } else { from };
     let around = near[0].abs() + near[1].abs() + near[2].abs();

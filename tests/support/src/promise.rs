@@ -154,7 +154,8 @@ impl<S: Number> Judged<'_, S> {
     /// Whether the ray is plain and starts within so many sizes. A ray that meets nothing starts as far away as its point next to the frame's origin.
     pub fn is_plain(&self, sizes: f64) -> bool {
         let away = self.want.hits.first().map_or_else(|| nearest_to_origin(self.line), |hit| hit.t.to_f64());
-        if away.abs() > sizes * self.size {
+        // A direction is not known well enough to tell on which side of a generator or a face such a ray leads.
+        if away.abs() > sizes * self.size || clearance(self.solid, self.line) < NEAREST {
             return false;
         }
         // The chord that a ray starts in counts from its beginning.
