@@ -13,6 +13,7 @@ mod exactly;
 mod grid;
 
 pub(crate) use exactly::precision;
+#[cfg(feature = "fixed")]
 pub use grid::FixedPoint;
 
 use crate::equations::{Described, EquationKinds, Equations};

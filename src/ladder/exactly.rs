@@ -76,10 +76,14 @@ const fn starts_in_doubles<S: Scalar, P: Place<S>>() -> bool {
 }
 
 /// The precision that an exact result needs.
-pub(crate) fn precision<S: ExactScalar, G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Precision {
+pub(crate) fn precision<S: ExactScalar, G: Geometry<S>, P: Place<S>>(
+    geometry: &G,
+    place: &P,
+    ray: &Ray<S>,
+) -> Precision {
     let is_decided = |found: Attempt<Intersection<S>>| !matches!(whole(found), Err(Stop::Unsure));
-    let is_filtered = is_decided(Certain::all(geometry, place, ray))
-        || is_decided(In::<S::Bounded>::all(geometry, place, ray));
+    let is_filtered =
+        is_decided(Certain::all(geometry, place, ray)) || is_decided(In::<S::Bounded>::all(geometry, place, ray));
     if is_filtered { Precision::Filter } else { Precision::Integers }
 }
 

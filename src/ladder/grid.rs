@@ -1,6 +1,7 @@
 //! The methods of fixed point: the kernels of integers on a common grid.
 //!
 //! They know only the rays that arrive from outside, and those that depart inwards; they are unsure where their integers have no room.
+#![cfg_attr(not(feature = "fixed"), expect(dead_code, reason = "floats have no grid"))]
 
 use super::{In, Method, Tiers, whole};
 use crate::fast::Guards;

@@ -7,7 +7,7 @@
 //! |---|---|---|
 //! | [`Plain`] | that of the rounded value | `Plain` |
 //! | [`Guarded`] | the same, unknown where much of a difference cancels | `Fast` |
-//! | [`Certified`](crate::number::Certified) | the same, and an end next to the start is unknown | `Stable`, for spheres and triangles |
+//! | [`Certified`] | the same, and an end next to the start is unknown | `Stable`, for spheres and triangles |
 //! | [`Running`] | unknown if the value is within its error bound of zero | `Stable`, and in doubles `Exact` |
 //! | [`Doubled`] | the same, in a float's twice as many digits | `Stable`, where [`Running`] is unsure |
 //! | [`Robust`] | that of the rounded value | `Fast` and `Stable`, where the numbers before are unsure |

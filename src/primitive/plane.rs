@@ -57,9 +57,7 @@ impl<S: Scalar> Geometry<S> for Plane<S> {
     #[inline(always)]
     fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
         match S::fast_crossings(*line, [S::ZERO; 2]) {
-            Attempt::Hit([t, _]) => {
-                Attempt::Hit(surface_hit(t, line.direction[1] < S::Unit::ZERO))
-            }
+            Attempt::Hit([t, _]) => Attempt::Hit(surface_hit(t, line.direction[1] < S::Unit::ZERO)),
             // A line parallel to the plane may lie in it.
             _ => Attempt::Unsure,
         }

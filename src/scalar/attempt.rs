@@ -1,6 +1,7 @@
 //! Results of the fast path: certain, or unsure.
 
 use super::Scalar;
+#[cfg(feature = "fixed")]
 use core::ops::Neg;
 
 /// A result of the fast path.

@@ -4,7 +4,6 @@ use super::{Attempt, InCuboid, InSide, NappeOutline, Numbers};
 use core::cmp::Ordering;
 
 /// A line in a primitive's frame, for the fast path.
-#[expect(clippy::struct_excessive_bools, reason = "properties that do not depend on each other")]
 #[derive(Clone, Copy, Debug)]
 pub struct LocalLine<S: Numbers> {
     /// The origin, in units of `2^-extra_bits` of the type's.
@@ -28,15 +27,7 @@ impl<S: Numbers + Copy> LocalLine<S> {
     /// The line of a ray in world coordinates.
     #[inline(always)]
     pub(crate) const fn along(origin: [S; 3], direction: [S::Unit; 3], zero: S) -> Self {
-        Self {
-            origin,
-            extra_bits: 0,
-            direction,
-            start: zero,
-            is_coarse: false,
-            is_strict: false,
-            since: None,
-        }
+        Self { origin, extra_bits: 0, direction, start: zero, is_coarse: false, is_strict: false, since: None }
     }
 }
 

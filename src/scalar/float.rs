@@ -1,11 +1,11 @@
 //! `f32` and `f64` as scalars: plain arithmetic, and error-free sums and products for ill-conditioned cases.
 
 use super::error_free::{exact_f32, exact_f64};
+use super::slabs::Slabs;
 use super::square_root::square_root_f32;
 use super::{
     Budget, Computing, Elementary, FastPath, Numbers, Real, Scalar, UnitScalar, ValueError, largest, sealed::Sealed,
 };
-use super::slabs::Slabs;
 use crate::ladder::Floats;
 use crate::number::word::Word;
 use crate::number::{Limbs, Parts, Ring, Robust};

@@ -1,9 +1,9 @@
 //! Conversion of stored numbers to the computing numbers of [`crate::number`], and back.
 
 use super::{Real, Scalar, Twofold, UnitScalar};
-use crate::number::word::Word;
 #[cfg(feature = "libm")]
 use crate::number::Filtered;
+use crate::number::word::Word;
 use crate::number::{Bounded, Doubled, Estimate, Guarded, Integer, Plain, Ring, Robust, Running};
 
 /// A number made from a scalar, exactly.

@@ -196,4 +196,3 @@ impl<S: Scalar, K: Kinds> Geometry<S> for Member<S, K> {
         with!(self, |p| p.tangents(point, part), (UnitVec3::X, UnitVec3::Z))
     }
 }
-

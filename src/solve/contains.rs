@@ -1,8 +1,8 @@
 //! The inside test, decided by signs.
 
+use super::end::Of;
 use super::flat::is_zero;
 use super::form::{Ball, Cone, Form, Homogeneous, Quadric, Tube, Weight};
-use super::end::Of;
 use crate::equations::{Described, EquationKinds, Equations, Extent};
 use crate::number::{Number, cross, difference, dot};
 use crate::scalar::Scalar;

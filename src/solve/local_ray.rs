@@ -1,12 +1,12 @@
 //! A ray in a primitive's frame.
 
+use super::end::Of;
 use crate::line::{Needs, Place};
-use crate::number::{Bounded, Doubled, Filtered, Guarded, Integer, Limbs, Number, Plain, Running};
 use crate::number::word::Word;
+use crate::number::{Bounded, Doubled, Filtered, Guarded, Integer, Limbs, Number, Plain, Running};
 use crate::part::Part;
 use crate::ray::{Leaving, Ray};
 use crate::scalar::{FromScalar, Real, RealOf, Scalar};
-use super::end::Of;
 
 /// A ray in a primitive's frame. Its direction may have any length, since `t` is the parameter of the ray as stored.
 #[derive(Clone, Copy, Debug)]
@@ -75,15 +75,12 @@ fn unmoved<S: Scalar, N: FromScalar<S>, P: Place<S>>(place: &P, ray: &Ray<S>, ne
 
 impl<S: Scalar, W: Word> Localize<S> for Limbs<W> where Self: Of<S> {}
 
-impl<S: Scalar, W: Word> Localize<S> for Bounded<W> {
-}
+impl<S: Scalar, W: Word> Localize<S> for Bounded<W> {}
 
-impl<S: Scalar, const N: usize> Localize<S> for Integer<N> {
-}
+impl<S: Scalar, const N: usize> Localize<S> for Integer<N> {}
 
 #[cfg(feature = "libm")]
-impl<S: Scalar> Localize<S> for Filtered {
-}
+impl<S: Scalar> Localize<S> for Filtered {}
 
 impl<S: Scalar, R: RealOf<S>> Localize<S> for Doubled<R> {
     #[inline(always)]
@@ -178,7 +175,7 @@ fn moved<S: Scalar, R: RealOf<S>, N: Approximate<R> + FromScalar<S>, P: Place<S>
         (false, true) => around,
         (false, false) => R::ZERO,
     };
-    let is_turned = position.is_some() && !(matches!(needs, Needs::Translation) && !P::STRETCHES);
+    let is_turned = position.is_some() && (P::STRETCHES || !matches!(needs, Needs::Translation));
     let [origin, direction] = if !is_turned {
         [near.map(|c| N::approximate(c, translated)), d.map(|c| N::approximate(c, R::ZERO))]
     } else if P::STRETCHES {

@@ -76,7 +76,8 @@ impl<N: Number, Q: Quadric<N>> Quadratic<N, Q> {
             return Ok(this);
         }
         this.discriminant = quadric.discriminant(a);
-        let sign = known(this.discriminant.sign_among(Difference::OfSquares, || quadric.terms(a) + line.far(N::MOVED)))?;
+        let sign =
+            known(this.discriminant.sign_among(Difference::OfSquares, || quadric.terms(a) + line.far(N::MOVED)))?;
         this.inside = match (a_sign, sign) {
             // A miss needs no k.
             (Ordering::Greater, Ordering::Less) => return Ok(this),

@@ -101,7 +101,11 @@ fn from_closest_approach<S: Scalar, N: Of<S>>(line: &LocalRay<N>, r: N, goal: Go
 
 /// Both nappes of a cone about its apex at the origin.
 #[inline(always)]
-pub(crate) fn double_cone<S: Scalar, N: Of<S>>(line: &LocalRay<N>, slope: S, goal: Goal<S>) -> Attempt<Intersection<S>> {
+pub(crate) fn double_cone<S: Scalar, N: Of<S>>(
+    line: &LocalRay<N>,
+    slope: S,
+    goal: Goal<S>,
+) -> Attempt<Intersection<S>> {
     let leaving = line.departure.map(|(_, leaving)| leaving);
     let quadratic = Quadratic::new(nappe_of_slope(line, slope), line, leaving.is_some())?;
     if let Some(leaving) = leaving {

@@ -46,7 +46,10 @@ fn check(what: &str, result: Running<f32>, exact: f64) {
     }
     let bound = f64::from(Running::<f32>::sure(result.error));
     let off = (f64::from(result.value) - exact).abs();
-    assert!(off <= bound + exact.abs() * f64::powi(2.0, -50), "{what}: {result:?}, exactly {exact:e}: {off:e} > {bound:e}");
+    assert!(
+        off <= bound + exact.abs() * f64::powi(2.0, -50),
+        "{what}: {result:?}, exactly {exact:e}: {off:e} > {bound:e}"
+    );
 }
 
 #[test]
@@ -74,7 +77,13 @@ fn bounds_hold_for_every_operation() {
         }
         for (number, exact) in [(a, exact_a), (three, exact_a * exact_b + exact_c * exact_d + exact_a * exact_d)] {
             if let Some(sign) = number.sign() {
-                let exact = if exact > 0.0 { Ordering::Greater } else if exact < 0.0 { Ordering::Less } else { Ordering::Equal };
+                let exact = if exact > 0.0 {
+                    Ordering::Greater
+                } else if exact < 0.0 {
+                    Ordering::Less
+                } else {
+                    Ordering::Equal
+                };
                 assert_eq!(sign, exact, "{number:?}");
             }
         }
