@@ -122,7 +122,9 @@ impl<S: Scalar, N: Localize<S>> Method<S> for In<N> {
         since: Option<S>,
     ) -> Attempt<Intersection<S>> {
         let local = N::local_ray(place, ray, G::NEEDS, None, || geometry.bounding_radius());
-        geometry.intersect(&local, Goal { range: ray.range(), since })
+        let goal = Goal { range: ray.range(), since };
+        // An affine map costs so much that a call adds little; a program has less code.
+        if P::STRETCHES { intersect(geometry, &local, goal) } else { geometry.intersect(&local, goal) }
     }
     #[inline(always)]
     fn all<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<Intersection<S>> {

@@ -28,74 +28,104 @@ pub trait Solve<S: Scalar> {
     /// True if the point belongs to the geometry.
     fn contains<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, point: Vec3<S>) -> bool;
 
-    /// All hits.
-    #[inline]
-    fn hits<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Hits<S> {
-        if misses_by_departure(geometry, ray) {
-            return Hits::none();
-        }
-        match Self::all_by_first(geometry, place, ray) {
-            Err(Stop::Miss) => Hits::none(),
-            Err(Stop::Unsure) => others::<S, Self, G, P>(geometry, place, ray).hits(ray.range()),
-            // The list begins with the nearest hit, which needs only the entry.
-            Ok(Intersection::Entered(enter)) => {
-                others::<S, Self, G, P>(geometry, place, ray).entered_at(enter).hits(ray.range())
-            }
-            Ok(intersection) => intersection.hits(ray.range()),
-        }
-    }
-
-    /// The first hit that `accept` accepts.
-    #[inline(always)]
-    fn nearest<G: Geometry<S>, P: Place<S>>(
-        geometry: &G,
-        place: &P,
-        ray: &Ray<S>,
-        accept: impl Fn(Crossing) -> bool,
-    ) -> Option<Hit<S>> {
-        let range = ray.range();
-        // If the entry is accepted, later ends are not needed.
-        let since = accept(Crossing::Enter).then(|| range.start());
-        if ray.departure().is_some() {
-            return departing::<S, Self, G, P>(geometry, place, ray).nearest(range, accept);
-        }
-        match Self::first(geometry, place, ray, since) {
-            Err(Stop::Miss) => None,
-            Err(Stop::Unsure) => others::<S, Self, G, P>(geometry, place, ray).nearest(range, accept),
-            Ok(Intersection::Entered(enter)) if !(range.contains(enter.t) && accept(Crossing::Enter)) => {
-                // If the range ends before the entry, it holds no exit either. The entry stays as it is, so that the hit is one of [`Solve::hits`].
-                if enter.t > range.end() {
-                    return None;
-                }
-                others::<S, Self, G, P>(geometry, place, ray).entered_at(enter).nearest(range, accept)
-            }
-            Ok(intersection) => intersection.nearest(range, accept),
-        }
-    }
-
-    /// True if there is a hit that `accept` accepts.
-    #[inline(always)]
-    fn occludes<G: Geometry<S>, P: Place<S>>(
-        geometry: &G,
-        place: &P,
-        ray: &Ray<S>,
-        accept: impl Fn(Crossing) -> bool,
-    ) -> bool {
-        if !S::RELATIVE && ray.range() == Range::FORWARD && accept(Crossing::Enter) && accept(Crossing::Exit) {
-            match Self::ahead(geometry, place, ray) {
-                Err(Stop::Miss) => return false,
-                Ok(()) => return true,
-                Err(Stop::Unsure) => {}
-            }
-        }
-        Self::nearest(geometry, place, ray, accept).is_some()
-    }
-
     /// Occlusion of the half-line `t >= 0`, from the signs of the equations alone.
     #[inline(always)]
     fn ahead<G: Geometry<S>, P: Place<S>>(_: &G, _: &P, _: &Ray<S>) -> Attempt<()> {
         Err(Stop::Unsure)
     }
+}
+
+/// The kinds of crossings that are reported, entries and exits; a touch always is.
+#[derive(Clone, Copy)]
+pub(crate) struct Reported {
+    pub(crate) enter: bool,
+    pub(crate) exit: bool,
+}
+
+impl Reported {
+    /// All of them.
+    pub(crate) const ALL: Self = Self { enter: true, exit: true };
+
+    #[inline(always)]
+    const fn has(self, crossing: Crossing) -> bool {
+        match crossing {
+            Crossing::Enter => self.enter,
+            Crossing::Exit => self.exit,
+            Crossing::Touch => true,
+        }
+    }
+}
+
+/// All hits. This function and the next are one for each primitive, placement and tier, so that a program has the code of a query once.
+#[inline(never)]
+pub(crate) fn hits<S: Scalar, T: Solve<S>, G: Geometry<S>, P: Place<S>>(
+    geometry: &G,
+    place: &P,
+    ray: &Ray<S>,
+) -> Hits<S> {
+    if misses_by_departure(geometry, ray) {
+        return Hits::none();
+    }
+    match T::all_by_first(geometry, place, ray) {
+        Err(Stop::Miss) => Hits::none(),
+        Err(Stop::Unsure) => others::<S, T, G, P>(geometry, place, ray).hits(ray.range()),
+        // The list begins with the nearest hit, which needs only the entry.
+        Ok(Intersection::Entered(enter)) => {
+            others::<S, T, G, P>(geometry, place, ray).entered_at(enter).hits(ray.range())
+        }
+        Ok(intersection) => intersection.hits(ray.range()),
+    }
+}
+
+/// The first hit that is reported.
+#[inline(never)]
+pub(crate) fn nearest<S: Scalar, T: Solve<S>, G: Geometry<S>, P: Place<S>>(
+    geometry: &G,
+    place: &P,
+    ray: &Ray<S>,
+    reported: Reported,
+) -> Option<Hit<S>> {
+    let (range, accept) = (ray.range(), |crossing| reported.has(crossing));
+    // If the entry is accepted, later ends are not needed.
+    let since = reported.enter.then(|| range.start());
+    if ray.departure().is_some() {
+        return departing::<S, T, G, P>(geometry, place, ray).nearest(range, accept);
+    }
+    match T::first(geometry, place, ray, since) {
+        Err(Stop::Miss) => None,
+        Err(Stop::Unsure) => others::<S, T, G, P>(geometry, place, ray).nearest(range, accept),
+        Ok(Intersection::Entered(enter)) if !(range.contains(enter.t) && reported.enter) => {
+            // If the range ends before the entry, it holds no exit either. The entry stays as it is, so that the hit is one of [`hits`].
+            if enter.t > range.end() {
+                return None;
+            }
+            others::<S, T, G, P>(geometry, place, ray).entered_at(enter).nearest(range, accept)
+        }
+        Ok(intersection) => intersection.nearest(range, accept),
+    }
+}
+
+/// True if there is a hit that is reported.
+#[inline(always)]
+pub(crate) fn occludes<S: Scalar, T: Solve<S>, G: Geometry<S>, P: Place<S>>(
+    geometry: &G,
+    place: &P,
+    ray: &Ray<S>,
+    reported: Reported,
+) -> bool {
+    if !S::RELATIVE && ray.range() == Range::FORWARD && reported.enter && reported.exit {
+        match is_ahead::<S, T, G, P>(geometry, place, ray) {
+            Err(Stop::Miss) => return false,
+            Ok(()) => return true,
+            Err(Stop::Unsure) => {}
+        }
+    }
+    nearest::<S, T, G, P>(geometry, place, ray, reported).is_some()
+}
+
+#[inline(never)]
+fn is_ahead<S: Scalar, T: Solve<S>, G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<()> {
+    T::ahead(geometry, place, ray)
 }
 
 /// True if rule 8 of the contract decides that a ray that departs cannot meet the geometry again.
@@ -107,7 +137,7 @@ fn misses_by_departure<S: Scalar, G: Geometry<S>>(geometry: &G, ray: &Ray<S>) ->
 
 /// The intersection of a ray that departs.
 #[inline(never)]
-fn departing<S: Scalar, T: Solve<S> + ?Sized, G: Geometry<S>, P: Place<S>>(
+fn departing<S: Scalar, T: Solve<S>, G: Geometry<S>, P: Place<S>>(
     geometry: &G,
     place: &P,
     ray: &Ray<S>,
@@ -125,7 +155,7 @@ fn departing<S: Scalar, T: Solve<S> + ?Sized, G: Geometry<S>, P: Place<S>>(
 /// [`Solve::others`], in a function of its own, so that the code of the first method stays small.
 #[cold]
 #[inline(never)]
-fn others<S: Scalar, T: Solve<S> + ?Sized, G: Geometry<S>, P: Place<S>>(
+fn others<S: Scalar, T: Solve<S>, G: Geometry<S>, P: Place<S>>(
     geometry: &G,
     place: &P,
     ray: &Ray<S>,

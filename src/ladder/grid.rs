@@ -1,7 +1,7 @@
 //! The methods of fixed point: the kernels of integers on a common grid.
 //!
 //! They know only the rays that arrive from outside, and those that depart inwards; they are unsure where their integers have no room.
-#![cfg_attr(not(feature = "fixed"), expect(dead_code, reason = "floats have no grid"))]
+#![cfg_attr(not(feature = "fixed"), allow(dead_code, reason = "floats have no grid"))]
 
 use super::{In, Method, Tiers, whole};
 use crate::fast::Guards;
@@ -102,7 +102,19 @@ fn frequent<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
     line.is_strict = T::STRICT;
     // Only if the line's `t` is the ray's.
     line.since = since.filter(|_| line.start == S::ZERO);
-    in_own_t(&line, geometry.fast_intersection::<T>(&line))
+    in_own_t(&line, on_the_grid::<S, T, G>(geometry, &line))
+}
+
+/// The intersection with a line in the frame. The kernels of short formulas are compiled into the query; the others are functions that all placements
+/// share.
+#[inline(always)]
+fn on_the_grid<S: Scalar, T: Guards, G: Geometry<S>>(geometry: &G, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
+    if G::HAS_FEW_FACTORS { geometry.fast_intersection::<T>(line) } else { shared::<S, T, G>(geometry, line) }
+}
+
+#[inline(never)]
+fn shared<S: Scalar, T: Guards, G: Geometry<S>>(geometry: &G, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
+    geometry.fast_intersection::<T>(line)
 }
 
 /// Occlusion of the half-line `t >= 0`, in fixed point.
@@ -129,7 +141,7 @@ fn is_ahead<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(geometry: &G, pla
     if line.start == S::ZERO && !line.is_coarse {
         return geometry.fast_occlusion::<T>(&line);
     }
-    found!(in_own_t(&line, geometry.fast_intersection::<T>(&line))).occlusion()
+    found!(in_own_t(&line, on_the_grid::<S, T, G>(geometry, &line))).occlusion()
 }
 
 /// The guards of the wider grid. Formulas without guards assume directions of length 1; those of a narrower type have it only to
@@ -148,7 +160,7 @@ fn stretched<S: Scalar, T: Guards, G: Geometry<S>>(
     ray: &Ray<S>,
 ) -> Attempt<Intersection<S>> {
     let Some(line) = place.finer_line(ray, geometry.lengths()) else { return Attempt::Unsure };
-    let intersection = found!(geometry.scaled(line.scale).fast_intersection::<T>(&line.line));
+    let intersection = found!(on_the_grid::<S, T, G>(&geometry.scaled(line.scale), &line.line));
     intersection.try_map(|t| S::fast_along_ray(&line, t)).map_or(Attempt::Unsure, Attempt::Hit)
 }
 

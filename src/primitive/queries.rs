@@ -10,7 +10,7 @@ macro_rules! queries {
             }
             /// All hits, in a chosen accuracy tier.
             pub fn hits_at<T: crate::tier::Tier<S>>(&self, ray: &crate::ray::Ray<S>) -> crate::hit::Hits<S> {
-                T::hits(self, &crate::line::InWorld, ray)
+                crate::query::hits::<S, T, _, _>(self, &crate::line::InWorld, ray)
             }
             /// The hit with the smallest `t`.
             pub fn nearest(&self, ray: &crate::ray::Ray<S>) -> Option<crate::hit::Hit<S>> {
@@ -18,7 +18,7 @@ macro_rules! queries {
             }
             /// The hit with the smallest `t`, in a chosen accuracy tier.
             pub fn nearest_at<T: crate::tier::Tier<S>>(&self, ray: &crate::ray::Ray<S>) -> Option<crate::hit::Hit<S>> {
-                T::nearest(self, &crate::line::InWorld, ray, |_| true)
+                crate::query::nearest::<S, T, _, _>(self, &crate::line::InWorld, ray, crate::query::Reported::ALL)
             }
             /// True if there is any hit.
             pub fn occludes(&self, ray: &crate::ray::Ray<S>) -> bool {
@@ -26,7 +26,7 @@ macro_rules! queries {
             }
             /// True if there is any hit, in a chosen accuracy tier.
             pub fn occludes_at<T: crate::tier::Tier<S>>(&self, ray: &crate::ray::Ray<S>) -> bool {
-                T::occludes(self, &crate::line::InWorld, ray, |_| true)
+                crate::query::occludes::<S, T, _, _>(self, &crate::line::InWorld, ray, crate::query::Reported::ALL)
             }
             /// True if the point belongs to the primitive: inside or on a solid, on an open surface.
             pub fn contains(&self, point: Vec3<S>) -> bool {

@@ -6,6 +6,7 @@ use crate::geometry::Geometry;
 use crate::hit::{Hit, Hits};
 use crate::ladder;
 use crate::line::Place;
+use crate::query;
 use crate::ray::Ray;
 use crate::scalar::Scalar;
 use crate::tier::{Precision, Tier};
@@ -36,22 +37,12 @@ impl<S: Scalar, T: Tier<S>, P: Place<S>> Visitor<S> for Nearest<'_, S, T, P> {
 
     #[inline(always)]
     fn visit<G: Geometry<S>>(self, geometry: &G) -> Option<Hit<S>> {
-        nearest::<S, T, G, P>(geometry, self.0, self.1, self.2)
+        query::nearest::<S, T, G, P>(geometry, self.0, self.1, self.2.reported())
     }
     #[inline(always)]
     fn none(self) -> Option<Hit<S>> {
         None
     }
-}
-
-#[inline(never)]
-fn nearest<S: Scalar, T: Tier<S>, G: Geometry<S>, P: Place<S>>(
-    geometry: &G,
-    place: &P,
-    ray: &Ray<S>,
-    visible: Visible,
-) -> Option<Hit<S>> {
-    T::nearest(geometry, place, ray, |crossing| visible.sees(crossing))
 }
 
 /// Whether there is a hit.
@@ -69,26 +60,12 @@ impl<S: Scalar, T: Tier<S>, P: Place<S>> Visitor<S> for Occludes<'_, S, T, P> {
 
     #[inline(always)]
     fn visit<G: Geometry<S>>(self, geometry: &G) -> bool {
-        if S::RELATIVE {
-            // The same code as that of the nearest hit.
-            return nearest::<S, T, G, P>(geometry, self.0, self.1, self.2).is_some();
-        }
-        occludes::<S, T, G, P>(geometry, self.0, self.1, self.2)
+        query::occludes::<S, T, G, P>(geometry, self.0, self.1, self.2.reported())
     }
     #[inline(always)]
     fn none(self) -> bool {
         false
     }
-}
-
-#[inline(never)]
-fn occludes<S: Scalar, T: Tier<S>, G: Geometry<S>, P: Place<S>>(
-    geometry: &G,
-    place: &P,
-    ray: &Ray<S>,
-    visible: Visible,
-) -> bool {
-    T::occludes(geometry, place, ray, |crossing| visible.sees(crossing))
 }
 
 /// All hits.
@@ -106,17 +83,12 @@ impl<S: Scalar, T: Tier<S>, P: Place<S>> Visitor<S> for AllHits<'_, S, T, P> {
 
     #[inline(always)]
     fn visit<G: Geometry<S>>(self, geometry: &G) -> Hits<S> {
-        all_hits::<S, T, G, P>(geometry, self.0, self.1)
+        query::hits::<S, T, G, P>(geometry, self.0, self.1)
     }
     #[inline(always)]
     fn none(self) -> Hits<S> {
         Hits::none()
     }
-}
-
-#[inline(never)]
-fn all_hits<S: Scalar, T: Tier<S>, G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Hits<S> {
-    T::hits(geometry, place, ray)
 }
 
 /// Whether a point belongs to it.

@@ -1,6 +1,7 @@
 //! The sides from which a surface is seen.
 
 use crate::hit::Crossing;
+use crate::query::Reported;
 
 /// Culling: from which sides rays hit a surface. A one-sided surface ignores crossings from its other side.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -17,6 +18,12 @@ pub enum Visible {
 }
 
 impl Visible {
+    /// The crossings that are reported.
+    #[inline(always)]
+    pub(super) fn reported(self) -> Reported {
+        Reported { enter: self != Self::Inside, exit: self != Self::Outside }
+    }
+
     /// True if such a crossing is reported. A touch always is.
     #[inline]
     pub(super) const fn sees(self, crossing: Crossing) -> bool {

@@ -91,7 +91,7 @@ fn stacked() -> impl Iterator<Item = &'static str> {
 fn whole_uses(text: &mut String, chips: &[Measured]) {
     text.push_str(
         "## Whole uses\n\nIn `Stable`. *Flash* is bytes over those of a program that does nothing, built with `opt-level = 3`, the fastest profile and not the smallest. *Stack* is the most bytes that were measured: no bound is proved. \
-         A ray that the fast path cannot decide needs the stack of the solver; the sensor has such rays, and a simple picture may have none. \
+         A ray that the first numbers of a tier cannot decide needs the stack of wider ones; the sensor has such rays, and a simple picture may have none. \
          Instructions and [modelled cycles](#modelled-cycles) are means.\n\n\
          - The *range sensor* tests a `Shape`, which may be any primitive in any placement. Instructions and cycles are those of one test, of one of 64 zones against one of forty solids, 1 to 200 metres away and most of them upright; most tests miss. \
          They are means over every 27th pair of a zone and a solid; the sections *What users do* have the worst of these too. The stack is the largest of all nearest hits that are measured.\n\
@@ -197,7 +197,7 @@ fn one_chip(text: &mut String, Measured { chip, counted: baseline, modelled }: &
     text.push_str("\nThe same in [modelled cycles](#modelled-cycles): hit / miss.\n\n");
     nearest(text, modelled);
     text.push_str(
-        "\nThe stack of a nearest hit: the most bytes that these rays take, the caller's frames not counted. A ray that the fast path leaves to the solver takes more than the others, \
+        "\nThe stack of a nearest hit: the most bytes that these rays take, the caller's frames not counted. A ray that the first numbers of a tier pass on takes more than the others, \
          and not every row has one: plan with the largest figure of the column, and with a margin, since no bound is proved.\n\n",
     );
     let titles = kinds.iter().map(|(number, tier)| format!("{number} {tier}"));

@@ -233,7 +233,7 @@ fn run(file: &Path) -> Result<Vec<Part>, Box<dyn Error>> {
 /// `fn=` names a function, `cfn=` one that it calls, `calls=` says how often, and the line behind that ends with what these calls took.
 fn parts(text: impl BufRead) -> Result<Vec<Part>, Box<dyn Error>> {
     let mut parts: Vec<Part> = Vec::new();
-    let (mut by_a_function, mut is_solver, mut callee, mut is_call) = (false, false, String::new(), false);
+    let (mut by_a_function, mut callee, mut is_call) = (false, String::new(), false);
     for line in text.lines() {
         let line = line?;
         let number = |text: Option<&str>| -> Result<u64, Box<dyn Error>> {
@@ -251,13 +251,11 @@ fn parts(text: impl BufRead) -> Result<Vec<Part>, Box<dyn Error>> {
             parts.push(Part { instructions, ..Part::default() });
         }
         let Some(part) = parts.last_mut() else { continue };
-        if let Some(name) = line.strip_prefix("fn=") {
-            is_solver = name.contains(SOLVER);
-        } else if let Some(name) = line.strip_prefix("cfn=") {
+        if let Some(name) = line.strip_prefix("cfn=") {
             callee = name.into();
         } else if let Some(calls) = line.strip_prefix("calls=") {
             is_call = true;
-            if !is_solver && SOLVERS.iter().any(|solver| callee.contains(solver)) {
+            if callee.contains(OTHERS) {
                 part.solved += number(calls.split_whitespace().next())?;
             }
         } else if is_call {
@@ -270,52 +268,25 @@ fn parts(text: impl BufRead) -> Result<Vec<Part>, Box<dyn Error>> {
     Ok(parts)
 }
 
-/// What is of the solver.
-const SOLVER: &str = "raylet::solve::";
-
-/// The solvers of the figures: the functions, none of them inlined, that `raylet::solve::intersect` chooses among.
-const SOLVERS: [&str; 9] = [
-    "raylet::solve::round::ball",
-    "raylet::solve::round::capsule",
-    "raylet::solve::round::double_cone",
-    "raylet::solve::side::within_a_side",
-    "raylet::solve::flat::plane",
-    "raylet::solve::flat::disc",
-    "raylet::solve::flat::triangle",
-    "raylet::solve::slabs::cuboid",
-    "raylet::solve::slabs::rectangle",
-];
+/// The function, not inlined, that passes a query on to the other methods of its tier.
+const OTHERS: &str = "raylet::query::others";
 
 #[cfg(test)]
 mod tests {
-    use super::{SOLVERS, parts};
+    use super::{OTHERS, parts};
 
-    /// The queries of a figure whose solver is not in the list would seem to be decided on the fast path.
+    /// Queries that pass on would seem to be decided by the first method if the function had another name.
     #[test]
-    fn the_solver_of_every_figure_is_counted() {
-        let text = std::fs::read_to_string(raylet_tables::in_repository("src/solve/mod.rs")).unwrap();
-        let (_, arms) = text.split_once("    match *equations {").unwrap();
-        let modules = ["round::", "side::", "flat::", "slabs::"];
-        let is_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
-        let mut called = Vec::new();
-        for (at, module) in modules.iter().flat_map(|module| arms.match_indices(module)) {
-            let name: String = arms[at + module.len()..].chars().take_while(|c| is_name(*c)).collect();
-            // It is inlined, into a call for each kind of side.
-            let name = if *module == *"side::" && name == "intersect" { "within_a_side".into() } else { name };
-            called.push(format!("raylet::solve::{module}{name}"));
-        }
-        let mut counted = SOLVERS.map(String::from);
-        called.sort();
-        counted.sort();
-        assert_eq!(called, counted);
+    fn the_function_that_is_counted_is_there() {
+        let text = std::fs::read_to_string(raylet_tables::in_repository("src/query.rs")).unwrap();
+        assert!(OTHERS.ends_with("query::others") && text.contains("#[cold]\n#[inline(never)]\nfn others<"));
     }
 
-    /// A solver that another one calls, as in a frustum without a slope, is not counted once more.
     #[test]
-    fn a_query_is_solved_once_however_much_the_solver_calls() {
+    fn queries_that_pass_on_are_counted() {
         let text = "desc: Trigger: --dump-after=instructions::callgrind::counted\nsummary: 99\n\
-            fn=raylet::shape::nearest\ncfn=raylet::solve::slabs::cuboid\ncalls=2 0\n0 10\ncfn=raylet::solve::slabs::rectangle'2\ncalls=1 0\n0 10\n\
-            fn=raylet::solve::slabs::cuboid\ncfn=raylet::solve::flat::plane\ncalls=5 0\n0 3\n";
+            fn=raylet::shape::nearest\ncfn=raylet::query::others\ncalls=2 0\n0 10\ncfn=raylet::query::others'2\ncalls=1 0\n0 10\n\
+            fn=raylet::query::others\ncfn=raylet::solve::flat::plane\ncalls=5 0\n0 3\n";
         let parts = parts(text.as_bytes()).unwrap();
         assert_eq!(parts.iter().map(|part| part.solved).collect::<Vec<_>>(), [3]);
     }

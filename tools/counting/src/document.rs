@@ -145,7 +145,7 @@ const OF_WORKLOADS: [(&str, &[&str]); 6] = [
 /// Times the mean.
 const MANY: f64 = 4.0;
 
-/// A row of a workload: its mean and its worst in each number type and tier; then how much of it the solver gets in `Stable`.
+/// A row of a workload: its mean and its worst in each number type and tier; then how much of it the first method of `Stable` passes on.
 fn workload(text: &mut String, figures: &Figures, of: &str) {
     let figure =
         |number: &str, tier: &str, what: &str| figures.get(&format!("{of} | {number} | {tier} | {what}")).copied();
@@ -163,7 +163,7 @@ fn workload(text: &mut String, figures: &Figures, of: &str) {
 /// What users do: pictures, a range sensor, each solid as it is placed.
 fn workloads(text: &mut String, figures: &Figures, away_from_grazing: &Figures) {
     text.push_str(
-        "## What users do\n\nInstructions of a nearest hit, each query counted by itself: the mean and, in brackets, the worst of a hundred. *Left* is how many of a hundred queries in `Stable` the fast path cannot decide and the solver computes, for each of these number types in the order of their columns. `f32` `Exact` computes in doubles first, for which this machine has hardware; on a chip without it the doubles take most of the instructions ([microcontrollers.md](microcontrollers.md)). `I16F16` `Exact` computes in integers first, except for stretched solids.\n\n\
+        "## What users do\n\nInstructions of a nearest hit, each query counted by itself: the mean and, in brackets, the worst of a hundred. *Left* is how many of a hundred queries in `Stable` the first numbers of the tier pass on to wider ones, for each of these number types in the order of their columns. `f32` `Exact` computes in doubles first, for which this machine has hardware; on a chip without it the doubles take most of the instructions ([microcontrollers.md](microcontrollers.md)). `I16F16` `Exact` computes in integers first, except for stretched solids.\n\n\
          The rays of a picture are those through its pixels, those from the objects that they hit to a lamp, and those mirrored there. In the built-in scenes glass refracts rays too, up to three times; the still life has \
          no mirrors. Each ray tests the objects whose boxes it meets; in the built-in scenes it tests all objects. The range sensor has 64 zones, one row of them level, and forty solids 1 to 200 metres away, most of them upright. The other solids \
          are about as large as the unit ball; *moved* and *turned* are frames, *stretched* is a matrix, *near* is 2 to 6 away and *far* 20 to 1,000; each query \

@@ -1,4 +1,4 @@
-//! What users do, query by query: the mean, the 99th of a hundred and the worst, and how many are left to the solver.
+//! What users do, query by query: the mean, the 99th of a hundred and the worst, and how many the first method of the tier passes on.
 //!
 //! | module | what it holds |
 //! |---|---|
