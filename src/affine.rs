@@ -263,7 +263,8 @@ impl<S: Scalar> Place<S> for Affine<S> {
     fn position(&self) -> Option<Vec3<S>> {
         Some(self.position)
     }
-    #[inline(always)]
+    // A function of its own: it is long, and needed twice for each ray.
+    #[inline(never)]
     fn linear<N: FromScalar<S>>(&self, v: [N; 3]) -> [N; 3] {
         applied(self.rows_in(), v)
     }

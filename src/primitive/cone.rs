@@ -297,18 +297,15 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
     #[inline(always)]
     fn intersect<N: Of<S>>(&self, ray: &LocalRay<N>, goal: Goal<S>) -> solve::Attempt<Intersection<S>> {
         let extent = match self.extent {
-            Extent::Double | Extent::Nappe => solve::Extent::Infinite,
+            Extent::Double => solve::Extent::Double,
+            Extent::Nappe => solve::Extent::Infinite,
             Extent::Open(height) => solve::Extent::Open(height),
             Extent::Capped(_) => {
                 let (low, high) = self.planes();
                 solve::Extent::Capped(low, high)
             }
         };
-        match self.outline {
-            Outline::Slope(slope) if self.extent == Extent::Double => solve::double_cone(ray, slope, goal),
-            Outline::Slope(slope) => solve::cone(ray, slope, extent, goal),
-            Outline::Radii(base, top, height) => solve::frustum(ray, [base, top, height], extent, goal),
-        }
+        solve::cone(ray, self.outline, extent, goal)
     }
 
     fn equations(&self) -> Equations<S> {

@@ -11,16 +11,8 @@
 //! (1, -1, 1) of the cone.
 
 use super::SizeError;
+pub(super) use crate::solve::Outline;
 use crate::scalar::{Real, Scalar, ValueError};
-
-/// The outline of a cone in stored numbers.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Outline<S> {
-    /// A cone with its apex at the origin: radius divided by height.
-    Slope(S),
-    /// Base radius, top radius, height.
-    Radii(S, S, S),
-}
 
 /// The outline in the computing number: the radius at `y` is `(base h + (top - base) y) / h`. A slope is the
 /// outline with base 0, top `m` and height 1.

@@ -15,8 +15,8 @@
 //! | `quadric` | the quadrics in coordinates along a line: each equation once |
 //! | `quadratic` | a quadric along the line; the order of its roots and of planes |
 //! | `end` | the ends of intervals, and their conversion to the ray's number type |
-//! | `round` | spheres, capsules, double cones |
-//! | `side` | cylinders and cones, infinite, open or between planes |
+//! | `round` | spheres and capsules |
+//! | `side` | cylinders and cones, double, infinite, open or between planes |
 //! | `flat` | planes, discs, triangles |
 //! | `slabs` | cuboids, rectangles |
 //! | `form`, `contains`, `surface` | the inside test; the point of a hit, and its normal |
@@ -40,8 +40,8 @@ pub use end::{Goal, Of};
 pub(crate) use flat::{disc, plane, triangle};
 pub(crate) use form::Line;
 pub use local_ray::{LocalRay, Localize};
-pub(crate) use round::{ball, capsule, double_cone};
-pub(crate) use side::{Extent, cone, frustum, tube};
+pub(crate) use round::{ball, capsule};
+pub(crate) use side::{Extent, Outline, cone, tube};
 pub(crate) use slabs::{cuboid, rectangle};
 pub(crate) use surface::{bending, correction, gradient, point_at, value};
 

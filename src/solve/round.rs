@@ -1,4 +1,4 @@
-//! Spheres, capsules and double cones.
+//! Spheres and capsules.
 
 use super::attempt::{Attempt, Stop, known};
 use super::end::{
@@ -6,12 +6,11 @@ use super::end::{
 };
 use super::local_ray::LocalRay;
 use super::quadratic::{Inside, Quadratic};
-use super::quadric::{Ball, Nappe, Tube};
-use super::side::{nappe_of_slope, slab};
+use super::quadric::{Ball, Tube};
+use super::side::slab;
 use crate::intersection::{self, Intersection, Span};
 use crate::number::{Difference, Estimate, Number, Ring, dot};
 use crate::part::Part;
-use crate::ray::Leaving;
 use crate::scalar::{Scalar, ToScalar};
 use core::cmp::Ordering;
 
@@ -97,86 +96,6 @@ fn from_closest_approach<S: Scalar, N: Of<S>>(line: &LocalRay<N>, r: N, goal: Go
         return Ok(Intersection::One(Span { enter, exit: enter, touch }));
     }
     between(&Flat, line, enter, || end(upper), goal)
-}
-
-/// Both nappes of a cone about its apex at the origin.
-#[inline(always)]
-pub(crate) fn double_cone<S: Scalar, N: Of<S>>(
-    line: &LocalRay<N>,
-    slope: S,
-    goal: Goal<S>,
-) -> Attempt<Intersection<S>> {
-    let leaving = line.departure.map(|(_, leaving)| leaving);
-    let quadratic = Quadratic::new(nappe_of_slope(line, slope), line, leaving.is_some())?;
-    if let Some(leaving) = leaving {
-        return departing_double_cone(line, &quadratic, leaving, goal);
-    }
-    match quadratic.inside {
-        Inside::Nowhere => Err(Stop::Miss),
-        Inside::Between(touch) => solid(&quadratic, line, &quadratic.between(touch), goal),
-        Inside::Beyond => {
-            let [first, second] = quadratic.ends();
-            let first = span(&quadratic, line, &Interval::new(End::never_entered(), first), goal.range)?;
-            if goal.since.is_some_and(|since| first.exit.t < since) {
-                return solid(&quadratic, line, &Interval::new(second, End::never_left()), goal);
-            }
-            let second = span(&quadratic, line, &Interval::new(second, End::never_left()), goal.range)?;
-            Ok(in_order(first, second))
-        }
-        _ => parallel_double_cone(line, &quadratic, goal),
-    }
-}
-
-/// The same for a line parallel to a generator, or in the surface.
-#[cold]
-#[inline(never)]
-fn parallel_double_cone<S: Scalar, N: Of<S>>(
-    line: &LocalRay<N>,
-    quadratic: &Quadratic<N, Nappe<N>>,
-    goal: Goal<S>,
-) -> Attempt<Intersection<S>> {
-    let one = |interval: Interval<N>| solid(quadratic, line, &interval, goal);
-    match quadratic.inside {
-        Inside::Until => one(Interval::new(End::never_entered(), quadratic.ends()[0])),
-        Inside::From => one(Interval::new(quadratic.ends()[0], End::never_left())),
-        _ => Ok(Intersection::LiesIn(Span::everywhere())),
-    }
-}
-
-/// Two intervals, of which the second does not begin before the first ends.
-fn in_order<S: Scalar>(first: Span<S>, mut second: Span<S>) -> Intersection<S> {
-    if second.enter.t < first.exit.t {
-        second.enter.t = first.exit.t;
-    }
-    Intersection::Two(first, second)
-}
-
-/// A double cone is not convex: a ray that leaves it outwards may meet the other nappe. One of the roots is the start.
-#[inline(never)]
-fn departing_double_cone<S: Scalar, N: Of<S>>(
-    line: &LocalRay<N>,
-    quadratic: &Quadratic<N, Nappe<N>>,
-    leaving: Leaving,
-    goal: Goal<S>,
-) -> Attempt<Intersection<S>> {
-    let [first, second] = quadratic.ends();
-    let is_ahead = || Ok(known(end::compare(quadratic, line, &second, S::ZERO))? == Ordering::Greater);
-    let until = |end: End<N>| inwards(quadratic, line, &end, goal.range);
-    let from = || span(quadratic, line, &Interval::new(second, End::never_left()), goal.range);
-    match (quadratic.inside, leaving) {
-        (Inside::Everywhere | Inside::InSurface, _) => Ok(Intersection::LiesIn(Span::everywhere())),
-        (Inside::Between(_), Leaving::Inwards) => until(second),
-        // The other root is the entry into the other nappe.
-        (Inside::Beyond, Leaving::Outwards) if is_ahead()? => Ok(Intersection::One(from()?)),
-        // The interval of a ray that departs inwards but leads away from the nappe ends at its start.
-        (Inside::Beyond, Leaving::Inwards) if is_ahead()? => match until(first)? {
-            Intersection::One(first) => Ok(in_order(first, from()?)),
-            other => Ok(other),
-        },
-        (Inside::Beyond | Inside::From, Leaving::Inwards) => until(End::never_left()),
-        (Inside::Until, Leaving::Inwards) => until(first),
-        (Inside::Nowhere, _) | (_, Leaving::Outwards) => Err(Stop::Miss),
-    }
 }
 
 /// All points within `r` of the segment from the origin to `(0, height, 0)`.

@@ -8,13 +8,25 @@ use super::quadric::{Nappe, Quadric, Tube};
 use crate::intersection::{self, Intersection, Span};
 use crate::number::Number;
 use crate::part::Part;
+use crate::ray::Leaving;
 use crate::scalar::Scalar;
 use core::cmp::Ordering;
+
+/// The outline of a cone: its radius as a function of the height.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Outline<S> {
+    /// From the apex at the origin upwards: radius over height.
+    Slope(S),
+    /// Through a radius at `y = 0` and another at `y = height`, which is the third number.
+    Radii(S, S, S),
+}
 
 /// The ends of a side along the axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Extent<S> {
-    /// No ends; a solid.
+    /// Both nappes of a cone, without ends.
+    Double,
+    /// No ends; a solid. Of a cone the nappe above the apex.
     Infinite,
     /// Rims at `y = 0` and at this height; a surface without an inside.
     Open(S),
@@ -34,43 +46,38 @@ pub(crate) fn tube<S: Scalar, N: Of<S>>(
     side(line, Tube { o: [x, z], d: [dx, dz], r: N::scalar(radius) }, extent, goal)
 }
 
-/// The cone of this slope from its apex upwards, between its ends.
+/// The cone of this outline, between its ends.
 #[inline(always)]
 pub(crate) fn cone<S: Scalar, N: Of<S>>(
     line: &LocalRay<N>,
-    slope: S,
+    outline: Outline<S>,
     extent: Extent<S>,
     goal: Goal<S>,
 ) -> Attempt<Intersection<S>> {
-    side(line, nappe_of_slope(line, slope), extent, goal)
+    side(line, nappe(line, outline), extent, goal)
 }
 
-/// The nappe of this slope.
+/// The line in the coordinates of a cone.
 #[inline(always)]
-pub(super) fn nappe_of_slope<S: Scalar, N: Of<S>>(line: &LocalRay<N>, slope: S) -> Nappe<N> {
-    let ([x, y, z], [dx, dy, dz], m) = (line.origin, line.direction, N::scalar(slope));
-    Nappe { o: [x, z, m * y], d: [dx, dz, m * dy] }
-}
-
-/// The cone through the radius `base` at `y = 0` and `top` at `y = height`, between its ends.
-#[inline(always)]
-pub(crate) fn frustum<S: Scalar, N: Of<S>>(
-    line: &LocalRay<N>,
-    [base, top, height]: [S; 3],
-    extent: Extent<S>,
-    goal: Goal<S>,
-) -> Attempt<Intersection<S>> {
+fn nappe<S: Scalar, N: Of<S>>(line: &LocalRay<N>, outline: Outline<S>) -> Nappe<N> {
     let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
-    let [base, top, height] = [base, top, height].map(N::scalar);
-    let growth = top - base;
-    // Where the slope may be rounded, the radius next to the origin has one rounding and not two.
-    let nappe = if let Some(m) = growth.rounded_quotient(height) {
-        Nappe { o: [x, z, base + m * y], d: [dx, dz, m * dy] }
-    } else {
-        let outline = N::sum([[base, height], [growth, y]]);
-        Nappe { o: [height * x, height * z, outline], d: [height * dx, height * dz, growth * dy] }
+    let (base, m) = match outline {
+        Outline::Slope(slope) => (N::ZERO, N::scalar(slope)),
+        Outline::Radii(base, top, height) => {
+            let [base, top, height] = [base, top, height].map(N::scalar);
+            let growth = top - base;
+            // Where the slope may be rounded, the radius next to the origin has one rounding and not two.
+            let Some(m) = growth.rounded_quotient(height) else {
+                let outline = N::sum([[base, height], [growth, y]]);
+                return Nappe {
+                    o: [height * x, height * z, outline],
+                    d: [height * dx, height * dz, growth * dy],
+                };
+            };
+            (base, m)
+        }
     };
-    side(line, nappe, extent, goal)
+    Nappe { o: [x, z, base + m * y], d: [dx, dz, m * dy] }
 }
 
 /// The interval of the line with `low <= y <= high`; `None` if there is none. The parts of its ends are those of the two planes, which belong to
@@ -195,28 +202,29 @@ fn side<S: Scalar, N: Of<S>, Q: Quadric<N>>(
     if line.departure.is_some() {
         return departing(line, &quadratic, extent, goal);
     }
+    if Q::HAS_NAPPES && matches!(extent, Extent::Double) {
+        return both_nappes(line, &quadratic, goal);
+    }
     let interval = match within(&quadratic)? {
         Within::Nowhere => return Err(Stop::Miss),
         Within::In(interval) => interval,
         Within::Along(interval) => return in_the_surface(line, &quadratic, &interval, extent, goal),
     };
-    match extent {
-        Extent::Infinite => solid(&quadratic, line, &interval, goal),
-        Extent::Open(height) => {
-            let planes = slab(line, Some(N::ZERO), Some(N::scalar(height)))?.ok_or(Stop::Miss)?;
-            on_the_side(line, &quadratic, &interval, &planes, goal)
-        }
-        Extent::Capped(low, high) => {
-            let planes = slab(line, low.map(N::scalar), high.map(N::scalar))?.ok_or(Stop::Miss)?;
-            solid(&quadratic, line, &clip(&quadratic, &interval, &planes)?, goal)
-        }
+    if let Extent::Infinite | Extent::Double = extent {
+        return solid(&quadratic, line, &interval, goal);
     }
+    let planes = planes(line, extent)?.ok_or(Stop::Miss)?;
+    if let Extent::Open(_) = extent {
+        return on_the_side(line, &quadratic, &interval, &planes, goal);
+    }
+    solid(&quadratic, line, &clip(&quadratic, &interval, &planes)?, goal)
 }
 
 /// The planes of an extent along the line.
+#[inline(always)]
 fn planes<S: Scalar, N: Of<S>>(line: &LocalRay<N>, extent: Extent<S>) -> Attempt<Option<Interval<N>>> {
     let (low, high) = match extent {
-        Extent::Infinite => (None, None),
+        Extent::Double | Extent::Infinite => (None, None),
         Extent::Open(height) => (Some(N::ZERO), Some(N::scalar(height))),
         Extent::Capped(low, high) => (low.map(N::scalar), high.map(N::scalar)),
     };
@@ -258,6 +266,9 @@ fn departing<S: Scalar, N: Of<S>, Q: Quadric<N>>(
     extent: Extent<S>,
     goal: Goal<S>,
 ) -> Attempt<Intersection<S>> {
+    if Q::HAS_NAPPES && matches!(extent, Extent::Double) {
+        return departing_from_both(line, quadratic, goal);
+    }
     let is_open = matches!(extent, Extent::Open(_));
     // The line departs from a point of the slab, although its rounded coordinates may be outside.
     let planes = planes(line, extent)?.unwrap_or_else(Interval::everywhere);
@@ -310,3 +321,66 @@ fn on_the_side<S: Scalar, N: Of<S>, Q: Quadric<N>>(
     let touch = touch && enters && leaves;
     Ok(Intersection::Surface(span(quadratic, line, &Interval { enter, exit, touch }, goal.range)?))
 }
+
+/// Both nappes of a cone about its apex.
+#[inline(never)]
+fn both_nappes<S: Scalar, N: Of<S>, Q: Quadric<N>>(
+    line: &LocalRay<N>,
+    quadratic: &Quadratic<N, Q>,
+    goal: Goal<S>,
+) -> Attempt<Intersection<S>> {
+    let one = |interval: Interval<N>| solid(quadratic, line, &interval, goal);
+    match quadratic.inside {
+        Inside::Nowhere => Err(Stop::Miss),
+        Inside::Between(touch) => one(quadratic.between(touch)),
+        Inside::Beyond => {
+            let [first, second] = quadratic.ends();
+            let first = span(quadratic, line, &Interval::new(End::never_entered(), first), goal.range)?;
+            if goal.since.is_some_and(|since| first.exit.t < since) {
+                return one(Interval::new(second, End::never_left()));
+            }
+            let second = span(quadratic, line, &Interval::new(second, End::never_left()), goal.range)?;
+            Ok(in_order(first, second))
+        }
+        Inside::Until => one(Interval::new(End::never_entered(), quadratic.ends()[0])),
+        Inside::From => one(Interval::new(quadratic.ends()[0], End::never_left())),
+        Inside::Everywhere | Inside::InSurface => Ok(Intersection::LiesIn(Span::everywhere())),
+    }
+}
+
+/// Two intervals, of which the second does not begin before the first ends.
+fn in_order<S: Scalar>(first: Span<S>, mut second: Span<S>) -> Intersection<S> {
+    if second.enter.t < first.exit.t {
+        second.enter.t = first.exit.t;
+    }
+    Intersection::Two(first, second)
+}
+
+/// A double cone is not convex: a ray that leaves it outwards may meet the other nappe. One of the roots is the start.
+#[inline(never)]
+fn departing_from_both<S: Scalar, N: Of<S>, Q: Quadric<N>>(
+    line: &LocalRay<N>,
+    quadratic: &Quadratic<N, Q>,
+    goal: Goal<S>,
+) -> Attempt<Intersection<S>> {
+    let leaving = line.departure.map_or(Leaving::Outwards, |(_, leaving)| leaving);
+    let [first, second] = quadratic.ends();
+    let is_ahead = || Ok(known(end::compare(quadratic, line, &second, S::ZERO))? == Ordering::Greater);
+    let until = |end: End<N>| inwards(quadratic, line, &end, goal.range);
+    let from = || span(quadratic, line, &Interval::new(second, End::never_left()), goal.range);
+    match (quadratic.inside, leaving) {
+        (Inside::Everywhere | Inside::InSurface, _) => Ok(Intersection::LiesIn(Span::everywhere())),
+        (Inside::Between(_), Leaving::Inwards) => until(second),
+        // The other root is the entry into the other nappe.
+        (Inside::Beyond, Leaving::Outwards) if is_ahead()? => Ok(Intersection::One(from()?)),
+        // The interval of a ray that departs inwards but leads away from the nappe ends at its start.
+        (Inside::Beyond, Leaving::Inwards) if is_ahead()? => match until(first)? {
+            Intersection::One(first) => Ok(in_order(first, from()?)),
+            other => Ok(other),
+        },
+        (Inside::Beyond | Inside::From, Leaving::Inwards) => until(End::never_left()),
+        (Inside::Until, Leaving::Inwards) => until(first),
+        (Inside::Nowhere, _) | (_, Leaving::Outwards) => Err(Stop::Miss),
+    }
+}
+
