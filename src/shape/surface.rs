@@ -66,7 +66,13 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         });
         // Close to the world's origin floats have smaller units than close to the primitive's origin.
         let twice = self.hit.t.plus(self.hit.t);
-        let is_fine = |point: &Vec3<S>| !S::RELATIVE || S::resolves(twice, largest([point.x, point.y, point.z]));
+        let is_fine = |point: &Vec3<S>| {
+            if S::RELATIVE {
+                S::resolves(twice, largest([point.x, point.y, point.z]))
+            } else {
+                !self.is_far_from_frame(rough)
+            }
+        };
         let point = if let Some(point) = resolved.filter(is_fine) {
             point
         } else if let Some(Correction { step, .. }) = self.correction(rough) {
@@ -78,6 +84,17 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         };
         // At the end of the float range the image of a local point may overflow where the ray's own point does not.
         if point.to_array().iter().all(|c| c.is_finite()) { point } else { self.exact_point() }
+    }
+
+    /// True if a point of the frame in the world may be off by more than a part of a unit, since the axes are unit and perpendicular only to their last
+    /// bits; for fixed point, whose largest coordinates have more bits than the axes.
+    fn is_far_from_frame(&self, local: Vec3<S>) -> bool {
+        match self.shape.placement {
+            Placement::Frame(_) if K::SET.contains(Kind::Frame) => {
+                largest([local.x, local.y, local.z]) > S::BUDGET.coordinate.scaled(-3)
+            }
+            _ => false,
+        }
     }
 
     /// The outward unit normal in the world. For an open surface it points away from the axis, for a flat one to the front.
