@@ -11,8 +11,8 @@
 //! (1, -1, 1) of the cone.
 
 use super::SizeError;
-pub(super) use crate::solve::Outline;
 use crate::scalar::{Real, Scalar, ValueError};
+pub(super) use crate::solve::Outline;
 
 /// The outline in the computing number: the radius at `y` is `(base h + (top - base) y) / h`. A slope is the
 /// outline with base 0, top `m` and height 1.

@@ -1,7 +1,7 @@
 //! The solver: where a line meets a solid, decided by signs alone.
 //!
 //! All tiers use the same algorithm. It is generic over the [`Number`](crate::number::Number) that it computes in. If a number does not
-//! know a sign, the solver returns `None`, and the whole query is repeated in the next wider number. Rounded coefficients are never compared
+//! know a sign, the solver returns [`Stop::Unsure`], and the whole query is repeated in the next wider number. Rounded coefficients are never compared
 //! with each other. This is the method of adaptive exact predicates (Shewchuk, *Adaptive Precision Floating-Point Arithmetic and Fast Robust
 //! Geometric Predicates*, 1997), applied to a whole query instead of one determinant.
 //!
@@ -33,6 +33,8 @@ mod round;
 mod side;
 mod slabs;
 mod surface;
+#[cfg(test)]
+mod tests;
 
 pub use attempt::{Attempt, Stop};
 pub(crate) use contains::holds;

@@ -69,10 +69,7 @@ fn nappe<S: Scalar, N: Of<S>>(line: &LocalRay<N>, outline: Outline<S>) -> Nappe<
             // Where the slope may be rounded, the radius next to the origin has one rounding and not two.
             let Some(m) = growth.rounded_quotient(height) else {
                 let outline = N::sum([[base, height], [growth, y]]);
-                return Nappe {
-                    o: [height * x, height * z, outline],
-                    d: [height * dx, height * dz, growth * dy],
-                };
+                return Nappe { o: [height * x, height * z, outline], d: [height * dx, height * dz, growth * dy] };
             };
             (base, m)
         }
@@ -383,4 +380,3 @@ fn departing_from_both<S: Scalar, N: Of<S>, Q: Quadric<N>>(
         (Inside::Nowhere, _) | (_, Leaving::Outwards) => Err(Stop::Miss),
     }
 }
-
