@@ -345,10 +345,13 @@ fn both_nappes<S: Scalar, N: Of<S>, Q: Quadric<N>>(
     }
 }
 
-/// Two intervals, of which the second does not begin before the first ends.
+/// Two intervals, of which the second does not begin before the first ends, nor end before it begins.
 fn in_order<S: Scalar>(first: Span<S>, mut second: Span<S>) -> Intersection<S> {
     if second.enter.t < first.exit.t {
         second.enter.t = first.exit.t;
+    }
+    if second.exit.t < second.enter.t {
+        second.exit.t = second.enter.t;
     }
     Intersection::Two(first, second)
 }

@@ -33,9 +33,9 @@ fn a_sphere_close_by_is_met_as_promised() {
 /// A direction whose length is not 1 lost a hit just ahead in the tier `Fast`.
 #[test]
 fn fast_knows_directions_that_are_given_by_components() {
-    let frame = Frame::at(Vec3::new(-0.061_238_352_664_314_45, -0.091_140_290_242_942_81, -0.118_667_668_333_428_09));
-    let ball = Shape::new(Sphere::new(0.183_256_221_676_696_2).expect("a radius")).placed(frame.expect("a position"));
-    let along = [0.567_655_878_162_231_8, 0.823_233_215_787_499_3, 0.007_420_547_932_853_118];
+    let frame = Frame::at(Vec3::new(-0.061_238_352_664_314_45, -0.091_140_390_282_942_49, -0.118_667_833_362_809_46));
+    let ball = Shape::new(Sphere::new(0.183_256_221_617_696_2).expect("a radius")).placed(frame.expect("a position"));
+    let along = [0.567_655_878_221_631_4, 0.823_233_315_787_404_9, 0.007_420_547_932_853_118];
     let origin = Vec3::new(-0.181_439_124_235_822_1, 0.024_778_446_802_599_052, -0.193_150_220_553_873_01);
     let ray = Ray::new(origin, UnitVec3::from_components(along).expect("nearly a unit vector")).expect("a ray");
     let hit = ball.nearest_at::<Fast>(&ray).expect("the exit is ahead");
