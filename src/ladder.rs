@@ -17,10 +17,11 @@ pub(crate) use exactly::precision;
 pub use grid::FixedPoint;
 
 use crate::equations::{Described, EquationKinds, Equations};
+use crate::fast::Guards;
 use crate::geometry::Geometry;
 use crate::intersection::Intersection;
 use crate::line::Place;
-use crate::number::{Certified, Doubled, Guarded, Plain as PlainNumber, Running};
+use crate::number::{Doubled, Guarded, Plain as PlainNumber, Running};
 use crate::query::Solve;
 use crate::ray::Ray;
 use crate::scalar::{FromScalar, RealOf, Scalar};
@@ -105,8 +106,8 @@ pub struct Floats;
 impl<S: Scalar + RealOf<S>> Tiers<S> for Floats {
     type PlainNumber = PlainNumber<S>;
     type Plain = (In<PlainNumber<S>>,);
-    type Fast = (InGuards<S>, In<S::Robust>);
-    type Stable = (InBounds<S>, In<Doubled<S>>, In<S::Robust>);
+    type Fast = (InBounds<S, false>, In<S::Robust>);
+    type Stable = (InBounds<S, true>, In<Doubled<S>>, In<S::Robust>);
 }
 
 /// In numbers of the type `N`.
@@ -144,40 +145,20 @@ fn intersect<S: Scalar, N: Of<S>, G: Geometry<S>>(
     geometry.intersect(ray, goal)
 }
 
-/// In values with a bound of their errors: a constant one where the formulas are short, otherwise a running one.
+/// In values with constant bounds of their errors where these are enough, and otherwise with running ones.
+///
+/// Constant bounds of `Stable` are enough for short formulas ([`Geometry::HAS_CONSTANT_BOUNDS`]), those of `Fast` for all. Neither is enough in an
+/// affine map: where it stretches by 30, they do not tell which differences lost their digits, and hits of chords of 20 to 400 units were lost.
 #[derive(Clone, Copy, Debug)]
-pub struct InBounds<R>(PhantomData<R>);
+pub struct InBounds<R, const STABLE: bool>(PhantomData<R>);
 
-impl<S: Scalar + RealOf<S>> Method<S> for InBounds<S> {
-    #[inline(always)]
-    fn nearest<G: Geometry<S>, P: Place<S>>(
-        geometry: &G,
-        place: &P,
-        ray: &Ray<S>,
-        since: Option<S>,
-    ) -> Attempt<Intersection<S>> {
-        if G::HAS_CONSTANT_BOUNDS && !P::STRETCHES {
-            In::<Certified<S>>::nearest(geometry, place, ray, since)
-        } else {
-            In::<Running<S>>::nearest(geometry, place, ray, since)
-        }
-    }
-    #[inline(always)]
-    fn all<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<Intersection<S>> {
-        if G::HAS_CONSTANT_BOUNDS && !P::STRETCHES && ray.departure().is_none() {
-            In::<Certified<S>>::all(geometry, place, ray)
-        } else {
-            In::<Running<S>>::all(geometry, place, ray)
-        }
+impl<R, const STABLE: bool> InBounds<R, STABLE> {
+    const fn are_constant<S: Scalar, G: Geometry<S>, P: Place<S>>() -> bool {
+        !P::STRETCHES && (G::HAS_CONSTANT_BOUNDS || !STABLE)
     }
 }
 
-/// In guarded values. In an affine map in values with a running bound: where it stretches by 30 and more, a constant guard does not tell which
-/// differences lost their digits, and chords of 20 and of 400 units were lost.
-#[derive(Clone, Copy, Debug)]
-pub struct InGuards<R>(PhantomData<R>);
-
-impl<S: Scalar + RealOf<S>> Method<S> for InGuards<S> {
+impl<S: Scalar + RealOf<S>, const STABLE: bool> Method<S> for InBounds<S, STABLE> {
     #[inline(always)]
     fn nearest<G: Geometry<S>, P: Place<S>>(
         geometry: &G,
@@ -185,18 +166,19 @@ impl<S: Scalar + RealOf<S>> Method<S> for InGuards<S> {
         ray: &Ray<S>,
         since: Option<S>,
     ) -> Attempt<Intersection<S>> {
-        if P::STRETCHES {
-            In::<Running<S>>::nearest(geometry, place, ray, since)
+        if Self::are_constant::<S, G, P>() {
+            In::<Guarded<S, STABLE>>::nearest(geometry, place, ray, since)
         } else {
-            In::<Guarded<S>>::nearest(geometry, place, ray, since)
+            In::<Running<S>>::nearest(geometry, place, ray, since)
         }
     }
     #[inline(always)]
     fn all<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<Intersection<S>> {
-        if P::STRETCHES {
-            In::<Running<S>>::all(geometry, place, ray)
+        // The origin of a departing ray is not moved, so that far away the errors of `Stable` would be unknown.
+        if Self::are_constant::<S, G, P>() && !(STABLE && ray.departure().is_some()) {
+            In::<Guarded<S, STABLE>>::all(geometry, place, ray)
         } else {
-            In::<Guarded<S>>::all(geometry, place, ray)
+            In::<Running<S>>::all(geometry, place, ray)
         }
     }
 }
@@ -207,47 +189,37 @@ pub trait Listed<S: Scalar> {
     type Methods: Methods<S>;
     /// The number that decides whether a point is inside.
     type Point: Of<S>;
+    /// The guards on the grid of fixed point.
+    type Guards: Guards;
     /// True if the ends of a range are compared with exact roots.
     const EXACT_ENDS: bool = false;
     /// The inside test; the number of [`Listed::Point`] decides it.
     fn contains<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, point: Vec3<S>) -> bool {
         holds::<S, Self::Point, G>(&geometry.equations(), place, point).unwrap_or(false)
     }
-    /// [`Solve::ahead`].
+    /// [`Solve::ahead`], by the grid of fixed point.
     #[inline(always)]
-    fn ahead<G: Geometry<S>, P: Place<S>>(_: &G, _: &P, _: &Ray<S>) -> Attempt<()> {
-        Err(Stop::Unsure)
+    fn ahead<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<()> {
+        grid::ahead::<S, Self::Guards, G, P>(geometry, place, ray)
     }
 }
 
 impl<S: Scalar> Listed<S> for Plain {
     type Methods = <S::Tiers as Tiers<S>>::Plain;
     type Point = <S::Tiers as Tiers<S>>::PlainNumber;
-
-    #[inline(always)]
-    fn ahead<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<()> {
-        grid::ahead::<S, Fast, G, P>(geometry, place, ray)
-    }
+    type Guards = Fast;
 }
 
 impl<S: Scalar> Listed<S> for Fast {
     type Methods = <S::Tiers as Tiers<S>>::Fast;
     type Point = S::Robust;
-
-    #[inline(always)]
-    fn ahead<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<()> {
-        grid::ahead::<S, Fast, G, P>(geometry, place, ray)
-    }
+    type Guards = Self;
 }
 
 impl<S: Scalar> Listed<S> for Stable {
     type Methods = <S::Tiers as Tiers<S>>::Stable;
     type Point = S::Robust;
-
-    #[inline(always)]
-    fn ahead<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<()> {
-        grid::ahead::<S, Stable, G, P>(geometry, place, ray)
-    }
+    type Guards = Self;
 }
 
 impl<S: Scalar, T: Listed<S>> Solve<S> for T {

@@ -20,6 +20,13 @@ impl<S: ExactScalar> Listed<S> for Exact {
     const EXACT_ENDS: bool = true;
     type Methods = (Certain, In<S::Bounded>, In<S::Integer>);
     type Point = S::Integer;
+    type Guards = Certainly;
+
+    /// The grid does not know whether an end is certainly in the half-line; its intersection is tested for that.
+    #[inline(always)]
+    fn ahead<G: Geometry<S>, P: Place<S>>(_: &G, _: &P, _: &Ray<S>) -> Attempt<()> {
+        Err(Stop::Unsure)
+    }
 
     fn contains<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, point: Vec3<S>) -> bool {
         let equations = geometry.equations();
@@ -88,7 +95,8 @@ pub(crate) fn precision<S: ExactScalar, G: Geometry<S>, P: Place<S>>(
 }
 
 /// The guards of the grid of `Exact`.
-struct Certainly;
+#[derive(Clone, Copy, Debug)]
+pub struct Certainly;
 
 impl Guards for Certainly {
     const GUARDED: bool = true;

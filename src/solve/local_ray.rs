@@ -113,25 +113,30 @@ impl<S: Scalar, R: RealOf<S>> Localize<S> for Doubled<R> {
 }
 
 /// A number that consists of a real number and perhaps a bound of its error in roundings.
-trait Approximate<R>: Number {
-    fn approximate(value: R, error: R) -> Self;
+trait Approximate: Number {
+    /// The real number.
+    type Real;
+    fn approximate(value: Self::Real, error: Self::Real) -> Self;
 }
 
-impl<R: Real> Approximate<R> for Plain<R> {
+impl<R: Real> Approximate for Plain<R> {
+    type Real = R;
     #[inline(always)]
     fn approximate(value: R, _: R) -> Self {
         Self(value)
     }
 }
 
-impl<R: Real, const STABLE: bool> Approximate<R> for Guarded<R, STABLE> {
+impl<R: Real, const STABLE: bool> Approximate for Guarded<R, STABLE> {
+    type Real = R;
     #[inline(always)]
     fn approximate(value: R, _: R) -> Self {
         Self(Plain(value))
     }
 }
 
-impl<R: Real> Approximate<R> for Running<R> {
+impl<R: Real> Approximate for Running<R> {
+    type Real = R;
     #[inline(always)]
     fn approximate(value: R, error: R) -> Self {
         Self { value, error }
@@ -146,7 +151,7 @@ impl<R: Real> Approximate<R> for Running<R> {
 /// magnitudes.) An affine map is computed in numbers that know their
 /// error.
 #[inline(always)]
-fn moved<S: Scalar, R: RealOf<S>, N: Approximate<R> + FromScalar<S>, P: Place<S>>(
+fn moved<S: Scalar, R: RealOf<S>, N: Approximate<Real = R> + FromScalar<S>, P: Place<S>>(
     place: &P,
     ray: &Ray<S>,
     needs: Needs,
@@ -192,42 +197,7 @@ fn moved<S: Scalar, R: RealOf<S>, N: Approximate<R> + FromScalar<S>, P: Place<S>
     LocalRay { origin, direction, departure, start, moved, is_unit: !P::STRETCHES }
 }
 
-impl<S: Scalar, R: RealOf<S>> Localize<S> for Plain<R>
-where
-    Self: Of<S>,
-{
-    #[inline(always)]
-    fn local_ray<P: Place<S>>(
-        place: &P,
-        ray: &Ray<S>,
-        needs: Needs,
-        departure: Option<(Part, Leaving)>,
-        _: impl FnOnce() -> S,
-    ) -> LocalRay<Self> {
-        moved(place, ray, needs, departure)
-    }
-}
-
-impl<S: Scalar, R: RealOf<S>, const STABLE: bool> Localize<S> for Guarded<R, STABLE>
-where
-    Self: Of<S>,
-{
-    #[inline(always)]
-    fn local_ray<P: Place<S>>(
-        place: &P,
-        ray: &Ray<S>,
-        needs: Needs,
-        departure: Option<(Part, Leaving)>,
-        _: impl FnOnce() -> S,
-    ) -> LocalRay<Self> {
-        moved(place, ray, needs, departure)
-    }
-}
-
-impl<S: Scalar, R: RealOf<S>> Localize<S> for Running<R>
-where
-    Self: Of<S>,
-{
+impl<S: Scalar, N: Approximate<Real: RealOf<S>> + Of<S>> Localize<S> for N {
     #[inline(always)]
     fn local_ray<P: Place<S>>(
         place: &P,

@@ -243,15 +243,17 @@ mod law {
         Ok(())
     }
 
-    /// Law 10: the normal is the gradient's direction at the exact point of the ray, as far as a point that is off by the bound
-    /// can tell; and it faces the side that the crossing tells.
+    /// Law 10: the normal is the gradient's direction at the point that is told, as far as a point that is off by the bound can tell; and it
+    /// faces the side that the crossing tells. Both are those of the exact hit. A `t` of `Fast` next to grazing may be farther from that than
+    /// the bound, which knows nothing of angles, so that the point of the ray at `t` is not the one to ask.
     pub(super) fn a_normal_is_the_gradient_and_faces_the_side_that_the_crossing_tells<S: Number, T: Graded<S>>(
         setting: &Setting<S>,
         _: &mut Random,
     ) -> Law {
         let ray = setting.ray;
         for hit in &setting.shape.hits_at::<T>(&ray) {
-            let local = setting.local_point(&ray, &hit.t.exact());
+            let surface = setting.shape.surface(&ray, hit);
+            let local = surface.local_point().to_array().map(Number::exact);
             let outwards = gradient(&setting.solid, exact_part(hit.part), &local);
             let off = bound::<S, T>(setting, &ray, hit.t) + 2.0 * unit_on_the_way(&ray, hit.t.to_f64());
             // Around the axis a normal turns the more the nearer to it; at an apex it is the axis, which no crossing can tell.
@@ -262,7 +264,7 @@ mod law {
             if curved && around < 64.0 * off || outwards == [0.0; 3] {
                 continue;
             }
-            let normal = setting.shape.surface(&ray, hit).normal().to_f64();
+            let normal = surface.normal().to_f64();
             let exact = normalize(setting.pose.normal_to_world(outwards));
             // A direction of the type is right to its last bits; stretched, angles grow by the square of the greatest stretch.
             let turn = (off / around + unit::<S>().min(2.0_f64.powi(-22))) * setting.pose.growth().powi(2);
