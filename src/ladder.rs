@@ -174,8 +174,8 @@ impl<S: Scalar + RealOf<S>, const STABLE: bool> Method<S> for InBounds<S, STABLE
     }
     #[inline(always)]
     fn all<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<Intersection<S>> {
-        // The origin of a departing ray is not moved, so that far away the errors of `Stable` would be unknown.
-        if Self::are_constant::<S, G, P>() && !(STABLE && ray.departure().is_some()) {
+        // A departing ray may leave along a generator, where nothing in its equation has a constant bound: hits of open cones were lost.
+        if Self::are_constant::<S, G, P>() && ray.departure().is_none() {
             In::<Guarded<S, STABLE>>::all(geometry, place, ray)
         } else {
             In::<Running<S>>::all(geometry, place, ray)

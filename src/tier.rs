@@ -38,9 +38,9 @@ pub trait Tier<S: Scalar>: Copy + sealed::Sealed + Solve<S> + 'static {}
 /// It evaluates the equations once, in the scalar's own numbers. No test asks whether rounding may have decided, and nothing is computed again: a program that
 /// calls only this tier contains no wider number, so that it takes the least flash too.
 ///
-/// No hit is lost or invented if the chord is at least a hundredth of the solid's size and the ray starts within 10 sizes, except within 16 units in the last
-/// place of a rim, or of a start on the surface. The same holds for a line that has no chord, since it meets the surface once or not at all, unless the ray grazes
-/// (see [`tier`](self)). Beyond that nothing is promised: with growing distance and towards grazing, `t` loses digits, and then hits are lost or
+/// No hit is lost or invented if the chord is at least a hundredth of the solid's size and the ray starts within 10 sizes, except within 64 units in the last
+/// place of a rim, or 16 of a start on the surface. The same holds for a line that has no chord, since it meets the surface once or not at all, unless the ray grazes
+/// (see [`tier`](self)). A ray that departs inwards, within 10^-7 of the surface, may meet it again where it started. Beyond that nothing is promised: with growing distance and towards grazing, `t` loses digits, and then hits are lost or
 /// invented. Measured errors are in [docs/accuracy.md](https://github.com/raylet-rs/raylet/blob/main/docs/accuracy.md).
 ///
 /// ```
@@ -59,7 +59,8 @@ impl<S: Scalar> Tier<S> for Plain {}
 /// The tier between [`Plain`] and [`Stable`].
 ///
 /// It computes as [`Plain`] does, with one guard: the discriminant must not be small relative to its terms, nor the angle to a plane, nor the volume that decides on
-/// which side of a triangle's edge a ray passes. Where it is, the robust number decides. In fixed point lengths are on a common grid of 28 to 30 bits (of 56
+/// which side of a triangle's edge a ray passes. Where it is, the robust number decides. Through an [`Affine`](crate::Affine) map, and for a ray that departs, it
+/// computes with a bound of the error as [`Stable`] does, since such a guard is not enough there. In fixed point lengths are on a common grid of 28 to 30 bits (of 56
 /// to 60 bits for 64-bit types), and the robust number decides where that has no room.
 ///
 /// No hit is lost or invented if the chord is at least a hundredth of the solid's size and the ray starts within 100 sizes, except within 16 units in the last

@@ -118,6 +118,13 @@ impl<S: Number> Setting<S> {
         self.pose.point_to_own_frame(&super::exact_types::exact_line(ray).point_at(t))
     }
 
+    /// The ray's line in the primitive's frame.
+    pub fn local_line(&self, ray: &Ray<S>) -> oracle::Line {
+        let [origin, one] = [Dyadic::zero(), Dyadic::from(1)].map(|t| self.local_point(ray, &t));
+        let direction = [0, 1, 2].map(|i| &one[i] - &origin[i]);
+        oracle::Line { origin, direction }
+    }
+
     /// [`Setting::local_point`]; of a ball, which has no axes, only moved: stored axes are perpendicular but for their last bits.
     fn point_as_the_solid_sees_it(&self, ray: &Ray<S>, t: &Dyadic) -> Point {
         match (&self.solid, self.pose) {
