@@ -100,9 +100,6 @@ impl EquationKinds {
     pub(crate) const CUBOID: Self = Self(1 << 8);
     /// [`Equations::Rectangle`].
     pub(crate) const RECTANGLE: Self = Self(1 << 9);
-    /// All of these.
-    #[cfg(test)]
-    pub(crate) const ALL: Self = Self(0x3ff);
 
     /// Those of both sets.
     pub(crate) const fn and(self, other: Self) -> Self {

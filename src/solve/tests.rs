@@ -174,7 +174,8 @@ impl Solver {
         departure.is_some_and(|(_, leaving)| is_flat || (is_convex && leaving == Leaving::Outwards))
     }
 
-    fn run(self, line: &LocalRay<Fickle>, goal: Goal<f32>) -> Attempt<Intersection<f32>> {
+    fn run(self, line: LocalRay<Fickle>, goal: Goal<f32>) -> Attempt<Intersection<f32>> {
+        let line = &line;
         match self {
             Self::Ball => ball(line, 1.0, goal),
             Self::Capsule => capsule(line, [1.0, 2.0], goal),
@@ -212,7 +213,7 @@ fn contradicting_signs_leave_ends_sorted_and_paired() {
             };
             for _ in 0..2_000 {
                 let range = ranges[(random() % 3) as usize];
-                let intersection = match solver.run(&line, Goal { range, since: None }) {
+                let intersection = match solver.run(line, Goal { range, since: None }) {
                     Ok(intersection) => intersection,
                     Err(Stop::Miss) => Intersection::Miss,
                     Err(Stop::Unsure) => continue,

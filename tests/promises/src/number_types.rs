@@ -131,7 +131,7 @@ fn the_bar_of_the_default_tier_holds_for_f32() {
     for name in SUBJECTS {
         let subject = Subject::<f32>::new(name);
         for (workload, median) in [
-            // The fast path's formulas: .645 for the open frustum, which has the most of them, and .615 for the infinite cylinder far away.
+            // The formulas: .645 for the open frustum, which has the most of them, and .615 for the infinite cylinder far away.
             (Workload::Benign, 0.66),
             (Workload::Away(100.0), 0.6),
             (Workload::Away(1_000.0), 0.66),

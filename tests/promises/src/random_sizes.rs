@@ -130,7 +130,7 @@ pub(crate) fn off(shape: &Shape<f32>, ray: &Ray<f32>, size: f64) -> Option<f64> 
     Some(stable.iter().zip(&exact).map(|(a, b)| units([a.t, b.t])).fold(0.0, f64::max))
 }
 
-/// The nearest hit, for which the fast path may need the entry alone, is the first of all hits, to the bit; and occlusion agrees with it.
+/// The nearest hit, which may need the entry alone, is the first of all hits, to the bit; and occlusion agrees with it.
 ///
 /// So they are in ranges that end or start next to a hit, where a few units of `t` decide.
 fn assert_nearest_is_first(shape: &Shape<f32>, ray: &Ray<f32>) {

@@ -82,7 +82,7 @@ pub fn cell(baseline: &Baseline, subject: &str, query: &str, number: &str, tier:
 /// The tests of a range sensor, as a subject.
 const SENSOR: &str = "range sensor";
 
-/// The subjects whose stack is measured: the sensor has rays that the fast path of floats cannot decide.
+/// The subjects whose stack is measured: the sensor has rays that the first numbers of floats cannot decide.
 fn stacked() -> impl Iterator<Item = &'static str> {
     SUBJECTS.into_iter().chain([SENSOR])
 }

@@ -57,7 +57,7 @@ fn cell(baseline: &Baseline, mark: &Mark, tier: &str) -> Option<String> {
 /// A table of the marks: a row for each mark and chip.
 pub fn table(text: &mut String, chips: &[Measured]) {
     text.push_str(
-        "## The marks\n\nLimits that were set before the fast paths of spheres, cylinders and cones were written: instructions of a nearest hit, or a ratio of them. A figure in bold is within its limit.\n\n\
+        "## The marks\n\nLimits that were set before spheres, cylinders and cones were computed in the types' own width: instructions of a nearest hit, or a ratio of them. A figure in bold is within its limit.\n\n\
          | mark | chip | at most | Fast | Stable |\n|---|---|---:|---:|---:|\n",
     );
     for (name, mark) in &MARKS {

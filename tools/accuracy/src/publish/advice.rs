@@ -177,7 +177,7 @@ fn by_distance() -> Vec<Advice> {
         advice(
             "1,000 to 16,000 away:",
             "`Stable`. Where the unit must be the same near and far, take `I16F16`: from 256 on its unit is smaller than that of `f32`. `I16F16` `Fast` has \
-             about the same errors as `Stable` there, but takes longer, because its fast path has no room for coordinates so large. The textbook loses hits.",
+             about the same errors as `Stable` there, but takes longer, because its grid has no room for coordinates so large. The textbook loses hits.",
             vec![
                 sphere("f32", "Textbook", "10000 away"),
                 sphere("f32", "Fast", "10000 away"),
@@ -287,7 +287,7 @@ fn by_fault() -> Vec<Advice> {
         ),
         advice(
             "Cones seen along their generators:",
-            "`Stable`. `Fast` has the same fast path there, but promises less where a ray also grazes. In `f32` on a host `Exact` costs no more than \
+            "`Stable`. `Fast` promises less where a ray also grazes. In `f32` on a host `Exact` costs no more than \
              `Stable` in most of these rows.",
             vec![
                 Row("f32", "Fast", CONE, "1e-4 off a generator"),

@@ -33,16 +33,16 @@ pub const WHY: [Why; 17] = [
     ),
     (
         |row| is_fixed(row) && row.faster.tier == "Exact",
-        "What the integers of the fast path cannot decide, `Exact` computes in doubles, whose 53 bits are enough for most decisions about 32-bit inputs; a \
+        "What the integers of the grid cannot decide, `Exact` computes in doubles, whose 53 bits are enough for most decisions about 32-bit inputs; a \
          host has hardware for doubles. `Fast` and `Stable` compute in integers alone.",
     ),
     (
         |row| row.slower.number == "f32" && row.faster.tier == "Exact" && row.slower.tier == "Stable",
-        "What the first attempt of `Stable` cannot decide is computed in double words (pairs of floats), and what these cannot decide in integers of 64 bits. `Exact` follows the same path in doubles, whose extra bits satisfy the guards for nearly every ray. A host has hardware for doubles; on a chip without any, an operation on double words takes more instructions than one on doubles in software.",
+        "`Stable` computes a bound of its error in floats, what that leaves unsure in double-words (pairs of floats), and what these leave unsure in integers of 64 bits. `Exact` computes the same bound in doubles, which leaves nearly no ray unsure. A host has hardware for doubles; on a chip without any, an operation on double-words takes more instructions than one on doubles in software.",
     ),
     (
         |row| row.faster.tier == "Exact" && row.slower.tier == "Fast" && row.slower.primitive == "triangle",
-        "What the fast path of `Fast` cannot decide about a triangle is computed in integers of 64 bits. The fast path of `Exact` computes in doubles, and decides more rays.",
+        "What the guard of `Fast` leaves unsure about a triangle is computed in integers of 64 bits. `Exact` computes in doubles, which decide more rays.",
     ),
     (
         |row| {
@@ -51,7 +51,7 @@ pub const WHY: [Why; 17] = [
                 && row.slower.tier == "Fast"
                 && row.machine == Machine::Host
         },
-        "For stretched solids and rays from far away the fast path of `Fast` often cannot decide, and integers of 64 bits must. The doubles of `Exact` decide these rays, and a host has hardware for doubles.",
+        "For stretched solids and rays from far away floats are often unsure in `Fast`, and integers of 64 bits must decide. The doubles of `Exact` decide these rays, and a host has hardware for doubles.",
     ),
     (
         |row| {
@@ -60,7 +60,7 @@ pub const WHY: [Why; 17] = [
                 && row.slower.tier == "Fast"
                 && row.slower.primitive.starts_with("cone")
         },
-        "What the first attempt of `Fast` cannot decide about a cone is computed in double words (pairs of floats). On a chip without hardware for floats, an operation on them takes more instructions than one on doubles in software, in which `Exact` computes.",
+        "What the guard of `Fast` leaves unsure about a cone is computed in integers of 64 bits. `Exact` computes in doubles, which decide more rays.",
     ),
     (
         |row| {
@@ -69,11 +69,11 @@ pub const WHY: [Why; 17] = [
                 && row.slower.tier == "Fast"
                 && row.machine == Machine::Host
         },
-        "The fast path of `Fast` is limited to lengths of 28 bits (for a sphere: to 4,096), and beyond them the robust number computes the answer; that of `Stable` covers the whole range. Where the robust number computes both, they cost the same.",
+        "The grid of `Fast` is limited to lengths of 28 bits (for a sphere: to 4,096), and beyond them the robust number computes the answer; that of `Stable` covers the whole range. Where the robust number computes both, they cost the same.",
     ),
     (
         |row| row.slower.number == "I32F32" && row.faster.tier == "Stable" && row.machine == Machine::Host,
-        "On a processor of 64 bits, with products of 128, the closest approach of `Fast` saves nothing and has the longer chain of dependent steps; what the fast path cannot decide costs both tiers the same.",
+        "On a processor of 64 bits, with products of 128, the closest approach of `Fast` saves nothing and has the longer chain of dependent steps; what the grid cannot decide costs both tiers the same.",
     ),
     (
         |row| row.slower.number == "I16F16" && row.faster.tier == "Stable" && row.slower.tier == "Fast",
@@ -85,11 +85,11 @@ pub const WHY: [Why; 17] = [
     ),
     (
         |row| row.faster.tier == "Fast" && row.slower.tier == "Stable" && is_unbounded_and_placed(row),
-        "A hit of an unbounded cone may be very far away, and its `t` is then ill-conditioned. What the fast path cannot decide is computed by the same numbers in both tiers. Which of the two is more accurate is chance.",
+        "A hit of an unbounded cone may be very far away, and its `t` is then ill-conditioned. Which of the two is more accurate is chance.",
     ),
     (
         |row| !is_fixed(row) && row.faster.tier == "Stable" && row.slower.tier == "Textbook",
-        "Where nothing cancels, `Stable` computes in floats too, but from the moment instead of `k^2 - a c`, and decides most misses before the root.",
+        "Where nothing cancels, `Stable` computes in floats too. It takes the direction for exactly unit, so that there is no `a` to divide by, and decides a miss before the root.",
     ),
     (
         |row| {
@@ -98,11 +98,11 @@ pub const WHY: [Why; 17] = [
                 && row.slower.tier == "Textbook"
                 && row.machine == Machine::Host
         },
-        "`Exact` follows the path of `Stable` in doubles, for which a host has hardware: from the moment instead of `k^2 - a c`, and most misses are decided before the root.",
+        "`Exact` computes in doubles, for which a host has hardware, and decides a miss before the root.",
     ),
     (
         |row| !is_fixed(row) && row.faster.tier == "Stable" && row.slower.tier == "Fast",
-        "Both have nearly the same fast path, and what it cannot decide is computed by the same numbers. These few rows depend on this host and its compiler (concluded from the source, not from a profile); no chip has such a row.",
+        "Both compute the same formulas, of stretched solids in the same numbers. These few rows depend on this host and its compiler (concluded from the source, not from a profile); no chip has such a row.",
     ),
     (
         |row| is_nearly_as_accurate(row) || is_flat(row),
