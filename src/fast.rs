@@ -1,12 +1,12 @@
-//! What the fast paths of several primitives share.
+//! What several primitives share on the grid of fixed point.
 
 use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
 use crate::scalar::{Attempt, InSide, LocalLine, Scalar, UnitScalar};
 
-/// The guards of a tier's fast path against rounding errors.
+/// The guards of a tier on the grid against rounding errors.
 pub trait Guards: 'static {
-    /// True if the fast path is unsure where its rounding may decide, so that the robust number decides.
+    /// True if the grid is unsure where its rounding may decide, so that the robust number decides.
     const GUARDED: bool;
     /// See [`LocalLine::is_strict`](crate::scalar::LocalLine::is_strict).
     const STRICT: bool = false;
@@ -19,7 +19,7 @@ pub(crate) struct Slab<'a, S: Scalar> {
 }
 
 impl<'a, S: Scalar> Slab<'a, S> {
-    /// The interval between two heights, if the fast path is sure. The parts of its ends are those of the two planes.
+    /// The interval between two heights, if the grid is sure. The parts of its ends are those of the two planes.
     #[inline(always)]
     pub(crate) fn new(line: &'a LocalLine<S>, low: S, high: S) -> Attempt<Self> {
         let ([_, y, _], [_, dy, _]) = (line.origin, line.direction);

@@ -27,7 +27,7 @@ pub trait Geometry<S: Scalar>: Copy + Described {
     fn radius_about_axis(&self) -> Option<S> {
         None
     }
-    /// The local line for the fast path.
+    /// The local line for the grid.
     #[inline(always)]
     fn fast_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
         place.fast_line(ray)
@@ -42,17 +42,17 @@ pub trait Geometry<S: Scalar>: Copy + Described {
     fn fit(&self, line: &mut LocalLine<S>) {
         S::fast_fit(line, self.lengths());
     }
-    /// The intersection by the fast path; that may be the entry alone where the exit is uncertain or not needed: see [`LocalLine::since`].
+    /// The intersection on the grid; that may be the entry alone where the exit is uncertain or not needed: see [`LocalLine::since`].
     #[inline(always)]
     fn fast_intersection<T: Guards>(&self, _line: &LocalLine<S>) -> Attempt<Intersection<S>> {
         Attempt::Unsure
     }
-    /// Occlusion of the half-line `t >= 0` by the fast path; agrees with [`Geometry::fast_intersection`].
+    /// Occlusion of the half-line `t >= 0` on the grid; agrees with [`Geometry::fast_intersection`].
     #[inline(always)]
     fn fast_occlusion<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<()> {
         found!(self.fast_intersection::<T>(line)).occlusion()
     }
-    /// The exit of a line that starts on the part `from` and leads inwards, by the fast path. For convex primitives.
+    /// The exit of a line that starts on the part `from` and leads inwards, on the grid. For convex primitives.
     #[inline(always)]
     fn fast_exit<T: Guards>(&self, _line: &LocalLine<S>, _from: Part) -> Attempt<End<S>> {
         Attempt::Unsure

@@ -24,7 +24,7 @@ pub trait Place<S: Scalar> {
     const STRETCHES: bool = false;
     /// The placement in a type that holds all values of this one.
     fn in_type<R: Including<S>>(&self) -> Self::In<R>;
-    /// The line for the fast path; `None` if the placement is not suitable for it.
+    /// The line for the grid; `None` if the placement is not suitable for it.
     #[inline(always)]
     fn fast_line(&self, _ray: &Ray<S>) -> Option<LocalLine<S>> {
         None
@@ -40,7 +40,7 @@ pub trait Place<S: Scalar> {
     fn passes_axis(&self, _ray: &Ray<S>, _r: S) -> bool {
         false
     }
-    /// The line for the fast path of a sphere about the frame's origin, which needs no rotation.
+    /// The line for the grid of a sphere about the frame's origin, which needs no rotation.
     #[inline(always)]
     fn fast_ball_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
         self.fast_line(ray)

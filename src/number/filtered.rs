@@ -1,4 +1,4 @@
-//! Doubles with an error bound: the first number of `Exact` for `f32`, after the fast path.
+//! Doubles with an error bound: the first number of `Exact` for spheres and flat primitives, after the grid of fixed point.
 //!
 //! A polynomial is computed twice: once as it is, and once with the magnitudes of its inputs and every sign positive. All rounding errors of
 //! the first together are less than a known fraction of the second, so that a value above that has a certain sign (semi-static filter: Burnikel,

@@ -168,7 +168,7 @@ impl<S: Scalar> Cone<S> {
         }
     }
 
-    /// The line's interval between the two heights, if the fast path is sure. At an end that is an apex there is no plane.
+    /// The line's interval between the two heights, if the grid is sure. At an end that is an apex there is no plane.
     #[inline(always)]
     fn fast_slab<'a>(&self, line: &'a LocalLine<S>, height: S) -> Attempt<Slab<'a, S>> {
         let mut slab = found!(Slab::new(line, S::ZERO, height));

@@ -192,7 +192,7 @@ mod tests {
     use crate::tier::Stable;
     use fixed::types::{I16F16, I32F32};
 
-    /// For rays from a few units away at a cuboid and at a rectangle, the percentage that the fast path leaves to the solver.
+    /// For rays from a few units away at a cuboid and at a rectangle, the percentage that the grid leaves to the solver.
     fn unsure<S: Scalar>() -> [usize; 2] {
         let n = |value: f64| S::from_f64(value).expect("within the type");
         let brick = Cuboid::new([n(1.25), n(0.75), n(1.0)]).expect("sizes");

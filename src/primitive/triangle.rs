@@ -3,7 +3,7 @@
 //! The line passes inside if the three signed volumes that it spans with the edges have the same sign (Segura and Feito,
 //! *Algorithms to test ray-triangle intersection*, 2001). The volume of an edge depends only on the line and the edge's two
 //! end points, and changes its sign exactly when these are swapped, so that no ray passes between two triangles that share an
-//! edge. Where rounding may decide the sign of a volume, the fast path is unsure and the solver decides (`solve::flat`).
+//! edge. Where rounding may decide the sign of a volume, the grid is unsure and the solver decides (`solve::flat`).
 
 use super::{Geometry, SizeError, queries, surface_coordinates as coordinates};
 use crate::equations::{Described, EquationKinds, Equations};
@@ -139,7 +139,7 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
         Self { vertices: self.vertices.map(|v| Vec3::new(v.x.scaled(e), v.y.scaled(e), v.z.scaled(e))) }
     }
 
-    /// Does nothing: the triangle's fast path itself reduces the bits of the origin if necessary.
+    /// Does nothing: the triangle's intersection on the grid itself reduces the bits of the origin if necessary.
     #[inline(always)]
     fn fit(&self, _: &mut LocalLine<S>) {}
 

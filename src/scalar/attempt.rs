@@ -1,10 +1,10 @@
-//! Results of the fast path: certain, or unsure.
+//! Results on the grid of fixed point: certain, or unsure.
 
 use super::Scalar;
 #[cfg(feature = "fixed")]
 use core::ops::Neg;
 
-/// A result of the fast path.
+/// A result on the grid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Attempt<T> {
     /// The line misses.

@@ -1,9 +1,9 @@
-//! The fast path: intersection in the number type's own width. Where it is unsure, the solver decides.
+//! The grid of fixed point: integers of a common unit, in which a line meets a primitive in the type's own width. Where that is unsure, the solver decides.
 
 use super::{Attempt, InCuboid, InSide, NappeOutline, Numbers};
 use core::cmp::Ordering;
 
-/// A line in a primitive's frame, for the fast path.
+/// A line in a primitive's frame, for the grid.
 #[derive(Clone, Copy, Debug)]
 pub struct LocalLine<S: Numbers> {
     /// The origin, in units of `2^-extra_bits` of the type's.
@@ -70,7 +70,7 @@ pub struct InverseLength {
     pub shift: u32,
 }
 
-/// Intersection of a local line with the surfaces of primitives, on the fast path of a number type. The results are
+/// Intersection of a local line with the surfaces of primitives, on the grid. The results are
 /// [`Attempt::Unsure`] where rounding may decide.
 pub trait FastPath: Numbers {
     /// The direction of a vector, equal to that of [`Computing::normalize`](super::Computing::normalize) or next to it; a miss for the zero vector.

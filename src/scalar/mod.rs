@@ -12,9 +12,9 @@
 //! | `error_free` | sums and products of floats with their rounding errors |
 //! | `fixed` | `FixedI32<F>` and `FixedI64<F>`, for every `F` |
 //! | `computing` | operations on stored numbers |
-//! | `fast` | the interface of a number type's fast path |
-//! | `attempt` | results of the fast path |
-//! | `integers` | the fast path of fixed point, in plain integers |
+//! | `fast` | the interface of the grid of fixed point |
+//! | `attempt` | results on the grid |
+//! | `integers` | the grid of fixed point: integers of a common unit |
 //! | `rungs`, `twofold` | conversion between stored numbers and those of [`crate::number`]; numbers of twice the precision |
 //! | `summed` | numbers whose sums of products are rounded once |
 //! | `including` | types that hold the values of others |
@@ -162,11 +162,11 @@ pub type Unit<S> = <S as Numbers>::Unit;
 ///
 /// Implemented for `f32`, `f64`, `FixedI32<F>` and `FixedI64<F>` for every `F` that `fixed` allows. Sealed.
 pub trait Scalar: Numbers + Computing + Elementary + FastPath {
-    /// The number in which the solver computes where the fast path is unsure.
+    /// The number in which the solver computes where the grid is unsure.
     type Robust: Localize<Self> + Number<Estimate = Self::Robust> + ToScalar<Self>;
     /// The type of the second attempt of fixed point, which holds every value of this one; the type itself if that has none.
     type Wider: Including<Self>;
-    /// True if the fast path has such a second attempt.
+    /// True if the grid has such a second attempt.
     const WIDENS: bool = false;
     /// The lists of numbers of the tiers.
     type Tiers: Tiers<Self>;

@@ -1,4 +1,4 @@
-//! Lines that depart inwards from a surface, on the fast path of fixed point.
+//! Lines that depart inwards from a surface, on the grid of fixed point.
 
 use super::quotient::Normalized;
 use super::{high, magnitude_bits, product, square};

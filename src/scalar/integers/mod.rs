@@ -1,4 +1,4 @@
-//! The fast path of fixed point, in integers without exponents.
+//! The grid of fixed point: integers of a common unit, without exponents.
 //!
 //! For most rays all lengths can be scaled to a common unit (the *grid*) so that they fit in 32 bits and their products in 64 bits, with a
 //! rounding error far below one unit of the type. Other rays are [`Attempt::Unsure`], and the robust number decides: grazing rays, sizes near the

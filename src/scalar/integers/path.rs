@@ -1,4 +1,4 @@
-//! The fast path of fixed point: from stored numbers to raw integers and back.
+//! The grid of fixed point: from stored numbers to raw integers and back.
 
 use crate::scalar::integers;
 use crate::scalar::{

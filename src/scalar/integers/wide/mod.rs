@@ -1,4 +1,4 @@
-//! The fast path of the 64-bit types: lengths of 64 bits, and products of 128 bits that are made of products of 32 bits.
+//! The grid of the 64-bit types: lengths of 64 bits, and products of 128 bits that are made of products of 32 bits.
 //!
 //! A number is multiplied as two [`Digits`] of 32 bits, both signed, so that the four products of two numbers need no
 //! correction, and sums of products add each of the four kinds in 64 bits before any carry.

@@ -126,7 +126,7 @@ impl Exactly {
     }
 }
 
-/// The result of the fast path for a line: its ends, and whether one is ahead.
+/// The result on the grid for a line: its ends, and whether one is ahead.
 fn queried(o: [i64; 3], extra_bits: i32, d: [i64; 3], r: i64, by_moment: bool) -> (Attempt<[i64; 2]>, Attempt<()>) {
     let ends = || {
         Attempt::Hit(if by_moment {
