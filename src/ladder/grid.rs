@@ -3,7 +3,7 @@
 //! They know only the rays that arrive from outside, and those that depart inwards; they are unsure where their integers have no room.
 #![cfg_attr(not(feature = "fixed"), allow(dead_code, reason = "floats have no grid"))]
 
-use super::{In, Method, Tiers, whole};
+use super::{In, Method, Tiers, passes, whole};
 use crate::fast::Guards;
 use crate::geometry::Geometry;
 use crate::intersection::{End, Intersection, Span};
@@ -94,7 +94,7 @@ fn frequent<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
     ray: &Ray<S>,
     since: Option<S>,
 ) -> Attempt<Intersection<S>> {
-    if geometry.radius_about_axis().is_some_and(|r| place.passes_axis(ray, r)) {
+    if passes(geometry, place, ray) {
         return Attempt::Miss;
     }
     let Some(mut line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
@@ -132,7 +132,7 @@ pub(super) fn ahead<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
 
 #[inline(always)]
 fn is_ahead<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<()> {
-    if geometry.radius_about_axis().is_some_and(|r| place.passes_axis(ray, r)) {
+    if passes(geometry, place, ray) {
         return Attempt::Miss;
     }
     let Some(mut line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };

@@ -23,13 +23,16 @@ use crate::scalar::Real;
 use core::cmp::Ordering;
 
 /// A value, and a bound of its error in roundings.
+///
+/// If it is `STABLE`, a parameter of the ray is known only if its error is so small that it has the accuracy of the tier `Stable`. If it is not, it
+/// need only be right to one part in 2^12, for the tier `Fast`, which promises signs and no accuracy.
 #[derive(Clone, Copy, Debug)]
-pub struct Running<R> {
+pub struct Running<R, const STABLE: bool = true> {
     pub(crate) value: R,
     pub(crate) error: R,
 }
 
-impl<R: Real> Running<R> {
+impl<R: Real, const STABLE: bool> Running<R, STABLE> {
     /// A value without an error.
     #[inline(always)]
     pub(crate) const fn exact(value: R) -> Self {
@@ -69,9 +72,9 @@ impl<R: Real> Running<R> {
     }
 }
 
-operators!(Running<R>, R: Real);
+operators!(Running<R, STABLE>, R: Real, const STABLE: bool);
 
-impl<R: Real> Ring for Running<R> {
+impl<R: Real, const STABLE: bool> Ring for Running<R, STABLE> {
     const ZERO: Self = Self::exact(R::ZERO);
     const ONE: Self = Self::exact(R::ONE);
 
@@ -98,7 +101,7 @@ impl<R: Real> Ring for Running<R> {
     }
 }
 
-impl<R: Real> Number for Running<R> {
+impl<R: Real, const STABLE: bool> Number for Running<R, STABLE> {
     type Estimate = Self;
     const IS_WIDE: bool = false;
     const STARTS_AT_VERTEX: bool = true;
@@ -140,7 +143,7 @@ impl<R: Real> Number for Running<R> {
     }
 }
 
-impl<R: Real> Estimate for Running<R> {
+impl<R: Real, const STABLE: bool> Estimate for Running<R, STABLE> {
     const INFINITY: Self = Self::exact(R::INFINITY);
 
     #[inline(always)]

@@ -213,7 +213,7 @@ impl<S: Scalar, R: RealOf<S>, const STABLE: bool> FromScalar<S> for Guarded<R, S
     }
 }
 
-impl<S: Scalar, R: RealOf<S>> FromScalar<S> for Running<R> {
+impl<S: Scalar, R: RealOf<S>, const STABLE: bool> FromScalar<S> for Running<R, STABLE> {
     #[inline(always)]
     fn scalar(value: S) -> Self {
         Self::exact(R::of(value))
@@ -225,7 +225,7 @@ impl<S: Scalar, R: RealOf<S>> FromScalar<S> for Running<R> {
 }
 
 /// In doubles the exact value of a parameter of a narrower type decides, and has so many bits that its rounding does not matter.
-impl<S: Scalar, R: RealOf<S>> ToScalar<S> for Running<R> {
+impl<S: Scalar, R: RealOf<S>, const STABLE: bool> ToScalar<S> for Running<R, STABLE> {
     const ROUNDING_DECIDES: bool = size_of::<S>() == size_of::<R>();
 
     #[inline(always)]
@@ -235,7 +235,11 @@ impl<S: Scalar, R: RealOf<S>> ToScalar<S> for Running<R> {
     #[inline(always)]
     fn rounded(self) -> Option<S> {
         // A unit in the last place is between one and two roundings of the value. Bounds are a few times as large as errors.
-        let most = if <Self as ToScalar<S>>::ROUNDING_DECIDES { R::from_int(32) } else { R::ONE.scaled(22) };
+        let most = match (<Self as ToScalar<S>>::ROUNDING_DECIDES, STABLE) {
+            (true, true) => R::from_int(32),
+            (true, false) => R::ONE.scaled(-R::ROUNDING - 12),
+            (false, _) => R::ONE.scaled(22),
+        };
         // Not the comparison of the two, since both may be infinite.
         (self.value.abs() * most - self.error >= R::ZERO).then(|| self.value.rounded())
     }

@@ -135,7 +135,7 @@ impl<R: Real, const STABLE: bool> Approximate for Guarded<R, STABLE> {
     }
 }
 
-impl<R: Real> Approximate for Running<R> {
+impl<R: Real, const STABLE: bool> Approximate for Running<R, STABLE> {
     type Real = R;
     #[inline(always)]
     fn approximate(value: R, error: R) -> Self {
