@@ -1,7 +1,7 @@
 //! Placement by any invertible matrix: ellipsoids, elliptic cylinders and cones.
 //!
-//! Only the inverse of the matrix is stored. Each of its rows has its own power of two, so that in fixed point a scale of 1000
-//! along one axis and one of 1/1000 along another both keep all their bits.
+//! Only the inverse of the matrix is stored. Each of its rows has its own power of two, so that in fixed point a scale
+//! of 1000 along one axis and one of 1/1000 along another both keep all their bits.
 
 use crate::frame::{Frame, FrameError};
 use crate::line::Place;
@@ -17,8 +17,8 @@ struct Row<U> {
     exponent: i32,
 }
 
-/// Placement by any invertible affine map. `t` remains the distance in the world, and normals are transformed by the inverse
-/// transpose.
+/// Placement by any invertible affine map. `t` remains the distance in the world, and normals are transformed by the
+/// inverse transpose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Affine<S: Scalar> {
     position: Vec3<S>,
@@ -76,8 +76,8 @@ impl<S: Scalar> Affine<S> {
     ///
     /// # Errors
     ///
-    /// [`FrameError::Scale`] if a factor is zero, negative, not finite or beyond the budget; [`FrameError::Singular`] if the inverse
-    /// is beyond the number type.
+    /// [`FrameError::Scale`] if a factor is zero, negative, not finite or beyond the budget; [`FrameError::Singular`]
+    /// if the inverse is beyond the number type.
     pub fn stretched(frame: Frame<S>, scale: Vec3<S>) -> Result<Self, FrameError> {
         let factors = scale.to_array();
         for factor in factors {
@@ -146,8 +146,8 @@ impl<S: Scalar> Affine<S> {
         Some(Row { components: v.map(|c| S::unit_round(c.scaled(-exponent))), exponent })
     }
 
-    /// The images of the local axes, as [`Affine::new`] takes them: the inverse as it is stored, inverted again and rounded to nearest. A
-    /// component beyond the number type is [`Scalar::INFINITY`] with its sign.
+    /// The images of the local axes, as [`Affine::new`] takes them: the inverse as it is stored, inverted again and
+    /// rounded to nearest. A component beyond the number type is [`Scalar::INFINITY`] with its sign.
     ///
     /// ```
     /// # use raylet::{Affine, Vec3};
@@ -176,8 +176,8 @@ impl<S: Scalar> Affine<S> {
         self.inverse.map(|row| S::dot(v, row.components).scaled(row.exponent))
     }
 
-    /// The rows of the inverse matrix as they are stored: the components of a row, and the exponent of the power of two by which they are
-    /// to be multiplied.
+    /// The rows of the inverse matrix as they are stored: the components of a row, and the exponent of the power of two
+    /// by which they are to be multiplied.
     pub fn inverse(&self) -> [([S::Unit; 3], i32); 3] {
         self.inverse.map(|row| (row.components, row.exponent))
     }
@@ -208,8 +208,9 @@ impl<S: Scalar> Affine<S> {
         UnitVec3::from_real([component(0), component(1), component(2)]).unwrap_or(normal)
     }
 
-    /// The image of a local vector. The inverse is `diag(2^e) C`, where `C` holds the rows' components. The image is therefore
-    /// `adj(C) / det(C)` applied to `2^-e v`. (The determinant of `diag(2^e) C` may be beyond the number type.)
+    /// The image of a local vector. The inverse is `diag(2^e) C`, where `C` holds the rows' components. The image is
+    /// therefore `adj(C) / det(C)` applied to `2^-e v`. (The determinant of `diag(2^e) C` may be beyond the number
+    /// type.)
     fn image(&self, v: [S::Real; 3]) -> [S::Real; 3] {
         let [x, y, z] = self.inverse.map(|row| row.components.map(S::unit_real));
         let columns = [cross(y, z), cross(z, x), cross(x, y)];
@@ -226,9 +227,9 @@ impl<S: Scalar> Affine<S> {
         UnitVec3::from_real(self.image(tangent.real())).unwrap_or(tangent)
     }
 
-    /// The exponent of the power of two by which the placement, or its rounding, amplifies an error at most. It depends on how much the axes'
-    /// lengths differ, and on how far their directions are from perpendicular. `None` for axes that lie nearly in a plane: the volume that
-    /// their directions span is less than about 1/8.
+    /// The exponent of the power of two by which the placement, or its rounding, amplifies an error at most. It depends
+    /// on how much the axes' lengths differ, and on how far their directions are from perpendicular. `None` for axes
+    /// that lie nearly in a plane: the volume that their directions span is less than about 1/8.
     pub(crate) fn sharpness(&self) -> Option<i32> {
         let [x, y, z] = self.inverse.map(|row| row.components.map(S::unit_real));
         let product = |[ax, ay, az]: [S::Real; 3], [bx, by, bz]: [S::Real; 3]| ax * bx + ay * by + az * bz;

@@ -1,8 +1,9 @@
 //! The axis-aligned box of a primitive as it is placed.
 //!
-//! A placement is stored as a position `o` and rows `R` that take the world to the primitive: `local = R (p - o)`. The primitive's points
-//! are at `p = o + M v` with `M = adj(R) / det(R)`, the exact inverse: a frame's rows are perpendicular and unit only to their last bits (a
-//! direction from [`UnitVec3::from_components`](crate::UnitVec3::from_components) to 2^-20), so that the transpose would not do. With
+//! A placement is stored as a position `o` and rows `R` that take the world to the primitive: `local = R (p - o)`. The
+//! primitive's points are at `p = o + M v` with `M = adj(R) / det(R)`, the exact inverse: a frame's rows are
+//! perpendicular and unit only to their last bits (a direction from
+//! [`UnitVec3::from_components`](crate::UnitVec3::from_components) to 2^-20), so that the transpose would not do. With
 //! `m` a row of `M`, the primitive reaches along that axis of the world up to
 //!
 //! | part | reach |
@@ -12,13 +13,13 @@
 //! | a vertex | `o + m_x x + m_y y + m_z z` |
 //! | a cuboid of half extents `h` | `o + abs(m_x) h_x + abs(m_y) h_y + abs(m_z) h_z` |
 //!
-//! and down to the negative of the same expression with the signs of `o` and `m` reversed. The convex hull of several parts reaches as far as the
-//! farthest of them.
+//! and down to the negative of the same expression with the signs of `o` and `m` reversed. The convex hull of several
+//! parts reaches as far as the farthest of them.
 //!
-//! Intermediate results have twice the precision and an error bound ([`Near`]). Only
-//! the last step goes to the number type, upwards. A box is thus as small as the type allows but for some 2^-36 (`f32`) of the terms that
-//! it is a sum of, which shows where they cancel. (A placement pressed nearly flat loses as many bits again as its axes' directions lose
-//! volume.)
+//! Intermediate results have twice the precision and an error bound ([`Near`]). Only the last step goes to the number
+//! type, upwards. A box is thus as small as the type allows but for some 2^-36 (`f32`) of the terms that it is a sum
+//! of, which shows where they cancel. (A placement pressed nearly flat loses as many bits again as its axes' directions
+//! lose volume.)
 
 use crate::affine::Affine;
 use crate::equations::{Described, EquationKinds};
@@ -63,7 +64,8 @@ fn placed<S: Scalar, G: Described>(hull: &Hull<S>, position: Vec3<S>, rows: [Row
     Bounds { low: Vec3::new(x[0], y[0], z[0]), high: Vec3::new(x[1], y[1], z[1]) }
 }
 
-/// How far it reaches down and up along an axis of the world, for the position's component and the matrix's row of that axis.
+/// How far it reaches down and up along an axis of the world, for the position's component and the matrix's row of that
+/// axis.
 fn interval<S: Scalar, G: Described>(hull: &Hull<S>, o: S, [x, y, z]: [Near<S>; 3]) -> [S; 2] {
     let one = S::Real::ONE;
     let moved = (o, Near::exact(one));
@@ -133,8 +135,8 @@ fn minors<S: Scalar>([ax, ay, az]: [S::Real; 3], [bx, by, bz]: [S::Real; 3]) -> 
     [minor(ay, bz, az, by), minor(az, bx, ax, bz), minor(ax, by, ay, bx)]
 }
 
-/// The least value of the type, or the one after it, that is surely no less than the sum of lengths times factors. Beyond the type, or
-/// if an intermediate float overflows, it is infinite.
+/// The least value of the type, or the one after it, that is surely no less than the sum of lengths times factors.
+/// Beyond the type, or if an intermediate float overflows, it is infinite.
 fn no_less<S: Scalar, const N: usize>(terms: [(S, Near<S>); N]) -> S {
     let mut infinite = None;
     for (length, factor) in terms {
@@ -157,8 +159,9 @@ fn no_less<S: Scalar, const N: usize>(terms: [(S, Near<S>); N]) -> S {
 /// A number of twice the precision, `high + low`, and a bound `off` on its error. With `u = 2^Real::ROUNDING`, by
 /// which an operation rounds at most, `low` is never more than `3 u high`.
 ///
-/// What is derived of `off` below are bounds of second order in `u`; they are themselves computed with relative errors of some `u`, which
-/// an addition of 2^-8 of them covers. Next to zero a float's products lose absolute amounts: [`lost_next_to_zero`].
+/// What is derived of `off` below are bounds of second order in `u`; they are themselves computed with relative errors
+/// of some `u`, which an addition of 2^-8 of them covers. Next to zero a float's products lose absolute amounts:
+/// [`lost_next_to_zero`].
 #[derive(Clone, Copy)]
 struct Near<S: Scalar> {
     high: S::Real,
@@ -166,8 +169,8 @@ struct Near<S: Scalar> {
     off: S::Real,
 }
 
-/// More than what a product of two floats, held as a rounded product and its rest, loses where these are subnormal: each of five
-/// roundings at most half of the smallest number, each for both parts of a factor.
+/// More than what a product of two floats, held as a rounded product and its rest, loses where these are subnormal:
+/// each of five roundings at most half of the smallest number, each for both parts of a factor.
 fn lost_next_to_zero<S: Scalar>() -> S::Real {
     if S::RELATIVE { S::BUDGET.smallest_size.real().scaled(3) } else { S::Real::ZERO }
 }
@@ -210,8 +213,9 @@ impl<S: Scalar> Near<S> {
 
     /// The quotient by a number that is at least four times its error bound.
     ///
-    /// `n / d - q = (n - q d) / d`, whose numerator is a compensated sum of four terms that are together less than `2.2 n`: it errs by
-    /// less than `44 u^2 n`; to compute with the rounded `d` and to round the correction is another `9 u^2`.
+    /// `n / d - q = (n - q d) / d`, whose numerator is a compensated sum of four terms that are together less than
+    /// `2.2 n`: it errs by less than `44 u^2 n`; to compute with the rounded `d` and to round the correction is another
+    /// `9 u^2`.
     fn over(self, d: Self) -> Self {
         let one = S::Real::ONE;
         if self.is_zero() || d.is_exactly(one) {
@@ -224,7 +228,8 @@ impl<S: Scalar> Near<S> {
         Self { high, low: rest / d.high, off: S::Real::ZERO }.off_by(off + high.abs() * rounding::<S>(64))
     }
 
-    /// The value of the type next to it that is no less. The bounds of [`sum`] have room for the rounding of the sum here.
+    /// The value of the type next to it that is no less. The bounds of [`sum`] have room for the rounding of the sum
+    /// here.
     fn rounded_up(self) -> S {
         let one = S::Real::ONE;
         let [high, low] = S::Real::sum_with_rest([[self.high, one], [self.low, one], [self.off, one]]);
@@ -240,10 +245,11 @@ impl<S: Scalar> Near<S> {
 
 /// The sum of products with exact factors.
 ///
-/// Of n products that are not zero, together `t` in magnitude, the compensated sum gathers 2 n roundings, together at most
-/// `(n + 1) u t`, in n additions: it errs by less than `(n + 1)^2 u^2 t` (Ogita, Rump, Oishi, *Accurate Sum and Dot Product*, 2005), the
-/// plain sum of the low parts by `3 u^2 t`, and to add the two by `(n + 4) u^2 t`: less than `(n + 4)^2 u^2 t`. (The wide block's sums
-/// are off by a unit of 2^-125 in each of their 4 n additions, which is less.) A sum of two numbers is exact.
+/// Of n products that are not zero, together `t` in magnitude, the compensated sum gathers 2 n roundings, together at
+/// most `(n + 1) u t`, in n additions: it errs by less than `(n + 1)^2 u^2 t` (Ogita, Rump, Oishi, *Accurate Sum and
+/// Dot Product*, 2005), the plain sum of the low parts by `3 u^2 t`, and to add the two by `(n + 4) u^2 t`: less than
+/// `(n + 4)^2 u^2 t`. (The wide block's sums are off by a unit of 2^-125 in each of their 4 n additions, which is
+/// less.) A sum of two numbers is exact.
 fn sum<S: Scalar, const N: usize>(terms: [(S::Real, Near<S>); N]) -> Near<S> {
     let one = S::Real::ONE;
     let [high, rest] = S::Real::sum_with_rest(terms.map(|(a, b)| [a, b.high]));
@@ -268,9 +274,9 @@ fn sum<S: Scalar, const N: usize>(terms: [(S::Real, Near<S>); N]) -> Near<S> {
 
 /// The length of a vector.
 ///
-/// It is off by no more than its components are together, and by its own rounding. The sum of squares errs by what [`sum`] says, and by
-/// the squares of the low parts, `9 u^2` of it. The root `h` is corrected by Newton's `(s - h^2) / 2 h`: its square, `u^2 h / 2`, and its
-/// rounding, less than `14 u^2 h`, are left.
+/// It is off by no more than its components are together, and by its own rounding. The sum of squares errs by what
+/// [`sum`] says, and by the squares of the low parts, `9 u^2` of it. The root `h` is corrected by Newton's
+/// `(s - h^2) / 2 h`: its square, `u^2 h / 2`, and its rounding, less than `14 u^2 h`, are left.
 fn length<S: Scalar, const N: usize>(v: [Near<S>; N]) -> Near<S> {
     let (one, zero) = (S::Real::ONE, S::Real::ZERO);
     // The only component that is not zero, if there is only one.

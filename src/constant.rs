@@ -1,12 +1,13 @@
 //! Scenes in flash: shapes, objects, materials, lights and cameras in a `const` or a `static`.
 //!
-//! A constant is computed by the compiler. A value that the constructors refuse then fails the build, and the program contains neither the code of
-//! the check nor a copy of the value in RAM.
+//! A constant is computed by the compiler. A value that the constructors refuse then fails the build, and the program
+//! contains neither the code of the check nor a copy of the value in RAM.
 //!
-//! Stable Rust calls no trait method in a constant, so that a constructor that is generic over the number type cannot be called there. Those that
-//! check something have a twin for `f32`, `f64`, `FixedI32<F>` and `FixedI64<F>`, whose name is `const_` and that of the constructor. It
-//! accepts and refuses the same values and gives the same bits. The number type must be named: `Sphere::<f32>::const_new`. A function without checks
-//! is the same in constants and at run time.
+//! Stable Rust calls no trait method in a constant, so that a constructor that is generic over the number type cannot
+//! be called there. Those that check something have a twin for `f32`, `f64`, `FixedI32<F>` and `FixedI64<F>`, whose
+//! name is `const_` and that of the constructor. It accepts and refuses the same values and gives the same bits. The
+//! number type must be named: `Sphere::<f32>::const_new`. A function without checks is the same in constants and at run
+//! time.
 //!
 //! | value | in a constant |
 //! |---|---|
@@ -21,9 +22,10 @@
 //! | material, colour, point light, texture | all of it; a colour by [`Color::new`](crate::Color::new) |
 //! | camera | `const_in_frame`, `const_orthographic_in_frame` |
 //!
-//! Not in a constant, because they need a root or a quotient: the direction of a vector of any length, frames whose axes are computed, affine
-//! placements, [triangles](crate::Triangle) (whose area is checked), [`Camera::new`](crate::Camera::new), distant lights by direction. Nor
-//! is a hierarchy, which is built in RAM. [`Scene::new`](crate::Scene::new) runs in the program: it compares the indices of the objects, and borrows the rest.
+//! Not in a constant, because they need a root or a quotient: the direction of a vector of any length, frames whose
+//! axes are computed, affine placements, [triangles](crate::Triangle) (whose area is checked),
+//! [`Camera::new`](crate::Camera::new), distant lights by direction. Nor is a hierarchy, which is built in RAM.
+//! [`Scene::new`](crate::Scene::new) runs in the program: it compares the indices of the objects, and borrows the rest.
 //!
 //! [`constant!`](crate::constant!) unwraps the result:
 //!
@@ -69,9 +71,9 @@
 //!
 //! # A helper of your own
 //!
-//! `constant!` takes no parameter of a `const fn` (error E0435), since the compiler computes its value once, before any call. Where several values are built
-//! alike, write a macro. The one below also has the literals of the number type, so that the same source builds for a chip with a floating-point
-//! unit and for one without:
+//! `constant!` takes no parameter of a `const fn` (error E0435), since the compiler computes its value once, before any
+//! call. Where several values are built alike, write a macro. The one below also has the literals of the number type,
+//! so that the same source builds for a chip with a floating-point unit and for one without:
 //!
 //! ```
 //! use raylet::{Frame, Shape, Sphere, Vec3, constant};
@@ -116,11 +118,12 @@
 //! static SKEW: Frame<f32> = constant!(Frame::<f32>::const_from_axes(Vec3::ZERO, [UnitVec3::X, UnitVec3::X, UnitVec3::Z]));
 //! ```
 
-/// The value of a constructor's result, computed by the compiler; an error fails the build with the error's message. See
-/// [`raylet::constant`](mod@crate::constant).
+/// The value of a constructor's result, computed by the compiler; an error fails the build with the error's message.
+/// See [`raylet::constant`](mod@crate::constant).
 ///
-/// The argument must be a constant expression: a literal, another constant, or a call of a `const fn` with constant arguments. A parameter of the
-/// enclosing function is not constant; [a macro](mod@crate::constant#a-helper-of-your-own) can replace that function.
+/// The argument must be a constant expression: a literal, another constant, or a call of a `const fn` with constant
+/// arguments. A parameter of the enclosing function is not constant; [a
+/// macro](mod@crate::constant#a-helper-of-your-own) can replace that function.
 ///
 /// ```
 /// use raylet::{Capsule, constant};

@@ -18,8 +18,9 @@
 //!
 //! # Names that both crates have
 //!
-//! `embedded_graphics::prelude` exports `Size`, `Pixel` and `Primitive`, and `embedded_graphics::primitives` has `Triangle`, as this crate does. A
-//! name that is imported by itself takes precedence over one of a prelude; of two imported by themselves rename one:
+//! `embedded_graphics::prelude` exports `Size`, `Pixel` and `Primitive`, and `embedded_graphics::primitives` has
+//! `Triangle`, as this crate does. A name that is imported by itself takes precedence over one of a prelude; of two
+//! imported by themselves rename one:
 //!
 //! ```
 //! use embedded_graphics::prelude::*;
@@ -49,16 +50,18 @@ use embedded_graphics_core::primitives::Rectangle;
 
 /// A pixel format of displays that pictures can be drawn in. Sealed: the colours of `embedded-graphics`.
 ///
-/// Channels are encoded by sRGB, as displays expect it, and dithered in order where there are fewer than eight bits: the mean of four by four
-/// pixels is right to a sixteenth of a level, and a colour that is exactly a level is not dithered. Grey and one-bit displays show the luminance
-/// `0.2126 R + 0.7152 G + 0.0722 B` (ITU-R BT.709). [`BinaryColor`] is not encoded: the part of the pixels that are on is the luminance, since
-/// a pixel is either dark or gives all its light.
+/// Channels are encoded by sRGB, as displays expect it, and dithered in order where there are fewer than eight bits:
+/// the mean of four by four pixels is right to a sixteenth of a level, and a colour that is exactly a level is not
+/// dithered. Grey and one-bit displays show the luminance `0.2126 R + 0.7152 G + 0.0722 B` (ITU-R BT.709).
+/// [`BinaryColor`] is not encoded: the part of the pixels that are on is the luminance, since a pixel is either dark or
+/// gives all its light.
 pub trait DisplayColor: PixelColor + sealed::Sealed {
     /// The colour in this format, for the pixel in column `x` of row `y`, on which dithering depends.
     fn shown<S: Scalar>(color: Color<S>, x: u16, y: u16) -> Self;
 }
 
-/// Bayer's four by four matrix for ordered dithering, *An Optimum Method for Two-Level Rendition of Continuous-Tone Pictures* (1973).
+/// Bayer's four by four matrix for ordered dithering, *An Optimum Method for Two-Level Rendition of Continuous-Tone
+/// Pictures* (1973).
 const BAYER: [[u8; 4]; 4] = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]];
 
 /// The level of a channel, of so many above black, in the pixel in column `x` of row `y`.
@@ -119,7 +122,8 @@ shown_in_gray!(Gray2: 3, Gray4: 15, Gray8: 255);
 impl sealed::Sealed for BinaryColor {}
 impl DisplayColor for BinaryColor {
     fn shown<S: Scalar>(color: Color<S>, x: u16, y: u16) -> Self {
-        // From a distance the eye takes the mean of the light: a pixel in four is as bright as a quarter of white, not as level 64 of 255.
+        // From a distance the eye takes the mean of the light: a pixel in four is as bright as a quarter of white, not
+        // as level 64 of 255.
         let sixteenths = (luminance(color) * 16 + (1 << 15)) >> 16;
         Self::from(sixteenths + threshold(x, y) >= 16)
     }
@@ -130,8 +134,8 @@ mod sealed {
 }
 
 impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'_, S, E, T, K> {
-    /// Draws the picture with its upper left corner at `corner`, and returns the counters of rays and tests. It needs no buffer for the
-    /// frame or for a row: each pixel is sent as it is traced.
+    /// Draws the picture with its upper left corner at `corner`, and returns the counters of rays and tests. It needs
+    /// no buffer for the frame or for a row: each pixel is sent as it is traced.
     ///
     /// # Errors
     ///
@@ -146,10 +150,11 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'_, S, E, T, K> {
         Ok(context.counters)
     }
 
-    /// Draws some rows of the picture, whose upper left corner is at `corner`, each row by one [`DrawTarget::fill_contiguous`]. Adds rays and
-    /// tests to `context`. Rows beyond the last are ignored.
+    /// Draws some rows of the picture, whose upper left corner is at `corner`, each row by one
+    /// [`DrawTarget::fill_contiguous`]. Adds rays and tests to `context`. Rows beyond the last are ignored.
     ///
-    /// Rows do not depend on each other: two processors may each draw a part of the picture, with a [`TraceContext`] of its own.
+    /// Rows do not depend on each other: two processors may each draw a part of the picture, with a [`TraceContext`] of
+    /// its own.
     ///
     /// # Errors
     ///
@@ -172,9 +177,9 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'_, S, E, T, K> {
         Ok(())
     }
 
-    /// Traces row `y` into a buffer, for instance to send it to a display by DMA while the next row is traced into another buffer. Adds rays
-    /// and tests to `context`. Returns the number of pixels written: at most the length of the buffer and the picture's width, and 0 beyond the
-    /// last row.
+    /// Traces row `y` into a buffer, for instance to send it to a display by DMA while the next row is traced into
+    /// another buffer. Adds rays and tests to `context`. Returns the number of pixels written: at most the length of
+    /// the buffer and the picture's width, and 0 beyond the last row.
     ///
     /// ```
     /// use embedded_graphics::pixelcolor::{Rgb565, RgbColor};

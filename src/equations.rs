@@ -131,8 +131,8 @@ impl<S> Equations<S> {
     }
 }
 
-/// The equations that a type may have. The solver tests this constant before the equations themselves, so that the compiler removes the functions for all
-/// others.
+/// The equations that a type may have. The solver tests this constant before the equations themselves, so that the
+/// compiler removes the functions for all others.
 pub trait Described {
     /// Their kinds.
     const EQUATIONS: EquationKinds;

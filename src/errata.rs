@@ -1,9 +1,9 @@
 //! Errors in well-known articles on ray tracing cylinders and cones, and what is right.
 //!
 //! Documentation only. This crate grew from two articles that are still read and copied. Each error below has a test in
-//! `tests/promises/src/errata.rs`, for every number type; the last column has its name. `ox`, `oy`, `oz` are the ray's origin and `dx`, `dy`,
-//! `dz` its direction; `a`, `k` and `c` are the coefficients of `a t^2 + 2 k t + c = 0`; `m` is a cone's slope, `rho` a point's distance from
-//! the axis.
+//! `tests/promises/src/errata.rs`, for every number type; the last column has its name. `ox`, `oy`, `oz` are the ray's
+//! origin and `dx`, `dy`, `dz` its direction; `a`, `k` and `c` are the coefficients of `a t^2 + 2 k t + c = 0`; `m` is
+//! a cone's slope, `rho` a point's distance from the axis.
 //!
 //! # An article on cylinders and cones (infinite, bounded, caps, normals)
 //!

@@ -15,8 +15,8 @@ use core::fmt;
 /// Defines the enum of all errors, and how each becomes one.
 macro_rules! errors {
     ($($(#[$doc:meta])+ $Variant:ident($Error:ty),)+) => {
-        /// Any error of the library: all other errors are converted to it by [`From`], and therefore by `?`. Its message is that of the original
-        /// error.
+        /// Any error of the library: all other errors are converted to it by [`From`], and therefore by `?`. Its
+        /// message is that of the original error.
         ///
         /// ```
         /// use raylet::{Capsule, Error, Frame, Ray, Shape, Vec3};

@@ -6,11 +6,11 @@ use crate::number::{Bounded, FLOAT_LIMBS, Integer};
 use crate::scalar::Scalar;
 use crate::solve::Localize;
 
-/// The exact tier: hit, miss, touch, part, order, pairing and inside or outside are always those of exact arithmetic on the
-/// stored numbers. `t` is within one unit in the last place of the exact value.
+/// The exact tier: hit, miss, touch, part, order, pairing and inside or outside are always those of exact arithmetic on
+/// the stored numbers. `t` is within one unit in the last place of the exact value.
 ///
-/// The stored numbers are those of ray, primitive and placement: the frame's position and axes, or the inverse matrix of an
-/// [`Affine`](crate::Affine), as they are after construction.
+/// The stored numbers are those of ray, primitive and placement: the frame's position and axes, or the inverse matrix
+/// of an [`Affine`](crate::Affine), as they are after construction.
 ///
 /// It exists for `f32` and for every `FixedI32<F>`. For `f64` and the 64-bit fixed types it does not compile:
 ///
@@ -20,14 +20,14 @@ use crate::solve::Localize;
 /// Sphere::new(1.0).unwrap().hits_at::<Exact>(&ray);
 /// ```
 ///
-/// In fixed point integers on a grid decide most rays, with guards that only certain results pass. Doubles with an error bound decide
-/// nearly all other rays of fixed point and nearly all of `f32`; numbers of 128 bits with an error bound decide nearly all that remain. Integers that
-/// are wide enough for every case decide the rest, at some hundred times the cost. [`Shape::precision`](crate::Shape::precision) says which of them
-/// decided.
+/// In fixed point integers on a grid decide most rays, with guards that only certain results pass. Doubles with an
+/// error bound decide nearly all other rays of fixed point and nearly all of `f32`; numbers of 128 bits with an error
+/// bound decide nearly all that remain. Integers that are wide enough for every case decide the rest, at some hundred
+/// times the cost. [`Shape::precision`](crate::Shape::precision) says which of them decided.
 ///
-/// A ray that [departs](crate::Departure) is taken to start exactly on its surface, whatever its coordinates: the constant term of the quadric
-/// that it leaves is set to zero, or the height of its origin above the plane that it leaves. All other equations use the stored coordinates. The result is
-/// exact for these equations.
+/// A ray that [departs](crate::Departure) is taken to start exactly on its surface, whatever its coordinates: the
+/// constant term of the quadric that it leaves is set to zero, or the height of its origin above the plane that it
+/// leaves. All other equations use the stored coordinates. The result is exact for these equations.
 ///
 /// ```
 /// use raylet::{Crossing, Ray, Sphere, UnitVec3, Vec3, tier::Exact};
@@ -55,7 +55,8 @@ pub enum Precision {
 pub trait ExactScalar: Scalar {
     /// The number that is used where a sign is unknown in doubles.
     type Bounded: Localize<Self>;
-    /// The integer that is used where a sign is unknown in [`ExactScalar::Bounded`]. It is wide enough for every polynomial of the solvers.
+    /// The integer that is used where a sign is unknown in [`ExactScalar::Bounded`]. It is wide enough for every
+    /// polynomial of the solvers.
     type Integer: Localize<Self>;
 }
 

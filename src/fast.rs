@@ -56,7 +56,8 @@ impl<'a, S: Scalar> Slab<'a, S> {
         S::are_close(self.line, side.exit.t, self.span.exit.t)
     }
 
-    /// The exit of a line that starts on the part `from` of a side or of these planes: the nearer of the side's and the plane's.
+    /// The exit of a line that starts on the part `from` of a side or of these planes: the nearer of the side's and the
+    /// plane's.
     #[inline(always)]
     pub(crate) fn exit(&self, side: End<S>, from: Part) -> Attempt<End<S>> {
         let plane = self.span.exit;
@@ -69,7 +70,8 @@ impl<'a, S: Scalar> Slab<'a, S> {
         }
     }
 
-    /// The part of a side's interval that lies between the planes, if its ends are accurate enough. An end that is cut off by a plane need not be.
+    /// The part of a side's interval that lies between the planes, if its ends are accurate enough. An end that is cut
+    /// off by a plane need not be.
     #[inline(always)]
     pub(crate) fn clip(&self, inside: &InSide<S>) -> Attempt<Intersection<S>> {
         let side = Span::of_side(inside.ends);
@@ -79,7 +81,8 @@ impl<'a, S: Scalar> Slab<'a, S> {
         side.intersection(self.span).map_or(Attempt::Miss, |span| Attempt::Hit(Intersection::One(span)))
     }
 
-    /// The ends of a side's interval that lie between the planes, if they are accurate enough; the rims belong to the side.
+    /// The ends of a side's interval that lie between the planes, if they are accurate enough; the rims belong to the
+    /// side.
     #[inline(always)]
     pub(crate) fn rims(&self, inside: &InSide<S>) -> Attempt<Intersection<S>> {
         let side = Span::of_side(inside.ends);

@@ -11,11 +11,12 @@ use core::fmt;
 
 /// Placement by rotation and translation: a position and three perpendicular axes.
 ///
-/// The constructors make the axes orthonormal, so that lengths, and with them `t`, are the same in the frame as in the world.
+/// The constructors make the axes orthonormal, so that lengths, and with them `t`, are the same in the frame as in the
+/// world.
 ///
-/// Coordinates are right-handed: with x to the right and y up, z comes towards the viewer. For a viewer who looks along a frame's z axis
-/// ([`Frame::forward`]), with its y axis upwards, its x axis points to the left. A camera that looks along z shows +x on the left of the picture,
-/// too.
+/// Coordinates are right-handed: with x to the right and y up, z comes towards the viewer. For a viewer who looks along
+/// a frame's z axis ([`Frame::forward`]), with its y axis upwards, its x axis points to the left. A camera that looks
+/// along z shows +x on the left of the picture, too.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Frame<S: Scalar> {
@@ -34,10 +35,11 @@ impl<S: Scalar> Frame<S> {
         Self::assembled(position, [UnitVec3::X, UnitVec3::Y, UnitVec3::Z])
     }
 
-    /// From the base and the axis of a solid. The frame's y axis is `axis`; the other two are chosen perpendicular to it, and do not matter for solids of
-    /// revolution. Turn a cuboid by [`Frame::looking`] or [`Frame::turned_about`].
+    /// From the base and the axis of a solid. The frame's y axis is `axis`; the other two are chosen perpendicular to
+    /// it, and do not matter for solids of revolution. Turn a cuboid by [`Frame::looking`] or [`Frame::turned_about`].
     ///
-    /// The base of a cone is its apex. A cone that stands on its cap is a frustum with a top radius of zero: [`Cone::frustum`](crate::Cone::frustum).
+    /// The base of a cone is its apex. A cone that stands on its cap is a frustum with a top radius of zero:
+    /// [`Cone::frustum`](crate::Cone::frustum).
     ///
     /// # Errors
     ///
@@ -51,8 +53,9 @@ impl<S: Scalar> Frame<S> {
         Self::assembled(base, [x, axis, z])
     }
 
-    /// From the centre of a solid, its axis and its height: the base is half of the height below the centre, rounded. This is for solids that stand on
-    /// their base. Spheres and cuboids are about the origin of their frame: for them [`Frame::at`] and [`Frame::from_base_and_axis`] take the centre.
+    /// From the centre of a solid, its axis and its height: the base is half of the height below the centre, rounded.
+    /// This is for solids that stand on their base. Spheres and cuboids are about the origin of their frame: for them
+    /// [`Frame::at`] and [`Frame::from_base_and_axis`] take the centre.
     ///
     /// # Errors
     ///
@@ -72,14 +75,16 @@ impl<S: Scalar> Frame<S> {
         Self::from_base_and_axis(Vec3::round(pairs(centre.real(), axis.real()).map(down)), axis)
     }
 
-    /// At `position`, turned about `axis` by this angle in degrees, counter-clockwise for a viewer towards whom the axis points.
+    /// At `position`, turned about `axis` by this angle in degrees, counter-clockwise for a viewer towards whom the
+    /// axis points.
     ///
-    /// The axes are those of the world, turned by Rodrigues' formula `v + sin a (k x v) + (1 - cos a) (k (k . v) - v)`, and accurate to a few units
-    /// of the number type.
+    /// The axes are those of the world, turned by Rodrigues' formula `v + sin a (k x v) + (1 - cos a) (k (k . v) - v)`,
+    /// and accurate to a few units of the number type.
     ///
     /// # Errors
     ///
-    /// [`FrameError::Position`] as for [`Frame::at`]; [`FrameError::Angle`] if the angle is not between -360 and 360 degrees.
+    /// [`FrameError::Position`] as for [`Frame::at`]; [`FrameError::Angle`] if the angle is not between -360 and 360
+    /// degrees.
     ///
     /// ```
     /// use raylet::{Frame, UnitVec3, Vec3};
@@ -110,11 +115,12 @@ impl<S: Scalar> Frame<S> {
         Self::assembled(position, [left, up, forward])
     }
 
-    /// From two end points: the base is at `from`, and the axis points to `to`. Also returns the distance between them, for the
-    /// height of the solid.
+    /// From two end points: the base is at `from`, and the axis points to `to`. Also returns the distance between them,
+    /// for the height of the solid.
     ///
-    /// Equal points have no axis: the frame is then that of [`Frame::at`], and the height is zero. A [`Capsule`](crate::Capsule) accepts that height,
-    /// and is a sphere; the constructors of other solids return an error for it.
+    /// Equal points have no axis: the frame is then that of [`Frame::at`], and the height is zero. A
+    /// [`Capsule`](crate::Capsule) accepts that height, and is a sphere; the constructors of other solids return an
+    /// error for it.
     ///
     /// # Errors
     ///
@@ -137,8 +143,8 @@ impl<S: Scalar> Frame<S> {
         Ok((Self::from_base_and_axis(from, UnitVec3::rotated(axis))?, S::round(height)))
     }
 
-    /// From a position, the direction `forward` of the z axis, and an approximate up direction. The y axis is the part of `up` that is
-    /// perpendicular to `forward`, normalised; the x axis is the cross product of y and z.
+    /// From a position, the direction `forward` of the z axis, and an approximate up direction. The y axis is the part
+    /// of `up` that is perpendicular to `forward`, normalised; the x axis is the cross product of y and z.
     ///
     /// # Errors
     ///
@@ -149,13 +155,13 @@ impl<S: Scalar> Frame<S> {
         Self::assembled(position, [left, up, forward])
     }
 
-    /// From a position and three axes that are perpendicular only approximately. They are made perpendicular: `up`, the axis of the
-    /// solids, stays as it is, and the other two are adjusted.
+    /// From a position and three axes that are perpendicular only approximately. They are made perpendicular: `up`, the
+    /// axis of the solids, stays as it is, and the other two are adjusted.
     ///
     /// # Errors
     ///
-    /// [`FrameError::Position`] as for [`Frame::at`]; [`FrameError::Axes`] if the three are not nearly a right-handed frame: an axis
-    /// may be adjusted by at most 2.5 degrees (a cosine of `1 - 2^-10`).
+    /// [`FrameError::Position`] as for [`Frame::at`]; [`FrameError::Axes`] if the three are not nearly a right-handed
+    /// frame: an axis may be adjusted by at most 2.5 degrees (a cosine of `1 - 2^-10`).
     pub fn from_left_up_forward(
         position: Vec3<S>,
         left: UnitVec3<S>,
@@ -171,8 +177,8 @@ impl<S: Scalar> Frame<S> {
         Self::assembled(position, [x, up, z])
     }
 
-    /// From a position and three axes that are kept to the bit: x, y and z, perpendicular and right-handed. It needs no square root, so that it can
-    /// be called in a constant: see [`mod@crate::constant`].
+    /// From a position and three axes that are kept to the bit: x, y and z, perpendicular and right-handed. It needs no
+    /// square root, so that it can be called in a constant: see [`mod@crate::constant`].
     ///
     /// # Errors
     ///
@@ -273,8 +279,9 @@ impl<S: Scalar> Frame<S> {
         Vec3::round([component(0), component(1), component(2)])
     }
 
-    /// The ray's point at `t` in the frame's coordinates. The point relative to the frame's origin is rounded once, before the rotation, so
-    /// that the result is as accurate far from the world's origin as near it. It is infinite if that relative point is beyond the type.
+    /// The ray's point at `t` in the frame's coordinates. The point relative to the frame's origin is rounded once,
+    /// before the rotation, so that the result is as accurate far from the world's origin as near it. It is infinite if
+    /// that relative point is beyond the type.
     pub(crate) fn ray_point_to_local(&self, ray: &Ray<S>, t: S) -> Vec3<S> {
         let from_position =
             S::approach(ray.origin().to_array(), self.position.to_array(), ray.direction().to_array(), t);

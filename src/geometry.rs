@@ -17,9 +17,11 @@ pub trait Geometry<S: Scalar>: Copy + Described {
 
     /// The primitive in a type that holds all values of this one.
     fn in_type<R: Including<S>>(&self) -> Self::In<R>;
-    /// Bounding radius: the primitive lies within this distance of the origin. For an infinite primitive a characteristic size.
+    /// Bounding radius: the primitive lies within this distance of the origin. For an infinite primitive a
+    /// characteristic size.
     fn bounding_radius(&self) -> S;
-    /// The primitive with all lengths multiplied by `2^e`, as [`Computing::scaled`](crate::scalar::Computing::scaled) has it.
+    /// The primitive with all lengths multiplied by `2^e`, as [`Computing::scaled`](crate::scalar::Computing::scaled)
+    /// has it.
     #[must_use]
     fn scaled(&self, e: i32) -> Self;
     /// A radius about the y axis that contains the geometry, if it is known.
@@ -37,12 +39,14 @@ pub trait Geometry<S: Scalar>: Copy + Described {
     fn lengths(&self) -> S {
         self.bounding_radius()
     }
-    /// Reduces the extra bits of the line as far as the primitive's lengths require ([`FastPath::fast_fit`](crate::scalar::FastPath::fast_fit)).
+    /// Reduces the extra bits of the line as far as the primitive's lengths require
+    /// ([`FastPath::fast_fit`](crate::scalar::FastPath::fast_fit)).
     #[inline(always)]
     fn fit(&self, line: &mut LocalLine<S>) {
         S::fast_fit(line, self.lengths());
     }
-    /// The intersection on the grid; that may be the entry alone where the exit is uncertain or not needed: see [`LocalLine::since`].
+    /// The intersection on the grid; that may be the entry alone where the exit is uncertain or not needed: see
+    /// [`LocalLine::since`].
     #[inline(always)]
     fn fast_intersection<T: Guards>(&self, _line: &LocalLine<S>) -> Attempt<Intersection<S>> {
         Attempt::Unsure
@@ -59,9 +63,11 @@ pub trait Geometry<S: Scalar>: Copy + Described {
     }
     /// What its intersection needs of the transformation into its frame.
     const NEEDS: Needs = Needs::All;
-    /// True if constant bounds on the errors of its formulas, which are short, replace running ones: see [`Certified`](crate::number::Certified).
+    /// True if constant bounds on the errors of its formulas, which are short, replace running ones: see
+    /// [`Certified`](crate::number::Certified).
     const HAS_CONSTANT_BOUNDS: bool = false;
-    /// True if the terms of its polynomials have so few factors that their magnitudes bound their errors: see [`Filtered`](crate::number::Filtered).
+    /// True if the terms of its polynomials have so few factors that their magnitudes bound their errors: see
+    /// [`Filtered`](crate::number::Filtered).
     const HAS_FEW_FACTORS: bool = false;
     /// Where a ray in its frame meets it.
     fn intersect<N: Of<S>>(&self, ray: &LocalRay<N>, goal: Goal<S>) -> solve::Attempt<Intersection<S>>;

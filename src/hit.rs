@@ -21,7 +21,8 @@ pub enum Crossing {
     Touch,
 }
 
-/// A hit: where a ray meets a surface. [`Shape::surface`](crate::Shape::surface) computes point, normal and surface coordinates from it.
+/// A hit: where a ray meets a surface. [`Shape::surface`](crate::Shape::surface) computes point, normal and surface
+/// coordinates from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = "S: Scalar"))]
 pub struct Hit<S> {
@@ -71,14 +72,16 @@ impl<S: Scalar> Hits<S> {
         self.starts_inside = true;
     }
 
-    /// True if the ray's range starts inside the solid, or on its surface where the ray leaves the solid. The first hit is then an exit
-    /// without an enter. False if the range starts where the ray enters or touches the solid, and always false for open surfaces.
+    /// True if the ray's range starts inside the solid, or on its surface where the ray leaves the solid. The first hit
+    /// is then an exit without an enter. False if the range starts where the ray enters or touches the solid, and
+    /// always false for open surfaces.
     #[inline]
     pub const fn starts_inside(&self) -> bool {
         self.starts_inside
     }
 
-    /// The interval of `t` over which the ray lies in an open or infinite surface, such as a ray in a plane. There are then no hits.
+    /// The interval of `t` over which the ray lies in an open or infinite surface, such as a ray in a plane. There are
+    /// then no hits.
     #[inline]
     pub const fn coincident(&self) -> Option<Range<S>> {
         self.coincident

@@ -135,7 +135,8 @@ impl<S: Scalar> Intersection<S> {
         }
     }
 
-    /// The intersection with an entry that is certain, in place of that of its one interval: also where that was rounded to a point, or to none.
+    /// The intersection with an entry that is certain, in place of that of its one interval: also where that was
+    /// rounded to a point, or to none.
     pub(crate) fn entered_at(self, enter: End<S>) -> Self {
         match self {
             Self::One(Span { exit, .. }) => {

@@ -32,7 +32,8 @@ use core::marker::PhantomData;
 
 /// A way to compute where a ray meets a geometry.
 pub trait Method<S: Scalar> {
-    /// The intersection of a ray without departure, compiled into the query. If `since` is given, only the first end at or after it is needed.
+    /// The intersection of a ray without departure, compiled into the query. If `since` is given, only the first end at
+    /// or after it is needed.
     fn nearest<G: Geometry<S>, P: Place<S>>(
         geometry: &G,
         place: &P,
@@ -147,8 +148,9 @@ fn intersect<S: Scalar, N: Of<S>, G: Geometry<S>>(
 
 /// In values with constant bounds of their errors where these are enough, and otherwise with running ones.
 ///
-/// Constant bounds of `Stable` are enough for short formulas ([`Geometry::HAS_CONSTANT_BOUNDS`]), those of `Fast` for all. Neither is enough in an
-/// affine map: where it stretches by 30, they do not tell which differences lost their digits, and hits of chords of 20 to 400 units were lost.
+/// Constant bounds of `Stable` are enough for short formulas ([`Geometry::HAS_CONSTANT_BOUNDS`]), those of `Fast` for
+/// all. Neither is enough in an affine map: where it stretches by 30, they do not tell which differences lost their
+/// digits, and hits of chords of 20 to 400 units were lost.
 #[derive(Clone, Copy, Debug)]
 pub struct InBounds<R, const STABLE: bool>(PhantomData<R>);
 
@@ -174,7 +176,8 @@ impl<S: Scalar + RealOf<S>, const STABLE: bool> Method<S> for InBounds<S, STABLE
     }
     #[inline(always)]
     fn all<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<Intersection<S>> {
-        // A departing ray may leave along a generator, where nothing in its equation has a constant bound: hits of open cones were lost.
+        // A departing ray may leave along a generator, where nothing in its equation has a constant bound: hits of open
+        // cones were lost.
         if Self::are_constant::<S, G, P>() && ray.departure().is_none() {
             In::<Guarded<S, STABLE>>::all(geometry, place, ray)
         } else {
@@ -258,8 +261,9 @@ impl<S: Scalar, T: Listed<S>> Solve<S> for T {
     }
 }
 
-/// True if the line certainly misses a geometry about the y axis, since it passes the axis at a distance. Most tests of a picture or of a range sensor
-/// do: in `Stable` a sensor's test of `f32` takes 196 instead of 416 instructions on a host, and one that hits some 40 more.
+/// True if the line certainly misses a geometry about the y axis, since it passes the axis at a distance. Most tests of
+/// a picture or of a range sensor do: in `Stable` a sensor's test of `f32` takes 196 instead of 416 instructions on a
+/// host, and one that hits some 40 more.
 #[inline(always)]
 fn passes<S: Scalar, G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> bool {
     geometry.radius_about_axis().is_some_and(|r| place.passes_axis(ray, r))

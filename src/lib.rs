@@ -1,8 +1,8 @@
 //! Ray-primitive intersection: the distance `t` of each hit, the part of the surface, and the normal there.
 //!
-//! `raylet` runs on any machine down to a microcontroller without a floating-point unit. It does not allocate and does not
-//! panic. It computes in `f32`, `f64` or fixed point (`FixedI32<F>`, `FixedI64<F>` of the [`fixed`](https://docs.rs/fixed)
-//! crate), and its results have the same bits on every chip.
+//! `raylet` runs on any machine down to a microcontroller without a floating-point unit. It does not allocate and does
+//! not panic. It computes in `f32`, `f64` or fixed point (`FixedI32<F>`, `FixedI64<F>` of the
+//! [`fixed`](https://docs.rs/fixed) crate), and its results have the same bits on every chip.
 //!
 //! ```
 //! use fixed::types::I16F16;
@@ -19,46 +19,54 @@
 //! # Ok::<(), raylet::Error>(())
 //! ```
 //!
-//! Coordinates are right-handed: with x to the right and y up, z comes towards the viewer. Lengths are in any unit; angles in degrees.
+//! Coordinates are right-handed: with x to the right and y up, z comes towards the viewer. Lengths are in any unit;
+//! angles in degrees.
 //!
-//! Code that is to run in several number types uses a type alias, `type S = fixed::types::I16F16;`, rather than a parameter: [`Scalar`] has what the library
-//! needs, and no arithmetic of its own.
+//! Code that is to run in several number types uses a type alias, `type S = fixed::types::I16F16;`, rather than a
+//! parameter: [`Scalar`] has what the library needs, and no arithmetic of its own.
 //!
 //! # Where to begin
 //!
-//! - A distance: a [`Shape`] of a primitive, placed by a [`Frame`], and [`Shape::nearest`], as above. Of many shapes: [`Shapes`].
-//! - A picture: [`scene`], then [`Picture`]; on a display: `display` (feature `embedded-graphics`). [`gallery`] has scenes to try it with.
+//! - A distance: a [`Shape`] of a primitive, placed by a [`Frame`], and [`Shape::nearest`], as above. Of many shapes:
+//!   [`Shapes`].
+//! - A picture: [`scene`], then [`Picture`]; on a display: `display` (feature `embedded-graphics`). [`gallery`] has
+//!   scenes to try it with.
 //! - How accurate: [`tier`], and [which number type and tier to take][which-one].
-//! - On a chip: the dependency as on a host (the default features need no `std`), and what any program for the chip needs: a runtime such as
-//!   `cortex-m-rt`, its `memory.x`, and `-Tlink.x` for the linker. [examples/firmware][firmware] in the repository is such a program, for QEMU and for
-//!   boards. [`constant`](mod@constant) puts shapes into flash; [`shape::kinds`] leaves out the code of primitives that a program does not use.
+//! - On a chip: the dependency as on a host (the default features need no `std`), and what any program for the chip
+//!   needs: a runtime such as `cortex-m-rt`, its `memory.x`, and `-Tlink.x` for the linker.
+//!   [examples/firmware][firmware] in the repository is such a program, for QEMU and for boards.
+//!   [`constant`](mod@constant) puts shapes into flash; [`shape::kinds`] leaves out the code of primitives that a
+//!   program does not use.
 //!
 //! [which-one]: https://github.com/raylet-rs/raylet/blob/main/docs/which-one.md
 //! [firmware]: https://github.com/raylet-rs/raylet/tree/main/examples/firmware
 //!
 //! # The contract
 //!
-//! 1. A solid is a closed set. A line meets a convex solid in one interval, whose ends are the hits: [`Crossing::Enter`] and
-//!    [`Crossing::Exit`], or one [`Crossing::Touch`]. Crossings always pair up. (A double cone is not convex: a line may meet
-//!    it in two intervals.)
-//! 2. An open surface, such as a tube without caps, reports each point where the line crosses it, with the side that was hit.
-//!    An infinite solid reports the ends of its interval that are finite.
-//! 3. Hits come sorted by `t`. Ends outside the ray's closed [`Range`] are no hits. If an exit has no enter before it, the ray starts
-//!    inside: [`Hits::starts_inside`].
-//! 4. `t` is distance, because directions are unit vectors by type ([`UnitVec3`]). Stored components are rounded, and `t` is the
-//!    parameter along the direction as stored.
-//! 5. A point on an edge between two parts belongs to the side: the rim between side and cap, and the seam between side and hemisphere.
-//!    So does the apex.
+//! 1. A solid is a closed set. A line meets a convex solid in one interval, whose ends are the hits:
+//!    [`Crossing::Enter`] and [`Crossing::Exit`], or one [`Crossing::Touch`]. Crossings always pair up. (A double cone
+//!    is not convex: a line may meet it in two intervals.)
+//! 2. An open surface, such as a tube without caps, reports each point where the line crosses it, with the side that
+//!    was hit. An infinite solid reports the ends of its interval that are finite.
+//! 3. Hits come sorted by `t`. Ends outside the ray's closed [`Range`] are no hits. If an exit has no enter before it,
+//!    the ray starts inside: [`Hits::starts_inside`].
+//! 4. `t` is distance, because directions are unit vectors by type ([`UnitVec3`]). Stored components are rounded, and
+//!    `t` is the parameter along the direction as stored.
+//! 5. A point on an edge between two parts belongs to the side: the rim between side and cap, and the seam between side
+//!    and hemisphere. So does the apex.
 //! 6. Degenerate rays have defined results, without NaN: the table is in [`primitive`].
-//! 7. Normals are outward unit vectors. [`Surface::normal_towards_ray`] is the normal on the side that the ray comes from.
+//! 7. Normals are outward unit vectors. [`Surface::normal_towards_ray`] is the normal on the side that the ray comes
+//!    from.
 //! 8. A ray that starts on a surface needs no epsilon: it says which surface it departs from ([`Departure`]).
 //! 9. A one-sided surface ignores crossings from its other side ([`Visible`]).
-//! 10. Constructors check their input and return a typed error. Queries on constructed values cannot fail, panic or overflow.
-//! 11. Results have the same bits on every machine, for every number type and tier: they are computed by IEEE arithmetic, integers and
-//!     `libm` only.
+//! 10. Constructors check their input and return a typed error. Queries on constructed values cannot fail, panic or
+//!     overflow.
+//! 11. Results have the same bits on every machine, for every number type and tier: they are computed by IEEE
+//!     arithmetic, integers and `libm` only.
 //!
-//! In the repository `tests/promises/src/contract.rs` has tests named after rules 1 to 10; for rule 11 `tests/promises/src/firmware.rs` and the firmware in
-//! `tools/firmware` compare digests of all answers on the host, Cortex-M0+, M3, M4F and RV32IMC.
+//! In the repository `tests/promises/src/contract.rs` has tests named after rules 1 to 10; for rule 11
+//! `tests/promises/src/firmware.rs` and the firmware in `tools/firmware` compare digests of all answers on the host,
+//! Cortex-M0+, M3, M4F and RV32IMC.
 //!
 //! # Modules
 //!
@@ -78,7 +86,8 @@
 //! | 2 | [`vector`] | [`Vec3`], [`UnitVec3`] |
 //! | 1 | [`number`], [`scalar`] | the numbers that solvers compute in; the stored number types: `f32`, `f64`, fixed point |
 //!
-//! [`constant`](mod@constant) describes scenes in flash. `display`, `interchange`, `error` and `errata` belong to no layer.
+//! [`constant`](mod@constant) describes scenes in flash. `display`, `interchange`, `error` and `errata` belong to no
+//! layer.
 //!
 //! # Features
 //!

@@ -29,13 +29,14 @@ pub trait Place<S: Scalar> {
     fn fast_line(&self, _ray: &Ray<S>) -> Option<LocalLine<S>> {
         None
     }
-    /// [`Place::fast_line`] where the placement stretches and the number type is fixed point, for a solid whose lengths are at most `bounding_radius`.
+    /// [`Place::fast_line`] where the placement stretches and the number type is fixed point, for a solid whose lengths
+    /// are at most `bounding_radius`.
     #[inline(always)]
     fn finer_line(&self, _ray: &Ray<S>, _bounding_radius: S) -> Option<FinerLine<S>> {
         None
     }
-    /// True if the ray's line passes the placement's y axis at a distance greater than `r`; false where rounding may decide, and for placements
-    /// that do not know it.
+    /// True if the ray's line passes the placement's y axis at a distance greater than `r`; false where rounding may
+    /// decide, and for placements that do not know it.
     #[inline(always)]
     fn passes_axis(&self, _ray: &Ray<S>, _r: S) -> bool {
         false
@@ -58,15 +59,16 @@ pub trait Place<S: Scalar> {
         let [[_, y, _], [_, dy, _]] = self.line::<N>(ray);
         [y, dy]
     }
-    /// Origin and direction of the ray's line in the primitive's frame, rounded only by the operations of the number `N`. The direction may
-    /// have any length, so that `t` is the ray's.
+    /// Origin and direction of the ray's line in the primitive's frame, rounded only by the operations of the number
+    /// `N`. The direction may have any length, so that `t` is the ray's.
     fn line<N: FromScalar<S>>(&self, ray: &Ray<S>) -> [[N; 3]; 2];
     /// A point in the primitive's frame, as [`Place::line`].
     fn point<N: FromScalar<S>>(&self, point: Vec3<S>) -> [N; 3];
-    /// Transforms a gradient from the primitive's frame to the world: by the transpose of the matrix that transforms points to the frame.
+    /// Transforms a gradient from the primitive's frame to the world: by the transpose of the matrix that transforms
+    /// points to the frame.
     fn gradient_to_world<N: FromScalar<S>>(&self, gradient: [N; 3]) -> [N; 3];
-    /// [`Place::line`] for a sphere about the frame's origin. In a [`Frame`](crate::Frame) it is translated only, since a rotated sphere is the
-    /// same sphere; stored axes, which are orthogonal only to their last bits, would deform it.
+    /// [`Place::line`] for a sphere about the frame's origin. In a [`Frame`](crate::Frame) it is translated only, since
+    /// a rotated sphere is the same sphere; stored axes, which are orthogonal only to their last bits, would deform it.
     #[inline]
     fn ball_line<N: FromScalar<S>>(&self, ray: &Ray<S>) -> [[N; 3]; 2] {
         self.line(ray)

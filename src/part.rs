@@ -6,7 +6,8 @@
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Part {
-    /// The curved side, or the whole surface of a sphere, plane, disc, rectangle or triangle. Rims, seams and the apex belong to it.
+    /// The curved side, or the whole surface of a sphere, plane, disc, rectangle or triangle. Rims, seams and the apex
+    /// belong to it.
     Side,
     /// The cap or hemisphere at the lower end of the axis; the lowest face of a cuboid.
     Base,
@@ -24,7 +25,7 @@ pub enum Part {
 
 /// The faces of a cuboid perpendicular to the axes x, z and y, at the negative and the positive half extent.
 ///
-/// Faces own shared edges and corners in this order of the axes: an edge or a corner belongs to the first of its faces. The
-/// four side faces thus own their edges with base and top, as the side of a cylinder owns its rims.
+/// Faces own shared edges and corners in this order of the axes: an edge or a corner belongs to the first of its faces.
+/// The four side faces thus own their edges with base and top, as the side of a cylinder owns its rims.
 pub(crate) const FACES: [[Part; 2]; 3] =
     [[Part::Left, Part::Right], [Part::Back, Part::Front], [Part::Base, Part::Top]];

@@ -14,7 +14,8 @@ pub trait Solve<S: Scalar> {
     /// True if the ends of a range are compared with exact roots, and not with the rounded `t` of hits.
     const EXACT_ENDS: bool = false;
 
-    /// The intersection of a ray without departure by the first method of the tier. If `since` is given, only the first end at or after it is needed.
+    /// The intersection of a ray without departure by the first method of the tier. If `since` is given, only the first
+    /// end at or after it is needed.
     fn first<G: Geometry<S>, P: Place<S>>(
         geometry: &G,
         place: &P,
@@ -56,7 +57,8 @@ impl Reported {
     }
 }
 
-/// All hits. This function and the next are one for each primitive, placement and tier, so that a program has the code of a query once.
+/// All hits. This function and the next are one for each primitive, placement and tier, so that a program has the code
+/// of a query once.
 #[inline(never)]
 pub(crate) fn hits<S: Scalar, T: Solve<S>, G: Geometry<S>, P: Place<S>>(
     geometry: &G,
@@ -95,7 +97,8 @@ pub(crate) fn nearest<S: Scalar, T: Solve<S>, G: Geometry<S>, P: Place<S>>(
         Err(Stop::Miss) => None,
         Err(Stop::Unsure) => others::<S, T, G, P>(geometry, place, ray).nearest(range, accept),
         Ok(Intersection::Entered(enter)) if !(range.contains(enter.t) && reported.enter) => {
-            // If the range ends before the entry, it holds no exit either. The entry stays as it is, so that the hit is one of [`hits`].
+            // If the range ends before the entry, it holds no exit either. The entry stays as it is, so that the hit is
+            // one of [`hits`].
             if enter.t > range.end() {
                 return None;
             }
@@ -163,8 +166,8 @@ fn others<S: Scalar, T: Solve<S>, G: Geometry<S>, P: Place<S>>(
     T::others(geometry, place, ray)
 }
 
-/// The geometry and a point of its frame, both scaled by a power of two so that the larger of them is near 1 and no square overflows; and
-/// the exponent of that power, which is zero for fixed types.
+/// The geometry and a point of its frame, both scaled by a power of two so that the larger of them is near 1 and no
+/// square overflows; and the exponent of that power, which is zero for fixed types.
 #[inline]
 pub(crate) fn near_one<S: Scalar, G: Geometry<S>>(geometry: &G, point: Vec3<S>) -> (G, Vec3<S>, i32) {
     let exponent = S::binary_exponent(largest([point.x, point.y, point.z, geometry.bounding_radius()]));

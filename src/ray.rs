@@ -90,16 +90,17 @@ pub enum Leaving {
 
 /// The surface that a secondary ray starts on, so that it needs no epsilon to avoid hitting that surface at once.
 ///
-/// The rounded origin of a ray that starts at a hit may lie on either side of the surface. With a departure the solver takes it
-/// to lie exactly *on* the surface. A ray that leaves a convex solid outwards then never meets that solid again, and one that leaves
-/// inwards always meets its far side. In the equation `a t^2 + 2 k t + c = 0` of the quadric that the ray departs from, `c` is zero and the other
-/// root is `-2k/a`. [`Surface::departure`](crate::Surface::departure) makes one from a hit.
+/// The rounded origin of a ray that starts at a hit may lie on either side of the surface. With a departure the solver
+/// takes it to lie exactly *on* the surface. A ray that leaves a convex solid outwards then never meets that solid
+/// again, and one that leaves inwards always meets its far side. In the equation `a t^2 + 2 k t + c = 0` of the quadric
+/// that the ray departs from, `c` is zero and the other root is `-2k/a`.
+/// [`Surface::departure`](crate::Surface::departure) makes one from a hit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Departure {
-    /// The index of the object in its scene. The queries of a primitive or a shape ignore it: they assume that every ray with a departure departs
-    /// from that shape.
+    /// The index of the object in its scene. The queries of a primitive or a shape ignore it: they assume that every
+    /// ray with a departure departs from that shape.
     pub object: u32,
     /// The part of the surface.
     pub part: Part,
@@ -168,12 +169,13 @@ impl<S: Scalar> Ray<S> {
 
     /// The segment from `a` to `b`: the ray from `a` towards `b`, whose range ends at `b`.
     ///
-    /// The end is the `t` of the point of the ray's line, as its direction is stored, that is closest to `b`, rounded to nearest. Whether a surface
-    /// through `b` is hit depends on that rounding.
+    /// The end is the `t` of the point of the ray's line, as its direction is stored, that is closest to `b`, rounded
+    /// to nearest. Whether a surface through `b` is hit depends on that rounding.
     ///
     /// # Errors
     ///
-    /// As [`Ray::towards`]; [`RayError::RangeEnd`] if `b` is farther from `a` than the largest distance of a fixed type.
+    /// As [`Ray::towards`]; [`RayError::RangeEnd`] if `b` is farther from `a` than the largest distance of a fixed
+    /// type.
     ///
     /// ```
     /// # use raylet::{Ray, Sphere, Vec3};
@@ -200,7 +202,8 @@ impl<S: Scalar> Ray<S> {
     ///
     /// # Errors
     ///
-    /// [`RayError::Origin`] as for [`Ray::new`]; [`RayError::Direction`] if the vector is zero, not finite or beyond the budget.
+    /// [`RayError::Origin`] as for [`Ray::new`]; [`RayError::Direction`] if the vector is zero, not finite or beyond
+    /// the budget.
     pub fn along(origin: Vec3<S>, vector: Vec3<S>) -> Result<Along<S>, RayError> {
         let vector = vector.checked().map_err(RayError::Direction)?;
         let direction = UnitVec3::new(vector).map_err(RayError::Direction)?;
@@ -261,7 +264,8 @@ impl<S: Scalar> Ray<S> {
 
 /// A ray along a vector, made by [`Ray::along`], and the vector's length.
 ///
-/// The `t` of the ray's hits is distance, as always (rule 4 of the contract); [`Along::in_lengths`] gives it in lengths of the vector.
+/// The `t` of the ray's hits is distance, as always (rule 4 of the contract); [`Along::in_lengths`] gives it in lengths
+/// of the vector.
 ///
 /// ```
 /// # use raylet::{Ray, Sphere, Vec3};
@@ -301,8 +305,8 @@ impl<S: Scalar> Along<S> {
         self.length
     }
 
-    /// The distance `t` in lengths of the vector: `t / length`, rounded to nearest; [`Scalar::INFINITY`] with its sign beyond the
-    /// number type.
+    /// The distance `t` in lengths of the vector: `t / length`, rounded to nearest; [`Scalar::INFINITY`] with its sign
+    /// beyond the number type.
     pub fn in_lengths(&self, t: S) -> S {
         S::round(t.real() / self.length.real())
     }

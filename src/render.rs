@@ -1,7 +1,8 @@
 //! Pictures.
 //!
-//! No frame buffer is needed: a [`Picture`] computes any single pixel or row, and [`Picture::render`] passes the pixels to a function one
-//! by one, row after row, so that they may be sent directly to a display. Rows do not depend on each other.
+//! No frame buffer is needed: a [`Picture`] computes any single pixel or row, and [`Picture::render`] passes the pixels
+//! to a function one by one, row after row, so that they may be sent directly to a display. Rows do not depend on each
+//! other.
 
 use crate::effect::{All, Effect, EffectError, EffectSet, Effects, Sample, TraceContext, Tracer, differ};
 use crate::part::Part;
@@ -25,8 +26,8 @@ pub struct Picture<'a, S: Scalar, E = All, T = Stable, K: Kinds = kinds::All> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = ""))]
 pub struct Pixel<S: Scalar> {
-    /// The mean of its samples, each clamped to `[0, 1]` before averaging, so that the edges of highlights are antialiased too. If the
-    /// corners agree, only they are sampled, and this is their mean.
+    /// The mean of its samples, each clamped to `[0, 1]` before averaging, so that the edges of highlights are
+    /// antialiased too. If the corners agree, only they are sampled, and this is their mean.
     pub color: Color<S>,
     /// The first hit of its middle sample (or of all corners): the object and the part of its surface; `None` for the
     /// background.
@@ -47,8 +48,8 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
     ///
     /// # Errors
     ///
-    /// [`EffectError`] if the scene needs an effect that is not among them, or if the size has several samples for each pixel and antialiasing
-    /// is not among them.
+    /// [`EffectError`] if the scene needs an effect that is not among them, or if the size has several samples for each
+    /// pixel and antialiasing is not among them.
     ///
     /// ```
     /// # use raylet::{Camera, Color, Light, Material, Object, Picture, Scene, Shape, Size, Sphere, Vec3};
@@ -90,8 +91,8 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
         Ok(Self { tracer, raster: scene.camera().raster(size), levels: Levels::Srgb })
     }
 
-    /// The picture of a scene in this size, with the effects `E` compiled in. Other effects that the scene needs are left out; without
-    /// antialiasing each pixel has one sample.
+    /// The picture of a scene in this size, with the effects `E` compiled in. Other effects that the scene needs are
+    /// left out; without antialiasing each pixel has one sample.
     pub fn leaving_out(scene: &'a Scene<'a, S, T, K>, size: Size) -> Self {
         let (tracer, raster) = (Tracer::leaving_out(scene), scene.camera().raster(size));
         let picture = Self { tracer, raster, levels: Levels::Srgb };
@@ -178,19 +179,21 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
         self.between([left, right], [x, y], context)
     }
 
-    /// The pixels of row `y` from the left. Clears the shadow cache of `context`, and adds rays and tests to its counters.
+    /// The pixels of row `y` from the left. Clears the shadow cache of `context`, and adds rays and tests to its
+    /// counters.
     ///
     /// With several samples for each pixel, its corners are traced first, which neighbours share. If the corners see
-    /// the same part of the same object in the same lights, and no channel differs by more than eight levels of sRGB, the pixel is their mean.
-    /// Otherwise the whole grid of `samples * samples` rays is traced, and the pixel is the mean of these.
+    /// the same part of the same object in the same lights, and no channel differs by more than eight levels of sRGB,
+    /// the pixel is their mean. Otherwise the whole grid of `samples * samples` rays is traced, and the pixel is the
+    /// mean of these.
     pub fn row<'w, O: Observer>(&'w self, y: u16, context: &'w mut TraceContext<O>) -> Row<'w, 'a, S, E, O, T, K> {
         context.forget();
         let left = if self.is_antialiased() { Some(self.edge(0, y, context)) } else { None };
         Row { picture: self, context, next: 0, y, left }
     }
 
-    /// Traces every pixel, row after row from the upper left, and passes each to `each` with its column and row. Returns the counters of
-    /// rays and tests.
+    /// Traces every pixel, row after row from the upper left, and passes each to `each` with its column and row.
+    /// Returns the counters of rays and tests.
     pub fn render(&self, mut each: impl FnMut(u16, u16, Pixel<S>)) -> Counters {
         let mut context = TraceContext::new(());
         for y in 0..self.size().height {
@@ -322,7 +325,8 @@ mod tests {
     use crate::scene::Camera;
     use crate::vector::Vec3;
 
-    /// Tested here because a picture does not show the difference between one corner and their mean, which is at most 1/32.
+    /// Tested here because a picture does not show the difference between one corner and their mean, which is at most
+    /// 1/32.
     #[test]
     fn corners_that_agree_are_averaged_and_cost_no_ray() {
         let camera = Camera::new(Vec3::new(0.0_f32, 0.0, 5.0), Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0), 40.0);

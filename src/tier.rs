@@ -1,9 +1,10 @@
 //! Accuracy tiers, chosen by type.
 //!
-//! A tier is a list of numbers. A query is computed in the first; where that does not know a sign, because rounding may decide it, in the next. The last
-//! of `Fast` and `Stable` is the *robust number*, of 64 bits for 32-bit types and 128 bits for 64-bit types, whose rounded value decides.
-//! A ray *grazes to `g`* if it passes within `g` times the radius of touching the surface, or if the sine of its angle to the solid's axis, a
-//! generator or a plane is at most `g`. A *grazing ray* is one that grazes to 10^-2.
+//! A tier is a list of numbers. A query is computed in the first; where that does not know a sign, because rounding may
+//! decide it, in the next. The last of `Fast` and `Stable` is the *robust number*, of 64 bits for 32-bit types and 128
+//! bits for 64-bit types, whose rounded value decides. A ray *grazes to `g`* if it passes within `g` times the radius
+//! of touching the surface, or if the sine of its angle to the solid's axis, a generator or a plane is at most `g`. A
+//! *grazing ray* is one that grazes to 10^-2.
 //!
 //! | tier | numbers | what it does | promise for `t`, in units in the last place |
 //! |---|---|---|---|
@@ -14,8 +15,9 @@
 //!
 //! Each tier costs more than the one above it in the table and decides more rays rightly.
 //!
-//! The promises hold for placed solids too. A frame's position and axes are taken as stored, and the transformation into the frame is part of the
-//! computation. Stored axes are perpendicular only to their last bits; a sphere in a frame is nevertheless an exact sphere.
+//! The promises hold for placed solids too. A frame's position and axes are taken as stored, and the transformation
+//! into the frame is part of the computation. Stored axes are perpendicular only to their last bits; a sphere in a
+//! frame is nevertheless an exact sphere.
 //!
 //! Measured errors are in [docs/accuracy.md](https://github.com/raylet-rs/raylet/blob/main/docs/accuracy.md).
 
@@ -35,13 +37,16 @@ pub trait Tier<S: Scalar>: Copy + sealed::Sealed + Solve<S> + 'static {}
 
 /// The cheapest tier.
 ///
-/// It evaluates the equations once, in the scalar's own numbers. No test asks whether rounding may have decided, and nothing is computed again: a program that
-/// calls only this tier contains no wider number, so that it takes the least flash too.
+/// It evaluates the equations once, in the scalar's own numbers. No test asks whether rounding may have decided, and
+/// nothing is computed again: a program that calls only this tier contains no wider number, so that it takes the least
+/// flash too.
 ///
-/// No hit is lost or invented if the chord is at least a hundredth of the solid's size and the ray starts within 10 sizes, except within 64 units in the last
-/// place of a rim, or 16 of a start on the surface. The same holds for a line that has no chord, since it meets the surface once or not at all, unless the ray grazes
-/// (see [`tier`](self)). A ray that departs inwards, within 10^-7 of the surface, may meet it again where it started. Beyond that nothing is promised: with growing distance and towards grazing, `t` loses digits, and then hits are lost or
-/// invented. Measured errors are in [docs/accuracy.md](https://github.com/raylet-rs/raylet/blob/main/docs/accuracy.md).
+/// No hit is lost or invented if the chord is at least a hundredth of the solid's size and the ray starts within 10
+/// sizes, except within 64 units in the last place of a rim, or 16 of a start on the surface. The same holds for a line
+/// that has no chord, since it meets the surface once or not at all, unless the ray grazes (see [`tier`](self)). A ray
+/// that departs inwards, within 10^-7 of the surface, may meet it again where it started. Beyond that nothing is
+/// promised: with growing distance and towards grazing, `t` loses digits, and then hits are lost or invented. Measured
+/// errors are in [docs/accuracy.md](https://github.com/raylet-rs/raylet/blob/main/docs/accuracy.md).
 ///
 /// ```
 /// use raylet::{Cone, Ray, UnitVec3, Vec3, tier::Plain};
@@ -58,14 +63,16 @@ impl<S: Scalar> Tier<S> for Plain {}
 
 /// The tier between [`Plain`] and [`Stable`].
 ///
-/// It computes as [`Plain`] does, with one guard: the discriminant must not be small relative to its terms, nor the angle to a plane, nor the volume that decides on
-/// which side of a triangle's edge a ray passes. Where it is, the robust number decides. Through an [`Affine`](crate::Affine) map, and for a ray that departs, it
-/// computes with a bound of the error as [`Stable`] does, since such a guard is not enough there. In fixed point lengths are on a common grid of 28 to 30 bits (of 56
-/// to 60 bits for 64-bit types), and the robust number decides where that has no room.
+/// It computes as [`Plain`] does, with one guard: the discriminant must not be small relative to its terms, nor the
+/// angle to a plane, nor the volume that decides on which side of a triangle's edge a ray passes. Where it is, the
+/// robust number decides. Through an [`Affine`](crate::Affine) map, and for a ray that departs, it computes with a
+/// bound of the error as [`Stable`] does, since such a guard is not enough there. In fixed point lengths are on a
+/// common grid of 28 to 30 bits (of 56 to 60 bits for 64-bit types), and the robust number decides where that has no
+/// room.
 ///
-/// No hit is lost or invented if the chord is at least a hundredth of the solid's size and the ray starts within 100 sizes, except within 16 units in the last
-/// place of a rim, or of a start on the surface. The same holds for a line that has no chord, since it meets the surface once or not at all, unless the ray grazes
-/// (see [`tier`](self)).
+/// No hit is lost or invented if the chord is at least a hundredth of the solid's size and the ray starts within 100
+/// sizes, except within 16 units in the last place of a rim, or of a start on the surface. The same holds for a line
+/// that has no chord, since it meets the surface once or not at all, unless the ray grazes (see [`tier`](self)).
 ///
 /// ```
 /// use raylet::{Ray, Sphere, UnitVec3, Vec3, tier::Fast};
@@ -85,15 +92,18 @@ impl<S: Scalar> Tier<S> for Fast {}
 
 /// The default tier.
 ///
-/// Floats compute in numbers that know a bound of their error. Where a sign or a `t` is not certain enough, double-words decide, and then the robust number, of 64 bits
-/// (128 bits for 64-bit types), by the signs of its rounded values. Fixed point computes on a grid of integers, with a guard at each difference that may cancel.
+/// Floats compute in numbers that know a bound of their error. Where a sign or a `t` is not certain enough,
+/// double-words decide, and then the robust number, of 64 bits (128 bits for 64-bit types), by the signs of its rounded
+/// values. Fixed point computes on a grid of integers, with a guard at each difference that may cancel.
 ///
-/// Error of `t` for floats: about half a unit in the last place in the median, at most 16 units except for grazing rays (see [`tier`](self)), and at most 31
-/// units down to rays that graze to 10^-7. For fixed point: at most one unit. For a hit within a thousandth of the solid's size of the ray's start these
-/// are units of the size. Measured errors are in [docs/accuracy.md](https://github.com/raylet-rs/raylet/blob/main/docs/accuracy.md).
+/// Error of `t` for floats: about half a unit in the last place in the median, at most 16 units except for grazing rays
+/// (see [`tier`](self)), and at most 31 units down to rays that graze to 10^-7. For fixed point: at most one unit. For
+/// a hit within a thousandth of the solid's size of the ray's start these are units of the size. Measured errors are in
+/// [docs/accuracy.md](https://github.com/raylet-rs/raylet/blob/main/docs/accuracy.md).
 ///
-/// Within one unit of a rim or a seam (in space, or in the `t` of its plane), of touching, or of the range's start, rounding may decide the hit, its part
-/// or its crossing. In fixed point the promise does not hold for a ray within some 10^-11 of a generator of a turned cone: `t` may then be 20 units off.
+/// Within one unit of a rim or a seam (in space, or in the `t` of its plane), of touching, or of the range's start,
+/// rounding may decide the hit, its part or its crossing. In fixed point the promise does not hold for a ray within
+/// some 10^-11 of a generator of a turned cone: `t` may then be 20 units off.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Stable;
 

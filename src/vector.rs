@@ -9,9 +9,9 @@ use core::ops::Neg;
 
 /// A point or a vector of any length.
 ///
-/// Sums, differences, negatives, multiples and quotients of fixed-point vectors saturate; no operation overflows. Multiples and
-/// quotients are rounded to nearest. A quotient by zero is that of the number type's computing number: infinite or NaN for floats, zero
-/// for fixed point.
+/// Sums, differences, negatives, multiples and quotients of fixed-point vectors saturate; no operation overflows.
+/// Multiples and quotients are rounded to nearest. A quotient by zero is that of the number type's computing number:
+/// infinite or NaN for floats, zero for fixed point.
 ///
 /// ```
 /// # use raylet::Vec3;
@@ -48,7 +48,8 @@ impl<S: Scalar> Vec3<S> {
     ///
     /// # Errors
     ///
-    /// [`ValueError::NotFinite`] if a component is not finite; [`ValueError::BeyondType`] if the number type cannot hold it.
+    /// [`ValueError::NotFinite`] if a component is not finite; [`ValueError::BeyondType`] if the number type cannot
+    /// hold it.
     ///
     /// ```
     /// # use raylet::{ValueError, Vec3};
@@ -172,8 +173,9 @@ impl<S: Scalar> UnitVec3<S> {
         Self::from_real(v.real())
     }
 
-    /// The direction of a vector of `f64` components of any length, each component within half a unit of its last place and 2^-60 of
-    /// it: a fixed type has all the fraction bits of a direction, where [`Vec3::from_f64`] first rounds to those of a coordinate.
+    /// The direction of a vector of `f64` components of any length, each component within half a unit of its last place
+    /// and 2^-60 of it: a fixed type has all the fraction bits of a direction, where [`Vec3::from_f64`] first rounds to
+    /// those of a coordinate.
     ///
     /// # Errors
     ///
@@ -285,8 +287,8 @@ impl<S: Scalar> UnitVec3<S> {
         self.components.map(S::unit_real)
     }
 
-    /// The cosine of the angle between two directions, as a number to compute with. [`Scalar::round`] makes a stored number of it, and has to be called by
-    /// that name: fixed-point numbers have a `round` of their own.
+    /// The cosine of the angle between two directions, as a number to compute with. [`Scalar::round`] makes a stored
+    /// number of it, and has to be called by that name: fixed-point numbers have a `round` of their own.
     ///
     /// ```
     /// # use raylet::{Scalar, UnitVec3, Vec3};
@@ -341,8 +343,8 @@ pub(crate) fn cross<R: Real>(a: [R; 3], b: [R; 3]) -> [R; 3] {
     [minor(1, 2), minor(2, 0), minor(0, 1)]
 }
 
-/// Corresponding components. (An index over axes, as in `[0, 1, 2].map(|i| a[i])`, is checked wherever the compiler does
-/// not unroll the loop: a panic that can never happen, but would be linked.)
+/// Corresponding components. (An index over axes, as in `[0, 1, 2].map(|i| a[i])`, is checked wherever the compiler
+/// does not unroll the loop: a panic that can never happen, but would be linked.)
 #[inline(always)]
 pub(crate) fn pairs<A, B>([ax, ay, az]: [A; 3], [bx, by, bz]: [B; 3]) -> [(A, B); 3] {
     [(ax, bx), (ay, by), (az, bz)]

@@ -1,5 +1,5 @@
-//! Every solid in every number type and tier, once: what the published package tests of itself. The tests of all that raylet
-//! promises are in its repository.
+//! Every solid in every number type and tier, once: what the published package tests of itself. The tests of all that
+//! raylet promises are in its repository.
 
 use fixed::types::{I16F16, I32F32};
 use raylet::{
@@ -20,7 +20,8 @@ type Row<S> = (&'static str, Shape<S>, &'static [(f64, Part)]);
 
 /// Solids whose hits on that ray are exact numbers of few bits, or irrational and known.
 fn solids<S: Scalar>() -> [Row<S>; 9] {
-    // The sphere of radius 1.25 is met at z = +-sqrt(1.25^2 - .25^2 - .5^2), the cylinder of radius 1.25 at +-sqrt(1.5).
+    // The sphere of radius 1.25 is met at z = +-sqrt(1.25^2 - .25^2 - .5^2), the cylinder of radius 1.25 at
+    // +-sqrt(1.5).
     const SPHERE: &[(f64, Part)] =
         &[(8.0 - 1.118_033_988_749_895, Part::Side), (8.0 + 1.118_033_988_749_895, Part::Side)];
     const ROUND: &[(f64, Part)] =

@@ -13,7 +13,8 @@ pub(crate) struct Console {
 impl Console {
     /// Writes some lines of the report.
     ///
-    /// A pipe whose reader has closed it is content. Any other failure is an error: the report is not where it should be.
+    /// A pipe whose reader has closed it is content. Any other failure is an error: the report is not where it should
+    /// be.
     pub(crate) fn say(self, text: &str) -> Result<(), Box<dyn Error>> {
         let (said, name) = if self.picture_on_standard_output {
             (write_all(io::stderr().lock(), text), "standard error")

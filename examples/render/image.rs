@@ -70,8 +70,8 @@ pub(crate) fn filled<T: Clone>(value: T, width: u16, height: u16) -> Result<Vec<
     Ok(values)
 }
 
-/// Fails if pictures of this size need more memory than there is, where the system tells how much there is: most systems hand
-/// out more than they have, and end the program that uses it.
+/// Fails if pictures of this size need more memory than there is, where the system tells how much there is: most
+/// systems hand out more than they have, and end the program that uses it.
 pub(crate) fn must_fit(width: u16, height: u16, bytes_a_pixel: usize) -> Result<(), Box<dyn Error>> {
     let bytes = usize::from(width) * usize::from(height) * bytes_a_pixel;
     match available_memory() {

@@ -1,4 +1,5 @@
-//! What is wrong with a scene file, in the words of whoever runs the program: its options, and the limits of what they chose.
+//! What is wrong with a scene file, in the words of whoever runs the program: its options, and the limits of what they
+//! chose.
 
 use crate::arithmetic::Number;
 use crate::instead;

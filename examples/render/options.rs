@@ -33,7 +33,8 @@ use std::path::PathBuf;
 )]
 #[expect(clippy::struct_excessive_bools, reason = "each is a flag of its own")]
 pub(crate) struct Options {
-    /// The scene, a file in the Neutral File Format (.nff); `-` reads standard input. Without it, a built-in scene is shown
+    /// The scene, a file in the Neutral File Format (.nff); `-` reads standard input. Without it, a built-in scene is
+    /// shown
     #[arg(value_name = "FILE")]
     pub(crate) file: Option<PathBuf>,
 
@@ -43,12 +44,13 @@ pub(crate) struct Options {
 
     /// Effects to use: `auto` for all that the scene calls for, `none`, or a list such as `diffuse,shadows`
     ///
-    /// There are ambient, diffuse, specular, shadows, reflection, refraction, texture, bump, fog and antialiasing. One that is named
-    /// but not called for by the scene is not used; the report says which are.
+    /// There are ambient, diffuse, specular, shadows, reflection, refraction, texture, bump, fog and antialiasing. One
+    /// that is named but not called for by the scene is not used; the report says which are.
     #[arg(long, value_name = "LIST", default_value = "auto", value_parser = parse_effects)]
     pub(crate) effects: EffectSet,
 
-    /// Report also what each effect costs (the picture is traced again without it), and how often each object was tested and hit
+    /// Report also what each effect costs (the picture is traced again without it), and how often each object was
+    /// tested and hit
     #[arg(long, conflicts_with = "compare")]
     pub(crate) report: bool,
 
@@ -60,7 +62,8 @@ pub(crate) struct Options {
     #[arg(short, long, value_enum, ignore_case = true, default_value_t = TierName::Stable)]
     pub(crate) tier: TierName,
 
-    /// Width and height of the picture in pixels, such as 320x240; by default the resolution in the file, or 160x120 for a built-in scene
+    /// Width and height of the picture in pixels, such as 320x240; by default the resolution in the file, or 160x120
+    /// for a built-in scene
     #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = parse_size)]
     pub(crate) size: Option<(u16, u16)>,
 
@@ -68,41 +71,47 @@ pub(crate) struct Options {
     #[arg(short, long, value_name = "N", default_value_t = 1, allow_hyphen_values = true, value_parser = parse_samples)]
     pub(crate) samples: u8,
 
-    /// Where to write: FILE.png, FILE.ppm, a name for both, a folder, or `-` for standard output; by default the folder `out`
+    /// Where to write: FILE.png, FILE.ppm, a name for both, a folder, or `-` for standard output; by default the folder
+    /// `out`
     ///
-    /// A name that ends in .png or .ppm is written in that format, and a name without a suffix in both. In a folder, both are
-    /// written under the scene's name. `-` writes a PPM to standard output, and the report to standard error. Folders that are
-    /// missing are made, and files that exist are replaced.
+    /// A name that ends in .png or .ppm is written in that format, and a name without a suffix in both. In a folder,
+    /// both are written under the scene's name. `-` writes a PPM to standard output, and the report to standard error.
+    /// Folders that are missing are made, and files that exist are replaced.
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
     /// Trace the scene twice, in A and in B, and report how far the picture of A is from that of B
     ///
-    /// A and B are each a number type, or a number type and a tier, such as `i16f16-exact`. The report says how many pixels
-    /// differ and by how much. Three pictures are written: both, and their difference, 32 times amplified.
+    /// A and B are each a number type, or a number type and a tier, such as `i16f16-exact`. The report says how many
+    /// pixels differ and by how much. Three pictures are written: both, and their difference, 32 times amplified.
     #[arg(long, num_args = 2, value_names = ["A", "B"], conflicts_with_all = ["number", "tier"], value_parser = Arithmetic::parse)]
     pub(crate) compare: Vec<Arithmetic>,
 
-    /// Enlarge or shrink the file by a power of two before it is rounded to the number type: `auto`, or 1/65536 to 4294967296
+    /// Enlarge or shrink the file by a power of two before it is rounded to the number type: `auto`, or 1/65536 to
+    /// 4294967296
     ///
-    /// One unit of the file becomes this many in the scene. In exact arithmetic the picture would be the same. Fixed point rounds
-    /// lengths to steps of fixed size: in a larger scene they matter less, but it may have coordinates beyond the number type. `auto`
-    /// takes the largest scale that leaves room in fixed point, and 1 in floating point, where it does not matter.
+    /// One unit of the file becomes this many in the scene. In exact arithmetic the picture would be the same. Fixed
+    /// point rounds lengths to steps of fixed size: in a larger scene they matter less, but it may have coordinates
+    /// beyond the number type. `auto` takes the largest scale that leaves room in fixed point, and 1 in floating point,
+    /// where it does not matter.
     #[arg(long, value_name = "FACTOR", default_value = "auto", allow_hyphen_values = true, value_parser = parse_scale)]
     pub(crate) scale: Units,
 
     /// Show every surface from both sides, for files whose polygons run the wrong way
     ///
-    /// Without it a polygon is seen only from its front, where its corners run counterclockwise; a sphere, cone or cylinder only
-    /// from outside, or only from within if its radii are negative; and what is transparent from both sides.
+    /// Without it a polygon is seen only from its front, where its corners run counterclockwise; a sphere, cone or
+    /// cylinder only from outside, or only from within if its radii are negative; and what is transparent from both
+    /// sides.
     #[arg(long)]
     pub(crate) both_sides: bool,
 
-    /// White ambient light, 0 to 1: with 0.1, what no light reaches is a tenth as bright as what faces a light of strength 1
+    /// White ambient light, 0 to 1: with 0.1, what no light reaches is a tenth as bright as what faces a light of
+    /// strength 1
     #[arg(long, value_name = "LEVEL", default_value_t = 0.0, allow_hyphen_values = true, value_parser = parse_level)]
     pub(crate) ambient: f64,
 
-    /// Write levels in proportion to the light, for measuring. Without it they are encoded by sRGB, as screens expect it
+    /// Write levels in proportion to the light, for measuring. Without it they are encoded by sRGB, as screens expect
+    /// it
     ///
     /// On a screen a linear picture is too dark. A PNG says which of the two it is.
     #[arg(long)]
@@ -110,15 +119,18 @@ pub(crate) struct Options {
 
     /// Cast every reflected and refracted ray, 16 surfaces deep, however little it adds
     ///
-    /// Without it those that add too little to change a level are not cast; compare the pictures to see that none changes.
+    /// Without it those that add too little to change a level are not cast; compare the pictures to see that none
+    /// changes.
     #[arg(long)]
     pub(crate) uncut: bool,
 
-    /// Threads to trace with, 1 to 256; by default one for each processor. The picture is the same with any number of them
+    /// Threads to trace with, 1 to 256; by default one for each processor. The picture is the same with any number of
+    /// them
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = parse_threads)]
     pub(crate) threads: Option<u16>,
 
-    /// Test every object for every ray, instead of only those whose boxes the ray meets, to see what time the boxes save
+    /// Test every object for every ray, instead of only those whose boxes the ray meets, to see what time the boxes
+    /// save
     ///
     /// The picture is the same.
     #[arg(long)]

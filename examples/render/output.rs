@@ -148,8 +148,8 @@ impl Output {
         Ok(())
     }
 
-    /// Writes the picture whose label was the first, then the second and so on, and returns its names for a message. One file that
-    /// cannot be written does not keep another from being written.
+    /// Writes the picture whose label was the first, then the second and so on, and returns its names for a message.
+    /// One file that cannot be written does not keep another from being written.
     pub(crate) fn write(&mut self, index: usize, image: &Image) -> Result<String, Box<dyn Error>> {
         let targets = &mut self.targets[index];
         if targets.is_empty() {

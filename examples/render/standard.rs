@@ -1,7 +1,8 @@
-//! Whether what is written to standard output reaches anybody, where the system tells (Linux): nothing else would notice.
+//! Whether what is written to standard output reaches anybody, where the system tells (Linux): nothing else would
+//! notice.
 //!
-//! The Rust runtime opens `/dev/null` in place of a standard output that is closed, and takes a standard output that may only be
-//! read for one that was written to. Both lose a picture without an error.
+//! The Rust runtime opens `/dev/null` in place of a standard output that is closed, and takes a standard output that
+//! may only be read for one that was written to. Both lose a picture without an error.
 
 use std::fs;
 use std::path::Path;
@@ -13,8 +14,8 @@ pub(crate) fn fault() -> Option<&'static str> {
         Access::Read => Some(
             "standard output is open for reading only: redirect it to a file or a program, or give --output a name",
         ),
-        // A shell opens `> /dev/null` for writing only, and that is as it was meant. The runtime opens it for both. So do some
-        // programs that start others: they are told how to say that they want no picture.
+        // A shell opens `> /dev/null` for writing only, and that is as it was meant. The runtime opens it for both. So
+        // do some programs that start others: they are told how to say that they want no picture.
         Access::Both if fs::read_link("/proc/self/fd/1").ok()? == Path::new("/dev/null") => Some(
             "standard output is closed (or /dev/null, open for reading too), and the picture would be lost: redirect standard \
              output to a file or a program, or give --output a name; with -o /dev/null no picture is kept",

@@ -158,8 +158,8 @@ fn counted<S: Scalar>(pixel: &Pixel<S>, levels: [u8; 3]) -> Pixels {
     Pixels { seen: 1, black: u64::from(levels == [0; 3]), lit: u64::from(pixel.lit_by != 0) }
 }
 
-/// Does the same work on as many threads as are wanted, or as there are processors, and at most on `most`; fails if one of
-/// them panics.
+/// Does the same work on as many threads as are wanted, or as there are processors, and at most on `most`; fails if one
+/// of them panics.
 fn on_threads<R: Send>(
     threads: Option<u16>,
     most: u16,

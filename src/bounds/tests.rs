@@ -158,8 +158,8 @@ fn holds<S: Number>(shape: &Shape<S>, exactly: &Exactly) -> bool {
     sides(shape.bounds()).into_iter().all(is_held)
 }
 
-/// By how many units of the largest coordinate the box is larger than the solid, rounded up: 1 is the least number of the type that is
-/// no less. `None` where it is infinite.
+/// By how many units of the largest coordinate the box is larger than the solid, rounded up: 1 is the least number of
+/// the type that is no less. `None` where it is infinite.
 fn looseness<S: Number>(shape: &Shape<S>, exactly: &Exactly) -> Option<u32> {
     let mut largest = match shape.placement() {
         Placement::World => 0.0,
@@ -278,7 +278,8 @@ fn hold_at_the_extremes<S: Number>(tens: f64) {
                 let exactly = Exactly::new(&shape, &parts);
                 assert!(holds(&shape, &exactly), "{shape:?} reaches out of {:?}", shape.bounds());
                 if let (Placement::Frame(_), Some(units)) = (placement, looseness(&shape, &exactly)) {
-                    // One for what subnormal products lose; near the smallest float also what the low words of products lose.
+                    // One for what subnormal products lose; near the smallest float also what the low words of products
+                    // lose.
                     let most = if size < 2.0 - tens { 8 } else { 3 };
                     assert!(units <= most, "{shape:?} leaves {units} units in {:?}", shape.bounds());
                 }

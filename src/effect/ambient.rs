@@ -1,4 +1,5 @@
-//! Ambient light: light of the same strength from everywhere (Phong, *Illumination for computer generated pictures*, 1975).
+//! Ambient light: light of the same strength from everywhere (Phong, *Illumination for computer generated pictures*,
+//! 1975).
 
 use crate::scalar::Scalar;
 use crate::scene::{Color, Material};

@@ -1,5 +1,5 @@
-//! Adaptive supersampling where a pixel's corners differ: Whitted, *An Improved Illumination Model for Shaded Display* (1980),
-//! section 4.
+//! Adaptive supersampling where a pixel's corners differ: Whitted, *An Improved Illumination Model for Shaded Display*
+//! (1980), section 4.
 
 use super::Sample;
 use crate::scalar::Scalar;
@@ -8,11 +8,11 @@ use crate::scene::Levels;
 /// The largest difference of the corners' channels that is not refined: eight levels of 255, encoded by sRGB.
 const THRESHOLD: u16 = 16 * 8;
 
-/// True if the corners of a pixel differ, so that it must be refined: in object or part, in the lights that reach them, or by more than
-/// eight levels in a channel.
+/// True if the corners of a pixel differ, so that it must be refined: in object or part, in the lights that reach them,
+/// or by more than eight levels in a channel.
 ///
-/// Detail between four corners that agree is missed. Otherwise the mean of such corners differs by at most the threshold from the mean
-/// of the whole grid of samples.
+/// Detail between four corners that agree is missed. Otherwise the mean of such corners differs by at most the
+/// threshold from the mean of the whole grid of samples.
 pub(crate) fn differ<S: Scalar>(corners: &[Sample<S>; 4]) -> bool {
     let [first, others @ ..] = corners;
     let (mut low, mut high) = (first.color.clamped().to_array(), first.color.clamped().to_array());

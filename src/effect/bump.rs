@@ -9,8 +9,8 @@ use crate::vector::{UnitVec3, pairs};
 
 /// The normal perturbed by the slopes of the waves: the direction of `N - s_u T_u - s_v T_v`, on the side of `normal`.
 ///
-/// `normal` is the shading normal on the viewer's side. `from_outside` is true if that is the outside; seen from the other side the
-/// slopes have the opposite sign.
+/// `normal` is the shading normal on the viewer's side. `from_outside` is true if that is the outside; seen from the
+/// other side the slopes have the opposite sign.
 pub(super) fn bent<S: Scalar>(
     waves: &Waves<S>,
     surface: &Surface<S, impl Kinds>,
@@ -26,8 +26,8 @@ pub(super) fn bent<S: Scalar>(
     UnitVec3::from_real(leaning).unwrap_or(normal)
 }
 
-/// The slope of `count` waves at a coordinate, relative to the largest: 1 where a wave begins, -1 in its middle, 1 at its end, and
-/// linear between. (A sine would need doubles in `f32` builds.)
+/// The slope of `count` waves at a coordinate, relative to the largest: 1 where a wave begins, -1 in its middle, 1 at
+/// its end, and linear between. (A sine would need doubles in `f32` builds.)
 fn steepness<S: Scalar>(coordinate: S::Unit, count: u16) -> S::Real {
     if count == 0 {
         return S::Real::ZERO;

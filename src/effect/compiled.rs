@@ -44,8 +44,8 @@ markers! {
 
 /// The set of effects that a tracer is compiled with: a tuple of up to ten marker types, in any order. Sealed.
 ///
-/// An effect that is not in the tuple contributes no instruction to the program: its code runs only after a test of the constant
-/// [`SET`](Effects::SET), and the compiler removes it.
+/// An effect that is not in the tuple contributes no instruction to the program: its code runs only after a test of the
+/// constant [`SET`](Effects::SET), and the compiler removes it.
 ///
 /// ```
 /// use raylet::effect::{All, Diffuse, EffectSet, Effects, Shadows};

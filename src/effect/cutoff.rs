@@ -8,10 +8,10 @@ use crate::vector::pairs;
 
 /// The maximum depth of secondary rays: a path has at most `DEPTH + 1` surfaces.
 ///
-/// If refraction is compiled in, paths branch. Rays then wait in two lists of fixed capacity: at most `DEPTH + 1` rays (the deepest is
-/// cast first), and `DEPTH` deferred rays of small weight. In `f32` and 32-bit fixed point that takes at most 33 times 64 bytes of stack.
-/// Without refraction a path does not branch, since a mirror reflects one ray for each that it receives, and there is no list. No function
-/// is recursive.
+/// If refraction is compiled in, paths branch. Rays then wait in two lists of fixed capacity: at most `DEPTH + 1` rays
+/// (the deepest is cast first), and `DEPTH` deferred rays of small weight. In `f32` and 32-bit fixed point that takes
+/// at most 33 times 64 bytes of stack. Without refraction a path does not branch, since a mirror reflects one ray for
+/// each that it receives, and there is no list. No function is recursive.
 pub const DEPTH: u8 = 16;
 
 /// True if no addition of up to `doubt` to the light changes its level in any channel.
@@ -24,8 +24,9 @@ pub(super) fn is_settled<S: Scalar>(light: [S::Real; 3], doubt: [S::Real; 3], le
         .all(|(light, doubt)| doubt.is_zero() || level(light - rounding) == level(light + doubt + rounding))
 }
 
-/// Upper bounds, for each channel, of the radiance of any ray of a scene: the brightest shading of any surface, plus what it reflects and
-/// transmits down to the maximum depth. `sent_on` returns the fraction of the light that a material reflects and transmits.
+/// Upper bounds, for each channel, of the radiance of any ray of a scene: the brightest shading of any surface, plus
+/// what it reflects and transmits down to the maximum depth. `sent_on` returns the fraction of the light that a
+/// material reflects and transmits.
 pub(super) fn brightest<S: Scalar>(
     scene: &Scene<'_, S, impl Tier<S>, impl Kinds>,
     sent_on: impl Fn(&Material<S>) -> S::Real,
@@ -58,8 +59,9 @@ mod tests {
     use crate::scene::{Camera, Light, Material};
     use crate::vector::Vec3;
 
-    /// The bound is a geometric sum: the light that is shaded at each of `DEPTH + 1` surfaces, and the background or fog behind the last. With a
-    /// smaller bound visible light would be left out; with a larger one fewer rays would be.
+    /// The bound is a geometric sum: the light that is shaded at each of `DEPTH + 1` surfaces, and the background or
+    /// fog behind the last. With a smaller bound visible light would be left out; with a larger one fewer rays would
+    /// be.
     #[test]
     fn the_brightest_light_is_that_of_surfaces_seen_in_surfaces() {
         let camera = Camera::new(Vec3::new(0.0_f64, 0.0, 5.0), Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0), 40.0);

@@ -2,8 +2,8 @@
 
 use crate::scalar::{Real, Scalar};
 
-/// `[0, 1]` is divided into `count` equal fields: the index of the field of a coordinate, from 0, and the position in it, in
-/// `[0, 1]`. A coordinate of 1 belongs to the last field. A count of 0 gives the field 0, without extent.
+/// `[0, 1]` is divided into `count` equal fields: the index of the field of a coordinate, from 0, and the position in
+/// it, in `[0, 1]`. A coordinate of 1 belongs to the last field. A count of 0 gives the field 0, without extent.
 pub(super) fn field<S: Scalar>(coordinate: S::Unit, count: u16) -> (u16, S::Real) {
     use crate::scalar::UnitScalar;
     let place = S::unit_real(coordinate) * S::Real::from_int(i32::from(count));

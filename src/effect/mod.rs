@@ -25,29 +25,32 @@
 //! *At compile time*: [`Tracer`] and [`Picture`](crate::Picture) have their effects as a type parameter, [`All`] by
 //! default. A program contains no instruction of an effect that is not in this tuple.
 //!
-//! *When a picture is made*: [`Scene::effects`](crate::Scene::effects) returns the effects that materials, lights and fog need. If one of them is not
-//! compiled in, the picture is rejected with an [`EffectError`], since it would be wrong without it.
+//! *When a picture is made*: [`Scene::effects`](crate::Scene::effects) returns the effects that materials, lights and
+//! fog need. If one of them is not compiled in, the picture is rejected with an [`EffectError`], since it would be
+//! wrong without it.
 //!
-//! *At each hit*: no shadow ray is cast towards a light that is behind the surface or would contribute nothing. No normal is
-//! computed for a shadow test, or where nothing is shaded. Surface coordinates are computed only for a texture or waves. No secondary ray is
-//! cast whose light cannot change the result.
+//! *At each hit*: no shadow ray is cast towards a light that is behind the surface or would contribute nothing. No
+//! normal is computed for a shadow test, or where nothing is shaded. Surface coordinates are computed only for a
+//! texture or waves. No secondary ray is cast whose light cannot change the result.
 //!
 //! # The cut-off
 //!
-//! A secondary ray has a weight: the product of the reflectances and transmittances along its path. In a chain of mirrors the path ends
-//! if the next ray could not change an eight-bit level of any channel, even with the largest radiance that is possible in the scene.
-//! Where paths branch, rays with a weight below 2^-7 are deferred. After all others they are cast in order of decreasing weight, until all that are
-//! left together could not change a level. Therefore the rays that are left out change no level in any scene whose
-//! numbers are in their documented ranges (colours up to 1, strengths of at least 0). Levels are encoded by sRGB, or linear for
-//! [`Picture::in_linear_levels`](crate::Picture::in_linear_levels). For a display, and for each sample of a pixel with several samples, they are a
-//! sixteenth as large; the mean of a pixel's samples is off by at most a sixteenth of a level, which may round it to the next level, and such a
-//! difference may still decide whether a pixel's corners differ.
+//! A secondary ray has a weight: the product of the reflectances and transmittances along its path. In a chain of
+//! mirrors the path ends if the next ray could not change an eight-bit level of any channel, even with the largest
+//! radiance that is possible in the scene. Where paths branch, rays with a weight below 2^-7 are deferred. After all
+//! others they are cast in order of decreasing weight, until all that are left together could not change a level.
+//! Therefore the rays that are left out change no level in any scene whose numbers are in their documented ranges
+//! (colours up to 1, strengths of at least 0). Levels are encoded by sRGB, or linear for
+//! [`Picture::in_linear_levels`](crate::Picture::in_linear_levels). For a display, and for each sample of a pixel with
+//! several samples, they are a sixteenth as large; the mean of a pixel's samples is off by at most a sixteenth of a
+//! level, which may round it to the next level, and such a difference may still decide whether a pixel's corners
+//! differ.
 //!
 //! # Glass
 //!
-//! [`Material`](crate::Material) defines how light is divided. A ray that enters an object departs from its surface inwards, one that leaves
-//! it departs outwards (see [`Departure`](crate::Departure)), so that no ray hits the surface again that it starts on, without any
-//! offset. Transparent objects cast full shadows, and there are no caustics.
+//! [`Material`](crate::Material) defines how light is divided. A ray that enters an object departs from its surface
+//! inwards, one that leaves it departs outwards (see [`Departure`](crate::Departure)), so that no ray hits the surface
+//! again that it starts on, without any offset. Transparent objects cast full shadows, and there are no caustics.
 
 mod ambient;
 mod antialiasing;
@@ -90,7 +93,7 @@ pub struct Sample<S: Scalar> {
     pub color: Color<S>,
     /// The index of the object of the first hit and the part of its surface; `None` for the background.
     pub seen: Option<(u32, Part)>,
-    /// Bit mask of the first 32 lights: bit `n` is set if light `n` contributes to the shading of the first hit. 0 if nothing is shaded
-    /// there, as on a perfect mirror.
+    /// Bit mask of the first 32 lights: bit `n` is set if light `n` contributes to the shading of the first hit. 0 if
+    /// nothing is shaded there, as on a perfect mirror.
     pub lit_by: u32,
 }

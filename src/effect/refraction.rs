@@ -1,9 +1,10 @@
 //! Transmission through a surface: Snell's law, Fresnel's equations (as in Born and Wolf, *Principles of Optics*, 1.5),
 //! total reflection.
 //!
-//! The two sides of every surface are taken to be different media: light that enters is refracted by `1 / refraction`, light that leaves
-//! by `refraction`. That includes open surfaces, since a closed object may consist of triangles, or of a tube and two discs.
-//! A single pane, tube or triangle with the same medium on both sides should have the index 1, which does not bend the light.
+//! The two sides of every surface are taken to be different media: light that enters is refracted by `1 / refraction`,
+//! light that leaves by `refraction`. That includes open surfaces, since a closed object may consist of triangles, or
+//! of a tube and two discs. A single pane, tube or triangle with the same medium on both sides should have the index 1,
+//! which does not bend the light.
 
 use super::reflection::part;
 use super::shading_point::ShadingPoint;
@@ -45,7 +46,8 @@ pub(super) fn split<S: Scalar>(material: &Material<S>, site: &ShadingPoint<S>, c
     // The index of refraction of the far side relative to the near side.
     let denser = if site.from_outside { index } else { one / index };
     let bent = bend(site, site.normal, denser);
-    // With a perturbed normal the refracted ray may be on the wrong side of the surface; with the true normal it is not.
+    // With a perturbed normal the refracted ray may be on the wrong side of the surface; with the true normal it is
+    // not.
     let bent = match bent {
         Some((through, _)) if site.normal != site.facing && through.dot(site.facing) >= zero => {
             bend(site, site.facing, denser)

@@ -19,11 +19,13 @@ pub(super) struct ShadingPoint<S: Scalar> {
     pub(super) part: Part,
     /// The point.
     pub(super) point: Vec3<S>,
-    /// The geometric normal, on the side that the ray comes from. It decides on which side of the surface a direction is.
+    /// The geometric normal, on the side that the ray comes from. It decides on which side of the surface a direction
+    /// is.
     pub(super) facing: UnitVec3<S>,
     /// The shading normal, on the same side except for some grazing rays.
     pub(super) normal: UnitVec3<S>,
-    /// True if the ray comes from outside. It is taken from the crossing and does not depend on the rounding of the normal.
+    /// True if the ray comes from outside. It is taken from the crossing and does not depend on the rounding of the
+    /// normal.
     pub(super) from_outside: bool,
     /// The direction to the viewer, opposite to that of the ray.
     pub(super) to_viewer: UnitVec3<S>,
@@ -61,7 +63,8 @@ impl<S: Scalar> ShadingPoint<S> {
             let mix = |a, b, c| S::Real::sum_of_products([[a, rest], [b, u], [c, v]]);
             UnitVec3::from_real([mix(ax, bx, cx), mix(ay, by, cy), mix(az, bz, cz)])
         });
-        // Oriented by the geometric normal and not by the viewer: near a silhouette an interpolated normal may point away from the viewer.
+        // Oriented by the geometric normal and not by the viewer: near a silhouette an interpolated normal may point
+        // away from the viewer.
         let normal = smooth.map_or(facing, |smooth| if smooth.dot(facing).is_negative() { -smooth } else { smooth });
         let (object, part) = (on.object, on.hit.part);
         Self { object, part, point: surface.point(), facing, normal, from_outside, to_viewer }
@@ -82,8 +85,9 @@ impl<S: Scalar> ShadingPoint<S> {
         })
     }
 
-    /// A secondary ray, to the viewer's side or, if `through`, to the other side. Its [`Departure`] keeps it from hitting the surface that it
-    /// starts on; there is no offset. `None` if the point is beyond the number type's budget, where no ray can start.
+    /// A secondary ray, to the viewer's side or, if `through`, to the other side. Its [`Departure`] keeps it from
+    /// hitting the surface that it starts on; there is no offset. `None` if the point is beyond the number type's
+    /// budget, where no ray can start.
     pub(super) fn ray(&self, direction: UnitVec3<S>, through: bool) -> Option<Ray<S>> {
         let leaving = if self.from_outside == through { Leaving::Inwards } else { Leaving::Outwards };
         let departure = Departure { object: self.object, part: self.part, leaving };

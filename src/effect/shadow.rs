@@ -11,10 +11,11 @@ use crate::tier::Tier;
 
 /// True if an object occludes the light of this index from the shading point.
 ///
-/// Casts one ray with the range `[0, distance]` and stops at any hit. The object that last occluded this light is tested first. No point or
-/// normal is computed. Transparent objects cast full shadows too: caustics are not computed, and shadows do not depend on whether
-/// refraction is compiled in. A one-sided surface casts a shadow only if the shadow ray hits it from its visible side. A
-/// point beyond the number type's budget, from which no ray can start, is not in shadow.
+/// Casts one ray with the range `[0, distance]` and stops at any hit. The object that last occluded this light is
+/// tested first. No point or normal is computed. Transparent objects cast full shadows too: caustics are not computed,
+/// and shadows do not depend on whether refraction is compiled in. A one-sided surface casts a shadow only if the
+/// shadow ray hits it from its visible side. A point beyond the number type's budget, from which no ray can start, is
+/// not in shadow.
 pub(super) fn is_shadowed<S: Scalar, T: Tier<S>, O: Observer, K: Kinds>(
     scene: &Scene<'_, S, T, K>,
     site: &ShadingPoint<S>,

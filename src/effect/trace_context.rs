@@ -9,9 +9,10 @@ const NOBODY: u32 = u32::MAX;
 
 /// Trace context: the counters, a shadow cache and an observer.
 ///
-/// The shadow cache holds, for each of the first 8 lights, the object that occluded it from the last shading point, if any. That object is
-/// tested first, since neighbouring points are often in the shadow of the same object. The cache never changes a result, only the number of
-/// tests. It is cleared at the start of every row, so that the cost of a row does not depend on the rows before it.
+/// The shadow cache holds, for each of the first 8 lights, the object that occluded it from the last shading point, if
+/// any. That object is tested first, since neighbouring points are often in the shadow of the same object. The cache
+/// never changes a result, only the number of tests. It is cleared at the start of every row, so that the cost of a row
+/// does not depend on the rows before it.
 #[derive(Clone, Debug)]
 pub struct TraceContext<O = ()> {
     /// Counters of rays and tests.

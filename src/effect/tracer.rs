@@ -91,8 +91,8 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         Ok(Self::leaving_out(scene))
     }
 
-    /// A tracer with the effects `E` compiled in, which leaves out any other effects that the scene needs: for instance shading without
-    /// shadows, to save time.
+    /// A tracer with the effects `E` compiled in, which leaves out any other effects that the scene needs: for instance
+    /// shading without shadows, to save time.
     pub fn leaving_out(scene: &'a Scene<'a, S, T, K>) -> Self {
         let active = scene.effects().intersection(E::SET);
         let refracts = E::SET.contains(Effect::Refraction) && active.contains(Effect::Refraction);
@@ -106,14 +106,16 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         Self { scene, active, brightest, uncut: false, compiled: PhantomData }
     }
 
-    /// The same tracer with only those of its effects that are in the set. The others are switched off: without shading surfaces are black,
-    /// without reflection and refraction mirrors and glass show only their own shading, without textures the material's colour, and so on.
+    /// The same tracer with only those of its effects that are in the set. The others are switched off: without shading
+    /// surfaces are black, without reflection and refraction mirrors and glass show only their own shading, without
+    /// textures the material's colour, and so on.
     #[must_use]
     pub fn only(self, effects: EffectSet) -> Self {
         Self { active: self.active.intersection(effects), ..self }
     }
 
-    /// The same tracer without the cut-off: it casts every ray down to [`DEPTH`], however small its weight. For tests and measurements.
+    /// The same tracer without the cut-off: it casts every ray down to [`DEPTH`], however small its weight. For tests
+    /// and measurements.
     #[must_use]
     pub fn uncut(self) -> Self {
         Self { uncut: true, ..self }
@@ -129,14 +131,15 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         self.active
     }
 
-    /// True if the effect is in use. For an effect that is not compiled in this is a constant, and the compiler removes the code that
-    /// depends on it.
+    /// True if the effect is in use. For an effect that is not compiled in this is a constant, and the compiler removes
+    /// the code that depends on it.
     #[inline(always)]
     fn uses(&self, effect: Effect) -> bool {
         E::SET.contains(effect) && self.active.contains(effect)
     }
 
-    /// What a ray sees: the radiance from the nearest surface, with reflection and refraction, or that of the background.
+    /// What a ray sees: the radiance from the nearest surface, with reflection and refraction, or that of the
+    /// background.
     ///
     /// Rays and tests are counted in `context`. A ray whose light could not change the colour's eight-bit
     /// level is not cast; see [`effect`](crate::effect#the-cut-off).
@@ -190,8 +193,8 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
 
     /// Follows a path that may branch at each surface, until the rest of it cannot change a level.
     ///
-    /// Rays of small weight are deferred, and cast last in order of decreasing weight. Not inlined, so that tracing a scene without refraction
-    /// takes no stack for the lists.
+    /// Rays of small weight are deferred, and cast last in order of decreasing weight. Not inlined, so that tracing a
+    /// scene without refraction takes no stack for the lists.
     #[inline(never)]
     fn follow_tree<O: Observer>(
         &self,
@@ -299,8 +302,8 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         visible
     }
 
-    /// The colour of the surface at a shading point, and its normal after bump mapping. Surface coordinates are computed once, and only if
-    /// there is a texture or a bump map.
+    /// The colour of the surface at a shading point, and its normal after bump mapping. Surface coordinates are
+    /// computed once, and only if there is a texture or a bump map.
     fn dress<O: Observer>(
         &self,
         material: &Material<S>,
@@ -324,7 +327,8 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         })
     }
 
-    /// Adds the ambient light and that of all light sources that reach a shading point, and returns which of the first 32 do.
+    /// Adds the ambient light and that of all light sources that reach a shading point, and returns which of the first
+    /// 32 do.
     ///
     /// No shadow ray is cast to a light that is behind the surface or would contribute nothing.
     fn shade<O: Observer>(

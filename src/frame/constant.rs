@@ -19,7 +19,8 @@ macro_rules! constants {
                 }
             }
 
-            /// [`Frame::from_axes`] in a constant. (The other constructors compute axes, for which they need a square root.)
+            /// [`Frame::from_axes`] in a constant. (The other constructors compute axes, for which they need a square
+            /// root.)
             ///
             /// # Errors
             ///

@@ -1,4 +1,5 @@
-//! Solids with different materials on base and top, with procedural textures and an image. The Neutral File Format has none of these.
+//! Solids with different materials on base and top, with procedural textures and an image. The Neutral File Format has
+//! none of these.
 
 use super::{Stage, all, floor, matte, number, on_y, point};
 use crate::scene::Coordinate;

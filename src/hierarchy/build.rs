@@ -10,15 +10,17 @@ use crate::shape::{Placement, Primitive, Shape, Shaped};
 use crate::vector::{Vec3, pairs};
 
 impl<'a, S: Scalar> Hierarchy<'a, S> {
-    /// The hierarchy of these objects, or of these shapes, in borrowed storage of at least [`Hierarchy::nodes_for`] nodes.
+    /// The hierarchy of these objects, or of these shapes, in borrowed storage of at least [`Hierarchy::nodes_for`]
+    /// nodes.
     ///
-    /// Divides the objects in two along the axis on which the centres of their boxes are farthest apart, at the place with the least
-    /// surface area cost, and then each part again. That takes time in proportion to `n log n`. The same objects always give the same
-    /// hierarchy.
+    /// Divides the objects in two along the axis on which the centres of their boxes are farthest apart, at the place
+    /// with the least surface area cost, and then each part again. That takes time in proportion to `n log n`. The same
+    /// objects always give the same hierarchy.
     ///
     /// # Errors
     ///
-    /// [`HierarchyError::Storage`] if the storage is too small; [`HierarchyError::TooManyObjects`] for more than 2^30 - 1 objects.
+    /// [`HierarchyError::Storage`] if the storage is too small; [`HierarchyError::TooManyObjects`] for more than 2^30 -
+    /// 1 objects.
     pub fn build(objects: &[impl Shaped<S>], nodes: &'a mut [Node<S>]) -> Result<Self, HierarchyError> {
         if objects.len() > MOST_OBJECTS {
             return Err(HierarchyError::TooManyObjects);
@@ -27,7 +29,8 @@ impl<'a, S: Scalar> Hierarchy<'a, S> {
         let Some((nodes, _)) = nodes.split_at_mut_checked(needed) else {
             return Err(HierarchyError::Storage { needed, given });
         };
-        // Objects without a box are written at the beginning and leaves at the end, where the tree overwrites none that is still needed.
+        // Objects without a box are written at the beginning and leaves at the end, where the tree overwrites none that
+        // is still needed.
         let (mut unbounded, mut leaves) = (0, 0);
         for (index, object) in (0_u32..).zip(objects) {
             let leaf = Node::leaf(index, object.shape());
@@ -48,8 +51,8 @@ impl<'a, S: Scalar> Hierarchy<'a, S> {
 
 /// Makes a tree of the leaves at the end of the list, in place.
 ///
-/// A node is never written over a leaf that is still needed: before the node at a place there are fewer inner nodes than leaves, so that the
-/// remaining leaves begin after it, or, if it is a leaf, with it.
+/// A node is never written over a leaf that is still needed: before the node at a place there are fewer inner nodes
+/// than leaves, so that the remaining leaves begin after it, or, if it is a leaf, with it.
 fn grow<S: Scalar>(tree: &mut [Node<S>], leaves: u32) {
     let mut written = 0;
     for place in 0..tree.len() {
@@ -69,7 +72,8 @@ fn grow<S: Scalar>(tree: &mut [Node<S>], leaves: u32) {
     }
 }
 
-/// How many objects are below the node at this place of a tree of `objects` leaves, and how many levels are allowed below it.
+/// How many objects are below the node at this place of a tree of `objects` leaves, and how many levels are allowed
+/// below it.
 fn below<S: Scalar>(tree: &[Node<S>], place: usize, mut objects: u32) -> (u32, u32) {
     let (mut at, mut levels) = (0, LEVELS);
     // One step down in each round, from the root.
@@ -123,7 +127,8 @@ impl<S: Scalar> Node<S> {
     }
 }
 
-/// A faster computation with the same bits, for the shapes of which large scenes consist: their bounds are sums without rounding.
+/// A faster computation with the same bits, for the shapes of which large scenes consist: their bounds are sums without
+/// rounding.
 fn simple_bounds<S: Scalar, K: Kinds>(shape: &Shape<S, K>) -> Option<Bounds<S>> {
     match (shape.placement(), shape.primitive()) {
         (Placement::World, Primitive::Triangle(triangle)) if K::SET.contains(Kind::Triangle) => {
@@ -147,8 +152,9 @@ fn around<S: Scalar>([a, b, c]: [Vec3<S>; 3]) -> Bounds<S> {
     Bounds { low, high }
 }
 
-/// The factor by which the distance of a reported hit from the solid may exceed the error of `t`. At a sharp rim, where two surfaces meet
-/// at a small angle, two ends that round to the same `t` may be far from the rim. `None` beyond 2^8, which the margin of a box does not cover.
+/// The factor by which the distance of a reported hit from the solid may exceed the error of `t`. At a sharp rim, where
+/// two surfaces meet at a small angle, two ends that round to the same `t` may be far from the rim. `None` beyond 2^8,
+/// which the margin of a box does not cover.
 fn sharpness<S: Scalar, K: Kinds>(shape: &Shape<S, K>) -> Option<S::Real> {
     let one = S::Real::ONE;
     let rim = match shape.primitive() {
@@ -169,8 +175,8 @@ fn sharpness<S: Scalar, K: Kinds>(shape: &Shape<S, K>) -> Option<S::Real> {
     if sharpness <= most { Some(sharpness) } else { None }
 }
 
-/// Centre and half extents of a box, enlarged by `units` and by the fraction [`MARGIN_BITS`] of its size and, if its object is placed at
-/// a position that may be far from the box, of the distance from that position.
+/// Centre and half extents of a box, enlarged by `units` and by the fraction [`MARGIN_BITS`] of its size and, if its
+/// object is placed at a position that may be far from the box, of the distance from that position.
 fn padded<S: Scalar>(low: Vec3<S>, high: Vec3<S>, position: Option<Vec3<S>>, units: S::Real) -> ([S; 3], [S; 3]) {
     // Halved before they are added: the sum may be beyond the type.
     let half_of = |c: S::Real| c.scaled(-1);

@@ -1,4 +1,5 @@
-//! Bounding volume hierarchy, with which a ray tests only few of many objects: for a [`Scene`](crate::Scene), or for [`Shapes`] without a scene.
+//! Bounding volume hierarchy, with which a ray tests only few of many objects: for a [`Scene`](crate::Scene), or for
+//! [`Shapes`] without a scene.
 //!
 //! | module | what it holds |
 //! |---|---|
@@ -19,8 +20,8 @@ use crate::shape::Shaped;
 use core::fmt;
 use search::Watch;
 
-/// A node of a [`Hierarchy`]. Its fields are private: make an array of [`Node::EMPTY`] or of `Node::default()` and pass it to
-/// [`Hierarchy::build`].
+/// A node of a [`Hierarchy`]. Its fields are private: make an array of [`Node::EMPTY`] or of `Node::default()` and pass
+/// it to [`Hierarchy::build`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Node<S> {
@@ -28,8 +29,8 @@ pub struct Node<S> {
     half: [S; 3],
     /// The number of objects in it.
     objects: u32,
-    /// Of a leaf, the index of its object. Of an inner node, the number of objects in its lower child, and in the top bits the axis along
-    /// which that child is lower.
+    /// Of a leaf, the index of its object. Of an inner node, the number of objects in its lower child, and in the top
+    /// bits the axis along which that child is lower.
     object: u32,
 }
 
@@ -65,18 +66,19 @@ impl<S: Scalar> Default for Node<S> {
     }
 }
 
-/// A bounding volume hierarchy: a binary tree of axis-aligned boxes around the objects of a scene, or around the shapes of
-/// a list ([`Shapes`]).
+/// A bounding volume hierarchy: a binary tree of axis-aligned boxes around the objects of a scene, or around the shapes
+/// of a list ([`Shapes`]).
 ///
-/// It changes no bit of a result. The number of tests of a ray grows about with the logarithm of the number of objects. Without a
-/// hierarchy a scene tests every object.
+/// It changes no bit of a result. The number of tests of a ray grows about with the logarithm of the number of objects.
+/// Without a hierarchy a scene tests every object.
 ///
-/// It is built into storage that it borrows, without allocation. A traversal visits nearer boxes first and takes some 200 bytes of
-/// stack.
+/// It is built into storage that it borrows, without allocation. A traversal visits nearer boxes first and takes some
+/// 200 bytes of stack.
 ///
-/// Infinite objects (planes, infinite cylinders and cones) and objects beyond the budget of coordinates have no box and are always
-/// tested. So are objects whose rounding errors may exceed the margin of a box: cones flatter than 1 : 256, and objects that an
-/// [`Affine`](crate::Affine) stretches along one axis more than some 100 times as much as along another, or makes nearly flat.
+/// Infinite objects (planes, infinite cylinders and cones) and objects beyond the budget of coordinates have no box and
+/// are always tested. So are objects whose rounding errors may exceed the margin of a box: cones flatter than 1 : 256,
+/// and objects that an [`Affine`](crate::Affine) stretches along one axis more than some 100 times as much as along
+/// another, or makes nearly flat.
 ///
 /// ```
 /// use raylet::scene::{Hierarchy, Node};
@@ -103,8 +105,8 @@ impl<S: Scalar> Default for Node<S> {
 pub struct Hierarchy<'a, S> {
     /// Leaves of the objects that have no box.
     unbounded: &'a [Node<S>],
-    /// The tree in preorder: a node, then the nodes of its lower child, then those of its upper child. A node with n objects is followed by
-    /// its 2 (n - 1) descendants.
+    /// The tree in preorder: a node, then the nodes of its lower child, then those of its upper child. A node with n
+    /// objects is followed by its 2 (n - 1) descendants.
     tree: &'a [Node<S>],
 }
 
@@ -120,14 +122,15 @@ impl<S: Scalar> Hierarchy<'_, S> {
         self.unbounded.len() + self.tree.len().div_ceil(2)
     }
 
-    /// Calls `test` for every object that the ray may hit. `test` returns the end of the range that remains to be searched, or `None` to
-    /// stop. Counts the tests of boxes.
+    /// Calls `test` for every object that the ray may hit. `test` returns the end of the range that remains to be
+    /// searched, or `None` to stop. Counts the tests of boxes.
     ///
     /// Of two children the one that the ray reaches first is visited first, so that a hit in it shortens the range.
     #[inline(always)]
     fn walk<W: Watch>(&self, ray: &Ray<S>, watch: &mut W, mut test: impl FnMut(u32, &mut W) -> Option<S>) {
         let (start, mut end) = (ray.range().start(), ray.range().end());
-        // The object that the ray departs from is always tested: its result follows from the departure, not from where the ray starts.
+        // The object that the ray departs from is always tested: its result follows from the departure, not from where
+        // the ray starts.
         let departed = ray.departure().map(|departure| departure.object).filter(|own| (*own as usize) < self.objects());
         for object in
             departed.into_iter().chain(self.unbounded.iter().map(|node| node.object).filter(|o| Some(*o) != departed))

@@ -1,4 +1,5 @@
-//! The search through many shapes, with a hierarchy or one after the other: for scenes and for [`Shapes`](super::Shapes).
+//! The search through many shapes, with a hierarchy or one after the other: for scenes and for
+//! [`Shapes`](super::Shapes).
 
 use super::Hierarchy;
 use crate::hit::Hit;
@@ -39,7 +40,8 @@ pub(crate) fn nearest<S: Scalar, T: Tier<S>, W: Watch>(
     let mut test = |index: u32, watch: &mut W| {
         let shape = shapes.get(index as usize)?.shape();
         watch.count_test();
-        // The rounding of an exact root close to the end of a range depends on that end: the result of a shape must not depend on that of another.
+        // The rounding of an exact root close to the end of a range depends on that end: the result of a shape must not
+        // depend on that of another.
         let searched = if T::EXACT_ENDS { ray } else { &shortened };
         let hit = shape.nearest_at::<T>(&for_shape(searched, index));
         watch.tested(index, hit.is_some());

@@ -7,11 +7,12 @@ use crate::scalar::Scalar;
 use crate::shape::{Shape, Shaped};
 use crate::tier::{Stable, Tier};
 
-/// Shapes with a hierarchy of boxes around them: the nearest hit and occlusion of many shapes without a scene, for a program that needs distances and
-/// no picture. There is no camera, and there are no materials and counters.
+/// Shapes with a hierarchy of boxes around them: the nearest hit and occlusion of many shapes without a scene, for a
+/// program that needs distances and no picture. There is no camera, and there are no materials and counters.
 ///
-/// The list holds [`Shape`]s, of any kind or of chosen ones, or anything else that is [`Shaped`]. The hierarchy is built for the list when the value is
-/// made, and both are borrowed as long as it exists, so that they cannot differ. To move a shape, drop the value, change the list and make a new one.
+/// The list holds [`Shape`]s, of any kind or of chosen ones, or anything else that is [`Shaped`]. The hierarchy is
+/// built for the list when the value is made, and both are borrowed as long as it exists, so that they cannot differ.
+/// To move a shape, drop the value, change the list and make a new one.
 ///
 /// Every result has the same bits as a loop over the list. A list may be empty; then nothing is hit.
 ///
@@ -61,11 +62,13 @@ impl<S: Scalar, X> Clone for Shapes<'_, S, X> {
 impl<S: Scalar, X> Copy for Shapes<'_, S, X> {}
 
 impl<'a, S: Scalar, X: Shaped<S>> Shapes<'a, S, X> {
-    /// These shapes, with the hierarchy that [`Hierarchy::build`] makes of them in storage of at least [`Hierarchy::nodes_for`] nodes.
+    /// These shapes, with the hierarchy that [`Hierarchy::build`] makes of them in storage of at least
+    /// [`Hierarchy::nodes_for`] nodes.
     ///
     /// # Errors
     ///
-    /// [`HierarchyError::Storage`] if the storage is too small; [`HierarchyError::TooManyObjects`] for more than 2^30 - 1 shapes.
+    /// [`HierarchyError::Storage`] if the storage is too small; [`HierarchyError::TooManyObjects`] for more than 2^30 -
+    /// 1 shapes.
     pub fn new(shapes: &'a [X], nodes: &'a mut [Node<S>]) -> Result<Self, HierarchyError> {
         Ok(Self { shapes, hierarchy: Hierarchy::build(shapes, nodes)? })
     }
@@ -75,11 +78,11 @@ impl<'a, S: Scalar, X: Shaped<S>> Shapes<'a, S, X> {
         self.shapes
     }
 
-    /// The nearest visible hit of a ray, and the index of its shape. If two shapes are hit at the same `t`, the one with the lower index is
-    /// returned. `None` if the ray hits nothing within its range.
+    /// The nearest visible hit of a ray, and the index of its shape. If two shapes are hit at the same `t`, the one
+    /// with the lower index is returned. `None` if the ray hits nothing within its range.
     ///
-    /// A departure of the ray (see [`Departure`](crate::Departure)) applies to the shape whose index it names; the other shapes are tested with
-    /// the ray without departure.
+    /// A departure of the ray (see [`Departure`](crate::Departure)) applies to the shape whose index it names; the
+    /// other shapes are tested with the ray without departure.
     pub fn nearest(&self, ray: &Ray<S>) -> Option<(u32, Hit<S>)> {
         self.nearest_at::<Stable>(ray)
     }

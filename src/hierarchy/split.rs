@@ -1,9 +1,9 @@
 //! Where a node is divided: by the surface area heuristic.
 //!
-//! The probability that a ray that hits a box also hits a box within it is about the ratio of their surface areas (Goldsmith and Salmon,
-//! *Automatic creation of object hierarchies for ray tracing*, 1987). The cost of a division is therefore the surface area of each part
-//! times its number of objects. Only divisions between [`BINS`] slices of equal width are considered (Wald, *On fast construction of SAH-based
-//! bounding volume hierarchies*, 2007).
+//! The probability that a ray that hits a box also hits a box within it is about the ratio of their surface areas
+//! (Goldsmith and Salmon, *Automatic creation of object hierarchies for ray tracing*, 1987). The cost of a division is
+//! therefore the surface area of each part times its number of objects. Only divisions between [`BINS`] slices of equal
+//! width are considered (Wald, *On fast construction of SAH-based bounding volume hierarchies*, 2007).
 
 use super::Node;
 use crate::scalar::{Real, Ring, Scalar};
@@ -24,8 +24,8 @@ fn along<S: Scalar>(leaf: &Node<S>, axis: usize) -> S {
     leaf.centre[axis % 3]
 }
 
-/// Moves the leaves of the lower part before the others, such that at most `levels` levels are needed below. Returns the axis of the
-/// division and the number of leaves in the lower part.
+/// Moves the leaves of the lower part before the others, such that at most `levels` levels are needed below. Returns
+/// the axis of the division and the number of leaves in the lower part.
 pub(super) fn split<S: Scalar>(leaves: &mut [Node<S>], corners: Corners<S>, levels: u32) -> (u32, u32) {
     if leaves.len() > FEW
         && let Some((axis, start)) = cheapest(leaves, corners)
@@ -63,7 +63,8 @@ fn middles<S: Scalar>(leaves: &[Node<S>]) -> Corners<S> {
     leaves.iter().fold(nothing(), |middles, leaf| united(middles, [leaf.centre; 2]))
 }
 
-/// The axis to divide along, and the coordinate from which on centres belong to the upper part. `None` if all centres coincide.
+/// The axis to divide along, and the coordinate from which on centres belong to the upper part. `None` if all centres
+/// coincide.
 fn cheapest<S: Scalar>(leaves: &[Node<S>], corners: Corners<S>) -> Option<(usize, S)> {
     let size = size_of(corners);
     if size.is_zero() {
@@ -173,8 +174,8 @@ fn partition<T>(items: &mut [T], is_first: impl Fn(&T) -> bool) -> usize {
     first
 }
 
-/// Moves the items that come before the one of rank `rank` before it, and the others after it (Hoare, *Algorithm 65: find*,
-/// 1961). No two may be equal.
+/// Moves the items that come before the one of rank `rank` before it, and the others after it (Hoare, *Algorithm 65:
+/// find*, 1961). No two may be equal.
 fn select<T: Copy>(items: &mut [T], rank: usize, is_before: impl Fn(&T, &T) -> bool) {
     let (mut first, mut end) = (0, items.len());
     while first + 1 < end {

@@ -1,7 +1,8 @@
 //! The methods of the tier `Exact`.
 //!
-//! Fixed point begins on the grid of its own integers, with guards that only certain results pass. Floats begin in doubles with an error bound, which
-//! is the second step of fixed point. Rays that these cannot decide are computed in wider and wider numbers, until every sign is certain.
+//! Fixed point begins on the grid of its own integers, with guards that only certain results pass. Floats begin in
+//! doubles with an error bound, which is the second step of fixed point. Rays that these cannot decide are computed in
+//! wider and wider numbers, until every sign is certain.
 
 use super::grid::OnGrid;
 use super::{In, Listed, Method, holds, whole};
@@ -37,7 +38,8 @@ impl<S: ExactScalar> Listed<S> for Exact {
     }
 }
 
-/// On the grid of the type's own integers, if it has one, and where that is unsure in doubles; of both by certain signs.
+/// On the grid of the type's own integers, if it has one, and where that is unsure in doubles; of both by certain
+/// signs.
 #[derive(Clone, Copy, Debug)]
 pub struct Certain;
 
@@ -75,8 +77,8 @@ impl<S: ExactScalar> Method<S> for Certain {
     }
 }
 
-/// True if `Exact` begins in doubles, and not on the grid of the type's own integers: for floats, and for affine placements, for which
-/// uncertain decisions may pass the guards of integers.
+/// True if `Exact` begins in doubles, and not on the grid of the type's own integers: for floats, and for affine
+/// placements, for which uncertain decisions may pass the guards of integers.
 #[inline(always)]
 const fn starts_in_doubles<S: Scalar, P: Place<S>>() -> bool {
     S::RELATIVE || P::STRETCHES
@@ -112,8 +114,8 @@ fn on_the_grid<S: Scalar, G: Geometry<S>, P: Place<S>>(
 ) -> Attempt<Intersection<S>> {
     let intersection = whole(OnGrid::<Certainly>::all(geometry, place, ray))?;
     let (start, end) = (ray.range().start(), ray.range().end());
-    // The rounding of `t` must decide neither the order of an end and an end of the range, nor whether an exit is ahead of the surface that the ray
-    // departs from. A missing end is infinite.
+    // The rounding of `t` must decide neither the order of an end and an end of the range, nor whether an exit is ahead
+    // of the surface that the ray departs from. A missing end is infinite.
     let is_certain = |t: S| {
         let is_doubtful = |bound: S| S::are_doubtful(t, bound);
         !t.is_finite()

@@ -1,6 +1,7 @@
 //! The methods of fixed point: the kernels of integers on a common grid.
 //!
-//! They know only the rays that arrive from outside, and those that depart inwards; they are unsure where their integers have no room.
+//! They know only the rays that arrive from outside, and those that depart inwards; they are unsure where their
+//! integers have no room.
 #![cfg_attr(not(feature = "fixed"), allow(dead_code, reason = "floats have no grid"))]
 
 use super::{In, Method, Tiers, passes, whole};
@@ -86,7 +87,8 @@ fn decided<A>(attempt: Attempt<A>) -> solve::Attempt<A> {
     }
 }
 
-/// Rays without departure at a solid that is not stretched. If `since` is given, only the first end at or after it is needed.
+/// Rays without departure at a solid that is not stretched. If `since` is given, only the first end at or after it is
+/// needed.
 #[inline(always)]
 fn frequent<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
     geometry: &G,
@@ -105,8 +107,8 @@ fn frequent<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
     in_own_t(&line, on_the_grid::<S, T, G>(geometry, &line))
 }
 
-/// The intersection with a line in the frame. The kernels of short formulas are compiled into the query; the others are functions that all placements
-/// share.
+/// The intersection with a line in the frame. The kernels of short formulas are compiled into the query; the others are
+/// functions that all placements share.
 #[inline(always)]
 fn on_the_grid<S: Scalar, T: Guards, G: Geometry<S>>(geometry: &G, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
     if G::HAS_FEW_FACTORS { geometry.fast_intersection::<T>(line) } else { shared::<S, T, G>(geometry, line) }
@@ -144,8 +146,8 @@ fn is_ahead<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(geometry: &G, pla
     found!(in_own_t(&line, on_the_grid::<S, T, G>(geometry, &line))).occlusion()
 }
 
-/// The guards of the wider grid. Formulas without guards assume directions of length 1; those of a narrower type have it only to
-/// their own last bits.
+/// The guards of the wider grid. Formulas without guards assume directions of length 1; those of a narrower type have
+/// it only to their own last bits.
 struct Widely;
 
 impl Guards for Widely {
@@ -175,7 +177,8 @@ fn in_wider<S: Scalar, G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray
         Err(Stop::Miss) => return Attempt::Miss,
         Err(Stop::Unsure) => return Attempt::Unsure,
     };
-    // An exit must be ahead of the surface that the ray departs from; for an exit next to that surface rounding would decide this.
+    // An exit must be ahead of the surface that the ray departs from; for an exit next to that surface rounding would
+    // decide this.
     let departs = ray.departure().is_some();
     let narrowed = |t: S::Wider| {
         let t = S::narrowed(t);
@@ -212,8 +215,8 @@ fn inwards<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
     in_own_t(&line, exit(geometry, &line))
 }
 
-/// The intersection of a line that departs inwards. A line that starts on the surface of a solid cannot miss it, whatever its
-/// rounded coordinates.
+/// The intersection of a line that departs inwards. A line that starts on the surface of a solid cannot miss it,
+/// whatever its rounded coordinates.
 #[inline(always)]
 fn exit_along<S: Scalar, T: Guards, G: Geometry<S>>(
     geometry: &G,

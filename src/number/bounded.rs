@@ -4,8 +4,8 @@ use super::word::Word;
 use super::{Estimate, Limbs, Number, Parts, Ring};
 use core::cmp::Ordering;
 
-/// A mantissa and exponent, and the exponent of a power of two that bounds the error (running error analysis: Higham, *Accuracy and
-/// Stability of Numerical Algorithms*, 3.3).
+/// A mantissa and exponent, and the exponent of a power of two that bounds the error (running error analysis: Higham,
+/// *Accuracy and Stability of Numerical Algorithms*, 3.3).
 #[derive(Clone, Copy, Debug)]
 pub struct Bounded<W> {
     value: Limbs<W>,
@@ -127,7 +127,8 @@ impl<W: Word> Ring for Bounded<W> {
             top = top.max(a.value.exponent() + b.value.exponent());
         }
         if is_cut {
-            // The errors of the terms, cut off where the sum ends (at most four terms, with three bits of room above), and that of the sum itself.
+            // The errors of the terms, cut off where the sum ends (at most four terms, with three bits of room above),
+            // and that of the sum itself.
             total = total.with(top - 2 * Limbs::<W>::BITS + 5).with(value.exponent() - Limbs::<W>::BITS);
         }
         Self { value, error: total.exponent() }
@@ -171,8 +172,8 @@ impl<W: Word> Estimate for Bounded<W> {
         let value = self.value.quotient(&other.value);
         // The residual steps leave an error of a few units in the last place, in addition to the rounding.
         let own = value.exponent() - Limbs::<W>::BITS + W::SPARE as i32 + 1;
-        // (error + |quotient| error') / |divisor|, where the magnitude of the divisor is at least 2^(top - 1) minus its error, and the error is less
-        // than half of that.
+        // (error + |quotient| error') / |divisor|, where the magnitude of the divisor is at least 2^(top - 1) minus its
+        // error, and the error is less than half of that.
         let inherited = Total::NONE.with(self.error).with(times(value.exponent(), other.error)).exponent();
         Self { value, error: Total::NONE.with(own).with(times(2 - other.value.exponent(), inherited)).exponent() }
     }

@@ -6,9 +6,10 @@ use core::cmp::Ordering;
 
 /// A double-word number, and the same polynomial of the magnitudes of its inputs.
 ///
-/// An operation on double-words has an error of at most `8 u^2` relative to the magnitudes of its terms (Joldes, Muller and Popescu, *Tight and
-/// Rigorous Error Bounds for Basic Building Blocks of Double-Word Arithmetic*, 2017; a sum may cancel, which is why the error counts relative to
-/// the terms). No polynomial of the solver has more than 64 operations one after the other, so that its error is less than `2^10 u^2` of its magnitude.
+/// An operation on double-words has an error of at most `8 u^2` relative to the magnitudes of its terms (Joldes, Muller
+/// and Popescu, *Tight and Rigorous Error Bounds for Basic Building Blocks of Double-Word Arithmetic*, 2017; a sum may
+/// cancel, which is why the error counts relative to the terms). No polynomial of the solver has more than 64
+/// operations one after the other, so that its error is less than `2^10 u^2` of its magnitude.
 #[derive(Clone, Copy, Debug)]
 pub struct Doubled<R> {
     value: Twofold<R>,

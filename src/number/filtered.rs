@@ -1,9 +1,10 @@
-//! Doubles with an error bound: the first number of `Exact` for spheres and flat primitives, after the grid of fixed point.
+//! Doubles with an error bound: the first number of `Exact` for spheres and flat primitives, after the grid of fixed
+//! point.
 //!
-//! A polynomial is computed twice: once as it is, and once with the magnitudes of its inputs and every sign positive. All rounding errors of
-//! the first together are less than a known fraction of the second, so that a value above that has a certain sign (semi-static filter: Burnikel,
-//! Funke and Seel, *Exact Geometric Computation Using Cascading*, 2001; Devillers and Pion, *Efficient Exact Geometric Predicates for
-//! Delaunay Triangulations*, 2003).
+//! A polynomial is computed twice: once as it is, and once with the magnitudes of its inputs and every sign positive.
+//! All rounding errors of the first together are less than a known fraction of the second, so that a value above that
+//! has a certain sign (semi-static filter: Burnikel, Funke and Seel, *Exact Geometric Computation Using Cascading*,
+//! 2001; Devillers and Pion, *Efficient Exact Geometric Predicates for Delaunay Triangulations*, 2003).
 
 use super::{Number, Ring, Running};
 use core::cmp::Ordering;
@@ -15,15 +16,15 @@ pub struct Filtered {
     magnitude: f64,
 }
 
-/// No term has more than sixteen factors, and no factor has more than four roundings of 2^-53, including those of the transformation into a
-/// frame. Sums add a dozen. Together they are less than 2^-46 of the magnitude.
+/// No term has more than sixteen factors, and no factor has more than four roundings of 2^-53, including those of the
+/// transformation into a frame. Sums add a dozen. Together they are less than 2^-46 of the magnitude.
 const DOUBT: f64 = 1.0 / (1u64 << 44) as f64;
 
 /// The roundings in a number.
 const ROUNDINGS: f64 = (1u64 << 53) as f64;
 
-/// Above all that underflow may have lost: a product of up to four stored numbers does not underflow, and one of more has factors that are at least as
-/// small.
+/// Above all that underflow may have lost: a product of up to four stored numbers does not underflow, and one of more
+/// has factors that are at least as small.
 const LEAST: f64 = f64::from_bits((1023 - 700) << 52);
 
 impl Filtered {

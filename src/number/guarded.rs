@@ -4,13 +4,13 @@ use super::{Difference, Estimate, Number, Plain, Ring};
 use crate::scalar::Real;
 use core::cmp::Ordering;
 
-/// A plain value. The sign of a difference ([`Number::sign_among`]) is known if the difference is at least a 4096th of its terms, and that of a
-/// volume if it is larger than all rounding; every other sign is that of the rounded value.
+/// A plain value. The sign of a difference ([`Number::sign_among`]) is known if the difference is at least a 4096th of
+/// its terms, and that of a volume if it is larger than all rounding; every other sign is that of the rounded value.
 ///
-/// If it is `STABLE`, these differences must be larger, so that the results have the accuracy of the tier `Stable`: a positive difference of squares at
-/// least a 64th of its terms, and the slope at an end must not be small ([`Number::is_far`]). Such constant bounds on the errors of spheres and
-/// triangles, whose formulas are short, cost half of running ones: a sphere in a frame takes 149 instead of 239 instructions, a triangle 403 instead
-/// of 733.
+/// If it is `STABLE`, these differences must be larger, so that the results have the accuracy of the tier `Stable`: a
+/// positive difference of squares at least a 64th of its terms, and the slope at an end must not be small
+/// ([`Number::is_far`]). Such constant bounds on the errors of spheres and triangles, whose formulas are short, cost
+/// half of running ones: a sphere in a frame takes 149 instead of 239 instructions, a triangle 403 instead of 733.
 #[derive(Clone, Copy, Debug)]
 pub struct Guarded<R, const STABLE: bool = false>(pub(crate) Plain<R>);
 

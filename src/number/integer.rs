@@ -1,19 +1,19 @@
 //! Integers of a fixed capacity, times a power of two.
 //!
-//! Sums and products of scalars are exact in them, whatever the exponents, so that every sign is certain. They cost a hundred times
-//! as much as the bounded number, which is therefore tried first. The arithmetic is schoolbook, on 32-bit limbs. A number has only as
-//! many limbs as it needs, which for usual inputs are few.
+//! Sums and products of scalars are exact in them, whatever the exponents, so that every sign is certain. They cost a
+//! hundred times as much as the bounded number, which is therefore tried first. The arithmetic is schoolbook, on 32-bit
+//! limbs. A number has only as many limbs as it needs, which for usual inputs are few.
 
 use super::{Bounded, Limbs, Number, Parts, Ring};
 use core::cmp::Ordering;
 
 /// Limbs of an integer that holds every polynomial of the solvers over `f32`.
 ///
-/// A coordinate spans 277 binary places, a local coordinate, which has a row of an affine inverse as a factor, at most 690. The widest
-/// polynomial is that of a frustum where the line crosses a plane, of less than 3,900 places.
+/// A coordinate spans 277 binary places, a local coordinate, which has a row of an affine inverse as a factor, at most
+/// 690. The widest polynomial is that of a frustum where the line crosses a plane, of less than 3,900 places.
 pub(crate) const FLOAT_LIMBS: usize = 128;
-/// The same over 32-bit fixed types: a local coordinate has 66 places, and the exponents of the rows of an affine inverse differ by up to 124; the
-/// widest polynomial spans some 640.
+/// The same over 32-bit fixed types: a local coordinate has 66 places, and the exponents of the rows of an affine
+/// inverse differ by up to 124; the widest polynomial spans some 640.
 #[cfg(feature = "fixed")]
 pub(crate) const FIXED_LIMBS: usize = 32;
 
@@ -34,7 +34,8 @@ impl<const N: usize> Integer<N> {
         usize::try_from(index).ok().and_then(|index| self.limbs.get(index)).copied().unwrap_or(0)
     }
 
-    /// Adds `value * 2^(32 index)` to the limbs. A carry beyond the capacity would be lost; the capacity is chosen so that there is none.
+    /// Adds `value * 2^(32 index)` to the limbs. A carry beyond the capacity would be lost; the capacity is chosen so
+    /// that there is none.
     #[inline]
     fn accumulate(&mut self, mut index: usize, mut value: u64) {
         while value != 0 {
@@ -56,7 +57,8 @@ impl<const N: usize> Integer<N> {
         };
         let lowest = self.limbs.iter().position(|limb| *limb != 0).unwrap_or(0);
         if lowest > 0 {
-            // Up to the end, although all limbs above the highest are zero: a range that cannot be empty has no panic path.
+            // Up to the end, although all limbs above the highest are zero: a range that cannot be empty has no panic
+            // path.
             self.limbs.copy_within(lowest.., 0);
             let used = highest + 1 - lowest;
             self.limbs.iter_mut().skip(used).for_each(|limb| *limb = 0);

@@ -1,9 +1,10 @@
 //! Floating-point numbers made of integers: the same bits on every machine.
 //!
-//! A number is a sign, a mantissa whose top bit is set, and an exponent of 32 bits, so that no number of a solver overflows or underflows. Results
-//! are truncated towards zero, so that mirrored rays have mirrored results; the error of an operation is less than one unit in the last place. The
-//! basic operation is a *sum of products*: products are computed in twice the width, added, and truncated once (like the "long accumulator" of
-//! Kulisch, *Advanced Arithmetic for the Digital Computer*, 2002, but of fixed width). If products cancel, the bits that remain are exact.
+//! A number is a sign, a mantissa whose top bit is set, and an exponent of 32 bits, so that no number of a solver
+//! overflows or underflows. Results are truncated towards zero, so that mirrored rays have mirrored results; the error
+//! of an operation is less than one unit in the last place. The basic operation is a *sum of products*: products are
+//! computed in twice the width, added, and truncated once (like the "long accumulator" of Kulisch, *Advanced Arithmetic
+//! for the Digital Computer*, 2002, but of fixed width). If products cancel, the bits that remain are exact.
 
 use super::Ring;
 use super::word::{Wide, Word};
@@ -40,8 +41,8 @@ impl<W: Word> Limbs<W> {
         Self { mantissa, exponent: exponent + 64 - zeros as i32, negative }
     }
 
-    /// The highest bits of an integer times `2^exponent`, and whether other bits were lost. The integer is given as words, the lowest first; the
-    /// highest words may be zero.
+    /// The highest bits of an integer times `2^exponent`, and whether other bits were lost. The integer is given as
+    /// words, the lowest first; the highest words may be zero.
     pub(crate) fn from_words(words: &[u32], exponent: i32, negative: bool) -> (Self, bool) {
         let Some(top) = words.iter().rposition(|word| *word != 0) else {
             return (Self::ZERO, false);
@@ -76,7 +77,8 @@ impl<W: Word> Limbs<W> {
         self.exponent
     }
 
-    /// The magnitude as an integer of the unit `2^unit`, rounded to nearest, ties to even; `None` if that takes more than 64 bits.
+    /// The magnitude as an integer of the unit `2^unit`, rounded to nearest, ties to even; `None` if that takes more
+    /// than 64 bits.
     #[inline]
     pub(crate) fn to_units(self, unit: i32) -> Option<u64> {
         let bits = self.exponent.saturating_sub(unit);
@@ -141,8 +143,8 @@ impl<W: Word> Limbs<W> {
 
     /// The sum of at most four products, and whether bits of it were cut off, if that is to be checked.
     ///
-    /// For short words there is one function for any number of products, which saves flash on the smallest chips. For long words there is one
-    /// for each number of products, which is a quarter faster.
+    /// For short words there is one function for any number of products, which saves flash on the smallest chips. For
+    /// long words there is one for each number of products, which is a quarter faster.
     #[inline]
     pub(crate) fn sum_of_products<const M: usize, const CHECK: bool>(terms: &[[Self; 2]; M]) -> (Self, bool) {
         const { assert!(M <= 4) };
@@ -202,8 +204,8 @@ impl<W: Word> Limbs<W> {
         Self::shortened(mantissa.root(), (self.exponent + is_odd as i32) >> 1, false)
     }
 
-    /// The number with this mantissa, whose highest bit may be missing. It is rounded to a few bits fewer, so that a quotient or a root with few bits
-    /// is exact, and a tie is a tie.
+    /// The number with this mantissa, whose highest bit may be missing. It is rounded to a few bits fewer, so that a
+    /// quotient or a root with few bits is exact, and a tie is a tie.
     #[inline(always)]
     fn shortened(mantissa: W, exponent: i32, negative: bool) -> Self {
         let zeros = mantissa.leading_zeros();
@@ -218,7 +220,8 @@ impl<W: Word> Limbs<W> {
     }
 }
 
-/// A product with this exponent, aligned for a sum whose terms are all less than `2^top`, and whether bits of it were lost.
+/// A product with this exponent, aligned for a sum whose terms are all less than `2^top`, and whether bits of it were
+/// lost.
 #[inline(always)]
 fn term<V, D: Wide<V>, const CHECK: bool>(product: D, top: i32, exponent: i32, negative: bool) -> (D, bool) {
     let down = top.wrapping_sub(exponent) as u32 + HEADROOM;

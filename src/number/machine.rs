@@ -33,8 +33,8 @@ pub(crate) fn product(a: i32, b: i32) -> i64 {
     a as i64 * b as i64
 }
 
-/// `a * b` in 64 bits, from products of 16 bits: ARMv6-M has no long multiplication, and the compiler calls a function for it
-/// (Warren, *Hacker's Delight*, 8-2).
+/// `a * b` in 64 bits, from products of 16 bits: ARMv6-M has no long multiplication, and the compiler calls a function
+/// for it (Warren, *Hacker's Delight*, 8-2).
 #[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
 #[inline(always)]
 pub(crate) fn product(a: i32, b: i32) -> i64 {
@@ -123,8 +123,8 @@ const RECIPROCAL: [u8; 256] = {
     table
 };
 
-/// `1 / sqrt(m)` in units of 2^-16, accurate to 14 bits and never too large, for `m = high / 2^32` in [1/4, 1): by a table for 8 bits and a Newton
-/// step.
+/// `1 / sqrt(m)` in units of 2^-16, accurate to 14 bits and never too large, for `m = high / 2^32` in [1/4, 1): by a
+/// table for 8 bits and a Newton step.
 #[inline(always)]
 pub(crate) fn reciprocal_root(high: u32) -> u32 {
     // y = 1 / sqrt(m) in (1, 2], in units of 2^-8
@@ -137,15 +137,16 @@ pub(crate) fn reciprocal_root(high: u32) -> u32 {
 
 /// The square root of `high * 2^32 + low`, which must have one of its two top bits set: rounded down, or one less.
 ///
-/// A reciprocal root of 14 bits, and with it two steps for the root: remainder over twice the root (Markstein, *IA-64 and
-/// Elementary Functions*, 2000, chapter 8, here in integers). Multiplications only.
+/// A reciprocal root of 14 bits, and with it two steps for the root: remainder over twice the root (Markstein, *IA-64
+/// and Elementary Functions*, 2000, chapter 8, here in integers). Multiplications only.
 #[inline]
 pub(crate) fn root_of_normalized(high: u32, low: u32) -> u32 {
     // m = high / 2^32
     let y = reciprocal_root(high);
     // sqrt(m) = m y, in units of 2^-16; never too large, since m and y are rounded down.
     let root = (high >> 16).wrapping_mul(y >> 1) >> 15;
-    // (m - root^2) / (2 root), in units of 2^-32. The step may be too large by a few units: after subtracting 32 the root is certainly not too large.
+    // (m - root^2) / (2 root), in units of 2^-32. The step may be too large by a few units: after subtracting 32 the
+    // root is certainly not too large.
     let rest = (high.wrapping_sub(root * root) << 11) | (low >> 21);
     let step = (high_product(rest, y) << 4) | (rest.wrapping_mul(y) >> 28);
     let root = ((root << 16) + step).wrapping_sub(32);
@@ -198,8 +199,8 @@ pub(crate) fn leading_zeros(n: u32) -> u32 {
     n.leading_zeros()
 }
 
-/// The leading zeros of a number that is not zero, by halves: these chips have no instruction for it, and the compiler's own code has twice as many
-/// instructions.
+/// The leading zeros of a number that is not zero, by halves: these chips have no instruction for it, and the
+/// compiler's own code has twice as many instructions.
 #[cfg(any(all(target_arch = "arm", not(target_has_atomic = "32")), target_arch = "riscv32"))]
 #[inline(always)]
 pub(crate) fn leading_zeros(mut n: u32) -> u32 {

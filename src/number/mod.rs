@@ -1,7 +1,7 @@
 //! The numbers that solvers compute in.
 //!
-//! A solver is generic over a [`Number`] whose sign may be unknown. It runs in the cheapest number first. If that does not know a sign,
-//! the solver runs again in the next:
+//! A solver is generic over a [`Number`] whose sign may be unknown. It runs in the cheapest number first. If that does
+//! not know a sign, the solver runs again in the next:
 //!
 //! | number | sign | used by |
 //! |---|---|---|
@@ -107,25 +107,28 @@ pub trait Ring: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Se
 pub trait Number: Ring {
     /// The type of approximate quotients and square roots.
     type Estimate: Estimate;
-    /// True if an operation is a function call. Code in such numbers is not inlined, since it is called in several places and runs seldom.
+    /// True if an operation is a function call. Code in such numbers is not inlined, since it is called in several
+    /// places and runs seldom.
     const IS_WIDE: bool = true;
     /// True if signs of polynomials may decide an order that [`Estimate::compare`] does not know.
     const DECIDES_BY_SIGNS: bool = false;
-    /// How the square of the distance by which a line's origin was moved counts among the terms of a difference of squares: as `2^MOVED` of itself.
+    /// How the square of the distance by which a line's origin was moved counts among the terms of a difference of
+    /// squares: as `2^MOVED` of itself.
     const MOVED: i32 = 0;
-    /// True if a triangle is computed from a point of the line next to its first vertex, for a more accurate `t`. (If it is not, triangles that share an
-    /// edge compute the same number for it.)
+    /// True if a triangle is computed from a point of the line next to its first vertex, for a more accurate `t`. (If
+    /// it is not, triangles that share an edge compute the same number for it.)
     const STARTS_AT_VERTEX: bool = false;
 
     /// How it compares with zero; `None` if that is unknown.
     fn sign(self) -> Option<Ordering>;
-    /// [`Number::sign`] of a difference whose terms have the sum of magnitudes `terms`: a [`Guarded`] number knows it only if little cancels.
+    /// [`Number::sign`] of a difference whose terms have the sum of magnitudes `terms`: a [`Guarded`] number knows it
+    /// only if little cancels.
     #[inline(always)]
     fn sign_among(self, _of: Difference, _terms: impl FnOnce() -> Self) -> Option<Ordering> {
         self.sign()
     }
-    /// True if an end at `t` is accurate: if that times `slope` is not small relative to the terms of the sums that it was computed from. A
-    /// [`Certified`] number needs this test.
+    /// True if an end at `t` is accurate: if that times `slope` is not small relative to the terms of the sums that it
+    /// was computed from. A [`Certified`] number needs this test.
     #[inline(always)]
     fn is_far(_t: Self::Estimate, _slope: Self::Estimate, _terms: impl FnOnce() -> Self) -> bool {
         true
@@ -137,7 +140,8 @@ pub trait Number: Ring {
     fn rounded_quotient(self, _other: Self) -> Option<Self> {
         None
     }
-    /// True if its square is less than a rounding of 1, for a number of at most 2^-19; numbers that promise no accuracy need not know.
+    /// True if its square is less than a rounding of 1, for a number of at most 2^-19; numbers that promise no accuracy
+    /// need not know.
     #[inline(always)]
     fn is_negligible_squared(self) -> bool {
         true

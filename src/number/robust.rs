@@ -5,8 +5,8 @@ use super::word::Word;
 use super::{Estimate, Limbs, Number, Parts, Ring};
 use core::cmp::Ordering;
 
-/// A number of 64 bits for `f32` and 32-bit fixed point, or of 128 bits for `f64` and 64-bit fixed point. `docs/design/robust-number.md`
-/// derives why that is enough.
+/// A number of 64 bits for `f32` and 32-bit fixed point, or of 128 bits for `f64` and 64-bit fixed point.
+/// `docs/design/robust-number.md` derives why that is enough.
 pub type Robust<W> = Limbs<W>;
 
 impl<W: Word> Limbs<W> {

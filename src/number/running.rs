@@ -1,11 +1,13 @@
 //! A value with a running bound of its error.
 //!
-//! Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., 3.3: each operation adds its own rounding to the error that its
-//! operands bring along. The bound is in *roundings*: units of `u`, half of the spacing of floats next to 1.
+//! Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., 3.3: each operation adds its own rounding to the
+//! error that its operands bring along. The bound is in *roundings*: units of `u`, half of the spacing of floats next
+//! to 1.
 //!
-//! The rounded result `x` of an addition or a subtraction has an error of at most `u |x|`, also where it is subnormal. That of a product or a quotient
-//! has at most `u (|x| + m)` with the smallest normal number `m`, since where the result underflows the error is at most `u m`. For operands
-//! `a + u e`, `b + u f`, of which `a` and `b` are computed, the error that is brought along is at most
+//! The rounded result `x` of an addition or a subtraction has an error of at most `u |x|`, also where it is subnormal.
+//! That of a product or a quotient has at most `u (|x| + m)` with the smallest normal number `m`, since where the
+//! result underflows the error is at most `u m`. For operands `a + u e`, `b + u f`, of which `a` and `b` are computed,
+//! the error that is brought along is at most
 //!
 //! | operation | error, in roundings |
 //! |---|---|
@@ -14,9 +16,9 @@
 //! | `a / b` | `(e + |a / b| f) / (|b| - u f)` |
 //! | `sqrt(a)` | `e / (sqrt(a) + sqrt(a - u e))`, which is at most `(1 + x) e / (2 sqrt(a))` with `x = u e / a` in [0, 1]: its convex function lies below the chord |
 //!
-//! A sum of products adds a rounding of each product and of each partial sum. The bound is computed with rounding itself: in fewer than 64
-//! operations one after the other, each of which changes it by at most one part in `1 / u`. [`Running::sure`] allows for a thousand times
-//! as much.
+//! A sum of products adds a rounding of each product and of each partial sum. The bound is computed with rounding
+//! itself: in fewer than 64 operations one after the other, each of which changes it by at most one part in `1 / u`.
+//! [`Running::sure`] allows for a thousand times as much.
 
 use super::{Estimate, Number, Ring};
 use crate::scalar::Real;
@@ -24,8 +26,9 @@ use core::cmp::Ordering;
 
 /// A value, and a bound of its error in roundings.
 ///
-/// If it is `STABLE`, a parameter of the ray is known only if its error is so small that it has the accuracy of the tier `Stable`. If it is not, it
-/// need only be right to one part in 2^12, for the tier `Fast`, which promises signs and no accuracy.
+/// If it is `STABLE`, a parameter of the ray is known only if its error is so small that it has the accuracy of the
+/// tier `Stable`. If it is not, it need only be right to one part in 2^12, for the tier `Fast`, which promises signs
+/// and no accuracy.
 #[derive(Clone, Copy, Debug)]
 pub struct Running<R, const STABLE: bool = true> {
     pub(crate) value: R,

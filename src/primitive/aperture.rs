@@ -5,13 +5,14 @@ use super::{Cone, SizeError};
 use crate::scalar::{Real, Scalar, UnitScalar, ValueError};
 
 impl<S: Scalar> Cone<S> {
-    /// The slope of a cone whose aperture, the angle at the apex between opposite generators, is this number of degrees: `tan(aperture / 2)`, for the
-    /// constructors that take a slope. It is accurate to a few units of the number type; close to 180 degrees the rounding of the angle has a larger
-    /// effect.
+    /// The slope of a cone whose aperture, the angle at the apex between opposite generators, is this number of
+    /// degrees: `tan(aperture / 2)`, for the constructors that take a slope. It is accurate to a few units of the
+    /// number type; close to 180 degrees the rounding of the angle has a larger effect.
     ///
     /// # Errors
     ///
-    /// [`SizeError::Slope`] if the aperture is not between 0 and 180 degrees, or so near to either that the slope is beyond the budget.
+    /// [`SizeError::Slope`] if the aperture is not between 0 and 180 degrees, or so near to either that the slope is
+    /// beyond the budget.
     ///
     /// ```
     /// use raylet::Cone;

@@ -11,7 +11,8 @@ use crate::solve::{self, Goal, LocalRay, Of};
 use crate::vector::{UnitVec3, Vec3};
 use core::cmp::Ordering;
 
-/// A cylinder with hemispherical caps, which its height does not include; in other words a sphere swept along a segment.
+/// A cylinder with hemispherical caps, which its height does not include; in other words a sphere swept along a
+/// segment.
 ///
 /// ```
 /// use raylet::{Capsule, Part, Ray, UnitVec3, Vec3};
@@ -41,7 +42,8 @@ impl<S: Scalar> Capsule<S> {
         })
     }
 
-    /// A capsule of this radius that measures `length` from end to end, its round ends included: its height is `length - 2 radius`, rounded.
+    /// A capsule of this radius that measures `length` from end to end, its round ends included: its height is
+    /// `length - 2 radius`, rounded.
     ///
     /// # Errors
     ///
@@ -69,8 +71,9 @@ impl<S: Scalar> Capsule<S> {
         self.height
     }
 
-    /// The end of the line's interval in the capsule, for one end in the infinite tube, which may lie as far as `outer`: the same point if it lies
-    /// between the seams, otherwise the end in the ball beyond the seam, which `of_ball` computes from the line relative to the ball's centre.
+    /// The end of the line's interval in the capsule, for one end in the infinite tube, which may lie as far as
+    /// `outer`: the same point if it lies between the seams, otherwise the end in the ball beyond the seam, which
+    /// `of_ball` computes from the line relative to the ball's centre.
     #[inline(always)]
     fn fast_end(
         &self,
@@ -203,8 +206,8 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
     fn uv(&self, point: Vec3<S>, part: Part) -> (S::Unit, S::Unit) {
         // An eighth of each, so that the length of the outline does not overflow for the largest capsule.
         let [radius, height, y] = [self.radius, self.height, point.y].map(|size| size.real().scaled(-3));
-        // An arc of a quarter turn: r pi / 2, with pi / 2 = 11 / 7 within 1/2000. That is accurate enough for textures, and the parts join
-        // without a gap.
+        // An arc of a quarter turn: r pi / 2, with pi / 2 = 11 / 7 within 1/2000. That is accurate enough for textures,
+        // and the parts join without a gap.
         let quarter = radius * (S::Real::from_int(11) / S::Real::from_int(7));
         let along = match part {
             Part::Base => S::unit_real(super::sphere::latitude(point)) * quarter.scaled(1),

@@ -22,7 +22,8 @@ pub(super) enum Extent<S> {
     Capped(S),
 }
 
-/// A cone about the y axis: double (both nappes, infinite), one infinite nappe, or of finite height, open or with flat caps.
+/// A cone about the y axis: double (both nappes, infinite), one infinite nappe, or of finite height, open or with flat
+/// caps.
 ///
 /// The slope is the radius divided by the distance from the apex along the axis.
 ///
@@ -272,7 +273,8 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         match self.extent {
             Extent::Open(_) => return Attempt::Unsure,
             Extent::Double => {
-                // The chord stays in the nappe in which it begins. The lower nappe is the mirror image of the upper one.
+                // The chord stays in the nappe in which it begins. The lower nappe is the mirror image of the upper
+                // one.
                 let line = if line.origin[1] < S::ZERO { line.mirrored() } else { *line };
                 let exit = found!(S::fast_exit_from_nappe(&line, self.fast_outline()));
                 return Attempt::Hit(End::new(exit, Part::Side));
@@ -288,8 +290,8 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         let side = End::new(side, Part::Side);
         let Extent::Capped(height) = self.extent else { return Attempt::Hit(side) };
         let slab = found!(self.fast_slab(line, height));
-        // An end of the nappe that is not certain must be cut off by the slab. The error of an end that follows from the rounded coordinates of a
-        // start on a cap may be some units larger than promised for floats.
+        // An end of the nappe that is not certain must be cut off by the slab. The error of an end that follows from
+        // the rounded coordinates of a start on a cap may be some units larger than promised for floats.
         let is_good = is_certain;
         if is_good || slab.span.exit.t < side.t { slab.exit(side, from) } else { Attempt::Unsure }
     }
@@ -350,7 +352,8 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
                     let point = Vec3 { y, ..point };
                     return height.map_or(point, |height| coordinates::between(point, height));
                 }
-                // The frustum is so flat that its height rounds to zero relative to its radii: any circle between them may be chosen.
+                // The frustum is so flat that its height rounds to zero relative to its radii: any circle between them
+                // may be chosen.
                 let radius = if profile.h.is_zero() {
                     self.base_radius().real()
                 } else {
@@ -361,8 +364,8 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         }
     }
 
-    /// On the side `(x / rho, -m, z / rho)`, normalised, with the distance `rho` from the axis and the slope `m` (on the lower nappe of a
-    /// double cone `+m`). At the apex it is the axis, pointing away from the body.
+    /// On the side `(x / rho, -m, z / rho)`, normalised, with the distance `rho` from the axis and the slope `m` (on
+    /// the lower nappe of a double cone `+m`). At the apex it is the axis, pointing away from the body.
     fn normal(&self, point: Vec3<S>, part: Part) -> UnitVec3<S> {
         match part {
             Part::Base => return -UnitVec3::Y,

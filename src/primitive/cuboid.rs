@@ -12,20 +12,22 @@ use crate::vector::{UnitVec3, Vec3};
 
 /// A closed cuboid about the origin, given by its half extents along x, y and z.
 ///
-/// Its six faces are parts: `Left` and `Right` at the lowest and highest `x`, `Base` and `Top` at the lowest and highest `y`, `Back` and `Front`
-/// at the lowest and highest `z`.
+/// Its six faces are parts: `Left` and `Right` at the lowest and highest `x`, `Base` and `Top` at the lowest and
+/// highest `y`, `Back` and `Front` at the lowest and highest `z`.
 ///
 /// # Edges and corners
 ///
-/// An edge or a corner belongs to the first of its faces in the order of the axes x, z, y: `Left` and `Right` own all their edges, `Back` and
-/// `Front` those that they share with `Base` and `Top`. The four faces at the sides thus own their edges with the base and the top, as the side of
-/// a cylinder owns its rims. A ray in the plane of a face enters and leaves through edges of that face; a ray along an edge through its corners.
-/// A ray that meets nothing but a point of an edge, or a corner, touches it: one hit.
+/// An edge or a corner belongs to the first of its faces in the order of the axes x, z, y: `Left` and `Right` own all
+/// their edges, `Back` and `Front` those that they share with `Base` and `Top`. The four faces at the sides thus own
+/// their edges with the base and the top, as the side of a cylinder owns its rims. A ray in the plane of a face enters
+/// and leaves through edges of that face; a ray along an edge through its corners. A ray that meets nothing but a point
+/// of an edge, or a corner, touches it: one hit.
 ///
 /// # Surface coordinates
 ///
-/// On the faces at the sides `v` grows upwards and `u` counter-clockwise as seen from +y: towards -z on `Right`, -x on `Back`, +z on `Left`, +x on
-/// `Front`. On `Base` and `Top` they are x and z, as on the caps of a cylinder. Each runs from 0 to 1 over the face.
+/// On the faces at the sides `v` grows upwards and `u` counter-clockwise as seen from +y: towards -z on `Right`, -x on
+/// `Back`, +z on `Left`, +x on `Front`. On `Base` and `Top` they are x and z, as on the caps of a cylinder. Each runs
+/// from 0 to 1 over the face.
 ///
 /// ```
 /// use raylet::{Crossing, Cuboid, Part, Ray, UnitVec3, Vec3};
@@ -109,7 +111,8 @@ impl<S: Scalar> Geometry<S> for Cuboid<S> {
 
     #[inline(always)]
     fn fast_exit<T: Guards>(&self, line: &LocalLine<S>, from: Part) -> Attempt<End<S>> {
-        // Otherwise it leads along the face on which it starts, or leaves at once, whatever its rounded coordinates are.
+        // Otherwise it leads along the face on which it starts, or leaves at once, whatever its rounded coordinates
+        // are.
         let leads_in = |axis: usize| line.direction[axis] != S::Unit::ZERO && face(axis, line.direction, false) == from;
         if !(0..3).any(leads_in) {
             return Attempt::Unsure;
@@ -192,7 +195,8 @@ mod tests {
     use crate::tier::Stable;
     use fixed::types::{I16F16, I32F32};
 
-    /// For rays from a few units away at a cuboid and at a rectangle, the percentage that the grid leaves to the solver.
+    /// For rays from a few units away at a cuboid and at a rectangle, the percentage that the grid leaves to the
+    /// solver.
     fn unsure<S: Scalar>() -> [usize; 2] {
         let n = |value: f64| S::from_f64(value).expect("within the type");
         let brick = Cuboid::new([n(1.25), n(0.75), n(1.0)]).expect("sizes");

@@ -1,9 +1,9 @@
 //! The primitives, a file for each.
 //!
-//! In its canonical pose a primitive has the axis +y and its base at the origin; a sphere and a cuboid have their centre there, and a cone that is
-//! given by its slope its apex. Sizes are numbers such as radius and height, not scales. A primitive is a closed set of points. It
-//! computes where a line meets it, its normals, surface coordinates and tangents. Placement and material belong to
-//! [`Shape`](crate::Shape) and [`Object`](crate::Object).
+//! In its canonical pose a primitive has the axis +y and its base at the origin; a sphere and a cuboid have their
+//! centre there, and a cone that is given by its slope its apex. Sizes are numbers such as radius and height, not
+//! scales. A primitive is a closed set of points. It computes where a line meets it, its normals, surface coordinates
+//! and tangents. Placement and material belong to [`Shape`](crate::Shape) and [`Object`](crate::Object).
 //!
 //! | primitive | constructors |
 //! |---|---|
@@ -16,8 +16,8 @@
 //!
 //! # Degenerate rays
 //!
-//! The *wall* is the surface of the side. A *generator* is a line in a cone's side, through its apex. Rules are those of the
-//! [contract](crate#the-contract).
+//! The *wall* is the surface of the side. A *generator* is a line in a cone's side, through its apex. Rules are those
+//! of the [contract](crate#the-contract).
 //!
 //! | ray | result |
 //! |---|---|

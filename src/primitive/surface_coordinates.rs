@@ -1,7 +1,8 @@
 //! Surface coordinates and directions that several primitives share.
 //!
-//! `u` grows once around the axis, from the x axis counter-clockwise as seen from +y; `v` grows upwards. The two directions and the
-//! outward normal are right-handed. On flat caps `u` and `v` are x and z, mapped linearly from `[-r, r]` to `[0, 1]`.
+//! `u` grows once around the axis, from the x axis counter-clockwise as seen from +y; `v` grows upwards. The two
+//! directions and the outward normal are right-handed. On flat caps `u` and `v` are x and z, mapped linearly from
+//! `[-r, r]` to `[0, 1]`.
 
 use crate::scalar::{Real, Ring, Scalar, UnitScalar};
 use crate::vector::{UnitVec3, Vec3};

@@ -1,9 +1,10 @@
 //! The triangle.
 //!
-//! The line passes inside if the three signed volumes that it spans with the edges have the same sign (Segura and Feito,
-//! *Algorithms to test ray-triangle intersection*, 2001). The volume of an edge depends only on the line and the edge's two
-//! end points, and changes its sign exactly when these are swapped, so that no ray passes between two triangles that share an
-//! edge. Where rounding may decide the sign of a volume, the grid is unsure and the solver decides (`solve::flat`).
+//! The line passes inside if the three signed volumes that it spans with the edges have the same sign (Segura and
+//! Feito, *Algorithms to test ray-triangle intersection*, 2001). The volume of an edge depends only on the line and the
+//! edge's two end points, and changes its sign exactly when these are swapped, so that no ray passes between two
+//! triangles that share an edge. Where rounding may decide the sign of a volume, the grid is unsure and the solver
+//! decides (`solve::flat`).
 
 use super::{Geometry, SizeError, queries, surface_coordinates as coordinates};
 use crate::equations::{Described, EquationKinds, Equations};
@@ -17,7 +18,8 @@ use crate::scalar::{Attempt, FromScalar, Including, LocalLine, Real, Scalar, fou
 use crate::solve::{self, Goal, LocalRay, Of};
 use crate::vector::{UnitVec3, Vec3, cross, pairs};
 
-/// A triangle, its edges included; an open surface. Its front is the side from which its vertices are in counter-clockwise order.
+/// A triangle, its edges included; an open surface. Its front is the side from which its vertices are in
+/// counter-clockwise order.
 ///
 /// ```
 /// use raylet::{Crossing, Ray, Triangle, UnitVec3, Vec3};
@@ -37,7 +39,8 @@ impl<S: Scalar> Triangle<S> {
     ///
     /// # Errors
     ///
-    /// [`SizeError::Vertex`] if a vertex is not finite or beyond the budget, [`SizeError::Vertices`] if they lie on a line.
+    /// [`SizeError::Vertex`] if a vertex is not finite or beyond the budget, [`SizeError::Vertices`] if they lie on a
+    /// line.
     pub fn new(a: Vec3<S>, b: Vec3<S>, c: Vec3<S>) -> Result<Self, SizeError> {
         let triangle = Self { vertices: [a, b, c] };
         for vertex in triangle.vertices {
@@ -52,7 +55,8 @@ impl<S: Scalar> Triangle<S> {
         self.vertices
     }
 
-    /// The edges from the first vertex, scaled by a power of two to lengths near 1, so that their products stay in range.
+    /// The edges from the first vertex, scaled by a power of two to lengths near 1, so that their products stay in
+    /// range.
     fn edges(&self) -> [[S::Real; 3]; 2] {
         let [a, b, c] = self.vertices;
         let e = S::binary_exponent(self.bounding_radius());
@@ -60,8 +64,8 @@ impl<S: Scalar> Triangle<S> {
         [difference::<S, S::Real>(b, a, S::real), difference::<S, S::Real>(c, a, S::real)]
     }
 
-    /// The cross product of the edges, of which each component is rounded once unless nearly all of it cancels: in floats it includes the rounding
-    /// errors of the edges, which in a sliver are large relative to its width.
+    /// The cross product of the edges, of which each component is rounded once unless nearly all of it cancels: in
+    /// floats it includes the rounding errors of the edges, which in a sliver are large relative to its width.
     fn unit_normal(&self) -> Option<UnitVec3<S>> {
         let [e1, e2] = self.edges();
         let normal = cross(e1, e2);

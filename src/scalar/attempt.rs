@@ -20,7 +20,8 @@ pub enum Attempt<T> {
 pub struct InSide<S> {
     /// The ends; infinite for a missing end.
     pub ends: [S; 2],
-    /// For each end, how much farther the interval may extend: zero if the end is accurate, infinite if that is not known.
+    /// For each end, how much farther the interval may extend: zero if the end is accurate, infinite if that is not
+    /// known.
     pub beyond: [S; 2],
 }
 
@@ -58,8 +59,8 @@ pub struct InCuboid<S> {
     pub axes: [usize; 2],
 }
 
-/// Like `?`: the result, or a return from the calling function with [`Attempt::Miss`] or [`Attempt::Unsure`]. (A macro, since closures
-/// are not always inlined.)
+/// Like `?`: the result, or a return from the calling function with [`Attempt::Miss`] or [`Attempt::Unsure`]. (A macro,
+/// since closures are not always inlined.)
 macro_rules! found {
     ($attempt:expr) => {
         match $attempt {
@@ -71,9 +72,9 @@ macro_rules! found {
 }
 pub(crate) use found;
 
-/// Whether the line hits a triangle, and whether from the front, by the signed volume that it spans with each edge, and the error bound of the volumes.
-/// All three are negative for a hit from the front, and positive for one from the back. They are computed one after the other: a miss is often decided by
-/// the first two.
+/// Whether the line hits a triangle, and whether from the front, by the signed volume that it spans with each edge, and
+/// the error bound of the volumes. All three are negative for a hit from the front, and positive for one from the back.
+/// They are computed one after the other: a miss is often decided by the first two.
 #[cfg(feature = "fixed")]
 #[inline(always)]
 pub(crate) fn within_edges_in_turn<E, V: Copy + PartialOrd + Neg<Output = V>>(

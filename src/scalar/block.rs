@@ -1,11 +1,12 @@
 //! Block-floating integers: the [`Real`] of the fixed-point types.
 //!
-//! A block is `mantissa * 2^exponent`. Its mantissa is twice as wide as the scalar, so that the product of two scalars, and sums of such
-//! products, are exact. Only when a product would need more than the double width is an operand reduced to half the width, rounded to
-//! nearest: a relative error of at most 2^-32 (2^-64 for the wide block). Blocks never overflow: the exponent has 32 bits.
+//! A block is `mantissa * 2^exponent`. Its mantissa is twice as wide as the scalar, so that the product of two scalars,
+//! and sums of such products, are exact. Only when a product would need more than the double width is an operand
+//! reduced to half the width, rounded to nearest: a relative error of at most 2^-32 (2^-64 for the wide block). Blocks
+//! never overflow: the exponent has 32 bits.
 //!
-//! Square roots and quotients are computed from integers, normalised by their leading zeros. The macro makes the same code for three widths; the
-//! smallest is small enough to be tested on every operand.
+//! Square roots and quotients are computed from integers, normalised by their leading zeros. The macro makes the same
+//! code for three widths; the smallest is small enough to be tested on every operand.
 
 use super::{Real, sealed::Sealed};
 use crate::number::Ring;
@@ -102,7 +103,8 @@ macro_rules! block {
                 let root = root_of_half!($bits, top);
                 // One Newton step on the whole.
                 let mut root: $unsigned = (root << (QUARTER - 1)) + quotient!((n >> (QUARTER + 1)), root);
-                // The step never falls short; it can be one too large, and then at the top of the range its square overflows.
+                // The step never falls short; it can be one too large, and then at the top of the range its square
+                // overflows.
                 if root >> ($bits / 2) != 0 || root * root > n {
                     root -= 1;
                 }
@@ -190,7 +192,8 @@ macro_rules! block {
                 if down > 0 {
                     low.mantissa = shift_right_rounded!(low.mantissa, down);
                 }
-                // The sum of two magnitudes of at most 2^(bits - 2) reaches the sign bit only if both are that power of two.
+                // The sum of two magnitudes of at most 2^(bits - 2) reaches the sign bit only if both are that power of
+                // two.
                 match high.mantissa.checked_add(low.mantissa) {
                     Some(sum) if sum.unsigned_abs() <= 1 << ($bits - 2) => Self::new(sum, high.exponent),
                     Some(sum) => Self::new(shift_right_rounded!(sum, 1), high.exponent.wrapping_add(1)),

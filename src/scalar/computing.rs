@@ -4,9 +4,11 @@ use super::Numbers;
 
 /// Products, lengths and directions.
 pub trait Computing: Numbers {
-    /// True if the rounding error of a parameter `t` is small relative to a length of this size: at most four units of the type in the quotient.
+    /// True if the rounding error of a parameter `t` is small relative to a length of this size: at most four units of
+    /// the type in the quotient.
     fn resolves(t: Self, size: Self) -> bool;
-    /// True if the rounding error of a parameter `t` turns the normal of a surface with this radius of curvature by at most four units of a direction.
+    /// True if the rounding error of a parameter `t` turns the normal of a surface with this radius of curvature by at
+    /// most four units of a direction.
     fn resolves_turn(t: Self, radius: Self) -> bool;
     /// `o . d`; exact for fixed types.
     fn dot(o: [Self; 3], d: [Self::Unit; 3]) -> Self::Real;
@@ -28,9 +30,9 @@ pub trait Computing: Numbers {
         t: Self,
         axes: [[Self::Unit; 3]; 3],
     ) -> [Self::Real; 3];
-    /// For fixed types: the normal, of any length, where the ray meets a ball about `centre` on the y axis, or a tube about that axis, of this
-    /// radius; `t` is rounded. It is along these axes, or along the world's. `None` where it takes more than one step and integers of the double
-    /// width, or is not determined.
+    /// For fixed types: the normal, of any length, where the ray meets a ball about `centre` on the y axis, or a tube
+    /// about that axis, of this radius; `t` is rounded. It is along these axes, or along the world's. `None` where it
+    /// takes more than one step and integers of the double width, or is not determined.
     fn round_normal(_line: RoundLine<Self>, _solid: RoundSolid<Self>) -> Option<[Self::Real; 3]> {
         None
     }
@@ -44,13 +46,13 @@ pub trait Computing: Numbers {
     }
     /// This length along a direction: `self` times its component, rounded once.
     fn along(self, component: Self::Unit) -> Self;
-    /// The exponent `e` for which `2^-e` brings the largest of the given magnitudes near 1; always zero for fixed types, whose
-    /// [`Real`](super::Real) carries its own exponent.
+    /// The exponent `e` for which `2^-e` brings the largest of the given magnitudes near 1; always zero for fixed
+    /// types, whose [`Real`](super::Real) carries its own exponent.
     fn binary_exponent(largest: Self) -> i32;
     /// `self * 2^e`, where `e` comes from [`Computing::binary_exponent`], or the product is known to fit.
     fn scaled(self, e: i32) -> Self;
-    /// Three values in the finest unit in which the type holds all of them: numbers that stand for `2^-n` times themselves, and `n`, which is zero
-    /// for floats.
+    /// Three values in the finest unit in which the type holds all of them: numbers that stand for `2^-n` times
+    /// themselves, and `n`, which is zero for floats.
     fn finest(values: [Self::Real; 3]) -> ([Self; 3], i32);
 }
 

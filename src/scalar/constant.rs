@@ -1,4 +1,5 @@
-//! The checks of constructors as `const fn`: stable Rust calls no trait method in a constant. A module for each width of floats and of fixed point.
+//! The checks of constructors as `const fn`: stable Rust calls no trait method in a constant. A module for each width
+//! of floats and of fixed point.
 //!
 //! `tests/promises/src/constants.rs` compares what they accept with what the constructors at run time accept.
 
@@ -15,7 +16,8 @@ macro_rules! each_number {
 }
 pub(crate) use each_number;
 
-/// Checks with the same code for floats and for fixed point. `raw!` gives the value to compare; `infinite!` is true for values that are not finite.
+/// Checks with the same code for floats and for fixed point. `raw!` gives the value to compare; `infinite!` is true for
+/// values that are not finite.
 macro_rules! checks {
     ([$($generics:tt)*] $Number:ty) => {
         const fn fault<$($generics)*>(value: $Number, least: $Number, most: $Number) -> Option<ValueError> {

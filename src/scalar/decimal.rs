@@ -2,7 +2,8 @@
 
 use super::is_decimal;
 
-/// A tie of 64 fraction bits ends at the 65th decimal place: of the digits after these places it only matters whether one is not zero.
+/// A tie of 64 fraction bits ends at the 65th decimal place: of the digits after these places it only matters whether
+/// one is not zero.
 const PLACES: usize = 66;
 
 /// The sign and the magnitude of a decimal number in units of `2^-fraction_bits`, rounded to nearest, ties to even;
@@ -75,8 +76,8 @@ pub(super) struct Decimal {
     pub(super) fraction: u128,
 }
 
-/// `magnitude * 2^-fraction_bits` with the fewest places from which [`parse`] gives the same number; at most 20. (The `Display` of `fixed`
-/// 1.29 drops digits: two numbers are `440.1` in 16 fraction bits.)
+/// `magnitude * 2^-fraction_bits` with the fewest places from which [`parse`] gives the same number; at most 20. (The
+/// `Display` of `fixed` 1.29 drops digits: two numbers are `440.1` in 16 fraction bits.)
 #[cfg(any(feature = "serde", test))]
 pub(super) fn shortest(magnitude: u64, fraction_bits: u32) -> Decimal {
     let one = 1_u128 << fraction_bits;

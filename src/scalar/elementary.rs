@@ -1,7 +1,8 @@
 //! Angle, sine, cosine and power in integers, for the fixed-point types.
 //!
-//! All use shifts and additions (Volder, *The CORDIC Trigonometric Computing Technique*, 1959): a loop with a fixed number of steps, one table for
-//! every width, the same bits on every machine. Angles are in turns: a whole turn is 2^64, so that they wrap around without a test.
+//! All use shifts and additions (Volder, *The CORDIC Trigonometric Computing Technique*, 1959): a loop with a fixed
+//! number of steps, one table for every width, the same bits on every machine. Angles are in turns: a whole turn is
+//! 2^64, so that they wrap around without a test.
 
 /// `atan(2^-i)` in turns, in units of 2^-64.
 const ARC_TANGENT: [u64; 64] = [

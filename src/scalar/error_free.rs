@@ -1,7 +1,8 @@
 //! Sums and products of floats with their rounding errors, and powers of two.
 //!
-//! With a floating-point unit they are computed in floats. Without one each operation on floats is a call of some hundred instructions.
-//! There a product is computed in integers, and a sum by three operations instead of six, with the same bits.
+//! With a floating-point unit they are computed in floats. Without one each operation on floats is a call of some
+//! hundred instructions. There a product is computed in integers, and a sum by three operations instead of six, with
+//! the same bits.
 
 /// Defines these functions for a float. `$half` is the number of mantissa bits that a split moves to the low part.
 macro_rules! error_free {
@@ -26,7 +27,8 @@ macro_rules! error_free {
                     (high, a - high)
                 }
 
-                /// `a * b = p + e` exactly (Dekker, *A floating-point technique for extending the available precision*, 1971).
+                /// `a * b = p + e` exactly (Dekker, *A floating-point technique for extending the available precision*,
+                /// 1971).
                 #[cfg_attr($without_unit, inline(never))]
                 #[cfg_attr(not($without_unit), inline(always))]
                 pub(in crate::scalar) fn two_product(a: $Float, b: $Float) -> ($Float, $Float) {

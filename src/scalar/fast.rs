@@ -1,4 +1,5 @@
-//! The grid of fixed point: integers of a common unit, in which a line meets a primitive in the type's own width. Where that is unsure, the solver decides.
+//! The grid of fixed point: integers of a common unit, in which a line meets a primitive in the type's own width. Where
+//! that is unsure, the solver decides.
 
 use super::{Attempt, InCuboid, InSide, NappeOutline, Numbers};
 use core::cmp::Ordering;
@@ -16,10 +17,12 @@ pub struct LocalLine<S: Numbers> {
     pub start: S,
     /// True if the line is accurate enough only to decide a miss.
     pub is_coarse: bool,
-    /// True for the tier [`Exact`](crate::tier::Exact): a result that passes the guards is certain, except that `t` is rounded, by less than a unit.
-    /// `f32` then computes in doubles, in which nearly all rays pass; fixed point computes in its own 32 bits.
+    /// True for the tier [`Exact`](crate::tier::Exact): a result that passes the guards is certain, except that `t` is
+    /// rounded, by less than a unit. `f32` then computes in doubles, in which nearly all rays pass; fixed point
+    /// computes in its own 32 bits.
     pub is_strict: bool,
-    /// If given, only the first end at or after this `t` of the ray is needed: an entry is enough, and a line without such an end may be a miss.
+    /// If given, only the first end at or after this `t` of the ray is needed: an entry is enough, and a line without
+    /// such an end may be a miss.
     pub since: Option<S>,
 }
 
@@ -59,7 +62,8 @@ pub struct FinerLine<S: Numbers> {
     pub inverse_length: InverseLength,
 }
 
-/// A ratio of lengths, at most a half: `digits * 2^-shift`, or `(digits * 2^32 + below) * 2^-shift` for the types of 64 bits.
+/// A ratio of lengths, at most a half: `digits * 2^-shift`, or `(digits * 2^32 + below) * 2^-shift` for the types of 64
+/// bits.
 #[derive(Clone, Copy, Debug)]
 pub struct InverseLength {
     /// At least 2^31.
@@ -73,14 +77,16 @@ pub struct InverseLength {
 /// Intersection of a local line with the surfaces of primitives, on the grid. The results are
 /// [`Attempt::Unsure`] where rounding may decide.
 pub trait FastPath: Numbers {
-    /// The direction of a vector, equal to that of [`Computing::normalize`](super::Computing::normalize) or next to it; a miss for the zero vector.
+    /// The direction of a vector, equal to that of [`Computing::normalize`](super::Computing::normalize) or next to it;
+    /// a miss for the zero vector.
     #[inline(always)]
     fn fast_direction(_: [Self; 3]) -> Attempt<[Self::Unit; 3]> {
         Attempt::Unsure
     }
 
-    /// The two ends of the line inside the sphere of radius `r` about the origin: from the point of closest approach, or, if `by_moment`, from the
-    /// Pluecker moment. `is_strict` is that of the line, passed as a constant of the tier so that it costs the other tiers nothing.
+    /// The two ends of the line inside the sphere of radius `r` about the origin: from the point of closest approach,
+    /// or, if `by_moment`, from the Pluecker moment. `is_strict` is that of the line, passed as a constant of the tier
+    /// so that it costs the other tiers nothing.
     #[inline(always)]
     fn fast_ball(_: LocalLine<Self>, _r: Self, _by_moment: bool, _is_strict: bool) -> Attempt<[Self; 2]> {
         Attempt::Unsure
@@ -110,7 +116,8 @@ pub trait FastPath: Numbers {
         Attempt::Unsure
     }
 
-    /// The exit of a line that starts on a sphere about the origin, or on a cylinder about the y axis, and leads inwards.
+    /// The exit of a line that starts on a sphere about the origin, or on a cylinder about the y axis, and leads
+    /// inwards.
     #[inline(always)]
     fn fast_exit_from_round(_: &LocalLine<Self>, _is_ball: bool) -> Attempt<Self> {
         Attempt::Unsure
@@ -122,7 +129,8 @@ pub trait FastPath: Numbers {
         Attempt::Unsure
     }
 
-    /// Whether the line's point at `t` lies below `y = 0` (`Less`), between that and the height (`Equal`), or above (`Greater`).
+    /// Whether the line's point at `t` lies below `y = 0` (`Less`), between that and the height (`Equal`), or above
+    /// (`Greater`).
     #[inline(always)]
     fn fast_seams(_: LocalLine<Self>, _t: Self, _height: Self) -> Attempt<Ordering> {
         Attempt::Unsure
@@ -146,32 +154,36 @@ pub trait FastPath: Numbers {
         Attempt::Unsure
     }
 
-    /// Where the line crosses the rectangle about the origin in the plane `y = 0`, with these half extents along x and z.
+    /// Where the line crosses the rectangle about the origin in the plane `y = 0`, with these half extents along x and
+    /// z.
     #[inline(always)]
     fn fast_rectangle(_: LocalLine<Self>, _half: [Self; 2]) -> Attempt<Self> {
         Attempt::Unsure
     }
 
-    /// The interval of the line inside the cuboid about the origin with these half extents along x, y and z. Unsure if an end is next to an edge.
+    /// The interval of the line inside the cuboid about the origin with these half extents along x, y and z. Unsure if
+    /// an end is next to an edge.
     #[inline(always)]
     fn fast_cuboid(_: &LocalLine<Self>, _half: [Self; 3]) -> Attempt<InCuboid<Self>> {
         Attempt::Unsure
     }
 
-    /// Where a line that starts on the surface of that cuboid leaves it, and the axis perpendicular to the face by which it leaves.
+    /// Where a line that starts on the surface of that cuboid leaves it, and the axis perpendicular to the face by
+    /// which it leaves.
     #[inline(always)]
     fn fast_exit_from_cuboid(_: &LocalLine<Self>, _half: [Self; 3]) -> Attempt<(Self, usize)> {
         Attempt::Unsure
     }
 
-    /// Where the line crosses the triangle with these vertices, and whether it comes from the side from which they are counter-clockwise.
+    /// Where the line crosses the triangle with these vertices, and whether it comes from the side from which they are
+    /// counter-clockwise.
     #[inline(always)]
     fn fast_triangle(_: LocalLine<Self>, _vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {
         Attempt::Unsure
     }
 
-    /// Whether two ends are so close that their order may be decided by rounding. Only a strict line has this guard: otherwise two ends within a unit of
-    /// each other may be in either order.
+    /// Whether two ends are so close that their order may be decided by rounding. Only a strict line has this guard:
+    /// otherwise two ends within a unit of each other may be in either order.
     #[inline(always)]
     fn are_close(_: &LocalLine<Self>, _: Self, _: Self) -> bool {
         false
@@ -183,8 +195,8 @@ pub trait FastPath: Numbers {
         true
     }
 
-    /// The line from `o` along `d` in the frame with these axes at `position`. In floats, the origin of a line that starts far away is moved next
-    /// to `position`.
+    /// The line from `o` along `d` in the frame with these axes at `position`. In floats, the origin of a line that
+    /// starts far away is moved next to `position`.
     #[inline(always)]
     fn fast_turned(
         _o: [Self; 3],
@@ -195,7 +207,8 @@ pub trait FastPath: Numbers {
         None
     }
 
-    /// True if the line from `o` along `d` passes the axis through `position` at a distance greater than `r`; false where rounding may decide.
+    /// True if the line from `o` along `d` passes the axis through `position` at a distance greater than `r`; false
+    /// where rounding may decide.
     #[inline(always)]
     fn passes_axis(_o: [Self; 3], _d: [Self::Unit; 3], _position: [Self; 3], _axis: [Self::Unit; 3], _r: Self) -> bool {
         false
@@ -219,7 +232,8 @@ pub trait FastPath: Numbers {
         None
     }
 
-    /// Reduces the extra bits of the origin in fixed point so far that lengths up to the solid's bounding radius `bounding_radius` fit in the same unit.
+    /// Reduces the extra bits of the origin in fixed point so far that lengths up to the solid's bounding radius
+    /// `bounding_radius` fit in the same unit.
     #[inline(always)]
     fn fast_fit(_line: &mut LocalLine<Self>, _bounding_radius: Self) {}
 
@@ -229,8 +243,9 @@ pub trait FastPath: Numbers {
     /// Computes these values for the ray from `o` along `d`.
     fn slabs(o: [Self; 3], d: [Self::Unit; 3]) -> Self::Slabs;
 
-    /// Conservative test: true only if the ray certainly misses the box about `centre` with these half extents, within the closed `range` of
-    /// `t`. Then no query reports a hit of a solid in the box, in spite of rounding. The result may be false for a ray that passes close to
-    /// the box. All numbers except the range must be within the [`Budget`](super::Budget) of coordinates.
+    /// Conservative test: true only if the ray certainly misses the box about `centre` with these half extents, within
+    /// the closed `range` of `t`. Then no query reports a hit of a solid in the box, in spite of rounding. The result
+    /// may be false for a ray that passes close to the box. All numbers except the range must be within the
+    /// [`Budget`](super::Budget) of coordinates.
     fn misses_box(slabs: &Self::Slabs, range: [Self; 2], centre: [Self; 3], half: [Self; 3]) -> bool;
 }

@@ -1,7 +1,7 @@
 //! `FixedI32<F>` and `FixedI64<F>` as scalars, for every number of fraction bits.
 //!
-//! A coordinate has the fraction bits of its type. A direction has 30 (or 62) fraction bits, because the accuracy of every result depends on
-//! that of the direction. Products of the two are exact in the double width.
+//! A coordinate has the fraction bits of its type. A direction has 30 (or 62) fraction bits, because the accuracy of
+//! every result depends on that of the direction. Products of the two are exact in the double width.
 
 use super::block::{Block64, Block128};
 use super::including::narrowed;
@@ -184,7 +184,8 @@ macro_rules! fixed {
 
             #[inline(always)]
             fn from_units(units: [$wide; 3], rests: [$wide; 3], radius: $wide) -> [$Block; 3] {
-                // Of a wide number only the bits that a direction has: sums of its squares would take four times as many products.
+                // Of a wide number only the bits that a direction has: sums of its squares would take four times as
+                // many products.
                 let drop = if $bits == 64 { 2 * $bits - radius.leading_zeros() } else { 0 };
                 let rounding = (1 << drop) >> 1;
                 [0, 1, 2].map(|i| {
@@ -484,7 +485,8 @@ fixed!(
     },
     {
         type Wider = FixedI64<U32>;
-        // With fewer fraction bits the coordinates of usual scenes leave 32 bits enough room. With more the wider type has too few finer bits.
+        // With fewer fraction bits the coordinates of usual scenes leave 32 bits enough room. With more the wider type
+        // has too few finer bits.
         const WIDENS: bool = F::U32 >= 20 && F::U32 <= 28;
         #[inline]
         fn narrowed(value: Self::Wider) -> Self {

@@ -62,7 +62,8 @@ macro_rules! float {
             }
             #[inline]
             fn from_limbs<W: Word>(value: Limbs<W>) -> Self {
-                // The fraction, and above it the exponent's field. A subnormal number or a carry changes that field without a test.
+                // The fraction, and above it the exponent's field. A subnormal number or a carry changes that field
+                // without a test.
                 const LEAST: i32 = 1 - $bias - $mantissa;
                 let unit = Self::last_place(value.exponent());
                 let field = unit.saturating_sub(LEAST);
@@ -372,8 +373,8 @@ float!(
     sqrt: libm::sqrt, atan2: libm::atan2, sincos: libm::sincos, pow: libm::pow
 );
 
-/// True if the line from `o` along `d` passes the axis through `position` along `a` at a distance greater than `r`. The distance of the lines is
-/// `|n . from| / |n|`, `n = d x a` (Ericson, *Real-Time Collision Detection*, 2005, 5.1.8).
+/// True if the line from `o` along `d` passes the axis through `position` along `a` at a distance greater than `r`. The
+/// distance of the lines is `|n . from| / |n|`, `n = d x a` (Ericson, *Real-Time Collision Detection*, 2005, 5.1.8).
 #[inline(always)]
 fn passes_axis<R: Real>(o: [R; 3], d: [R; 3], position: [R; 3], a: [R; 3], r: R) -> bool {
     let (from, n) = (difference(o, position), cross(d, a));

@@ -1,8 +1,9 @@
 //! The number types.
 //!
-//! A [`Scalar`] *stores* coordinates, sizes and distances. A [`Real`] *computes* points, normals, shading and the like, and never overflows
-//! inside the [`Budget`]. For floats the two are the same type. For fixed point the [`Real`] is a block-floating number of twice the width
-//! ([`block`]), so that products are exact and nothing is rounded before a difference is computed.
+//! A [`Scalar`] *stores* coordinates, sizes and distances. A [`Real`] *computes* points, normals, shading and the like,
+//! and never overflows inside the [`Budget`]. For floats the two are the same type. For fixed point the [`Real`] is a
+//! block-floating number of twice the width ([`block`]), so that products are exact and nothing is rounded before a
+//! difference is computed.
 //!
 //! All code that depends on the number type is in this folder:
 //!
@@ -149,7 +150,8 @@ pub trait Numbers:
     + sealed::Sealed
     + written::Written
 {
-    /// The type of components of unit vectors and of colour channels: the float itself, Q2.30 for 32-bit and Q2.62 for 64-bit fixed types.
+    /// The type of components of unit vectors and of colour channels: the float itself, Q2.30 for 32-bit and Q2.62 for
+    /// 64-bit fixed types.
     type Unit: UnitScalar;
     /// The number to compute in.
     type Real: Real + written::ForSerde;
@@ -164,7 +166,8 @@ pub type Unit<S> = <S as Numbers>::Unit;
 pub trait Scalar: Numbers + Computing + Elementary + FastPath {
     /// The number in which the solver computes where the grid is unsure.
     type Robust: Localize<Self> + Number<Estimate = Self::Robust> + ToScalar<Self>;
-    /// The type of the second attempt of fixed point, which holds every value of this one; the type itself if that has none.
+    /// The type of the second attempt of fixed point, which holds every value of this one; the type itself if that has
+    /// none.
     type Wider: Including<Self>;
     /// True if the grid has such a second attempt.
     const WIDENS: bool = false;
@@ -220,15 +223,18 @@ pub trait Scalar: Numbers + Computing + Elementary + FastPath {
     fn parse(text: &str) -> Option<Self> {
         Self::parse_scaled(text, 0)
     }
-    /// A decimal number times `2^power`, correctly rounded to nearest, ties to even. It is rounded only once, after the multiplication.
+    /// A decimal number times `2^power`, correctly rounded to nearest, ties to even. It is rounded only once, after the
+    /// multiplication.
     ///
-    /// As [`Scalar::parse`]; `None` also if a fixed type's fraction bits and the power add up to less than 0 or more than 64.
+    /// As [`Scalar::parse`]; `None` also if a fixed type's fraction bits and the power add up to less than 0 or more
+    /// than 64.
     fn parse_scaled(text: &str, power: i32) -> Option<Self>;
     /// The nearest value to an `f64`, for tools on the host.
     ///
     /// # Errors
     ///
-    /// [`ValueError::NotFinite`], or [`ValueError::BeyondType`] beyond the type's range. A value below half a unit becomes zero.
+    /// [`ValueError::NotFinite`], or [`ValueError::BeyondType`] beyond the type's range. A value below half a unit
+    /// becomes zero.
     fn from_f64(value: f64) -> Result<Self, ValueError>;
     /// The value as an `f64`, for tools on the host; rounded for 64-bit fixed types.
     fn to_f64(self) -> f64;
@@ -334,8 +340,8 @@ pub(crate) fn is_zero_decimal(text: &str) -> bool {
     !mantissa.bytes().any(|byte| matches!(byte, b'1'..=b'9'))
 }
 
-/// True for an optional sign, digits with at most one point, and an optional decimal exponent. Every scalar parses this syntax and no other: `inf`
-/// and `1_000` are not numbers.
+/// True for an optional sign, digits with at most one point, and an optional decimal exponent. Every scalar parses this
+/// syntax and no other: `inf` and `1_000` are not numbers.
 pub(crate) fn is_decimal(text: &str) -> bool {
     let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
     let (mantissa, exponent) = unsigned.split_once(['e', 'E']).unwrap_or((unsigned, "0"));

@@ -28,8 +28,8 @@ pub trait ToScalar<S: Scalar>: Estimate {
             None => self,
         }
     }
-    /// Rounded to nearest, [`Scalar::INFINITY`] with its sign beyond the type; `None` if the error is too large for the result to be
-    /// within one unit in the last place.
+    /// Rounded to nearest, [`Scalar::INFINITY`] with its sign beyond the type; `None` if the error is too large for the
+    /// result to be within one unit in the last place.
     fn rounded(self) -> Option<S>;
 }
 
@@ -224,7 +224,8 @@ impl<S: Scalar, R: RealOf<S>, const STABLE: bool> FromScalar<S> for Running<R, S
     }
 }
 
-/// In doubles the exact value of a parameter of a narrower type decides, and has so many bits that its rounding does not matter.
+/// In doubles the exact value of a parameter of a narrower type decides, and has so many bits that its rounding does
+/// not matter.
 impl<S: Scalar, R: RealOf<S>, const STABLE: bool> ToScalar<S> for Running<R, STABLE> {
     const ROUNDING_DECIDES: bool = size_of::<S>() == size_of::<R>();
 
@@ -234,7 +235,8 @@ impl<S: Scalar, R: RealOf<S>, const STABLE: bool> ToScalar<S> for Running<R, STA
     }
     #[inline(always)]
     fn rounded(self) -> Option<S> {
-        // A unit in the last place is between one and two roundings of the value. Bounds are a few times as large as errors.
+        // A unit in the last place is between one and two roundings of the value. Bounds are a few times as large as
+        // errors.
         let most = match (<Self as ToScalar<S>>::ROUNDING_DECIDES, STABLE) {
             (true, true) => R::from_int(32),
             (true, false) => R::ONE.scaled(-R::ROUNDING - 12),

@@ -1,24 +1,28 @@
 //! Conservative test of a ray against an axis-aligned box, by slabs.
 //!
-//! A box is the intersection of three slabs, and a line is in each slab for an interval of `t` (Kay and Kajiya, *Ray tracing complex scenes*,
-//! 1986). With the centre `c` relative to the ray's origin, the half extents `h` and the direction `d` these are
+//! A box is the intersection of three slabs, and a line is in each slab for an interval of `t` (Kay and Kajiya, *Ray
+//! tracing complex scenes*, 1986). With the centre `c` relative to the ray's origin, the half extents `h` and the
+//! direction `d` these are
 //!
 //! ```text
 //! [c_x / d_x - h_x / |d_x|, c_x / d_x + h_x / |d_x|]     and cyclic
 //! ```
 //!
-//! The ray misses if these intervals and its range have no `t` in common. The reciprocals are computed once for each ray. A component of the
-//! direction below 2^-16 (2^-20 for floats) is replaced by that value, so that there is no division by zero.
+//! The ray misses if these intervals and its range have no `t` in common. The reciprocals are computed once for each
+//! ray. A component of the direction below 2^-16 (2^-20 for floats) is replaced by that value, so that there is no
+//! division by zero.
 //!
-//! The test must never report a miss if a query reports a hit of a solid in the box, although queries round. For a reported hit, the distance
-//! of the ray's point at `t` from the solid is less than the fraction `2^-MARGIN_BITS` of its distance from the origin and of its size. The box is
-//! enlarged by that: by the fraction of the size when it is built, by the fraction of the distance and a few units here. The error of the
-//! reciprocals is less than half of the margin.
+//! The test must never report a miss if a query reports a hit of a solid in the box, although queries round. For a
+//! reported hit, the distance of the ray's point at `t` from the solid is less than the fraction `2^-MARGIN_BITS` of
+//! its distance from the origin and of its size. The box is enlarged by that: by the fraction of the size when it is
+//! built, by the fraction of the distance and a few units here. The error of the reciprocals is less than half of the
+//! margin.
 
 /// A box is enlarged by the fraction `2^-MARGIN_BITS` of its size and of its distance.
 ///
-/// The least accurate number is `f32`: the error of a line in a frame is some units of 2^-24 of its length. At a sharp rim, or in a skewed
-/// placement, the error of the hit point is up to 2^8 times as large. (Objects for which it may be larger have no box.)
+/// The least accurate number is `f32`: the error of a line in a frame is some units of 2^-24 of its length. At a sharp
+/// rim, or in a skewed placement, the error of the hit point is up to 2^8 times as large. (Objects for which it may be
+/// larger have no box.)
 pub(crate) const MARGIN_BITS: i32 = 14;
 
 /// The values that all tests of a ray against boxes share.
@@ -96,7 +100,8 @@ mod in_integers {
         x.max(y).max(z)
     }
 
-    /// `2^45 / d`, for a component of a direction with 30 fraction bits: at least 2^15, with a relative error of at most 2^-15.
+    /// `2^45 / d`, for a component of a direction with 30 fraction bits: at least 2^15, with a relative error of at
+    /// most 2^-15.
     #[inline(always)]
     fn reciprocal(d: i32) -> i32 {
         let magnitude = d.unsigned_abs().max(1 << 14);
@@ -106,7 +111,8 @@ mod in_integers {
         if d < 0 { -reciprocal } else { reciprocal }
     }
 
-    /// True if the slabs and `range` have nothing in common; `c`, `half` and `range` are in one unit, the range with [`FINER`] fraction bits.
+    /// True if the slabs and `range` have nothing in common; `c`, `half` and `range` are in one unit, the range with
+    /// [`FINER`] fraction bits.
     #[inline(always)]
     fn are_apart(c: [i32; 3], half: [i32; 3], reciprocals: [i32; 3], [start, end]: [i64; 2]) -> bool {
         // The margin is larger than that of floats, since the reciprocals and the least components are coarser.

@@ -3,7 +3,8 @@
 use super::Real;
 use crate::number::{Ring, operators};
 
-/// A computing number, of which a sum of products keeps the bits that a cancellation leaves. Its other operations are those of the number.
+/// A computing number, of which a sum of products keeps the bits that a cancellation leaves. Its other operations are
+/// those of the number.
 #[derive(Clone, Copy, Debug)]
 pub struct Summed<R>(pub(crate) R);
 

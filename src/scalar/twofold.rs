@@ -3,8 +3,8 @@
 use super::Real;
 use crate::number::{Ring, operators};
 
-/// A sum `high + low`, rounded to about twice the computing number's precision (Dekker, *A floating-point technique for extending the
-/// available precision*, 1971). On overflow it is a NaN.
+/// A sum `high + low`, rounded to about twice the computing number's precision (Dekker, *A floating-point technique for
+/// extending the available precision*, 1971). On overflow it is a NaN.
 #[derive(Clone, Copy, Debug)]
 pub struct Twofold<R> {
     pub(crate) high: R,

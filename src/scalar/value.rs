@@ -21,7 +21,8 @@ pub enum ValueError {
     NotFinite,
     /// It is below zero where only other values are allowed.
     Negative,
-    /// It is zero where it must not be: it was given as zero, or was below one unit of the number type and rounded to zero.
+    /// It is zero where it must not be: it was given as zero, or was below one unit of the number type and rounded to
+    /// zero.
     Zero,
     /// It is above zero and below the smallest value of its kind that the [`Budget`](super::Budget) allows.
     BelowBudget,

@@ -1,7 +1,7 @@
 //! How stored numbers are written: for `serde` and for `defmt`.
 //!
-//! In formats that people read, a fixed-point number is decimal text, with as many digits as are needed to read the same bits back. In binary formats
-//! it is its bits.
+//! In formats that people read, a fixed-point number is decimal text, with as many digits as are needed to read the
+//! same bits back. In binary formats it is its bits.
 
 /// What stored numbers and unit components do for the optional features.
 pub trait Written: ForSerde + ForDefmt {}
@@ -67,7 +67,8 @@ mod with_serde {
                 }
                 fn read<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
                     let (mantissa, exponent) = <($mantissa, i32)>::deserialize(deserializer)?;
-                    // The largest mantissa that a block may have, and an exponent with which no computation approaches the limit of 32 bits.
+                    // The largest mantissa that a block may have, and an exponent with which no computation approaches
+                    // the limit of 32 bits.
                     if mantissa.unsigned_abs() <= 1 << (<$mantissa>::BITS - 2) && exponent.unsigned_abs() <= 2048 {
                         Ok(Self::new(mantissa, exponent))
                     } else {

@@ -17,7 +17,8 @@ pub struct Camera<S: Scalar> {
     forward: UnitVec3<S>,
     right: UnitVec3<S>,
     up: UnitVec3<S>,
-    /// Half of the distance between the centres of the first and the last row of pixels: one unit in front of the eye, or of parallel rays.
+    /// Half of the distance between the centres of the first and the last row of pixels: one unit in front of the eye,
+    /// or of parallel rays.
     half_height: S::Real,
     is_orthographic: bool,
 }
@@ -46,11 +47,11 @@ impl<S: Scalar> Camera<S> {
         Ok(Self { half_height: sine / cosine, ..camera })
     }
 
-    /// An orthographic camera: all rays are parallel to the line from `position` to the point `target`, so that lengths across it are the same
-    /// near and far. `up` is that of [`Camera::new`].
+    /// An orthographic camera: all rays are parallel to the line from `position` to the point `target`, so that lengths
+    /// across it are the same near and far. `up` is that of [`Camera::new`].
     ///
-    /// `height` is the distance between the centres of the first and the last row of pixels. Pixels are square. Rays start in the plane through
-    /// `position`; those that start beyond the number type's budget see nothing.
+    /// `height` is the distance between the centres of the first and the last row of pixels. Pixels are square. Rays
+    /// start in the plane through `position`; those that start beyond the number type's budget see nothing.
     ///
     /// # Errors
     ///
@@ -79,12 +80,12 @@ impl<S: Scalar> Camera<S> {
         }
     }
 
-    /// A pinhole camera at the position of a frame, that looks along the frame's z axis, with its y axis up. (The x axis points to the left of the
-    /// picture, since a frame is right-handed.) It keeps the axes to the bit, and needs no square root, so that it can be called in a constant: see
-    /// [`mod@crate::constant`].
+    /// A pinhole camera at the position of a frame, that looks along the frame's z axis, with its y axis up. (The x
+    /// axis points to the left of the picture, since a frame is right-handed.) It keeps the axes to the bit, and needs
+    /// no square root, so that it can be called in a constant: see [`mod@crate::constant`].
     ///
-    /// `tangent` is that of half the angle between the centres of the first and the last row of pixels: half of the picture's height, one unit in front
-    /// of the eye.
+    /// `tangent` is that of half the angle between the centres of the first and the last row of pixels: half of the
+    /// picture's height, one unit in front of the eye.
     ///
     /// # Errors
     ///
@@ -105,7 +106,8 @@ impl<S: Scalar> Camera<S> {
         }
     }
 
-    /// An orthographic camera in a frame, which it keeps as [`Camera::in_frame`] does; `height` is that of [`Camera::orthographic`].
+    /// An orthographic camera in a frame, which it keeps as [`Camera::in_frame`] does; `height` is that of
+    /// [`Camera::orthographic`].
     ///
     /// # Errors
     ///
@@ -167,7 +169,8 @@ impl<S: Scalar> Camera<S> {
             FrameError::Position(_) => CameraError::Position,
             _ => CameraError::Axes,
         })?;
-        // Half of the height of a pinhole's picture is that of fixed point between the least and the largest quotient of two units.
+        // Half of the height of a pinhole's picture is that of fixed point between the least and the largest quotient
+        // of two units.
         let (one, bound) = (S::Real::ONE, 64);
         let in_type = if S::RELATIVE {
             S::round(half_height).is_finite()
@@ -259,25 +262,27 @@ impl<S: Scalar> Raster<S> {
         self.size
     }
 
-    /// The ray through sample (`column`, `row`) of pixel (`x`, `y`); (0, 0) is the upper left. With one sample a pixel it goes through the pixel's centre,
-    /// as a zone of a range sensor is measured. `n` rows that span an angle `w` between their outer edges need a camera of the angle
-    /// `2 atan((1 - 1/n) tan(w/2))` ([`Camera::new`]).
+    /// The ray through sample (`column`, `row`) of pixel (`x`, `y`); (0, 0) is the upper left. With one sample a pixel
+    /// it goes through the pixel's centre, as a zone of a range sensor is measured. `n` rows that span an angle `w`
+    /// between their outer edges need a camera of the angle `2 atan((1 - 1/n) tan(w/2))` ([`Camera::new`]).
     ///
-    /// Pixels and samples outside the picture are allowed. `None` only for an orthographic camera, for a ray that starts beyond the budget.
+    /// Pixels and samples outside the picture are allowed. `None` only for an orthographic camera, for a ray that
+    /// starts beyond the budget.
     pub fn ray(&self, [x, y]: [u16; 2], [column, row]: [u8; 2]) -> Option<Ray<S>> {
         let samples = i64::from(self.size.samples.max(1));
         let odd = |pixel: u16, sample: u8| 2 * (i64::from(pixel) * samples + i64::from(sample)) + 1;
         self.through([odd(x, column), odd(y, row)])
     }
 
-    /// The ray through the upper left corner of pixel (`x`, `y`), which it shares with its neighbours; (width, height) is
-    /// the picture's lower right corner.
+    /// The ray through the upper left corner of pixel (`x`, `y`), which it shares with its neighbours; (width, height)
+    /// is the picture's lower right corner.
     pub(crate) fn corner(&self, [x, y]: [u32; 2]) -> Option<Ray<S>> {
         let samples = i64::from(self.size.samples.max(1));
         self.through([2 * i64::from(x) * samples, 2 * i64::from(y) * samples])
     }
 
-    /// The ray through the point that is `right` half samples to the right of the upper left corner and `down` half samples below it.
+    /// The ray through the point that is `right` half samples to the right of the upper left corner and `down` half
+    /// samples below it.
     fn through(&self, [right, down]: [i64; 2]) -> Option<Ray<S>> {
         let samples = i64::from(self.size.samples.max(1));
         // Twice the distance from the middle of the picture, in samples: at most 2^25, so that it is exact.

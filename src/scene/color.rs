@@ -6,8 +6,8 @@ use crate::scalar::{Scalar, UnitScalar};
 
 /// A linear RGB colour, without gamma. 0 is black and 1 the brightest level of a display.
 ///
-/// Channels are [`Unit`](crate::scalar::Unit): fixed types have 30 (or 62) fraction bits and saturate just below 2, so that
-/// a sum of bright lights does not wrap around.
+/// Channels are [`Unit`](crate::scalar::Unit): fixed types have 30 (or 62) fraction bits and saturate just below 2, so
+/// that a sum of bright lights does not wrap around.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = ""))]
 pub struct Color<S: Scalar> {
@@ -70,8 +70,8 @@ impl<S: Scalar> Color<S> {
         Self::new(red, green, blue)
     }
 
-    /// Eight-bit levels as displays and picture files store them: encoded by sRGB (IEC 61966-2-1:1999), the nearest of 0 to 255 for each
-    /// channel, clamped. Equal colours have the same levels in every number type.
+    /// Eight-bit levels as displays and picture files store them: encoded by sRGB (IEC 61966-2-1:1999), the nearest of
+    /// 0 to 255 for each channel, clamped. Equal colours have the same levels in every number type.
     ///
     /// ```
     /// # use raylet::Color;

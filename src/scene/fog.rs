@@ -5,9 +5,9 @@ use crate::scalar::{Scalar, UnitScalar};
 
 /// Fog of one colour and constant density, everywhere outside transparent objects.
 ///
-/// Over a distance `t` the fraction `clarity^t` of a colour is transmitted, and the fog's colour replaces the rest (Beer's law).
-/// The background is infinitely far away and so has the fog's colour. Light on its way from a light source to a surface is not
-/// attenuated.
+/// Over a distance `t` the fraction `clarity^t` of a colour is transmitted, and the fog's colour replaces the rest
+/// (Beer's law). The background is infinitely far away and so has the fog's colour. Light on its way from a light
+/// source to a surface is not attenuated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fog<S: Scalar> {
     color: Color<S>,
@@ -15,8 +15,8 @@ pub struct Fog<S: Scalar> {
 }
 
 impl<S: Scalar> Fog<S> {
-    /// Fog that transmits the fraction `clarity` of the light per unit of length. `clarity` is clamped to `[0, 1]`: at 0 nothing but
-    /// fog is visible, at 1 there is no fog.
+    /// Fog that transmits the fraction `clarity` of the light per unit of length. `clarity` is clamped to `[0, 1]`: at
+    /// 0 nothing but fog is visible, at 1 there is no fog.
     ///
     /// ```
     /// # use raylet::{Color, scene::Fog};

@@ -13,12 +13,12 @@ use crate::scalar::Scalar;
 /// - `mirror` times the radiance of the mirrored ray, and `transmittance` times that of the refracted ray (Whitted,
 ///   *An Improved Illumination Model for Shaded Display*, 1980). Neither is multiplied by `color`.
 ///
-/// If `refraction` is not 1, a fraction F of the transmitted light is reflected instead, by Fresnel's equations: the mirrored ray
-/// has the weight `mirror + transmittance F` and the refracted ray `transmittance (1 - F)`. The sum is `mirror + transmittance` at
-/// every angle. At total reflection F is 1.
+/// If `refraction` is not 1, a fraction F of the transmitted light is reflected instead, by Fresnel's equations: the
+/// mirrored ray has the weight `mirror + transmittance F` and the refracted ray `transmittance (1 - F)`. The sum is
+/// `mirror + transmittance` at every angle. At total reflection F is 1.
 ///
-/// `diffuse + mirror + transmittance` should be at most 1. That is not checked, and some NFF files exceed it. `mirror` is clamped to 1 and
-/// `transmittance` to `1 - mirror`, so that the light along a path never grows.
+/// `diffuse + mirror + transmittance` should be at most 1. That is not checked, and some NFF files exceed it. `mirror`
+/// is clamped to 1 and `transmittance` to `1 - mirror`, so that the light along a path never grows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = ""))]
 pub struct Material<S: Scalar> {
@@ -33,16 +33,17 @@ pub struct Material<S: Scalar> {
     /// Phong's cosine power, at least 0: the larger, the smaller the highlight.
     #[cfg_attr(feature = "serde", serde(with = "crate::scalar::written"))]
     pub shine: S,
-    /// Fraction of the light that is transmitted, at least 0 and usually at most 1. The NFF reader makes objects with a transmittance above 0
-    /// two-sided.
+    /// Fraction of the light that is transmitted, at least 0 and usually at most 1. The NFF reader makes objects with a
+    /// transmittance above 0 two-sided.
     #[cfg_attr(feature = "serde", serde(with = "crate::scalar::written"))]
     pub transmittance: S,
-    /// Index of refraction of the inside relative to the outside. At 1 light passes without being bent, as it should for a surface with the
-    /// same medium on both sides, such as a thin pane. The same holds for 0, which NFF files have for opaque materials.
+    /// Index of refraction of the inside relative to the outside. At 1 light passes without being bent, as it should
+    /// for a surface with the same medium on both sides, such as a thin pane. The same holds for 0, which NFF files
+    /// have for opaque materials.
     #[cfg_attr(feature = "serde", serde(with = "crate::scalar::written"))]
     pub refraction: S,
-    /// Fraction of the light that is reflected as by a mirror, at least 0 and usually at most 1. NFF has no such number: by its convention
-    /// the specular weight Ks is also that of the mirror, and the reader sets both.
+    /// Fraction of the light that is reflected as by a mirror, at least 0 and usually at most 1. NFF has no such
+    /// number: by its convention the specular weight Ks is also that of the mirror, and the reader sets both.
     #[cfg_attr(feature = "serde", serde(with = "crate::scalar::written"))]
     pub mirror: S,
     /// Index into the scene's textures; `None` for `color` everywhere.

@@ -63,7 +63,8 @@ use core::marker::PhantomData;
 ///
 /// [`Scene::new`] and the `with_` methods check all indices once, so that no query can fail.
 ///
-/// Its objects are intersected in the accuracy tier `T`; see [`Scene::at_tier`]. Their shapes are of the kinds `K`; see [`Kinds`].
+/// Its objects are intersected in the accuracy tier `T`; see [`Scene::at_tier`]. Their shapes are of the kinds `K`; see
+/// [`Kinds`].
 #[derive(Clone, Copy, Debug)]
 pub struct Scene<'a, S: Scalar, T = Stable, K: Kinds = All> {
     objects: &'a [Object<S, K>],
@@ -151,8 +152,8 @@ impl<'a, S: Scalar, T: Tier<S>, K: Kinds> Scene<'a, S, T, K> {
         Self { background, ..self }
     }
 
-    /// The same scene with ambient light: a white matte surface shows this colour where no other light reaches it. Surfaces scatter it in
-    /// proportion to their `diffuse` and colour.
+    /// The same scene with ambient light: a white matte surface shows this colour where no other light reaches it.
+    /// Surfaces scatter it in proportion to their `diffuse` and colour.
     ///
     /// ```
     /// # use raylet::{Camera, Color, Material, Object, Plane, Scene, Shape, Vec3};
@@ -209,11 +210,13 @@ impl<'a, S: Scalar, T: Tier<S>, K: Kinds> Scene<'a, S, T, K> {
         Self { fog: Some(fog), ..self }
     }
 
-    /// The same scene with a bounding volume hierarchy: the same results to the bit, in less time if there are many objects.
+    /// The same scene with a bounding volume hierarchy: the same results to the bit, in less time if there are many
+    /// objects.
     ///
     /// # Errors
     ///
-    /// [`SceneError::Hierarchy`] if it was built for other objects, or for the same objects in another order or with other placements.
+    /// [`SceneError::Hierarchy`] if it was built for other objects, or for the same objects in another order or with
+    /// other placements.
     pub fn with_hierarchy(self, hierarchy: &Hierarchy<'a, S>) -> Result<Self, SceneError> {
         if hierarchy.is_of(self.objects) {
             Ok(Self { hierarchy: Some(*hierarchy), ..self })
@@ -283,11 +286,11 @@ impl<'a, S: Scalar, T: Tier<S>, K: Kinds> Scene<'a, S, T, K> {
         self.normals.get(object.smooth? as usize)
     }
 
-    /// The nearest hit of a ray, and the index of its object. If two objects are hit at the same `t`, the one with the lower index
-    /// is returned.
+    /// The nearest hit of a ray, and the index of its object. If two objects are hit at the same `t`, the one with the
+    /// lower index is returned.
     ///
-    /// A departure of the ray (see [`Departure`](crate::Departure)) applies to the object that it names; the other objects are tested with the
-    /// ray without departure. Counts every test in `counters`.
+    /// A departure of the ray (see [`Departure`](crate::Departure)) applies to the object that it names; the other
+    /// objects are tested with the ray without departure. Counts every test in `counters`.
     pub fn nearest(&self, ray: &Ray<S>, counters: &mut Counters) -> Option<SceneHit<S>> {
         self.nearest_for(ray, counters, &mut ())
     }
@@ -304,7 +307,8 @@ impl<'a, S: Scalar, T: Tier<S>, K: Kinds> Scene<'a, S, T, K> {
         nearest.map(|(object, hit)| SceneHit { object, hit })
     }
 
-    /// Occlusion test, for shadows: true if the ray hits any object within its range. Stops at the first object that it hits.
+    /// Occlusion test, for shadows: true if the ray hits any object within its range. Stops at the first object that it
+    /// hits.
     pub fn occludes(&self, ray: &Ray<S>, counters: &mut Counters) -> bool {
         self.occluder(ray, counters, &mut ()).is_some()
     }

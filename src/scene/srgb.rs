@@ -1,5 +1,5 @@
-//! The transfer function of sRGB (IEC 61966-2-1:1999), with which displays and picture files store brightness, in finer steps for dark levels. It is
-//! computed in integers, so that every number type has the same levels.
+//! The transfer function of sRGB (IEC 61966-2-1:1999), with which displays and picture files store brightness, in finer
+//! steps for dark levels. It is computed in integers, so that every number type has the same levels.
 
 /// The brightness of the levels 0 to 254 in 65536ths of the brightest.
 static LINEAR: [u16; 255] = {

@@ -7,8 +7,8 @@ use crate::vector::{UnitVec3, Vec3};
 use serde::de::{Error, IgnoredAny};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-/// A camera: its position and axes, and half of its picture's height. That is a number to compute in: of a float the float, of fixed point an integer and
-/// the power of two by which it is multiplied.
+/// A camera: its position and axes, and half of its picture's height. That is a number to compute in: of a float the
+/// float, of fixed point an integer and the power of two by which it is multiplied.
 #[derive(Serialize, Deserialize)]
 #[serde(bound = "")]
 struct StoredCamera<S: Scalar> {

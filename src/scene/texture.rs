@@ -16,11 +16,11 @@ pub enum Coordinate {
     V,
 }
 
-/// A colour for each point of a surface. The material's colour is multiplied by it, so that a white material shows the texture
-/// unchanged.
+/// A colour for each point of a surface. The material's colour is multiplied by it, so that a white material shows the
+/// texture unchanged.
 ///
-/// The texture spans `[0, 1]` in `u` and `v`; on a plane, which is infinite, it repeats every unit of length. There is no
-/// interpolation between texels or fields; antialiasing smooths their edges.
+/// The texture spans `[0, 1]` in `u` and `v`; on a plane, which is infinite, it repeats every unit of length. There is
+/// no interpolation between texels or fields; antialiasing smooths their edges.
 ///
 /// Catmull, *A Subdivision Algorithm for Computer Display of Curved Surfaces* (1974).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,9 +28,9 @@ pub enum Coordinate {
 #[non_exhaustive]
 pub enum Texture<'a, S: Scalar> {
     /// A chessboard of `columns` fields along `u` and `rows` along `v`, each at least 1; the field at (0, 0) has the
-    /// first colour. Around an axis, an even number of columns joins without a visible seam. On a plane, where the coordinates repeat with every unit of
-    /// length, even numbers make a chessboard too, with fields a `columns`-th of a unit wide; odd ones join fields of one colour. For larger fields take a
-    /// rectangle.
+    /// first colour. Around an axis, an even number of columns joins without a visible seam. On a plane, where the
+    /// coordinates repeat with every unit of length, even numbers make a chessboard too, with fields a `columns`-th of
+    /// a unit wide; odd ones join fields of one colour. For larger fields take a rectangle.
     Checker {
         /// Fields along `u`.
         columns: u16,
@@ -48,8 +48,9 @@ pub enum Texture<'a, S: Scalar> {
         /// The two colours, each channel in `[0, 1]`.
         colors: [Color<S>; 2],
     },
-    /// A chessboard in space: so many fields, each at least 1, along each axis of the primitive's bounding box, by the solid coordinates
-    /// ([`Surface::uvw`](crate::Surface::uvw)). It continues across edges and rims. The field at (0, 0, 0) has the first colour.
+    /// A chessboard in space: so many fields, each at least 1, along each axis of the primitive's bounding box, by the
+    /// solid coordinates ([`Surface::uvw`](crate::Surface::uvw)). It continues across edges and rims. The field at (0,
+    /// 0, 0) has the first colour.
     Cells {
         /// Fields along x, y and z.
         counts: [u16; 3],
@@ -118,8 +119,8 @@ pub struct Waves<S> {
     pub along_u: u16,
     /// Whole waves over `v` from 0 to 1; 0 for none.
     pub along_v: u16,
-    /// The largest slope of each wave, rise over run, usually below 1; 0 leaves the normal unchanged. It is the same along `u` and
-    /// `v`, whatever the wavelengths.
+    /// The largest slope of each wave, rise over run, usually below 1; 0 leaves the normal unchanged. It is the same
+    /// along `u` and `v`, whatever the wavelengths.
     #[cfg_attr(feature = "serde", serde(with = "crate::scalar::written"))]
     pub slope: S,
 }

@@ -2,7 +2,8 @@
 
 use core::fmt;
 
-/// A primitive, or a placement other than [`Placement::World`](super::Placement::World). The order is that in which sets list them.
+/// A primitive, or a placement other than [`Placement::World`](super::Placement::World). The order is that in which
+/// sets list them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

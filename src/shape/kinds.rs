@@ -12,8 +12,8 @@ mod sealed {
     pub trait Sealed {}
 }
 
-/// A primitive or a placement, by its type. Sealed: [`Sphere`], [`Cylinder`], [`Cone`], [`Capsule`], [`Plane`], [`Disc`], [`Triangle`],
-/// [`Cuboid`], [`Rectangle`], [`Frame`] and [`Affine`], of any number type.
+/// A primitive or a placement, by its type. Sealed: [`Sphere`], [`Cylinder`], [`Cone`], [`Capsule`], [`Plane`],
+/// [`Disc`], [`Triangle`], [`Cuboid`], [`Rectangle`], [`Frame`] and [`Affine`], of any number type.
 pub trait OfKind: Copy + Debug + PartialEq + sealed::Sealed {
     /// The kind of its values.
     const KIND: Kind;
@@ -32,12 +32,14 @@ macro_rules! kinds {
 }
 kinds!(Sphere Cylinder Cone Capsule Plane Disc Triangle Cuboid Rectangle Frame Affine);
 
-/// The primitives and placements that a shape may have: [`All`], or a tuple of up to twelve of their types, in any order. Sealed.
+/// The primitives and placements that a shape may have: [`All`], or a tuple of up to twelve of their types, in any
+/// order. Sealed.
 ///
-/// A shape is one of the primitives in the tuple. It is not placed, or is placed by one of the placements in the tuple. What is not in the tuple
-/// contributes no instruction to the program: its code runs only after a test of the constant [`SET`](Kinds::SET), and the compiler removes
-/// it. On a Cortex-M0+ a picture of spheres and planes takes a quarter to two fifths of the flash that a picture of any primitive takes; [docs/microcontrollers.md](https://github.com/raylet-rs/raylet/blob/main/docs/microcontrollers.md) has
-/// the figures.
+/// A shape is one of the primitives in the tuple. It is not placed, or is placed by one of the placements in the tuple.
+/// What is not in the tuple contributes no instruction to the program: its code runs only after a test of the constant
+/// [`SET`](Kinds::SET), and the compiler removes it. On a Cortex-M0+ a picture of spheres and planes takes a quarter to
+/// two fifths of the flash that a picture of any primitive takes;
+/// [docs/microcontrollers.md](https://github.com/raylet-rs/raylet/blob/main/docs/microcontrollers.md) has the figures.
 ///
 /// The number type of a primitive in the tuple has no effect.
 ///
@@ -59,8 +61,8 @@ kinds!(Sphere Cylinder Cone Capsule Plane Disc Triangle Cuboid Rectangle Frame A
 /// # Ok::<(), raylet::Error>(())
 /// ```
 ///
-/// A primitive or a placement that is not in the tuple does not compile. `cargo build` reports the error, and not `cargo check`, since it depends on
-/// the types for which generic code is compiled:
+/// A primitive or a placement that is not in the tuple does not compile. `cargo build` reports the error, and not
+/// `cargo check`, since it depends on the types for which generic code is compiled:
 ///
 /// ```compile_fail,E0080
 /// # use raylet::{Cone, Plane, Shape, Sphere};

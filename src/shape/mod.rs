@@ -51,8 +51,8 @@ use queries::{AllHits, Contains, Nearest, NeededPrecision, Occludes};
 /// # Ok::<(), raylet::Error>(())
 /// ```
 ///
-/// [`Shape::new`] makes a shape of any kind, and a program with one links the code of all of them. To link only some, name them: see
-/// [`Kinds`].
+/// [`Shape::new`] makes a shape of any kind, and a program with one links the code of all of them. To link only some,
+/// name them: see [`Kinds`].
 ///
 /// ```
 /// use raylet::{Cylinder, Frame, Plane, Ray, Shape, UnitVec3, Vec3};
@@ -101,8 +101,8 @@ impl<S: Scalar> Shape<S> {
 }
 
 impl<S: Scalar, K: Chosen> Shape<S, K> {
-    /// The same shape, placed by a [`Frame`] or an [`Affine`](crate::Affine). The program does not compile if that is not
-    /// among the kinds.
+    /// The same shape, placed by a [`Frame`] or an [`Affine`](crate::Affine). The program does not compile if that is
+    /// not among the kinds.
     #[must_use]
     pub fn placed<P: OfKind + Into<Placement<S>>>(self, placement: P) -> Self {
         const { assert!(K::SET.contains(P::KIND), "this placement is not among the kinds of the shape: name it there") }
@@ -111,7 +111,8 @@ impl<S: Scalar, K: Chosen> Shape<S, K> {
 }
 
 impl<S: Scalar, K: Kinds> Shape<S, K> {
-    /// A primitive in its canonical pose, seen from both sides. The program does not compile if it is not among the kinds.
+    /// A primitive in its canonical pose, seen from both sides. The program does not compile if it is not among the
+    /// kinds.
     pub fn of<P: OfKind + Into<Primitive<S>>>(primitive: P) -> Self {
         const { assert!(K::SET.contains(P::KIND), "this primitive is not among the kinds of the shape: name it there") }
         Self::unplaced(primitive.into())
@@ -122,8 +123,8 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
         Self { member: Member::new(primitive), placement: Placement::World, visible: Visible::Both }
     }
 
-    /// The same shape, placed by a frame as by [`Shape::placed`]; also for constants. The program does not compile if frames are not among the
-    /// kinds.
+    /// The same shape, placed by a frame as by [`Shape::placed`]; also for constants. The program does not compile if
+    /// frames are not among the kinds.
     #[must_use]
     pub const fn in_frame(self, frame: Frame<S>) -> Self {
         const { assert!(K::SET.contains(Kind::Frame), "this placement is not among the kinds of the shape: name it there") }
@@ -227,20 +228,22 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
         through!(self, |member, place| member.visit(NeededPrecision { place, ray }))
     }
 
-    /// The axis-aligned bounding box. It contains every point of the shape, with position, axes or matrix and sizes taken exactly as
-    /// they are stored.
+    /// The axis-aligned bounding box. It contains every point of the shape, with position, axes or matrix and sizes
+    /// taken exactly as they are stored.
     ///
-    /// Each side is at the smallest value of the number type that is large enough, or one unit in the last place farther. Where the side's
-    /// coordinate is a sum whose terms cancel, that is a unit of the largest term. The box is larger by some units if the axes of an
-    /// [`Affine`](crate::Affine) lie nearly in a plane (the volume that their directions span is below 1/64), and if numbers are subnormal.
+    /// Each side is at the smallest value of the number type that is large enough, or one unit in the last place
+    /// farther. Where the side's coordinate is a sum whose terms cancel, that is a unit of the largest term. The box is
+    /// larger by some units if the axes of an [`Affine`](crate::Affine) lie nearly in a plane (the volume that their
+    /// directions span is below 1/64), and if numbers are subnormal.
     ///
-    /// In a frame or a matrix every side depends on all sizes of the solid. The rows are inverted in twice the precision, so that a component of the
-    /// inverse whose terms cancel is uncertain by at most 2^-42 in `f32` and 2^-100 in `f64`; the box is wider by that part of the
-    /// longest size. It shows only where sizes differ by more than 2^18 in `f32` and 2^47 in `f64`: a thin cuboid of half extents 2^60 apart
-    /// in `f32` may be wider by thousands of units of its thickness, and contains the shape nevertheless.
+    /// In a frame or a matrix every side depends on all sizes of the solid. The rows are inverted in twice the
+    /// precision, so that a component of the inverse whose terms cancel is uncertain by at most 2^-42 in `f32` and
+    /// 2^-100 in `f64`; the box is wider by that part of the longest size. It shows only where sizes differ by more
+    /// than 2^18 in `f32` and 2^47 in `f64`: a thin cuboid of half extents 2^60 apart in `f32` may be wider by
+    /// thousands of units of its thickness, and contains the shape nevertheless.
     ///
-    /// A side is infinite if the shape is infinite in that direction, if the coordinate is beyond the number type, or if a float
-    /// overflows in the computation.
+    /// A side is infinite if the shape is infinite in that direction, if the coordinate is beyond the number type, or
+    /// if a float overflows in the computation.
     ///
     /// ```
     /// use raylet::{Capsule, Frame, Shape, UnitVec3, Vec3};
@@ -264,8 +267,8 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
         }
     }
 
-    /// The surface at a hit of this shape: point, normal, surface coordinates, tangents. Each is computed only when its method is
-    /// called. `ray` must be the ray of the hit.
+    /// The surface at a hit of this shape: point, normal, surface coordinates, tangents. Each is computed only when its
+    /// method is called. `ray` must be the ray of the hit.
     #[inline]
     pub fn surface<'a>(&'a self, ray: &'a Ray<S>, hit: &'a Hit<S>) -> Surface<S, K> {
         Surface::new(self, ray, hit)

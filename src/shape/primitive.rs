@@ -67,8 +67,8 @@ macro_rules! primitives {
 
         $(
             impl<S: Scalar> $Variant<S> {
-                /// The shape of this primitive in its canonical pose, seen from both sides, as [`Shape::of`] makes it; also for constants. The
-                /// program does not compile if the primitive is not among the kinds.
+                /// The shape of this primitive in its canonical pose, seen from both sides, as [`Shape::of`] makes it;
+                /// also for constants. The program does not compile if the primitive is not among the kinds.
                 pub const fn into_shape<K: Kinds>(self) -> Shape<S, K> {
                     const {
                         assert!(
@@ -92,8 +92,8 @@ macro_rules! primitives {
             kind
         }
 
-        /// Evaluates an expression with the primitive in its own type; another expression for a primitive that is not among the kinds, which no shape
-        /// has.
+        /// Evaluates an expression with the primitive in its own type; another expression for a primitive that is not
+        /// among the kinds, which no shape has.
         macro_rules! with {
             ($of:ident, |$primitive:ident| $answer:expr, $none:expr) => {
                 // There is no wildcard arm: the compiler does not know that it would be unreachable.

@@ -86,8 +86,8 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         if point.to_array().iter().all(|c| c.is_finite()) { point } else { self.exact_point() }
     }
 
-    /// True if a point of the frame in the world may be off by more than a part of a unit, since the axes are unit and perpendicular only to their last
-    /// bits; for fixed point, whose largest coordinates have more bits than the axes.
+    /// True if a point of the frame in the world may be off by more than a part of a unit, since the axes are unit and
+    /// perpendicular only to their last bits; for fixed point, whose largest coordinates have more bits than the axes.
     fn is_far_from_frame(&self, local: Vec3<S>) -> bool {
         match self.shape.placement {
             Placement::Frame(_) if K::SET.contains(Kind::Frame) => {
@@ -97,7 +97,8 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         }
     }
 
-    /// The outward unit normal in the world. For an open surface it points away from the axis, for a flat one to the front.
+    /// The outward unit normal in the world. For an open surface it points away from the axis, for a flat one to the
+    /// front.
     pub fn normal(&self) -> UnitVec3<S> {
         let rough = self.rough_local_point();
         if self.needs_exact_normal(rough)
@@ -114,7 +115,8 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         self.is_stretched() || !S::resolves_turn(self.hit.t, bend) || !self.is_turned_finely(rough, bend)
     }
 
-    /// False if a rotation spreads the rounding error of a large coordinate to smaller ones, so that the surface curves more than these resolve.
+    /// False if a rotation spreads the rounding error of a large coordinate to smaller ones, so that the surface curves
+    /// more than these resolve.
     fn is_turned_finely(&self, local: Vec3<S>, bend: S) -> bool {
         match self.shape.placement {
             Placement::Frame(_) if S::RELATIVE && K::SET.contains(Kind::Frame) => {
@@ -149,7 +151,8 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         }
     }
 
-    /// True if the rounding error of `t` is small relative to the hit's local coordinates and the surface's radius of curvature.
+    /// True if the rounding error of `t` is small relative to the hit's local coordinates and the surface's radius of
+    /// curvature.
     #[inline(always)]
     fn is_resolved(&self, local: Vec3<S>) -> bool {
         let (size, bend) = (largest([local.x, local.y, local.z]), self.bend(local));
@@ -169,8 +172,8 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         }
     }
 
-    /// The surface's radius of curvature at a local point, infinite where it is flat; zero if the surface is curved and the point beyond the number
-    /// type.
+    /// The surface's radius of curvature at a local point, infinite where it is flat; zero if the surface is curved and
+    /// the point beyond the number type.
     fn bend(&self, point: Vec3<S>) -> S {
         let is_known = is_finite(point) || self.is_flat();
         if is_known { self.shape.member.bend(point, self.hit.part) } else { S::ZERO }
@@ -181,7 +184,8 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         !self.shape.member.bend(Vec3::ZERO, self.hit.part).is_finite()
     }
 
-    /// The frame, if the primitive is a sphere. Its line is then only translated, not rotated, so that local results are along world axes.
+    /// The frame, if the primitive is a sphere. Its line is then only translated, not rotated, so that local results
+    /// are along world axes.
     fn frame_of_a_ball(&self) -> Option<&Frame<S>> {
         match &self.shape.placement {
             Placement::Frame(frame) if K::SET.contains(Kind::Frame) && self.is_ball() => Some(frame),
@@ -193,8 +197,8 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         ladder::is_ball::<S, Member<S, K>>(&self.shape.member.equations())
     }
 
-    /// The error of the rounded `t`, by one Newton step. `None` in fixed point, which has no bits for it, and if the step is not accurate to a few
-    /// units.
+    /// The error of the rounded `t`, by one Newton step. `None` in fixed point, which has no bits for it, and if the
+    /// step is not accurate to a few units.
     #[inline(always)]
     fn correction(&self, rough: Vec3<S>) -> Option<Correction<S::Real>> {
         if !S::RELATIVE {
@@ -213,8 +217,8 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         let [p, d] = [point, direction].map(|vector| vector.map(|component| component.high));
         let gradient = solve::gradient::<S, _, Member<S, K>>(&equations, part, p, S::real);
         let (slope, squares, square) = (dot(gradient, d), dot(gradient, gradient), dot(d, d));
-        // The line leaves the surface by more than 14 degrees, so that the rounding of the local point changes the result by a few units, and the
-        // terms of the equation do not underflow.
+        // The line leaves the surface by more than 14 degrees, so that the rounding of the local point changes the
+        // result by a few units, and the terms of the equation do not underflow.
         let most = squares * square;
         let is_steep = (slope * slope).scaled(4) >= most && S::round(most).is_finite();
         if !(is_steep && squares >= S::Real::ONE.scaled(-90)) {
@@ -233,9 +237,9 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         (is_small && is_rounding && is_number).then_some(correction)
     }
 
-    /// In fixed point: the gradient at the exact hit in the primitive's frame, or for a ball along the world's axes. It is that of a point of which
-    /// all bits are known, moved along the line to the nearest root of `f + 2 h x + a x^2`; `None` if two terms of the root's series do not give it
-    /// to less than a unit of a direction.
+    /// In fixed point: the gradient at the exact hit in the primitive's frame, or for a ball along the world's axes. It
+    /// is that of a point of which all bits are known, moved along the line to the nearest root of `f + 2 h x + a x^2`;
+    /// `None` if two terms of the root's series do not give it to less than a unit of a direction.
     #[inline(never)]
     fn gradient_by_integers(&self) -> Option<[S::Real; 3]> {
         if self.is_stretched() || self.hit.crossing == Crossing::Touch {
@@ -332,14 +336,16 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         UnitVec3::from_real(affine.gradient_to_world(gradient).map(|component| component.high))
     }
 
-    /// The line, the hit's `t` in the robust number, and whether that is the surface's: if not, the surface is many units away.
+    /// The line, the hit's `t` in the robust number, and whether that is the surface's: if not, the surface is many
+    /// units away.
     fn exact_t(&self, equations: &Equations<S>) -> (Line<S::Robust>, S::Robust, bool) {
         let shape = &self.shape;
         let line = through!(shape, |_primitive, place| ladder::line::<S, _, Member<S, K>>(equations, place, &self.ray));
         let t = <S::Robust as FromScalar<S>>::scalar(self.hit.t);
         let correction =
             solve::correction::<S, _, Member<S, K>>(equations, &self.hit, solve::point_at(&line, t), line.direction);
-        // A correction of many units is not one of a rounding error: the tier is `Fast`, or rule 8 has put the hit at the start.
+        // A correction of many units is not one of a rounding error: the tier is `Fast`, or rule 8 has put the hit at
+        // the start.
         let most = S::last_place(t.top().unwrap_or(i32::MIN / 2)) + 6;
         let is_rounding = correction.top().is_none_or(|top| top <= most);
         (line, if is_rounding { t + correction } else { t }, is_rounding)
@@ -382,8 +388,8 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         rounded(solve::point_at(&Line { origin, direction }, t))
     }
 
-    /// The gradient of the surface's equation in the primitive's frame, of any length. For a sphere, whose line is not rotated, it is along
-    /// the world's axes.
+    /// The gradient of the surface's equation in the primitive's frame, of any length. For a sphere, whose line is not
+    /// rotated, it is along the world's axes.
     #[cold]
     fn exact_gradient(&self) -> [S::Robust; 3] {
         let equations = self.shape.member.equations();
@@ -420,8 +426,9 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         self.shape.member.uv(point, self.hit.part)
     }
 
-    /// The local point as far as surface coordinates depend on it, and as far as solid coordinates do, where it may be beyond the number type:
-    /// coordinates that repeat are less by a whole number, and those that only give an angle about the axis are less by a factor.
+    /// The local point as far as surface coordinates depend on it, and as far as solid coordinates do, where it may be
+    /// beyond the number type: coordinates that repeat are less by a whole number, and those that only give an angle
+    /// about the axis are less by a factor.
     #[cold]
     fn coordinates_beyond(&self) -> (Vec3<S>, [S; 3]) {
         let (exact, _) = self.exact_local_coordinates();
@@ -445,11 +452,12 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         (Vec3 { x, y, z }, repeated)
     }
 
-    /// Solid coordinates: where the hit lies in the primitive's bounding box along its x, y and z axes, each in `[0, 1]`. They belong to points of
-    /// space, not of the surface, so that a texture over them continues across edges and rims, as if the solid were carved from it.
+    /// Solid coordinates: where the hit lies in the primitive's bounding box along its x, y and z axes, each in
+    /// `[0, 1]`. They belong to points of space, not of the surface, so that a texture over them continues across edges
+    /// and rims, as if the solid were carved from it.
     ///
-    /// Along an axis on which the primitive is infinite, they repeat every unit of length; where the box is flat they are zero. (Peachey,
-    /// *Solid Texturing of Complex Surfaces*, 1985.)
+    /// Along an axis on which the primitive is infinite, they repeat every unit of length; where the box is flat they
+    /// are zero. (Peachey, *Solid Texturing of Complex Surfaces*, 1985.)
     ///
     /// ```
     /// use raylet::{Cylinder, Ray, Shape, UnitVec3, Vec3};

@@ -8,7 +8,8 @@ use crate::number::{Number, cross, difference, dot};
 use crate::scalar::Scalar;
 use core::cmp::Ordering;
 
-/// True if the point belongs to the closed set. Only the tests for the kinds of equations of the geometry `G` are linked.
+/// True if the point belongs to the closed set. Only the tests for the kinds of equations of the geometry `G` are
+/// linked.
 pub(crate) fn holds<S: Scalar, N: Of<S>, G: Described>(equations: &Equations<S>, point: [N; 3]) -> Option<bool> {
     let here = Homogeneous { v: point, w: Weight::One };
     let [_, y, _] = point;

@@ -175,8 +175,8 @@ pub(super) fn compare<S: Scalar, N: Of<S>>(
     ToScalar::<S>::whole(end.t, line.start).compare(<N::Estimate as ToScalar<S>>::of(bound)).or_else(by_signs)
 }
 
-/// The `t` of an end and its part. In the exact tier, whose exact values decide whether an end lies in the range, an end outside is made
-/// infinite.
+/// The `t` of an end and its part. In the exact tier, whose exact values decide whether an end lies in the range, an
+/// end outside is made infinite.
 #[inline(always)]
 pub(super) fn settled<S: Scalar, N: Of<S>>(
     curve: &impl Curve<N>,
@@ -216,7 +216,8 @@ pub(super) fn between<S: Scalar, N: Of<S>>(
         return Ok(Intersection::Entered(enter));
     }
     match exit().and_then(|exit| settled(curve, line, &exit, goal.range)) {
-        // Two ends close together may be rounded in the wrong order, and the signs of rounded values may contradict each other.
+        // Two ends close together may be rounded in the wrong order, and the signs of rounded values may contradict
+        // each other.
         Ok(exit) if exit.t < enter.t => {
             Ok(Intersection::One(Span::new(enter, intersection::End { t: enter.t, ..exit })))
         }
@@ -257,7 +258,8 @@ pub(super) fn solid<S: Scalar, N: Of<S>>(
     between(curve, line, enter, || Ok(interval.exit), goal)
 }
 
-/// The interval of a ray that departs inwards. It has no entry, and an exit that rounding puts before the start is moved to the start.
+/// The interval of a ray that departs inwards. It has no entry, and an exit that rounding puts before the start is
+/// moved to the start.
 pub(super) fn inwards<S: Scalar, N: Of<S>>(
     curve: &impl Curve<N>,
     line: &LocalRay<N>,

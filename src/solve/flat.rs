@@ -71,10 +71,11 @@ fn chord_of_disc<S: Scalar, N: Of<S>>(line: &LocalRay<N>, r: N, goal: Goal<S>) -
 
 /// The triangle. Its front is the side from which its vertices are in counter-clockwise order.
 ///
-/// The line passes inside if the three signed volumes that it spans with the edges have the same sign (Segura and Feito, *Algorithms to
-/// test ray-triangle intersection*, 2001). With vertices relative to a point of the line the volume of the edge from `p` to `q` is `d . (p x q)`. It
-/// depends only on the edge's end points and the line, and changes its sign exactly when the points are swapped, so that no line passes between two
-/// triangles that share an edge. The sum of the volumes is `d . n`, by which `t` is divided.
+/// The line passes inside if the three signed volumes that it spans with the edges have the same sign (Segura and
+/// Feito, *Algorithms to test ray-triangle intersection*, 2001). With vertices relative to a point of the line the
+/// volume of the edge from `p` to `q` is `d . (p x q)`. It depends only on the edge's end points and the line, and
+/// changes its sign exactly when the points are swapped, so that no line passes between two triangles that share an
+/// edge. The sum of the volumes is `d . n`, by which `t` is divided.
 #[inline(always)]
 pub(crate) fn triangle<S: Scalar, N: Of<S>>(
     line: &LocalRay<N>,

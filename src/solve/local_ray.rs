@@ -45,8 +45,9 @@ impl<N: Number> LocalRay<N> {
 
 /// A number in which rays are transformed into a primitive's frame.
 pub trait Localize<S: Scalar>: Of<S> {
-    /// The ray in the frame of `place`. A number of limited precision moves the origin to the point closest to the frame's, since errors grow with the
-    /// distance of the origin; `size` is that of the primitive, where it matters whether the ray starts far away.
+    /// The ray in the frame of `place`. A number of limited precision moves the origin to the point closest to the
+    /// frame's, since errors grow with the distance of the origin; `size` is that of the primitive, where it matters
+    /// whether the ray starts far away.
     #[inline(always)]
     fn local_ray<P: Place<S>>(
         place: &P,
@@ -143,13 +144,14 @@ impl<R: Real, const STABLE: bool> Approximate for Running<R, STABLE> {
     }
 }
 
-/// A ray whose origin is moved to the point closest to the position of the placement, in real numbers, with bounds of their errors in roundings.
+/// A ray whose origin is moved to the point closest to the position of the placement, in real numbers, with bounds of
+/// their errors in roundings.
 ///
-/// With `f = o - p`, `k = -f . d` and `n = f + k d`, in which each operation is rounded, a coordinate of `n` has an error of at most
-/// `2 |k d_i| + 2 |n_i|` roundings, since `|f_i| <= |n_i| + |k d_i|`. (The `k` that was computed is taken as it is.) A row of a rotation makes of these at most
-/// `2 |k| + 2 |n|`, and its own products and sums add `3 |n|`; they add 3 to the direction's coordinates. (`|n|` is at most the sum of its coordinates'
-/// magnitudes.) An affine map is computed in numbers that know their
-/// error.
+/// With `f = o - p`, `k = -f . d` and `n = f + k d`, in which each operation is rounded, a coordinate of `n` has an
+/// error of at most `2 |k d_i| + 2 |n_i|` roundings, since `|f_i| <= |n_i| + |k d_i|`. (The `k` that was computed is
+/// taken as it is.) A row of a rotation makes of these at most `2 |k| + 2 |n|`, and its own products and sums add
+/// `3 |n|`; they add 3 to the direction's coordinates. (`|n|` is at most the sum of its coordinates' magnitudes.) An
+/// affine map is computed in numbers that know their error.
 #[inline(always)]
 fn moved<S: Scalar, R: RealOf<S>, N: Approximate<Real = R> + FromScalar<S>, P: Place<S>>(
     place: &P,

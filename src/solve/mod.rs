@@ -1,12 +1,13 @@
 //! The solver: where a line meets a solid, decided by signs alone.
 //!
-//! All tiers use the same algorithm. It is generic over the [`Number`](crate::number::Number) that it computes in. If a number does not
-//! know a sign, the solver returns [`Stop::Unsure`], and the whole query is repeated in the next wider number. Rounded coefficients are never compared
-//! with each other. This is the method of adaptive exact predicates (Shewchuk, *Adaptive Precision Floating-Point Arithmetic and Fast Robust
-//! Geometric Predicates*, 1997), applied to a whole query instead of one determinant.
+//! All tiers use the same algorithm. It is generic over the [`Number`](crate::number::Number) that it computes in. If a
+//! number does not know a sign, the solver returns [`Stop::Unsure`], and the whole query is repeated in the next wider
+//! number. Rounded coefficients are never compared with each other. This is the method of adaptive exact predicates
+//! (Shewchuk, *Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates*, 1997), applied to a
+//! whole query instead of one determinant.
 //!
-//! In [`Robust`](crate::number::Robust) a sign is that of the rounded value. Such signs may contradict each other; the ends of intervals are sorted
-//! and paired nevertheless.
+//! In [`Robust`](crate::number::Robust) a sign is that of the rounded value. Such signs may contradict each other; the
+//! ends of intervals are sorted and paired nevertheless.
 //!
 //! | file | what it holds |
 //! |---|---|
@@ -51,8 +52,8 @@ use crate::equations::Equations;
 use crate::part::Part;
 use crate::ray::Leaving;
 
-/// True if rule 8 of the contract implies that a departing ray misses, without any arithmetic: if it departs outwards from a convex
-/// solid, or from a flat primitive.
+/// True if rule 8 of the contract implies that a departing ray misses, without any arithmetic: if it departs outwards
+/// from a convex solid, or from a flat primitive.
 #[inline(always)]
 pub(crate) fn meets_nothing<S>(equations: &Equations<S>, departure: Option<(Part, Leaving)>) -> bool {
     match (departure, equations) {

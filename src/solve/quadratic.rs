@@ -26,8 +26,8 @@ pub(super) enum Inside {
 
 /// A quadric along the line: `f = a t^2 + 2 k t + c`.
 ///
-/// For a line that departs from the quadric, `t = 0` is a root by rule 8 of the contract, whatever its rounded coordinates:
-/// `c = 0`, the discriminant is `k^2`, and the other root is `-2 k / a`.
+/// For a line that departs from the quadric, `t = 0` is a root by rule 8 of the contract, whatever its rounded
+/// coordinates: `c = 0`, the discriminant is `k^2`, and the other root is `-2 k / a`.
 pub(super) struct Quadratic<N, Q> {
     pub(super) quadric: Q,
     departs: bool,
@@ -144,8 +144,8 @@ impl<N: Number, Q: Quadric<N>> Quadratic<N, Q> {
         };
         // From the point of closest approach (-k -+ root) / a loses nothing.
         let sign = if self.is_moved && k.is_within(root, Q::SPREAD) { None } else { k.sign() };
-        // -k and the root are added where they have the same sign; the other root is c over that sum (Press et al., *Numerical Recipes*,
-        // 5.6).
+        // -k and the root are added where they have the same sign; the other root is c over that sum (Press et al.,
+        // *Numerical Recipes*, 5.6).
         let [lower, upper] = match sign {
             Some(Ordering::Greater) => {
                 let q = -(k + root);

@@ -1,8 +1,9 @@
 //! The quadrics, in coordinates along a line in which they are sums of squares.
 //!
-//! A point of the line has the coordinates `u + t u'` and `v + t v'`; it is inside where `f = u . u - v^2 <= 0`, and `f = a t^2 + 2 k t + c` with
-//! `a = u' . u' - v'^2`, `k = u . u' - v v'`, `c = u . u - v^2`. The discriminant `k^2 - a c` is computed from the minors of the line in these
-//! coordinates (Lagrange's identity), which are its Pluecker moment: `k^2 - a c` itself would lose all digits far away.
+//! A point of the line has the coordinates `u + t u'` and `v + t v'`; it is inside where `f = u . u - v^2 <= 0`, and
+//! `f = a t^2 + 2 k t + c` with `a = u' . u' - v'^2`, `k = u . u' - v v'`, `c = u . u - v^2`. The discriminant
+//! `k^2 - a c` is computed from the minors of the line in these coordinates (Lagrange's identity), which are its
+//! Pluecker moment: `k^2 - a c` itself would lose all digits far away.
 
 use crate::number::{Number, cross, dot};
 use core::cmp::Ordering;
@@ -11,7 +12,8 @@ use core::cmp::Ordering;
 pub(super) trait Quadric<N: Number>: Copy {
     /// True for a nappe: the quadric has two, and only the one with `v >= 0` counts.
     const HAS_NAPPES: bool = false;
-    /// How much smaller than the root `|k|` must be for `(-k -+ root) / a` to be accurate: the `a` of a nappe may be small.
+    /// How much smaller than the root `|k|` must be for `(-k -+ root) / a` to be accurate: the `a` of a nappe may be
+    /// small.
     const SPREAD: i32 = 0;
 
     fn a(&self) -> N;
@@ -137,8 +139,8 @@ impl<N: Number> Quadric<N> for Tube<N> {
 
 /// A cone about the y axis: `u = (h x, h z)`, `v = g0 + g1 y`.
 ///
-/// A cone of slope `m` has `h = 1`, `g0 = 0`, `g1 = m`. One through the radii `r0` and `r1` at the heights 0 and `h` has `g0 = r0 h`, `g1 = r1 - r0`,
-/// so that no slope is rounded.
+/// A cone of slope `m` has `h = 1`, `g0 = 0`, `g1 = m`. One through the radii `r0` and `r1` at the heights 0 and `h`
+/// has `g0 = r0 h`, `g1 = r1 - r0`, so that no slope is rounded.
 #[derive(Clone, Copy)]
 pub(super) struct Nappe<N> {
     /// `h x`, `h z`, `g0 + g1 y`

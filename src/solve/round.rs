@@ -31,8 +31,8 @@ pub(crate) fn ball<S: Scalar, N: Of<S>>(line: &LocalRay<N>, radius: S, goal: Goa
     solid(&quadratic, line, &interval, goal)
 }
 
-/// True if a ball is intersected from the point of closest approach: cheaper than from the Pluecker moment, but only nearly exact where the direction's
-/// length is only nearly 1.
+/// True if a ball is intersected from the point of closest approach: cheaper than from the Pluecker moment, but only
+/// nearly exact where the direction's length is only nearly 1.
 #[inline(always)]
 const fn is_approached<S: Scalar, N: Of<S>>(line: &LocalRay<N>) -> bool {
     line.is_unit && line.departure.is_none() && <N::Estimate as ToScalar<S>>::ROUNDING_DECIDES
@@ -100,8 +100,9 @@ fn from_closest_approach<S: Scalar, N: Of<S>>(line: &LocalRay<N>, r: N, goal: Go
 
 /// All points within `r` of the segment from the origin to `(0, height, 0)`.
 ///
-/// The balls at its ends lie in the infinite tube, and a line that is in the tube beyond a ball without hitting the ball does not return to the side.
-/// Therefore each end of the interval in the tube corresponds to one end of the interval in the capsule, or the line misses the capsule.
+/// The balls at its ends lie in the infinite tube, and a line that is in the tube beyond a ball without hitting the
+/// ball does not return to the side. Therefore each end of the interval in the tube corresponds to one end of the
+/// interval in the capsule, or the line misses the capsule.
 #[inline(always)]
 pub(crate) fn capsule<S: Scalar, N: Of<S>>(
     line: &LocalRay<N>,
@@ -169,8 +170,8 @@ impl<S: Scalar, N: Of<S>> Capsule<'_, S, N> {
         }
     }
 
-    /// The end in the capsule for one end in the infinite tube, and whether the line only touches a ball there. It is on the side between the
-    /// seams (included), and on a ball beyond them. A miss if the line misses that ball.
+    /// The end in the capsule for one end in the infinite tube, and whether the line only touches a ball there. It is
+    /// on the side between the seams (included), and on a ball beyond them. A miss if the line misses that ball.
     #[inline(always)]
     fn end(&self, end: End<N>, entering: bool) -> Attempt<(intersection::End<S>, bool)> {
         N::apart(

@@ -77,8 +77,8 @@ fn nappe<S: Scalar, N: Of<S>>(line: &LocalRay<N>, outline: Outline<S>) -> Nappe<
     Nappe { o: [x, z, base + m * y], d: [dx, dz, m * dy] }
 }
 
-/// The interval of the line with `low <= y <= high`; `None` if there is none. The parts of its ends are those of the two planes, which belong to
-/// the slab. The start of a line that departs from one of them is taken to lie on it.
+/// The interval of the line with `low <= y <= high`; `None` if there is none. The parts of its ends are those of the
+/// two planes, which belong to the slab. The start of a line that departs from one of them is taken to lie on it.
 #[inline(always)]
 pub(super) fn slab<N: Number>(line: &LocalRay<N>, low: Option<N>, high: Option<N>) -> Attempt<Option<Interval<N>>> {
     let (y, dy) = (line.origin[1], line.direction[1]);
@@ -125,7 +125,8 @@ fn within<N: Number, Q: Quadric<N>>(quadratic: &Quadratic<N, Q>) -> Attempt<With
             }
             quadratic.between(touch)
         }
-        // The line is steeper than the side: a half-line lies in each nappe. The outline grows with t if the line rises.
+        // The line is steeper than the side: a half-line lies in each nappe. The outline grows with t if the line
+        // rises.
         Inside::Beyond => {
             let [first, second] = quadratic.ends();
             if known(slope.sign())? == Ordering::Greater {
@@ -162,8 +163,8 @@ fn parallel<N: Number, Q: Quadric<N>>(quadratic: &Quadratic<N, Q>) -> Attempt<Wi
     })
 }
 
-/// The side's end or the plane's: the plane's if the side's compares with it as `counts` says. If both are the same point, it is on a rim, which
-/// belongs to the side (rule 5 of the contract).
+/// The side's end or the plane's: the plane's if the side's compares with it as `counts` says. If both are the same
+/// point, it is on a rim, which belongs to the side (rule 5 of the contract).
 #[inline(always)]
 fn choose<N: Number>(curve: &impl Curve<N>, own: End<N>, plane: End<N>, counts: Ordering) -> Attempt<End<N>> {
     Ok(if order(curve, &own, &plane)? == counts { plane } else { own })
@@ -273,8 +274,8 @@ fn departing<S: Scalar, N: Of<S>, Q: Quadric<N>>(
         Within::Along(interval) => return in_the_surface(line, quadratic, &interval, extent, goal),
         Within::In(interval) => interval.exit,
         Within::Nowhere if is_open => return Err(Stop::Miss),
-        // The interval of a line parallel to the axis, next to the side, ends at the plane. Any other line only touches the side, by its rounded
-        // coordinates.
+        // The interval of a line parallel to the axis, next to the side, ends at the plane. Any other line only touches
+        // the side, by its rounded coordinates.
         Within::Nowhere if quadratic.a_sign == Ordering::Equal => End::never_left(),
         Within::Nowhere => End::start(Part::Side),
     };

@@ -1,7 +1,7 @@
 //! Cuboids and rectangles.
 //!
-//! A cuboid is what three slabs between parallel planes have in common, and the line's interval in it is what the intervals in the slabs
-//! have in common (Kay and Kajiya, *Ray Tracing Complex Scenes*, 1986).
+//! A cuboid is what three slabs between parallel planes have in common, and the line's interval in it is what the
+//! intervals in the slabs have in common (Kay and Kajiya, *Ray Tracing Complex Scenes*, 1986).
 
 use super::attempt::{Attempt, Stop, known};
 use super::end::{End, Flat, Fraction, Goal, Interval, Of, inwards, solid, span, times};
@@ -39,7 +39,8 @@ impl<N: Number> Crossed<N> {
         End { part, ..End::at(place, part) }
     }
 
-    /// How it compares with another. Wide numbers decide by one sum of products, so that the start of a far line cancels before any rounding.
+    /// How it compares with another. Wide numbers decide by one sum of products, so that the start of a far line
+    /// cancels before any rounding.
     #[inline(always)]
     fn order(&self, other: &Self) -> Attempt<Ordering> {
         known(if N::IS_WIDE { self.order_by_signs(other) } else { self.t.compare(other.t) })
@@ -72,8 +73,8 @@ impl<N: Number> Clipped<N> {
         Ok(clipped)
     }
 
-    /// Clips by the slab `|o + t d| <= h`. If two planes are crossed at the same `t`, the first one counts. The start of a line that departs from a face
-    /// is taken to lie on it and between all others, and there is no entry.
+    /// Clips by the slab `|o + t d| <= h`. If two planes are crossed at the same `t`, the first one counts. The start
+    /// of a line that departs from a face is taken to lie on it and between all others, and there is no entry.
     #[inline(always)]
     fn clip(&mut self, line: &LocalRay<N>, rank: usize, [o, d, h]: [N; 3]) -> Attempt<()> {
         let departs = line.departure.is_some();

@@ -81,8 +81,8 @@ fn quotient<N: Estimate>(numerator: N, denominator: N) -> N {
     if denominator.sign() == Some(Ordering::Equal) { N::ZERO } else { numerator.over(denominator) }
 }
 
-/// The value of the equation `f` of a part's surface at a point, negative inside. For a flat part it is twice the distance times the length
-/// of its [`gradient`].
+/// The value of the equation `f` of a part's surface at a point, negative inside. For a flat part it is twice the
+/// distance times the length of its [`gradient`].
 pub(crate) fn value<S: Copy, N: Ring, G: Described>(
     equations: &Equations<S>,
     part: Part,
@@ -108,8 +108,8 @@ pub(crate) fn value<S: Copy, N: Ring, G: Described>(
     }
 }
 
-/// The correction `x` of the `t` of a point `p` on the line along `d`, so that the point lies on the surface: the root of
-/// `f(t + x) = f + 2 h x + a x^2` at which `f` decreases, if the line enters, or increases, if it leaves.
+/// The correction `x` of the `t` of a point `p` on the line along `d`, so that the point lies on the surface: the root
+/// of `f(t + x) = f + 2 h x + a x^2` at which `f` decreases, if the line enters, or increases, if it leaves.
 pub(crate) fn correction<S: Scalar, N: FromScalar<S> + Estimate, G: Described>(
     equations: &Equations<S>,
     hit: &Hit<S>,
@@ -141,9 +141,9 @@ pub(crate) fn correction<S: Scalar, N: FromScalar<S> + Estimate, G: Described>(
     if slope.sign() == h.sign() { quotient(-f, slope + h) } else { quotient(slope - h, a) }
 }
 
-/// The correction of the `t` of a touch, or of a line in the surface. A line touches a surface where `f + 2 h x + a x^2` is least, or a solid at a
-/// rim, where the line crosses the surface beyond the solid: of the vertex and of the points at the rims' heights, the one at which
-/// `f` is nearest to zero.
+/// The correction of the `t` of a touch, or of a line in the surface. A line touches a surface where
+/// `f + 2 h x + a x^2` is least, or a solid at a rim, where the line crosses the surface beyond the solid: of the
+/// vertex and of the points at the rims' heights, the one at which `f` is nearest to zero.
 fn touched<S: Scalar, N: FromScalar<S> + Estimate>(
     equations: &Equations<S>,
     p: [N; 3],

@@ -7,8 +7,9 @@ use crate::scalar::{Unit, ValueError};
 macro_rules! constants {
     ([$($generics:tt)*] $Number:ty, $checks:ident) => {
         impl<$($generics)*> UnitVec3<$Number> {
-            /// [`UnitVec3::from_components`] in a constant. (The direction of a vector of another length needs a square root, which is not available
-            /// in constants: compute the components elsewhere, with all digits of the type.)
+            /// [`UnitVec3::from_components`] in a constant. (The direction of a vector of another length needs a square
+            /// root, which is not available in constants: compute the components elsewhere, with all digits of the
+            /// type.)
             ///
             /// # Errors
             ///

@@ -1,7 +1,7 @@
 //! Instructions carried out so far, by the emulator's deterministic clock.
 //!
-//! With `-icount shift=0` QEMU's time advances one nanosecond an instruction. These are instructions, not cycles: what a
-//! real chip takes for them depends on its pipeline and its memory.
+//! With `-icount shift=0` QEMU's time advances one nanosecond an instruction. These are instructions, not cycles: what
+//! a real chip takes for them depends on its pipeline and its memory.
 
 /// The clock advances by this many instructions at once: measure many repetitions.
 #[cfg(target_arch = "arm")]
@@ -10,8 +10,8 @@ pub const GRAIN: u64 = 40;
 #[cfg(not(target_arch = "arm"))]
 pub const GRAIN: u64 = 1;
 
-/// The first of the two timers of the MPS2 boards: 32 bits, counting down at 25 MHz, one tick for each 40 ns (Arm, *Cortex-M
-/// System Design Kit Technical Reference Manual*, dual-input timers).
+/// The first of the two timers of the MPS2 boards: 32 bits, counting down at 25 MHz, one tick for each 40 ns (Arm,
+/// *Cortex-M System Design Kit Technical Reference Manual*, dual-input timers).
 #[cfg(target_arch = "arm")]
 mod timer {
     pub const LOAD: *mut u32 = 0x4000_2000 as *mut u32;

@@ -20,8 +20,8 @@ pub mod stack;
 /// The attribute of the function that the chip's runtime calls first, for [`starts_with!`].
 #[cfg(target_arch = "arm")]
 pub use cortex_m_rt::entry;
-/// The attribute of the function that the chip's runtime calls first, for [`starts_with!`]. The ESP32-C3 starts without a
-/// runtime.
+/// The attribute of the function that the chip's runtime calls first, for [`starts_with!`]. The ESP32-C3 starts without
+/// a runtime.
 #[cfg(all(target_arch = "riscv32", not(feature = "esp32c3")))]
 pub use riscv_rt::entry;
 

@@ -1,5 +1,5 @@
-//! A stand-in for a display with a controller of its own (ST7735, ILI9341 and their like) on an SPI bus: it is told a window
-//! and then the window's pixels, two bytes each, high byte first. It remembers none of them.
+//! A stand-in for a display with a controller of its own (ST7735, ILI9341 and their like) on an SPI bus: it is told a
+//! window and then the window's pixels, two bytes each, high byte first. It remembers none of them.
 
 use core::convert::Infallible;
 use embedded_graphics_core::Pixel;
@@ -14,8 +14,8 @@ pub trait Bus {
     /// Why nothing went.
     type Error;
 
-    /// Opens a window: its first column and row, its last column and row (the commands `CASET` and `RASET`), and readies it
-    /// for pixels (`RAMWR`).
+    /// Opens a window: its first column and row, its last column and row (the commands `CASET` and `RASET`), and
+    /// readies it for pixels (`RAMWR`).
     ///
     /// # Errors
     ///
@@ -76,8 +76,8 @@ impl<B: Bus> DrawTarget for Panel<B> {
     }
 }
 
-/// A bus with nothing at its end: what goes over it is folded into a digest (FNV-1a of Fowler, Noll and Vo, 32 bits, over
-/// the bytes).
+/// A bus with nothing at its end: what goes over it is folded into a digest (FNV-1a of Fowler, Noll and Vo, 32 bits,
+/// over the bytes).
 #[derive(Clone, Copy, Debug)]
 pub struct Fold(u32);
 

@@ -1,7 +1,7 @@
 //! How much of the stack a program uses at most: its free part is painted before, and searched for the paint after.
 //!
-//! Both runtimes put the stack at the end of the memory, growing down towards the statics; nothing else is there, since no
-//! program has a heap. Interrupts are off, so that nothing but the program itself writes to it.
+//! Both runtimes put the stack at the end of the memory, growing down towards the statics; nothing else is there, since
+//! no program has a heap. Interrupts are off, so that nothing but the program itself writes to it.
 
 use core::arch::asm;
 
@@ -29,8 +29,8 @@ fn lowest() -> usize {
 /// Paints all of the stack that is free.
 pub fn paint() {
     // The stack pointer is read and the loop runs in one block: between two, a compiler may make room for a frame.
-    // SAFETY: aligned words of the stack's memory, below the stack pointer: no frame is there, and neither Arm's nor RISC-V's
-    // calling convention has a red zone.
+    // SAFETY: aligned words of the stack's memory, below the stack pointer: no frame is there, and neither Arm's nor
+    // RISC-V's calling convention has a red zone.
     unsafe {
         #[cfg(target_arch = "arm")]
         asm!(

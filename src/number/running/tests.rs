@@ -71,7 +71,8 @@ fn bounds_hold_for_every_operation() {
         check("three products", three, exact_a * exact_b + exact_c * exact_d + exact_a * exact_d);
         let four = Running::sum([[a, b], [c, d], [a, d], [b, c]]);
         check("four products", four, exact_a * exact_b + exact_c * exact_d + exact_a * exact_d + exact_b * exact_c);
-        // A subnormal divisor's bound is itself rounded to a few bits; such a quotient is far beyond the error that is accepted.
+        // A subnormal divisor's bound is itself rounded to a few bits; such a quotient is far beyond the error that is
+        // accepted.
         if b.value.abs() >= f32::MIN_POSITIVE && b.sign().is_some_and(|sign| sign != Ordering::Equal) {
             check("quotient", a.over(b), exact_a / exact_b);
         }

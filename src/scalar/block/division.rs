@@ -7,8 +7,8 @@ macro_rules! quotient {
     };
 }
 
-/// Arithmetic shift right by at least 1 bit and by fewer than the width, rounded to nearest, ties to even, so that a mirrored ray has mirrored hits,
-/// to the bit.
+/// Arithmetic shift right by at least 1 bit and by fewer than the width, rounded to nearest, ties to even, so that a
+/// mirrored ray has mirrored hits, to the bit.
 macro_rules! shift_right_rounded {
     ($value:expr, $shift:expr) => {{
         let (value, shift) = ($value, $shift);
@@ -55,7 +55,8 @@ pub(super) fn root_of_32(n: u32) -> u32 {
     floor_root((root << 7) + quotient!((n >> 9), root), n)
 }
 
-/// Subtracts one if a Newton step gave a root that is one too large. (`root` has at most half as many bits as a `u32`, or one more.)
+/// Subtracts one if a Newton step gave a root that is one too large. (`root` has at most half as many bits as a `u32`,
+/// or one more.)
 fn floor_root(root: u32, n: u32) -> u32 {
     if root as u64 * root as u64 > n as u64 { root - 1 } else { root }
 }

@@ -5,11 +5,12 @@ use super::{leading_zeros, leading_zeros_of_64, magnitude_bits};
 /// Bits of each factor.
 const BITS: u32 = 14;
 
-/// The uncertainty of the distance, in its units: less than 17 of them from rounding, and the errors of the right angles of frames that were read
-/// from files.
+/// The uncertainty of the distance, in its units: less than 17 of them from rounding, and the errors of the right
+/// angles of frames that were read from files.
 const DOUBT: i32 = 20;
 
-/// True if the line along `d` passes the axis `a` at a distance greater than `r`. `from` is the vector from a point of the axis to one of the line.
+/// True if the line along `d` passes the axis `a` at a distance greater than `r`. `from` is the vector from a point of
+/// the axis to one of the line.
 #[inline(always)]
 pub(in crate::scalar) fn passes(from: [i32; 3], d: [i32; 3], a: [i32; 3], r: i32) -> bool {
     let bits = magnitude_bits(from[0]) | magnitude_bits(from[1]) | magnitude_bits(from[2]);
@@ -34,8 +35,8 @@ pub(in crate::scalar) fn passes_wide(from: [i64; 3], d: [i32; 3], a: [i32; 3], r
     is_beyond(from.map(|length| (length >> shift) as i32), d, a, (r >> shift).min(1 << BITS) as i32)
 }
 
-/// The distance of the lines is `|n . from| / |n|`, `n = d x a` (Ericson, Real-Time Collision Detection, 5.1.8). All lengths have [`BITS`] bits, and
-/// the directions 30.
+/// The distance of the lines is `|n . from| / |n|`, `n = d x a` (Ericson, Real-Time Collision Detection, 5.1.8). All
+/// lengths have [`BITS`] bits, and the directions 30.
 #[inline(always)]
 fn is_beyond(from: [i32; 3], d: [i32; 3], a: [i32; 3], r: i32) -> bool {
     if r >= 1 << BITS {

@@ -12,8 +12,8 @@ fn squared_length([x, y, z]: [i32; 3]) -> i64 {
     square(x) + square(y) + square(z)
 }
 
-/// The closest approach of a line to a ball, for a direction assumed to have length 1: `k = o . d` and `D = r^2 - |o - k d|^2`, so that
-/// `t = -k -+ sqrt(D)`.
+/// The closest approach of a line to a ball, for a direction assumed to have length 1: `k = o . d` and
+/// `D = r^2 - |o - k d|^2`, so that `t = -k -+ sqrt(D)`.
 pub(in crate::scalar) struct ByApproach {
     o: [i32; 3],
     rr: i64,
@@ -44,7 +44,8 @@ impl ByApproach {
         if unit > 30 {
             return Attempt::Unsure;
         }
-        // Products with the direction are cut off at the grid: an error of a unit and a half in sum, of which one unit is added back.
+        // Products with the direction are cut off at the grid: an error of a unit and a half in sum, of which one unit
+        // is added back.
         let along = |length: i32, d: i32| high_product_signed(length << 2, d);
         let [x, y, z] = o.map(|length| length << grid);
         let k = along(x, d[0]) + along(y, d[1]) + along(z, d[2]) + 1;
@@ -79,8 +80,8 @@ impl ByApproach {
         if self.k < 0 {
             return Attempt::Hit(());
         }
-        // The line leads away: the far end is at -c / (k + sqrt(D)), and an end within half a unit of the type of zero counts as zero. (The grid must
-        // be so fine that its rounding cannot decide this.)
+        // The line leads away: the far end is at -c / (k + sqrt(D)), and an end within half a unit of the type of zero
+        // counts as zero. (The grid must be so fine that its rounding cannot decide this.)
         let near = (self.k as i64 + 1) << (self.unit + 1);
         let c = squared_length(self.o) - self.rr;
         if self.unit < 4 || (c >= 0 && c <= near) {
@@ -93,7 +94,8 @@ impl ByApproach {
     }
 }
 
-/// The closest approach of a line to a ball, from its Pluecker moment `w = o x d`: `D = a r^2 - |w|^2`, so that `t = (-k -+ sqrt(D)) / a`.
+/// The closest approach of a line to a ball, from its Pluecker moment `w = o x d`: `D = a r^2 - |w|^2`, so that
+/// `t = (-k -+ sqrt(D)) / a`.
 ///
 /// `k` is exact; `a = 1 + e` with an `e` of at most 2^-20, whose square is negligible.
 pub(in crate::scalar) struct ByMoment {
@@ -135,8 +137,8 @@ impl ByMoment {
         Attempt::Hit(Self { d, k, rr, residual, grid, unit: (30 + extra_bits) as u32, down })
     }
 
-    /// The smallest square of the root. The error of a framed origin, a hundredth of a unit, becomes a sixth of a unit if the root is a sixteenth of
-    /// the radius. With each further bit of the origin the root may be half as large.
+    /// The smallest square of the root. The error of a framed origin, a hundredth of a unit, becomes a sixth of a unit
+    /// if the root is a sixteenth of the radius. With each further bit of the origin the root may be half as large.
     #[inline(always)]
     fn most(&self, unframed: i32) -> i32 {
         let extra_bits = self.unit as i32 - 30;
@@ -182,7 +184,8 @@ impl ByMoment {
         if self.k < 0 {
             return Attempt::Hit(());
         }
-        // The line leads away: the far end is at (D - k^2) / (k + sqrt(D)), and an end within half a unit of the type of zero counts as zero.
+        // The line leads away: the far end is at (D - k^2) / (k + sqrt(D)), and an end within half a unit of the type
+        // of zero counts as zero.
         let k = self.k >> self.down;
         if k >= 1 << 30 {
             return Attempt::Miss;

@@ -11,11 +11,12 @@ fn nearest(n: i64) -> i32 {
     round_off(n, 30) as i32
 }
 
-/// A line and both nappes of a cone, `h^2 (x^2 + z^2) = (h r + g y)^2`, that has the radius `r` at `y = 0` and grows by `g` over the
-/// height `h`.
+/// A line and both nappes of a cone, `h^2 (x^2 + z^2) = (h r + g y)^2`, that has the radius `r` at `y = 0` and grows by
+/// `g` over the height `h`.
 ///
-/// In coordinates scaled by `h` across the axis and by the outline along it, `X = h x`, `Z = h z`, `Y = h r + g y`, the cone is
-/// `X^2 + Z^2 = Y^2`, and the line's moment `W` gives `D = Wx^2 + Wz^2 - Wy^2`, so that `t = (-k -+ sqrt(D)) / a`.
+/// In coordinates scaled by `h` across the axis and by the outline along it, `X = h x`, `Z = h z`, `Y = h r + g y`, the
+/// cone is `X^2 + Z^2 = Y^2`, and the line's moment `W` gives `D = Wx^2 + Wz^2 - Wy^2`, so that
+/// `t = (-k -+ sqrt(D)) / a`.
 struct AtCone {
     line: Scaled,
     k: i64,
@@ -44,7 +45,8 @@ struct Scaled {
 }
 
 impl Scaled {
-    /// The origin is in units of `2^-extra_bits` of the sizes'. It is moved to a point next to the line's closest point, unless the line `departs`.
+    /// The origin is in units of `2^-extra_bits` of the sizes'. It is moved to a point next to the line's closest
+    /// point, unless the line `departs`.
     // Not inlined: a shape that may be any cone would contain it twice.
     #[inline(never)]
     fn new(
@@ -62,8 +64,9 @@ impl Scaled {
             return Attempt::Unsure;
         }
         let (g, h) = (g << (free - 2), h << (free - 2));
-        // The origin is moved to the whole unit of t next to the point closest to the frame's origin. The products are exact, and the lengths are
-        // those of the cone and of the line's distance from it, however far away the ray starts.
+        // The origin is moved to the whole unit of t next to the point closest to the frame's origin. The products are
+        // exact, and the lengths are those of the cone and of the line's distance from it, however far away the ray
+        // starts.
         let closest = if departs {
             0
         } else {
@@ -103,8 +106,8 @@ impl Scaled {
         Attempt::Hit(Self { point: [x, y, z], direction: [dx, dy, dz], a, digits, unit, start, extra_bits, is_strict })
     }
 
-    /// The number of bits by which the coordinates are finer than an eighth of the type's unit, and a framed origin than a fourth, if the roots
-    /// multiply errors by `2^shift`.
+    /// The number of bits by which the coordinates are finer than an eighth of the type's unit, and a framed origin
+    /// than a fourth, if the roots multiply errors by `2^shift`.
     #[inline(always)]
     fn spare(&self) -> i32 {
         let shift = self.digits.shift as i32;
@@ -125,13 +128,14 @@ impl Scaled {
         product(x, dx) + product(z, dz) - product(y, dy)
     }
 
-    /// Whether the point halfway between the roots, at `t = -k / a`, is in the nappe whose outline is positive: the sign there is that of
-    /// `Y a - dY k`.
+    /// Whether the point halfway between the roots, at `t = -k / a`, is in the nappe whose outline is positive: the
+    /// sign there is that of `Y a - dY k`.
     #[inline(always)]
     fn is_middle_inside(&self, k: i64) -> Attempt<bool> {
         let (a, k) = (high(self.a << 2), high(k << 2));
         let middle = product(self.point[1], a) - product(self.direction[1], k);
-        // If strict: the sum of the errors of Y a and dY k is 2^35, and 2^31.4 more for each unit of error of a framed origin.
+        // If strict: the sum of the errors of Y a and dY k is 2^35, and 2^31.4 more for each unit of error of a framed
+        // origin.
         let doubtful = if self.is_strict { 36.max(34 + self.framed_bits()) } else { 34 };
         if middle.unsigned_abs() >> doubtful == 0 { Attempt::Unsure } else { Attempt::Hit(middle > 0) }
     }
@@ -148,7 +152,8 @@ impl AtCone {
         let wy = nearest(product(z, dx) - product(x, dz));
         let wz = nearest(product(x, dy) - product(y, dx));
         let discriminant = square(wx) + square(wz) - square(wy);
-        // The rounding of the coordinates, up to 1.5 units perpendicular to the axis and 3 along it, changes D by at most ten times this.
+        // The rounding of the coordinates, up to 1.5 units perpendicular to the axis and 3 along it, changes D by at
+        // most ten times this.
         let moment = wx.unsigned_abs() as i64 + wy.unsigned_abs() as i64 + wz.unsigned_abs() as i64;
         // If strict: by 16 times this, and by 4 times this for each unit of error of a framed origin.
         let doubt = moment << if is_strict { 5.max(3 + line.framed_bits()) } else { 4 };
@@ -158,7 +163,8 @@ impl AtCone {
         if is_strict && discriminant <= doubt {
             return Attempt::Unsure;
         }
-        // It changes t by at most half a unit (a twentieth in all measurements), if the root is not small relative to the moment.
+        // It changes t by at most half a unit (a twentieth in all measurements), if the root is not small relative to
+        // the moment.
         let spare = line.spare();
         if high(discriminant) <= 0 || spare < 0 {
             return Attempt::Unsure;
@@ -169,7 +175,8 @@ impl AtCone {
         }
         let k = line.k();
         let divisor = line.digits.divisor();
-        // Farther away the rounding of a turned direction matters: an error of 2^-31 of t, which a small root enlarges likewise.
+        // Farther away the rounding of a turned direction matters: an error of 2^-31 of t, which a small root enlarges
+        // likewise.
         let more = leading_zeros(root as u32) as i32 - leading_zeros(moment as u32) as i32 + 1;
         let farthest = (1 << if extra_bits == 0 { 24 } else { (28 - more).clamp(0, 24) }) >> divisor.shift;
         Attempt::Hit(Self { line, k, root, divisor, farthest })
@@ -240,8 +247,8 @@ pub(in crate::scalar) fn nappe(
     found!(AtCone::new(o, extra_bits, d, outline, is_strict)).in_nappe()
 }
 
-/// Where the line is inside both nappes of the cone of slope `g / h` about its apex at the origin: between its ends, or (`true`) before the first and
-/// after the second.
+/// Where the line is inside both nappes of the cone of slope `g / h` about its apex at the origin: between its ends, or
+/// (`true`) before the first and after the second.
 #[inline(always)]
 pub(in crate::scalar) fn double_cone(
     o: [i32; 3],
@@ -253,8 +260,8 @@ pub(in crate::scalar) fn double_cone(
     found!(AtCone::new(o, extra_bits, d, [0, g, h], is_strict)).in_both()
 }
 
-/// Where a line that begins in the side of [`nappe`] leaves that nappe: the other root of `a t^2 + 2 k t`, whatever its rounded coordinates are; the
-/// largest number if it does not leave it.
+/// Where a line that begins in the side of [`nappe`] leaves that nappe: the other root of `a t^2 + 2 k t`, whatever its
+/// rounded coordinates are; the largest number if it does not leave it.
 #[inline]
 pub(in crate::scalar) fn exit_from_nappe(
     o: [i32; 3],

@@ -14,11 +14,12 @@ pub(in crate::scalar) trait Length: Copy + Ord + Neg<Output = Self> + Sub<Output
     /// A framed component of a direction up to this may have the wrong sign.
     const STEP: Self;
     const NOTHING: Self::Product;
-    /// The largest change of a difference of products by the rounding of a framed line: the errors of origin and direction are each less than two of
-    /// their units.
+    /// The largest change of a difference of products by the rounding of a framed line: the errors of origin and
+    /// direction are each less than two of their units.
     const DOUBT: Self::Product;
 
-    /// A length of the type in units of `2^-extra_bits`, if its difference from the coordinate `o`, and the product of that, have room.
+    /// A length of the type in units of `2^-extra_bits`, if its difference from the coordinate `o`, and the product of
+    /// that, have room.
     fn refined(self, o: Self, extra_bits: i32) -> Option<Self>;
     /// `self d_other - other d`
     fn difference(self, d: Self, other: Self, d_other: Self) -> Self::Product;
@@ -28,7 +29,8 @@ pub(in crate::scalar) trait Length: Copy + Ord + Neg<Output = Self> + Sub<Output
     fn two_behind(extra_bits: i32) -> Self;
 }
 
-/// A line along one axis, mirrored so that it does not descend: it crosses the planes of the two faces at `t = low / d` and `t = high / d`.
+/// A line along one axis, mirrored so that it does not descend: it crosses the planes of the two faces at `t = low / d`
+/// and `t = high / d`.
 #[derive(Clone, Copy)]
 struct Slab<N> {
     axis: usize,
@@ -47,7 +49,8 @@ impl<N: Length> Slab<N> {
         Some(Self { axis, o, d, half, low: -bounding_radius - o, high: bounding_radius - o })
     }
 
-    /// Whether a line parallel to the planes is between them; a miss if it is outside them. If it lies in one of them, the face owns the ends.
+    /// Whether a line parallel to the planes is between them; a miss if it is outside them. If it lies in one of them,
+    /// the face owns the ends.
     #[inline(always)]
     fn is_between(&self) -> Attempt<()> {
         if self.d != N::ZERO || (self.low < N::ZERO && self.high > N::ZERO) {
@@ -88,11 +91,11 @@ impl<N: Length> Slabs<N> {
         Attempt::Hit(Self { each: [x, y, z], extra_bits, doubt })
     }
 
-    /// Of the planes that `crossed` names, the one that the line crosses after all others, or, unless `is_last`, before them; then the other two
-    /// slabs.
+    /// Of the planes that `crossed` names, the one that the line crosses after all others, or, unless `is_last`, before
+    /// them; then the other two slabs.
     ///
-    /// For a line parallel to two planes and between them, `low / 0` and `high / 0` are infinite with the signs of `low` and `high`, so that its slab
-    /// is never chosen.
+    /// For a line parallel to two planes and between them, `low / 0` and `high / 0` are infinite with the signs of
+    /// `low` and `high`, so that its slab is never chosen.
     #[inline(always)]
     fn decisive(&self, crossed: impl Fn(&Slab<N>) -> N, is_last: bool) -> Attempt<[Slab<N>; 3]> {
         let decides = |other: &Slab<N>, own: &Slab<N>| {
@@ -140,8 +143,8 @@ impl<N: Length> Slabs<N> {
 
 /// The interval of the line inside the cuboid with these half extents about the origin.
 ///
-/// The origin is in units of `2^-extra_bits` of the half extents'; the ends are in theirs. See [`LocalLine::since`](crate::scalar::LocalLine) for
-/// `since`.
+/// The origin is in units of `2^-extra_bits` of the half extents'; the ends are in theirs. See
+/// [`LocalLine::since`](crate::scalar::LocalLine) for `since`.
 #[inline(always)]
 pub(in crate::scalar) fn cuboid<N: Length>(
     o: [N; 3],
@@ -151,8 +154,8 @@ pub(in crate::scalar) fn cuboid<N: Length>(
     since: Option<N>,
 ) -> Attempt<InCuboid<N>> {
     let slabs = found!(Slabs::new(o, extra_bits, d, half));
-    // A slab that lies behind the start. In a frame that is certain from two units of `t` on: an end that is nearer may be rounded to zero, which
-    // counts as a hit.
+    // A slab that lies behind the start. In a frame that is certain from two units of `t` on: an end that is nearer may
+    // be rounded to zero, which counts as a hit.
     let [x, y, z] = slabs.each;
     let least = if extra_bits == 0 { N::ZERO } else { N::two_behind(extra_bits) };
     if since.is_some_and(|since| since >= N::ZERO) && (x.high < least || y.high < least || z.high < least) {

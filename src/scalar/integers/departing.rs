@@ -4,8 +4,8 @@ use super::quotient::Normalized;
 use super::{high, magnitude_bits, product, square};
 use crate::scalar::Attempt;
 
-/// Where a line that begins in the surface of a ball about the origin, or of a cylinder about the y axis, leaves it: the other root of
-/// `a t^2 + 2 k t`, whatever its rounded coordinates are.
+/// Where a line that begins in the surface of a ball about the origin, or of a cylinder about the y axis, leaves it:
+/// the other root of `a t^2 + 2 k t`, whatever its rounded coordinates are.
 ///
 /// The origin is in units of `2^-extra_bits` of the answer's.
 #[inline]
@@ -19,8 +19,9 @@ pub(in crate::scalar) fn exit_from_round(o: [i32; 3], extra_bits: i32, d: [i32; 
     let Some(digits) = Normalized::new(a).filter(|_| magnitude_bits(high(k)) >> 28 == 0) else {
         return Attempt::Unsure;
     };
-    // The error of a framed origin is half of its own unit. The origin is less than 2^30 of these units away, so that with the rounding of a framed
-    // direction, 2^-31, the error becomes a unit and a half: at most 2^(2 + shift) of these units at the exit.
+    // The error of a framed origin is half of its own unit. The origin is less than 2^30 of these units away, so that
+    // with the rounding of a framed direction, 2^-31, the error becomes a unit and a half: at most 2^(2 + shift) of
+    // these units at the exit.
     if extra_bits != 0 && extra_bits < digits.shift as i32 + 5 {
         return Attempt::Unsure;
     }

@@ -7,7 +7,8 @@ use crate::scalar::{Attempt, found};
 pub(super) struct Unit {
     /// In units of 2^-30.
     pub(super) components: [i32; 3],
-    /// One over the length is `reciprocal * 2^-(31 + halvings)`. It is at least 2^31, with an error of at most two units.
+    /// One over the length is `reciprocal * 2^-(31 + halvings)`. It is at least 2^31, with an error of at most two
+    /// units.
     pub(super) reciprocal: u32,
     pub(super) halvings: i32,
 }
@@ -18,8 +19,8 @@ pub(in crate::scalar) fn direction(v: [i32; 3]) -> Attempt<[i32; 3]> {
     Attempt::Hit(found!(unit(v)).components)
 }
 
-/// The unit vector along `v`, each component within .51 units of 2^-30 (a miss for the zero vector): `r = 1 / |v|` by Newton's
-/// steps `r (1 + e / 2)` with `e = 1 - |v|^2 r^2`, of which the last is applied to the products with `v`.
+/// The unit vector along `v`, each component within .51 units of 2^-30 (a miss for the zero vector): `r = 1 / |v|` by
+/// Newton's steps `r (1 + e / 2)` with `e = 1 - |v|^2 r^2`, of which the last is applied to the products with `v`.
 #[inline(always)]
 pub(super) fn unit(v: [i32; 3]) -> Attempt<Unit> {
     let [x, y, z] = v.map(i32::unsigned_abs);
@@ -60,7 +61,8 @@ pub(super) fn unit(v: [i32; 3]) -> Attempt<Unit> {
         if signed < 0 { -magnitude } else { magnitude }
     };
     let components = [along(x, v[0]), along(y, v[1]), along(z, v[2])];
-    // r (1 + e / 2), in units of 2^-31; the length is 2^31 or 2^32 times the root of m, divided by the power of two by which v was shifted up.
+    // r (1 + e / 2), in units of 2^-31; the length is 2^31 or 2^32 times the root of m, divided by the power of two by
+    // which v was shifted up.
     let reciprocal = ((r as i64) << 1) + (product(r as i32, lack) >> 38);
     let reciprocal = if reciprocal > u32::MAX as i64 { u32::MAX } else { reciprocal as u32 };
     Attempt::Hit(Unit { components, reciprocal, halvings: 31 + long as i32 - up as i32 })

@@ -18,8 +18,8 @@ pub(in crate::scalar) fn crossings(oy: i32, extra_bits: i32, dy: i32, [low, high
     let Some(divisor) = Normalized::new((dy as i64) << 30).map(Normalized::divisor) else {
         return Attempt::Unsure;
     };
-    // The rounding error of a framed origin, half of its own unit, is larger at the crossing if the line is nearly parallel to the plane; it must not
-    // exceed an eighth of a unit.
+    // The rounding error of a framed origin, half of its own unit, is larger at the crossing if the line is nearly
+    // parallel to the plane; it must not exceed an eighth of a unit.
     let is_level = extra_bits != 0 && divisor.shift > 3;
     if is_level && divisor.shift as i32 > extra_bits - 3 {
         return Attempt::Unsure;
@@ -44,8 +44,8 @@ pub(in crate::scalar) fn crossings(oy: i32, extra_bits: i32, dy: i32, [low, high
     }
 }
 
-/// Where the line crosses the disc of radius `r` about the origin: the point where it crosses the plane lies inside where
-/// `w_x^2 + w_z^2 <= (r dy)^2`, with the line's moment `w = o x d`.
+/// Where the line crosses the disc of radius `r` about the origin: the point where it crosses the plane lies inside
+/// where `w_x^2 + w_z^2 <= (r dy)^2`, with the line's moment `w = o x d`.
 ///
 /// The origin is in units of `2^-extra_bits` of the radius's; the answer is in the radius's.
 #[inline(always)]
@@ -79,8 +79,8 @@ pub(in crate::scalar) fn disc(o: [i32; 3], extra_bits: i32, d: [i32; 3], r: i32)
     Attempt::Hit(t)
 }
 
-/// Where the line crosses the rectangle with these half extents about the origin: as for a disc, the point where it crosses the plane lies
-/// inside where `|w_z| <= h_x |dy|` and `|w_x| <= h_z |dy|`.
+/// Where the line crosses the rectangle with these half extents about the origin: as for a disc, the point where it
+/// crosses the plane lies inside where `|w_z| <= h_x |dy|` and `|w_x| <= h_z |dy|`.
 ///
 /// The origin is in units of `2^-extra_bits` of the half extents'; the answer is in theirs.
 #[inline(always)]
@@ -89,7 +89,8 @@ pub(in crate::scalar) fn rectangle(o: [i32; 3], extra_bits: i32, d: [i32; 3], [h
     if !(0..28).contains(&extra_bits) {
         return Attempt::Unsure;
     }
-    // In units of 2^-(30 + extra_bits), exact except for the rounding of a framed line, which is less than two of the origin's units.
+    // In units of 2^-(30 + extra_bits), exact except for the rounding of a framed line, which is less than two of the
+    // origin's units.
     let [wx, wz] = [product(y, dz) - product(z, dy), product(x, dy) - product(y, dx)];
     let doubt = if extra_bits == 0 { 0 } else { 1_i64 << 33 };
     let mut is_inside = true;

@@ -1,15 +1,15 @@
 //! The grid of fixed point: integers of a common unit, without exponents.
 //!
-//! For most rays all lengths can be scaled to a common unit (the *grid*) so that they fit in 32 bits and their products in 64 bits, with a
-//! rounding error far below one unit of the type. Other rays are [`Attempt::Unsure`], and the robust number decides: grazing rays, sizes near the
-//! budget, and directions along an axis.
+//! For most rays all lengths can be scaled to a common unit (the *grid*) so that they fit in 32 bits and their products
+//! in 64 bits, with a rounding error far below one unit of the type. Other rays are [`Attempt::Unsure`], and the robust
+//! number decides: grazing rays, sizes near the budget, and directions along an axis.
 //!
-//! All rounding is symmetric, so that a mirrored line has mirrored ends. Multiplications are those of [`product`], which is
-//! inlined on chips without a 64-bit product. Shifts of 64 bits by a variable count are done in two halves, because compilers for these chips
-//! would call a function.
+//! All rounding is symmetric, so that a mirrored line has mirrored ends. Multiplications are those of [`product`],
+//! which is inlined on chips without a 64-bit product. Shifts of 64 bits by a variable count are done in two halves,
+//! because compilers for these chips would call a function.
 //!
-//! In comments, a number "in units of `2^-extra_bits`" has `extra_bits` extra bits below the unit of the type, and the origin of a line is "framed" if it has
-//! been transformed to a frame.
+//! In comments, a number "in units of `2^-extra_bits`" has `extra_bits` extra bits below the unit of the type, and the
+//! origin of a line is "framed" if it has been transformed to a frame.
 
 mod axis;
 mod ball;
@@ -45,16 +45,16 @@ use crate::number::machine::{
     reciprocal_root, root_of_normalized, square,
 };
 
-/// The number of bits by which an origin with `extra_bits` extra bits exceeds [`FINER`], limited to those that a radius has too: on a grid of `2^-grid`
-/// units it has 29 bits.
+/// The number of bits by which an origin with `extra_bits` extra bits exceeds [`FINER`], limited to those that a radius
+/// has too: on a grid of `2^-grid` units it has 29 bits.
 #[inline(always)]
 fn more_bits(extra_bits: i32, grid: i32) -> i32 {
     (extra_bits - FINER).min(grid - 5).max(0)
 }
 
-/// The number of bits by which the error of a length on a grid of `2^-grid` units exceeds that unit, if it comes from a framed origin. The error of
-/// each coordinate of the origin is less than 2 of its own units: from its rounding, from that of the point to which it was moved, and from that of
-/// the direction.
+/// The number of bits by which the error of a length on a grid of `2^-grid` units exceeds that unit, if it comes from a
+/// framed origin. The error of each coordinate of the origin is less than 2 of its own units: from its rounding, from
+/// that of the point to which it was moved, and from that of the direction.
 #[inline(always)]
 fn framed_bits(extra_bits: i32, grid: i32) -> i32 {
     if extra_bits == 0 { 0 } else { 1 + (grid - extra_bits).max(0) }

@@ -21,12 +21,12 @@ pub(super) trait Roots {
     /// Whether the cone's outline grows along the line.
     fn rises(&self) -> bool;
 
-    /// Whether the point halfway between the ends, at `t = -k / a`, is in the nappe whose outline is positive: the sign there is that of
-    /// `Y a - dY k`.
+    /// Whether the point halfway between the ends, at `t = -k / a`, is in the nappe whose outline is positive: the sign
+    /// there is that of `Y a - dY k`.
     fn is_middle_inside(&self) -> Attempt<bool>;
 
-    /// The end at the lower root for a positive `a`, and at the higher one for a negative `a`; and true if the interval ends there, false if it ends
-    /// somewhere beyond.
+    /// The end at the lower root for a positive `a`, and at the higher one for a negative `a`; and true if the interval
+    /// ends there, false if it ends somewhere beyond.
     fn first(&self) -> (Self::Length, bool);
 
     /// The other one.

@@ -8,8 +8,8 @@ use core::cmp::Ordering;
 use fixed::types::extra::{LeEqU32, LeEqU64};
 use fixed::{FixedI32, FixedI64};
 
-/// The error of an end is at most a unit, that of the height there less than two: rounding may decide the order of two that are less than 2 to the
-/// power of this apart.
+/// The error of an end is at most a unit, that of the height there less than two: rounding may decide the order of two
+/// that are less than 2 to the power of this apart.
 const DOUBTFUL_BITS: u32 = 2;
 
 /// Defines it for the types of one width, with the functions that only this width has.

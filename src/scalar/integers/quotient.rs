@@ -43,18 +43,21 @@ pub(super) struct Divisor {
     negative: bool,
 }
 
-/// Quotients of at least this magnitude are left to wider numbers: the error from the reciprocal would be a sixteenth of a unit.
+/// Quotients of at least this magnitude are left to wider numbers: the error from the reciprocal would be a sixteenth
+/// of a unit.
 const TOO_LARGE: i32 = 1 << 27;
 
 impl Divisor {
-    /// The quotient of a number below 2^62 in units of `2^-unit`, rounded to nearest; `None` if it is too large for that.
+    /// The quotient of a number below 2^62 in units of `2^-unit`, rounded to nearest; `None` if it is too large for
+    /// that.
     #[inline(always)]
     pub(super) fn quotient(self, numerator: i64, unit: u32) -> Option<i32> {
         let quotient = rounded(self.times_reciprocal(numerator), unit.wrapping_sub(self.shift))?;
         Some(if self.negative { -quotient } else { quotient })
     }
 
-    /// The same for a quotient of any size: from 2^28 on its error is more than a fourth of a unit in addition to its rounding.
+    /// The same for a quotient of any size: from 2^28 on its error is more than a fourth of a unit in addition to its
+    /// rounding.
     #[inline(always)]
     pub(super) fn long_quotient(self, numerator: i64, unit: u32) -> i64 {
         let quotient = round_off(self.times_reciprocal(numerator), unit.wrapping_sub(self.shift) & 0x3f);

@@ -4,10 +4,11 @@ use super::quotient::Normalized;
 use super::{framed_bits, half, high, high_product, leading_zeros, more_bits, product, root, square};
 use crate::scalar::Attempt;
 
-/// Where the line is inside the infinite cylinder about the y axis: `a = dx^2 + dz^2`, `D = a r^2 - w_y^2`, `t = (-k -+ sqrt(D)) / a`.
+/// Where the line is inside the infinite cylinder about the y axis: `a = dx^2 + dz^2`, `D = a r^2 - w_y^2`,
+/// `t = (-k -+ sqrt(D)) / a`.
 ///
-/// The origin is in units of `2^-extra_bits` of the radius's; the answer is in the radius's. With `is_strict` only if it is certain whether the line is
-/// inside.
+/// The origin is in units of `2^-extra_bits` of the radius's; the answer is in the radius's. With `is_strict` only if
+/// it is certain whether the line is inside.
 #[inline(always)]
 pub(in crate::scalar) fn tube(o: [i32; 3], extra_bits: i32, d: [i32; 3], r: i32, is_strict: bool) -> Attempt<[i32; 2]> {
     let ([x, _, z], [dx, _, dz]) = (o, d);
@@ -34,15 +35,18 @@ pub(in crate::scalar) fn tube(o: [i32; 3], extra_bits: i32, d: [i32; 3], r: i32,
     let twice = high_product(digits.digits, (r as u32) << 2) as i32;
     let positive = product(twice, r) >> (1 + digits.shift);
     let discriminant = positive - square(wy);
-    // Their rounding is below 2^31, that of the moment below 2^30, and what a framed origin adds below 2^31 times its error.
+    // Their rounding is below 2^31, that of the moment below 2^30, and what a framed origin adds below 2^31 times its
+    // error.
     let doubt = if is_strict { 1 << framed_bits(extra_bits, grid) } else { 1 };
     if high(discriminant) < -doubt {
         return Attempt::Miss;
     }
-    // The rounding of the moment, half a unit of the grid, changes t by at most a thirtieth of a unit (near the upper limit of the radius, a fifth).
+    // The rounding of the moment, half a unit of the grid, changes t by at most a thirtieth of a unit (near the upper
+    // limit of the radius, a fifth).
     let spare = grid - digits.shift as i32;
-    // The error of a framed origin, a hundredth of a unit, becomes a sixth of a unit if the root is a sixteenth of the radius, or if the direction is
-    // at an angle of an eighth to the axis. With each further bit of the origin the root may be half as large.
+    // The error of a framed origin, a hundredth of a unit, becomes a sixth of a unit if the root is a sixteenth of the
+    // radius, or if the direction is at an angle of an eighth to the axis. With each further bit of the origin the root
+    // may be half as large.
     let (most, steep) = if extra_bits == 0 { (22, 63) } else { (8 + 2 * more_bits(extra_bits, grid), 6) };
     let least = high(positive) >> (2 * (spare - 5)).clamp(3, most);
     if spare < 4 || digits.shift > steep || high(discriminant) <= least || (is_strict && high(discriminant) <= doubt) {

@@ -5,12 +5,12 @@ use super::turned::{FINER, FINEST, LENGTH_BITS, closest, dot, room};
 use super::{leading_zeros_of_64, magnitude_bits, round_off};
 use crate::scalar::{Attempt, InverseLength};
 
-/// If the largest coordinate of a line's origin, relative to the map's position, has at least this many bits, the origin is moved next to that
-/// position.
+/// If the largest coordinate of a line's origin, relative to the map's position, has at least this many bits, the
+/// origin is moved next to that position.
 const FAR: u32 = 19;
 
-/// The line with a direction of length 1, in a unit of length that is finer than the type's by a power of two. An error of half a unit of an end
-/// along it is then at most a fourth of a unit of the ray's own `t`.
+/// The line with a direction of length 1, in a unit of length that is finer than the type's by a power of two. An error
+/// of half a unit of an end along it is then at most a fourth of a unit of the ray's own `t`.
 #[derive(Debug)]
 pub(in crate::scalar) struct Stretched<N> {
     /// The ray's `t` at the origin.
@@ -24,7 +24,8 @@ pub(in crate::scalar) struct Stretched<N> {
     pub(in crate::scalar) inverse_length: InverseLength,
 }
 
-/// Ends beyond this are left to wider numbers: the error from inverse length and direction would be an eighth of a unit.
+/// Ends beyond this are left to wider numbers: the error from inverse length and direction would be an eighth of a
+/// unit.
 const TOO_FAR: i32 = 1 << 26;
 
 /// The ray's `t` for a `t` along the line, which may be infinite; `None` if it is too large.
@@ -44,8 +45,8 @@ pub(in crate::scalar) fn along_ray(
     (whole.unsigned_abs() < i32::MAX as u64 - 1).then_some(whole as i32)
 }
 
-/// The line in the frame at `position` of a matrix whose inverse has these rows, each to be multiplied by its power of two, for a solid
-/// whose lengths are at most `bounding_radius`; `None` if there is no room for them.
+/// The line in the frame at `position` of a matrix whose inverse has these rows, each to be multiplied by its power of
+/// two, for a solid whose lengths are at most `bounding_radius`; `None` if there is no room for them.
 #[inline]
 pub(in crate::scalar) fn stretched(
     o: [i32; 3],
@@ -60,7 +61,8 @@ pub(in crate::scalar) fn stretched(
     let is_far = bits >> FAR != 0;
     let (start, point, extra_bits) = if is_far { closest(from, d, 2 * FINEST)? } else { (0, from, 0) };
 
-    // Exact except for the bits of smaller rows below the unit of the largest: in units of 2^(exponent - 30 - extra_bits) and 2^(exponent - 60).
+    // Exact except for the bits of smaller rows below the unit of the largest: in units of 2^(exponent - 30 -
+    // extra_bits) and 2^(exponent - 60).
     let [x, y, z] = rows.map(|(_, exponent)| exponent);
     let exponent = x.max(y).max(z);
     let down = [x, y, z].map(|own| (exponent - own).min(63) as u32);
@@ -68,7 +70,8 @@ pub(in crate::scalar) fn stretched(
         |v: [i32; 3]| [dot(v, rows[0].0) >> down[0], dot(v, rows[1].0) >> down[1], dot(v, rows[2].0) >> down[2]];
     let (origin, direction) = (image(point), image(d));
 
-    // The direction, at first with 31 bits in its longest component, and the inverse length, which is one over its length.
+    // The direction, at first with 31 bits in its longest component, and the inverse length, which is one over its
+    // length.
     let excess = bits_of_longest(direction) - 31;
     if excess < 1 {
         return None;

@@ -76,8 +76,8 @@ fn directions_are_within_a_hair_of_half_a_unit() {
     }
 }
 
-/// A line that is steeper than the side, far away from the nappe that it will enter: neither the place of the entry nor that it is still ahead is
-/// certain.
+/// A line that is steeper than the side, far away from the nappe that it will enter: neither the place of the entry nor
+/// that it is still ahead is certain.
 #[test]
 fn a_nappe_that_begins_somewhere_beyond_is_unclear() {
     let (o, d) = ([15487837, -82574188, 2456411], [-802209627, 669821284, 246415638]);
@@ -92,8 +92,8 @@ fn volume(a: [i128; 3], b: [i128; 3], c: [i128; 3]) -> i128 {
     a[0] * minor(1, 2) + a[1] * minor(2, 0) + a[2] * minor(0, 1)
 }
 
-/// Triangles of all sizes and proportions, near and far, hit, missed and aimed at their edges: the results are those of exact arithmetic, and `t` is
-/// within a unit.
+/// Triangles of all sizes and proportions, near and far, hit, missed and aimed at their edges: the results are those of
+/// exact arithmetic, and `t` is within a unit.
 #[test]
 fn a_triangle_is_met_where_exact_arithmetic_says() {
     let mut random = words();
@@ -139,8 +139,8 @@ fn a_triangle_is_met_where_exact_arithmetic_says() {
     assert!(found > 1_500 && missed > 10_000 && unsure < 5_000, "{found} found, {missed} missed, {unsure} unsure");
 }
 
-/// The line in the frame of a matrix compared with one in doubles, which hold it exactly: the origin within its own unit, the direction within little
-/// more than a unit of its type, the inverse length to all its bits.
+/// The line in the frame of a matrix compared with one in doubles, which hold it exactly: the origin within its own
+/// unit, the direction within little more than a unit of its type, the inverse length to all its bits.
 #[test]
 fn a_stretched_line_is_the_matrix_times_the_line() {
     let mut words = words();
@@ -193,7 +193,8 @@ fn a_stretched_line_is_the_matrix_times_the_line() {
     assert!(found > tried / 4, "{found} of {tried}");
 }
 
-/// A ray along a row of a matrix that only turns: the longest component of its image is close to a power of two, with either sign.
+/// A ray along a row of a matrix that only turns: the longest component of its image is close to a power of two, with
+/// either sign.
 #[test]
 fn a_line_along_a_row_keeps_its_direction() {
     let mut words = words();

@@ -17,8 +17,8 @@ fn cross([x, y, z]: [i32; 3], [u, v, w]: [i32; 3]) -> [i64; 3] {
     [product(y, w) - product(z, v), product(z, u) - product(x, w), product(x, v) - product(y, u)]
 }
 
-/// Where the line crosses the triangle, and whether it comes from the front; the signs as in `solve::flat`, with the line's origin as
-/// the origin, so that the volume of an edge from `p` to `q` is `d . (p x q) = q . (d x p)`.
+/// Where the line crosses the triangle, and whether it comes from the front; the signs as in `solve::flat`, with the
+/// line's origin as the origin, so that the volume of an edge from `p` to `q` is `d . (p x q) = q . (d x p)`.
 ///
 /// The origin is in units of `2^-extra_bits` of the vertices'; the answer is in the vertices'.
 #[inline(always)]
@@ -39,15 +39,16 @@ pub(in crate::scalar) fn triangle(
     if all >> 30 != 0 {
         return Attempt::Unsure;
     }
-    // On a grid on which none has more than 28 bits, truncated by less than one unit. The error of a framed origin is half of its own unit, so that a
-    // finer grid would gain nothing.
+    // On a grid on which none has more than 28 bits, truncated by less than one unit. The error of a framed origin is
+    // half of its own unit, so that a finer grid would gain nothing.
     let bits = 32 - leading_zeros(all as u32 | 1);
     let up = if extra_bits == 0 { 28 - bits as i32 } else { 0 };
     let cut = bits.saturating_sub(28);
     let on_grid = |vertex: [i32; 3]| vertex.map(|length| if up > 0 { length << up } else { length >> cut });
     let corners = [on_grid(a), on_grid(b), on_grid(c)];
-    // The error of a component of d x p is less than 16 (twice 4 from the truncation of p, and as much from a framed origin and direction), that of
-    // one of q less than 2. Together that is less than 2^7 times the largest q, or a fourth of the largest d x p.
+    // The error of a component of d x p is less than 16 (twice 4 from the truncation of p, and as much from a framed
+    // origin and direction), that of one of q less than 2. Together that is less than 2^7 times the largest q, or a
+    // fourth of the largest d x p.
     let doubt = 1_i64 << if up > 0 { 35 } else { bits - cut + 7 };
     let volume = |(p, q): ([i32; 3], [i32; 3])| {
         // d x p in fourths of the grid's unit.
@@ -59,7 +60,8 @@ pub(in crate::scalar) fn triangle(
     crossing(a, extra_bits, d, vertices, from_front)
 }
 
-/// Where the line crosses the plane of a triangle that it meets, `t = a . n / d . n`, from a vertex `a` seen from its origin.
+/// Where the line crosses the plane of a triangle that it meets, `t = a . n / d . n`, from a vertex `a` seen from its
+/// origin.
 #[inline(always)]
 fn crossing(
     a: [i32; 3],
@@ -86,8 +88,8 @@ fn crossing(
     let Some(digits) = Normalized::new(slope).filter(|_| (slope < 0) == from_front) else {
         return Attempt::Unsure;
     };
-    // The errors of a framed origin and direction, half of the origin's unit and 2^-31, are larger at the crossing if the line is nearly parallel to
-    // the plane.
+    // The errors of a framed origin and direction, half of the origin's unit and 2^-31, are larger at the crossing if
+    // the line is nearly parallel to the plane.
     if extra_bits != 0 && digits.shift as i32 > extra_bits - 4 {
         return Attempt::Unsure;
     }

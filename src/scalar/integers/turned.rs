@@ -2,16 +2,19 @@
 
 use super::{high, leading_zeros, magnitude_bits, product, round_off};
 
-/// The least number of extra bits of the origin below the type's unit: its rounding error is then a hundredth of a unit.
+/// The least number of extra bits of the origin below the type's unit: its rounding error is then a hundredth of a
+/// unit.
 pub(in crate::scalar) const FINER: i32 = 6;
 
 /// The largest number of extra bits, for lines next to the frame's origin.
 pub(super) const FINEST: i32 = 12;
 
-/// Bits of the lengths of a line with more extra bits than [`FINER`]: one less than there is room for, so that two may be added.
+/// Bits of the lengths of a line with more extra bits than [`FINER`]: one less than there is room for, so that two may
+/// be added.
 pub(super) const LENGTH_BITS: i32 = 29;
 
-/// The extra bits of a line that passes far away: its rounding error, a sixteenth of a unit, is too large for a hit, but not for a miss.
+/// The extra bits of a line that passes far away: its rounding error, a sixteenth of a unit, is too large for a hit,
+/// but not for a miss.
 pub(in crate::scalar) const COARSE: i32 = 3;
 
 /// The origin of a line in a frame, moved next to the frame's origin if the line starts far from there.
@@ -54,7 +57,8 @@ pub(super) fn room(bits: u32) -> i32 {
     LENGTH_BITS - 32 + leading_zeros(bits | 1) as i32
 }
 
-/// The number of extra bits of a turned line for which the lengths of a solid with the bounding radius `bounding_radius` have room too; at least [`FINER`].
+/// The number of extra bits of a turned line for which the lengths of a solid with the bounding radius
+/// `bounding_radius` have room too; at least [`FINER`].
 #[inline(always)]
 pub(in crate::scalar) fn fitting(bounding_radius: i32) -> i32 {
     room(bounding_radius as u32).max(FINER)
@@ -67,10 +71,12 @@ pub(in crate::scalar) fn coarser(origin: [i32; 3], bits: u32) -> [i32; 3] {
     origin.map(|length| round_off(length as i64, bits) as i32)
 }
 
-/// The whole unit of `t` next to the point closest to the frame's origin, and that point in units of `2^-extra_bits`, at most `2^-finest`.
+/// The whole unit of `t` next to the point closest to the frame's origin, and that point in units of `2^-extra_bits`,
+/// at most `2^-finest`.
 #[inline]
 pub(super) fn closest(from: [i32; 3], d: [i32; 3], finest: i32) -> Option<(i32, [i32; 3], i32)> {
-    // The difference of points within the budget of coordinates, which is 2^30, overflows only at the ends of the budget.
+    // The difference of points within the budget of coordinates, which is 2^30, overflows only at the ends of the
+    // budget.
     if from.iter().any(|&length| magnitude_bits(length) >> 30 != 0) {
         return None;
     }

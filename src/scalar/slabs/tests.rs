@@ -1,4 +1,5 @@
-//! The test of a box never reports a miss for a ray that meets it, and reports one for a ray that passes it at a sufficient distance.
+//! The test of a box never reports a miss for a ray that meets it, and reports one for a ray that passes it at a
+//! sufficient distance.
 
 use super::super::{Scalar, UnitScalar};
 use super::MARGIN_BITS;
@@ -71,7 +72,8 @@ fn meets_what_it_meets<S: Scalar>(size: f64, away: f64) {
     }
 }
 
-/// If a ray passes a ball by more than a thousandth of its distance and size, the test reports a miss of the ball's box.
+/// If a ray passes a ball by more than a thousandth of its distance and size, the test reports a miss of the ball's
+/// box.
 fn misses_what_it_passes<S: Scalar>(size: f64, away: f64) {
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     let clear = (away + size) * 1e-3;

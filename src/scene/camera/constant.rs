@@ -7,7 +7,8 @@ use crate::scalar::constant::{self, each_number};
 macro_rules! constants {
     ([$($generics:tt)*] $Number:ty, $checks:ident) => {
         impl<$($generics)*> Camera<$Number> {
-            /// [`Camera::in_frame`] in a constant. (The other constructors compute axes and a tangent, for which they need a square root.)
+            /// [`Camera::in_frame`] in a constant. (The other constructors compute axes and a tangent, for which they
+            /// need a square root.)
             ///
             /// # Errors
             ///

@@ -1,7 +1,7 @@
 //! Fast reading and comparison of decimal numbers of up to 19 digits, which nearly all numbers of scene files are.
 //!
-//! Scalars read any decimal ([`Scalar::parse_scaled`]), those of fixed point digit by digit and bit by bit. This module gives the same value, to the
-//! bit, in a small fraction of the time.
+//! Scalars read any decimal ([`Scalar::parse_scaled`]), those of fixed point digit by digit and bit by bit. This module
+//! gives the same value, to the bit, in a small fraction of the time.
 
 use crate::number::Limbs;
 use crate::scalar::{Real, Scalar};
@@ -88,7 +88,8 @@ impl Decimal {
         Some(Magnitude { place: self.exponent.saturating_add(last as i32), aligned })
     }
 
-    /// The number times `2^power` in a fixed-point type, as [`Scalar::parse_scaled`] rounds it; `None` if that function must be used instead.
+    /// The number times `2^power` in a fixed-point type, as [`Scalar::parse_scaled`] rounds it; `None` if that function
+    /// must be used instead.
     fn fixed<S: Scalar>(self, power: i32) -> Option<S> {
         if !self.exact {
             return None;
@@ -119,8 +120,8 @@ impl Decimal {
         value.is_finite().then_some(value)
     }
 
-    /// The digits from the decimal place `place` to the eighth place after it, as an integer with the number's sign. There must be no digit before
-    /// that place.
+    /// The digits from the decimal place `place` to the eighth place after it, as an integer with the number's sign.
+    /// There must be no digit before that place.
     pub(super) fn leading<R: Real>(self, place: i32) -> R {
         let dropped = place.saturating_sub(8).saturating_sub(self.exponent);
         let digits = match power_of_ten(dropped.unsigned_abs()) {

@@ -30,8 +30,8 @@ pub struct NffError {
 pub enum Reason {
     /// A word that is not the name of an entity.
     UnknownEntity,
-    /// A replacement character (U+FFFD), which `String::from_utf8_lossy` puts in place of bytes that are not UTF-8. In comments it is
-    /// allowed.
+    /// A replacement character (U+FFFD), which `String::from_utf8_lossy` puts in place of bytes that are not UTF-8. In
+    /// comments it is allowed.
     NotText,
     /// The text ends inside an entity.
     Ended {

@@ -1,7 +1,7 @@
 //! A reader for the Neutral File Format (NFF, Eric Haines, 1988), the format of the Standard Procedural Databases.
 //!
-//! It allocates nothing: it fills the caller's [`Store`]s, and [`Counts`] tells beforehand which capacities a text needs.
-//! Numbers are rounded once, correctly, from the decimal text to the scene's number type.
+//! It allocates nothing: it fills the caller's [`Store`]s, and [`Counts`] tells beforehand which capacities a text
+//! needs. Numbers are rounded once, correctly, from the decimal text to the scene's number type.
 //!
 //! | entity | meaning |
 //! |---|---|
@@ -18,19 +18,19 @@
 //! Where the format is not definite, the reader does this:
 //!
 //! - Line breaks are white space; an entity may take one line or many.
-//! - Entities may come in any order (the format requires view and lights first, for the sake of hidden-surface renderers).
-//!   A second view or background is an error. Objects before the first `f` are white and matte.
+//! - Entities may come in any order (the format requires view and lights first, for the sake of hidden-surface
+//!   renderers). A second view or background is an error. Objects before the first `f` are white and matte.
 //! - Lights without a colour have the strength [`Light::usual_strength`]: `1 / sqrt(number of lights)`.
-//! - An object is seen from its outside only (a polygon from its front), from the inside only if its radii are negative,
-//!   and from both sides if its material transmits (T > 0).
+//! - An object is seen from its outside only (a polygon from its front), from the inside only if its radii are
+//!   negative, and from both sides if its material transmits (T > 0).
 //! - A cone may be wider at its apex than at its base. The same radius twice makes a cylinder. None has caps.
 //! - Ks is the weight of the highlight and of the mirrored ray, T that of the refracted ray
 //!   ([`Material`] says how Fresnel's equations divide it).
 //! - A shine beyond the number type's range (100000 in `I16F16`) becomes the largest that it holds: that highlight is
 //!   smaller than a pixel in either case.
 //! - A file's unit of length is the scene's, unless [`read_scaled`] is given another scale.
-//! - The corners of a `pp` run counterclockwise seen from the side that its normals point to. If their order contradicts the normals, the
-//!   normals decide; [`View::turned`] counts these polygons.
+//! - The corners of a `pp` run counterclockwise seen from the side that its normals point to. If their order
+//!   contradicts the normals, the normals decide; [`View::turned`] counts these polygons.
 //! - A light that is too far away for the number type becomes a distant light: see [`View::distant`].
 //! - Bytes that are not UTF-8 are accepted in comments if the file is converted with `String::from_utf8_lossy`.
 //! - `hither` is read and returned, but there is no clipping: ray tracing needs no near plane.
@@ -78,8 +78,8 @@ use core::fmt;
 
 /// The lists that the reader fills.
 ///
-/// They should be empty, since indices of materials and normals start at 0. After an error they hold the entities that were read
-/// before it.
+/// They should be empty, since indices of materials and normals start at 0. After an error they hold the entities that
+/// were read before it.
 pub struct Stores<'a, S: Scalar> {
     /// Spheres, cones, cylinders and triangles.
     pub objects: &'a mut dyn Store<Object<S>>,
@@ -124,19 +124,22 @@ pub struct View<S: Scalar> {
 ///
 /// # Errors
 ///
-/// [`NffError`] with the line, the column and the reason, if the text is not a scene, if the number type cannot hold it, or if a
-/// store is full.
+/// [`NffError`] with the line, the column and the reason, if the text is not a scene, if the number type cannot hold
+/// it, or if a store is full.
 pub fn read<S: Scalar>(text: &str, stores: Stores<'_, S>) -> Result<View<S>, NffError> {
     read_scaled(text, stores, Scale::ONE)
 }
 
-/// Reads a scene in other units: every coordinate, size and distance is multiplied by a power of two before it is rounded.
+/// Reads a scene in other units: every coordinate, size and distance is multiplied by a power of two before it is
+/// rounded.
 ///
-/// Use it for fixed-point numbers, with [`Scale::fitting`]: the picture is the same as with [`read`], with smaller rounding errors.
+/// Use it for fixed-point numbers, with [`Scale::fitting`]: the picture is the same as with [`read`], with smaller
+/// rounding errors.
 ///
 /// # Errors
 ///
-/// As [`read`]. A solid that [`read`] leaves out as too small may be an error here, if the number type cannot hold its proportions.
+/// As [`read`]. A solid that [`read`] leaves out as too small may be an error here, if the number type cannot hold its
+/// proportions.
 ///
 /// ```
 /// # fn main() -> Result<(), raylet::scene::nff::NffError> {
@@ -200,7 +203,8 @@ impl Counts {
                 "l" => counts.lights = counts.lights.saturating_add(1),
                 "p" | "pp" => {
                     let corners = words.peek().and_then(|word| word.text.parse().ok()).unwrap_or(0_usize);
-                    // A count that is larger than the rest of the text allows is an error in the text; no memory is reserved for it.
+                    // A count that is larger than the rest of the text allows is an error in the text; no memory is
+                    // reserved for it.
                     let corners = corners.min(text.len() / SHORTEST_POINT);
                     let triangles = corners.saturating_sub(2);
                     counts.corners = counts.corners.max(corners);

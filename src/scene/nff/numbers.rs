@@ -120,7 +120,8 @@ impl<'t, S: Scalar> Numbers<'t, S> {
         Ok(Vec3::new(self.size(what)?.value, self.size(what)?.value, self.size(what)?.value))
     }
 
-    /// The direction of a point at any distance; `None` if the point is the origin. Nine digits of its coordinates are used.
+    /// The direction of a point at any distance; `None` if the point is the origin. Nine digits of its coordinates are
+    /// used.
     pub(super) fn direction(&mut self, what: &'static str) -> Result<Option<UnitVec3<S>>, NffError> {
         let mut decimals = [None; 3];
         for decimal in &mut decimals {

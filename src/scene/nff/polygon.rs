@@ -3,8 +3,8 @@
 //! A convex polygon becomes a fan about its first corner; any other loses one "ear" after the other (Meisters,
 //! *Polygons have ears*, 1975). Nothing is allocated: ears are cut out of the caller's list of corners.
 //!
-//! The time grows with the square of the number of corners, or faster: a star of 20,000 corners takes seconds on a host. For convex polygons it is
-//! proportional to the number of corners.
+//! The time grows with the square of the number of corners, or faster: a star of 20,000 corners takes seconds on a
+//! host. For convex polygons it is proportional to the number of corners.
 
 use crate::scalar::{Real, Ring, Scalar};
 use crate::vector::{UnitVec3, Vec3, cross};
@@ -41,12 +41,13 @@ impl<S: Scalar> Default for Corner<S> {
     }
 }
 
-/// Calls `each` with the triangles of a polygon, whose corners are in the polygon's order. Stops at the first error, and returns the
-/// number of triangles.
+/// Calls `each` with the triangles of a polygon, whose corners are in the polygon's order. Stops at the first error,
+/// and returns the number of triangles.
 ///
-/// The corners are counterclockwise as seen from the front. The triangles cover exactly the polygon's area.
-/// Triangles without area (three corners on a line) are left out, so that a polygon without area has none. The order of `corners` is
-/// changed. If a polygon intersects itself, which NFF does not allow, its counterclockwise parts are covered as far as ears are found.
+/// The corners are counterclockwise as seen from the front. The triangles cover exactly the polygon's area. Triangles
+/// without area (three corners on a line) are left out, so that a polygon without area has none. The order of `corners`
+/// is changed. If a polygon intersects itself, which NFF does not allow, its counterclockwise parts are covered as far
+/// as ears are found.
 ///
 /// # Errors
 ///
@@ -108,7 +109,8 @@ fn next_cut<S: Scalar>(corners: &[Corner<S>], plane: Projection) -> (usize, bool
     if let Some(index) = (0..corners.len()).find(is_straight) {
         return (index, false);
     }
-    // If no corner is an ear, the polygon intersects itself (at least after rounding): the first convex corner is cut off.
+    // If no corner is an ear, the polygon intersects itself (at least after rounding): the first convex corner is cut
+    // off.
     let mut fallback = None;
     for index in 0..corners.len() {
         let Some((a, b, c)) = around(corners, index) else { continue };
@@ -162,8 +164,9 @@ fn turns_back<S: Scalar>(corners: &[Corner<S>]) -> bool {
     })
 }
 
-/// Twice the area, along the normal of the side from which the corners run counterclockwise. It is computed by Newell's method (Tampieri, *Newell's
-/// method for computing the plane equation of a polygon*, Graphics Gems III), which allows corners on a line and a reflex first corner.
+/// Twice the area, along the normal of the side from which the corners run counterclockwise. It is computed by Newell's
+/// method (Tampieri, *Newell's method for computing the plane equation of a polygon*, Graphics Gems III), which allows
+/// corners on a line and a reflex first corner.
 fn area_vector<S: Scalar>(corners: &[Corner<S>]) -> [S::Real; 3] {
     let mut normal = [S::Real::ZERO; 3];
     let Some((first, rest)) = corners.split_first() else { return normal };

@@ -5,18 +5,19 @@ use super::lexer::Lexer;
 use crate::scalar::{Scalar, is_decimal, is_zero_decimal};
 use core::fmt;
 
-/// A light that is `2^12` times as far away as everything else is read as a distant light: its direction is the same from every surface
-/// to `2^-12`, which changes a colour by less than a level.
+/// A light that is `2^12` times as far away as everything else is read as a distant light: its direction is the same
+/// from every surface to `2^-12`, which changes a colour by less than a level.
 const DISTANT: i8 = 12;
 
 /// The number of units of the scene for one unit of a file: a power of two.
 ///
-/// Fixed-point numbers have an absolute precision, so that the relative error of small objects is larger than that of large ones: a sphere of
-/// radius 0.02 has an error of 0.04 percent in `I16F16`, which mirrors magnify. If all coordinates of a file are within 12, nine bits of the type
-/// are unused. Read 512 times as large, the scene gives the same picture with errors 512 times as small. (NFF has no other measure of
-/// length, so that the picture does not depend on the units. Values that are added to the scene afterwards, such as the clarity of fog or a texture
-/// on a plane, are in the scene's units.) This is block floating point: numbers that share one exponent (J. H. Wilkinson, Rounding Errors in
-/// Algebraic Processes, 1963).
+/// Fixed-point numbers have an absolute precision, so that the relative error of small objects is larger than that of
+/// large ones: a sphere of radius 0.02 has an error of 0.04 percent in `I16F16`, which mirrors magnify. If all
+/// coordinates of a file are within 12, nine bits of the type are unused. Read 512 times as large, the scene gives the
+/// same picture with errors 512 times as small. (NFF has no other measure of length, so that the picture does not
+/// depend on the units. Values that are added to the scene afterwards, such as the clarity of fog or a texture on a
+/// plane, are in the scene's units.) This is block floating point: numbers that share one exponent (J. H. Wilkinson,
+/// Rounding Errors in Algebraic Processes, 1963).
 ///
 /// ```
 /// use raylet::scene::nff::Scale;
@@ -55,8 +56,8 @@ impl Scale {
     }
 
     /// The largest scale that leaves every coordinate and size of a text within half of the number type's
-    /// [`Budget`](crate::scalar::Budget), and those of cones and cylinders within a quarter, so that distances and heights fit
-    /// too; for floats, whose accuracy does not depend on it, 1.
+    /// [`Budget`](crate::scalar::Budget), and those of cones and cylinders within a quarter, so that distances and
+    /// heights fit too; for floats, whose accuracy does not depend on it, 1.
     ///
     /// A light more than 4096 times as far away as everything else is ignored here; read at this scale it becomes
     /// [distant](crate::Light::distant).

@@ -176,8 +176,8 @@ fn decoded(encoded: f64) -> f64 {
     if encoded <= 0.04045 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) }
 }
 
-/// Sixteen pixels of one colour show it to a sixteenth of a level, and a level that exists is shown by each. `levels_of` gives the levels of
-/// the channels, of so many above black.
+/// Sixteen pixels of one colour show it to a sixteenth of a level, and a level that exists is shown by each.
+/// `levels_of` gives the levels of the channels, of so many above black.
 fn dithers<S: Scalar, C: DisplayColor>(most: &[u8], levels_of: impl Fn(C) -> Vec<u8>) {
     dithers_what_is_encoded::<S, C>(most, levels_of, [encoded, decoded]);
 }

@@ -110,7 +110,8 @@ fn frames<S: Scalar>(frames: impl IntoIterator<Item = u8>) -> Vec<Screen<Rgb565>
     frames.into_iter().map(&mut show).collect()
 }
 
-/// What went over the bus of the firmware's stand-in for a display: for each row its window, then its pixels (FNV-1a, 32 bits).
+/// What went over the bus of the firmware's stand-in for a display: for each row its window, then its pixels (FNV-1a,
+/// 32 bits).
 fn digest(screen: &Screen<Rgb565>) -> u32 {
     let width = screen.size.width as u16;
     let rows = (0_u16..).zip(screen.pixels.chunks(width.into()));
@@ -166,7 +167,8 @@ impl Share {
     }
 }
 
-/// Every solid stands out against the floor, and has shades: what it is can be told. (Whether it looks so is for the eye: the document shows it.)
+/// Every solid stands out against the floor, and has shades: what it is can be told. (Whether it looks so is for the
+/// eye: the document shows it.)
 #[test]
 fn pictures_of_one_bit() {
     const BALL: usize = 5;

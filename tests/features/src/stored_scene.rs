@@ -1,4 +1,5 @@
-//! The parts of a scene, and all other public values, are stored and come back to the bit; what no constructor makes is refused.
+//! The parts of a scene, and all other public values, are stored and come back to the bit; what no constructor makes is
+//! refused.
 
 use fixed::types::{I16F16, I32F32};
 use raylet::effect::{Effect, EffectSet, Sample};

@@ -1,11 +1,12 @@
 //! The promise of `Plain` and `Fast`: of a plain ray no hit is lost or invented, wherever the solid is placed.
 //!
-//! A ray is plain if its chord is at least a hundredth of the solid's size, or, where it has none, if it does not graze (`support::promise`). It starts
-//! within 10 sizes for `Plain`, and within 100 for `Fast`. The rays here have chords of any length from a little less than a hundredth on, at any angle
-//! to axes, generators and planes, and some pass the solid, by a hundredth or more.
+//! A ray is plain if its chord is at least a hundredth of the solid's size, or, where it has none, if it does not graze
+//! (`support::promise`). It starts within 10 sizes for `Plain`, and within 100 for `Fast`. The rays here have chords of
+//! any length from a little less than a hundredth on, at any angle to axes, generators and planes, and some pass the
+//! solid, by a hundredth or more.
 //!
-//! The hits of each ray are compared with those of a finer tier. Where they are others, exact arithmetic says which are right: it would take too long for
-//! all rays.
+//! The hits of each ray are compared with those of a finer tier. Where they are others, exact arithmetic says which are
+//! right: it would take too long for all rays.
 
 use fixed::types::{I8F24, I16F16, I20F12, I32F32};
 use raylet::tier::{Exact, Fast, Plain, Stable};
@@ -45,7 +46,8 @@ fn through(random: &mut Random, normal: [f64; 3]) -> [f64; 3] {
     add(along, scale(normal, random.sign() * sine))
 }
 
-/// A line at the solid in its own frame, its origin up to so many sizes away; `None` for a kind that the solid does not have.
+/// A line at the solid in its own frame, its origin up to so many sizes away; `None` for a kind that the solid does not
+/// have.
 fn line<S: Number>(subject: &Subject<S>, sizes: f64, random: &mut Random) -> Option<Line> {
     let (mut target, mut direction) = (subject.inner_point(random), random.direction());
     match random.below(8) {

@@ -102,7 +102,8 @@ macro_rules! of_type {
 
             let mut tally = Tally::default();
             for round in 0..3000 {
-                // Directions, some of them stretched; axes, some of them skewed or left-handed; at the edge of what is taken too.
+                // Directions, some of them stretched; axes, some of them skewed or left-handed; at the edge of what is
+                // taken too.
                 let near = random.pick(&[0.0, 1e-9, 1e-6, 3.0e-6, 3.9e-6, 1e-3]);
                 let mut nudged = |v: UnitVec3<S>| {
                     v.to_f64().map(|c| <Unit<S> as UnitScalar>::from_f64(c + near * random.between(-1.0, 1.0)))

@@ -403,7 +403,8 @@ fn rule_07_normals_point_outwards_and_the_flipped_one_towards_the_ray<S: Exact>(
                 let [x, y, z] = normal.to_f64();
                 assert!((x * x + y * y + z * z - 1.0).abs() < 1e-6, "{}: {normal:?}", case.name);
                 let along = ray.direction().dot(normal);
-                // Rays from outside meet the outward normal, rays from inside run along it; a grazing one may do either.
+                // Rays from outside meet the outward normal, rays from inside run along it; a grazing one may do
+                // either.
                 let [dx, dy, dz] = ray.direction().to_f64();
                 let cosine = dx * x + dy * y + dz * z;
                 if cosine.abs() > 0.02 {

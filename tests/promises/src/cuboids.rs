@@ -1,4 +1,5 @@
-//! Cuboids and rectangles: who owns edges and corners, rays in faces, placed cuboids beside the oracle, and surface coordinates.
+//! Cuboids and rectangles: who owns edges and corners, rays in faces, placed cuboids beside the oracle, and surface
+//! coordinates.
 
 use raylet::scalar::UnitScalar;
 use raylet::tier::{Exact, Fast, Plain, Stable, Tier};

@@ -6,7 +6,8 @@ use raylet::effect::{Ambient, Effect, EffectSet};
 use raylet::scalar::UnitScalar;
 use raylet::{Color, Picture, Scalar, Size};
 
-/// What no light reaches is as bright as the ambient light, the colour and `diffuse` say; elsewhere it is that much brighter.
+/// What no light reaches is as bright as the ambient light, the colour and `diffuse` say; elsewhere it is that much
+/// brighter.
 #[test]
 fn ambient_light_comes_from_everywhere() {
     fn check<S: Scalar>() {

@@ -1,4 +1,5 @@
-//! The promise: a ray is left out only if it cannot change an output level, and samples are added only where corners differ.
+//! The promise: a ray is left out only if it cannot change an output level, and samples are added only where corners
+//! differ.
 
 use fixed::types::{I16F16, I32F32};
 use raylet::scene::nff::{self, Corner, Counts, Stores};
@@ -100,7 +101,8 @@ fn what_is_not_cast_changes_no_level_in_the_examples() {
     }
 }
 
-/// A surface that sends on one part in 1000 of the light must not be taken for one that sends none: a strong lamp may stand behind it.
+/// A surface that sends on one part in 1000 of the light must not be taken for one that sends none: a strong lamp may
+/// stand behind it.
 #[test]
 fn what_a_faint_ray_shows_of_a_strong_lamp_is_not_left_out() {
     let (dim, bright) = (Material { diffuse: 0.0_f32, ..Material::default() }, Material::default());

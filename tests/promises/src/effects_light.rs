@@ -1,5 +1,5 @@
-//! The promise: light goes where optics sends it: mirrors, glass, fog, waves, patterns; and rays that leave a surface do not
-//! find it again.
+//! The promise: light goes where optics sends it: mirrors, glass, fog, waves, patterns; and rays that leave a surface
+//! do not find it again.
 
 use fixed::types::{I8F24, I16F16, I32F32};
 use raylet::effect::DEPTH;
@@ -164,8 +164,8 @@ fn darkest<S: Scalar>(radius: f64, away: f64, material: Material<S>, lamp: bool)
 
 #[test]
 fn large_balls_far_away_have_no_speckles() {
-    // Lit from the eye, all that is seen is lit; in a white room, clear glass is white. A ray that met its own surface again, or
-    // missed the far wall, would leave a dark pixel.
+    // Lit from the eye, all that is seen is lit; in a white room, clear glass is white. A ray that met its own surface
+    // again, or missed the far wall, would leave a dark pixel.
     fn check<S: Scalar>() {
         for away in [300.0, 3000.0, 12000.0] {
             let (darkest_lit, covered) = darkest::<S>(100.0, away, Material::matte(Color::WHITE), true);
@@ -173,8 +173,8 @@ fn large_balls_far_away_have_no_speckles() {
             // Next to the outline the cosine is small: there a pixel may be grey, but not black.
             assert!(darkest_lit > 0, "lit, {away} away: {darkest_lit}");
             let (darkest_glass, _) = darkest::<S>(100.0, away, glass(1.5), false);
-            // Of the light that goes round and round inside, reflected to a part F each time, (1 - F) F^15 is still there where the
-            // path ends: at most 1 / 16 (15 / 16)^15, six levels.
+            // Of the light that goes round and round inside, reflected to a part F each time, (1 - F) F^15 is still
+            // there where the path ends: at most 1 / 16 (15 / 16)^15, six levels.
             assert!(darkest_glass >= 248, "glass, {away} away: {darkest_glass}");
             let (darkest_pane, _) = darkest::<S>(100.0, away, glass(1.0), false);
             assert_eq!(darkest_pane, 255, "clear, {away} away");
@@ -232,7 +232,8 @@ fn fog_hides_what_is_far_and_fills_no_glass() {
         };
         near(look(&[], &[]), 1.0);
         near(look(&[ball([0.0; 3], 2.0, 0)], &[black()]), 1.0 - 0.9_f64.powi(7));
-        // 7 units of fog, 4 of clear glass, 5 of fog again. (So little denser than air that almost nothing is reflected.)
+        // 7 units of fog, 4 of clear glass, 5 of fog again. (So little denser than air that almost nothing is
+        // reflected.)
         let through = [ball([0.0; 3], 2.0, 0), ball([0.0, 0.0, -9.0], 2.0, 1)];
         near(look(&through, &[glass(THIN), black()]), 1.0 - 0.9_f64.powi(12));
         // What has the index of air is full of air: behind a pane, from either side, the fog goes on.
@@ -241,7 +242,8 @@ fn fog_hides_what_is_far_and_fills_no_glass() {
         near(look(&[pane, ball([0.0, 0.0, -9.0], 2.0, 1)], &[glass(1.0), black()]), 1.0 - 0.9_f64.powi(16));
         let turned = Object::new(lying_disc(-UnitVec3::Z), 0);
         near(look(&[turned, ball([0.0, 0.0, -9.0], 2.0, 1)], &[glass(1.0), black()]), 1.0 - 0.9_f64.powi(16));
-        // 7 units of fog, 4 of glass up to its silvered back, these 4 again, and 10 units of fog to the wall behind the eye.
+        // 7 units of fog, 4 of glass up to its silvered back, these 4 again, and 10 units of fog to the wall behind the
+        // eye.
         let can = Cylinder::capped(number(1.0), number(4.0)).unwrap();
         let lying = |z, primitive: Shape<S>| {
             primitive.placed(Frame::from_base_and_axis(point(0.0, 0.0, z), -UnitVec3::Z).unwrap())
@@ -288,7 +290,8 @@ fn waves_lean_the_normal_against_their_slope() {
     fn check<S: Scalar>() {
         let bumpy = Material::matte(Color::WHITE).with_bump(Waves { along_u: 2, along_v: 0, slope: number(0.75) });
         let (left, right) = ([-0.6, 0.8, 0.0], [0.6, 0.8, 0.0]);
-        // Two waves a unit: uphill along +x at 0, so that the normal leans back along -x, to (-0.6, 0.8); downhill at 1/4.
+        // Two waves a unit: uphill along +x at 0, so that the normal leans back along -x, to (-0.6, 0.8); downhill at
+        // 1/4.
         for (x, lamp, cosine) in [
             (0.0, left, 1.0),
             (0.0, right, 0.28),
@@ -313,7 +316,8 @@ fn waves_lean_the_normal_against_their_slope() {
         let scene = Scene::new(&objects, &materials, &lights, camera()).unwrap();
         let ray = Ray::towards(point::<S>(0.0, 5.0, 0.0), point(0.0, 0.0, 0.0)).unwrap();
         assert_eq!(Tracer::new(&scene).look(&ray, &mut TraceContext::new(())).color, Color::BLACK);
-        // And the other way round: above the plane, and behind the leaning normal. It takes no light away, nor costs a ray.
+        // And the other way round: above the plane, and behind the leaning normal. It takes no light away, nor costs a
+        // ray.
         let lights = [Light::new(point(100.0, 1.0, 0.0), number(1.0))];
         let scene = Scene::new(&objects, &materials, &lights, camera()).unwrap();
         let mut context = TraceContext::new(());
@@ -407,7 +411,8 @@ fn waves_send_no_ray_to_the_wrong_side() {
                 seen(&[water, other], &materials, [x - 1.0, height, 0.2], [x, 0.0, 0.1])
             };
             assert_eq!(look(below, black().with_mirror(number(1.0)), 0.1).0, 1.0, "mirrored at {x}");
-            // What passes meets the background, what is reflected the lid: if two rays go on, one of them must bring light.
+            // What passes meets the background, what is reflected the lid: if two rays go on, one of them must bring
+            // light.
             for height in [1.0, 0.2] {
                 let (red, counters) = look(above, glass(0.8), height);
                 assert_eq!(red > 0.0, counters.refraction_rays > 1, "refracted at {x}, from {height}");

@@ -34,7 +34,8 @@ fn unit<S: Exact>() -> f64 {
 }
 
 fn cap_planes_are_at_the_height_minus_the_origin_over_the_direction<S: Exact>() {
-    // From oy = 4 downwards: the cap at y = 1 is 3 away, -(oy + 1) / dy would be 5; the base is 4 away, oy / dy would be -4.
+    // From oy = 4 downwards: the cap at y = 1 is 3 away, -(oy + 1) / dy would be 5; the base is 4 away, oy / dy would
+    // be -4.
     let can = Cylinder::capped(n::<S>(1.0), n(1.0)).expect("sizes");
     let down = ray([0.25, 4.0, 0.25], [0.0, -1.0, 0.0]);
     assert_eq!(summary(&can.hits(&down)), [(3.0, Part::Top, ENTER), (4.0, Part::Base, EXIT)]);
@@ -151,8 +152,8 @@ fn a_point_is_inside_a_cone_by_its_distance_from_the_axis<S: Exact>() {
 }
 
 fn a_is_one_minus_two_dy_squared_for_unit_directions_only<S: Exact>() {
-    // Stretched threefold along y, the local direction of a unit ray is not unit: the ray along (1, -1, 0) / sqrt 2 meets
-    // the cone x = y / 3 from (4, 0, 0): 4 - s = -s / 3 on the lower nappe, s = 6, below the double cone's apex.
+    // Stretched threefold along y, the local direction of a unit ray is not unit: the ray along (1, -1, 0) / sqrt 2
+    // meets the cone x = y / 3 from (4, 0, 0): 4 - s = -s / 3 on the lower nappe, s = 6, below the double cone's apex.
     let stretch =
         raylet::Affine::new([v::<S>([1.0, 0.0, 0.0]), v([0.0, 3.0, 0.0]), v([0.0, 0.0, 1.0])], v([0.0, 0.0, 0.0]))
             .expect("the matrix has an inverse");

@@ -244,7 +244,8 @@ fn roots_beside_a_midpoint_stay_in_order() {
     }
 }
 
-/// Corners on a line as exact arithmetic sees them, though not as rounded differences do: nothing lies in that triangle.
+/// Corners on a line as exact arithmetic sees them, though not as rounded differences do: nothing lies in that
+/// triangle.
 #[test]
 fn a_triangle_without_area_holds_nothing() {
     use raylet::{Triangle, UnitVec3, Vec3};

@@ -1,5 +1,5 @@
-//! The promise: the same bits everywhere. A digest of every answer to a fixed set of rays, and pictures, are the same on the
-//! host as the firmware gives on each chip; `.ci/measure` compares those with the same files.
+//! The promise: the same bits everywhere. A digest of every answer to a fixed set of rays, and pictures, are the same
+//! on the host as the firmware gives on each chip; `.ci/measure` compares those with the same files.
 //!
 //! `RAYLET_WRITE_EXPECTED=1 cargo test -p raylet-promises firmware` writes the files anew.
 
@@ -57,8 +57,8 @@ fn render<S: Scalar>(number: &str) {
     });
 }
 
-/// What the program `display` writes, five, six and five bits a channel; and the digest of what goes to a display row by row,
-/// which the program `board` leaves. Made without the adapter that is tested.
+/// What the program `display` writes, five, six and five bits a channel; and the digest of what goes to a display row
+/// by row, which the program `board` leaves. Made without the adapter that is tested.
 fn display<S: Scalar>(number: &str) -> u32 {
     let mut digest = 0x811c_9dc5_u32;
     with_picture::<S>(|picture| {

@@ -1,7 +1,7 @@
 //! The promise: no bit pattern breaks it. What the fuzz targets have kept, and what they have found, without a fuzzer.
 //!
-//! `RAYLET_FUZZ_INPUT=file cargo test -p raylet-promises a_given_input` checks one file, and says what it means if it fails:
-//! a solid unless its name or folder has `nff` in it.
+//! `RAYLET_FUZZ_INPUT=file cargo test -p raylet-promises a_given_input` checks one file, and says what it means if it
+//! fails: a solid unless its name or folder has `nff` in it.
 
 use fixed::types::{I16F16, I32F32};
 use raylet::scalar::UnitScalar;
@@ -260,7 +260,8 @@ fn a_point_of_a_flat_cone_stays_where_it_was_met() {
 
 #[test]
 fn a_departing_ray_far_along_a_tube_stays_where_it_departs() {
-    // A tube of the budget's radius, entered 28,000 along its axis and straight across: out on the other side, or nowhere.
+    // A tube of the budget's radius, entered 28,000 along its axis and straight across: out on the other side, or
+    // nowhere.
     let tube = Cylinder::infinite(number::<I16F16>(16384.0)).expect("a size");
     let axes = [
         [0.999990372, 0.003098827, 0.003107051],

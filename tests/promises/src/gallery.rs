@@ -1,4 +1,5 @@
-//! The promise: the scenes of the gallery look the same in every number type, and what is not cast for them changes no level.
+//! The promise: the scenes of the gallery look the same in every number type, and what is not cast for them changes no
+//! level.
 
 use fixed::types::{I16F16, I32F32};
 use raylet::gallery::BuiltIn;
@@ -31,8 +32,8 @@ fn what_is_not_cast_changes_no_level() {
                 println!(
                     "{built_in}, {number}, {samples} samples: {rays} of {all_rays} rays, {differing} pixels differ"
                 );
-                // The mean of several samples is off by up to a sixteenth of a level, so that one in sixteen may be rounded to the next level;
-                // fewer are, since most samples are off by far less.
+                // The mean of several samples is off by up to a sixteenth of a level, so that one in sixteen may be
+                // rounded to the next level; fewer are, since most samples are off by far less.
                 let (most, off) = if samples == 1 { (0, 0) } else { (3, 1) };
                 assert!(
                     differing <= most && farthest <= off,
@@ -63,8 +64,8 @@ fn number_types_agree() {
         let fixed = beyond_a_level::<I16F16>(built_in, &reference);
         let wide = beyond_a_level::<I32F32>(built_in, &reference);
         println!("{built_in:10} f32 {single}  I16F16 {fixed}  I32F32 {wide}");
-        // What was measured; the promise is one in a hundred, 122. In glass a cylinder stands on a stretched floor: which of the two is
-        // met first is decided by the last place of `t`.
+        // What was measured; the promise is one in a hundred, 122. In glass a cylinder stands on a stretched floor:
+        // which of the two is met first is decided by the last place of `t`.
         let measured = match built_in {
             BuiltIn::Glass => [7, 16, 6],
             BuiltIn::Patterns => [1, 1, 0],

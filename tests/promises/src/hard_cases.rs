@@ -1,9 +1,10 @@
-//! The promise: rays that break the usual formulas get the answer of exact arithmetic, in every number type that can hold
-//! them: far, tiny, huge, grazing, in the wall, in a cap's plane, rim to rim, through the apex, parallel to a generator.
+//! The promise: rays that break the usual formulas get the answer of exact arithmetic, in every number type that can
+//! hold them: far, tiny, huge, grazing, in the wall, in a cap's plane, rim to rim, through the apex, parallel to a
+//! generator.
 //!
-//! The cases are tables, a module a class (`tests/support/src/hard_case`). Each is written as it is met in the world, with what
-//! it breaks elsewhere and with its exact answer; the tables themselves are checked against the oracle. A number type
-//! rounds the inputs, and its answer is held to the exact one of the bits that it received.
+//! The cases are tables, a module a class (`tests/support/src/hard_case`). Each is written as it is met in the world,
+//! with what it breaks elsewhere and with its exact answer; the tables themselves are checked against the oracle. A
+//! number type rounds the inputs, and its answer is held to the exact one of the bits that it received.
 //! `cargo test -p raylet-promises hard_cases -- --nocapture` prints what was held and how well.
 
 use fixed::types::{I8F24, I16F16, I20F12, I32F32};

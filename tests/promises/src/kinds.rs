@@ -94,7 +94,8 @@ fn in_rounding_tiers<S: exact_types::Exact, K: Kinds>() -> usize {
     of_these::<S, K>(&[same_answers::<S, K, Plain>, same_answers::<S, K, Fast>, same_answers::<S, K, Stable>])
 }
 
-/// Compares every primitive with every placement, a few in each set, and in sets without a placement or with one of them.
+/// Compares every primitive with every placement, a few in each set, and in sets without a placement or with one of
+/// them.
 macro_rules! every_set {
     ($S:ident, $compare:ident) => {{
         let compared = [

@@ -1,12 +1,12 @@
 //! The promise: laws that hold for every primitive, ray, number type and tier, placed or not, whatever the numbers
 //! (`proptest`).
 //!
-//! Rays are drawn by workload, so that edge cases come as often as plain ones, and run along everything special besides. The
-//! generator's seed is fixed: every run sees the same cases. Laws of symmetry are in `laws_symmetry.rs`, laws between tiers in
-//! `laws_tiers.rs`, laws of departure in `reintersection.rs`.
+//! Rays are drawn by workload, so that edge cases come as often as plain ones, and run along everything special
+//! besides. The generator's seed is fixed: every run sees the same cases. Laws of symmetry are in `laws_symmetry.rs`,
+//! laws between tiers in `laws_tiers.rs`, laws of departure in `reintersection.rs`.
 //!
-//! One bound serves them all, [`support::laws::bound`]: how far from the surface a hit may lie in *space*. It knows nothing of
-//! angles, so that a grazing ray is excused of nothing but of `t`.
+//! One bound serves them all, [`support::laws::bound`]: how far from the surface a hit may lie in *space*. It knows
+//! nothing of angles, so that a grazing ray is excused of nothing but of `t`.
 
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -223,8 +223,8 @@ mod law {
         let whole = setting.shape.hits_at::<T>(&setting.ray.with_range(Range::line()));
         let (a, b) = (random.between(-5.0, 10.0), random.between(0.0, 10.0));
         let range = Range::new(number::<S>(a).expect("in range"), number(a + b).expect("in range")).expect("in order");
-        // `Exact` compares the exact end with the range's, not the rounded one: within a unit of each other the two may differ. In fixed point
-        // it computes in another number within 4 units.
+        // `Exact` compares the exact end with the range's, not the rounded one: within a unit of each other the two may
+        // differ. In fixed point it computes in another number within 4 units.
         let at_end =
             |t: S| [range.start(), range.end()].iter().any(|end| (t.to_f64() - end.to_f64()).abs() <= 4.0 * unit_at(t));
         if T::GRADE == Grade::Exact && whole.iter().any(|hit| at_end(hit.t)) {
@@ -244,8 +244,8 @@ mod law {
         Ok(())
     }
 
-    /// The parameter of the hit in exact numbers; of a hit that exact arithmetic does not have, within the promise of its tier, the one that
-    /// was told.
+    /// The parameter of the hit in exact numbers; of a hit that exact arithmetic does not have, within the promise of
+    /// its tier, the one that was told.
     fn exact_parameter<S: Number>(setting: &Setting<S>, ray: &Ray<S>, hit: &Hit<S>) -> Dyadic {
         let told = hit.t.exact();
         let exact = expected_of(&setting.solid, &setting.local_line(ray), ray);
@@ -254,8 +254,9 @@ mod law {
         same.map(|it| it.t.approximation(160)).min_by_key(|t| (t - &told).magnitude()).unwrap_or(told)
     }
 
-    /// Law 10: the normal is the gradient's direction at the exact point of the ray, as far as a point that is off by the bound
-    /// can tell; and it faces the side that the crossing tells. In tiers that promise no `t` next to grazing it may be that of the exact hit.
+    /// Law 10: the normal is the gradient's direction at the exact point of the ray, as far as a point that is off by
+    /// the bound can tell; and it faces the side that the crossing tells. In tiers that promise no `t` next to grazing
+    /// it may be that of the exact hit.
     pub(super) fn a_normal_is_the_gradient_and_faces_the_side_that_the_crossing_tells<S: Number, T: Graded<S>>(
         setting: &Setting<S>,
         _: &mut Random,
@@ -265,7 +266,8 @@ mod law {
             let local = setting.local_point(&ray, &hit.t.exact());
             let outwards = gradient(&setting.solid, exact_part(hit.part), &local);
             let off = bound::<S, T>(setting, &ray, hit.t) + 2.0 * unit_on_the_way(&ray, hit.t.to_f64());
-            // Around the axis a normal turns the more the nearer to it; at an apex it is the axis, which no crossing can tell.
+            // Around the axis a normal turns the more the nearer to it; at an apex it is the axis, which no crossing
+            // can tell.
             let from_axis = local[0].to_f64().hypot(local[2].to_f64());
             let curved = hit.part == raylet::Part::Side || setting.name.starts_with("capsule");
             let around =
@@ -275,7 +277,8 @@ mod law {
             }
             let normal = setting.shape.surface(&ray, hit).normal().to_f64();
             let exact = normalize(setting.pose.normal_to_world(outwards));
-            // A direction of the type is right to its last bits; stretched, angles grow by the square of the greatest stretch.
+            // A direction of the type is right to its last bits; stretched, angles grow by the square of the greatest
+            // stretch.
             let turn = (off / around + unit::<S>().min(2.0_f64.powi(-22))) * setting.pose.growth().powi(2);
             let apart_from = |exact: [f64; 3]| (0..3).fold(0.0, |most: f64, i| most.max((normal[i] - exact[i]).abs()));
             let mut apart = apart_from(exact);

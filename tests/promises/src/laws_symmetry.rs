@@ -1,10 +1,10 @@
-//! The promise: moving the origin along a ray moves `t`, and turning or mirroring ray and solid together changes nothing; in
-//! every number type and tier.
+//! The promise: moving the origin along a ray moves `t`, and turning or mirroring ray and solid together changes
+//! nothing; in every number type and tier.
 //!
-//! Where every number on the way is exact (mirrors and quarter turns of a solid of revolution, axis-parallel shifts on a grid) the
-//! answers are the same to the last bit. Elsewhere both answers hold on one and the same exact line, within the bound of
-//! [`support::laws::bound`], and differ in nothing but what that bound decides. `Exact` in fixed point decides alike; its `t` may be a unit
-//! apart.
+//! Where every number on the way is exact (mirrors and quarter turns of a solid of revolution, axis-parallel shifts on
+//! a grid) the answers are the same to the last bit. Elsewhere both answers hold on one and the same exact line, within
+//! the bound of [`support::laws::bound`], and differ in nothing but what that bound decides. `Exact` in fixed point
+//! decides alike; its `t` may be a unit apart.
 
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -95,8 +95,8 @@ mod law {
                     Crossing::Exit if flips => Crossing::Enter,
                     same => same,
                 };
-                // Swapped, a rounded sum of three has another order, and so may have another last bit. The fast tier cuts
-                // products off, which of a negative number goes the other way.
+                // Swapped, a rounded sum of three has another order, and so may have another last bit. The fast tier
+                // cuts products off, which of a negative number goes the other way.
                 let rounds = match T::GRADE {
                     Grade::Plain | Grade::Fast => true,
                     Grade::Stable => swap && is_float::<S>(),
@@ -189,9 +189,10 @@ mod law {
         on_one_line::<S, T>(&setting.in_own_frame(), &ray, &met(&here), &met(&there), more)
     }
 
-    /// Law 5, where every number is exact: an axis-parallel ray from a grid, moved by a number of the grid, in a world that is turned
-    /// by quarter turns and powers of two at most. In fixed point `t` shifts to the last bit (`Stable`: but for ties; `Plain`, `Fast`, and `Stable`
-    /// where the world is stretched, which round on the way: within the bound); a float's `t` is rounded where it stands.
+    /// Law 5, where every number is exact: an axis-parallel ray from a grid, moved by a number of the grid, in a world
+    /// that is turned by quarter turns and powers of two at most. In fixed point `t` shifts to the last bit (`Stable`:
+    /// but for ties; `Plain`, `Fast`, and `Stable` where the world is stretched, which round on the way: within the
+    /// bound); a float's `t` is rounded where it stands.
     pub(super) fn a_shift_along_an_axis_shifts_t_exactly<S: Number, T: Graded<S>>(
         setting: &Setting<S>,
         random: &mut Random,
@@ -234,7 +235,8 @@ mod law {
                 let apart = (&(&a.t.exact() - &b.t.exact()) - &shift.exact()).to_f64().abs();
                 prop_assert!(apart <= unit_at(a.t) + unit_at(b.t), "{ray:?} by {shift:?}: {a:?} {b:?}");
             } else if a.t != b.t.plus(shift) {
-                // Roots and reciprocals have 31 bits: what lies within an eighth of a unit of a tie may be rounded to either side.
+                // Roots and reciprocals have 31 bits: what lies within an eighth of a unit of a tie may be rounded to
+                // either side.
                 let (one, other) = (a.t.exact(), &b.t.exact() + &shift.exact());
                 let unit = unit_at(a.t);
                 prop_assert!((&one - &other).to_f64().abs() <= unit, "{ray:?} by {shift:?}: {a:?} {b:?}");

@@ -1,8 +1,9 @@
 //! The promise: a finer tier sees what a coarser one sees, but for what the coarser one's bound decides.
 //!
-//! The bound is a distance in space, that of [`support::laws::bound`], and so is how near a ray is to a decision: two tiers may differ
-//! where the chord that one of them sees is no deeper than twice the bound, where a hit is as near to both parts, or where the ray's
-//! range starts as near to the surface. A tier that loses a hit anywhere else, or gives it to another part, fails.
+//! The bound is a distance in space, that of [`support::laws::bound`], and so is how near a ray is to a decision: two
+//! tiers may differ where the chord that one of them sees is no deeper than twice the bound, where a hit is as near to
+//! both parts, or where the ray's range starts as near to the surface. A tier that loses a hit anywhere else, or gives
+//! it to another part, fails.
 
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -18,7 +19,8 @@ laws!(finer_tiers_see_the_same_crossings_on_the_same_parts);
 mod law {
     use super::*;
 
-    /// Law 4, of this tier against `Stable`, and of `Plain` and `Fast` against `Exact` too: `Exact` exists where the tier is it.
+    /// Law 4, of this tier against `Stable`, and of `Plain` and `Fast` against `Exact` too: `Exact` exists where the
+    /// tier is it.
     pub(super) fn finer_tiers_see_the_same_crossings_on_the_same_parts<S: Number, T: Graded<S>>(
         setting: &Setting<S>,
         _: &mut Random,

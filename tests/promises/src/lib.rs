@@ -1,4 +1,5 @@
-//! The tests of what raylet promises: one program, a module a promise, so that what is generic is compiled once for all of them.
+//! The tests of what raylet promises: one program, a module a promise, so that what is generic is compiled once for all
+//! of them.
 //!
 //! `cargo test -p raylet-promises laws` runs the tests whose names hold `laws`.
 #![cfg(test)]

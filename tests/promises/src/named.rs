@@ -1,7 +1,8 @@
-//! What the tests of named cases share: a ray as a placed solid sees it in exact numbers, and how far an answer may be off.
+//! What the tests of named cases share: a ray as a placed solid sees it in exact numbers, and how far an answer may be
+//! off.
 //!
-//! The modules `named_*` hold the faults that were found in the first solver, each with the numbers that showed it, and a seeded search
-//! around it.
+//! The modules `named_*` hold the faults that were found in the first solver, each with the numbers that showed it, and
+//! a seeded search around it.
 
 use raylet::scene::{Hierarchy, Node, SceneHit};
 use raylet::tier::Tier;
@@ -15,8 +16,8 @@ use support::exact_types::{Exact as Number, exact_line};
 use support::oracle::{self, ConeExtent, CylinderExtent, Dyadic, Line, Solid};
 use support::random::{Random, add, scale};
 
-/// Defines a test for each number type and tier that promises an error, from generic functions of the same names that take the units
-/// promised: one in fixed point and in `Exact`, and in floats 31 for any ray that grazes to 1e-7.
+/// Defines a test for each number type and tier that promises an error, from generic functions of the same names that
+/// take the units promised: one in fixed point and in `Exact`, and in floats 31 for any ray that grazes to 1e-7.
 macro_rules! promised {
     ($($law:ident),+ $(,)?) => {
         $(

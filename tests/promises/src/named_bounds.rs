@@ -1,8 +1,9 @@
 //! Fault 10 of the first solver: a placed shape's box holds it, to the last bit, and is at most a few units larger.
 //!
-//! The exact extreme points: a frame stores the rows of the map from the world to the solid, so that a local point v stands at
-//! p + B v of their exact inverse B. Along the i-th axis, with g the i-th row of B, a point reaches p_i + v.g, a circle of radius r about
-//! the y axis r sqrt(gx^2 + gz^2) further, and a ball of radius r (in a frame it has no axes) r |g| further.
+//! The exact extreme points: a frame stores the rows of the map from the world to the solid, so that a local point v
+//! stands at p + B v of their exact inverse B. Along the i-th axis, with g the i-th row of B, a point reaches p_i +
+//! v.g, a circle of radius r about the y axis r sqrt(gx^2 + gz^2) further, and a ball of radius r (in a frame it has no
+//! axes) r |g| further.
 
 use crate::named::{any_frame, axes, seen, to_world};
 use dashu::rational::RBig;
@@ -146,7 +147,8 @@ fn placed_bounds_hold_the_exact_extreme_points_and_are_tight<S: Number>() {
                 );
                 let turned = shape.placed(frame).bounds();
                 assert_bounds(&turned, solid, &rows(&frame, solid), frame.position(), &format!("{name}, turned"));
-                // Stretched by powers of two, which an affine stores exactly for axes of which no component is nearly 1.
+                // Stretched by powers of two, which an affine stores exactly for axes of which no component is nearly
+                // 1.
                 let stored = [frame.left(), frame.up(), frame.forward()].map(UnitVec3::to_f64);
                 if stored.iter().flatten().any(|c| c.abs() > 0.99) {
                     continue;
@@ -179,7 +181,8 @@ fn the_box_of_a_triangle_that_lands_at_the_origin_holds_it() {
     assert_bounds(&shape.placed(frame).bounds(), &solid, &axes(&frame), frame.position(), "the triangle");
 }
 
-/// Triangles a tenth to ten large, so far out in a frame that they land about the world's origin; and a hierarchy loses none of them.
+/// Triangles a tenth to ten large, so far out in a frame that they land about the world's origin; and a hierarchy loses
+/// none of them.
 fn bounds_hold_triangles_whose_coordinates_cancel_the_position<S: Number>() {
     let far: &[f64] = if S::name() == "I16F16" { &[100.0, 8_000.0] } else { &[1e2, 1e4, 1e5] };
     let mut random = Random(42);
@@ -215,8 +218,8 @@ fn the_box_of_a_ball_does_not_grow_when_it_is_turned<S: Number>() {
     }
 }
 
-/// A can of radius 3 and height 5 along (3, 4, 0) / 5: its axis reaches (3, 4, 0), its discs 3 sqrt(1 - a^2) = (2.4, 1.8, 3) about both
-/// ends; and the same for a disc, a capsule (3 about both ends) and a cone.
+/// A can of radius 3 and height 5 along (3, 4, 0) / 5: its axis reaches (3, 4, 0), its discs 3 sqrt(1 - a^2) = (2.4,
+/// 1.8, 3) about both ends; and the same for a disc, a capsule (3 about both ends) and a cone.
 fn the_box_of_a_turned_can_is_that_of_its_discs<S: Number>() {
     let frame = Frame::from_base_and_axis(Vec3::ZERO, direction::<S>([3.0, 4.0, 0.0])).unwrap();
     let (r, h) = (n::<S>(3.0), n::<S>(5.0));

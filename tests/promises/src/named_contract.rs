@@ -1,5 +1,5 @@
-//! Faults 6 and 12 of the first solver: when a ray starts inside; the degenerate rays that the table lacked; which points a solid
-//! contains; and occlusion that agrees with the nearest hit for every size.
+//! Faults 6 and 12 of the first solver: when a ray starts inside; the degenerate rays that the table lacked; which
+//! points a solid contains; and occlusion that agrees with the nearest hit for every size.
 
 use crate::named::{any_frame, extreme_ray, extreme_solid, point_in, ray_in};
 use raylet::tier::{Exact, Fast, Plain, Stable, Tier};
@@ -120,8 +120,8 @@ fn a_range_that_starts_at_an_end_starts_inside_where_it_leaves<S: Number, T: Tie
     }
 }
 
-/// Steeper than the side it lies in both nappes, which meet at the apex: out of one and into the other at one t. Less steep it touches the
-/// apex, and as steep it lies in the side.
+/// Steeper than the side it lies in both nappes, which meet at the apex: out of one and into the other at one t. Less
+/// steep it touches the apex, and as steep it lies in the side.
 fn a_line_through_the_apex_of_a_double_cone_passes_from_nappe_to_nappe<S: Number, T: Tier<S>>(_: f64) {
     let through = |t: f64| vec![(t, Part::Side, Crossing::Exit), (t, Part::Side, Crossing::Enter)];
     let at_rest = Frame::at(Vec3::ZERO).unwrap();
@@ -141,7 +141,8 @@ fn a_line_through_the_apex_of_a_double_cone_passes_from_nappe_to_nappe<S: Number
             assert!(!across.starts_inside());
         }
     }
-    // Not along the axis: from the apex, every stored direction passes through it. (Slope 1: 3 in 5 is steep, 4 in 5 is not.)
+    // Not along the axis: from the apex, every stored direction passes through it. (Slope 1: 3 in 5 is steep, 4 in 5 is
+    // not.)
     let cone = Shape::new(Cone::double(n::<S>(1.0)).unwrap());
     let steep = hits::<S, T>(&cone, [0.0; 3], direction([0.0, -4.0, 3.0]), LINE);
     assert_eq!(summary(&steep), through(0.0));
@@ -178,8 +179,9 @@ fn belongs<S: Number>(frame: Option<&Frame<S>>, solid: &Solid, point: &[Dyadic; 
     oracle::contains(solid, &local) != Membership::Outside
 }
 
-/// `Stable` may be wrong about a point only within a unit of the boundary, and `Exact` not at all: points of surfaces, rounded, and points
-/// two units beside them. (3 % of such points of placed solids were told wrong, 14 % of a disc's, and 8 % of a capsule's unplaced.)
+/// `Stable` may be wrong about a point only within a unit of the boundary, and `Exact` not at all: points of surfaces,
+/// rounded, and points two units beside them. (3 % of such points of placed solids were told wrong, 14 % of a disc's,
+/// and 8 % of a capsule's unplaced.)
 fn what_is_more_than_a_unit_from_the_boundary_is_told_apart<S: Number, T: Tier<S>>(_: f64) {
     let is_exact = std::any::type_name::<T>() == std::any::type_name::<Exact>();
     let (mut random, mut told) = (Random(21), 0);

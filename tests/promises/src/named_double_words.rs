@@ -64,7 +64,8 @@ fn a_ray_with_very_small_components_along_a_cylinder() {
     }
 }
 
-/// 312 units: of a start next to the plane only the last bits of double words were left, which a disc's crossing and a rectangle's did not count.
+/// 312 units: of a start next to the plane only the last bits of double words were left, which a disc's crossing and a
+/// rectangle's did not count.
 #[test]
 fn a_ray_from_next_to_a_turned_rectangle_and_along_it() {
     let axes = [

@@ -14,7 +14,8 @@ fn units_apart(t: f32, exact: f64) -> f64 {
     (f64::from(t) - exact).abs() / unit
 }
 
-/// The formula from the point of closest approach took the direction's length to be 1. From close by that is many units of `t`.
+/// The formula from the point of closest approach took the direction's length to be 1. From close by that is many units
+/// of `t`.
 #[test]
 fn a_sphere_close_by_is_met_as_promised() {
     let direction = UnitVec3::new(f32s([0xbf25_aa24, 0x3f41_84c6, 0xbdca_aa5c])).expect("a length");

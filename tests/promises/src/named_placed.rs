@@ -1,5 +1,5 @@
-//! Faults 1, 3 and 5 of the first solver: a solid that is moved or turned is met as exactly as one that is not, `Fast` loses no solid
-//! along its wall, and `Exact` departs exactly from a placed solid.
+//! Faults 1, 3 and 5 of the first solver: a solid that is moved or turned is met as exactly as one that is not, `Fast`
+//! loses no solid along its wall, and `Exact` departs exactly from a placed solid.
 
 use crate::named::{any_frame, assert_hits, bits, judge, line_in, ray, ray_in};
 use core::any::TypeId;
@@ -26,8 +26,8 @@ promised!(
     rays_at_small_angles_to_a_placed_plane_or_disc_are_right,
 );
 
-/// `Stable` had no hit. With q = o - p, a t^2 + 2 k t + c of x and z has the roots below; the line is 1.6e-8 of the radius deep, and y is
-/// 1.00003 and .99997 there.
+/// `Stable` had no hit. With q = o - p, a t^2 + 2 k t + c of x and z has the roots below; the line is 1.6e-8 of the
+/// radius deep, and y is 1.00003 and .99997 there.
 #[test]
 fn a_capped_cylinder_that_is_only_moved_is_not_lost() {
     let position = bits([0xbfd4_dddf, 0xbfe3_1b75, 0xbffb_b29b]).into();
@@ -149,7 +149,8 @@ fn rays_at_small_angles_to_a_placed_plane_or_disc_are_right<S: Number, T: Tier<S
     assert_none([1.0, 1e-2].map(|angle| meet_flat::<S, T>(large, [5_000.0, 5_000.0, 1_000.0, angle], units)));
 }
 
-/// `Fast` had no hit. The ray runs parallel to the wall, 25 inside: in at 1 / .894, out at 101 / .894. A turn by quarters moves no number.
+/// `Fast` had no hit. The ray runs parallel to the wall, 25 inside: in at 1 / .894, out at 101 / .894. A turn by
+/// quarters moves no number.
 #[test]
 fn fast_does_not_lose_a_frustum_whose_wall_the_ray_runs_along() {
     let frustum = Shape::new(Cone::frustum(100.0_f64, 150.0, 100.0).unwrap());
@@ -207,8 +208,9 @@ fn exact_departs_from_a_moved_ball_without_rounding() {
     assert_hits::<f32, Exact>(&ball, &inwards(ray), &[(0.24743038969887665, Part::Side, Crossing::Exit)], 1.0);
 }
 
-/// Where a ray that departs inwards from the side ends: on the side's quadric the constant term is zero, so that the other root is
-/// -2 k / a; caps keep the stored coordinates; an end behind the start is at the start. `None` without end.
+/// Where a ray that departs inwards from the side ends: on the side's quadric the constant term is zero, so that the
+/// other root is -2 k / a; caps keep the stored coordinates; an end behind the start is at the start. `None` without
+/// end.
 fn far_end(solid: &Solid, line: &Line) -> Option<(Root, oracle::Part)> {
     let (o, d) = (&line.origin, &line.direction);
     // The weight of y^2 in the side's equation, the height, and whether there is a base.
@@ -270,8 +272,9 @@ fn exact_departs_from_placed_solids_without_rounding() {
     leave_placed_solids::<I16F16>();
 }
 
-/// From one end of the budget of coordinates to a cylinder at the other, which stands in the ray's way though neither of them is on an axis. The
-/// difference of their coordinates needs one bit more than the type has: where the ray comes from above it was lost.
+/// From one end of the budget of coordinates to a cylinder at the other, which stands in the ray's way though neither
+/// of them is on an axis. The difference of their coordinates needs one bit more than the type has: where the ray comes
+/// from above it was lost.
 fn meets_across_the_budget<S: Number>(limit: f64)
 where
     Stable: Tier<S>,
@@ -295,7 +298,8 @@ fn cylinders_at_the_other_end_of_the_budget_are_met() {
     meets_across_the_budget::<I32F32>(1_073_741_824.0);
 }
 
-/// All components of a row of the inverse, and of the direction, are large: sums of the middle digits of their products exceeded 64 bits.
+/// All components of a row of the inverse, and of the direction, are large: sums of the middle digits of their products
+/// exceeded 64 bits.
 #[test]
 fn large_components_in_a_row_of_a_matrix_do_not_overflow() {
     let vector = |bits: [i64; 3]| Vec3::from(bits.map(I32F32::from_bits));

@@ -1,5 +1,5 @@
-//! Faults 4 and 11 of the first solver: normals and points are those of the exact hit, not of the rounded `t`; surface coordinates are
-//! right for every size.
+//! Faults 4 and 11 of the first solver: normals and points are those of the exact hit, not of the rounded `t`; surface
+//! coordinates are right for every size.
 
 use crate::named::{any_frame, axes, dot, line_in, ray, ray_in};
 use fixed::types::I16F16;
@@ -22,8 +22,8 @@ promised!(normals_and_points_are_those_of_the_exact_hit);
 /// How far a normal or a point may be off, in units of its type.
 const MOST: f64 = 4.0;
 
-/// The unit in which a normal is judged: that of a direction's component in floats; in fixed point that of `t`, from which the hit's point
-/// is made, since a direction has 14 bits more than any coordinate.
+/// The unit in which a normal is judged: that of a direction's component in floats; in fixed point that of `t`, from
+/// which the hit's point is made, since a direction has 14 bits more than any coordinate.
 fn component<S: Number>() -> f64 {
     match S::name().as_str() {
         "f32" => 2.0_f64.powi(-24),
@@ -39,8 +39,8 @@ fn assert_close(found: [f64; 3], exact: [f64; 3], tolerance: f64, what: &str) {
     assert!(far <= tolerance, "{what}: {found:?} is {far:e} off {exact:?}, and may be {tolerance:e}");
 }
 
-/// From 1e7 away (a unit of `t` is 1) at y = .95 of the radius: the normal was (0, 1, 0). The exact one is (-sqrt(1 - y^2), y, 0) of
-/// y = .095 / .1 as they are stored, and the point is (-sqrt(r^2 - y^2), y, 0).
+/// From 1e7 away (a unit of `t` is 1) at y = .95 of the radius: the normal was (0, 1, 0). The exact one is (-sqrt(1 -
+/// y^2), y, 0) of y = .095 / .1 as they are stored, and the point is (-sqrt(r^2 - y^2), y, 0).
 #[test]
 fn a_small_ball_and_a_thin_can_far_away_have_the_normal_of_the_exact_hit() {
     let (radius, near) = (0.1_f32, 0.095_f32);
@@ -73,8 +73,9 @@ fn a_small_ball_and_a_thin_can_far_away_have_the_normal_of_the_exact_hit() {
     assert_close(normal, [-0.31224989991992, 0.95, 0.0], MOST * 2.0_f64.powi(-53), "normal in f64");
 }
 
-/// A double cone of which the first hit lies at x = 34,776, beyond `I16F16`: its normal was off by .01, and its point infinite. The normals
-/// are (x, -slope^2 y, z) of the exact points, made unit; of the point the other coordinates can be told, and x ends at the type's end.
+/// A double cone of which the first hit lies at x = 34,776, beyond `I16F16`: its normal was off by .01, and its point
+/// infinite. The normals are (x, -slope^2 y, z) of the exact points, made unit; of the point the other coordinates can
+/// be told, and x ends at the type's end.
 #[test]
 fn a_hit_beyond_the_type_has_its_normal_and_a_finite_point() {
     let cone = Shape::new(Cone::double(I16F16::from_bits(424_213)).unwrap());
@@ -121,7 +122,8 @@ fn off(found: &Dyadic, exact: &Dyadic) -> f64 {
     (found - exact).to_f64().abs()
 }
 
-/// At any distance, unplaced and placed. The placed normal is the axes' transpose applied to the local gradient; the point is o + t d.
+/// At any distance, unplaced and placed. The placed normal is the axes' transpose applied to the local gradient; the
+/// point is o + t d.
 fn normals_and_points_are_those_of_the_exact_hit<S: Number, T: Tier<S>>(_: f64) {
     let mut seen = 0;
     for name in ["sphere", "capsule", "cylinder capped", "cone capped", "frustum capped", "disc", "triangle"] {
@@ -218,8 +220,8 @@ fn a_ball_of_any_size_has_its_coordinates_in_floats() {
     a_ball_of_any_size_has_its_coordinates::<f64>(&[-1000, -700, -520, -500, -100, 0, 100, 500, 520, 700, 1022]);
 }
 
-/// Was NaN in an affine at 2^126. The corners are (-1, 0, -1), (1, 0, -1) and (-1, 0, 1), so that u = (x + 1) / 2 and v = (z + 1) / 2; a
-/// line along the local y axis meets x = -.5, z = 0, however the columns stretch, turn or shear it.
+/// Was NaN in an affine at 2^126. The corners are (-1, 0, -1), (1, 0, -1) and (-1, 0, 1), so that u = (x + 1) / 2 and v
+/// = (z + 1) / 2; a line along the local y axis meets x = -.5, z = 0, however the columns stretch, turn or shear it.
 #[test]
 fn a_triangle_of_any_size_has_its_coordinates_in_any_placement() {
     let columns = [
@@ -246,8 +248,8 @@ fn a_triangle_of_any_size_has_its_coordinates_in_any_placement() {
     }
 }
 
-/// Was turned a quarter on flat parts, so that waves on water ran across each other. A solid half as large again has the tangents of the
-/// solid itself.
+/// Was turned a quarter on flat parts, so that waves on water ran across each other. A solid half as large again has
+/// the tangents of the solid itself.
 fn tangents_of_an_evenly_stretched_solid_are_its_own<S: Number>() {
     let mut random = Random(31);
     for name in ["sphere", "capsule", "cylinder capped", "cone capped", "frustum capped", "plane", "disc", "triangle"] {

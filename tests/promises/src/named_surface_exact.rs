@@ -1,5 +1,5 @@
-//! Faults of points, normals, surface coordinates and tangents in the second solver, each with the numbers that showed it, and a seeded
-//! search around it: the hit that is described is the exact one, wherever it lies.
+//! Faults of points, normals, surface coordinates and tangents in the second solver, each with the numbers that showed
+//! it, and a seeded search around it: the hit that is described is the exact one, wherever it lies.
 
 use crate::named::{any_frame, axes, bits, dot, line_in, ray};
 use fixed::types::{I8F24, I16F16, I24F8, I32F32};
@@ -102,7 +102,8 @@ fn a_rim_that_is_touched_from_afar_has_its_own_point_and_normal() {
     }
 }
 
-/// Solids of revolution with rims whose points are numbers of the type: of size 1 in floats, of few units in fixed point.
+/// Solids of revolution with rims whose points are numbers of the type: of size 1 in floats, of few units in fixed
+/// point.
 fn rimmed<S: Number>(random: &mut Random, size: f64) -> (Shape<S>, Solid, [f64; 3]) {
     let length = |size: f64| n::<S>(size);
     let (radius, height) = (size * random.pick(&[1.0, 2.0]), size * random.pick(&[1.0, 2.0, 4.0]));
@@ -176,7 +177,8 @@ fn rims_that_are_touched_have_their_own_points_and_normals() {
     rims_that_are_touched::<I8F24, Stable>(2.0_f64.powi(-24), 24);
 }
 
-/// A turned frame, and a ray that starts this far along the axis, given in its coordinates, at a tube or a cone about it.
+/// A turned frame, and a ray that starts this far along the axis, given in its coordinates, at a tube or a cone about
+/// it.
 fn from_far_along_the_axis<S: Number, T: Tier<S>>(most: f64, distances: &[f64]) {
     let mut random = Random(42);
     let mut seen = 0;
@@ -245,7 +247,8 @@ fn a_plane_has_its_tangents_beyond_the_type() {
     assert_eq!(floor.surface(&ray, &hit).tangents(), (UnitVec3::X, UnitVec3::Z));
 }
 
-/// The point (-70, 0, 0) and the local point (-91.92, 0, -91.92) are numbers of the type; the offset from the frame, -130, is not.
+/// The point (-70, 0, 0) and the local point (-91.92, 0, -91.92) are numbers of the type; the offset from the frame,
+/// -130, is not.
 #[test]
 fn a_point_whose_offset_alone_is_beyond_the_type_is_right() {
     let frame = Frame::turned_about(v::<I8F24>([60.0, 0.0, 0.0]), UnitVec3::Y, n(45.0)).unwrap();
@@ -365,7 +368,8 @@ fn hits_beyond_the_type_have_their_points_normals_coordinates_and_tangents() {
     beyond_the_type::<I32F32, Stable>();
 }
 
-/// Slivers whose third vertex lies off the first edge by these fractions of its length. Normals were off by 9.2e-3 in `f32`.
+/// Slivers whose third vertex lies off the first edge by these fractions of its length. Normals were off by 9.2e-3 in
+/// `f32`.
 fn slivers<S: Number>(fractions: &[f64]) {
     let (mut random, mut seen) = (Random(44), 0);
     for _ in 0..times(3_000) {
@@ -404,7 +408,8 @@ fn slivers_have_the_normals_of_their_vertices() {
     slivers::<I32F32>(&[1.0, 1e-3, 1e-6]);
 }
 
-/// The point was 225 units off the surface: that of the ray at a `t` of which the departure knows, and the line does not.
+/// The point was 225 units off the surface: that of the ray at a `t` of which the departure knows, and the line does
+/// not.
 #[test]
 fn a_point_next_to_an_apex_lies_on_the_surface_after_a_departure() {
     let (slope, height) = (1.406_159_6_f32, 0.871_144_3_f32);
@@ -497,8 +502,8 @@ fn curved<S: Number>(random: &mut Random, size: f64) -> (Shape<S>, Solid) {
     (Shape::new(shape), solid)
 }
 
-/// In fixed point a unit of a direction is far smaller than what the rounding of `t` turns a normal by: 2.8e-4 for a ball of radius 10 in
-/// `I24F8`. Hits at which the line is nearly in the surface are not determined so well.
+/// In fixed point a unit of a direction is far smaller than what the rounding of `t` turns a normal by: 2.8e-4 for a
+/// ball of radius 10 in `I24F8`. Hits at which the line is nearly in the surface are not determined so well.
 fn fixed_normals<S: Number, T: Tier<S>>(sizes: &[f64]) {
     let (mut random, mut seen, mut worst) = (Random(46), 0, 0.0_f64);
     for round in 0..times(3_000) {

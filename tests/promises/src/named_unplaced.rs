@@ -1,5 +1,5 @@
-//! Faults 2, 7 and 9 of the first solver: `Stable` keeps its promise unplaced, `Exact` is right for every size that a constructor takes,
-//! and a line that misses by far touches nothing.
+//! Faults 2, 7 and 9 of the first solver: `Stable` keeps its promise unplaced, `Exact` is right for every size that a
+//! constructor takes, and a line that misses by far touches nothing.
 
 use crate::named::{Want, assert_hits, bits, extreme, extreme_ray, extreme_solid, judge, line_in, ray, seen};
 use fixed::types::I16F16;
@@ -59,7 +59,8 @@ fn a_ball_in_fixed_point_is_met_within_a_unit() {
     assert_hits::<I16F16, Exact>(&ball, &ray, &want, 1.0);
 }
 
-/// Was 4.11 units off. Behind the start the line leaves the nappe at y = 43,504; the other root is the lower nappe's, beyond the type.
+/// Was 4.11 units off. Behind the start the line leaves the nappe at y = 43,504; the other root is the lower nappe's,
+/// beyond the type.
 #[test]
 fn a_nappe_in_fixed_point_is_met_within_a_unit() {
     let nappe = Shape::new(Cone::nappe(I16F16::from_bits(37_405)).unwrap());
@@ -71,8 +72,8 @@ fn a_nappe_in_fixed_point_is_met_within_a_unit() {
     assert!(nappe.hits(&ray).starts_inside());
 }
 
-/// `Exact` had no hit, and panicked where overflow is checked. The side is z = y / h: in at y = 2^-298, out of the top at y = 2^-149, both
-/// at a t that rounds to -2^126.
+/// `Exact` had no hit, and panicked where overflow is checked. The side is z = y / h: in at y = 2^-298, out of the top
+/// at y = 2^-149, both at a t that rounds to -2^126.
 #[test]
 fn exact_meets_the_flattest_frustum_from_the_farthest_start() {
     let (least, most) = (f32::from_bits(1), 2.0_f32.powi(126));
@@ -83,8 +84,8 @@ fn exact_meets_the_flattest_frustum_from_the_farthest_start() {
     assert!(!frustum.hits_at::<Exact>(&ray).starts_inside());
 }
 
-/// The solid and the ray, placed: moved by extreme coordinates, or stretched by extreme powers of two too. (A stretch by powers of two is
-/// stored exactly.) `None` where the placement is refused.
+/// The solid and the ray, placed: moved by extreme coordinates, or stretched by extreme powers of two too. (A stretch
+/// by powers of two is stored exactly.) `None` where the placement is refused.
 fn placed<S: Number>(random: &mut Random, shape: Shape<S>, solid: &Solid, ray: &Ray<S>) -> Option<(Shape<S>, Line)> {
     let coordinate = |random: &mut Random| if random.below(2) == 0 { S::ZERO } else { extreme(random) };
     let frame = Frame::at([(); 3].map(|()| coordinate(random)).into()).ok()?;
@@ -108,7 +109,8 @@ fn placed<S: Number>(random: &mut Random, shape: Shape<S>, solid: &Solid, ray: &
     }
 }
 
-/// Either the numbers hold what a constructor takes, or the constructor refuses it: each solid, at extreme sizes, in extreme placements.
+/// Either the numbers hold what a constructor takes, or the constructor refuses it: each solid, at extreme sizes, in
+/// extreme placements.
 fn exact_is_right_for_every_size_that_is_taken<S: Number>()
 where
     Exact: Tier<S>,
@@ -150,8 +152,8 @@ fn exact_finds_a_chord_below_the_rounding_of_doubles() {
     assert!(judge::<f32, Exact>(&needle, &solid, &exact_line(&ray), &ray).is_ok_and(|error| error <= 1.0));
 }
 
-/// Every number that the equations of these solids have is as small, as ordinary or as large as the type holds it: all of them, with every
-/// start of such coordinates, along an axis and across. A size may be refused.
+/// Every number that the equations of these solids have is as small, as ordinary or as large as the type holds it: all
+/// of them, with every start of such coordinates, along an axis and across. A size may be refused.
 #[test]
 fn exact_is_right_where_the_numbers_of_a_solid_are_at_their_extremes() {
     let numbers = [0.0, f32::from_bits(1), 1.0, 2.0_f32.powi(126)];
@@ -217,7 +219,8 @@ fn a_hierarchy_sees_no_frustum_missed_by_far_and_nor_does_a_scene_without() {
     assert!(plain.is_none() && boxed.is_none(), "{plain:?}, {boxed:?}");
 }
 
-/// Lines from 10 to the power of these exponents away, that miss a ball of radius 8 about the frustum by exact arithmetic.
+/// Lines from 10 to the power of these exponents away, that miss a ball of radius 8 about the frustum by exact
+/// arithmetic.
 fn lines_that_miss_by_far_touch_nothing<S: Number, T: Tier<S>>(least: f64, most: f64) {
     let (mut random, mut missed, mut invented) = (Random(19), 0, vec![]);
     let around = Solid::Sphere { radius: n::<S>(8.0).exact() };
@@ -250,8 +253,8 @@ fn fast_touches_no_frustum_that_is_missed_by_far_either() {
     lines_that_miss_by_far_touch_nothing::<f64, Fast>(9.0, 40.0);
 }
 
-/// Was one touch of the side where the line enters through one cap and leaves through the other: both are at the same rounded `t`.
-/// (In `Stable` rounding decides what is within a unit of touching.)
+/// Was one touch of the side where the line enters through one cap and leaves through the other: both are at the same
+/// rounded `t`. (In `Stable` rounding decides what is within a unit of touching.)
 #[test]
 fn a_coin_thinner_than_a_unit_is_entered_and_left() {
     let coin = Shape::new(Cylinder::capped(2.0_f32, 1e-40).unwrap());
@@ -272,8 +275,8 @@ fn a_capsule_is_left_through_its_top_however_high_that_is() {
     assert_hits::<f32, Stable>(&pill, &ray, &want, 1.0);
 }
 
-/// The guard of a ball next to the start is a product of six lengths: from a radius of 2.5 million on it overflowed in `f32`, below 3e-8 it
-/// vanished, and every end was taken for good.
+/// The guard of a ball next to the start is a product of six lengths: from a radius of 2.5 million on it overflowed in
+/// `f32`, below 3e-8 it vanished, and every end was taken for good.
 #[test]
 fn balls_of_any_size_are_met_within_16_units() {
     let mut random = Random(17);

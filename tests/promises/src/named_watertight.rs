@@ -1,4 +1,5 @@
-//! Fault 8 of the first solver: no ray slips between triangles that share an edge or a corner, in any frame and whatever their sizes.
+//! Fault 8 of the first solver: no ray slips between triangles that share an edge or a corner, in any frame and
+//! whatever their sizes.
 
 use crate::named::{any_frame, bits, ray, to_world, units_off};
 use raylet::tier::{Exact, Stable, Tier};
@@ -14,8 +15,8 @@ promised!(
     no_ray_from_far_away_slips_between_triangles_of_a_placed_fan,
 );
 
-/// Two triangles in one frame and a ray at their shared edge: neither was hit. The ray passes 5e-9 within the second, .375 along the edge
-/// from a to b.
+/// Two triangles in one frame and a ray at their shared edge: neither was hit. The ray passes 5e-9 within the second,
+/// .375 along the edge from a to b.
 #[test]
 fn a_ray_at_the_edge_that_two_placed_triangles_share_hits_one_of_them() {
     fn hits<T: Tier<f32>>(units: f64) {
@@ -54,7 +55,8 @@ struct Fan {
 }
 
 impl Fan {
-    /// Corners around the centre at such radii, at heights up to a fifth of those; half of the fans with coordinates in eighths.
+    /// Corners around the centre at such radii, at heights up to a fifth of those; half of the fans with coordinates in
+    /// eighths.
     fn new(random: &mut Random, &Aim { corners, radii, thin, .. }: &Aim<'_>) -> Self {
         let centre = [random.between(-1.0, 1.0), 0.0, random.between(-1.0, 1.0)];
         let height = if thin < 1.0 || random.below(2) == 0 { 0.0 } else { 0.2 };
@@ -86,7 +88,8 @@ impl Fan {
             .collect()
     }
 
-    /// True if the ray sees all triangles from the same side, none of them as a line: then it passes through one of them.
+    /// True if the ray sees all triangles from the same side, none of them as a line: then it passes through one of
+    /// them.
     fn is_seen_whole(&self, along: [f64; 3]) -> bool {
         let count = self.ring.len();
         let facing = |i: usize| {

@@ -1,4 +1,5 @@
-//! The promise: files as others wrote them are read for what they mean: lights as far as the sun, patches that run the wrong way.
+//! The promise: files as others wrote them are read for what they mean: lights as far as the sun, patches that run the
+//! wrong way.
 
 use fixed::types::{I16F16, I32F32};
 use raylet::scene::nff::{self, Corner, Counts, Scale, Stores, View};

@@ -1,5 +1,5 @@
-//! Nothing overflows, nothing panics, no result is NaN: at the budget's limits and on every raw value that a constructor
-//! lets in, for floats and for fixed point of every kind. The tests are built with overflow checks.
+//! Nothing overflows, nothing panics, no result is NaN: at the budget's limits and on every raw value that a
+//! constructor lets in, for floats and for fixed point of every kind. The tests are built with overflow checks.
 
 use fixed::types::extra::{LeEqU32, LeEqU64, U0, U16, U30, U32, U64};
 use fixed::{FixedI32, FixedI64};
@@ -17,8 +17,8 @@ trait Raw: Scalar {
     fn from_random(random: &mut Random) -> Self;
     /// Values at the ends of the type, of the budget, and around one and zero.
     fn extremes() -> Vec<Self>;
-    /// True if the square of the smallest number beside the largest is zero: a solid may be 2^200 times as long as wide,
-    /// and what is decided there by squares is decided by nothing.
+    /// True if the square of the smallest number beside the largest is zero: a solid may be 2^200 times as long as
+    /// wide, and what is decided there by squares is decided by nothing.
     const SQUARES_VANISH: bool;
     /// Components of a direction.
     fn unit_from(value: f64) -> Self::Unit;

@@ -1,8 +1,9 @@
 //! The promise: every tier in every number type agrees with exact arithmetic, within the bounds of one table.
 //!
-//! The table is `data/bounds`: tier, number type, primitive, placement and workload, with the errors of `t` in units in the
-//! last place, the hit-or-miss errors, and how many rays break the tier's promise. Rays are seeded and results are the same bits everywhere, so that the bounds are
-//! what was measured, rounded up in the third digit. `cargo run --release -p raylet-accuracy -- --write` renews it.
+//! The table is `data/bounds`: tier, number type, primitive, placement and workload, with the errors of `t` in units in
+//! the last place, the hit-or-miss errors, and how many rays break the tier's promise. Rays are seeded and results are
+//! the same bits everywhere, so that the bounds are what was measured, rounded up in the third digit.
+//! `cargo run --release -p raylet-accuracy -- --write` renews it.
 
 use fixed::types::{I16F16, I32F32};
 use raylet::Ray;
@@ -28,8 +29,8 @@ fn key(row: &Figures) -> Key<'_> {
     [row.tier, &row.number, row.primitive, &row.placed, &row.workload]
 }
 
-/// Every row over all of its rays: nothing is worse than its bound, and no bound is larger than it must be. The quick look takes the
-/// first rays of each row, which can only tell that none of them is worse than the worst.
+/// Every row over all of its rays: nothing is worse than its bound, and no bound is larger than it must be. The quick
+/// look takes the first rays of each row, which can only tell that none of them is worse than the worst.
 #[test]
 fn every_row_of_the_table_holds() {
     let rays = amount(bounds::QUICK, bounds::RAYS);
@@ -102,7 +103,8 @@ fn compare_worst(row: &Figures, bound: &Figures, name: &str, broken: &mut String
     compare_broken(row, bound, name, broken);
 }
 
-/// `Exact`: nothing wrong, and every `t` of floats rounded correctly but for ties, of fixed point nearly so; placed or not, departing or not.
+/// `Exact`: nothing wrong, and every `t` of floats rounded correctly but for ties, of fixed point nearly so; placed or
+/// not, departing or not.
 #[test]
 fn the_bar_of_the_exact_tier_holds() {
     for row in bounds::all().iter().filter(|row| row.tier == "Exact") {
@@ -112,7 +114,8 @@ fn the_bar_of_the_exact_tier_holds() {
     }
 }
 
-/// What each tier promises of every ray holds in every row (`support::promise`), and with it for solids as they are placed.
+/// What each tier promises of every ray holds in every row (`support::promise`), and with it for solids as they are
+/// placed.
 #[test]
 fn no_row_breaks_what_its_tier_promises() {
     let broken: Vec<_> = bounds::all().into_iter().filter(|row| row.broken > 0).collect();
@@ -131,7 +134,8 @@ fn the_bar_of_the_default_tier_holds_for_f32() {
     for name in SUBJECTS {
         let subject = Subject::<f32>::new(name);
         for (workload, median) in [
-            // The formulas: .645 for the open frustum, which has the most of them, and .615 for the infinite cylinder far away.
+            // The formulas: .645 for the open frustum, which has the most of them, and .615 for the infinite cylinder
+            // far away.
             (Workload::Benign, 0.66),
             (Workload::Away(100.0), 0.6),
             (Workload::Away(1_000.0), 0.66),

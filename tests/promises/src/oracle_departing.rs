@@ -1,5 +1,6 @@
-//! The oracle's answer for a line that departs from a solid: from a point that lies on the surface exactly, it is the ordinary answer
-//! without the point itself; from one that does not, the roots are 0 and `-2k/a`, and nothing is before the start.
+//! The oracle's answer for a line that departs from a solid: from a point that lies on the surface exactly, it is the
+//! ordinary answer without the point itself; from one that does not, the roots are 0 and `-2k/a`, and nothing is before
+//! the start.
 
 use support::amount::times;
 use support::oracle::{

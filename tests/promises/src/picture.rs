@@ -339,7 +339,8 @@ fn smooth_triangles_interpolate_their_normals() {
 
 #[test]
 fn highlights_follow_phong() {
-    // Eye, normal and lamp at 60 degrees from each other in a plane: the mirrored ray meets the eye at 60 degrees less 60.
+    // Eye, normal and lamp at 60 degrees from each other in a plane: the mirrored ray meets the eye at 60 degrees less
+    // 60.
     let objects = [Object::new(Shape::new(Plane::new()), 0)];
     let cast = |material: Material<f64>, lamp: [f64; 3]| {
         let (materials, lights) = ([material], [Light::new(lamp.into(), 1.0)]);
@@ -411,7 +412,8 @@ fn a_pixel_tells_its_own_object_and_lights() {
     let above = Object::new(Shape::new(Sphere::new(1.0_f32).unwrap()).placed(lifted(4.0)), 1);
     let objects = [Object::new(Shape::new(Plane::new()), 0), above];
     let materials = [Material::matte(Color::WHITE).with_mirror(0.5), Material::matte(Color::WHITE)];
-    // Even lamps shine on the floor, odd ones on the ball from above; none on the ball from below, where it is mirrored.
+    // Even lamps shine on the floor, odd ones on the ball from above; none on the ball from below, where it is
+    // mirrored.
     let light = |i| Light::new(if i % 2 == 0 { Vec3::new(5.0, 9.0, 0.0) } else { Vec3::new(0.0, 9.0, 0.0) }, 0.01);
     let look = |lights: &[Light<f32>]| {
         let scene = Scene::new(&objects, &materials, lights, camera()).unwrap();

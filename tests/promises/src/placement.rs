@@ -128,7 +128,8 @@ fn points_and_normals_are_accurate_far_from_the_origin<S: Exact>() {
                         (here.surface(&ray, hit).point().to_f64(), placed.surface(&moved, hit).point().to_f64());
                     let unit_at = |place: f64| S::unit_at(&oracle::Root::from(&place.exact())).to_f64();
                     let off = [q[0] - far - p[0], q[1] + far - p[1], q[2] - far - p[2]];
-                    // Half a unit there; and three of the point near the origin: each of both is a sum of three rounded products, and one and a half off.
+                    // Half a unit there; and three of the point near the origin: each of both is a sum of three rounded
+                    // products, and one and a half off.
                     let most = 0.5 * unit_at(far) + 3.0 * unit_at(p.iter().fold(0.0, |most, c| c.abs().max(most)));
                     assert!(
                         off.iter().all(|off| off.abs() <= most),
@@ -267,8 +268,9 @@ fn affine_normals_and_tangents_fit_the_surface<S: Exact>() {
         worst[0] / unit::<S>(),
         worst[1] / component::<S>()
     );
-    // The normal is that of the exact hit, the reference that of the local point, which is rounded to a unit: 3.1 of them were measured
-    // for fixed point, 1.75 for floats; 3.1 components. Over 25 times as many rays 3.43, 2.25 and 4.52.
+    // The normal is that of the exact hit, the reference that of the local point, which is rounded to a unit: 3.1 of
+    // them were measured for fixed point, 1.75 for floats; 3.1 components. Over 25 times as many rays 3.43, 2.25 and
+    // 4.52.
     let bound = if S::name().starts_with('f') { amount(1.9, 2.4) } else { amount(3.3, 3.6) };
     assert!(worst[0] <= bound * unit::<S>(), "{}: {}", S::name(), worst[0] / unit::<S>());
     let bound = amount(3.3, 4.7);

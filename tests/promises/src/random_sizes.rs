@@ -1,5 +1,6 @@
-//! `Stable` in `f32` beside `Exact`: solids of any size and shape, placed anyhow, and rays with very small components, that start next to the surface
-//! or depart from it. (The workloads of the oracle have solids of chosen sizes, whose sums and differences are often exact.)
+//! `Stable` in `f32` beside `Exact`: solids of any size and shape, placed anyhow, and rays with very small components,
+//! that start next to the surface or depart from it. (The workloads of the oracle have solids of chosen sizes, whose
+//! sums and differences are often exact.)
 
 use raylet::tier::{Exact, Stable};
 use raylet::{
@@ -69,7 +70,8 @@ fn placed(random: &mut Random, shape: Shape<f32>, size: f64) -> Option<(Shape<f3
     })
 }
 
-/// A shape, a ray at it, and about how large the shape is. The ray comes from afar, or from next to its surface, or departing from there.
+/// A shape, a ray at it, and about how large the shape is. The ray comes from afar, or from next to its surface, or
+/// departing from there.
 fn drawn(random: &mut Random) -> Option<(Shape<f32>, Ray<f32>, f64)> {
     let spread = random.pick(&[1.0, 8.0, 30.0, 60.0]);
     let size = random.between(-spread, spread).exp2();
@@ -105,7 +107,8 @@ fn drawn(random: &mut Random) -> Option<(Shape<f32>, Ray<f32>, f64)> {
     Some((shape, Ray::new(point, direction).ok()?.departing(surface.departure(0, leaving)), size))
 }
 
-/// Whether there is a touch, or a chord shorter than a millionth of the solid or than some units of `t`: rounding may decide it.
+/// Whether there is a touch, or a chord shorter than a millionth of the solid or than some units of `t`: rounding may
+/// decide it.
 fn touches(hits: &Hits<f32>, size: f64) -> bool {
     let is_short = |pair: &[Hit<f32>]| {
         let least = (size * 1e-6).max(f64::from(pair[1].t.abs() * f32::EPSILON) * 4.0);
@@ -114,8 +117,8 @@ fn touches(hits: &Hits<f32>, size: f64) -> bool {
     hits.iter().any(|hit| hit.crossing == Crossing::Touch) || hits.windows(2).any(is_short)
 }
 
-/// How many units `Stable` is off at a solid of this size; infinitely many if its hits are others. `None` if there is no hit, or if rounding may
-/// decide one.
+/// How many units `Stable` is off at a solid of this size; infinitely many if its hits are others. `None` if there is
+/// no hit, or if rounding may decide one.
 pub(crate) fn off(shape: &Shape<f32>, ray: &Ray<f32>, size: f64) -> Option<f64> {
     let (stable, exact) = (shape.hits_at::<Stable>(ray), shape.hits_at::<Exact>(ray));
     if touches(&stable, size) || touches(&exact, size) || (stable.is_empty() && exact.is_empty()) {
@@ -162,7 +165,8 @@ fn solids_of_any_size_are_met_as_promised() {
     assert!(judged * 3 > rays && departing * 20 > judged, "{judged} of {rays}, {departing} departing");
 }
 
-/// 105 units: the low words of a compensated sum were taken to be exact, although the terms of the sum were a thousand times larger than its value.
+/// 105 units: the low words of a compensated sum were taken to be exact, although the terms of the sum were a thousand
+/// times larger than its value.
 #[test]
 fn rays_from_next_to_a_flat_stretched_rectangle() {
     let mut random = Random(3);

@@ -50,7 +50,8 @@ fn a_segment_ends_where_its_line_is_closest_to_the_end<S: Exact>() {
 fn a_segment_longer_than_the_type_is_refused<S: Exact>() {
     let most = S::BUDGET.coordinate;
     let corner = Vec3::new(most, most, most);
-    // Across the whole cube: twice the root of three times the coordinate, of which the distance of a fixed type is twice.
+    // Across the whole cube: twice the root of three times the coordinate, of which the distance of a fixed type is
+    // twice.
     let expected = if S::RELATIVE { None } else { Some(RayError::RangeEnd(ValueError::BeyondBudget)) };
     assert_eq!(Ray::segment(-corner, corner).err(), expected, "{}", S::name());
     assert!(Ray::segment(Vec3::ZERO, corner).is_ok());

@@ -1,8 +1,8 @@
-//! The promise: leaving a surface needs no epsilon. From any hit of a bounded solid an outward ray never meets the same solid, and an
-//! inward one always meets its far end; and of two surfaces a hair apart neither is skipped.
+//! The promise: leaving a surface needs no epsilon. From any hit of a bounded solid an outward ray never meets the same
+//! solid, and an inward one always meets its far end; and of two surfaces a hair apart neither is skipped.
 //!
-//! In the long form ten million rays leave in each number type, in the quick one 200,000, spread over solids, placements and tiers; every fourth of them nearly along the
-//! surface, where an epsilon would fail.
+//! In the long form ten million rays leave in each number type, in the quick one 200,000, spread over solids,
+//! placements and tiers; every fourth of them nearly along the surface, where an epsilon would fail.
 
 use raylet::tier::{Exact, Fast, Plain, Stable};
 use raylet::{
@@ -180,8 +180,8 @@ fn shells<S: Number>() -> Vec<Shells<S>> {
     ]
 }
 
-/// From a hit on the outer shell a ray goes inwards; every time it meets, in this order, the inner one's near side, its far side, and the
-/// outer one's far side.
+/// From a hit on the outer shell a ray goes inwards; every time it meets, in this order, the inner one's near side, its
+/// far side, and the outer one's far side.
 fn nested_shells_never_skip_each_other<S: Number, T: Graded<S>>(rays: usize) {
     for Shells { name, outer, inner } in shells::<S>() {
         let mut random = Random(91);
@@ -197,7 +197,8 @@ fn nested_shells_never_skip_each_other<S: Number, T: Graded<S>>(rays: usize) {
                 format!("{name} in {} at {:?}: {what}: {start:?} from {hit:?} of {ray:?}", S::name(), T::GRADE)
             };
 
-            // With departure: the outer shell is left by its far side alone. A scene strips the departure for the other object.
+            // With departure: the outer shell is left by its far side alone. A scene strips the departure for the other
+            // object.
             let away = start.departing(surface.departure(0, Leaving::Inwards));
             let far = outer.hits_at::<T>(&away);
             assert!(
@@ -212,7 +213,8 @@ fn nested_shells_never_skip_each_other<S: Number, T: Graded<S>>(rays: usize) {
                 let last = plain.last().unwrap_or_else(|| panic!("{}", told("nothing of the outer")));
                 assert_eq!(last.crossing, Crossing::Exit, "{}: {plain:?}", told("the outer"));
             }
-            // `Fast` and `Plain` say of themselves that along a generator they are as wrong as plain subtraction makes them: there they cannot tell 4e-5.
+            // `Fast` and `Plain` say of themselves that along a generator they are as wrong as plain subtraction makes
+            // them: there they cannot tell 4e-5.
             if T::GRADE <= Grade::Fast && slope_of(name).is_some_and(|slope| is_near_generator(slope, along.to_f64())) {
                 continue;
             }
@@ -230,7 +232,8 @@ fn nested_shells_never_skip_each_other<S: Number, T: Graded<S>>(rays: usize) {
                 assert!(!met.starts_inside(), "{}", told("the start is said to be inside the inner"));
                 assert_eq!(inner.nearest_at::<T>(&start), Some(*enter), "{}", told("the inner"));
                 assert!(inner.occludes_at::<T>(&start), "{}", told("the inner"));
-                // A departure takes its start for a point of the outer side, which moves the far end by what it is off over `a`.
+                // A departure takes its start for a point of the outer side, which moves the far end by what it is off
+                // over `a`.
                 if slope_of(name).is_some_and(|slope| is_near_generator(slope, along.to_f64())) {
                     continue;
                 }
@@ -262,8 +265,8 @@ fn nested_shells_never_skip_each_other_in_any_type_and_tier() {
     in_every_tier!(nested!());
 }
 
-/// Along a generator (here `a` cancels to a five-hundredth) the near side of the inner cone, 4e-5 away, is not reported at the start itself, as plain
-/// subtraction would have it.
+/// Along a generator (here `a` cancels to a five-hundredth) the near side of the inner cone, 4e-5 away, is not reported
+/// at the start itself, as plain subtraction would have it.
 #[test]
 fn fast_tells_cones_a_hair_apart_along_a_generator() {
     let Some(Shells { inner, .. }) = shells::<f32>().into_iter().find(|shells| shells.name == "cones") else {
@@ -277,7 +280,8 @@ fn fast_tells_cones_a_hair_apart_along_a_generator() {
     assert!(exact > 0.0 && fast.is_some_and(|t| (t - exact).abs() < 0.5 * exact), "{fast:?}, exactly {exact}");
 }
 
-/// A scene of two shells: from the outer one inwards the inner one is seen next, and from the inner one outwards the outer one.
+/// A scene of two shells: from the outer one inwards the inner one is seen next, and from the inner one outwards the
+/// outer one.
 fn a_scene_of_nested_shells_alternates_between_them<S: Number>() {
     let camera = Camera::new(v::<S>([0.0, 1.0, 6.0]), v([0.0, 1.0, 0.0]), v([0.0, 1.0, 0.0]), n(45.0)).expect("a view");
     let materials = [Material::default()];

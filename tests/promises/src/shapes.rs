@@ -112,7 +112,8 @@ fn the_rays_of_the_shapes_tests_hit_and_depart() {
     assert!(hits > 1500 && departures > 200, "{hits} hits, {departures} departures");
 }
 
-/// A range that ended at the nearest hit so far once had `Exact` round a hit next to it otherwise than without that range.
+/// A range that ended at the nearest hit so far once had `Exact` round a hit next to it otherwise than without that
+/// range.
 #[test]
 fn a_hit_is_rounded_in_the_same_way_whatever_was_hit_before() {
     of_three_types(4_861_983_009_410_030_165, 18).expect("the same answers");

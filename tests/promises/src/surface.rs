@@ -42,8 +42,8 @@ fn unit_on_the_way<S: Exact>(ray: &Ray<S>, hit: &raylet::Hit<S>) -> f64 {
     S::unit_at(&oracle::Root::from(&far.exact())).to_f64()
 }
 
-/// Hits of random rays with the case, each with its exact counterpart; grazing ones left out, for there the point itself
-/// is not determined by the numbers given.
+/// Hits of random rays with the case, each with its exact counterpart; grazing ones left out, for there the point
+/// itself is not determined by the numbers given.
 fn each_hit<S: Exact>(
     case: &Case<S>,
     seed: u64,
@@ -111,8 +111,8 @@ fn normals_are_unit_and_equal_the_exact_gradient<S: Exact>() {
     assert!(worst_length <= length * component, "{}: {} units", S::name(), worst_length / component);
 }
 
-/// Normal in units of the point's rounding, squared length in units of the component's: measured (8.7 and 4.9 for floats,
-/// 1.7 and 1.9 for fixed point), and a tenth more.
+/// Normal in units of the point's rounding, squared length in units of the component's: measured (8.7 and 4.9 for
+/// floats, 1.7 and 1.9 for fixed point), and a tenth more.
 fn bounds<S: Exact>() -> (f64, f64) {
     if is_float::<S>() { (9.6, 5.0) } else { (1.9, 2.2) }
 }

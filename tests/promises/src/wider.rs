@@ -1,5 +1,5 @@
-//! Fixed point with many fraction bits has a second attempt, in 64 bits: its results are those of exact arithmetic, for all kinds, placed anyhow, and for
-//! rays that depart.
+//! Fixed point with many fraction bits has a second attempt, in 64 bits: its results are those of exact arithmetic, for
+//! all kinds, placed anyhow, and for rays that depart.
 
 use fixed::FixedI32;
 use fixed::types::I8F24;
@@ -115,7 +115,8 @@ fn twenty_fraction_bits_agree_with_exact_arithmetic() {
     agrees_with_exact::<FixedI32<U20>>(128.0, (-20.0_f64).exp2());
 }
 
-/// The end of a ray that crosses a ball at the end of the type: what rounds to more than the largest distance is no hit.
+/// The end of a ray that crosses a ball at the end of the type: what rounds to more than the largest distance is no
+/// hit.
 #[test]
 fn an_end_beyond_the_type_is_no_hit() {
     let tall = Shape::new(Cylinder::<I8F24>::capped(I8F24::from_num(8), I8F24::from_num(60)).expect("sizes"));

@@ -1,5 +1,5 @@
-//! A scene of which nothing is computed in the program: objects, materials, lights and camera are constants, in flash. And the same made at run
-//! time.
+//! A scene of which nothing is computed in the program: objects, materials, lights and camera are constants, in flash.
+//! And the same made at run time.
 
 use fixed::types::I16F16;
 use raylet::scene::SceneError;

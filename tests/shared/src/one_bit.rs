@@ -1,7 +1,8 @@
 //! The still life of the gallery on a display of 128 by 64 pixels, each on or off (SSD1306).
 //!
-//! So few pixels hold few shades. The floor and what is behind it are as bright as white, so that every solid stands out against them, and the
-//! solids keep the shades that tell a ball from a disc. Without shadows the outlines stay apart from each other.
+//! So few pixels hold few shades. The floor and what is behind it are as bright as white, so that every solid stands
+//! out against them, and the solids keep the shades that tell a ball from a disc. Without shadows the outlines stay
+//! apart from each other.
 
 use raylet::effect::{Ambient, Diffuse, Specular};
 use raylet::gallery::{BuiltIn, Stage};
@@ -12,7 +13,8 @@ pub const WIDTH: u16 = 128;
 /// Rows of the display.
 pub const HEIGHT: u16 = 64;
 
-/// The still life, a little darker and on a white floor, seen from closer than in the gallery. `None` if the number type does not hold its numbers, which go up to 100.
+/// The still life, a little darker and on a white floor, seen from closer than in the gallery. `None` if the number
+/// type does not hold its numbers, which go up to 100.
 pub fn stage<S: Scalar>() -> Option<Stage<S>> {
     let mut stage = BuiltIn::StillLife.build::<S>()?;
     stage.camera = camera()?;
@@ -33,7 +35,8 @@ fn camera<S: Scalar>() -> Option<Camera<S>> {
     Camera::new(eye, target, point(["0", "1", "0"])?, S::parse("22.5")?).ok()
 }
 
-/// The scene with ambient light, which makes the floor white and lightens the sides that are turned away from the lamps.
+/// The scene with ambient light, which makes the floor white and lightens the sides that are turned away from the
+/// lamps.
 pub fn lit<S: Scalar>(scene: Scene<'_, S>) -> Scene<'_, S> {
     scene.with_ambient(Color::from_f64([0.4; 3]))
 }

@@ -1,4 +1,5 @@
-//! The tests that the rays of a picture put to objects: through the middles of pixels, to a lamp, mirrored and refracted.
+//! The tests that the rays of a picture put to objects: through the middles of pixels, to a lamp, mirrored and
+//! refracted.
 
 use crate::workload::{QUERIES, Query};
 use heapless::Vec;
@@ -6,7 +7,8 @@ use raylet::gallery::BuiltIn;
 use raylet::scene::Observer;
 use raylet::{Counters, Leaving, Ray, Scalar, Scene, Size, Surface, UnitVec3, Vec3};
 
-/// The built-in scenes whose tests are taken, and what that is called: every solid once, and glass, which rays pass through.
+/// The built-in scenes whose tests are taken, and what that is called: every solid once, and glass, which rays pass
+/// through.
 pub const BUILT_IN: [(BuiltIn, &str); 2] =
     [(BuiltIn::StillLife, "picture of the still life"), (BuiltIn::Glass, "picture of glass")];
 
@@ -85,7 +87,8 @@ fn leaving<S: Scalar>(surface: &Surface<S>, object: u32, direction: [f64; 3], le
     Some(Ray::new(surface.point(), direction).ok()?.departing(surface.departure(object, leaving)))
 }
 
-/// Where light along `d` goes behind a surface with the normal `n`, `along = d . n`, by Snell's law; `None` if all is reflected.
+/// Where light along `d` goes behind a surface with the normal `n`, `along = d . n`, by Snell's law; `None` if all is
+/// reflected.
 fn refracted(d: [f64; 3], n: [f64; 3], along: f64, index: f64) -> Option<[f64; 3]> {
     let ratio = if along < 0.0 { 1.0 / index } else { index };
     let square = 1.0 - ratio * ratio * (1.0 - along * along);

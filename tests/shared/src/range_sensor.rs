@@ -1,8 +1,8 @@
 //! What a range sensor sees: 8 by 8 zones, level, over a yard with forty solids 1 to 200 of their sizes away.
 //!
-//! The sensor is a metre above the ground and looks along -z. Everything stands upright, as things do, but for some cans that have
-//! fallen over and two signs. One row of zones is exactly level: it meets posts and drums perpendicular to their axes, and sees the caps
-//! from their edges.
+//! The sensor is a metre above the ground and looks along -z. Everything stands upright, as things do, but for some
+//! cans that have fallen over and two signs. One row of zones is exactly level: it meets posts and drums perpendicular
+//! to their axes, and sees the caps from their edges.
 
 use raylet::{Capsule, Cone, Cylinder, Frame, Primitive, Ray, Scalar, Shape, Sphere, Triangle, UnitVec3, Vec3};
 

@@ -8,8 +8,8 @@ use raylet::{Ray, Scalar};
 /// Rays of each kind at each subject.
 pub const RAYS: usize = 64;
 
-/// From 2 to 6 away towards a point near the subject; all hit it, or none does. The same in every number type, but for the
-/// rounding of the direction.
+/// From 2 to 6 away towards a point near the subject; all hit it, or none does. The same in every number type, but for
+/// the rounding of the direction.
 #[inline(never)]
 pub fn rays<S: Scalar, P: Subject<S>>(subject: &P, hitting: bool) -> [Ray<S>; RAYS] {
     let mut random = Random(0x9e37_79b9_7f4a_7c15);

@@ -27,7 +27,8 @@ pub type Shaded = (Ambient, Diffuse, Specular, Shadows);
 /// How many nodes the hierarchy of the still life has.
 pub const NODES: usize = Hierarchy::<f32>::nodes_for(14);
 
-/// The camera of a frame; frames repeat after [`FRAMES`]. `None` if the number type does not hold its numbers, which go up to 37.
+/// The camera of a frame; frames repeat after [`FRAMES`]. `None` if the number type does not hold its numbers, which go
+/// up to 37.
 pub fn camera<S: Scalar>(frame: u8) -> Option<Camera<S>> {
     let [eye, radius, target] = ["4.5", "9.2", "0.6"].map(S::parse);
     let turns = S::Real::from_int(i32::from(frame % FRAMES)) / S::Real::from_int(i32::from(FRAMES));
@@ -38,7 +39,8 @@ pub fn camera<S: Scalar>(frame: u8) -> Option<Camera<S>> {
     Camera::new(eye, Vec3::new(S::ZERO, target?, S::ZERO), up, S::parse("37")?).ok()
 }
 
-/// The scene with a little ambient light, which shows the sides that the lamps do not reach: these face the camera half of the time.
+/// The scene with a little ambient light, which shows the sides that the lamps do not reach: these face the camera half
+/// of the time.
 pub fn lit<S: Scalar>(scene: Scene<'_, S>) -> Scene<'_, S> {
     scene.with_ambient(Color::from([S::unit_round(S::Real::ONE.scaled(-3)); 3]))
 }
@@ -48,7 +50,8 @@ pub fn picture<'a, S: Scalar>(scene: &'a Scene<'a, S>) -> Picture<'a, S, Shaded>
     Picture::leaving_out(scene, Size::new(WIDTH, HEIGHT))
 }
 
-/// Traces a picture and sends it to the display, line by line. A driver with DMA would send one line while the next is traced into another.
+/// Traces a picture and sends it to the display, line by line. A driver with DMA would send one line while the next is
+/// traced into another.
 ///
 /// # Errors
 ///

@@ -1,7 +1,7 @@
 //! The bound table: tier x number type x primitive x placement x workload, in `data/bounds`, a table a tier.
 //!
-//! `cargo run --release -p raylet-accuracy -- --write` renews the tables; `tests/promises/src/number_types.rs` holds the library
-//! to them.
+//! `cargo run --release -p raylet-accuracy -- --write` renews the tables; `tests/promises/src/number_types.rs` holds
+//! the library to them.
 
 use super::figures::{Figures, Rays, TIERS};
 use super::subject::SUBJECTS;

@@ -1,5 +1,5 @@
-//! Searches for rays that break a tier's promise: from the worst of random rays each step changes one coordinate or the direction a little,
-//! and stays where that is worse.
+//! Searches for rays that break a tier's promise: from the worst of random rays each step changes one coordinate or the
+//! direction a little, and stays where that is worse.
 
 use super::exact_types::Exact as Number;
 use super::measure::{Broken, measure_one};

@@ -122,8 +122,8 @@ fn special_point<S: Scalar>(shape: &Shape<S>, random: &mut Random) -> [f64; 3] {
     })
 }
 
-/// A ray, for these objects: anywhere, along and at faces and edges of boxes, from inside, with any range, and from a surface.
-/// `None` where it would start beyond the budget.
+/// A ray, for these objects: anywhere, along and at faces and edges of boxes, from inside, with any range, and from a
+/// surface. `None` where it would start beyond the budget.
 pub fn ray<S: Scalar>(objects: &[Object<S>], scene: &Scene<'_, S>, random: &mut Random) -> Option<Ray<S>> {
     let far = if random.below(6) == 0 { random.pick(&[10.0, 100.0]) } else { 1.0 };
     let plain = |random: &mut Random| {
@@ -176,7 +176,8 @@ pub fn camera<S: Scalar>() -> Camera<S> {
     Camera::new(at(9.0), at(0.0), point([0.0, 1.0, 0.0]), number(40.0)).expect("a camera")
 }
 
-/// A ball with nine smaller ones around it, with nine around each, and so on for `depth` rounds: 1, 10, 91, 820 of them.
+/// A ball with nine smaller ones around it, with nine around each, and so on for `depth` rounds: 1, 10, 91, 820 of
+/// them.
 pub fn flake<S: Scalar>(depth: u32) -> Vec<Object<S>> {
     fn grow<S: Scalar>(centre: [f64; 3], radius: f64, depth: u32, into: &mut Vec<Object<S>>) {
         let ball = Shape::new(Sphere::new(number(radius)).expect("a size"));

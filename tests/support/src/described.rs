@@ -1,5 +1,5 @@
-//! A primitive by its sizes, in whatever numbers they are given; and in a number type that holds them, the crate's shape and the oracle's
-//! solid.
+//! A primitive by its sizes, in whatever numbers they are given; and in a number type that holds them, the crate's
+//! shape and the oracle's solid.
 
 use super::exact_types::Exact;
 use super::oracle::{self, Solid};
@@ -191,8 +191,8 @@ impl<S: Exact> Described<S> {
         }
     }
 
-    /// Its largest radius, height or coordinate of a vertex: what errors next to a ray's start are compared with. Of a plane, of a nappe
-    /// and of a double cone, which have no such size, 1.
+    /// Its largest radius, height or coordinate of a vertex: what errors next to a ray's start are compared with. Of a
+    /// plane, of a nappe and of a double cone, which have no such size, 1.
     pub fn size(&self) -> f64 {
         let largest = |sizes: &[S]| sizes.iter().map(|size| size.to_f64().abs()).fold(0.0, f64::max);
         match *self {

@@ -21,7 +21,8 @@ pub trait Exact: Scalar {
     fn unit_bits(unit: Self::Unit) -> String;
     /// The fraction bits of a component of a direction next to 1.
     const UNIT_BITS: isize;
-    /// A decimal number as a component of a direction, rounded once; `None` if it is none, or beyond the component's type.
+    /// A decimal number as a component of a direction, rounded once; `None` if it is none, or beyond the component's
+    /// type.
     fn parse_unit(text: &str) -> Option<Self::Unit>;
 }
 

@@ -26,8 +26,8 @@ pub struct Figures {
     pub errors: [f64; 3],
     /// The same as lengths, where the solid's size is about 1.
     pub lengths: [f64; 3],
-    /// Lost, phantom, on the other side of the range's start, on another part or with another crossing; and in the exact
-    /// tier rays that were decided in integers.
+    /// Lost, phantom, on the other side of the range's start, on another part or with another crossing; and in the
+    /// exact tier rays that were decided in integers.
     pub counts: [usize; 5],
     /// Rays of which the tier's promise is broken.
     pub broken: usize,
@@ -143,8 +143,8 @@ impl Row {
         all
     }
 
-    /// The textbook knows no departures; where it stands placed is told by benign rays, and of turned solids also by rays from afar and by grazing
-    /// ones, as the README shows them.
+    /// The textbook knows no departures; where it stands placed is told by benign rays, and of turned solids also by
+    /// rays from afar and by grazing ones, as the README shows them.
     fn has(self, tier: &str) -> bool {
         if tier != "Textbook" {
             return true;
@@ -205,7 +205,8 @@ pub fn ticks() -> usize {
     Row::all().len()
 }
 
-/// Every way to answer in every number type that it exists in, on every primitive, placement and workload; by tier, then by number type.
+/// Every way to answer in every number type that it exists in, on every primitive, placement and workload; by tier,
+/// then by number type.
 pub fn measure_all(rays: Rays, wanted: Wanted<'_>, tick: &mut dyn FnMut()) -> Vec<Figures> {
     let mut all = vec![];
     rows::<f32>(rays, wanted, &mut all, tick);

@@ -27,7 +27,8 @@ pub enum Outcome {
     Tested(Verdict),
 }
 
-/// Makes a solid and a ray from any bytes, calls every query and function of the surface, and fails if an answer breaks a promise.
+/// Makes a solid and a ray from any bytes, calls every query and function of the surface, and fails if an answer breaks
+/// a promise.
 ///
 /// The first byte is the number type. `query` has the rest.
 pub fn check_solid(data: &[u8]) -> Outcome {

@@ -125,7 +125,8 @@ impl<S: Number> Setting<S> {
         oracle::Line { origin, direction }
     }
 
-    /// [`Setting::local_point`]; of a ball, which has no axes, only moved: stored axes are perpendicular but for their last bits.
+    /// [`Setting::local_point`]; of a ball, which has no axes, only moved: stored axes are perpendicular but for their
+    /// last bits.
     fn point_as_the_solid_sees_it(&self, ray: &Ray<S>, t: &Dyadic) -> Point {
         match (&self.solid, self.pose) {
             (Solid::Sphere { .. }, Pose::Frame(frame)) => {
@@ -198,10 +199,10 @@ pub fn unit_on_the_way<S: Number>(ray: &Ray<S>, t: f64) -> f64 {
 
 /// How far from the surface a hit may lie in space, whatever the angle: the bound that every law here shares.
 ///
-/// `Exact`: one unit in the last place of `t`, and nothing else. `Stable`: 16 units of the numbers on the way. `Fast` and `Plain`
-/// subtract plainly: what their quadratic equation is off by, `eta`, grows with the square of the distance and with `1 / a` towards a cone's
-/// generator or a cylinder's axis, where one root cancels; at a distance `rho` from the axis that is `eta / rho` in space, and at an
-/// apex its root.
+/// `Exact`: one unit in the last place of `t`, and nothing else. `Stable`: 16 units of the numbers on the way. `Fast`
+/// and `Plain` subtract plainly: what their quadratic equation is off by, `eta`, grows with the square of the distance
+/// and with `1 / a` towards a cone's generator or a cylinder's axis, where one root cancels; at a distance `rho` from
+/// the axis that is `eta / rho` in space, and at an apex its root.
 pub fn bound<S: Number, T: Graded<S>>(setting: &Setting<S>, ray: &Ray<S>, t: S) -> f64 {
     let growth = setting.pose.growth();
     let units = unit_on_the_way(ray, t.to_f64()) * growth;
@@ -210,7 +211,8 @@ pub fn bound<S: Number, T: Graded<S>>(setting: &Setting<S>, ray: &Ray<S>, t: S) 
         Grade::Exact => unit_at(t) * growth * (1.0 + 2.0_f64.powi(-20)),
         Grade::Stable => {
             if is_float::<S>() {
-                // Of the 16 units of `t` that are promised; the most that was seen in 10^6 rays is 4.9, along a generator.
+                // Of the 16 units of `t` that are promised; the most that was seen in 10^6 rays is 4.9, along a
+                // generator.
                 6.0 * units
             } else {
                 2.0 * units
@@ -292,9 +294,9 @@ pub fn met<S: Number>(hits: &Hits<S>) -> Vec<Met> {
 }
 
 impl<S: Number> Setting<S> {
-    /// Whether two answers of a bounded solid have the same crossings on the same parts, or differ in no more than what moving the
-    /// line by `bound` in space decides: a chord no deeper than that, a hit as near to both parts or to the surface between them, or a range that starts as near to the
-    /// surface.
+    /// Whether two answers of a bounded solid have the same crossings on the same parts, or differ in no more than what
+    /// moving the line by `bound` in space decides: a chord no deeper than that, a hit as near to both parts or to the
+    /// surface between them, or a range that starts as near to the surface.
     pub fn alike(&self, ray: &Ray<S>, a: &[Met], b: &[Met], bound: f64) -> Result<bool, String> {
         let same = |(a, b): (&Met, &Met)| a.part == b.part && a.crossing == b.crossing;
         if a.len() == b.len() && a.iter().zip(b).all(same) {

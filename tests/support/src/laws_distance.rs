@@ -1,5 +1,5 @@
-//! How far a point is from a surface, straight from the definitions of the solids: differences in exact numbers, so that
-//! a distance of `2^-60` is as right as one of 1; the quotients that make lengths of them in `f64`.
+//! How far a point is from a surface, straight from the definitions of the solids: differences in exact numbers, so
+//! that a distance of `2^-60` is as right as one of 1; the quotients that make lengths of them in `f64`.
 
 use super::oracle::{ConeExtent, CylinderExtent, Dyadic, Part, Solid};
 

@@ -1,4 +1,5 @@
-//! Where a shape stands in the laws: by a frame or by an affine matrix, and the way back into its own frame in exact numbers.
+//! Where a shape stands in the laws: by a frame or by an affine matrix, and the way back into its own frame in exact
+//! numbers.
 
 use super::cases::{direction, v};
 use super::exact_types::Exact as Number;
@@ -12,8 +13,8 @@ use raylet::{Affine, Frame, Ray, Shape, UnitVec3, Vec3};
 pub enum Pose<S: Number> {
     World,
     Frame(Frame<S>),
-    /// The axis `i` of the local frame is the world's axis `axes[i]`, times `2^powers[i]` and a sign: an inverse that every number
-    /// type holds exactly.
+    /// The axis `i` of the local frame is the world's axis `axes[i]`, times `2^powers[i]` and a sign: an inverse that
+    /// every number type holds exactly.
     Affine {
         position: Vec3<S>,
         axes: [usize; 3],

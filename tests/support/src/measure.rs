@@ -46,7 +46,8 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// Compares the hits of one ray with the exact ones. The error over what the tier promises, or zero where half a unit is not exceeded.
+    /// Compares the hits of one ray with the exact ones. The error over what the tier promises, or zero where half a
+    /// unit is not exceeded.
     fn count<S: Number>(
         &mut self,
         tier: &str,

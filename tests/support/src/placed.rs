@@ -7,8 +7,8 @@ use super::subject::Subject;
 use super::workload::{Line, Workload};
 use raylet::{Affine, Frame, FrameError, Ray, Shape, UnitVec3, Vec3};
 
-/// How a primitive is placed: a half of the placements within 4 of the world's origin, the others within 1,000 and 1,000,000, or as far
-/// as the number type reaches.
+/// How a primitive is placed: a half of the placements within 4 of the world's origin, the others within 1,000 and
+/// 1,000,000, or as far as the number type reaches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Placing {
     /// By a frame that only moves it.
@@ -34,7 +34,8 @@ impl Placing {
         }
     }
 
-    /// True if there is a row of the workload at solids that are placed so. Tiers promise something of factors of a ratio up to 1,000.
+    /// True if there is a row of the workload at solids that are placed so. Tiers promise something of factors of a
+    /// ratio up to 1,000.
     pub fn has(self, workload: Workload) -> bool {
         match self {
             Self::Moved | Self::Turned => true,
@@ -126,7 +127,8 @@ impl<S: Exact> Placed<S> {
         let (axes, rows, shape) = match placement {
             Placement::Frame(frame) => {
                 let exact = frame.axes().map(|axis| axis.to_array().map(S::exact_unit));
-                // A ball in a frame has no axes: a turned ball is a ball, although stored axes are orthogonal only to their last bits.
+                // A ball in a frame has no axes: a turned ball is a ball, although stored axes are orthogonal only to
+                // their last bits.
                 let is_ball = matches!(solid, Solid::Sphere { .. });
                 let none = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(|row| row.map(Dyadic::from));
                 (frame.axes().map(UnitVec3::to_f64), if is_ball { none } else { exact }, shape.placed(frame))
@@ -155,14 +157,16 @@ impl<S: Exact> Placed<S> {
         })
     }
 
-    /// The next ray of the workload at the subject where it stands; `None` where the workload has no sense for it, or the draw does not
-    /// fit the type. It is rounded in the world: from far away, what the workload says of it is only what it was drawn from.
+    /// The next ray of the workload at the subject where it stands; `None` where the workload has no sense for it, or
+    /// the draw does not fit the type. It is rounded in the world: from far away, what the workload says of it is only
+    /// what it was drawn from.
     pub fn ray(&self, subject: &Subject<S>, workload: Workload, random: &mut Random) -> Option<Ray<S>> {
         let ray = self.ray_along(workload.line(subject, random)?)?;
         workload.from_there(&self.shape, ray, random)
     }
 
-    /// The ray along a line of the primitive's frame, given by its origin and direction; `None` if it does not fit the type.
+    /// The ray along a line of the primitive's frame, given by its origin and direction; `None` if it does not fit the
+    /// type.
     pub fn ray_along(&self, (origin, direction): Line) -> Option<Ray<S>> {
         let image = |v: [f64; 3]| (0..3).fold([0.0; 3], |sum, i| add(sum, scale(self.axes[i], v[i])));
         Workload::rounded((add(self.position, image(origin)), normalize(image(direction))))

@@ -7,11 +7,11 @@
 //! | `Stable` | none lost, invented or on another part but within a unit of touching or of a rim | floats: 16 units away from grazing, 31 at any ray that grazes to 1e-7; fixed point: one unit |
 //! | `Exact` | those of exact arithmetic | one unit |
 //!
-//! A ray is *plain* if each chord of its line is at least a hundredth of the solid's size; if the line has no chord, since it meets the surface once or not
-//! at all, the ray is plain if it does not graze.
+//! A ray is *plain* if each chord of its line is at least a hundredth of the solid's size; if the line has no chord,
+//! since it meets the surface once or not at all, the ray is plain if it does not graze.
 //!
-//! And for all of them: a ray that departs outwards does not meet what it departs from. In all but `Plain` that holds too for a ray that departs inwards,
-//! so nearly along the surface that it leaves nothing behind.
+//! And for all of them: a ray that departs outwards does not meet what it departs from. In all but `Plain` that holds
+//! too for a ray that departs inwards, so nearly along the surface that it leaves nothing behind.
 
 use super::exact_types::{Exact as Number, expected_of, same_crossing, same_part};
 use super::method::Told;
@@ -39,8 +39,9 @@ pub struct Judged<'a, S: Number> {
     pub size: f64,
 }
 
-/// How far a line is from grazing: the depth below or above a curved surface over the radius there, and the sines of its angles to an
-/// axis, a generator and a plane, whichever is least. In `f64`: it sorts rays, and decides nothing else.
+/// How far a line is from grazing: the depth below or above a curved surface over the radius there, and the sines of
+/// its angles to an axis, a generator and a plane, whichever is least. In `f64`: it sorts rays, and decides nothing
+/// else.
 pub fn clearance(solid: &Solid, line: &Line) -> f64 {
     let [o, d] = [&line.origin, &line.direction].map(|v| v.each_ref().map(Dyadic::to_f64));
     let d = scale(d, 1.0 / dot(d, d).sqrt());
@@ -113,7 +114,8 @@ impl<S: Number> Judged<'_, S> {
         }
     }
 
-    /// Whether the tier's promise leaves room for these hits, which are others than the exact ones. A ray that departs never meets what it departs from.
+    /// Whether the tier's promise leaves room for these hits, which are others than the exact ones. A ray that departs
+    /// never meets what it departs from.
     pub fn excuses(&self, tier: &str, told: &[Told<S>]) -> bool {
         let departs = |leaving| self.ray.departure().is_some_and(|departure| departure.leaving == leaving);
         let must_miss = departs(Leaving::Outwards) || (departs(Leaving::Inwards) && tier != "Plain");
@@ -134,7 +136,8 @@ impl<S: Number> Judged<'_, S> {
         }
     }
 
-    /// Whether hits differ only within `2^power` units of the size from the start, which then is as near to the surface.
+    /// Whether hits differ only within `2^power` units of the size from the start, which then is as near to the
+    /// surface.
     fn differs_at_start(&self, told: &[Told<S>], power: isize) -> bool {
         let unit = self.unit_of_size().scaled(power);
         let is_off = |t: &Root| t.error_in(&S::ZERO.exact(), &unit) > 1.0;
@@ -147,8 +150,8 @@ impl<S: Number> Judged<'_, S> {
         told.len() == want.len() && told.iter().zip(&want).all(same)
     }
 
-    /// Whether the ray has other hits twice `2^power` units of the size beside, along an axis of the solid's frame: then it is within so
-    /// many units, or twice as many, of touching, of a rim, or of a start on the surface.
+    /// Whether the ray has other hits twice `2^power` units of the size beside, along an axis of the solid's frame:
+    /// then it is within so many units, or twice as many, of touching, of a rim, or of a start on the surface.
     fn is_within_units(&self, power: isize) -> bool {
         let unit = self.unit_of_size().scaled(power + 1);
         (0..6).any(|side| {
@@ -159,7 +162,8 @@ impl<S: Number> Judged<'_, S> {
         })
     }
 
-    /// Whether the ray is plain and starts within so many sizes. A ray that meets nothing starts as far away as its point next to the frame's origin.
+    /// Whether the ray is plain and starts within so many sizes. A ray that meets nothing starts as far away as its
+    /// point next to the frame's origin.
     pub fn is_plain(&self, sizes: f64) -> bool {
         let away = self.want.hits.first().map_or_else(|| nearest_to_origin(self.line), |hit| hit.t.to_f64());
         // A direction is not known well enough to tell on which side of a generator or a face such a ray leads.

@@ -1,9 +1,9 @@
-//! The formulas that everyone writes first, `k^2 - a c` and what follows from it, in the operators of the number type: what the
-//! tiers are compared with.
+//! The formulas that everyone writes first, `k^2 - a c` and what follows from it, in the operators of the number type:
+//! what the tiers are compared with.
 //!
-//! Floats take the square root of the machine. Fixed point has the operators of the crate `fixed`, wrapping where a square
-//! overflows, as its plain operators do in a release build. A direction is not taken to be exactly unit. The firmware's cost table
-//! counts the instructions of the same formulas (sphere, capped cylinder, capped cone).
+//! Floats take the square root of the machine. Fixed point has the operators of the crate `fixed`, wrapping where a
+//! square overflows, as its plain operators do in a release build. A direction is not taken to be exactly unit. The
+//! firmware's cost table counts the instructions of the same formulas (sphere, capped cylinder, capped cone).
 
 use super::exact_types::Exact;
 use super::oracle::{ConeExtent, CylinderExtent, Dyadic, Solid};

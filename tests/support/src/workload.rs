@@ -29,7 +29,8 @@ pub enum Workload {
     Rims,
     /// With one or two zero components.
     ZeroComponents,
-    /// From a hit of the solid to this side of it, and said to depart from there; every fourth nearly along the surface.
+    /// From a hit of the solid to this side of it, and said to depart from there; every fourth nearly along the
+    /// surface.
     Departing(Leaving),
 }
 

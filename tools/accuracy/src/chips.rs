@@ -18,8 +18,9 @@ pub struct Instructions {
     pub miss: u64,
 }
 
-/// True if the firmware's rays are like those of the workload: from 2 to 6 away. Other rays may take more (those that graze, those
-/// from so far that a short product does not hold them), and for them the same figure is only where it starts.
+/// True if the firmware's rays are like those of the workload: from 2 to 6 away. Other rays may take more (those that
+/// graze, those from so far that a short product does not hold them), and for them the same figure is only where it
+/// starts.
 pub fn is_like(row: &Figures) -> bool {
     row.workload == "benign"
 }
@@ -51,7 +52,8 @@ impl Chip {
         self.workloads.get(&format!("{workload} | {number} | {tier} | mean")).copied()
     }
 
-    /// Bytes of a program that finds the nearest hit of a row's primitive, not placed, in its number type and tier; `None` if there is none.
+    /// Bytes of a program that finds the nearest hit of a row's primitive, not placed, in its number type and tier;
+    /// `None` if there is none.
     pub fn flash(&self, row: &Figures) -> Option<u64> {
         let primitive = row.primitive.split(' ').next()?;
         self.sizes.get(&format!("{primitive} | {} | {}", row.number, row.tier)).copied()

@@ -1,5 +1,5 @@
-//! The promise: docs/accuracy.md, docs/accuracy/, docs/which-one.md, docs/plots/ and the tables of the README and of docs/overview.md
-//! show what the repository holds: the bound table, the times and sweeps of the last
+//! The promise: docs/accuracy.md, docs/accuracy/, docs/which-one.md, docs/plots/ and the tables of the README and of
+//! docs/overview.md show what the repository holds: the bound table, the times and sweeps of the last
 //! `cargo run --release -p raylet-accuracy -- --write`, the firmware's baselines.
 //!
 //! Nothing is measured here: `tests/promises/src/number_types.rs` holds the library to the bound table.

@@ -1,4 +1,5 @@
-//! What accuracy costs in time: how wrong every tier in every number type is, against exact arithmetic, and how long it takes.
+//! What accuracy costs in time: how wrong every tier in every number type is, against exact arithmetic, and how long it
+//! takes.
 //!
 //! ```text
 //! cargo run --release -p raylet-accuracy                 # tables and plots, in out/accuracy
@@ -49,27 +50,31 @@ use support::{bounds, figures, in_repository};
 /// Measure how wrong each tier is in each number type, and how long it takes.
 ///
 /// Without options everything is measured, which takes minutes, and the documents and plots are written to the folder
-/// out/accuracy. `rays` measures a solid and rays of your own instead. docs/accuracy.md is what this program writes, and explains
-/// every column.
+/// out/accuracy. `rays` measures a solid and rays of your own instead. docs/accuracy.md is what this program writes,
+/// and explains every column.
 ///
-/// Errors: every primitive (sphere, cone, ...) is met by several kinds of seeded rays. What the library answers is compared with
-/// exact arithmetic on the very bits that the library received: the error of t, in units in the last place and as a length, and
-/// wrong hits and misses. Errors are the same on every machine and in every run.
+/// Errors: every primitive (sphere, cone, ...) is met by several kinds of seeded rays. What the library answers is
+/// compared with exact arithmetic on the very bits that the library received: the error of t, in units in the last
+/// place and as a length, and wrong hits and misses. Errors are the same on every machine and in every run.
 ///
-/// Times: of a nearest hit, as a ratio to the textbook's sphere in f32, which is timed by turns with it. They differ from run to run,
-/// and no test depends on them. Beside them stand the instructions on four microcontrollers, which are read from data/chips.
+/// Times: of a nearest hit, as a ratio to the textbook's sphere in f32, which is timed by turns with it. They differ
+/// from run to run, and no test depends on them. Beside them stand the instructions on four microcontrollers, which are
+/// read from data/chips.
 ///
-/// The rows named Textbook are the formulas of most textbooks in the same number type, for comparison with the library's tiers.
+/// The rows named Textbook are the formulas of most textbooks in the same number type, for comparison with the
+/// library's tiers.
 #[derive(Parser)]
 #[command(version, about, args_conflicts_with_subcommands = true)]
 #[expect(clippy::struct_excessive_bools, reason = "switches of a command line")]
 struct Options {
     #[command(subcommand)]
     command: Option<Command>,
-    /// Measure few rays, and time them in few rounds: some seconds instead of minutes, to look at. The worst errors come out too small.
+    /// Measure few rays, and time them in few rounds: some seconds instead of minutes, to look at. The worst errors
+    /// come out too small.
     #[arg(short, long, conflicts_with_all = ["write", "check", "document"])]
     quick: bool,
-    /// How many rays to measure for each row of the tables; the published ones have 2000. Rows of placed solids take a quarter of them.
+    /// How many rays to measure for each row of the tables; the published ones have 2000. Rows of placed solids take a
+    /// quarter of them.
     #[arg(short, long, value_name = "COUNT", conflicts_with_all = ["write", "check", "document", "quick"])]
     rays: Option<usize>,
     /// Print all figures as JSON, and write no documents.
@@ -78,34 +83,34 @@ struct Options {
     /// The folder to write the documents and plots to.
     #[arg(short, long, default_value = "out/accuracy", value_name = "FOLDER")]
     output: PathBuf,
-    /// Write what was measured into the repository instead of a folder: the bounds that the tests hold the library to (data/bounds),
-    /// docs/accuracy.md and docs/accuracy/, docs/which-one.md, docs/plots/ and the tables of the README and of
-    /// docs/overview.md.
+    /// Write what was measured into the repository instead of a folder: the bounds that the tests hold the library to
+    /// (data/bounds), docs/accuracy.md and docs/accuracy/, docs/which-one.md, docs/plots/ and the tables of the README
+    /// and of docs/overview.md.
     #[arg(short, long, conflicts_with_all = ["check", "document"])]
     write: bool,
-    /// Measure nothing, and write the documents and plots of the repository again from the figures in data/: for use after a
-    /// change of the chips' figures, or of a text.
+    /// Measure nothing, and write the documents and plots of the repository again from the figures in data/: for use
+    /// after a change of the chips' figures, or of a text.
     #[arg(short, long)]
     document: bool,
-    /// Measure the errors, not the times, and compare the documents and plots of the repository with what they should be. Shows the
-    /// lines that differ, and fails if there are any. Writes nothing.
+    /// Measure the errors, not the times, and compare the documents and plots of the repository with what they should
+    /// be. Shows the lines that differ, and fails if there are any. Writes nothing.
     #[arg(short, long, conflicts_with = "document", group = "part")]
     check: bool,
-    /// Measure the errors, and print each row in which a tier does not keep its promise: how many rays break it, and the worst of
-    /// them, by its bits. Fails if there is such a row. Writes nothing.
+    /// Measure the errors, and print each row in which a tier does not keep its promise: how many rays break it, and
+    /// the worst of them, by its bits. Fails if there is such a row. Writes nothing.
     #[arg(short, long, conflicts_with_all = ["write", "document", "json", "quick"], group = "part")]
     broken: bool,
-    /// Search for rays that break the promise of Stable or Exact. The search starts at the worst random rays of each row, changes a coordinate
-    /// or the direction a little, and keeps what makes the error larger. Prints what it finds as --broken does, and fails if there is any.
-    /// Writes nothing.
+    /// Search for rays that break the promise of Stable or Exact. The search starts at the worst random rays of each
+    /// row, changes a coordinate or the direction a little, and keeps what makes the error larger. Prints what it finds
+    /// as --broken does, and fails if there is any. Writes nothing.
     #[arg(short, long, conflicts_with_all = ["write", "document", "json", "quick"], group = "part")]
     search: bool,
-    /// Measure the errors of the primitives that --only names, and write only their rows into data/bounds, no documents: for a new
-    /// primitive, whose times are measured later.
+    /// Measure the errors of the primitives that --only names, and write only their rows into data/bounds, no
+    /// documents: for a new primitive, whose times are measured later.
     #[arg(long, requires = "only", conflicts_with_all = ["write", "document", "json", "quick"], group = "part")]
     bounds: bool,
-    /// Measure this primitive only; may be given several times. Needs --bounds, --check, --broken or --search. (--check takes the rows
-    /// that are not measured from data/bounds.)
+    /// Measure this primitive only; may be given several times. Needs --bounds, --check, --broken or --search. (--check
+    /// takes the rows that are not measured from data/bounds.)
     #[arg(long, requires = "part", value_name = "PRIMITIVE", value_parser = SUBJECTS)]
     only: Vec<String>,
     /// Measure this number type only; may be given several times. Needs --broken or --search.

@@ -9,7 +9,8 @@ pub struct Chip {
     /// The target, as rustc names it.
     #[arg(long)]
     target: String,
-    /// What `rustc --version` says of the compiler that built the programs: another one than the baseline's may be up to 15 % worse.
+    /// What `rustc --version` says of the compiler that built the programs: another one than the baseline's may be up
+    /// to 15 % worse.
     #[arg(long)]
     compiler: String,
     /// Make what was measured the baseline.

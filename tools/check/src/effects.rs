@@ -1,5 +1,5 @@
-//! What effects cost: instructions, rays and stack of a pixel, by the programs `effects` and `gallery`; bytes, by the programs of
-//! `sizes`; and that an effect left out leaves no code.
+//! What effects cost: instructions, rays and stack of a pixel, by the programs `effects` and `gallery`; bytes, by the
+//! programs of `sizes`; and that an effect left out leaves no code.
 
 use crate::elf::{self, Program};
 use crate::programs;
@@ -131,7 +131,8 @@ pub fn sizes(directory: &Path, empty: u64, figures: &mut Figures) -> Outcome {
     Ok(())
 }
 
-/// Shows that no instruction of a program comes from an effect that is not in its set, and that each effect that is has some.
+/// Shows that no instruction of a program comes from an effect that is not in its set, and that each effect that is has
+/// some.
 pub fn check_left_out(directory: &Path) -> Outcome {
     let mut faults = Vec::new();
     for (name, set) in SETS {

@@ -20,8 +20,8 @@ impl Forbidden {
     /// True if a symbol of this name is one.
     pub fn is(self, name: &str) -> bool {
         match self {
-            // `panicked` is the bottom of the panic handler in `proofs`: whatever a compiler calls its ways to panic, they end
-            // there.
+            // `panicked` is the bottom of the panic handler in `proofs`: whatever a compiler calls its ways to panic,
+            // they end there.
             Self::Panic => {
                 let names = [
                     "core::panicking::",
@@ -55,7 +55,8 @@ pub fn any(name: &str) -> bool {
     Forbidden::ALL.iter().any(|forbidden| forbidden.is(name))
 }
 
-/// The compiler's own helpers, under the names of Arm (Arm, *Run-time ABI for the Arm Architecture*, 5.1) and of libgcc.
+/// The compiler's own helpers, under the names of Arm (Arm, *Run-time ABI for the Arm Architecture*, 5.1) and of
+/// libgcc.
 fn is_helper_for_doubles(name: &str) -> bool {
     let name = name.rsplit("::").next().unwrap_or(name);
     if let Some(arm) = name.strip_prefix("__aeabi_") {

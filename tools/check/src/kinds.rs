@@ -1,5 +1,5 @@
-//! What programs over chosen primitives and placements take of a chip's flash, and that a primitive or a placement that is left out
-//! leaves no code.
+//! What programs over chosen primitives and placements take of a chip's flash, and that a primitive or a placement that
+//! is left out leaves no code.
 
 use crate::effects::NUMBERS;
 use crate::elf::{self, Program};
@@ -122,8 +122,8 @@ fn faults(program: &str, number: &str, kinds: &[&str], found: &BTreeSet<String>)
     found.map(|file| format!("{program}: there are instructions of {file}, which is not of {named}")).collect()
 }
 
-/// Shows that no instruction of a program comes from a kind that it does not name, and that a program of any kind, which names none, has
-/// some of each, so that they would be found.
+/// Shows that no instruction of a program comes from a kind that it does not name, and that a program of any kind,
+/// which names none, has some of each, so that they would be found.
 pub fn check_left_out(directory: &Path) -> Outcome {
     let mut wrong = Vec::new();
     for number in NUMBERS {

@@ -57,7 +57,8 @@ fn taken(module: &str, mut names: Vec<String>) -> Option<String> {
     }
 }
 
-/// The text of a program: what it is, the kinds and effects that it names, and the macro of `raylet-sizes` that makes it.
+/// The text of a program: what it is, the kinds and effects that it names, and the macro of `raylet-sizes` that makes
+/// it.
 fn text(what: &str, number: Option<&str>, [kinds, effects]: [Vec<String>; 2], program: &str) -> String {
     let number = number.filter(|number| number.starts_with('I')).map(|number| format!("use fixed::types::{number};\n"));
     let taken = [taken("raylet::effect", effects), taken("raylet", kinds)];
@@ -99,8 +100,8 @@ fn all() -> BTreeMap<String, String> {
     programs
 }
 
-/// Writes the programs, and removes those that there were before. A program that is as it should be is not touched, so that cargo
-/// does not build it again.
+/// Writes the programs, and removes those that there were before. A program that is as it should be is not touched, so
+/// that cargo does not build it again.
 pub fn write() -> Outcome {
     let (folder, programs) = (in_repository(FOLDER), all());
     fs::create_dir_all(&folder)?;

@@ -15,7 +15,8 @@ const PROOFS: [(&str, &[Forbidden]); 3] = [
     ("proof_reader", &[Panic, Allocator, Formatting]),
 ];
 
-/// The program that does all of it, and what must be found there. (An allocator cannot be linked without the crate `alloc`.)
+/// The program that does all of it, and what must be found there. (An allocator cannot be linked without the crate
+/// `alloc`.)
 const FAULTY: (&str, [Forbidden; 3]) = ("faulty", [Panic, Formatting, Doubles]);
 
 /// Looks at all programs.

@@ -1,5 +1,5 @@
-//! A program as users write one: nearest hits, occlusion and surfaces of placed solids, in four number types and fourteen combinations with tiers.
-//! `.ci/compiling` measures how long it takes to compile.
+//! A program as users write one: nearest hits, occlusion and surfaces of placed solids, in four number types and
+//! fourteen combinations with tiers. `.ci/compiling` measures how long it takes to compile.
 
 use fixed::types::{I16F16, I32F32};
 use raylet::tier::{Exact, Fast, Plain, Stable, Tier};

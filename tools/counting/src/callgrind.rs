@@ -40,7 +40,8 @@ fn nothing() -> Case {
     Case::new(name, 0, vec![0; QUERIES], nothing::<u64, u64>)
 }
 
-/// [`counted`] as valgrind calls it. (A pattern would do to toggle the counting, but not to write down what was counted.)
+/// [`counted`] as valgrind calls it. (A pattern would do to toggle the counting, but not to write down what was
+/// counted.)
 const COUNTED: &str = "instructions::callgrind::counted";
 
 /// What callgrind counts.
@@ -101,16 +102,16 @@ mod numbered {
 
 /// Runs everything once: what this program does under valgrind.
 ///
-/// In a thread: where the first one's stack begins depends on the length of the program's path and of the environment, and so
-/// would what copying takes, which looks at alignments.
+/// In a thread: where the first one's stack begins depends on the length of the program's path and of the environment,
+/// and so would what copying takes, which looks at alignments.
 pub fn run_queries() {
     let asking = std::thread::spawn(|| {
         for case in cases() {
             counted(&|| case.run());
         }
         for workloads in [workloads::all(), workloads::away_from_grazing()] {
-            // Callgrind counts calls, not instructions, outside of what is counted too, and forgets them when it has written them down: this
-            // part takes the calls by which the workloads were made.
+            // Callgrind counts calls, not instructions, outside of what is counted too, and forgets them when it has
+            // written them down: this part takes the calls by which the workloads were made.
             counted(&|| workloads.iter().for_each(|workload| singly(workload, 0..workload.queries)));
             for workload in &workloads {
                 for block in blocks(workload) {
@@ -129,7 +130,8 @@ pub struct Counted {
     pub cost: Figures,
     /// Of every workload the mean, the 99 %, the worst, and how many of a hundred queries are left to the solver.
     pub workloads: Figures,
-    /// Of the rays away from grazing of every solid the mean, the 99.9 %, the worst, and how many of a hundred are left to the solver.
+    /// Of the rays away from grazing of every solid the mean, the 99.9 %, the worst, and how many of a hundred are left
+    /// to the solver.
     pub away_from_grazing: Figures,
 }
 
@@ -230,7 +232,8 @@ fn run(file: &Path) -> Result<Vec<Part>, Box<dyn Error>> {
 
 /// The parts that a returning function ended; what follows the last is the end of the program.
 ///
-/// `fn=` names a function, `cfn=` one that it calls, `calls=` says how often, and the line behind that ends with what these calls took.
+/// `fn=` names a function, `cfn=` one that it calls, `calls=` says how often, and the line behind that ends with what
+/// these calls took.
 fn parts(text: impl BufRead) -> Result<Vec<Part>, Box<dyn Error>> {
     let mut parts: Vec<Part> = Vec::new();
     let (mut by_a_function, mut callee, mut is_call) = (false, String::new(), false);

@@ -1,5 +1,5 @@
-//! The queries that the benchmarks run, prepared beforehand: every primitive, query, number type and tier, and scenes of 1 to 256
-//! spheres, hits and misses apart.
+//! The queries that the benchmarks run, prepared beforehand: every primitive, query, number type and tier, and scenes
+//! of 1 to 256 spheres, hits and misses apart.
 //!
 //! The subjects and their rays are those of the firmware's program `cost`, so that the host can be read beside
 //! `docs/microcontrollers.md`.

@@ -145,7 +145,8 @@ const OF_WORKLOADS: [(&str, &[&str]); 6] = [
 /// Times the mean.
 const MANY: f64 = 4.0;
 
-/// A row of a workload: its mean and its worst in each number type and tier; then how much of it the first method of `Stable` passes on.
+/// A row of a workload: its mean and its worst in each number type and tier; then how much of it the first method of
+/// `Stable` passes on.
 fn workload(text: &mut String, figures: &Figures, of: &str) {
     let figure =
         |number: &str, tier: &str, what: &str| figures.get(&format!("{of} | {number} | {tier} | {what}")).copied();

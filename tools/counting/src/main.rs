@@ -19,7 +19,8 @@ use std::process::ExitCode;
 #[derive(Parser)]
 #[command(about = "Counts the instructions of every query.")]
 struct Arguments {
-    /// What `rustc --version` says of the compiler that built this: another one than the baseline's may be up to 15 % worse.
+    /// What `rustc --version` says of the compiler that built this: another one than the baseline's may be up to 15 %
+    /// worse.
     #[arg(long, required_unless_present = "under_valgrind")]
     compiler: Option<String>,
     /// Make what is counted the baseline, and write the document.

@@ -7,8 +7,8 @@
 //! cargo bench -p raylet-counting -- scene                               # cost against work: 1 to 256 spheres
 //! ```
 //!
-//! A sample has 64 rays; the figures are for all of them together, and below in millions of queries a second. Instructions, which
-//! do not depend on how busy the machine is, are counted by `.ci/instructions`.
+//! A sample has 64 rays; the figures are for all of them together, and below in millions of queries a second.
+//! Instructions, which do not depend on how busy the machine is, are counted by `.ci/instructions`.
 
 mod cost;
 

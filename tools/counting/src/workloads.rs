@@ -1,4 +1,5 @@
-//! What users do, query by query: the mean, the 99th of a hundred and the worst, and how many the first method of the tier passes on.
+//! What users do, query by query: the mean, the 99th of a hundred and the worst, and how many the first method of the
+//! tier passes on.
 //!
 //! | module | what it holds |
 //! |---|---|
@@ -113,7 +114,8 @@ fn queries<S: Scalar>() -> Vec<(String, Vec<Query<S>>)> {
     all
 }
 
-/// How many rays away from grazing are counted of a solid and a placement: the second most expensive of them is the 99.9 %.
+/// How many rays away from grazing are counted of a solid and a placement: the second most expensive of them is the
+/// 99.9 %.
 const AWAY: usize = 1_000;
 
 /// Arriving rays, near and far.

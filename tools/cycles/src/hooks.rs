@@ -94,8 +94,8 @@ pub unsafe extern "C" fn counting_register(_: *mut c_void, offset: u64, _: u32, 
 #[unsafe(no_mangle)]
 pub extern "C" fn counting_ignore(_: *mut c_void, _: u64, _: u32, _: u64, _: *mut Counting) {}
 
-/// How often a block was carried out while the program measured; its address and its end in `ends`. `u64::MAX` behind the
-/// last block.
+/// How often a block was carried out while the program measured; its address and its end in `ends`. `u64::MAX` behind
+/// the last block.
 ///
 /// # Safety
 ///

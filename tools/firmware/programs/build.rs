@@ -1,5 +1,6 @@
 //! Hands the linker the script of the chip's runtime. The memory map of the emulated board, `memory.x`, comes from
-//! `raylet-firmware`: the folders that the build script of a dependency adds to the linker's search are searched here too.
+//! `raylet-firmware`: the folders that the build script of a dependency adds to the linker's search are searched here
+//! too.
 
 fn main() {
     println!("cargo:rerun-if-changed=build.rs");
@@ -12,8 +13,8 @@ fn main() {
     for script in scripts {
         println!("cargo:rustc-link-arg-bins=-T{script}");
     }
-    // `cost` names every query of every number type, which is more than the boards' flash holds. Functions of equal code are linked once: what a
-    // query executes is the same.
+    // `cost` names every query of every number type, which is more than the boards' flash holds. Functions of equal
+    // code are linked once: what a query executes is the same.
     if !scripts.is_empty() {
         println!("cargo:rustc-link-arg-bin=cost=--icf=all");
     }

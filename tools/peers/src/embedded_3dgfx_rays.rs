@@ -1,7 +1,7 @@
 //! `embedded-3dgfx` (`f32`): its module `ray_primitive`, and for the triangle `mesh_ray_cast` of one face.
 //!
-//! Its documentation names a cylinder, but no function has one; of a cone there is nothing. Every answer comes with point and
-//! normal: there is no function that leaves them out.
+//! Its documentation names a cylinder, but no function has one; of a cone there is nothing. Every answer comes with
+//! point and normal: there is no function that leaves them out.
 
 use crate::contestant::{Contestant, Entrant};
 use crate::names::EMBEDDED_3DGFX;
@@ -78,8 +78,8 @@ impl Contestant<f32> for Triangle {
     }
 }
 
-/// Whether this build took its square roots from the standard library, or from `micromath`, which approximates them. It depends
-/// on which crates are in the build: a method of the standard library is found once any crate brings it along.
+/// Whether this build took its square roots from the standard library, or from `micromath`, which approximates them. It
+/// depends on which crates are in the build: a method of the standard library is found once any crate brings it along.
 pub fn has_exact_roots() -> bool {
     let ray = camera::Ray { origin: Vector3::new(0.9, 0.0, -5.0), direction: Vector3::z() };
     ray_intersects_sphere(&ray, Vector3::zeros(), 1.1).is_some_and(|hit| (hit.distance - 4.367_544_5).abs() < 1e-4)

@@ -1,5 +1,5 @@
-//! The same rays put to raylet, to other libraries and to the textbook: how fast, and how wrong. What it finds stands in
-//! `docs/peers.md`.
+//! The same rays put to raylet, to other libraries and to the textbook: how fast, and how wrong. What it finds stands
+//! in `docs/peers.md`.
 
 pub mod bars;
 pub mod contestant;

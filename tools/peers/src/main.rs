@@ -19,9 +19,9 @@ use std::process::ExitCode;
 
 /// Puts the same rays to raylet, parry3d, embedded-3dgfx and the textbook: how fast is each, and how wrong?
 ///
-/// Prints Markdown: the bars that raylet set itself and whether it reaches them, times, errors against exact arithmetic, and all rows.
-/// Errors are the same on every run; times are ratios taken within rounds of some 50 microseconds a contestant, so that a
-/// busy machine disturbs them little.
+/// Prints Markdown: the bars that raylet set itself and whether it reaches them, times, errors against exact
+/// arithmetic, and all rows. Errors are the same on every run; times are ratios taken within rounds of some 50
+/// microseconds a contestant, so that a busy machine disturbs them little.
 #[derive(Parser)]
 #[command(version)]
 struct Options {

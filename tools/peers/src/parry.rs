@@ -1,8 +1,9 @@
-//! `parry3d` (`f32`) and `parry3d-f64`: `RayCast::cast_local_ray`, not solid, so that a ray from inside meets the far side as
-//! it does in raylet.
+//! `parry3d` (`f32`) and `parry3d-f64`: `RayCast::cast_local_ray`, not solid, so that a ray from inside meets the far
+//! side as it does in raylet.
 //!
 //! Its cylinder and its cone have their middle in the origin, and the cone's apex is above. The rays are moved there
-//! beforehand, so that parry is called in the frame that suits it best; its `cast_ray` with a pose would move them itself.
+//! beforehand, so that parry is called in the frame that suits it best; its `cast_ray` with a pose would move them
+//! itself.
 
 use crate::contestant::{Contestant, Entrant};
 use crate::names::PARRY;
@@ -113,8 +114,8 @@ pub mod placed {
     impl Posed {
         /// The same query; `None` if parry does not have the solid, or no such placement.
         pub fn of(query: &Query<f32>) -> Option<Self> {
-            // Where parry's solid stands in raylet's canonical pose: its cylinder and its cone have their middle in the origin, and
-            // the cone's apex is above instead of below.
+            // Where parry's solid stands in raylet's canonical pose: its cylinder and its cone have their middle in the
+            // origin, and the cone's apex is above instead of below.
             let raised = |height: f32| Pose::translation(0.0, height / 2.0, 0.0);
             let (shape, own) = match query.shape.primitive() {
                 Primitive::Sphere(sphere) => (Any::Ball(Ball::new(sphere.radius())), Pose::IDENTITY),

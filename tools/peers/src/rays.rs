@@ -22,8 +22,8 @@ fn seed(workload: Workload) -> u64 {
     1000 + place as u64
 }
 
-/// Of rays at a subject those that hit it and those that miss it, as exact arithmetic tells; each `None` where there are
-/// too few. A benign ray never misses: there the misses are the same rays moved aside.
+/// Of rays at a subject those that hit it and those that miss it, as exact arithmetic tells; each `None` where there
+/// are too few. A benign ray never misses: there the misses are the same rays moved aside.
 pub fn apart<S: Number>(subject: &Subject<S>, workload: Workload, rays: &[Ray<S>]) -> [Option<Vec<Ray<S>>>; 2] {
     let (hits, mut misses): (Vec<_>, Vec<_>) = rays.iter().partition(|ray| is_hit(subject, ray));
     if workload == Workload::Benign {
@@ -38,7 +38,8 @@ fn is_hit<S: Number>(subject: &Subject<S>, ray: &Ray<S>) -> bool {
     !expected(&subject.solid, ray).hits.is_empty()
 }
 
-/// The same ray, passing at a distance of one to three times the size of the subject. (Nothing passes a plane: it stays.)
+/// The same ray, passing at a distance of one to three times the size of the subject. (Nothing passes a plane: it
+/// stays.)
 fn moved_aside<S: Number>(subject: &Subject<S>, ray: &Ray<S>, random: &mut Random) -> Ray<S> {
     if subject.name == "plane" {
         return Ray::new(ray.origin(), -ray.direction()).unwrap_or(*ray);

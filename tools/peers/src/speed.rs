@@ -1,8 +1,8 @@
 //! How long a query takes, on a machine that does other things too.
 //!
-//! The contestants take turns, round after round, for some fifty microseconds each. What disturbs the machine for longer
-//! than a round disturbs them all, so that the ratios of one round are worth more than any time: of each ratio the median
-//! over the rounds counts.
+//! The contestants take turns, round after round, for some fifty microseconds each. What disturbs the machine for
+//! longer than a round disturbs them all, so that the ratios of one round are worth more than any time: of each ratio
+//! the median over the rounds counts.
 
 use crate::contestant::Prepared;
 use std::time::Instant;
@@ -24,7 +24,8 @@ pub struct Effort {
 pub struct Speed {
     /// Nanoseconds a ray.
     pub nanoseconds: f64,
-    /// Its time over that of the textbook's `f32` sphere at benign rays that hit: first quartile, median, third quartile.
+    /// Its time over that of the textbook's `f32` sphere at benign rays that hit: first quartile, median, third
+    /// quartile.
     pub to_sphere: [f64; 3],
     /// Its time over that of raylet's `Stable` at the same rays, likewise.
     pub to_stable: [f64; 3],
@@ -60,8 +61,8 @@ impl<'a, S> Runner<'a, S> {
     }
 }
 
-/// Times contestants against each other, all at the same rays; `stable` is the place of raylet's `Stable` among them, and
-/// `sphere` is the textbook's sphere.
+/// Times contestants against each other, all at the same rays; `stable` is the place of raylet's `Stable` among them,
+/// and `sphere` is the textbook's sphere.
 pub fn race<S>(
     contestants: &[Box<dyn Prepared<S> + '_>],
     stable: usize,

@@ -1,7 +1,7 @@
 //! What users do, beside `parry3d`: placed solids, near and far, and a range sensor, in `f32`.
 //!
-//! The queries are those of `docs/benches.md`. Both libraries place the solid themselves: parry's `cast_ray` moves the ray into the
-//! solid's pose, raylet's shape does the same with its frame. Each query has a solid and a ray of its own.
+//! The queries are those of `docs/benches.md`. Both libraries place the solid themselves: parry's `cast_ray` moves the
+//! ray into the solid's pose, raylet's shape does the same with its frame. Each query has a solid and a ray of its own.
 
 use crate::contestant::Prepared;
 use crate::names::{EXACT, FAST, PARRY, PLAIN, STABLE};

@@ -5,7 +5,8 @@ use crate::names::{EXACT, PARRY, STABLE};
 use crate::users::{NAMES, OFF, UserRow};
 use std::fmt::Write;
 
-/// At most so many times parry's time: a sphere and a triangle, whose loops in parry tell no part, no crossing and keep no range.
+/// At most so many times parry's time: a sphere and a triangle, whose loops in parry tell no part, no crossing and keep
+/// no range.
 const MOST: [(&str, f64); 2] = [("sphere", 1.7), ("triangle", 1.8)];
 
 fn most(what: &str) -> f64 {

@@ -11,7 +11,8 @@ use support::exact_types::exact_line;
 use support::subject::Subject;
 use support::workload::Workload;
 
-/// What iterations leave at these rays, and approximated square roots; a primitive of another size or in another place is off by more.
+/// What iterations leave at these rays, and approximated square roots; a primitive of another size or in another place
+/// is off by more.
 fn tolerance() -> f64 {
     if has_exact_roots() { 0.02 } else { 0.2 }
 }
@@ -55,8 +56,8 @@ fn in_double_precision() {
     everyone_agrees_with_exact_arithmetic::<f64>();
 }
 
-/// A contestant that stores a primitive elsewhere has its rays moved there, and the oracle takes them back: to the same line but for
-/// the rounding of one number.
+/// A contestant that stores a primitive elsewhere has its rays moved there, and the oracle takes them back: to the same
+/// line but for the rounding of one number.
 #[test]
 fn a_moved_ray_is_the_same_ray() {
     let mut moved = 0;

@@ -9,8 +9,8 @@ pub type Figures = BTreeMap<String, u64>;
 
 /// A figure may be this many hundredths larger than the baseline.
 const SLACK: u64 = 2;
-/// The same, where the baseline was made with another compiler, which makes other code: of the two that CI may find (rustup's
-/// and Debian's) one is up to 5 % better here and as much worse there, a plane in fixed point even 13 %.
+/// The same, where the baseline was made with another compiler, which makes other code: of the two that CI may find
+/// (rustup's and Debian's) one is up to 5 % better here and as much worse there, a plane in fixed point even 13 %.
 const SLACK_BETWEEN_COMPILERS: u64 = 15;
 /// And this many at least.
 const LEAST_SLACK: u64 = 2;
@@ -72,8 +72,8 @@ impl Baseline {
         self.parts.get(part).unwrap_or(NONE)
     }
 
-    /// Prints what changed in a part, and fails if anything got worse, is new or is gone. `renew` is the command that makes
-    /// what was measured the baseline, and `unit` what is counted.
+    /// Prints what changed in a part, and fails if anything got worse, is new or is gone. `renew` is the command that
+    /// makes what was measured the baseline, and `unit` what is counted.
     pub fn compare(&self, now: &Self, part: &str, unit: &str, renew: &str) -> Outcome {
         if self.machine != now.machine {
             let (before, now) = (&self.machine, &now.machine);

@@ -1,4 +1,5 @@
-//! The measured tables of the repository: how they are stored (`data/`), compared with what was measured before, and shown.
+//! The measured tables of the repository: how they are stored (`data/`), compared with what was measured before, and
+//! shown.
 // Every error is text for whoever runs the tool.
 #![expect(clippy::missing_errors_doc, reason = "every error is a file that cannot be read, and says which")]
 

@@ -1,10 +1,10 @@
-//! What an ESP32-C3 needs between its ROM and a program. The runtime of the other RISC-V programs will not do: it writes to
-//! registers (`mie`, `mip`) that this chip does not have.
+//! What an ESP32-C3 needs between its ROM and a program. The runtime of the other RISC-V programs will not do: it
+//! writes to registers (`mie`, `mip`) that this chip does not have.
 
 use core::arch::global_asm;
 
-// The first instruction behind the mark. Interrupts are off after a reset, and stay off. Nothing but the stack and the global
-// pointer is set before `.data` and `.bss` are: the loops use no memory.
+// The first instruction behind the mark. Interrupts are off after a reset, and stay off. Nothing but the stack and the
+// global pointer is set before `.data` and `.bss` are: the loops use no memory.
 global_asm!(
     ".section .init, \"ax\"",
     ".global _start",
@@ -38,8 +38,8 @@ extern "C" fn run() -> ! {
     super::run()
 }
 
-/// Four watchdogs run from the reset on; each would reset the chip within seconds (*ESP32-C3 Technical Reference Manual*,
-/// chapter *Watchdog Timers*).
+/// Four watchdogs run from the reset on; each would reset the chip within seconds (*ESP32-C3 Technical Reference
+/// Manual*, chapter *Watchdog Timers*).
 fn stop_watchdogs() {
     /// Opens the settings of the timers' and the real-time clock's watchdog.
     const KEY: u32 = 0x50d8_3aa1;

@@ -1,5 +1,5 @@
-//! Draws the scene on a real board, without semihosting and with nothing attached: the display is a digest of what went over
-//! its bus, left in `DIGEST` for a debugger. README.md says what it must be, and how to build for each board.
+//! Draws the scene on a real board, without semihosting and with nothing attached: the display is a digest of what went
+//! over its bus, left in `DIGEST` for a debugger. README.md says what it must be, and how to build for each board.
 //!
 //! No clock is set up: the chip runs as slowly as it wakes. None of this has run on hardware.
 #![no_std]

@@ -1,5 +1,5 @@
-//! Draws the scene on a display of `embedded-graphics`, in fixed point and in floats. The display is a stand-in that passes
-//! on each pixel as it comes: to a file of the host.
+//! Draws the scene on a display of `embedded-graphics`, in fixed point and in floats. The display is a stand-in that
+//! passes on each pixel as it comes: to a file of the host.
 #![no_std]
 #![no_main]
 

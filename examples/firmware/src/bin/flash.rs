@@ -1,5 +1,6 @@
-//! Draws a scene that is all constants, in fixed point and in floats, and prints a digest of each picture: those of the host
-//! (`tests/promises/src/constants.rs` compares them with the scene made at run time). Nothing of the scene is in RAM but what borrows it.
+//! Draws a scene that is all constants, in fixed point and in floats, and prints a digest of each picture: those of the
+//! host (`tests/promises/src/constants.rs` compares them with the scene made at run time). Nothing of the scene is in
+//! RAM but what borrows it.
 #![no_std]
 #![no_main]
 

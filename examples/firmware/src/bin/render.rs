@@ -1,5 +1,5 @@
-//! Reads a scene and draws it, in fixed point and in floats; each picture goes to a file of the host, what it took to the
-//! terminal.
+//! Reads a scene and draws it, in fixed point and in floats; each picture goes to a file of the host, what it took to
+//! the terminal.
 #![no_std]
 #![no_main]
 

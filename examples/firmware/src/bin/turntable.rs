@@ -1,5 +1,6 @@
-//! The still life of the gallery turns on a display of 160 by 128 pixels, in fixed point, with a line of pixels in memory and no frame. Under
-//! QEMU it draws two frames, and prints for each the instructions of a pixel and a digest of what went over the bus.
+//! The still life of the gallery turns on a display of 160 by 128 pixels, in fixed point, with a line of pixels in
+//! memory and no frame. Under QEMU it draws two frames, and prints for each the instructions of a pixel and a digest of
+//! what went over the bus.
 #![no_std]
 #![no_main]
 

@@ -6,8 +6,8 @@ use super::{
 };
 use crate::scalar::Attempt;
 
-/// The closest approach of a line to a ball, for a direction assumed to have length 1: `k = o . d` and `D = r^2 - |o - k d|^2`, so that
-/// `t = -k -+ sqrt(D)`.
+/// The closest approach of a line to a ball, for a direction assumed to have length 1: `k = o . d` and
+/// `D = r^2 - |o - k d|^2`, so that `t = -k -+ sqrt(D)`.
 pub(in crate::scalar) struct ByApproach {
     o: [Digits; 3],
     r: Digits,
@@ -24,7 +24,8 @@ impl ByApproach {
     /// The origin is in units of `2^-extra_bits` of the radius's.
     #[inline(always)]
     pub(in crate::scalar) fn new(o: [i64; 3], extra_bits: i32, d: [i64; 3], r: i64) -> Attempt<Self> {
-        // On a grid on which no length has more than 60 bits. With fewer than four bits below the unit its rounding would matter.
+        // On a grid on which no length has more than 60 bits. With fewer than four bits below the unit its rounding
+        // would matter.
         let Some(r) = refined(r, extra_bits) else { return Attempt::Unsure };
         let all = upper_bits(o[0]) | upper_bits(o[1]) | upper_bits(o[2]) | (r >> 32) as u32;
         if all >= 1 << 24 {
@@ -35,7 +36,8 @@ impl ByApproach {
         let unit = grid + extra_bits as u32;
         let [x, y, z] = [up(o[0], grid), up(o[1], grid), up(o[2], grid)];
         let (o, d) = (digits([x, y, z]), digits(d));
-        // Products with the direction are rounded to the grid. The products of the low digits, at most a unit each, are left out.
+        // Products with the direction are rounded to the grid. The products of the low digits, at most a unit each, are
+        // left out.
         let on_grid = |high: i64, middle: i64| (high << 2) + ((middle + (1 << 29)) >> 30);
         let k = on_grid(
             product(o[0].high, d[0].high) + product(o[1].high, d[1].high) + product(o[2].high, d[2].high),
@@ -53,8 +55,8 @@ impl ByApproach {
         }
         let radius = Digits::new(up(r, more));
         let discriminant = squared(radius) - squared_length(digits(p.map(|length| up(length, more))));
-        // The error is a unit and a half of the grid on each axis, which changes t by at most a third of a unit; that of a framed origin is a
-        // five-hundredth of a unit.
+        // The error is a unit and a half of the grid on each axis, which changes t by at most a third of a unit; that
+        // of a framed origin is a five-hundredth of a unit.
         let known = if extra_bits == 0 { unit } else { FINER as u32 + 1 };
         let certain = down(square(radius.high), (2 * (known - 3)).min(30)) + 2;
         Attempt::Hit(Self { o, r: Digits::new(r), k, discriminant, certain, unit, up: more })
@@ -80,8 +82,9 @@ impl ByApproach {
         if self.k < 0 {
             return Attempt::Hit(());
         }
-        // The line leads away: the far end is at -c / (k + sqrt(D)), and an end within half a unit of the type of zero counts as zero; here within
-        // one, to include the lower half of c, and the change of k^2 by a direction that is longer or shorter by 2^-49.
+        // The line leads away: the far end is at -c / (k + sqrt(D)), and an end within half a unit of the type of zero
+        // counts as zero; here within one, to include the lower half of c, and the change of k^2 by a direction that is
+        // longer or shorter by 2^-49.
         let k = (self.k >> 32) as i32;
         let near = (k >> (31 - self.unit)) as i64 + (square(k) >> 48) + 2;
         let c = high(squared_length(self.o) - squared(self.r));
@@ -95,7 +98,8 @@ impl ByApproach {
     }
 }
 
-/// The closest approach of a line to a ball, from its Pluecker moment `w = o x d`: `D = a r^2 - |w|^2`, so that `t = (-k -+ sqrt(D)) / a`.
+/// The closest approach of a line to a ball, from its Pluecker moment `w = o x d`: `D = a r^2 - |w|^2`, so that
+/// `t = (-k -+ sqrt(D)) / a`.
 ///
 /// `k` is exact; `a = 1 + e` with an `e` of at most 2^-39, whose square is negligible, or, rarely, of at most 2^-26.
 pub(in crate::scalar) struct ByMoment {
@@ -117,8 +121,8 @@ impl ByMoment {
     /// The origin is in units of `2^-extra_bits` of the radius's.
     #[inline(always)]
     pub(in crate::scalar) fn new(o: [i64; 3], extra_bits: i32, d: [i64; 3], r: i64) -> Attempt<Self> {
-        // A grid on which the radius has 61 bits; the moment is shifted down to it. With fewer than eight bits below the unit its rounding would
-        // matter.
+        // A grid on which the radius has 61 bits; the moment is shifted down to it. With fewer than eight bits below
+        // the unit its rounding would matter.
         let [low, above] = words(r as u64);
         // Farther away on all axes sums of products would not fit.
         let all = upper_bits(o[0]) | upper_bits(o[1]) | upper_bits(o[2]);
@@ -142,8 +146,8 @@ impl ByMoment {
         Attempt::Hit(Self { d, k: dot(o, d), rr, residual: rr - squared_length(w), grid, down, extra_bits })
     }
 
-    /// The number of bits by which the discriminant may be smaller than `r^2`: the rounding of the moment, half a unit of the grid, then changes t by
-    /// at most a thirtieth of a unit, that of a framed origin by at most a twentieth.
+    /// The number of bits by which the discriminant may be smaller than `r^2`: the rounding of the moment, half a unit
+    /// of the grid, then changes t by at most a thirtieth of a unit, that of a framed origin by at most a twentieth.
     #[inline(always)]
     const fn spare(&self) -> u32 {
         if self.extra_bits == 0 { 2 * (self.grid - 5) } else { 8 }
@@ -202,7 +206,8 @@ impl ByMoment {
         if self.k < 0 {
             return Attempt::Hit(());
         }
-        // The line leads away: the far end is at (D - k^2) / (k + sqrt(D)), and an end within half a unit of the type of zero counts as zero.
+        // The line leads away: the far end is at (D - k^2) / (k + sqrt(D)), and an end within half a unit of the type
+        // of zero counts as zero.
         let k = self.k as u128;
         if down_to_64(k >> 64, self.down - 2) != 0 {
             return Attempt::Miss;

@@ -40,7 +40,8 @@ fn along(length: i64, proportion: Digits) -> i64 {
 }
 
 impl Scaled {
-    /// The origin is in units of `2^-extra_bits` of the sizes'. It is moved to a point next to the line's closest point, unless the line `departs`.
+    /// The origin is in units of `2^-extra_bits` of the sizes'. It is moved to a point next to the line's closest
+    /// point, unless the line `departs`.
     // Not inlined: a shape that may be any cone would contain it twice.
     #[inline(never)]
     fn new(o: [i64; 3], extra_bits: i32, d: [i64; 3], [r, g, h]: [i64; 3], departs: bool) -> Attempt<Self> {
@@ -143,7 +144,8 @@ impl AtCone {
         let w = [minor([y, z], [ey, ez]), minor([z, x], [ez, ex]), minor([x, y], [ex, ey])].map(round_off::<62>);
         let [wx, wy, wz] = digits(w);
         let discriminant = squared(wx) + squared(wz) - squared(wy);
-        // The rounding of the coordinates, up to 1.5 units perpendicular to the axis and 3 along it, changes D by at most ten times this.
+        // The rounding of the coordinates, up to 1.5 units perpendicular to the axis and 3 along it, changes D by at
+        // most ten times this.
         let moment = w.into_iter().fold(0, |sum, w| sum + w.unsigned_abs() as i128);
         if discriminant < -(moment << 4) && line.a > 0 {
             return Attempt::Miss;
@@ -160,7 +162,8 @@ impl AtCone {
         }
         let k = line.k();
         let divisor = line.digits.divisor();
-        // Farther away the rounding of a turned direction matters: an error of 2^-63 of t (1.3 2^-62 if it is stretched), which a small root enlarges likewise.
+        // Farther away the rounding of a turned direction matters: an error of 2^-63 of t (1.3 2^-62 if it is
+        // stretched), which a small root enlarges likewise.
         let more = leading_zeros_of_64(root) as i32 - leading_zeros_of_64(moment | 1) as i32 + 3;
         let farthest = (1 << if extra_bits == 0 { 52 } else { (58 - more).clamp(0, 52) }) >> line.shift().max(0);
         Attempt::Hit(Self { line, k, root, divisor, farthest })
@@ -223,8 +226,8 @@ pub(in crate::scalar) fn nappe(o: [i64; 3], extra_bits: i32, d: [i64; 3], outlin
     found!(AtCone::new(o, extra_bits, d, outline)).in_nappe()
 }
 
-/// Where the line is inside both nappes of the cone of slope `g / h` about its apex at the origin: between its ends, or (`true`) before the first and
-/// after the second.
+/// Where the line is inside both nappes of the cone of slope `g / h` about its apex at the origin: between its ends, or
+/// (`true`) before the first and after the second.
 #[inline(always)]
 pub(in crate::scalar) fn double_cone(
     o: [i64; 3],

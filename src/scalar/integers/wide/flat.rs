@@ -25,7 +25,8 @@ pub(in crate::scalar) fn crossings(oy: i64, extra_bits: i32, dy: i64, [low, high
     let Some(divisor) = Normalized::new((dy as i128) << 62).map(Normalized::divisor) else {
         return Attempt::Unsure;
     };
-    // The rounding error of a framed origin, a five-hundredth of a unit, is larger at the crossing if the line is nearly parallel to the plane.
+    // The rounding error of a framed origin, a five-hundredth of a unit, is larger at the crossing if the line is
+    // nearly parallel to the plane.
     if extra_bits != 0 && divisor.shift > 6 {
         return Attempt::Unsure;
     }
@@ -35,8 +36,8 @@ pub(in crate::scalar) fn crossings(oy: i64, extra_bits: i32, dy: i64, [low, high
     }
 }
 
-/// Where the line crosses the disc of radius `r` about the origin: as with 32 bits where `w_x^2 + w_z^2 <= (r dy)^2`, with the line's
-/// moment `w = o x d`.
+/// Where the line crosses the disc of radius `r` about the origin: as with 32 bits where `w_x^2 + w_z^2 <= (r dy)^2`,
+/// with the line's moment `w = o x d`.
 ///
 /// The origin is in units of `2^-extra_bits` of the radius's; the answer is in the radius's.
 #[inline(always)]
@@ -73,8 +74,8 @@ pub(in crate::scalar) fn disc(o: [i64; 3], extra_bits: i32, d: [i64; 3], r: i64)
     Attempt::Hit(t)
 }
 
-/// Where the line crosses the rectangle with these half extents about the origin: as with 32 bits where `|w_z| <= h_x |dy|` and
-/// `|w_x| <= h_z |dy|`.
+/// Where the line crosses the rectangle with these half extents about the origin: as with 32 bits where
+/// `|w_z| <= h_x |dy|` and `|w_x| <= h_z |dy|`.
 ///
 /// The origin is in units of `2^-extra_bits` of the half extents'; the answer is in theirs.
 #[inline(always)]
@@ -86,7 +87,8 @@ pub(in crate::scalar) fn rectangle(o: [i64; 3], extra_bits: i32, d: [i64; 3], [h
     if (far | upper_bits(hx) | upper_bits(hz)) >> 28 != 0 || !(extra_bits == 0 || extra_bits == FINER) {
         return Attempt::Unsure;
     }
-    // In units of 2^-(62 + extra_bits), exact except for the rounding of a framed line, which is less than two of the origin's units.
+    // In units of 2^-(62 + extra_bits), exact except for the rounding of a framed line, which is less than two of the
+    // origin's units.
     let ([x, y, z], [dx, dy, dz]) = (digits(o), digits(d));
     let [wx, wz] = [minor([y, z], [dy, dz]), minor([x, y], [dx, dy])].map(i128::unsigned_abs);
     let doubt = if extra_bits == 0 { 0 } else { 1_i128 << 65 };

@@ -3,7 +3,8 @@
 //! A number is multiplied as two [`Digits`] of 32 bits, both signed, so that the four products of two numbers need no
 //! correction, and sums of products add each of the four kinds in 64 bits before any carry.
 //!
-//! Sums of 128 bits are a few additions with carry on any chip; products and shifts of 128 bits would be calls of functions.
+//! Sums of 128 bits are a few additions with carry on any chip; products and shifts of 128 bits would be calls of
+//! functions.
 
 mod ball;
 mod cone;
@@ -64,7 +65,8 @@ const fn carried(high: i64, middle: i64, low: i128) -> i128 {
     ((high as i128) << 64) + ((middle as i128) << 32) + low
 }
 
-/// `a . b`. The middle digits are added in 64 bits: `sum |a_i| + sum |b_i|` must be below 2^64, as it is for two unit vectors (`2 sqrt(3) 2^62`).
+/// `a . b`. The middle digits are added in 64 bits: `sum |a_i| + sum |b_i|` must be below 2^64, as it is for two unit
+/// vectors (`2 sqrt(3) 2^62`).
 #[inline(always)]
 fn dot<const N: usize>(a: [Digits; N], b: [Digits; N]) -> i128 {
     let (mut high, mut middle, mut low) = (0, 0, 0);
@@ -108,7 +110,8 @@ const fn upper_bits(n: i64) -> u32 {
     magnitude_bits((n >> 32) as i32)
 }
 
-/// A length of the type in units of `2^-extra_bits` of its own; `None` if it does not fit, or if `extra_bits` is not that of [`turned`].
+/// A length of the type in units of `2^-extra_bits` of its own; `None` if it does not fit, or if `extra_bits` is not
+/// that of [`turned`].
 #[inline(always)]
 const fn refined(length: i64, extra_bits: i32) -> Option<i64> {
     match extra_bits {
@@ -206,8 +209,8 @@ const fn round_off<const SHIFT: u32>(n: i128) -> i64 {
 
 /// The square root of `(high * 2^32 + low) * 2^64`, which must have one of its two top bits set; to within 64.
 ///
-/// A step of the third order leads from 14 bits of the reciprocal root to 29, and one of Markstein's steps from there to the root, as in
-/// [`root_of_normalized`](super::root_of_normalized) for half the length.
+/// A step of the third order leads from 14 bits of the reciprocal root to 29, and one of Markstein's steps from there
+/// to the root, as in [`root_of_normalized`](super::root_of_normalized) for half the length.
 #[inline]
 fn root_of_normalized(high: u32, low: u32) -> u64 {
     // y = 1 / sqrt(m), in units of 2^-15

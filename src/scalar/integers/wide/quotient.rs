@@ -64,12 +64,14 @@ pub(super) struct Divisor {
     negative: bool,
 }
 
-/// Bits below the unit of a numerator, if the divisor is near 1: its truncation changes the quotient by at most a hundredth of a unit. The quotient
-/// stays below 2^55, so that the error from the reciprocal is at most a sixteenth of a unit.
+/// Bits below the unit of a numerator, if the divisor is near 1: its truncation changes the quotient by at most a
+/// hundredth of a unit. The quotient stays below 2^55, so that the error from the reciprocal is at most a sixteenth of
+/// a unit.
 const FRACTION: u32 = 7;
 
 impl Divisor {
-    /// The quotient of a number in units of `2^(-62 - extra_bits)`, rounded to nearest; `None` if it is too large for that.
+    /// The quotient of a number in units of `2^(-62 - extra_bits)`, rounded to nearest; `None` if it is too large for
+    /// that.
     #[inline(always)]
     pub(super) fn quotient(self, numerator: i128, extra_bits: i32) -> Option<i64> {
         let magnitude = numerator.unsigned_abs();

@@ -7,7 +7,8 @@ use super::{
 };
 use crate::scalar::Attempt;
 
-/// Where the line is inside the infinite cylinder about the y axis: `a = dx^2 + dz^2`, `D = a r^2 - w_y^2`, `t = (-k -+ sqrt(D)) / a`.
+/// Where the line is inside the infinite cylinder about the y axis: `a = dx^2 + dz^2`, `D = a r^2 - w_y^2`,
+/// `t = (-k -+ sqrt(D)) / a`.
 ///
 /// The origin is in units of `2^-extra_bits` of the radius's; the answer is in the radius's.
 #[inline(always)]
@@ -38,8 +39,8 @@ pub(in crate::scalar) fn tube(o: [i64; 3], extra_bits: i32, d: [i64; 3], r: i64)
     let positive = carried(product(scaled.high, r.high), scaled.middle(r), product(scaled.low, r.low) as i128);
     let positive = down_by_few(positive, digits.shift - 1);
     let discriminant = positive - squared(wy);
-    // The rounding of the moment, half a unit of the grid, changes t by at most a thirtieth of a unit, that of a framed origin by at most a
-    // twentieth.
+    // The rounding of the moment, half a unit of the grid, changes t by at most a thirtieth of a unit, that of a framed
+    // origin by at most a twentieth.
     let spare = grid.wrapping_sub(digits.shift) as i32;
     if spare < 8 || extra_bits != 0 && digits.shift > 6 {
         return Attempt::Unsure;

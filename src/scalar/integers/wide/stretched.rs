@@ -11,7 +11,8 @@ const FRACTION: u32 = 5;
 /// Longer ends have no room for [`FRACTION`].
 const TOO_FAR: u64 = 1 << (62 - FRACTION);
 
-/// The ray's `t` for a `t` along the line, which may be infinite; `None` if it is too large. A line of 64 bits always starts at zero.
+/// The ray's `t` for a `t` along the line, which may be infinite; `None` if it is too large. A line of 64 bits always
+/// starts at zero.
 #[inline(always)]
 pub(in crate::scalar) fn along_ray(
     InverseLength { digits, below, shift }: InverseLength,
@@ -31,11 +32,12 @@ pub(in crate::scalar) fn along_ray(
     Some(if t < 0 { -(rounded as i64) } else { rounded as i64 })
 }
 
-/// The line in the frame at `position` of a matrix whose inverse has these rows, each to be multiplied by its power of two, for a solid
-/// whose lengths are at most `bounding_radius`; `None` if there is no room for them.
+/// The line in the frame at `position` of a matrix whose inverse has these rows, each to be multiplied by its power of
+/// two, for a solid whose lengths are at most `bounding_radius`; `None` if there is no room for them.
 ///
-/// The direction's length is rounded to some 2^-57 of itself. Direction and inverse length are multiples of the same rounded reciprocal, so that the line and its `t`
-/// are accurate to their last bits; only the direction's length differs from 1 by that.
+/// The direction's length is rounded to some 2^-57 of itself. Direction and inverse length are multiples of the same
+/// rounded reciprocal, so that the line and its `t` are accurate to their last bits; only the direction's length
+/// differs from 1 by that.
 #[inline]
 pub(in crate::scalar) fn stretched(
     o: [i64; 3],
@@ -50,19 +52,22 @@ pub(in crate::scalar) fn stretched(
     if (upper_bits(from[0]) | upper_bits(from[1]) | upper_bits(from[2])) >> 20 != 0 {
         return None;
     }
-    // Exact except for the bits of smaller rows below the unit of the largest: in units of 2^(exponent - 62) and 2^(exponent - 124).
+    // Exact except for the bits of smaller rows below the unit of the largest: in units of 2^(exponent - 62) and
+    // 2^(exponent - 124).
     let [x, y, z] = rows.map(|(_, exponent)| exponent);
     let exponent = x.max(y).max(z);
     let down = [x, y, z].map(|own| (exponent - own).min(126) as u32);
     let rows = rows.map(|(row, _)| digits(row));
-    // Not one sum of three: all components of a row may be next to 1, and the middle digits of the products then exceed 64 bits.
+    // Not one sum of three: all components of a row may be next to 1, and the middle digits of the products then exceed
+    // 64 bits.
     let product = |[x, y, z]: [Digits; 3], [a, b, c]: [Digits; 3]| dot([x, y], [a, b]) + dot([z], [c]);
     let image = |v: [Digits; 3]| {
         [product(v, rows[0]) >> down[0], product(v, rows[1]) >> down[1], product(v, rows[2]) >> down[2]]
     };
     let (origin, direction) = (image(digits(from)), image(digits(d)));
 
-    // The direction, at first with 62 bits in its longest component, or one more. With fewer than 80 its last bits would be missing.
+    // The direction, at first with 62 bits in its longest component, or one more. With fewer than 80 its last bits
+    // would be missing.
     let excess = bits_of_longest(direction) - 62;
     if excess < 18 {
         return None;

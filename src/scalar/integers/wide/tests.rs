@@ -261,7 +261,8 @@ fn coordinate(random: &mut Random, bits: u64) -> i64 {
     if random.below(2) == 0 { n } else { -n }
 }
 
-/// For all sizes nothing overflows, and hits lie on the surface; for lines from far and near, in the world and in frames.
+/// For all sizes nothing overflows, and hits lie on the surface; for lines from far and near, in the world and in
+/// frames.
 #[test]
 fn cones_discs_and_triangles_of_every_size_are_met_on_their_surfaces() {
     let mut random = Random(7);
@@ -334,8 +335,9 @@ fn low_digit_is_largest(n: i64) -> i64 {
     (n >> 32 << 32) | i64::from(i32::MAX)
 }
 
-/// Directions of all kinds, among them exactly and nearly along an axis, and matrices of which two thirds map such an axis to itself: the direction
-/// has length 1, direction and inverse length have the same reciprocal, and the origin is the image by the matrix.
+/// Directions of all kinds, among them exactly and nearly along an axis, and matrices of which two thirds map such an
+/// axis to itself: the direction has length 1, direction and inverse length have the same reciprocal, and the origin is
+/// the image by the matrix.
 #[test]
 fn a_stretched_line_is_the_matrix_times_the_line() {
     let mut random = Random(9);
@@ -354,11 +356,13 @@ fn a_stretched_line_is_the_matrix_times_the_line() {
         let sign = if random.below(2) == 0 { 1.0 } else { -1.0 };
         let d = d.map(|c| (c * sign * 2.0_f64.powi(62)) as i64);
         let is_diagonal = random.below(3) != 0;
-        // All components of a row next to 1, with the signs of the direction's, and low digits with the signs of the high ones.
+        // All components of a row next to 1, with the signs of the direction's, and low digits with the signs of the
+        // high ones.
         let is_full = random.below(8) == 0;
         let d = if is_full { d.map(|c| low_digit_is_largest(c.abs()) * c.signum()) } else { d };
         let rows = [0, 1, 2].map(|i| {
-            // As stored: the longest component has all bits. With a power of two, the direction's length may be rounded to below its component.
+            // As stored: the longest component has all bits. With a power of two, the direction's length may be rounded
+            // to below its component.
             let mut row = [(); 3].map(|()| if is_diagonal { 0 } else { coordinate(&mut random, 61) });
             if is_full {
                 let mut full = |c: i64| low_digit_is_largest((1 << 62) - 1 - random.below(1 << 40) as i64) * c.signum();

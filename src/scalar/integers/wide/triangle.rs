@@ -40,16 +40,17 @@ pub(in crate::scalar) fn triangle(
     if !fits {
         return Attempt::Unsure;
     }
-    // On a grid on which none has more than 59 bits, truncated by less than one unit. The error of a framed origin is half of its own unit, so that a
-    // finer grid would gain nothing.
+    // On a grid on which none has more than 59 bits, truncated by less than one unit. The error of a framed origin is
+    // half of its own unit, so that a finer grid would gain nothing.
     let bits = 64 - leading_zeros_of_64(all | 1);
     let up = if extra_bits == 0 { GRID as i32 - bits as i32 } else { 0 };
     let cut = bits.saturating_sub(GRID);
     let on_grid = |vertex: [i64; 3]| vertex.map(|length| if up > 0 { length << up } else { length >> cut });
     let corners = [on_grid(a), on_grid(b), on_grid(c)].map(digits);
     let direction = digits(d);
-    // The error of a component of d x p is less than 8 (twice 2 from the truncation of p, and as much from a framed origin and direction), that of
-    // one of q less than 2. Together that is less than 2^6 times the largest q, or half the largest d x p.
+    // The error of a component of d x p is less than 8 (twice 2 from the truncation of p, and as much from a framed
+    // origin and direction), that of one of q less than 2. Together that is less than 2^6 times the largest q, or half
+    // the largest d x p.
     let doubt = 1_i128 << if up > 0 { GRID + 6 } else { bits - cut + 6 };
     let volume = |(p, q): ([Digits; 3], [Digits; 3])| {
         // d x p in halves of the grid's unit.
@@ -61,7 +62,8 @@ pub(in crate::scalar) fn triangle(
     crossing(a, extra_bits, direction, vertices, from_front)
 }
 
-/// Where the line crosses the plane of a triangle that it meets, `t = a . n / d . n`, from a vertex `a` seen from its origin.
+/// Where the line crosses the plane of a triangle that it meets, `t = a . n / d . n`, from a vertex `a` seen from its
+/// origin.
 #[inline(always)]
 fn crossing(
     a: [i64; 3],
@@ -89,8 +91,8 @@ fn crossing(
     let Some(divisor) = Normalized::new(slope).filter(|_| (slope < 0) == from_front) else {
         return Attempt::Unsure;
     };
-    // The error of a framed origin, a five-hundredth of a unit, is larger at the crossing if the line is nearly parallel to the plane. (A normal of
-    // 61 bits has a shift of 1 or 2.)
+    // The error of a framed origin, a five-hundredth of a unit, is larger at the crossing if the line is nearly
+    // parallel to the plane. (A normal of 61 bits has a shift of 1 or 2.)
     if extra_bits != 0 && divisor.shift > 8 {
         return Attempt::Unsure;
     }

@@ -13,7 +13,8 @@ pub(in crate::scalar) struct Turned {
     pub(in crate::scalar) direction: [i64; 3],
 }
 
-/// The line in the frame of these axes, with its origin in units of `2^-FINER` of the type's; `None` if the origin is too far away.
+/// The line in the frame of these axes, with its origin in units of `2^-FINER` of the type's; `None` if the origin is
+/// too far away.
 #[inline(always)]
 pub(in crate::scalar) fn turned(o: [i64; 3], position: [i64; 3], axes: [[i64; 3]; 3], d: [i64; 3]) -> Option<Turned> {
     let apart = |o: i64, position: i64| o.wrapping_sub(position);

@@ -1,4 +1,5 @@
-//! The promise: scenes are read as others write them: from a file or a pipe, with any ends of lines, with comments in any encoding.
+//! The promise: scenes are read as others write them: from a file or a pipe, with any ends of lines, with comments in
+//! any encoding.
 
 use crate::support::{Folder, LIGHT, VIEW, ball};
 

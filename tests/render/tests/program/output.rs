@@ -1,4 +1,5 @@
-//! The promise: a picture goes where the options say, before anything is said of it, or the program fails before it is traced.
+//! The promise: a picture goes where the options say, before anything is said of it, or the program fails before it is
+//! traced.
 
 use crate::support::{Folder, ball, pixels};
 use std::fs;

@@ -152,7 +152,8 @@ impl<'a, S: Number> Near<'a, S> {
         !has_none && *least <= self.step
     }
 
-    /// True if the ray lies in a surface over no more than what is excused: cut off by edges that round to the same `t`.
+    /// True if the ray lies in a surface over no more than what is excused: cut off by edges that round to the same
+    /// `t`.
     fn is_a_point_of_overlap(&self, hits: &Hits<S>) -> bool {
         hits.coincident().is_some_and(|overlap| &overlap.end().exact() - &overlap.start().exact() <= self.step)
     }
@@ -169,8 +170,8 @@ impl<'a, S: Number> Near<'a, S> {
         heights.into_iter().any(|height| seams.iter().any(|seam| is_near(&height, seam)))
     }
 
-    /// The exact answers nearby: the line moved along every axis and diagonal; the solid, and the ends of the range, a little
-    /// larger and smaller; and some of all of that at once.
+    /// The exact answers nearby: the line moved along every axis and diagonal; the solid, and the ends of the range, a
+    /// little larger and smaller; and some of all of that at once.
     fn answers<'b>(&'b self, ray: &'b Ray<S>) -> impl Iterator<Item = InRange> + 'b {
         let mut changes: Vec<[i64; 6]> = vec![];
         let signs = [-1, 0, 1];

@@ -95,8 +95,8 @@ macro_rules! fixed {
                 <Self::Unit>::from_bits(raw as $raw)
             }
             fn moderate(value: i16) -> Self {
-                // An eighth of the type's range is large enough, where 128 is too large for it; one unit, where 1/256 is
-                // too small.
+                // An eighth of the type's range is large enough, where 128 is too large for it; one unit, where 1/256
+                // is too small.
                 let shift = (F::I32 - 8).clamp(0, $bits - 19);
                 Self::from_bits(<$raw>::from(value) << shift)
             }

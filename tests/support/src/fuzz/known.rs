@@ -4,8 +4,8 @@ use super::bytes::Number;
 use super::query::Query;
 use raylet::Placement;
 
-/// A float direction nearly along the axis, whose other components have squares that vanish, runs along the axis for the
-/// side and not for what is beside it: a cylinder is hit that lies a radius and more away.
+/// A float direction nearly along the axis, whose other components have squares that vanish, runs along the axis for
+/// the side and not for what is beside it: a cylinder is hit that lies a radius and more away.
 pub fn has_a_vanishing_slope<S: Number>(query: &Query<S>) -> bool {
     let Some(exponent) = S::VANISHING else { return false };
     let world = matches!(query.shape.placement(), Placement::World);

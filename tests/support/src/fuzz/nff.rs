@@ -6,8 +6,9 @@ use raylet::scene::{CornerNormals, Full, Store};
 use raylet::{Light, Material, Object, Picture, Scalar, Scene, Size, TraceContext};
 use std::fmt::Debug;
 
-/// Reads any bytes as a scene, in two number types, into stores of fixed capacity and into stores that grow; fails if one of
-/// them breaks a promise. Bytes that are no UTF-8 are replaced: a reader is given a `str`. True if one of them draws it.
+/// Reads any bytes as a scene, in two number types, into stores of fixed capacity and into stores that grow; fails if
+/// one of them breaks a promise. Bytes that are no UTF-8 are replaced: a reader is given a `str`. True if one of them
+/// draws it.
 pub fn check_nff(data: &[u8]) -> bool {
     let text = String::from_utf8_lossy(data);
     let drawn = [check::<f32>(&text), check::<fixed::types::I16F16>(&text)];
@@ -59,8 +60,8 @@ fn check<S: Scalar>(text: &str) -> bool {
     }
 }
 
-/// In fitting units a text says where it goes wrong as well, and never for a coordinate that the type cannot hold, but for
-/// those beyond all scales.
+/// In fitting units a text says where it goes wrong as well, and never for a coordinate that the type cannot hold, but
+/// for those beyond all scales.
 fn fits<S: Scalar>(text: &str) {
     let scale = Scale::fitting::<S>(text);
     match read_growing::<S>(text, scale) {
@@ -129,7 +130,8 @@ fn is_in_the_text(text: &str, error: &NffError) {
     assert!(error.to_string().len() > 20, "an error without words: {error}: {text:?}");
 }
 
-/// A scene that was read can be drawn, in finite colours. What is large is not drawn in full: the time goes into other texts.
+/// A scene that was read can be drawn, in finite colours. What is large is not drawn in full: the time goes into other
+/// texts.
 fn draw<S: Scalar>(text: &str, contents: &Contents<S>) {
     let Contents { view, objects, materials, lights, normals } = contents;
     let scene = ok(text, Scene::new(objects, materials, lights, view.camera)).with_background(view.background);

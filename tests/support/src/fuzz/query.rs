@@ -99,8 +99,8 @@ impl<S: Number> Query<S> {
         reach >= S::BUDGET.distance.to_f64() * 0.99 * skew
     }
 
-    /// True if the square of the smallest length beside that of the largest is nothing to the type; of a cone, whose equation
-    /// has the fourth power of a length, its square's square.
+    /// True if the square of the smallest length beside that of the largest is nothing to the type; of a cone, whose
+    /// equation has the fourth power of a length, its square's square.
     pub fn squares_vanish(&self) -> bool {
         let Some(exponent) = S::VANISHING else { return false };
         let slanted = matches!(self.solid, Solid::Cone { .. } | Solid::Frustum { .. } | Solid::Triangle { .. });

@@ -80,9 +80,9 @@ pub fn compare<S: Exact, T: Tier<S>>(shape: &Shape<S>, solid: &Solid, line: &Lin
     }
 }
 
-/// True if the answer is decided within one unit of the largest `t`, as the default tier documents: hits differ in their
-/// parts alone, and lie at a rim or a seam; two ends round to the same `t`; or the answer is the exact one of a ray
-/// whose origin is moved by up to a unit for each end (a rim, an apex, a tangent).
+/// True if the answer is decided within one unit of the largest `t`, as the default tier documents: hits differ in
+/// their parts alone, and lie at a rim or a seam; two ends round to the same `t`; or the answer is the exact one of a
+/// ray whose origin is moved by up to a unit for each end (a rim, an apex, a tangent).
 fn is_within_a_unit<S: Exact>(solid: &Solid, line: &Line, ray: &Ray<S>, hits: &Hits<S>, exact: &InRange) -> bool {
     let given = hits.iter().map(|hit| hit.t.exact()).chain(ray.origin().to_array().map(S::exact));
     let all: Vec<Root> = given.map(|t| Root::from(&t)).chain(exact.hits.iter().map(|hit| hit.t.clone())).collect();
@@ -222,8 +222,8 @@ pub fn check<S: Exact, T: Tier<S>>(case: &Case, policy: &Policy) -> Option<(f64,
     Some((found.worst, wrong))
 }
 
-/// What is wrong in the table: where the written answer is not that of exact arithmetic on the written inputs, rounded to
-/// `f64`. Nothing of the crate decides here.
+/// What is wrong in the table: where the written answer is not that of exact arithmetic on the written inputs, rounded
+/// to `f64`. Nothing of the crate decides here.
 pub fn check_written(case: &Case) -> Vec<String> {
     let (axes, end) = written_axes(case);
     let (_, solid) = build::<f64>(case.kind, end).expect("f64 holds every size");

@@ -1,7 +1,8 @@
 //! A hard case: a ray that breaks the usual formulas, with its exact answer.
 //!
 //! Numbers stand as people write them; the answer is that of the written numbers, in decimals, and was computed apart
-//! from this repository, with 400 digits. A number type rounds what is written, and then has an exact answer of its own.
+//! from this repository, with 400 digits. A number type rounds what is written, and then has an exact answer of its
+//! own.
 
 pub mod boxes;
 pub mod check;

@@ -1,5 +1,5 @@
-//! Classes of hard rays, made rather than written: rows 16 to 18 of the list, and the ends of the number types. The exact
-//! answer is the oracle's, on the bits that the type received.
+//! Classes of hard rays, made rather than written: rows 16 to 18 of the list, and the ends of the number types. The
+//! exact answer is the oracle's, on the bits that the type received.
 
 use super::Kind::{Ball, Can, Cone, Disc, Frustum, Nappe, Pill, Tube};
 use super::build;
@@ -38,8 +38,8 @@ pub const ZEROS: Sweep = Sweep {
 };
 pub const FARTHER: Sweep = Sweep {
     name: "ever farther",
-    // From 2^64 sizes away and farther, where the robust number's own bits end; nearer than that a line whose origin is moved is off by
-    // as many roundings of its length as its incidence is oblique.
+    // From 2^64 sizes away and farther, where the robust number's own bits end; nearer than that a line whose origin is
+    // moved is off by as many roundings of its length as its incidence is oblique.
     limits: &[("f32", 0, 0, 4.5), ("f64", 600, 0, 4.5)],
 };
 pub const ENDS: Sweep = Sweep {
@@ -106,8 +106,8 @@ impl<'a, S: Exact> Tally<'a, S> {
     }
 }
 
-/// Directions with two and with one zero component in every order of sign, of equal and of unequal components; for each the
-/// zeros of both signs, which floats tell apart.
+/// Directions with two and with one zero component in every order of sign, of equal and of unequal components; for each
+/// the zeros of both signs, which floats tell apart.
 fn directions_with_zeros() -> Vec<[f64; 3]> {
     let mut all: Vec<[f64; 3]> = lattice_directions().into_iter().filter(|d| d.contains(&0.0)).collect();
     let unequal: Vec<[f64; 3]> = all
@@ -174,8 +174,8 @@ fn surface_points() -> [(super::Kind, Part, [f64; 3], [f64; 3]); 12] {
     ]
 }
 
-/// Row 16: from a point of the surface, as a ray that departs from it: inwards exactly the far end, outwards nothing; and as
-/// a ray that knows nothing of the surface, whose hit at zero is then the exact answer.
+/// Row 16: from a point of the surface, as a ray that departs from it: inwards exactly the far end, outwards nothing;
+/// and as a ray that knows nothing of the surface, whose hit at zero is then the exact answer.
 pub fn from_the_surface<S: Exact, T: Tier<S>>(tally: &mut Tally<'_, S>) {
     for (kind, part, point, normal) in surface_points() {
         let (primitive, solid) = build::<S>(kind, None).expect("every type holds these sizes");
@@ -242,8 +242,8 @@ pub fn ever_farther<S: Exact, T: Tier<S>>(tally: &mut Tally<'_, S>) {
     }
 }
 
-/// The largest solids that a type takes, from the farthest origins, and the smallest, from near by: raw minimum and maximum
-/// of fixed types, subnormal and largest floats.
+/// The largest solids that a type takes, from the farthest origins, and the smallest, from near by: raw minimum and
+/// maximum of fixed types, subnormal and largest floats.
 pub fn at_the_ends_of_the_type<S: Exact, T: Tier<S>>(tally: &mut Tally<'_, S>) {
     let (most, least) = (S::BUDGET.size.to_f64(), S::BUDGET.smallest_size.to_f64());
     for (size, distance) in

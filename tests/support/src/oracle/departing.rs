@@ -1,9 +1,10 @@
 //! Where a line that departs from a solid at `t = 0` meets it again.
 //!
-//! Its start is a point of the part that it departs from, whatever its coordinates say: of that part's quadric the constant term is
-//! zero, so that the roots are 0 and `-2k/a`; of that part's plane the crossing is at 0. All other equations take the coordinates as
-//! they are. Outwards from anything convex, and from anything flat, there is nothing to meet. Inwards there is one end ahead, of the
-//! convex set that the line is in; an end that coordinates put behind the start is at the start.
+//! Its start is a point of the part that it departs from, whatever its coordinates say: of that part's quadric the
+//! constant term is zero, so that the roots are 0 and `-2k/a`; of that part's plane the crossing is at 0. All other
+//! equations take the coordinates as they are. Outwards from anything convex, and from anything flat, there is nothing
+//! to meet. Inwards there is one end ahead, of the convex set that the line is in; an end that coordinates put behind
+//! the start is at the start.
 
 use dashu::integer::IBig;
 
@@ -76,7 +77,8 @@ fn within_caps(solid: &Solid, line: &IntegerLine, caps: [Option<&IBig>; 2], from
             let exit = first(interval.exit.map(on_side), cap);
             return inwards(exit.map(|end| on_side(end.t)));
         }
-        // Next to the wall and parallel to it, the line runs to the cap; else its coordinates say that it does not enter.
+        // Next to the wall and parallel to it, the line runs to the cap; else its coordinates say that it does not
+        // enter.
         Overlap::Nothing if side.quadratic.a.is_zero() => None,
         Overlap::Nothing => Some(start(Part::Side)),
     };
@@ -129,8 +131,8 @@ fn both_nappes(solid: &Solid, line: &IntegerLine, leaving: Leaving) -> Answer {
     }
 }
 
-/// The end of the infinite tube where it lies between the seams, and beyond them that of the ball there; where coordinates say that the
-/// line misses that ball, the start.
+/// The end of the infinite tube where it lies between the seams, and beyond them that of the ball there; where
+/// coordinates say that the line misses that ball, the start.
 fn capsule(solid: &Solid, line: &IntegerLine, radius: &IBig, height: &IBig, from: Part) -> Answer {
     let tube = side_of(solid, line, from == Part::Side);
     let climb = sign_of(&line.direction[1]);
@@ -176,7 +178,8 @@ fn capsule(solid: &Solid, line: &IntegerLine, radius: &IBig, height: &IBig, from
 
 /// Where a line that departs at `t = 0` from this part of the solid, to this side, meets it again, exactly.
 ///
-/// A solid is answered with the span that holds the start, without its lower end; and a double cone with what lies beyond.
+/// A solid is answered with the span that holds the start, without its lower end; and a double cone with what lies
+/// beyond.
 ///
 /// # Panics
 ///

@@ -74,8 +74,8 @@ pub(super) fn rectangle(line: &Line, [x, z]: &[Dyadic; 2]) -> Answer {
     }
 }
 
-/// Where a line that departs from this face meets the cuboid again: its start lies in the plane of that face, whatever its coordinates say,
-/// and between all others.
+/// Where a line that departs from this face meets the cuboid again: its start lies in the plane of that face, whatever
+/// its coordinates say, and between all others.
 pub(super) fn departing(line: &Line, half: &[Dyadic; 3], from: Part, leaving: Leaving) -> Answer {
     if leaving == Leaving::Outwards {
         return Answer::Spans(vec![]);

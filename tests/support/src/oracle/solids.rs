@@ -284,7 +284,8 @@ pub fn contains(solid: &Solid, point: &[Dyadic; 3]) -> Membership {
 /// How near grazing a line is: 0 through the middle, 1 tangent, more for a miss; none where it says nothing.
 ///
 /// For a sphere the distance of the line from the centre over the radius; for a cylinder and a capsule that of the line
-/// from the axis; for a cone `|w_y| / (slope * |(w_x, w_z)|)` of the moment `w`, and none where that has no denominator.
+/// from the axis; for a cone `|w_y| / (slope * |(w_x, w_z)|)` of the moment `w`, and none where that has no
+/// denominator.
 pub fn margin(solid: &Solid, line: &Line) -> Option<f64> {
     let moment = cross(&line.origin, &line.direction);
     let [x, _, z] = &line.direction;

@@ -255,8 +255,8 @@ fn capsule(line: &IntegerLine, lateral: &Lateral, radius: &IBig, height: &IBig) 
 
 /// Where the line meets the solid or the surface, exactly.
 ///
-/// Closed and infinite solids answer with spans, open and flat surfaces with crossings; a line that lies in an open, flat
-/// or infinite surface is coincident with it.
+/// Closed and infinite solids answer with spans, open and flat surfaces with crossings; a line that lies in an open,
+/// flat or infinite surface is coincident with it.
 ///
 /// # Panics
 ///

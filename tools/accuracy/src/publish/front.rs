@@ -1,4 +1,5 @@
-//! `docs/accuracy.md`: what to expect, the plots, and explanations of unexpected rows. The rows are on pages of their own.
+//! `docs/accuracy.md`: what to expect, the plots, and explanations of unexpected rows. The rows are on pages of their
+//! own.
 
 use super::markdown::{NONE, Table, page, row_ratios, short};
 use super::{findings, placed, plots, readme};

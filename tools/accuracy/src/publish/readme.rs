@@ -64,7 +64,8 @@ fn cost_table(study: &Study, rows: &[&Figures]) -> String {
     table.done()
 }
 
-/// What a tier buys, for two solids that a frame turns: errors near, far away and where rays graze, beside the cost. The textbook is the first row of each.
+/// What a tier buys, for two solids that a frame turns: errors near, far away and where rays graze, beside the cost.
+/// The textbook is the first row of each.
 fn tiers(study: &Study, host: &Chip) -> Option<String> {
     const NUMBER: &str = "f32";
     const CHIP: &str = "Cortex-M4F";

@@ -1,4 +1,5 @@
-//! `docs/which-one.md`: each piece of advice with the rows that back it, and the claims that it makes checked against them.
+//! `docs/which-one.md`: each piece of advice with the rows that back it, and the claims that it makes checked against
+//! them.
 
 use super::advice::{self, Advice, Claim, Row};
 use super::markdown::{Table, instructions, length, link, row_ratios, short};

@@ -1,7 +1,7 @@
 //! A file of rays: comma-separated values, a ray a line.
 //!
-//! The cells are numbers, which hold no commas, quotes or line breaks: lines are split at commas, without a library. So a line's number is
-//! that of the editor, after comments and empty lines too.
+//! The cells are numbers, which hold no commas, quotes or line breaks: lines are split at commas, without a library. So
+//! a line's number is that of the editor, after comments and empty lines too.
 
 use super::decimal::{Decimal, direction, doubles, rounded};
 use raylet::{Departure, Leaving, Part, Range, Ray, Vec3};
@@ -186,8 +186,8 @@ pub fn check_parts(path: &str, lines: &[Line<'_>], solid: &str, parts: &[Part]) 
 }
 
 impl Line<'_> {
-    /// The ray as the number type stores it; `None` if the type does not hold it. A range that ends beyond the type ends where the type
-    /// does: there is no `t` in between.
+    /// The ray as the number type stores it; `None` if the type does not hold it. A range that ends beyond the type
+    /// ends where the type does: there is no `t` in between.
     pub fn ray<S: Exact>(&self) -> Option<Ray<S>> {
         let origin = Vec3::from(rounded::<S>(self.origin).ok()?);
         let direction = direction(self.direction).ok()?;

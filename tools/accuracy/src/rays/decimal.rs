@@ -43,14 +43,14 @@ pub fn doubles(numbers: [Decimal<'_>; 3]) -> [f64; 3] {
     numbers.map(|number| number.double)
 }
 
-/// A direction in a number type. One whose length is 1 as far as the type tells is kept as it is written, so that a direction that the
-/// type has stored comes back to the bit; another is normalised, and then rounded once.
+/// A direction in a number type. One whose length is 1 as far as the type tells is kept as it is written, so that a
+/// direction that the type has stored comes back to the bit; another is normalised, and then rounded once.
 pub fn direction<S: Exact>(numbers: [Decimal<'_>; 3]) -> Result<UnitVec3<S>, ValueError> {
     as_written(numbers).map_or_else(|| UnitVec3::from_f64(doubles(numbers)), Ok)
 }
 
-/// The direction of these components, if the square of its length is 1 within two units: each component that is rounded, and a
-/// normalisation in the type itself, may be off by so much.
+/// The direction of these components, if the square of its length is 1 within two units: each component that is
+/// rounded, and a normalisation in the type itself, may be off by so much.
 fn as_written<S: Exact>([x, y, z]: [Decimal<'_>; 3]) -> Option<UnitVec3<S>> {
     let components = [S::parse_unit(x.text)?, S::parse_unit(y.text)?, S::parse_unit(z.text)?];
     let [x, y, z] = components.map(|component| S::exact_unit(component).squared());

@@ -1,4 +1,5 @@
-//! The errors of one's own rays: a solid, a placement and a file of rays, from the same exact arithmetic as the published tables.
+//! The errors of one's own rays: a solid, a placement and a file of rays, from the same exact arithmetic as the
+//! published tables.
 //!
 //! | module | what it holds |
 //! |---|---|
@@ -46,21 +47,21 @@ fn forms() -> String {
 ///
 /// The table has the columns of docs/accuracy.md. It is printed, and written to the folder out/accuracy with a plot.
 ///
-/// Sizes, coordinates and directions are decimal numbers. Each number type rounds them to what it stores, and the exact answer is the one for
-/// the stored values: what is measured is the library's error, without that of rounding your numbers. Rays that a number type cannot
-/// hold are counted in a column of their own.
+/// Sizes, coordinates and directions are decimal numbers. Each number type rounds them to what it stores, and the exact
+/// answer is the one for the stored values: what is measured is the library's error, without that of rounding your
+/// numbers. Rays that a number type cannot hold are counted in a column of their own.
 ///
-/// A direction may have any length but zero. It is normalised and then rounded; but if its length is already 1, as far as the number
-/// type can tell, it is taken as you wrote it.
+/// A direction may have any length but zero. It is normalised and then rounded; but if its length is already 1, as far
+/// as the number type can tell, it is taken as you wrote it.
 #[derive(Args)]
 #[command(after_help = forms())]
 pub struct Options {
     /// The file of rays, comma-separated, one ray a line; `-` reads standard input.
     ///
-    /// The columns are ox,oy,oz,dx,dy,dz: the origin and the direction. They may be followed by start,end: the range of t in which hits count;
-    /// then by part,leaving for a ray that starts on the solid: the part that it leaves, and to which side, such as top,inwards. Cells of
-    /// these four columns may be empty. A header,
-    /// empty lines and lines that begin with # are allowed.
+    /// The columns are ox,oy,oz,dx,dy,dz: the origin and the direction. They may be followed by start,end: the range of
+    /// t in which hits count; then by part,leaving for a ray that starts on the solid: the part that it leaves, and to
+    /// which side, such as top,inwards. Cells of these four columns may be empty. A header, empty lines and lines that
+    /// begin with # are allowed.
     #[arg(value_name = "FILE")]
     file: String,
     /// The solid and its sizes, such as 'cylinder capped radius 1 height 2'.

@@ -1,4 +1,5 @@
-//! A placement as it is written on the command line: a position, the directions that turn, and factors or a matrix that stretch.
+//! A placement as it is written on the command line: a position, the directions that turn, and factors or a matrix that
+//! stretch.
 
 use super::decimal::{self, Decimal, rounded};
 use super::words::{Words, list};

@@ -1,5 +1,6 @@
-//! The promise: a file of rays at a solid is measured for the values that each number type stores, in every number type and tier; what is
-//! wrong with a command or a file is told with its place and a remedy; and docs/your-rays.md shows what the tool prints.
+//! The promise: a file of rays at a solid is measured for the values that each number type stores, in every number type
+//! and tier; what is wrong with a command or a file is told with its place and a remedy; and docs/your-rays.md shows
+//! what the tool prints.
 
 mod answers;
 mod guide;

@@ -1,7 +1,7 @@
 //! How long a nearest hit takes, as a ratio to the textbook's sphere in `f32` in the same run.
 //!
-//! The machine is noisy: each short batch is preceded by one of the reference, several rounds are made, and the median of the
-//! ratios counts. What calling a function takes that does nothing is subtracted from both.
+//! The machine is noisy: each short batch is preceded by one of the reference, several rounds are made, and the median
+//! of the ratios counts. What calling a function takes that does nothing is subtracted from both.
 //!
 //! | module | what it holds |
 //! |---|---|

@@ -69,8 +69,8 @@ fn past<S: Plain>(query: &Query<S>, random: &mut Random) -> Option<Query<S>> {
     (!query.shape.occludes(&ray)).then_some(Query { ray, ..*query })
 }
 
-/// Rays that hit, and rays that miss: the workload's own, and where it has too few misses, others past the solid from the same
-/// origins. None where there are too few of a kind.
+/// Rays that hit, and rays that miss: the workload's own, and where it has too few misses, others past the solid from
+/// the same origins. None where there are too few of a kind.
 pub fn queries<S: Plain + Exact>(subject: &Subject<S>, kind: Kind, seed: u64) -> [Vec<Query<S>>; 2] {
     let mut random = Random(seed);
     let [mut hits, mut misses] = [vec![], vec![]];

@@ -21,7 +21,8 @@ pub fn subject(objects: usize, walk: &str) -> String {
     format!("scene of {objects}, {walk}")
 }
 
-/// Small spheres, none further than two from the origin along an axis; the first of a large scene are those of a small one.
+/// Small spheres, none further than two from the origin along an axis; the first of a large scene are those of a small
+/// one.
 ///
 /// A scene borrows its lists and a case owns what it runs, so the lists live until the program ends.
 fn scene<S: Scalar>(objects: usize) -> Option<Scene<'static, S>> {
@@ -40,8 +41,9 @@ fn of_objects<S: Scalar>(objects: Vec<Object<S>>) -> Option<Scene<'static, S>> {
     Scene::new(objects.leak(), materials.leak(), &[], camera).ok()
 }
 
-/// A ball with nine balls of a third of its radius on it, each with nine of its own, and so on: six on its equator and three above (after
-/// the "sphere flake" of Haines, *A Proposal for Standard Graphics Environments*, 1987, who turns each to its own axis).
+/// A ball with nine balls of a third of its radius on it, each with nine of its own, and so on: six on its equator and
+/// three above (after the "sphere flake" of Haines, *A Proposal for Standard Graphics Environments*, 1987, who turns
+/// each to its own axis).
 pub fn flake<S: Scalar>(count: usize) -> Option<Vec<Object<S>>> {
     let directions = || {
         let around = |count: usize, start: f64, rise: f64| {

@@ -1,4 +1,5 @@
-//! The formulas that everyone writes first, at the rays of the subjects: `nearest` of the tier `textbook`, for three solids and two of them framed.
+//! The formulas that everyone writes first, at the rays of the subjects: `nearest` of the tier `textbook`, for three
+//! solids and two of them framed.
 
 use super::{Case, KINDS, Name};
 use raylet::{Cone, Cylinder, Ray, Shape, Sphere};

@@ -4,8 +4,8 @@ use raylet::scalar::UnitScalar;
 use raylet::{Primitive, Vec3};
 use shared::workload::Query;
 
-/// A depth below the surface in radii there, an angle in radians, and ten times a distance of the start from the surface in sizes. What is less is
-/// grazing.
+/// A depth below the surface in radii there, an angle in radians, and ten times a distance of the start from the
+/// surface in sizes. What is less is grazing.
 const GRAZING: f64 = 1e-2;
 
 /// A line in the primitive's coordinates.
@@ -47,7 +47,8 @@ impl Line {
         dot(self.direction, normal).abs() < GRAZING.sin()
     }
 
-    /// The sign of the discriminant of the line with a side whose radii are `scale` times as large: whether it meets that.
+    /// The sign of the discriminant of the line with a side whose radii are `scale` times as large: whether it meets
+    /// that.
     fn meets(self, Side { base, slope }: Side, scale: f64) -> bool {
         let ([x, y, z], [dx, dy, dz]) = (self.origin, self.direction);
         let (radius, growth) = (scale * (base + slope * y), scale * slope * dy);
@@ -75,7 +76,8 @@ impl Line {
     }
 }
 
-/// Whether the query's ray grazes one of the surfaces that its solid is made of, or starts next to it; `None` for a solid that is not listed here.
+/// Whether the query's ray grazes one of the surfaces that its solid is made of, or starts next to it; `None` for a
+/// solid that is not listed here.
 pub fn grazes(query: &Query<f64>) -> Option<bool> {
     let line = Line::of(query);
     let is_level = || line.is_parallel_to([0.0, 1.0, 0.0]);

@@ -1,7 +1,7 @@
 //! The tests that the rays of pictures put to objects: of the built-in scenes, and of four larger ones.
 //!
-//! These are after those of Haines, *A Proposal for Standard Graphics Environments* (1987), made anew and smaller; every surface is a
-//! mirror.
+//! These are after those of Haines, *A Proposal for Standard Graphics Environments* (1987), made anew and smaller;
+//! every surface is a mirror.
 
 use crate::cost::scenes::flake;
 use raylet::scene::{Hierarchy, Node};

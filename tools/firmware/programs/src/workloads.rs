@@ -1,5 +1,5 @@
-//! Instructions of what users do, query by query: solids as they are placed, rays from near and from far, departing rays, a range
-//! sensor, pictures. The workloads are those of the crate `shared`, which the host is measured with too.
+//! Instructions of what users do, query by query: solids as they are placed, rays from near and from far, departing
+//! rays, a range sensor, pictures. The workloads are those of the crate `shared`, which the host is measured with too.
 
 use crate::cost::measure::{MOST_ROUNDS, nothing, run};
 use core::hint::black_box;

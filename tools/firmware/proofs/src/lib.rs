@@ -1,6 +1,7 @@
 //! What the programs share that are linked and never run: `check proofs` and `check size` look at what the linker left.
 //!
-//! They start at `_start`, on no runtime: every byte of them is raylet's, `core`'s or that of the compiler's own helpers.
+//! They start at `_start`, on no runtime: every byte of them is raylet's, `core`'s or that of the compiler's own
+//! helpers.
 #![no_std]
 
 pub mod everything;

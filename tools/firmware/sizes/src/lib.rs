@@ -1,8 +1,9 @@
-//! What one primitive, and one set of effects, takes of a chip's memory: each program finds the nearest hit of one primitive, in one
-//! number type and tier, or traces a pixel with one set of effects, or calls the queries of shapes of chosen kinds, and does nothing else.
+//! What one primitive, and one set of effects, takes of a chip's memory: each program finds the nearest hit of one
+//! primitive, in one number type and tier, or traces a pixel with one set of effects, or calls the queries of shapes of
+//! chosen kinds, and does nothing else.
 //!
-//! The programs are not stored: `check programs` writes them to `src/bin`, one for each row of the tables that `check size` and
-//! `check left-out` read.
+//! The programs are not stored: `check programs` writes them to `src/bin`, one for each row of the tables that
+//! `check size` and `check left-out` read.
 #![no_std]
 
 #[doc(hidden)]

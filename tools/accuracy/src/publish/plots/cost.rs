@@ -1,5 +1,5 @@
-//! Error against cost: one point a combination of number type and tier, a panel a workload at its own cost, and the front of those that
-//! nothing beats in both.
+//! Error against cost: one point a combination of number type and tier, a panel a workload at its own cost, and the
+//! front of those that nothing beats in both.
 
 use super::sheet::{self, Area, Axis, INK, Mark, label, power};
 use crate::chips::Chip;

@@ -1,5 +1,5 @@
-//! The plot of a file of rays: errors by the share of hits that exceed them, a panel a number type and a line a tier; and where times were
-//! measured, error against cost.
+//! The plot of a file of rays: errors by the share of hits that exceed them, a panel a number type and a line a tier;
+//! and where times were measured, error against cost.
 
 use super::cost;
 use super::sheet::{self, Area, Axis, Mark, label, power};

@@ -1,7 +1,8 @@
 //! A sheet of panels with a legend, and its colours.
 //!
-//! A plot brings its own background: with a style that follows the colours that the reader prefers, text and ground always fit each
-//! other, whatever page it stands on. The colours of the series are of middling lightness and read on both.
+//! A plot brings its own background: with a style that follows the colours that the reader prefers, text and ground
+//! always fit each other, whatever page it stands on. The colours of the series are of middling lightness and read on
+//! both.
 
 use plotters::coord::Shift;
 use plotters::coord::combinators::LogCoord;

@@ -5,8 +5,8 @@ use super::{at, command, measured};
 use std::fmt::Write;
 use support::figures::{NUMBERS, TIERS};
 
-/// A ray that grazes a moved cylinder in 1.6e-8 of its radius: `Stable` in `f32` once lost it. Its direction is that which `f32` has
-/// stored, of a length that is off by 7.5e-8: it has to come back to the bit.
+/// A ray that grazes a moved cylinder in 1.6e-8 of its radius: `Stable` in `f32` once lost it. Its direction is that
+/// which `f32` has stored, of a length that is off by 7.5e-8: it has to come back to the bit.
 #[test]
 fn a_known_grazing_ray_has_its_known_hits() {
     let options = at("cylinder capped radius 1 height 2", "at -1.66302097 -1.77427542 -1.96638811");
@@ -59,7 +59,8 @@ fn a_type_that_holds_no_ray_has_a_row() {
     assert_eq!((row.hits, extra.rays, extra.not_held, &extra.worst), (0, 0, 1, &None));
 }
 
-/// All solids at rays from about, in every number type and tier, unplaced and placed: `Exact` has every hit, and `Stable` keeps its promise.
+/// All solids at rays from about, in every number type and tier, unplaced and placed: `Exact` has every hit, and
+/// `Stable` keeps its promise.
 #[test]
 fn every_solid_is_measured_in_every_placement() {
     let mut lines = String::new();
@@ -107,11 +108,12 @@ fn placements_have_the_names_of_the_tables() {
     assert_eq!(name("stretched 2 1 1"), Some("stretched"));
 }
 
-/// A ray that departs does not meet where it starts, whichever side of the surface its rounded start is on; the textbook, which knows no
-/// departures, does.
+/// A ray that departs does not meet where it starts, whichever side of the surface its rounded start is on; the
+/// textbook, which knows no departures, does.
 #[test]
 fn a_ray_departs_from_a_part() {
-    // From a point next to the side of a cylinder, inwards to the far side and outwards; from the top inwards to the base, and past the start.
+    // From a point next to the side of a cylinder, inwards to the far side and outwards; from the top inwards to the
+    // base, and past the start.
     let text = "1.0001,1,0,-1,0,0,,,side,inwards\n0.9999,1,0,1,0,0,,,Side,OUTWARDS\n0.25,2,0,0,-1,0,0,,top,inwards\n\
                 0.25,2,0,0,-1,0,3,,top,inwards";
     let outcome = measured(&at("cylinder capped radius 1 height 2", ""), text).unwrap();
@@ -128,7 +130,8 @@ fn a_ray_departs_from_a_part() {
             assert!(worst.exact.iter().all(|hit| hit.surface.as_ref().unwrap()[1] == "Exit"), "{worst:?}");
         }
     }
-    // Of the quadric that it leaves, the roots are 0 and -2k/a: 2.0002, where the chord through the start is 2.0001 long.
+    // Of the quadric that it leaves, the roots are 0 and -2k/a: 2.0002, where the chord through the start is 2.0001
+    // long.
     let first = text.lines().next().unwrap();
     let outcome = measured(&at("cylinder capped radius 1 height 2", ""), first).unwrap();
     let t = outcome.row("f64", "Stable").1.worst.as_ref().unwrap().hits[0].t;

@@ -1,5 +1,5 @@
-//! What a query costs, in instructions and in stack: every primitive, query, number type and tier, hits and misses apart, beside
-//! the formulas of the textbook.
+//! What a query costs, in instructions and in stack: every primitive, query, number type and tier, hits and misses
+//! apart, beside the formulas of the textbook.
 //!
 //! | module | what it holds |
 //! |---|---|

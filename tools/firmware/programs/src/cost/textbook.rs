@@ -1,7 +1,8 @@
 //! The formulas that everyone writes first: `k^2 - a c` and what follows from it, in the operators of the number type.
 //!
-//! They are here for their cost. In fixed point they wrap where a square overflows (`fixed::Wrapping`; the plain operators of a
-//! release build do the same), and their errors are what raylet was written to avoid: see `docs/accuracy.md`.
+//! They are here for their cost. In fixed point they wrap where a square overflows (`fixed::Wrapping`; the plain
+//! operators of a release build do the same), and their errors are what raylet was written to avoid: see
+//! `docs/accuracy.md`.
 
 use super::Of;
 use super::measure::instructions;
@@ -264,8 +265,8 @@ fn measure<S: Plain, P: Subject<S>, Solid>(
     }
 }
 
-/// Hands the name of each formula, which rays they are, and its instructions to `report`. The subjects are those of the same names in
-/// `subject`.
+/// Hands the name of each formula, which rays they are, and its instructions to `report`. The subjects are those of the
+/// same names in `subject`.
 pub fn every_formula<S: Plain>(report: &mut dyn FnMut(&'static str, Of, u64)) {
     let (radius, slope, height) = (eighths::<S>(8), eighths::<S>(6), eighths::<S>(12));
     let [ball, tube, cone] = [[radius, S::ZERO], [radius, height], [slope, height]];

@@ -1,4 +1,5 @@
-//! What effects cost on a chip: instructions and stack of a pixel, with each set of effects compiled in, and with all of them.
+//! What effects cost on a chip: instructions and stack of a pixel, with each set of effects compiled in, and with all
+//! of them.
 //!
 //! | module | what it holds |
 //! |---|---|
