@@ -130,6 +130,9 @@ impl<S: Scalar, N: Localize<S>> Method<S> for In<N> {
     }
     #[inline(always)]
     fn all<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<Intersection<S>> {
+        if !N::DEPARTS && ray.departure().is_some() {
+            return Err(Stop::Unsure);
+        }
         let departure = ray.departure().map(|departure| (departure.part, departure.leaving));
         let local = N::local_ray(place, ray, G::NEEDS, departure, || geometry.bounding_radius());
         intersect(geometry, &local, Goal { range: ray.range(), since: None })

@@ -79,6 +79,8 @@ impl Ring for Filtered {
 impl Number for Filtered {
     type Estimate = Running<f64>;
     const IS_WIDE: bool = false;
+    const DEPARTS: bool = false;
+    const KNOWS_ZERO: bool = false;
 
     #[inline(always)]
     fn sign(self) -> Option<Ordering> {
@@ -100,6 +102,6 @@ impl Number for Filtered {
     }
     #[inline(always)]
     fn apart<A>(work: impl FnOnce() -> A) -> A {
-        work()
+        super::Plain::<f64>::apart(work)
     }
 }

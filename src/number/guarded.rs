@@ -61,6 +61,8 @@ impl<R: Real, const STABLE: bool> Ring for Guarded<R, STABLE> {
 impl<R: Real, const STABLE: bool> Number for Guarded<R, STABLE> {
     type Estimate = Plain<R>;
     const IS_WIDE: bool = false;
+    const DEPARTS: bool = false;
+    const KNOWS_ZERO: bool = false;
     const MOVED: i32 = if STABLE { -36 } else { -19 };
     const STARTS_AT_VERTEX: bool = STABLE;
 
@@ -104,6 +106,6 @@ impl<R: Real, const STABLE: bool> Number for Guarded<R, STABLE> {
     }
     #[inline(always)]
     fn apart<A>(work: impl FnOnce() -> A) -> A {
-        work()
+        Plain::<R>::apart(work)
     }
 }

@@ -118,6 +118,10 @@ pub trait Number: Ring {
     /// True if a triangle is computed from a point of the line next to its first vertex, for a more accurate `t`. (If
     /// it is not, triangles that share an edge compute the same number for it.)
     const STARTS_AT_VERTEX: bool = false;
+    /// True if rays that depart are computed in it; if not, the next number computes them.
+    const DEPARTS: bool = true;
+    /// True if it may know that a sum of products is zero. A line that lies in a quadric is left to such a number.
+    const KNOWS_ZERO: bool = true;
 
     /// How it compares with zero; `None` if that is unknown.
     fn sign(self) -> Option<Ordering>;

@@ -84,7 +84,7 @@ impl<R: Real> Number for Plain<R> {
     }
     #[inline(always)]
     fn apart<A>(work: impl FnOnce() -> A) -> A {
-        if R::IS_FLOAT { work() } else { super::in_a_function(work) }
+        if R::HAS_INSTRUCTIONS { work() } else { super::in_a_function(work) }
     }
 }
 

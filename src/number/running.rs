@@ -107,6 +107,7 @@ impl<R: Real, const STABLE: bool> Ring for Running<R, STABLE> {
 impl<R: Real, const STABLE: bool> Number for Running<R, STABLE> {
     type Estimate = Self;
     const IS_WIDE: bool = false;
+    const KNOWS_ZERO: bool = false;
     const STARTS_AT_VERTEX: bool = true;
 
     /// Zero is certain only for a stored number, and for sums of such: a product may have underflowed.
@@ -142,7 +143,7 @@ impl<R: Real, const STABLE: bool> Number for Running<R, STABLE> {
     }
     #[inline(always)]
     fn apart<A>(work: impl FnOnce() -> A) -> A {
-        work()
+        super::Plain::<R>::apart(work)
     }
 }
 

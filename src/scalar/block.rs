@@ -234,7 +234,7 @@ macro_rules! block {
         impl Div for $Block {
             type Output = Self;
             /// The quotient to nearly the double width; zero for a division by zero.
-            #[inline]
+            #[inline(never)]
             fn div(self, other: Self) -> Self {
                 if self.mantissa == 0 || other.mantissa == 0 {
                     return Self::ZERO;
@@ -264,6 +264,7 @@ macro_rules! block {
         impl Real for $Block {
             const ROUNDING: i32 = -(Self::HALF as i32);
             const IS_FLOAT: bool = false;
+            const HAS_INSTRUCTIONS: bool = false;
             const INFINITY: Self = Self::new(1, 1 << 24);
             const SMALLEST: Self = Self::new(0, 0);
 
@@ -272,7 +273,7 @@ macro_rules! block {
                 Self::new(n as $mantissa, 0)
             }
 
-            #[inline]
+            #[inline(never)]
             fn sqrt(self) -> Self {
                 if self.mantissa <= 0 {
                     return Self::ZERO;

@@ -14,7 +14,8 @@ use crate::number::{Limbs, Parts, Ring, Robust, cross, difference, dot};
 macro_rules! float {
     (
         $Float:ident, $exact:ident, $bits:ty, $mantissa:literal, $bias:literal, $largest_exponent:literal,
-        $slope:literal, $robust:ty, sqrt: $sqrt:path, atan2: $atan2:path, sincos: $sincos:path, pow: $pow:path
+        $slope:literal, $robust:ty, $instructions:ident,
+        sqrt: $sqrt:path, atan2: $atan2:path, sincos: $sincos:path, pow: $pow:path
     ) => {
         impl Sealed for $Float {}
 
@@ -317,6 +318,7 @@ macro_rules! float {
         impl Real for $Float {
             const ROUNDING: i32 = -1 - $mantissa;
             const IS_FLOAT: bool = true;
+            const HAS_INSTRUCTIONS: bool = $instructions;
             const INFINITY: Self = $Float::INFINITY;
             const SMALLEST: Self = $Float::MIN_POSITIVE;
 
@@ -364,12 +366,20 @@ macro_rules! float {
     };
 }
 
+/// An Arm chip without a unit for floats passes none in registers.
+const F32_INSTRUCTIONS: bool = !cfg!(any(
+    all(target_arch = "arm", not(target_abi = "eabihf")),
+    all(target_arch = "riscv32", not(target_feature = "f"))
+));
+/// Of Arm chips, few have a unit for doubles.
+const F64_INSTRUCTIONS: bool = !cfg!(any(target_arch = "arm", all(target_arch = "riscv32", not(target_feature = "d"))));
+
 float!(
-    f32, exact_f32, u32, 23, 127, 126, 30, u64,
+    f32, exact_f32, u32, 23, 127, 126, 30, u64, F32_INSTRUCTIONS,
     sqrt: square_root_f32, atan2: libm::atan2f, sincos: libm::sincosf, pow: libm::powf
 );
 float!(
-    f64, exact_f64, u64, 52, 1023, 1022, 200, u128,
+    f64, exact_f64, u64, 52, 1023, 1022, 200, u128, F64_INSTRUCTIONS,
     sqrt: libm::sqrt, atan2: libm::atan2, sincos: libm::sincos, pow: libm::pow
 );
 

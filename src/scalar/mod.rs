@@ -286,6 +286,8 @@ pub trait Real:
     const ROUNDING: i32;
     /// True for a float, false for a block-floating integer, whose operations are function calls.
     const IS_FLOAT: bool;
+    /// True if the target has instructions for it; if not, each operation is a function call.
+    const HAS_INSTRUCTIONS: bool;
     /// Above every number of a solver.
     const INFINITY: Self;
     /// The smallest normal float; zero for a block, which does not underflow.

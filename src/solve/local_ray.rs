@@ -14,7 +14,7 @@ pub struct LocalRay<N: Number> {
     pub(crate) origin: [N; 3],
     pub(crate) direction: [N; 3],
     /// The part that it departs from at `t = 0`, and the side to which it departs.
-    pub(crate) departure: Option<(Part, Leaving)>,
+    pub(super) departure: Option<(Part, Leaving)>,
     /// The ray's `t` at the origin, if that was moved.
     pub(crate) start: Option<N::Estimate>,
     /// The same as a number; zero if the origin was not moved.
@@ -30,10 +30,16 @@ impl<N: Number> LocalRay<N> {
         Self { origin, direction, departure, start: None, moved: N::ZERO, is_unit: false }
     }
 
+    /// True if it departs from a part.
+    #[inline(always)]
+    pub(super) fn departs(&self) -> bool {
+        N::DEPARTS && self.departure.is_some()
+    }
+
     /// True if it departs from this part.
     #[inline(always)]
     pub(super) fn departs_from(&self, part: Part) -> bool {
-        self.departure.is_some_and(|(from, _)| from == part)
+        N::DEPARTS && self.departure.is_some_and(|(from, _)| from == part)
     }
 
     /// The square of the distance by which the origin was moved, times `2^e`.

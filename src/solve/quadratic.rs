@@ -100,6 +100,7 @@ impl<N: Number, Q: Quadric<N>> Quadratic<N, Q> {
             Ordering::Greater => Inside::Until,
             Ordering::Equal => match known(self.c().sign())? {
                 Ordering::Less => Inside::Everywhere,
+                Ordering::Equal if !N::KNOWS_ZERO => return Err(Stop::Unsure),
                 Ordering::Equal => Inside::InSurface,
                 Ordering::Greater => Inside::Nowhere,
             },

@@ -21,11 +21,11 @@ pub(crate) fn ball<S: Scalar, N: Of<S>>(line: &LocalRay<N>, radius: S, goal: Goa
     if is_approached::<S, N>(line) {
         return from_closest_approach(line, r, goal);
     }
-    let quadratic = Quadratic::new(Ball { o: line.origin, d: line.direction, r }, line, line.departure.is_some())?;
+    let quadratic = Quadratic::new(Ball { o: line.origin, d: line.direction, r }, line, line.departs())?;
     // a > 0, so that there is no other case.
     let Inside::Between(touch) = quadratic.inside else { return Err(Stop::Miss) };
     let interval = quadratic.between(touch);
-    if line.departure.is_some() {
+    if line.departs() {
         return inwards(&quadratic, line, &interval.exit, goal.range);
     }
     solid(&quadratic, line, &interval, goal)
@@ -34,8 +34,8 @@ pub(crate) fn ball<S: Scalar, N: Of<S>>(line: &LocalRay<N>, radius: S, goal: Goa
 /// True if a ball is intersected from the point of closest approach: cheaper than from the Pluecker moment, but only
 /// nearly exact where the direction's length is only nearly 1.
 #[inline(always)]
-const fn is_approached<S: Scalar, N: Of<S>>(line: &LocalRay<N>) -> bool {
-    line.is_unit && line.departure.is_none() && <N::Estimate as ToScalar<S>>::ROUNDING_DECIDES
+fn is_approached<S: Scalar, N: Of<S>>(line: &LocalRay<N>) -> bool {
+    line.is_unit && !line.departs() && <N::Estimate as ToScalar<S>>::ROUNDING_DECIDES
 }
 
 /// The closest approach of a line whose direction has nearly length 1 to the ball about `o`.
@@ -113,13 +113,13 @@ pub(crate) fn capsule<S: Scalar, N: Of<S>>(
     let ([x, _, z], [dx, _, dz]) = (line.origin, line.direction);
     let tube = Quadratic::new(Tube { o: [x, z], d: [dx, dz], r }, line, line.departs_from(Part::Side))?;
     let capsule = Capsule { line, r, height, tube: &tube, goal };
-    if line.departure.is_some() {
+    if line.departs() {
         return capsule.departing();
     }
     let interval = match tube.inside {
         Inside::Between(touch) => tube.between(touch),
         Inside::Everywhere => Interval::everywhere(),
-        Inside::InSurface => return capsule.in_the_side(),
+        Inside::InSurface if N::KNOWS_ZERO => return capsule.in_the_side(),
         _ => return Err(Stop::Miss),
     };
     let (enter, touches) = capsule.end(interval.enter, true)?;
@@ -208,7 +208,7 @@ impl<S: Scalar, N: Of<S>> Capsule<'_, S, N> {
 
     #[inline(always)]
     fn settled(&self, curve: &impl Curve<N>, end: &End<N>, entering: bool) -> Attempt<intersection::End<S>> {
-        if !entering && self.line.departure.is_some() {
+        if !entering && self.line.departs() {
             return match inwards(curve, self.line, end, self.goal.range)? {
                 Intersection::One(span) => Ok(span.exit),
                 _ => Err(Stop::Unsure),
@@ -224,7 +224,7 @@ impl<S: Scalar, N: Of<S>> Capsule<'_, S, N> {
         let seams = slab(self.line, Some(N::ZERO), Some(self.height))?.ok_or(Stop::Miss)?;
         let touch = known(self.height.sign())? == Ordering::Equal;
         let (enter, exit) = (seams.enter.of_side(), seams.exit.of_side());
-        if self.line.departure.is_some() {
+        if self.line.departs() {
             return inwards(&Flat, self.line, &exit, self.goal.range);
         }
         let interval = Interval { enter, exit, touch };
@@ -237,7 +237,7 @@ impl<S: Scalar, N: Of<S>> Capsule<'_, S, N> {
         let exit = match self.tube.inside {
             Inside::Between(_) => self.tube.ends()[1],
             Inside::Everywhere => End::never_left(),
-            Inside::InSurface => return self.in_the_side(),
+            Inside::InSurface if N::KNOWS_ZERO => return self.in_the_side(),
             _ => End::start(Part::Side),
         };
         let exit = match self.end(exit, false) {

@@ -115,29 +115,34 @@ enum Within<N: Number> {
 /// The interval of the line inside a side. Of a cone only the nappe with a positive outline counts.
 #[inline(always)]
 fn within<N: Number, Q: Quadric<N>>(quadratic: &Quadratic<N, Q>) -> Attempt<Within<N>> {
-    let [g, slope] = quadratic.quadric.outline();
-    Ok(Within::In(match quadratic.inside {
-        Inside::Between(touch) => {
-            // The outline at the vertex t = -k/a, which lies between the roots, has the sign of the nappe.
-            let vertex = || N::sum([[g, quadratic.a], [-slope, quadratic.k]]);
-            if Q::HAS_NAPPES && known(vertex().sign())? == Ordering::Less {
-                return Ok(Within::Nowhere);
-            }
-            quadratic.between(touch)
-        }
-        // The line is steeper than the side: a half-line lies in each nappe. The outline grows with t if the line
-        // rises.
-        Inside::Beyond => {
-            let [first, second] = quadratic.ends();
-            if known(slope.sign())? == Ordering::Greater {
-                Interval::new(second, End::never_left())
-            } else {
-                Interval::new(End::never_entered(), first)
-            }
-        }
-        Inside::Nowhere => return Ok(Within::Nowhere),
-        _ => return parallel(quadratic),
-    }))
+    N::apart(
+        #[inline(always)]
+        || {
+            let [g, slope] = quadratic.quadric.outline();
+            Ok(Within::In(match quadratic.inside {
+                Inside::Between(touch) => {
+                    // The outline at the vertex t = -k/a, which lies between the roots, has the sign of the nappe.
+                    let vertex = || N::sum([[g, quadratic.a], [-slope, quadratic.k]]);
+                    if Q::HAS_NAPPES && known(vertex().sign())? == Ordering::Less {
+                        return Ok(Within::Nowhere);
+                    }
+                    quadratic.between(touch)
+                }
+                // The line is steeper than the side: a half-line lies in each nappe. The outline grows with t if the line
+                // rises.
+                Inside::Beyond => {
+                    let [first, second] = quadratic.ends();
+                    if known(slope.sign())? == Ordering::Greater {
+                        Interval::new(second, End::never_left())
+                    } else {
+                        Interval::new(End::never_entered(), first)
+                    }
+                }
+                Inside::Nowhere => return Ok(Within::Nowhere),
+                _ => return parallel(quadratic),
+            }))
+        },
+    )
 }
 
 /// The same for a line parallel to a generator.
@@ -151,7 +156,7 @@ fn parallel<N: Number, Q: Quadric<N>>(quadratic: &Quadratic<N, Q>) -> Attempt<Wi
         (Inside::From, Ordering::Greater) => Within::In(Interval::new(quadratic.ends()[0], End::never_left())),
         (Inside::Until, Ordering::Less) => Within::In(Interval::new(End::never_entered(), quadratic.ends()[0])),
         (Inside::Everywhere, _) => Within::In(Interval::everywhere()),
-        (Inside::InSurface, _) => {
+        (Inside::InSurface, _) if N::KNOWS_ZERO => {
             let apex = || End::at(Fraction { n: -g, e: slope }, Part::Side);
             Within::Along(match slope_sign {
                 Ordering::Equal => Interval::everywhere(),
@@ -173,19 +178,24 @@ fn choose<N: Number>(curve: &impl Curve<N>, own: End<N>, plane: End<N>, counts: 
 /// The side's interval between the planes (rule 1: one interval).
 #[inline(always)]
 fn clip<N: Number>(curve: &impl Curve<N>, side: &Interval<N>, planes: &Interval<N>) -> Attempt<Interval<N>> {
-    let enter = choose(curve, side.enter, planes.enter, Ordering::Less)?;
-    let exit = choose(curve, side.exit, planes.exit, Ordering::Greater)?;
-    // The roots are in order.
-    let lengths = match (enter.part, exit.part) {
-        (Part::Side, Part::Side) => Ordering::Less,
-        (_, Part::Side) => order(curve, &exit, &enter)?.reverse(),
-        _ => order(curve, &enter, &exit)?,
-    };
-    match lengths {
-        Ordering::Greater => Err(Stop::Miss),
-        Ordering::Less => Ok(Interval { enter, exit, touch: side.touch }),
-        Ordering::Equal => Ok(Interval { enter: enter.of_side(), exit: exit.of_side(), touch: true }),
-    }
+    N::apart(
+        #[inline(always)]
+        || {
+            let enter = choose(curve, side.enter, planes.enter, Ordering::Less)?;
+            let exit = choose(curve, side.exit, planes.exit, Ordering::Greater)?;
+            // The roots are in order.
+            let lengths = match (enter.part, exit.part) {
+                (Part::Side, Part::Side) => Ordering::Less,
+                (_, Part::Side) => order(curve, &exit, &enter)?.reverse(),
+                _ => order(curve, &enter, &exit)?,
+            };
+            match lengths {
+                Ordering::Greater => Err(Stop::Miss),
+                Ordering::Less => Ok(Interval { enter, exit, touch: side.touch }),
+                Ordering::Equal => Ok(Interval { enter: enter.of_side(), exit: exit.of_side(), touch: true }),
+            }
+        },
+    )
 }
 
 /// The intersection of a line with the inside of a side, or with the side alone.
@@ -197,7 +207,7 @@ fn side<S: Scalar, N: Of<S>, Q: Quadric<N>>(
     goal: Goal<S>,
 ) -> Attempt<Intersection<S>> {
     let quadratic = Quadratic::new(quadric, line, line.departs_from(Part::Side))?;
-    if line.departure.is_some() {
+    if line.departs() {
         return departing(line, &quadratic, extent, goal);
     }
     if Q::HAS_NAPPES && matches!(extent, Extent::Double) {
@@ -206,7 +216,10 @@ fn side<S: Scalar, N: Of<S>, Q: Quadric<N>>(
     let interval = match within(&quadratic)? {
         Within::Nowhere => return Err(Stop::Miss),
         Within::In(interval) => interval,
-        Within::Along(interval) => return in_the_surface(line, &quadratic, &interval, extent, goal),
+        Within::Along(interval) if N::KNOWS_ZERO => {
+            return in_the_surface(line, &quadratic, &interval, extent, goal);
+        }
+        Within::Along(_) => return Err(Stop::Unsure),
     };
     if let Extent::Infinite | Extent::Double = extent {
         return solid(&quadratic, line, &interval, goal);
@@ -221,12 +234,17 @@ fn side<S: Scalar, N: Of<S>, Q: Quadric<N>>(
 /// The planes of an extent along the line.
 #[inline(always)]
 fn planes<S: Scalar, N: Of<S>>(line: &LocalRay<N>, extent: Extent<S>) -> Attempt<Option<Interval<N>>> {
-    let (low, high) = match extent {
-        Extent::Double | Extent::Infinite => (None, None),
-        Extent::Open(height) => (Some(N::ZERO), Some(N::scalar(height))),
-        Extent::Capped(low, high) => (low.map(N::scalar), high.map(N::scalar)),
-    };
-    slab(line, low, high)
+    N::apart(
+        #[inline(always)]
+        || {
+            let (low, high) = match extent {
+                Extent::Double | Extent::Infinite => (None, None),
+                Extent::Open(height) => (Some(N::ZERO), Some(N::scalar(height))),
+                Extent::Capped(low, high) => (low.map(N::scalar), high.map(N::scalar)),
+            };
+            slab(line, low, high)
+        },
+    )
 }
 
 /// A line that lies in the side over an interval.
@@ -239,7 +257,7 @@ fn in_the_surface<S: Scalar, N: Of<S>, Q: Quadric<N>>(
     extent: Extent<S>,
     goal: Goal<S>,
 ) -> Attempt<Intersection<S>> {
-    let departs = line.departure.is_some();
+    let departs = line.departs();
     let planes = match planes(line, extent)? {
         Some(planes) => planes,
         None if departs => Interval::everywhere(),
@@ -271,7 +289,10 @@ fn departing<S: Scalar, N: Of<S>, Q: Quadric<N>>(
     // The line departs from a point of the slab, although its rounded coordinates may be outside.
     let planes = planes(line, extent)?.unwrap_or_else(Interval::everywhere);
     let own = match within(quadratic)? {
-        Within::Along(interval) => return in_the_surface(line, quadratic, &interval, extent, goal),
+        Within::Along(interval) if N::KNOWS_ZERO => {
+            return in_the_surface(line, quadratic, &interval, extent, goal);
+        }
+        Within::Along(_) => return Err(Stop::Unsure),
         Within::In(interval) => interval.exit,
         Within::Nowhere if is_open => return Err(Stop::Miss),
         // The interval of a line parallel to the axis, next to the side, ends at the plane. Any other line only touches

@@ -77,7 +77,7 @@ impl<N: Number> Clipped<N> {
     /// of a line that departs from a face is taken to lie on it and between all others, and there is no entry.
     #[inline(always)]
     fn clip(&mut self, line: &LocalRay<N>, rank: usize, [o, d, h]: [N; 3]) -> Attempt<()> {
-        let departs = line.departure.is_some();
+        let departs = line.departs();
         let [low, high] = FACES[rank];
         let (enter, exit) = match known(d.sign())? {
             Ordering::Greater => ((low, -h), (high, h)),
@@ -105,7 +105,7 @@ impl<N: Number> Clipped<N> {
         let departed = FACES[rank].into_iter().find(|part| line.departs_from(*part));
         let along = match departed {
             None => match (known((o + h).sign())?, known((o - h).sign())?) {
-                (Ordering::Less, _) | (_, Ordering::Greater) if line.departure.is_none() => return Err(Stop::Miss),
+                (Ordering::Less, _) | (_, Ordering::Greater) if !line.departs() => return Err(Stop::Miss),
                 (Ordering::Equal, _) => Some(low),
                 (_, Ordering::Equal) => Some(high),
                 _ => None,
@@ -157,7 +157,7 @@ fn later<N: Number>(own: Option<Crossed<N>>, new: Crossed<N>, counts: Ordering) 
 #[inline(always)]
 pub(crate) fn cuboid<S: Scalar, N: Of<S>>(line: &LocalRay<N>, half: [S; 3], goal: Goal<S>) -> Attempt<Intersection<S>> {
     let clipped = Clipped::new(line, half.map(N::scalar))?;
-    if line.departure.is_some() {
+    if line.departs() {
         return inwards(&Flat, line, &clipped.end(clipped.exit, End::never_left), goal.range);
     }
     solid(&Flat, line, &clipped.interval()?, goal)
