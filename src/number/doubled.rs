@@ -62,7 +62,6 @@ impl<R: Real> Ring for Doubled<R> {
 
 impl<R: Real> Number for Doubled<R> {
     type Estimate = Running<R>;
-    const DEPARTS: bool = false;
     const KNOWS_ZERO: bool = false;
 
     #[inline(always)]
