@@ -44,7 +44,7 @@ impl<R: Real, const STABLE: bool> Running<R, STABLE> {
 
     /// The error that a bound stands for, and what the computation of the bound may have lost.
     #[inline(always)]
-    fn sure(error: R) -> R {
+    pub(crate) fn sure(error: R) -> R {
         error * (R::ONE.scaled(R::ROUNDING) + R::ONE.scaled(R::ROUNDING - 8))
     }
 

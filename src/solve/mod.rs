@@ -23,6 +23,8 @@
 //! | `form`, `contains`, `surface` | the inside test; the point of a hit, and its normal |
 
 mod attempt;
+#[cfg(test)]
+mod coefficients;
 mod contains;
 mod end;
 mod flat;

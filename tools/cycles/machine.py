@@ -17,8 +17,8 @@ PAGE = 0x1000
 TIMER, GRAIN = 0x4000_2000, 40
 # Where RISC-V's counter stands instead of its control registers: within reach of an offset from zero.
 REGISTER = 0
-# RAM of the MPS2 boards, and the control registers of the core.
-ARM_RAM, ARM_RAM_BYTES, ARM_FLASH_BYTES, ARM_SYSTEM = 0x2000_0000, 4 << 20, 4 << 20, 0xE000_E000
+# The MPS2 boards: the vector table is at 0, then RAM, PSRAM with the code, and the control registers of the core.
+ARM_RAM, ARM_RAM_BYTES, ARM_CODE, ARM_CODE_BYTES, ARM_SYSTEM = 0x2000_0000, 4 << 20, 0x2100_0000, 16 << 20, 0xE000_E000
 RISCV_RAM, RISCV_RAM_BYTES = 0x8000_0000, 16 << 20
 
 CPUS = {
@@ -95,7 +95,7 @@ class Machine:
         if self._is_arm:
             self._uc = unicorn.Uc(unicorn.UC_ARCH_ARM, unicorn.UC_MODE_THUMB | unicorn.UC_MODE_MCLASS)
             self._uc.ctl_set_cpu_model(CPUS[target])
-            for start, size in ((0, ARM_FLASH_BYTES), (ARM_RAM, ARM_RAM_BYTES), (ARM_SYSTEM, PAGE)):
+            for start, size in ((0, PAGE), (ARM_RAM, ARM_RAM_BYTES), (ARM_CODE, ARM_CODE_BYTES), (ARM_SYSTEM, PAGE)):
                 self._uc.mem_map(start, size)
         else:
             self._uc = unicorn.Uc(unicorn.UC_ARCH_RISCV, unicorn.UC_MODE_RISCV32)

@@ -1,0 +1,175 @@
+//! The running error bounds of the coefficients of quadrics, beside the same coefficients in 128 bits.
+
+use super::LocalRay;
+use super::local_ray::Localize;
+use super::quadric::{Ball, Nappe, Quadric, Tube};
+use crate::affine::Affine;
+use crate::frame::Frame;
+use crate::line::{InWorld, Needs, Place};
+use crate::number::{Estimate, Number, Ring, Robust, Running};
+use crate::ray::Ray;
+use crate::scalar::FromScalar;
+use crate::vector::{UnitVec3, Vec3};
+use std::format;
+use std::string::String;
+
+type Wide = Robust<u128>;
+
+/// Marsaglia, *Xorshift RNGs*, 2003.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        self.0 >> 8
+    }
+
+    /// Between -1 and 1.
+    fn unit(&mut self) -> f32 {
+        (self.next() % (1 << 25)) as f32 / (1 << 24) as f32 - 1.0
+    }
+
+    fn vector(&mut self, size: f32) -> Vec3<f32> {
+        Vec3::new(self.unit() * size, self.unit() * size, self.unit() * size)
+    }
+
+    /// A direction; one in four is close to an axis.
+    fn direction(&mut self) -> UnitVec3<f32> {
+        loop {
+            let mut v = self.vector(1.0);
+            if self.next().is_multiple_of(4) {
+                let size = f32::powi(2.0, -((self.next() % 30) as i32));
+                v = Vec3::new(v.x, v.y * size, v.z * size);
+            }
+            if let Ok(direction) = UnitVec3::new(v) {
+                return direction;
+            }
+        }
+    }
+
+    /// A length of a solid: most are near 1, some near the ends of the type.
+    fn size(&mut self) -> f32 {
+        let exponent = match self.next() % 16 {
+            0 => 25 + (self.next() % 5) as i32,
+            1 => -60 - (self.next() % 66) as i32,
+            _ => (self.next() % 12) as i32 - 6,
+        };
+        (1.5 + self.unit() / 2.0) * f32::powi(2.0, exponent)
+    }
+
+    /// A ray at a solid of this size at a position, from near or far: through it, past it, or along its surface.
+    fn ray(&mut self, position: Vec3<f32>, size: f32) -> Option<Ray<f32>> {
+        let distance = size * f32::powi(2.0, (self.next() % 16) as i32);
+        let beside = self.vector(size);
+        let target = Vec3::new(position.x + beside.x, position.y + beside.y, position.z + beside.z);
+        let from = self.vector(distance);
+        let origin = Vec3::new(target.x + from.x, target.y + from.y, target.z + from.z);
+        if self.next().is_multiple_of(4) {
+            Ray::new(origin, self.direction()).ok()
+        } else {
+            Ray::towards(origin, target).ok()
+        }
+    }
+}
+
+/// The ray in the frame from the origin to which `moved` moved it, in 128 bits.
+fn exactly<P: Place<f32>>(place: &P, ray: &Ray<f32>, needs: Needs, moved: f32) -> [[Wide; 3]; 2] {
+    let [o, d] = match needs {
+        Needs::Translation => place.ball_line::<Wide>(ray),
+        _ => place.line::<Wide>(ray),
+    };
+    let k = Wide::scalar(moved);
+    [[o[0] + k * d[0], o[1] + k * d[1], o[2] + k * d[2]], d]
+}
+
+fn coefficients<N: Number, Q: Quadric<N>>(quadric: &Q) -> [(&'static str, N); 6] {
+    let a = quadric.a();
+    let [outline, growth] = quadric.outline();
+    [
+        ("a", a),
+        ("k", quadric.k()),
+        ("c", quadric.c()),
+        ("the discriminant", quadric.discriminant(a)),
+        ("the outline", outline),
+        ("the outline's growth", growth),
+    ]
+}
+
+/// The error of each coefficient may not exceed its bound.
+fn check<Q: Quadric<Running<f32>>, E: Quadric<Wide>>(quadric: &Q, exact: &E, told: impl Fn() -> String) {
+    for ((name, found), (_, exact)) in coefficients(quadric).into_iter().zip(coefficients(exact)) {
+        if !found.value.is_finite() || !found.error.is_finite() {
+            continue;
+        }
+        let off = (exact - Wide::scalar(found.value)).magnitude();
+        // The bound itself may be rounded to a subnormal number, and 128 bits are rounded too.
+        let bound = Wide::scalar(Running::<f32>::sure(found.error));
+        let bound = bound + exact.magnitude().scaled(-100) + Wide::ONE.scaled(-149);
+        assert!(
+            !off.compare(bound).is_some_and(core::cmp::Ordering::is_gt),
+            "{name}: {found:?}, which is off by {off:?}, {}",
+            told()
+        );
+    }
+}
+
+fn line<P: Place<f32>>(place: &P, ray: &Ray<f32>, needs: Needs) -> LocalRay<Running<f32>> {
+    <Running<f32> as Localize<f32>>::local_ray(place, ray, needs, None, || 1.0)
+}
+
+fn check_all<P: Place<f32>>(place: &P, ray: &Ray<f32>, [r, top, height]: [f32; 3]) {
+    let told = || format!("{ray:?} {:?} {:?} {r:e} {top:e} {height:e}", place.position(), core::any::type_name::<P>());
+    let near = line(place, ray, Needs::Translation);
+    let [o, d] = exactly(place, ray, Needs::Translation, near.moved.value);
+    let ball = Ball { o: near.origin, d: near.direction, r: Running::scalar(r) };
+    check(&ball, &Ball { o, d, r: Wide::scalar(r) }, told);
+
+    let near = line(place, ray, Needs::All);
+    let [[x, y, z], [dx, dy, dz]] = exactly(place, ray, Needs::All, near.moved.value);
+    let ([nx, ny, nz], [ndx, ndy, ndz]) = (near.origin, near.direction);
+    let tube = Tube { o: [nx, nz], d: [ndx, ndz], r: Running::scalar(r) };
+    check(&tube, &Tube { o: [x, z], d: [dx, dz], r: Wide::scalar(r) }, told);
+
+    let growth = Running::scalar(top) - Running::scalar(r);
+    let Some(m) = growth.rounded_quotient(Running::scalar(height)) else { return };
+    let nappe = Nappe { o: [nx, nz, Running::scalar(r) + m * ny], d: [ndx, ndz, m * ndy] };
+    let m = (Wide::scalar(top) - Wide::scalar(r)).over(Wide::scalar(height));
+    check(&nappe, &Nappe { o: [x, z, Wide::scalar(r) + m * y], d: [dx, dz, m * dy] }, told);
+}
+
+#[test]
+fn bounds_hold_for_every_coefficient() {
+    let rounds = if std::env::var_os("RAYLET_LONG").is_some() { 10_000_000 } else { 100_000 };
+    let mut random = Random(0x2545_f491_4f6c_dd1d);
+    let mut checked = [0; 3];
+    for _ in 0..rounds {
+        let size = random.size();
+        let distance = size * f32::powi(2.0, (random.next() % 10) as i32);
+        let position = random.vector(distance);
+        let Some(ray) = random.ray(position, size) else { continue };
+        let radii = [size, (random.unit() + 1.0) * size, (random.unit() + 1.5) * size];
+        match random.next() % 3 {
+            0 => {
+                checked[0] += 1;
+                check_all(&InWorld, &ray, radii);
+            }
+            kind => {
+                let degrees = random.unit() * 180.0;
+                let Ok(frame) = Frame::turned_about(position, random.direction(), degrees) else { continue };
+                if kind == 1 {
+                    checked[1] += 1;
+                    check_all(&frame, &ray, radii);
+                    continue;
+                }
+                let scale = [random.unit(), random.unit(), random.unit()]
+                    .map(|unit| f32::powi(2.0, (unit * 6.0) as i32) * (1.5 + unit / 2.0));
+                let Ok(affine) = Affine::stretched(frame, scale.into()) else { continue };
+                checked[2] += 1;
+                check_all(&affine, &ray, radii);
+            }
+        }
+    }
+    assert!(checked.iter().all(|count| count * 5 > rounds), "{checked:?}");
+}
