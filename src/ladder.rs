@@ -6,7 +6,7 @@
 //! |---|---|---|
 //! | `Plain` | plain values | the grid of integers, blocks |
 //! | `Fast` | plain values with guards, the robust number | the grid, the robust number |
-//! | `Stable` | values with an error bound, double-words, the robust number | the grid, that of the wider type, the robust number |
+//! | `Stable` | values with an error bound, the same of a line in double-words, the robust number | the grid, that of the wider type, the robust number |
 //! | `Exact` | doubles with an error bound, [`Bounded`](crate::number::Bounded), [`Integer`](crate::number::Integer) | the grid with certain signs, then as floats |
 
 mod exactly;
@@ -20,8 +20,8 @@ use crate::equations::{Described, EquationKinds, Equations};
 use crate::fast::Guards;
 use crate::geometry::Geometry;
 use crate::intersection::Intersection;
-use crate::line::Place;
-use crate::number::{Doubled, Guarded, Plain as PlainNumber, Running};
+use crate::line::{Needs, Place};
+use crate::number::{Guarded, Plain as PlainNumber, Running};
 use crate::query::Solve;
 use crate::ray::Ray;
 use crate::scalar::{FromScalar, RealOf, Scalar};
@@ -108,7 +108,7 @@ impl<S: Scalar + RealOf<S>> Tiers<S> for Floats {
     type PlainNumber = PlainNumber<S>;
     type Plain = (In<PlainNumber<S>>,);
     type Fast = (InBounds<S, false>, In<S::Robust>);
-    type Stable = (InBounds<S, true>, In<Doubled<S>>, In<S::Robust>);
+    type Stable = (InBounds<S, true>, InDoubled<S>, In<S::Robust>);
 }
 
 /// In numbers of the type `N`.
@@ -123,7 +123,7 @@ impl<S: Scalar, N: Localize<S>> Method<S> for In<N> {
         ray: &Ray<S>,
         since: Option<S>,
     ) -> Attempt<Intersection<S>> {
-        let local = N::local_ray(place, ray, G::NEEDS, None, || geometry.bounding_radius());
+        let local = N::local_ray(place, ray, G::NEEDS, None);
         let goal = Goal { range: ray.range(), since };
         // An affine map costs so much that a call adds little; a program has less code.
         if P::STRETCHES { intersect(geometry, &local, goal) } else { geometry.intersect(&local, goal) }
@@ -134,7 +134,7 @@ impl<S: Scalar, N: Localize<S>> Method<S> for In<N> {
             return Err(Stop::Unsure);
         }
         let departure = ray.departure().map(|departure| (departure.part, departure.leaving));
-        let local = N::local_ray(place, ray, G::NEEDS, departure, || geometry.bounding_radius());
+        let local = N::local_ray(place, ray, G::NEEDS, departure);
         intersect(geometry, &local, Goal { range: ray.range(), since: None })
     }
 }
@@ -179,6 +179,11 @@ impl<S: Scalar + RealOf<S>, const STABLE: bool> Method<S> for InBounds<S, STABLE
     }
     #[inline(always)]
     fn all<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<Intersection<S>> {
+        // The `t` of an exit next to the start is accurate only if the line is: of the exits from capsules, values
+        // knew 40 %, and double-words 92 %.
+        if STABLE && ray.departure().is_some() && matches!(G::NEEDS, Needs::All) {
+            return Err(Stop::Unsure);
+        }
         // A departing ray may leave along a generator, where nothing in its equation has a constant bound: hits of open
         // cones were lost.
         if Self::are_constant::<S, G, P>() && ray.departure().is_none() {
@@ -186,6 +191,31 @@ impl<S: Scalar + RealOf<S>, const STABLE: bool> Method<S> for InBounds<S, STABLE
         } else {
             In::<Running<S, STABLE>>::all(geometry, place, ray)
         }
+    }
+}
+
+/// In values with a running bound, of a line that is transformed in double-words and then rounded.
+///
+/// The transformation makes most of the errors of a line: of the rays near a turned capsule, the first numbers leave
+/// 13 % unsure, and these 1 %. They share the functions of [`Running`], so that a solid adds no code.
+#[derive(Clone, Copy, Debug)]
+pub struct InDoubled<R>(PhantomData<R>);
+
+impl<S: Scalar + RealOf<S>> Method<S> for InDoubled<S> {
+    #[inline(always)]
+    fn nearest<G: Geometry<S>, P: Place<S>>(
+        geometry: &G,
+        place: &P,
+        ray: &Ray<S>,
+        _: Option<S>,
+    ) -> Attempt<Intersection<S>> {
+        Self::all(geometry, place, ray)
+    }
+    #[inline(always)]
+    fn all<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<Intersection<S>> {
+        let departure = ray.departure().map(|departure| (departure.part, departure.leaving));
+        let local = solve::rounded_ray::<S, S, P>(place, ray, G::NEEDS, departure);
+        intersect(geometry, &local, Goal { range: ray.range(), since: None })
     }
 }
 

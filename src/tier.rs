@@ -92,9 +92,9 @@ impl<S: Scalar> Tier<S> for Fast {}
 
 /// The default tier.
 ///
-/// Floats compute in numbers that know a bound of their error. Where a sign or a `t` is not certain enough,
-/// double-words decide, and then the robust number, of 64 bits (128 bits for 64-bit types), by the signs of its rounded
-/// values. Fixed point computes on a grid of integers, with a guard at each difference that may cancel.
+/// Floats compute in numbers that know a bound of their error. Where a sign or a `t` is not certain enough, the line is
+/// transformed again in double-words, and then the robust number decides, of 64 bits (128 bits for 64-bit types), by the
+/// signs of its rounded values. Fixed point computes on a grid of integers, with a guard at each difference that may cancel.
 ///
 /// Error of `t` for floats: about half a unit in the last place in the median, at most 16 units except for grazing rays
 /// (see [`tier`](self)), and at most 31 units down to rays that graze to 10^-7. For fixed point: at most one unit. For

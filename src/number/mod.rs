@@ -9,12 +9,13 @@
 //! | [`Guarded`] | the same, unknown where much of a difference cancels | `Fast` |
 //! | [`Certified`] | the same, and an end next to the start is unknown | `Stable`, for spheres and triangles |
 //! | [`Running`] | unknown if the value is within its error bound of zero | `Stable`, and in doubles `Exact` |
-//! | [`Doubled`] | the same, in a float's twice as many digits | `Stable`, where [`Running`] is unsure |
 //! | [`Robust`] | that of the rounded value | `Fast` and `Stable`, where the numbers before are unsure |
 //! | [`Filtered`] | unknown if a value is small relative to its terms | `Exact`, for spheres and flat primitives |
 //! | [`Bounded`] | unknown if the value is within its error bound of zero | `Exact`, where a sign is unknown in the numbers before |
 //! | [`Integer`] | always certain | `Exact`, where a sign is unknown in [`Bounded`] |
-//! | [`Twofold`](crate::scalar::Twofold) | not used | points and normals |
+//!
+//! In two numbers nothing is solved: lines are transformed in [`Doubled`], where [`Running`] is unsure in `Stable`, and
+//! points and normals are computed in [`Twofold`](crate::scalar::Twofold).
 
 /// The operators of a number with the methods `plus`, `negative` and `times`.
 macro_rules! operators {

@@ -234,6 +234,14 @@ impl<S: Scalar, R: RealOf<S>, const STABLE: bool> ToScalar<S> for Running<R, STA
         Self::exact(R::of(value))
     }
     #[inline(always)]
+    fn whole(self, start: Option<Self>) -> Self {
+        match start {
+            // A missing end has no error, which a sum of infinities would lose.
+            Some(start) if self.value.abs() < R::INFINITY => self + start,
+            _ => self,
+        }
+    }
+    #[inline(always)]
     fn rounded(self) -> Option<S> {
         // A unit in the last place is between one and two roundings of the value. Bounds are a few times as large as
         // errors.

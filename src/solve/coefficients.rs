@@ -1,7 +1,7 @@
 //! The running error bounds of the coefficients of quadrics, beside the same coefficients in 128 bits.
 
 use super::LocalRay;
-use super::local_ray::Localize;
+use super::local_ray::{Localize, rounded_ray};
 use super::quadric::{Ball, Nappe, Quadric, Tube};
 use crate::affine::Affine;
 use crate::frame::Frame;
@@ -115,18 +115,25 @@ fn check<Q: Quadric<Running<f32>>, E: Quadric<Wide>>(quadric: &Q, exact: &E, tol
     }
 }
 
-fn line<P: Place<f32>>(place: &P, ray: &Ray<f32>, needs: Needs) -> LocalRay<Running<f32>> {
-    <Running<f32> as Localize<f32>>::local_ray(place, ray, needs, None, || 1.0)
+/// The coefficients of the line in values, and of that in double-words.
+fn check_all<P: Place<f32>>(place: &P, ray: &Ray<f32>, lengths: [f32; 3]) {
+    check_lines(place, ray, lengths, |needs| <Running<f32> as Localize<f32>>::local_ray(place, ray, needs, None));
+    check_lines(place, ray, lengths, |needs| rounded_ray::<f32, f32, P>(place, ray, needs, None));
 }
 
-fn check_all<P: Place<f32>>(place: &P, ray: &Ray<f32>, [r, top, height]: [f32; 3]) {
+fn check_lines<P: Place<f32>>(
+    place: &P,
+    ray: &Ray<f32>,
+    [r, top, height]: [f32; 3],
+    line: impl Fn(Needs) -> LocalRay<Running<f32>>,
+) {
     let told = || format!("{ray:?} {:?} {:?} {r:e} {top:e} {height:e}", place.position(), core::any::type_name::<P>());
-    let near = line(place, ray, Needs::Translation);
+    let near = line(Needs::Translation);
     let [o, d] = exactly(place, ray, Needs::Translation, near.moved.value);
     let ball = Ball { o: near.origin, d: near.direction, r: Running::scalar(r) };
     check(&ball, &Ball { o, d, r: Wide::scalar(r) }, told);
 
-    let near = line(place, ray, Needs::All);
+    let near = line(Needs::All);
     let [[x, y, z], [dx, dy, dz]] = exactly(place, ray, Needs::All, near.moved.value);
     let ([nx, ny, nz], [ndx, ndy, ndz]) = (near.origin, near.direction);
     let tube = Tube { o: [nx, nz], d: [ndx, ndz], r: Running::scalar(r) };

@@ -52,17 +52,14 @@ impl<N: Number> LocalRay<N> {
 /// A number in which rays are transformed into a primitive's frame.
 pub trait Localize<S: Scalar>: Of<S> {
     /// The ray in the frame of `place`. A number of limited precision moves the origin to the point closest to the
-    /// frame's, since errors grow with the distance of the origin; `size` is that of the primitive, where it matters
-    /// whether the ray starts far away.
+    /// frame's, since errors grow with the distance of the origin.
     #[inline(always)]
     fn local_ray<P: Place<S>>(
         place: &P,
         ray: &Ray<S>,
         needs: Needs,
         departure: Option<(Part, Leaving)>,
-        size: impl FnOnce() -> S,
     ) -> LocalRay<Self> {
-        let _ = size;
         LocalRay::new(unmoved(place, ray, needs), departure)
     }
 }
@@ -89,33 +86,34 @@ impl<S: Scalar, const N: usize> Localize<S> for Integer<N> {}
 #[cfg(feature = "libm")]
 impl<S: Scalar> Localize<S> for Filtered {}
 
-impl<S: Scalar, R: RealOf<S>> Localize<S> for Doubled<R> {
-    #[inline(always)]
-    fn local_ray<P: Place<S>>(
-        place: &P,
-        ray: &Ray<S>,
-        needs: Needs,
-        departure: Option<(Part, Leaving)>,
-        size: impl FnOnce() -> S,
-    ) -> LocalRay<Self> {
-        let [o, d] = [ray.origin().to_array().map(R::of), ray.direction().to_array().map(R::of_unit)];
-        let position = place.position().map_or([R::ZERO; 3], |position| position.to_array().map(R::of));
-        let from = [o[0] - position[0], o[1] - position[1], o[2] - position[2]];
-        let k = from[0] * d[0] + from[1] * d[1] + from[2] * d[2];
-        let near = R::of(size()).scaled(3);
-        // A cone from its apex has no size: it looks the same from everywhere.
-        let is_moved = departure.is_none() && !near.is_zero() && k.abs() > near;
-        let direction = d.map(Self::exact);
-        let from = [0, 1, 2].map(|i| Self::difference(o[i], position[i]));
-        let (step, start) = (Self::exact(-k), is_moved.then(|| Running::exact(-k)));
-        let origin = if is_moved { [0, 1, 2].map(|i| from[i] + step * direction[i]) } else { from };
-        let is_translated = matches!(needs, Needs::Translation) && !P::STRETCHES;
-        let line = if is_translated {
-            [origin, direction]
-        } else {
-            [place.linear::<Self>(origin), place.linear::<Self>(direction)]
-        };
-        LocalRay { start, ..LocalRay::new(line, departure) }
+/// The ray in the frame, transformed in double-words and rounded to values with bounds of their errors. Its origin is
+/// moved to the point closest to the position, since errors grow with the distance of the origin.
+#[inline(always)]
+pub(crate) fn rounded_ray<S: Scalar, R: RealOf<S>, P: Place<S>>(
+    place: &P,
+    ray: &Ray<S>,
+    needs: Needs,
+    departure: Option<(Part, Leaving)>,
+) -> LocalRay<Running<R>> {
+    let [o, d] = [ray.origin().to_array().map(R::of), ray.direction().to_array().map(R::of_unit)];
+    let position = place.position().map_or([R::ZERO; 3], |position| position.to_array().map(R::of));
+    let [from, direction] = [[0, 1, 2].map(|i| Doubled::difference(o[i], position[i])), d.map(Doubled::exact)];
+    let is_moved = departure.is_none();
+    let [x, y, z] = [0, 1, 2].map(|i| (o[i] - position[i]) * d[i]);
+    let k = if is_moved { -(x + y + z) } else { R::ZERO };
+    let step = Doubled::exact(k);
+    let near = if is_moved { [0, 1, 2].map(|i| from[i] + step * direction[i]) } else { from };
+    let is_translated = matches!(needs, Needs::Translation) && !P::STRETCHES;
+    let [origin, direction] =
+        if is_translated { [near, direction] } else { [place.linear(near), place.linear(direction)] };
+    let moved = Running::exact(k);
+    LocalRay {
+        origin: origin.map(Doubled::rounded),
+        direction: direction.map(Doubled::rounded),
+        departure,
+        start: is_moved.then_some(moved),
+        moved,
+        is_unit: !P::STRETCHES,
     }
 }
 
@@ -212,7 +210,6 @@ impl<S: Scalar, N: Approximate<Real: RealOf<S>> + Of<S>> Localize<S> for N {
         ray: &Ray<S>,
         needs: Needs,
         departure: Option<(Part, Leaving)>,
-        _: impl FnOnce() -> S,
     ) -> LocalRay<Self> {
         moved(place, ray, needs, departure)
     }

@@ -44,6 +44,7 @@ pub(crate) use contains::holds;
 pub use end::{Goal, Of};
 pub(crate) use flat::{disc, plane, triangle};
 pub(crate) use form::Line;
+pub(crate) use local_ray::rounded_ray;
 pub use local_ray::{LocalRay, Localize};
 pub(crate) use round::{ball, capsule};
 pub(crate) use side::{Extent, Outline, cone, tube};

@@ -38,7 +38,7 @@ pub const WHY: [Why; 17] = [
     ),
     (
         |row| row.slower.number == "f32" && row.faster.tier == "Exact" && row.slower.tier == "Stable",
-        "`Stable` computes a bound of its error in floats, what that leaves unsure in double-words (pairs of floats), and what these leave unsure in integers of 64 bits. `Exact` computes the same bound in doubles, which leaves nearly no ray unsure. A host has hardware for doubles; on a chip without any, an operation on double-words takes more instructions than one on doubles in software.",
+        "`Stable` computes a bound of its error in floats, of what that leaves unsure the line again in double-words (pairs of floats), and what is then unsure in integers of 64 bits. `Exact` computes the same bound in doubles, which leaves nearly no ray unsure. A host has hardware for doubles.",
     ),
     (
         |row| row.faster.tier == "Exact" && row.slower.tier == "Fast" && row.slower.primitive == "triangle",
