@@ -64,7 +64,7 @@ pub fn programs() -> impl Iterator<Item = &'static Use> {
 }
 
 /// The source files with the code of few kinds: who they belong to, and the number type, if they are of one.
-const FILES: [(&str, &[&str], Option<&str>); 22] = [
+const FILES: [(&str, &[&str], Option<&str>); 21] = [
     ("primitive/sphere", &["Sphere"], None),
     ("primitive/cylinder", &["Cylinder"], None),
     ("primitive/cone", &["Cone"], None),
@@ -80,7 +80,6 @@ const FILES: [(&str, &[&str], Option<&str>); 22] = [
     ("solve/round", &["Sphere", "Cone", "Capsule"], None),
     ("solve/flat", &["Plane", "Disc", "Rectangle", "Triangle"], None),
     ("solve/slabs", &["Cuboid", "Rectangle"], None),
-    ("scalar/floats/cone", &["Cone"], Some("f32")),
     ("scalar/integers/ball", &["Sphere", "Capsule"], Some("I16F16")),
     ("scalar/integers/round", &["Cylinder", "Capsule"], Some("I16F16")),
     ("scalar/integers/cone", &["Cone"], Some("I16F16")),

@@ -5,7 +5,7 @@
 //! check proofs DIRECTORY                           # what must not be linked is not
 //! check cost --target TARGET OUTPUT [--renew]      # instructions a query, against the baseline
 //! check size --target TARGET DIRECTORY [--renew]   # bytes a primitive, against the baseline
-//! check left-out DIRECTORY                         # an effect or a kind that is left out leaves no code
+//! check left-out DIRECTORY                         # an effect, a kind or a tier that is left out leaves no code
 //! check effects --target TARGET OUTPUT [--renew]   # instructions and stack a pixel, against the baseline
 //! check gallery --target TARGET OUTPUT [--renew]   # instructions a pixel of the gallery, against the baseline
 //! check cost --cycles most ...                     # the same of modelled cycles, and of workloads and effects; also least
@@ -26,6 +26,7 @@ mod marks;
 mod programs;
 mod proofs;
 mod size;
+mod tiers;
 
 use chip::{Chip, Part};
 use clap::{Parser, Subcommand};
@@ -63,7 +64,7 @@ enum Command {
         /// Where cargo put the programs: `target/TARGET/release`.
         programs: PathBuf,
     },
-    /// Shows that an effect, a primitive or a placement that is left out leaves no code.
+    /// Shows that an effect, a primitive, a placement or a tier that is left out leaves no code.
     LeftOut {
         /// Where cargo put the programs: `target/TARGET/release`.
         programs: PathBuf,
@@ -106,7 +107,8 @@ fn run(command: &Command) -> Outcome {
         Command::Size { chip, programs } => chip::check(chip, Part::Size, size::read(programs)?),
         Command::LeftOut { programs } => {
             effects::check_left_out(programs)?;
-            kinds::check_left_out(programs)
+            kinds::check_left_out(programs)?;
+            tiers::check(programs)
         }
         Command::Effects { chip, output } => chip::check(chip, Part::Effects, effects::read(output)?),
         Command::Gallery { chip, output } => chip::check(chip, Part::Gallery, effects::read_gallery(output)?),
