@@ -307,7 +307,7 @@ macro_rules! fixed {
                     (divisor, down) = (divisor >> excess, excess);
                 }
                 let up = f.unsigned_abs().leading_zeros() - 2;
-                let quotient = (f.unsigned_abs() << up) / divisor;
+                let quotient = (f.unsigned_abs() << up).checked_div(divisor)?;
                 let bits = 2 * $bits - quotient.leading_zeros();
                 let surplus = bits.saturating_sub(DIRECTION);
                 let short = (quotient >> surplus) as $wide;

@@ -95,14 +95,14 @@ pub(crate) fn rounded_ray<S: Scalar, R: RealOf<S>, P: Place<S>>(
     needs: Needs,
     departure: Option<(Part, Leaving)>,
 ) -> LocalRay<Running<R>> {
-    let [o, d] = [ray.origin().to_array().map(R::of), ray.direction().to_array().map(R::of_unit)];
-    let position = place.position().map_or([R::ZERO; 3], |position| position.to_array().map(R::of));
-    let [from, direction] = [[0, 1, 2].map(|i| Doubled::difference(o[i], position[i])), d.map(Doubled::exact)];
+    let ([ox, oy, oz], d) = (ray.origin().to_array().map(R::of), ray.direction().to_array().map(R::of_unit));
+    let [px, py, pz] = place.position().map_or([R::ZERO; 3], |position| position.to_array().map(R::of));
+    let from @ [x, y, z] = [Doubled::difference(ox, px), Doubled::difference(oy, py), Doubled::difference(oz, pz)];
+    let direction @ [dx, dy, dz] = d.map(Doubled::exact);
     let is_moved = departure.is_none();
-    let [x, y, z] = [0, 1, 2].map(|i| (o[i] - position[i]) * d[i]);
-    let k = if is_moved { -(x + y + z) } else { R::ZERO };
+    let k = if is_moved { -((ox - px) * d[0] + (oy - py) * d[1] + (oz - pz) * d[2]) } else { R::ZERO };
     let step = Doubled::exact(k);
-    let near = if is_moved { [0, 1, 2].map(|i| from[i] + step * direction[i]) } else { from };
+    let near = if is_moved { [x + step * dx, y + step * dy, z + step * dz] } else { from };
     let is_translated = matches!(needs, Needs::Translation) && !P::STRETCHES;
     let [origin, direction] =
         if is_translated { [near, direction] } else { [place.linear(near), place.linear(direction)] };
