@@ -12,6 +12,7 @@ use super::{
 use crate::ladder::FixedPoint;
 use crate::number::word::Word;
 use crate::number::{Limbs, Parts, Robust};
+use crate::vector::pairs;
 use fixed::types::extra::{LeEqU32, LeEqU64, U30, U32, U62};
 use fixed::{FixedI32, FixedI64};
 
@@ -188,8 +189,8 @@ macro_rules! fixed {
                 // many products.
                 let drop = if $bits == 64 { 2 * $bits - radius.leading_zeros() } else { 0 };
                 let rounding = (1 << drop) >> 1;
-                [0, 1, 2].map(|i| {
-                    let sum = (units[i] << $unit_bits) + rests[i] + rounding;
+                pairs(units, rests).map(|(unit, rest)| {
+                    let sum = (unit << $unit_bits) + rest + rounding;
                     $Block::new(sum >> drop, -(F::I32) - $unit_bits + drop as i32)
                 })
             }
@@ -271,7 +272,7 @@ macro_rules! fixed {
                 let radius = solid.radius.to_bits() as $wide;
                 // Coordinates from the centre, in units, and rests in units of `2^-DIRECTION`.
                 let mut units = p.map(|c| (c + (1 << (fraction - 1))) >> fraction);
-                let mut rests = [0, 1, 2].map(|i| (p[i] - (units[i] << fraction)) << (DIRECTION - fraction));
+                let mut rests = pairs(p, units).map(|(c, unit)| (c - (unit << fraction)) << (DIRECTION - fraction));
                 let mut d = d;
                 match solid.centre {
                     Some(centre) => units[1] -= centre.to_bits() as $wide,
@@ -324,7 +325,7 @@ macro_rules! fixed {
                     return None;
                 }
                 let step = if (f < 0) == (h < 0) { -short } else { short };
-                let moved = [0, 1, 2].map(|i| rests[i] + moved_by(step * d[i], shift as u32));
+                let moved = pairs(rests, d).map(|(rest, d)| rest + moved_by(step * d, shift as u32));
                 Some(Self::from_units(units, moved, radius))
             }
             #[inline]

@@ -195,13 +195,14 @@ macro_rules! float {
             }
             #[inline]
             fn approach(o: [Self; 3], base: [Self; 3], d: [Self; 3], t: Self) -> [Self; 3] {
-                [0, 1, 2].map(|i| {
-                    let (from_base, e) = $exact::two_sum(o[i], -base[i]);
-                    let (p, f) = $exact::two_product(t, d[i]);
+                let step = |o: Self, base: Self, d: Self| {
+                    let (from_base, e) = $exact::two_sum(o, -base);
+                    let (p, f) = $exact::two_product(t, d);
                     let (s, g) = $exact::two_sum(from_base, p);
                     let correction = e + f + g;
                     if Scalar::is_finite(correction) { s + correction } else { s }
-                })
+                };
+                [step(o[0], base[0], d[0]), step(o[1], base[1], d[1]), step(o[2], base[2], d[2])]
             }
             #[inline(always)]
             fn approach_exactly(o: [Self; 3], base: [Self; 3], d: [Self; 3], t: Self) -> [Self; 3] {
