@@ -149,13 +149,16 @@ mod tests {
     }
 
     #[test]
-    fn what_has_instructions_has_cycles_and_no_stack() {
+    fn what_has_cycles_has_instructions_and_no_stack() {
         for (target, _) in CHIPS {
             let (instructions, cycles) = (baseline(target).expect("it is there"), cycles(target).expect("so is this"));
             assert_eq!(cycles.machine, target);
             for part in [Part::Cost, Part::Workload, Part::Effects] {
-                let counted = part.figures(&instructions).keys().filter(|name| !is_stack(name));
-                assert!(counted.eq(part.figures(&cycles).keys()), "{target}: {}", part.name());
+                // To model cycles takes hours: what is new may have none yet.
+                let counted = part.figures(&instructions);
+                for name in part.figures(&cycles).keys() {
+                    assert!(counted.contains_key(name) && !is_stack(name), "{target}: {}: {name}", part.name());
+                }
             }
             let least = Part::LeastCost.figures(&cycles);
             assert!(least.is_empty() || least.keys().eq(Part::Cost.figures(&cycles).keys()), "{target}");

@@ -16,7 +16,8 @@ a clock that adds up the cycles of each instruction by its class. The latencies 
 Cortex-M3, the Cortex-M4F, and for RV32IMC from that of Hazard3, the core of the RP2350. These cycles are a **model, not a measurement**. The model assumes
 memory without wait states, for instructions and data; the flash of many chips is slower. Where a manual gives a range, the model takes its upper end. With one cycle for every
 instruction, Unicorn counts as many as QEMU: `.ci/cycles` compares both. The cycles of what users do, and of all other queries, are
-in [data/cycles](../data/cycles).
+in [data/cycles](../data/cycles). They were modelled before the tier `Plain` was added and the solvers of floats were written anew, and not since: `Plain` has none,
+and those of `f32` and `f64` belong to the code before.
 
 Cycles per instruction of a nearest hit: the median over all primitives and tiers in the tables below.
 
