@@ -140,6 +140,8 @@ pub mod number;
 mod part;
 pub mod primitive;
 mod query;
+#[cfg(test)]
+mod random;
 pub mod ray;
 pub mod render;
 pub mod scalar;

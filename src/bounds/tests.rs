@@ -2,6 +2,7 @@
 
 mod exact;
 
+use crate::random::Random;
 use crate::scalar::UnitScalar;
 use crate::{
     Affine, Bounds, Capsule, Cone, Cuboid, Cylinder, Disc, Frame, Placement, Plane, Primitive, Rectangle, Shape,
@@ -12,22 +13,7 @@ use fixed::types::{I16F16, I32F32};
 use std::vec;
 use std::vec::Vec;
 
-/// The same stream of numbers every time (Marsaglia, *Xorshift RNGs*, 2003).
-struct Random(u64);
-
 impl Random {
-    /// In `[0, 1)`.
-    fn unit(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-
     fn below(&mut self, count: u32) -> u32 {
         (self.unit() * f64::from(count)) as u32
     }

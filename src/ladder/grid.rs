@@ -63,15 +63,6 @@ pub struct OnWiderGrid;
 
 impl<S: Scalar> Method<S> for OnWiderGrid {
     #[inline(always)]
-    fn nearest<G: Geometry<S>, P: Place<S>>(
-        geometry: &G,
-        place: &P,
-        ray: &Ray<S>,
-        _: Option<S>,
-    ) -> solve::Attempt<Intersection<S>> {
-        Self::all(geometry, place, ray)
-    }
-    #[inline(always)]
     fn all<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> solve::Attempt<Intersection<S>> {
         if S::WIDENS { decided(in_wider(geometry, place, ray)) } else { Err(Stop::Unsure) }
     }

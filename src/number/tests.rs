@@ -1,19 +1,10 @@
 use super::word::Word;
 use super::{Bounded, Estimate, Integer, Limbs, Number, Ring, Robust};
+use crate::random::Random;
 use crate::scalar::{FromScalar, ToScalar};
 use core::cmp::Ordering;
 
-/// A generator of test inputs (Marsaglia, *Xorshift RNGs*, 2003).
-struct Random(u64);
-
 impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        self.0
-    }
-
     /// A float of any of 80 exponents, sometimes zero, sometimes with few bits.
     fn float(&mut self) -> f32 {
         let bits = self.next();

@@ -7,6 +7,7 @@ use crate::affine::Affine;
 use crate::frame::Frame;
 use crate::line::{InWorld, Needs, Place};
 use crate::number::{Estimate, Number, Ring, Robust, Running};
+use crate::random::Random;
 use crate::ray::Ray;
 use crate::scalar::FromScalar;
 use crate::vector::{UnitVec3, Vec3};
@@ -15,28 +16,18 @@ use std::string::String;
 
 type Wide = Robust<u128>;
 
-/// Marsaglia, *Xorshift RNGs*, 2003.
-struct Random(u64);
-
 impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        self.0 >> 8
-    }
-
     /// Between -1 and 1.
-    fn unit(&mut self) -> f32 {
-        (self.next() % (1 << 25)) as f32 / (1 << 24) as f32 - 1.0
+    fn part(&mut self) -> f32 {
+        self.between(-1.0, 1.0) as f32
     }
 
     fn vector(&mut self, size: f32) -> Vec3<f32> {
-        Vec3::new(self.unit() * size, self.unit() * size, self.unit() * size)
+        Vec3::new(self.part() * size, self.part() * size, self.part() * size)
     }
 
     /// A direction; one in four is close to an axis.
-    fn direction(&mut self) -> UnitVec3<f32> {
+    fn unit_vector(&mut self) -> UnitVec3<f32> {
         loop {
             let mut v = self.vector(1.0);
             if self.next().is_multiple_of(4) {
@@ -56,7 +47,7 @@ impl Random {
             1 => -60 - (self.next() % 66) as i32,
             _ => (self.next() % 12) as i32 - 6,
         };
-        (1.5 + self.unit() / 2.0) * f32::powi(2.0, exponent)
+        (1.5 + self.part() / 2.0) * f32::powi(2.0, exponent)
     }
 
     /// A ray at a solid of this size at a position, from near or far: through it, past it, or along its surface.
@@ -67,7 +58,7 @@ impl Random {
         let from = self.vector(distance);
         let origin = Vec3::new(target.x + from.x, target.y + from.y, target.z + from.z);
         if self.next().is_multiple_of(4) {
-            Ray::new(origin, self.direction()).ok()
+            Ray::new(origin, self.unit_vector()).ok()
         } else {
             Ray::towards(origin, target).ok()
         }
@@ -156,22 +147,22 @@ fn bounds_hold_for_every_coefficient() {
         let distance = size * f32::powi(2.0, (random.next() % 10) as i32);
         let position = random.vector(distance);
         let Some(ray) = random.ray(position, size) else { continue };
-        let radii = [size, (random.unit() + 1.0) * size, (random.unit() + 1.5) * size];
+        let radii = [size, (random.part() + 1.0) * size, (random.part() + 1.5) * size];
         match random.next() % 3 {
             0 => {
                 checked[0] += 1;
                 check_all(&InWorld, &ray, radii);
             }
             kind => {
-                let degrees = random.unit() * 180.0;
-                let Ok(frame) = Frame::turned_about(position, random.direction(), degrees) else { continue };
+                let degrees = random.part() * 180.0;
+                let Ok(frame) = Frame::turned_about(position, random.unit_vector(), degrees) else { continue };
                 if kind == 1 {
                     checked[1] += 1;
                     check_all(&frame, &ray, radii);
                     continue;
                 }
-                let scale = [random.unit(), random.unit(), random.unit()]
-                    .map(|unit| f32::powi(2.0, (unit * 6.0) as i32) * (1.5 + unit / 2.0));
+                let scale = [random.part(), random.part(), random.part()]
+                    .map(|part| f32::powi(2.0, (part * 6.0) as i32) * (1.5 + part / 2.0));
                 let Ok(affine) = Affine::stretched(frame, scale.into()) else { continue };
                 checked[2] += 1;
                 check_all(&affine, &ray, radii);

@@ -6,6 +6,7 @@ use crate::hit::Crossing;
 use crate::intersection::Intersection;
 use crate::number::{Estimate, Number, Ring};
 use crate::part::Part;
+use crate::random::Random;
 use crate::ray::{Leaving, Range};
 use crate::scalar::{FromScalar, ToScalar};
 use core::cmp::Ordering;
@@ -18,14 +19,11 @@ std::thread_local! {
     static STATE: Cell<u64> = const { Cell::new(1) };
 }
 
-/// Marsaglia, *Xorshift RNGs*, 2003.
 fn random() -> u64 {
-    let mut state = STATE.get();
-    state ^= state << 13;
-    state ^= state >> 7;
-    state ^= state << 17;
-    STATE.set(state);
-    state >> 8
+    let mut random = Random(STATE.get());
+    let number = random.next() >> 8;
+    STATE.set(random.0);
+    number
 }
 
 fn random_order() -> Ordering {

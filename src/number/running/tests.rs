@@ -1,18 +1,10 @@
 //! The bounds of running errors beside doubles, in which operations on floats are exact to 2^-53.
 
 use super::*;
-
-/// Marsaglia, *Xorshift RNGs*, 2003.
-struct Random(u64);
+use crate::random::Random;
+use crate::scalar::ToScalar;
 
 impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        self.0 >> 8
-    }
-
     /// A float, also next to the ends of the type.
     fn value(&mut self) -> f32 {
         let exponent = match self.next() % 16 {
@@ -92,4 +84,21 @@ fn bounds_hold_for_every_operation() {
             }
         }
     }
+}
+
+/// The end of an infinite solid has no error, whatever is added to its parameter: such solids were computed in the
+/// robust number whenever their line was moved.
+#[test]
+fn a_missing_end_is_known_on_a_moved_line() {
+    let whole = |end: f32, start: Running<f32>| {
+        let whole = ToScalar::<f32>::whole(Running::<f32>::exact(end), Some(start));
+        ToScalar::<f32>::rounded(whole)
+    };
+    let start = Running { value: 3.0_f32, error: 5.0 };
+    assert_eq!(whole(f32::INFINITY, start), Some(f32::INFINITY));
+    assert_eq!(whole(-f32::INFINITY, start), Some(-f32::INFINITY));
+    assert_eq!(whole(1.0, start), Some(4.0));
+    // An overflow is no missing end.
+    let overflow = Running { value: f32::MAX, error: 1.0 } + Running { value: f32::MAX, error: 1.0 };
+    assert_eq!(ToScalar::<f32>::rounded(ToScalar::<f32>::whole(overflow, Some(start))), None);
 }

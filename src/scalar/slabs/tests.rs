@@ -3,31 +3,18 @@
 
 use super::super::{Scalar, UnitScalar};
 use super::MARGIN_BITS;
+use crate::random::Random;
 use crate::scalar::FastPath;
 use std::vec::Vec;
 
-/// The same stream of numbers in `[0, 1)` every time (Marsaglia, *Xorshift RNGs*, 2003).
-struct Random(u64);
-
 impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-
-    fn point(&mut self, most: f64) -> [f64; 3] {
+    fn components(&mut self, most: f64) -> [f64; 3] {
         [(); 3].map(|()| self.between(-most, most))
     }
 
     /// Along an axis, in the plane of two axes, or in any direction.
-    fn direction(&mut self) -> [f64; 3] {
-        let mut v = self.point(1.0);
+    fn components_of_direction(&mut self) -> [f64; 3] {
+        let mut v = self.components(1.0);
         for component in &mut v {
             if self.unit() < 0.3 {
                 *component = 0.0;
@@ -50,7 +37,7 @@ fn unit<S: Scalar>(d: [f64; 3]) -> [S::Unit; 3] {
 fn meets_what_it_meets<S: Scalar>(size: f64, away: f64) {
     let mut random = Random(0x2545_f491_4f6c_dd1d);
     for _ in 0..20_000 {
-        let centre = random.point(away).map(number::<S>);
+        let centre = random.components(away).map(number::<S>);
         // Half extents as a hierarchy makes them: larger than the content of the box by the fraction of its size.
         let within = [(); 3].map(|()| if random.unit() < 0.2 { 0.0 } else { size * random.unit() });
         let part = within.iter().fold(0.0_f64, |most, half| most.max(*half)) * f64::from(MARGIN_BITS).exp2().recip();
@@ -60,7 +47,7 @@ fn meets_what_it_meets<S: Scalar>(size: f64, away: f64) {
             let side = (random.between(-2.0, 2.0)).clamp(-1.0, 1.0);
             centre[i].to_f64() + side * within[i]
         });
-        let (d, t) = (random.direction(), away * random.unit());
+        let (d, t) = (random.components_of_direction(), away * random.unit());
         let origin = [0, 1, 2].map(|i| number::<S>(inner[i] - t * d[i]));
         let hit = number::<S>(t);
         for range in [[S::ZERO, S::BUDGET.distance], [hit, hit], [S::ZERO, hit], [-hit, S::BUDGET.distance]] {
@@ -78,9 +65,9 @@ fn misses_what_it_passes<S: Scalar>(size: f64, away: f64) {
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     let clear = (away + size) * 1e-3;
     for _ in 0..2_000 {
-        let centre = random.point(away);
+        let centre = random.components(away);
         let half = [(); 3].map(|()| size * random.between(0.1, 1.0));
-        let (h, d) = (half.map(number::<S>), random.direction());
+        let (h, d) = (half.map(number::<S>), random.components_of_direction());
         let missed = |origin: [f64; 3], d: [f64; 3], range| {
             S::misses_box(&S::slabs(origin.map(number), unit::<S>(d)), range, centre.map(number), h)
         };
