@@ -102,7 +102,7 @@ impl<R: Real> Ring for Doubled<R> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::{Estimate, Number, Robust};
+    use crate::number::{Estimate, Robust};
     use crate::random::Random;
     use crate::scalar::FromScalar;
     use core::cmp::Ordering;
