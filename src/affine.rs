@@ -303,7 +303,7 @@ impl<S: Scalar> Affine<S> {
 /// The rows applied to a vector.
 #[inline(always)]
 fn applied<N: Ring>(rows: [Row<N>; 3], v: [N; 3]) -> [N; 3] {
-    rows.map(|row| dot(row.components, v).scaled(row.exponent))
+    rows.map(|row| N::scalar_product(row.components, v).scaled(row.exponent))
 }
 
 /// The coordinate, clamped to the budget if it overflowed: infinities of opposite sign would add up to NaN.

@@ -11,6 +11,9 @@ pub enum Needs {
     Translation,
     /// A plane: only the coordinate across it.
     Height,
+    /// Everything, of a solid with flat parts alone: it is no less accurate far from the origin of its line, so that a
+    /// line in the world stays as it is.
+    Flat,
     /// Everything.
     All,
 }
@@ -22,6 +25,8 @@ pub trait Place<S: Scalar> {
 
     /// True if the placement changes lengths.
     const STRETCHES: bool = false;
+    /// True for the world, whose coordinates are exact.
+    const IS_WORLD: bool = false;
     /// The placement in a type that holds all values of this one.
     fn in_type<R: Including<S>>(&self) -> Self::In<R>;
     /// The line for the grid; `None` if the placement is not suitable for it.
@@ -91,6 +96,7 @@ pub struct InWorld;
 
 impl<S: Scalar> Place<S> for InWorld {
     type In<R: Scalar> = Self;
+    const IS_WORLD: bool = true;
     #[inline(always)]
     fn in_type<R: Including<S>>(&self) -> Self::In<R> {
         Self

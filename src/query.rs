@@ -91,6 +91,9 @@ pub(crate) fn nearest<S: Scalar, T: Solve<S>, G: Geometry<S>, P: Place<S>>(
     // If the entry is accepted, later ends are not needed.
     let since = reported.enter.then(|| range.start());
     if ray.departure().is_some() {
+        if misses_by_departure(geometry, ray) {
+            return None;
+        }
         return departing::<S, T, G, P>(geometry, place, ray).nearest(range, accept);
     }
     match T::first(geometry, place, ray, since) {
@@ -138,16 +141,13 @@ fn misses_by_departure<S: Scalar, G: Geometry<S>>(geometry: &G, ray: &Ray<S>) ->
     solve::meets_nothing(&geometry.equations(), departure)
 }
 
-/// The intersection of a ray that departs.
+/// The intersection of a ray that departs and may meet the geometry again.
 #[inline(never)]
 fn departing<S: Scalar, T: Solve<S>, G: Geometry<S>, P: Place<S>>(
     geometry: &G,
     place: &P,
     ray: &Ray<S>,
 ) -> Intersection<S> {
-    if misses_by_departure(geometry, ray) {
-        return Intersection::Miss;
-    }
     match T::all_by_first(geometry, place, ray) {
         Ok(Intersection::Entered(_)) | Err(Stop::Unsure) => T::others(geometry, place, ray),
         Ok(intersection) => intersection,

@@ -40,14 +40,14 @@ impl<R: Real> Doubled<R> {
         Self { value: Twofold { high, low }, magnitude: high.abs() }
     }
 
-    /// Rounded to one word. The low word becomes an error. It is counted four times: [`Running`] accepts bounds of up to
-    /// twice the error that is promised, since those of operations are seldom reached, but this one always is. Counted
-    /// once, hits of rays nearly parallel to a cap were off by 30 units, and counted twice by 15.6.
+    /// Rounded to one word. The low word becomes an error. It is counted three times: [`Running`] accepts bounds of up
+    /// to twice the error that is promised, since those of operations are seldom reached, but this one always is.
+    /// Counted once, hits of rays nearly parallel to a cap were off by 30 units, and counted twice by 15.6.
     #[inline(always)]
     pub(crate) fn rounded(self) -> Running<R> {
         let Twofold { high, low } = self.value;
-        let error = self.magnitude.scaled(R::ROUNDING + DOUBT) + low.abs().scaled(2 - R::ROUNDING);
-        Running { value: high, error: error + R::SMALLEST }
+        let error = self.magnitude.scaled(R::ROUNDING + DOUBT) + low.abs() * R::from_int(3).scaled(-R::ROUNDING);
+        Running { value: high, error: error + R::SMALLEST.scaled(-R::ROUNDING) }
     }
 
     #[inline(always)]

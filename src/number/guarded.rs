@@ -24,6 +24,8 @@ const fn parts(of: Difference, is_stable: bool) -> [i32; 2] {
         (Difference::OfSquares, true) => [-6, -12],
         (Difference::OfVolumes, false) => [-20, -20],
         (Difference::OfVolumes, true) => [-14, -14],
+        (Difference::OfSigns, _) => [-12, -12],
+        (Difference::OfEdges, _) => [-20, -20],
     }
 }
 
@@ -62,6 +64,7 @@ impl<R: Real, const STABLE: bool> Number for Guarded<R, STABLE> {
     type Estimate = Plain<R>;
     const IS_WIDE: bool = false;
     const DEPARTS: bool = false;
+    const APPROACHES_AGAIN: bool = STABLE;
     const KNOWS_ZERO: bool = false;
     const MOVED: i32 = if STABLE { -36 } else { -19 };
     const STARTS_AT_VERTEX: bool = STABLE;
@@ -72,6 +75,9 @@ impl<R: Real, const STABLE: bool> Number for Guarded<R, STABLE> {
     }
     #[inline(always)]
     fn sign_among(self, of: Difference, terms: impl FnOnce() -> Self) -> Option<Ordering> {
+        if !STABLE && matches!(of, Difference::OfEdges) {
+            return self.sign();
+        }
         let (value, terms, [positive, negative]) = (self.0.0, terms().0.0, parts(of, STABLE));
         // More than underflow may have lost.
         let terms = if STABLE { terms + R::SMALLEST.scaled(30) } else { terms };
@@ -79,6 +85,21 @@ impl<R: Real, const STABLE: bool> Number for Guarded<R, STABLE> {
         if value > terms.scaled(positive) {
             Some(Ordering::Greater)
         } else if value < -terms.scaled(negative) {
+            Some(Ordering::Less)
+        } else {
+            None
+        }
+    }
+    /// Each is one difference and one quotient of stored numbers, with an error of two roundings.
+    #[inline(always)]
+    fn order_of_crossings(t: Plain<R>, other: Plain<R>) -> Option<Ordering> {
+        if !STABLE {
+            return t.compare(other);
+        }
+        let (difference, doubt) = (t.0 - other.0, (t.0.abs() + other.0.abs() + R::SMALLEST).scaled(-20));
+        if difference > doubt {
+            Some(Ordering::Greater)
+        } else if difference < -doubt {
             Some(Ordering::Less)
         } else {
             None

@@ -100,6 +100,27 @@ pub trait Ring: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Se
         }
         sum
     }
+    /// `a . b` of two vectors. A number that knows its error has one bound for all components of a vector, the largest.
+    #[inline(always)]
+    fn scalar_product<const M: usize>(a: [Self; M], b: [Self; M]) -> Self {
+        let mut terms = [[Self::ZERO; 2]; M];
+        let mut i = 0;
+        while i < M {
+            terms[i] = [a[i], b[i]];
+            i += 1;
+        }
+        Self::sum(terms)
+    }
+    /// `a x b`
+    #[inline(always)]
+    fn vector_product([x, y, z]: [Self; 3], [u, v, w]: [Self; 3]) -> [Self; 3] {
+        [Self::sum([[y, w], [-z, v]]), Self::sum([[z, u], [-x, w]]), Self::sum([[x, v], [-y, u]])]
+    }
+    /// `a b - |v|^2`
+    #[inline(always)]
+    fn less_square(a: Self, b: Self, [x, y, z]: [Self; 3]) -> Self {
+        Self::sum([[a, b], [-x, x], [-y, y], [-z, z]])
+    }
     /// `self * 2^e`, exactly.
     fn scaled(self, e: i32) -> Self;
 }
@@ -119,6 +140,11 @@ pub trait Number: Ring {
     /// True if a triangle is computed from a point of the line next to its first vertex, for a more accurate `t`. (If
     /// it is not, triangles that share an edge compute the same number for it.)
     const STARTS_AT_VERTEX: bool = false;
+    /// True if it allows for a direction whose length is only nearly 1.
+    const KNOWS_LENGTH: bool = true;
+    /// True if the origin of a moved line, which is the point closest to its frame's, is not taken to be the point of
+    /// closest approach to a ball there, but to be near it.
+    const APPROACHES_AGAIN: bool = true;
     /// True if rays that depart are computed in it; if not, the next number computes them.
     const DEPARTS: bool = true;
     /// True if it may know that a sum of products is zero. A line that lies in a quadric is left to such a number.
@@ -131,6 +157,11 @@ pub trait Number: Ring {
     #[inline(always)]
     fn sign_among(self, _of: Difference, _terms: impl FnOnce() -> Self) -> Option<Ordering> {
         self.sign()
+    }
+    /// How two crossings of planes in the world compare.
+    #[inline(always)]
+    fn order_of_crossings(t: Self::Estimate, other: Self::Estimate) -> Option<Ordering> {
+        t.compare(other)
     }
     /// True if an end at `t` is accurate: if that times `slope` is not small relative to the terms of the sums that it
     /// was computed from. A [`Certified`] number needs this test.
@@ -172,6 +203,10 @@ pub enum Difference {
     OfSquares,
     /// The signed volume that a line spans with an edge.
     OfVolumes,
+    /// Any other whose sign alone is needed.
+    OfSigns,
+    /// The same of the edge of a rectangle, on either side of which `Fast` may put a line.
+    OfEdges,
 }
 
 /// [`Number::apart`] of wide numbers.

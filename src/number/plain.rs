@@ -69,6 +69,8 @@ impl<R: Real> Ring for Plain<R> {
 impl<R: Real> Number for Plain<R> {
     type Estimate = Self;
     const IS_WIDE: bool = !R::IS_FLOAT;
+    const KNOWS_LENGTH: bool = false;
+    const APPROACHES_AGAIN: bool = false;
 
     #[inline(always)]
     fn sign(self) -> Option<Ordering> {

@@ -5,6 +5,7 @@ use crate::equations::{Described, EquationKinds, Equations};
 use crate::fast::Guards;
 use crate::geometry::Hull;
 use crate::intersection::{End, Intersection, Span};
+use crate::line::Needs;
 use crate::part::{FACES, Part};
 use crate::scalar::{Attempt, InCuboid, Including, LocalLine, Scalar, UnitScalar, found};
 use crate::solve::{self, Goal, LocalRay, Of};
@@ -120,6 +121,8 @@ impl<S: Scalar> Geometry<S> for Cuboid<S> {
         let (t, axis) = found!(S::fast_exit_from_cuboid(line, self.half));
         Attempt::Hit(End::new(t, face(axis, line.direction, true)))
     }
+
+    const NEEDS: Needs = Needs::Flat;
 
     #[inline(always)]
     fn intersect<N: Of<S>>(&self, ray: &LocalRay<N>, goal: Goal<S>) -> solve::Attempt<Intersection<S>> {

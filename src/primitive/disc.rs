@@ -6,6 +6,7 @@ use crate::fast::Guards;
 use crate::fast::surface_hit;
 use crate::geometry::Hull;
 use crate::intersection::Intersection;
+use crate::line::Needs;
 use crate::part::Part;
 use crate::scalar::{Attempt, Including, LocalLine, Scalar, UnitScalar, found};
 use crate::solve::{self, Goal, LocalRay, Of};
@@ -74,6 +75,7 @@ impl<S: Scalar> Geometry<S> for Disc<S> {
         Attempt::Hit(surface_hit(t, line.direction[1] < S::Unit::ZERO))
     }
 
+    const NEEDS: Needs = Needs::Flat;
     const HAS_FEW_FACTORS: bool = true;
 
     #[inline(always)]

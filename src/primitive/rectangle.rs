@@ -5,6 +5,7 @@ use crate::equations::{Described, EquationKinds, Equations};
 use crate::fast::{Guards, surface_hit};
 use crate::geometry::Hull;
 use crate::intersection::Intersection;
+use crate::line::Needs;
 use crate::part::Part;
 use crate::scalar::{Attempt, Including, LocalLine, Scalar, UnitScalar, found};
 use crate::solve::{self, Goal, LocalRay, Of};
@@ -72,6 +73,7 @@ impl<S: Scalar> Geometry<S> for Rectangle<S> {
         Attempt::Hit(surface_hit(t, line.direction[1] < S::Unit::ZERO))
     }
 
+    const NEEDS: Needs = Needs::Flat;
     const HAS_FEW_FACTORS: bool = true;
 
     #[inline(always)]

@@ -11,6 +11,7 @@ macro_rules! error_free {
         without_unit: $without_unit:meta
     ) => {
         pub(super) mod $name {
+            pub(in crate::scalar) use by_floats::split;
             pub(in crate::scalar) use implementation::{two_product, two_sum};
 
             #[cfg(not($without_unit))]
@@ -22,7 +23,7 @@ macro_rules! error_free {
                 /// `a = high + low`, each with at most half of the bits, so that products of halves are exact.
                 /// Rounded in the integer representation: unlike Veltkamp's split it cannot overflow inside the budget.
                 #[inline(always)]
-                fn split(a: $Float) -> ($Float, $Float) {
+                pub(in crate::scalar) fn split(a: $Float) -> ($Float, $Float) {
                     let high = $Float::from_bits((a.to_bits() + (1 << ($half - 1))) & ($bits::MAX << $half));
                     (high, a - high)
                 }

@@ -332,6 +332,10 @@ macro_rules! float {
                 if self > 0.0 { $sqrt(self) } else { 0.0 }
             }
             #[inline(always)]
+            fn split(self) -> [Self; 2] {
+                $exact::split(self).into()
+            }
+            #[inline(always)]
             fn plus_with_rest(self, other: Self) -> [Self; 2] {
                 $exact::two_sum(self, other).into()
             }

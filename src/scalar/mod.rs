@@ -297,6 +297,11 @@ pub trait Real:
     fn from_int(n: i32) -> Self;
     /// The square root; zero for a negative number.
     fn sqrt(self) -> Self;
+    /// The number as a sum of two with half of its bits each, whose products with others of half the bits are exact.
+    #[inline(always)]
+    fn split(self) -> [Self; 2] {
+        [self, Self::ZERO]
+    }
     /// The rounded sum, and its rounding error (the low word of a double-word).
     #[inline(always)]
     fn plus_with_rest(self, other: Self) -> [Self; 2] {

@@ -31,7 +31,7 @@ pub(super) fn crossing<S: Scalar, N: Of<S>>(
 #[inline(always)]
 pub(crate) fn plane<S: Scalar, N: Of<S>>(line: &LocalRay<N>, goal: Goal<S>) -> Attempt<Intersection<S>> {
     let (y, dy) = (line.origin[1], line.direction[1]);
-    match known(dy.sign_among(Difference::OfSquares, || N::ONE))? {
+    match known(dy.sign_among(Difference::OfSigns, || N::ONE))? {
         Ordering::Equal if known(y.sign())? == Ordering::Equal => Ok(Intersection::LiesIn(Span::everywhere())),
         Ordering::Equal => Err(Stop::Miss),
         climb => crossing(line, Fraction { n: -y, e: dy }, climb, goal),
@@ -42,15 +42,24 @@ pub(crate) fn plane<S: Scalar, N: Of<S>>(line: &LocalRay<N>, goal: Goal<S>) -> A
 #[inline(always)]
 pub(crate) fn disc<S: Scalar, N: Of<S>>(line: &LocalRay<N>, radius: S, goal: Goal<S>) -> Attempt<Intersection<S>> {
     let ([x, y, z], [dx, dy, dz], r) = (line.origin, line.direction, N::scalar(radius));
-    let climb = known(dy.sign_among(Difference::OfSquares, || N::ONE))?;
+    let climb = known(dy.sign_among(Difference::OfSigns, || N::ONE))?;
     if climb == Ordering::Equal {
         return chord_of_disc(line, r, goal);
     }
     // |p|^2 <= r^2 where the line crosses the plane, times dy^2.
     let (wx, wz, rim) = (N::sum([[x, dy], [-y, dx]]), N::sum([[z, dy], [-y, dz]]), r * dy);
     let inside = N::sum([[rim, rim], [-wx, wx], [-wz, wz]]);
-    let terms = || N::sum([[rim, rim], [wx, wx], [wz, wz]]) + line.far(N::MOVED);
-    if known(inside.sign_among(Difference::OfSquares, terms))? == Ordering::Less {
+    let terms = || {
+        let terms = N::sum([[rim, rim], [wx, wx], [wz, wz]]);
+        if line.start.is_some() {
+            return terms + line.far(-19);
+        }
+        // The square of an error of four roundings of the products in `w` is less than a 4096th of these.
+        let cancelled = |c: N, dc: N| (c * dy).magnitude() + (y * dc).magnitude();
+        let [sx, sz] = [cancelled(x, dx), cancelled(z, dz)];
+        terms + N::sum([[sx, sx], [sz, sz]]).scaled(-19)
+    };
+    if known(inside.sign_among(Difference::OfSigns, terms))? == Ordering::Less {
         return Err(Stop::Miss);
     }
     crossing(line, Fraction { n: -y, e: dy }, climb, goal)

@@ -73,7 +73,7 @@ fn unmoved<S: Scalar, N: FromScalar<S>, P: Place<S>>(place: &P, ray: &Ray<S>, ne
             let [y, dy] = place.height_line(ray);
             [[N::ZERO, y, N::ZERO], [N::ZERO, dy, N::ZERO]]
         }
-        Needs::All => place.line(ray),
+        Needs::Flat | Needs::All => place.line(ray),
     }
 }
 
@@ -121,6 +121,8 @@ pub(crate) fn rounded_ray<S: Scalar, R: RealOf<S>, P: Place<S>>(
 trait Approximate: Number {
     /// The real number.
     type Real;
+    /// True if it knows its error: then the origin is moved so that the error does not grow with the distance.
+    const KNOWS_ERROR: bool = false;
     fn approximate(value: Self::Real, error: Self::Real) -> Self;
 }
 
@@ -142,6 +144,7 @@ impl<R: Real, const STABLE: bool> Approximate for Guarded<R, STABLE> {
 
 impl<R: Real, const STABLE: bool> Approximate for Running<R, STABLE> {
     type Real = R;
+    const KNOWS_ERROR: bool = true;
     #[inline(always)]
     fn approximate(value: R, error: R) -> Self {
         Self { value, error }
@@ -168,23 +171,49 @@ fn moved<S: Scalar, R: RealOf<S>, N: Approximate<Real = R> + FromScalar<S>, P: P
     }
     let [o, d] = [ray.origin().to_array().map(R::of), ray.direction().to_array().map(R::of_unit)];
     let position = place.position();
-    let from = match position {
+    // Blocks have so many bits that the origin stays.
+    let is_flat = matches!(needs, Needs::Flat);
+    let is_moved = departure.is_none() && R::IS_FLOAT && !(is_flat && P::IS_WORLD);
+    let is_exact = is_moved && N::KNOWS_ERROR && !is_flat && size_of::<R>() == size_of::<S>();
+    let [(x, x_rest), (y, y_rest), (z, z_rest)] = match position {
         Some(position) => {
             let p = position.to_array().map(R::of);
-            [o[0] - p[0], o[1] - p[1], o[2] - p[2]]
+            let apart = |i: usize| {
+                if is_exact {
+                    let [difference, rest] = o[i].plus_with_rest(-p[i]);
+                    (difference, rest)
+                } else {
+                    (o[i] - p[i], R::ZERO)
+                }
+            };
+            [apart(0), apart(1), apart(2)]
         }
-        None => o,
+        None => o.map(|c| (c, R::ZERO)),
     };
-    // Blocks have so many bits that the origin stays.
-    let is_moved = departure.is_none() && R::IS_FLOAT;
-    let k = if is_moved { -(from[0] * d[0] + from[1] * d[1] + from[2] * d[2]) } else { R::ZERO };
-    let near = if is_moved { [from[0] + k * d[0], from[1] + k * d[1], from[2] + k * d[2]] } else { from };
+    let k = if is_moved { -(x * d[0] + y * d[1] + z * d[2]) } else { R::ZERO };
+    let k = if is_exact { k.split()[0] } else { k };
+    let moved = |from: R, rest: R, d: R| {
+        if is_exact {
+            let [high, low] = d.split();
+            (from + k * high) + if position.is_some() { k * low + rest } else { k * low }
+        } else if is_moved {
+            from + k * d
+        } else {
+            from
+        }
+    };
+    let near = [moved(x, x_rest, d[0]), moved(y, y_rest, d[1]), moved(z, z_rest, d[2])];
     let around = near[0].abs() + near[1].abs() + near[2].abs();
-    let translated = match (is_moved, position.is_some()) {
-        (true, true) => k.abs().scaled(1) + around.scaled(1),
-        (true, false) => k.abs() + around,
-        (false, true) => around,
-        (false, false) => R::ZERO,
+    let translated = if is_exact {
+        k.abs().scaled(-10) + around.scaled(1)
+    } else if is_moved && position.is_some() {
+        k.abs().scaled(1) + around.scaled(1)
+    } else if is_moved {
+        k.abs() + around
+    } else if position.is_some() {
+        around
+    } else {
+        R::ZERO
     };
     let is_turned = position.is_some() && (P::STRETCHES || !matches!(needs, Needs::Translation));
     let [origin, direction] = if !is_turned {

@@ -5,7 +5,7 @@
 //! `k^2 - a c` is computed from the minors of the line in these coordinates (Lagrange's identity), which are its
 //! Pluecker moment: `k^2 - a c` itself would lose all digits far away.
 
-use crate::number::{Number, cross, dot};
+use crate::number::Number;
 use core::cmp::Ordering;
 
 /// A quadric along a line.
@@ -45,32 +45,29 @@ pub(super) struct Ball<N> {
 impl<N: Number> Quadric<N> for Ball<N> {
     #[inline(always)]
     fn a(&self) -> N {
-        dot(self.d, self.d)
+        N::scalar_product(self.d, self.d)
     }
     #[inline(always)]
     fn k(&self) -> N {
-        dot(self.o, self.d)
+        N::scalar_product(self.o, self.d)
     }
     #[inline(always)]
     fn c(&self) -> N {
-        let ([x, y, z], r) = (self.o, self.r);
-        N::sum([[x, x], [y, y], [z, z], [-r, r]])
+        -N::less_square(self.r, self.r, self.o)
     }
     /// `a r^2 - |w|^2`
     #[inline(always)]
     fn discriminant(&self, a: N) -> N {
-        let [wx, wy, wz] = cross(self.o, self.d);
-        N::sum([[a, self.r * self.r], [-wx, wx], [-wy, wy], [-wz, wz]])
+        N::less_square(a, self.r * self.r, N::vector_product(self.o, self.d))
     }
     #[inline(always)]
     fn terms(&self, a: N) -> N {
-        let [wx, wy, wz] = cross(self.o, self.d);
-        N::sum([[a, self.r * self.r], [wx, wx], [wy, wy], [wz, wz]])
+        let w = N::vector_product(self.o, self.d);
+        a * (self.r * self.r) + N::scalar_product(w, w)
     }
     fn at(&self, n: N, e: N) -> N {
-        let [x, y, z] = along(self.o, self.d, n, e);
         let r = e * self.r;
-        N::sum([[x, x], [y, y], [z, z], [-r, r]])
+        -N::less_square(r, r, along(self.o, self.d, n, e))
     }
     #[inline(always)]
     fn outline(&self) -> [N; 2] {
@@ -90,21 +87,19 @@ impl<N: Number> Tube<N> {
     /// `w_y`
     #[inline(always)]
     fn moment(&self) -> N {
-        let ([x, z], [dx, dz]) = (self.o, self.d);
-        N::sum([[z, dx], [-x, dz]])
+        let [x, z] = self.o;
+        N::scalar_product([z, -x], self.d)
     }
 }
 
 impl<N: Number> Quadric<N> for Tube<N> {
     #[inline(always)]
     fn a(&self) -> N {
-        let [dx, dz] = self.d;
-        N::sum([[dx, dx], [dz, dz]])
+        N::scalar_product(self.d, self.d)
     }
     #[inline(always)]
     fn k(&self) -> N {
-        let ([x, z], [dx, dz]) = (self.o, self.d);
-        N::sum([[x, dx], [z, dz]])
+        N::scalar_product(self.o, self.d)
     }
     #[inline(always)]
     fn c(&self) -> N {
@@ -150,15 +145,10 @@ pub(super) struct Nappe<N> {
 }
 
 impl<N: Number> Nappe<N> {
+    /// `x u + z w - g f`
     #[inline(always)]
-    fn minors(&self) -> [N; 3] {
-        let ([x, z, g], [dx, dz, dg]) = (self.o, self.d);
-        [N::sum([[g, dx], [-x, dg]]), N::sum([[g, dz], [-z, dg]]), N::sum([[x, dz], [-z, dx]])]
-    }
-
-    #[inline(always)]
-    fn product([x, z, g]: [N; 3], [u, w, f]: [N; 3]) -> N {
-        N::sum([[x, u], [z, w], [-g, f]])
+    fn product([x, z, g]: [N; 3], v: [N; 3]) -> N {
+        N::scalar_product([x, z, -g], v)
     }
 }
 
@@ -180,13 +170,13 @@ impl<N: Number> Quadric<N> for Nappe<N> {
     }
     #[inline(always)]
     fn discriminant(&self, _: N) -> N {
-        let [p, q, s] = self.minors();
-        N::sum([[p, p], [q, q], [-s, s]])
+        let w = N::vector_product(self.o, self.d);
+        Self::product(w, w)
     }
     #[inline(always)]
     fn terms(&self, _: N) -> N {
-        let [p, q, s] = self.minors();
-        N::sum([[p, p], [q, q], [s, s]])
+        let w = N::vector_product(self.o, self.d);
+        N::scalar_product(w, w)
     }
     fn at(&self, n: N, e: N) -> N {
         let point = along(self.o, self.d, n, e);

@@ -50,12 +50,18 @@ struct Approach<N: Number> {
 
 impl<N: Number> Approach<N> {
     #[inline(always)]
-    fn new(line: &LocalRay<N>, o: [N; 3], r: N) -> Self {
+    fn new(line: &LocalRay<N>, o: [N; 3], r: N, is_about_origin: bool) -> Self {
         let d = line.direction;
-        let k = dot(o, d);
-        let p = [o[0] - k * d[0], o[1] - k * d[1], o[2] - k * d[2]];
+        let excess = if N::KNOWS_LENGTH { dot(d, d) - N::ONE } else { N::ZERO };
+        let (k, p) = if N::APPROACHES_AGAIN || !is_about_origin || line.start.is_none() {
+            let k = dot(o, d);
+            (k, [o[0] - k * d[0], o[1] - k * d[1], o[2] - k * d[2]])
+        } else {
+            // The line was moved by `m = -f . d`, so that `o . d = (f + m d) . d = m (|d|^2 - 1)`.
+            (if N::KNOWS_LENGTH { line.moved * excess } else { N::ZERO }, o)
+        };
         let (rr, pp) = (r * r, dot(p, p));
-        Self { discriminant: rr - pp, terms: rr + pp + line.far(N::MOVED), k, excess: dot(d, d) - N::ONE }
+        Self { discriminant: rr - pp, terms: rr + pp + line.far(N::MOVED), k, excess }
     }
 
     /// True if the line touches the ball, false if it crosses it.
@@ -75,14 +81,14 @@ impl<N: Number> Approach<N> {
     #[inline(always)]
     fn roots(&self) -> ([N::Estimate; 2], N::Estimate) {
         let (k, root) = (self.k.estimate(), self.discriminant.estimate().square_root());
-        let half = root - root * self.excess.estimate().scaled(-1);
+        let half = if N::KNOWS_LENGTH { root - root * self.excess.estimate().scaled(-1) } else { root };
         ([-k - half, half - k], root)
     }
 }
 
 #[inline(always)]
 fn from_closest_approach<S: Scalar, N: Of<S>>(line: &LocalRay<N>, r: N, goal: Goal<S>) -> Attempt<Intersection<S>> {
-    let approach = Approach::new(line, line.origin, r);
+    let approach = Approach::new(line, line.origin, r, true);
     let touch = approach.touches()?;
     let ([lower, upper], root) = approach.roots();
     let end = |t: N::Estimate| {
@@ -190,7 +196,7 @@ impl<S: Scalar, N: Of<S>> Capsule<'_, S, N> {
                 let [x, y, z] = self.line.origin;
                 let o = [x, if part == Part::Top { y - self.height } else { y }, z];
                 if is_approached::<S, N>(self.line) {
-                    let approach = Approach::new(self.line, o, self.r);
+                    let approach = Approach::new(self.line, o, self.r, false);
                     let touch = approach.touches()?;
                     let ([lower, upper], _) = approach.roots();
                     let t = if entering { lower } else { upper };

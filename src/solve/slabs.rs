@@ -43,7 +43,7 @@ impl<N: Number> Crossed<N> {
     /// cancels before any rounding.
     #[inline(always)]
     fn order(&self, other: &Self) -> Attempt<Ordering> {
-        known(if N::IS_WIDE { self.order_by_signs(other) } else { self.t.compare(other.t) })
+        known(if N::IS_WIDE { self.order_by_signs(other) } else { N::order_of_crossings(self.t, other.t) })
     }
 
     fn order_by_signs(&self, other: &Self) -> Option<Ordering> {
@@ -173,14 +173,17 @@ pub(crate) fn rectangle<S: Scalar, N: Of<S>>(
     goal: Goal<S>,
 ) -> Attempt<Intersection<S>> {
     let ([x, y, z], [dx, dy, dz], [hx, hz]) = (line.origin, line.direction, half.map(N::scalar));
-    let climb = known(dy.sign_among(Difference::OfSquares, || N::ONE))?;
+    let climb = known(dy.sign_among(Difference::OfSigns, || N::ONE))?;
     if climb == Ordering::Equal {
         return chord_of_rectangle(line, [hx, hz], goal);
     }
     for (o, d, h) in [(x, dx, hx), (z, dz, hz)] {
         let w = N::sum([[o, dy], [-y, d]]);
         let rim = h * dy;
-        let (above, below) = (known((w - rim).sign())?, known((w + rim).sign())?);
+        // The error of the sums is less than eight roundings of these.
+        let terms = || (o * dy).magnitude() + (y * d).magnitude() + rim.magnitude();
+        let side = |w: N| known(w.sign_among(Difference::OfEdges, terms));
+        let (above, below) = (side(w - rim)?, side(w + rim)?);
         if above == below && above != Ordering::Equal {
             return Err(Stop::Miss);
         }

@@ -27,7 +27,8 @@ impl Random {
         };
         let factor = [0.0, 1.0, 3.0, 1e3, 1e6][(self.next() % 5) as usize];
         // Only sums are exact next to zero, and a product has at least this error.
-        let error = if factor == 0.0 { 0.0 } else { (value.abs() * factor).max(4.0 * f32::MIN_POSITIVE) };
+        let error =
+            if factor == 0.0 { 0.0 } else { (value.abs() * factor).max(f32::MIN_POSITIVE * f32::powi(2.0, 24)) };
         let off = f64::from(error) * f64::powi(2.0, -24) * if self.next().is_multiple_of(2) { 1.0 } else { -1.0 };
         (Running { value, error }, f64::from(value) + off)
     }
@@ -61,6 +62,12 @@ fn bounds_hold_for_every_operation() {
         check("two products", Running::sum([[a, b], [c, d]]), exact_a * exact_b + exact_c * exact_d);
         let three = Running::sum([[a, b], [c, d], [a, d]]);
         check("three products", three, exact_a * exact_b + exact_c * exact_d + exact_a * exact_d);
+        let dot = Running::scalar_product([a, c, a], [b, d, d]);
+        check("a scalar product", dot, exact_a * exact_b + exact_c * exact_d + exact_a * exact_d);
+        let [x, y, z] = Running::vector_product([a, b, c], [c, d, a]);
+        check("a vector product", x, exact_b * exact_a - exact_c * exact_d);
+        check("a vector product", y, exact_c * exact_c - exact_a * exact_a);
+        check("a vector product", z, exact_a * exact_d - exact_b * exact_c);
         let four = Running::sum([[a, b], [c, d], [a, d], [b, c]]);
         check("four products", four, exact_a * exact_b + exact_c * exact_d + exact_a * exact_d + exact_b * exact_c);
         // A subnormal divisor's bound is itself rounded to a few bits; such a quotient is far beyond the error that is
