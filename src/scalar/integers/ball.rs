@@ -81,10 +81,12 @@ impl ByApproach {
             return Attempt::Hit(());
         }
         // The line leads away: the far end is at -c / (k + sqrt(D)), and an end within half a unit of the type of zero
-        // counts as zero. (The grid must be so fine that its rounding cannot decide this.)
-        let near = (self.k as i64 + 1) << (self.unit + 1);
+        // counts as zero. (The grid must be so fine that its rounding cannot decide this.) The square of the direction's
+        // length may be off by 2^-19.
+        let length = square(self.k) >> 18;
+        let near = ((self.k as i64 + 1) << (self.unit + 1)) + length;
         let c = squared_length(self.o) - self.rr;
-        if self.unit < 4 || (c >= 0 && c <= near) {
+        if self.unit < 4 || (c >= -length && c <= near) {
             Attempt::Unsure
         } else if c < 0 {
             Attempt::Hit(())

@@ -1,8 +1,13 @@
 //! Faults of tiers that an outside judge found beside exact arithmetic, each with the bits that showed it.
 
-use fixed::types::I16F16;
+use fixed::types::{I16F16, I32F32};
+use raylet::scalar::UnitScalar;
 use raylet::tier::{Fast, Stable};
-use raylet::{Affine, Crossing, Cylinder, Departure, Frame, Leaving, Part, Plane, Ray, Shape, Sphere, UnitVec3, Vec3};
+use raylet::{
+    Affine, Crossing, Cylinder, Departure, Frame, Leaving, Part, Plane, Ray, Scalar, Shape, Sphere, UnitVec3, Vec3,
+};
+use support::amount::times;
+use support::random::Random;
 
 fn f32s(bits: [u32; 3]) -> Vec3<f32> {
     Vec3::from(bits.map(f32::from_bits))
@@ -83,4 +88,32 @@ fn a_plane_beyond_the_type_hides_nothing() {
     let ray = Ray::new(Vec3::new(0.0, 8e37, 0.0), along).expect("a ray");
     assert_eq!((floor.occludes(&ray), floor.nearest(&ray)), (false, None));
     assert_eq!((floor.occludes_at::<Fast>(&ray), floor.nearest_at::<Fast>(&ray)), (false, None));
+}
+
+/// Near the surface a direction whose length is not 1 was answered by `occludes` as if it were.
+#[test]
+fn a_direction_that_is_not_quite_a_unit_vector_gives_one_answer_in_fixed_point() {
+    occlusion_and_nearest_hit_agree::<I16F16>(16.0);
+    occlusion_and_nearest_hit_agree::<I32F32>(32.0);
+}
+
+/// From points whose distance from the surface is down to `2^-bits`.
+fn occlusion_and_nearest_hit_agree<S: Scalar>(bits: f64) {
+    let ball = Sphere::new(S::from_f64(3.0).expect("a number")).expect("a radius");
+    let mut random = Random(11);
+    for _ in 0..times(20_000) {
+        let (out, length) = (random.direction(), 1.0 + random.between(-9e-7, 9e-7));
+        let along = random.direction().map(|c| c * length);
+        let along = along.map(<S::Unit as UnitScalar>::from_f64);
+        let direction = UnitVec3::from_components(along).expect("a length of nearly 1");
+        let depth = 3.0 + random.between(-1.0, 1.0) * 2.0_f64.powf(random.between(-bits, -3.0));
+        let origin = Vec3::<S>::from_f64(out.map(|c| c * depth)).expect("a point");
+        let ray = Ray::new(origin, direction).expect("a ray");
+        for (occludes, nearest) in [
+            (ball.occludes_at::<Fast>(&ray), ball.nearest_at::<Fast>(&ray)),
+            (ball.occludes_at::<Stable>(&ray), ball.nearest_at::<Stable>(&ray)),
+        ] {
+            assert_eq!(occludes, nearest.is_some(), "{bits} bits: {ray:?}: {nearest:?}");
+        }
+    }
 }

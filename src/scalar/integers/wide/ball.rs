@@ -83,10 +83,10 @@ impl ByApproach {
             return Attempt::Hit(());
         }
         // The line leads away: the far end is at -c / (k + sqrt(D)), and an end within half a unit of the type of zero
-        // counts as zero; here within one, to include the lower half of c, and the change of k^2 by a direction that is
-        // longer or shorter by 2^-49.
+        // counts as zero; here within one, to include the lower half of c, and the change of k^2 by a direction whose
+        // square is off by 2^-19.
         let k = (self.k >> 32) as i32;
-        let near = (k >> (31 - self.unit)) as i64 + (square(k) >> 48) + 2;
+        let near = (k >> (31 - self.unit)) as i64 + (square(k) >> 18) + 2;
         let c = high(squared_length(self.o) - squared(self.r));
         if c > near {
             Attempt::Miss
