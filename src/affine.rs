@@ -7,7 +7,7 @@ use crate::frame::{Frame, FrameError};
 use crate::line::Place;
 use crate::number::{difference, dot};
 use crate::ray::Ray;
-use crate::scalar::{FinerLine, FromScalar, Including, Real, Ring, Scalar, ValueError};
+use crate::scalar::{FinerLine, FromScalar, GridScalar, Including, Real, Ring, Scalar, ValueError};
 use crate::vector::{UnitVec3, Vec3, cross, pairs, transposed};
 
 /// One row of the inverse: components below 1 and a power of two.
@@ -255,9 +255,12 @@ impl<S: Scalar> Place<S> for Affine<S> {
     }
 
     #[inline]
-    fn finer_line(&self, ray: &Ray<S>, bounding_radius: S) -> Option<FinerLine<S>> {
+    fn finer_line(&self, ray: &Ray<S>, bounding_radius: S) -> Option<FinerLine<S>>
+    where
+        S: GridScalar,
+    {
         let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
-        S::fast_stretched_finely(o, d, self.position.to_array(), self.inverse(), bounding_radius)
+        S::stretched(o, d, self.position.to_array(), self.inverse(), bounding_radius)
     }
 
     #[inline(always)]

@@ -1,5 +1,10 @@
 //! The tier `Exact`: its number types, and the numbers that decide for each.
 
+#[cfg(feature = "libm")]
+use crate::ladder::InDoubles;
+use crate::ladder::Method;
+#[cfg(feature = "fixed")]
+use crate::ladder::OnGridOrInDoubles;
 #[cfg(feature = "fixed")]
 use crate::number::FIXED_LIMBS;
 use crate::number::{Bounded, FLOAT_LIMBS, Integer};
@@ -53,6 +58,8 @@ pub enum Precision {
 
 /// A scalar that has an exact tier.
 pub trait ExactScalar: Scalar {
+    /// The first attempt, whose results are certain.
+    type First: Method<Self>;
     /// The number that is used where a sign is unknown in doubles.
     type Bounded: Localize<Self>;
     /// The integer that is used where a sign is unknown in [`ExactScalar::Bounded`]. It is wide enough for every
@@ -62,12 +69,14 @@ pub trait ExactScalar: Scalar {
 
 #[cfg(feature = "libm")]
 impl ExactScalar for f32 {
+    type First = InDoubles;
     type Bounded = Bounded<u128>;
     type Integer = Integer<FLOAT_LIMBS>;
 }
 
 #[cfg(feature = "fixed")]
 impl<F: fixed::types::extra::LeEqU32 + Send + Sync + 'static> ExactScalar for fixed::FixedI32<F> {
+    type First = OnGridOrInDoubles;
     type Bounded = Bounded<u128>;
     type Integer = Integer<FIXED_LIMBS>;
 }

@@ -5,7 +5,7 @@ mod constant;
 use crate::line::Place;
 use crate::number::{difference, dot};
 use crate::ray::Ray;
-use crate::scalar::{FromScalar, Including, LocalLine, Real, Ring, Scalar, ValueError, with_fault};
+use crate::scalar::{FromScalar, GridScalar, Including, LocalLine, Real, Ring, Scalar, ValueError, with_fault};
 use crate::vector::{UnitVec3, Vec3, pairs, transposed};
 use core::fmt;
 
@@ -313,9 +313,12 @@ impl<S: Scalar> Place<S> for Frame<S> {
     }
 
     #[inline]
-    fn fast_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
+    fn grid_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>>
+    where
+        S: GridScalar,
+    {
         let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
-        S::fast_turned(o, d, self.position.to_array(), self.axes.map(UnitVec3::to_array))
+        S::turned(o, d, self.position.to_array(), self.axes.map(UnitVec3::to_array))
     }
     #[inline(always)]
     fn passes_axis(&self, ray: &Ray<S>, r: S) -> bool {
@@ -323,7 +326,10 @@ impl<S: Scalar> Place<S> for Frame<S> {
         S::passes_axis(o, d, self.position.to_array(), self.up().to_array(), r)
     }
     #[inline]
-    fn fast_ball_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
+    fn grid_ball_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>>
+    where
+        S: GridScalar,
+    {
         let [x, y, z] = pairs(ray.origin().to_array(), self.position.to_array()).map(|(o, p)| o.minus(p));
         let origin = if x.is_finite() && y.is_finite() && z.is_finite() { [x, y, z] } else { return None };
         Some(LocalLine::along(origin, ray.direction().to_array(), S::ZERO))

@@ -1,12 +1,12 @@
 //! The interface of a primitive.
 
 use crate::equations::{Described, Equations};
-use crate::fast::Guards;
+use crate::grid::Guards;
 use crate::intersection::{End, Intersection};
 use crate::line::{Needs, Place};
 use crate::part::Part;
 use crate::ray::Ray;
-use crate::scalar::{Attempt, Including, LocalLine, Scalar, found};
+use crate::scalar::{Attempt, GridScalar, Including, LocalLine, Scalar, found};
 use crate::solve::{self, Goal, LocalRay, Of};
 use crate::vector::{UnitVec3, Vec3};
 
@@ -31,8 +31,11 @@ pub trait Geometry<S: Scalar>: Copy + Described {
     }
     /// The local line for the grid.
     #[inline(always)]
-    fn fast_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
-        place.fast_line(ray)
+    fn grid_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>>
+    where
+        S: GridScalar,
+    {
+        place.grid_line(ray)
     }
     /// An upper bound of the lengths in its equations, besides those of the line.
     #[inline(always)]
@@ -40,25 +43,37 @@ pub trait Geometry<S: Scalar>: Copy + Described {
         self.bounding_radius()
     }
     /// Reduces the extra bits of the line as far as the primitive's lengths require
-    /// ([`FastPath::fast_fit`](crate::scalar::FastPath::fast_fit)).
+    /// ([`GridScalar::fit`]).
     #[inline(always)]
-    fn fit(&self, line: &mut LocalLine<S>) {
-        S::fast_fit(line, self.lengths());
+    fn fit(&self, line: &mut LocalLine<S>)
+    where
+        S: GridScalar,
+    {
+        S::fit(line, self.lengths());
     }
     /// The intersection on the grid; that may be the entry alone where the exit is uncertain or not needed: see
     /// [`LocalLine::since`].
     #[inline(always)]
-    fn fast_intersection<T: Guards>(&self, _line: &LocalLine<S>) -> Attempt<Intersection<S>> {
+    fn meets_on_grid<T: Guards>(&self, _line: &LocalLine<S>) -> Attempt<Intersection<S>>
+    where
+        S: GridScalar,
+    {
         Attempt::Unsure
     }
-    /// Occlusion of the half-line `t >= 0` on the grid; agrees with [`Geometry::fast_intersection`].
+    /// Occlusion of the half-line `t >= 0` on the grid; agrees with [`Geometry::meets_on_grid`].
     #[inline(always)]
-    fn fast_occlusion<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<()> {
-        found!(self.fast_intersection::<T>(line)).occlusion()
+    fn occludes_on_grid<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<()>
+    where
+        S: GridScalar,
+    {
+        found!(self.meets_on_grid::<T>(line)).occlusion()
     }
     /// The exit of a line that starts on the part `from` and leads inwards, on the grid. For convex primitives.
     #[inline(always)]
-    fn fast_exit<T: Guards>(&self, _line: &LocalLine<S>, _from: Part) -> Attempt<End<S>> {
+    fn exit_on_grid<T: Guards>(&self, _line: &LocalLine<S>, _from: Part) -> Attempt<End<S>>
+    where
+        S: GridScalar,
+    {
         Attempt::Unsure
     }
     /// What its intersection needs of the transformation into its frame.

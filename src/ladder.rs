@@ -12,12 +12,12 @@
 mod exactly;
 mod grid;
 
+pub use exactly::InDoubles;
 pub(crate) use exactly::precision;
 #[cfg(feature = "fixed")]
-pub use grid::FixedPoint;
+pub use grid::{FixedPoint, OnGridOrInDoubles};
 
 use crate::equations::{Described, EquationKinds, Equations};
-use crate::fast::Guards;
 use crate::geometry::Geometry;
 use crate::intersection::Intersection;
 use crate::line::{Needs, Place};
@@ -45,6 +45,11 @@ pub trait Method<S: Scalar> {
     }
     /// The intersection of any ray: a call of a function that all placements share.
     fn all<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<Intersection<S>>;
+    /// [`Solve::ahead`].
+    #[inline(always)]
+    fn ahead<G: Geometry<S>, P: Place<S>>(_: &G, _: &P, _: &Ray<S>) -> Attempt<()> {
+        Err(Stop::Unsure)
+    }
 }
 
 /// A list of methods.
@@ -221,37 +226,27 @@ pub trait Listed<S: Scalar> {
     type Methods: Methods<S>;
     /// The number that decides whether a point is inside.
     type Point: Of<S>;
-    /// The guards on the grid of fixed point.
-    type Guards: Guards;
     /// True if the ends of a range are compared with exact roots.
     const EXACT_ENDS: bool = false;
     /// The inside test; the number of [`Listed::Point`] decides it.
     fn contains<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, point: Vec3<S>) -> bool {
         holds::<S, Self::Point, G>(&geometry.equations(), place, point).unwrap_or(false)
     }
-    /// [`Solve::ahead`], by the grid of fixed point.
-    #[inline(always)]
-    fn ahead<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<()> {
-        grid::ahead::<S, Self::Guards, G, P>(geometry, place, ray)
-    }
 }
 
 impl<S: Scalar> Listed<S> for Plain {
     type Methods = <S::Tiers as Tiers<S>>::Plain;
     type Point = <S::Tiers as Tiers<S>>::PlainNumber;
-    type Guards = Fast;
 }
 
 impl<S: Scalar> Listed<S> for Fast {
     type Methods = <S::Tiers as Tiers<S>>::Fast;
     type Point = S::Robust;
-    type Guards = Self;
 }
 
 impl<S: Scalar> Listed<S> for Stable {
     type Methods = <S::Tiers as Tiers<S>>::Stable;
     type Point = S::Robust;
-    type Guards = Self;
 }
 
 impl<S: Scalar, T: Listed<S>> Solve<S> for T {
@@ -283,7 +278,7 @@ impl<S: Scalar, T: Listed<S>> Solve<S> for T {
     }
     #[inline(always)]
     fn ahead<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<()> {
-        <T as Listed<S>>::ahead(geometry, place, ray)
+        <T::Methods as Methods<S>>::First::ahead(geometry, place, ray)
     }
     fn contains<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, point: Vec3<S>) -> bool {
         <T as Listed<S>>::contains(geometry, place, point)

@@ -81,7 +81,7 @@
 //! | 7 | [`scene`] | objects, materials, lights, camera, NFF reader |
 //! | 6 | [`shape`], `bounds`, [`hierarchy`] | any primitive, placed; the primitives and placements that a program is compiled with; its bounding box; many shapes, in a hierarchy of boxes |
 //! | 5 | [`primitive`], [`tier`], `geometry`, `query`, `exact`, `ladder` | a file for each primitive: sizes, equations, normal, surface coordinates, tangents; accuracy tiers, and which numbers each computes in |
-//! | 4 | `solve`, `equations`, `fast` | the solver, which all tiers share; the equations of a solid; what primitives share on the grid of fixed point |
+//! | 4 | `solve`, `equations`, `grid` | the solver, which all tiers share; the equations of a solid; what primitives share on the grid of fixed point |
 //! | 3 | [`ray`], [`frame`], [`affine`], [`hit`], `intersection`, `line` | rays and ranges, placement, hits and hit lists, intervals |
 //! | 2 | [`vector`] | [`Vec3`], [`UnitVec3`] |
 //! | 1 | [`number`], [`scalar`] | the numbers that solvers compute in; the stored number types: `f32`, `f64`, fixed point |
@@ -125,10 +125,10 @@ mod equations;
 pub mod errata;
 mod error;
 mod exact;
-mod fast;
 pub mod frame;
 pub mod gallery;
 mod geometry;
+mod grid;
 pub mod hierarchy;
 pub mod hit;
 #[cfg(any(feature = "mint", feature = "serde", feature = "defmt"))]

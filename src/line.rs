@@ -1,7 +1,7 @@
 //! Transformation of a ray's line into the frame of a primitive.
 
 use crate::ray::Ray;
-use crate::scalar::{FinerLine, FromScalar, Including, LocalLine, Scalar};
+use crate::scalar::{FinerLine, FromScalar, GridScalar, Including, LocalLine, Scalar};
 use crate::vector::Vec3;
 
 /// What an intersection needs of the transformation into a primitive's frame.
@@ -31,13 +31,19 @@ pub trait Place<S: Scalar> {
     fn in_type<R: Including<S>>(&self) -> Self::In<R>;
     /// The line for the grid; `None` if the placement is not suitable for it.
     #[inline(always)]
-    fn fast_line(&self, _ray: &Ray<S>) -> Option<LocalLine<S>> {
+    fn grid_line(&self, _ray: &Ray<S>) -> Option<LocalLine<S>>
+    where
+        S: GridScalar,
+    {
         None
     }
-    /// [`Place::fast_line`] where the placement stretches and the number type is fixed point, for a solid whose lengths
+    /// [`Place::grid_line`] where the placement stretches and the number type is fixed point, for a solid whose lengths
     /// are at most `bounding_radius`.
     #[inline(always)]
-    fn finer_line(&self, _ray: &Ray<S>, _bounding_radius: S) -> Option<FinerLine<S>> {
+    fn finer_line(&self, _ray: &Ray<S>, _bounding_radius: S) -> Option<FinerLine<S>>
+    where
+        S: GridScalar,
+    {
         None
     }
     /// True if the ray's line passes the placement's y axis at a distance greater than `r`; false where rounding may
@@ -48,8 +54,11 @@ pub trait Place<S: Scalar> {
     }
     /// The line for the grid of a sphere about the frame's origin, which needs no rotation.
     #[inline(always)]
-    fn fast_ball_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
-        self.fast_line(ray)
+    fn grid_ball_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>>
+    where
+        S: GridScalar,
+    {
+        self.grid_line(ray)
     }
     /// The position of the frame; `None` for the world.
     #[inline(always)]
@@ -102,7 +111,10 @@ impl<S: Scalar> Place<S> for InWorld {
         Self
     }
     #[inline(always)]
-    fn fast_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>> {
+    fn grid_line(&self, ray: &Ray<S>) -> Option<LocalLine<S>>
+    where
+        S: GridScalar,
+    {
         Some(LocalLine::along(ray.origin().to_array(), ray.direction().to_array(), S::ZERO))
     }
     #[inline(always)]

@@ -21,7 +21,7 @@
 //!
 //! Measured errors are in [docs/accuracy.md](https://github.com/raylet-rs/raylet/blob/main/docs/accuracy.md).
 
-use crate::fast::Guards;
+use crate::grid::Guards;
 use crate::query::Solve;
 use crate::scalar::Scalar;
 

@@ -162,7 +162,7 @@ impl<S: Scalar> UnitVec3<S> {
     /// The direction of a vector that has one.
     #[inline]
     fn of(v: Vec3<S>) -> Option<Self> {
-        match S::fast_direction(v.to_array()) {
+        match S::direction_of(v.to_array()) {
             Attempt::Hit(components) => return Some(Self { components }),
             Attempt::Miss => return None,
             Attempt::Unsure => {}

@@ -4,14 +4,15 @@
 //! integers have no room.
 #![cfg_attr(not(feature = "fixed"), allow(dead_code, reason = "floats have no grid"))]
 
-use super::{In, Method, Tiers, passes, whole};
-use crate::fast::Guards;
+use super::{In, InDoubles, Method, Tiers, passes, whole};
+use crate::exact::ExactScalar;
 use crate::geometry::Geometry;
+use crate::grid::Guards;
 use crate::intersection::{End, Intersection, Span};
 use crate::line::Place;
 use crate::number::Plain as PlainNumber;
 use crate::ray::{Departure, Leaving, Ray};
-use crate::scalar::{Attempt, LocalLine, RealOf, Scalar, found};
+use crate::scalar::{Attempt, GridScalar, LocalLine, RealOf, found};
 use crate::solve::{self, Stop};
 use crate::tier::{Fast, Stable};
 use core::marker::PhantomData;
@@ -20,7 +21,7 @@ use core::marker::PhantomData;
 #[derive(Clone, Copy, Debug)]
 pub struct FixedPoint;
 
-impl<S: Scalar> Tiers<S> for FixedPoint
+impl<S: GridScalar> Tiers<S> for FixedPoint
 where
     S::Real: RealOf<S>,
 {
@@ -34,7 +35,7 @@ where
 #[derive(Clone, Copy, Debug)]
 pub struct OnGrid<T>(PhantomData<T>);
 
-impl<S: Scalar, T: Guards> Method<S> for OnGrid<T> {
+impl<S: GridScalar, T: Guards> Method<S> for OnGrid<T> {
     #[inline(always)]
     fn nearest<G: Geometry<S>, P: Place<S>>(
         geometry: &G,
@@ -55,13 +56,20 @@ impl<S: Scalar, T: Guards> Method<S> for OnGrid<T> {
             None => Self::nearest(geometry, place, ray, None),
         }
     }
+    #[inline(always)]
+    fn ahead<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> solve::Attempt<()> {
+        if P::STRETCHES || ray.departure().is_some() {
+            return Err(Stop::Unsure);
+        }
+        decided(is_ahead::<S, T, G, P>(geometry, place, ray))
+    }
 }
 
-/// On the grid of [`Scalar::Wider`].
+/// On the grid of [`GridScalar::Wider`].
 #[derive(Clone, Copy, Debug)]
 pub struct OnWiderGrid;
 
-impl<S: Scalar> Method<S> for OnWiderGrid {
+impl<S: GridScalar> Method<S> for OnWiderGrid {
     #[inline(always)]
     fn all<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> solve::Attempt<Intersection<S>> {
         if S::WIDENS { decided(in_wider(geometry, place, ray)) } else { Err(Stop::Unsure) }
@@ -81,7 +89,7 @@ fn decided<A>(attempt: Attempt<A>) -> solve::Attempt<A> {
 /// Rays without departure at a solid that is not stretched. If `since` is given, only the first end at or after it is
 /// needed.
 #[inline(always)]
-fn frequent<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
+fn frequent<S: GridScalar, T: Guards, G: Geometry<S>, P: Place<S>>(
     geometry: &G,
     place: &P,
     ray: &Ray<S>,
@@ -90,7 +98,7 @@ fn frequent<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
     if passes(geometry, place, ray) {
         return Attempt::Miss;
     }
-    let Some(mut line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
+    let Some(mut line) = geometry.grid_line(place, ray) else { return Attempt::Unsure };
     geometry.fit(&mut line);
     line.is_strict = T::STRICT;
     // Only if the line's `t` is the ray's.
@@ -101,38 +109,33 @@ fn frequent<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
 /// The intersection with a line in the frame. The kernels of short formulas are compiled into the query; the others are
 /// functions that all placements share.
 #[inline(always)]
-fn on_the_grid<S: Scalar, T: Guards, G: Geometry<S>>(geometry: &G, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
-    if G::HAS_FEW_FACTORS { geometry.fast_intersection::<T>(line) } else { shared::<S, T, G>(geometry, line) }
+fn on_the_grid<S: GridScalar, T: Guards, G: Geometry<S>>(
+    geometry: &G,
+    line: &LocalLine<S>,
+) -> Attempt<Intersection<S>> {
+    if G::HAS_FEW_FACTORS { geometry.meets_on_grid::<T>(line) } else { shared::<S, T, G>(geometry, line) }
 }
 
 #[inline(never)]
-fn shared<S: Scalar, T: Guards, G: Geometry<S>>(geometry: &G, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
-    geometry.fast_intersection::<T>(line)
+fn shared<S: GridScalar, T: Guards, G: Geometry<S>>(geometry: &G, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
+    geometry.meets_on_grid::<T>(line)
 }
 
-/// Occlusion of the half-line `t >= 0`, in fixed point.
+/// Occlusion of the half-line `t >= 0`.
 #[inline(always)]
-pub(super) fn ahead<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
+fn is_ahead<S: GridScalar, T: Guards, G: Geometry<S>, P: Place<S>>(
     geometry: &G,
     place: &P,
     ray: &Ray<S>,
-) -> solve::Attempt<()> {
-    if S::RELATIVE || P::STRETCHES || ray.departure().is_some() {
-        return Err(Stop::Unsure);
-    }
-    decided(is_ahead::<S, T, G, P>(geometry, place, ray))
-}
-
-#[inline(always)]
-fn is_ahead<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<()> {
+) -> Attempt<()> {
     if passes(geometry, place, ray) {
         return Attempt::Miss;
     }
-    let Some(mut line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
+    let Some(mut line) = geometry.grid_line(place, ray) else { return Attempt::Unsure };
     geometry.fit(&mut line);
     line.since = (line.start == S::ZERO).then_some(S::ZERO);
     if line.start == S::ZERO && !line.is_coarse {
-        return geometry.fast_occlusion::<T>(&line);
+        return geometry.occludes_on_grid::<T>(&line);
     }
     found!(in_own_t(&line, on_the_grid::<S, T, G>(geometry, &line))).occlusion()
 }
@@ -147,21 +150,25 @@ impl Guards for Widely {
 
 /// The intersection with an affine placement.
 #[inline(never)]
-fn stretched<S: Scalar, T: Guards, G: Geometry<S>>(
+fn stretched<S: GridScalar, T: Guards, G: Geometry<S>>(
     geometry: &G,
     place: &impl Place<S>,
     ray: &Ray<S>,
 ) -> Attempt<Intersection<S>> {
     let Some(line) = place.finer_line(ray, geometry.lengths()) else { return Attempt::Unsure };
     let intersection = found!(on_the_grid::<S, T, G>(&geometry.scaled(line.scale), &line.line));
-    intersection.try_map(|t| S::fast_along_ray(&line, t)).map_or(Attempt::Unsure, Attempt::Hit)
+    intersection.try_map(|t| S::along_ray(&line, t)).map_or(Attempt::Unsure, Attempt::Hit)
 }
 
-/// The grid of [`Scalar::Wider`] has room for all lengths of this type, in finer units. The ends are
+/// The grid of [`GridScalar::Wider`] has room for all lengths of this type, in finer units. The ends are
 /// rounded to this type.
 #[cold]
 #[inline(never)]
-fn in_wider<S: Scalar, G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<Intersection<S>> {
+fn in_wider<S: GridScalar, G: Geometry<S>, P: Place<S>>(
+    geometry: &G,
+    place: &P,
+    ray: &Ray<S>,
+) -> Attempt<Intersection<S>> {
     let (geometry, place, wider) = (geometry.in_type::<S::Wider>(), place.in_type(), ray.in_type());
     let intersection = match whole(OnGrid::<Widely>::all(&geometry, &place, &wider)) {
         Ok(intersection) => intersection,
@@ -180,7 +187,7 @@ fn in_wider<S: Scalar, G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray
 
 /// The exit of a ray that departs inwards. It is a function of its own so that the common case stays short.
 #[inline(never)]
-fn inwards<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
+fn inwards<S: GridScalar, T: Guards, G: Geometry<S>, P: Place<S>>(
     geometry: &G,
     place: &P,
     ray: &Ray<S>,
@@ -191,7 +198,7 @@ fn inwards<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
         let Some(line) = place.finer_line(ray, geometry.lengths()) else { return Attempt::Unsure };
         let intersection = found!(exit(&geometry.scaled(line.scale), &line.line));
         // An exit must be ahead: for one next to the start rounding would decide this.
-        let along = |t| S::fast_along_ray(&line, t).filter(|t| *t > S::ZERO);
+        let along = |t| S::along_ray(&line, t).filter(|t| *t > S::ZERO);
         return match intersection {
             Intersection::One(Span { exit: End { t, part }, .. }) => match along(t) {
                 Some(t) => Attempt::Hit(Intersection::One(Span::new(End::none(-S::INFINITY), End::new(t, part)))),
@@ -200,7 +207,7 @@ fn inwards<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
             _ => Attempt::Unsure,
         };
     }
-    let Some(mut line) = geometry.fast_line(place, ray) else { return Attempt::Unsure };
+    let Some(mut line) = geometry.grid_line(place, ray) else { return Attempt::Unsure };
     geometry.fit(&mut line);
     line.is_strict = T::STRICT;
     in_own_t(&line, exit(geometry, &line))
@@ -209,7 +216,7 @@ fn inwards<S: Scalar, T: Guards, G: Geometry<S>, P: Place<S>>(
 /// The intersection of a line that departs inwards. A line that starts on the surface of a solid cannot miss it,
 /// whatever its rounded coordinates.
 #[inline(always)]
-fn exit_along<S: Scalar, T: Guards, G: Geometry<S>>(
+fn exit_along<S: GridScalar, T: Guards, G: Geometry<S>>(
     geometry: &G,
     line: &LocalLine<S>,
     departure: Departure,
@@ -217,7 +224,7 @@ fn exit_along<S: Scalar, T: Guards, G: Geometry<S>>(
     if departure.leaving != Leaving::Inwards {
         return Attempt::Unsure;
     }
-    match geometry.fast_exit::<T>(line, departure.part) {
+    match geometry.exit_on_grid::<T>(line, departure.part) {
         Attempt::Hit(exit) if exit.t.plus(line.start) > S::ZERO => {
             Attempt::Hit(Intersection::One(Span::new(End::none(-S::INFINITY), exit)))
         }
@@ -227,7 +234,7 @@ fn exit_along<S: Scalar, T: Guards, G: Geometry<S>>(
 
 /// An intersection along a local line, with its `t` converted to the ray's.
 #[inline(always)]
-fn in_own_t<S: Scalar>(line: &LocalLine<S>, found: Attempt<Intersection<S>>) -> Attempt<Intersection<S>> {
+fn in_own_t<S: GridScalar>(line: &LocalLine<S>, found: Attempt<Intersection<S>>) -> Attempt<Intersection<S>> {
     if line.is_coarse && !matches!(found, Attempt::Miss) {
         return Attempt::Unsure;
     }
@@ -236,11 +243,66 @@ fn in_own_t<S: Scalar>(line: &LocalLine<S>, found: Attempt<Intersection<S>>) -> 
 
 /// An intersection along a line whose origin was moved to `start`, with `start` added to its `t`.
 #[inline(never)]
-fn from_start<S: Scalar>(intersection: Intersection<S>, start: S, is_strict: bool) -> Attempt<Intersection<S>> {
+fn from_start<S: GridScalar>(intersection: Intersection<S>, start: S, is_strict: bool) -> Attempt<Intersection<S>> {
     let whole = |t: S| {
         let whole = if t.is_finite() { t.plus(start) } else { t };
         // The rounding may have moved it beyond the type.
         (whole.is_finite() || !t.is_finite() || !is_strict).then_some(whole)
     };
     intersection.try_map(whole).map_or(Attempt::Unsure, Attempt::Hit)
+}
+
+/// On the grid of the type's own integers by certain signs, and where that is unsure in doubles. Affine placements
+/// begin there: their uncertain decisions may pass the guards of integers.
+#[derive(Clone, Copy, Debug)]
+pub struct OnGridOrInDoubles;
+
+impl<S: ExactScalar + GridScalar> Method<S> for OnGridOrInDoubles {
+    #[inline(always)]
+    fn nearest<G: Geometry<S>, P: Place<S>>(
+        geometry: &G,
+        place: &P,
+        ray: &Ray<S>,
+        since: Option<S>,
+    ) -> solve::Attempt<Intersection<S>> {
+        if P::STRETCHES { InDoubles::nearest(geometry, place, ray, since) } else { Self::all(geometry, place, ray) }
+    }
+    #[inline(always)]
+    fn all<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> solve::Attempt<Intersection<S>> {
+        if !P::STRETCHES {
+            match certainly_on_the_grid(geometry, place, ray) {
+                Err(Stop::Unsure) => {}
+                found => return found,
+            }
+        }
+        InDoubles::all(geometry, place, ray)
+    }
+}
+
+/// The guards of the grid of `Exact`.
+#[derive(Clone, Copy, Debug)]
+pub struct Certainly;
+
+impl Guards for Certainly {
+    const GUARDED: bool = true;
+    const STRICT: bool = true;
+}
+
+/// On the grid of the type's own integers, by certain signs.
+#[inline(always)]
+fn certainly_on_the_grid<S: GridScalar, G: Geometry<S>, P: Place<S>>(
+    geometry: &G,
+    place: &P,
+    ray: &Ray<S>,
+) -> solve::Attempt<Intersection<S>> {
+    let intersection = whole(OnGrid::<Certainly>::all(geometry, place, ray))?;
+    let (start, end) = (ray.range().start(), ray.range().end());
+    // The rounding of `t` must decide neither the order of an end and an end of the range, nor whether an exit is ahead
+    // of the surface that the ray departs from. A missing end is infinite.
+    let is_certain = |t: S| {
+        let is_doubtful = |bound: S| S::are_doubtful(t, bound);
+        !t.is_finite()
+            || !(is_doubtful(start) || is_doubtful(end) || (ray.departure().is_some() && is_doubtful(S::ZERO)))
+    };
+    intersection.try_map(|t| is_certain(t).then_some(t)).ok_or(Stop::Unsure)
 }

@@ -2,11 +2,11 @@
 
 use super::{Geometry, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates};
 use crate::equations::{Described, EquationKinds, Equations};
-use crate::fast::Guards;
 use crate::geometry::Hull;
+use crate::grid::Guards;
 use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
-use crate::scalar::{Attempt, InSide, Including, LocalLine, Real, Ring, Scalar, found};
+use crate::scalar::{Attempt, GridScalar, InSide, Including, LocalLine, Real, Ring, Scalar, found};
 use crate::solve::{self, Goal, LocalRay, Of};
 use crate::vector::{UnitVec3, Vec3};
 use core::cmp::Ordering;
@@ -75,14 +75,17 @@ impl<S: Scalar> Capsule<S> {
     /// `outer`: the same point if it lies between the seams, otherwise the end in the ball beyond the seam, which
     /// `of_ball` computes from the line relative to the ball's centre.
     #[inline(always)]
-    fn fast_end(
+    fn end_on_grid(
         &self,
         line: &LocalLine<S>,
         [tube, outer]: [S; 2],
         of_ball: impl FnOnce(&LocalLine<S>, Part) -> Attempt<S>,
-    ) -> Attempt<End<S>> {
-        let seams = found!(S::fast_seams(*line, tube, self.height));
-        if tube != outer && (seams == Ordering::Equal || found!(S::fast_seams(*line, outer, self.height)) != seams) {
+    ) -> Attempt<End<S>>
+    where
+        S: GridScalar,
+    {
+        let seams = found!(S::seams(*line, tube, self.height));
+        if tube != outer && (seams == Ordering::Equal || found!(S::seams(*line, outer, self.height)) != seams) {
             return Attempt::Unsure;
         }
         let (part, centre) = match seams {
@@ -90,7 +93,7 @@ impl<S: Scalar> Capsule<S> {
             Ordering::Greater => (Part::Top, self.height),
             Ordering::Equal => return Attempt::Hit(End::new(tube, Part::Side)),
         };
-        let t = found!(of_ball(&found!(S::fast_lowered(*line, centre)), part));
+        let t = found!(of_ball(&found!(S::lowered(*line, centre)), part));
         Attempt::Hit(End::new(t, part))
     }
 
@@ -133,19 +136,22 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
     }
 
     #[inline(always)]
-    fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
-        let inside = found!(S::fast_tube(*line, self.radius));
+    fn meets_on_grid<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>>
+    where
+        S: GridScalar,
+    {
+        let inside = found!(S::tube(*line, self.radius));
         let InSide { ends: [low, high], beyond } = inside;
         // Next to a seam the ends in the ball are as inaccurate as those in the tube.
         let is_guarded = T::GUARDED || inside.are_accurate() != [true; 2];
-        let ball = |line: &LocalLine<S>| S::fast_ball(*line, self.radius, is_guarded, T::STRICT);
+        let ball = |line: &LocalLine<S>| S::ball(*line, self.radius, is_guarded, T::STRICT);
         let outer = low.minus(beyond[0]);
-        let enter = found!(self.fast_end(line, [low, outer], |line, _| Attempt::Hit(found!(ball(line))[0])));
+        let enter = found!(self.end_on_grid(line, [low, outer], |line, _| Attempt::Hit(found!(ball(line))[0])));
         if line.needs_only(enter.t) {
             return Attempt::Hit(Intersection::Entered(enter));
         }
         let outer = high.plus(beyond[1]);
-        match self.fast_end(line, [high, outer], |line, _| Attempt::Hit(found!(ball(line))[1])) {
+        match self.end_on_grid(line, [high, outer], |line, _| Attempt::Hit(found!(ball(line))[1])) {
             Attempt::Hit(exit) if enter.t <= exit.t => Attempt::Hit(Intersection::One(Span::new(enter, exit))),
             // The exit is uncertain, or rounding put it before the entry.
             _ => Attempt::Hit(Intersection::Entered(enter)),
@@ -153,19 +159,22 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
     }
 
     #[inline(always)]
-    fn fast_exit<T: Guards>(&self, line: &LocalLine<S>, from: Part) -> Attempt<End<S>> {
+    fn exit_on_grid<T: Guards>(&self, line: &LocalLine<S>, from: Part) -> Attempt<End<S>>
+    where
+        S: GridScalar,
+    {
         let tube = if from == Part::Side {
-            [found!(S::fast_exit_from_round(line, false)); 2]
+            [found!(S::exit_from_round(line, false)); 2]
         } else {
-            let InSide { ends: [_, high], beyond: [_, beyond] } = found!(S::fast_tube(*line, self.radius));
+            let InSide { ends: [_, high], beyond: [_, beyond] } = found!(S::tube(*line, self.radius));
             [high, high.plus(beyond)]
         };
-        self.fast_end(line, tube, |line, part| {
+        self.end_on_grid(line, tube, |line, part| {
             if part == from {
-                return S::fast_exit_from_round(line, true);
+                return S::exit_from_round(line, true);
             }
             let is_guarded = T::GUARDED || tube[0] != tube[1];
-            Attempt::Hit(found!(S::fast_ball(*line, self.radius, is_guarded, T::STRICT))[1])
+            Attempt::Hit(found!(S::ball(*line, self.radius, is_guarded, T::STRICT))[1])
         })
     }
 

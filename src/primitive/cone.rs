@@ -5,11 +5,13 @@
 use super::outline::{Outline, Profile, checked_slope};
 use super::{Geometry, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates};
 use crate::equations::{self, Described, EquationKinds, Equations, Side};
-use crate::fast::{Guards, Slab, whole_side};
 use crate::geometry::Hull;
+use crate::grid::{Guards, Slab, whole_side};
 use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
-use crate::scalar::{Attempt, Including, LocalLine, NappeOutline, Real, Scalar, ValueError, found, largest};
+use crate::scalar::{
+    Attempt, GridScalar, Including, LocalLine, NappeOutline, Real, Scalar, ValueError, found, largest,
+};
 use crate::solve::{self, Goal, LocalRay, Of};
 use crate::vector::{UnitVec3, Vec3};
 
@@ -162,7 +164,10 @@ impl<S: Scalar> Cone<S> {
     }
 
     #[inline(always)]
-    fn fast_outline(&self) -> NappeOutline<S> {
+    fn grid_outline(&self) -> NappeOutline<S>
+    where
+        S: GridScalar,
+    {
         match self.outline {
             Outline::Slope(top) => NappeOutline { base: S::ZERO, top, height: None },
             Outline::Radii(base, top, height) => NappeOutline { base, top, height: Some(height) },
@@ -171,7 +176,10 @@ impl<S: Scalar> Cone<S> {
 
     /// The line's interval between the two heights, if the grid is sure. At an end that is an apex there is no plane.
     #[inline(always)]
-    fn fast_slab<'a>(&self, line: &'a LocalLine<S>, height: S) -> Attempt<Slab<'a, S>> {
+    fn grid_slab<'a>(&self, line: &'a LocalLine<S>, height: S) -> Attempt<Slab<'a, S>>
+    where
+        S: GridScalar,
+    {
         let mut slab = found!(Slab::new(line, S::ZERO, height));
         if let Extent::Capped(_) = self.extent {
             let (between, (low, high)) = (&mut slab.span, self.planes());
@@ -249,9 +257,12 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
     }
 
     #[inline(always)]
-    fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
+    fn meets_on_grid<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>>
+    where
+        S: GridScalar,
+    {
         if let (Extent::Double, Outline::Slope(slope)) = (self.extent, self.outline) {
-            let ([first, second], beyond) = found!(S::fast_double_cone(*line, slope));
+            let ([first, second], beyond) = found!(S::double_cone(*line, slope));
             let (first, second) = (End::new(first, Part::Side), End::new(second, Part::Side));
             return Attempt::Hit(if beyond {
                 let (until, from) = (End::none(-S::INFINITY), End::none(S::INFINITY));
@@ -260,36 +271,39 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
                 Intersection::One(Span::new(first, second))
             });
         }
-        let inside = found!(S::fast_nappe(*line, self.fast_outline()));
+        let inside = found!(S::nappe(*line, self.grid_outline()));
         match self.extent {
             Extent::Double | Extent::Nappe => Attempt::Hit(Intersection::One(found!(whole_side(&inside)))),
-            Extent::Open(height) => found!(self.fast_slab(line, height)).rims(&inside),
-            Extent::Capped(height) => found!(self.fast_slab(line, height)).clip(&inside),
+            Extent::Open(height) => found!(self.grid_slab(line, height)).rims(&inside),
+            Extent::Capped(height) => found!(self.grid_slab(line, height)).clip(&inside),
         }
     }
 
     #[inline(always)]
-    fn fast_exit<T: Guards>(&self, line: &LocalLine<S>, from: Part) -> Attempt<End<S>> {
+    fn exit_on_grid<T: Guards>(&self, line: &LocalLine<S>, from: Part) -> Attempt<End<S>>
+    where
+        S: GridScalar,
+    {
         match self.extent {
             Extent::Open(_) => return Attempt::Unsure,
             Extent::Double => {
                 // The chord stays in the nappe in which it begins. The lower nappe is the mirror image of the upper
                 // one.
                 let line = if line.origin[1] < S::ZERO { line.mirrored() } else { *line };
-                let exit = found!(S::fast_exit_from_nappe(&line, self.fast_outline()));
+                let exit = found!(S::exit_from_nappe(&line, self.grid_outline()));
                 return Attempt::Hit(End::new(exit, Part::Side));
             }
             Extent::Nappe | Extent::Capped(_) => {}
         }
         let (side, is_certain) = if from == Part::Side {
-            (found!(S::fast_exit_from_nappe(line, self.fast_outline())), true)
+            (found!(S::exit_from_nappe(line, self.grid_outline())), true)
         } else {
-            let inside = found!(S::fast_nappe(*line, self.fast_outline()));
+            let inside = found!(S::nappe(*line, self.grid_outline()));
             (inside.ends[1], inside.are_accurate()[1])
         };
         let side = End::new(side, Part::Side);
         let Extent::Capped(height) = self.extent else { return Attempt::Hit(side) };
-        let slab = found!(self.fast_slab(line, height));
+        let slab = found!(self.grid_slab(line, height));
         // An end of the nappe that is not certain must be cut off by the slab. The error of an end that follows from
         // the rounded coordinates of a start on a cap may be some units larger than promised for floats.
         let is_good = is_certain;

@@ -2,12 +2,12 @@
 
 use super::{Geometry, SizeError, checked_size, queries, surface_coordinates as coordinates};
 use crate::equations::{Described, EquationKinds, Equations};
-use crate::fast::Guards;
 use crate::geometry::Hull;
+use crate::grid::Guards;
 use crate::intersection::{End, Intersection, Span};
 use crate::line::Needs;
 use crate::part::{FACES, Part};
-use crate::scalar::{Attempt, InCuboid, Including, LocalLine, Scalar, UnitScalar, found};
+use crate::scalar::{Attempt, GridScalar, InCuboid, Including, LocalLine, Scalar, UnitScalar, found};
 use crate::solve::{self, Goal, LocalRay, Of};
 use crate::vector::{UnitVec3, Vec3};
 
@@ -100,8 +100,11 @@ impl<S: Scalar> Geometry<S> for Cuboid<S> {
     }
 
     #[inline(always)]
-    fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
-        let InCuboid { ends: [enter, exit], axes } = found!(S::fast_cuboid(line, self.half));
+    fn meets_on_grid<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>>
+    where
+        S: GridScalar,
+    {
+        let InCuboid { ends: [enter, exit], axes } = found!(S::cuboid(line, self.half));
         let end = |t: S, axis: usize, leaves: bool| End::new(t, face(axis, line.direction, leaves));
         let enter = end(enter, axes[0], false);
         if !exit.is_finite() {
@@ -111,14 +114,17 @@ impl<S: Scalar> Geometry<S> for Cuboid<S> {
     }
 
     #[inline(always)]
-    fn fast_exit<T: Guards>(&self, line: &LocalLine<S>, from: Part) -> Attempt<End<S>> {
+    fn exit_on_grid<T: Guards>(&self, line: &LocalLine<S>, from: Part) -> Attempt<End<S>>
+    where
+        S: GridScalar,
+    {
         // Otherwise it leads along the face on which it starts, or leaves at once, whatever its rounded coordinates
         // are.
         let leads_in = |axis: usize| line.direction[axis] != S::Unit::ZERO && face(axis, line.direction, false) == from;
         if !(0..3).any(leads_in) {
             return Attempt::Unsure;
         }
-        let (t, axis) = found!(S::fast_exit_from_cuboid(line, self.half));
+        let (t, axis) = found!(S::exit_from_cuboid(line, self.half));
         Attempt::Hit(End::new(t, face(axis, line.direction, true)))
     }
 
@@ -200,7 +206,7 @@ mod tests {
 
     /// For rays from a few units away at a cuboid and at a rectangle, the percentage that the grid leaves to the
     /// solver.
-    fn unsure<S: Scalar>() -> [usize; 2] {
+    fn unsure<S: GridScalar>() -> [usize; 2] {
         let n = |value: f64| S::from_f64(value).expect("within the type");
         let brick = Cuboid::new([n(1.25), n(0.75), n(1.0)]).expect("sizes");
         let table = Rectangle::new([n(1.25), n(1.0)]).expect("sizes");
@@ -215,8 +221,8 @@ mod tests {
             let along = core::array::from_fn(|i| target[i] - origin[i]);
             let direction = UnitVec3::<S>::from_f64(along).expect("a length").to_array();
             let line = LocalLine::along(origin.map(n), direction, S::ZERO);
-            left[0] += usize::from(brick.fast_intersection::<Stable>(&line) == Attempt::Unsure);
-            left[1] += usize::from(table.fast_intersection::<Stable>(&line) == Attempt::Unsure);
+            left[0] += usize::from(brick.meets_on_grid::<Stable>(&line) == Attempt::Unsure);
+            left[1] += usize::from(table.meets_on_grid::<Stable>(&line) == Attempt::Unsure);
         }
         left.map(|count| count.div_ceil(100))
     }

@@ -2,12 +2,12 @@
 
 use super::{Geometry, SizeError, checked_size, queries, surface_coordinates as coordinates};
 use crate::equations::{self, Described, EquationKinds, Equations, Side};
-use crate::fast::Guards;
-use crate::fast::{Slab, whole_side};
 use crate::geometry::Hull;
+use crate::grid::Guards;
+use crate::grid::{Slab, whole_side};
 use crate::intersection::{End, Intersection};
 use crate::part::Part;
-use crate::scalar::{Attempt, Including, LocalLine, Scalar, found};
+use crate::scalar::{Attempt, GridScalar, Including, LocalLine, Scalar, found};
 use crate::solve::{self, Goal, LocalRay, Of};
 use crate::vector::{UnitVec3, Vec3};
 
@@ -119,8 +119,11 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
     }
 
     #[inline(always)]
-    fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
-        let inside = found!(S::fast_tube(*line, self.radius));
+    fn meets_on_grid<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>>
+    where
+        S: GridScalar,
+    {
+        let inside = found!(S::tube(*line, self.radius));
         match self.extent {
             Extent::Infinite => Attempt::Hit(Intersection::One(found!(whole_side(&inside)))),
             Extent::Open(height) => found!(Slab::new(line, S::ZERO, height)).rims(&inside),
@@ -129,11 +132,14 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
     }
 
     #[inline(always)]
-    fn fast_exit<T: Guards>(&self, line: &LocalLine<S>, from: Part) -> Attempt<End<S>> {
+    fn exit_on_grid<T: Guards>(&self, line: &LocalLine<S>, from: Part) -> Attempt<End<S>>
+    where
+        S: GridScalar,
+    {
         let side = if from == Part::Side {
-            found!(S::fast_exit_from_round(line, false))
+            found!(S::exit_from_round(line, false))
         } else {
-            found!(found!(S::fast_tube(*line, self.radius)).exit())
+            found!(found!(S::tube(*line, self.radius)).exit())
         };
         let side = End::new(side, Part::Side);
         match self.extent {

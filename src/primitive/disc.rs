@@ -2,13 +2,13 @@
 
 use super::{Geometry, SizeError, checked_size, queries, surface_coordinates as coordinates};
 use crate::equations::{Described, EquationKinds, Equations};
-use crate::fast::Guards;
-use crate::fast::surface_hit;
 use crate::geometry::Hull;
+use crate::grid::Guards;
+use crate::grid::surface_hit;
 use crate::intersection::Intersection;
 use crate::line::Needs;
 use crate::part::Part;
-use crate::scalar::{Attempt, Including, LocalLine, Scalar, UnitScalar, found};
+use crate::scalar::{Attempt, GridScalar, Including, LocalLine, Scalar, UnitScalar, found};
 use crate::solve::{self, Goal, LocalRay, Of};
 use crate::vector::{UnitVec3, Vec3};
 
@@ -70,8 +70,11 @@ impl<S: Scalar> Geometry<S> for Disc<S> {
     }
 
     #[inline(always)]
-    fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
-        let t = found!(S::fast_disc(*line, self.radius));
+    fn meets_on_grid<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>>
+    where
+        S: GridScalar,
+    {
+        let t = found!(S::disc(*line, self.radius));
         Attempt::Hit(surface_hit(t, line.direction[1] < S::Unit::ZERO))
     }
 

@@ -2,13 +2,13 @@
 
 use super::{Geometry, queries, surface_coordinates as coordinates};
 use crate::equations::{Described, EquationKinds, Equations};
-use crate::fast::Guards;
-use crate::fast::surface_hit;
 use crate::geometry::Hull;
+use crate::grid::Guards;
+use crate::grid::surface_hit;
 use crate::intersection::Intersection;
 use crate::line::Needs;
 use crate::part::Part;
-use crate::scalar::{Attempt, Including, LocalLine, Scalar, UnitScalar, found};
+use crate::scalar::{Attempt, GridScalar, Including, LocalLine, Scalar, UnitScalar, found};
 use crate::solve::{self, Goal, LocalRay, Of};
 use crate::vector::{UnitVec3, Vec3};
 use core::marker::PhantomData;
@@ -55,8 +55,11 @@ impl<S: Scalar> Geometry<S> for Plane<S> {
     }
 
     #[inline(always)]
-    fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
-        match S::fast_crossings(*line, [S::ZERO; 2]) {
+    fn meets_on_grid<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>>
+    where
+        S: GridScalar,
+    {
+        match S::crossings(*line, [S::ZERO; 2]) {
             Attempt::Hit([t, _]) => Attempt::Hit(surface_hit(t, line.direction[1] < S::Unit::ZERO)),
             // A line parallel to the plane may lie in it.
             _ => Attempt::Unsure,
@@ -65,13 +68,16 @@ impl<S: Scalar> Geometry<S> for Plane<S> {
 
     /// False if the line leads away from the plane.
     #[inline(always)]
-    fn fast_occlusion<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<()> {
+    fn occludes_on_grid<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<()>
+    where
+        S: GridScalar,
+    {
         let (y, dy) = (line.origin[1], line.direction[1]);
         let moves_away = if y < S::ZERO { dy <= S::Unit::ZERO } else { y > S::ZERO && dy >= S::Unit::ZERO };
         if !S::RELATIVE && line.extra_bits == 0 && moves_away {
             return Attempt::Miss;
         }
-        found!(self.fast_intersection::<T>(line)).occlusion()
+        found!(self.meets_on_grid::<T>(line)).occlusion()
     }
 
     const NEEDS: Needs = Needs::Height;

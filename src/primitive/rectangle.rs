@@ -2,12 +2,12 @@
 
 use super::{Geometry, SizeError, checked_size, queries, surface_coordinates as coordinates};
 use crate::equations::{Described, EquationKinds, Equations};
-use crate::fast::{Guards, surface_hit};
 use crate::geometry::Hull;
+use crate::grid::{Guards, surface_hit};
 use crate::intersection::Intersection;
 use crate::line::Needs;
 use crate::part::Part;
-use crate::scalar::{Attempt, Including, LocalLine, Scalar, UnitScalar, found};
+use crate::scalar::{Attempt, GridScalar, Including, LocalLine, Scalar, UnitScalar, found};
 use crate::solve::{self, Goal, LocalRay, Of};
 use crate::vector::{UnitVec3, Vec3};
 
@@ -68,8 +68,11 @@ impl<S: Scalar> Geometry<S> for Rectangle<S> {
     }
 
     #[inline(always)]
-    fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
-        let t = found!(S::fast_rectangle(*line, self.half));
+    fn meets_on_grid<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>>
+    where
+        S: GridScalar,
+    {
+        let t = found!(S::rectangle(*line, self.half));
         Attempt::Hit(surface_hit(t, line.direction[1] < S::Unit::ZERO))
     }
 

@@ -2,13 +2,13 @@
 
 use super::{Geometry, SizeError, checked_size, queries, surface_coordinates as coordinates};
 use crate::equations::{Described, EquationKinds, Equations};
-use crate::fast::Guards;
 use crate::geometry::Hull;
+use crate::grid::Guards;
 use crate::intersection::{End, Intersection, Span};
 use crate::line::{Needs, Place};
 use crate::part::Part;
 use crate::ray::Ray;
-use crate::scalar::{Attempt, Including, LocalLine, Real, Ring, Scalar, found, largest};
+use crate::scalar::{Attempt, GridScalar, Including, LocalLine, Real, Ring, Scalar, found, largest};
 use crate::solve::{self, Goal, LocalRay, Of};
 use crate::vector::{UnitVec3, Vec3};
 
@@ -72,28 +72,44 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
     }
 
     #[inline(always)]
-    fn fast_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>> {
-        place.fast_ball_line(ray)
+    fn grid_line(&self, place: &impl Place<S>, ray: &Ray<S>) -> Option<LocalLine<S>>
+    where
+        S: GridScalar,
+    {
+        place.grid_ball_line(ray)
     }
 
     /// The line is only translated, and needs no finer units.
     #[inline(always)]
-    fn fit(&self, _: &mut LocalLine<S>) {}
+    fn fit(&self, _: &mut LocalLine<S>)
+    where
+        S: GridScalar,
+    {
+    }
 
     #[inline(always)]
-    fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
-        let [low, high] = found!(S::fast_ball(*line, self.radius, T::GUARDED, T::STRICT));
+    fn meets_on_grid<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>>
+    where
+        S: GridScalar,
+    {
+        let [low, high] = found!(S::ball(*line, self.radius, T::GUARDED, T::STRICT));
         Attempt::Hit(Intersection::One(Span::new(End::new(low, Part::Side), End::new(high, Part::Side))))
     }
 
     #[inline(always)]
-    fn fast_occlusion<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<()> {
-        S::fast_ball_ahead(*line, self.radius, T::GUARDED)
+    fn occludes_on_grid<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<()>
+    where
+        S: GridScalar,
+    {
+        S::ball_ahead(*line, self.radius, T::GUARDED)
     }
 
     #[inline(always)]
-    fn fast_exit<T: Guards>(&self, line: &LocalLine<S>, _: Part) -> Attempt<End<S>> {
-        Attempt::Hit(End::new(found!(S::fast_exit_from_round(line, true)), Part::Side))
+    fn exit_on_grid<T: Guards>(&self, line: &LocalLine<S>, _: Part) -> Attempt<End<S>>
+    where
+        S: GridScalar,
+    {
+        Attempt::Hit(End::new(found!(S::exit_from_round(line, true)), Part::Side))
     }
 
     const NEEDS: Needs = Needs::Translation;

@@ -8,13 +8,13 @@
 
 use super::{Geometry, SizeError, queries, surface_coordinates as coordinates};
 use crate::equations::{Described, EquationKinds, Equations};
-use crate::fast::Guards;
-use crate::fast::surface_hit;
 use crate::geometry::Hull;
+use crate::grid::Guards;
+use crate::grid::surface_hit;
 use crate::intersection::Intersection;
 use crate::number::{self, Ring};
 use crate::part::Part;
-use crate::scalar::{Attempt, FromScalar, Including, LocalLine, Real, Scalar, found, largest};
+use crate::scalar::{Attempt, FromScalar, GridScalar, Including, LocalLine, Real, Scalar, found, largest};
 use crate::solve::{self, Goal, LocalRay, Of};
 use crate::vector::{UnitVec3, Vec3, cross, pairs};
 
@@ -145,11 +145,18 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
 
     /// Does nothing: the triangle's intersection on the grid itself reduces the bits of the origin if necessary.
     #[inline(always)]
-    fn fit(&self, _: &mut LocalLine<S>) {}
+    fn fit(&self, _: &mut LocalLine<S>)
+    where
+        S: GridScalar,
+    {
+    }
 
     #[inline(always)]
-    fn fast_intersection<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
-        let (t, from_front) = found!(S::fast_triangle(*line, self.vertices.map(Vec3::to_array)));
+    fn meets_on_grid<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>>
+    where
+        S: GridScalar,
+    {
+        let (t, from_front) = found!(S::triangle(*line, self.vertices.map(Vec3::to_array)));
         Attempt::Hit(surface_hit(t, from_front))
     }
 

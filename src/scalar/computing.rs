@@ -1,6 +1,6 @@
 //! Operations on stored numbers.
 
-use super::Numbers;
+use super::{Attempt, Numbers};
 
 /// Products, lengths and directions.
 pub trait Computing: Numbers {
@@ -43,6 +43,12 @@ pub trait Computing: Numbers {
     #[inline]
     fn direction(v: [Self::Real; 3]) -> Option<[Self::Unit; 3]> {
         Self::normalize(v).map(|(direction, _)| direction)
+    }
+    /// The direction of three coordinates, equal to that of [`Computing::normalize`] or next to it; a miss for the zero
+    /// vector.
+    #[inline(always)]
+    fn direction_of(_: [Self; 3]) -> Attempt<[Self::Unit; 3]> {
+        Attempt::Unsure
     }
     /// This length along a direction: `self` times its component, rounded once.
     fn along(self, component: Self::Unit) -> Self;

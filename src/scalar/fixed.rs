@@ -4,16 +4,16 @@
 //! every result depends on that of the direction. Products of the two are exact in the double width.
 
 use super::block::{Block64, Block128};
-use super::including::narrowed;
+use super::slabs::Slabs;
 use super::{
-    Attempt, Budget, Computing, Elementary, FastPath, Numbers, Real, RoundLine, RoundSolid, Scalar, UnitScalar,
-    ValueError, elementary, integers, sealed::Sealed,
+    Attempt, Budget, Computing, Culling, Elementary, Numbers, Real, RoundLine, RoundSolid, Scalar, UnitScalar,
+    ValueError, elementary, found, integers, sealed::Sealed,
 };
 use crate::ladder::FixedPoint;
 use crate::number::word::Word;
 use crate::number::{Limbs, Parts, Robust};
 use crate::vector::pairs;
-use fixed::types::extra::{LeEqU32, LeEqU64, U30, U32, U62};
+use fixed::types::extra::{LeEqU32, LeEqU64, U30, U62};
 use fixed::{FixedI32, FixedI64};
 
 /// Coordinates and sizes of an N-bit fixed type stay at or below `2^(N - SIZE_BITS)` units.
@@ -43,7 +43,7 @@ trait WideApproach: Numbers {
 macro_rules! fixed {
     (
         $Fixed:ident, $LeEq:ident, $UnitBits:ident, $Block:ident, $robust:ty, $raw:ty, $wide:ty, $unsigned:ty,
-        $bits:literal, $unit_bits:literal, $product:path, { $($direction:tt)* }, { $($wider:tt)* }
+        $bits:literal, $unit_bits:literal, $product:path, { $($direction:tt)* }
     ) => {
         impl<F: $LeEq + Send + Sync + 'static> Sealed for $Fixed<F> {}
 
@@ -55,7 +55,6 @@ macro_rules! fixed {
         impl<F: $LeEq + Send + Sync + 'static> Scalar for $Fixed<F> {
             type Robust = Robust<$robust>;
             type Tiers = FixedPoint;
-            $($wider)*
             const ZERO: Self = Self::from_bits(0);
             const ROUNDED_ONE: Self = Self::from_bits(if F::U32 < $bits - 1 { 1 << F::U32 } else { <$raw>::MAX });
             const INFINITY: Self = Self::from_bits(<$raw>::MAX);
@@ -457,67 +456,64 @@ macro_rules! fixed {
     };
 }
 
-fixed!(
-    FixedI32,
-    LeEqU32,
-    U30,
-    Block64,
-    u64,
-    i32,
-    i64,
-    u64,
-    32,
-    30,
-    integers::product,
-    {
-        #[inline(always)]
-        fn along(self, component: Self::Unit) -> Self {
-            Self::from_bits(integers::round_off(integers::product(self.to_bits(), component.to_bits()), 30) as i32)
-        }
-        #[inline]
-        fn direction(v: [Block64; 3]) -> Option<[Self::Unit; 3]> {
-            // Rounded to 31 bits of the longest component, which adds an error of half a unit.
-            match Self::fast_direction(Self::finest(v).0) {
-                Attempt::Hit(direction) => Some(direction),
-                Attempt::Miss => None,
-                Attempt::Unsure => Self::normalize(v).map(|(direction, _)| direction),
-            }
-        }
-    },
-    {
-        type Wider = FixedI64<U32>;
-        // With fewer fraction bits the coordinates of usual scenes leave 32 bits enough room. With more the wider type
-        // has too few finer bits.
-        const WIDENS: bool = F::U32 >= 20 && F::U32 <= 28;
-        #[inline]
-        fn narrowed(value: Self::Wider) -> Self {
-            narrowed(value)
+fixed!(FixedI32, LeEqU32, U30, Block64, u64, i32, i64, u64, 32, 30, integers::product, {
+    #[inline(always)]
+    fn along(self, component: Self::Unit) -> Self {
+        Self::from_bits(integers::round_off(integers::product(self.to_bits(), component.to_bits()), 30) as i32)
+    }
+    #[inline(always)]
+    fn direction_of(v: [Self; 3]) -> Attempt<[Self::Unit; 3]> {
+        Attempt::Hit(found!(integers::direction(v.map(Self::to_bits))).map(FixedI32::from_bits))
+    }
+    #[inline]
+    fn direction(v: [Block64; 3]) -> Option<[Self::Unit; 3]> {
+        // Rounded to 31 bits of the longest component, which adds an error of half a unit.
+        match Self::direction_of(Self::finest(v).0) {
+            Attempt::Hit(direction) => Some(direction),
+            Attempt::Miss => None,
+            Attempt::Unsure => Self::normalize(v).map(|(direction, _)| direction),
         }
     }
-);
-fixed!(
-    FixedI64,
-    LeEqU64,
-    U62,
-    Block128,
-    u128,
-    i64,
-    i128,
-    u128,
-    64,
-    62,
-    product,
-    {
-        #[inline(always)]
-        fn along(self, component: Self::Unit) -> Self {
-            <Self as Scalar>::round(self.real() * Self::unit_real(component))
-        }
-    },
-    {
-        type Wider = Self;
-        #[inline(always)]
-        fn narrowed(value: Self) -> Self {
-            value
-        }
+});
+fixed!(FixedI64, LeEqU64, U62, Block128, u128, i64, i128, u128, 64, 62, product, {
+    #[inline(always)]
+    fn along(self, component: Self::Unit) -> Self {
+        <Self as Scalar>::round(self.real() * Self::unit_real(component))
     }
-);
+});
+
+impl<F: LeEqU32 + Send + Sync + 'static> Culling for FixedI32<F> {
+    #[inline(always)]
+    fn passes_axis(o: [Self; 3], d: [Self::Unit; 3], position: [Self; 3], axis: [Self::Unit; 3], r: Self) -> bool {
+        let from = |i: usize| o[i].to_bits().wrapping_sub(position[i].to_bits());
+        let (d, axis) = (d.map(FixedI32::to_bits), axis.map(FixedI32::to_bits));
+        integers::passes([from(0), from(1), from(2)], d, axis, r.to_bits())
+    }
+    type Slabs = Slabs<i32, i32>;
+    #[inline(always)]
+    fn slabs(o: [Self; 3], d: [Self::Unit; 3]) -> Self::Slabs {
+        Slabs::<i32, i32>::new(o.map(Self::to_bits), d.map(FixedI32::to_bits))
+    }
+    #[inline(always)]
+    fn misses_box(slabs: &Self::Slabs, range: [Self; 2], centre: [Self; 3], half: [Self; 3]) -> bool {
+        slabs.misses(range.map(Self::to_bits), centre.map(Self::to_bits), half.map(Self::to_bits))
+    }
+}
+
+impl<F: LeEqU64 + Send + Sync + 'static> Culling for FixedI64<F> {
+    #[inline(always)]
+    fn passes_axis(o: [Self; 3], d: [Self::Unit; 3], position: [Self; 3], axis: [Self::Unit; 3], r: Self) -> bool {
+        let from = |i: usize| o[i].to_bits().wrapping_sub(position[i].to_bits());
+        let (d, axis) = (d.map(|c| (c.to_bits() >> 32) as i32), axis.map(|c| (c.to_bits() >> 32) as i32));
+        integers::passes_wide([from(0), from(1), from(2)], d, axis, r.to_bits())
+    }
+    type Slabs = Slabs<i64, i32>;
+    #[inline(always)]
+    fn slabs(o: [Self; 3], d: [Self::Unit; 3]) -> Self::Slabs {
+        Slabs::<i64, i32>::new(o.map(Self::to_bits), d.map(FixedI64::to_bits))
+    }
+    #[inline(always)]
+    fn misses_box(slabs: &Self::Slabs, range: [Self; 2], centre: [Self; 3], half: [Self; 3]) -> bool {
+        slabs.misses(range.map(Self::to_bits), centre.map(Self::to_bits), half.map(Self::to_bits))
+    }
+}

@@ -4,7 +4,7 @@ use super::error_free::{exact_f32, exact_f64};
 use super::slabs::Slabs;
 use super::square_root::square_root_f32;
 use super::{
-    Budget, Computing, Elementary, FastPath, Numbers, Real, Scalar, UnitScalar, ValueError, largest, sealed::Sealed,
+    Budget, Computing, Culling, Elementary, Numbers, Real, Scalar, UnitScalar, ValueError, largest, sealed::Sealed,
 };
 use crate::ladder::Floats;
 use crate::number::word::Word;
@@ -26,7 +26,6 @@ macro_rules! float {
 
         impl Scalar for $Float {
             type Robust = Robust<$robust>;
-            type Wider = Self;
             type Tiers = Floats;
             const ZERO: Self = 0.0;
             const ROUNDED_ONE: Self = 1.0;
@@ -52,10 +51,6 @@ macro_rules! float {
                 let mantissa = if field == 0 { fraction } else { fraction | (1 << $mantissa) };
                 let exponent = field.max(1) - $bias - $mantissa;
                 Parts { mantissa: mantissa as u64, exponent, negative: self.is_sign_negative() }
-            }
-            #[inline(always)]
-            fn narrowed(value: Self) -> Self {
-                value
             }
             #[inline(always)]
             fn unit_parts(value: Self) -> Parts {
@@ -145,7 +140,7 @@ macro_rules! float {
             }
         }
 
-        impl FastPath for $Float {
+        impl Culling for $Float {
             type Slabs = Slabs<$Float, $Float>;
             #[inline(always)]
             fn slabs(o: [Self; 3], d: [Self; 3]) -> Self::Slabs {

@@ -61,7 +61,8 @@ impl<F: LeEqU32 + Send + Sync + 'static> Including<FixedI32<F>> for FixedI64<U32
     }
 }
 
-/// A value of [`Scalar::Wider`] in the type of 32 bits: rounded to nearest, ties to even; infinite beyond the type.
+/// A value of [`GridScalar::Wider`](super::GridScalar::Wider) in the type of 32 bits: rounded to nearest, ties to even;
+/// infinite beyond the type.
 #[cfg(feature = "fixed")]
 #[inline]
 pub(super) fn narrowed<F: LeEqU32 + Send + Sync + 'static>(value: FixedI64<U32>) -> FixedI32<F> {

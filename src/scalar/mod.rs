@@ -13,7 +13,8 @@
 //! | `error_free` | sums and products of floats with their rounding errors |
 //! | `fixed` | `FixedI32<F>` and `FixedI64<F>`, for every `F` |
 //! | `computing` | operations on stored numbers |
-//! | `fast` | the interface of the grid of fixed point |
+//! | `grid` | what fixed-point types have besides: the interface of the grid |
+//! | `culling` | conservative tests that a ray misses |
 //! | `attempt` | results on the grid |
 //! | `integers` | the grid of fixed point: integers of a common unit |
 //! | `rungs`, `twofold` | conversion between stored numbers and those of [`crate::number`]; numbers of twice the precision |
@@ -39,17 +40,18 @@ mod attempt;
 pub mod block;
 mod computing;
 pub(crate) mod constant;
+mod culling;
 #[cfg(feature = "fixed")]
 mod decimal;
 #[cfg(feature = "fixed")]
 mod elementary;
 #[cfg(feature = "libm")]
 mod error_free;
-mod fast;
 #[cfg(feature = "fixed")]
 mod fixed;
 #[cfg(feature = "libm")]
 mod float;
+mod grid;
 mod including;
 #[cfg(feature = "fixed")]
 mod integers;
@@ -69,7 +71,8 @@ pub use crate::number::Ring;
 pub(crate) use attempt::found;
 pub use attempt::{Attempt, InCuboid, InSide, NappeOutline};
 pub use computing::{Computing, Elementary, RoundLine, RoundSolid};
-pub use fast::{FastPath, FinerLine, InverseLength, LocalLine};
+pub use culling::Culling;
+pub use grid::{FinerLine, GridScalar, InverseLength, LocalLine};
 pub use including::Including;
 pub use rungs::{FromScalar, RealOf, ToScalar};
 pub use summed::Summed;
@@ -163,14 +166,9 @@ pub type Unit<S> = <S as Numbers>::Unit;
 /// A number that stores coordinates, sizes and distances.
 ///
 /// Implemented for `f32`, `f64`, `FixedI32<F>` and `FixedI64<F>` for every `F` that `fixed` allows. Sealed.
-pub trait Scalar: Numbers + Computing + Elementary + FastPath {
+pub trait Scalar: Numbers + Computing + Elementary + Culling {
     /// The number in which the solver computes where the grid is unsure.
     type Robust: Localize<Self> + Number<Estimate = Self::Robust> + ToScalar<Self>;
-    /// The type of the second attempt of fixed point, which holds every value of this one; the type itself if that has
-    /// none.
-    type Wider: Including<Self>;
-    /// True if the grid has such a second attempt.
-    const WIDENS: bool = false;
     /// The lists of numbers of the tiers.
     type Tiers: Tiers<Self>;
     /// Zero.
@@ -191,8 +189,6 @@ pub trait Scalar: Numbers + Computing + Elementary + FastPath {
     fn unit_parts(value: Self::Unit) -> Parts;
     /// Rounded to nearest, ties to even; beyond the type's range, [`Scalar::INFINITY`] with the sign.
     fn from_limbs<W: Word>(value: Limbs<W>) -> Self;
-    /// Rounded as [`Scalar::from_limbs`].
-    fn narrowed(value: Self::Wider) -> Self;
     /// Rounded as [`Scalar::from_limbs`].
     fn from_robust(value: Self::Robust) -> Self;
     /// Rounded as [`Scalar::from_limbs`], to a unit component.

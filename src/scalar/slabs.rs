@@ -45,7 +45,7 @@ macro_rules! slabs {
                 Self { origin, reciprocals: d.map(reciprocal) }
             }
 
-            /// See [`FastPath::misses_box`](crate::scalar::FastPath::misses_box).
+            /// See [`Culling::misses_box`](crate::scalar::Culling::misses_box).
             #[inline(always)]
             pub(super) fn misses(
                 &self,
@@ -136,7 +136,7 @@ mod in_integers {
             Self { origin: o.map(|o| o >> 1), reciprocals: d.map(reciprocal) }
         }
 
-        /// See [`FastPath::misses_box`](crate::scalar::FastPath::misses_box), for raw numbers.
+        /// See [`Culling::misses_box`](crate::scalar::Culling::misses_box), for raw numbers.
         #[inline(always)]
         pub(in crate::scalar) fn misses(&self, range: [i32; 2], [x, y, z]: [i32; 3], half: [i32; 3]) -> bool {
             let [ox, oy, oz] = self.origin;
@@ -152,7 +152,7 @@ mod in_integers {
             Self { origin: o.map(|o| o >> 1), reciprocals: d.map(|d| reciprocal((d >> 32) as i32)) }
         }
 
-        /// See [`FastPath::misses_box`](crate::scalar::FastPath::misses_box), for raw numbers.
+        /// See [`Culling::misses_box`](crate::scalar::Culling::misses_box), for raw numbers.
         #[inline(always)]
         pub(in crate::scalar) fn misses(&self, range: [i64; 2], [x, y, z]: [i64; 3], half: [i64; 3]) -> bool {
             let [ox, oy, oz] = self.origin;

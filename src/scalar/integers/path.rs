@@ -2,10 +2,10 @@
 
 use crate::scalar::integers;
 use crate::scalar::{
-    Attempt, FastPath, FinerLine, InCuboid, InSide, LocalLine, NappeOutline, Scalar, found, slabs::Slabs,
+    Attempt, FinerLine, GridScalar, InCuboid, InSide, LocalLine, NappeOutline, Scalar, found, including::narrowed,
 };
 use core::cmp::Ordering;
-use fixed::types::extra::{LeEqU32, LeEqU64};
+use fixed::types::extra::{LeEqU32, LeEqU64, U32};
 use fixed::{FixedI32, FixedI64};
 
 /// The error of an end is at most a unit, that of the height there less than two: rounding may decide the order of two
@@ -15,10 +15,10 @@ const DOUBTFUL_BITS: u32 = 2;
 /// Defines it for the types of one width, with the functions that only this width has.
 macro_rules! fast {
     ($Fixed:ident, $LeEq:ident, $raw:ty, $($kernels:ident)::+, [$($strict:ident)?], { $($own:tt)* }) => {
-        impl<F: $LeEq + Send + Sync + 'static> FastPath for $Fixed<F> {
+        impl<F: $LeEq + Send + Sync + 'static> GridScalar for $Fixed<F> {
         $($own)*
         #[inline(always)]
-        fn fast_ball(line: LocalLine<Self>, r: Self, by_moment: bool, is_strict: bool) -> Attempt<[Self; 2]> {
+        fn ball(line: LocalLine<Self>, r: Self, by_moment: bool, is_strict: bool) -> Attempt<[Self; 2]> {
             let line = LocalLine { is_strict, ..line };
             let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits), r.to_bits());
             let [low, high] = if by_moment {
@@ -29,7 +29,7 @@ macro_rules! fast {
             Attempt::Hit([Self::from_bits(low), Self::from_bits(high)])
         }
         #[inline(always)]
-        fn fast_ball_ahead(line: LocalLine<Self>, r: Self, by_moment: bool) -> Attempt<()> {
+        fn ball_ahead(line: LocalLine<Self>, r: Self, by_moment: bool) -> Attempt<()> {
             let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits), r.to_bits());
             if by_moment {
                 found!($($kernels)::+::ByMoment::new(o, line.extra_bits, d, r)).meets_ahead()
@@ -38,13 +38,13 @@ macro_rules! fast {
             }
         }
         #[inline(always)]
-        fn fast_tube(line: LocalLine<Self>, r: Self) -> Attempt<InSide<Self>> {
+        fn tube(line: LocalLine<Self>, r: Self) -> Attempt<InSide<Self>> {
             let (o, d, r) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits), r.to_bits());
             let ends = found!($($kernels)::+::tube(o, line.extra_bits, d, r $(, line.$strict)?));
             Attempt::Hit(InSide { ends: ends.map(Self::from_bits), beyond: [Self::from_bits(0); 2] })
         }
         #[inline(always)]
-        fn fast_exit_from_round(line: &LocalLine<Self>, is_ball: bool) -> Attempt<Self> {
+        fn exit_from_round(line: &LocalLine<Self>, is_ball: bool) -> Attempt<Self> {
             if line.start != <Self as Scalar>::ZERO {
                 return Attempt::Unsure;
             }
@@ -53,7 +53,7 @@ macro_rules! fast {
             Attempt::Hit(Self::from_bits(exit))
         }
         #[inline(always)]
-        fn fast_exit_from_nappe(
+        fn exit_from_nappe(
             line: &LocalLine<Self>,
             NappeOutline { base, top, height }: NappeOutline<Self>,
         ) -> Attempt<Self> {
@@ -68,7 +68,7 @@ macro_rules! fast {
             Attempt::Hit(Self::from_bits(exit))
         }
         #[inline(always)]
-        fn fast_seams(line: LocalLine<Self>, t: Self, height: Self) -> Attempt<Ordering> {
+        fn seams(line: LocalLine<Self>, t: Self, height: Self) -> Attempt<Ordering> {
             let (oy, dy) = (line.origin[1].to_bits(), line.direction[1].to_bits());
             let y = found!($($kernels)::+::height(oy, line.extra_bits, dy, t.to_bits()));
             let is_close = |height: $raw| y.abs_diff(height) >> DOUBTFUL_BITS == 0;
@@ -92,19 +92,19 @@ macro_rules! fast {
             a.to_bits().abs_diff(b.to_bits()) >> DOUBTFUL_BITS == 0
         }
         #[inline(always)]
-        fn fast_lowered(line: LocalLine<Self>, y: Self) -> Attempt<LocalLine<Self>> {
+        fn lowered(line: LocalLine<Self>, y: Self) -> Attempt<LocalLine<Self>> {
             let [ox, oy, oz] = line.origin;
             let lowered = found!($($kernels)::+::lowered(oy.to_bits(), line.extra_bits, y.to_bits()));
             Attempt::Hit(LocalLine { origin: [ox, Self::from_bits(lowered), oz], ..line })
         }
         #[inline(always)]
-        fn fast_crossings(line: LocalLine<Self>, y: [Self; 2]) -> Attempt<[Self; 2]> {
+        fn crossings(line: LocalLine<Self>, y: [Self; 2]) -> Attempt<[Self; 2]> {
             let (oy, dy) = (line.origin[1].to_bits(), line.direction[1].to_bits());
             let [first, second] = found!($($kernels)::+::crossings(oy, line.extra_bits, dy, y.map(Self::to_bits)));
             Attempt::Hit([Self::from_bits(first), Self::from_bits(second)])
         }
         #[inline(always)]
-        fn fast_nappe(
+        fn nappe(
             line: LocalLine<Self>,
             NappeOutline { base, top, height }: NappeOutline<Self>,
         ) -> Attempt<InSide<Self>> {
@@ -117,7 +117,7 @@ macro_rules! fast {
             Attempt::Hit(InSide { ends: ends.map(Self::from_bits), beyond: beyond.map(Self::from_bits) })
         }
         #[inline(always)]
-        fn fast_double_cone(line: LocalLine<Self>, slope: Self) -> Attempt<([Self; 2], bool)> {
+        fn double_cone(line: LocalLine<Self>, slope: Self) -> Attempt<([Self; 2], bool)> {
             let (o, d) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits));
             let one = match (1 as $raw).checked_shl(F::U32) {
                 Some(one) if one > 0 => one,
@@ -127,18 +127,18 @@ macro_rules! fast {
             Attempt::Hit((ends.map(Self::from_bits), beyond))
         }
         #[inline(always)]
-        fn fast_disc(line: LocalLine<Self>, r: Self) -> Attempt<Self> {
+        fn disc(line: LocalLine<Self>, r: Self) -> Attempt<Self> {
             let (o, d) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits));
             Attempt::Hit(Self::from_bits(found!($($kernels)::+::disc(o, line.extra_bits, d, r.to_bits()))))
         }
         #[inline(always)]
-        fn fast_rectangle(line: LocalLine<Self>, half: [Self; 2]) -> Attempt<Self> {
+        fn rectangle(line: LocalLine<Self>, half: [Self; 2]) -> Attempt<Self> {
             let (o, d) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits));
             let t = found!($($kernels)::+::rectangle(o, line.extra_bits, d, half.map(Self::to_bits)));
             Attempt::Hit(Self::from_bits(t))
         }
         #[inline(always)]
-        fn fast_cuboid(line: &LocalLine<Self>, half: [Self; 3]) -> Attempt<InCuboid<Self>> {
+        fn cuboid(line: &LocalLine<Self>, half: [Self; 3]) -> Attempt<InCuboid<Self>> {
             let (o, d) = (line.origin.map(Self::to_bits), line.direction.map($Fixed::to_bits));
             let since = line.since.map(Self::to_bits);
             let InCuboid { ends, axes } =
@@ -146,7 +146,7 @@ macro_rules! fast {
             Attempt::Hit(InCuboid { ends: ends.map(Self::from_bits), axes })
         }
         #[inline(always)]
-        fn fast_exit_from_cuboid(line: &LocalLine<Self>, half: [Self; 3]) -> Attempt<(Self, usize)> {
+        fn exit_from_cuboid(line: &LocalLine<Self>, half: [Self; 3]) -> Attempt<(Self, usize)> {
             if line.start != <Self as Scalar>::ZERO {
                 return Attempt::Unsure;
             }
@@ -156,7 +156,7 @@ macro_rules! fast {
             Attempt::Hit((Self::from_bits(t), axis))
         }
         #[inline(always)]
-        fn fast_turned(
+        fn turned(
             o: [Self; 3],
             d: [Self::Unit; 3],
             position: [Self; 3],
@@ -175,7 +175,7 @@ macro_rules! fast {
             })
         }
         #[inline(always)]
-        fn fast_stretched_finely(
+        fn stretched(
             o: [Self; 3],
             d: [Self::Unit; 3],
             position: [Self; 3],
@@ -196,31 +196,24 @@ macro_rules! fast {
             Some(FinerLine { line, scale, inverse_length })
         }
         #[inline(always)]
-        fn fast_along_ray(line: &FinerLine<Self>, t: Self) -> Option<Self> {
+        fn along_ray(line: &FinerLine<Self>, t: Self) -> Option<Self> {
             $($kernels)::+::along_ray(line.inverse_length, line.line.start.to_bits(), t.to_bits()).map(Self::from_bits)
-        }
-        type Slabs = Slabs<$raw, i32>;
-        #[inline(always)]
-        fn slabs(o: [Self; 3], d: [Self::Unit; 3]) -> Self::Slabs {
-            Slabs::<$raw, i32>::new(o.map(Self::to_bits), d.map($Fixed::to_bits))
-        }
-        #[inline(always)]
-        fn misses_box(slabs: &Self::Slabs, range: [Self; 2], centre: [Self; 3], half: [Self; 3]) -> bool {
-            slabs.misses(range.map(Self::to_bits), centre.map(Self::to_bits), half.map(Self::to_bits))
         }
         }
     };
 }
 
 fast!(FixedI32, LeEqU32, i32, integers, [is_strict], {
-    #[inline(always)]
-    fn passes_axis(o: [Self; 3], d: [Self::Unit; 3], position: [Self; 3], axis: [Self::Unit; 3], r: Self) -> bool {
-        let from = |i: usize| o[i].to_bits().wrapping_sub(position[i].to_bits());
-        let (d, axis) = (d.map(FixedI32::to_bits), axis.map(FixedI32::to_bits));
-        integers::passes([from(0), from(1), from(2)], d, axis, r.to_bits())
+    type Wider = FixedI64<U32>;
+    // With fewer fraction bits the coordinates of usual scenes leave 32 bits enough room. With more the wider type has
+    // too few finer bits.
+    const WIDENS: bool = F::U32 >= 20 && F::U32 <= 28;
+    #[inline]
+    fn narrowed(value: Self::Wider) -> Self {
+        narrowed(value)
     }
     #[inline(always)]
-    fn fast_fit(line: &mut LocalLine<Self>, bounding_radius: Self) {
+    fn fit(line: &mut LocalLine<Self>, bounding_radius: Self) {
         let fitting = integers::fitting(bounding_radius.to_bits());
         if line.extra_bits > fitting {
             let origin = integers::coarser(line.origin.map(Self::to_bits), (line.extra_bits - fitting) as u32);
@@ -228,11 +221,7 @@ fast!(FixedI32, LeEqU32, i32, integers, [is_strict], {
         }
     }
     #[inline(always)]
-    fn fast_direction(v: [Self; 3]) -> Attempt<[Self::Unit; 3]> {
-        Attempt::Hit(found!(integers::direction(v.map(Self::to_bits))).map(FixedI32::from_bits))
-    }
-    #[inline(always)]
-    fn fast_triangle(line: LocalLine<Self>, vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {
+    fn triangle(line: LocalLine<Self>, vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {
         let (o, d) = (line.origin.map(Self::to_bits), line.direction.map(FixedI32::to_bits));
         let vertices = vertices.map(|vertex| vertex.map(Self::to_bits));
         let found = match integers::triangle(o, line.extra_bits, d, vertices) {
@@ -248,14 +237,16 @@ fast!(FixedI32, LeEqU32, i32, integers, [is_strict], {
     }
 });
 fast!(FixedI64, LeEqU64, i64, integers::wide, [], {
+    type Wider = Self;
     #[inline(always)]
-    fn passes_axis(o: [Self; 3], d: [Self::Unit; 3], position: [Self; 3], axis: [Self::Unit; 3], r: Self) -> bool {
-        let from = |i: usize| o[i].to_bits().wrapping_sub(position[i].to_bits());
-        let (d, axis) = (d.map(|c| (c.to_bits() >> 32) as i32), axis.map(|c| (c.to_bits() >> 32) as i32));
-        integers::passes_wide([from(0), from(1), from(2)], d, axis, r.to_bits())
+    fn narrowed(value: Self) -> Self {
+        value
     }
+    /// A line has as many extra bits as there is room for.
     #[inline(always)]
-    fn fast_triangle(line: LocalLine<Self>, vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {
+    fn fit(_: &mut LocalLine<Self>, _: Self) {}
+    #[inline(always)]
+    fn triangle(line: LocalLine<Self>, vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)> {
         let (o, d) = (line.origin.map(Self::to_bits), line.direction.map(FixedI64::to_bits));
         let vertices = vertices.map(|vertex| vertex.map(Self::to_bits));
         let (t, from_front) = found!(integers::wide::triangle(o, line.extra_bits, d, vertices));

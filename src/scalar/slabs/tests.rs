@@ -4,7 +4,7 @@
 use super::super::{Scalar, UnitScalar};
 use super::MARGIN_BITS;
 use crate::random::Random;
-use crate::scalar::FastPath;
+use crate::scalar::Culling;
 use std::vec::Vec;
 
 impl Random {

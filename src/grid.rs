@@ -2,7 +2,7 @@
 
 use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
-use crate::scalar::{Attempt, InSide, LocalLine, Scalar, UnitScalar};
+use crate::scalar::{Attempt, GridScalar, InSide, LocalLine, UnitScalar};
 
 /// The guards of a tier on the grid against rounding errors.
 pub trait Guards: 'static {
@@ -13,17 +13,17 @@ pub trait Guards: 'static {
 }
 
 /// The interval of a line with `low <= y <= high`.
-pub(crate) struct Slab<'a, S: Scalar> {
+pub(crate) struct Slab<'a, S: GridScalar> {
     line: &'a LocalLine<S>,
     pub(crate) span: Span<S>,
 }
 
-impl<'a, S: Scalar> Slab<'a, S> {
+impl<'a, S: GridScalar> Slab<'a, S> {
     /// The interval between two heights, if the grid is sure. The parts of its ends are those of the two planes.
     #[inline(always)]
     pub(crate) fn new(line: &'a LocalLine<S>, low: S, high: S) -> Attempt<Self> {
         let ([_, y, _], [_, dy, _]) = (line.origin, line.direction);
-        match S::fast_crossings(*line, [low, high]) {
+        match S::crossings(*line, [low, high]) {
             Attempt::Hit([low, high]) => {
                 let (base, top) = (End::new(low, Part::Base), End::new(high, Part::Top));
                 let rises = dy >= S::Unit::ZERO;
@@ -102,13 +102,13 @@ impl<'a, S: Scalar> Slab<'a, S> {
 
 /// The interval of an infinite side, if its ends are accurate.
 #[inline(always)]
-pub(crate) fn whole_side<S: Scalar>(inside: &InSide<S>) -> Attempt<Span<S>> {
+pub(crate) fn whole_side<S: GridScalar>(inside: &InSide<S>) -> Attempt<Span<S>> {
     if inside.are_accurate() == [true; 2] { Attempt::Hit(Span::of_side(inside.ends)) } else { Attempt::Unsure }
 }
 
 /// The ends of `side` that lie in the slab between the rims; the rims belong to it.
 #[inline(always)]
-fn between_rims<S: Scalar>(side: Span<S>, between: Span<S>) -> Intersection<S> {
+fn between_rims<S: GridScalar>(side: Span<S>, between: Span<S>) -> Intersection<S> {
     let on_surface = |end: End<S>| between.enter.t <= end.t && end.t <= between.exit.t;
     let (enter, exit) = (on_surface(side.enter), on_surface(side.exit));
     if !enter && !exit {
@@ -123,7 +123,7 @@ fn between_rims<S: Scalar>(side: Span<S>, between: Span<S>) -> Intersection<S> {
 
 /// The one crossing of a flat surface, from its front or its back.
 #[inline]
-pub(crate) fn surface_hit<S: Scalar>(t: S, from_front: bool) -> Intersection<S> {
+pub(crate) fn surface_hit<S: GridScalar>(t: S, from_front: bool) -> Intersection<S> {
     let end = End::new(t, Part::Side);
     Intersection::Surface(if from_front {
         Span::new(end, End::none(S::INFINITY))
