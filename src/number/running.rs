@@ -6,8 +6,8 @@
 //!
 //! The rounded result `x` of an addition or a subtraction has an error of at most `u |x|`, also where it is subnormal.
 //! That of a product or a quotient has at most `u |x| + m` with the smallest normal number `m`: where the result
-//! underflows the error is at most `u m`, but a bound below `m` would itself lose bits. For operands `a + u e`, `b + u f`, of which `a` and `b` are computed,
-//! the error that is brought along is at most
+//! underflows the error is at most `u m`, but a bound below `m` would itself lose bits. For operands `a + u e`,
+//! `b + u f`, of which `a` and `b` are computed, the error that is brought along is at most
 //!
 //! | operation | error, in roundings |
 //! |---|---|
