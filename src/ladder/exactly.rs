@@ -28,7 +28,8 @@ impl<S: ExactScalar> Listed<S> for Exact {
     }
 }
 
-/// In doubles with an error bound: that of the magnitudes of terms where these have few factors, otherwise a running one.
+/// In doubles with an error bound: that of the magnitudes of terms where these have few factors, otherwise a running
+/// one.
 #[derive(Clone, Copy, Debug)]
 pub struct InDoubles;
 

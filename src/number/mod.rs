@@ -7,7 +7,7 @@
 //! |---|---|---|
 //! | [`Plain`] | that of the rounded value | `Plain` |
 //! | [`Guarded`] | the same, unknown where much of a difference cancels | `Fast` |
-//! | [`Certified`] | the same, and an end next to the start is unknown | `Stable`, for spheres and triangles |
+//! | [`Certified`] | the same, and an end next to the start is unknown | `Stable`, for spheres, triangles and flat parts in the world |
 //! | [`Running`] | unknown if the value is within its error bound of zero | `Stable`, and in doubles `Exact` |
 //! | [`Robust`] | that of the rounded value | `Fast` and `Stable`, where the numbers before are unsure |
 //! | [`Filtered`] | unknown if a value is small relative to its terms | `Exact`, for spheres and flat primitives |
