@@ -1,15 +1,4 @@
-//! The tier `Exact`: its number types, and the numbers that decide for each.
-
-#[cfg(feature = "libm")]
-use crate::ladder::InDoubles;
-use crate::ladder::Method;
-#[cfg(feature = "fixed")]
-use crate::ladder::OnGridOrInDoubles;
-#[cfg(feature = "fixed")]
-use crate::number::FIXED_LIMBS;
-use crate::number::{Bounded, FLOAT_LIMBS, Integer};
-use crate::scalar::Scalar;
-use crate::solve::Localize;
+//! The tier `Exact`, and the precision that it needed.
 
 /// The exact tier: hit, miss, touch, part, order, pairing and inside or outside are always those of exact arithmetic on
 /// the stored numbers. `t` is within one unit in the last place of the exact value.
@@ -54,29 +43,4 @@ pub enum Precision {
     Filter,
     /// Wide integers were needed.
     Integers,
-}
-
-/// A scalar that has an exact tier.
-pub trait ExactScalar: Scalar {
-    /// The first attempt, whose results are certain.
-    type First: Method<Self>;
-    /// The number that is used where a sign is unknown in doubles.
-    type Bounded: Localize<Self>;
-    /// The integer that is used where a sign is unknown in [`ExactScalar::Bounded`]. It is wide enough for every
-    /// polynomial of the solvers.
-    type Integer: Localize<Self>;
-}
-
-#[cfg(feature = "libm")]
-impl ExactScalar for f32 {
-    type First = InDoubles;
-    type Bounded = Bounded<u128>;
-    type Integer = Integer<FLOAT_LIMBS>;
-}
-
-#[cfg(feature = "fixed")]
-impl<F: fixed::types::extra::LeEqU32 + Send + Sync + 'static> ExactScalar for fixed::FixedI32<F> {
-    type First = OnGridOrInDoubles;
-    type Bounded = Bounded<u128>;
-    type Integer = Integer<FIXED_LIMBS>;
 }

@@ -97,6 +97,7 @@ pub enum Intersection<S> {
 
 impl<R> Intersection<R> {
     /// The intersection with `f` applied to its ends, unless `f` is unsure of one.
+    #[cfg(feature = "fixed")]
     #[inline(always)]
     pub(crate) fn try_map<S>(self, f: impl Fn(R) -> Option<S>) -> Option<Intersection<S>> {
         let end = |End { t, part }: End<R>| Some(End { t: f(t)?, part });

@@ -10,12 +10,13 @@
 //! | `Exact` | doubles with an error bound, [`Bounded`](crate::number::Bounded), [`Integer`](crate::number::Integer) | the grid with certain signs, then as floats |
 
 mod exactly;
+#[cfg(feature = "fixed")]
 mod grid;
 
-pub use exactly::InDoubles;
+pub use exactly::ExactScalar;
 pub(crate) use exactly::precision;
 #[cfg(feature = "fixed")]
-pub use grid::{FixedPoint, OnGridOrInDoubles};
+pub use grid::FixedPoint;
 
 use crate::equations::{Described, EquationKinds, Equations};
 use crate::geometry::Geometry;
@@ -321,3 +322,6 @@ fn holds<S: Scalar, N: Of<S>, G: Described>(
 pub(crate) const fn is_ball<S, G: Described>(equations: &Equations<S>) -> bool {
     G::EQUATIONS.has(EquationKinds::BALL) && matches!(equations, Equations::Ball { .. })
 }
+
+#[cfg(test)]
+mod tests;

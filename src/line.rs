@@ -11,8 +11,8 @@ pub enum Needs {
     Translation,
     /// A plane: only the coordinate across it.
     Height,
-    /// Everything, of a solid with flat parts alone: it is no less accurate far from the origin of its line, so that a
-    /// line in the world stays as it is.
+    /// Everything, for a primitive that has only flat parts. In the world the origin of its line is not moved: that
+    /// would gain no accuracy.
     Flat,
     /// Everything.
     All,

@@ -2,7 +2,7 @@
 
 use crate::number::{Estimate, difference, dot};
 use crate::part::Part;
-use crate::scalar::{FromScalar, Including, Scalar, ValueError};
+use crate::scalar::{FromScalar, Scalar, ValueError};
 use crate::vector::{UnitVec3, Vec3};
 use core::fmt;
 
@@ -122,8 +122,9 @@ pub struct Ray<S: Scalar> {
 
 impl<S: Scalar> Ray<S> {
     /// The ray's whole line in another type.
+    #[cfg(feature = "fixed")]
     #[inline(always)]
-    pub(crate) fn in_type<R: Including<S>>(&self) -> Ray<R> {
+    pub(crate) fn in_type<R: crate::scalar::Including<S>>(&self) -> Ray<R> {
         Ray {
             origin: self.origin.in_type(),
             direction: self.direction.in_type(),

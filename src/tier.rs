@@ -25,8 +25,8 @@ use crate::grid::Guards;
 use crate::query::Solve;
 use crate::scalar::Scalar;
 
-pub use crate::exact::ExactScalar;
 pub use crate::exact::{Exact, Precision};
+pub use crate::ladder::ExactScalar;
 
 mod sealed {
     pub trait Sealed {}

@@ -5,14 +5,35 @@
 //! wider and wider numbers, until every sign is certain.
 
 use super::{In, Listed, Method, holds, whole};
-use crate::exact::{Exact, ExactScalar, Precision};
+use crate::exact::{Exact, Precision};
 use crate::geometry::Geometry;
 use crate::intersection::Intersection;
 use crate::line::Place;
+#[cfg(feature = "libm")]
+use crate::number::{Bounded, FLOAT_LIMBS, Integer};
 use crate::number::{Filtered, Running};
 use crate::ray::Ray;
-use crate::solve::{Attempt, Stop};
+use crate::scalar::Scalar;
+use crate::solve::{Attempt, Localize, Stop};
 use crate::vector::Vec3;
+
+/// A scalar that has an exact tier.
+pub trait ExactScalar: Scalar {
+    /// The first attempt, whose results are certain.
+    type First: Method<Self>;
+    /// The number that is used where a sign is unknown in doubles.
+    type Bounded: Localize<Self>;
+    /// The integer that is used where a sign is unknown in [`ExactScalar::Bounded`]. It is wide enough for every
+    /// polynomial of the solvers.
+    type Integer: Localize<Self>;
+}
+
+#[cfg(feature = "libm")]
+impl ExactScalar for f32 {
+    type First = InDoubles;
+    type Bounded = Bounded<u128>;
+    type Integer = Integer<FLOAT_LIMBS>;
+}
 
 impl<S: ExactScalar> Listed<S> for Exact {
     const EXACT_ENDS: bool = true;

@@ -2,15 +2,14 @@
 //!
 //! They know only the rays that arrive from outside, and those that depart inwards; they are unsure where their
 //! integers have no room.
-#![cfg_attr(not(feature = "fixed"), allow(dead_code, reason = "floats have no grid"))]
 
-use super::{In, InDoubles, Method, Tiers, passes, whole};
-use crate::exact::ExactScalar;
+use super::exactly::InDoubles;
+use super::{ExactScalar, In, Method, Tiers, passes, whole};
 use crate::geometry::Geometry;
 use crate::grid::Guards;
 use crate::intersection::{End, Intersection, Span};
 use crate::line::Place;
-use crate::number::Plain as PlainNumber;
+use crate::number::{Bounded, FIXED_LIMBS, Integer, Plain as PlainNumber};
 use crate::ray::{Departure, Leaving, Ray};
 use crate::scalar::{Attempt, GridScalar, LocalLine, RealOf, found};
 use crate::solve::{self, Stop};
@@ -277,6 +276,12 @@ impl<S: ExactScalar + GridScalar> Method<S> for OnGridOrInDoubles {
         }
         InDoubles::all(geometry, place, ray)
     }
+}
+
+impl<F: fixed::types::extra::LeEqU32 + Send + Sync + 'static> ExactScalar for fixed::FixedI32<F> {
+    type First = OnGridOrInDoubles;
+    type Bounded = Bounded<u128>;
+    type Integer = Integer<FIXED_LIMBS>;
 }
 
 /// The guards of the grid of `Exact`.

@@ -113,8 +113,8 @@ pub trait Ring: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Se
     }
     /// `a x b`
     #[inline(always)]
-    fn vector_product([x, y, z]: [Self; 3], [u, v, w]: [Self; 3]) -> [Self; 3] {
-        [Self::sum([[y, w], [-z, v]]), Self::sum([[z, u], [-x, w]]), Self::sum([[x, v], [-y, u]])]
+    fn vector_product(a: [Self; 3], b: [Self; 3]) -> [Self; 3] {
+        cross(a, b)
     }
     /// `a b - |v|^2`
     #[inline(always)]
@@ -142,8 +142,8 @@ pub trait Number: Ring {
     const STARTS_AT_VERTEX: bool = false;
     /// True if it allows for a direction whose length is only nearly 1.
     const KNOWS_LENGTH: bool = true;
-    /// True if the origin of a moved line, which is the point closest to its frame's, is not taken to be the point of
-    /// closest approach to a ball there, but to be near it.
+    /// True if the point of closest approach to a ball about the frame's origin is computed from the origin of a moved
+    /// line; false if it is taken to be that origin.
     const APPROACHES_AGAIN: bool = true;
     /// True if rays that depart are computed in it; if not, the next number computes them.
     const DEPARTS: bool = true;
@@ -158,7 +158,7 @@ pub trait Number: Ring {
     fn sign_among(self, _of: Difference, _terms: impl FnOnce() -> Self) -> Option<Ordering> {
         self.sign()
     }
-    /// How two crossings of planes in the world compare.
+    /// How the crossings of two planes of a cuboid compare. A [`Certified`] number knows that in the world alone.
     #[inline(always)]
     fn order_of_crossings(t: Self::Estimate, other: Self::Estimate) -> Option<Ordering> {
         t.compare(other)
@@ -203,9 +203,9 @@ pub enum Difference {
     OfSquares,
     /// The signed volume that a line spans with an edge.
     OfVolumes,
-    /// Any other whose sign alone is needed.
+    /// Another one, of which only the sign is needed.
     OfSigns,
-    /// The same of the edge of a rectangle, on either side of which `Fast` may put a line.
+    /// The position of a line beside the edge of a rectangle. `Fast` takes the sign of the rounded value.
     OfEdges,
 }
 
@@ -249,13 +249,13 @@ pub struct Parts {
     pub negative: bool,
 }
 
-/// `a . b`
+/// `a . b`, with an error bound of each term: [`Ring::scalar_product`] is cheaper, this bound is tighter.
 #[inline]
 pub(crate) fn dot<N: Ring>(a: [N; 3], b: [N; 3]) -> N {
     N::sum([[a[0], b[0]], [a[1], b[1]], [a[2], b[2]]])
 }
 
-/// `a x b`
+/// `a x b`, with an error bound of each component, as [`dot`].
 #[inline]
 pub(crate) fn cross<N: Ring>(a: [N; 3], b: [N; 3]) -> [N; 3] {
     let minor = |i: usize, j: usize| N::sum([[a[i], b[j]], [-a[j], b[i]]]);

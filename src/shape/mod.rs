@@ -26,10 +26,10 @@ pub use surface::Surface;
 pub use visible::Visible;
 
 use crate::bounds;
-use crate::exact::ExactScalar;
 use crate::frame::Frame;
 use crate::geometry::{Bounds, Geometry};
 use crate::hit::{Hit, Hits};
+use crate::ladder::ExactScalar;
 use crate::line::InWorld;
 use crate::ray::Ray;
 use crate::scalar::Scalar;

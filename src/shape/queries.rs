@@ -1,10 +1,10 @@
 //! The queries of a shape, each computed with the primitive and the placement in their own types.
 
 use super::Visible;
-use crate::exact::ExactScalar;
 use crate::geometry::Geometry;
 use crate::hit::{Hit, Hits};
 use crate::ladder;
+use crate::ladder::ExactScalar;
 use crate::line::Place;
 use crate::query;
 use crate::ray::Ray;
