@@ -260,7 +260,7 @@ impl<S: Scalar> Place<S> for Affine<S> {
         S: GridScalar,
     {
         let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
-        S::stretched(o, d, self.position.to_array(), self.inverse(), bounding_radius)
+        FinerLine::stretched(o, d, self.position.to_array(), self.inverse(), bounding_radius)
     }
 
     #[inline(always)]

@@ -23,6 +23,10 @@
 /// constant term of the quadric that it leaves is set to zero, or the height of its origin above the plane that it
 /// leaves. All other equations use the stored coordinates. The result is exact for these equations.
 ///
+/// In fixed point `t` is rounded on the grid, and in doubles where a hit lies next to an end of the range or to the
+/// ray's origin. The two may differ by a unit. So `t` is the same for all ranges, unless an end of one, other than
+/// zero, lies within four units of a hit.
+///
 /// ```
 /// use raylet::{Crossing, Ray, Sphere, UnitVec3, Vec3, tier::Exact};
 /// // One part in ten million inside the sphere's silhouette.

@@ -318,7 +318,7 @@ impl<S: Scalar> Place<S> for Frame<S> {
         S: GridScalar,
     {
         let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
-        S::turned(o, d, self.position.to_array(), self.axes.map(UnitVec3::to_array))
+        LocalLine::turned(o, d, self.position.to_array(), self.axes.map(UnitVec3::to_array))
     }
     #[inline(always)]
     fn passes_axis(&self, ray: &Ray<S>, r: S) -> bool {

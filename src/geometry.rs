@@ -43,13 +43,13 @@ pub trait Geometry<S: Scalar>: Copy + Described {
         self.bounding_radius()
     }
     /// Reduces the extra bits of the line as far as the primitive's lengths require
-    /// ([`GridScalar::fit`]).
+    /// ([`LocalLine::fit`]).
     #[inline(always)]
     fn fit(&self, line: &mut LocalLine<S>)
     where
         S: GridScalar,
     {
-        S::fit(line, self.lengths());
+        line.fit(self.lengths());
     }
     /// The intersection on the grid; that may be the entry alone where the exit is uncertain or not needed: see
     /// [`LocalLine::since`].

@@ -23,7 +23,7 @@ impl<'a, S: GridScalar> Slab<'a, S> {
     #[inline(always)]
     pub(crate) fn new(line: &'a LocalLine<S>, low: S, high: S) -> Attempt<Self> {
         let ([_, y, _], [_, dy, _]) = (line.origin, line.direction);
-        match S::crossings(*line, [low, high]) {
+        match line.crossings([low, high]) {
             Attempt::Hit([low, high]) => {
                 let (base, top) = (End::new(low, Part::Base), End::new(high, Part::Top));
                 let rises = dy >= S::Unit::ZERO;
@@ -44,16 +44,16 @@ impl<'a, S: GridScalar> Slab<'a, S> {
     #[inline(always)]
     fn is_entry_close(&self, side: &Span<S>) -> bool {
         let planes = &self.span;
-        S::are_close(self.line, side.enter.t, planes.enter.t)
-            || S::are_close(self.line, side.enter.t, planes.exit.t)
-            || S::are_close(self.line, side.exit.t, planes.enter.t)
-            || S::are_close(self.line, planes.enter.t, planes.exit.t)
+        self.line.are_close(side.enter.t, planes.enter.t)
+            || self.line.are_close(side.enter.t, planes.exit.t)
+            || self.line.are_close(side.exit.t, planes.enter.t)
+            || self.line.are_close(planes.enter.t, planes.exit.t)
     }
 
     /// The same for their exit, once their entry is certain.
     #[inline(always)]
     fn is_exit_close(&self, side: &Span<S>) -> bool {
-        S::are_close(self.line, side.exit.t, self.span.exit.t)
+        self.line.are_close(side.exit.t, self.span.exit.t)
     }
 
     /// The exit of a line that starts on the part `from` of a side or of these planes: the nearer of the side's and the
@@ -63,7 +63,7 @@ impl<'a, S: GridScalar> Slab<'a, S> {
         let plane = self.span.exit;
         // It cannot leave by the plane that it starts on.
         let leads_away = plane.part == from && from != Part::Side;
-        if leads_away || S::are_close(self.line, side.t, plane.t) {
+        if leads_away || self.line.are_close(side.t, plane.t) {
             Attempt::Unsure
         } else {
             Attempt::Hit(if plane.t >= side.t { side } else { plane })

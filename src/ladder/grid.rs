@@ -11,7 +11,7 @@ use crate::intersection::{End, Intersection, Span};
 use crate::line::Place;
 use crate::number::{Bounded, FIXED_LIMBS, Integer, Plain as PlainNumber};
 use crate::ray::{Departure, Leaving, Ray};
-use crate::scalar::{Attempt, GridScalar, LocalLine, RealOf, found};
+use crate::scalar::{Attempt, GridScalar, LocalLine, RealOf, are_doubtful, found};
 use crate::solve::{self, Stop};
 use crate::tier::{Fast, Stable};
 use core::marker::PhantomData;
@@ -156,7 +156,7 @@ fn stretched<S: GridScalar, T: Guards, G: Geometry<S>>(
 ) -> Attempt<Intersection<S>> {
     let Some(line) = place.finer_line(ray, geometry.lengths()) else { return Attempt::Unsure };
     let intersection = found!(on_the_grid::<S, T, G>(&geometry.scaled(line.scale), &line.line));
-    intersection.try_map(|t| S::along_ray(&line, t)).map_or(Attempt::Unsure, Attempt::Hit)
+    intersection.try_map(|t| line.along_ray(t)).map_or(Attempt::Unsure, Attempt::Hit)
 }
 
 /// The grid of [`GridScalar::Wider`] has room for all lengths of this type, in finer units. The ends are
@@ -197,7 +197,7 @@ fn inwards<S: GridScalar, T: Guards, G: Geometry<S>, P: Place<S>>(
         let Some(line) = place.finer_line(ray, geometry.lengths()) else { return Attempt::Unsure };
         let intersection = found!(exit(&geometry.scaled(line.scale), &line.line));
         // An exit must be ahead: for one next to the start rounding would decide this.
-        let along = |t| S::along_ray(&line, t).filter(|t| *t > S::ZERO);
+        let along = |t| line.along_ray(t).filter(|t| *t > S::ZERO);
         return match intersection {
             Intersection::One(Span { exit: End { t, part }, .. }) => match along(t) {
                 Some(t) => Attempt::Hit(Intersection::One(Span::new(End::none(-S::INFINITY), End::new(t, part)))),
@@ -303,11 +303,11 @@ fn certainly_on_the_grid<S: GridScalar, G: Geometry<S>, P: Place<S>>(
     let intersection = whole(OnGrid::<Certainly>::all(geometry, place, ray))?;
     let (start, end) = (ray.range().start(), ray.range().end());
     // The rounding of `t` must decide neither the order of an end and an end of the range, nor whether an exit is ahead
-    // of the surface that the ray departs from. A missing end is infinite.
+    // of the surface that the ray departs from. A missing end is infinite. Every range is tested for zero, so that the
+    // whole line and the half-line have the same `t`.
     let is_certain = |t: S| {
-        let is_doubtful = |bound: S| S::are_doubtful(t, bound);
-        !t.is_finite()
-            || !(is_doubtful(start) || is_doubtful(end) || (ray.departure().is_some() && is_doubtful(S::ZERO)))
+        let is_doubtful = |bound: S| are_doubtful(t, bound);
+        !t.is_finite() || !(is_doubtful(start) || is_doubtful(end) || is_doubtful(S::ZERO))
     };
     intersection.try_map(|t| is_certain(t).then_some(t)).ok_or(Stop::Unsure)
 }

@@ -1,10 +1,6 @@
 //! Products, reciprocals and roots of machine words, by multiplications alone.
 //!
 //! The grid of fixed point uses all of these functions, the robust number some of them.
-#![cfg_attr(
-    not(feature = "fixed"),
-    expect(dead_code, reason = "without fixed point only the robust number needs them")
-)]
 
 /// `a * b` in 128 bits.
 #[cfg(target_pointer_width = "64")]

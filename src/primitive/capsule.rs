@@ -84,8 +84,8 @@ impl<S: Scalar> Capsule<S> {
     where
         S: GridScalar,
     {
-        let seams = found!(S::seams(*line, tube, self.height));
-        if tube != outer && (seams == Ordering::Equal || found!(S::seams(*line, outer, self.height)) != seams) {
+        let seams = found!(line.seams(tube, self.height));
+        if tube != outer && (seams == Ordering::Equal || found!(line.seams(outer, self.height)) != seams) {
             return Attempt::Unsure;
         }
         let (part, centre) = match seams {
@@ -93,7 +93,7 @@ impl<S: Scalar> Capsule<S> {
             Ordering::Greater => (Part::Top, self.height),
             Ordering::Equal => return Attempt::Hit(End::new(tube, Part::Side)),
         };
-        let t = found!(of_ball(&found!(S::lowered(*line, centre)), part));
+        let t = found!(of_ball(&found!(line.lowered(centre)), part));
         Attempt::Hit(End::new(t, part))
     }
 
@@ -140,11 +140,11 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
     where
         S: GridScalar,
     {
-        let inside = found!(S::tube(*line, self.radius));
+        let inside = found!(line.tube(self.radius));
         let InSide { ends: [low, high], beyond } = inside;
         // Next to a seam the ends in the ball are as inaccurate as those in the tube.
         let is_guarded = T::GUARDED || inside.are_accurate() != [true; 2];
-        let ball = |line: &LocalLine<S>| S::ball(*line, self.radius, is_guarded, T::STRICT);
+        let ball = |line: &LocalLine<S>| line.ball(self.radius, is_guarded, T::STRICT);
         let outer = low.minus(beyond[0]);
         let enter = found!(self.end_on_grid(line, [low, outer], |line, _| Attempt::Hit(found!(ball(line))[0])));
         if line.needs_only(enter.t) {
@@ -164,17 +164,17 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
         S: GridScalar,
     {
         let tube = if from == Part::Side {
-            [found!(S::exit_from_round(line, false)); 2]
+            [found!(line.exit_from_round(false)); 2]
         } else {
-            let InSide { ends: [_, high], beyond: [_, beyond] } = found!(S::tube(*line, self.radius));
+            let InSide { ends: [_, high], beyond: [_, beyond] } = found!(line.tube(self.radius));
             [high, high.plus(beyond)]
         };
         self.end_on_grid(line, tube, |line, part| {
             if part == from {
-                return S::exit_from_round(line, true);
+                return line.exit_from_round(true);
             }
             let is_guarded = T::GUARDED || tube[0] != tube[1];
-            Attempt::Hit(found!(S::ball(*line, self.radius, is_guarded, T::STRICT))[1])
+            Attempt::Hit(found!(line.ball(self.radius, is_guarded, T::STRICT))[1])
         })
     }
 

@@ -262,7 +262,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         S: GridScalar,
     {
         if let (Extent::Double, Outline::Slope(slope)) = (self.extent, self.outline) {
-            let ([first, second], beyond) = found!(S::double_cone(*line, slope));
+            let ([first, second], beyond) = found!(line.double_cone(slope));
             let (first, second) = (End::new(first, Part::Side), End::new(second, Part::Side));
             return Attempt::Hit(if beyond {
                 let (until, from) = (End::none(-S::INFINITY), End::none(S::INFINITY));
@@ -271,7 +271,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
                 Intersection::One(Span::new(first, second))
             });
         }
-        let inside = found!(S::nappe(*line, self.grid_outline()));
+        let inside = found!(line.nappe(self.grid_outline()));
         match self.extent {
             Extent::Double | Extent::Nappe => Attempt::Hit(Intersection::One(found!(whole_side(&inside)))),
             Extent::Open(height) => found!(self.grid_slab(line, height)).rims(&inside),
@@ -290,15 +290,15 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
                 // The chord stays in the nappe in which it begins. The lower nappe is the mirror image of the upper
                 // one.
                 let line = if line.origin[1] < S::ZERO { line.mirrored() } else { *line };
-                let exit = found!(S::exit_from_nappe(&line, self.grid_outline()));
+                let exit = found!(line.exit_from_nappe(self.grid_outline()));
                 return Attempt::Hit(End::new(exit, Part::Side));
             }
             Extent::Nappe | Extent::Capped(_) => {}
         }
         let (side, is_certain) = if from == Part::Side {
-            (found!(S::exit_from_nappe(line, self.grid_outline())), true)
+            (found!(line.exit_from_nappe(self.grid_outline())), true)
         } else {
-            let inside = found!(S::nappe(*line, self.grid_outline()));
+            let inside = found!(line.nappe(self.grid_outline()));
             (inside.ends[1], inside.are_accurate()[1])
         };
         let side = End::new(side, Part::Side);

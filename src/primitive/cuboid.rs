@@ -104,7 +104,7 @@ impl<S: Scalar> Geometry<S> for Cuboid<S> {
     where
         S: GridScalar,
     {
-        let InCuboid { ends: [enter, exit], axes } = found!(S::cuboid(line, self.half));
+        let InCuboid { ends: [enter, exit], axes } = found!(line.cuboid(self.half));
         let end = |t: S, axis: usize, leaves: bool| End::new(t, face(axis, line.direction, leaves));
         let enter = end(enter, axes[0], false);
         if !exit.is_finite() {
@@ -124,7 +124,7 @@ impl<S: Scalar> Geometry<S> for Cuboid<S> {
         if !(0..3).any(leads_in) {
             return Attempt::Unsure;
         }
-        let (t, axis) = found!(S::exit_from_cuboid(line, self.half));
+        let (t, axis) = found!(line.exit_from_cuboid(self.half));
         Attempt::Hit(End::new(t, face(axis, line.direction, true)))
     }
 

@@ -123,7 +123,7 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
     where
         S: GridScalar,
     {
-        let inside = found!(S::tube(*line, self.radius));
+        let inside = found!(line.tube(self.radius));
         match self.extent {
             Extent::Infinite => Attempt::Hit(Intersection::One(found!(whole_side(&inside)))),
             Extent::Open(height) => found!(Slab::new(line, S::ZERO, height)).rims(&inside),
@@ -137,9 +137,9 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
         S: GridScalar,
     {
         let side = if from == Part::Side {
-            found!(S::exit_from_round(line, false))
+            found!(line.exit_from_round(false))
         } else {
-            found!(found!(S::tube(*line, self.radius)).exit())
+            found!(found!(line.tube(self.radius)).exit())
         };
         let side = End::new(side, Part::Side);
         match self.extent {

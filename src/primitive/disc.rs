@@ -74,7 +74,7 @@ impl<S: Scalar> Geometry<S> for Disc<S> {
     where
         S: GridScalar,
     {
-        let t = found!(S::disc(*line, self.radius));
+        let t = found!(line.disc(self.radius));
         Attempt::Hit(surface_hit(t, line.direction[1] < S::Unit::ZERO))
     }
 

@@ -59,8 +59,8 @@ impl<S: Scalar> Geometry<S> for Plane<S> {
     where
         S: GridScalar,
     {
-        match S::crossings(*line, [S::ZERO; 2]) {
-            Attempt::Hit([t, _]) => Attempt::Hit(surface_hit(t, line.direction[1] < S::Unit::ZERO)),
+        match line.crossing(S::ZERO) {
+            Attempt::Hit(t) => Attempt::Hit(surface_hit(t, line.direction[1] < S::Unit::ZERO)),
             // A line parallel to the plane may lie in it.
             _ => Attempt::Unsure,
         }

@@ -72,7 +72,7 @@ impl<S: Scalar> Geometry<S> for Rectangle<S> {
     where
         S: GridScalar,
     {
-        let t = found!(S::rectangle(*line, self.half));
+        let t = found!(line.rectangle(self.half));
         Attempt::Hit(surface_hit(t, line.direction[1] < S::Unit::ZERO))
     }
 

@@ -92,7 +92,7 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
     where
         S: GridScalar,
     {
-        let [low, high] = found!(S::ball(*line, self.radius, T::GUARDED, T::STRICT));
+        let [low, high] = found!(line.ball(self.radius, T::GUARDED, T::STRICT));
         Attempt::Hit(Intersection::One(Span::new(End::new(low, Part::Side), End::new(high, Part::Side))))
     }
 
@@ -101,7 +101,7 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
     where
         S: GridScalar,
     {
-        S::ball_ahead(*line, self.radius, T::GUARDED)
+        line.ball_ahead(self.radius, T::GUARDED)
     }
 
     #[inline(always)]
@@ -109,7 +109,7 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
     where
         S: GridScalar,
     {
-        Attempt::Hit(End::new(found!(S::exit_from_round(line, true)), Part::Side))
+        Attempt::Hit(End::new(found!(line.exit_from_round(true)), Part::Side))
     }
 
     const NEEDS: Needs = Needs::Translation;

@@ -156,7 +156,7 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
     where
         S: GridScalar,
     {
-        let (t, from_front) = found!(S::triangle(*line, self.vertices.map(Vec3::to_array)));
+        let (t, from_front) = found!(line.triangle(self.vertices.map(Vec3::to_array)));
         Attempt::Hit(surface_hit(t, from_front))
     }
 

@@ -1,8 +1,6 @@
 //! Results on the grid of fixed point: certain, or unsure.
 
 use super::Scalar;
-#[cfg(feature = "fixed")]
-use core::ops::Neg;
 
 /// A result on the grid.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -71,31 +69,3 @@ macro_rules! found {
     };
 }
 pub(crate) use found;
-
-/// Whether the line hits a triangle, and whether from the front, by the signed volume that it spans with each edge, and
-/// the error bound of the volumes. All three are negative for a hit from the front, and positive for one from the back.
-/// They are computed one after the other: a miss is often decided by the first two.
-#[cfg(feature = "fixed")]
-#[inline(always)]
-pub(crate) fn within_edges_in_turn<E, V: Copy + PartialOrd + Neg<Output = V>>(
-    [first, second, third]: [E; 3],
-    doubt: V,
-    volume: impl Fn(E) -> V,
-) -> Attempt<bool> {
-    let side = |edge: E| {
-        let volume = volume(edge);
-        (volume > doubt) as i32 - (volume < -doubt) as i32
-    };
-    let (first, second) = (side(first), side(second));
-    if first * second < 0 {
-        return Attempt::Miss;
-    }
-    let third = side(third);
-    if third * first < 0 || third * second < 0 {
-        Attempt::Miss
-    } else if first * second * third != 0 {
-        Attempt::Hit(third < 0)
-    } else {
-        Attempt::Unsure
-    }
-}

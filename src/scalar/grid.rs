@@ -1,8 +1,14 @@
 //! The grid of fixed point: integers of a common unit, in which a line meets a primitive in the type's own width. Where
 //! that is unsure, the solver decides.
 
-use super::{Attempt, InCuboid, InSide, Including, NappeOutline, Numbers, Scalar};
-use core::cmp::Ordering;
+#[cfg(feature = "fixed")]
+use super::including::narrowed;
+use super::integers::length::Length;
+use super::{Including, Numbers, Scalar};
+#[cfg(feature = "fixed")]
+use fixed::types::extra::{LeEqU32, LeEqU64, U32};
+#[cfg(feature = "fixed")]
+use fixed::{FixedI32, FixedI64};
 
 /// A line in a primitive's frame, for the grid.
 #[derive(Clone, Copy, Debug)]
@@ -73,98 +79,90 @@ pub struct InverseLength {
     pub shift: u32,
 }
 
-/// A fixed-point type, whose lines meet primitives on the grid. The results are [`Attempt::Unsure`] where rounding may
-/// decide.
+/// A fixed-point type, whose lines meet primitives on the grid: its raw integers, and the type of the second attempt.
 pub trait GridScalar: Scalar {
+    /// The type's integers.
+    type Raw: Length;
     /// The type of the second attempt, which holds every value of this one; the type itself if that has none.
     type Wider: GridScalar + Including<Self>;
     /// True if there is such a second attempt.
     const WIDENS: bool = false;
+
     /// Rounded as [`Scalar::from_limbs`].
     fn narrowed(value: Self::Wider) -> Self;
+    /// The raw integer.
+    fn to_raw(self) -> Self::Raw;
+    /// The number of a raw integer.
+    fn from_raw(raw: Self::Raw) -> Self;
+    /// The raw integer of a component of a direction.
+    fn unit_to_raw(component: Self::Unit) -> Self::Raw;
+    /// The component of a raw integer.
+    fn unit_from_raw(raw: Self::Raw) -> Self::Unit;
+    /// One, if the type holds it.
+    fn one() -> Option<Self::Raw>;
+}
 
-    /// The two ends of the line inside the sphere of radius `r` about the origin: from the point of closest approach,
-    /// or, if `by_moment`, from the Pluecker moment. `is_strict` is that of the line, passed as a constant of the tier
-    /// so that it costs the other tiers nothing.
-    fn ball(line: LocalLine<Self>, r: Self, by_moment: bool, is_strict: bool) -> Attempt<[Self; 2]>;
+#[cfg(feature = "fixed")]
+impl<F: LeEqU32 + Send + Sync + 'static> GridScalar for FixedI32<F> {
+    type Raw = i32;
+    type Wider = FixedI64<U32>;
+    // With fewer fraction bits the coordinates of usual scenes leave 32 bits enough room. With more the wider type has
+    // too few finer bits.
+    const WIDENS: bool = F::U32 >= 20 && F::U32 <= 28;
 
-    /// Whether one of these ends is at `t >= 0`; unsure if an end is beyond the number type.
-    fn ball_ahead(line: LocalLine<Self>, r: Self, by_moment: bool) -> Attempt<()>;
+    #[inline]
+    fn narrowed(value: Self::Wider) -> Self {
+        narrowed(value)
+    }
+    #[inline(always)]
+    fn to_raw(self) -> i32 {
+        self.to_bits()
+    }
+    #[inline(always)]
+    fn from_raw(raw: i32) -> Self {
+        Self::from_bits(raw)
+    }
+    #[inline(always)]
+    fn unit_to_raw(component: Self::Unit) -> i32 {
+        component.to_bits()
+    }
+    #[inline(always)]
+    fn unit_from_raw(raw: i32) -> Self::Unit {
+        FixedI32::from_bits(raw)
+    }
+    #[inline(always)]
+    fn one() -> Option<i32> {
+        1_i32.checked_shl(F::U32).filter(|one| *one > 0)
+    }
+}
 
-    /// The interval of the line inside the infinite cylinder of radius `r` about the y axis.
-    fn tube(line: LocalLine<Self>, r: Self) -> Attempt<InSide<Self>>;
+#[cfg(feature = "fixed")]
+impl<F: LeEqU64 + Send + Sync + 'static> GridScalar for FixedI64<F> {
+    type Raw = i64;
+    type Wider = Self;
 
-    /// The interval of the line inside the nappe.
-    fn nappe(line: LocalLine<Self>, nappe: NappeOutline<Self>) -> Attempt<InSide<Self>>;
-
-    /// Where the line is inside a double cone of this slope: between the two ends, or, if `true`, outside them.
-    fn double_cone(line: LocalLine<Self>, slope: Self) -> Attempt<([Self; 2], bool)>;
-
-    /// The exit of a line that starts on a sphere about the origin, or on a cylinder about the y axis, and leads
-    /// inwards.
-    fn exit_from_round(line: &LocalLine<Self>, is_ball: bool) -> Attempt<Self>;
-
-    /// The exit of a line that starts on the side of the nappe and leads inwards; infinite if there is none.
-    fn exit_from_nappe(line: &LocalLine<Self>, nappe: NappeOutline<Self>) -> Attempt<Self>;
-
-    /// Whether the line's point at `t` lies below `y = 0` (`Less`), between that and the height (`Equal`), or above
-    /// (`Greater`).
-    fn seams(line: LocalLine<Self>, t: Self, height: Self) -> Attempt<Ordering>;
-
-    /// The line relative to the point `(0, y, 0)`.
-    fn lowered(line: LocalLine<Self>, y: Self) -> Attempt<LocalLine<Self>>;
-
-    /// Where the line crosses two heights. A line of constant height crosses neither.
-    fn crossings(line: LocalLine<Self>, y: [Self; 2]) -> Attempt<[Self; 2]>;
-
-    /// Where the line crosses the disc of radius `r` about the origin in the plane `y = 0`.
-    fn disc(line: LocalLine<Self>, r: Self) -> Attempt<Self>;
-
-    /// Where the line crosses the rectangle about the origin in the plane `y = 0`, with these half extents along x and
-    /// z.
-    fn rectangle(line: LocalLine<Self>, half: [Self; 2]) -> Attempt<Self>;
-
-    /// The interval of the line inside the cuboid about the origin with these half extents along x, y and z. Unsure if
-    /// an end is next to an edge.
-    fn cuboid(line: &LocalLine<Self>, half: [Self; 3]) -> Attempt<InCuboid<Self>>;
-
-    /// Where a line that starts on the surface of that cuboid leaves it, and the axis perpendicular to the face by
-    /// which it leaves.
-    fn exit_from_cuboid(line: &LocalLine<Self>, half: [Self; 3]) -> Attempt<(Self, usize)>;
-
-    /// Where the line crosses the triangle with these vertices, and whether it comes from the side from which they are
-    /// counter-clockwise.
-    fn triangle(line: LocalLine<Self>, vertices: [[Self; 3]; 3]) -> Attempt<(Self, bool)>;
-
-    /// Whether two ends are so close that their order may be decided by rounding. Only a strict line has this guard:
-    /// otherwise two ends within a unit of each other may be in either order.
-    fn are_close(line: &LocalLine<Self>, a: Self, b: Self) -> bool;
-
-    /// Whether rounding may decide the order of two fixed-point ends.
-    fn are_doubtful(a: Self, b: Self) -> bool;
-
-    /// The line from `o` along `d` in the frame with these axes at `position`; `None` if it is too far away.
-    fn turned(
-        o: [Self; 3],
-        d: [Self::Unit; 3],
-        position: [Self; 3],
-        axes: [[Self::Unit; 3]; 3],
-    ) -> Option<LocalLine<Self>>;
-
-    /// The same in a matrix whose inverse has these rows, for a solid whose lengths are at most `bounding_radius`.
-    /// `None` if they do not fit.
-    fn stretched(
-        o: [Self; 3],
-        d: [Self::Unit; 3],
-        position: [Self; 3],
-        rows: [([Self::Unit; 3], i32); 3],
-        bounding_radius: Self,
-    ) -> Option<FinerLine<Self>>;
-
-    /// Converts a `t` of that line to the ray's; `None` if it is too large.
-    fn along_ray(line: &FinerLine<Self>, t: Self) -> Option<Self>;
-
-    /// Reduces the extra bits of the origin so far that lengths up to the solid's bounding radius
-    /// `bounding_radius` fit in the same unit.
-    fn fit(line: &mut LocalLine<Self>, bounding_radius: Self);
+    #[inline(always)]
+    fn narrowed(value: Self) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn to_raw(self) -> i64 {
+        self.to_bits()
+    }
+    #[inline(always)]
+    fn from_raw(raw: i64) -> Self {
+        Self::from_bits(raw)
+    }
+    #[inline(always)]
+    fn unit_to_raw(component: Self::Unit) -> i64 {
+        component.to_bits()
+    }
+    #[inline(always)]
+    fn unit_from_raw(raw: i64) -> Self::Unit {
+        FixedI64::from_bits(raw)
+    }
+    #[inline(always)]
+    fn one() -> Option<i64> {
+        1_i64.checked_shl(F::U32).filter(|one| *one > 0)
+    }
 }

@@ -53,7 +53,6 @@ mod fixed;
 mod float;
 mod grid;
 mod including;
-#[cfg(feature = "fixed")]
 mod integers;
 mod rungs;
 pub(crate) mod slabs;
@@ -74,6 +73,8 @@ pub use computing::{Computing, Elementary, RoundLine, RoundSolid};
 pub use culling::Culling;
 pub use grid::{FinerLine, GridScalar, InverseLength, LocalLine};
 pub use including::Including;
+#[cfg(feature = "fixed")]
+pub(crate) use integers::are_doubtful;
 pub use rungs::{FromScalar, RealOf, ToScalar};
 pub use summed::Summed;
 pub use twofold::Twofold;

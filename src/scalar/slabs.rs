@@ -18,6 +18,8 @@
 //! built, by the fraction of the distance and a few units here. The error of the reciprocals is less than half of the
 //! margin.
 
+use super::Real;
+
 /// A box is enlarged by the fraction `2^-MARGIN_BITS` of its size and of its distance.
 ///
 /// The least accurate number is `f32`: the error of a line in a frame is some units of 2^-24 of its length. At a sharp
@@ -33,53 +35,41 @@ pub struct Slabs<N, R> {
     pub(super) reciprocals: [R; 3],
 }
 
-/// Defines the test for a float.
-#[cfg(feature = "libm")]
-macro_rules! slabs {
-    ($Float:ident) => {
-        impl Slabs<$Float, $Float> {
-            #[inline(always)]
-            pub(super) fn new(origin: [$Float; 3], d: [$Float; 3]) -> Self {
-                const LEAST: $Float = 1.0 / (1_u32 << 20) as $Float;
-                let reciprocal = |d: $Float| 1.0 / if $Float::abs(d) < LEAST { $Float::copysign(LEAST, d) } else { d };
-                Self { origin, reciprocals: d.map(reciprocal) }
-            }
+/// For floats.
+impl<R: Real> Slabs<R, R> {
+    #[inline(always)]
+    pub(super) fn new(origin: [R; 3], d: [R; 3]) -> Self {
+        let least = R::ONE.scaled(-20);
+        let reciprocal = |d: R| {
+            let magnitude = d.abs();
+            let reciprocal = R::ONE / if magnitude < least { least } else { magnitude };
+            if d.is_negative() { -reciprocal } else { reciprocal }
+        };
+        Self { origin, reciprocals: d.map(reciprocal) }
+    }
 
-            /// See [`Culling::misses_box`](crate::scalar::Culling::misses_box).
-            #[inline(always)]
-            pub(super) fn misses(
-                &self,
-                [start, end]: [$Float; 2],
-                [x, y, z]: [$Float; 3],
-                [hx, hy, hz]: [$Float; 3],
-            ) -> bool {
-                const PART: $Float = 1.0 / (1_u32 << MARGIN_BITS) as $Float;
-                // Products close to zero underflow: the error of that is less than this.
-                const TINY: $Float = 64.0 * $Float::MIN_POSITIVE;
-                let ([ox, oy, oz], [ix, iy, iz]) = (self.origin, self.reciprocals);
-                let (cx, cy, cz) = (x - ox, y - oy, z - oz);
-                let margin = ($Float::abs(cx) + $Float::abs(cy) + $Float::abs(cz)) * PART + TINY;
-                let (mut first, mut last) = (start, end);
-                for (c, h, reciprocal) in [(cx, hx, ix), (cy, hy, iy), (cz, hz, iz)] {
-                    let (middle, bounding_radius) = (c * reciprocal, (h + margin) * $Float::abs(reciprocal));
-                    // A comparison with NaN is false.
-                    if middle - bounding_radius > first {
-                        first = middle - bounding_radius;
-                    }
-                    if middle + bounding_radius < last {
-                        last = middle + bounding_radius;
-                    }
-                }
-                // If a value has overflowed, beyond some 2^106, the result is no miss.
-                first > last && first < $Float::INFINITY && last > -$Float::INFINITY
+    /// See [`Culling::misses_box`](crate::scalar::Culling::misses_box).
+    #[inline(always)]
+    pub(super) fn misses(&self, [start, end]: [R; 2], [x, y, z]: [R; 3], [hx, hy, hz]: [R; 3]) -> bool {
+        let ([ox, oy, oz], [ix, iy, iz]) = (self.origin, self.reciprocals);
+        let (cx, cy, cz) = (x - ox, y - oy, z - oz);
+        // Products close to zero underflow: the error of that is less than the second term.
+        let margin = (cx.abs() + cy.abs() + cz.abs()) * R::ONE.scaled(-MARGIN_BITS) + R::SMALLEST.scaled(6);
+        let (mut first, mut last) = (start, end);
+        for (c, h, reciprocal) in [(cx, hx, ix), (cy, hy, iy), (cz, hz, iz)] {
+            let (middle, bounding_radius) = (c * reciprocal, (h + margin) * reciprocal.abs());
+            // A comparison with NaN is false.
+            if middle - bounding_radius > first {
+                first = middle - bounding_radius;
+            }
+            if middle + bounding_radius < last {
+                last = middle + bounding_radius;
             }
         }
-    };
+        // If a value has overflowed, beyond some 2^106, the result is no miss.
+        first > last && first < R::INFINITY && last > -R::INFINITY
+    }
 }
-#[cfg(feature = "libm")]
-slabs!(f32);
-#[cfg(feature = "libm")]
-slabs!(f64);
 
 /// For fixed types: numbers of at most 2^30 in magnitude, their products in 64 bits.
 #[cfg(feature = "fixed")]

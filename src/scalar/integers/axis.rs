@@ -1,6 +1,7 @@
 //! Lines that pass an axis at a distance, in fixed point, by products of 32 bits.
 
-use super::{leading_zeros, leading_zeros_of_64, magnitude_bits};
+use super::length::Length;
+use crate::number::machine::{leading_zeros, leading_zeros_of_64};
 
 /// Bits of each factor.
 const BITS: u32 = 14;
@@ -13,7 +14,7 @@ const DOUBT: i32 = 20;
 /// the axis to one of the line.
 #[inline(always)]
 pub(in crate::scalar) fn passes(from: [i32; 3], d: [i32; 3], a: [i32; 3], r: i32) -> bool {
-    let bits = magnitude_bits(from[0]) | magnitude_bits(from[1]) | magnitude_bits(from[2]);
+    let bits = from[0].top() | from[1].top() | from[2].top();
     // The difference of coordinates at opposite ends of the budget, 2^31, overflows and has the wrong sign.
     if bits == i32::MAX as u32 {
         return false;

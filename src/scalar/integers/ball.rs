@@ -1,94 +1,95 @@
 //! A line and a ball.
 
-use super::{
-    FINER, coarser, framed_bits, half, high, high_product_signed, leading_zeros, magnitude_bits, more_bits, product,
-    root, round_off, square,
-};
-use crate::scalar::Attempt;
-
-/// `|v|^2`
-#[inline(always)]
-fn squared_length([x, y, z]: [i32; 3]) -> i64 {
-    square(x) + square(y) + square(z)
-}
+use super::length::{Length, Product};
+use super::{framed_bits, leading_zeros, most_bits, radius_grid};
+use crate::scalar::{Attempt, found};
 
 /// The closest approach of a line to a ball, for a direction assumed to have length 1: `k = o . d` and
 /// `D = r^2 - |o - k d|^2`, so that `t = -k -+ sqrt(D)`.
-pub(in crate::scalar) struct ByApproach {
-    o: [i32; 3],
-    rr: i64,
-    k: i32,
-    discriminant: i64,
+pub(in crate::scalar) struct ByApproach<N: Length> {
+    o: [N; 3],
+    rr: N::Product,
+    k: N,
+    discriminant: N::Product,
+    /// The error bound of the discriminant's upper half.
+    certain: N,
     /// Lengths are in units of `2^-unit`.
     unit: u32,
 }
 
-impl ByApproach {
+impl<N: Length> ByApproach<N> {
     /// The origin is in units of `2^-extra_bits` of the radius's.
     #[inline(always)]
-    pub(in crate::scalar) fn new(o: [i32; 3], extra_bits: i32, d: [i32; 3], r: i32) -> Attempt<Self> {
+    pub(in crate::scalar) fn new(o: [N; 3], extra_bits: i32, d: [N; 3], r: N) -> Attempt<Self> {
         // There is no room here for an origin with more extra bits.
-        let (o, extra_bits) =
-            if extra_bits > FINER { (coarser(o, (extra_bits - FINER) as u32), FINER) } else { (o, extra_bits) };
-        // All lengths are converted to the origin's unit, then to a grid on which none has more than 28 bits.
-        if !(0..28).contains(&extra_bits) {
+        let (o, extra_bits) = if extra_bits > N::FINER {
+            (N::coarser(o, (extra_bits - N::FINER) as u32), N::FINER)
+        } else {
+            (o, extra_bits)
+        };
+        // All lengths are converted to the origin's unit, then to a grid on which none has more than BITS - 4 bits.
+        let Some(r) = r.refined(extra_bits) else { return Attempt::Unsure };
+        let all = o[0].top() | o[1].top() | o[2].top() | r.top();
+        // A guarded grid is at least 16 times as fine as the origin, so that its rounding adds nothing.
+        if all >> if N::GUARDS_APPROACH { 24 } else { 28 } != 0 {
             return Attempt::Unsure;
         }
-        let radius = r << extra_bits;
-        let all = magnitude_bits(o[0]) | magnitude_bits(o[1]) | magnitude_bits(o[2]) | radius as u32;
-        if all >= 1 << 28 || radius >> extra_bits != r {
-            return Attempt::Unsure;
-        }
-        let grid = leading_zeros(all) - 4;
+        // The unit's exponent has five bits.
+        let grid = leading_zeros(all | 1 << 4) - 4;
         let unit = grid + extra_bits as u32;
-        if unit > 30 {
-            return Attempt::Unsure;
+        // Products with the direction are cut off at the grid: an error of a unit and a half on each axis.
+        let [x, y, z] = o.map(|length| length.up(grid));
+        let k = N::portion([x, y, z], d);
+        let along = |d: N| N::portion([k], [d]);
+        let p = [x - along(d[0]), y - along(d[1]), z - along(d[2])];
+        let rr = N::squared_length([r.up(grid)]);
+        // That changes t by at most a third of a unit, and the error of a framed origin by a tenth.
+        let known = if extra_bits == 0 { unit as i32 } else { N::FINER + 1 };
+        let certain = if N::GUARDS_APPROACH {
+            N::high(rr).down((2 * (known - 3)).clamp(0, 30) as u32) + N::from(2)
+        } else {
+            N::from(1)
+        };
+        Attempt::Hit(Self { o: [x, y, z], rr, k, discriminant: rr - N::squared_length(p), certain, unit })
+    }
+
+    /// Whether the line meets the ball at all.
+    #[inline(always)]
+    fn meets(&self) -> Attempt<()> {
+        let discriminant = N::high(self.discriminant);
+        if discriminant >= self.certain {
+            Attempt::Hit(())
+        } else if discriminant <= -self.certain {
+            Attempt::Miss
+        } else {
+            Attempt::Unsure
         }
-        // Products with the direction are cut off at the grid: an error of a unit and a half in sum, of which one unit
-        // is added back.
-        let along = |length: i32, d: i32| high_product_signed(length << 2, d);
-        let [x, y, z] = o.map(|length| length << grid);
-        let k = along(x, d[0]) + along(y, d[1]) + along(z, d[2]) + 1;
-        let p = [x - along(k, d[0]), y - along(k, d[1]), z - along(k, d[2])];
-        let rr = square(radius << grid);
-        Attempt::Hit(Self { o: [x, y, z], rr, k, discriminant: rr - squared_length(p), unit })
     }
 
     /// The two ends, in the radius's unit.
     #[inline(always)]
-    pub(in crate::scalar) fn ends(self) -> Attempt<[i32; 2]> {
-        if self.discriminant < 0 {
-            return Attempt::Miss;
-        }
-        if high(self.discriminant) == 0 {
-            return Attempt::Unsure;
-        }
-        let root = root(self.discriminant as u64) as i32;
-        let half = (1 << self.unit) >> 1;
-        Attempt::Hit([(half - self.k - root) >> self.unit, (half - self.k + root) >> self.unit])
+    pub(in crate::scalar) fn ends(self) -> Attempt<[N; 2]> {
+        found!(self.meets());
+        let root = N::root(self.discriminant);
+        let middle = N::from(((1_u32 << self.unit) >> 1) as i32) - self.k;
+        Attempt::Hit([(middle - root).down(self.unit), (middle + root).down(self.unit)])
     }
 
     /// Whether there is an end at `t >= 0`; the same result as that of [`ByApproach::ends`].
     #[inline(always)]
     pub(in crate::scalar) fn meets_ahead(self) -> Attempt<()> {
-        if self.discriminant < 0 {
-            return Attempt::Miss;
-        }
-        if high(self.discriminant) == 0 {
-            return Attempt::Unsure;
-        }
-        if self.k < 0 {
+        found!(self.meets());
+        if self.k < N::ZERO {
             return Attempt::Hit(());
         }
         // The line leads away: the far end is at -c / (k + sqrt(D)), and an end within half a unit of the type of zero
-        // counts as zero. (The grid must be so fine that its rounding cannot decide this.) The square of the direction's
-        // length may be off by 2^-19.
-        let length = square(self.k) >> 18;
-        let near = ((self.k as i64 + 1) << (self.unit + 1)) + length;
-        let c = squared_length(self.o) - self.rr;
-        if self.unit < 4 || (c >= -length && c <= near) {
+        // counts as zero; here within one. (The grid must be so fine that its rounding cannot decide this.) The square
+        // of the direction's length may be off by 2^-19.
+        let near = self.k.down(N::BITS - 1 - self.unit) + N::high(N::squared_length([self.k])).down(18) + N::from(2);
+        let c = N::high(N::squared_length(self.o) - self.rr);
+        if self.unit < 4 || (-near <= c && c <= near) {
             Attempt::Unsure
-        } else if c < 0 {
+        } else if c < N::ZERO {
             Attempt::Hit(())
         } else {
             Attempt::Miss
@@ -99,102 +100,93 @@ impl ByApproach {
 /// The closest approach of a line to a ball, from its Pluecker moment `w = o x d`: `D = a r^2 - |w|^2`, so that
 /// `t = (-k -+ sqrt(D)) / a`.
 ///
-/// `k` is exact; `a = 1 + e` with an `e` of at most 2^-20, whose square is negligible.
-pub(in crate::scalar) struct ByMoment {
-    d: [i32; 3],
-    k: i64,
-    rr: i64,
+/// `k` is exact; `a = 1 + e` with a small `e`.
+pub(in crate::scalar) struct ByMoment<N: Length> {
+    d: [N; 3],
+    k: N::Product,
+    rr: N::Product,
     /// `r^2 - |w|^2`
-    residual: i64,
-    /// Radius and moment are in units of `2^-grid`, `k` of `2^-unit`, which is finer by `down` bits.
+    residual: N::Product,
+    /// Radius and moment are in units of `2^-grid`, `k` of `2^-(FRACTION + extra_bits)`, which is finer by `down` bits.
     grid: i32,
-    unit: u32,
     down: u32,
+    extra_bits: i32,
 }
 
-impl ByMoment {
+impl<N: Length> ByMoment<N> {
     /// The origin is in units of `2^-extra_bits` of the radius's.
     #[inline(always)]
-    pub(in crate::scalar) fn new(o: [i32; 3], extra_bits: i32, d: [i32; 3], r: i32) -> Attempt<Self> {
-        // A grid on which the radius has 29 bits; the moment is shifted down to it.
-        let grid = leading_zeros(r as u32) as i32 - 3;
-        let down = 30 + extra_bits - grid;
-        if grid < 4 || !(3..32).contains(&down) {
+    pub(in crate::scalar) fn new(o: [N; 3], extra_bits: i32, d: [N; 3], r: N) -> Attempt<Self> {
+        // The moment is shifted down to the radius's grid.
+        let Some((grid, down)) = radius_grid(r, extra_bits).filter(|(grid, _)| *grid >= 4 && N::have_room(o)) else {
             return Attempt::Unsure;
-        }
-        let down = down as u32;
+        };
         let ([x, y, z], [dx, dy, dz]) = (o, d);
-        let w = [product(y, dz) - product(z, dy), product(z, dx) - product(x, dz), product(x, dy) - product(y, dx)];
-        let [wx, wy, wz] = w.map(i64::unsigned_abs);
+        let w = [N::minor([y, z], [dy, dz]), N::minor([z, x], [dz, dx]), N::minor([x, y], [dx, dy])];
+        let [wx, wy, wz] = w.map(Product::magnitude);
         // Twice the radius or more.
-        if ((wx | wy | wz) >> 32) as u32 >> (down - 2) != 0 {
+        if N::reaches(wx | wy | wz, down) {
             return Attempt::Miss;
         }
-        // The bits above are zero.
-        let on_grid = |minor: u64| half((((minor >> 32) as u32) << (33 - down)) | (minor as u32 >> (down - 1)));
-        let w = [on_grid(wx), on_grid(wy), on_grid(wz)];
-        let rr = square(r << grid);
-        let residual = rr - squared_length(w);
-        let k = product(x, dx) + product(y, dy) + product(z, dz);
-        Attempt::Hit(Self { d, k, rr, residual, grid, unit: (30 + extra_bits) as u32, down })
+        let on_grid = |minor| N::rounded_off(minor, down);
+        let rr = N::squared_length([r.up(grid as u32)]);
+        let residual = rr - N::squared_length([on_grid(wx), on_grid(wy), on_grid(wz)]);
+        Attempt::Hit(Self { d, k: N::dot(o, d), rr, residual, grid, down, extra_bits })
     }
 
-    /// The smallest square of the root. The error of a framed origin, a hundredth of a unit, becomes a sixth of a unit
-    /// if the root is a sixteenth of the radius. With each further bit of the origin the root may be half as large.
+    /// The upper half of the smallest square of the root, which is at most `2^-most` of the radius's.
+    ///
+    /// The moment's rounding, half a unit of the grid, then moves `t` by no more than a thirtieth of a unit. The error
+    /// of a framed origin, a hundredth of a unit, becomes a sixth of a unit.
     #[inline(always)]
-    fn most(&self, unframed: i32) -> i32 {
-        let extra_bits = self.unit as i32 - 30;
-        if extra_bits == 0 { unframed } else { (8 + 2 * more_bits(extra_bits, self.grid)).min(unframed) }
+    fn certain(&self, most: i32) -> N {
+        let most = most_bits::<N>(self.extra_bits, self.grid).min(most);
+        N::high(self.rr).down((2 * (self.grid - 5)).min(most).max(3) as u32)
     }
 
     /// The two ends, in the radius's unit; with `is_strict` only if it is certain that they exist.
     #[inline(always)]
-    pub(in crate::scalar) fn ends(self, is_strict: bool) -> Attempt<[i32; 2]> {
-        // In units of 2^-48.
-        let e = ((squared_length(self.d) - (1 << 60)) >> 12) as i32;
-        let excess = |value: i64| product(high(value), e) >> 16;
-        let discriminant = self.residual + excess(self.rr);
-        // The moment's rounding, half a unit of the grid, moves t by no more than a thirtieth of a unit.
-        let mut certain = self.rr >> (2 * (self.grid - 5)).clamp(3, self.most(22));
-        if is_strict {
-            // Three roundings of the moment, of at most 2^29.5, and those of a framed origin.
-            certain = certain.max(1 << (32 + framed_bits(self.unit as i32 - 30, self.grid)));
+    pub(in crate::scalar) fn ends(self, is_strict: bool) -> Attempt<[N; 2]> {
+        let Some(e) = N::excess(N::squared_length(self.d)) else { return Attempt::Unsure };
+        let discriminant = self.residual + N::share(self.rr, e);
+        let (upper, certain) = (N::high(discriminant), self.certain(22));
+        // Three roundings of the moment, and those of a framed origin.
+        let doubt = N::from(1).up(framed_bits(self.extra_bits, self.grid) as u32);
+        if upper < certain || (is_strict && upper <= doubt) {
+            return if upper < -doubt { Attempt::Miss } else { Attempt::Unsure };
         }
-        if discriminant < certain {
-            return if discriminant < -certain { Attempt::Miss } else { Attempt::Unsure };
-        }
-        let root = (root(discriminant as u64) as i64) << self.down;
-        let end = |numerator: i64| within_type(round_off(numerator - excess(numerator), self.unit));
+        let root = N::root(discriminant).raised(self.down);
+        let end = |numerator| N::rounded(N::without_excess(numerator, e), self.extra_bits);
         let ends = [end(-self.k - root), end(root - self.k)];
         // Rounding may decide whether an end is beyond the type.
-        let is_beyond = |t: i32| t.unsigned_abs() == i32::MAX as u32;
+        let is_beyond = |t: N| t == N::MAX || t == -N::MAX;
         if is_strict && (is_beyond(ends[0]) || is_beyond(ends[1])) { Attempt::Unsure } else { Attempt::Hit(ends) }
     }
 
     /// Whether there is an end at `t >= 0`; the same result as that of [`ByMoment::ends`].
     #[inline(always)]
     pub(in crate::scalar) fn meets_ahead(self) -> Attempt<()> {
-        // For any length of the direction within these bounds.
-        let certain = self.rr >> (2 * (self.grid - 5)).clamp(3, self.most(17));
-        if self.residual < certain {
-            return if self.residual < -certain { Attempt::Miss } else { Attempt::Unsure };
+        // For any length of the direction within the bounds of a unit vector.
+        let (residual, certain) = (N::high(self.residual), self.certain(17));
+        if residual < certain {
+            return if residual < -certain { Attempt::Miss } else { Attempt::Unsure };
         }
         // The line starts so far away that an end may be beyond the type.
-        if magnitude_bits(high(self.k)) >= 1 << 28 {
+        if N::high(self.k).top() >= 1 << 28 {
             return Attempt::Unsure;
         }
-        if self.k < 0 {
+        if N::high(self.k) < N::ZERO {
             return Attempt::Hit(());
         }
-        // The line leads away: the far end is at (D - k^2) / (k + sqrt(D)), and an end within half a unit of the type
+        // The line leads away: the far end is at (k^2 - D) / -(k + sqrt(D)), and an end within half a unit of the type
         // of zero counts as zero.
-        let k = self.k >> self.down;
-        if k >= 1 << 30 {
+        if N::reaches(self.k, self.down) {
             return Attempt::Miss;
         }
-        let beyond = square(k as i32) - self.residual;
+        let k = N::rounded_off(self.k, self.down);
+        let beyond = N::high(N::squared_length([k]) - self.residual);
         // Two units, or the error of the discriminant from the direction's length.
-        let near = ((k + 2) << (self.grid + 2)) + (self.rr >> 18);
+        let near = k.down(N::FRACTION - self.grid as u32) + N::high(self.rr).down(18) + N::from(2);
         if beyond > near {
             Attempt::Miss
         } else if beyond < -near {
@@ -202,17 +194,5 @@ impl ByMoment {
         } else {
             Attempt::Unsure
         }
-    }
-}
-
-/// The number, or the largest raw value, which stands for infinity.
-#[inline(always)]
-fn within_type(t: i64) -> i32 {
-    if t >= i32::MAX as i64 {
-        i32::MAX
-    } else if t <= -(i32::MAX as i64) {
-        -i32::MAX
-    } else {
-        t as i32
     }
 }

@@ -1,33 +1,11 @@
-//! A line and a cuboid, in integers of 32 or 64 bits.
+//! A line and a cuboid.
 
-use super::{crossings, magnitude_bits, product};
+use super::flat::crossing;
+use super::length::{Length, Product};
 use crate::scalar::{Attempt, InCuboid, found};
-use core::ops::{Neg, Sub};
 
-/// The integers of one width, with the operations that slabs need.
-pub(in crate::scalar) trait Length: Copy + Ord + Neg<Output = Self> + Sub<Output = Self> {
-    /// Holds differences of two products.
-    type Product: Copy + Ord + Neg<Output = Self::Product>;
-    const ZERO: Self;
-    /// Infinity.
-    const MAX: Self;
-    /// A framed component of a direction up to this may have the wrong sign.
-    const STEP: Self;
-    const NOTHING: Self::Product;
-    /// The largest change of a difference of products by the rounding of a framed line: the errors of origin and
-    /// direction are each less than two of their units.
-    const DOUBT: Self::Product;
-
-    /// A length of the type in units of `2^-extra_bits`, if its difference from the coordinate `o`, and the product of
-    /// that, have room.
-    fn refined(self, o: Self, extra_bits: i32) -> Option<Self>;
-    /// `self d_other - other d`
-    fn difference(self, d: Self, other: Self, d_other: Self) -> Self::Product;
-    /// Where the line crosses this height: see `crossings`.
-    fn crossing(self, o: Self, extra_bits: i32, d: Self) -> Attempt<Self>;
-    /// `-2^(extra_bits + 1)`
-    fn two_behind(extra_bits: i32) -> Self;
-}
+/// A framed component of a direction up to this may have the wrong sign.
+const STEP: i32 = 2;
 
 /// A line along one axis, mirrored so that it does not descend: it crosses the planes of the two faces at `t = low / d`
 /// and `t = high / d`.
@@ -44,7 +22,7 @@ struct Slab<N> {
 impl<N: Length> Slab<N> {
     #[inline(always)]
     fn new(axis: usize, o: N, extra_bits: i32, d: N, half: N) -> Option<Self> {
-        let bounding_radius = half.refined(o, extra_bits)?;
+        let bounding_radius = half.refined_beside(o, extra_bits)?;
         let (o, d) = if d < N::ZERO { (-o, -d) } else { (o, d) };
         Some(Self { axis, o, d, half, low: -bounding_radius - o, high: bounding_radius - o })
     }
@@ -78,7 +56,8 @@ impl<N: Length> Slabs<N> {
         let (Some(x), Some(y), Some(z)) = (slab(0), slab(1), slab(2)) else {
             return Attempt::Unsure;
         };
-        if extra_bits != 0 && (x.d <= N::STEP || y.d <= N::STEP || z.d <= N::STEP) {
+        let step = N::from(STEP);
+        if extra_bits != 0 && (x.d <= step || y.d <= step || z.d <= step) {
             return Attempt::Unsure;
         }
         if x.d == N::ZERO || y.d == N::ZERO || z.d == N::ZERO {
@@ -86,8 +65,9 @@ impl<N: Length> Slabs<N> {
             found!(y.is_between());
             found!(z.is_between());
         }
-        // In the world the products are exact.
-        let doubt = if extra_bits == 0 { N::NOTHING } else { N::DOUBT };
+        // In the world the products are exact. In a frame the errors of origin and direction are each less than two of
+        // their units: two products of at most 2 * 2^(BITS - 2), and two of at most 2 * 2^(BITS - 1).
+        let doubt = if extra_bits == 0 { N::Product::ZERO } else { N::Product::ONE << (N::BITS + 2) };
         Attempt::Hit(Self { each: [x, y, z], extra_bits, doubt })
     }
 
@@ -99,13 +79,13 @@ impl<N: Length> Slabs<N> {
     #[inline(always)]
     fn decisive(&self, crossed: impl Fn(&Slab<N>) -> N, is_last: bool) -> Attempt<[Slab<N>; 3]> {
         let decides = |other: &Slab<N>, own: &Slab<N>| {
-            let later = crossed(other).difference(other.d, crossed(own), own.d);
+            let later = N::minor([crossed(other), crossed(own)], [other.d, own.d]);
             if -self.doubt <= later && later <= self.doubt {
                 // Both are infinite: neither is decisive, and `own` is kept.
                 let are_infinite = other.d == N::ZERO && own.d == N::ZERO;
                 return if are_infinite { Attempt::Hit(false) } else { Attempt::Unsure };
             }
-            Attempt::Hit((later > N::NOTHING) == is_last)
+            Attempt::Hit((later > N::Product::ZERO) == is_last)
         };
         let [x, y, z] = self.each;
         let [own, other] = if found!(decides(&y, &x)) { [y, x] } else { [x, y] };
@@ -117,7 +97,7 @@ impl<N: Length> Slabs<N> {
     fn entry(&self) -> Attempt<Slab<N>> {
         let [enter, first, second] = found!(self.decisive(|slab| slab.low, true));
         for slab in [first, second] {
-            let inside = slab.high.difference(slab.d, enter.low, enter.d);
+            let inside = N::minor([slab.high, enter.low], [slab.d, enter.d]);
             if inside < -self.doubt {
                 return Attempt::Miss;
             }
@@ -133,7 +113,7 @@ impl<N: Length> Slabs<N> {
     fn exit(&self) -> Attempt<(N, usize)> {
         match self.decisive(|slab| slab.high, false) {
             Attempt::Hit([exit, ..]) => {
-                Attempt::Hit((found!(exit.half.crossing(exit.o, self.extra_bits, exit.d)), exit.axis))
+                Attempt::Hit((found!(crossing(exit.o, self.extra_bits, exit.d, exit.half)), exit.axis))
             }
             // The line has been inside, whatever its rounded coordinates are.
             _ => Attempt::Unsure,
@@ -157,12 +137,12 @@ pub(in crate::scalar) fn cuboid<N: Length>(
     // A slab that lies behind the start. In a frame that is certain from two units of `t` on: an end that is nearer may
     // be rounded to zero, which counts as a hit.
     let [x, y, z] = slabs.each;
-    let least = if extra_bits == 0 { N::ZERO } else { N::two_behind(extra_bits) };
+    let least = if extra_bits == 0 { N::ZERO } else { -N::from(2).up(extra_bits as u32) };
     if since.is_some_and(|since| since >= N::ZERO) && (x.high < least || y.high < least || z.high < least) {
         return Attempt::Miss;
     }
     let enter = found!(slabs.entry());
-    let first = found!((-enter.half).crossing(enter.o, extra_bits, enter.d));
+    let first = found!(crossing(enter.o, extra_bits, enter.d, -enter.half));
     let entry_alone = Attempt::Hit(InCuboid { ends: [first, N::MAX], axes: [enter.axis; 2] });
     if since.is_some_and(|since| first >= since) {
         return entry_alone;
@@ -185,38 +165,6 @@ pub(in crate::scalar) fn exit_from_cuboid<N: Length>(
     half: [N; 3],
 ) -> Attempt<(N, usize)> {
     found!(Slabs::new(o, extra_bits, d, half)).exit()
-}
-
-/// Products of up to 2^61 in 64 bits.
-impl Length for i32 {
-    type Product = i64;
-    const ZERO: Self = 0;
-    const MAX: Self = Self::MAX;
-    const STEP: Self = 2;
-    const NOTHING: i64 = 0;
-    // Two products of at most 2 * 2^30, and two of at most 2 * 2^31.
-    const DOUBT: i64 = 1 << 34;
-
-    #[inline(always)]
-    fn refined(self, o: Self, extra_bits: i32) -> Option<Self> {
-        let bounding_radius = self << (extra_bits & 0x1f);
-        let fits =
-            bounding_radius >> (extra_bits & 0x1f) == self && (magnitude_bits(o) | bounding_radius as u32) >> 30 == 0;
-        (fits && (0..28).contains(&extra_bits)).then_some(bounding_radius)
-    }
-    #[inline(always)]
-    fn difference(self, d: Self, other: Self, d_other: Self) -> i64 {
-        product(self, d_other) - product(other, d)
-    }
-    #[inline(always)]
-    fn crossing(self, o: Self, extra_bits: i32, d: Self) -> Attempt<Self> {
-        let [t, _] = found!(crossings(o, extra_bits, d, [self; 2]));
-        Attempt::Hit(t)
-    }
-    #[inline(always)]
-    fn two_behind(extra_bits: i32) -> Self {
-        -(2 << (extra_bits & 0x1f))
-    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! The direction of a vector.
 
-use super::{high, high_product, leading_zeros, product, reciprocal_root, square};
+use crate::number::machine::{high_product, leading_zeros, product, reciprocal_root, square};
 use crate::scalar::{Attempt, found};
 
 /// The direction and the length of a vector.
@@ -55,7 +55,7 @@ pub(super) fn unit(v: [i32; 3]) -> Attempt<Unit> {
     let along = |component: i32, signed: i32| {
         // v r, in units of 2^-62 or of 2^-61, and the correction by the last step.
         let product = product(component, r as i32);
-        let step = ((high(product) >> 13).wrapping_mul(lack) as i64) << 6;
+        let step = (((product >> 32) as i32 >> 13).wrapping_mul(lack) as i64) << 6;
         let sum = if long { product + step } else { (product + step) << 1 };
         let magnitude = (((sum >> 31) + 1) >> 1) as i32;
         if signed < 0 { -magnitude } else { magnitude }

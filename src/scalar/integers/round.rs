@@ -1,7 +1,7 @@
 //! A line and the round side of a cylinder, without its ends.
 
-use super::quotient::Normalized;
-use super::{framed_bits, half, high, high_product, leading_zeros, more_bits, product, root, square};
+use super::length::{Divisor, Length, Normalized, Product};
+use super::{framed_bits, most_bits, radius_grid};
 use crate::scalar::Attempt;
 
 /// Where the line is inside the infinite cylinder about the y axis: `a = dx^2 + dz^2`, `D = a r^2 - w_y^2`,
@@ -10,53 +10,51 @@ use crate::scalar::Attempt;
 /// The origin is in units of `2^-extra_bits` of the radius's; the answer is in the radius's. With `is_strict` only if
 /// it is certain whether the line is inside.
 #[inline(always)]
-pub(in crate::scalar) fn tube(o: [i32; 3], extra_bits: i32, d: [i32; 3], r: i32, is_strict: bool) -> Attempt<[i32; 2]> {
+pub(in crate::scalar) fn tube<N: Length>(
+    o: [N; 3],
+    extra_bits: i32,
+    d: [N; 3],
+    r: N,
+    is_strict: bool,
+) -> Attempt<[N; 2]> {
     let ([x, _, z], [dx, _, dz]) = (o, d);
-    // As for a ball: a grid on which the radius has 29 bits, and the moment shifted down to it.
-    let grid = leading_zeros(r as u32) as i32 - 3;
-    let down = 30 + extra_bits - grid;
-    if grid < 4 || !(3..32).contains(&down) {
-        return Attempt::Unsure;
-    }
-    let down = down as u32;
-    let wy = (product(z, dx) - product(x, dz)).unsigned_abs();
-    // Twice the radius or more.
-    let above = (wy >> 32) as u32;
-    if above >> (down - 2) != 0 {
-        return Attempt::Miss;
-    }
-    let wy = half((above << (33 - down)) | (wy as u32 >> (down - 1)));
-    let r = r << grid;
-    let a = square(dx) + square(dz);
-    let Some(digits) = Normalized::new(a) else {
+    // As for a ball, the moment is shifted down to the radius's grid.
+    let Some((grid, down)) = radius_grid(r, extra_bits).filter(|_| N::have_room([x, N::ZERO, z])) else {
         return Attempt::Unsure;
     };
-    // 2 a r, and a r^2; without the shift both have full precision.
-    let twice = high_product(digits.digits, (r as u32) << 2) as i32;
-    let positive = product(twice, r) >> (1 + digits.shift);
-    let discriminant = positive - square(wy);
-    // Their rounding is below 2^31, that of the moment below 2^30, and what a framed origin adds below 2^31 times its
-    // error.
-    let doubt = if is_strict { 1 << framed_bits(extra_bits, grid) } else { 1 };
-    if high(discriminant) < -doubt {
+    let wy = N::minor([z, x], [dz, dx]).magnitude();
+    // Twice the radius or more.
+    if N::reaches(wy, down) {
         return Attempt::Miss;
     }
+    let wy = N::rounded_off(wy, down);
+    let Some(digits) = N::Normalized::new(N::squared_length([dx, dz])) else {
+        return Attempt::Unsure;
+    };
+    // Before it is shifted down, a r^2 has full precision.
+    let positive = digits.of_square(r.up(grid as u32));
+    let discriminant = N::high(positive - N::squared_length([wy]));
     // The rounding of the moment, half a unit of the grid, changes t by at most a thirtieth of a unit (near the upper
     // limit of the radius, a fifth).
-    let spare = grid - digits.shift as i32;
-    // The error of a framed origin, a hundredth of a unit, becomes a sixth of a unit if the root is a sixteenth of the
-    // radius, or if the direction is at an angle of an eighth to the axis. With each further bit of the origin the root
-    // may be half as large.
-    let (most, steep) = if extra_bits == 0 { (22, 63) } else { (8 + 2 * more_bits(extra_bits, grid), 6) };
-    let least = high(positive) >> (2 * (spare - 5)).clamp(3, most);
-    if spare < 4 || digits.shift > steep || high(discriminant) <= least || (is_strict && high(discriminant) <= doubt) {
+    let spare = grid - digits.shift();
+    // The error of a framed origin, a hundredth of a unit, becomes a sixth of a unit if the direction is at an angle of
+    // an eighth to the axis.
+    if spare < 4 || (extra_bits != 0 && digits.shift() > 6) {
         return Attempt::Unsure;
     }
+    // As for a ball.
+    let least = N::high(positive).down((2 * (spare - 5)).min(most_bits::<N>(extra_bits, grid)).clamp(3, 22) as u32)
+        + N::from(1);
+    // The rounding of the two terms is half a unit of the upper half, that of the moment a fourth, and what a framed
+    // origin adds half a unit for each unit of its error.
+    let doubt = N::from(1).up(framed_bits(extra_bits, grid) as u32);
+    if discriminant < least || (is_strict && discriminant <= doubt) {
+        return if discriminant < -doubt { Attempt::Miss } else { Attempt::Unsure };
+    }
     let divisor = digits.divisor();
-    let root = (root(discriminant as u64) as i64) << down;
-    let k = product(x, dx) + product(z, dz);
-    let unit = (30 + extra_bits) as u32;
-    match (divisor.quotient(-k - root, unit), divisor.quotient(root - k, unit)) {
+    let root = N::root(positive - N::squared_length([wy])).raised(down);
+    let k = N::dot([x, z], [dx, dz]);
+    match (divisor.quotient(-k - root, extra_bits as u32), divisor.quotient(root - k, extra_bits as u32)) {
         (Some(low), Some(high)) => Attempt::Hit([low, high]),
         _ => Attempt::Unsure,
     }

@@ -1,20 +1,40 @@
 //! A line and a triangle.
 
-use super::quotient::Normalized;
-use super::{leading_zeros, magnitude_bits, product};
-use crate::scalar::attempt::within_edges_in_turn;
+use super::length::{Divisor, Length, Normalized, Product};
 use crate::scalar::{Attempt, found};
-
-/// `a . b`
-#[inline(always)]
-fn dot([x, y, z]: [i32; 3], [u, v, w]: [i32; 3]) -> i64 {
-    product(x, u) + product(y, v) + product(z, w)
-}
+use core::ops::Neg;
 
 /// `a x b`
 #[inline(always)]
-fn cross([x, y, z]: [i32; 3], [u, v, w]: [i32; 3]) -> [i64; 3] {
-    [product(y, w) - product(z, v), product(z, u) - product(x, w), product(x, v) - product(y, u)]
+fn cross<N: Length>([x, y, z]: [N; 3], [u, v, w]: [N; 3]) -> [N::Product; 3] {
+    [N::minor([y, z], [v, w]), N::minor([z, x], [w, u]), N::minor([x, y], [u, v])]
+}
+
+/// Whether the line hits a triangle, and whether from the front, by the signed volume that it spans with each edge, and
+/// the error bound of the volumes. All three are negative for a hit from the front, and positive for one from the back.
+/// They are computed one after the other: a miss is often decided by the first two.
+#[inline(always)]
+fn within_edges_in_turn<E, V: Copy + PartialOrd + Neg<Output = V>>(
+    [first, second, third]: [E; 3],
+    doubt: V,
+    volume: impl Fn(E) -> V,
+) -> Attempt<bool> {
+    let side = |edge: E| {
+        let volume = volume(edge);
+        (volume > doubt) as i32 - (volume < -doubt) as i32
+    };
+    let (first, second) = (side(first), side(second));
+    if first * second < 0 {
+        return Attempt::Miss;
+    }
+    let third = side(third);
+    if third * first < 0 || third * second < 0 {
+        Attempt::Miss
+    } else if first * second * third != 0 {
+        Attempt::Hit(third < 0)
+    } else {
+        Attempt::Unsure
+    }
 }
 
 /// Where the line crosses the triangle, and whether it comes from the front; the signs as in `solve::flat`, with the
@@ -22,78 +42,74 @@ fn cross([x, y, z]: [i32; 3], [u, v, w]: [i32; 3]) -> [i64; 3] {
 ///
 /// The origin is in units of `2^-extra_bits` of the vertices'; the answer is in the vertices'.
 #[inline(always)]
-pub(in crate::scalar) fn triangle(
-    o: [i32; 3],
+pub(in crate::scalar) fn triangle<N: Length>(
+    o: [N; 3],
     extra_bits: i32,
-    d: [i32; 3],
-    vertices: [[i32; 3]; 3],
-) -> Attempt<(i32, bool)> {
-    // Exact, in the origin's unit, with 30 bits.
-    let mut all = 0;
-    let mut from_origin = |v: i32, o: i32| {
-        let length = ((v as i64) << (extra_bits & 0x1f)) - o as i64;
-        all |= (length ^ (length >> 63)) as u64;
-        length as i32
-    };
-    let [a, b, c] = vertices.map(|[x, y, z]| [from_origin(x, o[0]), from_origin(y, o[1]), from_origin(z, o[2])]);
-    if all >> 30 != 0 {
+    d: [N; 3],
+    vertices: [[N; 3]; 3],
+) -> Attempt<(N, bool)> {
+    // Exact, in the origin's unit.
+    let Some((seen, free)) = N::seen_from(vertices, o, extra_bits) else {
         return Attempt::Unsure;
-    }
-    // On a grid on which none has more than 28 bits, truncated by less than one unit. The error of a framed origin is
-    // half of its own unit, so that a finer grid would gain nothing.
-    let bits = 32 - leading_zeros(all as u32 | 1);
-    let up = if extra_bits == 0 { 28 - bits as i32 } else { 0 };
-    let cut = bits.saturating_sub(28);
-    let on_grid = |vertex: [i32; 3]| vertex.map(|length| if up > 0 { length << up } else { length >> cut });
-    let corners = [on_grid(a), on_grid(b), on_grid(c)];
-    // The error of a component of d x p is less than 16 (twice 4 from the truncation of p, and as much from a framed
-    // origin and direction), that of one of q less than 2. Together that is less than 2^7 times the largest q, or a
-    // fourth of the largest d x p.
-    let doubt = 1_i64 << if up > 0 { 35 } else { bits - cut + 7 };
-    let volume = |(p, q): ([i32; 3], [i32; 3])| {
-        // d x p in fourths of the grid's unit.
-        let moment = cross(d, p).map(|component| (component >> 28) as i32);
-        dot(q, moment)
     };
-    let [p, q, r] = corners;
+    // On a grid on which `spare` bits are free, truncated by less than one unit. The error of a framed origin is half of
+    // its own unit, so that a finer grid would gain nothing.
+    let spare = 6 - N::MOMENT_BITS;
+    let up = if extra_bits == 0 { free.saturating_sub(spare) } else { 0 };
+    let cut = spare.saturating_sub(free);
+    let on_grid = |vertex: [N; 3]| vertex.map(|length| if up > 0 { length.up(up) } else { length.down(cut) });
+    let [p, q, r] = seen.map(on_grid);
+    // In a unit of 2^-MOMENT_BITS of the grid's, the error of a component of d x p is less than 4 (2 from the truncation
+    // of p, and as much from a framed origin and direction) of the grid's, that of one of q less than 2. Together that
+    // is less than 2^(5 + MOMENT_BITS) times the largest q.
+    let bits = if up > 0 { N::BITS - spare } else { N::BITS - free - cut };
+    let doubt = N::Product::ONE << (bits + 5 + N::MOMENT_BITS);
+    let volume = |(p, q): ([N; 3], [N; 3])| {
+        let moment = cross(d, p).map(|component| N::low(component >> (N::FRACTION - N::MOMENT_BITS)));
+        N::dot(q, moment)
+    };
     let from_front = found!(within_edges_in_turn([(p, q), (q, r), (r, p)], doubt, volume));
-    crossing(a, extra_bits, d, vertices, from_front)
+    crossing(seen[0], extra_bits, d, vertices, from_front)
 }
 
 /// Where the line crosses the plane of a triangle that it meets, `t = a . n / d . n`, from a vertex `a` seen from its
 /// origin.
 #[inline(always)]
-fn crossing(
-    a: [i32; 3],
+fn crossing<N: Length>(
+    a: [N; 3],
     extra_bits: i32,
-    d: [i32; 3],
-    [u, v, w]: [[i32; 3]; 3],
+    d: [N; 3],
+    [u, v, w]: [[N; 3]; 3],
     from_front: bool,
-) -> Attempt<(i32, bool)> {
-    let edge = |from: [i32; 3], to: [i32; 3]| {
-        [to[0].wrapping_sub(from[0]), to[1].wrapping_sub(from[1]), to[2].wrapping_sub(from[2])]
-    };
+) -> Attempt<(N, bool)> {
+    let edge = |from: [N; 3], to: [N; 3]| [to[0].apart(from[0]), to[1].apart(from[1]), to[2].apart(from[2])];
     let edges = [edge(u, v), edge(u, w)];
-    let all = edges.into_iter().flatten().fold(0, |all, component| all | magnitude_bits(component));
-    if all >> 30 != 0 {
+    if !edges.into_iter().all(N::have_products) {
         return Attempt::Unsure;
     }
-    // The normal, exact except for its last bit, as 2^31 times a number of 30 bits, and a remainder.
+    // The normal, exact except for its last bits, as a power of two times an upper part, and a remainder.
+    let (zeros, low_bits) = N::NORMAL;
     let normal = cross(edges[0], edges[1]);
-    let longest = normal.into_iter().fold(0, |all, component| all | component.unsigned_abs());
-    let scaled = normal.map(|component| component << (longest.leading_zeros().saturating_sub(2) & 0x3f) >> 1);
-    let (high, low) = (scaled.map(|n| (n >> 31) as i32), scaled.map(|n| (n & 0x7fff_ffff) as i32));
-    let along = |vector: [i32; 3]| dot(high, vector) + (dot(low, vector) >> 31);
+    let [x, y, z] = normal.map(Product::magnitude);
+    let up = (x | y | z).zeros().saturating_sub(zeros);
+    let scaled = normal.map(|component| component << up);
+    let upper = scaled.map(|component| N::low(component >> low_bits));
+    let lower = scaled.map(|component| N::low(component.lowest(low_bits)));
+    let along = |vector: [N; 3]| N::dot(upper, vector) + (N::dot(lower, vector) >> low_bits);
     let (distance, slope) = (along(a), along(d));
-    let Some(digits) = Normalized::new(slope).filter(|_| (slope < 0) == from_front) else {
+    let is_sign_kept = (slope < N::Product::ZERO) == from_front;
+    let Some(digits) = N::Normalized::new(slope).filter(|_| is_sign_kept) else {
         return Attempt::Unsure;
     };
-    // The errors of a framed origin and direction, half of the origin's unit and 2^-31, are larger at the crossing if
-    // the line is nearly parallel to the plane.
-    if extra_bits != 0 && digits.shift as i32 > extra_bits - 4 {
+    // The errors of a framed origin and direction, half of the origin's unit and 2^-(BITS - 1), are larger at the
+    // crossing if the line is nearly parallel to the plane: they must not exceed an eighth and a sixteenth of a unit.
+    // Where it crosses the plane at a right angle, the slope has the bits of the normal's upper part.
+    let shift = digits.shift() + (N::BITS + 1) as i32 - (zeros + low_bits) as i32;
+    if extra_bits != 0 && shift > extra_bits - 3 {
         return Attempt::Unsure;
     }
-    let farthest = if extra_bits == 0 { 1 << 28 } else { (1 << 26) >> digits.shift };
-    let t = digits.divisor().long_quotient(distance, (30 + extra_bits) as u32);
-    if -farthest < t && t < farthest { Attempt::Hit((t as i32, from_front)) } else { Attempt::Unsure }
+    match digits.divisor().quotient(distance, extra_bits as u32) {
+        Some(t) if extra_bits == 0 || t.top() >> (26 - shift) == 0 => Attempt::Hit((t, from_front)),
+        _ => Attempt::Unsure,
+    }
 }

@@ -2,9 +2,10 @@
 
 use fixed::types::{I16F16, I32F32};
 use raylet::scalar::UnitScalar;
-use raylet::tier::{Fast, Stable};
+use raylet::tier::{Exact, Fast, Stable};
 use raylet::{
-    Affine, Crossing, Cylinder, Departure, Frame, Leaving, Part, Plane, Ray, Scalar, Shape, Sphere, UnitVec3, Vec3,
+    Affine, Cone, Crossing, Cylinder, Departure, Frame, Leaving, Part, Plane, Range, Ray, Scalar, Shape, Sphere,
+    UnitVec3, Vec3,
 };
 use support::amount::times;
 use support::random::Random;
@@ -116,4 +117,37 @@ fn occlusion_and_nearest_hit_agree<S: Scalar>(bits: f64) {
             assert_eq!(occludes, nearest.is_some(), "{bits} bits: {ray:?}: {nearest:?}");
         }
     }
+}
+
+/// The `t` of an exact hit next to the start was rounded in another number for the half-line than for the whole line.
+#[test]
+fn a_line_and_its_half_have_the_same_exact_t() {
+    let number = |n: f64| I16F16::from_f64(n).expect("a number");
+    let frame = Frame::turned_about(Vec3::new(number(0.25), number(-0.5), number(1.0)), UnitVec3::Y, number(40.0));
+    let solids = [
+        Shape::<I16F16>::new(Sphere::new(number(1.5)).expect("a radius")),
+        Shape::<I16F16>::new(Cylinder::capped(number(0.75), number(2.0)).expect("sizes")),
+        Shape::<I16F16>::new(Cone::capped(number(0.5), number(2.0)).expect("sizes")),
+    ];
+    let solids = solids.map(|solid| [solid, Shape::<I16F16>::placed(solid, frame.expect("a frame"))]);
+    let (mut random, mut near) = (Random(12), 0);
+    for _ in 0..times(20_000) {
+        let solid = random.pick(&solids.concat());
+        let far = Vec3::<I16F16>::from_f64(random.direction().map(|c| 5.0 * c)).expect("a point");
+        let aim = Vec3::from_f64([(); 3].map(|()| random.between(-1.0, 2.0))).expect("a point");
+        let Some(hit) = Ray::towards(far, aim).ok().and_then(|ray| Some((ray, solid.nearest_at::<Exact>(&ray)?)))
+        else {
+            continue;
+        };
+        // From within a few units of the surface, along any direction.
+        let (ray, hit) = (hit.0, hit.1);
+        let direction = UnitVec3::from_f64(random.direction()).expect("a direction");
+        let ray = Ray::new(ray.at(hit.t), direction).expect("a ray");
+        let line = solid.hits_at::<Exact>(&ray.with_range(Range::line()));
+        let half: Vec<_> = solid.hits_at::<Exact>(&ray).iter().copied().collect();
+        let ahead: Vec<_> = line.iter().copied().filter(|hit| hit.t >= I16F16::ZERO).collect();
+        near += usize::from(ahead.iter().any(|hit| hit.t.to_bits() < 4));
+        assert!(ahead.ends_with(&half), "{solid:?} {ray:?}: {half:?} of {line:?}");
+    }
+    assert!(near > 1_000, "{near}");
 }

@@ -83,9 +83,8 @@ const FILES: [(&str, &[&str], Option<&str>); 21] = [
     ("scalar/integers/ball", &["Sphere", "Capsule"], Some("I16F16")),
     ("scalar/integers/round", &["Cylinder", "Capsule"], Some("I16F16")),
     ("scalar/integers/cone", &["Cone"], Some("I16F16")),
-    ("scalar/integers/nappes", &["Cone"], Some("I16F16")),
     ("scalar/integers/triangle", &["Triangle"], Some("I16F16")),
-    ("scalar/integers/stretched", &["Affine"], Some("I16F16")),
+    ("scalar/integers/bits32/stretched", &["Affine"], Some("I16F16")),
 ];
 
 /// Where these files are.

@@ -1,5 +1,4 @@
 use super::*;
-use crate::scalar::integers::wide;
 use core::cmp::Ordering;
 use core::fmt::Debug;
 
@@ -130,7 +129,7 @@ fn slabs_are_crossed_where_exact_arithmetic_says() {
         agree::<i32>(30, 18, 6),
         agree::<i32>(30, 14, 12),
         agree::<i64>(62, 24, 0),
-        agree::<i64>(62, 24, wide::FINER),
+        agree::<i64>(62, 24, i64::FINER),
     ];
     for [found, missed, unsure] in counted {
         assert!(found > 15_000 && missed > 8_000 && unsure < 20_000, "{counted:?}");

@@ -1,24 +1,23 @@
 //! Quotients by one divisor.
 
-use super::{
-    down_to_64, high_product, joined, leading_zeros, moved_up, product, product_unsigned, up, upper_bits, words,
-};
-use crate::scalar::integers::reciprocal_of_normalized;
+use super::digits::{down_by_few, down_to_64, joined, moved_up, up, upper_bits, words};
+use crate::number::machine::{high_product, leading_zeros, product, product_unsigned, reciprocal_of_normalized};
+use crate::scalar::integers::length::{self, Length};
 
 /// A divisor with its top bit set.
-#[derive(Clone, Copy)]
-pub(super) struct Normalized {
-    /// The magnitude is `digits * 2^(-62 - shift)`.
-    pub(super) digits: u64,
-    /// Between 1 and 12.
-    pub(super) shift: u32,
+#[derive(Clone, Copy, Debug)]
+pub struct Normalized {
+    /// The magnitude is `digits * 2^(-63 - shift)`.
+    digits: u64,
+    shift: u32,
     negative: bool,
 }
 
-impl Normalized {
-    /// A number in units of 2^-124, between 2^-11 and 2 in magnitude.
+impl length::Normalized<i64> for Normalized {
+    type Divisor = Divisor;
+
     #[inline(always)]
-    pub(super) fn new(a: i128) -> Option<Self> {
+    fn new(a: i128) -> Option<Self> {
         let magnitude = a.unsigned_abs();
         let ([_, low], [middle, above]) = (words(magnitude as u64), words((magnitude >> 64) as u64));
         if above < 1 << 17 {
@@ -27,12 +26,20 @@ impl Normalized {
         let zeros = leading_zeros(above);
         let digits = joined([moved_up(middle, low, zeros), moved_up(above, middle, zeros)]);
         // A divisor of 1 has three.
-        Some(Self { digits, shift: zeros.wrapping_sub(2), negative: a < 0 })
+        Some(Self { digits, shift: zeros.saturating_sub(3), negative: a < 0 })
     }
-
-    /// The divisor with its reciprocal.
     #[inline(always)]
-    pub(super) fn divisor(self) -> Divisor {
+    fn shift(self) -> i32 {
+        self.shift as i32
+    }
+    #[inline(always)]
+    fn of_square(self, r: i64) -> i128 {
+        // a r; before it is shifted down the product has full precision.
+        let scaled = upper_product(self.digits, (r as u64) << 1) as i64;
+        down_by_few(i64::dot([scaled], [r]), self.shift)
+    }
+    #[inline(always)]
+    fn divisor(self) -> Divisor {
         Divisor { reciprocal: reciprocal_of_digits(self.digits), shift: self.shift, negative: self.negative }
     }
 }
@@ -55,12 +62,11 @@ pub(super) fn reciprocal_of_digits(n: u64) -> u64 {
 }
 
 /// A divisor as its reciprocal.
-#[derive(Clone, Copy)]
-pub(super) struct Divisor {
+#[derive(Clone, Copy, Debug)]
+pub struct Divisor {
     /// `2^127` over the digits of [`Normalized`].
     reciprocal: u64,
-    /// As that of [`Normalized`].
-    pub(super) shift: u32,
+    shift: u32,
     negative: bool,
 }
 
@@ -69,31 +75,30 @@ pub(super) struct Divisor {
 /// a unit.
 const FRACTION: u32 = 7;
 
-impl Divisor {
-    /// The quotient of a number in units of `2^(-62 - extra_bits)`, rounded to nearest; `None` if it is too large for
-    /// that.
+impl length::Divisor<i64> for Divisor {
     #[inline(always)]
-    pub(super) fn quotient(self, numerator: i128, extra_bits: i32) -> Option<i64> {
-        let magnitude = numerator.unsigned_abs();
-        let down = 62 + extra_bits as u32 - FRACTION - self.shift;
+    fn quotient(self, numerator: i128, unit: u32) -> Option<i64> {
+        let (magnitude, down) = (numerator.unsigned_abs(), 61 + unit - FRACTION - self.shift);
+        if down & 64 != 0 {
+            return Some(self.signed(down_to_64(magnitude >> 64, down & 0x3f), numerator < 0));
+        }
         if down_to_64(magnitude >> 64, down.wrapping_sub(1)) != 0 {
             return None;
         }
         Some(self.signed(down_to_64(magnitude, down), numerator < 0))
     }
-
-    /// The quotient of a number in units of `2^-extra_bits`, no finer than half of [`FRACTION`]'s.
     #[inline(always)]
-    pub(super) fn quotient_of_length(self, numerator: i64, extra_bits: i32) -> Option<i64> {
-        let magnitude = numerator.unsigned_abs();
-        let more = FRACTION + self.shift - extra_bits as u32;
-        if upper_bits(magnitude as i64) >> (31 - more) != 0 {
+    fn quotient_of_difference(self, y: i64, o: i64, extra_bits: i32) -> Option<i64> {
+        let (difference, more) = (y.relative_to(o, extra_bits)?, FRACTION + 1 + self.shift - extra_bits as u32);
+        if upper_bits(difference) >> (31 - more) != 0 {
             return None;
         }
-        Some(self.signed(up(magnitude as i64, more) as u64, numerator < 0))
+        Some(self.signed(up(difference.unsigned_abs() as i64, more) as u64, difference < 0))
     }
+}
 
-    /// The quotient of a numerator in units of `2^(-FRACTION - shift)`, below 2^63.
+impl Divisor {
+    /// The quotient of a numerator in units of `2^(-FRACTION - 1 - shift)`, below 2^63.
     #[inline(always)]
     fn signed(self, magnitude: u64, negative: bool) -> i64 {
         let quotient = ((upper_product(magnitude, self.reciprocal) >> FRACTION) + 1) >> 1;

@@ -1,40 +1,22 @@
 //! Transformation of a line by an affine map, in fixed point.
 
-use super::direction::{Unit, unit};
-use super::turned::{FINER, FINEST, LENGTH_BITS, closest, dot, room};
+use super::placed::{FINEST, LENGTH_BITS, closest, room};
 use super::{leading_zeros_of_64, magnitude_bits, round_off};
+use crate::scalar::integers::direction::{Unit, unit};
+use crate::scalar::integers::length::{Length, Stretched};
 use crate::scalar::{Attempt, InverseLength};
 
 /// If the largest coordinate of a line's origin, relative to the map's position, has at least this many bits, the
 /// origin is moved next to that position.
 const FAR: u32 = 19;
 
-/// The line with a direction of length 1, in a unit of length that is finer than the type's by a power of two. An error
-/// of half a unit of an end along it is then at most a fourth of a unit of the ray's own `t`.
-#[derive(Debug)]
-pub(in crate::scalar) struct Stretched<N> {
-    /// The ray's `t` at the origin.
-    pub(in crate::scalar) start: N,
-    /// In units of `2^-extra_bits` of the finer unit.
-    pub(in crate::scalar) origin: [N; 3],
-    pub(in crate::scalar) extra_bits: i32,
-    pub(in crate::scalar) direction: [N; 3],
-    /// The number of bits by which the unit is finer than the type's.
-    pub(in crate::scalar) scale: i32,
-    pub(in crate::scalar) inverse_length: InverseLength,
-}
-
 /// Ends beyond this are left to wider numbers: the error from inverse length and direction would be an eighth of a
 /// unit.
 const TOO_FAR: i32 = 1 << 26;
 
-/// The ray's `t` for a `t` along the line, which may be infinite; `None` if it is too large.
+/// [`Length::along_ray`].
 #[inline(always)]
-pub(in crate::scalar) fn along_ray(
-    InverseLength { digits, shift, .. }: InverseLength,
-    start: i32,
-    t: i32,
-) -> Option<i32> {
+pub(super) fn along_ray(InverseLength { digits, shift, .. }: InverseLength, start: i32, t: i32) -> Option<i32> {
     if t == i32::MAX || t == -i32::MAX {
         return Some(t);
     }
@@ -45,10 +27,9 @@ pub(in crate::scalar) fn along_ray(
     (whole.unsigned_abs() < i32::MAX as u64 - 1).then_some(whole as i32)
 }
 
-/// The line in the frame at `position` of a matrix whose inverse has these rows, each to be multiplied by its power of
-/// two, for a solid whose lengths are at most `bounding_radius`; `None` if there is no room for them.
+/// [`Length::stretched`].
 #[inline]
-pub(in crate::scalar) fn stretched(
+pub(super) fn stretched(
     o: [i32; 3],
     d: [i32; 3],
     position: [i32; 3],
@@ -66,8 +47,9 @@ pub(in crate::scalar) fn stretched(
     let [x, y, z] = rows.map(|(_, exponent)| exponent);
     let exponent = x.max(y).max(z);
     let down = [x, y, z].map(|own| (exponent - own).min(63) as u32);
-    let image =
-        |v: [i32; 3]| [dot(v, rows[0].0) >> down[0], dot(v, rows[1].0) >> down[1], dot(v, rows[2].0) >> down[2]];
+    let image = |v: [i32; 3]| {
+        [i32::dot(v, rows[0].0) >> down[0], i32::dot(v, rows[1].0) >> down[1], i32::dot(v, rows[2].0) >> down[2]]
+    };
     let (origin, direction) = (image(point), image(d));
 
     // The direction, at first with 31 bits in its longest component, and the inverse length, which is one over its
@@ -88,7 +70,7 @@ pub(in crate::scalar) fn stretched(
     let top = bits_of_longest(origin) + exponent - 30 - extra_bits;
     let rounded = if is_far { extra_bits - 2 - exponent } else { i32::MAX };
     let finer_than_type = (LENGTH_BITS - top).min(room(bounding_radius as u32)).min(rounded).min(scale + FINEST);
-    if finer_than_type < scale + FINER || shift + scale > 62 {
+    if finer_than_type < scale + i32::FINER || shift + scale > 62 {
         return None;
     }
     Some(Stretched {

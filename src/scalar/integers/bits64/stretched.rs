@@ -1,9 +1,12 @@
 //! Transformation of a line by an affine map.
 
+use super::digits::{joined, root, upper_bits, words};
 use super::quotient::{reciprocal_of_digits, upper_product};
-use super::{Digits, FINER, digits, dot, joined, root, squared_length, upper_bits, words};
 use crate::scalar::InverseLength;
-use crate::scalar::integers::stretched::Stretched;
+use crate::scalar::integers::length::{Length, Stretched};
+
+/// The extra bits of the origin.
+const FINER: i32 = i64::FINER;
 
 /// Bits of an end below its unit, while it is multiplied by the inverse length.
 const FRACTION: u32 = 5;
@@ -11,14 +14,9 @@ const FRACTION: u32 = 5;
 /// Longer ends have no room for [`FRACTION`].
 const TOO_FAR: u64 = 1 << (62 - FRACTION);
 
-/// The ray's `t` for a `t` along the line, which may be infinite; `None` if it is too large. A line of 64 bits always
-/// starts at zero.
+/// [`Length::along_ray`]; a line of 64 bits always starts at zero.
 #[inline(always)]
-pub(in crate::scalar) fn along_ray(
-    InverseLength { digits, below, shift }: InverseLength,
-    _start: i64,
-    t: i64,
-) -> Option<i64> {
+pub(super) fn along_ray(InverseLength { digits, below, shift }: InverseLength, t: i64) -> Option<i64> {
     if t == i64::MAX || t == -i64::MAX {
         return Some(t);
     }
@@ -32,14 +30,13 @@ pub(in crate::scalar) fn along_ray(
     Some(if t < 0 { -(rounded as i64) } else { rounded as i64 })
 }
 
-/// The line in the frame at `position` of a matrix whose inverse has these rows, each to be multiplied by its power of
-/// two, for a solid whose lengths are at most `bounding_radius`; `None` if there is no room for them.
+/// [`Length::stretched`].
 ///
 /// The direction's length is rounded to some 2^-57 of itself. Direction and inverse length are multiples of the same
 /// rounded reciprocal, so that the line and its `t` are accurate to their last bits; only the direction's length
 /// differs from 1 by that.
 #[inline]
-pub(in crate::scalar) fn stretched(
+pub(super) fn stretched(
     o: [i64; 3],
     d: [i64; 3],
     position: [i64; 3],
@@ -57,14 +54,13 @@ pub(in crate::scalar) fn stretched(
     let [x, y, z] = rows.map(|(_, exponent)| exponent);
     let exponent = x.max(y).max(z);
     let down = [x, y, z].map(|own| (exponent - own).min(126) as u32);
-    let rows = rows.map(|(row, _)| digits(row));
+    let rows = rows.map(|(row, _)| row);
     // Not one sum of three: all components of a row may be next to 1, and the middle digits of the products then exceed
     // 64 bits.
-    let product = |[x, y, z]: [Digits; 3], [a, b, c]: [Digits; 3]| dot([x, y], [a, b]) + dot([z], [c]);
-    let image = |v: [Digits; 3]| {
-        [product(v, rows[0]) >> down[0], product(v, rows[1]) >> down[1], product(v, rows[2]) >> down[2]]
-    };
-    let (origin, direction) = (image(digits(from)), image(digits(d)));
+    let product = |[x, y, z]: [i64; 3], [a, b, c]: [i64; 3]| i64::dot([x, y], [a, b]) + i64::dot([z], [c]);
+    let image =
+        |v: [i64; 3]| [product(v, rows[0]) >> down[0], product(v, rows[1]) >> down[1], product(v, rows[2]) >> down[2]];
+    let (origin, direction) = (image(from), image(d));
 
     // The direction, at first with 62 bits in its longest component, or one more. With fewer than 80 its last bits
     // would be missing.
@@ -74,7 +70,7 @@ pub(in crate::scalar) fn stretched(
     }
     let components = shifted(direction, excess as u32);
     // The longest component is at least 2^61; the root of a direction along an axis may be rounded to below it.
-    let length = root(squared_length(digits(components))).max(1 << 61);
+    let length = root(i64::squared_length(components)).max(1 << 61);
     let zeros = length.leading_zeros();
     // 2^127 over the length's digits
     let reciprocal = reciprocal_of_digits(length << (zeros & 0x3f));

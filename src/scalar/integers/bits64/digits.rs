@@ -1,4 +1,4 @@
-//! The grid of the 64-bit types: lengths of 64 bits, and products of 128 bits that are made of products of 32 bits.
+//! Numbers of 64 and 128 bits as digits of 32 bits.
 //!
 //! A number is multiplied as two [`Digits`] of 32 bits, both signed, so that the four products of two numbers need no
 //! correction, and sums of products add each of the four kinds in 64 bits before any carry.
@@ -6,174 +6,92 @@
 //! Sums of 128 bits are a few additions with carry on any chip; products and shifts of 128 bits would be calls of
 //! functions.
 
-mod ball;
-mod cone;
-mod cuboid;
-mod departing;
-mod flat;
-mod quotient;
-mod round;
-mod stretched;
-mod triangle;
-mod turned;
-
-use super::{
-    high_product, leading_zeros, leading_zeros_of_64, magnitude_bits, product, product_unsigned, reciprocal_root,
-    square,
-};
-
-pub(in crate::scalar) use ball::{ByApproach, ByMoment};
-pub(in crate::scalar) use cone::{double_cone, exit_from_nappe, nappe};
-pub(in crate::scalar) use departing::exit_from_round;
-pub(in crate::scalar) use flat::{crossings, disc, height, lowered, rectangle};
-pub(in crate::scalar) use round::tube;
-pub(in crate::scalar) use stretched::{along_ray, stretched};
-pub(in crate::scalar) use triangle::triangle;
-pub(in crate::scalar) use turned::{FINER, turned};
+use crate::number::machine::{high_product, leading_zeros, product, product_unsigned, reciprocal_root};
 
 /// `high * 2^32 + low`, with a low digit of either sign.
 #[derive(Clone, Copy)]
-struct Digits {
-    high: i32,
-    low: i32,
+pub(super) struct Digits {
+    pub(super) high: i32,
+    pub(super) low: i32,
 }
 
 impl Digits {
     /// The digits of a number of at most little more than 2^62 in magnitude.
     #[inline(always)]
-    const fn new(n: i64) -> Self {
+    pub(super) const fn new(n: i64) -> Self {
         // The low word as a signed number is 2^32 less if its top bit is set.
         Self { high: (n >> 32) as i32 + (n as u32 >> 31) as i32, low: n as i32 }
     }
 
     /// The parts of the product that are multiples of 2^32.
     #[inline(always)]
-    fn middle(self, other: Self) -> i64 {
+    pub(super) fn middle(self, other: Self) -> i64 {
         product(self.high, other.low) + product(self.low, other.high)
     }
 }
 
-/// A vector's digits.
-#[inline(always)]
-const fn digits([x, y, z]: [i64; 3]) -> [Digits; 3] {
-    [Digits::new(x), Digits::new(y), Digits::new(z)]
-}
-
 /// `high * 2^64 + middle * 2^32 + low`
 #[inline(always)]
-const fn carried(high: i64, middle: i64, low: i128) -> i128 {
+pub(super) const fn carried(high: i64, middle: i64, low: i128) -> i128 {
     ((high as i128) << 64) + ((middle as i128) << 32) + low
-}
-
-/// `a . b`. The middle digits are added in 64 bits: `sum |a_i| + sum |b_i|` must be below 2^64, as it is for two unit
-/// vectors (`2 sqrt(3) 2^62`).
-#[inline(always)]
-fn dot<const N: usize>(a: [Digits; N], b: [Digits; N]) -> i128 {
-    let (mut high, mut middle, mut low) = (0, 0, 0);
-    for (a, b) in a.into_iter().zip(b) {
-        high += product(a.high, b.high);
-        middle += a.middle(b);
-        // Up to 2^62 each.
-        low += product(a.low, b.low) as i128;
-    }
-    carried(high, middle, low)
-}
-
-/// `a d - b c`
-#[inline(always)]
-fn minor([a, b]: [Digits; 2], [c, d]: [Digits; 2]) -> i128 {
-    let high = product(a.high, d.high) - product(b.high, c.high);
-    let middle = a.middle(d) - b.middle(c);
-    let low = product(a.low, d.low) as i128 - product(b.low, c.low) as i128;
-    carried(high, middle, low)
-}
-
-/// `|v|^2`
-#[inline(always)]
-fn squared_length([x, y, z]: [Digits; 3]) -> i128 {
-    let high = square(x.high) + square(y.high) + square(z.high);
-    let middle = product(x.high, x.low) + product(y.high, y.low) + product(z.high, z.low);
-    // Up to 2^62 each.
-    let low = square(x.low) as u64 + square(y.low) as u64 + square(z.low) as u64;
-    ((high as i128) << 64) + ((middle as i128) << 33) + low as i128
-}
-
-/// `r^2`
-#[inline(always)]
-fn squared(r: Digits) -> i128 {
-    ((square(r.high) as i128) << 64) + ((product(r.high, r.low) as i128) << 33) + square(r.low) as i128
 }
 
 /// The bits of the upper word of a number's magnitude.
 #[inline(always)]
-const fn upper_bits(n: i64) -> u32 {
-    magnitude_bits((n >> 32) as i32)
-}
-
-/// A length of the type in units of `2^-extra_bits` of its own; `None` if it does not fit, or if `extra_bits` is not
-/// that of [`turned`].
-#[inline(always)]
-const fn refined(length: i64, extra_bits: i32) -> Option<i64> {
-    match extra_bits {
-        0 => Some(length),
-        FINER if upper_bits(length) >> (30 - FINER) == 0 => Some(length << FINER),
-        _ => None,
-    }
-}
-
-/// A number in units of `2^(-62 - extra_bits)`, rounded to nearest, ties to even.
-#[inline(always)]
-const fn rounded(n: i128, extra_bits: i32) -> i64 {
-    if extra_bits == 0 { round_off::<62>(n) } else { round_off::<{ 62 + FINER as u32 }>(n) }
+pub(super) const fn upper_bits(n: i64) -> u32 {
+    let high = (n >> 32) as i32;
+    (high ^ (high >> 31)) as u32
 }
 
 /// The upper half.
 #[inline(always)]
-const fn high(n: i128) -> i64 {
+pub(super) const fn high(n: i128) -> i64 {
     (n >> 64) as i64
 }
 
 /// The two words.
 #[inline(always)]
-const fn words(n: u64) -> [u32; 2] {
+pub(super) const fn words(n: u64) -> [u32; 2] {
     [n as u32, (n >> 32) as u32]
 }
 
 /// The number of these words.
 #[inline(always)]
-const fn joined([low, high]: [u32; 2]) -> u64 {
+pub(super) const fn joined([low, high]: [u32; 2]) -> u64 {
     ((high as u64) << 32) | low as u64
 }
 
 /// `high * 2^by + low / 2^(32 - by)` for `by` below 32.
 #[inline(always)]
-const fn moved_up(high: u32, low: u32, by: u32) -> u32 {
+pub(super) const fn moved_up(high: u32, low: u32, by: u32) -> u32 {
     (high << (by & 0x1f)) | (low >> 1 >> (!by & 0x1f))
 }
 
 /// `low / 2^by + high * 2^(32 - by)` for `by` below 32.
 #[inline(always)]
-const fn moved_down(high: u32, low: u32, by: u32) -> u32 {
+pub(super) const fn moved_down(high: u32, low: u32, by: u32) -> u32 {
     (low >> (by & 0x1f)) | (high << 1 << (!by & 0x1f))
 }
 
-/// `n * 2^by` for `by` below 32.
+/// `n * 2^by` for `by` below 64.
 #[inline(always)]
-const fn up(n: i64, by: u32) -> i64 {
+pub(super) const fn up(n: i64, by: u32) -> i64 {
     let [low, high] = words(n as u64);
-    joined([low << (by & 0x1f), moved_up(high, low, by)]) as i64
+    let lower = low << (by & 0x1f);
+    (if by & 32 == 0 { joined([lower, moved_up(high, low, by)]) } else { joined([0, lower]) }) as i64
 }
 
-/// `n / 2^by` for `by` below 32, rounded down.
+/// `n / 2^by` for `by` below 64, rounded down.
 #[inline(always)]
-const fn down(n: i64, by: u32) -> i64 {
+pub(super) const fn down(n: i64, by: u32) -> i64 {
     let [low, high] = words(n as u64);
-    joined([moved_down(high, low, by), ((high as i32) >> (by & 0x1f)) as u32]) as i64
+    let upper = (high as i32) >> (by & 0x1f);
+    if by & 32 == 0 { joined([moved_down(high, low, by), upper as u32]) as i64 } else { upper as i64 }
 }
 
 /// `n / 2^by` for `by` below 64, rounded down; it must be below 2^64.
 #[inline(always)]
-const fn down_to_64(n: u128, by: u32) -> u64 {
+pub(super) const fn down_to_64(n: u128, by: u32) -> u64 {
     let ([a, b], [c, d]) = (words(n as u64), words((n >> 64) as u64));
     let [low, middle, high] = if by & 32 == 0 { [a, b, c] } else { [b, c, d] };
     joined([moved_down(middle, low, by), moved_down(high, middle, by)])
@@ -181,7 +99,7 @@ const fn down_to_64(n: u128, by: u32) -> u64 {
 
 /// `n * 2^by` for `by` below 64.
 #[inline(always)]
-const fn up_to_128(n: u64, by: u32) -> u128 {
+pub(super) const fn up_to_128(n: u64, by: u32) -> u128 {
     let [low, high] = words(n);
     let [low, middle, high] = [low << (by & 0x1f), moved_up(high, low, by), moved_up(0, high, by)];
     if by & 32 == 0 {
@@ -193,16 +111,16 @@ const fn up_to_128(n: u64, by: u32) -> u128 {
 
 /// `n / 2^by` for `by` below 32 and a number of at least zero, rounded down.
 #[inline(always)]
-const fn down_by_few(n: i128, by: u32) -> i128 {
+pub(super) const fn down_by_few(n: i128, by: u32) -> i128 {
     let ([a, b], [c, d]) = (words(n as u64), words(high(n) as u64));
     let low = joined([moved_down(b, a, by), moved_down(c, b, by)]);
     let high = joined([moved_down(d, c, by), d >> (by & 0x1f)]);
     ((high as i128) << 64) | low as i128
 }
 
-/// `n * 2^-SHIFT` rounded to nearest, ties to even, as [`round_off`](super::round_off).
+/// `n * 2^-SHIFT` rounded to nearest, ties to even, as that of the grid.
 #[inline(always)]
-const fn round_off<const SHIFT: u32>(n: i128) -> i64 {
+pub(super) const fn round_off<const SHIFT: u32>(n: i128) -> i64 {
     let odd = (n >> SHIFT) & 1;
     ((n + ((1 << (SHIFT - 1)) - 1) + odd) >> SHIFT) as i64
 }
@@ -212,7 +130,7 @@ const fn round_off<const SHIFT: u32>(n: i128) -> i64 {
 /// A step of the third order leads from 14 bits of the reciprocal root to 29, and one of Markstein's steps from there
 /// to the root, as in [`root_of_normalized`](super::root_of_normalized) for half the length.
 #[inline]
-fn root_of_normalized(high: u32, low: u32) -> u64 {
+pub(super) fn root_of_normalized(high: u32, low: u32) -> u64 {
     // y = 1 / sqrt(m), in units of 2^-15
     let y = reciprocal_root(high) >> 1;
     // 1 - m y^2 in units of 2^-43, below 2^-12 in magnitude: the product wraps around one.
@@ -231,7 +149,7 @@ fn root_of_normalized(high: u32, low: u32) -> u64 {
 
 /// The square root of a number of at least 2^64 and below 2^126, rounded down, with a relative error of at most 2^-57.
 #[inline(always)]
-fn root(n: i128) -> u64 {
+pub(super) fn root(n: i128) -> u64 {
     let ([a, b], [c, d]) = (words(n as u64), words(high(n) as u64));
     let ([low, middle, high], less) = if d != 0 { ([b, c, d], 0) } else { ([a, b, c], 16) };
     let more = leading_zeros(high | 1) & 0x1e;
@@ -239,6 +157,3 @@ fn root(n: i128) -> u64 {
     let ([low, high], less) = (words(root), less + more / 2);
     joined([moved_down(high, low, less), high >> less])
 }
-
-#[cfg(test)]
-mod tests;
