@@ -36,13 +36,13 @@ pub struct Slabs<N, R> {
 }
 
 /// For floats.
-impl<R: Real> Slabs<R, R> {
+impl<N: Real> Slabs<N, N> {
     #[inline(always)]
-    pub(super) fn new(origin: [R; 3], d: [R; 3]) -> Self {
-        let least = R::ONE.scaled(-20);
-        let reciprocal = |d: R| {
+    pub(super) fn new(origin: [N; 3], d: [N; 3]) -> Self {
+        let least = N::ONE.scaled(-20);
+        let reciprocal = |d: N| {
             let magnitude = d.abs();
-            let reciprocal = R::ONE / if magnitude < least { least } else { magnitude };
+            let reciprocal = N::ONE / if magnitude < least { least } else { magnitude };
             if d.is_negative() { -reciprocal } else { reciprocal }
         };
         Self { origin, reciprocals: d.map(reciprocal) }
@@ -50,11 +50,11 @@ impl<R: Real> Slabs<R, R> {
 
     /// See [`Culling::misses_box`](crate::scalar::Culling::misses_box).
     #[inline(always)]
-    pub(super) fn misses(&self, [start, end]: [R; 2], [x, y, z]: [R; 3], [hx, hy, hz]: [R; 3]) -> bool {
+    pub(super) fn misses(&self, [start, end]: [N; 2], [x, y, z]: [N; 3], [hx, hy, hz]: [N; 3]) -> bool {
         let ([ox, oy, oz], [ix, iy, iz]) = (self.origin, self.reciprocals);
         let (cx, cy, cz) = (x - ox, y - oy, z - oz);
         // Products close to zero underflow: the error of that is less than the second term.
-        let margin = (cx.abs() + cy.abs() + cz.abs()) * R::ONE.scaled(-MARGIN_BITS) + R::SMALLEST.scaled(6);
+        let margin = (cx.abs() + cy.abs() + cz.abs()) * N::ONE.scaled(-MARGIN_BITS) + N::SMALLEST.scaled(6);
         let (mut first, mut last) = (start, end);
         for (c, h, reciprocal) in [(cx, hx, ix), (cy, hy, iy), (cz, hz, iz)] {
             let (middle, bounding_radius) = (c * reciprocal, (h + margin) * reciprocal.abs());
@@ -67,7 +67,7 @@ impl<R: Real> Slabs<R, R> {
             }
         }
         // If a value has overflowed, beyond some 2^106, the result is no miss.
-        first > last && first < R::INFINITY && last > -R::INFINITY
+        first > last && first < N::INFINITY && last > -N::INFINITY
     }
 }
 

@@ -34,6 +34,12 @@ pub(in crate::scalar) fn tube<N: Length>(
     // Before it is shifted down, a r^2 has full precision.
     let positive = digits.of_square(r.up(grid as u32));
     let discriminant = N::high(positive - N::squared_length([wy]));
+    // The rounding of the two terms is half a unit of the upper half, that of the moment a fourth, and what a framed
+    // origin adds half a unit for each unit of its error.
+    let doubt = N::from(1).up(framed_bits(extra_bits, grid) as u32);
+    if discriminant < -doubt {
+        return Attempt::Miss;
+    }
     // The rounding of the moment, half a unit of the grid, changes t by at most a thirtieth of a unit (near the upper
     // limit of the radius, a fifth).
     let spare = grid - digits.shift();
@@ -45,11 +51,8 @@ pub(in crate::scalar) fn tube<N: Length>(
     // As for a ball.
     let least = N::high(positive).down((2 * (spare - 5)).min(most_bits::<N>(extra_bits, grid)).clamp(3, 22) as u32)
         + N::from(1);
-    // The rounding of the two terms is half a unit of the upper half, that of the moment a fourth, and what a framed
-    // origin adds half a unit for each unit of its error.
-    let doubt = N::from(1).up(framed_bits(extra_bits, grid) as u32);
     if discriminant < least || (is_strict && discriminant <= doubt) {
-        return if discriminant < -doubt { Attempt::Miss } else { Attempt::Unsure };
+        return Attempt::Unsure;
     }
     let divisor = digits.divisor();
     let root = N::root(positive - N::squared_length([wy])).raised(down);

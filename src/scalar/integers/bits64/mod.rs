@@ -120,16 +120,18 @@ impl Length for i64 {
         o: [Self; 3],
         extra_bits: i32,
     ) -> Option<([[Self; 3]; M], u32)> {
-        let (mut all, mut fits) = (1, Self::have_room(o));
+        if !Self::have_room(o) || !(extra_bits == 0 || extra_bits == Self::FINER) {
+            return None;
+        }
+        let (mut all, mut longest) = (1, 0);
         let mut seen = |length: i64, o: i64| {
-            let refined = length.refined(extra_bits).unwrap_or(Self::MAX);
-            fits &= upper_bits(refined) >> 28 == 0;
-            let length = refined.wrapping_sub(o);
+            longest |= upper_bits(length);
+            let length = if extra_bits == 0 { length } else { length << Self::FINER }.wrapping_sub(o);
             all |= (length ^ (length >> 63)) as u64;
             length
         };
         let points = points.map(|[x, y, z]| [seen(x, o[0]), seen(y, o[1]), seen(z, o[2])]);
-        fits.then(|| (points, leading_zeros_of_64(all)))
+        (longest >> (28 - extra_bits) == 0).then(|| (points, leading_zeros_of_64(all)))
     }
     #[inline(always)]
     fn relative_to(self, o: Self, extra_bits: i32) -> Option<Self> {
