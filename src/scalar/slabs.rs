@@ -36,13 +36,13 @@ pub struct Slabs<N, R> {
 }
 
 /// For floats.
-impl<N: Real> Slabs<N, N> {
+impl<F: Real> Slabs<F, F> {
     #[inline(always)]
-    pub(super) fn new(origin: [N; 3], d: [N; 3]) -> Self {
-        let least = N::ONE.scaled(-20);
-        let reciprocal = |d: N| {
+    pub(super) fn new(origin: [F; 3], d: [F; 3]) -> Self {
+        let least = F::ONE.scaled(-20);
+        let reciprocal = |d: F| {
             let magnitude = d.abs();
-            let reciprocal = N::ONE / if magnitude < least { least } else { magnitude };
+            let reciprocal = F::ONE / if magnitude < least { least } else { magnitude };
             if d.is_negative() { -reciprocal } else { reciprocal }
         };
         Self { origin, reciprocals: d.map(reciprocal) }
@@ -50,11 +50,11 @@ impl<N: Real> Slabs<N, N> {
 
     /// See [`Culling::misses_box`](crate::scalar::Culling::misses_box).
     #[inline(always)]
-    pub(super) fn misses(&self, [start, end]: [N; 2], [x, y, z]: [N; 3], [hx, hy, hz]: [N; 3]) -> bool {
+    pub(super) fn misses(&self, [start, end]: [F; 2], [x, y, z]: [F; 3], [hx, hy, hz]: [F; 3]) -> bool {
         let ([ox, oy, oz], [ix, iy, iz]) = (self.origin, self.reciprocals);
         let (cx, cy, cz) = (x - ox, y - oy, z - oz);
         // Products close to zero underflow: the error of that is less than the second term.
-        let margin = (cx.abs() + cy.abs() + cz.abs()) * N::ONE.scaled(-MARGIN_BITS) + N::SMALLEST.scaled(6);
+        let margin = (cx.abs() + cy.abs() + cz.abs()) * F::ONE.scaled(-MARGIN_BITS) + F::SMALLEST.scaled(6);
         let (mut first, mut last) = (start, end);
         for (c, h, reciprocal) in [(cx, hx, ix), (cy, hy, iy), (cz, hz, iz)] {
             let (middle, bounding_radius) = (c * reciprocal, (h + margin) * reciprocal.abs());
@@ -67,7 +67,7 @@ impl<N: Real> Slabs<N, N> {
             }
         }
         // If a value has overflowed, beyond some 2^106, the result is no miss.
-        first > last && first < N::INFINITY && last > -N::INFINITY
+        first > last && first < F::INFINITY && last > -F::INFINITY
     }
 }
 

@@ -64,7 +64,7 @@ pub fn programs() -> impl Iterator<Item = &'static Use> {
 }
 
 /// The source files with the code of few kinds: who they belong to, and the number type, if they are of one.
-const FILES: [(&str, &[&str], Option<&str>); 21] = [
+const FILES: [(&str, &[&str], Option<&str>); 20] = [
     ("primitive/sphere", &["Sphere"], None),
     ("primitive/cylinder", &["Cylinder"], None),
     ("primitive/cone", &["Cone"], None),
