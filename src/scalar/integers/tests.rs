@@ -388,7 +388,7 @@ fn met_on_surfaces<N: Tested>() {
 }
 
 /// Words of all sizes.
-fn words() -> impl Iterator<Item = u64> {
+pub(super) fn words() -> impl Iterator<Item = u64> {
     let mut state = 1_u64;
     (0..400_000).map(move |_| {
         state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);

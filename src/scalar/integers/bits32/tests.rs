@@ -2,16 +2,8 @@ use super::*;
 use crate::number::machine::reciprocal_of_normalized;
 use crate::scalar::Attempt;
 use crate::scalar::integers::direction::direction;
+use crate::scalar::integers::tests::words;
 use stretched::stretched;
-
-/// Words of all sizes.
-fn words() -> impl Iterator<Item = u64> {
-    let mut state = 1_u64;
-    (0..400_000).map(move |_| {
-        state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        state ^ (state >> 29)
-    })
-}
 
 #[test]
 fn root_is_within_one() {
