@@ -40,17 +40,16 @@ pub(in crate::scalar) fn tube<N: Length>(
     if discriminant < -doubt {
         return Attempt::Miss;
     }
-    // The rounding of the moment, half a unit of the grid, changes t by at most a thirtieth of a unit (near the upper
-    // limit of the radius, a fifth).
+    // With s^2 = D / (a r^2), the rounding of the moment, half a unit of the grid, changes t by at most a thirtieth of a
+    // unit (near the upper limit of the radius, a fifth). The error of a framed origin, a hundredth of a unit, is up to
+    // 1 / (sqrt(a) s) times as large in t: it becomes a sixth of a unit if that is 16. With each further bit of the
+    // origin it may be twice that, as for a ball.
     let spare = grid - digits.shift();
-    // The error of a framed origin, a hundredth of a unit, becomes a sixth of a unit if the direction is at an angle of
-    // an eighth to the axis.
-    if spare < 4 || (extra_bits != 0 && digits.shift() > 6) {
+    let most = most_bits::<N>(extra_bits, grid) - 1 - digits.shift();
+    if spare < 4 || most < 0 {
         return Attempt::Unsure;
     }
-    // As for a ball.
-    let least = N::high(positive).down((2 * (spare - 5)).min(most_bits::<N>(extra_bits, grid)).clamp(3, 22) as u32)
-        + N::from(1);
+    let least = N::high(positive).down((2 * (spare - 5)).clamp(3, 22).min(most) as u32) + N::from(1);
     if discriminant < least || (is_strict && discriminant <= doubt) {
         return Attempt::Unsure;
     }
