@@ -158,6 +158,7 @@ pub use frame::{Frame, FrameError};
 pub use geometry::Bounds;
 pub use hierarchy::Shapes;
 pub use hit::{Crossing, Hit, Hits};
+pub use ladder::ExactScalar;
 pub use part::Part;
 pub use primitive::{Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, SizeError, Sphere, Triangle};
 pub use ray::{Along, Departure, Leaving, Range, Ray, RayError};

@@ -3,7 +3,7 @@
 
 #[cfg(feature = "fixed")]
 use super::including::narrowed;
-use super::integers::length::Length;
+use super::integers::length::{InverseLength, Length};
 use super::{Including, Numbers, Scalar};
 #[cfg(feature = "fixed")]
 use fixed::types::extra::{LeEqU32, LeEqU64, U32};
@@ -65,18 +65,6 @@ pub struct FinerLine<S: Numbers> {
     pub scale: i32,
     /// The ray's `t` divided by the line's, in the type's unit over the line's.
     pub inverse_length: InverseLength,
-}
-
-/// A ratio of lengths, at most a half: `digits * 2^-shift`, or `(digits * 2^32 + below) * 2^-shift` for the types of 64
-/// bits.
-#[derive(Clone, Copy, Debug)]
-pub struct InverseLength {
-    /// At least 2^31.
-    pub digits: u32,
-    /// The digits below these; zero for the types of 32 bits.
-    pub below: u32,
-    /// From 33 to 62, or from 65 to 126.
-    pub shift: u32,
 }
 
 /// A fixed-point type, whose lines meet primitives on the grid: its raw integers, and the type of the second attempt.

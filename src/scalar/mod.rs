@@ -71,7 +71,7 @@ pub(crate) use attempt::found;
 pub use attempt::{Attempt, InCuboid, InSide, NappeOutline};
 pub use computing::{Computing, Elementary, RoundLine, RoundSolid};
 pub use culling::Culling;
-pub use grid::{FinerLine, GridScalar, InverseLength, LocalLine};
+pub use grid::{FinerLine, GridScalar, LocalLine};
 pub use including::Including;
 #[cfg(feature = "fixed")]
 pub(crate) use integers::are_doubtful;

@@ -1,10 +1,11 @@
 //! The integers of one width, with the operations that the kernels need.
 
-use crate::scalar::InverseLength;
 use core::ops::{Add, BitOr, Neg, Shl, Shr, Sub};
 
 /// A length, a component of a direction, or a `t`: an integer of 32 or 64 bits.
-pub trait Length: Copy + Ord + From<i32> + Neg<Output = Self> + Add<Output = Self> + Sub<Output = Self> {
+pub trait Length:
+    Copy + Ord + From<i32> + Neg<Output = Self> + Add<Output = Self> + Sub<Output = Self> + Stretch
+{
     /// A product of two, or a sum of such products.
     type Product: Product + From<Self>;
     /// A divisor.
@@ -64,8 +65,8 @@ pub trait Length: Copy + Ord + From<i32> + Neg<Output = Self> + Add<Output = Sel
     fn refined_beside(self, o: Self, extra_bits: i32) -> Option<Self>;
     /// The same for a `t`, if its product with a direction has room.
     fn refined_time(self, extra_bits: i32) -> Option<Self>;
-    /// Points of the type relative to a line's origin, which is in units of `2^-extra_bits`, and the leading zeros of the
-    /// longest component, if products of the components have room.
+    /// Points of the type relative to a line's origin, which is in units of `2^-extra_bits`, and the leading zeros of
+    /// the longest component, if products of the components have room.
     fn seen_from<const M: usize>(
         points: [[Self; 3]; M],
         o: [Self; 3],
@@ -117,7 +118,10 @@ pub trait Length: Copy + Ord + From<i32> + Neg<Output = Self> + Add<Output = Sel
     fn share(product: Self::Product, e: Self::Excess) -> Self::Product;
     /// `product / (1 + e)`
     fn without_excess(product: Self::Product, e: Self::Excess) -> Self::Product;
+}
 
+/// Lines in the frame of an affine placement.
+pub trait Stretch: Sized {
     /// The line from `o` along `d` in the frame at `position` of a matrix whose inverse has these rows, each to be
     /// multiplied by its power of two, for a solid whose lengths are at most `bounding_radius`; `None` if there is no
     /// room for them.
@@ -193,4 +197,16 @@ pub struct Stretched<N> {
     /// The number of bits by which the unit is finer than the type's.
     pub(in crate::scalar) scale: i32,
     pub(in crate::scalar) inverse_length: InverseLength,
+}
+
+/// A ratio of lengths, at most a half: `digits * 2^-shift`, or `(digits * 2^32 + below) * 2^-shift` for the types of 64
+/// bits.
+#[derive(Clone, Copy, Debug)]
+pub struct InverseLength {
+    /// At least 2^31.
+    pub digits: u32,
+    /// The digits below these; zero for the types of 32 bits.
+    pub below: u32,
+    /// From 33 to 62, or from 65 to 126.
+    pub shift: u32,
 }

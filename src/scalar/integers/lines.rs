@@ -1,7 +1,7 @@
 //! What a line meets on the grid of fixed point: from stored numbers to raw integers and back. The results are
 //! [`Attempt::Unsure`] where rounding may decide.
 
-use super::length::Length;
+use super::length::{Length, Stretch};
 use super::{ball, cone, cuboid, departing, flat, round, triangle, turned};
 use crate::scalar::{Attempt, FinerLine, GridScalar, InCuboid, InSide, LocalLine, NappeOutline, found};
 use core::cmp::Ordering;

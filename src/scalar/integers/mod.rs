@@ -49,9 +49,9 @@ fn radius_grid<N: Length>(r: N, extra_bits: i32) -> Option<(i32, u32)> {
 }
 
 /// The largest number of bits by which the square of a root may be smaller than that of the radius, on a grid of
-/// `2^-grid` units, on which the radius has `BITS - 3` bits: the error of a framed origin, a hundredth of a unit, becomes
-/// a sixth of a unit if the root is a sixteenth of the radius. With each further bit of the origin, limited to those
-/// that a radius has too, the root may be half as large.
+/// `2^-grid` units, on which the radius has `BITS - 3` bits: the error of a framed origin, a hundredth of a unit,
+/// becomes a sixth of a unit if the root is a sixteenth of the radius. With each further bit of the origin, limited to
+/// those that a radius has too, the root may be half as large.
 #[inline(always)]
 fn most_bits<N: Length>(extra_bits: i32, grid: i32) -> i32 {
     if extra_bits == 0 { 64 } else { 8 + 2 * (extra_bits - N::FINER).min(grid - 5).max(0) }

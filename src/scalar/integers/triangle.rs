@@ -52,16 +52,16 @@ pub(in crate::scalar) fn triangle<N: Length>(
     let Some((seen, free)) = N::seen_from(vertices, o, extra_bits) else {
         return Attempt::Unsure;
     };
-    // On a grid on which `spare` bits are free, truncated by less than one unit. The error of a framed origin is half of
-    // its own unit, so that a finer grid would gain nothing.
+    // On a grid on which `spare` bits are free, truncated by less than one unit. The error of a framed origin is half
+    // of its own unit, so that a finer grid would gain nothing.
     let spare = 6 - N::MOMENT_BITS;
     let up = if extra_bits == 0 { free.saturating_sub(spare) } else { 0 };
     let cut = spare.saturating_sub(free);
     let on_grid = |vertex: [N; 3]| vertex.map(|length| if up > 0 { length.up(up) } else { length.down(cut) });
     let [p, q, r] = seen.map(on_grid);
-    // In a unit of 2^-MOMENT_BITS of the grid's, the error of a component of d x p is less than 4 (2 from the truncation
-    // of p, and as much from a framed origin and direction) of the grid's, that of one of q less than 2. Together that
-    // is less than 2^(5 + MOMENT_BITS) times the largest q.
+    // The error of a component of d x p is less than 4 units of the grid (2 from the truncation of p, and as much from
+    // a framed origin and direction), that of one of q less than 2. The moment has MOMENT_BITS further bits: together
+    // that is less than 2^(5 + MOMENT_BITS) times the largest q.
     let bits = if up > 0 { N::BITS - spare } else { N::BITS - free - cut };
     let doubt = N::Product::ONE << (bits + 5 + N::MOMENT_BITS);
     let volume = |(p, q): ([N; 3], [N; 3])| {

@@ -4,7 +4,8 @@
 //! In the long form (`.ci/long`) a million rays a primitive.
 
 use fixed::types::{I2F30, I8F24, I16F16, I20F12, I28F4};
-use raylet::tier::{Exact, ExactScalar, Precision, Tier};
+use raylet::ExactScalar;
+use raylet::tier::{Exact, Precision, Tier};
 use raylet::{Range, Ray, Shape};
 use std::fmt::Write;
 use support::amount::{amount, times};

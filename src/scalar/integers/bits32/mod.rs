@@ -4,12 +4,11 @@ mod placed;
 mod quotient;
 mod stretched;
 
-use super::length::{Length, Product, Stretched};
+use super::length::{Length, Product};
 use super::round_off;
 use crate::number::machine::{
     high_product_signed, leading_zeros, leading_zeros_of_64, product, root_of_normalized, square,
 };
-use crate::scalar::InverseLength;
 
 impl Product for i64 {
     const ZERO: Self = 0;
@@ -252,21 +251,6 @@ impl Length for i32 {
     #[inline(always)]
     fn without_excess(value: i64, e: i32) -> i64 {
         value - Self::share(value, e)
-    }
-
-    #[inline]
-    fn stretched(
-        o: [Self; 3],
-        d: [Self; 3],
-        position: [Self; 3],
-        rows: [([Self; 3], i32); 3],
-        bounding_radius: Self,
-    ) -> Option<Stretched<Self>> {
-        stretched::stretched(o, d, position, rows, bounding_radius)
-    }
-    #[inline(always)]
-    fn along_ray(inverse_length: InverseLength, start: Self, t: Self) -> Option<Self> {
-        stretched::along_ray(inverse_length, start, t)
     }
 }
 

@@ -2,8 +2,8 @@ use super::*;
 use crate::number::machine::reciprocal_of_normalized;
 use crate::scalar::Attempt;
 use crate::scalar::integers::direction::direction;
+use crate::scalar::integers::length::Stretch;
 use crate::scalar::integers::tests::words;
-use stretched::stretched;
 
 #[test]
 fn root_is_within_one() {
@@ -60,7 +60,7 @@ fn a_stretched_line_is_the_matrix_times_the_line() {
         tried += 1;
         let stored = [0, 1, 2].map(|i| (rows[i], exponents[i]));
         let bounding_radius = 1 << (4 + tried % 20);
-        let Some(line) = stretched(o, d, position, stored, bounding_radius) else { continue };
+        let Some(line) = i32::stretched(o, d, position, stored, bounding_radius) else { continue };
         found += 1;
         let of = |v: [f64; 3]| {
             [0, 1, 2].map(|i| {
@@ -107,7 +107,7 @@ fn a_line_along_a_row_keeps_its_direction() {
         let axis = index % 3;
         let rows = [0, 1, 2].map(|i| (if i == axis { row } else { [0; 3] }, 0));
         for d in [row, row.map(|c| -c)] {
-            let Some(line) = stretched([5 << 16; 3], d, [0; 3], rows, 1 << 16) else { continue };
+            let Some(line) = i32::stretched([5 << 16; 3], d, [0; 3], rows, 1 << 16) else { continue };
             found += 1;
             let along = [0, 1, 2].map(|i| if i == axis { if d == row { 1 << 30 } else { -1 << 30 } } else { 0 });
             for (got, along) in line.direction.into_iter().zip(along) {

@@ -4,9 +4,8 @@ mod digits;
 mod quotient;
 mod stretched;
 
-use super::length::{Length, Product, Stretched};
+use super::length::{Length, Product};
 use crate::number::machine::{leading_zeros_of_64, product, square};
-use crate::scalar::InverseLength;
 use digits::{Digits, carried, down, down_to_64, high, root, round_off, up, up_to_128, upper_bits};
 
 /// Bits of the unit of an `e` in `1 + e`.
@@ -153,8 +152,8 @@ impl Length for i64 {
         fits.then_some((0, from.map(|length| length << Self::FINER), Self::FINER))
     }
 
-    /// The middle digits are added in 64 bits: `sum |a_i| + sum |b_i|` must be below 2^64, as it is for two unit vectors
-    /// (`2 sqrt(3) 2^62`).
+    /// The middle digits are added in 64 bits: `sum |a_i| + sum |b_i|` must be below 2^64, as it is for two unit
+    /// vectors (`2 sqrt(3) 2^62`).
     #[inline(always)]
     fn dot<const M: usize>(a: [Self; M], b: [Self; M]) -> i128 {
         let (mut high, mut middle, mut low) = (0, 0, 0);
@@ -253,21 +252,6 @@ impl Length for i64 {
     fn without_excess(value: i128, e: i64) -> i128 {
         // 1 / (1 + e) is 1 - (e - e^2).
         value - Self::share(value, e - (square((e >> 32) as i32) >> 24))
-    }
-
-    #[inline]
-    fn stretched(
-        o: [Self; 3],
-        d: [Self; 3],
-        position: [Self; 3],
-        rows: [([Self; 3], i32); 3],
-        bounding_radius: Self,
-    ) -> Option<Stretched<Self>> {
-        stretched::stretched(o, d, position, rows, bounding_radius)
-    }
-    #[inline(always)]
-    fn along_ray(inverse_length: InverseLength, _start: Self, t: Self) -> Option<Self> {
-        stretched::along_ray(inverse_length, t)
     }
 }
 

@@ -1,8 +1,8 @@
 use super::digits::{joined, root_of_normalized};
 use super::*;
+use crate::scalar::integers::length::Stretch;
 use crate::scalar::integers::tests::{LINES, Random, coordinate, unit};
 use dashu_int::IBig;
-use stretched::stretched;
 
 /// Numbers of all sizes.
 fn numbers() -> impl Iterator<Item = u64> {
@@ -74,7 +74,7 @@ fn a_stretched_line_is_the_matrix_times_the_line() {
             (row, random.below(13) as i32 - 6)
         });
         let bounding_radius = 1 << (20 + index % 24);
-        let Some(line) = stretched(o, d, position, rows, bounding_radius) else { continue };
+        let Some(line) = i64::stretched(o, d, position, rows, bounding_radius) else { continue };
         found += 1;
         along_axes += u32::from(d.iter().filter(|c| **c == 0).count() == 2 && is_diagonal && !is_full);
         let length: IBig = line.direction.iter().map(|c| IBig::from(*c) * IBig::from(*c)).sum();

@@ -3,7 +3,8 @@
 use crate::input::{Any, any_direction, any_point, any_word, give};
 use raylet::scalar::{Real, UnitScalar};
 use raylet::shape::kinds::{KindError, Kinds};
-use raylet::tier::{ExactScalar, Tier};
+use raylet::ExactScalar;
+use raylet::tier::Tier;
 use raylet::{
     Affine, Capsule, Cone, Cuboid, Cylinder, Departure, Disc, Frame, Leaving, Part, Plane, Range, Ray, Rectangle,
     Shape, Sphere, Surface, Triangle, UnitVec3, Vec3, Visible,
