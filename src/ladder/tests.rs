@@ -12,8 +12,8 @@ impl Random {
         [self.between(-x, x), self.between(-y, y), self.between(-z, z)]
     }
 
-    /// The sizes of solids, most of them near 1, and a ray at them: from near and far, at an edge or a corner, nearly or
-    /// exactly parallel to a face.
+    /// The sizes of solids, most of them near 1, and a ray at them: from near and far, at an edge or a corner, nearly
+    /// or exactly parallel to a face.
     fn flat_case(&mut self) -> Option<([f32; 3], Ray<f32>)> {
         let size = if self.next().is_multiple_of(3) { libm::exp2(self.between(-40.0, 40.0)) } else { 1.0 };
         let half = [self.between(0.5, 2.0), self.between(0.2, 1.2), self.between(0.5, 1.5)].map(|half| half * size);

@@ -9,9 +9,9 @@ use core::cmp::Ordering;
 ///
 /// If it is `STABLE`, these differences must be larger, so that the results have the accuracy of the tier `Stable`: a
 /// positive difference of squares at least a 64th of its terms, and the slope at an end must not be small
-/// ([`Number::is_far`]). Of flat parts in the world, whose coordinates are exact, it need only know signs. Such constant
-/// bounds on the errors of spheres and triangles, whose formulas are short, cost half of running ones: a sphere in a
-/// frame takes 172 instead of 359 instructions, a triangle 356 instead of 879.
+/// ([`Number::is_far`]). Of flat parts in the world, whose coordinates are exact, it need only know signs. Such
+/// constant bounds on the errors of spheres and triangles, whose formulas are short, cost half of running ones: a
+/// sphere in a frame takes 172 instead of 359 instructions, a triangle 356 instead of 879.
 #[derive(Clone, Copy, Debug)]
 pub struct Guarded<R, const STABLE: bool = false>(pub(crate) Plain<R>);
 

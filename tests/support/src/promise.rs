@@ -1,11 +1,12 @@
 //! What the tiers promise of one ray, and whether an answer keeps it.
 //!
-//! | tier | hits | `t` |
-//! |---|---|---|
-//! | `Plain` | none lost or invented where the ray is plain, 10^-5 off the generators of a cone, and the start within 10 sizes, but within 64 units of a rim or 16 of the start | |
-//! | `Fast` | none lost, invented or on another part where the ray is plain and the start within 100 sizes, but within 16 units of a rim or of the start | |
-//! | `Stable` | none lost, invented or on another part but within a unit of touching or of a rim | floats: 16 units away from grazing, 31 at any ray that grazes to 1e-7; fixed point: one unit |
-//! | `Exact` | those of exact arithmetic | one unit |
+//! - `Plain`: no hit is lost or invented where the ray is plain, 10^-5 off the generators of a cone, and the start
+//!   within 10 sizes, but within 64 units of a rim or 16 of the start.
+//! - `Fast`: no hit is lost, invented or on another part where the ray is plain and the start within 100 sizes, but
+//!   within 16 units of a rim or of the start.
+//! - `Stable`: no hit is lost, invented or on another part but within a unit of touching or of a rim. In floats `t` is
+//!   within 16 units away from grazing, and 31 at any ray that grazes to 1e-7; in fixed point within one unit.
+//! - `Exact`: the hits are those of exact arithmetic, and `t` is within one unit.
 //!
 //! A ray is *plain* if each chord of its line is at least a hundredth of the solid's size; if the line has no chord,
 //! since it meets the surface once or not at all, the ray is plain if it does not graze.
@@ -25,8 +26,8 @@ const AWAY: f64 = 1e-2;
 /// Nearer than this nothing is promised.
 const NEAREST: f64 = 1e-7;
 
-/// Nearer than this `Plain` promises nothing of a cone: through a map that stretches by 30, the direction in the solid's frame is
-/// off by some 10^-6 in `f32`, which decides on which nappe a ray along a generator ends.
+/// Nearer than this `Plain` promises nothing of a cone: through a map that stretches by 30, the direction in the
+/// solid's frame is off by some 10^-6 in `f32`, which decides on which nappe a ray along a generator ends.
 const NEAREST_OF_PLAIN: f64 = 1e-5;
 
 /// A start nearer to the surface than this share of the size is judged by positions.
@@ -169,8 +170,8 @@ impl<S: Number> Judged<'_, S> {
         })
     }
 
-    /// Whether the ray is plain, is so far from grazing, and starts within so many sizes. A ray that meets nothing starts as far away as its
-    /// point next to the frame's origin.
+    /// Whether the ray is plain, is so far from grazing, and starts within so many sizes. A ray that meets nothing
+    /// starts as far away as its point next to the frame's origin.
     pub fn is_plain(&self, sizes: f64, nearest: f64) -> bool {
         let away = self.want.hits.first().map_or_else(|| nearest_to_origin(self.line), |hit| hit.t.to_f64());
         // A direction is not known well enough to tell on which side of a generator or a face such a ray leads.
