@@ -76,7 +76,7 @@ fn interval<S: Scalar, G: Described>(hull: &Hull<S>, o: S, [x, y, z]: [Near<S>; 
     };
     // Only the hulls of the geometry's kinds are linked.
     let has = |kind| G::EQUATIONS.has(kind);
-    let between_discs = EquationKinds::TUBE.and(EquationKinds::CONE).and(EquationKinds::DOUBLE_CONE);
+    let between_discs = EquationKinds::TUBE.and(EquationKinds::CONE);
     match hull {
         Hull::Ball(radius) if has(EquationKinds::BALL) => round([S::ZERO, *radius], length([x, y, z])),
         Hull::Balls(balls) if has(EquationKinds::CAPSULE) => {

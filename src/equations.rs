@@ -1,5 +1,7 @@
 //! A primitive as a set of equations and inequalities, for the solver.
 
+use crate::outline::{Extent, Outline};
+
 /// The equations and inequalities of a primitive, in the numbers that it was built from.
 #[derive(Clone, Copy, Debug)]
 pub enum Equations<S> {
@@ -15,17 +17,19 @@ pub enum Equations<S> {
         /// The length of the segment.
         height: S,
     },
-    /// The inside of a surface of revolution about the y axis, or that surface alone.
-    Round {
-        /// The side.
-        side: Side<S>,
-        /// The ends.
+    /// The inside of a cylinder about the y axis, or its side alone.
+    Tube {
+        /// The radius.
+        radius: S,
+        /// Its ends.
         extent: Extent<S>,
     },
-    /// Both nappes of a cone.
-    DoubleCone {
-        /// Radius over height.
-        slope: S,
+    /// The inside of a cone about the y axis, or its side alone.
+    Cone {
+        /// The radius as a function of the height.
+        outline: Outline<S>,
+        /// Its ends.
+        extent: Extent<S>,
     },
     /// The plane `y = 0`.
     Plane,
@@ -51,28 +55,6 @@ pub enum Equations<S> {
     },
 }
 
-/// A surface of revolution about the y axis.
-#[derive(Clone, Copy, Debug)]
-pub enum Side<S> {
-    /// A cylinder of this radius.
-    Straight(S),
-    /// A cone from the apex at the origin upwards: radius over height.
-    Slope(S),
-    /// A cone through a radius at `y = 0` and another at `y = height`, which is the third number.
-    Radii(S, S, S),
-}
-
-/// The ends of a side.
-#[derive(Clone, Copy, Debug)]
-pub enum Extent<S> {
-    /// No ends; a solid.
-    Infinite,
-    /// Rims at `y = 0` and at this height; a surface without an inside.
-    Open(S),
-    /// Caps at these heights; a solid. `None` at an apex, which needs no cap.
-    Capped(Option<S>, Option<S>),
-}
-
 /// Kinds of equations: a bit for each kind for which the solver has a separate function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct EquationKinds(u16);
@@ -84,22 +66,20 @@ impl EquationKinds {
     pub(crate) const BALL: Self = Self(1);
     /// [`Equations::Capsule`].
     pub(crate) const CAPSULE: Self = Self(1 << 1);
-    /// [`Equations::Round`] with a straight side.
+    /// [`Equations::Tube`].
     pub(crate) const TUBE: Self = Self(1 << 2);
-    /// [`Equations::Round`] with any other side.
+    /// [`Equations::Cone`].
     pub(crate) const CONE: Self = Self(1 << 3);
-    /// [`Equations::DoubleCone`].
-    pub(crate) const DOUBLE_CONE: Self = Self(1 << 4);
     /// [`Equations::Plane`].
-    pub(crate) const PLANE: Self = Self(1 << 5);
+    pub(crate) const PLANE: Self = Self(1 << 4);
     /// [`Equations::Disc`].
-    pub(crate) const DISC: Self = Self(1 << 6);
+    pub(crate) const DISC: Self = Self(1 << 5);
     /// [`Equations::Triangle`].
-    pub(crate) const TRIANGLE: Self = Self(1 << 7);
+    pub(crate) const TRIANGLE: Self = Self(1 << 6);
     /// [`Equations::Cuboid`].
-    pub(crate) const CUBOID: Self = Self(1 << 8);
+    pub(crate) const CUBOID: Self = Self(1 << 7);
     /// [`Equations::Rectangle`].
-    pub(crate) const RECTANGLE: Self = Self(1 << 9);
+    pub(crate) const RECTANGLE: Self = Self(1 << 8);
 
     /// Those of both sets.
     pub(crate) const fn and(self, other: Self) -> Self {
@@ -119,9 +99,8 @@ impl<S> Equations<S> {
         match self {
             Self::Ball { .. } => EquationKinds::BALL,
             Self::Capsule { .. } => EquationKinds::CAPSULE,
-            Self::Round { side: Side::Straight(_), .. } => EquationKinds::TUBE,
-            Self::Round { .. } => EquationKinds::CONE,
-            Self::DoubleCone { .. } => EquationKinds::DOUBLE_CONE,
+            Self::Tube { .. } => EquationKinds::TUBE,
+            Self::Cone { .. } => EquationKinds::CONE,
             Self::Plane => EquationKinds::PLANE,
             Self::Disc { .. } => EquationKinds::DISC,
             Self::Cuboid { .. } => EquationKinds::CUBOID,

@@ -84,7 +84,7 @@
 //! | 4 | `solve`, `equations`, `grid` | the solver, which all tiers share; the equations of a solid; what primitives share on the grid of fixed point |
 //! | 3 | [`ray`], [`frame`], [`affine`], [`hit`], `intersection`, `line` | rays and ranges, placement, hits and hit lists, intervals |
 //! | 2 | [`vector`] | [`Vec3`], [`UnitVec3`] |
-//! | 1 | [`number`], [`scalar`] | the numbers that solvers compute in; the stored number types: `f32`, `f64`, fixed point |
+//! | 1 | [`number`], [`scalar`], `outline` | the numbers that solvers compute in; the stored number types: `f32`, `f64`, fixed point; the side of a cylinder or a cone |
 //!
 //! [`constant`](mod@constant) describes scenes in flash. `display`, `interchange`, `error` and `errata` belong to no
 //! layer.
@@ -137,6 +137,7 @@ mod intersection;
 mod ladder;
 mod line;
 pub mod number;
+mod outline;
 mod part;
 pub mod primitive;
 mod query;

@@ -1,7 +1,8 @@
 //! Cones by their aperture.
 
-use super::outline::{Outline, checked_slope};
+use super::cone::checked_slope;
 use super::{Cone, SizeError};
+use crate::outline::Outline;
 use crate::scalar::{Real, Scalar, UnitScalar, ValueError};
 
 impl<S: Scalar> Cone<S> {

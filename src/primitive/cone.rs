@@ -1,28 +1,15 @@
 //! The cone about the y axis.
-//!
-//! `outline` describes the quadric, and why no slope is rounded.
 
-use super::outline::{Outline, Profile, checked_slope};
 use super::{Geometry, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates};
-use crate::equations::{self, Described, EquationKinds, Equations, Side};
+use crate::equations::{Described, EquationKinds, Equations};
 use crate::geometry::Hull;
 use crate::grid::{Guards, Slab, whole_side};
 use crate::intersection::{End, Intersection, Span};
+use crate::outline::{Extent, Outline};
 use crate::part::Part;
-use crate::scalar::{
-    Attempt, GridScalar, Including, LocalLine, NappeOutline, Real, Scalar, ValueError, found, largest,
-};
-use crate::solve::{self, Goal, LocalRay, Of};
+use crate::scalar::{Attempt, GridScalar, Including, LocalLine, Real, Scalar, ValueError, found, largest};
+use crate::solve::{self, Goal, LocalRay, Of, Profile};
 use crate::vector::{UnitVec3, Vec3};
-
-/// The extent of a cone along its axis, and whether it is closed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Extent<S> {
-    Double,
-    Nappe,
-    Open(S),
-    Capped(S),
-}
 
 /// A cone about the y axis: double (both nappes, infinite), one infinite nappe, or of finite height, open or with flat
 /// caps.
@@ -61,7 +48,7 @@ impl<S: Scalar> Cone<S> {
     ///
     /// [`SizeError::Slope`] if the slope is not positive, not finite or beyond the budget.
     pub fn nappe(slope: S) -> Result<Self, SizeError> {
-        Ok(Self { outline: checked_slope(slope)?, extent: Extent::Nappe })
+        Ok(Self { outline: checked_slope(slope)?, extent: Extent::Infinite })
     }
 
     /// The side from the apex up to `y = height`, without a cap: an open surface.
@@ -104,10 +91,7 @@ impl<S: Scalar> Cone<S> {
 
     /// The height; `None` for an infinite cone.
     pub const fn height(&self) -> Option<S> {
-        match self.extent {
-            Extent::Double | Extent::Nappe => None,
-            Extent::Open(height) | Extent::Capped(height) => Some(height),
-        }
+        self.extent.height()
     }
 
     /// The slope, which is the radius at the height 1; `None` for a frustum, which has two radii instead.
@@ -143,6 +127,16 @@ impl<S: Scalar> Cone<S> {
     }
 }
 
+/// The outline of a cone of this slope, if that is within the budget.
+pub(super) fn checked_slope<S: Scalar>(slope: S) -> Result<Outline<S>, SizeError> {
+    // The comparison is false for NaN.
+    if slope >= S::BUDGET.smallest_slope && slope <= S::BUDGET.slope {
+        Ok(Outline::Slope(slope))
+    } else {
+        Err(SizeError::Slope(ValueError::of_size(slope, S::BUDGET.smallest_slope)))
+    }
+}
+
 fn checked_radii<S: Scalar>(base: S, top: S, height: S) -> Result<Outline<S>, SizeError> {
     let base = checked_size_or_zero(base, SizeError::Radius)?;
     let top = checked_size_or_zero(top, SizeError::Radius)?;
@@ -153,27 +147,6 @@ fn checked_radii<S: Scalar>(base: S, top: S, height: S) -> Result<Outline<S>, Si
 }
 
 impl<S: Scalar> Cone<S> {
-    /// The planes of its caps. There is no plane at an end where the radius is zero: the apex ends the cone there.
-    fn planes(&self) -> (Option<S>, Option<S>) {
-        let low = (self.base_radius() != S::ZERO).then_some(S::ZERO);
-        let high = match self.outline {
-            Outline::Radii(_, top, _) if top == S::ZERO => None,
-            _ => self.height(),
-        };
-        (low, high)
-    }
-
-    #[inline(always)]
-    fn grid_outline(&self) -> NappeOutline<S>
-    where
-        S: GridScalar,
-    {
-        match self.outline {
-            Outline::Slope(top) => NappeOutline { base: S::ZERO, top, height: None },
-            Outline::Radii(base, top, height) => NappeOutline { base, top, height: Some(height) },
-        }
-    }
-
     /// The line's interval between the two heights, if the grid is sure. At an end that is an apex there is no plane.
     #[inline(always)]
     fn grid_slab<'a>(&self, line: &'a LocalLine<S>, height: S) -> Attempt<Slab<'a, S>>
@@ -182,8 +155,8 @@ impl<S: Scalar> Cone<S> {
     {
         let mut slab = found!(Slab::new(line, S::ZERO, height));
         if let Extent::Capped(_) = self.extent {
-            let (between, (low, high)) = (&mut slab.span, self.planes());
-            let is_plane = |part: Part| if part == Part::Base { low.is_some() } else { high.is_some() };
+            let (between, [base, top]) = (&mut slab.span, solve::caps(&self.outline));
+            let is_plane = |part: Part| if part == Part::Base { base } else { top };
             if !is_plane(between.enter.part) {
                 between.enter = End::none(-S::INFINITY);
             }
@@ -199,22 +172,12 @@ impl<S: Copy> Cone<S> {
     /// The cone with `of_slope` applied to its slope, or `of_size` to its sizes.
     #[inline(always)]
     fn map<R>(self, of_slope: impl Fn(S) -> R, of_size: impl Fn(S) -> R) -> Cone<R> {
-        let outline = match self.outline {
-            Outline::Slope(slope) => Outline::Slope(of_slope(slope)),
-            Outline::Radii(base, top, height) => Outline::Radii(of_size(base), of_size(top), of_size(height)),
-        };
-        let extent = match self.extent {
-            Extent::Double => Extent::Double,
-            Extent::Nappe => Extent::Nappe,
-            Extent::Open(height) => Extent::Open(of_size(height)),
-            Extent::Capped(height) => Extent::Capped(of_size(height)),
-        };
-        Cone { outline, extent }
+        Cone { outline: self.outline.map(of_slope, &of_size), extent: self.extent.map(of_size) }
     }
 }
 
 impl<S> Described for Cone<S> {
-    const EQUATIONS: EquationKinds = EquationKinds::CONE.and(EquationKinds::DOUBLE_CONE);
+    const EQUATIONS: EquationKinds = EquationKinds::CONE;
 }
 
 impl<S: Scalar> Geometry<S> for Cone<S> {
@@ -271,9 +234,9 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
                 Intersection::One(Span::new(first, second))
             });
         }
-        let inside = found!(line.nappe(self.grid_outline()));
+        let inside = found!(line.nappe(self.outline));
         match self.extent {
-            Extent::Double | Extent::Nappe => Attempt::Hit(Intersection::One(found!(whole_side(&inside)))),
+            Extent::Double | Extent::Infinite => Attempt::Hit(Intersection::One(found!(whole_side(&inside)))),
             Extent::Open(height) => found!(self.grid_slab(line, height)).rims(&inside),
             Extent::Capped(height) => found!(self.grid_slab(line, height)).clip(&inside),
         }
@@ -290,15 +253,15 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
                 // The chord stays in the nappe in which it begins. The lower nappe is the mirror image of the upper
                 // one.
                 let line = if line.origin[1] < S::ZERO { line.mirrored() } else { *line };
-                let exit = found!(line.exit_from_nappe(self.grid_outline()));
+                let exit = found!(line.exit_from_nappe(self.outline));
                 return Attempt::Hit(End::new(exit, Part::Side));
             }
-            Extent::Nappe | Extent::Capped(_) => {}
+            Extent::Infinite | Extent::Capped(_) => {}
         }
         let (side, is_certain) = if from == Part::Side {
-            (found!(line.exit_from_nappe(self.grid_outline())), true)
+            (found!(line.exit_from_nappe(self.outline)), true)
         } else {
-            let inside = found!(line.nappe(self.grid_outline()));
+            let inside = found!(line.nappe(self.outline));
             (inside.ends[1], inside.are_accurate()[1])
         };
         let side = End::new(side, Part::Side);
@@ -312,33 +275,11 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
 
     #[inline(always)]
     fn intersect<N: Of<S>>(&self, ray: &LocalRay<N>, goal: Goal<S>) -> solve::Attempt<Intersection<S>> {
-        let extent = match self.extent {
-            Extent::Double => solve::Extent::Double,
-            Extent::Nappe => solve::Extent::Infinite,
-            Extent::Open(height) => solve::Extent::Open(height),
-            Extent::Capped(_) => {
-                let (low, high) = self.planes();
-                solve::Extent::Capped(low, high)
-            }
-        };
-        solve::cone(ray, self.outline, extent, goal)
+        solve::cone(ray, self.outline, self.extent, goal)
     }
 
     fn equations(&self) -> Equations<S> {
-        let side = match self.outline {
-            Outline::Slope(slope) => Side::Slope(slope),
-            Outline::Radii(base, top, height) => Side::Radii(base, top, height),
-        };
-        let extent = match (self.extent, self.outline) {
-            (Extent::Double, Outline::Slope(slope)) => return Equations::DoubleCone { slope },
-            (Extent::Double | Extent::Nappe, _) => equations::Extent::Infinite,
-            (Extent::Open(height), _) => equations::Extent::Open(height),
-            (Extent::Capped(_), _) => {
-                let (low, high) = self.planes();
-                equations::Extent::Capped(low, high)
-            }
-        };
-        Equations::Round { side, extent }
+        Equations::Cone { outline: self.outline, extent: self.extent }
     }
 
     fn hull(&self) -> Hull<S> {
@@ -354,15 +295,15 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
             (Part::Base, _) => Vec3 { y: S::ZERO, ..point },
             (Part::Top, Some(height)) => Vec3 { y: height, ..point },
             (_, height) => {
-                let profile = Profile::<S::Real>::of(self.outline, S::real);
+                let profile = Profile::of(self.outline, S::real);
                 let point = height.map_or(point, |height| coordinates::between(point, height));
-                let (g1, h) = (profile.g1(), profile.h);
+                let (g1, h) = (profile.growth, profile.h);
                 if g1.abs() > h && !h.is_zero() {
                     // Flatter than 45 degrees: the nearest point of the side is found by moving along the axis.
                     let [x, _, z] = point.real();
                     let g = (x * x + z * z).sqrt() * h;
                     let g = if profile.at(point.y.real()).is_negative() { -g } else { g };
-                    let y = S::round((g - profile.g0()) / g1);
+                    let y = S::round((g - profile.base * h) / g1);
                     let point = Vec3 { y, ..point };
                     return height.map_or(point, |height| coordinates::between(point, height));
                 }
@@ -386,8 +327,8 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
             Part::Top => return UnitVec3::Y,
             _ => {}
         }
-        let profile = Profile::<S::Real>::of(self.outline, S::real);
-        let (g1, h) = (profile.g1(), profile.h);
+        let profile = Profile::of(self.outline, S::real);
+        let (g1, h) = (profile.growth, profile.h);
         let lower = profile.at(point.y.real()).is_negative();
         let slope = if lower { -g1 } else { g1 };
         let axis = if slope.is_negative() { UnitVec3::Y } else { -UnitVec3::Y };

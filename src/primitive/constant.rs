@@ -1,7 +1,7 @@
 //! Primitives in constants: the constructors as `const fn`, for each number type.
 
-use super::outline::Outline;
-use super::{Capsule, Cone, Cuboid, Cylinder, Disc, Rectangle, SizeError, Sphere, cone, cylinder};
+use super::{Capsule, Cone, Cuboid, Cylinder, Disc, Rectangle, SizeError, Sphere};
+use crate::outline::{Extent, Outline};
 use crate::scalar::ValueError;
 use crate::scalar::constant::{self, each_number};
 
@@ -96,7 +96,7 @@ macro_rules! constants {
             /// As [`Cylinder::infinite`].
             pub const fn const_infinite(radius: $Number) -> Result<Self, SizeError> {
                 checked!(constant::$checks::size(radius) => SizeError::Radius);
-                Ok(Self { radius, extent: cylinder::Extent::Infinite })
+                Ok(Self { radius, extent: Extent::Infinite })
             }
 
             /// [`Cylinder::open`] in a constant.
@@ -109,7 +109,7 @@ macro_rules! constants {
                     constant::$checks::size(height) => SizeError::Height,
                     constant::$checks::size(radius) => SizeError::Radius,
                 );
-                Ok(Self { radius, extent: cylinder::Extent::Open(height) })
+                Ok(Self { radius, extent: Extent::Open(height) })
             }
 
             /// [`Cylinder::capped`] in a constant.
@@ -122,7 +122,7 @@ macro_rules! constants {
                     constant::$checks::size(height) => SizeError::Height,
                     constant::$checks::size(radius) => SizeError::Radius,
                 );
-                Ok(Self { radius, extent: cylinder::Extent::Capped(height) })
+                Ok(Self { radius, extent: Extent::Capped(height) })
             }
         }
 
@@ -134,7 +134,7 @@ macro_rules! constants {
             /// As [`Cone::double`].
             pub const fn const_double(slope: $Number) -> Result<Self, SizeError> {
                 checked!(constant::$checks::slope(slope) => SizeError::Slope);
-                Ok(Self { outline: Outline::Slope(slope), extent: cone::Extent::Double })
+                Ok(Self { outline: Outline::Slope(slope), extent: Extent::Double })
             }
 
             /// [`Cone::nappe`] in a constant.
@@ -144,7 +144,7 @@ macro_rules! constants {
             /// As [`Cone::nappe`].
             pub const fn const_nappe(slope: $Number) -> Result<Self, SizeError> {
                 checked!(constant::$checks::slope(slope) => SizeError::Slope);
-                Ok(Self { outline: Outline::Slope(slope), extent: cone::Extent::Nappe })
+                Ok(Self { outline: Outline::Slope(slope), extent: Extent::Infinite })
             }
 
             /// [`Cone::open`] in a constant.
@@ -157,7 +157,7 @@ macro_rules! constants {
                     constant::$checks::slope(slope) => SizeError::Slope,
                     constant::$checks::size(height) => SizeError::Height,
                 );
-                Ok(Self { outline: Outline::Slope(slope), extent: cone::Extent::Open(height) })
+                Ok(Self { outline: Outline::Slope(slope), extent: Extent::Open(height) })
             }
 
             /// [`Cone::capped`] in a constant.
@@ -170,7 +170,7 @@ macro_rules! constants {
                     constant::$checks::slope(slope) => SizeError::Slope,
                     constant::$checks::size(height) => SizeError::Height,
                 );
-                Ok(Self { outline: Outline::Slope(slope), extent: cone::Extent::Capped(height) })
+                Ok(Self { outline: Outline::Slope(slope), extent: Extent::Capped(height) })
             }
 
             const fn const_radii(base: $Number, top: $Number, height: $Number) -> Result<Outline<$Number>, SizeError> {
@@ -200,7 +200,7 @@ macro_rules! constants {
                 height: $Number,
             ) -> Result<Self, SizeError> {
                 match Self::const_radii(base_radius, top_radius, height) {
-                    Ok(outline) => Ok(Self { outline, extent: cone::Extent::Open(height) }),
+                    Ok(outline) => Ok(Self { outline, extent: Extent::Open(height) }),
                     Err(error) => Err(error),
                 }
             }
@@ -216,7 +216,7 @@ macro_rules! constants {
                 height: $Number,
             ) -> Result<Self, SizeError> {
                 match Self::const_radii(base_radius, top_radius, height) {
-                    Ok(outline) => Ok(Self { outline, extent: cone::Extent::Capped(height) }),
+                    Ok(outline) => Ok(Self { outline, extent: Extent::Capped(height) }),
                     Err(error) => Err(error),
                 }
             }

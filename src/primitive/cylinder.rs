@@ -1,23 +1,15 @@
 //! The cylinder about the y axis: `x^2 + z^2 = r^2`.
 
 use super::{Geometry, SizeError, checked_size, queries, surface_coordinates as coordinates};
-use crate::equations::{self, Described, EquationKinds, Equations, Side};
+use crate::equations::{Described, EquationKinds, Equations};
 use crate::geometry::Hull;
-use crate::grid::Guards;
-use crate::grid::{Slab, whole_side};
+use crate::grid::{Guards, Slab, whole_side};
 use crate::intersection::{End, Intersection};
+use crate::outline::Extent;
 use crate::part::Part;
 use crate::scalar::{Attempt, GridScalar, Including, LocalLine, Scalar, found};
 use crate::solve::{self, Goal, LocalRay, Of};
 use crate::vector::{UnitVec3, Vec3};
-
-/// The extent of a cylinder along its axis, and whether it is closed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Extent<S> {
-    Infinite,
-    Open(S),
-    Capped(S),
-}
 
 /// A cylinder about the y axis: infinite, a tube without caps, or closed by flat caps at `y = 0` and `y = height`.
 ///
@@ -73,10 +65,7 @@ impl<S: Scalar> Cylinder<S> {
 
     /// The height; `None` for an infinite cylinder.
     pub const fn height(&self) -> Option<S> {
-        match self.extent {
-            Extent::Infinite => None,
-            Extent::Open(height) | Extent::Capped(height) => Some(height),
-        }
+        self.extent.height()
     }
 }
 
@@ -84,12 +73,7 @@ impl<S: Copy> Cylinder<S> {
     /// The cylinder with `f` applied to its sizes.
     #[inline(always)]
     fn map<R>(self, f: impl Fn(S) -> R) -> Cylinder<R> {
-        let extent = match self.extent {
-            Extent::Infinite => Extent::Infinite,
-            Extent::Open(height) => Extent::Open(f(height)),
-            Extent::Capped(height) => Extent::Capped(f(height)),
-        };
-        Cylinder { radius: f(self.radius), extent }
+        Cylinder { radius: f(self.radius), extent: self.extent.map(f) }
     }
 }
 
@@ -125,7 +109,7 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
     {
         let inside = found!(line.tube(self.radius));
         match self.extent {
-            Extent::Infinite => Attempt::Hit(Intersection::One(found!(whole_side(&inside)))),
+            Extent::Double | Extent::Infinite => Attempt::Hit(Intersection::One(found!(whole_side(&inside)))),
             Extent::Open(height) => found!(Slab::new(line, S::ZERO, height)).rims(&inside),
             Extent::Capped(height) => found!(Slab::new(line, S::ZERO, height)).clip(&inside),
         }
@@ -143,7 +127,7 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
         };
         let side = End::new(side, Part::Side);
         match self.extent {
-            Extent::Infinite => Attempt::Hit(side),
+            Extent::Double | Extent::Infinite => Attempt::Hit(side),
             Extent::Open(_) => Attempt::Unsure,
             Extent::Capped(height) => found!(Slab::new(line, S::ZERO, height)).exit(side, from),
         }
@@ -151,21 +135,11 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
 
     #[inline(always)]
     fn intersect<N: Of<S>>(&self, ray: &LocalRay<N>, goal: Goal<S>) -> solve::Attempt<Intersection<S>> {
-        let extent = match self.extent {
-            Extent::Infinite => solve::Extent::Infinite,
-            Extent::Open(height) => solve::Extent::Open(height),
-            Extent::Capped(height) => solve::Extent::Capped(Some(S::ZERO), Some(height)),
-        };
-        solve::tube(ray, self.radius, extent, goal)
+        solve::tube(ray, self.radius, self.extent, goal)
     }
 
     fn equations(&self) -> Equations<S> {
-        let extent = match self.extent {
-            Extent::Infinite => equations::Extent::Infinite,
-            Extent::Open(height) => equations::Extent::Open(height),
-            Extent::Capped(height) => equations::Extent::Capped(Some(S::ZERO), Some(height)),
-        };
-        Equations::Round { side: Side::Straight(self.radius), extent }
+        Equations::Tube { radius: self.radius, extent: self.extent }
     }
 
     fn hull(&self) -> Hull<S> {

@@ -1,7 +1,7 @@
 //! Primitives as they are logged with `defmt`: by the constructor's name and the sizes.
 
-use super::outline::Outline;
-use super::{Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, Sphere, Triangle, cone, cylinder};
+use super::{Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, Sphere, Triangle};
+use crate::outline::{Extent, Outline};
 use crate::scalar::Scalar;
 use crate::scalar::written::Plain;
 use defmt::{Format, Formatter, write};
@@ -55,11 +55,11 @@ impl<S: Scalar> Format for Cylinder<S> {
     fn format(&self, f: Formatter<'_>) {
         let radius = Plain(self.radius());
         match self.extent {
-            cylinder::Extent::Infinite => write!(f, "Cylinder {{ radius: {}, infinite }}", radius),
-            cylinder::Extent::Open(height) => {
+            Extent::Double | Extent::Infinite => write!(f, "Cylinder {{ radius: {}, infinite }}", radius),
+            Extent::Open(height) => {
                 write!(f, "Cylinder {{ radius: {}, height: {}, open }}", radius, Plain(height));
             }
-            cylinder::Extent::Capped(height) => {
+            Extent::Capped(height) => {
                 write!(f, "Cylinder {{ radius: {}, height: {}, capped }}", radius, Plain(height));
             }
         }
@@ -73,10 +73,10 @@ impl<S: Scalar> Format for Cone<S> {
             Outline::Radii(base, top, _) => write!(f, "Cone {{ radii: [{}, {}], ", Plain(base), Plain(top)),
         }
         match self.extent {
-            cone::Extent::Double => write!(f, "double }}"),
-            cone::Extent::Nappe => write!(f, "nappe }}"),
-            cone::Extent::Open(height) => write!(f, "height: {}, open }}", Plain(height)),
-            cone::Extent::Capped(height) => write!(f, "height: {}, capped }}", Plain(height)),
+            Extent::Double => write!(f, "double }}"),
+            Extent::Infinite => write!(f, "nappe }}"),
+            Extent::Open(height) => write!(f, "height: {}, open }}", Plain(height)),
+            Extent::Capped(height) => write!(f, "height: {}, capped }}", Plain(height)),
         }
     }
 }

@@ -49,7 +49,6 @@ mod cylinder;
 mod disc;
 #[cfg(feature = "defmt")]
 mod logged;
-mod outline;
 mod plane;
 mod queries;
 mod rectangle;

@@ -1,7 +1,7 @@
 //! Primitives as they are stored: by constructor and sizes, which the constructor checks when they are read.
 
-use super::outline::Outline;
-use super::{Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, SizeError, Sphere, Triangle, cone, cylinder};
+use super::{Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, SizeError, Sphere, Triangle};
+use crate::outline::{Extent, Outline};
 use crate::scalar::Scalar;
 use crate::scalar::written;
 use crate::vector::Vec3;
@@ -143,9 +143,9 @@ stored!(
     |cylinder| {
         let radius = cylinder.radius();
         match cylinder.extent {
-            cylinder::Extent::Infinite => AnyCylinder::Infinite(Round { radius }),
-            cylinder::Extent::Open(height) => AnyCylinder::Open(Long { radius, height }),
-            cylinder::Extent::Capped(height) => AnyCylinder::Capped(Long { radius, height }),
+            Extent::Double | Extent::Infinite => AnyCylinder::Infinite(Round { radius }),
+            Extent::Open(height) => AnyCylinder::Open(Long { radius, height }),
+            Extent::Capped(height) => AnyCylinder::Capped(Long { radius, height }),
         }
     },
     |stored| match stored {
@@ -158,13 +158,13 @@ stored!(
     Cone,
     AnyCone<S>,
     |cone| match (cone.outline, cone.extent) {
-        (Outline::Slope(slope), cone::Extent::Nappe) => AnyCone::Nappe { slope },
-        (Outline::Slope(slope), cone::Extent::Open(height)) => AnyCone::Open(Sloped { slope, height }),
-        (Outline::Slope(slope), cone::Extent::Capped(height)) => AnyCone::Capped(Sloped { slope, height }),
-        (Outline::Radii(base_radius, top_radius, height), cone::Extent::Open(_)) => {
+        (Outline::Slope(slope), Extent::Infinite) => AnyCone::Nappe { slope },
+        (Outline::Slope(slope), Extent::Open(height)) => AnyCone::Open(Sloped { slope, height }),
+        (Outline::Slope(slope), Extent::Capped(height)) => AnyCone::Capped(Sloped { slope, height }),
+        (Outline::Radii(base_radius, top_radius, height), Extent::Open(_)) => {
             AnyCone::FrustumOpen(Radii { base_radius, top_radius, height })
         }
-        (Outline::Slope(slope), cone::Extent::Double) => AnyCone::Double { slope },
+        (Outline::Slope(slope), Extent::Double) => AnyCone::Double { slope },
         // The extent of a frustum is open or capped.
         (Outline::Radii(base_radius, top_radius, height), _) => {
             AnyCone::Frustum(Radii { base_radius, top_radius, height })

@@ -37,17 +37,6 @@ impl<S: Scalar> InSide<S> {
     }
 }
 
-/// The outline of a nappe about the y axis: a cone through two circles.
-#[derive(Clone, Copy, Debug)]
-pub struct NappeOutline<S> {
-    /// The radius at `y = 0`.
-    pub base: S,
-    /// The radius at `y = height`.
-    pub top: S,
-    /// `None` for 1.
-    pub height: Option<S>,
-}
-
 /// The interval of a line inside a cuboid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InCuboid<S> {

@@ -68,7 +68,7 @@ pub use fixed::{DISTANCE_BITS, SIZE_BITS};
 
 pub use crate::number::Ring;
 pub(crate) use attempt::found;
-pub use attempt::{Attempt, InCuboid, InSide, NappeOutline};
+pub use attempt::{Attempt, InCuboid, InSide};
 pub use computing::{Computing, Elementary, RoundLine, RoundSolid};
 pub use culling::Culling;
 pub use grid::{FinerLine, GridScalar, LocalLine};

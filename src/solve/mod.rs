@@ -20,7 +20,7 @@
 //! | `side` | cylinders and cones, double, infinite, open or between planes |
 //! | `flat` | planes, discs, triangles |
 //! | `slabs` | cuboids, rectangles |
-//! | `form`, `contains`, `surface` | the inside test; the point of a hit, and its normal |
+//! | `contains`, `surface` | the inside test; the point of a hit, and its normal |
 
 mod attempt;
 #[cfg(test)]
@@ -28,7 +28,6 @@ mod coefficients;
 mod contains;
 mod end;
 mod flat;
-mod form;
 mod local_ray;
 mod quadratic;
 mod quadric;
@@ -43,15 +42,16 @@ pub use attempt::{Attempt, Stop};
 pub(crate) use contains::holds;
 pub use end::{Goal, Of};
 pub(crate) use flat::{disc, plane, triangle};
-pub(crate) use form::Line;
 pub(crate) use local_ray::rounded_ray;
 pub use local_ray::{LocalRay, Localize};
+pub(crate) use quadric::Profile;
 pub(crate) use round::{ball, capsule};
-pub(crate) use side::{Extent, Outline, cone, tube};
+pub(crate) use side::{caps, cone, tube};
 pub(crate) use slabs::{cuboid, rectangle};
-pub(crate) use surface::{bending, correction, gradient, point_at, value};
+pub(crate) use surface::{Line, bending, correction, gradient, point_at, value};
 
 use crate::equations::Equations;
+use crate::outline::Extent;
 use crate::part::Part;
 use crate::ray::Leaving;
 
@@ -64,7 +64,7 @@ pub(crate) fn meets_nothing<S>(equations: &Equations<S>, departure: Option<(Part
         (_, Equations::Plane | Equations::Disc { .. } | Equations::Rectangle { .. } | Equations::Triangle { .. }) => {
             true
         }
-        (_, Equations::DoubleCone { .. }) => false,
+        (_, Equations::Cone { extent: Extent::Double, .. }) => false,
         (Some((_, leaving)), _) => leaving == Leaving::Outwards,
     }
 }

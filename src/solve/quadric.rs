@@ -5,11 +5,12 @@
 //! `k^2 - a c` is computed from the minors of the line in these coordinates (Lagrange's identity), which are its
 //! Pluecker moment: `k^2 - a c` itself would lose all digits far away.
 
-use crate::number::Number;
+use crate::number::{Number, Ring};
+use crate::outline::Outline;
 use core::cmp::Ordering;
 
 /// A quadric along a line.
-pub(super) trait Quadric<N: Number>: Copy {
+pub(super) trait Quadric<N: Ring>: Copy {
     /// True for a nappe: the quadric has two, and only the one with `v >= 0` counts.
     const HAS_NAPPES: bool = false;
     /// How much smaller than the root `|k|` must be for `(-k -+ root) / a` to be accurate: the `a` of a nappe may be
@@ -29,7 +30,10 @@ pub(super) trait Quadric<N: Number>: Copy {
     fn outline(&self) -> [N; 2];
     /// True if the line is certainly parallel to the axis of a tube, although products may underflow.
     #[inline(always)]
-    fn is_parallel(&self) -> bool {
+    fn is_parallel(&self) -> bool
+    where
+        N: Number,
+    {
         false
     }
 }
@@ -42,7 +46,7 @@ pub(super) struct Ball<N> {
     pub(super) r: N,
 }
 
-impl<N: Number> Quadric<N> for Ball<N> {
+impl<N: Ring> Quadric<N> for Ball<N> {
     #[inline(always)]
     fn a(&self) -> N {
         N::scalar_product(self.d, self.d)
@@ -83,7 +87,12 @@ pub(super) struct Tube<N> {
     pub(super) r: N,
 }
 
-impl<N: Number> Tube<N> {
+impl<N: Ring> Tube<N> {
+    /// Along the line `o + t d`.
+    #[inline(always)]
+    pub(super) fn along([x, _, z]: [N; 3], [dx, _, dz]: [N; 3], r: N) -> Self {
+        Self { o: [x, z], d: [dx, dz], r }
+    }
     /// `w_y`
     #[inline(always)]
     fn moment(&self) -> N {
@@ -92,7 +101,7 @@ impl<N: Number> Tube<N> {
     }
 }
 
-impl<N: Number> Quadric<N> for Tube<N> {
+impl<N: Ring> Quadric<N> for Tube<N> {
     #[inline(always)]
     fn a(&self) -> N {
         N::scalar_product(self.d, self.d)
@@ -127,24 +136,57 @@ impl<N: Number> Quadric<N> for Tube<N> {
         [self.r, N::ZERO]
     }
     #[inline(always)]
-    fn is_parallel(&self) -> bool {
+    fn is_parallel(&self) -> bool
+    where
+        N: Number,
+    {
         self.d.iter().all(|component| component.sign() == Some(Ordering::Equal))
     }
 }
 
-/// A cone about the y axis: `u = (h x, h z)`, `v = g0 + g1 y`.
-///
-/// A cone of slope `m` has `h = 1`, `g0 = 0`, `g1 = m`. One through the radii `r0` and `r1` at the heights 0 and `h`
-/// has `g0 = r0 h`, `g1 = r1 - r0`, so that no slope is rounded.
+/// The outline of a cone in computing numbers: the radius at `y` is `(base h + growth y) / h`. A cone of slope `m` has
+/// `base = 0`, `growth = m`, `h = 1`; one through the radii `r0` and `r1` at the heights 0 and `h` has `base = r0`,
+/// `growth = r1 - r0`, so that no slope is rounded.
+#[derive(Clone, Copy)]
+pub(crate) struct Profile<N> {
+    pub(crate) base: N,
+    pub(crate) growth: N,
+    pub(crate) h: N,
+}
+
+impl<N: Ring> Profile<N> {
+    #[inline(always)]
+    pub(crate) fn of<S>(outline: Outline<S>, number: impl Fn(S) -> N) -> Self {
+        match outline {
+            Outline::Slope(slope) => Self { base: N::ZERO, growth: number(slope), h: N::ONE },
+            Outline::Radii(base, top, height) => {
+                let base = number(base);
+                Self { base, growth: number(top) - base, h: number(height) }
+            }
+        }
+    }
+
+    /// The radius at this height, times `h`.
+    #[inline(always)]
+    pub(crate) fn at(self, y: N) -> N {
+        N::sum([[self.base, self.h], [self.growth, y]])
+    }
+}
+
+/// A cone about the y axis: `u = (h x, h z)`, `v = base h + growth y` of its [`Profile`].
 #[derive(Clone, Copy)]
 pub(super) struct Nappe<N> {
-    /// `h x`, `h z`, `g0 + g1 y`
     pub(super) o: [N; 3],
-    /// `h x'`, `h z'`, `g1 y'`
     pub(super) d: [N; 3],
 }
 
-impl<N: Number> Nappe<N> {
+impl<N: Ring> Nappe<N> {
+    /// Along the line `o + t d`.
+    #[inline(always)]
+    pub(super) fn along([x, y, z]: [N; 3], [dx, dy, dz]: [N; 3], profile: Profile<N>) -> Self {
+        let Profile { growth, h, .. } = profile;
+        Self { o: [h * x, h * z, profile.at(y)], d: [h * dx, h * dz, growth * dy] }
+    }
     /// `x u + z w - g f`
     #[inline(always)]
     fn product([x, z, g]: [N; 3], v: [N; 3]) -> N {
@@ -152,7 +194,7 @@ impl<N: Number> Nappe<N> {
     }
 }
 
-impl<N: Number> Quadric<N> for Nappe<N> {
+impl<N: Ring> Quadric<N> for Nappe<N> {
     const HAS_NAPPES: bool = true;
     const SPREAD: i32 = 3;
 
@@ -190,6 +232,6 @@ impl<N: Number> Quadric<N> for Nappe<N> {
 
 /// `e o + n d`
 #[inline(never)]
-fn along<N: Number, const M: usize>(o: [N; M], d: [N; M], n: N, e: N) -> [N; M] {
+fn along<N: Ring, const M: usize>(o: [N; M], d: [N; M], n: N, e: N) -> [N; M] {
     core::array::from_fn(|i| N::sum([[o[i], e], [d[i], n]]))
 }

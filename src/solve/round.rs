@@ -116,8 +116,7 @@ pub(crate) fn capsule<S: Scalar, N: Of<S>>(
     goal: Goal<S>,
 ) -> Attempt<Intersection<S>> {
     let (r, height) = (N::scalar(radius), N::scalar(height));
-    let ([x, _, z], [dx, _, dz]) = (line.origin, line.direction);
-    let tube = Quadratic::new(Tube { o: [x, z], d: [dx, dz], r }, line, line.departs_from(Part::Side))?;
+    let tube = Quadratic::new(Tube::along(line.origin, line.direction, r), line, line.departs_from(Part::Side))?;
     let capsule = Capsule { line, r, height, tube: &tube, goal };
     if line.departs() {
         return capsule.departing();

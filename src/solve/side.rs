@@ -4,34 +4,20 @@ use super::attempt::{Attempt, Stop, known};
 use super::end::{self, Curve, End, Fraction, Goal, Interval, Of, inwards, order, settled, solid, span};
 use super::local_ray::LocalRay;
 use super::quadratic::{Inside, Quadratic};
-use super::quadric::{Nappe, Quadric, Tube};
+use super::quadric::{Nappe, Profile, Quadric, Tube};
 use crate::intersection::{self, Intersection, Span};
 use crate::number::Number;
+use crate::outline::{Extent, Outline};
 use crate::part::Part;
 use crate::ray::Leaving;
 use crate::scalar::Scalar;
 use core::cmp::Ordering;
 
-/// The outline of a cone: its radius as a function of the height.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Outline<S> {
-    /// From the apex at the origin upwards: radius over height.
-    Slope(S),
-    /// Through a radius at `y = 0` and another at `y = height`, which is the third number.
-    Radii(S, S, S),
-}
-
-/// The ends of a side along the axis.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Extent<S> {
-    /// Both nappes of a cone, without ends.
-    Double,
-    /// No ends; a solid. Of a cone the nappe above the apex.
-    Infinite,
-    /// Rims at `y = 0` and at this height; a surface without an inside.
-    Open(S),
-    /// Caps at these heights; a solid. `None` at an apex, which needs no cap.
-    Capped(Option<S>, Option<S>),
+/// The ends of a side, and at which of its two heights it is cut by a plane: it is not at an apex.
+#[derive(Clone, Copy)]
+struct Ends<S> {
+    extent: Extent<S>,
+    are_planes: [bool; 2],
 }
 
 /// The infinite cylinder of this radius, between its ends.
@@ -42,8 +28,8 @@ pub(crate) fn tube<S: Scalar, N: Of<S>>(
     extent: Extent<S>,
     goal: Goal<S>,
 ) -> Attempt<Intersection<S>> {
-    let ([x, _, z], [dx, _, dz]) = (line.origin, line.direction);
-    side(line, Tube { o: [x, z], d: [dx, dz], r: N::scalar(radius) }, extent, goal)
+    let ends = Ends { extent, are_planes: [true; 2] };
+    side(line, Tube::along(line.origin, line.direction, N::scalar(radius)), ends, goal)
 }
 
 /// The cone of this outline, between its ends.
@@ -54,27 +40,40 @@ pub(crate) fn cone<S: Scalar, N: Of<S>>(
     extent: Extent<S>,
     goal: Goal<S>,
 ) -> Attempt<Intersection<S>> {
-    side(line, nappe(line, outline), extent, goal)
+    side(line, nappe(line, outline), Ends { extent, are_planes: caps(&outline) }, goal)
+}
+
+/// Whether a capped cone has a cap at its base and at its top: it has none where it ends in an apex.
+#[inline(always)]
+pub(crate) fn caps<S: Scalar>(outline: &Outline<S>) -> [bool; 2] {
+    match *outline {
+        Outline::Slope(_) => [false, true],
+        Outline::Radii(base, top, _) => [base != S::ZERO, top != S::ZERO],
+    }
+}
+
+/// The planes that cut a side with these caps.
+#[inline(always)]
+pub(super) fn planes_of<S: Scalar>(extent: Extent<S>, [base, top]: [bool; 2]) -> [Option<S>; 2] {
+    match extent {
+        Extent::Double | Extent::Infinite => [None; 2],
+        Extent::Open(height) => [Some(S::ZERO), Some(height)],
+        Extent::Capped(height) => [base.then_some(S::ZERO), top.then_some(height)],
+    }
 }
 
 /// The line in the coordinates of a cone.
 #[inline(always)]
 fn nappe<S: Scalar, N: Of<S>>(line: &LocalRay<N>, outline: Outline<S>) -> Nappe<N> {
-    let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
-    let (base, m) = match outline {
-        Outline::Slope(slope) => (N::ZERO, N::scalar(slope)),
-        Outline::Radii(base, top, height) => {
-            let [base, top, height] = [base, top, height].map(N::scalar);
-            let growth = top - base;
-            // Where the slope may be rounded, the radius next to the origin has one rounding and not two.
-            let Some(m) = growth.rounded_quotient(height) else {
-                let outline = N::sum([[base, height], [growth, y]]);
-                return Nappe { o: [height * x, height * z, outline], d: [height * dx, height * dz, growth * dy] };
-            };
-            (base, m)
-        }
+    let profile = Profile::of(outline, N::scalar);
+    let slope = match outline {
+        Outline::Slope(_) => Some(profile.growth),
+        Outline::Radii(..) => profile.growth.rounded_quotient(profile.h),
     };
-    Nappe { o: [x, z, base + m * y], d: [dx, dz, m * dy] }
+    // Where the slope may be rounded, the radius next to the origin has one rounding and not two.
+    let Some(m) = slope else { return Nappe::along(line.origin, line.direction, profile) };
+    let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
+    Nappe { o: [x, z, profile.base + m * y], d: [dx, dz, m * dy] }
 }
 
 /// The interval of the line with `low <= y <= high`; `None` if there is none. The parts of its ends are those of the
@@ -203,46 +202,42 @@ fn clip<N: Number>(curve: &impl Curve<N>, side: &Interval<N>, planes: &Interval<
 fn side<S: Scalar, N: Of<S>, Q: Quadric<N>>(
     line: &LocalRay<N>,
     quadric: Q,
-    extent: Extent<S>,
+    ends: Ends<S>,
     goal: Goal<S>,
 ) -> Attempt<Intersection<S>> {
     let quadratic = Quadratic::new(quadric, line, line.departs_from(Part::Side))?;
     if line.departs() {
-        return departing(line, &quadratic, extent, goal);
+        return departing(line, &quadratic, ends, goal);
     }
-    if Q::HAS_NAPPES && matches!(extent, Extent::Double) {
+    if Q::HAS_NAPPES && matches!(ends.extent, Extent::Double) {
         return both_nappes(line, &quadratic, goal);
     }
     let interval = match within(&quadratic)? {
         Within::Nowhere => return Err(Stop::Miss),
         Within::In(interval) => interval,
         Within::Along(interval) if N::KNOWS_ZERO => {
-            return in_the_surface(line, &quadratic, &interval, extent, goal);
+            return in_the_surface(line, &quadratic, &interval, ends, goal);
         }
         Within::Along(_) => return Err(Stop::Unsure),
     };
-    if let Extent::Infinite | Extent::Double = extent {
+    if let Extent::Infinite | Extent::Double = ends.extent {
         return solid(&quadratic, line, &interval, goal);
     }
-    let planes = planes(line, extent)?.ok_or(Stop::Miss)?;
-    if let Extent::Open(_) = extent {
+    let planes = planes(line, ends)?.ok_or(Stop::Miss)?;
+    if let Extent::Open(_) = ends.extent {
         return on_the_side(line, &quadratic, &interval, &planes, goal);
     }
     solid(&quadratic, line, &clip(&quadratic, &interval, &planes)?, goal)
 }
 
-/// The planes of an extent along the line.
+/// Where the line is between the planes at the ends.
 #[inline(always)]
-fn planes<S: Scalar, N: Of<S>>(line: &LocalRay<N>, extent: Extent<S>) -> Attempt<Option<Interval<N>>> {
+fn planes<S: Scalar, N: Of<S>>(line: &LocalRay<N>, ends: Ends<S>) -> Attempt<Option<Interval<N>>> {
     N::apart(
         #[inline(always)]
         || {
-            let (low, high) = match extent {
-                Extent::Double | Extent::Infinite => (None, None),
-                Extent::Open(height) => (Some(N::ZERO), Some(N::scalar(height))),
-                Extent::Capped(low, high) => (low.map(N::scalar), high.map(N::scalar)),
-            };
-            slab(line, low, high)
+            let [low, high] = planes_of(ends.extent, ends.are_planes);
+            slab(line, low.map(N::scalar), high.map(N::scalar))
         },
     )
 }
@@ -254,11 +249,11 @@ fn in_the_surface<S: Scalar, N: Of<S>, Q: Quadric<N>>(
     line: &LocalRay<N>,
     quadratic: &Quadratic<N, Q>,
     interval: &Interval<N>,
-    extent: Extent<S>,
+    ends: Ends<S>,
     goal: Goal<S>,
 ) -> Attempt<Intersection<S>> {
     let departs = line.departs();
-    let planes = match planes(line, extent)? {
+    let planes = match planes(line, ends)? {
         Some(planes) => planes,
         None if departs => Interval::everywhere(),
         None => return Err(Stop::Miss),
@@ -266,7 +261,7 @@ fn in_the_surface<S: Scalar, N: Of<S>, Q: Quadric<N>>(
     // Its ends lie on rims, which belong to the side.
     let Interval { enter, exit, touch } = clip(quadratic, interval, &planes)?;
     let interval = Interval { enter: enter.of_side(), exit: exit.of_side(), touch };
-    let is_solid = matches!(extent, Extent::Capped(..));
+    let is_solid = matches!(ends.extent, Extent::Capped(..));
     if is_solid && departs {
         return inwards(quadratic, line, &interval.exit, goal.range);
     }
@@ -279,18 +274,18 @@ fn in_the_surface<S: Scalar, N: Of<S>, Q: Quadric<N>>(
 fn departing<S: Scalar, N: Of<S>, Q: Quadric<N>>(
     line: &LocalRay<N>,
     quadratic: &Quadratic<N, Q>,
-    extent: Extent<S>,
+    ends: Ends<S>,
     goal: Goal<S>,
 ) -> Attempt<Intersection<S>> {
-    if Q::HAS_NAPPES && matches!(extent, Extent::Double) {
+    if Q::HAS_NAPPES && matches!(ends.extent, Extent::Double) {
         return departing_from_both(line, quadratic, goal);
     }
-    let is_open = matches!(extent, Extent::Open(_));
+    let is_open = matches!(ends.extent, Extent::Open(_));
     // The line departs from a point of the slab, although its rounded coordinates may be outside.
-    let planes = planes(line, extent)?.unwrap_or_else(Interval::everywhere);
+    let planes = planes(line, ends)?.unwrap_or_else(Interval::everywhere);
     let own = match within(quadratic)? {
         Within::Along(interval) if N::KNOWS_ZERO => {
-            return in_the_surface(line, quadratic, &interval, extent, goal);
+            return in_the_surface(line, quadratic, &interval, ends, goal);
         }
         Within::Along(_) => return Err(Stop::Unsure),
         Within::In(interval) => interval.exit,

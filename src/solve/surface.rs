@@ -1,76 +1,164 @@
 //! The exact point of a hit on its surface, and the surface's gradient there.
 
-use super::form::{Ball, Cone, Form, Homogeneous, Line, Quadric, Tube, Weight};
-use crate::equations::{Described, EquationKinds, Equations, Extent};
+use super::quadric::{Ball, Nappe, Profile, Quadric, Tube};
+use super::side::{caps, planes_of};
+use crate::equations::{Described, EquationKinds, Equations};
 use crate::hit::{Crossing, Hit};
 use crate::number::{Estimate, Ring, cross, difference, dot};
+use crate::outline::Extent;
 use crate::part::Part;
 use crate::scalar::{FromScalar, Scalar};
 use core::cmp::Ordering;
 
-/// The surface that a part lies on.
-enum Surface<N> {
-    Quadric(Form<N>),
-    /// At this height.
-    Across(N),
-    /// Through a point, with a normal of any length.
-    Plane([N; 3], [N; 3]),
+/// A line in a primitive's frame. Its direction may have any length, since `t` is the parameter of the ray as stored.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Line<N> {
+    pub(crate) origin: [N; 3],
+    pub(crate) direction: [N; 3],
 }
 
-/// The surface of a part, and the height of its centre.
+/// The surface that a part lies on along the line `p + x d`: `f(p + x d) = f + 2 h x + a x^2`, negative inside. For a
+/// flat part `f` is twice the distance times the length of the [`gradient`](Self::gradient).
+enum Surface<N> {
+    Ball(Ball<N>),
+    Tube(Tube<N>),
+    Nappe(Nappe<N>, Profile<N>),
+    /// A plane perpendicular to an axis, with the inside below it.
+    Face(Face<N>),
+    /// A plane by its normal, of any length; from a point of it to `p`; and `d`.
+    Plane([[N; 3]; 3]),
+}
+
+/// A plane perpendicular to an axis.
+struct Face<N> {
+    axis: usize,
+    /// True if its normal points along the axis, false if against it.
+    is_along: bool,
+    /// The distance of `p` along the normal, and its growth along the line.
+    distance: [N; 2],
+}
+
+impl<N: Ring> Surface<N> {
+    /// `f`
+    #[inline(always)]
+    fn value(&self) -> N {
+        let distance = match *self {
+            Self::Ball(ball) => return ball.c(),
+            Self::Tube(tube) => return tube.c(),
+            Self::Nappe(nappe, _) => return nappe.c(),
+            Self::Face(Face { distance: [distance, _], .. }) => distance,
+            Self::Plane([normal, from, _]) => dot(normal, from),
+        };
+        distance + distance
+    }
+
+    /// `h`, the scalar product of the gradient and the direction.
+    #[inline(always)]
+    fn slope(&self) -> N {
+        match *self {
+            Self::Ball(ball) => ball.k(),
+            Self::Tube(tube) => tube.k(),
+            Self::Nappe(nappe, _) => nappe.k(),
+            Self::Face(Face { distance: [_, growth], .. }) => growth,
+            Self::Plane([normal, _, d]) => dot(normal, d),
+        }
+    }
+
+    /// `a`
+    #[inline(always)]
+    fn bending(&self) -> N {
+        match *self {
+            Self::Ball(ball) => ball.a(),
+            Self::Tube(tube) => tube.a(),
+            Self::Nappe(nappe, _) => nappe.a(),
+            Self::Face(_) | Self::Plane(_) => N::ZERO,
+        }
+    }
+
+    /// Half the gradient of `f` at `p`: an outward normal; zero at an apex.
+    #[inline(always)]
+    fn gradient(&self) -> [N; 3] {
+        let zero = N::ZERO;
+        match *self {
+            Self::Ball(Ball { o, .. }) => o,
+            Self::Tube(Tube { o: [x, z], .. }) => [x, zero, z],
+            Self::Nappe(Nappe { o: [x, z, g], .. }, Profile { growth, h, .. }) => [h * x, -(growth * g), h * z],
+            Self::Face(Face { axis, is_along, .. }) => {
+                let component = if is_along { N::ONE } else { -N::ONE };
+                core::array::from_fn(|i| if i == axis { component } else { zero })
+            }
+            Self::Plane([normal, ..]) => normal,
+        }
+    }
+}
+
+/// The surface of a part along a line.
+#[inline(always)]
 fn surface_of<S: Copy, N: Ring, G: Described>(
     equations: &Equations<S>,
     part: Part,
+    line: &Line<N>,
     number: impl Fn(S) -> N + Copy,
-) -> (Surface<N>, N) {
+) -> Surface<N> {
     let (zero, kind) = (N::ZERO, G::EQUATIONS);
-    let ball = |radius: S| Surface::Quadric(Form::Ball(Ball { r: number(radius) }));
-    let surface = match *equations {
-        Equations::Ball { radius } if kind.has(EquationKinds::BALL) => ball(radius),
+    let (p, d) = (line.origin, line.direction);
+    let ball = |radius: S, height: N| {
+        let [x, y, z] = p;
+        Surface::Ball(Ball { o: [x, y - height, z], d, r: number(radius) })
+    };
+    let tube = |radius: S| Surface::Tube(Tube::along(p, d, number(radius)));
+    // The planes at a coordinate along an axis, with a normal along it or against it.
+    let along =
+        |axis: usize, [p, d]: [N; 2], at: N| Surface::Face(Face { axis, is_along: true, distance: [p - at, d] });
+    let against =
+        |axis: usize, [p, d]: [N; 2], at: N| Surface::Face(Face { axis, is_along: false, distance: [at - p, -d] });
+    let [x, y, z] = [[p[0], d[0]], [p[1], d[1]], [p[2], d[2]]];
+    match *equations {
+        Equations::Ball { radius } if kind.has(EquationKinds::BALL) => ball(radius, zero),
         Equations::Capsule { radius, height } if kind.has(EquationKinds::CAPSULE) => match part {
-            Part::Base => ball(radius),
-            Part::Top => return (ball(radius), number(height)),
-            _ => Surface::Quadric(Form::Tube(Tube { r: number(radius) })),
+            Part::Base => ball(radius, zero),
+            Part::Top => ball(radius, number(height)),
+            _ => tube(radius),
         },
-        Equations::DoubleCone { slope } if kind.has(EquationKinds::DOUBLE_CONE) => {
-            Surface::Quadric(Form::Cone(Cone::slope(number(slope))))
+        Equations::Tube { radius, .. } if kind.has(EquationKinds::TUBE) && part == Part::Side => tube(radius),
+        Equations::Cone { outline, .. } if kind.has(EquationKinds::CONE) && part == Part::Side => {
+            let profile = Profile::of(outline, number);
+            Surface::Nappe(Nappe::along(p, d, profile), profile)
         }
-        Equations::Round { side, extent } if kind.has(EquationKinds::TUBE.and(EquationKinds::CONE)) => {
+        Equations::Tube { extent, .. } | Equations::Cone { extent, .. }
+            if kind.has(EquationKinds::TUBE.and(EquationKinds::CONE)) =>
+        {
             match (extent, part) {
-                (_, Part::Side) => Surface::Quadric(Form::of_side::<S, G>(side, number)),
-                (Extent::Open(height) | Extent::Capped(_, Some(height)), Part::Top) => Surface::Across(number(height)),
-                _ => Surface::Across(zero),
+                (Extent::Open(height) | Extent::Capped(height), Part::Top) => along(1, y, number(height)),
+                _ => against(1, y, zero),
             }
         }
         Equations::Triangle { vertices } if kind.has(EquationKinds::TRIANGLE) => {
             let [a, b, c] = vertices.map(|vertex| vertex.map(number));
-            Surface::Plane(a, cross(difference(b, a), difference(c, a)))
+            Surface::Plane([cross(difference(b, a), difference(c, a)), difference(p, a), d])
         }
         Equations::Cuboid { half } if kind.has(EquationKinds::CUBOID) => {
-            let [x, y, z] = half;
-            let one = N::ONE;
-            let (vertex, normal) = match part {
-                Part::Left => ([-number(x), zero, zero], [-one, zero, zero]),
-                Part::Right => ([number(x), zero, zero], [one, zero, zero]),
-                Part::Back => ([zero, zero, -number(z)], [zero, zero, -one]),
-                Part::Front => ([zero, zero, number(z)], [zero, zero, one]),
-                Part::Base => ([zero, -number(y), zero], [zero, -one, zero]),
-                Part::Top | Part::Side => ([zero, number(y), zero], [zero, one, zero]),
-            };
-            Surface::Plane(vertex, normal)
+            let half = half.map(number);
+            match part {
+                Part::Left => against(0, x, -half[0]),
+                Part::Right => along(0, x, half[0]),
+                Part::Base => against(1, y, -half[1]),
+                Part::Top | Part::Side => along(1, y, half[1]),
+                Part::Back => against(2, z, -half[2]),
+                Part::Front => along(2, z, half[2]),
+            }
         }
         // A plane, a disc or a rectangle; the geometry has none of the others.
         Equations::Ball { .. }
         | Equations::Capsule { .. }
-        | Equations::Round { .. }
-        | Equations::DoubleCone { .. }
+        | Equations::Tube { .. }
+        | Equations::Cone { .. }
         | Equations::Plane
         | Equations::Disc { .. }
         | Equations::Cuboid { .. }
         | Equations::Rectangle { .. }
-        | Equations::Triangle { .. } => Surface::Across(zero),
-    };
-    (surface, zero)
+        | Equations::Triangle { .. } => along(1, y, zero),
+    }
 }
 
 /// If `a f` is smaller than `h^2` by this many bits, `-f / 2 h` is the root with a relative error of as many bits.
@@ -86,46 +174,48 @@ fn quotient<N: Estimate>(numerator: N, denominator: N) -> N {
 pub(crate) fn value<S: Copy, N: Ring, G: Described>(
     equations: &Equations<S>,
     part: Part,
-    [x, y, z]: [N; 3],
+    point: [N; 3],
     number: impl Fn(S) -> N + Copy,
 ) -> N {
-    let (surface, centre) = surface_of::<S, N, G>(equations, part, number);
-    let p = [x, y - centre, z];
-    match surface {
-        Surface::Across(height) => {
-            let above = p[1] - height;
-            let outside = if part == Part::Base { -above } else { above };
-            outside + outside
-        }
-        Surface::Plane(vertex, normal) => {
-            let distance = dot(normal, difference(p, vertex));
-            distance + distance
-        }
-        Surface::Quadric(form) => {
-            let here = Homogeneous { v: p, w: Weight::One };
-            form.at(here)
-        }
-    }
+    surface_of::<S, N, G>(equations, part, &Line { origin: point, direction: [N::ZERO; 3] }, number).value()
 }
 
-/// The correction `x` of the `t` of a point `p` on the line along `d`, so that the point lies on the surface: the root
-/// of `f(t + x) = f + 2 h x + a x^2` at which `f` decreases, if the line enters, or increases, if it leaves.
+/// The outward normal at a point of a part, half the gradient of its equation; zero at an apex.
+pub(crate) fn gradient<S: Copy, N: Ring, G: Described>(
+    equations: &Equations<S>,
+    part: Part,
+    point: [N; 3],
+    number: impl Fn(S) -> N + Copy,
+) -> [N; 3] {
+    surface_of::<S, N, G>(equations, part, &Line { origin: point, direction: [N::ZERO; 3] }, number).gradient()
+}
+
+/// The form of the direction on a part's surface, `a` in `f(t + x) = f + 2 h x + a x^2`; zero for a flat part.
+pub(crate) fn bending<S: Copy, N: Ring, G: Described>(
+    equations: &Equations<S>,
+    part: Part,
+    direction: [N; 3],
+    number: impl Fn(S) -> N + Copy,
+) -> N {
+    surface_of::<S, N, G>(equations, part, &Line { origin: [N::ZERO; 3], direction }, number).bending()
+}
+
+/// The correction `x` of the `t` of the line's origin, so that the point lies on the surface: the root of
+/// `f(t + x) = f + 2 h x + a x^2` at which `f` decreases, if the line enters, or increases, if it leaves.
 pub(crate) fn correction<S: Scalar, N: FromScalar<S> + Estimate, G: Described>(
     equations: &Equations<S>,
     hit: &Hit<S>,
-    p: [N; 3],
-    d: [N; 3],
+    line: &Line<N>,
 ) -> N {
-    let f = value::<S, N, G>(equations, hit.part, p, N::scalar);
-    let h = dot(gradient::<S, N, G>(equations, hit.part, p, N::scalar), d);
-    let (Surface::Quadric(form), _) = surface_of::<S, N, G>(equations, hit.part, N::scalar) else {
+    let surface = surface_of::<S, N, G>(equations, hit.part, line, N::scalar);
+    let (f, h) = (surface.value(), surface.slope());
+    if matches!(surface, Surface::Face(_) | Surface::Plane(_)) {
         return quotient(-f, h + h);
-    };
-    let along = Homogeneous { v: d, w: Weight::Zero };
-    let a = form.at(along);
+    }
+    let a = surface.bending();
     let is_zero = |n: N| n.sign() == Some(Ordering::Equal);
     if hit.crossing == Crossing::Touch || is_zero(h) && is_zero(a) {
-        return touched(equations, p, d, [f, h, a]);
+        return touched(equations, line, [f, h, a]);
     }
     // If the curvature is negligible, the slope alone gives the correction.
     if let (Some(f_top), Some(h_top), Some(a_top)) = (f.top(), h.top(), a.top())
@@ -144,23 +234,19 @@ pub(crate) fn correction<S: Scalar, N: FromScalar<S> + Estimate, G: Described>(
 /// The correction of the `t` of a touch, or of a line in the surface. A line touches a surface where
 /// `f + 2 h x + a x^2` is least, or a solid at a rim, where the line crosses the surface beyond the solid: of the
 /// vertex and of the points at the rims' heights, the one at which `f` is nearest to zero.
-fn touched<S: Scalar, N: FromScalar<S> + Estimate>(
-    equations: &Equations<S>,
-    p: [N; 3],
-    d: [N; 3],
-    [f, h, a]: [N; 3],
-) -> N {
+fn touched<S: Scalar, N: FromScalar<S> + Estimate>(equations: &Equations<S>, line: &Line<N>, [f, h, a]: [N; 3]) -> N {
+    let (y, dy) = (line.origin[1], line.direction[1]);
     let magnitude = |n: N| if n.sign() == Some(Ordering::Less) { -n } else { n };
     let is_less = |n: N, m: N| magnitude(n).compare(magnitude(m)) == Some(Ordering::Less);
     let value = |x: N| N::sum([[f, N::ONE], [h + h, x], [a * x, x]]);
-    let is_along = d[1].sign() == Some(Ordering::Equal);
     let rims = match *equations {
-        Equations::Round { extent: Extent::Open(height), .. } if !is_along => [Some(S::ZERO), Some(height)],
-        Equations::Round { extent: Extent::Capped(low, high), .. } if !is_along => [low, high],
+        _ if dy.sign() == Some(Ordering::Equal) => [None; 2],
+        Equations::Tube { extent, .. } => planes_of(extent, [true; 2]),
+        Equations::Cone { outline, extent } => planes_of(extent, caps(&outline)),
         _ => [None; 2],
     };
     let vertex = (a.sign() != Some(Ordering::Equal)).then(|| (-h).over(a));
-    let crossings = rims.map(|rim| rim.map(|height| (N::scalar(height) - p[1]).over(d[1])));
+    let crossings = rims.map(|rim| rim.map(|height| (N::scalar(height) - y).over(dy)));
     let mut best: Option<[N; 2]> = None;
     for x in crossings.into_iter().chain([vertex]).flatten() {
         let value = value(x);
@@ -174,43 +260,8 @@ fn touched<S: Scalar, N: FromScalar<S> + Estimate>(
     best.map_or(N::ZERO, |[x, _]| x)
 }
 
-/// The form of the direction on a part's surface, `a` in `f(t + x) = f + 2 h x + a x^2`; zero for a flat part.
-pub(crate) fn bending<S: Copy, N: Ring, G: Described>(
-    equations: &Equations<S>,
-    part: Part,
-    d: [N; 3],
-    number: impl Fn(S) -> N + Copy,
-) -> N {
-    match surface_of::<S, N, G>(equations, part, number).0 {
-        Surface::Quadric(form) => form.at(Homogeneous { v: d, w: Weight::Zero }),
-        Surface::Across(_) | Surface::Plane(..) => N::ZERO,
-    }
-}
-
 /// The line's point at `t`.
 pub(crate) fn point_at<N: Ring>(line: &Line<N>, t: N) -> [N; 3] {
     let at = |i: usize| N::sum([[line.origin[i], N::ONE], [line.direction[i], t]]);
     [at(0), at(1), at(2)]
-}
-
-/// The outward normal at a point of a part, half the gradient of its equation; zero at an apex.
-pub(crate) fn gradient<S: Copy, N: Ring, G: Described>(
-    equations: &Equations<S>,
-    part: Part,
-    [x, y, z]: [N; 3],
-    number: impl Fn(S) -> N + Copy,
-) -> [N; 3] {
-    let (surface, centre) = surface_of::<S, N, G>(equations, part, number);
-    let zero = N::ZERO;
-    match surface {
-        Surface::Quadric(Form::Ball(_)) => [x, y - centre, z],
-        Surface::Quadric(Form::Tube(_)) => [x, zero, z],
-        Surface::Quadric(Form::Cone(cone @ Cone { h, g1, .. })) => {
-            let g = cone.outline(Homogeneous { v: [x, y, z], w: Weight::One });
-            let hh = h * h;
-            [hh * x, -(g1 * g), hh * z]
-        }
-        Surface::Across(_) => [zero, if part == Part::Base { -N::ONE } else { N::ONE }, zero],
-        Surface::Plane(_, normal) => normal,
-    }
 }

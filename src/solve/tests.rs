@@ -1,10 +1,11 @@
 //! The solver over numbers with random signs, orders and values: its ends are always sorted and paired.
 
-use super::{Attempt, Extent, Goal, LocalRay, Outline, Stop};
+use super::{Attempt, Goal, LocalRay, Stop};
 use super::{ball, capsule, cone, cuboid, disc, plane, rectangle, triangle, tube};
 use crate::hit::Crossing;
 use crate::intersection::Intersection;
 use crate::number::{Estimate, Number, Ring};
+use crate::outline::{Extent, Outline};
 use crate::part::Part;
 use crate::random::Random;
 use crate::ray::{Leaving, Range};
@@ -142,11 +143,11 @@ impl Solver {
             Self::Cuboid,
             Self::Rectangle,
         ]);
-        let capped = [Extent::Capped(Some(0.0), Some(2.0)), Extent::Capped(None, Some(2.0))];
-        for extent in [Extent::Infinite, Extent::Open(2.0), capped[0], capped[1]] {
+        for extent in [Extent::Infinite, Extent::Open(2.0), Extent::Capped(2.0)] {
             all.push(Self::Tube(extent));
-            all.push(Self::Cone(Outline::Slope(1.0), extent));
-            all.push(Self::Cone(Outline::Radii(1.0, 0.5, 2.0), extent));
+            for outline in [Outline::Slope(1.0), Outline::Radii(1.0, 0.5, 2.0), Outline::Radii(0.0, 1.0, 2.0)] {
+                all.push(Self::Cone(outline, extent));
+            }
         }
         all.push(Self::Cone(Outline::Slope(1.0), Extent::Double));
         all

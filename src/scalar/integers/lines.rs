@@ -3,7 +3,8 @@
 
 use super::length::{Length, Stretch};
 use super::{ball, cone, cuboid, departing, flat, round, triangle, turned};
-use crate::scalar::{Attempt, FinerLine, GridScalar, InCuboid, InSide, LocalLine, NappeOutline, found};
+use crate::outline::Outline;
+use crate::scalar::{Attempt, FinerLine, GridScalar, InCuboid, InSide, LocalLine, found};
 use core::cmp::Ordering;
 
 /// The error of an end is at most a unit, that of the height there less than two: rounding may decide the order of two
@@ -66,15 +67,21 @@ impl<S: GridScalar> LocalLine<S> {
 
     /// The raw integers of a nappe: its radius at `y = 0`, and by how much it grows over its height.
     #[inline(always)]
-    fn outline(NappeOutline { base, top, height }: NappeOutline<S>) -> Option<[S::Raw; 3]> {
-        let height = height.map_or(S::one(), |height| Some(height.to_raw())).filter(|height| *height > S::Raw::ZERO)?;
+    fn outline(outline: Outline<S>) -> Option<[S::Raw; 3]> {
+        let (base, top, height) = match outline {
+            Outline::Slope(slope) => (S::ZERO, slope, S::one()?),
+            Outline::Radii(base, top, height) => (base, top, height.to_raw()),
+        };
+        if height <= S::Raw::ZERO {
+            return None;
+        }
         Some([base.to_raw(), top.minus(base).to_raw(), height])
     }
 
     /// The interval of the line inside the nappe.
     #[inline(always)]
-    pub(crate) fn nappe(&self, nappe: NappeOutline<S>) -> Attempt<InSide<S>> {
-        let Some(outline) = Self::outline(nappe) else { return Attempt::Unsure };
+    pub(crate) fn nappe(&self, outline: Outline<S>) -> Attempt<InSide<S>> {
+        let Some(outline) = Self::outline(outline) else { return Attempt::Unsure };
         let InSide { ends, beyond } = found!(cone::nappe(self.o(), self.extra_bits, self.d(), outline, self.is_strict));
         Attempt::Hit(InSide { ends: ends.map(S::from_raw), beyond: beyond.map(S::from_raw) })
     }
@@ -98,9 +105,9 @@ impl<S: GridScalar> LocalLine<S> {
 
     /// The exit of a line that starts on the side of the nappe and leads inwards; infinite if there is none.
     #[inline(always)]
-    pub(crate) fn exit_from_nappe(&self, nappe: NappeOutline<S>) -> Attempt<S> {
+    pub(crate) fn exit_from_nappe(&self, outline: Outline<S>) -> Attempt<S> {
         found!(self.starts_at_origin());
-        let Some(outline) = Self::outline(nappe) else { return Attempt::Unsure };
+        let Some(outline) = Self::outline(outline) else { return Attempt::Unsure };
         let exit = found!(cone::exit_from_nappe(self.o(), self.extra_bits, self.d(), outline, self.is_strict));
         Attempt::Hit(S::from_raw(exit))
     }
