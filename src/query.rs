@@ -99,12 +99,14 @@ pub(crate) fn nearest<S: Scalar, T: Solve<S>, G: Geometry<S>, P: Place<S>>(
     match T::first(geometry, place, ray, since) {
         Err(Stop::Miss) => None,
         Err(Stop::Unsure) => others::<S, T, G, P>(geometry, place, ray).nearest(range, accept),
-        Ok(Intersection::Entered(enter)) if !(range.contains(enter.t) && reported.enter) => {
-            // If the range ends before the entry, it holds no exit either. The entry stays as it is, so that the hit is
-            // one of [`hits`].
-            if enter.t > range.end() {
-                return None;
-            }
+        // The common case is tested by itself: the compiler then passes the entry on in registers.
+        Ok(Intersection::Entered(enter)) if range.contains(enter.t) && reported.enter => {
+            Some(Hit { t: enter.t, part: enter.part, crossing: Crossing::Enter })
+        }
+        // If the range ends before the entry, it holds no exit either.
+        Ok(Intersection::Entered(enter)) if enter.t > range.end() => None,
+        // The entry stays as it is, so that the hit is one of [`hits`].
+        Ok(Intersection::Entered(enter)) => {
             others::<S, T, G, P>(geometry, place, ray).entered_at(enter).nearest(range, accept)
         }
         Ok(intersection) => intersection.nearest(range, accept),

@@ -95,6 +95,10 @@ pub(crate) fn rounded_ray<S: Scalar, R: RealOf<S>, P: Place<S>>(
     needs: Needs,
     departure: Option<(Part, Leaving)>,
 ) -> LocalRay<Running<R>> {
+    if matches!(needs, Needs::Height) {
+        let line = unmoved::<S, Doubled<R>, P>(place, ray, needs).map(|vector| vector.map(Doubled::rounded));
+        return LocalRay { is_unit: !P::STRETCHES, ..LocalRay::new(line, departure) };
+    }
     let ([ox, oy, oz], d) = (ray.origin().to_array().map(R::of), ray.direction().to_array().map(R::of_unit));
     let [px, py, pz] = place.position().map_or([R::ZERO; 3], |position| position.to_array().map(R::of));
     let from @ [x, y, z] = [Doubled::difference(ox, px), Doubled::difference(oy, py), Doubled::difference(oz, pz)];

@@ -28,6 +28,7 @@ pub(super) enum Inside {
 ///
 /// For a line that departs from the quadric, `t = 0` is a root by rule 8 of the contract, whatever its rounded
 /// coordinates: `c = 0`, the discriminant is `k^2`, and the other root is `-2 k / a`.
+#[derive(Clone, Copy)]
 pub(super) struct Quadratic<N, Q> {
     pub(super) quadric: Q,
     departs: bool,
@@ -56,61 +57,49 @@ impl<N: Number, Q: Quadric<N>> Quadratic<N, Q> {
             None if quadric.is_parallel() => Ordering::Equal,
             sign => known(sign)?,
         };
-        let mut this = Self {
-            quadric,
-            departs,
-            a,
-            k: N::ZERO,
-            discriminant: N::ZERO,
-            a_sign,
-            inside: Inside::Nowhere,
-            is_moved: line.start.is_some(),
+        let mut discriminant = N::ZERO;
+        // The result is built in one place, so that the compiler keeps its parts in registers.
+        let (inside, k) = if a_sign == Ordering::Equal {
+            Self::linear(quadric, departs)?
+        } else if departs {
+            let k = quadric.k();
+            let touch = known(k.sign())? == Ordering::Equal;
+            (if a_sign == Ordering::Greater { Inside::Between(touch) } else { Inside::Beyond }, k)
+        } else {
+            discriminant = quadric.discriminant(a);
+            let sign = known(discriminant.sign_among(Difference::OfSquares, || quadric.terms(a) + line.far(N::MOVED)))?;
+            let inside = match (a_sign, sign) {
+                (Ordering::Greater, Ordering::Less) if !line.departs() => return Err(Stop::Miss),
+                (Ordering::Greater, Ordering::Less) => Inside::Nowhere,
+                (Ordering::Greater, sign) => Inside::Between(sign == Ordering::Equal),
+                // Only rounding makes it negative.
+                (_, Ordering::Less) if !N::IS_WIDE => return Err(Stop::Unsure),
+                _ => Inside::Beyond,
+            };
+            (inside, quadric.k())
         };
-        if a_sign == Ordering::Equal {
-            return this.linear();
-        }
-        if departs {
-            this.k = quadric.k();
-            let touch = known(this.k.sign())? == Ordering::Equal;
-            this.inside = if a_sign == Ordering::Greater { Inside::Between(touch) } else { Inside::Beyond };
-            return Ok(this);
-        }
-        this.discriminant = quadric.discriminant(a);
-        let sign =
-            known(this.discriminant.sign_among(Difference::OfSquares, || quadric.terms(a) + line.far(N::MOVED)))?;
-        this.inside = match (a_sign, sign) {
-            // A miss needs no k.
-            (Ordering::Greater, Ordering::Less) => return Ok(this),
-            (Ordering::Greater, sign) => Inside::Between(sign == Ordering::Equal),
-            // Only rounding makes it negative.
-            (_, Ordering::Less) if !N::IS_WIDE => return Err(Stop::Unsure),
-            _ => Inside::Beyond,
-        };
-        this.k = quadric.k();
-        Ok(this)
+        Ok(Self { quadric, departs, a, k, discriminant, a_sign, inside, is_moved: line.start.is_some() })
     }
 
     /// A line parallel to the axis of a tube, or to a generator of a cone: `f = 2 k t + c`.
     #[inline(never)]
-    fn linear(mut self) -> Attempt<Self> {
-        self.k = self.quadric.k();
-        let k_sign = if self.quadric.is_parallel() { Ordering::Equal } else { known(self.k.sign())? };
-        self.inside = match k_sign {
+    fn linear(quadric: Q, departs: bool) -> Attempt<(Inside, N)> {
+        let k = quadric.k();
+        let k_sign = if quadric.is_parallel() { Ordering::Equal } else { known(k.sign())? };
+        let inside = match k_sign {
             Ordering::Less => Inside::From,
             Ordering::Greater => Inside::Until,
-            Ordering::Equal => match known(self.c().sign())? {
-                Ordering::Less => Inside::Everywhere,
-                Ordering::Equal if !N::KNOWS_ZERO => return Err(Stop::Unsure),
-                Ordering::Equal => Inside::InSurface,
-                Ordering::Greater => Inside::Nowhere,
-            },
+            Ordering::Equal => {
+                let c = if departs { N::ZERO } else { quadric.c() };
+                match known(c.sign())? {
+                    Ordering::Less => Inside::Everywhere,
+                    Ordering::Equal if !N::KNOWS_ZERO => return Err(Stop::Unsure),
+                    Ordering::Equal => Inside::InSurface,
+                    Ordering::Greater => Inside::Nowhere,
+                }
+            }
         };
-        Ok(self)
-    }
-
-    #[inline(always)]
-    fn c(&self) -> N {
-        if self.departs { N::ZERO } else { self.quadric.c() }
+        Ok((inside, k))
     }
 
     /// The roots in order; the only root of a linear function is returned twice.
@@ -135,8 +124,11 @@ impl<N: Number, Q: Quadric<N>> Quadratic<N, Q> {
     #[inline(always)]
     fn roots(&self) -> [N::Estimate; 2] {
         let (a, k) = (self.a.estimate(), self.k.estimate());
-        if self.departs || self.a_sign == Ordering::Equal {
-            return self.roots_without_discriminant(a, k);
+        if self.a_sign == Ordering::Equal {
+            return [if self.departs { N::Estimate::ZERO } else { linear_root(self.quadric.c().estimate(), k) }; 2];
+        }
+        if self.departs {
+            return departing_roots(self.a_sign, a, k);
         }
         let root = if matches!(self.inside, Inside::Between(true)) {
             N::Estimate::ZERO
@@ -162,16 +154,6 @@ impl<N: Number, Q: Quadric<N>> Quadratic<N, Q> {
         if self.a_sign == Ordering::Greater { [lower, upper] } else { [upper, lower] }
     }
 
-    #[inline(never)]
-    fn roots_without_discriminant(&self, a: N::Estimate, k: N::Estimate) -> [N::Estimate; 2] {
-        let zero = N::Estimate::ZERO;
-        if self.a_sign == Ordering::Equal {
-            return [if self.departs { zero } else { (-self.c().estimate()).over(k + k) }; 2];
-        }
-        let other = (-(k + k)).over(a);
-        if k.sign() == Some(self.a_sign) { [other, zero] } else { [zero, other] }
-    }
-
     /// The sign of `f` at `n / e`.
     fn sign_at(&self, t: Fraction<N>) -> Option<Ordering> {
         if self.departs {
@@ -181,6 +163,19 @@ impl<N: Number, Q: Quadric<N>> Quadratic<N, Q> {
         }
         self.quadric.at(t.n, t.e).sign()
     }
+}
+
+/// The root of `2 k t + c`.
+#[inline(never)]
+fn linear_root<E: Estimate>(c: E, k: E) -> E {
+    (-c).over(k + k)
+}
+
+/// The roots of `a t^2 + 2 k t`.
+#[inline(never)]
+fn departing_roots<E: Estimate>(a_sign: Ordering, a: E, k: E) -> [E; 2] {
+    let other = (-(k + k)).over(a);
+    if k.sign() == Some(a_sign) { [other, E::ZERO] } else { [E::ZERO, other] }
 }
 
 impl<N: Number, Q: Quadric<N>> Curve<N> for Quadratic<N, Q> {

@@ -118,53 +118,53 @@ fn within<N: Number, Q: Quadric<N>>(quadratic: &Quadratic<N, Q>) -> Attempt<With
         #[inline(always)]
         || {
             let [g, slope] = quadratic.quadric.outline();
-            Ok(Within::In(match quadratic.inside {
-                Inside::Between(touch) => {
-                    // The outline at the vertex t = -k/a, which lies between the roots, has the sign of the nappe.
-                    let vertex = || N::sum([[g, quadratic.a], [-slope, quadratic.k]]);
-                    if Q::HAS_NAPPES && known(vertex().sign())? == Ordering::Less {
-                        return Ok(Within::Nowhere);
-                    }
-                    quadratic.between(touch)
+            // The outline grows with t if the line rises.
+            let grows = || if Q::HAS_NAPPES { known(slope.sign()) } else { Ok(Ordering::Equal) };
+            let is_between = matches!(quadratic.inside, Inside::Between(_));
+            if is_between && Q::HAS_NAPPES {
+                // The outline at the vertex t = -k/a, which lies between the roots, has the sign of the nappe.
+                let vertex = N::sum([[g, quadratic.a], [-slope, quadratic.k]]);
+                if known(vertex.sign())? == Ordering::Less {
+                    return Ok(Within::Nowhere);
                 }
-                // The line is steeper than the side: a half-line lies in each nappe. The outline grows with t if the line
-                // rises.
-                Inside::Beyond => {
-                    let [first, second] = quadratic.ends();
-                    if known(slope.sign())? == Ordering::Greater {
-                        Interval::new(second, End::never_left())
-                    } else {
-                        Interval::new(End::never_entered(), first)
-                    }
+            }
+            if !is_between {
+                match quadratic.inside {
+                    Inside::Everywhere => return Ok(Within::In(Interval::everywhere())),
+                    Inside::InSurface if N::KNOWS_ZERO => return Ok(Within::Along(along([g, slope], grows()?))),
+                    Inside::InSurface | Inside::Nowhere => return Ok(Within::Nowhere),
+                    _ => {}
                 }
-                Inside::Nowhere => return Ok(Within::Nowhere),
-                _ => return parallel(quadratic),
-            }))
+            }
+            let [first, second] = quadratic.ends();
+            if let Inside::Between(touch) = quadratic.inside {
+                return Ok(Within::In(Interval { enter: first, exit: second, touch }));
+            }
+            // A half-line lies in each nappe if the line is steeper than the side, and one half-line if it is parallel
+            // to a generator.
+            Ok(match (quadratic.inside, grows()?) {
+                (Inside::Beyond | Inside::From, Ordering::Greater) => {
+                    Within::In(Interval::new(second, End::never_left()))
+                }
+                (Inside::Beyond, _) | (Inside::Until, Ordering::Less) => {
+                    Within::In(Interval::new(End::never_entered(), first))
+                }
+                _ => Within::Nowhere,
+            })
         },
     )
 }
 
-/// The same for a line parallel to a generator.
+/// The interval of a line that lies in the surface: up to the apex or from it on, or the whole line.
 #[cold]
 #[inline(never)]
-fn parallel<N: Number, Q: Quadric<N>>(quadratic: &Quadratic<N, Q>) -> Attempt<Within<N>> {
-    let [g, slope] = quadratic.quadric.outline();
-    let slope_sign = if Q::HAS_NAPPES { known(slope.sign())? } else { Ordering::Equal };
-    Ok(match (quadratic.inside, slope_sign) {
-        // One half-line, in the nappe into which it leads.
-        (Inside::From, Ordering::Greater) => Within::In(Interval::new(quadratic.ends()[0], End::never_left())),
-        (Inside::Until, Ordering::Less) => Within::In(Interval::new(End::never_entered(), quadratic.ends()[0])),
-        (Inside::Everywhere, _) => Within::In(Interval::everywhere()),
-        (Inside::InSurface, _) if N::KNOWS_ZERO => {
-            let apex = || End::at(Fraction { n: -g, e: slope }, Part::Side);
-            Within::Along(match slope_sign {
-                Ordering::Equal => Interval::everywhere(),
-                Ordering::Greater => Interval::new(apex(), End::never_left()),
-                Ordering::Less => Interval::new(End::never_entered(), apex()),
-            })
-        }
-        _ => Within::Nowhere,
-    })
+fn along<N: Number>([g, slope]: [N; 2], grows: Ordering) -> Interval<N> {
+    let apex = || End::at(Fraction { n: -g, e: slope }, Part::Side);
+    match grows {
+        Ordering::Equal => Interval::everywhere(),
+        Ordering::Greater => Interval::new(apex(), End::never_left()),
+        Ordering::Less => Interval::new(End::never_entered(), apex()),
+    }
 }
 
 /// The side's end or the plane's: the plane's if the side's compares with it as `counts` says. If both are the same
@@ -207,16 +207,16 @@ fn side<S: Scalar, N: Of<S>, Q: Quadric<N>>(
 ) -> Attempt<Intersection<S>> {
     let quadratic = Quadratic::new(quadric, line, line.departs_from(Part::Side))?;
     if line.departs() {
-        return departing(line, &quadratic, ends, goal);
+        return departing(line, quadratic, ends, goal);
     }
     if Q::HAS_NAPPES && matches!(ends.extent, Extent::Double) {
-        return both_nappes(line, &quadratic, goal);
+        return both_nappes(line, quadratic, goal);
     }
     let interval = match within(&quadratic)? {
         Within::Nowhere => return Err(Stop::Miss),
         Within::In(interval) => interval,
         Within::Along(interval) if N::KNOWS_ZERO => {
-            return in_the_surface(line, &quadratic, &interval, ends, goal);
+            return in_the_surface(line, quadratic, &interval, ends, goal);
         }
         Within::Along(_) => return Err(Stop::Unsure),
     };
@@ -247,7 +247,7 @@ fn planes<S: Scalar, N: Of<S>>(line: &LocalRay<N>, ends: Ends<S>) -> Attempt<Opt
 #[inline(never)]
 fn in_the_surface<S: Scalar, N: Of<S>, Q: Quadric<N>>(
     line: &LocalRay<N>,
-    quadratic: &Quadratic<N, Q>,
+    quadratic: Quadratic<N, Q>,
     interval: &Interval<N>,
     ends: Ends<S>,
     goal: Goal<S>,
@@ -259,13 +259,13 @@ fn in_the_surface<S: Scalar, N: Of<S>, Q: Quadric<N>>(
         None => return Err(Stop::Miss),
     };
     // Its ends lie on rims, which belong to the side.
-    let Interval { enter, exit, touch } = clip(quadratic, interval, &planes)?;
+    let Interval { enter, exit, touch } = clip(&quadratic, interval, &planes)?;
     let interval = Interval { enter: enter.of_side(), exit: exit.of_side(), touch };
     let is_solid = matches!(ends.extent, Extent::Capped(..));
     if is_solid && departs {
-        return inwards(quadratic, line, &interval.exit, goal.range);
+        return inwards(&quadratic, line, &interval.exit, goal.range);
     }
-    let span = span(quadratic, line, &interval, goal.range)?;
+    let span = span(&quadratic, line, &interval, goal.range)?;
     Ok(if is_solid { Intersection::One(span) } else { Intersection::LiesIn(span) })
 }
 
@@ -273,7 +273,7 @@ fn in_the_surface<S: Scalar, N: Of<S>, Q: Quadric<N>>(
 #[inline(never)]
 fn departing<S: Scalar, N: Of<S>, Q: Quadric<N>>(
     line: &LocalRay<N>,
-    quadratic: &Quadratic<N, Q>,
+    quadratic: Quadratic<N, Q>,
     ends: Ends<S>,
     goal: Goal<S>,
 ) -> Attempt<Intersection<S>> {
@@ -283,7 +283,7 @@ fn departing<S: Scalar, N: Of<S>, Q: Quadric<N>>(
     let is_open = matches!(ends.extent, Extent::Open(_));
     // The line departs from a point of the slab, although its rounded coordinates may be outside.
     let planes = planes(line, ends)?.unwrap_or_else(Interval::everywhere);
-    let own = match within(quadratic)? {
+    let own = match within(&quadratic)? {
         Within::Along(interval) if N::KNOWS_ZERO => {
             return in_the_surface(line, quadratic, &interval, ends, goal);
         }
@@ -296,16 +296,16 @@ fn departing<S: Scalar, N: Of<S>, Q: Quadric<N>>(
         Within::Nowhere => End::start(Part::Side),
     };
     if !is_open {
-        let exit = choose(quadratic, own, planes.exit, Ordering::Greater)?;
-        return inwards(quadratic, line, &exit, goal.range);
+        let exit = choose(&quadratic, own, planes.exit, Ordering::Greater)?;
+        return inwards(&quadratic, line, &exit, goal.range);
     }
     // A ray that departs inwards hits the far wall; the start itself is no hit.
-    let is_ahead = is_on_the_side(quadratic, &own, &planes)?
-        && known(end::compare(quadratic, line, &own, S::ZERO))? == Ordering::Greater;
+    let is_ahead = is_on_the_side(&quadratic, &own, &planes)?
+        && known(end::compare(&quadratic, line, &own, S::ZERO))? == Ordering::Greater;
     if !is_ahead {
         return Err(Stop::Miss);
     }
-    let exit = settled(quadratic, line, &own, goal.range)?;
+    let exit = settled(&quadratic, line, &own, goal.range)?;
     Ok(Intersection::Surface(Span::new(intersection::End::none(-S::INFINITY), exit)))
 }
 
@@ -340,20 +340,20 @@ fn on_the_side<S: Scalar, N: Of<S>, Q: Quadric<N>>(
 #[inline(never)]
 fn both_nappes<S: Scalar, N: Of<S>, Q: Quadric<N>>(
     line: &LocalRay<N>,
-    quadratic: &Quadratic<N, Q>,
+    quadratic: Quadratic<N, Q>,
     goal: Goal<S>,
 ) -> Attempt<Intersection<S>> {
-    let one = |interval: Interval<N>| solid(quadratic, line, &interval, goal);
+    let one = |interval: Interval<N>| solid(&quadratic, line, &interval, goal);
     match quadratic.inside {
         Inside::Nowhere => Err(Stop::Miss),
         Inside::Between(touch) => one(quadratic.between(touch)),
         Inside::Beyond => {
             let [first, second] = quadratic.ends();
-            let first = span(quadratic, line, &Interval::new(End::never_entered(), first), goal.range)?;
+            let first = span(&quadratic, line, &Interval::new(End::never_entered(), first), goal.range)?;
             if goal.since.is_some_and(|since| first.exit.t < since) {
                 return one(Interval::new(second, End::never_left()));
             }
-            let second = span(quadratic, line, &Interval::new(second, End::never_left()), goal.range)?;
+            let second = span(&quadratic, line, &Interval::new(second, End::never_left()), goal.range)?;
             Ok(in_order(first, second))
         }
         Inside::Until => one(Interval::new(End::never_entered(), quadratic.ends()[0])),
@@ -377,14 +377,14 @@ fn in_order<S: Scalar>(first: Span<S>, mut second: Span<S>) -> Intersection<S> {
 #[inline(never)]
 fn departing_from_both<S: Scalar, N: Of<S>, Q: Quadric<N>>(
     line: &LocalRay<N>,
-    quadratic: &Quadratic<N, Q>,
+    quadratic: Quadratic<N, Q>,
     goal: Goal<S>,
 ) -> Attempt<Intersection<S>> {
     let leaving = line.departure.map_or(Leaving::Outwards, |(_, leaving)| leaving);
     let [first, second] = quadratic.ends();
-    let is_ahead = || Ok(known(end::compare(quadratic, line, &second, S::ZERO))? == Ordering::Greater);
-    let until = |end: End<N>| inwards(quadratic, line, &end, goal.range);
-    let from = || span(quadratic, line, &Interval::new(second, End::never_left()), goal.range);
+    let is_ahead = || Ok(known(end::compare(&quadratic, line, &second, S::ZERO))? == Ordering::Greater);
+    let until = |end: End<N>| inwards(&quadratic, line, &end, goal.range);
+    let from = || span(&quadratic, line, &Interval::new(second, End::never_left()), goal.range);
     match (quadratic.inside, leaving) {
         (Inside::Everywhere | Inside::InSurface, _) => Ok(Intersection::LiesIn(Span::everywhere())),
         (Inside::Between(_), Leaving::Inwards) => until(second),
