@@ -4,7 +4,7 @@
 //! intervals in the slabs have in common (Kay and Kajiya, *Ray Tracing Complex Scenes*, 1986).
 
 use super::attempt::{Attempt, Stop, known};
-use super::end::{End, Flat, Fraction, Goal, Interval, Of, inwards, solid, span, times};
+use super::end::{End, Flat, Fraction, Goal, Interval, Of, Place, inwards, solid, span, times};
 use super::flat::crossing;
 use super::local_ray::LocalRay;
 use crate::intersection::Intersection;
@@ -35,8 +35,8 @@ impl<N: Number> Crossed<N> {
 
     #[inline(always)]
     fn end(self, part: Part) -> End<N> {
-        let place = Fraction { n: self.bound - self.o, e: self.d };
-        End { part, ..End::at(place, part) }
+        let t = Fraction { n: self.bound - self.o, e: self.d };
+        if N::IS_WIDE { End::at(t, part) } else { End { place: Place::At(t), t: self.t, part } }
     }
 
     /// How it compares with another. Wide numbers decide by one sum of products, so that the start of a far line
@@ -82,7 +82,10 @@ impl<N: Number> Clipped<N> {
         let (enter, exit) = match known(d.sign())? {
             Ordering::Greater => ((low, -h), (high, h)),
             Ordering::Less => ((high, h), (low, -h)),
-            Ordering::Equal => return self.lies_between(line, rank, [o, h]),
+            Ordering::Equal => {
+                self.along = self.along.or(lies_between(line, rank, [o, h])?);
+                return Ok(());
+            }
         };
         let crossed = |(part, bound): (Part, N)| {
             if line.departs_from(part) {
@@ -94,25 +97,6 @@ impl<N: Number> Clipped<N> {
             self.enter = later(self.enter, crossed(enter), Ordering::Greater)?;
         }
         self.exit = later(self.exit, crossed(exit), Ordering::Less)?;
-        Ok(())
-    }
-
-    /// A line parallel to a slab.
-    #[cold]
-    #[inline(never)]
-    fn lies_between(&mut self, line: &LocalRay<N>, rank: usize, [o, h]: [N; 2]) -> Attempt<()> {
-        let [low, high] = FACES[rank];
-        let departed = FACES[rank].into_iter().find(|part| line.departs_from(*part));
-        let along = match departed {
-            None => match (known((o + h).sign())?, known((o - h).sign())?) {
-                (Ordering::Less, _) | (_, Ordering::Greater) if !line.departs() => return Err(Stop::Miss),
-                (Ordering::Equal, _) => Some(low),
-                (_, Ordering::Equal) => Some(high),
-                _ => None,
-            },
-            own => own,
-        };
-        self.along = self.along.or(along.map(|part| (rank, part)));
         Ok(())
     }
 
@@ -142,6 +126,24 @@ impl<N: Number> Clipped<N> {
             }
         }
     }
+}
+
+/// A line parallel to a slab: the face whose plane it lies in; a miss if it lies outside.
+#[cold]
+#[inline(never)]
+fn lies_between<N: Number>(line: &LocalRay<N>, rank: usize, [o, h]: [N; 2]) -> Attempt<Option<(usize, Part)>> {
+    let [low, high] = FACES[rank];
+    let departed = FACES[rank].into_iter().find(|part| line.departs_from(*part));
+    let along = match departed {
+        None => match (known((o + h).sign())?, known((o - h).sign())?) {
+            (Ordering::Less, _) | (_, Ordering::Greater) if !line.departs() => return Err(Stop::Miss),
+            (Ordering::Equal, _) => Some(low),
+            (_, Ordering::Equal) => Some(high),
+            _ => None,
+        },
+        own => own,
+    };
+    Ok(along.map(|part| (rank, part)))
 }
 
 /// `new` if it compares with `own` as `counts` says, otherwise `own`.
