@@ -17,7 +17,8 @@
 //!
 //! The promises hold for placed solids too. A frame's position and axes are taken as stored, and the transformation
 //! into the frame is part of the computation. Stored axes are perpendicular only to their last bits; a sphere in a
-//! frame is nevertheless an exact sphere.
+//! frame is nevertheless an exact sphere. Of affine maps the promises hold where the largest factor by which they
+//! stretch is at most 1,000 times the smallest; those of [`Exact`] always.
 //!
 //! Measured errors are in [docs/accuracy.md](https://github.com/raylet-rs/raylet/blob/main/docs/accuracy.md).
 

@@ -72,8 +72,12 @@ impl<N: Number, Q: Quadric<N>> Quadratic<N, Q> {
                 (Ordering::Greater, Ordering::Less) if !line.departs() => return Err(Stop::Miss),
                 (Ordering::Greater, Ordering::Less) => Inside::Nowhere,
                 (Ordering::Greater, sign) => Inside::Between(sign == Ordering::Equal),
-                // Only rounding makes it negative.
-                (_, Ordering::Less) if !N::IS_WIDE => return Err(Stop::Unsure),
+                // Only rounding makes it negative: it is zero, or the next number knows it.
+                (_, Ordering::Less) if !N::KNOWS_ZERO => return Err(Stop::Unsure),
+                (_, Ordering::Less) => {
+                    discriminant = N::ZERO;
+                    Inside::Beyond
+                }
                 _ => Inside::Beyond,
             };
             (inside, quadric.k())

@@ -192,7 +192,7 @@ fn break_no_promise<S: Number>(methods: &[Method<S>]) {
         for workload in WORKLOADS.into_iter().chain(FURTHER) {
             let unplaced = measure_each(methods, &subject, workload, times(60) as usize, seed, |_| true);
             let placed = PLACINGS.map(|placing| {
-                let any = placing.has(workload);
+                let any = placing.has(workload) && placing.is_promised();
                 any.then(|| measure_placed(methods, &subject, workload, placing, times(60) as usize, seed)).flatten()
             });
             seed += 1;

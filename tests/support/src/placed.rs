@@ -34,12 +34,16 @@ impl Placing {
         }
     }
 
-    /// True if there is a row of the workload at solids that are placed so. Tiers promise something of factors of a
-    /// ratio up to 1,000.
+    /// True if tiers promise something of solids that are placed so: of factors of a ratio up to 1,000.
+    pub fn is_promised(self) -> bool {
+        !matches!(self, Self::Stretched(factor) if factor * factor > 1_000.0)
+    }
+
+    /// True if there is a row of the workload at solids that are placed so.
     pub fn has(self, workload: Workload) -> bool {
         match self {
             Self::Moved | Self::Turned => true,
-            Self::Stretched(factor) if factor * factor <= 1_000.0 => matches!(
+            Self::Stretched(_) if self.is_promised() => matches!(
                 workload,
                 Workload::Benign | Workload::Away(_) | Workload::Grazing(_) | Workload::NearPlane(_) | Workload::Rims
             ),

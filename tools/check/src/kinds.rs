@@ -64,11 +64,10 @@ pub fn programs() -> impl Iterator<Item = &'static Use> {
 }
 
 /// The source files with the code of few kinds: who they belong to, and the number type, if they are of one.
-const FILES: [(&str, &[&str], Option<&str>); 20] = [
+const FILES: [(&str, &[&str], Option<&str>); 19] = [
     ("primitive/sphere", &["Sphere"], None),
     ("primitive/cylinder", &["Cylinder"], None),
     ("primitive/cone", &["Cone"], None),
-    ("primitive/outline", &["Cone"], None),
     ("primitive/capsule", &["Capsule"], None),
     ("primitive/plane", &["Plane"], None),
     ("primitive/disc", &["Disc"], None),
