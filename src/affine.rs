@@ -7,7 +7,7 @@ use crate::frame::{Frame, FrameError};
 use crate::line::Place;
 use crate::number::{difference, dot};
 use crate::ray::Ray;
-use crate::scalar::{FinerLine, FromScalar, GridScalar, Including, Real, Ring, Scalar, ValueError};
+use crate::scalar::{FinerLine, FromScalar, GridScalar, Including, Real, Ring, Scalar, ValueError, clamped};
 use crate::vector::{UnitVec3, Vec3, cross, pairs, transposed};
 
 /// One row of the inverse: components below 1 and a power of two.
@@ -197,7 +197,7 @@ impl<S: Scalar> Affine<S> {
     pub(crate) fn ray_point_to_local(&self, ray: &Ray<S>, t: S) -> Vec3<S> {
         let from_position =
             S::approach(ray.origin().to_array(), self.position.to_array(), ray.direction().to_array(), t);
-        Vec3::round(self.vector_to_local(from_position.map(within_budget)))
+        Vec3::round(self.vector_to_local(from_position.map(|c| clamped(c, S::BUDGET.coordinate))))
     }
 
     /// A local normal in the world: the inverse transpose, normalised.
@@ -307,16 +307,4 @@ impl<S: Scalar> Affine<S> {
 #[inline(always)]
 fn applied<N: Ring>(rows: [Row<N>; 3], v: [N; 3]) -> [N; 3] {
     rows.map(|row| N::scalar_product(row.components, v).scaled(row.exponent))
-}
-
-/// The coordinate, clamped to the budget if it overflowed: infinities of opposite sign would add up to NaN.
-fn within_budget<S: Scalar>(coordinate: S) -> S {
-    let limit = S::BUDGET.coordinate;
-    if coordinate.is_finite() {
-        coordinate
-    } else if coordinate < S::ZERO {
-        -limit
-    } else {
-        limit
-    }
 }

@@ -43,9 +43,9 @@ pub trait Tier<S: Scalar>: Copy + sealed::Sealed + Solve<S> + 'static {}
 ///
 /// No hit is lost or invented if the chord is at least a hundredth of the solid's size and the ray starts within 10
 /// sizes, except within 64 units in the last place of a rim, or 16 of a start on the surface, and where the direction
-/// is within 10^-5 of that of a cone's generator. The same holds for a line that has no chord, since it meets the surface
-/// once or not at all, unless the ray grazes (see [`tier`](self)). A ray that departs inwards, within 10^-7 of the
-/// surface, may meet it again where it started. Beyond that nothing is promised: with growing distance and towards
+/// is within 10^-5 of that of a cone's generator. The same holds for a line that has no chord, since it meets the
+/// surface once or not at all, unless the ray grazes (see [`tier`](self)). A ray that departs inwards, within 10^-7 of
+/// the surface, may meet it again where it started. Beyond that nothing is promised: with growing distance and towards
 /// grazing, `t` loses digits, and then hits are lost or invented. Measured errors are in
 /// [docs/accuracy.md](https://github.com/raylet-rs/raylet/blob/main/docs/accuracy.md).
 ///

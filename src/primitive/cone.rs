@@ -269,8 +269,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         let slab = found!(self.grid_slab(line, height));
         // An end of the nappe that is not certain must be cut off by the slab. The error of an end that follows from
         // the rounded coordinates of a start on a cap may be some units larger than promised for floats.
-        let is_good = is_certain;
-        if is_good || slab.span.exit.t < side.t { slab.exit(side, from) } else { Attempt::Unsure }
+        if is_certain || slab.span.exit.t < side.t { slab.exit(side, from) } else { Attempt::Unsure }
     }
 
     #[inline(always)]

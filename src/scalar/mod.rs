@@ -338,6 +338,17 @@ pub(crate) fn largest<S: Scalar, const N: usize>(values: [S; N]) -> S {
     largest
 }
 
+/// The coordinate, clamped to the limit if it is infinite: infinities of opposite sign would add up to NaN.
+pub(crate) fn clamped<S: Scalar>(coordinate: S, limit: S) -> S {
+    if coordinate.is_finite() {
+        coordinate
+    } else if coordinate < S::ZERO {
+        -limit
+    } else {
+        limit
+    }
+}
+
 /// True if a decimal number is zero before any rounding: if its mantissa has no digit but 0.
 pub(crate) fn is_zero_decimal(text: &str) -> bool {
     let mantissa = text.split(['e', 'E']).next().unwrap_or(text);

@@ -18,6 +18,7 @@ use crate::primitive::surface_coordinates as coordinates;
 use crate::query;
 use crate::ray::{Departure, Leaving, Ray};
 use crate::scalar::{Real, Ring, Scalar, largest};
+use crate::solve::{self, Line};
 use crate::vector::{UnitVec3, Vec3, pairs};
 use corrected::Correction;
 
@@ -192,6 +193,12 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
             Placement::Frame(frame) if K::SET.contains(Kind::Frame) && self.is_ball() => Some(frame),
             _ => None,
         }
+    }
+
+    /// The equation of the part's surface along a line in the primitive's frame, in these numbers.
+    #[inline(always)]
+    fn equation<N: Ring>(&self, line: &Line<N>, number: impl Fn(S) -> N + Copy) -> solve::Surface<N> {
+        solve::surface_of::<S, N, Member<S, K>>(&self.shape.member.equations(), self.hit.part, line, number)
     }
 
     fn is_ball(&self) -> bool {

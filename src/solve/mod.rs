@@ -48,7 +48,7 @@ pub(crate) use quadric::Profile;
 pub(crate) use round::{ball, capsule};
 pub(crate) use side::{caps, cone, tube};
 pub(crate) use slabs::{cuboid, rectangle};
-pub(crate) use surface::{Line, bending, correction, gradient, point_at, value};
+pub(crate) use surface::{Line, Surface, correction, point_at, surface_of};
 
 use crate::equations::Equations;
 use crate::outline::Extent;

@@ -40,7 +40,7 @@ pub(super) trait Quadric<N: Ring>: Copy {
 
 /// The ball about the origin: `u = (x, y, z)`, `v = r`.
 #[derive(Clone, Copy)]
-pub(super) struct Ball<N> {
+pub(crate) struct Ball<N> {
     pub(super) o: [N; 3],
     pub(super) d: [N; 3],
     pub(super) r: N,
@@ -81,7 +81,7 @@ impl<N: Ring> Quadric<N> for Ball<N> {
 
 /// The infinite cylinder about the y axis: `u = (x, z)`, `v = r`.
 #[derive(Clone, Copy)]
-pub(super) struct Tube<N> {
+pub(crate) struct Tube<N> {
     pub(super) o: [N; 2],
     pub(super) d: [N; 2],
     pub(super) r: N,
@@ -175,7 +175,7 @@ impl<N: Ring> Profile<N> {
 
 /// A cone about the y axis: `u = (h x, h z)`, `v = base h + growth y` of its [`Profile`].
 #[derive(Clone, Copy)]
-pub(super) struct Nappe<N> {
+pub(crate) struct Nappe<N> {
     pub(super) o: [N; 3],
     pub(super) d: [N; 3],
 }

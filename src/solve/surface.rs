@@ -17,9 +17,17 @@ pub(crate) struct Line<N> {
     pub(crate) direction: [N; 3],
 }
 
+impl<N: Ring> Line<N> {
+    /// A point alone: its direction is zero.
+    #[inline(always)]
+    pub(crate) const fn at(point: [N; 3]) -> Self {
+        Self { origin: point, direction: [N::ZERO; 3] }
+    }
+}
+
 /// The surface that a part lies on along the line `p + x d`: `f(p + x d) = f + 2 h x + a x^2`, negative inside. For a
 /// flat part `f` is twice the distance times the length of the [`gradient`](Self::gradient).
-enum Surface<N> {
+pub(crate) enum Surface<N> {
     Ball(Ball<N>),
     Tube(Tube<N>),
     Nappe(Nappe<N>, Profile<N>),
@@ -30,7 +38,7 @@ enum Surface<N> {
 }
 
 /// A plane perpendicular to an axis.
-struct Face<N> {
+pub(crate) struct Face<N> {
     axis: usize,
     /// True if its normal points along the axis, false if against it.
     is_along: bool,
@@ -39,9 +47,9 @@ struct Face<N> {
 }
 
 impl<N: Ring> Surface<N> {
-    /// `f`
+    /// `f` at `p`, negative inside.
     #[inline(always)]
-    fn value(&self) -> N {
+    pub(crate) fn value(&self) -> N {
         let distance = match *self {
             Self::Ball(ball) => return ball.c(),
             Self::Tube(tube) => return tube.c(),
@@ -64,9 +72,9 @@ impl<N: Ring> Surface<N> {
         }
     }
 
-    /// `a`
+    /// `a`, the form of the direction; zero for a flat part.
     #[inline(always)]
-    fn bending(&self) -> N {
+    pub(crate) fn bending(&self) -> N {
         match *self {
             Self::Ball(ball) => ball.a(),
             Self::Tube(tube) => tube.a(),
@@ -77,7 +85,7 @@ impl<N: Ring> Surface<N> {
 
     /// Half the gradient of `f` at `p`: an outward normal; zero at an apex.
     #[inline(always)]
-    fn gradient(&self) -> [N; 3] {
+    pub(crate) fn gradient(&self) -> [N; 3] {
         let zero = N::ZERO;
         match *self {
             Self::Ball(Ball { o, .. }) => o,
@@ -94,7 +102,7 @@ impl<N: Ring> Surface<N> {
 
 /// The surface of a part along a line.
 #[inline(always)]
-fn surface_of<S: Copy, N: Ring, G: Described>(
+pub(crate) fn surface_of<S: Copy, N: Ring, G: Described>(
     equations: &Equations<S>,
     part: Part,
     line: &Line<N>,
@@ -167,37 +175,6 @@ const SMALL: i32 = 36;
 /// `numerator / denominator`; zero if the denominator is zero.
 fn quotient<N: Estimate>(numerator: N, denominator: N) -> N {
     if denominator.sign() == Some(Ordering::Equal) { N::ZERO } else { numerator.over(denominator) }
-}
-
-/// The value of the equation `f` of a part's surface at a point, negative inside. For a flat part it is twice the
-/// distance times the length of its [`gradient`].
-pub(crate) fn value<S: Copy, N: Ring, G: Described>(
-    equations: &Equations<S>,
-    part: Part,
-    point: [N; 3],
-    number: impl Fn(S) -> N + Copy,
-) -> N {
-    surface_of::<S, N, G>(equations, part, &Line { origin: point, direction: [N::ZERO; 3] }, number).value()
-}
-
-/// The outward normal at a point of a part, half the gradient of its equation; zero at an apex.
-pub(crate) fn gradient<S: Copy, N: Ring, G: Described>(
-    equations: &Equations<S>,
-    part: Part,
-    point: [N; 3],
-    number: impl Fn(S) -> N + Copy,
-) -> [N; 3] {
-    surface_of::<S, N, G>(equations, part, &Line { origin: point, direction: [N::ZERO; 3] }, number).gradient()
-}
-
-/// The form of the direction on a part's surface, `a` in `f(t + x) = f + 2 h x + a x^2`; zero for a flat part.
-pub(crate) fn bending<S: Copy, N: Ring, G: Described>(
-    equations: &Equations<S>,
-    part: Part,
-    direction: [N; 3],
-    number: impl Fn(S) -> N + Copy,
-) -> N {
-    surface_of::<S, N, G>(equations, part, &Line { origin: [N::ZERO; 3], direction }, number).bending()
 }
 
 /// The correction `x` of the `t` of the line's origin, so that the point lies on the surface: the root of

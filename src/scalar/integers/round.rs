@@ -40,9 +40,9 @@ pub(in crate::scalar) fn tube<N: Length>(
     if discriminant < -doubt {
         return Attempt::Miss;
     }
-    // With s^2 = D / (a r^2), the rounding of the moment, half a unit of the grid, changes t by at most a thirtieth of a
-    // unit (near the upper limit of the radius, a fifth). The error of a framed origin, a hundredth of a unit, is up to
-    // 1 / (sqrt(a) s) times as large in t: it becomes a sixth of a unit if that is 16. With each further bit of the
+    // With s^2 = D / (a r^2), the rounding of the moment, half a unit of the grid, changes t by at most a thirtieth of
+    // a unit (near the upper limit of the radius, a fifth). The error of a framed origin, a hundredth of a unit, is up
+    // to 1 / (sqrt(a) s) times as large in t: it becomes a sixth of a unit if that is 16. With each further bit of the
     // origin it may be twice that, as for a ball.
     let spare = grid - digits.shift();
     let most = most_bits::<N>(extra_bits, grid) - 1 - digits.shift();

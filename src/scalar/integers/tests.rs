@@ -158,6 +158,29 @@ impl Exactly {
         let beyond = |t: &IBig| &turned.a * t + (&turned.k << 10) >= IBig::ZERO;
         turned.at(&low) >= IBig::ZERO && !beyond(&low) && (turned.at(&high) <= IBig::ZERO || beyond(&high))
     }
+    /// Holds what a kernel says against the exact roots; `true` if it hits.
+    fn check<N: Into<i64>>(&self, ends: Attempt<[N; 2]>, extra_bits: i32, within: i64, line: &str) -> bool {
+        match ends {
+            Attempt::Unsure => false,
+            Attempt::Miss => {
+                assert!(self.misses(), "lost: {line}");
+                false
+            }
+            Attempt::Hit(ends) => {
+                assert!(!self.misses(), "phantom: {line}");
+                for (end, is_second) in ends.map(N::into).into_iter().zip([false, true]) {
+                    assert!(self.is_end(end, extra_bits, is_second, within), "{end} is no end: {line}");
+                }
+                true
+            }
+        }
+    }
+}
+
+/// True if the magnitude is at most so many 1024ths of the other.
+fn is_within(beyond: IBig, within: i64, of: IBig) -> bool {
+    let (beyond, most) = (beyond << 10, of * IBig::from(within));
+    beyond <= most && -beyond <= most
 }
 
 /// The result on the grid for a line: its ends, and whether one is ahead.
@@ -193,9 +216,9 @@ fn balls_are_met_where_they_are() {
     met_balls::<i64>();
 }
 
-/// The ends of a round solid are within so many 1024ths of a unit where the radius, less the shift of the divisor, has at
-/// least eight bits below the unit: half a unit from rounding, and less than a thirtieth from that of the moment. With
-/// fewer bits the latter is up to a fourth.
+/// The ends of a round solid are within so many 1024ths of a unit where the radius, less the shift of the divisor, has
+/// at least eight bits below the unit: half a unit from rounding, and less than a thirtieth from that of the moment.
+/// With fewer bits the latter is up to a fourth.
 fn within<N: Tested>(of_unit: i64, r: i64, extra_bits: i32, shift: i32) -> i64 {
     if radius_grid(N::of(r), extra_bits).is_some_and(|(grid, _)| grid - shift >= 8) { of_unit } else { 768 }
 }
@@ -217,16 +240,7 @@ fn met_balls<N: Tested>() {
             }
             let (ends, ahead) = queried::<N>(o, extra_bits, d, r, by_moment);
             let line = std::format!("{o:?} {d:?} {r}, extra bits: {extra_bits}, by moment: {by_moment}");
-            match ends {
-                Attempt::Unsure => {}
-                Attempt::Miss => assert!(exactly.misses(), "lost: {line}"),
-                Attempt::Hit([low, high]) => {
-                    found += 1;
-                    assert!(!exactly.misses(), "phantom: {line}");
-                    assert!(exactly.is_end(low, extra_bits, false, within), "{low} is no end: {line}");
-                    assert!(exactly.is_end(high, extra_bits, true, within), "{high} is no end: {line}");
-                }
-            }
+            found += u32::from(exactly.check(ends, extra_bits, within, &line));
             match (ahead, ends) {
                 (Attempt::Unsure, _) | (_, Attempt::Unsure) => {}
                 (ahead, Attempt::Miss) => assert_eq!(ahead, Attempt::Miss, "missed, but met ahead: {line}"),
@@ -256,16 +270,8 @@ fn met_cylinders<N: Tested>() {
         let line = std::format!("{o:?} {d:?} {r}, extra bits: {extra_bits}");
         let across = N::Normalized::new(N::squared_length([N::of(d[0]), N::of(d[2])]));
         let of_unit = within::<N>(560, r, extra_bits, across.map_or(0, Normalized::shift));
-        match tube(o.map(N::of), extra_bits, d.map(N::of), N::of(r), false) {
-            Attempt::Unsure => {}
-            Attempt::Miss => assert!(exactly.misses(), "lost: {line}"),
-            Attempt::Hit([low, high]) => {
-                found += 1;
-                assert!(!exactly.misses(), "phantom: {line}");
-                assert!(exactly.is_end(low.into(), extra_bits, false, of_unit), "{low:?} is no end: {line}");
-                assert!(exactly.is_end(high.into(), extra_bits, true, of_unit), "{high:?} is no end: {line}");
-            }
-        }
+        let ends = tube(o.map(N::of), extra_bits, d.map(N::of), N::of(r), false);
+        found += u32::from(exactly.check(ends, extra_bits, of_unit, &line));
     }
     assert!(found > LINES / 4, "{found}");
 }
@@ -291,8 +297,8 @@ fn met_planes<N: Tested>() {
             // dy (t -+ 1/2 and a bit) on both sides of the height
             let beyond = (IBig::from(y - o[1]) << N::FRACTION as usize)
                 - (IBig::from(t) << extra_bits as usize) * IBig::from(d[1]);
-            let half = IBig::from(d[1].unsigned_abs()) * IBig::from(560 << extra_bits);
-            assert!(beyond.clone() << 10 <= half && -beyond << 10 <= half, "{t}: {o:?} {d:?} {y}");
+            let unit = IBig::from(d[1].unsigned_abs()) << extra_bits as usize;
+            assert!(is_within(beyond, 560, unit), "{t}: {o:?} {d:?} {y}");
         }
         match height(N::of(o[1]), extra_bits, N::of(d[1]), first) {
             Attempt::Hit(there) => assert!((there.into() - y).abs() <= 1, "{there:?}: {o:?} {d:?} {y}"),

@@ -24,7 +24,7 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         if !S::RELATIVE {
             return None;
         }
-        let (shape, part, equations) = (&self.shape, self.hit.part, self.shape.member.equations());
+        let (shape, equations) = (&self.shape, self.shape.member.equations());
         // In a frame the local point is computed in twice the precision: its rounding would be amplified.
         let (point, direction) = if let Placement::World = shape.placement {
             (rough.real().map(Twofold::of), self.ray.direction().real().map(Twofold::of))
@@ -35,7 +35,7 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
             (solve::point_at(&line, t), line.direction)
         };
         let [p, d] = [point, direction].map(|vector| vector.map(|component| component.high));
-        let gradient = solve::gradient::<S, _, Member<S, K>>(&equations, part, p, S::real);
+        let gradient = self.equation(&Line::at(p), S::real).gradient();
         let (slope, squares, square) = (dot(gradient, d), dot(gradient, gradient), dot(d, d));
         // The line leaves the surface by more than 14 degrees, so that the rounding of the local point changes the
         // result by a few units, and the terms of the equation do not underflow.
@@ -44,7 +44,7 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         if !(is_steep && squares >= S::Real::ONE.scaled(-90)) {
             return None;
         }
-        let value = solve::value::<S, _, Member<S, K>>(&equations, part, point, |size| Twofold::of(size.real()));
+        let value = self.equation(&Line::at(point), |size| Twofold::of(size.real())).value();
         let step = -value.high / slope.scaled(1);
         let length = step.abs();
         // The error after the step is about its square over the radius of curvature.
@@ -92,15 +92,15 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
             }
             _ => (S::approach_exactly(o, [S::ZERO; 3], d.to_array(), t), d.real()),
         };
-        let gradient = |point| solve::gradient::<S, _, Member<S, K>>(&equations, part, point, S::real);
-        let value = solve::value::<S, _, Member<S, K>>(&equations, part, point.map(Summed), |size| Summed(size.real()));
+        let gradient = |point| self.equation(&Line::at(point), S::real).gradient();
+        let value = self.equation(&Line::at(point.map(Summed)), |size| Summed(size.real())).value();
         let slope = dot(gradient(point), direction);
         if slope.is_zero() || slope.is_negative() != (self.hit.crossing == Crossing::Enter) {
             return None;
         }
         let inverse = S::Real::ONE / slope.scaled(1);
         let step = -value.0 * inverse;
-        let bending = solve::bending::<S, _, Member<S, K>>(&equations, part, direction, S::real);
+        let bending = self.equation(&Line { origin: point, direction }, S::real).bending();
         let term = bending * step * inverse;
         // A step of many units is no correction of a rounding error.
         let is_rounding = step.abs() <= S::Real::ONE.scaled(S::last_place(0) + 6);
@@ -124,12 +124,7 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
     }
 
     fn gradient_at(&self, point: [S::Real; 3]) -> Option<UnitVec3<S>> {
-        UnitVec3::from_real(solve::gradient::<S, _, Member<S, K>>(
-            &self.shape.member.equations(),
-            self.hit.part,
-            point,
-            S::real,
-        ))
+        UnitVec3::from_real(self.equation(&Line::at(point), S::real).gradient())
     }
 
     pub(super) fn corrected_normal(&self, rough: Vec3<S>) -> Option<UnitVec3<S>> {
@@ -150,9 +145,7 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         };
         let Correction { point, direction, step } = correction;
         let point = pairs(point, direction).map(|(p, d)| p + d * Twofold::of(step));
-        let equations = self.shape.member.equations();
-        let gradient =
-            solve::gradient::<S, _, Member<S, K>>(&equations, self.hit.part, point, |size: S| Twofold::of(size.real()));
+        let gradient = self.equation(&Line::at(point), |size: S| Twofold::of(size.real())).gradient();
         UnitVec3::from_real(affine.gradient_to_world(gradient).map(|component| component.high))
     }
 }

@@ -7,7 +7,7 @@ use crate::ladder;
 use crate::line::{InWorld, Place};
 use crate::number::{Estimate, Number};
 use crate::part::Part;
-use crate::scalar::{FromScalar, Ring, Scalar};
+use crate::scalar::{FromScalar, Ring, Scalar, clamped};
 use crate::shape::kinds::{Kind, Kinds};
 use crate::shape::primitive::Member;
 use crate::shape::{Placement, through};
@@ -74,7 +74,7 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
     fn exact_gradient(&self) -> [S::Robust; 3] {
         let equations = self.shape.member.equations();
         let (line, t, _) = self.exact_t(&equations);
-        solve::gradient::<S, _, Member<S, K>>(&equations, self.hit.part, solve::point_at(&line, t), S::Robust::scalar)
+        self.equation(&Line::at(solve::point_at(&line, t)), S::Robust::scalar).gradient()
     }
 
     /// The normal at the exact hit; `None` at an apex.
@@ -143,15 +143,5 @@ fn repeated<S: Scalar>(coordinate: S::Robust) -> S {
 
 /// The point rounded to the number type; coordinates beyond it are clamped to the largest distance.
 fn rounded<S: Scalar>(point: [S::Robust; 3]) -> Vec3<S> {
-    let farthest = S::BUDGET.distance;
-    let within = |component: S| {
-        if component.is_finite() {
-            component
-        } else if component < S::ZERO {
-            -farthest
-        } else {
-            farthest
-        }
-    };
-    point.map(S::from_robust).map(within).into()
+    point.map(|component| clamped(S::from_robust(component), S::BUDGET.distance)).into()
 }

@@ -37,6 +37,7 @@ pub struct Told<S> {
 }
 
 /// A way to answer in one number type.
+#[derive(Clone, Copy)]
 pub struct Method<S: Number> {
     pub tier: &'static str,
     /// All hits, sorted.

@@ -53,8 +53,8 @@ impl Stretch for i64 {
         let exponent = x.max(y).max(z);
         let down = [x, y, z].map(|own| (exponent - own).min(126) as u32);
         let rows = rows.map(|(row, _)| row);
-        // Not one sum of three: all components of a row may be next to 1, and the middle digits of the products then exceed
-        // 64 bits.
+        // Not one sum of three: all components of a row may be next to 1, and the middle digits of the products then
+        // exceed 64 bits.
         let product = |[x, y, z]: [i64; 3], [a, b, c]: [i64; 3]| i64::dot([x, y], [a, b]) + i64::dot([z], [c]);
         let image = |v: [i64; 3]| {
             [product(v, rows[0]) >> down[0], product(v, rows[1]) >> down[1], product(v, rows[2]) >> down[2]]
@@ -83,7 +83,8 @@ impl Stretch for i64 {
         };
         let direction = components.map(along);
 
-        // The ray's t is the line's times reciprocal 2^-shift. A unit along the line is at most half of one along the ray.
+        // The ray's t is the line's times reciprocal 2^-shift. A unit along the line is at most half of one along the
+        // ray.
         let shift = 3 + excess + exponent - zeros as i32;
         let scale = (65 - shift).max(0);
         let shift = shift + scale;

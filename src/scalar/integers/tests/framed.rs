@@ -1,6 +1,6 @@
-//! Lines that a frame has rounded: the true line differs from the given one by up to three quarters of the origin's unit
-//! and of the direction's. (The rounding of a coordinate is half of that, that of the axes a part.) What the kernels
-//! decide holds for the true line, and their ends are less than a unit off.
+//! Lines that a frame has rounded: the true line differs from the given one by up to three quarters of the origin's
+//! unit and of the direction's. (The rounding of a coordinate is half of that, that of the axes a part.) What the
+//! kernels decide holds for the true line, and their ends are less than a unit off.
 
 use super::*;
 use departing::exit_from_round;
@@ -69,19 +69,8 @@ fn met_round<N: Tested>(is_ball: bool, of_unit: i64) {
             tube(given_o, extra_bits, given_d, given_r, true)
         };
         let told = std::format!("{o:?} {d:?} {r}, extra bits: {extra_bits}, in truth {true_o:?} {true_d:?}");
-        match ends {
-            Attempt::Unsure => {}
-            Attempt::Miss => {
-                missed += 1;
-                assert!(exactly.misses(), "lost: {told}");
-            }
-            Attempt::Hit([low, high]) => {
-                found += 1;
-                assert!(!exactly.misses(), "phantom: {told}");
-                assert!(exactly.is_end(low.into(), extra_bits, false, of_unit), "{low:?} is no end: {told}");
-                assert!(exactly.is_end(high.into(), extra_bits, true, of_unit), "{high:?} is no end: {told}");
-            }
-        }
+        missed += u32::from(matches!(ends, Attempt::Miss));
+        found += u32::from(exactly.check(ends, extra_bits, of_unit, &told));
     }
     assert!(found > LINES / 20 && missed > LINES / 100, "{found} {missed}");
 }
@@ -103,8 +92,8 @@ fn crossed_planes<N: Tested>() {
         let dy = IBig::from(true_d[1]);
         let beyond = (IBig::from(true_y - true_o[1]) << N::FRACTION as usize)
             - (IBig::from(t.into()) << extra_bits as usize) * &dy;
-        let off = IBig::from(true_d[1].unsigned_abs()) * IBig::from(640_i64 << extra_bits);
-        assert!(beyond.clone() << 10 <= off && -beyond << 10 <= off, "{t:?}: {o:?} {d:?} {y} {extra_bits}");
+        let unit = IBig::from(true_d[1].unsigned_abs()) << extra_bits as usize;
+        assert!(is_within(beyond, 640, unit), "{t:?}: {o:?} {d:?} {y} {extra_bits}");
     }
     assert!(found > LINES / 10, "{found}");
 }
@@ -128,8 +117,7 @@ fn left_round<N: Tested>() {
         let across = |[x, y, z]: [i128; 3]| [x, if is_ball { y } else { 0 }, z];
         let Exactly { a, k, .. } = Exactly::new::<N>(across(true_o), across(true_d), 0);
         let beyond = (IBig::from(t.into()) << extra_bits as usize) * &a + (k << 1);
-        let off = a * IBig::from(640_i64 << extra_bits);
-        assert!(beyond.clone() << 10 <= off && -beyond << 10 <= off, "{t:?}: {o:?} {d:?} {extra_bits} {is_ball}");
+        assert!(is_within(beyond, 640, a << extra_bits as usize), "{t:?}: {o:?} {d:?} {extra_bits} {is_ball}");
     }
     assert!(found > LINES / 10, "{found}");
 }
