@@ -72,9 +72,14 @@ impl<N: Number, Q: Quadric<N>> Quadratic<N, Q> {
                 (Ordering::Greater, Ordering::Less) if !line.departs() => return Err(Stop::Miss),
                 (Ordering::Greater, Ordering::Less) => Inside::Nowhere,
                 (Ordering::Greater, sign) => Inside::Between(sign == Ordering::Equal),
-                // Only rounding makes it negative: it is zero, or the next number knows it.
-                (_, Ordering::Less) if !N::KNOWS_ZERO => return Err(Stop::Unsure),
+                // Only rounding makes it negative. The next number knows it; for numbers without a next one it is zero,
+                // unless it is not small, since its terms overflowed.
                 (_, Ordering::Less) => {
+                    let k = quadric.k();
+                    let is_small = || ((k * k).scaled(-16) + discriminant).sign() == Some(Ordering::Greater);
+                    if !(N::IS_WIDE || N::KNOWS_ZERO && is_small()) {
+                        return Err(Stop::Unsure);
+                    }
                     discriminant = N::ZERO;
                     Inside::Beyond
                 }
