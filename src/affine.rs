@@ -26,7 +26,7 @@ pub struct Affine<S: Scalar> {
 }
 
 impl<S: Scalar> Affine<S> {
-    /// From the images of the local x, y and z unit vectors (the columns of the matrix) and of the local origin.
+    /// From the images of the local origin and of the local x, y and z unit vectors (the columns of the matrix).
     ///
     /// # Errors
     ///
@@ -37,15 +37,15 @@ impl<S: Scalar> Affine<S> {
     /// # use raylet::{Affine, Ray, Shape, Sphere, UnitVec3, Vec3};
     /// // An ellipsoid with half-axes 2, 1 and 0.5.
     /// let stretch = Affine::new(
-    ///     [Vec3::new(2.0_f32, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0), Vec3::new(0.0, 0.0, 0.5)],
     ///     Vec3::ZERO,
+    ///     [Vec3::new(2.0_f32, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0), Vec3::new(0.0, 0.0, 0.5)],
     /// )?;
     /// let egg = Shape::new(Sphere::new(1.0)?).placed(stretch);
     /// let ray = Ray::new(Vec3::new(-10.0, 0.0, 0.0), UnitVec3::X)?;
     /// assert_eq!(egg.nearest(&ray).map(|hit| hit.t), Some(8.0));
     /// # Ok::<(), raylet::Error>(())
     /// ```
-    pub fn new(axes: [Vec3<S>; 3], position: Vec3<S>) -> Result<Self, FrameError> {
+    pub fn new(position: Vec3<S>, axes: [Vec3<S>; 3]) -> Result<Self, FrameError> {
         let position = position.checked().map_err(FrameError::Position)?;
         for axis in axes {
             axis.checked().map_err(FrameError::Axis)?;
@@ -152,7 +152,7 @@ impl<S: Scalar> Affine<S> {
     /// ```
     /// # use raylet::{Affine, Vec3};
     /// let axes = [Vec3::new(2.0_f32, 0.0, 0.0), Vec3::new(0.0, 0.0, 1.0), Vec3::new(0.0, -0.5, 0.0)];
-    /// assert_eq!(Affine::new(axes, Vec3::ZERO)?.axes(), axes);
+    /// assert_eq!(Affine::new(Vec3::ZERO, axes)?.axes(), axes);
     /// # Ok::<(), raylet::Error>(())
     /// ```
     pub fn axes(&self) -> [Vec3<S>; 3] {

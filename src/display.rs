@@ -135,7 +135,7 @@ mod sealed {
 
 impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'_, S, E, T, K> {
     /// Draws the picture with its upper left corner at `corner`, and returns the counters of rays and tests. It needs
-    /// no buffer for the frame or for a row: each pixel is sent as it is traced.
+    /// no buffer for the frame or for a row: each pixel is sent as it is traced. Pixels off the display are not traced.
     ///
     /// # Errors
     ///
@@ -166,12 +166,18 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'_, S, E, T, K> {
         display: &mut D,
         context: &mut TraceContext<O>,
     ) -> Result<(), D::Error> {
-        let (size, finely) = (self.size(), self.finely());
+        let (size, finely, screen) = (self.size(), self.finely(), display.bounding_box());
         for y in rows.start..rows.end.min(size.height) {
             let below = Point::new(corner.x, corner.y.saturating_add(i32::from(y)));
-            let area = Rectangle::new(below, Size::new(u32::from(size.width), 1));
+            let area = Rectangle::new(below, Size::new(u32::from(size.width), 1)).intersection(&screen);
+            if area.is_zero_sized() {
+                continue;
+            }
+            // From 0 to the picture's width, since the area is a part of the row.
+            let first = area.top_left.x.saturating_sub(corner.x) as u16;
+            let columns = (first..=u16::MAX).take(area.size.width as usize);
             let colors =
-                (0..=u16::MAX).zip(finely.row(y, context)).map(|(x, pixel)| D::Color::shown(pixel.color, x, y));
+                columns.zip(finely.row_from(first, y, context)).map(|(x, pixel)| D::Color::shown(pixel.color, x, y));
             display.fill_contiguous(&area, colors)?;
         }
         Ok(())

@@ -109,7 +109,64 @@ impl<S: Scalar> Frame<S> {
             let component = |i: usize| v[i] + sine * cross[i] + versine * (k[i] * along - v[i]);
             UnitVec3::from_real([component(0), component(1), component(2)]).ok_or(FrameError::Axes)
         };
-        let (left, up) = (turned(UnitVec3::X)?, turned(UnitVec3::Y)?);
+        Self::straightened(position, turned(UnitVec3::X)?, turned(UnitVec3::Y)?)
+    }
+
+    /// At `position`, turned by the quaternion `[x, y, z, w]`, whose real part is `w`, of any length but zero.
+    ///
+    /// The axes are the columns of the matrix of the quaternion divided by its length (Shoemake, *Animating Rotation
+    /// with Quaternion Curves*, 1985), and accurate to a few units of the number type.
+    ///
+    /// # Errors
+    ///
+    /// [`FrameError::Position`] as for [`Frame::at`]; [`FrameError::Quaternion`] if the quaternion is not finite, or
+    /// its length is below 2^-10 or above 2^10.
+    ///
+    /// ```
+    /// use raylet::{Frame, UnitVec3, Vec3};
+    /// let half = 0.5_f64.sqrt();
+    /// let quarter_about_z = Frame::from_quaternion(Vec3::ZERO, [0.0, 0.0, half, half])?;
+    /// assert_eq!(quarter_about_z.left(), UnitVec3::Y);
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub fn from_quaternion(position: Vec3<S>, quaternion: [S::Unit; 4]) -> Result<Self, FrameError> {
+        let [x, y, z, w] = quaternion.map(S::unit_real);
+        let sum = |terms: [[S::Real; 2]; 4]| S::Real::sum_of_products(terms);
+        let square = sum([[x, x], [y, y], [z, z], [w, w]]);
+        let (least, most) = (S::Real::ONE.scaled(-20), S::Real::ONE.scaled(20));
+        // The comparisons are false for NaN.
+        if !(square >= least && square <= most) {
+            return Err(FrameError::Quaternion);
+        }
+        let column = |diagonal, [a, b]: [S::Real; 2]| (diagonal / square, a.scaled(1) / square, b.scaled(1) / square);
+        let product = |a, b, c, d| S::Real::sum_of_products([[a, b], [c, d]]);
+        let (xx, xy, xz) = column(sum([[w, w], [x, x], [-y, y], [-z, z]]), [product(x, y, w, z), product(x, z, -w, y)]);
+        let (yy, yx, yz) = column(sum([[w, w], [-x, x], [y, y], [-z, z]]), [product(x, y, -w, z), product(y, z, w, x)]);
+        let axis = |components| UnitVec3::from_real(components).ok_or(FrameError::Quaternion);
+        Self::straightened(position, axis([xx, xy, xz])?, axis([yx, yy, yz])?)
+    }
+
+    /// A frame inside of this one, in the world: where a part is, of a body that this frame places.
+    ///
+    /// # Errors
+    ///
+    /// [`FrameError::Position`] if its position in the world is not finite or beyond the budget.
+    ///
+    /// ```
+    /// use raylet::{Frame, UnitVec3, Vec3};
+    /// let robot = Frame::turned_about(Vec3::new(2.0_f32, 0.0, 0.0), UnitVec3::Z, 90.0)?;
+    /// let wheel = Frame::from_base_and_axis(Vec3::new(0.5, 0.0, 0.0), UnitVec3::Z)?;
+    /// let placed = robot.frame_to_world(&wheel)?;
+    /// assert_eq!((placed.position(), placed.up()), (Vec3::new(2.0, 0.5, 0.0), UnitVec3::Z));
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub fn frame_to_world(&self, inner: &Self) -> Result<Self, FrameError> {
+        let [left, up] = [inner.left(), inner.up()].map(|axis| self.direction_to_world(axis));
+        Self::straightened(self.point_to_world(inner.position), left, up)
+    }
+
+    /// From two axes that are perpendicular except for rounding. `up`, the axis of the solids, stays as it is.
+    fn straightened(position: Vec3<S>, left: UnitVec3<S>, up: UnitVec3<S>) -> Result<Self, FrameError> {
         let forward = UnitVec3::from_real(left.cross(up)).ok_or(FrameError::Axes)?;
         let left = UnitVec3::from_real(up.cross(forward)).ok_or(FrameError::Axes)?;
         Self::assembled(position, [left, up, forward])
@@ -207,6 +264,11 @@ impl<S: Scalar> Frame<S> {
         } else {
             Err(FrameError::Axes)
         }
+    }
+
+    /// A translation to a position that is within the budget.
+    pub(crate) const fn within_budget(position: Vec3<S>) -> Self {
+        Self { position, axes: [UnitVec3::X, UnitVec3::Y, UnitVec3::Z] }
     }
 
     fn assembled(position: Vec3<S>, axes: [UnitVec3<S>; 3]) -> Result<Self, FrameError> {
@@ -393,6 +455,10 @@ pub enum FrameError {
     Axes,
     /// The angle is not between -360 and 360 degrees.
     Angle,
+    /// The quaternion is not finite, or its length is beyond its limits.
+    Quaternion,
+    /// The normal of a plane is zero, not finite or beyond the budget.
+    Normal(ValueError),
     /// A component of an axis of the matrix is not finite or beyond the budget.
     Axis(ValueError),
     /// A factor of the scale is not positive, not finite or beyond the budget.
@@ -410,6 +476,10 @@ impl FrameError {
                 "the axes do not span a right-handed frame: two are parallel, or the third points the other way"
             }
             Self::Angle => "the angle must lie between -360 and 360 degrees",
+            Self::Quaternion => {
+                "the quaternion must be finite and neither nearly zero nor very long; of length 1 in a constant"
+            }
+            Self::Normal(error) => with_fault!("the normal ", error),
             Self::Axis(error) => with_fault!("a component of an axis of the matrix ", error),
             Self::Scale(error) => with_fault!("a factor of the scale ", error),
             Self::Singular => {

@@ -157,7 +157,7 @@ pub use effect::{TraceContext, Tracer};
 pub use error::Error;
 pub use frame::{Frame, FrameError};
 pub use geometry::Bounds;
-pub use hierarchy::Shapes;
+pub use hierarchy::{ShapeTree, Shapes};
 pub use hit::{Crossing, Hit, Hits};
 pub use ladder::ExactScalar;
 pub use part::Part;

@@ -164,7 +164,7 @@ impl<S: Scalar> Ray<S> {
         // In the computing number: the difference of two points within the budget may be too large for a fixed type.
         let ([ox, oy, oz], [tx, ty, tz]) = (origin.real(), target.real());
         let direction =
-            UnitVec3::from_real([tx - ox, ty - oy, tz - oz]).ok_or(RayError::Direction(ValueError::Zero))?;
+            UnitVec3::from_real([tx - ox, ty - oy, tz - oz]).ok_or(RayError::Direction(ValueError::NoDirection))?;
         Self::new(origin, direction)
     }
 
@@ -335,7 +335,7 @@ impl fmt::Display for RayError {
         match self {
             Self::Origin(error) => write!(f, "a coordinate of the ray's origin {}", error.predicate()),
             Self::Target(error) => write!(f, "a coordinate of the ray's target {}", error.predicate()),
-            Self::Direction(ValueError::Zero) => {
+            Self::Direction(ValueError::NoDirection | ValueError::Zero) => {
                 f.write_str("the ray has no direction: the vector is zero, or origin and target are the same point")
             }
             Self::Direction(error) => write!(f, "the vector of the ray's direction {}", error.predicate()),

@@ -187,9 +187,20 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
     /// the pixel is their mean. Otherwise the whole grid of `samples * samples` rays is traced, and the pixel is the
     /// mean of these.
     pub fn row<'w, O: Observer>(&'w self, y: u16, context: &'w mut TraceContext<O>) -> Row<'w, 'a, S, E, O, T, K> {
+        self.row_from(0, y, context)
+    }
+
+    /// The pixels of row `y` from column `x` on.
+    pub(crate) fn row_from<'w, O: Observer>(
+        &'w self,
+        x: u16,
+        y: u16,
+        context: &'w mut TraceContext<O>,
+    ) -> Row<'w, 'a, S, E, O, T, K> {
         context.forget();
-        let left = if self.is_antialiased() { Some(self.edge(0, y, context)) } else { None };
-        Row { picture: self, context, next: 0, y, left }
+        let next = u32::from(x);
+        let left = if self.is_antialiased() { Some(self.edge(next, y, context)) } else { None };
+        Row { picture: self, context, next, y, left }
     }
 
     /// Traces every pixel, row after row from the upper left, and passes each to `each` with its column and row.

@@ -143,7 +143,7 @@ impl<S: Scalar> UnitVec3<S> {
     ///
     /// # Errors
     ///
-    /// [`ValueError::Zero`] for the zero vector, [`ValueError::NotFinite`] for one that is not finite.
+    /// [`ValueError::NoDirection`] for the zero vector, [`ValueError::NotFinite`] for one that is not finite.
     ///
     /// ```
     /// # use raylet::{UnitVec3, ValueError, Vec3};
@@ -151,7 +151,7 @@ impl<S: Scalar> UnitVec3<S> {
     /// let huge = UnitVec3::new(Vec3::new(3e20_f32, 0.0, 4e20))?;
     /// assert_eq!((tiny.x(), tiny.z()), (0.6, 0.8));
     /// assert_eq!((huge.x(), huge.z()), (0.6, 0.8));
-    /// assert_eq!(UnitVec3::<f32>::new(Vec3::ZERO), Err(ValueError::Zero));
+    /// assert_eq!(UnitVec3::<f32>::new(Vec3::ZERO), Err(ValueError::NoDirection));
     /// # Ok::<(), ValueError>(())
     /// ```
     #[inline]
@@ -179,7 +179,7 @@ impl<S: Scalar> UnitVec3<S> {
     ///
     /// # Errors
     ///
-    /// [`ValueError::Zero`] for the zero vector, [`ValueError::NotFinite`] for one that is not finite.
+    /// [`ValueError::NoDirection`] for the zero vector, [`ValueError::NotFinite`] for one that is not finite.
     ///
     /// ```
     /// # use raylet::{UnitVec3, ValueError, Vec3};
@@ -199,7 +199,7 @@ impl<S: Scalar> UnitVec3<S> {
         let v = components.map(<Robust<u128> as FromScalar<f64>>::scalar);
         let square = dot(v, v);
         if square.sign().is_none_or(core::cmp::Ordering::is_eq) {
-            return Err(ValueError::Zero);
+            return Err(ValueError::NoDirection);
         }
         let length = square.square_root();
         Ok(Self { components: v.map(|component| S::unit_from_limbs(component.over(length))) })

@@ -79,9 +79,9 @@ fn every_solid<S: Scalar, T: Tier<S>>() {
     check::<S, T>("disc", &Shape::new(Disc::new(n(1.0)).unwrap()), &down, &[(4.0, Part::Side)]);
     // Through the caps: the top is entered, the base left.
     let can = Cylinder::capped(n::<S>(1.25), n(2.0)).unwrap();
-    let cuboid = Shape::new(Cuboid::new([n(1.0), n(0.5), n(2.0)]).unwrap());
+    let cuboid = Shape::new(Cuboid::new(n(1.0), n(0.5), n(2.0)).unwrap());
     check::<S, T>("cuboid", &cuboid, &down, &[(3.5, Part::Top), (4.5, Part::Base)]);
-    check::<S, T>("rectangle", &Shape::new(Rectangle::new([n(1.0); 2]).unwrap()), &down, &[(4.0, Part::Side)]);
+    check::<S, T>("rectangle", &Shape::new(Rectangle::new(n(1.0), n(1.0)).unwrap()), &down, &[(4.0, Part::Side)]);
     check::<S, T>("capped cylinder", &Shape::new(can), &down, &[(2.0, Part::Top), (4.0, Part::Base)]);
     let [top, base] = &can.hits_at::<T>(&down)[..] else { panic!("two hits") };
     assert_eq!((top.crossing, base.crossing), (Crossing::Enter, Crossing::Exit));

@@ -1,4 +1,5 @@
-//! Where pictures go. Every file is opened before anything is traced, and left as it was until a picture is there.
+//! Where pictures go. Every file is opened before anything is traced, and left as it was until a picture is there; one
+//! that was not there is made again then, so that a program that is interrupted leaves no empty file.
 
 use crate::files;
 use crate::image::{Format, Image};
@@ -72,14 +73,13 @@ fn format_of(suffix: &OsStr) -> Option<Format> {
     }
 }
 
-/// One file, open.
+/// One file.
 #[derive(Debug)]
 struct Target {
-    name: String,
+    path: PathBuf,
     format: Format,
-    file: File,
-    /// To be removed if no picture comes.
-    new: Option<PathBuf>,
+    /// Open if it was there.
+    file: Option<File>,
 }
 
 /// The places of one or several pictures, open for writing.
@@ -164,8 +164,8 @@ impl Output {
         let (mut names, mut failure) = (Vec::new(), None);
         for target in targets {
             match target.write(image) {
-                Ok(()) => names.push(target.name.as_str()),
-                Err(error) => failure = failure.or_else(|| Some(unwritten(&target.name, &error))),
+                Ok(()) => names.push(target.path.display().to_string()),
+                Err(error) => failure = failure.or_else(|| Some(unwritten(&target.path, &error))),
             }
         }
         failure.map_or_else(|| Ok(names.join(", ")), |failure| Err(failure.into()))
@@ -174,9 +174,6 @@ impl Output {
 
 impl Drop for Output {
     fn drop(&mut self) {
-        for path in self.targets.iter().flatten().filter_map(|target| target.new.as_ref()) {
-            let _ = fs::remove_file(path);
-        }
         for folder in &self.folders {
             let _ = fs::remove_dir(folder);
         }
@@ -185,25 +182,30 @@ impl Drop for Output {
 
 impl Target {
     fn open(path: &Path, format: Format) -> Result<Self, String> {
-        let name = path.display().to_string();
-        let new = (!path.exists()).then(|| path.to_owned());
-        let file = OpenOptions::new().write(true).create(true).truncate(false).open(path);
-        let file = file.map_err(|error| unwritten(&name, &error))?;
-        Ok(Self { name, format, file, new })
+        let is_new = !path.exists();
+        let mut file = Some(opened(path).map_err(|error| unwritten(path, &error))?);
+        if is_new {
+            file = None;
+            let _ = fs::remove_file(path);
+        }
+        Ok(Self { path: path.to_owned(), format, file })
     }
 
     fn write(&mut self, image: &Image) -> io::Result<()> {
-        // What was begun may be of use, and says where to look.
-        self.new = None;
-        if self.file.metadata()?.is_file() {
-            self.file.set_len(0)?;
+        let file = self.file.take().map_or_else(|| opened(&self.path), Ok)?;
+        if file.metadata()?.is_file() {
+            file.set_len(0)?;
         }
-        image.write(self.format, &mut BufWriter::new(&self.file))
+        image.write(self.format, &mut BufWriter::new(&file))
     }
 }
 
-fn unwritten(name: &str, error: &io::Error) -> String {
-    format!("cannot write {name}: {error}; {}", files::instead(error))
+fn opened(path: &Path) -> io::Result<File> {
+    OpenOptions::new().write(true).create(true).truncate(false).open(path)
+}
+
+fn unwritten(path: &Path, error: &io::Error) -> String {
+    format!("cannot write {}: {error}; {}", path.display(), files::instead(error))
 }
 
 fn file_name(stem: &OsStr, label: &str, suffix: &OsStr) -> OsString {

@@ -64,7 +64,7 @@ impl Random {
                 _ => {
                     let axes = [(); 3].map(|()| self.point(-1.0, 1.0));
                     let is_solid = volume(axes) > 1.0 / 64.0;
-                    Affine::new(axes, position).ok().filter(|_| is_solid).map(Placement::Affine)
+                    Affine::new(position, axes).ok().filter(|_| is_solid).map(Placement::Affine)
                 }
             };
             if let Some(placement) = placement {
@@ -114,8 +114,8 @@ fn solids<S: Number>(random: &mut Random, low: f64, high: f64) -> Vec<(Primitive
         (Cone::frustum(r, top, h).expect("size").into(), discs(&[[zero, r], [h, top]])),
         (Cone::frustum_open(r, zero, h).expect("size").into(), discs(&[[zero, r], [h, zero]])),
         (Disc::new(r).expect("size").into(), discs(&[[zero, r]])),
-        (Cuboid::new([r, top, h]).expect("size").into(), corners([r, top, h])),
-        (Rectangle::new([r, h]).expect("size").into(), corners([r, zero, h])),
+        (Cuboid::new(r, top, h).expect("size").into(), corners([r, top, h])),
+        (Rectangle::new(r, h).expect("size").into(), corners([r, zero, h])),
     ];
     let slope = random.sized::<S>(-1.0, 1.0);
     if let Ok(cone) = Cone::capped(slope, h) {
@@ -224,7 +224,7 @@ fn hold_what_is_nearly_flat<S: Number>() {
             let [x, y, z] = own.to_array().map(|c| S::round(c.real() * near.real()));
             common + Vec3::new(x, y, z)
         });
-        let Ok(affine) = Affine::new(axes, random.point(-2.0, S::MOST)) else { continue };
+        let Ok(affine) = Affine::new(random.point(-2.0, S::MOST), axes) else { continue };
         for (primitive, parts) in solids::<S>(&mut random, -1.0, 1.0) {
             let shape = Shape::new(primitive).placed(affine);
             let exactly = Exactly::new(&shape, &parts);

@@ -46,11 +46,11 @@ pub(super) fn build<S: Scalar>() -> Option<Stage<S>> {
     let coin = coin.placed(Frame::from_base_and_axis(point(2.5, 0.6, 1.8)?, coin_axis).ok()?);
     let half = number(0.38)?;
     let (forward, up) = (UnitVec3::new(point(0.5, 0.0, 1.0)?).ok()?, UnitVec3::Y);
-    let die = Shape::new(Cuboid::new([half; 3]).ok()?);
+    let die = Shape::new(Cuboid::new(half, half, half).ok()?);
     let die = die.placed(Frame::looking(point(-1.55, 0.38, 2.3)?, forward, up).ok()?);
     // A mat on the floor: z, along which the image's rows are stacked, leads away from the camera.
     let away = UnitVec3::new(point(0.15, 0.0, -1.0)?).ok()?;
-    let mat = Shape::new(Rectangle::new([number(0.5)?, number(0.45)?]).ok()?);
+    let mat = Shape::new(Rectangle::new(number(0.5)?, number(0.45)?).ok()?);
     let mat = mat.placed(Frame::looking(point(1.25, 0.02, 2.75)?, away, UnitVec3::Y).ok()?);
     let objects = [
         floor(1.5, board)?,

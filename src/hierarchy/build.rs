@@ -89,15 +89,18 @@ fn below<S: Scalar>(tree: &[Node<S>], place: usize, mut objects: u32) -> (u32, u
 
 /// Moves the leaves of the lower child before the others, and returns their parent node.
 fn divide<S: Scalar>(leaves: &mut [Node<S>], levels: u32) -> Node<S> {
-    let mut corners = nothing();
-    for leaf in leaves.iter() {
-        corners = united(corners, leaf.corners());
-    }
-    let [low, high] = corners;
+    let (corners, [centre, half]) = around_leaves(leaves.iter());
     let objects = leaves.len() as u32;
-    let (centre, half) = padded(low.into(), high.into(), None, S::Real::ZERO);
     let (axis, lower) = split(leaves, corners, levels);
     Node { centre, half, objects, object: lower | axis << AXIS }
+}
+
+/// The corners that contain the boxes of these leaves, and the centre and the half extents of their parent.
+pub(super) fn around_leaves<'n, S: Scalar>(leaves: impl Iterator<Item = &'n Node<S>>) -> ([[S; 3]; 2], [[S; 3]; 2]) {
+    let corners = leaves.fold(nothing(), |corners, leaf| united(corners, leaf.corners()));
+    let [low, high] = corners;
+    let (centre, half) = padded(low.into(), high.into(), None, S::Real::ZERO);
+    (corners, [centre, half])
 }
 
 impl<S: Scalar> Node<S> {

@@ -5,14 +5,18 @@
 //! |---|---|
 //! | `build`, `split` | how a hierarchy is built |
 //! | `search` | the nearest hit and occlusion of many shapes |
-//! | `shapes` | many shapes without a scene |
+//! | `shapes`, `tree` | many shapes without a scene, borrowed or owned |
+//! | `refit` | new boxes for shapes that have moved |
 
 mod build;
+mod refit;
 pub(crate) mod search;
 mod shapes;
 mod split;
+mod tree;
 
 pub use shapes::Shapes;
+pub use tree::{List, ShapeTree};
 
 use crate::ray::Ray;
 use crate::scalar::{Scalar, UnitScalar};

@@ -2,7 +2,7 @@
 //! [`Shapes`](super::Shapes).
 
 use super::Hierarchy;
-use crate::hit::Hit;
+use crate::hit::{Hit, Hits};
 use crate::ray::{Range, Ray};
 use crate::scalar::Scalar;
 use crate::shape::Shaped;
@@ -107,6 +107,22 @@ pub(crate) fn is_hit<S: Scalar, T: Tier<S>, W: Watch>(
     let found = of.shape().occludes_at::<T>(&for_shape(ray, index));
     watch.tested(index, found);
     found
+}
+
+/// Calls `each` with the hits of every shape that has some, or that the ray starts inside of.
+pub(super) fn every_hit<S: Scalar, T: Tier<S>>(
+    shapes: &[impl Shaped<S>],
+    hierarchy: &Hierarchy<'_, S>,
+    ray: &Ray<S>,
+    each: &mut impl FnMut(u32, Hits<S>),
+) {
+    hierarchy.walk(ray, &mut (), |index, ()| {
+        let hits = shapes.get(index as usize)?.shape().hits_at::<T>(&for_shape(ray, index));
+        if !hits.is_empty() || hits.starts_inside() || hits.coincident().is_some() {
+            each(index, hits);
+        }
+        Some(ray.range().end())
+    });
 }
 
 /// The ray for a test of the shape of this index: with its departure only if that names the shape.

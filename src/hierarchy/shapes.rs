@@ -1,7 +1,7 @@
 //! Many shapes without a scene.
 
 use super::{Hierarchy, HierarchyError, Node, search};
-use crate::hit::Hit;
+use crate::hit::{Hit, Hits};
 use crate::ray::Ray;
 use crate::scalar::Scalar;
 use crate::shape::{Shape, Shaped};
@@ -12,7 +12,8 @@ use crate::tier::{Stable, Tier};
 ///
 /// The list holds [`Shape`]s, of any kind or of chosen ones, or anything else that is [`Shaped`]. The hierarchy is
 /// built for the list when the value is made, and both are borrowed as long as it exists, so that they cannot differ.
-/// To move a shape, drop the value, change the list and make a new one.
+/// To move a shape, drop the value, change the list and make a new one. A [`ShapeTree`](super::ShapeTree) owns both and
+/// moves shapes in place.
 ///
 /// Every result has the same bits as a loop over the list. A list may be empty; then nothing is hit.
 ///
@@ -73,6 +74,10 @@ impl<'a, S: Scalar, X: Shaped<S>> Shapes<'a, S, X> {
         Ok(Self { shapes, hierarchy: Hierarchy::build(shapes, nodes)? })
     }
 
+    pub(super) const fn of(shapes: &'a [X], hierarchy: Hierarchy<'a, S>) -> Self {
+        Self { shapes, hierarchy }
+    }
+
     /// The list; an index that [`Shapes::nearest`] returns is one of this list.
     pub const fn list(&self) -> &'a [X] {
         self.shapes
@@ -100,5 +105,16 @@ impl<'a, S: Scalar, X: Shaped<S>> Shapes<'a, S, X> {
     /// As [`Shapes::occludes`], in a chosen accuracy tier.
     pub fn occludes_at<T: Tier<S>>(&self, ray: &Ray<S>) -> bool {
         search::occluder::<S, T, ()>(self.shapes, Some(&self.hierarchy), ray, &mut ()).is_some()
+    }
+
+    /// All hits of a ray, shape by shape: calls `each` with the index of a shape and its hits, in the order in which the
+    /// hierarchy finds them, not by `t`. Shapes that the ray misses are left out, except those that it starts inside of.
+    pub fn hits(&self, ray: &Ray<S>, each: impl FnMut(u32, Hits<S>)) {
+        self.hits_at::<Stable>(ray, each);
+    }
+
+    /// As [`Shapes::hits`], in a chosen accuracy tier.
+    pub fn hits_at<T: Tier<S>>(&self, ray: &Ray<S>, mut each: impl FnMut(u32, Hits<S>)) {
+        search::every_hit::<S, T>(self.shapes, &self.hierarchy, ray, &mut each);
     }
 }

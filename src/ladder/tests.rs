@@ -38,8 +38,8 @@ fn flat_parts_in_the_world_are_met_as_promised() {
     let rounds = if std::env::var_os("RAYLET_LONG").is_some() { 10_000_000 } else { 60_000 };
     let (mut random, mut hit) = (Random(77), 0);
     for _ in 0..rounds {
-        let Some((half @ [x, _, z], ray)) = random.flat_case() else { continue };
-        let (Ok(cuboid), Ok(rectangle), Ok(disc)) = (Cuboid::new(half), Rectangle::new([x, z]), Disc::new(x)) else {
+        let Some((half @ [x, y, z], ray)) = random.flat_case() else { continue };
+        let (Ok(cuboid), Ok(rectangle), Ok(disc)) = (Cuboid::new(x, y, z), Rectangle::new(x, z), Disc::new(x)) else {
             continue;
         };
         for [stable, exact] in [

@@ -63,13 +63,13 @@ macro_rules! constants {
             /// # Errors
             ///
             /// As [`Cuboid::new`].
-            pub const fn const_new(half: [$Number; 3]) -> Result<Self, SizeError> {
+            pub const fn const_new(half_x: $Number, half_y: $Number, half_z: $Number) -> Result<Self, SizeError> {
                 checked!(
-                    constant::$checks::size(half[0]) => SizeError::HalfExtent,
-                    constant::$checks::size(half[1]) => SizeError::HalfExtent,
-                    constant::$checks::size(half[2]) => SizeError::HalfExtent,
+                    constant::$checks::size(half_x) => SizeError::HalfExtent,
+                    constant::$checks::size(half_y) => SizeError::HalfExtent,
+                    constant::$checks::size(half_z) => SizeError::HalfExtent,
                 );
-                Ok(Self { half })
+                Ok(Self { half: [half_x, half_y, half_z] })
             }
         }
 
@@ -79,12 +79,12 @@ macro_rules! constants {
             /// # Errors
             ///
             /// As [`Rectangle::new`].
-            pub const fn const_new(half: [$Number; 2]) -> Result<Self, SizeError> {
+            pub const fn const_new(half_x: $Number, half_z: $Number) -> Result<Self, SizeError> {
                 checked!(
-                    constant::$checks::size(half[0]) => SizeError::HalfExtent,
-                    constant::$checks::size(half[1]) => SizeError::HalfExtent,
+                    constant::$checks::size(half_x) => SizeError::HalfExtent,
+                    constant::$checks::size(half_z) => SizeError::HalfExtent,
                 );
-                Ok(Self { half })
+                Ok(Self { half: [half_x, half_z] })
             }
         }
 

@@ -2,14 +2,15 @@
 
 use super::{Geometry, SizeError, checked_size, queries, surface_coordinates as coordinates};
 use crate::equations::{Described, EquationKinds, Equations};
+use crate::frame::Frame;
 use crate::geometry::Hull;
 use crate::grid::Guards;
 use crate::intersection::{End, Intersection, Span};
 use crate::line::Needs;
 use crate::part::{FACES, Part};
-use crate::scalar::{Attempt, GridScalar, InCuboid, Including, LocalLine, Scalar, UnitScalar, found};
+use crate::scalar::{Attempt, GridScalar, InCuboid, Including, LocalLine, Ring, Scalar, UnitScalar, found};
 use crate::solve::{self, Goal, LocalRay, Of};
-use crate::vector::{UnitVec3, Vec3};
+use crate::vector::{UnitVec3, Vec3, pairs};
 
 /// A closed cuboid about the origin, given by its half extents along x, y and z.
 ///
@@ -32,7 +33,7 @@ use crate::vector::{UnitVec3, Vec3};
 ///
 /// ```
 /// use raylet::{Crossing, Cuboid, Part, Ray, UnitVec3, Vec3};
-/// let brick = Cuboid::new([2.0_f32, 0.5, 1.0])?;
+/// let brick = Cuboid::new(2.0_f32, 0.5, 1.0)?;
 /// let ray = Ray::new(Vec3::new(1.5, 5.0, 0.0), -UnitVec3::Y)?;
 /// let hits = brick.hits(&ray);
 /// assert_eq!((hits[0].t, hits[0].part, hits[0].crossing), (4.5, Part::Top, Crossing::Enter));
@@ -54,9 +55,34 @@ impl<S: Scalar> Cuboid<S> {
     /// # Errors
     ///
     /// [`SizeError::HalfExtent`] if one is not positive, not finite or beyond the budget.
-    pub fn new([x, y, z]: [S; 3]) -> Result<Self, SizeError> {
+    pub fn new(half_x: S, half_y: S, half_z: S) -> Result<Self, SizeError> {
         let checked = |half| checked_size(half, SizeError::HalfExtent);
-        Ok(Self { half: [checked(x)?, checked(y)?, checked(z)?] })
+        Ok(Self { half: [checked(half_x)?, checked(half_y)?, checked(half_z)?] })
+    }
+
+    /// The cuboid whose faces are parallel to the axes of the world, from its lowest to its highest corner, and the frame
+    /// that places it. Each face is within one unit in the last place of the largest coordinate.
+    ///
+    /// # Errors
+    ///
+    /// [`SizeError::HalfExtent`] if a coordinate of `high` is not larger than that of `low`, or the two are too close or
+    /// too far apart; [`SizeError::Corner`] if a coordinate is not finite or beyond the budget.
+    ///
+    /// ```
+    /// use raylet::{Cuboid, Ray, Shape, UnitVec3, Vec3};
+    /// let (cuboid, frame) = Cuboid::between(Vec3::new(1.0_f32, 0.0, -1.0), Vec3::new(4.0, 2.0, 1.0))?;
+    /// let crate_ = Shape::new(cuboid).placed(frame);
+    /// let ray = Ray::new(Vec3::new(0.0, 1.0, 0.0), UnitVec3::X)?;
+    /// assert_eq!(crate_.hits(&ray).iter().map(|hit| hit.t).collect::<Vec<_>>(), [1.0, 4.0]);
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub fn between(low: Vec3<S>, high: Vec3<S>) -> Result<(Self, Frame<S>), SizeError> {
+        let [low, high] = [low.checked(), high.checked()].map(|corner| corner.map_err(SizeError::Corner));
+        let corners = pairs(low?.real(), high?.real());
+        // Halved before they are added: the sum may be beyond the type.
+        let centre = corners.map(|(low, high)| low.scaled(-1) + high.scaled(-1));
+        let [x, y, z] = corners.map(|(low, high)| S::round(high.scaled(-1) - low.scaled(-1)));
+        Ok((Self::new(x, y, z)?, Frame::within_budget(Vec3::round(centre))))
     }
 
     /// The half extents along x, y and z.
@@ -208,8 +234,8 @@ mod tests {
     /// solver.
     fn unsure<S: GridScalar>() -> [usize; 2] {
         let n = |value: f64| S::from_f64(value).expect("within the type");
-        let brick = Cuboid::new([n(1.25), n(0.75), n(1.0)]).expect("sizes");
-        let table = Rectangle::new([n(1.25), n(1.0)]).expect("sizes");
+        let brick = Cuboid::new(n(1.25), n(0.75), n(1.0)).expect("sizes");
+        let table = Rectangle::new(n(1.25), n(1.0)).expect("sizes");
         let mut state = 0x9e37_79b9_7f4a_7c15_u64;
         let mut random = || {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);

@@ -86,6 +86,8 @@ pub enum SizeError {
     HalfExtent(ValueError),
     /// A coordinate of a vertex is not finite or beyond the budget.
     Vertex(ValueError),
+    /// A coordinate of a corner is not finite or beyond the budget.
+    Corner(ValueError),
     /// The vertices lie on a line, or too nearly so for the number type.
     Vertices,
 }
@@ -99,6 +101,7 @@ impl SizeError {
             Self::Slope(error) => with_fault!("the slope (radius over height) ", error),
             Self::HalfExtent(error) => with_fault!("a half extent ", error),
             Self::Vertex(error) => with_fault!("a coordinate of a vertex ", error),
+            Self::Corner(error) => with_fault!("a coordinate of a corner ", error),
             Self::Vertices => "the vertices lie on a line, or too nearly so for the number type",
         }
     }

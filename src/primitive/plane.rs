@@ -2,13 +2,14 @@
 
 use super::{Geometry, queries, surface_coordinates as coordinates};
 use crate::equations::{Described, EquationKinds, Equations};
+use crate::frame::{Frame, FrameError};
 use crate::geometry::Hull;
 use crate::grid::Guards;
 use crate::grid::surface_hit;
 use crate::intersection::Intersection;
 use crate::line::Needs;
 use crate::part::Part;
-use crate::scalar::{Attempt, GridScalar, Including, LocalLine, Scalar, UnitScalar, found};
+use crate::scalar::{Attempt, GridScalar, Including, LocalLine, Scalar, UnitScalar, ValueError, found};
 use crate::solve::{self, Goal, LocalRay, Of};
 use crate::vector::{UnitVec3, Vec3};
 use core::marker::PhantomData;
@@ -31,6 +32,33 @@ impl<S: Scalar> Plane<S> {
     /// The plane `y = 0`.
     pub const fn new() -> Self {
         Self { scalar: PhantomData }
+    }
+
+    /// The plane of the points `p` with `normal . p = distance`, its front towards the normal, and the frame that places
+    /// it. The normal may have any length but zero.
+    ///
+    /// # Errors
+    ///
+    /// [`FrameError::Normal`] if the normal is zero, not finite or beyond the budget; [`FrameError::Position`] if
+    /// the distance from the origin is.
+    ///
+    /// ```
+    /// use raylet::{Plane, Ray, Shape, UnitVec3, Vec3};
+    /// // 3 x + 4 y = 10, at a distance of 2 from the origin.
+    /// let (plane, frame) = Plane::from_equation(Vec3::new(3.0_f32, 4.0, 0.0), 10.0)?;
+    /// let ramp = Shape::new(plane).placed(frame);
+    /// let ray = Ray::new(Vec3::new(0.0, 5.0, 0.0), -UnitVec3::Y)?;
+    /// assert_eq!(ramp.nearest(&ray).map(|hit| hit.t), Some(2.5));
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub fn from_equation(normal: Vec3<S>, distance: S) -> Result<(Self, Frame<S>), FrameError> {
+        let axis = normal.checked().and_then(UnitVec3::new).map_err(FrameError::Normal)?;
+        let length = normal.dot(axis);
+        if !distance.is_finite() {
+            return Err(FrameError::Position(ValueError::NotFinite));
+        }
+        let away = distance.real() / length;
+        Ok((Self::new(), Frame::from_base_and_axis(Vec3::round(axis.real().map(|c| c * away)), axis)?))
     }
 }
 

@@ -17,7 +17,7 @@ use crate::vector::{UnitVec3, Vec3};
 ///
 /// ```
 /// use raylet::{Rectangle, Ray, UnitVec3, Vec3};
-/// let table = Rectangle::new([2.0_f32, 1.0])?;
+/// let table = Rectangle::new(2.0_f32, 1.0)?;
 /// // Through a corner.
 /// let ray = Ray::new(Vec3::new(2.0, 3.0, -1.0), -UnitVec3::Y)?;
 /// assert_eq!(table.nearest(&ray).map(|hit| hit.t), Some(3.0));
@@ -34,9 +34,9 @@ impl<S: Scalar> Rectangle<S> {
     /// # Errors
     ///
     /// [`SizeError::HalfExtent`] if one is not positive, not finite or beyond the budget.
-    pub fn new([x, z]: [S; 2]) -> Result<Self, SizeError> {
+    pub fn new(half_x: S, half_z: S) -> Result<Self, SizeError> {
         let checked = |half| checked_size(half, SizeError::HalfExtent);
-        Ok(Self { half: [checked(x)?, checked(z)?] })
+        Ok(Self { half: [checked(half_x)?, checked(half_z)?] })
     }
 
     /// The half extents along x and z.

@@ -104,7 +104,7 @@ macro_rules! stored {
             fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
                 let $stored = <$Stored>::deserialize(deserializer)?;
                 let built: Result<Self, SizeError> = $from;
-                built.map_err(D::Error::custom)
+                built.map_err(|error| D::Error::custom(format_args!("{}: {error}", stringify!($Primitive))))
             }
         }
     };
@@ -125,7 +125,7 @@ stored!(
         let [half_x, half_y, half_z] = cuboid.half_extents();
         Boxed { half_x, half_y, half_z }
     },
-    |Boxed { half_x, half_y, half_z }| Cuboid::new([half_x, half_y, half_z])
+    |Boxed { half_x, half_y, half_z }| Cuboid::new(half_x, half_y, half_z)
 );
 stored!(
     Rectangle,
@@ -134,7 +134,7 @@ stored!(
         let [half_x, half_z] = rectangle.half_extents();
         Flat { half_x, half_z }
     },
-    |Flat { half_x, half_z }| Rectangle::new([half_x, half_z])
+    |Flat { half_x, half_z }| Rectangle::new(half_x, half_z)
 );
 stored!(Triangle, [Vec3<S>; 3], |triangle| triangle.vertices(), |[a, b, c]| Triangle::new(a, b, c));
 stored!(

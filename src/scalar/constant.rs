@@ -131,6 +131,21 @@ macro_rules! floats {
                 [-x, -y, -z]
             }
 
+            /// The axes of a frame that a quaternion of length 1 turns; `None` for another length.
+            pub(crate) const fn axes_of([x, y, z, w]: [Unit; 4]) -> Option<[[Unit; 3]; 3]> {
+                let square = x * x + y * y + z * z + w * w;
+                // A NaN compares false.
+                if !($Float::abs(square - 1.0) < 1.0 / 524_288.0) {
+                    return None;
+                }
+                let scale = 2.0 / square;
+                Some([
+                    [1.0 - scale * (y * y + z * z), scale * (x * y + w * z), scale * (x * z - w * y)],
+                    [scale * (x * y - w * z), 1.0 - scale * (x * x + z * z), scale * (y * z + w * x)],
+                    [scale * (x * z + w * y), scale * (y * z - w * x), 1.0 - scale * (x * x + y * y)],
+                ])
+            }
+
             /// The number to compute in.
             pub(crate) const fn real(value: $Float) -> $Float {
                 value
@@ -214,6 +229,45 @@ macro_rules! fixed {
                     Unit::from_bits(y.to_bits().wrapping_neg()),
                     Unit::from_bits(z.to_bits().wrapping_neg()),
                 ]
+            }
+
+            /// The axes of a frame that a quaternion of length 1 turns; `None` for another length.
+            pub(crate) const fn axes_of(quaternion: [Unit; 4]) -> Option<[[Unit; 3]; 3]> {
+                // Squares of components up to 1.25 do not leave the width.
+                const LIMIT: $wide = 5 << ($unit_bits - 2);
+                let [x, y, z, w] = quaternion;
+                let [x, y, z] = widened([x, y, z]);
+                let w = w.to_bits() as $wide;
+                if x.abs() >= LIMIT || y.abs() >= LIMIT || z.abs() >= LIMIT || w.abs() >= LIMIT {
+                    return None;
+                }
+                let square = x * x + y * y + z * z + w * w;
+                if (square - (1 << (2 * $unit_bits))).abs() >= 1 << (2 * $unit_bits - 19) {
+                    return None;
+                }
+                Some([
+                    [
+                        over(w * w + x * x - y * y - z * z, square),
+                        over(2 * (x * y + w * z), square),
+                        over(2 * (x * z - w * y), square),
+                    ],
+                    [
+                        over(2 * (x * y - w * z), square),
+                        over(w * w - x * x + y * y - z * z, square),
+                        over(2 * (y * z + w * x), square),
+                    ],
+                    [
+                        over(2 * (x * z + w * y), square),
+                        over(2 * (y * z - w * x), square),
+                        over(w * w - x * x - y * y + z * z, square),
+                    ],
+                ])
+            }
+
+            /// The quotient of two numbers of twice the fraction bits, rounded to nearest.
+            const fn over(dividend: $wide, divisor: $wide) -> Unit {
+                let divisor = divisor >> $unit_bits;
+                Unit::from_bits((dividend + divisor / 2).div_euclid(divisor) as $raw)
             }
 
             /// The number to compute in.

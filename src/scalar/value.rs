@@ -32,6 +32,8 @@ pub enum ValueError {
     BeyondType,
     /// Its length is not 1.
     NotUnit,
+    /// It is the zero vector, which has no direction.
+    NoDirection,
 }
 
 impl ValueError {
@@ -60,7 +62,7 @@ impl ValueError {
     /// What is wrong with a vector that has no direction.
     #[cold]
     pub(crate) fn of_direction<S: Scalar>(components: [S; 3]) -> Self {
-        if components.iter().all(|c| c.is_finite()) { Self::Zero } else { Self::NotFinite }
+        if components.iter().all(|c| c.is_finite()) { Self::NoDirection } else { Self::NotFinite }
     }
 }
 
@@ -79,6 +81,7 @@ macro_rules! with_fault {
             $crate::ValueError::BeyondBudget => concat!($value, "is beyond the number type's budget"),
             $crate::ValueError::BeyondType => concat!($value, "is beyond what the number type can hold"),
             $crate::ValueError::NotUnit => concat!($value, "has a length that is not 1"),
+            $crate::ValueError::NoDirection => concat!($value, "has no direction: it is zero"),
         }
     };
 }
@@ -95,8 +98,8 @@ impl ValueError {
     /// ```
     /// # use raylet::{UnitVec3, ValueError};
     /// let error = UnitVec3::<f32>::from_f64([0.0; 3]).unwrap_err();
-    /// assert!(error.to_string().starts_with("the value is zero"));
-    /// assert!(format!("the beam's direction {}", error.predicate()).starts_with("the beam's direction is zero"));
+    /// assert_eq!(error.to_string(), "the value has no direction: it is zero");
+    /// assert_eq!(format!("the beam {}", error.predicate()), "the beam has no direction: it is zero");
     /// ```
     pub const fn predicate(self) -> &'static str {
         with_fault!("", self)

@@ -30,7 +30,9 @@ pub(crate) use with_serde::{deserialize, serialize, three};
 mod with_serde {
     use super::Plain;
     use crate::scalar::block::{Block64, Block128};
-    use serde::de::Error;
+    use core::fmt;
+    use core::marker::PhantomData;
+    use serde::de::{Error, Unexpected, Visitor};
     use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
     /// A number that is written and read.
@@ -97,6 +99,9 @@ mod with_serde {
         }
     }
 
+    /// Reads a number, or the text that a fixed-point number was written as.
+    struct AnyFloat<T>(PhantomData<T>);
+
     macro_rules! floats {
         ($($Float:ty),+) => {$(
             impl ForSerde for $Float {
@@ -104,7 +109,31 @@ mod with_serde {
                     self.serialize(serializer)
                 }
                 fn read<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                    Self::deserialize(deserializer)
+                    if deserializer.is_human_readable() {
+                        deserializer.deserialize_any(AnyFloat::<Self>(PhantomData))
+                    } else {
+                        Self::deserialize(deserializer)
+                    }
+                }
+            }
+
+            impl Visitor<'_> for AnyFloat<$Float> {
+                type Value = $Float;
+
+                fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                    f.write_str("a number, or the text of one")
+                }
+                fn visit_str<E: Error>(self, text: &str) -> Result<$Float, E> {
+                    text.parse().map_err(|_| E::invalid_value(Unexpected::Str(text), &self))
+                }
+                fn visit_f64<E: Error>(self, value: f64) -> Result<$Float, E> {
+                    Ok(value as $Float)
+                }
+                fn visit_i64<E: Error>(self, value: i64) -> Result<$Float, E> {
+                    Ok(value as $Float)
+                }
+                fn visit_u64<E: Error>(self, value: u64) -> Result<$Float, E> {
+                    Ok(value as $Float)
                 }
             }
         )+};

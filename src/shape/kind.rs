@@ -104,6 +104,12 @@ impl KindSet {
         self.0 & kind.bit() != 0
     }
 
+    /// True if every kind of the other set is in this one.
+    #[inline(always)]
+    pub const fn contains_all(self, other: Self) -> bool {
+        self.0 & other.0 == other.0
+    }
+
     /// The set with this kind added.
     #[must_use]
     pub const fn with(self, kind: Kind) -> Self {

@@ -2,6 +2,7 @@
 
 pub use super::kind::{Kind, KindError, KindSet};
 
+use super::Placement;
 use crate::affine::Affine;
 use crate::frame::Frame;
 use crate::primitive::{Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, Sphere, Triangle};
@@ -31,6 +32,26 @@ macro_rules! kinds {
     };
 }
 kinds!(Sphere Cylinder Cone Capsule Plane Disc Triangle Cuboid Rectangle Frame Affine);
+
+/// What [`Shape::placed`](super::Shape::placed) takes. Sealed: [`Frame`], [`Affine`] and [`Placement`].
+pub trait Places<S: Scalar>: Into<Placement<S>> + sealed::Sealed {
+    /// The kinds that it may be.
+    const KINDS: KindSet;
+}
+
+impl<S: Scalar> Places<S> for Frame<S> {
+    const KINDS: KindSet = KindSet::of(Kind::Frame);
+}
+
+impl<S: Scalar> Places<S> for Affine<S> {
+    const KINDS: KindSet = KindSet::of(Kind::Affine);
+}
+
+impl<S: Scalar> sealed::Sealed for Placement<S> {}
+
+impl<S: Scalar> Places<S> for Placement<S> {
+    const KINDS: KindSet = KindSet::of(Kind::Frame).with(Kind::Affine);
+}
 
 /// The primitives and placements that a shape may have: [`All`], or a tuple of up to twelve of their types, in any
 /// order. Sealed.
@@ -80,9 +101,6 @@ pub trait Kinds: Copy + Debug + PartialEq + sealed::Sealed {
     const SET: KindSet;
 }
 
-/// Kinds that a program has chosen: a tuple. Sealed.
-pub trait Chosen: Kinds {}
-
 /// Every primitive and every placement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct All;
@@ -102,8 +120,6 @@ macro_rules! tuples {
         impl<$First: OfKind, $($Other: OfKind),*> Kinds for ($First, $($Other,)*) {
             const SET: KindSet = KindSet::of($First::KIND)$(.with($Other::KIND))*;
         }
-
-        impl<$First: OfKind, $($Other: OfKind),*> Chosen for ($First, $($Other,)*) {}
 
         tuples!($($Other)*);
     };

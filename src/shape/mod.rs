@@ -36,7 +36,7 @@ use crate::scalar::Scalar;
 use crate::tier::{Precision, Stable, Tier};
 use crate::vector::Vec3;
 use core::fmt;
-use kinds::{All, Chosen, Kind, KindError, Kinds, OfKind};
+use kinds::{All, Kind, KindError, Kinds, OfKind, Places};
 use primitive::Member;
 use queries::{AllHits, Contains, Nearest, NeededPrecision, Occludes};
 
@@ -92,22 +92,6 @@ impl<S: Scalar> Shape<S> {
     pub fn new(primitive: impl Into<Primitive<S>>) -> Self {
         Self::unplaced(primitive.into())
     }
-
-    /// The same shape, placed by a [`Frame`] or an [`Affine`](crate::Affine).
-    #[must_use]
-    pub fn placed(self, placement: impl Into<Placement<S>>) -> Self {
-        Self { placement: placement.into(), ..self }
-    }
-}
-
-impl<S: Scalar, K: Chosen> Shape<S, K> {
-    /// The same shape, placed by a [`Frame`] or an [`Affine`](crate::Affine). The program does not compile if that is
-    /// not among the kinds.
-    #[must_use]
-    pub fn placed<P: OfKind + Into<Placement<S>>>(self, placement: P) -> Self {
-        const { assert!(K::SET.contains(P::KIND), "this placement is not among the kinds of the shape: name it there") }
-        Self { placement: placement.into(), ..self }
-    }
 }
 
 impl<S: Scalar, K: Kinds> Shape<S, K> {
@@ -116,6 +100,14 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
     pub fn of<P: OfKind + Into<Primitive<S>>>(primitive: P) -> Self {
         const { assert!(K::SET.contains(P::KIND), "this primitive is not among the kinds of the shape: name it there") }
         Self::unplaced(primitive.into())
+    }
+
+    /// The same shape, placed by a [`Frame`], an [`Affine`](crate::Affine) or a [`Placement`]. The program does not
+    /// compile if that is not among the kinds.
+    #[must_use]
+    pub fn placed(self, placement: impl Places<S>) -> Self {
+        among::<K, _, _>(&placement);
+        Self { placement: placement.into(), ..self }
     }
 
     /// The primitive must be among the kinds.
@@ -169,6 +161,24 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
     /// Its placement.
     pub const fn placement(&self) -> &Placement<S> {
         &self.placement
+    }
+
+    /// The frame that places it, to move or to turn the shape; `None` if an [`Affine`](crate::Affine) or nothing does.
+    ///
+    /// ```
+    /// use raylet::{Frame, Shape, Sphere, Vec3};
+    /// let mut ball = Shape::new(Sphere::new(0.5_f32)?).placed(Frame::at(Vec3::new(1.0, 0.0, 0.0))?);
+    /// if let Some(frame) = ball.frame() {
+    ///     ball = ball.placed(Frame::at(frame.position() + Vec3::new(0.0, 0.25, 0.0))?);
+    /// }
+    /// assert_eq!(ball.placement().position(), Vec3::new(1.0, 0.25, 0.0));
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub const fn frame(&self) -> Option<&Frame<S>> {
+        match &self.placement {
+            Placement::Frame(frame) => Some(frame),
+            _ => None,
+        }
     }
 
     /// The sides from which it is seen.
@@ -250,7 +260,7 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
     /// let rod = Shape::new(Capsule::new(1.0_f64, 3.0)?);
     /// let leaning = UnitVec3::new(Vec3::new(1.0, 1.0, 0.0)).expect("it is not zero");
     /// let box_of_it = rod.placed(Frame::from_base_and_axis(Vec3::ZERO, leaning)?).bounds();
-    /// // 3 / sqrt(2) + 1, and 1: the box of the unplaced box would bounding_radius up to 5 / sqrt(2).
+    /// // 3 / sqrt(2) + 1, and 1: the box of the unplaced box would reach 5 / sqrt(2).
     /// assert!(box_of_it.high.x < 3.122 && box_of_it.high.z < 1.000_001);
     /// # Ok::<(), raylet::Error>(())
     /// ```
@@ -272,6 +282,13 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
     #[inline]
     pub fn surface<'a>(&'a self, ray: &'a Ray<S>, hit: &'a Hit<S>) -> Surface<S, K> {
         Surface::new(self, ray, hit)
+    }
+}
+
+/// Compiles only if the placement is among the kinds.
+const fn among<K: Kinds, S: Scalar, P: Places<S>>(_: &P) {
+    const {
+        assert!(K::SET.contains_all(P::KINDS), "this placement is not among the kinds of the shape: name it there");
     }
 }
 

@@ -213,6 +213,21 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         if from_inside { -normal } else { normal }
     }
 
+    /// The cosine of incidence: of the angle between the normal and the ray's way back, from 0 where it grazes to 1
+    /// where it meets the surface straight on.
+    ///
+    /// ```
+    /// use raylet::{Plane, Ray, Shape, UnitVec3, Vec3};
+    /// let floor = Shape::new(Plane::new());
+    /// let ray = Ray::new(Vec3::new(0.0_f32, 3.0, 0.0), UnitVec3::new(Vec3::new(4.0, -3.0, 0.0))?)?;
+    /// let hit = floor.nearest(&ray).expect("it looks down");
+    /// assert_eq!(floor.surface(&ray, &hit).cosine(), 0.6);
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub fn cosine(&self) -> S {
+        S::round(self.ray.direction().dot(self.normal()).abs())
+    }
+
     /// Surface coordinates, each in `[0, 1]`: see [`crate::primitive`].
     pub fn uv(&self) -> (S::Unit, S::Unit) {
         let rough = self.rough_local_point();

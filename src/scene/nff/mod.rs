@@ -154,7 +154,7 @@ pub fn read<S: Scalar>(text: &str, stores: Stores<'_, S>) -> Result<View<S>, Nff
 /// #     normals: &mut normals,
 /// #     corners: &mut [Corner::default(); 8],
 /// # };
-/// // Too far away for I16F16, whose coordinates bounding_radius 16384.
+/// // Too far away for I16F16, whose coordinates reach 16384.
 /// let text = "v from 0 0 50000 at 0 0 0 up 0 1 0 angle 40 resolution 64 48   s 0 0 0 10000";
 /// let scale = Scale::fitting::<I16F16>(text);
 /// let view = nff::read_scaled::<I16F16>(text, stores, scale)?;

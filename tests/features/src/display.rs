@@ -146,7 +146,14 @@ fn the_corner_moves_the_picture_off_the_display_too() {
     with_picture::<f32, _>(|picture| {
         let (mut at_origin, mut moved) = (Screen::<Rgb888>::new(), Screen::<Rgb888>::new());
         picture.draw(Point::zero(), &mut at_origin).unwrap();
-        picture.draw(Point::new(-5, 7), &mut moved).unwrap();
+        let counters = picture.draw(Point::new(-5, 7), &mut moved).unwrap();
+        assert_eq!(
+            counters.primary_rays,
+            u64::from(WIDTH - 5) * u64::from(HEIGHT - 7),
+            "off the display nothing is traced"
+        );
+        let beside = picture.draw(Point::new(i32::from(WIDTH), 0), &mut Screen::<Rgb888>::new()).unwrap();
+        assert_eq!(beside.primary_rays, 0);
         for y in 0..HEIGHT - 7 {
             for x in 0..WIDTH - 5 {
                 assert_eq!(moved.at(x, y + 7), at_origin.at(x + 5, y), "{x}, {y}");

@@ -47,8 +47,8 @@ fn primitives<S: Scalar>() -> Vec<Primitive<S>> {
         Sphere::new(third).expect("a size").into(),
         Disc::new(S::BUDGET.smallest_size).expect("a size").into(),
         Plane::new().into(),
-        Cuboid::new([third, n(0.7), n(1.5)]).expect("sizes").into(),
-        Rectangle::new([third, n(0.7)]).expect("sizes").into(),
+        Cuboid::new(third, n(0.7), n(1.5)).expect("sizes").into(),
+        Rectangle::new(third, n(0.7)).expect("sizes").into(),
         Triangle::new(corner(0.1, 0.2, 0.3), corner(1.0, 0.0, 0.0), corner(0.0, 1.0, 0.7)).expect("corners").into(),
         Capsule::new(third, S::ZERO).expect("sizes").into(),
         Cylinder::infinite(third).expect("a size").into(),
@@ -74,7 +74,7 @@ fn shapes_come_back<S: Scalar>() {
     let scale = Vec3::from_f64([0.01, 1.7, 90.0]).expect("numbers of the type");
     let axes =
         [[1.0, 0.1, 0.0], [0.0, 0.3, 0.2], [-0.5, 0.0, 7.0]].map(|axis| Vec3::from_f64(axis).expect("in the type"));
-    let affines = [Affine::stretched(frames[1], scale), Affine::new(axes, position)].map(|a| a.expect("a volume"));
+    let affines = [Affine::stretched(frames[1], scale), Affine::new(position, axes)].map(|a| a.expect("a volume"));
     let placements =
         [Placement::World].into_iter().chain(frames.map(Placement::from)).chain(affines.map(Placement::from));
     for placement in placements {
@@ -158,6 +158,39 @@ fn serde_writes_a_hit_list() {
     assert!(text.contains(r#"{"t":2.0,"part":"Side","crossing":"Enter"}"#), "{text}");
 }
 
+/// What one number type wrote another reads, rounded to its own numbers.
+#[test]
+fn serde_reads_a_shape_in_another_number_type() {
+    fn read<A: Scalar, B: Scalar>() -> String {
+        let n = |value: f64| A::from_f64(value).expect("near");
+        let frame = Frame::from_base_and_axis(Vec3::new(n(1.5), n(-0.25), n(3.0)), UnitVec3::X).expect("near");
+        let shape = Shape::new(Capsule::new(n(0.5), n(2.0)).expect("sizes")).placed(frame);
+        let text = serde_json::to_string(&shape).expect("every value can be written");
+        let read: Shape<B> = serde_json::from_str(&text).unwrap_or_else(|error| panic!("{error}: {text}"));
+        serde_json::to_string(&read).expect("every value can be written")
+    }
+    assert_eq!(read::<I16F16, f32>(), read::<f32, f32>());
+    assert_eq!(read::<I32F32, f64>(), read::<f64, f64>());
+    assert_eq!(read::<f32, I16F16>(), read::<I16F16, I16F16>());
+    let words = serde_json::from_str::<Vec3<f32>>(r#"{"x":"1.5","y":"two","z":3}"#).expect_err("two is no number");
+    assert!(words.to_string().starts_with(r#"invalid value: string "two", expected a number"#), "{words}");
+}
+
+/// A list on the heap, with its hierarchy, changes in place.
+#[test]
+fn a_tree_of_shapes_owns_a_vec() {
+    use raylet::ShapeTree;
+    let ball = Shape::new(Sphere::new(1.0_f32).expect("a size"));
+    let at = |x: f32| ball.placed(Frame::at(Vec3::new(x, 0.0, 0.0)).expect("near"));
+    let mut tree = ShapeTree::new((0..100).map(|i| at(4.0 * i as f32)).collect::<Vec<_>>()).expect("few");
+    let down = |x: f32| Ray::new(Vec3::new(x, 5.0, 0.0), -UnitVec3::Y).expect("near");
+    assert_eq!(tree.nearest(&down(200.0)).map(|(index, hit)| (index, hit.t)), Some((50, 4.0)));
+    tree.change(|balls| balls[50] = at(1000.0));
+    assert_eq!((tree.nearest(&down(200.0)), tree.nearest(&down(1000.0)).map(|(index, _)| index)), (None, Some(50)));
+    assert_eq!(tree.into_list().len(), 100);
+    assert!(!ShapeTree::new(Vec::<Shape<f32>>::new()).expect("few").occludes(&down(0.0)));
+}
+
 #[test]
 fn serde_refuses_what_a_constructor_refuses() {
     let direction = serde_json::from_str::<UnitVec3<f32>>("[1.0, 1.0, 0.0]").expect_err("its length is not 1");
@@ -165,10 +198,10 @@ fn serde_refuses_what_a_constructor_refuses() {
     let range = serde_json::from_str::<Range<f32>>("[2.0, 1.0]").expect_err("its ends are in the wrong order");
     assert!(range.to_string().starts_with(&RayError::Range.to_string()), "{range}");
     let sphere = serde_json::from_str::<Sphere<f32>>(r#"{"radius":-1}"#).expect_err("its radius is negative");
-    assert!(sphere.to_string().starts_with("the radius is negative"), "{sphere}");
+    assert!(sphere.to_string().starts_with("Sphere: the radius is negative"), "{sphere}");
     let cone = r#"{"FrustumOpen":{"base_radius":"0","top_radius":"0","height":"1"}}"#;
     let cone = serde_json::from_str::<Cone<I16F16>>(cone).expect_err("both radii are zero");
-    assert!(cone.to_string().starts_with("the radius is zero"), "{cone}");
+    assert!(cone.to_string().starts_with("Cone: the radius is zero"), "{cone}");
     let skew = r#"{"position":{"x":0,"y":0,"z":0},"axes":[[1,0,0],[0.6,0.8,0],[0,0,1]]}"#;
     let skew = serde_json::from_str::<Frame<f32>>(skew).expect_err("its axes are not perpendicular");
     assert!(skew.to_string().starts_with(&FrameError::Axes.to_string()), "{skew}");

@@ -1,12 +1,13 @@
 //! The promise: the constructors for constants accept and refuse what those at run time do, and give the same bits.
 
+use crate::frames::{close, component};
 use fixed::FixedI32;
 use fixed::types::extra::{U0, U30, U31};
 use fixed::types::{I16F16, I32F32};
 use raylet::scalar::{Unit, UnitScalar};
 use raylet::{
-    Camera, Capsule, Color, Cone, Cuboid, Cylinder, Disc, Frame, Material, Object, Plane, Rectangle, Scalar, Shape,
-    Size, Sphere, UnitVec3, Vec3, constant,
+    Camera, Capsule, Color, Cone, Cuboid, Cylinder, Disc, Frame, FrameError, Material, Object, Plane, Rectangle,
+    Scalar, Shape, Size, Sphere, UnitVec3, Vec3, constant,
 };
 use shared::flash;
 use std::fmt::Debug;
@@ -79,7 +80,7 @@ macro_rules! of_type {
                 for &b in &numbers {
                     for good in [
                         same(Capsule::<S>::const_new(a, b), Capsule::new(a, b)),
-                        same(Rectangle::<S>::const_new([a, b]), Rectangle::new([a, b])),
+                        same(Rectangle::<S>::const_new(a, b), Rectangle::new(a, b)),
                         same(Cylinder::<S>::const_open(a, b), Cylinder::open(a, b)),
                         same(Cylinder::<S>::const_capped(a, b), Cylinder::capped(a, b)),
                         same(Cone::<S>::const_open(a, b), Cone::open(a, b)),
@@ -89,7 +90,7 @@ macro_rules! of_type {
                     }
                     let c = numbers[random.below(numbers.len())];
                     for good in [
-                        same(Cuboid::<S>::const_new([a, b, c]), Cuboid::new([a, b, c])),
+                        same(Cuboid::<S>::const_new(a, b, c), Cuboid::new(a, b, c)),
                         same(Cone::<S>::const_frustum(a, b, c), Cone::frustum(a, b, c)),
                         same(Cone::<S>::const_frustum_open(a, b, c), Cone::frustum_open(a, b, c)),
                         same(Frame::<S>::const_at(Vec3::new(a, b, c)), Frame::at(Vec3::new(a, b, c))),
@@ -123,6 +124,27 @@ macro_rules! of_type {
                 let position = Vec3 { x: numbers[round % numbers.len()], ..Vec3::ZERO };
                 tally.add(same(Frame::<S>::const_from_axes(position, axes), Frame::from_axes(position, axes)));
                 assert_eq!(axes.map(|axis| axis.const_neg()), axes.map(|axis| -axis));
+
+                let quaternion = {
+                    let [x, y, z] = forward.to_f64();
+                    let (sine, cosine) = (round as f64 * 0.01).sin_cos();
+                    let length = 1.0 + near;
+                    let unit = <Unit<S> as UnitScalar>::from_f64;
+                    [x * sine, y * sine, z * sine, cosine].map(|c| unit(c * length))
+                };
+                let turned = Frame::<S>::from_quaternion(position, quaternion);
+                match Frame::<S>::const_from_quaternion(position, quaternion) {
+                    Ok(constant) => {
+                        let turned = turned.expect("it is good");
+                        assert_eq!(constant.position(), turned.position());
+                        let limit = 8.0 * component::<S>().max(2.0_f64.powi(-53));
+                        for (a, b) in constant.axes().into_iter().zip(turned.axes()) {
+                            assert!(close(a.to_f64(), b.to_f64(), limit), "{constant:?} {turned:?}");
+                        }
+                    }
+                    Err(FrameError::Quaternion) => assert!(near > 1e-7, "{quaternion:?}"),
+                    Err(error) => assert_eq!(turned, Err(error)),
+                }
 
                 let number = numbers[round % numbers.len()];
                 let (camera, run_time) = (Camera::<S>::const_in_frame(frame, number), Camera::in_frame(frame, number));

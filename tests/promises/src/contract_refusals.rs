@@ -136,11 +136,11 @@ fn rule_10_rays_are_refused_outside_the_budget_and_taken_at_its_edge<S: Exact>()
         }
         assert!(Ray::new(at(most), UnitVec3::X).is_ok() && Ray::new(at(-most), UnitVec3::X).is_ok());
         assert!(Ray::towards(at(-most), at(most)).is_ok(), "{}: across the whole budget", S::name());
-        assert_eq!(Ray::towards(at(most), at(most)), Err(RayError::Direction(ValueError::Zero)));
+        assert_eq!(Ray::towards(at(most), at(most)), Err(RayError::Direction(ValueError::NoDirection)));
         assert_eq!(UnitVec3::new(at(S::INFINITY)), Err(ValueError::NotFinite));
     }
-    assert_eq!(UnitVec3::<S>::new(Vec3::ZERO), Err(ValueError::Zero));
-    assert_eq!(UnitVec3::<S>::from_f64([0.0; 3]), Err(ValueError::Zero));
+    assert_eq!(UnitVec3::<S>::new(Vec3::ZERO), Err(ValueError::NoDirection));
+    assert_eq!(UnitVec3::<S>::from_f64([0.0; 3]), Err(ValueError::NoDirection));
     let (one, far) = (n::<S>(1.0), S::BUDGET.distance);
     assert_eq!(Range::new(one, S::ZERO), Err(RayError::Range));
     assert_eq!(Range::new(S::ZERO, S::INFINITY), Err(RayError::RangeEnd(ValueError::NotFinite)));
@@ -198,6 +198,7 @@ fn rule_10_every_error_names_the_value_and_the_kind_of_its_fault() {
         (ValueError::BeyondBudget, "is beyond the number type's budget"),
         (ValueError::BeyondType, "is beyond what the number type can hold"),
         (ValueError::NotUnit, "has a length that is not 1"),
+        (ValueError::NoDirection, "has no direction: it is zero"),
     ];
     for (kind, said) in kinds {
         let messages = [
@@ -206,10 +207,12 @@ fn rule_10_every_error_names_the_value_and_the_kind_of_its_fault() {
             (SizeError::Height(kind).into(), "the height ".to_string()),
             (SizeError::Slope(kind).into(), "the slope (radius over height) ".to_string()),
             (SizeError::Vertex(kind).into(), "a coordinate of a vertex ".to_string()),
+            (SizeError::Corner(kind).into(), "a coordinate of a corner ".to_string()),
             (RayError::Origin(kind).into(), "a coordinate of the ray's origin ".to_string()),
             (RayError::Target(kind).into(), "a coordinate of the ray's target ".to_string()),
             (RayError::RangeEnd(kind).into(), "an end of the ray's range ".to_string()),
             (FrameError::Position(kind).into(), "a coordinate of the position ".to_string()),
+            (FrameError::Normal(kind).into(), "the normal ".to_string()),
             (FrameError::Axis(kind).into(), "a component of an axis of the matrix ".to_string()),
             (FrameError::Scale(kind).into(), "a factor of the scale ".to_string()),
         ];
@@ -217,15 +220,19 @@ fn rule_10_every_error_names_the_value_and_the_kind_of_its_fault() {
             assert_eq!(error.to_string(), value + said);
         }
         assert_eq!((kind.predicate(), kind.message()), (said, kind.to_string().as_str()));
-        if kind != ValueError::Zero {
+        if !matches!(kind, ValueError::NoDirection | ValueError::Zero) {
             assert_eq!(RayError::Direction(kind).to_string(), format!("the vector of the ray's direction {said}"));
         }
     }
-    let messages: [(Error, &str); 6] = [
+    let messages: [(Error, &str); 7] = [
         (FrameError::Angle.into(), "the angle must lie between -360 and 360 degrees"),
+        (
+            FrameError::Quaternion.into(),
+            "the quaternion must be finite and neither nearly zero nor very long; of length 1 in a constant",
+        ),
         (SizeError::Vertices.into(), "the vertices lie on a line, or too nearly so for the number type"),
         (
-            RayError::Direction(ValueError::Zero).into(),
+            RayError::Direction(ValueError::NoDirection).into(),
             "the ray has no direction: the vector is zero, or origin and target are the same point",
         ),
         (RayError::Range.into(), "the ray's range is empty: its start lies above its end"),

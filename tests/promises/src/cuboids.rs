@@ -29,7 +29,7 @@ every_type!(
 );
 
 fn brick<S: Number>() -> Cuboid<S> {
-    Cuboid::new([2.0, 1.0, 3.0].map(n)).expect("sizes")
+    Cuboid::new(n(2.0), n(1.0), n(3.0)).expect("sizes")
 }
 
 /// The hits of a line in every tier that the type has.
@@ -78,7 +78,7 @@ fn ends_at_edges_belong_to_the_first_of_their_faces<S: Number>() {
     let beside = 2.0 + 1.0 / 1024.0;
     assert!(in_tiers(&shape, line([beside, 0.0, 5.0], [0.0, 0.0, -1.0])).iter().all(|hits| hits.is_empty()));
     // From corner to corner of a cube.
-    let cube = Shape::new(Cuboid::new([n::<S>(1.0); 3]).expect("sizes"));
+    let cube = Shape::new(Cuboid::new(n::<S>(1.0), n::<S>(1.0), n::<S>(1.0)).expect("sizes"));
     for hits in in_tiers(&cube, line([-2.0; 3], [1.0; 3])) {
         assert_eq!(hits.iter().map(|hit| hit.part).collect::<Vec<_>>(), [Left, Right]);
     }
@@ -107,7 +107,7 @@ fn one_point_of_an_edge_is_touched<S: Number>() {
 }
 
 fn a_rectangle_holds_its_edges<S: Number>() {
-    let table = Shape::new(Rectangle::new([2.0, 3.0].map(n::<S>)).expect("sizes"));
+    let table = Shape::new(Rectangle::new(n::<S>(2.0), n(3.0)).expect("sizes"));
     for (x, z) in [(2.0, 0.0), (-2.0, 3.0), (0.5, -3.0), (2.0, -3.0)] {
         for (y, crossing) in [(4.0, Enter), (-4.0, Exit)] {
             for hits in in_tiers(&table, line([x, y, z], [0.0, -y, 0.0])) {
@@ -177,7 +177,7 @@ fn faces_have_normals_coordinates_and_tangents<S: Number>() {
         assert_eq!([got_u.to_f64(), got_v.to_f64()], [u, v], "{part:?}");
         assert!(shape.contains(surface.point()));
     }
-    let table = Shape::new(Rectangle::new([2.0, 3.0].map(n::<S>)).expect("sizes"));
+    let table = Shape::new(Rectangle::new(n::<S>(2.0), n(3.0)).expect("sizes"));
     let ray = line::<S>([1.0, 5.0, -1.5], [0.0, -1.0, 0.0]);
     let surface = table.surface(&ray, &table.nearest(&ray).expect("a hit"));
     let (u, v) = surface.uv();
@@ -237,8 +237,8 @@ fn exact_is_never_wrong() {
 #[test]
 fn sizes_are_checked_and_faces_have_materials() {
     for bad in [0.0, -1.0, f32::NAN, f32::INFINITY] {
-        assert!(matches!(Cuboid::new([1.0, bad, 1.0]), Err(SizeError::HalfExtent(_))));
-        assert!(matches!(Rectangle::new([1.0, bad]), Err(SizeError::HalfExtent(_))));
+        assert!(matches!(Cuboid::new(1.0, bad, 1.0), Err(SizeError::HalfExtent(_))));
+        assert!(matches!(Rectangle::new(1.0, bad), Err(SizeError::HalfExtent(_))));
     }
     let object = Object::new(Shape::new(brick::<f32>()), 0).with_base(1).with_top(2);
     let materials = [Left, Right, Back, Front, Base, Top].map(|part| object.material_of(part));

@@ -155,7 +155,7 @@ fn a_is_one_minus_two_dy_squared_for_unit_directions_only<S: Exact>() {
     // Stretched threefold along y, the local direction of a unit ray is not unit: the ray along (1, -1, 0) / sqrt 2
     // meets the cone x = y / 3 from (4, 0, 0): 4 - s = -s / 3 on the lower nappe, s = 6, below the double cone's apex.
     let stretch =
-        raylet::Affine::new([v::<S>([1.0, 0.0, 0.0]), v([0.0, 3.0, 0.0]), v([0.0, 0.0, 1.0])], v([0.0, 0.0, 0.0]))
+        raylet::Affine::new(v([0.0, 0.0, 0.0]), [v::<S>([1.0, 0.0, 0.0]), v([0.0, 3.0, 0.0]), v([0.0, 0.0, 1.0])])
             .expect("the matrix has an inverse");
     let shape = raylet::Shape::new(Cone::double(n::<S>(1.0)).expect("slope")).placed(stretch);
     let hits = shape.hits(&ray([4.0, 0.0, 0.0], [-1.0, -1.0, 0.0]));

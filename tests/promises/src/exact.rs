@@ -186,12 +186,12 @@ fn extremes_of_the_types() {
                 }
                 6 => {
                     let depth = pick(&mut random);
-                    Cuboid::new([r, h, depth]).ok().map(|p| {
+                    Cuboid::new(r, h, depth).ok().map(|p| {
                         let half = [radius, height, depth.exact()];
                         (p.into(), Solid::Cuboid { half })
                     })
                 }
-                7 => Rectangle::new([r, h]).ok().map(|p| (p.into(), Solid::Rectangle { half: [radius, height] })),
+                7 => Rectangle::new(r, h).ok().map(|p| (p.into(), Solid::Rectangle { half: [radius, height] })),
                 _ => Disc::new(r).ok().map(|p| (p.into(), Solid::Disc { radius })),
             };
             let Some((primitive, solid)) = built else { continue };

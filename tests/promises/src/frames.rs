@@ -258,15 +258,15 @@ fn singular_matrices_are_refused<S: Exact>() {
     let (x, y, z) = (v::<S>([1.0, 0.0, 0.0]), v::<S>([0.0, 1.0, 0.0]), v::<S>([0.0, 0.0, 1.0]));
     let o = Vec3::ZERO;
     for axes in [[o, y, z], [x, o, z], [x, y, o], [x, x, z], [x, y, y], [x, y, v([3.0, 4.0, 0.0])], [x, -x, z]] {
-        assert_eq!(Affine::new(axes, o), Err(FrameError::Singular), "{axes:?}");
+        assert_eq!(Affine::new(o, axes), Err(FrameError::Singular), "{axes:?}");
     }
-    assert!(Affine::new([x, y, z], o).is_ok() && Affine::new([x, y, v([3.0, 4.0, 0.5])], o).is_ok());
+    assert!(Affine::new(o, [x, y, z]).is_ok() && Affine::new(o, [x, y, v([3.0, 4.0, 0.5])]).is_ok());
     // Left-handed is no reason: a mirror image has an inverse.
-    assert!(Affine::new([x, y, -z], o).is_ok());
+    assert!(Affine::new(o, [x, y, -z]).is_ok());
     let far = Vec3::new(S::BUDGET.coordinate.next_up(), S::ZERO, S::ZERO);
     let error = fault(far.x);
-    assert_eq!(Affine::new([x, y, z], far), Err(FrameError::Position(error)));
-    assert_eq!(Affine::new([far, y, z], o), Err(FrameError::Axis(error)));
+    assert_eq!(Affine::new(far, [x, y, z]), Err(FrameError::Position(error)));
+    assert_eq!(Affine::new(o, [far, y, z]), Err(FrameError::Axis(error)));
     let frame = Frame::at(o).expect("position");
     for bad in [S::ZERO, -n::<S>(1.0), S::BUDGET.size.next_up(), S::INFINITY] {
         assert_eq!(

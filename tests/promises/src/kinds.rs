@@ -1,7 +1,7 @@
 //! A shape of chosen kinds answers as the same shape of any kind does, to the bit, and has no other kinds.
 
 use raylet::scene::{Hierarchy, Node};
-use raylet::shape::kinds::{All, Chosen, Kind, KindError, Kinds};
+use raylet::shape::kinds::{All, Kind, KindError, Kinds};
 use raylet::{
     Affine, Camera, Capsule, Color, Cone, Cuboid, Cylinder, Disc, Exact, Fast, Frame, Light, Material, Object, Picture,
     Plain, Plane, Ray, Rectangle, Scalar, Scene, Shape, Size, Sphere, Stable, Tier, Triangle, UnitVec3, Vec3, Visible,
@@ -195,7 +195,7 @@ fn among_refuses_what_is_not_among_the_kinds<S: exact_types::Exact>() {
 /// A primitive and a placement that are named are taken without a test.
 #[test]
 fn what_is_named_is_taken() {
-    fn placed<K: Chosen>(ball: Shape<f32, K>, frame: Frame<f32>) -> Shape<f32, K> {
+    fn placed<K: Kinds>(ball: Shape<f32, K>, frame: Frame<f32>) -> Shape<f32, K> {
         ball.among::<All>().expect("all are among them").placed(frame).among().expect("it is named")
     }
     type Few = (Frame<f32>, Sphere<f32>);

@@ -78,8 +78,8 @@ mod law {
                 // Of two sides the one across x owns an edge, whichever of them it is after a turn.
                 Solid::Cuboid { .. } if swap => continue,
                 Solid::Rectangle { half: [x, z] } if swap => {
-                    let turned = [z, x].map(|half| number(half.to_f64()).expect("as large as before"));
-                    (Shape::new(Rectangle::new(turned).expect("as large as before")), false)
+                    let [z, x] = [z, x].map(|half| number(half.to_f64()).expect("as large as before"));
+                    (Shape::new(Rectangle::new(z, x).expect("as large as before")), false)
                 }
                 _ => (setting.unplaced, false),
             };

@@ -25,6 +25,7 @@ mod errata;
 mod exact;
 mod firmware;
 mod frames;
+mod frames_composed;
 mod fuzz_corpus;
 mod gallery;
 mod hard_cases;

@@ -78,7 +78,7 @@ fn a_ray_from_next_to_a_turned_rectangle_and_along_it() {
     let frame = Frame::from_axes(position.into(), axes).unwrap();
     let ray = ray::<f32>([-0.784_812_87, -0.656_673_67, -0.787_750_7], [0.459_564_2, 0.475_891_56, -0.749_885_3])
         .with_range(Range::line());
-    assert_near_exact(Rectangle::new([1.635_279, 0.159_992_75]).unwrap(), Some(frame), &ray);
+    assert_near_exact(Rectangle::new(1.635_279, 0.159_992_75).unwrap(), Some(frame), &ray);
     assert_near_exact(Disc::new(1.635_279).unwrap(), Some(frame), &ray);
 }
 

@@ -56,7 +56,7 @@ fn occlusion_and_nearest_hit_agree_at_a_stretched_ball_far_away() {
     let [x, y, z] = [0x3b19_b23f, 0x3c34_c6f6, 0x3b00_b9e0].map(f32::from_bits);
     let axes = [Vec3::new(x, 0.0, 0.0), Vec3::new(0.0, y, 0.0), Vec3::new(0.0, 0.0, z)];
     let ball = Shape::new(Sphere::new(1.0).expect("a radius"))
-        .placed(Affine::new(axes, Vec3::ZERO).expect("an invertible matrix"));
+        .placed(Affine::new(Vec3::ZERO, axes).expect("an invertible matrix"));
     let along = f32s([0xbd9d_80c7, 0x3e2e_3f7e, 0xbf7b_7f3b]);
     let ray = Ray::new(f32s([0x7923_9d52, 0xf9b5_025e, 0x7b02_a0ba]), UnitVec3::new(along).expect("a length"));
     let ray = ray.expect("a ray");
@@ -69,7 +69,7 @@ fn a_ray_that_departs_at_the_rim_of_a_stretched_cylinder_leaves_it_once() {
     let n = I16F16::from_num::<f64>;
     let v = |x, y, z| Vec3::new(n(x), n(y), n(z));
     let axes = [v(2.125, 0.0, 0.0), v(0.0, 3.5, 0.0), v(0.0, 0.0, 3.75)];
-    let affine = Affine::new(axes, v(0.375, -3.375, 1.625)).expect("an invertible matrix");
+    let affine = Affine::new(v(0.375, -3.375, 1.625), axes).expect("an invertible matrix");
     let can = Shape::new(Cylinder::capped(n(2.75), n(0.375)).expect("sizes")).placed(affine);
     let along = UnitVec3::from_f64([0.408_248_29, -0.408_248_29, 0.816_496_581]).expect("a length");
     let origin = Vec3::from([254_362, -135_168, 647_168].map(I16F16::from_bits));
@@ -84,7 +84,7 @@ fn a_ray_that_departs_at_the_rim_of_a_stretched_cylinder_leaves_it_once() {
 #[test]
 fn a_plane_beyond_the_type_hides_nothing() {
     let axes = [Vec3::new(2.0_f32, 0.0, 0.0), Vec3::new(0.0, 2.0, 0.0), Vec3::new(0.0, 0.0, 2.0)];
-    let floor = Shape::new(Plane::new()).placed(Affine::new(axes, Vec3::ZERO).expect("an invertible matrix"));
+    let floor = Shape::new(Plane::new()).placed(Affine::new(Vec3::ZERO, axes).expect("an invertible matrix"));
     let along = UnitVec3::from_components([0.979_804, -0.199_960_01, 0.0]).expect("nearly a unit vector");
     let ray = Ray::new(Vec3::new(0.0, 8e37, 0.0), along).expect("a ray");
     assert_eq!((floor.occludes(&ray), floor.nearest(&ray)), (false, None));

@@ -328,7 +328,7 @@ fn cylinders_at_the_other_end_of_the_budget_are_met() {
 fn large_components_in_a_row_of_a_matrix_do_not_overflow() {
     let vector = |bits: [i64; 3]| Vec3::from(bits.map(I32F32::from_bits));
     let axes = [[820138503, 1093518004, 273379501], [1093518004, 1093518004, 273379501], [-273379501, 0, 273379501]];
-    let matrix = Affine::new(axes.map(vector), Vec3::ZERO).expect("axes with a volume");
+    let matrix = Affine::new(Vec3::ZERO, axes.map(vector)).expect("axes with a volume");
     let placed = Placed::by(&Shape::new(Plane::new()), &Solid::Plane, Placement::Matrix(matrix)).expect("a place");
     let d = [2443330940812613890_i64, -3054163676015767843, 2443330940812613890].map(FixedI64::from_bits);
     let ray =

@@ -176,7 +176,7 @@ fn normals_and_points_are_those_of_the_exact_hit<S: Number, T: Tier<S>>(_: f64) 
 #[test]
 fn the_point_of_a_sheared_ball_lies_on_the_ray() {
     let columns = [[1.0_f32, 0.0, 0.0], [1.0, 0.001, 0.0], [0.0, 0.0, 1.0]].map(Vec3::from);
-    let ball = Shape::new(Sphere::new(1.0).unwrap()).placed(Affine::new(columns, Vec3::ZERO).unwrap());
+    let ball = Shape::new(Sphere::new(1.0).unwrap()).placed(Affine::new(Vec3::ZERO, columns).unwrap());
     let ray = Ray::new(Vec3::new(0.3, 5.0, 0.1), -UnitVec3::Y).unwrap();
     let hits = ball.hits(&ray);
     assert_eq!(hits.len(), 2, "{hits:?}");
@@ -242,7 +242,7 @@ fn a_triangle_of_any_size_has_its_coordinates_in_any_placement() {
         for [x, y, z] in columns {
             let start = [0, 1, 2].map(|i| -0.5 * x[i] + 0.25 * y[i]);
             let ray = Ray::new(p(start), direction(y.map(|c| -c))).unwrap();
-            let placed = triangle.placed(Affine::new([v(x), v(y), v(z)], Vec3::ZERO).unwrap());
+            let placed = triangle.placed(Affine::new(Vec3::ZERO, [v(x), v(y), v(z)]).unwrap());
             assert_uv(&placed, &ray, [0.25, 0.5], &format!("{what} on {x:?}, {y:?}, {z:?}"));
         }
     }

@@ -108,8 +108,8 @@ fn primitives<S: Raw>(a: S, b: S, c: S, vertices: [Vec3<S>; 3]) -> Vec<Primitive
     let mut all: Vec<Primitive<S>> = vec![Plane::new().into()];
     all.extend(Sphere::new(a).map(Primitive::from));
     all.extend(Disc::new(a).map(Primitive::from));
-    all.extend(Rectangle::new([a, b]).map(Primitive::from));
-    all.extend(Cuboid::new([a, b, c]).map(Primitive::from));
+    all.extend(Rectangle::new(a, b).map(Primitive::from));
+    all.extend(Cuboid::new(a, b, c).map(Primitive::from));
     all.extend(Cylinder::infinite(a).map(Primitive::from));
     all.extend(Cylinder::open(a, b).map(Primitive::from));
     all.extend(Cylinder::capped(a, b).map(Primitive::from));
@@ -210,7 +210,7 @@ fn at_the_extremes<S: Raw>() {
         placements.extend(Frame::from_base_and_axis(position, axis).map(raylet::Placement::from));
         placements.extend(Frame::between(position, p).map(|(frame, _)| raylet::Placement::from(frame)));
         placements.extend(Frame::looking(position, axis, UnitVec3::Y).map(raylet::Placement::from));
-        placements.extend(Affine::new([x, y, z], position).map(raylet::Placement::from));
+        placements.extend(Affine::new(position, [x, y, z]).map(raylet::Placement::from));
         if let Ok(frame) = Frame::from_base_and_axis(position, axis) {
             placements.extend(Affine::stretched(frame, scale).map(raylet::Placement::from));
         }

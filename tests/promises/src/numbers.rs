@@ -349,7 +349,7 @@ fn directions_are_unit_for_every_length<S: Exact>() {
     // Measured 2.1 for floats, 0.71 for fixed point.
     let bound = if S::name().starts_with('f') { 2.3 } else { 0.8 };
     assert!(worst <= bound * component, "{}: {} units", S::name(), worst / component);
-    assert_eq!(UnitVec3::<S>::new(Vec3::ZERO), Err(ValueError::Zero));
+    assert_eq!(UnitVec3::<S>::new(Vec3::ZERO), Err(ValueError::NoDirection));
     let length = Vec3::<S>::from_f64([3.0, 0.0, -4.0]).ok().map(|v| v.length().to_f64());
     assert_eq!(length, Some(5.0));
 }

@@ -147,7 +147,7 @@ fn an_ellipsoid_is_met_where_it_is<S: Exact>() {
     // Half-axes 2, 1 and 0.5: along the axes exactly, elsewhere as a quadratic in f64 has it.
     let axes = [v::<S>([2.0, 0.0, 0.0]), v([0.0, 1.0, 0.0]), v([0.0, 0.0, 0.5])];
     let egg = Shape::new(Sphere::new(n::<S>(1.0)).expect("size"))
-        .placed(Affine::new(axes, v([1.0, 2.0, 3.0])).expect("matrix"));
+        .placed(Affine::new(v([1.0, 2.0, 3.0]), axes).expect("matrix"));
     for (from, along, expected) in [
         ([-9.0, 2.0, 3.0], UnitVec3::X, [8.0, 12.0]),
         ([1.0, 10.0, 3.0], -UnitVec3::Y, [7.0, 9.0]),
@@ -219,7 +219,7 @@ fn scales_from_a_thousandth_to_a_thousand_correct_t<S: Exact>() {
 
 fn affine_normals_and_tangents_fit_the_surface<S: Exact>() {
     let axes = [v::<S>([2.0, 0.5, 0.0]), v([0.0, 1.0, 0.25]), v([-0.5, 0.0, 0.75])];
-    let placement = Affine::new(axes, v([1.0, 0.0, -1.0])).expect("matrix");
+    let placement = Affine::new(v([1.0, 0.0, -1.0]), axes).expect("matrix");
     let inverse_transpose = |m: [f64; 3]| {
         // Rows of the cofactor matrix of the columns above.
         let [a, b, c] = axes.map(Vec3::to_f64);
@@ -299,7 +299,7 @@ fn a_sheared_triangle_is_the_triangle_of_the_images<S: Exact>() {
     let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(v::<S>);
     let axes = [v::<S>([2.0, 1.0, 0.0]), v([0.0, 2.0, 1.0]), v([0.0, 0.0, 4.0])];
     let placed = Shape::new(Triangle::new(corners[0], corners[1], corners[2]).expect("vertices"))
-        .placed(Affine::new(axes, Vec3::ZERO).expect("matrix"));
+        .placed(Affine::new(Vec3::ZERO, axes).expect("matrix"));
     let image = Shape::new(Triangle::new(v::<S>([0.0; 3]), v([2.0, 1.0, 0.0]), v([0.0, 2.0, 1.0])).expect("vertices"));
     let mut random = Random(7);
     let mut met = 0;
@@ -343,7 +343,7 @@ fn a_sheared_triangle_is_the_triangle_of_the_images<S: Exact>() {
 fn bounds_contain_the_surface<S: Exact>() {
     let frame = Frame::from_base_and_axis(v::<S>([2.0, -1.0, 3.0]), direction([1.0, 2.0, -2.0])).expect("position");
     let axes = [v::<S>([2.0, 0.5, 0.0]), v([0.0, 1.0, 0.25]), v([-0.5, 0.0, 0.75])];
-    let affine = Affine::new(axes, v([1.0, 0.0, -1.0])).expect("matrix");
+    let affine = Affine::new(v([1.0, 0.0, -1.0]), axes).expect("matrix");
     for case in cases::<S>() {
         let plain = case.shape();
         for (shape, tight) in [(plain, true), (plain.placed(frame), false), (plain.placed(affine), false)] {

@@ -37,8 +37,8 @@ fn solid(random: &mut Random, size: f64) -> Result<Primitive<f32>, SizeError> {
         2 => Cylinder::capped(a, b)?.into(),
         3 => Capsule::new(a, b)?.into(),
         4 => Cone::nappe(slope)?.into(),
-        7 => Cuboid::new([a, b, c])?.into(),
-        8 => Rectangle::new([a, b])?.into(),
+        7 => Cuboid::new(a, b, c)?.into(),
+        8 => Rectangle::new(a, b)?.into(),
         5 => Cone::frustum(a, b, c)?.into(),
         10 => Cone::capped(slope, a)?.into(),
         _ => Cone::double(slope)?.into(),
@@ -65,7 +65,7 @@ fn placed(random: &mut Random, shape: Shape<f32>, size: f64) -> Option<(Shape<f3
         _ => {
             let flat = random.pick(&[1.0, 1e-2, 1e-4]);
             let mut axis = |long: f64| Vec3::from_f64(scale(random.direction(), long)).ok();
-            (shape.placed(Affine::new([axis(1.0)?, axis(flat)?, axis(0.6)?], at).ok()?), position)
+            (shape.placed(Affine::new(at, [axis(1.0)?, axis(flat)?, axis(0.6)?]).ok()?), position)
         }
     })
 }
@@ -174,8 +174,8 @@ fn rays_from_next_to_a_flat_stretched_rectangle() {
     while judged < times(20_000) {
         let mut axis = |long: f64| Vec3::from_f64(scale(random.direction(), long)).unwrap();
         let axes = [axis(1.0), axis(1e-4), axis(0.6)];
-        let Ok(affine) = Affine::new(axes, Vec3::ZERO) else { continue };
-        let shape = Shape::new(Rectangle::new([2.0_f32, 3.0]).unwrap()).placed(affine);
+        let Ok(affine) = Affine::new(Vec3::ZERO, axes) else { continue };
+        let shape = Shape::new(Rectangle::new(2.0_f32, 3.0).unwrap()).placed(affine);
         let ray = Ray::new(
             Vec3::from_f64(scale(random.direction(), 4.0)).unwrap(),
             UnitVec3::from_f64(random.direction()).unwrap(),

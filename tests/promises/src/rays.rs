@@ -44,7 +44,7 @@ fn a_segment_ends_where_its_line_is_closest_to_the_end<S: Exact>() {
         assert!(is_nearest(ray.range().end(), &(product / square)), "{}: {line:?}", S::name());
     }
     let p = v::<S>([1.0, 2.0, 3.0]);
-    assert_eq!(Ray::segment(p, p), Err(RayError::Direction(ValueError::Zero)));
+    assert_eq!(Ray::segment(p, p), Err(RayError::Direction(ValueError::NoDirection)));
 }
 
 fn a_segment_longer_than_the_type_is_refused<S: Exact>() {
@@ -86,7 +86,7 @@ fn a_ray_along_a_vector_tells_distance_in_its_lengths<S: Exact>() {
     }
     let bad = Vec3::new(S::BUDGET.coordinate.next_up(), S::ZERO, S::ZERO);
     let fault = if bad.x.is_finite() { ValueError::BeyondBudget } else { ValueError::NotFinite };
-    assert_eq!(Ray::along(origin, Vec3::ZERO), Err(RayError::Direction(ValueError::Zero)));
+    assert_eq!(Ray::along(origin, Vec3::ZERO), Err(RayError::Direction(ValueError::NoDirection)));
     assert_eq!(Ray::along(origin, bad), Err(RayError::Direction(fault)));
     assert_eq!(Ray::along(bad, vector), Err(RayError::Origin(fault)));
 }

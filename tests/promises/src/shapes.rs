@@ -3,11 +3,11 @@
 use fixed::types::{I16F16, I32F32};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-use raylet::hierarchy::{Hierarchy, HierarchyError, Node, Shapes};
+use raylet::hierarchy::{Hierarchy, HierarchyError, Node, ShapeTree, Shapes};
 use raylet::shape::kinds::All;
 use raylet::{
-    Departure, Exact, Fast, Frame, Hit, Leaving, Material, Part, Plain, Ray, Scalar, Scene, Shape, Shaped, Sphere,
-    Stable, Tier, UnitVec3, Vec3,
+    Departure, Exact, Fast, Frame, Hit, Leaving, Material, Part, Plain, Plane, Ray, Scalar, Scene, Shape, Shaped,
+    Sphere, Stable, Tier, UnitVec3, Vec3,
 };
 use support::amount::amount;
 use support::crowd;
@@ -42,6 +42,12 @@ fn agrees<S: Scalar, T: Tier<S>>(shapes: &Shapes<'_, S>, ray: &Ray<S>) -> Result
     prop_assert_eq!(shapes.nearest_at::<T>(ray), expected, "nearest of {:?}", ray);
     let occludes = list.iter().enumerate().any(|(index, shape)| shape.occludes_at::<T>(&seen_by(index, ray)));
     prop_assert_eq!(shapes.occludes_at::<T>(ray), occludes, "occlusion of {:?}", ray);
+    let mut listed = Vec::new();
+    shapes.hits_at::<T>(ray, |index, hits| listed.push((index as usize, hits)));
+    listed.sort_unstable_by_key(|(index, _)| *index);
+    let all = list.iter().enumerate().map(|(index, shape)| (index, shape.hits_at::<T>(&seen_by(index, ray))));
+    let some = all.filter(|(_, hits)| !hits.is_empty() || hits.starts_inside() || hits.coincident().is_some());
+    prop_assert_eq!(listed, some.collect::<Vec<_>>(), "all hits of {:?}", ray);
     Ok(expected.is_some())
 }
 
@@ -62,6 +68,12 @@ fn any_list<S: Scalar>(seed: u64, count: usize, tiers: &[Law<S>]) -> Result<Met,
     let list: Vec<_> = objects.iter().map(|object| object.shape).collect();
     let mut nodes = nodes_of(&list);
     let shapes = Shapes::new(&list, &mut nodes).expect("as many nodes as it needs");
+    // One that owns the same shapes, after every one of them has moved.
+    let mut moved = list.clone();
+    moved.rotate_left(count / 3);
+    let moved = heapless::Vec::<_, 50>::from_slice(&moved).expect("at most 49");
+    let mut owned = ShapeTree::new(moved).expect("few");
+    owned.change(|shapes| shapes.copy_from_slice(&list));
     let materials = [Material::default()];
     let scene = Scene::new(&objects, &materials, &[], crowd::camera()).expect("a scene");
     let mut met = Met::default();
@@ -70,6 +82,7 @@ fn any_list<S: Scalar>(seed: u64, count: usize, tiers: &[Law<S>]) -> Result<Met,
         met.departures += usize::from(ray.departure().is_some());
         for tier in tiers {
             met.hits += usize::from(tier(&shapes, &ray)?);
+            tier(&owned.view(), &ray)?;
         }
     }
     Ok(met)
@@ -177,4 +190,38 @@ fn whatever_has_a_shape_is_found() {
     let mut nodes = nodes_of(&few);
     let few = Shapes::new(&few, &mut nodes).expect("as many nodes as it needs");
     assert_eq!(few.nearest(&ray), Some((index, hit)));
+}
+
+/// A tree that owns its shapes answers as one that is made anew, whether they keep their boxes or not.
+#[test]
+fn shapes_that_moved_are_found_where_they_are() {
+    let list: [Shape<f32>; 5] = balls(&[0.0, 4.0, 8.0, 12.0, 16.0]).try_into().expect("five");
+    let mut tree = ShapeTree::new(list).expect("few");
+    let down = |x: f32| Ray::new(Vec3::new(x, 5.0, 0.0), -UnitVec3::Y).expect("near");
+    assert_eq!(tree.nearest(&down(8.0)).map(|(index, _)| index), Some(2));
+    let old = tree.list()[2];
+    tree.change(|balls| balls[2] = balls[2].placed(Frame::at(Vec3::new(40.0, 0.0, 0.0)).expect("near")));
+    assert_eq!((tree.nearest(&down(8.0)), tree.nearest(&down(40.0)).map(|(index, _)| index)), (None, Some(2)));
+    // A plane has no box: the tree is built anew; and once more as the ball comes back.
+    tree.change(|balls| balls[2] = Shape::new(Plane::new()));
+    assert_eq!(tree.nearest(&down(8.0)).map(|(index, hit)| (index, hit.t)), Some((2, 5.0)));
+    assert_eq!(tree.nearest(&down(4.0)).map(|(index, hit)| (index, hit.t)), Some((1, 4.0)));
+    assert!(tree.occludes(&down(-7.0)));
+    tree.change(|balls| balls[2] = old);
+    assert_eq!((tree.nearest(&down(8.0)).map(|(index, _)| index), tree.occludes(&down(-7.0))), (Some(2), false));
+    assert_eq!(tree.into_list(), list);
+}
+
+/// The lists that a tree owns: arrays, and lists that are not full.
+#[test]
+fn a_tree_owns_arrays_and_lists() {
+    let [near, far] = balls(&[3.0, 8.0])[..] else { unreachable!() };
+    let ray = Ray::new(Vec3::ZERO, UnitVec3::X).expect("near");
+    let expected = near.nearest(&ray).map(|hit| (1, hit));
+    assert_eq!(ShapeTree::new([far, near]).expect("few").nearest(&ray), expected);
+    let mut list = heapless::Vec::<Shape<f32>, 5>::new();
+    list.extend([far, near]);
+    assert_eq!(ShapeTree::new(list).expect("few").nearest(&ray), expected);
+    let none = ShapeTree::new([Shape::<f32>::new(Plane::new()); 0]).expect("few");
+    assert_eq!((none.nearest(&ray), none.occludes(&ray)), (None, false));
 }

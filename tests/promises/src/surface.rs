@@ -181,8 +181,8 @@ fn solid_coordinates_are_where_the_point_lies_in_the_box<S: Exact>() {
         (Shape::new(Cone::frustum(n(1.0), n(2.0), n(1.0)).expect("sizes")), [-2.0, 0.0, -2.0], [2.0, 1.0, 2.0]),
         (Shape::new(Capsule::new(n(1.0), n(2.0)).expect("sizes")), [-1.0, -1.0, -1.0], [1.0, 3.0, 1.0]),
         (Shape::new(Sphere::new(n(2.0)).expect("size")), [-2.0; 3], [2.0; 3]),
-        (Shape::new(Cuboid::new([n(1.0), n(0.5), n(2.0)]).expect("sizes")), [-1.0, -0.5, -2.0], [1.0, 0.5, 2.0]),
-        (Shape::new(Rectangle::new([n(1.0), n(2.0)]).expect("sizes")), [-1.0, 0.0, -2.0], [1.0, 0.0, 2.0]),
+        (Shape::new(Cuboid::new(n(1.0), n(0.5), n(2.0)).expect("sizes")), [-1.0, -0.5, -2.0], [1.0, 0.5, 2.0]),
+        (Shape::new(Rectangle::new(n(1.0), n(2.0)).expect("sizes")), [-1.0, 0.0, -2.0], [1.0, 0.0, 2.0]),
         (
             Shape::new(Triangle::new(v([-2.0, 0.0, -2.0]), v([0.0, 0.0, 2.0]), v([2.0, 2.0, -2.0])).expect("corners")),
             [-2.0, 0.0, -2.0],

@@ -31,9 +31,9 @@ fn solid<S: Scalar>(random: &mut Random, size: f64) -> Option<Primitive<S>> {
         7 => Cone::double(slope).ok()?.into(),
         8 => Plane::new().into(),
         9 => Disc::new(a).ok()?.into(),
-        10 => Rectangle::new([a, b]).ok()?.into(),
+        10 => Rectangle::new(a, b).ok()?.into(),
         11 => Triangle::new(p, q, r).ok()?.into(),
-        _ => Cuboid::new([a, b, c]).ok()?.into(),
+        _ => Cuboid::new(a, b, c).ok()?.into(),
     })
 }
 

@@ -98,7 +98,7 @@ fn shape<S: Scalar>(index: usize) -> Option<(&'static str, Shape<S>)> {
     let v = |x: i32, y: i32, z: i32| Vec3::new(n(x), n(y), n(z));
     let frame =
         || Frame::looking(v(8, -4, 2), UnitVec3::new(v(8, 16, 16)).ok()?, UnitVec3::new(v(-3, 9, 1)).ok()?).ok();
-    let affine = || Affine::new([v(12, 1, 0), v(-2, 5, 3), v(0, 2, 20)], v(3, -2, 5)).ok();
+    let affine = || Affine::new(v(3, -2, 5), [v(12, 1, 0), v(-2, 5, 3), v(0, 2, 20)]).ok();
     let (name, primitive): (&str, Primitive<S>) = match index {
         0 | 13 => ("sphere", Sphere::new(n(9)).ok()?.into()),
         1 => ("cylinder infinite", Cylinder::infinite(n(9)).ok()?.into()),
@@ -114,8 +114,8 @@ fn shape<S: Scalar>(index: usize) -> Option<(&'static str, Shape<S>)> {
         11 => ("disc", Disc::new(n(9)).ok()?.into()),
         12 => ("triangle", Triangle::new(v(-9, 0, -6), v(7, 2, -5), v(2, -2, 10)).ok()?.into()),
         16 => ("capsule", Capsule::new(n(9), n(14)).ok()?.into()),
-        17..20 => ("cuboid", Cuboid::new([n(9), n(7), n(12)]).ok()?.into()),
-        20 | 21 => ("rectangle", Rectangle::new([n(9), n(12)]).ok()?.into()),
+        17..20 => ("cuboid", Cuboid::new(n(9), n(7), n(12)).ok()?.into()),
+        20 | 21 => ("rectangle", Rectangle::new(n(9), n(12)).ok()?.into()),
         _ => return None,
     };
     let shape = Shape::new(primitive);

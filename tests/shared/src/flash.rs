@@ -72,7 +72,7 @@ macro_rules! scene {
                         1,
                     ),
                     Object::const_new(
-                        constant!(Cuboid::<S>::const_new([$number(4), $number(4), $number(4)]))
+                        constant!(Cuboid::<S>::const_new($number(4), $number(4), $number(4)))
                             .into_shape()
                             .in_frame(constant!(Frame::<S>::const_at(point(2, 4, -24)))),
                         2,
@@ -139,7 +139,7 @@ pub fn made<S: Scalar>() -> Result<Constants<S>, Error> {
             1,
         ),
         Object::new(capsule.placed(Frame::from_axes(point(14.0, 4.0, -36.0)?, lying)?), 1),
-        Object::new(Shape::new(Cuboid::new([number(4.0)?; 3])?).placed(at(2.0, 4.0, -24.0)?), 2),
+        Object::new(Shape::new(Cuboid::new(number(4.0)?, number(4.0)?, number(4.0)?)?).placed(at(2.0, 4.0, -24.0)?), 2),
     ];
     let materials = [
         Material::matte(color([6.0, 6.0, 6.0])),

@@ -118,7 +118,7 @@ pub fn framed<S: Scalar>(shape: Shape<S>) -> Option<Shape<S>> {
 
 /// A shape, stretched, sheared, turned and moved.
 pub fn stretched<S: Scalar>(shape: Shape<S>) -> Option<Shape<S>> {
-    Some(shape.placed(Affine::new([vector(12, 1, 0), vector(-2, 5, 3), vector(0, 2, 10)], vector(2, -4, 2)).ok()?))
+    Some(shape.placed(Affine::new(vector(2, -4, 2), [vector(12, 1, 0), vector(-2, 5, 3), vector(0, 2, 10)]).ok()?))
 }
 
 /// Hands every subject to a body, with its name. (A macro: each is of a type of its own.)
@@ -141,15 +141,15 @@ macro_rules! every_subject {
             "plane" Some(Plane::<$S>::new());
             "disc" Disc::new(n::<$S>(8)).ok();
             "triangle" triangle::<$S>();
-            "cuboid" Cuboid::new([n::<$S>(8), n(6), n(7)]).ok();
-            "rectangle" Rectangle::new([n::<$S>(8), n(7)]).ok();
+            "cuboid" Cuboid::new(n::<$S>(8), n(6), n(7)).ok();
+            "rectangle" Rectangle::new(n::<$S>(8), n(7)).ok();
             "cylinder, capped, as a shape" Cylinder::capped(n::<$S>(8), n(12)).ok().map(Shape::new);
             "sphere, framed" Sphere::new(n::<$S>(8)).ok().map(Shape::new).and_then(framed);
             "cylinder, capped, framed" Cylinder::capped(n::<$S>(8), n(12)).ok().map(Shape::new).and_then(framed);
             "cone, capped, framed" Cone::capped(n::<$S>(6), n(12)).ok().map(Shape::new).and_then(framed);
             "disc, framed" Disc::new(n::<$S>(8)).ok().map(Shape::new).and_then(framed);
             "triangle, framed" triangle::<$S>().map(Shape::new).and_then(framed);
-            "cuboid, framed" Cuboid::new([n::<$S>(8), n(6), n(7)]).ok().map(Shape::new).and_then(framed);
+            "cuboid, framed" Cuboid::new(n::<$S>(8), n(6), n(7)).ok().map(Shape::new).and_then(framed);
             "cylinder, capped, stretched" Cylinder::capped(n::<$S>(8), n(12)).ok().map(Shape::new).and_then(stretched);
         );
     }};

@@ -105,8 +105,8 @@ fn primitive<S: Scalar>(name: &str) -> Option<Primitive<S>> {
         "plane" => Plane::new().into(),
         "disc" => Disc::new(n(8)).ok()?.into(),
         "triangle" => triangle()?.into(),
-        "cuboid" => Cuboid::new([n(8), n(6), n(7)]).ok()?.into(),
-        "rectangle" => Rectangle::new([n(8), n(7)]).ok()?.into(),
+        "cuboid" => Cuboid::new(n(8), n(6), n(7)).ok()?.into(),
+        "rectangle" => Rectangle::new(n(8), n(7)).ok()?.into(),
         _ => return None,
     })
 }
@@ -127,7 +127,7 @@ fn place<S: Scalar>(shape: Shape<S>, placed: Placed, random: &mut Random) -> Opt
                 Vec3::from_f64([x + dx, y + dy, z + dz]).ok()
             });
             let [x, y, z] = axes;
-            (shape.placed(Affine::new([x?, y?, z?], position).ok()?), position)
+            (shape.placed(Affine::new(position, [x?, y?, z?]).ok()?), position)
         }
     })
 }

@@ -131,10 +131,10 @@ pub fn cases<S: Exact>() -> Vec<Case<S>> {
     let disc = Disc::new(n(1.5)).expect(sizes);
     add("disc", Kind::Open, disc.into(), Solid::Disc { radius: d(1.5) }, &[0.0], &[1.5]);
     let half = [1.0, 1.0, 0.5];
-    let cuboid = Cuboid::new(half.map(n)).expect(sizes);
+    let cuboid = Cuboid::new(n(1.0), n(1.0), n(0.5)).expect(sizes);
     add("cuboid", Kind::Bounded, cuboid.into(), Solid::Cuboid { half: half.map(d) }, &[-1.0, 1.0], &[1.0, 0.5]);
     let half = [1.5, 0.5];
-    let rectangle = Rectangle::new(half.map(n)).expect(sizes);
+    let rectangle = Rectangle::new(n(1.5), n(0.5)).expect(sizes);
     add("rectangle", Kind::Open, rectangle.into(), Solid::Rectangle { half: half.map(d) }, &[0.0], &[1.5, 0.5]);
     let corners = [[-1.0, 0.5, -1.0], [1.0, 0.0, 1.0], [1.0, 1.0, -1.0]];
     let [a, b, c] = corners.map(v);

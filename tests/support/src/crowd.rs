@@ -56,7 +56,7 @@ fn primitive<S: Scalar>(random: &mut Random) -> Primitive<S> {
         15 => Cone::open(number(0.5), b).expect("sizes").into(),
         16 => Cone::nappe(number(0.25)).expect("a slope").into(),
         17 => Plane::new().into(),
-        18 => Cuboid::new([a, b, c]).expect("sizes").into(),
+        18 => Cuboid::new(a, b, c).expect("sizes").into(),
         19 => Disc::new(a).expect("a size").into(),
         _ => {
             let [p, q, r] = [(); 3].map(|()| corner(random));
@@ -86,7 +86,7 @@ fn placement<S: Scalar>(random: &mut Random) -> Placement<S> {
             let (a, b) = (random.direction(), random.direction());
             let lean = random.pick(&[1.0, 0.1, 0.01]);
             let c = add(a, scale(random.direction(), lean));
-            Affine::new([a, b, c].map(point), point(at)).map_or(turned.into(), Placement::from)
+            Affine::new(point(at), [a, b, c].map(point)).map_or(turned.into(), Placement::from)
         }
     }
 }

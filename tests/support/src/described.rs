@@ -147,8 +147,8 @@ impl<S: Exact> Described<S> {
             Self::Capsule { radius, height } => Shape::new(Capsule::new(radius, height)?),
             Self::Plane => Shape::new(Plane::new()),
             Self::Disc { radius } => Shape::new(Disc::new(radius)?),
-            Self::Cuboid { half } => Shape::new(Cuboid::new(half)?),
-            Self::Rectangle { half } => Shape::new(Rectangle::new(half)?),
+            Self::Cuboid { half: [x, y, z] } => Shape::new(Cuboid::new(x, y, z)?),
+            Self::Rectangle { half: [x, z] } => Shape::new(Rectangle::new(x, z)?),
             Self::Triangle { vertices } => {
                 let [a, b, c] = vertices.map(Vec3::from);
                 Shape::new(Triangle::new(a, b, c)?)

@@ -48,7 +48,7 @@ impl<S: Number> Pose<S> {
             Self::Frame(frame) => shape.placed(frame),
             Self::Affine { position, .. } => {
                 let images = [0, 1, 2].map(|i| v(self.image([0, 1, 2].map(|j| f64::from(u8::from(i == j))))));
-                shape.placed(Affine::new(images, position).expect("powers of two have an inverse"))
+                shape.placed(Affine::new(position, images).expect("powers of two have an inverse"))
             }
         }
     }

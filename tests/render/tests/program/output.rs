@@ -4,6 +4,8 @@
 use crate::support::{Folder, ball, pixels};
 use std::fs;
 use std::process::Stdio;
+use std::thread;
+use std::time::Duration;
 
 const PICTURES: [&str; 2] = ["out/scene.png", "out/scene.ppm"];
 
@@ -97,6 +99,23 @@ fn without_a_picture_no_file_is_touched() {
     assert_eq!(folder.run("scene.nff").code, Some(1));
     assert_eq!(folder.read("old.png"), b"an old picture");
     assert_eq!(folder.files(), ["old.png", "scene.nff"]);
+}
+
+#[test]
+fn an_interrupted_picture_leaves_no_file_and_no_change() {
+    let folder = Folder::with(ball());
+    fs::write(folder.path("old.ppm"), "an old picture").unwrap();
+    for name in ["new.ppm", "old.ppm"] {
+        let mut child = folder.command(&format!("scene.nff --size 4000x4000 -s 16 -o {name}")).spawn().unwrap();
+        thread::sleep(Duration::from_millis(300));
+        assert!(child.try_wait().unwrap().is_none(), "the picture is too small for this test");
+        child.kill().unwrap();
+        child.wait().unwrap();
+    }
+    assert_eq!(
+        (folder.read("old.ppm"), folder.files()),
+        (b"an old picture".into(), vec!["old.ppm".into(), "scene.nff".into()])
+    );
 }
 
 #[test]

@@ -220,11 +220,11 @@ fn primitive<S: Number>(bytes: &mut Bytes<'_, S>) -> Result<Made<S>, Rejected> {
         }
         11 => (Open, Plane::new().into(), Solid::Plane),
         14 => {
-            let primitive = made(Cuboid::new(given), both && is_size(c), &given)?;
+            let primitive = made(Cuboid::new(a, b, c), both && is_size(c), &given)?;
             (Bounded, primitive.into(), Solid::Cuboid { half: given.map(S::exact) })
         }
         15 => {
-            let primitive = made(Rectangle::new([a, b]), both, &given)?;
+            let primitive = made(Rectangle::new(a, b), both, &given)?;
             (Open, primitive.into(), Solid::Rectangle { half: [a, b].map(S::exact) })
         }
         _ => (Open, made(Disc::new(a), is_size(a), &given)?.into(), Solid::Disc { radius: a.exact() }),
@@ -261,7 +261,7 @@ fn placement<S: Number>(bytes: &mut Bytes<'_, S>) -> Result<(Placement<S>, (f64,
         }
         8 => {
             let axes = [bytes.vector(), bytes.vector(), bytes.vector()];
-            let affine = Affine::new(axes, position).map_err(|_| Rejected)?;
+            let affine = Affine::new(position, axes).map_err(|_| Rejected)?;
             return Ok((affine.into(), shortest_and_longest(axes.map(|axis| axis.length().to_f64()))));
         }
         _ => {

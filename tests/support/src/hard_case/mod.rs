@@ -249,11 +249,11 @@ pub fn build<S: Exact>(kind: Kind, end: Option<S>) -> Option<(Primitive<S>, Soli
         }
         Kind::Box([x, y, z]) => {
             let [x, y, z] = [size(x)?, size(y)?, size(z)?];
-            (raylet::Cuboid::new([x.0, y.0, z.0]).ok()?.into(), Solid::Cuboid { half: [x.1, y.1, z.1] })
+            (raylet::Cuboid::new(x.0, y.0, z.0).ok()?.into(), Solid::Cuboid { half: [x.1, y.1, z.1] })
         }
         Kind::Rectangle([x, z]) => {
             let [x, z] = [size(x)?, size(z)?];
-            (raylet::Rectangle::new([x.0, z.0]).ok()?.into(), Solid::Rectangle { half: [x.1, z.1] })
+            (raylet::Rectangle::new(x.0, z.0).ok()?.into(), Solid::Rectangle { half: [x.1, z.1] })
         }
         Kind::Triangle(corners) => {
             let [a, b, c] = corners.map(|corner| Vec3::<S>::from_f64(corner).ok());

@@ -110,7 +110,7 @@ impl Placement<'_> {
             Form::Frame { turn, stretched } => (turn, stretched),
             Form::Matrix([x, y, z]) => {
                 let axes = [vector("x", x)?, vector("y", y)?, vector("z", z)?];
-                return Ok(placed::Placement::Matrix(Affine::new(axes, at).map_err(|error| error.to_string())?));
+                return Ok(placed::Placement::Matrix(Affine::new(at, axes).map_err(|error| error.to_string())?));
             }
         };
         let frame = match turn {

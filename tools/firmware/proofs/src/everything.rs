@@ -75,7 +75,7 @@ fn any_frame<S: Any>() -> Option<Frame<S>> {
 
 fn any_affine<S: Any>() -> Option<Affine<S>> {
     let affine = match any_word() {
-        0 => Affine::new([any_point(), any_point(), any_point()], any_point()),
+        0 => Affine::new(any_point(), [any_point(), any_point(), any_point()]),
         _ => Affine::stretched(any_frame()?, any_point()),
     };
     affine.ok()
@@ -90,8 +90,8 @@ pub fn any_shape<S: Any>() -> Option<Shape<S>> {
         3 => Shape::new(Capsule::new(S::any(), S::any()).ok()?),
         4 => Shape::new(Plane::new()),
         5 => Shape::new(Disc::new(S::any()).ok()?),
-        6 => Shape::new(Cuboid::new([S::any(), S::any(), S::any()]).ok()?),
-        7 => Shape::new(Rectangle::new([S::any(), S::any()]).ok()?),
+        6 => Shape::new(Cuboid::new(S::any(), S::any(), S::any()).ok()?),
+        7 => Shape::new(Rectangle::new(S::any(), S::any()).ok()?),
         _ => Shape::new(Triangle::new(any_point(), any_point(), any_point()).ok()?),
     };
     let shape = match any_word() {
@@ -137,8 +137,8 @@ pub fn queries<S: Any, T: Tier<S>>() -> Option<()> {
     call!(Capsule::new(S::any(), S::any()).ok()?, ray, T);
     call!(Plane::new(), ray, T);
     call!(Disc::new(S::any()).ok()?, ray, T);
-    call!(Cuboid::new([S::any(), S::any(), S::any()]).ok()?, ray, T);
-    call!(Rectangle::new([S::any(), S::any()]).ok()?, ray, T);
+    call!(Cuboid::new(S::any(), S::any(), S::any()).ok()?, ray, T);
+    call!(Rectangle::new(S::any(), S::any()).ok()?, ray, T);
     call!(Triangle::new(any_point(), any_point(), any_point()).ok()?, ray, T);
     call!(any_shape::<S>()?, ray, T);
     call!(among::<S, (Sphere<S>, Plane<S>, Frame<S>)>()?, ray, T);

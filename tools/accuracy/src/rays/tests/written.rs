@@ -31,8 +31,8 @@ fn solids() {
         Shape::new(Capsule::new(1.0, 2.0).unwrap()),
         Shape::new(Plane::new()),
         Shape::new(Disc::new(1.0).unwrap()),
-        Shape::new(Cuboid::new([1.0, 0.5, 2.0]).unwrap()),
-        Shape::new(Rectangle::new([1.0, 2.0]).unwrap()),
+        Shape::new(Cuboid::new(1.0, 0.5, 2.0).unwrap()),
+        Shape::new(Rectangle::new(1.0, 2.0).unwrap()),
         Shape::new(Triangle::new(v(-1.0, 0.0, -1.0), v(1.0, 0.0, -1.0), v(0.0, 0.0, 1.0)).unwrap()),
     ];
     for (text, wanted) in solid::EXAMPLES.into_iter().zip(wanted) {
@@ -58,7 +58,7 @@ fn placements() {
         sphere.placed(Frame::from_left_up_forward(at, x, y, z).unwrap()),
         sphere.placed(Affine::stretched(Frame::at(at).unwrap(), factors).unwrap()),
         sphere.placed(Affine::stretched(along_z, factors).unwrap()),
-        sphere.placed(Affine::new(columns, at).unwrap()),
+        sphere.placed(Affine::new(at, columns).unwrap()),
     ];
     let solid = solid::parse("sphere radius 1").unwrap().try_map(Decimal::rounded::<f64>).unwrap().solid();
     for (text, wanted) in placement::EXAMPLES.into_iter().zip(wanted) {
