@@ -135,7 +135,8 @@ macro_rules! floats {
             pub(crate) const fn axes_of([x, y, z, w]: [Unit; 4]) -> Option<[[Unit; 3]; 3]> {
                 let square = x * x + y * y + z * z + w * w;
                 // A NaN compares false.
-                if !($Float::abs(square - 1.0) < 1.0 / 524_288.0) {
+                let is_unit = $Float::abs(square - 1.0) < 1.0 / 524_288.0;
+                if !is_unit {
                     return None;
                 }
                 let scale = 2.0 / square;

@@ -56,7 +56,8 @@ impl<N: Length> Scaled<N> {
         let [x, y, z] = near.map(N::high);
         let zeros = N::zeros([x, y, z, N::high(radius)]);
         let unit = zeros as i32 - 5 + extra_bits;
-        if zeros < 4 || unit < 0 {
+        // Beyond the second limit, next to an apex, a quotient of the roots would be shifted by more than 2 BITS.
+        if zeros < 4 || !(0..=N::BITS as i32 + 2).contains(&unit) {
             return Attempt::Unsure;
         }
         // Truncated towards zero, so that a mirrored line has mirrored points.
