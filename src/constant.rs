@@ -16,7 +16,7 @@
 //! | cone | `const_double`, `const_nappe`, `const_open`, `const_capped`, `const_frustum`, `const_frustum_open` |
 //! | plane | [`Plane::new`](crate::Plane::new) |
 //! | direction | [`UnitVec3::X`](crate::UnitVec3::X) and so on, `const_from_components`, `const_neg` |
-//! | frame | `const_at`, `const_from_axes` |
+//! | frame | `const_at`, `const_from_axes`, `const_from_quaternion` |
 //! | shape | `into_shape` of each primitive, [`Shape::in_frame`](crate::Shape::in_frame), [`Shape::seen_from`](crate::Shape::seen_from) |
 //! | object | [`Object::const_new`](crate::Object::const_new), `with_base`, `with_top` |
 //! | material, colour, point light, texture | all of it; a colour by [`Color::new`](crate::Color::new) |
