@@ -222,6 +222,6 @@ fn a_tree_owns_arrays_and_lists() {
     let mut list = heapless::Vec::<Shape<f32>, 5>::new();
     list.extend([far, near]);
     assert_eq!(ShapeTree::new(list).expect("few").nearest(&ray), expected);
-    let none = ShapeTree::new([Shape::<f32>::new(Plane::new()); 0]).expect("few");
+    let none = ShapeTree::new(heapless::Vec::<Shape<f32>, 3>::new()).expect("few");
     assert_eq!((none.nearest(&ray), none.occludes(&ray)), (None, false));
 }
