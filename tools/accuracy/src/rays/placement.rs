@@ -84,7 +84,7 @@ pub fn parse(text: &str) -> Result<Option<Placement<'_>>, String> {
 
 /// A direction of the number type.
 fn direction<S: Exact>(name: &str, numbers: Three<'_>) -> Result<UnitVec3<S>, String> {
-    decimal::direction(numbers).map_err(|error| format!("the length of the direction `{name}` {}", error.predicate()))
+    decimal::direction(numbers).map_err(|error| format!("the vector `{name}` {}", error.predicate()))
 }
 
 /// A point or a vector of the number type.

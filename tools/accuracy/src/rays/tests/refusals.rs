@@ -62,10 +62,7 @@ fn sizes() {
         refused(&at(solid, ""), RAY, &format!("no number type ({all}) holds the {name}: {message}"));
     }
     let placements = [
-        (
-            "at 0 0 0 axis 0 0 0",
-            "the length of the direction `axis` is zero, or was below one unit of the number type and was rounded to zero",
-        ),
+        ("at 0 0 0 axis 0 0 0", "the vector `axis` has no direction: it is zero"),
         (
             "at 0 0 0 forward 0 0 1 up 0 0 2",
             "the axes do not span a right-handed frame: two are parallel, or the third points the other way",
