@@ -125,7 +125,7 @@ impl<S: Scalar> Frame<S> {
     /// ```
     /// use raylet::{Frame, UnitVec3, Vec3};
     /// let half = 0.5_f64.sqrt();
-    /// let quarter_about_z = Frame::from_quaternion(Vec3::ZERO, [0.0, 0.0, half, half])?;
+    /// let quarter_about_z = Frame::<f64>::from_quaternion(Vec3::ZERO, [0.0, 0.0, half, half])?;
     /// assert_eq!(quarter_about_z.left(), UnitVec3::Y);
     /// # Ok::<(), raylet::Error>(())
     /// ```
