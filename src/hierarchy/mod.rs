@@ -6,7 +6,7 @@
 //! | `build`, `split` | how a hierarchy is built |
 //! | `search` | the nearest hit and occlusion of many shapes |
 //! | `shapes`, `tree` | many shapes without a scene, borrowed or owned |
-//! | `refit` | new boxes for shapes that have moved |
+//! | `refit` | new boxes for a shape that has moved |
 
 mod build;
 mod refit;

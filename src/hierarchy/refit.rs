@@ -1,31 +1,27 @@
-//! New boxes around shapes that have moved, in a tree whose division stays.
+//! New boxes around a shape that has moved, in a tree whose division stays.
 
 use super::Node;
 use super::build::around_leaves;
 use crate::scalar::Scalar;
-use crate::shape::Shaped;
 
-/// Writes the boxes of the objects as they are now. False if an object has a box and was without one, or the other way
-/// round: then the tree is to be built anew, and is not to be used before.
-pub(super) fn refit<S: Scalar>(objects: &[impl Shaped<S>], unbounded: &[Node<S>], tree: &mut [Node<S>]) -> bool {
-    let leaf = |index: u32| Some(Node::leaf(index, objects.get(index as usize)?.shape()));
-    if !unbounded.iter().all(|node| leaf(node.object) == Some(*node)) {
-        return false;
+/// Writes the new leaf of an object, and the boxes of the nodes above it. False if the tree has no leaf of this object,
+/// or the new leaf has no box: then the tree is to be built anew.
+pub(super) fn refit<S: Scalar>(tree: &mut [Node<S>], leaf: Node<S>) -> bool {
+    let is_own = |node: &Node<S>| node.objects == 1 && node.object == leaf.object;
+    let Some(place) = tree.iter().position(is_own).filter(|_| leaf.objects == 1) else { return false };
+    if let Some(node) = tree.get_mut(place) {
+        *node = leaf;
     }
-    for node in tree.iter_mut().filter(|node| node.objects == 1) {
-        match leaf(node.object) {
-            Some(new) if new.objects == 1 => *node = new,
-            _ => return false,
-        }
-    }
-    for place in 0..tree.len() {
-        let Some((node, below)) = tree.get_mut(place..).and_then(<[_]>::split_first_mut) else { return true };
-        if node.objects > 1 {
-            let descendants = below.get(..2 * (node.objects as usize - 1)).unwrap_or(below);
-            let leaves = descendants.iter().filter(|node| node.objects == 1);
-            let (_, [centre, half]) = around_leaves(leaves);
-            *node = Node { centre, half, ..*node };
-        }
+    let mut at = 0;
+    // From the root down to the leaf.
+    while at < place
+        && let Some((node, below)) = tree.get_mut(at..).and_then(<[_]>::split_first_mut)
+    {
+        let descendants = below.get(..2 * (node.objects as usize - 1)).unwrap_or(below);
+        let (_, [centre, half]) = around_leaves(descendants.iter().filter(|node| node.objects == 1));
+        *node = Node { centre, half, ..*node };
+        let upper = at + 2 * node.lower() as usize;
+        at = if place < upper { at + 1 } else { upper };
     }
     true
 }

@@ -1,5 +1,6 @@
 //! Shapes that own their list and the nodes of their hierarchy.
 
+use super::refit::refit;
 use super::{Hierarchy, HierarchyError, Node, Shapes};
 use crate::hit::{Hit, Hits};
 use crate::ray::Ray;
@@ -13,17 +14,11 @@ mod sealed {
 
 /// A list that a [`ShapeTree`] owns. Sealed: an array, a `heapless::Vec`, and with the feature `std` a `Vec`, of
 /// [`Shape`](crate::Shape)s or of anything else that is [`Shaped`].
-pub trait List<S: Scalar>: sealed::Sealed {
+pub trait List<S: Scalar>: AsRef<[Self::Item]> + AsMut<[Self::Item]> + sealed::Sealed {
     /// What is in the list.
     type Item: Shaped<S>;
     /// As many pairs of nodes: a hierarchy of n shapes has 2 n - 1 nodes.
     type Nodes: AsRef<[[Node<S>; 2]]> + AsMut<[[Node<S>; 2]]>;
-
-    /// The items.
-    fn items(&self) -> &[Self::Item];
-
-    /// The items, to change.
-    fn items_mut(&mut self) -> &mut [Self::Item];
 
     /// A pair of unused nodes for each item.
     fn nodes(&self) -> Self::Nodes;
@@ -35,14 +30,6 @@ impl<S: Scalar, X: Shaped<S>, const N: usize> List<S> for [X; N] {
     type Item = X;
     type Nodes = [[Node<S>; 2]; N];
 
-    fn items(&self) -> &[X] {
-        self
-    }
-
-    fn items_mut(&mut self) -> &mut [X] {
-        self
-    }
-
     fn nodes(&self) -> Self::Nodes {
         [[Node::EMPTY; 2]; N]
     }
@@ -52,15 +39,7 @@ impl<X, const N: usize> sealed::Sealed for heapless::Vec<X, N> {}
 
 impl<S: Scalar, X: Shaped<S>, const N: usize> List<S> for heapless::Vec<X, N> {
     type Item = X;
-    type Nodes = [[Node<S>; 2]; N];
-
-    fn items(&self) -> &[X] {
-        self
-    }
-
-    fn items_mut(&mut self) -> &mut [X] {
-        self
-    }
+    type Nodes = <[X; N] as List<S>>::Nodes;
 
     fn nodes(&self) -> Self::Nodes {
         [[Node::EMPTY; 2]; N]
@@ -74,14 +53,6 @@ impl<X> sealed::Sealed for std::vec::Vec<X> {}
 impl<S: Scalar, X: Shaped<S>> List<S> for std::vec::Vec<X> {
     type Item = X;
     type Nodes = std::vec::Vec<[Node<S>; 2]>;
-
-    fn items(&self) -> &[X] {
-        self
-    }
-
-    fn items_mut(&mut self) -> &mut [X] {
-        self
-    }
 
     fn nodes(&self) -> Self::Nodes {
         std::vec![[Node::EMPTY; 2]; self.len()]
@@ -104,7 +75,7 @@ impl<S: Scalar, X: Shaped<S>> List<S> for std::vec::Vec<X> {
 /// assert_eq!(balls.nearest(&ray).map(|(ball, hit)| (ball, hit.t)), Some((5, 2.75)));
 /// // The sixth ball moves away.
 /// let away = Frame::at(Vec3::new(5.0, 1.0, 0.0))?;
-/// balls.change(|balls| balls[5] = balls[5].placed(away));
+/// balls.change(5, |ball| *ball = ball.placed(away));
 /// assert_eq!(balls.nearest(&ray), None);
 /// # Ok::<(), raylet::Error>(())
 /// ```
@@ -132,34 +103,42 @@ impl<S: Scalar, L: List<S>> ShapeTree<S, L> {
 
     fn build(&mut self) -> Result<(), HierarchyError> {
         let nodes = self.nodes.as_mut().as_flattened_mut();
-        let hierarchy = Hierarchy::build(self.list.items(), nodes)?;
+        let hierarchy = Hierarchy::build(self.list.as_ref(), nodes)?;
         let (unbounded, tree) = (hierarchy.unbounded.len(), hierarchy.tree.len());
         self.unbounded = unbounded;
-        self.tree = Hierarchy::<S>::nodes_for(self.list.items().len()).saturating_sub(tree);
+        self.tree = Hierarchy::<S>::nodes_for(self.list.as_ref().len()).saturating_sub(tree);
         Ok(())
     }
 
     /// The shapes.
     pub fn list(&self) -> &[L::Item] {
-        self.list.items()
+        self.list.as_ref()
     }
 
-    /// Changes shapes in place, and then the boxes around them.
+    /// Changes the shape of this index, and then the boxes around it. Nothing is done beyond the last shape.
     ///
-    /// The hierarchy keeps its division, so that this takes time in proportion to the number of shapes times the levels,
-    /// and a small part of that of a new one. Where shapes move far, rays test more boxes than with a new one, and
-    /// [`ShapeTree::new`] of [`ShapeTree::into_list`] pays. A new one is made if a shape gains or loses its box, as when
-    /// a sphere is replaced by a plane.
-    pub fn change(&mut self, change: impl FnOnce(&mut [L::Item])) {
-        change(self.list.items_mut());
-        let (unbounded, tree) = (self.unbounded, self.tree);
-        let nodes = self.nodes.as_mut().as_flattened_mut();
-        let (without, nodes) = nodes.split_at_mut_checked(tree).unwrap_or_default();
-        let without = without.get(..unbounded).unwrap_or(&[]);
-        // The number of objects has not changed, so that a new hierarchy has room.
-        if !super::refit::refit(self.list.items(), without, nodes) {
-            let _ = self.build();
+    /// The tree keeps its division, so that this takes a small part of the time of a new one; where many shapes have
+    /// moved far, rays test more boxes. A shape that has no box, as a plane, or had none before,
+    /// takes a new tree.
+    pub fn change(&mut self, index: u32, change: impl FnOnce(&mut L::Item)) {
+        let Some(item) = self.list.as_mut().get_mut(index as usize) else { return };
+        change(item);
+        let leaf = Node::leaf(index, item.shape());
+        let tree = self.nodes.as_mut().as_flattened_mut().get_mut(self.tree..);
+        if !tree.is_some_and(|tree| refit(tree, leaf)) {
+            self.rebuild();
         }
+    }
+
+    /// Changes any of the shapes, and makes a new tree.
+    pub fn change_all(&mut self, change: impl FnOnce(&mut [L::Item])) {
+        change(self.list.as_mut());
+        self.rebuild();
+    }
+
+    fn rebuild(&mut self) {
+        // The number of shapes has not changed, so that a new hierarchy has room.
+        let _ = self.build();
     }
 
     /// The list, without the hierarchy.
@@ -170,9 +149,9 @@ impl<S: Scalar, L: List<S>> ShapeTree<S, L> {
     /// The shapes and their hierarchy, borrowed.
     pub fn view(&self) -> Shapes<'_, S, L::Item> {
         let nodes = self.nodes.as_ref().as_flattened();
-        let end = Hierarchy::<S>::nodes_for(self.list.items().len());
+        let end = Hierarchy::<S>::nodes_for(self.list.as_ref().len());
         let unbounded = nodes.get(..self.unbounded).unwrap_or(&[]);
-        Shapes::of(self.list.items(), Hierarchy { unbounded, tree: nodes.get(self.tree..end).unwrap_or(&[]) })
+        Shapes::of(self.list.as_ref(), Hierarchy { unbounded, tree: nodes.get(self.tree..end).unwrap_or(&[]) })
     }
 
     /// The nearest visible hit of a ray, and the index of its shape: see [`Shapes::nearest`].

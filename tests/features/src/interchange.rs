@@ -185,7 +185,7 @@ fn a_tree_of_shapes_owns_a_vec() {
     let mut tree = ShapeTree::new((0..100).map(|i| at(4.0 * i as f32)).collect::<Vec<_>>()).expect("few");
     let down = |x: f32| Ray::new(Vec3::new(x, 5.0, 0.0), -UnitVec3::Y).expect("near");
     assert_eq!(tree.nearest(&down(200.0)).map(|(index, hit)| (index, hit.t)), Some((50, 4.0)));
-    tree.change(|balls| balls[50] = at(1000.0));
+    tree.change(50, |ball| *ball = at(1000.0));
     assert_eq!((tree.nearest(&down(200.0)), tree.nearest(&down(1000.0)).map(|(index, _)| index)), (None, Some(50)));
     assert_eq!(tree.into_list().len(), 100);
     assert!(!ShapeTree::new(Vec::<Shape<f32>>::new()).expect("few").occludes(&down(0.0)));
