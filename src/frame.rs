@@ -115,7 +115,8 @@ impl<S: Scalar> Frame<S> {
     /// At `position`, turned by the quaternion `[x, y, z, w]`, whose real part is `w`, of any length but zero.
     ///
     /// The axes are the columns of the matrix of the quaternion divided by its length (Shoemake, *Animating Rotation
-    /// with Quaternion Curves*, 1985), and accurate to a few units of the number type.
+    /// with Quaternion Curves*, 1985). For a length near 1 they are accurate to a few units of the number type; the
+    /// components of a short quaternion have fewer bits in fixed point.
     ///
     /// # Errors
     ///

@@ -74,6 +74,30 @@ macro_rules! checks {
             }
         }
 
+        /// True for components whose length is 1 within 2^-20.
+        pub(crate) const fn is_unit(v: [Unit; 3]) -> bool {
+            is_short(v[0]) && is_short(v[1]) && is_short(v[2]) && is_square_of_unit(dot(widened(v), v))
+        }
+
+        /// The axes of a frame that a quaternion of length 1 turns: the columns of its matrix. `None` for another length.
+        pub(crate) const fn axes_of([x, y, z, w]: [Unit; 4]) -> Option<[[Unit; 3]; 3]> {
+            if !(is_short(x) && is_short(y) && is_short(z) && is_short(w)) {
+                return None;
+            }
+            let ([x, y, z], [w, _, _]) = (widened([x, y, z]), widened([w, w, w]));
+            let square = x * x + y * y + z * z + w * w;
+            if !is_square_of_unit(square) {
+                return None;
+            }
+            let (xy, xz, yz) = (x * y + x * y, x * z + x * z, y * z + y * z);
+            let (wx, wy, wz) = (w * x + w * x, w * y + w * y, w * z + w * z);
+            Some([
+                [over(w * w + x * x - y * y - z * z, square), over(xy + wz, square), over(xz - wy, square)],
+                [over(xy - wz, square), over(w * w - x * x + y * y - z * z, square), over(yz + wx, square)],
+                [over(xz + wy, square), over(yz - wx, square), over(w * w - x * x - y * y + z * z, square)],
+            ])
+        }
+
         /// True for axes that are perpendicular within 2^-18, and right-handed.
         pub(crate) const fn are_axes([x, y, z]: [[Unit; 3]; 3]) -> bool {
             is_right(x, y) && is_right(y, z) && is_right(z, x) && is_right_handed(x, y, z)
@@ -120,31 +144,25 @@ macro_rules! floats {
                 dot(cross, z) > 0.0
             }
 
-            /// True for components whose length is 1 within 2^-20.
-            pub(crate) const fn is_unit(v: [Unit; 3]) -> bool {
-                let (x, y, z) = ($Float::abs(v[0]), $Float::abs(v[1]), $Float::abs(v[2]));
-                // The limit that keeps squares in the type, as at run time. A NaN compares false.
-                x < 1.25 && y < 1.25 && z < 1.25 && $Float::abs(dot(v, v) - 1.0) < 1.0 / 524_288.0
+            /// The limit that keeps squares in the type, as at run time. A NaN compares false.
+            const fn is_short(component: Unit) -> bool {
+                $Float::abs(component) < 1.25
             }
 
             pub(crate) const fn negated([x, y, z]: [Unit; 3]) -> [Unit; 3] {
                 [-x, -y, -z]
             }
 
-            /// The axes of a frame that a quaternion of length 1 turns; `None` for another length.
-            pub(crate) const fn axes_of([x, y, z, w]: [Unit; 4]) -> Option<[[Unit; 3]; 3]> {
-                let square = x * x + y * y + z * z + w * w;
-                // A NaN compares false.
-                let is_unit = $Float::abs(square - 1.0) < 1.0 / 524_288.0;
-                if !is_unit {
-                    return None;
-                }
-                let scale = 2.0 / square;
-                Some([
-                    [1.0 - scale * (y * y + z * z), scale * (x * y + w * z), scale * (x * z - w * y)],
-                    [scale * (x * y - w * z), 1.0 - scale * (x * x + z * z), scale * (y * z + w * x)],
-                    [scale * (x * z + w * y), scale * (y * z - w * x), 1.0 - scale * (x * x + y * y)],
-                ])
+            const fn widened([x, y, z]: [Unit; 3]) -> [$Float; 3] {
+                [x, y, z]
+            }
+
+            const fn is_square_of_unit(square: $Float) -> bool {
+                $Float::abs(square - 1.0) < 1.0 / 524_288.0
+            }
+
+            const fn over(dividend: $Float, divisor: $Float) -> Unit {
+                dividend / divisor
             }
 
             /// The number to compute in.
@@ -216,12 +234,9 @@ macro_rules! fixed {
                 dot(cross, z) > 0
             }
 
-            /// True for components whose length is 1 within 2^-20.
-            pub(crate) const fn is_unit(v: [Unit; 3]) -> bool {
-                const LIMIT: $raw = 5 << ($unit_bits - 2);
-                let (x, y, z) = (v[0].to_bits(), v[1].to_bits(), v[2].to_bits());
-                let are_short = x.saturating_abs() < LIMIT && y.saturating_abs() < LIMIT && z.saturating_abs() < LIMIT;
-                are_short && (dot(widened(v), v) - (1 << (2 * $unit_bits))).abs() < 1 << (2 * $unit_bits - 19)
+            /// The limit that keeps squares in the width, as at run time.
+            const fn is_short(component: Unit) -> bool {
+                component.to_bits().saturating_abs() < 5 << ($unit_bits - 2)
             }
 
             pub(crate) const fn negated([x, y, z]: [Unit; 3]) -> [Unit; 3] {
@@ -232,37 +247,9 @@ macro_rules! fixed {
                 ]
             }
 
-            /// The axes of a frame that a quaternion of length 1 turns; `None` for another length.
-            pub(crate) const fn axes_of(quaternion: [Unit; 4]) -> Option<[[Unit; 3]; 3]> {
-                // Squares of components up to 1.25 do not leave the width.
-                const LIMIT: $wide = 5 << ($unit_bits - 2);
-                let [x, y, z, w] = quaternion;
-                let [x, y, z] = widened([x, y, z]);
-                let w = w.to_bits() as $wide;
-                if x.abs() >= LIMIT || y.abs() >= LIMIT || z.abs() >= LIMIT || w.abs() >= LIMIT {
-                    return None;
-                }
-                let square = x * x + y * y + z * z + w * w;
-                if (square - (1 << (2 * $unit_bits))).abs() >= 1 << (2 * $unit_bits - 19) {
-                    return None;
-                }
-                Some([
-                    [
-                        over(w * w + x * x - y * y - z * z, square),
-                        over(2 * (x * y + w * z), square),
-                        over(2 * (x * z - w * y), square),
-                    ],
-                    [
-                        over(2 * (x * y - w * z), square),
-                        over(w * w - x * x + y * y - z * z, square),
-                        over(2 * (y * z + w * x), square),
-                    ],
-                    [
-                        over(2 * (x * z + w * y), square),
-                        over(2 * (y * z - w * x), square),
-                        over(w * w - x * x - y * y + z * z, square),
-                    ],
-                ])
+            /// True for 1 within 2^-19, with twice the fraction bits.
+            const fn is_square_of_unit(square: $wide) -> bool {
+                (square - (1 << (2 * $unit_bits))).abs() < 1 << (2 * $unit_bits - 19)
             }
 
             /// The quotient of two numbers of twice the fraction bits, rounded to nearest.

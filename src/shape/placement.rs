@@ -1,6 +1,6 @@
 //! How a primitive is placed in the world.
 
-use super::kinds::Kind;
+use super::kind::Kind;
 use crate::affine::Affine;
 use crate::frame::Frame;
 use crate::scalar::Scalar;
