@@ -59,8 +59,8 @@
 //!    from.
 //! 8. A ray that starts on a surface needs no epsilon: it says which surface it departs from ([`Departure`]).
 //! 9. A one-sided surface ignores crossings from its other side ([`Visible`]).
-//! 10. Constructors check their input and return a typed error. Queries on constructed values cannot fail, panic or
-//!     overflow.
+//! 10. Constructors check their input and return a typed error. Queries on constructed values cannot fail or
+//!     panic, and no integer overflows. (Terms of [`Plain`] in floats may be infinite: see there.)
 //! 11. Results have the same bits on every machine, for every number type and tier: they are computed by IEEE
 //!     arithmetic, integers and `libm` only.
 //!

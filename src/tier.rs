@@ -46,8 +46,8 @@ pub trait Tier<S: Scalar>: Copy + sealed::Sealed + Solve<S> + 'static {}
 /// is within 10^-5 of that of a cone's generator. The same holds for a line that has no chord, since it meets the
 /// surface once or not at all, unless the ray grazes (see [`tier`](self)). A ray that departs inwards, within 10^-7 of
 /// the surface, may meet it again where it started. Beyond that nothing is promised: with growing distance and towards
-/// grazing, `t` loses digits, and then hits are lost or invented. Where the fourth power of a size or a distance
-/// overflows (`f32`: from 4e9 on), an end may be missing. Measured errors are in
+/// grazing, `t` loses digits, and then hits are lost or invented. Where the square of a size or a distance is
+/// infinite (`f32`: from 1e19 on), or for cones and triangles its fourth power (from 4e9 on), an end may be missing. Measured errors are in
 /// [docs/accuracy.md](https://github.com/raylet-rs/raylet/blob/main/docs/accuracy.md).
 ///
 /// ```

@@ -88,7 +88,8 @@ mod sealed {
 
 /// The largest and smallest values that constructors accept for a number type.
 ///
-/// Inside the budget no query overflows. Outside it constructors return an error.
+/// Inside the budget no query overflows, except that terms of [`Plain`](crate::tier::Plain) in floats may be infinite.
+/// Outside it constructors return an error.
 ///
 /// # Floats
 ///

@@ -59,6 +59,10 @@ impl<C: DisplayColor> DrawTarget for Screen<C> {
 
 /// A ball on a floor.
 fn with_picture<S: Scalar, T>(then: impl FnOnce(&Picture<'_, S>) -> T) -> T {
+    with_samples(1, then)
+}
+
+fn with_samples<S: Scalar, T>(samples: u8, then: impl FnOnce(&Picture<'_, S>) -> T) -> T {
     let n = |value: f64| S::from_f64(value).unwrap();
     let point = |x, y, z| Vec3::new(n(x), n(y), n(z));
     let objects = [
@@ -71,7 +75,7 @@ fn with_picture<S: Scalar, T>(then: impl FnOnce(&Picture<'_, S>) -> T) -> T {
     let camera = Camera::new(point(0.0, 2.0, 6.0), point(0.0, 0.8, 0.0), point(0.0, 1.0, 0.0), n(35.0)).unwrap();
     let scene = Scene::new(&objects, &materials, &lights, camera).unwrap();
     let scene = scene.with_background(Color::from_f64([0.2, 0.3, 0.4]));
-    then(&Picture::new(&scene, Size::new(WIDTH, HEIGHT)))
+    then(&Picture::new(&scene, Size::new(WIDTH, HEIGHT).with_samples(samples)))
 }
 
 fn shows_the_picture<S: Scalar, C: DisplayColor + std::fmt::Debug>() {
@@ -161,6 +165,22 @@ fn the_corner_moves_the_picture_off_the_display_too() {
         }
         assert_eq!(moved.at(0, 6), None);
         assert_eq!(moved.at(WIDTH - 5, 7), None);
+    });
+}
+
+/// A row that begins in the middle has the corners on the left of its first pixel.
+#[test]
+fn an_antialiased_picture_may_lie_partly_off_the_display() {
+    with_samples::<f32, _>(2, |picture| {
+        let (mut at_origin, mut moved) = (Screen::<Rgb888>::new(), Screen::<Rgb888>::new());
+        let whole = picture.draw(Point::zero(), &mut at_origin).unwrap();
+        let part = picture.draw(Point::new(-7, -3), &mut moved).unwrap();
+        for y in 3..HEIGHT {
+            for x in 7..WIDTH {
+                assert_eq!(moved.at(x - 7, y - 3), at_origin.at(x, y), "{x}, {y}");
+            }
+        }
+        assert!(part.primary_rays < whole.primary_rays && part.refined_pixels > 0, "{part:?}");
     });
 }
 

@@ -98,17 +98,28 @@ impl<S: Number> Query<S> {
         let (shortest, longest) = self.axes;
         let reach = (away + size * longest.max(1.0)).max(away / shortest);
         let largest = S::BUDGET.distance.to_f64();
-        // The equations of `Plain` have terms of the fourth power of a length, which overflow.
+        // The terms of `Plain` have the square of a length, those of slanted solids its fourth power, and overflow.
         let overflows = S::VANISHING.is_some() && self.tier.get().0 == type_name::<tier::Plain>();
-        reach >= if overflows { largest.powf(0.25) } else { largest } * 0.99 * skew
+        let power = if !overflows {
+            1.0
+        } else if self.is_slanted() {
+            0.25
+        } else {
+            0.5
+        };
+        reach >= largest.powf(power) * 0.99 * skew
+    }
+
+    /// True if its equation has the fourth power of a length.
+    fn is_slanted(&self) -> bool {
+        matches!(self.solid, Solid::Cone { .. } | Solid::Frustum { .. } | Solid::Triangle { .. })
     }
 
     /// True if the square of the smallest length beside that of the largest is nothing to the type; of a cone, whose
     /// equation has the fourth power of a length, its square's square.
     pub fn squares_vanish(&self) -> bool {
         let Some(exponent) = S::VANISHING else { return false };
-        let slanted = matches!(self.solid, Solid::Cone { .. } | Solid::Frustum { .. } | Solid::Triangle { .. });
-        let exponent = if slanted { exponent / 2 } else { exponent };
+        let exponent = if self.is_slanted() { exponent / 2 } else { exponent };
         let (shortest, longest) = self.axes;
         let affine = matches!(self.shape.placement(), Placement::Affine(_));
         let skew = if affine { shortest / longest * 2.0_f64.powi(-16) } else { 1.0 };
