@@ -307,4 +307,5 @@ fn length<S: Scalar, const N: usize>(v: [Near<S>; N]) -> Near<S> {
 
 #[cfg(all(test, feature = "fixed"))]
 #[expect(clippy::expect_used, reason = "a test may panic")]
+#[path = "../tests/units/bounds/mod.rs"]
 mod tests;

@@ -324,4 +324,5 @@ pub(crate) const fn is_ball<S, G: Described>(equations: &Equations<S>) -> bool {
 }
 
 #[cfg(test)]
+#[path = "../tests/units/ladder.rs"]
 mod tests;

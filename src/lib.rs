@@ -142,6 +142,7 @@ mod part;
 pub mod primitive;
 mod query;
 #[cfg(test)]
+#[path = "../tests/units/random.rs"]
 mod random;
 pub mod ray;
 pub mod render;

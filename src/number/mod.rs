@@ -64,6 +64,7 @@ mod plain;
 mod robust;
 mod running;
 #[cfg(test)]
+#[path = "../../tests/units/number.rs"]
 mod tests;
 pub(crate) mod word;
 

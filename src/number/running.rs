@@ -246,4 +246,5 @@ impl<R: Real, const STABLE: bool> Estimate for Running<R, STABLE> {
 }
 
 #[cfg(test)]
+#[path = "../../tests/units/number/running.rs"]
 mod tests;

@@ -404,4 +404,5 @@ block! {
 }
 
 #[cfg(test)]
+#[path = "../../tests/units/scalar/block.rs"]
 mod tests;

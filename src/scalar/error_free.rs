@@ -130,4 +130,5 @@ error_free!(
 );
 
 #[cfg(test)]
+#[path = "../../tests/units/scalar/error_free.rs"]
 mod tests;

@@ -79,4 +79,5 @@ pub(super) fn narrowed<F: LeEqU32 + Send + Sync + 'static>(value: FixedI64<U32>)
 }
 
 #[cfg(all(test, feature = "fixed"))]
+#[path = "../../tests/units/scalar/including.rs"]
 mod tests;

@@ -160,4 +160,5 @@ mod in_integers {
 }
 
 #[cfg(test)]
+#[path = "../../tests/units/scalar/slabs.rs"]
 mod tests;

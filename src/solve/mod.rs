@@ -24,6 +24,7 @@
 
 mod attempt;
 #[cfg(test)]
+#[path = "../../tests/units/solve/coefficients.rs"]
 mod coefficients;
 mod contains;
 mod end;
@@ -36,6 +37,7 @@ mod side;
 mod slabs;
 mod surface;
 #[cfg(test)]
+#[path = "../../tests/units/solve.rs"]
 mod tests;
 
 pub use attempt::{Attempt, Stop};

@@ -169,4 +169,5 @@ pub(in crate::scalar) fn exit_from_cuboid<N: Length>(
 
 #[cfg(test)]
 #[expect(clippy::expect_used, clippy::panic, reason = "a test may panic")]
+#[path = "../../../tests/units/scalar/integers/cuboid.rs"]
 mod tests;

@@ -73,4 +73,5 @@ pub(super) const fn round_off(n: i64, shift: u32) -> i64 {
 }
 
 #[cfg(test)]
+#[path = "../../../tests/units/scalar/integers/mod.rs"]
 mod tests;

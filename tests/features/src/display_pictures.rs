@@ -2,6 +2,7 @@
 //!
 //! `RAYLET_WRITE_EXPECTED=1 cargo test -p raylet-features pictures` writes them anew.
 
+use crate::one_bit;
 use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{OriginDimensions, Point, Size as Area};
@@ -10,7 +11,6 @@ use fixed::types::I16F16;
 use raylet::gallery::BuiltIn;
 use raylet::scene::{Hierarchy, Node};
 use raylet::{Scalar, TraceContext};
-use shared::one_bit;
 use shared::turntable::{self, FRAMES, Line, NODES};
 
 /// A display that remembers its pixels.
@@ -172,11 +172,12 @@ impl Share {
 #[test]
 fn pictures_of_one_bit() {
     const BALL: usize = 5;
-    let stage = one_bit::stage::<I16F16>().unwrap();
+    let stage = one_bit::stage().unwrap();
     let scene = one_bit::lit(stage.scene().unwrap());
     let picture = one_bit::picture(&scene);
     let mut screen = Screen::new(one_bit::WIDTH, one_bit::HEIGHT, BinaryColor::Off);
     let Ok(_) = picture.draw(Point::zero(), &mut screen);
+    one_bit::main().expect("the example runs");
 
     let (mut shares, mut of_ball) = ([Share::default(); 14], vec![]);
     let mut context = TraceContext::new(());

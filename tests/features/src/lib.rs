@@ -4,6 +4,8 @@
 mod display;
 mod display_pictures;
 mod interchange;
+#[path = "../../../examples/display.rs"]
+mod one_bit;
 mod stored_scene;
 
 use std::fmt::Write;

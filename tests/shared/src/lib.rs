@@ -9,14 +9,12 @@
 //! | `subject` | what is measured: solids, unplaced and placed, and the queries |
 //! | `rays` | seeded rays that hit, and others that miss |
 //! | `workload` | what users do: solids as they are placed, rays from near and far, departing rays |
-//! | `one_bit`, `turntable` | the still life on displays (feature `displays`) |
+//! | `turntable` | the still life on a display (feature `displays`) |
 //! | `range_sensor` | a yard of forty solids, and the 64 zones of a sensor |
 #![no_std]
 
 pub mod digest;
 pub mod flash;
-#[cfg(feature = "displays")]
-pub mod one_bit;
 pub mod picture;
 pub mod pictured;
 pub mod range_sensor;

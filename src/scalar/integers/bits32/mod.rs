@@ -255,4 +255,5 @@ impl Length for i32 {
 }
 
 #[cfg(test)]
+#[path = "../../../../tests/units/scalar/integers/bits32.rs"]
 mod tests;

@@ -263,4 +263,5 @@ fn share_of_long(value: i128, e: i64) -> i128 {
 }
 
 #[cfg(test)]
+#[path = "../../../../tests/units/scalar/integers/bits64.rs"]
 mod tests;

@@ -18,6 +18,13 @@ pub(crate) fn ball() -> String {
     format!("{VIEW}{LIGHT}{BALL}")
 }
 
+/// The example, which cargo builds beside the folder of its tests.
+fn program() -> PathBuf {
+    let tests = std::env::current_exe().unwrap();
+    let program = tests.parent().and_then(Path::parent).unwrap().join("examples").join("render");
+    program.with_extension(std::env::consts::EXE_EXTENSION)
+}
+
 /// An empty folder, removed at the end.
 pub(crate) struct Folder(PathBuf);
 
@@ -61,7 +68,7 @@ impl Folder {
     }
 
     pub(crate) fn command(&self, arguments: &str) -> Command {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_render"));
+        let mut command = Command::new(program());
         command.current_dir(&self.0).args(arguments.split_whitespace());
         command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
         command
@@ -84,7 +91,7 @@ impl Folder {
     /// Runs a line of the shell, in which `$render` is the program.
     pub(crate) fn shell(&self, line: &str) -> Said {
         let mut shell = Command::new("sh");
-        shell.args(["-c", line]).env("render", env!("CARGO_BIN_EXE_render")).current_dir(&self.0);
+        shell.args(["-c", line]).env("render", program()).current_dir(&self.0);
         Said::of(&shell.output().unwrap())
     }
 
