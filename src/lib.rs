@@ -34,12 +34,12 @@
 //! - How accurate: [`tier`], and [which number type and tier to take][which-one].
 //! - On a chip: the dependency as on a host (the default features need no `std`), and what any program for the chip
 //!   needs: a runtime such as `cortex-m-rt`, its `memory.x`, and `-Tlink.x` for the linker.
-//!   [examples/firmware][firmware] in the repository is such a program, for QEMU and for boards.
+//!   [From an empty folder to a program on a chip][firmware] builds one step by step.
 //!   [`constant`](mod@constant) puts shapes into flash; [`shape::kinds`] leaves out the code of primitives that a
 //!   program does not use.
 //!
 //! [which-one]: https://github.com/raylet-rs/raylet/blob/main/docs/which-one.md
-//! [firmware]: https://github.com/raylet-rs/raylet/tree/main/examples/firmware
+//! [firmware]: https://github.com/raylet-rs/raylet/blob/main/docs/firmware.md
 //!
 //! # The contract
 //!
