@@ -166,7 +166,7 @@ pub use primitive::{Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, Siz
 pub use ray::{Along, Departure, Leaving, Range, Ray, RayError};
 pub use render::{Picture, Pixel};
 pub use scalar::{Scalar, ValueError};
-pub use scene::{Camera, Color, Counters, Fog, Light, Material, Object, Scene, Size, Texture};
+pub use scene::{Camera, Color, Counters, Fog, Light, Material, Object, Outline, Scene, Size, Texture};
 pub use shape::{Placement, Primitive, Shape, Shaped, Surface, Visible};
 pub use tier::{Exact, Fast, Plain, Stable, Tier};
 pub use vector::{UnitVec3, Vec3};

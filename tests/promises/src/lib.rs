@@ -21,6 +21,7 @@ mod effects;
 mod effects_ambient;
 mod effects_cutoff;
 mod effects_light;
+mod effects_outline;
 mod errata;
 mod exact;
 mod firmware;
