@@ -11,11 +11,11 @@ use raylet::effect::{Ambient, Diffuse, Specular};
 use raylet::gallery::{BuiltIn, Stage};
 use raylet::{Camera, Color, Picture, Scene, Vec3};
 
-pub const WIDTH: u16 = 128;
-pub const HEIGHT: u16 = 64;
+pub(crate) const WIDTH: u16 = 128;
+pub(crate) const HEIGHT: u16 = 64;
 
 /// The still life, a little darker and on a white floor, seen from closer than in the gallery.
-pub fn stage() -> Result<Stage<I16F16>, raylet::Error> {
+pub(crate) fn stage() -> Result<Stage<I16F16>, raylet::Error> {
     let number = I16F16::from_num::<f64>;
     let mut stage = BuiltIn::StillLife.build::<I16F16>().expect("every number type holds it");
     let (eye, target) = (Vec3::from_f64([0.2, 4.2, 9.0])?, Vec3::from_f64([0.2, 0.8, 0.0])?);
@@ -30,17 +30,17 @@ pub fn stage() -> Result<Stage<I16F16>, raylet::Error> {
 }
 
 /// Ambient light makes the floor white, and lightens the sides that are turned away from the lamps.
-pub fn lit(scene: Scene<'_, I16F16>) -> Scene<'_, I16F16> {
+pub(crate) fn lit(scene: Scene<'_, I16F16>) -> Scene<'_, I16F16> {
     scene.with_ambient(Color::from_f64([0.4; 3]))
 }
 
 /// The picture has ambient, diffuse and specular light. The program has no code for shadows.
-pub fn picture<'a>(scene: &'a Scene<'a, I16F16>) -> Picture<'a, I16F16, (Ambient, Diffuse, Specular)> {
+pub(crate) fn picture<'a>(scene: &'a Scene<'a, I16F16>) -> Picture<'a, I16F16, (Ambient, Diffuse, Specular)> {
     Picture::leaving_out(scene, raylet::Size::new(WIDTH, HEIGHT))
 }
 
 /// In the place of a display's driver.
-pub struct Screen(pub [[bool; WIDTH as usize]; HEIGHT as usize]);
+pub(crate) struct Screen(pub(crate) [[bool; WIDTH as usize]; HEIGHT as usize]);
 
 impl Dimensions for Screen {
     fn bounding_box(&self) -> Rectangle {
@@ -60,7 +60,7 @@ impl DrawTarget for Screen {
     }
 }
 
-pub fn main() -> Result<(), raylet::Error> {
+pub(crate) fn main() -> Result<(), raylet::Error> {
     let stage = stage()?;
     let scene = lit(stage.scene()?);
     let mut screen = Screen([[false; WIDTH as usize]; HEIGHT as usize]);

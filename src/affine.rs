@@ -255,12 +255,12 @@ impl<S: Scalar> Place<S> for Affine<S> {
     }
 
     #[inline]
-    fn finer_line(&self, ray: &Ray<S>, bounding_radius: S) -> Option<FinerLine<S>>
+    fn finer_line(&self, ray: &Ray<S>, longest: S) -> Option<FinerLine<S>>
     where
         S: GridScalar,
     {
         let (o, d) = (ray.origin().to_array(), ray.direction().to_array());
-        FinerLine::stretched(o, d, self.position.to_array(), self.inverse(), bounding_radius)
+        FinerLine::stretched(o, d, self.position.to_array(), self.inverse(), longest)
     }
 
     #[inline(always)]

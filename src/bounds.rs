@@ -98,8 +98,8 @@ fn interval<S: Scalar, G: Described>(hull: &Hull<S>, o: S, [x, y, z]: [Near<S>; 
         })),
         Hull::Cuboid([a, b, c]) if has(EquationKinds::CUBOID.and(EquationKinds::RECTANGLE)) => {
             let terms = [(*a, x.magnitude()), (*b, y.magnitude()), (*c, z.magnitude())];
-            let bounding_radius = |centre: S| no_less([(centre, Near::exact(one)), terms[0], terms[1], terms[2]]);
-            both(bounding_radius(o), bounding_radius(-o))
+            let furthest = |centre: S| no_less([(centre, Near::exact(one)), terms[0], terms[1], terms[2]]);
+            both(furthest(o), furthest(-o))
         }
         // The geometry has no other hull.
         _ => [o; 2],
@@ -305,7 +305,7 @@ fn length<S: Scalar, const N: usize>(v: [Near<S>; N]) -> Near<S> {
     root.off_by(root.off + off)
 }
 
-#[cfg(all(test, feature = "fixed"))]
+#[cfg(all(units, feature = "fixed"))]
 #[expect(clippy::expect_used, reason = "a test may panic")]
 #[path = "../tests/units/bounds/mod.rs"]
 mod tests;

@@ -31,7 +31,8 @@
 //!
 //! ```
 //! use fixed::types::I16F16;
-//! use raylet::{Camera, Color, Cylinder, Frame, Light, Material, Object, Picture, Plane, Scene, Size, UnitVec3, Vec3, constant};
+//! use raylet::{Camera, Color, Cylinder, Frame, Light, Material, Object, Picture, Plane, Scene, Size, UnitVec3, Vec3};
+//! use raylet::constant;
 //!
 //! type N = I16F16;
 //! const fn point(x: &str, y: &str, z: &str) -> Vec3<N> {
@@ -115,7 +116,8 @@
 //!
 //! ```compile_fail,E0080
 //! use raylet::{Frame, UnitVec3, Vec3, constant};
-//! static SKEW: Frame<f32> = constant!(Frame::<f32>::const_from_axes(Vec3::ZERO, [UnitVec3::X, UnitVec3::X, UnitVec3::Z]));
+//! const AXES: [UnitVec3<f32>; 3] = [UnitVec3::X, UnitVec3::X, UnitVec3::Z];
+//! static SKEW: Frame<f32> = constant!(Frame::<f32>::const_from_axes(Vec3::ZERO, AXES));
 //! ```
 
 /// The value of a constructor's result, computed by the compiler; an error fails the build with the error's message.

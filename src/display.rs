@@ -94,9 +94,9 @@ macro_rules! shown_in_color {
             impl sealed::Sealed for $Color {}
             impl DisplayColor for $Color {
                 fn shown<S: Scalar>(color: Color<S>, x: u16, y: u16) -> Self {
-                    let most = [Self::MAX_R, Self::MAX_G, Self::MAX_B];
                     let [red, green, blue] = color.to_srgb().map(u32::from);
-                    Self::new(dithered(red, most[0], x, y), dithered(green, most[1], x, y), dithered(blue, most[2], x, y))
+                    let shown = |encoded, levels| dithered(encoded, levels, x, y);
+                    Self::new(shown(red, Self::MAX_R), shown(green, Self::MAX_G), shown(blue, Self::MAX_B))
                 }
             }
         )+

@@ -484,7 +484,8 @@ impl FrameError {
             Self::Axis(error) => with_fault!("a component of an axis of the matrix ", error),
             Self::Scale(error) => with_fault!("a factor of the scale ", error),
             Self::Singular => {
-                "the matrix has no inverse that the number type could hold: an axis has no length, or the three lie in a plane"
+                "the matrix has no inverse that the number type could hold: an axis has no length, or the three lie \
+                 in a plane"
             }
         }
     }

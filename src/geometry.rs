@@ -17,9 +17,8 @@ pub trait Geometry<S: Scalar>: Copy + Described {
 
     /// The primitive in a type that holds all values of this one.
     fn in_type<R: Including<S>>(&self) -> Self::In<R>;
-    /// Bounding radius: the primitive lies within this distance of the origin. For an infinite primitive a
-    /// characteristic size.
-    fn bounding_radius(&self) -> S;
+    /// At least the magnitude of every coordinate of its points. For an infinite primitive a characteristic size.
+    fn largest_coordinate(&self) -> S;
     /// The primitive with all lengths multiplied by `2^e`, as [`Computing::scaled`](crate::scalar::Computing::scaled)
     /// has it.
     #[must_use]
@@ -40,7 +39,7 @@ pub trait Geometry<S: Scalar>: Copy + Described {
     /// An upper bound of the lengths in its equations, besides those of the line.
     #[inline(always)]
     fn lengths(&self) -> S {
-        self.bounding_radius()
+        self.largest_coordinate()
     }
     /// Reduces the extra bits of the line as far as the primitive's lengths require
     /// ([`LocalLine::fit`]).
@@ -79,7 +78,7 @@ pub trait Geometry<S: Scalar>: Copy + Described {
     /// What its intersection needs of the transformation into its frame.
     const NEEDS: Needs = Needs::All;
     /// True if constant bounds on the errors of its formulas, which are short, replace running ones: see
-    /// [`Certified`](crate::number::Certified).
+    /// [`Guarded`](crate::number::Guarded).
     const HAS_CONSTANT_BOUNDS: bool = false;
     /// True if the terms of its polynomials have so few factors that their magnitudes bound their errors: see
     /// [`Filtered`](crate::number::Filtered).

@@ -350,6 +350,6 @@ pub(crate) const fn is_ball<S, G: Described>(equations: &Equations<S>) -> bool {
     G::EQUATIONS.has(EquationKinds::BALL) && matches!(equations, Equations::Ball { .. })
 }
 
-#[cfg(test)]
+#[cfg(units)]
 #[path = "../tests/units/ladder.rs"]
 mod tests;

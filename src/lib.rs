@@ -34,12 +34,12 @@
 //! - How accurate: [`tier`], and [which number type and tier to take][which-one].
 //! - On a chip: the dependency as on a host (the default features need no `std`), and what any program for the chip
 //!   needs: a runtime such as `cortex-m-rt`, its `memory.x`, and `-Tlink.x` for the linker.
-//!   [examples/firmware][firmware] in the repository is such a program, for QEMU and for boards.
+//!   [From an empty folder to a program on a chip][firmware] builds one step by step.
 //!   [`constant`](mod@constant) puts shapes into flash; [`shape::kinds`] leaves out the code of primitives that a
 //!   program does not use.
 //!
 //! [which-one]: https://github.com/raylet-rs/raylet/blob/main/docs/which-one.md
-//! [firmware]: https://github.com/raylet-rs/raylet/tree/main/examples/firmware
+//! [firmware]: https://github.com/raylet-rs/raylet/blob/main/docs/firmware.md
 //!
 //! # The contract
 //!
@@ -84,7 +84,7 @@
 //! | 4 | `solve`, `equations`, `grid` | the solver, which all tiers share; the equations of a solid; what primitives share on the grid of fixed point |
 //! | 3 | [`ray`], [`frame`], [`affine`], [`hit`], `intersection`, `line` | rays and ranges, placement, hits and hit lists, intervals |
 //! | 2 | [`vector`] | [`Vec3`], [`UnitVec3`] |
-//! | 1 | [`number`], [`scalar`], `outline` | the numbers that solvers compute in; the stored number types: `f32`, `f64`, fixed point; the side of a cylinder or a cone |
+//! | 1 | `number`, [`scalar`], `outline` | the numbers that solvers compute in; the stored number types: `f32`, `f64`, fixed point; the side of a cylinder or a cone |
 //!
 //! [`constant`](mod@constant) describes scenes in flash. `display`, `interchange`, `error` and `errata` belong to no
 //! layer.
@@ -107,7 +107,7 @@
 #![warn(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
-#[cfg(any(feature = "std", test))]
+#[cfg(any(feature = "std", units))]
 extern crate std;
 
 #[cfg(not(feature = "libm"))]
@@ -136,12 +136,12 @@ mod interchange;
 mod intersection;
 mod ladder;
 mod line;
-pub mod number;
+mod number;
 mod outline;
 mod part;
 pub mod primitive;
 mod query;
-#[cfg(test)]
+#[cfg(units)]
 #[path = "../tests/units/random.rs"]
 mod random;
 pub mod ray;

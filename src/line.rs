@@ -38,9 +38,9 @@ pub trait Place<S: Scalar> {
         None
     }
     /// [`Place::grid_line`] where the placement stretches and the number type is fixed point, for a solid whose lengths
-    /// are at most `bounding_radius`.
+    /// are at most `longest`.
     #[inline(always)]
-    fn finer_line(&self, _ray: &Ray<S>, _bounding_radius: S) -> Option<FinerLine<S>>
+    fn finer_line(&self, _ray: &Ray<S>, _longest: S) -> Option<FinerLine<S>>
     where
         S: GridScalar,
     {

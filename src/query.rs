@@ -167,7 +167,7 @@ fn others<S: Scalar, T: Solve<S>, G: Geometry<S>, P: Place<S>>(
 /// square overflows; and the exponent of that power, which is zero for fixed types.
 #[inline]
 pub(crate) fn near_one<S: Scalar, G: Geometry<S>>(geometry: &G, point: Vec3<S>) -> (G, Vec3<S>, i32) {
-    let exponent = S::binary_exponent(largest([point.x, point.y, point.z, geometry.bounding_radius()]));
+    let exponent = S::binary_exponent(largest([point.x, point.y, point.z, geometry.largest_coordinate()]));
     (geometry.scaled(-exponent), scaled(point, -exponent), exponent)
 }
 

@@ -358,7 +358,7 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> core::iter::Fused
 {
 }
 
-#[cfg(test)]
+#[cfg(units)]
 #[expect(clippy::expect_used, reason = "a test may panic")]
 #[path = "../tests/units/render.rs"]
 mod tests;

@@ -47,8 +47,8 @@ pub trait Tier<S: Scalar>: Copy + sealed::Sealed + Solve<S> + 'static {}
 /// surface once or not at all, unless the ray grazes (see [`tier`](self)). A ray that departs inwards, within 10^-7 of
 /// the surface, may meet it again where it started. Beyond that nothing is promised: with growing distance and towards
 /// grazing, `t` loses digits, and then hits are lost or invented. Where the square of a size or a distance is
-/// infinite (`f32`: from 1e19 on), or for cones and triangles its fourth power (from 4e9 on), an end may be missing. Measured errors are in
-/// [docs/accuracy.md](https://github.com/raylet-rs/raylet/blob/main/docs/accuracy.md).
+/// infinite (`f32`: from 1e19 on), or for cones and triangles its fourth power (from 4e9 on), an end may be missing.
+/// Measured errors are in [docs/accuracy.md](https://github.com/raylet-rs/raylet/blob/main/docs/accuracy.md).
 ///
 /// ```
 /// use raylet::{Cone, Ray, UnitVec3, Vec3, tier::Plain};
@@ -95,8 +95,9 @@ impl<S: Scalar> Tier<S> for Fast {}
 /// The default tier.
 ///
 /// Floats compute in numbers that know a bound of their error. Where a sign or a `t` is not certain enough, the line is
-/// transformed again in double-words, and then the robust number decides, of 64 bits (128 bits for 64-bit types), by the
-/// signs of its rounded values. Fixed point computes on a grid of integers, with a guard at each difference that may cancel.
+/// transformed again in double-words, and then the robust number decides, of 64 bits (128 bits for 64-bit types), by
+/// the signs of its rounded values. Fixed point computes on a grid of integers, with a guard at each difference that
+/// may cancel.
 ///
 /// Error of `t` for floats: about half a unit in the last place in the median, at most 16 units except for grazing rays
 /// (see [`tier`](self)), and at most 31 units down to rays that graze to 10^-7. For fixed point: at most one unit. For

@@ -1,5 +1,4 @@
-//! Every solid in every number type and tier, once: what the published package tests of itself. The tests of all that
-//! raylet promises are in its repository.
+//! Every solid in every number type and tier, once. The tests of all that raylet promises are in `tests/promises`.
 
 use fixed::types::{I16F16, I32F32};
 use raylet::{

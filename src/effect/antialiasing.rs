@@ -32,6 +32,6 @@ pub(crate) fn differ<S: Scalar>(corners: &[Sample<S>; 4]) -> bool {
     low.into_iter().zip(high).any(|(low, high)| Levels::Fine.of(high) - Levels::Fine.of(low) > THRESHOLD)
 }
 
-#[cfg(test)]
+#[cfg(units)]
 #[path = "../../tests/units/effect/antialiasing.rs"]
 mod tests;

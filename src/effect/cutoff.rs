@@ -52,7 +52,7 @@ pub(super) fn brightest<S: Scalar>(
     })
 }
 
-#[cfg(test)]
+#[cfg(units)]
 #[expect(clippy::expect_used, reason = "a test may panic")]
 #[path = "../../tests/units/effect/cutoff.rs"]
 mod tests;

@@ -15,6 +15,6 @@ pub(super) fn field<S: Scalar>(coordinate: S::Unit, count: u16) -> (u16, S::Real
     (field, place - S::Real::from_int(i32::from(field)))
 }
 
-#[cfg(test)]
+#[cfg(units)]
 #[path = "../../tests/units/effect/field.rs"]
 mod tests;

@@ -52,6 +52,6 @@ impl<O: Observer + Default> Default for TraceContext<O> {
     }
 }
 
-#[cfg(test)]
+#[cfg(units)]
 #[path = "../../tests/units/effect/trace_context.rs"]
 mod tests;

@@ -22,7 +22,8 @@ const FAINT: i32 = -7;
 /// Computes what rays see in a scene, with the effects `E` compiled in, in the scene's accuracy tier `T`.
 ///
 /// ```
-/// # use raylet::{Camera, Color, Light, Material, Object, Ray, Scene, Shape, Sphere, Tracer, UnitVec3, Vec3, TraceContext};
+/// # use raylet::{Camera, Color, Light, Material, Object, Ray, Scene, Shape, Sphere, Tracer, UnitVec3, Vec3};
+/// # use raylet::TraceContext;
 /// # use raylet::effect::{Diffuse, Shadows};
 /// # let y = Vec3::new(0.0_f32, 1.0, 0.0);
 /// # let camera = Camera::new(Vec3::new(0.0, 0.0, 5.0), Vec3::ZERO, y, 40.0)?;
@@ -35,7 +36,8 @@ const FAINT: i32 = -7;
 /// let tracer = Tracer::<f32, (Diffuse, Shadows)>::try_new(&scene)?;
 /// assert_eq!(tracer.look(&ray, &mut TraceContext::<()>::default()).color.red, 0.5);
 /// let error = Tracer::<f32, (Diffuse,)>::try_new(&scene).unwrap_err();
-/// assert_eq!(error.to_string(), "object 0 calls for shadows, which is not compiled in: name `Shadows` among the effects");
+/// let message = "object 0 calls for shadows, which is not compiled in: name `Shadows` among the effects";
+/// assert_eq!(error.to_string(), message);
 /// # Ok::<(), raylet::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
@@ -493,6 +495,6 @@ impl<S: Scalar> Gathered<S> {
     }
 }
 
-#[cfg(test)]
+#[cfg(units)]
 #[path = "../../tests/units/effect/tracer.rs"]
 mod tests;

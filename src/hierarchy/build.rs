@@ -188,17 +188,17 @@ fn padded<S: Scalar>(low: Vec3<S>, high: Vec3<S>, position: Option<Vec3<S>>, uni
     let larger = |a: S::Real, b: S::Real| if b > a { b } else { a };
     let to_low = pairs(middle, low.real()).map(|(centre, low)| centre - low);
     let to_high = pairs(middle, high.real()).map(|(centre, high)| high - centre);
-    let bounding_radius = pairs(to_low, to_high).map(|(low, high)| larger(low, high));
+    let half = pairs(to_low, to_high).map(|(low, high)| larger(low, high));
     let largest = |[x, y, z]: [S::Real; 3]| larger(larger(x, y), z);
     let away = position.map_or(S::Real::ZERO, |position| {
         largest(pairs(middle, position.real()).map(|(centre, position)| (centre - position).abs()))
     });
-    let margin = (largest(bounding_radius) + away).scaled(-MARGIN_BITS) + units;
+    let margin = (largest(half) + away).scaled(-MARGIN_BITS) + units;
     // The rounding to nearest may be downwards.
-    (centre, bounding_radius.map(|bounding_radius| S::round(bounding_radius + margin).next_up()))
+    (centre, half.map(|half| S::round(half + margin).next_up()))
 }
 
-#[cfg(all(test, feature = "fixed"))]
+#[cfg(all(units, feature = "fixed"))]
 #[expect(clippy::unwrap_used, reason = "a test may panic")]
 #[path = "../../tests/units/hierarchy/build.rs"]
 mod tests;

@@ -208,7 +208,8 @@ impl fmt::Display for HierarchyError {
         match self {
             Self::Storage { needed, given } => write!(
                 f,
-                "the hierarchy needs {needed} nodes, and has room for {given}: give it Hierarchy::nodes_for(objects) of them"
+                "the hierarchy needs {needed} nodes, and has room for {given}: give it \
+                 Hierarchy::nodes_for(objects) of them"
             ),
             Self::TooManyObjects => f.write_str("a hierarchy holds at most 2^30 - 1 objects: divide the scene"),
         }

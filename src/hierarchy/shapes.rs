@@ -107,8 +107,9 @@ impl<'a, S: Scalar, X: Shaped<S>> Shapes<'a, S, X> {
         search::occluder::<S, T, ()>(self.shapes, Some(&self.hierarchy), ray, &mut ()).is_some()
     }
 
-    /// All hits of a ray, shape by shape: calls `each` with the index of a shape and its hits, in the order in which the
-    /// hierarchy finds them, not by `t`. Shapes that the ray misses are left out, except those that it starts inside of.
+    /// All hits of a ray, shape by shape: calls `each` with the index of a shape and its hits, in the order in which
+    /// the hierarchy finds them, not by `t`. Shapes that the ray misses are left out, except those that it starts
+    /// inside of.
     pub fn hits(&self, ray: &Ray<S>, each: impl FnMut(u32, Hits<S>)) {
         self.hits_at::<Stable>(ray, each);
     }

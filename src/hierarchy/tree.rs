@@ -59,8 +59,8 @@ impl<S: Scalar, X: Shaped<S>> List<S> for std::vec::Vec<X> {
     }
 }
 
-/// Shapes with a hierarchy of boxes around them, both owned: as [`Shapes`], which borrows them, for a program that keeps
-/// them in a field or moves them.
+/// Shapes with a hierarchy of boxes around them, both owned: as [`Shapes`], which borrows them, for a program that
+/// keeps them in a field or moves them.
 ///
 /// ```
 /// use raylet::hierarchy::ShapeTree;

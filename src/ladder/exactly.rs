@@ -17,12 +17,16 @@ use crate::scalar::Scalar;
 use crate::solve::{Attempt, Localize, Stop};
 use crate::vector::Vec3;
 
-/// A scalar that has an exact tier.
+/// A scalar that has an exact tier: `f32` and every `FixedI32<F>`. Sealed.
 pub trait ExactScalar: Scalar {
+    // What is hidden is for the solvers.
+    #[doc(hidden)]
     /// The first attempt, whose results are certain.
     type First: Method<Self>;
+    #[doc(hidden)]
     /// The number that is used where a sign is unknown in doubles.
     type Bounded: Localize<Self>;
+    #[doc(hidden)]
     /// The integer that is used where a sign is unknown in [`ExactScalar::Bounded`]. It is wide enough for every
     /// polynomial of the solvers.
     type Integer: Localize<Self>;

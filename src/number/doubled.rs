@@ -70,8 +70,8 @@ impl<R: Real> Ring for Doubled<R> {
     const ZERO: Self = Self { value: Twofold::ZERO, magnitude: R::ZERO };
     const ONE: Self = Self { value: Twofold::ONE, magnitude: R::ONE };
 
-    /// The high words are summed exactly, and the low words in one word ("Dot2": Ogita, Rump and Oishi, *Accurate Sum and
-    /// Dot Product*, 2005).
+    /// The high words are summed exactly, and the low words in one word ("Dot2": Ogita, Rump and Oishi, *Accurate Sum
+    /// and Dot Product*, 2005).
     #[inline(always)]
     fn sum<const M: usize>(terms: [[Self; 2]; M]) -> Self {
         let product = |[a, b]: [Self; 2]| {
@@ -99,6 +99,6 @@ impl<R: Real> Ring for Doubled<R> {
     }
 }
 
-#[cfg(test)]
+#[cfg(units)]
 #[path = "../../tests/units/number/doubled.rs"]
 mod tests;

@@ -15,18 +15,15 @@ use core::cmp::Ordering;
 #[derive(Clone, Copy, Debug)]
 pub struct Guarded<R, const STABLE: bool = false>(pub(crate) Plain<R>);
 
-/// A plain value with constant bounds of its error.
-pub type Certified<R> = Guarded<R, true>;
-
 /// The exponents of the parts of its terms that a difference must be if it is positive, and if it is negative.
 const fn parts(of: Difference, is_stable: bool) -> [i32; 2] {
     match (of, is_stable) {
-        (Difference::OfSquares, false) => [-12, -12],
-        (Difference::OfSquares, true) => [-6, -12],
-        (Difference::OfVolumes, false) => [-20, -20],
-        (Difference::OfVolumes, true) => [-14, -14],
-        (Difference::OfSigns, _) => [-12, -12],
-        (Difference::OfEdges, _) => [-20, -20],
+        (Difference::Squares, false) => [-12, -12],
+        (Difference::Squares, true) => [-6, -12],
+        (Difference::Volumes, false) => [-20, -20],
+        (Difference::Volumes, true) => [-14, -14],
+        (Difference::Signs, _) => [-12, -12],
+        (Difference::Edges, _) => [-20, -20],
     }
 }
 
@@ -76,7 +73,7 @@ impl<R: Real, const STABLE: bool> Number for Guarded<R, STABLE> {
     }
     #[inline(always)]
     fn sign_among(self, of: Difference, terms: impl FnOnce() -> Self) -> Option<Ordering> {
-        if !STABLE && matches!(of, Difference::OfEdges) {
+        if !STABLE && matches!(of, Difference::Edges) {
             return self.sign();
         }
         let (value, terms, [positive, negative]) = (self.0.0, terms().0.0, parts(of, STABLE));

@@ -102,7 +102,7 @@ impl<W: Word> Limbs<W> {
         Self { negative: !self.negative, ..self }
     }
 
-    #[cfg(test)]
+    #[cfg(units)]
     pub(crate) fn magnitude(self) -> Self {
         Self { negative: false, ..self }
     }

@@ -7,7 +7,7 @@
 //! |---|---|---|
 //! | [`Plain`] | that of the rounded value | `Plain` |
 //! | [`Guarded`] | the same, unknown where much of a difference cancels | `Fast` |
-//! | [`Certified`] | the same, and an end next to the start is unknown | `Stable`, for spheres, triangles and flat parts in the world |
+//! | stable [`Guarded`] | the same, and an end next to the start is unknown | `Stable`, for spheres, triangles and flat parts in the world |
 //! | [`Running`] | unknown if the value is within its error bound of zero | `Stable`, and in doubles `Exact` |
 //! | [`Robust`] | that of the rounded value | `Fast` and `Stable`, where the numbers before are unsure |
 //! | [`Filtered`] | unknown if a value is small relative to its terms | `Exact`, for spheres and flat primitives |
@@ -63,7 +63,7 @@ pub(crate) mod machine;
 mod plain;
 mod robust;
 mod running;
-#[cfg(test)]
+#[cfg(units)]
 #[path = "../../tests/units/number.rs"]
 mod tests;
 pub(crate) mod word;
@@ -72,7 +72,7 @@ pub use bounded::Bounded;
 pub use doubled::Doubled;
 #[cfg(feature = "libm")]
 pub use filtered::Filtered;
-pub use guarded::{Certified, Guarded};
+pub use guarded::Guarded;
 #[cfg(feature = "fixed")]
 pub(crate) use integer::FIXED_LIMBS;
 pub(crate) use integer::FLOAT_LIMBS;
@@ -101,6 +101,7 @@ pub trait Ring: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Se
         }
         sum
     }
+    #[doc(hidden)]
     /// `a . b` of two vectors. A number that knows its error has one bound for all components of a vector, the largest.
     #[inline(always)]
     fn scalar_product<const M: usize>(a: [Self; M], b: [Self; M]) -> Self {
@@ -112,11 +113,13 @@ pub trait Ring: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Se
         }
         Self::sum(terms)
     }
+    #[doc(hidden)]
     /// `a x b`
     #[inline(always)]
     fn vector_product(a: [Self; 3], b: [Self; 3]) -> [Self; 3] {
         cross(a, b)
     }
+    #[doc(hidden)]
     /// `a b - |v|^2`
     #[inline(always)]
     fn less_square(a: Self, b: Self, [x, y, z]: [Self; 3]) -> Self {
@@ -159,13 +162,14 @@ pub trait Number: Ring {
     fn sign_among(self, _of: Difference, _terms: impl FnOnce() -> Self) -> Option<Ordering> {
         self.sign()
     }
-    /// How the crossings of two planes of a cuboid compare. A [`Certified`] number knows that in the world alone.
+    /// How the crossings of two planes of a cuboid compare. A stable [`Guarded`] number knows that in the world
+    /// alone.
     #[inline(always)]
     fn order_of_crossings(t: Self::Estimate, other: Self::Estimate) -> Option<Ordering> {
         t.compare(other)
     }
     /// True if an end at `t` is accurate: if that times `slope` is not small relative to the terms of the sums that it
-    /// was computed from. A [`Certified`] number needs this test.
+    /// was computed from. A stable [`Guarded`] number needs this test.
     #[inline(always)]
     fn is_far(_t: Self::Estimate, _slope: Self::Estimate, _terms: impl FnOnce() -> Self) -> bool {
         true
@@ -183,7 +187,7 @@ pub trait Number: Ring {
     fn is_negligible_squared(self) -> bool {
         true
     }
-    /// The magnitude; only [`Certified`] numbers need it.
+    /// The magnitude; only stable [`Guarded`] numbers need it.
     #[inline(always)]
     fn magnitude(self) -> Self {
         self
@@ -201,13 +205,13 @@ pub trait Number: Ring {
 #[derive(Clone, Copy, Debug)]
 pub enum Difference {
     /// A discriminant, whose root is taken.
-    OfSquares,
+    Squares,
     /// The signed volume that a line spans with an edge.
-    OfVolumes,
+    Volumes,
     /// Another one, of which only the sign is needed.
-    OfSigns,
+    Signs,
     /// The position of a line beside the edge of a rectangle. `Fast` takes the sign of the rounded value.
-    OfEdges,
+    Edges,
 }
 
 /// [`Number::apart`] of wide numbers.

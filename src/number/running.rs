@@ -16,13 +16,13 @@
 //! | `a / b` | `(e + |a / b| f) / (|b| - u f)` |
 //! | `sqrt(a)` | `e / (sqrt(a) + sqrt(a - u e))`, which is at most `(1 + x) e / (2 sqrt(a))` with `x = u e / a` in [0, 1]: its convex function lies below the chord |
 //!
-//! A sum of products adds a rounding of each product and of each partial sum. The components of a vector have one bound,
-//! that of the largest error: then a scalar product `a . b` inherits at most `(|a| + M u e) f + e |b|` with sums of
-//! magnitudes `|a|`, `|b|`, which several products share, and a vector product no more. (A bound for each component
-//! costs 3 to 10 % more instructions.)
+//! A sum of products adds a rounding of each product and of each partial sum. The components of a vector have one
+//! bound, that of the largest error: then a scalar product `a . b` inherits at most `(|a| + M u e) f + e |b|` with
+//! sums of magnitudes `|a|`, `|b|`, which several products share, and a vector product no more. (A bound for each
+//! component costs 3 to 10 % more instructions.)
 //!
-//! The bound is computed with rounding itself: in fewer than 64 operations one after the other, each of which changes it
-//! by at most one part in `1 / u`. [`Running::sure`] allows for a thousand times as much.
+//! The bound is computed with rounding itself: in fewer than 64 operations one after the other, each of which changes
+//! it by at most one part in `1 / u`. [`Running::sure`] allows for a thousand times as much.
 
 use super::{Estimate, Number, Ring};
 use crate::scalar::Real;
@@ -245,6 +245,6 @@ impl<R: Real, const STABLE: bool> Estimate for Running<R, STABLE> {
     }
 }
 
-#[cfg(test)]
+#[cfg(units)]
 #[path = "../../tests/units/number/running.rs"]
 mod tests;

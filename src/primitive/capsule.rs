@@ -122,7 +122,7 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
     fn in_type<R: Including<S>>(&self) -> Self::In<R> {
         self.map(R::exactly)
     }
-    fn bounding_radius(&self) -> S {
+    fn largest_coordinate(&self) -> S {
         self.radius.plus(self.height)
     }
 

@@ -188,7 +188,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         self.map(R::exactly, R::exactly)
     }
 
-    fn bounding_radius(&self) -> S {
+    fn largest_coordinate(&self) -> S {
         match (self.outline, self.height()) {
             (Outline::Radii(base, top, height), _) => base.plus(top).plus(height),
             (Outline::Slope(slope), Some(height)) => S::round(slope.real() * height.real()).plus(height),

@@ -60,13 +60,13 @@ impl<S: Scalar> Cuboid<S> {
         Ok(Self { half: [checked(half_x)?, checked(half_y)?, checked(half_z)?] })
     }
 
-    /// The cuboid whose faces are parallel to the axes of the world, from its lowest to its highest corner, and the frame
-    /// that places it. Each face is within one unit in the last place of the largest coordinate.
+    /// The cuboid whose faces are parallel to the axes of the world, from its lowest to its highest corner, and the
+    /// frame that places it. Each face is within one unit in the last place of the largest coordinate.
     ///
     /// # Errors
     ///
-    /// [`SizeError::HalfExtent`] if a coordinate of `high` is not larger than that of `low`, or the two are too close or
-    /// too far apart; [`SizeError::Corner`] if a coordinate is not finite or beyond the budget.
+    /// [`SizeError::HalfExtent`] if a coordinate of `high` is not larger than that of `low`, or the two are too close
+    /// or too far apart; [`SizeError::Corner`] if a coordinate is not finite or beyond the budget.
     ///
     /// ```
     /// use raylet::{Cuboid, Ray, Shape, UnitVec3, Vec3};
@@ -116,7 +116,7 @@ impl<S: Scalar> Geometry<S> for Cuboid<S> {
     }
 
     /// The sum of the half extents, which is no less than the half diagonal.
-    fn bounding_radius(&self) -> S {
+    fn largest_coordinate(&self) -> S {
         let [x, y, z] = self.half;
         x.plus(y).plus(z)
     }
@@ -222,7 +222,7 @@ impl<S: Scalar> Geometry<S> for Cuboid<S> {
 
 queries!(Cuboid);
 
-#[cfg(all(test, feature = "fixed"))]
+#[cfg(all(units, feature = "fixed"))]
 #[expect(clippy::expect_used, reason = "a test may panic")]
 #[path = "../../tests/units/primitive/cuboid.rs"]
 mod tests;

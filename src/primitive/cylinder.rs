@@ -89,7 +89,7 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
         self.map(R::exactly)
     }
 
-    fn bounding_radius(&self) -> S {
+    fn largest_coordinate(&self) -> S {
         self.height().map_or(self.radius, |height| self.radius.plus(height))
     }
 

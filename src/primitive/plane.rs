@@ -34,8 +34,8 @@ impl<S: Scalar> Plane<S> {
         Self { scalar: PhantomData }
     }
 
-    /// The plane of the points `p` with `normal . p = distance`, its front towards the normal, and the frame that places
-    /// it. The normal may have any length but zero.
+    /// The plane of the points `p` with `normal . p = distance`, its front towards the normal, and the frame that
+    /// places it. The normal may have any length but zero.
     ///
     /// # Errors
     ///
@@ -74,7 +74,7 @@ impl<S: Scalar> Geometry<S> for Plane<S> {
         Plane::new()
     }
 
-    fn bounding_radius(&self) -> S {
+    fn largest_coordinate(&self) -> S {
         S::ZERO
     }
 

@@ -58,7 +58,7 @@ impl<S: Scalar> Geometry<S> for Rectangle<S> {
     }
 
     /// The sum of the half extents, which is no less than the half diagonal.
-    fn bounding_radius(&self) -> S {
+    fn largest_coordinate(&self) -> S {
         let [x, z] = self.half;
         x.plus(z)
     }

@@ -63,7 +63,7 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
     fn in_type<R: Including<S>>(&self) -> Self::In<R> {
         self.map(R::exactly)
     }
-    fn bounding_radius(&self) -> S {
+    fn largest_coordinate(&self) -> S {
         self.radius
     }
 

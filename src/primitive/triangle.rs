@@ -59,7 +59,7 @@ impl<S: Scalar> Triangle<S> {
     /// range.
     fn edges(&self) -> [[S::Real; 3]; 2] {
         let [a, b, c] = self.vertices;
-        let e = S::binary_exponent(self.bounding_radius());
+        let e = S::binary_exponent(self.largest_coordinate());
         let [a, b, c] = [a, b, c].map(|vertex| vertex.to_array().map(|component| component.scaled(-e)));
         [difference::<S, S::Real>(b, a, S::real), difference::<S, S::Real>(c, a, S::real)]
     }
@@ -73,7 +73,7 @@ impl<S: Scalar> Triangle<S> {
             return UnitVec3::from_real(normal);
         }
         let [a, b, c] = self.vertices;
-        let e = S::binary_exponent(self.bounding_radius());
+        let e = S::binary_exponent(self.largest_coordinate());
         let [a, b, c] = [a, b, c].map(|vertex| vertex.to_array().map(|component| component.scaled(-e).real()));
         let rest = |end: [S::Real; 3]| pairs(end, a).map(|(end, a)| end.plus_with_rest(-a)[1]);
         let (r1, r2) = (rest(b), rest(c));
@@ -97,7 +97,7 @@ impl<S: Scalar> Triangle<S> {
 
     /// Barycentric weights of the second and the third vertex, for a point of the triangle's plane.
     pub(crate) fn barycentric(&self, point: Vec3<S>) -> (S::Unit, S::Unit) {
-        let e = S::binary_exponent(self.bounding_radius());
+        let e = S::binary_exponent(self.largest_coordinate());
         let [p, a] = [point, self.vertices[0]].map(|v| v.to_array().map(|component| component.scaled(-e)));
         let (to_point, [e1, e2]) = (difference::<S, S::Real>(p, a, S::real), self.edges());
         let normal = cross(e1, e2);
@@ -134,7 +134,7 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
     }
 
     /// The largest coordinate of a vertex.
-    fn bounding_radius(&self) -> S {
+    fn largest_coordinate(&self) -> S {
         let [a, b, c] = self.vertices;
         largest([a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z])
     }

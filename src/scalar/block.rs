@@ -397,12 +397,12 @@ impl Block128 {
     }
 }
 
-#[cfg(test)]
+#[cfg(units)]
 block! {
     /// The same code on 16 bits, where every operand can be tried.
     Block16, i16, u16, 16
 }
 
-#[cfg(test)]
+#[cfg(units)]
 #[path = "../../tests/units/scalar/block.rs"]
 mod tests;

@@ -79,7 +79,8 @@ macro_rules! checks {
             is_short(v[0]) && is_short(v[1]) && is_short(v[2]) && is_square_of_unit(dot(widened(v), v))
         }
 
-        /// The axes of a frame that a quaternion of length 1 turns: the columns of its matrix. `None` for another length.
+        /// The axes of a frame that a quaternion of length 1 turns: the columns of its matrix. `None` for another
+        /// length.
         pub(crate) const fn axes_of([x, y, z, w]: [Unit; 4]) -> Option<[[Unit; 3]; 3]> {
             if !(is_short(x) && is_short(y) && is_short(z) && is_short(w)) {
                 return None;
@@ -183,7 +184,9 @@ floats!(double, f64);
 /// The module of a width of fixed point.
 #[cfg(feature = "fixed")]
 macro_rules! fixed {
-    ($module:ident, $Fixed:ident, $LeEq:ident, $UnitBits:ident, $unit_bits:literal, $raw:ty, $wide:ty, $Block:ident) => {
+    (
+        $module:ident, $Fixed:ident, $LeEq:ident, $UnitBits:ident, $unit_bits:literal, $raw:ty, $wide:ty, $Block:ident
+    ) => {
         #[cfg(feature = "fixed")]
         pub(crate) mod $module {
             use crate::scalar::block::$Block;

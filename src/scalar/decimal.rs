@@ -68,7 +68,7 @@ pub(super) fn parse(text: &str, fraction_bits: u32) -> Option<(bool, u128)> {
 }
 
 /// A decimal number: the integer part, and the digits behind the point as an integer of so many places.
-#[cfg(any(feature = "serde", test))]
+#[cfg(any(feature = "serde", units))]
 #[derive(Debug, PartialEq)]
 pub(super) struct Decimal {
     pub(super) whole: u64,
@@ -78,7 +78,7 @@ pub(super) struct Decimal {
 
 /// `magnitude * 2^-fraction_bits` with the fewest places from which [`parse`] gives the same number; at most 20. (The
 /// `Display` of `fixed` 1.29 drops digits: two numbers are `440.1` in 16 fraction bits.)
-#[cfg(any(feature = "serde", test))]
+#[cfg(any(feature = "serde", units))]
 pub(super) fn shortest(magnitude: u64, fraction_bits: u32) -> Decimal {
     let one = 1_u128 << fraction_bits;
     let mut whole = (u128::from(magnitude) >> fraction_bits) as u64;
@@ -106,7 +106,7 @@ pub(super) fn shortest(magnitude: u64, fraction_bits: u32) -> Decimal {
 }
 
 /// The integer part of `magnitude * 2^-fraction_bits`, and so many decimal places of the rest, cut off; at most 19.
-#[cfg(any(feature = "defmt", test))]
+#[cfg(any(feature = "defmt", units))]
 pub(super) fn digits(magnitude: u64, fraction_bits: u32, places: u32) -> (u64, u64) {
     let magnitude = u128::from(magnitude);
     let rest = magnitude & ((1 << fraction_bits) - 1);
@@ -115,6 +115,6 @@ pub(super) fn digits(magnitude: u64, fraction_bits: u32, places: u32) -> (u64, u
     ((magnitude >> fraction_bits) as u64, shifted as u64)
 }
 
-#[cfg(test)]
+#[cfg(units)]
 #[path = "../../tests/units/scalar/decimal.rs"]
 mod tests;

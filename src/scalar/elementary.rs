@@ -240,6 +240,6 @@ pub(super) fn power(base: u64, exponent: u64, fraction: u32) -> u64 {
     if whole > 62 { 0 } else { value >> whole }
 }
 
-#[cfg(test)]
+#[cfg(units)]
 #[path = "../../tests/units/scalar/elementary.rs"]
 mod tests;

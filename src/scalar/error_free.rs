@@ -39,7 +39,7 @@ macro_rules! error_free {
                 }
 
                 /// `a + b = s + e` exactly (Knuth, *The Art of Computer Programming* 2, 4.2.2, Theorem B).
-                #[cfg(any(test, not($without_unit)))]
+                #[cfg(any(units, not($without_unit)))]
                 #[inline(always)]
                 pub(in crate::scalar) fn two_sum(a: $Float, b: $Float) -> ($Float, $Float) {
                     let s = a + b;
@@ -48,7 +48,7 @@ macro_rules! error_free {
                 }
             }
 
-            #[cfg(any(test, $without_unit))]
+            #[cfg(any(units, $without_unit))]
             pub(in crate::scalar) mod by_integers {
                 const FIELD: $bits = 2 * $bias + 1;
                 const SIGN: $bits = 1 << ($bits::BITS - 1);
@@ -122,13 +122,16 @@ macro_rules! error_free {
 
 error_free!(
     exact_f32, f32, u32, 12, 23, 127, product: crate::number::machine::product_unsigned,
-    without_unit: all(target_os = "none", any(all(target_arch = "arm", not(target_abi = "eabihf")), target_arch = "riscv32"))
+    without_unit: all(
+        target_os = "none",
+        any(all(target_arch = "arm", not(target_abi = "eabihf")), target_arch = "riscv32")
+    )
 );
 error_free!(
     exact_f64, f64, u64, 27, 52, 1023, product: crate::number::machine::full_product,
     without_unit: all(target_os = "none", any(target_arch = "arm", target_arch = "riscv32"))
 );
 
-#[cfg(test)]
+#[cfg(units)]
 #[path = "../../tests/units/scalar/error_free.rs"]
 mod tests;

@@ -17,9 +17,7 @@ use fixed::types::extra::{LeEqU32, LeEqU64, U30, U62};
 use fixed::{FixedI32, FixedI64};
 
 /// Coordinates and sizes of an N-bit fixed type stay at or below `2^(N - SIZE_BITS)` units.
-pub const SIZE_BITS: u32 = 2;
-/// Distances of an N-bit fixed type stay below `2^(N - DISTANCE_BITS)` units.
-pub const DISTANCE_BITS: u32 = 1;
+const SIZE_BITS: u32 = 2;
 
 /// `a * b` in 128 bits.
 #[inline(always)]

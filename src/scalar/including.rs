@@ -78,6 +78,6 @@ pub(super) fn narrowed<F: LeEqU32 + Send + Sync + 'static>(value: FixedI64<U32>)
     }
 }
 
-#[cfg(all(test, feature = "fixed"))]
+#[cfg(all(units, feature = "fixed"))]
 #[path = "../../tests/units/scalar/including.rs"]
 mod tests;

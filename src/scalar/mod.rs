@@ -1,33 +1,33 @@
 //! The number types.
 //!
 //! A [`Scalar`] *stores* coordinates, sizes and distances. A [`Real`] *computes* points, normals, shading and the like,
-//! and never overflows inside the [`Budget`]. For floats the two are the same type. For fixed point the [`Real`] is a
-//! block-floating number of twice the width ([`block`]), so that products are exact and nothing is rounded before a
+//! and never overflows inside the [`Budget`]. For floats the two are the same type. For fixed point the [`Real`] is an
+//! integer mantissa of twice the width with an exponent, so that products are exact and nothing is rounded before a
 //! difference is computed.
-//!
-//! All code that depends on the number type is in this folder:
-//!
-//! | file | what it holds |
-//! |---|---|
-//! | `float` | `f32` and `f64` |
-//! | `error_free` | sums and products of floats with their rounding errors |
-//! | `fixed` | `FixedI32<F>` and `FixedI64<F>`, for every `F` |
-//! | `computing` | operations on stored numbers |
-//! | `grid` | what fixed-point types have besides: the interface of the grid |
-//! | `culling` | conservative tests that a ray misses |
-//! | `attempt` | results on the grid |
-//! | `integers` | the grid of fixed point: integers of a common unit |
-//! | `rungs`, `twofold` | conversion between stored numbers and those of [`crate::number`]; numbers of twice the precision |
-//! | `summed` | numbers whose sums of products are rounded once |
-//! | `including` | types that hold the values of others |
-//! | `slabs` | conservative test of a ray against a box |
-//! | [`block`] | integer mantissa and exponent; square root and quotient of integers |
-//! | `decimal` | decimal text to fixed point, correctly rounded |
-//! | `elementary` | angle, sine, power, in integers for the fixed types |
-//! | `written` | how stored numbers are written for `serde` and `defmt` |
-//! | `constant` | the checks of constructors in constants |
-//! | `value` | what can be wrong with a value that a constructor is given |
-//! | `square_root` | the square root of `f32` by instruction, which `core` does not have |
+
+// All code that depends on the number type is in this folder:
+//
+// | file | what it holds |
+// |---|---|
+// | `float` | `f32` and `f64` |
+// | `error_free` | sums and products of floats with their rounding errors |
+// | `fixed` | `FixedI32<F>` and `FixedI64<F>`, for every `F` |
+// | `computing` | operations on stored numbers |
+// | `grid` | what fixed-point types have besides: the interface of the grid |
+// | `culling` | conservative tests that a ray misses |
+// | `attempt` | results on the grid |
+// | `integers` | the grid of fixed point: integers of a common unit |
+// | `rungs`, `twofold` | conversion between stored numbers and those of `number`; numbers of twice the precision |
+// | `summed` | numbers whose sums of products are rounded once |
+// | `including` | types that hold the values of others |
+// | `slabs` | conservative test of a ray against a box |
+// | `block` | integer mantissa and exponent; square root and quotient of integers |
+// | `decimal` | decimal text to fixed point, correctly rounded |
+// | `elementary` | angle, sine, power, in integers for the fixed types |
+// | `written` | how stored numbers are written for `serde` and `defmt` |
+// | `constant` | the checks of constructors in constants |
+// | `value` | what can be wrong with a value that a constructor is given |
+// | `square_root` | the square root of `f32` by instruction, which `core` does not have |
 
 use crate::ladder::Tiers;
 use crate::number::word::Word;
@@ -37,7 +37,7 @@ use core::fmt::Debug;
 use core::ops::{Div, Neg};
 
 mod attempt;
-pub mod block;
+pub(crate) mod block;
 mod computing;
 pub(crate) mod constant;
 mod culling;
@@ -63,22 +63,19 @@ mod twofold;
 mod value;
 pub(crate) mod written;
 
-#[cfg(feature = "fixed")]
-pub use fixed::{DISTANCE_BITS, SIZE_BITS};
-
 pub use crate::number::Ring;
-pub(crate) use attempt::found;
-pub use attempt::{Attempt, InCuboid, InSide};
-pub use computing::{Computing, Elementary, RoundLine, RoundSolid};
-pub use culling::Culling;
-pub use grid::{FinerLine, GridScalar, LocalLine};
-pub use including::Including;
+pub use value::ValueError;
+
+pub(crate) use attempt::{Attempt, InCuboid, InSide, found};
+pub(crate) use computing::{Computing, Elementary, RoundLine, RoundSolid};
+pub(crate) use culling::Culling;
+pub(crate) use grid::{FinerLine, GridScalar, LocalLine};
+pub(crate) use including::Including;
 #[cfg(feature = "fixed")]
 pub(crate) use integers::are_doubtful;
-pub use rungs::{FromScalar, RealOf, ToScalar};
-pub use summed::Summed;
-pub use twofold::Twofold;
-pub use value::ValueError;
+pub(crate) use rungs::{FromScalar, RealOf, ToScalar};
+pub(crate) use summed::Summed;
+pub(crate) use twofold::Twofold;
 pub(crate) use value::with_fault;
 
 /// Seals [`Scalar`] and related traits, whose implementations depend on each other.
@@ -170,8 +167,11 @@ pub type Unit<S> = <S as Numbers>::Unit;
 /// Implemented for `f32`, `f64`, `FixedI32<F>` and `FixedI64<F>` for every `F` that `fixed` allows. Sealed.
 pub trait Scalar: Numbers + Computing + Elementary + Culling {
     /// The number in which the solver computes where the grid is unsure.
+    // What is hidden is for the solvers, in whose numbers no user computes.
+    #[doc(hidden)]
     type Robust: Localize<Self> + Number<Estimate = Self::Robust> + ToScalar<Self>;
     /// The lists of numbers of the tiers.
+    #[doc(hidden)]
     type Tiers: Tiers<Self>;
     /// Zero.
     const ZERO: Self;
@@ -186,18 +186,25 @@ pub trait Scalar: Numbers + Computing + Elementary + Culling {
     /// False for NaN and for [`Scalar::INFINITY`] of either sign.
     fn is_finite(self) -> bool;
     /// The exact value: sign, integer and exponent.
+    #[doc(hidden)]
     fn parts(self) -> Parts;
     /// The exact value of a unit component.
+    #[doc(hidden)]
     fn unit_parts(value: Self::Unit) -> Parts;
     /// Rounded to nearest, ties to even; beyond the type's range, [`Scalar::INFINITY`] with the sign.
+    #[doc(hidden)]
     fn from_limbs<W: Word>(value: Limbs<W>) -> Self;
     /// Rounded as [`Scalar::from_limbs`].
+    #[doc(hidden)]
     fn from_robust(value: Self::Robust) -> Self;
     /// Rounded as [`Scalar::from_limbs`], to a unit component.
+    #[doc(hidden)]
     fn unit_from_robust(value: Self::Robust) -> Self::Unit;
     /// Rounded as [`Scalar::from_limbs`], to a unit component.
+    #[doc(hidden)]
     fn unit_from_limbs<W: Word>(value: Limbs<W>) -> Self::Unit;
     /// The exponent of the last place of values below `2^top`.
+    #[doc(hidden)]
     fn last_place(top: i32) -> i32;
     /// The exact value, to compute with.
     fn real(self) -> Self::Real;
@@ -281,14 +288,19 @@ pub trait Real:
     Ring + Debug + PartialEq + PartialOrd + Div<Output = Self> + Send + Sync + 'static + sealed::Sealed
 {
     /// The relative rounding error of a product is at most `2^ROUNDING`.
+    #[doc(hidden)]
     const ROUNDING: i32;
     /// True for a float, false for a block-floating integer, whose operations are function calls.
+    #[doc(hidden)]
     const IS_FLOAT: bool;
     /// True if the target has instructions for it; if not, each operation is a function call.
+    #[doc(hidden)]
     const HAS_INSTRUCTIONS: bool;
     /// Above every number of a solver.
+    #[doc(hidden)]
     const INFINITY: Self;
     /// The smallest normal float; zero for a block, which does not underflow.
+    #[doc(hidden)]
     const SMALLEST: Self;
 
     /// A small integer.
@@ -296,24 +308,29 @@ pub trait Real:
     /// The square root; zero for a negative number.
     fn sqrt(self) -> Self;
     /// The number as a sum of two with half of its bits each, whose products with others of half the bits are exact.
+    #[doc(hidden)]
     #[inline(always)]
     fn split(self) -> [Self; 2] {
         [self, Self::ZERO]
     }
     /// The rounded sum, and its rounding error (the low word of a double-word).
+    #[doc(hidden)]
     #[inline(always)]
     fn plus_with_rest(self, other: Self) -> [Self; 2] {
         Self::sum_with_rest([[self, Self::ONE], [other, Self::ONE]])
     }
     /// The rounded product, and its rounding error (the low word of a double-word).
+    #[doc(hidden)]
     #[inline(always)]
     fn times_with_rest(self, other: Self) -> [Self; 2] {
         Self::sum_with_rest([[self, other]])
     }
     /// The sum of products as a double-word, a rounded value and a low word: about twice the working precision, so that
     /// cancellation loses no accuracy ("Dot2": Ogita, Rump, Oishi, *Accurate Sum and Dot Product*, 2005).
+    #[doc(hidden)]
     fn sum_with_rest<const N: usize>(terms: [[Self; 2]; N]) -> [Self; 2];
     /// The sum of products, even if it cancels, with little more error than that of one rounding.
+    #[doc(hidden)]
     #[inline]
     fn sum_of_products<const N: usize>(terms: [[Self; 2]; N]) -> Self {
         let [sum, _] = Self::sum_with_rest(terms);

@@ -57,13 +57,13 @@ impl<F: Real> Slabs<F, F> {
         let margin = (cx.abs() + cy.abs() + cz.abs()) * F::ONE.scaled(-MARGIN_BITS) + F::SMALLEST.scaled(6);
         let (mut first, mut last) = (start, end);
         for (c, h, reciprocal) in [(cx, hx, ix), (cy, hy, iy), (cz, hz, iz)] {
-            let (middle, bounding_radius) = (c * reciprocal, (h + margin) * reciprocal.abs());
+            let (middle, half_width) = (c * reciprocal, (h + margin) * reciprocal.abs());
             // A comparison with NaN is false.
-            if middle - bounding_radius > first {
-                first = middle - bounding_radius;
+            if middle - half_width > first {
+                first = middle - half_width;
             }
-            if middle + bounding_radius < last {
-                last = middle + bounding_radius;
+            if middle + half_width < last {
+                last = middle + half_width;
             }
         }
         // If a value has overflowed, beyond some 2^106, the result is no miss.
@@ -111,9 +111,9 @@ mod in_integers {
         let (mut first, mut last) = (start, end);
         for (c, h, reciprocal) in [(cx, hx, ix), (cy, hy, iy), (cz, hz, iz)] {
             // Two products of at most 2^61 each.
-            let (middle, bounding_radius) = (product(c, reciprocal), product(h + margin, reciprocal.abs()));
-            first = first.max(middle - bounding_radius);
-            last = last.min(middle + bounding_radius);
+            let (middle, half_width) = (product(c, reciprocal), product(h + margin, reciprocal.abs()));
+            first = first.max(middle - half_width);
+            last = last.min(middle + half_width);
         }
         first > last
     }
@@ -159,6 +159,6 @@ mod in_integers {
     }
 }
 
-#[cfg(test)]
+#[cfg(units)]
 #[path = "../../tests/units/scalar/slabs.rs"]
 mod tests;

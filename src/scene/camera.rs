@@ -65,7 +65,9 @@ impl<S: Scalar> Camera<S> {
     /// # let materials = [Material::default()];
     /// # let scene = Scene::new(&objects, &materials, &[], camera)?;
     /// let mut widths = [0; 11];
-    /// Picture::new(&scene, Size::new(11, 11)).render(|_, y, pixel| widths[y as usize] += u32::from(pixel.seen.is_some()));
+    /// Picture::new(&scene, Size::new(11, 11)).render(|_, y, pixel| {
+    ///     widths[y as usize] += u32::from(pixel.seen.is_some());
+    /// });
     /// // A disc of radius 1, in pixels 0.24 apart.
     /// assert_eq!(widths, [0, 3, 5, 7, 9, 9, 9, 7, 5, 3, 0]);
     /// # Ok::<(), raylet::Error>(())

@@ -31,6 +31,6 @@ pub(crate) fn nearest(encoded: u32, levels: u32) -> u32 {
     (encoded * levels + brightest / 2) / brightest
 }
 
-#[cfg(test)]
+#[cfg(units)]
 #[path = "../../tests/units/scene/levels.rs"]
 mod tests;

@@ -485,7 +485,8 @@ impl fmt::Display for SceneError {
             }
             Self::Hierarchy { objects, built_for } => write!(
                 f,
-                "the hierarchy was built for other objects ({built_for}) than the scene's ({objects}): build it again from these"
+                "the hierarchy was built for other objects ({built_for}) than the scene's ({objects}): build it again \
+                 from these"
             ),
         }
     }

@@ -41,6 +41,6 @@ pub(crate) fn encoded(linear: u32) -> u32 {
     level as u32 * STEPS + within.min(STEPS)
 }
 
-#[cfg(test)]
+#[cfg(units)]
 #[path = "../../tests/units/scene/srgb.rs"]
 mod tests;

@@ -119,7 +119,9 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
     /// frames are not among the kinds.
     #[must_use]
     pub const fn in_frame(self, frame: Frame<S>) -> Self {
-        const { assert!(K::SET.contains(Kind::Frame), "this placement is not among the kinds of the shape: name it there") }
+        const {
+            assert!(K::SET.contains(Kind::Frame), "this placement is not among the kinds of the shape: name it there");
+        }
         Self { placement: Placement::Frame(frame), ..self }
     }
 
@@ -134,7 +136,8 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
     /// let any: Primitive<f32> = Sphere::new(1.0)?.into();
     /// assert!(Shape::new(any).among::<(Sphere<f32>, Plane<f32>)>().is_ok());
     /// let error = Shape::new(any).among::<(Plane<f32>,)>().unwrap_err();
-    /// assert_eq!(error.to_string(), "a shape of the kinds Plane cannot have the kind Sphere: name it among the kinds");
+    /// let message = "a shape of the kinds Plane cannot have the kind Sphere: name it among the kinds";
+    /// assert_eq!(error.to_string(), message);
     /// # Ok::<(), raylet::Error>(())
     /// ```
     pub fn among<L: Kinds>(self) -> Result<Shape<S, L>, KindError> {

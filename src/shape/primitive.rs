@@ -162,8 +162,8 @@ impl<S: Scalar, K: Kinds> Geometry<S> for Member<S, K> {
     fn in_type<R: Including<S>>(&self) -> Self::In<R> {
         map!(self, |p| p.in_type(), Member::new(Primitive::Plane(Plane::new())))
     }
-    fn bounding_radius(&self) -> S {
-        with!(self, |p| p.bounding_radius(), S::ZERO)
+    fn largest_coordinate(&self) -> S {
+        with!(self, |p| p.largest_coordinate(), S::ZERO)
     }
     fn scaled(&self, e: i32) -> Self {
         map!(self, |p| p.scaled(e), *self)

@@ -31,7 +31,7 @@ pub(super) fn crossing<S: Scalar, N: Of<S>>(
 #[inline(always)]
 pub(crate) fn plane<S: Scalar, N: Of<S>>(line: &LocalRay<N>, goal: Goal<S>) -> Attempt<Intersection<S>> {
     let (y, dy) = (line.origin[1], line.direction[1]);
-    match known(dy.sign_among(Difference::OfSigns, || N::ONE))? {
+    match known(dy.sign_among(Difference::Signs, || N::ONE))? {
         Ordering::Equal if known(y.sign())? == Ordering::Equal => Ok(Intersection::LiesIn(Span::everywhere())),
         Ordering::Equal => Err(Stop::Miss),
         climb => crossing(line, Fraction { n: -y, e: dy }, climb, goal),
@@ -42,7 +42,7 @@ pub(crate) fn plane<S: Scalar, N: Of<S>>(line: &LocalRay<N>, goal: Goal<S>) -> A
 #[inline(always)]
 pub(crate) fn disc<S: Scalar, N: Of<S>>(line: &LocalRay<N>, radius: S, goal: Goal<S>) -> Attempt<Intersection<S>> {
     let ([x, y, z], [dx, dy, dz], r) = (line.origin, line.direction, N::scalar(radius));
-    let climb = known(dy.sign_among(Difference::OfSigns, || N::ONE))?;
+    let climb = known(dy.sign_among(Difference::Signs, || N::ONE))?;
     if climb == Ordering::Equal {
         return chord_of_disc(line, r, goal);
     }
@@ -59,7 +59,7 @@ pub(crate) fn disc<S: Scalar, N: Of<S>>(line: &LocalRay<N>, radius: S, goal: Goa
         let [sx, sz] = [cancelled(x, dx), cancelled(z, dz)];
         terms + N::sum([[sx, sx], [sz, sz]]).scaled(-19)
     };
-    if known(inside.sign_among(Difference::OfSigns, terms))? == Ordering::Less {
+    if known(inside.sign_among(Difference::Signs, terms))? == Ordering::Less {
         return Err(Stop::Miss);
     }
     crossing(line, Fraction { n: -y, e: dy }, climb, goal)
@@ -120,7 +120,7 @@ pub(crate) fn triangle<S: Scalar, N: Of<S>>(
     };
     let mut along_normal = Ordering::Equal;
     for volume in volumes {
-        match known(volume.sign_among(Difference::OfVolumes, || terms))? {
+        match known(volume.sign_among(Difference::Volumes, || terms))? {
             Ordering::Equal => {}
             sign if along_normal == Ordering::Equal => along_normal = sign,
             sign if sign == along_normal => {}

@@ -164,9 +164,9 @@ impl<R: Real, const STABLE: bool> Approximate for Running<R, STABLE> {
 /// of `d_i` are exact, and adds the rounding error of `f_i`: what remains is at most `2 |n_i| + 2^-10 |k|`. That leaves
 /// half as many rays near a cylinder to the next method. (It gains nothing for flat parts.)
 ///
-/// A row of a rotation makes of the first at most `2 |k| + 2 |n|`, and its own products and sums add `3 |n|`; they add 3
-/// to the direction's coordinates. (`|n|` is at most the sum of its coordinates' magnitudes.) An
-/// affine map is computed in numbers that know their error.
+/// A row of a rotation makes of the first at most `2 |k| + 2 |n|`, and its own products and sums add `3 |n|`; they add
+/// 3 to the direction's coordinates. (`|n|` is at most the sum of its coordinates' magnitudes.) An affine map is
+/// computed in numbers that know their error.
 #[inline(always)]
 fn moved<S: Scalar, R: RealOf<S>, N: Approximate<Real = R> + FromScalar<S>, P: Place<S>>(
     place: &P,

@@ -23,7 +23,7 @@
 //! | `contains`, `surface` | the inside test; the point of a hit, and its normal |
 
 mod attempt;
-#[cfg(test)]
+#[cfg(units)]
 #[path = "../../tests/units/solve/coefficients.rs"]
 mod coefficients;
 mod contains;
@@ -36,7 +36,7 @@ mod round;
 mod side;
 mod slabs;
 mod surface;
-#[cfg(test)]
+#[cfg(units)]
 #[path = "../../tests/units/solve.rs"]
 mod tests;
 

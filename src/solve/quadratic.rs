@@ -54,6 +54,7 @@ impl<N: Number, Q: Quadric<N>> Quadratic<N, Q> {
     fn solved(quadric: Q, line: &LocalRay<N>, departs: bool) -> Attempt<Self> {
         let a = quadric.a();
         let a_sign = match a.sign() {
+            // Squares may underflow, so that a number with an error bound does not know that their sum is zero.
             None if quadric.is_parallel() => Ordering::Equal,
             sign => known(sign)?,
         };
@@ -67,9 +68,10 @@ impl<N: Number, Q: Quadric<N>> Quadratic<N, Q> {
             (if a_sign == Ordering::Greater { Inside::Between(touch) } else { Inside::Beyond }, k)
         } else {
             discriminant = quadric.discriminant(a);
-            let sign = known(discriminant.sign_among(Difference::OfSquares, || quadric.terms(a) + line.far(N::MOVED)))?;
+            let sign = known(discriminant.sign_among(Difference::Squares, || quadric.terms(a) + line.far(N::MOVED)))?;
             let inside = match (a_sign, sign) {
                 (Ordering::Greater, Ordering::Less) if !line.departs() => return Err(Stop::Miss),
+                // It departs from another part, such as a cap, and meets that even if it misses the side.
                 (Ordering::Greater, Ordering::Less) => Inside::Nowhere,
                 (Ordering::Greater, sign) => Inside::Between(sign == Ordering::Equal),
                 // Only rounding makes it negative. The next number knows it; for numbers without a next one it is zero,
@@ -144,7 +146,7 @@ impl<N: Number, Q: Quadric<N>> Quadratic<N, Q> {
         } else {
             self.discriminant.estimate().square_root()
         };
-        // From the point of closest approach (-k -+ root) / a loses nothing.
+        // From the point of closest approach, where |k| is small, (-k -+ root) / a loses nothing.
         let sign = if self.is_moved && k.is_within(root, Q::SPREAD) { None } else { k.sign() };
         // -k and the root are added where they have the same sign; the other root is c over that sum (Press et al.,
         // *Numerical Recipes*, 5.6).

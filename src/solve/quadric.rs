@@ -11,10 +11,9 @@ use core::cmp::Ordering;
 
 /// A quadric along a line.
 pub(super) trait Quadric<N: Ring>: Copy {
-    /// True for a nappe: the quadric has two, and only the one with `v >= 0` counts.
+    /// True for a cone. Its quadric has two nappes (halves that meet in the apex), and only that with `v >= 0` counts.
     const HAS_NAPPES: bool = false;
-    /// How much smaller than the root `|k|` must be for `(-k -+ root) / a` to be accurate: the `a` of a nappe may be
-    /// small.
+    /// `(-k -+ root) / a` is accurate if `|k|` is at most `2^-SPREAD` of the root: the `a` of a cone may be small.
     const SPREAD: i32 = 0;
 
     fn a(&self) -> N;
@@ -22,11 +21,11 @@ pub(super) trait Quadric<N: Ring>: Copy {
     fn c(&self) -> N;
     /// `k^2 - a c`
     fn discriminant(&self, a: N) -> N;
-    /// The sum of the magnitudes of its terms.
+    /// The sum of the magnitudes of the discriminant's terms.
     fn terms(&self, a: N) -> N;
     /// `f` at `n / e`, times `e^2`.
     fn at(&self, n: N, e: N) -> N;
-    /// The outline `v` and its growth `v'`.
+    /// The outline `v` at the line's origin, and its growth `v'` along the line.
     fn outline(&self) -> [N; 2];
     /// True if the line is certainly parallel to the axis of a tube, although products may underflow.
     #[inline(always)]
@@ -93,7 +92,7 @@ impl<N: Ring> Tube<N> {
     pub(super) fn along([x, _, z]: [N; 3], [dx, _, dz]: [N; 3], r: N) -> Self {
         Self { o: [x, z], d: [dx, dz], r }
     }
-    /// `w_y`
+    /// `w_y` of the moment `w = o x d`
     #[inline(always)]
     fn moment(&self) -> N {
         let [x, z] = self.o;
@@ -173,7 +172,8 @@ impl<N: Ring> Profile<N> {
     }
 }
 
-/// A cone about the y axis: `u = (h x, h z)`, `v = base h + growth y` of its [`Profile`].
+/// A cone about the y axis: `u = (h x, h z)`, `v = base h + growth y` of its [`Profile`]. Of the line's moment in these
+/// coordinates, `w`, the discriminant is `w_1^2 + w_2^2 - w_3^2`.
 #[derive(Clone, Copy)]
 pub(crate) struct Nappe<N> {
     pub(super) o: [N; 3],
@@ -187,7 +187,7 @@ impl<N: Ring> Nappe<N> {
         let Profile { growth, h, .. } = profile;
         Self { o: [h * x, h * z, profile.at(y)], d: [h * dx, h * dz, growth * dy] }
     }
-    /// `x u + z w - g f`
+    /// The product of two vectors of these coordinates, `u_1 u'_1 + u_2 u'_2 - v v'`: that with itself is `f`.
     #[inline(always)]
     fn product([x, z, g]: [N; 3], v: [N; 3]) -> N {
         N::scalar_product([x, z, -g], v)

@@ -42,7 +42,9 @@ fn is_approached<S: Scalar, N: Of<S>>(line: &LocalRay<N>) -> bool {
 struct Approach<N: Number> {
     /// `r^2 - |p|^2` with `p = o - k d`
     discriminant: N,
+    /// `r^2 + |p|^2`, which bounds the error of that difference.
     terms: N,
+    /// `o . d`
     k: N,
     /// `|d|^2 - 1`
     excess: N,
@@ -71,7 +73,7 @@ impl<N: Number> Approach<N> {
         if !self.excess.is_negligible_squared() {
             return Err(Stop::Unsure);
         }
-        match known(self.discriminant.sign_among(Difference::OfSquares, || self.terms))? {
+        match known(self.discriminant.sign_among(Difference::Squares, || self.terms))? {
             Ordering::Less => Err(Stop::Miss),
             sign => Ok(sign == Ordering::Equal),
         }

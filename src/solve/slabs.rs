@@ -19,7 +19,7 @@ struct Crossed<N: Number> {
     bound: N,
     o: N,
     d: N,
-    /// The parameter, which wide numbers do not need for comparisons.
+    /// The parameter; zero in wide numbers, which are compared without it.
     t: N::Estimate,
     /// The number of the face's axis in the order of [`FACES`].
     rank: usize,
@@ -175,7 +175,7 @@ pub(crate) fn rectangle<S: Scalar, N: Of<S>>(
     goal: Goal<S>,
 ) -> Attempt<Intersection<S>> {
     let ([x, y, z], [dx, dy, dz], [hx, hz]) = (line.origin, line.direction, half.map(N::scalar));
-    let climb = known(dy.sign_among(Difference::OfSigns, || N::ONE))?;
+    let climb = known(dy.sign_among(Difference::Signs, || N::ONE))?;
     if climb == Ordering::Equal {
         return chord_of_rectangle(line, [hx, hz], goal);
     }
@@ -184,7 +184,7 @@ pub(crate) fn rectangle<S: Scalar, N: Of<S>>(
         let rim = h * dy;
         // The error of the sums is less than eight roundings of these.
         let terms = || (o * dy).magnitude() + (y * d).magnitude() + rim.magnitude();
-        let side = |w: N| known(w.sign_among(Difference::OfEdges, terms));
+        let side = |w: N| known(w.sign_among(Difference::Edges, terms));
         let (above, below) = (side(w - rim)?, side(w + rim)?);
         if above == below && above != Ordering::Equal {
             return Err(Stop::Miss);

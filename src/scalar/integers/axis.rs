@@ -54,6 +54,6 @@ fn is_beyond(from: [i32; 3], d: [i32; 3], a: [i32; 3], r: i32) -> bool {
     distance > 0 && distance * distance > (((r * r) >> BITS) + 1) * nn
 }
 
-#[cfg(test)]
+#[cfg(units)]
 #[path = "../../../tests/units/scalar/integers/axis.rs"]
 mod tests;

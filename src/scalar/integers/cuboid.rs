@@ -22,9 +22,9 @@ struct Slab<N> {
 impl<N: Length> Slab<N> {
     #[inline(always)]
     fn new(axis: usize, o: N, extra_bits: i32, d: N, half: N) -> Option<Self> {
-        let bounding_radius = half.refined_beside(o, extra_bits)?;
+        let half_beside_o = half.refined_beside(o, extra_bits)?;
         let (o, d) = if d < N::ZERO { (-o, -d) } else { (o, d) };
-        Some(Self { axis, o, d, half, low: -bounding_radius - o, high: bounding_radius - o })
+        Some(Self { axis, o, d, half, low: -half_beside_o - o, high: half_beside_o - o })
     }
 
     /// Whether a line parallel to the planes is between them; a miss if it is outside them. If it lies in one of them,
@@ -167,7 +167,7 @@ pub(in crate::scalar) fn exit_from_cuboid<N: Length>(
     found!(Slabs::new(o, extra_bits, d, half)).exit()
 }
 
-#[cfg(test)]
+#[cfg(units)]
 #[expect(clippy::expect_used, clippy::panic, reason = "a test may panic")]
 #[path = "../../../tests/units/scalar/integers/cuboid.rs"]
 mod tests;

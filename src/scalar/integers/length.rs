@@ -22,21 +22,23 @@ pub trait Length:
     /// The least number of extra bits of a framed origin below the type's unit: its rounding error is then a hundredth
     /// of a unit, or less.
     const FINER: i32;
-    /// True if the closest approach is unsure next to a tangent. With 32 bits this would leave a line far away, whose
-    /// grid is coarse, to other methods.
+    /// True if the closest approach to a ball is unsure next to a tangent. With 32 bits it is not: the grid of a line far
+    /// away is so coarse that all of its rays would be left to other methods.
     const GUARDS_APPROACH: bool;
     /// Bits of the moments of a triangle's vertices below the unit of their grid.
     const MOMENT_BITS: u32;
-    /// The bits of a normal's components, as the leading zeros of their product, and those of its lower part.
+    /// Of a triangle's normal, which is scaled up as a product: the leading zeros that its longest component keeps, and
+    /// the number of bits of its lower part. The upper part is a length.
     const NORMAL: (u32, u32);
     /// Zero.
     const ZERO: Self;
-    /// Infinity.
+    /// The largest number, which stands for infinity.
     const MAX: Self;
 
-    /// The bits of the magnitude's highest word (for a negative number, of the magnitude less one).
+    /// The highest 32 bits of the magnitude (for a negative number, of the magnitude less one). The bitwise or of several
+    /// has the leading zeros of the longest length.
     fn top(self) -> u32;
-    /// The leading zeros of the longest of these; at most all but one.
+    /// The leading zeros of the longest of these; at most `BITS - 1`.
     fn zeros<const M: usize>(lengths: [Self; M]) -> u32;
     /// `self * 2^by`
     fn up(self, by: u32) -> Self;
@@ -50,7 +52,7 @@ pub trait Length:
     fn checked_plus(self, other: Self) -> Option<Self>;
     /// `self + other`, or the end of the type next to that.
     fn saturating_plus(self, other: Self) -> Self;
-    /// `self - other`; it wraps around at the ends of the type.
+    /// `self - other`, which wraps around at the ends of the type. That of two coordinates within the budget does not.
     fn apart(self, other: Self) -> Self;
     /// Whether they are less than `2^bits` apart.
     fn are_within(self, other: Self, bits: u32) -> bool;
@@ -75,9 +77,9 @@ pub trait Length:
     /// A length of the type relative to the coordinate `o`, which is in units of `2^-extra_bits`, if the difference and
     /// its products have room.
     fn relative_to(self, o: Self, extra_bits: i32) -> Option<Self>;
-    /// The number of extra bits of a turned line for which the lengths of a solid with the bounding radius
-    /// `bounding_radius` have room too; at least [`Length::FINER`].
-    fn fitting(bounding_radius: Self) -> i32;
+    /// The number of extra bits of a turned line for which the lengths of a solid, `longest` at most, have room too; at
+    /// least [`Length::FINER`].
+    fn fitting(longest: Self) -> i32;
     /// The coordinates of a point in a unit that is larger by this number of bits.
     fn coarser(point: [Self; 3], bits: u32) -> [Self; 3];
     /// For a line along `d` from a point relative to a frame's origin: a `t`, and the point there in units of
@@ -123,14 +125,14 @@ pub trait Length:
 /// Lines in the frame of an affine placement.
 pub trait Stretch: Sized {
     /// The line from `o` along `d` in the frame at `position` of a matrix whose inverse has these rows, each to be
-    /// multiplied by its power of two, for a solid whose lengths are at most `bounding_radius`; `None` if there is no
+    /// multiplied by its power of two, for a solid whose lengths are at most `longest`; `None` if there is no
     /// room for them.
     fn stretched(
         o: [Self; 3],
         d: [Self; 3],
         position: [Self; 3],
         rows: [([Self; 3], i32); 3],
-        bounding_radius: Self,
+        longest: Self,
     ) -> Option<Stretched<Self>>;
     /// The ray's `t` for a `t` along such a line, which may be infinite; `None` if it is too large.
     fn along_ray(inverse_length: InverseLength, start: Self, t: Self) -> Option<Self>;

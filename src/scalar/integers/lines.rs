@@ -229,11 +229,10 @@ impl<S: GridScalar> LocalLine<S> {
         })
     }
 
-    /// Reduces the extra bits of the origin so far that lengths up to the solid's bounding radius
-    /// `bounding_radius` fit in the same unit.
+    /// Reduces the extra bits of the origin so far that lengths up to `longest` fit in the same unit.
     #[inline(always)]
-    pub(crate) fn fit(&mut self, bounding_radius: S) {
-        let fitting = S::Raw::fitting(bounding_radius.to_raw());
+    pub(crate) fn fit(&mut self, longest: S) {
+        let fitting = S::Raw::fitting(longest.to_raw());
         if self.extra_bits > fitting {
             self.origin = S::Raw::coarser(self.o(), (self.extra_bits - fitting) as u32).map(S::from_raw);
             self.extra_bits = fitting;
@@ -243,18 +242,18 @@ impl<S: GridScalar> LocalLine<S> {
 
 impl<S: GridScalar> FinerLine<S> {
     /// The line from `o` along `d` in the frame at `position` of a matrix whose inverse has these rows, for a solid
-    /// whose lengths are at most `bounding_radius`; `None` if they do not fit.
+    /// whose lengths are at most `longest`; `None` if they do not fit.
     #[inline(always)]
     pub(crate) fn stretched(
         o: [S; 3],
         d: [S::Unit; 3],
         position: [S; 3],
         rows: [([S::Unit; 3], i32); 3],
-        bounding_radius: S,
+        longest: S,
     ) -> Option<Self> {
         let rows = rows.map(|(row, exponent)| (row.map(S::unit_to_raw), exponent));
         let d = d.map(S::unit_to_raw);
-        let line = S::Raw::stretched(raw(o), d, raw(position), rows, bounding_radius.to_raw())?;
+        let line = S::Raw::stretched(raw(o), d, raw(position), rows, longest.to_raw())?;
         let (scale, inverse_length) = (line.scale, line.inverse_length);
         let line = LocalLine {
             extra_bits: line.extra_bits,

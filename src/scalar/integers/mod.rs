@@ -72,6 +72,6 @@ pub(super) const fn round_off(n: i64, shift: u32) -> i64 {
     (n + ((1 << (shift - 1)) - 1) + odd) >> shift
 }
 
-#[cfg(test)]
+#[cfg(units)]
 #[path = "../../../tests/units/scalar/integers/mod.rs"]
 mod tests;

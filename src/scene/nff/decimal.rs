@@ -173,6 +173,6 @@ pub(super) fn parse_scaled<S: Scalar>(text: &str, power: i32) -> Option<S> {
     soon.or_else(|| S::parse_scaled(text, power))
 }
 
-#[cfg(all(test, feature = "fixed"))]
+#[cfg(all(units, feature = "fixed"))]
 #[path = "../../../tests/units/scene/nff/decimal.rs"]
 mod tests;

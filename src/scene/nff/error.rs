@@ -132,7 +132,8 @@ impl fmt::Display for Reason {
             Self::BeyondBudget { what } => {
                 write!(
                     f,
-                    "{what} is beyond the number type's budget: read the text at a smaller nff::Scale or take a wider type"
+                    "{what} is beyond the number type's budget: read the text at a smaller nff::Scale or take a wider \
+                     type"
                 )
             }
             Self::Negative { what } => write!(f, "{what} is negative: give 0 or more"),

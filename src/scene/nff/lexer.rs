@@ -87,6 +87,6 @@ fn end_of_word(text: &str) -> [usize; 2] {
     [end, text.get(..end).map_or(0, |word| word.chars().count())]
 }
 
-#[cfg(test)]
+#[cfg(units)]
 #[path = "../../../tests/units/scene/nff/lexer.rs"]
 mod tests;

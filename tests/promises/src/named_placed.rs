@@ -346,8 +346,8 @@ fn large_components_in_a_row_of_a_matrix_do_not_overflow() {
 /// Next to the apex of a turned double cone the grid of fixed point shifted a quotient by more bits than its word has:
 /// hits were 24 off in `Plain`, `Fast` and `Stable`. Found by the long form of the laws at edges.
 ///
-/// The directions are quotients of integers, and the origins are whole numbers of them away, so that the origin is moved
-/// to within a unit of the apex on the finest grid.
+/// The directions are quotients of integers, and the origins are whole numbers of them away, so that the origin is
+/// moved to within a unit of the apex on the finest grid.
 #[test]
 fn a_line_through_the_apex_of_a_turned_cone_meets_it_there_or_not_at_all() {
     const QUADRUPLES: [[i32; 4]; 9] = [

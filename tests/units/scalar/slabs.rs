@@ -72,16 +72,16 @@ fn misses_what_it_passes<S: Scalar>(size: f64, away: f64) {
             S::misses_box(&S::slabs(origin.map(number), unit::<S>(d)), range, centre.map(number), h)
         };
         let whole = [S::ZERO, S::BUDGET.distance];
-        let bounding_radius: f64 = (0..3).map(|i| half[i] * d[i].abs()).sum();
+        let half_width: f64 = (0..3).map(|i| half[i] * d[i].abs()).sum();
         let at = |t: f64| [0, 1, 2].map(|i| centre[i] + t * d[i]);
         // Behind the origin, beyond the end of the range, before its start.
-        assert!(missed(at(bounding_radius + clear), d, whole), "behind {centre:?} {half:?} {d:?}");
-        let (near, far) = (at(-away), at(-away - bounding_radius));
+        assert!(missed(at(half_width + clear), d, whole), "behind {centre:?} {half:?} {d:?}");
+        let (near, far) = (at(-away), at(-away - half_width));
         assert!(
-            missed(near, d, [S::ZERO, number(away - bounding_radius - clear)]) || away < bounding_radius + clear,
+            missed(near, d, [S::ZERO, number(away - half_width - clear)]) || away < half_width + clear,
             "beyond the end"
         );
-        assert!(missed(far, d, [number(away + 2.0 * bounding_radius + clear), S::BUDGET.distance]), "before the start");
+        assert!(missed(far, d, [number(away + 2.0 * half_width + clear), S::BUDGET.distance]), "before the start");
         // Past an edge, perpendicular to it: along the axis of the plane of the two others.
         for (i, j) in [(0, 1), (1, 2), (2, 0)] {
             let (mut along, mut off) = ([0.0; 3], [0.0; 3]);

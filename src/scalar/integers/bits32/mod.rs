@@ -163,8 +163,8 @@ impl Length for i32 {
         ((length ^ (length >> 63)) as u64 >> 30 == 0).then_some(length as i32)
     }
     #[inline(always)]
-    fn fitting(bounding_radius: Self) -> i32 {
-        placed::room(bounding_radius as u32).max(Self::FINER)
+    fn fitting(longest: Self) -> i32 {
+        placed::room(longest as u32).max(Self::FINER)
     }
     #[cold]
     #[inline(never)]
@@ -254,6 +254,6 @@ impl Length for i32 {
     }
 }
 
-#[cfg(test)]
+#[cfg(units)]
 #[path = "../../../../tests/units/scalar/integers/bits32.rs"]
 mod tests;

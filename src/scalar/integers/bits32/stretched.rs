@@ -33,7 +33,7 @@ impl Stretch for i32 {
         d: [i32; 3],
         position: [i32; 3],
         rows: [([i32; 3], i32); 3],
-        bounding_radius: i32,
+        longest: i32,
     ) -> Option<Stretched<i32>> {
         let apart = |o: i32, position: i32| o.wrapping_sub(position);
         let from = [apart(o[0], position[0]), apart(o[1], position[1]), apart(o[2], position[2])];
@@ -68,7 +68,7 @@ impl Stretch for i32 {
         // As many extra bits as the lengths of line and solid leave; but rounded bits are not replaced by zeros.
         let top = bits_of_longest(origin) + exponent - 30 - extra_bits;
         let rounded = if is_far { extra_bits - 2 - exponent } else { i32::MAX };
-        let finer_than_type = (LENGTH_BITS - top).min(room(bounding_radius as u32)).min(rounded).min(scale + FINEST);
+        let finer_than_type = (LENGTH_BITS - top).min(room(longest as u32)).min(rounded).min(scale + FINEST);
         if finer_than_type < scale + i32::FINER || shift + scale > 62 {
             return None;
         }

@@ -262,6 +262,6 @@ fn share_of_long(value: i128, e: i64) -> i128 {
     i64::dot([high(value)], [e]) >> 24
 }
 
-#[cfg(test)]
+#[cfg(units)]
 #[path = "../../../../tests/units/scalar/integers/bits64.rs"]
 mod tests;

@@ -39,7 +39,7 @@ impl Stretch for i64 {
         d: [i64; 3],
         position: [i64; 3],
         rows: [([i64; 3], i32); 3],
-        bounding_radius: i64,
+        longest: i64,
     ) -> Option<Stretched<i64>> {
         let apart = |o: i64, position: i64| o.wrapping_sub(position);
         let from = [apart(o[0], position[0]), apart(o[1], position[1]), apart(o[2], position[2])];
@@ -88,7 +88,7 @@ impl Stretch for i64 {
         let shift = 3 + excess + exponent - zeros as i32;
         let scale = (65 - shift).max(0);
         let shift = shift + scale;
-        let has_room = scale < 40 && bounding_radius >> (53 - scale.min(40)) == 0 && shift < 65 + 62;
+        let has_room = scale < 40 && longest >> (53 - scale.min(40)) == 0 && shift < 65 + 62;
         // To units of 2^-FINER of that.
         let by = 62 - FINER - exponent - scale;
         if !has_room || bits_of_longest(origin) - by > 62 || by >= 126 {

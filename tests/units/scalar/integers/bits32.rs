@@ -59,8 +59,8 @@ fn a_stretched_line_is_the_matrix_times_the_line() {
         let exponents = [0, 1, 2].map(|i| (tried / 7 + i * spread) % 13 - 6);
         tried += 1;
         let stored = [0, 1, 2].map(|i| (rows[i], exponents[i]));
-        let bounding_radius = 1 << (4 + tried % 20);
-        let Some(line) = i32::stretched(o, d, position, stored, bounding_radius) else { continue };
+        let longest = 1 << (4 + tried % 20);
+        let Some(line) = i32::stretched(o, d, position, stored, longest) else { continue };
         found += 1;
         let of = |v: [f64; 3]| {
             [0, 1, 2].map(|i| {
@@ -88,7 +88,7 @@ fn a_stretched_line_is_the_matrix_times_the_line() {
         assert!(
             inverse_length * 2.0_f64.powi(-line.scale) <= 0.5
                 && line.extra_bits >= i32::FINER
-                && (bounding_radius << line.scale << line.extra_bits) >> 30 == 0
+                && (longest << line.scale << line.extra_bits) >> 30 == 0
         );
     }
     assert!(found > tried / 4, "{found} of {tried}");

@@ -73,8 +73,8 @@ fn a_stretched_line_is_the_matrix_times_the_line() {
             row[i] = (1 << 61) + if random.below(2) == 0 { 0 } else { random.below(1 << 61) as i64 };
             (row, random.below(13) as i32 - 6)
         });
-        let bounding_radius = 1 << (20 + index % 24);
-        let Some(line) = i64::stretched(o, d, position, rows, bounding_radius) else { continue };
+        let longest = 1 << (20 + index % 24);
+        let Some(line) = i64::stretched(o, d, position, rows, longest) else { continue };
         found += 1;
         along_axes += u32::from(d.iter().filter(|c| **c == 0).count() == 2 && is_diagonal && !is_full);
         let length: IBig = line.direction.iter().map(|c| IBig::from(*c) * IBig::from(*c)).sum();

@@ -6,7 +6,7 @@ use core::fmt::Debug;
 struct Exactly {
     o: [i128; 3],
     d: [i128; 3],
-    bounding_radius: [i128; 3],
+    half: [i128; 3],
 }
 
 /// `n / d`, with a divisor of at least zero. With a divisor of zero it is infinite.
@@ -22,12 +22,12 @@ impl Exactly {
         let along = |axis: usize, bound: i128| {
             let (o, d) = (self.o[axis], self.d[axis]);
             let sign = if d < 0 { -1 } else { 1 };
-            ((bound * self.bounding_radius[axis] - sign * o, d.abs()), axis)
+            ((bound * self.half[axis] - sign * o, d.abs()), axis)
         };
         let by_t = |a: &(Quotient, usize), b: &(Quotient, usize)| compared(a.0, b.0);
         // A line along the planes is between them, or it misses.
         let crossed = || (0..3).filter(|axis| self.d[*axis] != 0);
-        if (0..3).any(|axis| self.d[axis] == 0 && self.o[axis].abs() > self.bounding_radius[axis]) {
+        if (0..3).any(|axis| self.d[axis] == 0 && self.o[axis].abs() > self.half[axis]) {
             return None;
         }
         let enter = crossed().map(|axis| along(axis, -1)).max_by(by_t)?;
@@ -72,8 +72,7 @@ where
         }
         // The line itself: with an error of less than two units, if it is framed.
         let mut off = |n: i128| 4 * n + if extra_bits == 0 { 0 } else { below(7) };
-        let exactly =
-            Exactly { o: o.map(&mut off), d: d.map(&mut off), bounding_radius: half.map(|h| (4 * h) << extra_bits) };
+        let exactly = Exactly { o: o.map(&mut off), d: d.map(&mut off), half: half.map(|h| (4 * h) << extra_bits) };
         let ends = exactly.ends();
         let told = |since: Option<N>| cuboid(o.map(number), extra_bits, d.map(number), half.map(number), since);
         let is_near = |t: N, (n, d): Quotient| {

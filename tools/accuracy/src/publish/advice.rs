@@ -237,7 +237,7 @@ fn by_fault() -> Vec<Advice> {
         ),
         advice(
             "Hit or miss, the part, or the order must never be wrong:",
-            "`Exact`, in `f32` or 32-bit fixed point. In no row is a hit lost, invented or on another part, for placed solids too. `Stable` has none in most rows either; but only `Exact` decides by proved bounds.",
+            "`Exact`, in `f32` or 32-bit fixed point. In no row is a hit lost, invented or on another part, for placed solids too. `Stable` has none in most rows either; but only `Exact` decides by proved bounds. A program in it often takes three times the flash: [firmware.md](firmware.md#what-a-tier-costs-in-flash) has the figures.",
             vec![
                 Row("f32", "Fast", CONE, "1e-7 off a plane"),
                 Row("f32", "Stable", CONE, "1e-7 off a plane"),
