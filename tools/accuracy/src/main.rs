@@ -37,8 +37,10 @@ mod study;
 mod sweep;
 mod time;
 
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
+use raylet_tables::print;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -114,8 +116,16 @@ struct Options {
     #[arg(long, requires = "part", value_name = "PRIMITIVE", value_parser = SUBJECTS)]
     only: Vec<String>,
     /// Measure this number type only; may be given several times. Needs --broken or --search.
-    #[arg(long, requires = "part", conflicts_with = "check", value_name = "NUMBER", value_parser = NUMBERS)]
+    #[arg(long, requires = "part", conflicts_with = "check", value_name = "NUMBER", ignore_case = true, value_parser = number())]
     number: Vec<String>,
+}
+
+/// Parses the name of a number type, which may be written in either case.
+fn number() -> impl TypedValueParser<Value = String> {
+    PossibleValuesParser::new(NUMBERS).map(|given| {
+        let named = NUMBERS.into_iter().find(|name| name.eq_ignore_ascii_case(&given));
+        named.map_or(given, String::from)
+    })
 }
 
 /// What is measured instead of the published tables.
@@ -158,8 +168,7 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let (rays, rounds) = if options.quick { (Rays::new(40), 3) } else { (rays, 9) };
     let study = measure(rays, rounds)?;
     if options.json {
-        print!("{}", study::as_json(&study));
-        return Ok(());
+        return print(&study::as_json(&study));
     }
     if options.write {
         let tier = |tier: &&str| (bounds::path(tier), bounds::table(tier, &study.rows));
@@ -171,7 +180,7 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     }
     let mut files = publish::documents(&study, root)?;
     files.push(("accuracy.json".into(), study::as_json(&study)));
-    print!("{}", publish::summary(&study));
+    print(&publish::summary(&study))?;
     put(&options.output, files)
 }
 
@@ -288,7 +297,7 @@ fn put(folder: &Path, files: Vec<(String, String)>) -> Result<(), Box<dyn Error>
         let told = |error| format!("{} cannot be written: {error}", path.display());
         std::fs::create_dir_all(path.parent().unwrap_or(folder)).map_err(told)?;
         std::fs::write(&path, text).map_err(told)?;
-        println!("written: {}", path.strip_prefix(in_repository("")).unwrap_or(&path).display());
+        print(&format!("written: {}\n", path.strip_prefix(in_repository("")).unwrap_or(&path).display()))?;
     }
     Ok(())
 }

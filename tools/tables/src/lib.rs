@@ -14,10 +14,19 @@ pub use grouped::grouped;
 pub use names::{CHIPS, SUBJECTS};
 pub use table::Table;
 
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// What can go wrong, for people to read.
 pub type Outcome<T = ()> = Result<T, Box<dyn std::error::Error>>;
+
+/// Prints a text. A reader that closes the pipe has read enough.
+pub fn print(text: &str) -> Outcome {
+    match std::io::stdout().write_all(text.as_bytes()) {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(error.into()),
+        _ => Ok(()),
+    }
+}
 
 /// A file of the repository, by its path from the root.
 pub fn in_repository(path: &str) -> PathBuf {
