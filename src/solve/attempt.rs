@@ -9,7 +9,8 @@ pub enum Stop {
     Unsure,
 }
 
-/// A result, or why there is none.
+/// A result, or why there is none. (The kernels of the grid have an enum of their own, which says the same:
+/// [`scalar::Attempt`](crate::scalar::Attempt).)
 pub type Attempt<T> = Result<T, Stop>;
 
 /// What a number knows.

@@ -60,7 +60,7 @@ impl<N: Ring> Surface<N> {
         distance + distance
     }
 
-    /// `h`, the scalar product of the gradient and the direction.
+    /// `h`, the scalar product of the [`gradient`](Self::gradient) (half of that of `f`) and the direction.
     #[inline(always)]
     fn slope(&self) -> N {
         match *self {
@@ -72,7 +72,7 @@ impl<N: Ring> Surface<N> {
         }
     }
 
-    /// `a`, the form of the direction; zero for a flat part.
+    /// `a`, the quadratic part of `f` at the direction; zero for a flat part.
     #[inline(always)]
     pub(crate) fn bending(&self) -> N {
         match *self {
