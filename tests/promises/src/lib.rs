@@ -27,7 +27,6 @@ mod exact;
 mod firmware;
 mod frames;
 mod frames_composed;
-mod fuzz_corpus;
 mod gallery;
 mod hard_cases;
 mod hierarchy;

@@ -1,7 +1,7 @@
 //! Where the default tier promises less than elsewhere: squares that vanish.
 
-use super::bytes::Number;
-use super::query::Query;
+use crate::bytes::Number;
+use crate::query::Query;
 use raylet::Placement;
 
 /// A float direction nearly along the axis, whose other components have squares that vanish, runs along the axis for

@@ -1,13 +1,13 @@
 //! Whether an answer is that of exact arithmetic.
 
-use super::bytes::Number;
-use super::known;
-use super::query::Query;
-use crate::cases::Kind;
-use crate::exact_types::{exact_line, same_crossing, same_part};
-use crate::oracle::{self, ConeExtent, CylinderExtent, Dyadic, InRange, Line, Solid, hits_in_range};
-use crate::random::Random;
+use crate::bytes::Number;
+use crate::known;
+use crate::query::Query;
 use raylet::{Hits, Part, Ray, Shape, Tier};
+use support::cases::Kind;
+use support::exact_types::{exact_line, same_crossing, same_part};
+use support::oracle::{self, ConeExtent, CylinderExtent, Dyadic, InRange, Line, Solid, hits_in_range};
+use support::random::Random;
 
 /// What a tier promises.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,16 +1,16 @@
 //! A solid and a ray from bytes.
 
-use super::agreement::Agreement;
-use super::bytes::{Bytes, Number};
-use crate::cases::Kind;
-use crate::oracle::{self, ConeExtent, CylinderExtent, Dyadic, Solid};
-use crate::random;
+use crate::agreement::Agreement;
+use crate::bytes::{Bytes, Number};
 use raylet::{
     Affine, Capsule, Cone, Cuboid, Cylinder, Departure, Disc, Frame, Leaving, Part, Placement, Plane, Primitive, Range,
     Ray, Rectangle, Scalar, Shape, Sphere, Triangle, Visible, tier,
 };
 use std::any::type_name;
 use std::cell::Cell;
+use support::cases::Kind;
+use support::oracle::{self, ConeExtent, CylinderExtent, Dyadic, Solid};
+use support::random;
 
 /// A constructor said no.
 #[derive(Debug)]

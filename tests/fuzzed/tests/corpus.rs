@@ -1,6 +1,6 @@
 //! The promise: no bit pattern breaks it. What the fuzz targets have kept, and what they have found, without a fuzzer.
 //!
-//! `RAYLET_FUZZ_INPUT=file cargo test -p raylet-promises a_given_input` checks one file, and says what it means if it
+//! `RAYLET_FUZZ_INPUT=file cargo test -p raylet-fuzzed a_given_input` checks one file, and says what it means if it
 //! fails: a solid unless its name or folder has `nff` in it.
 
 use fixed::types::{I16F16, I32F32};
@@ -10,10 +10,10 @@ use raylet::{
     Capsule, Cone, Crossing, Cylinder, Departure, Disc, Frame, Leaving, Part, Plane, Range, Ray, Scalar, Shape, Sphere,
     Triangle, UnitVec3, ValueError, Vec3,
 };
+use raylet_fuzzed::{Outcome, Verdict, check_nff, check_solid};
 use std::fs;
 use std::path::PathBuf;
 use support::amount::times;
-use support::fuzz::{Outcome, Verdict, check_nff, check_solid};
 use support::random::Random;
 
 /// The files of a target's corpus.

@@ -1,12 +1,12 @@
 //! What must hold for every solid and ray, in every number type and tier, whatever the rounding.
 
-use super::agreement::Agreement;
-use super::bytes::Number;
-use super::known;
-use super::query::Query;
-use crate::cases::Kind;
+use crate::agreement::Agreement;
+use crate::bytes::Number;
+use crate::known;
+use crate::query::Query;
 use raylet::scalar::UnitScalar;
 use raylet::{Crossing, Hit, Hits, Leaving, Placement, Range, Ray, Scalar, Shape, Tier, UnitVec3, Vec3, Visible};
+use support::cases::Kind;
 
 /// Fails with the case in words.
 macro_rules! law {

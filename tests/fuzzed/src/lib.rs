@@ -1,4 +1,4 @@
-//! What the fuzz targets check, and `tests/promises/src/fuzz_corpus.rs` with them: no bit pattern breaks it.
+//! What the fuzz targets check, and `tests/corpus.rs` with them: no bit pattern breaks it.
 
 mod agreement;
 mod bytes;

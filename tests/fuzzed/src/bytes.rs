@@ -1,10 +1,10 @@
 //! Numbers from bytes: every bit pattern can come, and those that meet something come often enough to be found.
 
-use crate::exact_types::Exact;
 use fixed::types::extra::{LeEqU32, LeEqU64};
 use fixed::{FixedI32, FixedI64};
 use raylet::scalar::UnitScalar;
 use raylet::{Scalar, UnitVec3, Vec3};
+use support::exact_types::Exact;
 
 /// A number type that any bits make.
 pub trait Number: Exact {
