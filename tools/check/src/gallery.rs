@@ -22,7 +22,7 @@ size a larger share of the pixels contains an edge than in the picture shown. Ho
 ";
 
 /// The file of a picture, and what the gallery says of it: in this order.
-const PICTURES: [(&str, &str); 7] = [
+const PICTURES: [(&str, &str); 8] = [
     (
         "still-life",
         "All solids of revolution, a disc and a pyramid; a ball is stretched to an ellipsoid, a cone stands on its apex, and a disc leans on it.",
@@ -45,7 +45,14 @@ const PICTURES: [(&str, &str); 7] = [
         "dome",
         "Quadrilaterals, flat on the left and with a normal at each corner on the right, under a hierarchy of boxes.",
     ),
+    (
+        NOT_ON_CHIPS,
+        "White things on a white floor, which an outline tells apart, for [displays](displays.md) of one bit. It is drawn on the host alone.",
+    ),
 ];
+
+/// A picture that is drawn on the host alone: the chips' program gives no scene an outline.
+const NOT_ON_CHIPS: &str = "one-bit";
 
 /// What the command of a picture printed: the command, and the lines that do not change from run to run.
 fn said(name: &str) -> Outcome<(String, Vec<String>)> {
@@ -67,7 +74,8 @@ pub fn text() -> Outcome<String> {
         for line in lines {
             let _ = writeln!(text, "- {line}");
         }
-        for (target, chip) in CHIPS.into_iter().filter(|(_, chip)| DRAWN_ON.contains(chip)) {
+        let chips = CHIPS.into_iter().filter(|(_, chip)| DRAWN_ON.contains(chip) && name != NOT_ON_CHIPS);
+        for (target, chip) in chips {
             let baseline = chip::baseline(target)?;
             let figure = |number| {
                 let instructions = Part::Gallery.figure(&baseline, &key(name, number, GALLERY_FIGURES[0]));
