@@ -94,9 +94,10 @@ fn tiers(study: &Study, host: &Chip) -> Option<String> {
         }
     }
     Some(format!(
-        "What a tier buys, in `{NUMBER}`, for a sphere and a capped cone that a frame turns. Errors are those of 99.9 % of the hits, as a length; in brackets\n\
-         is how many of some {} hits are lost or invented. *Textbook* is the formula `k^2 - a c` after the same transformation. Costs are instructions of a\n\
-         nearest hit, hit / miss, of rays from nearby; *flash* is bytes of a program with one such solid on the {CHIP}.\n\n{}",
+        "What a tier buys, in `{NUMBER}`, for a sphere and a capped cone that a frame turns. Errors are those of 99.9 % of\n\
+         the hits, as a length; in brackets is how many of some {} hits are lost or invented. *Textbook* is\n\
+         the formula `k^2 - a c` after the same transformation. Costs are instructions of a nearest hit, hit / miss, of rays\n\
+         from nearby; *flash* is bytes of a program with one such solid on the {CHIP}.\n\n{}",
         grouped(2 * study.rays.placed as u64),
         table.done()
     ))
