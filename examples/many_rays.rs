@@ -1,5 +1,9 @@
 //! Many rays at once: all processors of a host, with nothing but the standard library. Shapes and queries are plain
 //! values, so that threads share them.
+//!
+//! `time cargo run --release --example many_rays` says what a ray takes. On a Xeon with two processors its 1.2 million
+//! rays at 1,000 balls took 0.27 s of processor time in all, which is 0.23 microseconds a ray. Two threads took 0.55 to
+//! 0.71 of the time of one, while ten other programs shared the machine.
 
 use raylet::hierarchy::{Hierarchy, Node, Shapes};
 use raylet::{Fast, Frame, Plain, Ray, Shape, Sphere, Stable, Tier, UnitVec3, Vec3};

@@ -170,6 +170,24 @@ impl<S: Scalar> Affine<S> {
         self.position
     }
 
+    /// The same map with the image of the local origin at another position; the axes stay as they are, to the bit.
+    ///
+    /// # Errors
+    ///
+    /// [`FrameError::Position`] as for [`Affine::new`].
+    ///
+    /// ```
+    /// # use raylet::{Affine, Frame, UnitVec3, Vec3};
+    /// let turned = Frame::turned_about(Vec3::ZERO, UnitVec3::<f32>::Z, 30.0)?;
+    /// let egg = Affine::stretched(turned, Vec3::new(1.0, 2.0, 1.0))?;
+    /// let moved = egg.moved_to(Vec3::new(0.0, 0.5, 0.0))?;
+    /// assert_eq!((moved.inverse(), moved.position()), (egg.inverse(), Vec3::new(0.0, 0.5, 0.0)));
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub fn moved_to(self, position: Vec3<S>) -> Result<Self, FrameError> {
+        Ok(Self { position: position.checked().map_err(FrameError::Position)?, ..self })
+    }
+
     /// The inverse applied to a vector that starts at the position.
     #[inline]
     fn vector_to_local(&self, v: [S; 3]) -> [S::Real; 3] {

@@ -267,6 +267,23 @@ impl<S: Scalar> Frame<S> {
         }
     }
 
+    /// The same axes at another position, to the bit.
+    ///
+    /// # Errors
+    ///
+    /// [`FrameError::Position`] as for [`Frame::at`].
+    ///
+    /// ```
+    /// # use raylet::{Frame, UnitVec3, Vec3};
+    /// let turned = Frame::turned_about(Vec3::ZERO, UnitVec3::<f32>::Z, 30.0)?;
+    /// let moved = turned.moved_to(turned.position() + Vec3::new(0.0, 0.5, 0.0))?;
+    /// assert_eq!((moved.axes(), moved.position()), (turned.axes(), Vec3::new(0.0, 0.5, 0.0)));
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub fn moved_to(self, position: Vec3<S>) -> Result<Self, FrameError> {
+        Self::assembled(position, self.axes)
+    }
+
     /// A translation to a position that is within the budget.
     pub(crate) const fn within_budget(position: Vec3<S>) -> Self {
         Self { position, axes: [UnitVec3::X, UnitVec3::Y, UnitVec3::Z] }

@@ -23,8 +23,9 @@ use crate::geometry::Geometry;
 use crate::intersection::Intersection;
 use crate::line::{Needs, Place};
 use crate::number::{Guarded, Plain as PlainNumber, Running};
+use crate::part::Part;
 use crate::query::Solve;
-use crate::ray::Ray;
+use crate::ray::{Leaving, Ray};
 use crate::scalar::{FromScalar, RealOf, Scalar};
 use crate::solve::{self, Attempt, Goal, Line, LocalRay, Localize, Of, Stop};
 use crate::tier::{Fast, Plain, Stable};
@@ -143,9 +144,35 @@ impl<S: Scalar, N: Localize<S>> Method<S> for In<N> {
             return Err(Stop::Unsure);
         }
         let departure = ray.departure().map(|departure| (departure.part, departure.leaving));
-        let local = N::local_ray(place, ray, G::NEEDS, departure);
+        let local = if N::IS_WIDE {
+            transformed::<S, N, P>(place, ray, G::NEEDS, departure)
+        } else {
+            N::local_ray(place, ray, G::NEEDS, departure)
+        };
         intersect(geometry, &local, Goal { range: ray.range(), since: None })
     }
+}
+
+/// The ray in the frame, in a number that is seldom needed: a function of its own, one for all geometries.
+#[inline(never)]
+fn transformed<S: Scalar, N: Localize<S>, P: Place<S>>(
+    place: &P,
+    ray: &Ray<S>,
+    needs: Needs,
+    departure: Option<(Part, Leaving)>,
+) -> LocalRay<N> {
+    N::local_ray(place, ray, needs, departure)
+}
+
+/// The same, in double-words.
+#[inline(never)]
+fn rounded<S: Scalar + RealOf<S>, P: Place<S>>(
+    place: &P,
+    ray: &Ray<S>,
+    needs: Needs,
+    departure: Option<(Part, Leaving)>,
+) -> LocalRay<Running<S>> {
+    solve::rounded_ray::<S, S, P>(place, ray, needs, departure)
 }
 
 /// The intersection as a function of its own, one for all placements.
@@ -217,7 +244,7 @@ impl<S: Scalar + RealOf<S>> Method<S> for InDoubled<S> {
     #[inline(always)]
     fn all<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<Intersection<S>> {
         let departure = ray.departure().map(|departure| (departure.part, departure.leaving));
-        let local = solve::rounded_ray::<S, S, P>(place, ray, G::NEEDS, departure);
+        let local = rounded::<S, P>(place, ray, G::NEEDS, departure);
         intersect(geometry, &local, Goal { range: ray.range(), since: None })
     }
 }

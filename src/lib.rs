@@ -95,7 +95,7 @@
 //! |---|---|---|
 //! | `libm` | yes | square root and other functions of floats; required: a build without it stops with an error message |
 //! | `fixed` | yes | fixed-point scalars |
-//! | `std` | no | scene storage in `Vec`; enables `libm`, and changes no bit of a result |
+//! | `std` | no | a `Vec` as the list of a [`ShapeTree`] and as the storage of a scene; enables `libm`, and changes no bit of a result |
 //! | `embedded-graphics` | no | pictures on displays: see `display` |
 //! | `mint` | no | conversions of points and vectors |
 //! | `serde` | no | serialisation of vectors, rays, hits, shapes and the parts of scenes, with the exceptions in [docs/overview.md](https://github.com/raylet-rs/raylet/blob/main/docs/overview.md#stored-and-logged); fixed-point numbers as decimal text from which the same bits are read (as their bits in binary formats) |
@@ -166,7 +166,7 @@ pub use primitive::{Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, Siz
 pub use ray::{Along, Departure, Leaving, Range, Ray, RayError};
 pub use render::{Picture, Pixel};
 pub use scalar::{Scalar, ValueError};
-pub use scene::{Camera, Color, Counters, Fog, Light, Material, Object, Scene, Size, Texture};
+pub use scene::{Camera, Color, Counters, Fog, Light, Material, Object, Outline, Scene, Size, Texture};
 pub use shape::{Placement, Primitive, Shape, Shaped, Surface, Visible};
 pub use tier::{Exact, Fast, Plain, Stable, Tier};
 pub use vector::{UnitVec3, Vec3};

@@ -122,18 +122,13 @@ pub(crate) fn occludes<S: Scalar, T: Solve<S>, G: Geometry<S>, P: Place<S>>(
     reported: Reported,
 ) -> bool {
     if !S::RELATIVE && ray.range() == Range::FORWARD && reported.enter && reported.exit {
-        match is_ahead::<S, T, G, P>(geometry, place, ray) {
+        match T::ahead(geometry, place, ray) {
             Err(Stop::Miss) => return false,
             Ok(()) => return true,
             Err(Stop::Unsure) => {}
         }
     }
     nearest::<S, T, G, P>(geometry, place, ray, reported).is_some()
-}
-
-#[inline(never)]
-fn is_ahead<S: Scalar, T: Solve<S>, G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<()> {
-    T::ahead(geometry, place, ray)
 }
 
 /// True if rule 8 of the contract decides that a ray that departs cannot meet the geometry again.

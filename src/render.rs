@@ -8,7 +8,7 @@ use crate::effect::{All, Effect, EffectError, EffectSet, Effects, Sample, TraceC
 use crate::part::Part;
 use crate::ray::Ray;
 use crate::scalar::{Real, Ring, Scalar};
-use crate::scene::{Color, Counters, Levels, Observer, Raster, Scene, Size};
+use crate::scene::{Color, Counters, Levels, Observer, Raster, Scene, SceneHit, Size};
 use crate::shape::kinds::{self, Kinds};
 use crate::tier::{Stable, Tier};
 
@@ -168,7 +168,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
         if self.is_antialiased() {
             return self.pixel_of_many(x, y, context);
         }
-        let Sample { color, seen, lit_by } = self.sample(self.raster.ray([x, y], [0, 0]), self.levels, context);
+        let Sample { color, seen, lit_by } = self.sample(self.raster.place([x, y], [0, 0]), self.levels, context);
         Pixel { color, seen, lit_by }
     }
 
@@ -215,12 +215,41 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
         context.counters
     }
 
-    /// What a primary ray sees, its colour clamped to `[0, 1]`.
-    fn sample<O: Observer>(&self, ray: Option<Ray<S>>, levels: Levels, context: &mut TraceContext<O>) -> Sample<S> {
-        let Some(ray) = ray else { return Sample { color: Color::BLACK, seen: None, lit_by: 0 } };
+    /// What the primary ray through a point of the raster sees, its colour clamped to `[0, 1]`.
+    fn sample<O: Observer>(&self, at: [i64; 2], levels: Levels, context: &mut TraceContext<O>) -> Sample<S> {
+        let Some(ray) = self.raster.through(at) else {
+            return Sample { color: Color::BLACK, seen: None, lit_by: 0 };
+        };
         context.counters.primary_rays += 1;
-        let sample = self.tracer.look_in_levels(&ray, levels, context);
+        let gathered = self.tracer.gather(&ray, levels, context);
+        let mut sample = gathered.sample();
+        if self.tracer.uses(Effect::Outline)
+            && let Some(outline) = self.tracer.scene().outline()
+            && self.is_outlined(at, outline.width, &ray, gathered.first, context)
+        {
+            sample.color = outline.color;
+        }
         Sample { color: sample.color.clamped(), ..sample }
+    }
+
+    /// True if an edge is so many pixels to the right of a point of the raster or below it, or nearer.
+    ///
+    /// Not inlined, so that pictures without an outline do not take its stack frame.
+    #[inline(never)]
+    fn is_outlined<O: Observer>(
+        &self,
+        [right, down]: [i64; 2],
+        width: u8,
+        ray: &Ray<S>,
+        on: Option<SceneHit<S>>,
+        context: &mut TraceContext<O>,
+    ) -> bool {
+        let width = i64::from(width) * self.raster.pixel();
+        let beside = [[right + width, down], [right, down + width]];
+        beside
+            .into_iter()
+            .filter_map(|at| self.raster.through(at))
+            .any(|beside| self.tracer.sees_edge([ray, &beside], on, context))
     }
 
     /// The two corners, upper and lower, on the left of the pixel in column `x`.
@@ -256,7 +285,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
         let mut middle = Sample { color: Color::BLACK, seen: None, lit_by: 0 };
         for row in 0..samples {
             for column in 0..samples {
-                let sample = self.sample(self.raster.ray(at, [column, row]), Levels::Fine, context);
+                let sample = self.sample(self.raster.place(at, [column, row]), Levels::Fine, context);
                 mean.take(sample.color);
                 if (column, row) == (samples / 2, samples / 2) {
                     middle = sample;

@@ -115,6 +115,18 @@ impl<S: Scalar> Vec3<S> {
     }
 }
 
+/// The components, each rounded to the type: they have more bits in fixed point.
+///
+/// ```
+/// use raylet::{UnitVec3, Vec3};
+/// assert_eq!(Vec3::from(-UnitVec3::<f32>::Z), Vec3::new(0.0, 0.0, -1.0));
+/// ```
+impl<S: Scalar> From<UnitVec3<S>> for Vec3<S> {
+    fn from(direction: UnitVec3<S>) -> Self {
+        Self::round(direction.real())
+    }
+}
+
 impl<S> From<[S; 3]> for Vec3<S> {
     #[inline(always)]
     fn from([x, y, z]: [S; 3]) -> Self {

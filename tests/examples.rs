@@ -2,6 +2,8 @@
 
 #[path = "../examples/many_rays.rs"]
 mod many_rays;
+#[path = "../examples/one_bit.rs"]
+mod one_bit;
 #[path = "../examples/own_picture.rs"]
 mod own_picture;
 #[path = "../examples/picking.rs"]
@@ -16,6 +18,11 @@ mod tiers;
 #[test]
 fn many_rays_run_on_all_processors() {
     many_rays::main().expect("it runs");
+}
+
+#[test]
+fn a_display_of_one_bit_shows_outlines() {
+    one_bit::main().expect("it runs");
 }
 
 #[test]

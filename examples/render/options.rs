@@ -44,7 +44,7 @@ pub(crate) struct Options {
 
     /// Effects to use: `auto` for all that the scene calls for, `none`, or a list such as `diffuse,shadows`
     ///
-    /// There are ambient, diffuse, specular, shadows, reflection, refraction, texture, bump, fog and antialiasing. One
+    /// There are ambient, diffuse, specular, shadows, reflection, refraction, texture, bump, fog, antialiasing and outline. One
     /// that is named but not called for by the scene is not used; the report says which are.
     #[arg(long, value_name = "LIST", default_value = "auto", value_parser = parse_effects)]
     pub(crate) effects: EffectSet,
@@ -109,6 +109,17 @@ pub(crate) struct Options {
     /// strength 1
     #[arg(long, value_name = "LEVEL", default_value_t = 0.0, allow_hyphen_values = true, value_parser = parse_level)]
     pub(crate) ambient: f64,
+
+    /// Draw a black line around everything that is seen, PIXELS wide (1 to 16): for displays of few shades
+    #[arg(
+        long,
+        value_name = "PIXELS",
+        num_args = 0..=1,
+        require_equals = true,
+        default_missing_value = "1",
+        value_parser = parse_width
+    )]
+    pub(crate) outline: Option<u8>,
 
     /// Write levels in proportion to the light, for measuring. Without it they are encoded by sRGB, as screens expect
     /// it
@@ -243,6 +254,11 @@ fn parse_level(text: &str) -> Result<f64, String> {
 fn parse_samples(text: &str) -> Result<u8, String> {
     let samples = text.parse().ok().filter(|samples| (1..=16).contains(samples));
     samples.ok_or_else(|| "give a whole number from 1 to 16".to_owned())
+}
+
+fn parse_width(text: &str) -> Result<u8, String> {
+    let width = text.parse().ok().filter(|width| (1..=16).contains(width));
+    width.ok_or_else(|| "give a whole number from 1 to 16".to_owned())
 }
 
 fn parse_threads(text: &str) -> Result<u16, String> {

@@ -30,8 +30,12 @@ pub(crate) fn warnings(traced: &Traced, arithmetic: Arithmetic) {
 /// What was traced, and how long it took.
 pub(crate) fn picture(traced: &Traced, arithmetic: Arithmetic) -> String {
     let Traced { image, counters, remarks, .. } = traced;
+    let outline = match counters.outline_rays {
+        0 => String::new(),
+        rays => format!(", {rays} outline"),
+    };
     let mut text = format!(
-        "{}x{} pixels in {arithmetic}: {} rays ({} primary, {} shadow, {} reflection, {} refraction), \
+        "{}x{} pixels in {arithmetic}: {} rays ({} primary, {} shadow, {} reflection, {} refraction{}), \
          {} intersection tests, {} box tests\ncalled for: {}\n",
         image.width,
         image.height,
@@ -40,6 +44,7 @@ pub(crate) fn picture(traced: &Traced, arithmetic: Arithmetic) -> String {
         counters.shadow_rays,
         counters.reflection_rays,
         counters.refraction_rays,
+        outline,
         counters.intersection_tests,
         counters.box_tests,
         traced.called_for,
@@ -95,6 +100,7 @@ fn work(effect: Effect, counters: &Counters) -> (u64, &'static str) {
         Effect::Bump => (counters.bumps, "normals"),
         Effect::Fog => (counters.fogged_rays, "rays"),
         Effect::Antialiasing => (counters.refined_pixels, "pixels refined"),
+        Effect::Outline => (counters.outline_rays, "rays"),
         // Diffuse, specular, and any other that shades a hit and casts no ray.
         _ => (counters.hits_refined, "hits refined"),
     }

@@ -9,7 +9,7 @@ use crate::progress::Progress;
 use raylet::effect::EffectSet;
 use raylet::scene::{Hierarchy, Node, Observer};
 use raylet::tier::Tier;
-use raylet::{Color, Counters, Part, Picture, Pixel, Scalar, Size, TraceContext};
+use raylet::{Color, Counters, Outline, Part, Picture, Pixel, Scalar, Size, TraceContext};
 use std::error::Error;
 use std::num::NonZero;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -87,6 +87,9 @@ pub(crate) fn trace<S: Scalar, T: Tier<S> + Send + Sync>(
     let loaded = source.load::<S>(options, number, &progress)?;
     let mut nodes = vec![Node::EMPTY; Hierarchy::<S>::nodes_for(loaded.objects.len())];
     let mut scene = loaded.scene()?.at_tier::<T>().with_ambient(Color::from_f64([options.ambient; 3]));
+    if let Some(width) = options.outline {
+        scene = scene.with_outline(Outline::new(Color::BLACK).with_width(width));
+    }
     let hierarchy;
     if !options.no_hierarchy && loaded.objects.len() > FEW_OBJECTS {
         hierarchy = Hierarchy::build(&loaded.objects, &mut nodes)?;

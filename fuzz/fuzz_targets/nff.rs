@@ -2,5 +2,5 @@
 #![no_main]
 
 libfuzzer_sys::fuzz_target!(|data: &[u8]| {
-    support::fuzz::check_nff(data);
+    raylet_fuzzed::check_nff(data);
 });

@@ -9,7 +9,7 @@ use core::fmt;
 
 /// Which effects a scene needs. This is determined once, before the first ray.
 impl<S: Scalar, T: Tier<S>, K: Kinds> Scene<'_, S, T, K> {
-    /// The effects that the scene needs for its materials, lights and fog. [`Effect::Antialiasing`] is never among
+    /// The effects that the scene needs for its materials, lights, fog and outline. [`Effect::Antialiasing`] is never among
     /// them: it depends on the picture's [`Size`](crate::Size).
     ///
     /// ```
@@ -25,8 +25,9 @@ impl<S: Scalar, T: Tier<S>, K: Kinds> Scene<'_, S, T, K> {
     /// ```
     pub fn effects(&self) -> EffectSet {
         let of_objects = self.objects().iter().map(|object| self.called_for_by(object));
-        let of_fog = if self.has_fog() { EffectSet::of(Effect::Fog) } else { EffectSet::EMPTY };
-        of_objects.fold(of_fog, EffectSet::union)
+        let own = [(Effect::Fog, self.has_fog()), (Effect::Outline, self.has_outline())];
+        let own = own.into_iter().filter_map(|(effect, called_for)| called_for.then_some(effect));
+        of_objects.fold(own.collect(), EffectSet::union)
     }
 
     /// The effects that the object of this index needs on any of its parts; the empty set beyond the last object.
@@ -80,6 +81,10 @@ impl<S: Scalar, T: Tier<S>, K: Kinds> Scene<'_, S, T, K> {
     fn has_fog(&self) -> bool {
         self.fog().is_some_and(crate::scene::Fog::is_visible)
     }
+
+    fn has_outline(&self) -> bool {
+        self.outline().is_some_and(|outline| outline.width > 0)
+    }
 }
 
 /// The first effect that a scene needs and that is not in the set, with the object that needs it.
@@ -94,6 +99,9 @@ pub(crate) fn missing<S: Scalar, T: Tier<S>, K: Kinds>(
     }
     if scene.has_fog() && !compiled.contains(Effect::Fog) {
         return Err(EffectError::Fog);
+    }
+    if scene.has_outline() && !compiled.contains(Effect::Outline) {
+        return Err(EffectError::Outline);
     }
     Ok(())
 }
@@ -112,6 +120,8 @@ pub enum EffectError {
     },
     /// The scene is in fog, and fog is not compiled in.
     Fog,
+    /// The scene has an outline, and outline is not compiled in.
+    Outline,
     /// The picture's size has several samples for each pixel, and antialiasing is not compiled in.
     Antialiasing {
         /// The samples along each side of a pixel.
@@ -125,6 +135,7 @@ impl EffectError {
         match self {
             Self::Object { effect, .. } => effect,
             Self::Fog => Effect::Fog,
+            Self::Outline => Effect::Outline,
             Self::Antialiasing { .. } => Effect::Antialiasing,
         }
     }
@@ -135,6 +146,7 @@ impl fmt::Display for EffectError {
         match self {
             Self::Object { effect, object } => write!(f, "object {object} calls for {effect}")?,
             Self::Fog => f.write_str("the scene's fog calls for fog")?,
+            Self::Outline => f.write_str("the scene's outline calls for outline")?,
             Self::Antialiasing { samples } => {
                 write!(f, "the size of {samples} x {samples} samples a pixel calls for antialiasing")?;
             }

@@ -40,9 +40,10 @@ markers! {
     Bump: "normals from [`scene::Waves`](crate::scene::Waves) (Blinn 1978).",
     Fog: "distance takes light away, as [`scene::Fog`](crate::scene::Fog) says.",
     Antialiasing: "more rays where a pixel's corners differ (Whitted 1980).",
+    Outline: "lines around what is seen, as [`scene::Outline`](crate::scene::Outline) says (Saito and Takahashi 1990).",
 }
 
-/// The set of effects that a tracer is compiled with: a tuple of up to ten marker types, in any order. Sealed.
+/// The set of effects that a tracer is compiled with: a tuple of up to eleven marker types, in any order. Sealed.
 ///
 /// An effect that is not in the tuple contributes no instruction to the program: its code runs only after a test of the
 /// constant [`SET`](Effects::SET), and the compiler removes it.
@@ -58,7 +59,7 @@ pub trait Effects: Copy + Debug + sealed::Sealed + 'static {
 }
 
 /// Every effect.
-pub type All = (Ambient, Diffuse, Specular, Shadows, Reflection, Refraction, Texture, Bump, Fog, Antialiasing);
+pub type All = (Ambient, Diffuse, Specular, Shadows, Reflection, Refraction, Texture, Bump, Fog, Antialiasing, Outline);
 
 /// Implements [`Effects`] for the tuple of these, and for every shorter one.
 macro_rules! tuples {
@@ -79,4 +80,4 @@ macro_rules! tuples {
         tuples!($($Other)*);
     };
 }
-tuples!(A B C D E F G H I J);
+tuples!(A B C D E F G H I J L);

@@ -12,6 +12,7 @@
 //! | `bump` | bump mapping: perturbed normals (Blinn 1978) |
 //! | `fog` | attenuation by distance (Beer 1852) |
 //! | `antialiasing` | adaptive supersampling where a pixel's corners differ (Whitted 1980) |
+//! | `outline` | lines where neighbouring rays see different things (Saito and Takahashi 1990) |
 //! | `set`, `compiled` | the effects as values, and as types |
 //! | `called_for` | which effects a scene needs, and the error if one is missing |
 //! | `tracer`, `cutoff` | tracing of a primary ray and its secondary rays; where paths end |
@@ -25,13 +26,14 @@
 //! *At compile time*: [`Tracer`] and [`Picture`](crate::Picture) have their effects as a type parameter, [`All`] by
 //! default. A program contains no instruction of an effect that is not in this tuple.
 //!
-//! *When a picture is made*: [`Scene::effects`](crate::Scene::effects) returns the effects that materials, lights and
-//! fog need. If one of them is not compiled in, the picture is rejected with an [`EffectError`], since it would be
+//! *When a picture is made*: [`Scene::effects`](crate::Scene::effects) returns the effects that materials, lights,
+//! fog and outline need. If one of them is not compiled in, the picture is rejected with an [`EffectError`], since it would be
 //! wrong without it.
 //!
 //! *At each hit*: no shadow ray is cast towards a light that is behind the surface or would contribute nothing. No
 //! normal is computed for a shadow test, or where nothing is shaded. Surface coordinates are computed only for a
-//! texture or waves. No secondary ray is cast whose light cannot change the result.
+//! texture or waves. No secondary ray is cast whose light cannot change the result. An outline casts a second ray beside
+//! a pixel only if the first sees no edge.
 //!
 //! # The cut-off
 //!
@@ -61,6 +63,7 @@ mod cutoff;
 mod diffuse;
 mod field;
 mod fog;
+mod outline;
 mod reflection;
 mod refraction;
 mod set;
@@ -74,7 +77,8 @@ mod tracer;
 pub(crate) use antialiasing::differ;
 pub use called_for::EffectError;
 pub use compiled::{
-    All, Ambient, Antialiasing, Bump, Diffuse, Effects, Fog, Marker, Reflection, Refraction, Shadows, Specular, Texture,
+    All, Ambient, Antialiasing, Bump, Diffuse, Effects, Fog, Marker, Outline, Reflection, Refraction, Shadows,
+    Specular, Texture,
 };
 pub use cutoff::DEPTH;
 pub use set::{Effect, EffectSet, Iter};

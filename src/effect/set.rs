@@ -28,11 +28,13 @@ pub enum Effect {
     Fog,
     /// Adaptive supersampling where a pixel's corners differ.
     Antialiasing,
+    /// Lines around what is seen.
+    Outline,
 }
 
 impl Effect {
     /// Every effect, in order.
-    pub const EVERY: [Self; 10] = [
+    pub const EVERY: [Self; 11] = [
         Self::Ambient,
         Self::Diffuse,
         Self::Specular,
@@ -43,6 +45,7 @@ impl Effect {
         Self::Bump,
         Self::Fog,
         Self::Antialiasing,
+        Self::Outline,
     ];
 
     /// The name in messages and on command lines, in lower case.
@@ -58,6 +61,7 @@ impl Effect {
             Self::Bump => "bump",
             Self::Fog => "fog",
             Self::Antialiasing => "antialiasing",
+            Self::Outline => "outline",
         }
     }
 
@@ -123,7 +127,7 @@ impl EffectSet {
         self.0 == 0
     }
 
-    /// How many effects are in the set, 0 to 9.
+    /// How many effects are in the set, 0 to 11.
     pub const fn len(self) -> usize {
         self.0.count_ones() as usize
     }

@@ -6,7 +6,7 @@ use super::cutoff::{self, DEPTH, brightest};
 use super::set::{Effect, EffectSet};
 use super::shading_point::ShadingPoint;
 use super::trace_context::TraceContext;
-use super::{Sample, ambient, bump, diffuse, fog, reflection, refraction, shadow, specular, texture};
+use super::{Sample, ambient, bump, diffuse, fog, outline, reflection, refraction, shadow, specular, texture};
 use crate::hit::Crossing;
 use crate::ray::Ray;
 use crate::scalar::{Ring, Scalar};
@@ -67,11 +67,11 @@ struct Segment<S: Scalar> {
 
 /// The light that has been gathered for one primary ray.
 #[derive(Clone, Copy, Debug)]
-struct Gathered<S: Scalar> {
+pub(crate) struct Gathered<S: Scalar> {
     /// The light.
     light: [S::Real; 3],
     /// The first hit of the primary ray, and the lights that reach it.
-    first: Option<SceneHit<S>>,
+    pub(crate) first: Option<SceneHit<S>>,
     lit_by: u32,
 }
 
@@ -136,7 +136,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
     /// True if the effect is in use. For an effect that is not compiled in this is a constant, and the compiler removes
     /// the code that depends on it.
     #[inline(always)]
-    fn uses(&self, effect: Effect) -> bool {
+    pub(crate) fn uses(&self, effect: Effect) -> bool {
         E::SET.contains(effect) && self.active.contains(effect)
     }
 
@@ -146,16 +146,30 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
     /// Rays and tests are counted in `context`. A ray whose light could not change the colour's eight-bit
     /// level is not cast; see [`effect`](crate::effect#the-cut-off).
     pub fn look<O: Observer>(&self, ray: &Ray<S>, context: &mut TraceContext<O>) -> Sample<S> {
-        self.look_in_levels(ray, Levels::Srgb, context)
+        self.gather(ray, Levels::Srgb, context).sample()
     }
 
-    /// As [`Tracer::look`], with other levels for the cut-off, for displays and for sums of samples.
-    pub(crate) fn look_in_levels<O: Observer>(
+    /// True if there is an edge between what a ray sees, whose first hit is `on`, and what the ray `beside` it sees.
+    pub(crate) fn sees_edge<O: Observer>(
+        &self,
+        [ray, beside]: [&Ray<S>; 2],
+        on: Option<SceneHit<S>>,
+        context: &mut TraceContext<O>,
+    ) -> bool {
+        context.counters.outline_rays += 1;
+        let other = self.scene.nearest_for(beside, &mut context.counters, &mut context.observer);
+        outline::is_edge(self.scene, [ray, beside], [on, other])
+    }
+
+    /// The light that a ray brings and its first hit; as [`Tracer::look`], with other levels for the cut-off, for
+    /// displays and for sums of samples.
+    #[inline(always)]
+    pub(crate) fn gather<O: Observer>(
         &self,
         ray: &Ray<S>,
         levels: Levels,
         context: &mut TraceContext<O>,
-    ) -> Sample<S> {
+    ) -> Gathered<S> {
         let mut gathered = Gathered::new();
         if self.uses(Effect::Refraction) {
             self.follow_tree(ray, &mut gathered, levels, context);
@@ -164,7 +178,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         } else {
             self.meet(&Segment::from_eye(*ray), &mut gathered, context);
         }
-        gathered.sample()
+        gathered
     }
 
     /// Upper bound of the light that rays of this weight contribute.
@@ -472,7 +486,7 @@ impl<S: Scalar> Gathered<S> {
         self.gather(color.to_array().map(|channel| S::unit_real(channel) * weight));
     }
 
-    fn sample(&self) -> Sample<S> {
+    pub(crate) fn sample(&self) -> Sample<S> {
         Sample {
             color: self.light.map(S::unit_round).into(),
             seen: self.first.map(|on| (on.object, on.hit.part)),

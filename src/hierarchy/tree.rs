@@ -14,6 +14,10 @@ mod sealed {
 
 /// A list that a [`ShapeTree`] owns. Sealed: an array, a `heapless::Vec`, and with the feature `std` a `Vec`, of
 /// [`Shape`](crate::Shape)s or of anything else that is [`Shaped`].
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no list of shapes that a `ShapeTree` can own",
+    note = "it owns an array, a `heapless::Vec` or, with the feature `std` of raylet, a `Vec`, of what is `Shaped`"
+)]
 pub trait List<S: Scalar>: AsRef<[Self::Item]> + AsMut<[Self::Item]> + sealed::Sealed {
     /// What is in the list.
     type Item: Shaped<S>;

@@ -120,8 +120,8 @@ fn shared<S: GridScalar, T: Guards, G: Geometry<S>>(geometry: &G, line: &LocalLi
     geometry.meets_on_grid::<T>(line)
 }
 
-/// Occlusion of the half-line `t >= 0`.
-#[inline(always)]
+/// Occlusion of the half-line `t >= 0`: a function of its own, one for the tiers that share the guards.
+#[inline(never)]
 fn is_ahead<S: GridScalar, T: Guards, G: Geometry<S>, P: Place<S>>(
     geometry: &G,
     place: &P,

@@ -264,28 +264,36 @@ impl<S: Scalar> Raster<S> {
         self.size
     }
 
-    /// The ray through sample (`column`, `row`) of pixel (`x`, `y`); (0, 0) is the upper left. With one sample a pixel
+    /// The ray through a sample (column and row) of a pixel (column and row); (0, 0) is the upper left. With one sample a pixel
     /// it goes through the pixel's centre, as a zone of a range sensor is measured. `n` rows that span an angle `w`
     /// between their outer edges need a camera of the angle `2 atan((1 - 1/n) tan(w/2))` ([`Camera::new`]).
     ///
     /// Pixels and samples outside the picture are allowed. `None` only for an orthographic camera, for a ray that
     /// starts beyond the budget.
-    pub fn ray(&self, [x, y]: [u16; 2], [column, row]: [u8; 2]) -> Option<Ray<S>> {
-        let samples = i64::from(self.size.samples.max(1));
-        let odd = |pixel: u16, sample: u8| 2 * (i64::from(pixel) * samples + i64::from(sample)) + 1;
-        self.through([odd(x, column), odd(y, row)])
+    pub fn ray(&self, pixel: [u16; 2], sample: [u8; 2]) -> Option<Ray<S>> {
+        self.through(self.place(pixel, sample))
     }
 
-    /// The ray through the upper left corner of pixel (`x`, `y`), which it shares with its neighbours; (width, height)
-    /// is the picture's lower right corner.
-    pub(crate) fn corner(&self, [x, y]: [u32; 2]) -> Option<Ray<S>> {
-        let samples = i64::from(self.size.samples.max(1));
-        self.through([2 * i64::from(x) * samples, 2 * i64::from(y) * samples])
+    /// Where the ray through a sample of a pixel goes, for [`Raster::through`].
+    pub(crate) fn place(&self, [x, y]: [u16; 2], [column, row]: [u8; 2]) -> [i64; 2] {
+        let half = |pixel: u16, sample: u8| i64::from(pixel) * self.pixel() + 2 * i64::from(sample) + 1;
+        [half(x, column), half(y, row)]
+    }
+
+    /// Where the upper left corner of pixel (`x`, `y`) is, which it shares with its neighbours; (width, height) is the
+    /// picture's lower right corner.
+    pub(crate) fn corner(&self, corner: [u32; 2]) -> [i64; 2] {
+        corner.map(|pixels| i64::from(pixels) * self.pixel())
+    }
+
+    /// The side of a pixel in half samples.
+    pub(crate) fn pixel(&self) -> i64 {
+        2 * i64::from(self.size.samples.max(1))
     }
 
     /// The ray through the point that is `right` half samples to the right of the upper left corner and `down` half
     /// samples below it.
-    fn through(&self, [right, down]: [i64; 2]) -> Option<Ray<S>> {
+    pub(crate) fn through(&self, [right, down]: [i64; 2]) -> Option<Ray<S>> {
         let samples = i64::from(self.size.samples.max(1));
         // Twice the distance from the middle of the picture, in samples: at most 2^25, so that it is exact.
         let steps =

@@ -28,6 +28,8 @@ pub struct Counters {
     pub fogged_rays: u64,
     /// Pixels whose corners differed, so that their whole grid of samples was traced.
     pub refined_pixels: u64,
+    /// Rays beside a pixel, which look for an outline.
+    pub outline_rays: u64,
 }
 
 impl Counters {
@@ -44,10 +46,11 @@ impl Counters {
         self.bumps += other.bumps;
         self.fogged_rays += other.fogged_rays;
         self.refined_pixels += other.refined_pixels;
+        self.outline_rays += other.outline_rays;
     }
 
     /// The number of all rays.
     pub const fn rays(&self) -> u64 {
-        self.primary_rays + self.shadow_rays + self.reflection_rays + self.refraction_rays
+        self.primary_rays + self.shadow_rays + self.reflection_rays + self.refraction_rays + self.outline_rays
     }
 }

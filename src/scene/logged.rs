@@ -1,7 +1,7 @@
 //! The parts of a scene as they are logged with `defmt`.
 
 use super::nff::View;
-use super::{Camera, Color, Fog, Light, Material, Object, Raster, SceneHit, Texture, Waves};
+use super::{Camera, Color, Fog, Light, Material, Object, Outline, Raster, SceneHit, Texture, Waves};
 use crate::scalar::Scalar;
 use crate::scalar::written::Plain;
 use crate::shape::kinds::Kinds;
@@ -68,6 +68,12 @@ impl<S: Scalar> Format for Texture<'_, S> {
 impl<S: Scalar> Format for Fog<S> {
     fn format(&self, f: Formatter<'_>) {
         write!(f, "Fog {{ color: {}, clarity: {} }}", self.color(), Plain(self.clarity()));
+    }
+}
+
+impl<S: Scalar> Format for Outline<S> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Outline {{ color: {}, width: {} }}", self.color, self.width);
     }
 }
 

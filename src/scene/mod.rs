@@ -5,7 +5,7 @@
 //! | `object` | a shape with its materials and corner normals |
 //! | `material`, `color`, `light` | the input of shading |
 //! | `levels`, `srgb` | the levels that pictures are stored and shown in |
-//! | `texture`, `fog` | patterns on surfaces; fog |
+//! | `texture`, `fog`, `outline` | patterns on surfaces; fog; lines around what is seen |
 //! | `camera` | the primary ray of each pixel sample |
 //! | `storage` | lists that a reader fills |
 //! | `stored`, `logged` | how parts that check what they hold are stored, for `serde`; how parts are logged, for `defmt` |
@@ -26,6 +26,7 @@ mod material;
 pub mod nff;
 mod object;
 mod observer;
+mod outline;
 mod srgb;
 mod storage;
 #[cfg(feature = "serde")]
@@ -44,6 +45,7 @@ pub use light::Light;
 pub use material::Material;
 pub use object::{CornerNormals, Object};
 pub use observer::Observer;
+pub use outline::Outline;
 #[cfg(feature = "embedded-graphics")]
 pub(crate) use srgb::encoded;
 pub use storage::{Full, Store};
@@ -73,6 +75,7 @@ pub struct Scene<'a, S: Scalar, T = Stable, K: Kinds = All> {
     normals: &'a [CornerNormals<S>],
     textures: &'a [Texture<'a, S>],
     fog: Option<Fog<S>>,
+    outline: Option<Outline<S>>,
     background: Color<S>,
     ambient: Color<S>,
     camera: Camera<S>,
@@ -81,8 +84,8 @@ pub struct Scene<'a, S: Scalar, T = Stable, K: Kinds = All> {
 }
 
 impl<'a, S: Scalar, K: Kinds> Scene<'a, S, Stable, K> {
-    /// A scene with a black background, flat shading, no textures and no fog; see [`Scene::with_background`],
-    /// [`Scene::with_normals`], [`Scene::with_textures`] and [`Scene::with_fog`].
+    /// A scene with a black background, flat shading, no textures, no fog and no outline; see [`Scene::with_background`],
+    /// [`Scene::with_normals`], [`Scene::with_textures`], [`Scene::with_fog`] and [`Scene::with_outline`].
     ///
     /// # Errors
     ///
@@ -115,6 +118,7 @@ impl<'a, S: Scalar, K: Kinds> Scene<'a, S, Stable, K> {
             normals: &[],
             textures: &[],
             fog: None,
+            outline: None,
             background: Color::BLACK,
             ambient: Color::BLACK,
             camera,
@@ -140,10 +144,23 @@ impl<'a, S: Scalar, T: Tier<S>, K: Kinds> Scene<'a, S, T, K> {
     /// ```
     #[must_use]
     pub const fn at_tier<U: Tier<S>>(self) -> Scene<'a, S, U, K> {
-        let Self { objects, materials, lights, normals, textures, fog, background, ambient, camera, hierarchy, .. } =
+        let Self { objects, materials, lights, normals, textures, fog, outline, background, ambient, camera, .. } =
             self;
-        let tier = PhantomData;
-        Scene { objects, materials, lights, normals, textures, fog, background, ambient, camera, hierarchy, tier }
+        let (hierarchy, tier) = (self.hierarchy, PhantomData);
+        Scene {
+            objects,
+            materials,
+            lights,
+            normals,
+            textures,
+            fog,
+            outline,
+            background,
+            ambient,
+            camera,
+            hierarchy,
+            tier,
+        }
     }
 
     /// The same scene with another background.
@@ -210,6 +227,41 @@ impl<'a, S: Scalar, T: Tier<S>, K: Kinds> Scene<'a, S, T, K> {
         Self { fog: Some(fog), ..self }
     }
 
+    /// The same scene with a line around whatever is seen.
+    ///
+    /// ```
+    /// # use raylet::{Camera, Color, Material, Object, Outline, Picture, Scene, Shape, Size, Sphere, Vec3};
+    /// # let y = Vec3::new(0.0_f32, 1.0, 0.0);
+    /// # let camera = Camera::new(Vec3::new(0.0, 0.0, 5.0), Vec3::ZERO, y, 30.0)?;
+    /// // A white ball, seen before white by nothing but its outline.
+    /// let objects = [Object::new(Shape::new(Sphere::new(1.0_f32)?), 0)];
+    /// let materials = [Material::matte(Color::WHITE)];
+    /// let scene = Scene::new(&objects, &materials, &[], camera)?
+    ///     .with_background(Color::WHITE)
+    ///     .with_ambient(Color::WHITE)
+    ///     .with_outline(Outline::new(Color::BLACK));
+    /// let mut rows = vec![String::new(); 9];
+    /// Picture::new(&scene, Size::new(17, 9)).render(|_, y, pixel| {
+    ///     rows[y as usize].push(if pixel.color == Color::WHITE { '.' } else { '#' });
+    /// });
+    /// assert_eq!(rows, [
+    ///     "........#........",
+    ///     "......#####......",
+    ///     ".....#....#......",
+    ///     ".....#....##.....",
+    ///     "....##.....#.....",
+    ///     ".....#....#......",
+    ///     ".....###.##......",
+    ///     ".......##........",
+    ///     ".................",
+    /// ]);
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    #[must_use]
+    pub const fn with_outline(self, outline: Outline<S>) -> Self {
+        Self { outline: Some(outline), ..self }
+    }
+
     /// The same scene with a bounding volume hierarchy: the same results to the bit, in less time if there are many
     /// objects.
     ///
@@ -244,6 +296,11 @@ impl<'a, S: Scalar, T: Tier<S>, K: Kinds> Scene<'a, S, T, K> {
     /// The fog, if there is any.
     pub const fn fog(&self) -> Option<&Fog<S>> {
         self.fog.as_ref()
+    }
+
+    /// The outline, if there is one.
+    pub const fn outline(&self) -> Option<&Outline<S>> {
+        self.outline.as_ref()
     }
 
     /// The radiance of a ray that misses every object.

@@ -167,12 +167,13 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
     }
 
     /// The frame that places it, to move or to turn the shape; `None` if an [`Affine`](crate::Affine) or nothing does.
+    /// [`Placement::moved_to`] moves a shape however it is placed.
     ///
     /// ```
     /// use raylet::{Frame, Shape, Sphere, Vec3};
     /// let mut ball = Shape::new(Sphere::new(0.5_f32)?).placed(Frame::at(Vec3::new(1.0, 0.0, 0.0))?);
     /// if let Some(frame) = ball.frame() {
-    ///     ball = ball.placed(Frame::at(frame.position() + Vec3::new(0.0, 0.25, 0.0))?);
+    ///     ball = ball.placed(frame.moved_to(frame.position() + Vec3::new(0.0, 0.25, 0.0))?);
     /// }
     /// assert_eq!(ball.placement().position(), Vec3::new(1.0, 0.25, 0.0));
     /// # Ok::<(), raylet::Error>(())

@@ -2,7 +2,7 @@
 
 use super::kind::Kind;
 use crate::affine::Affine;
-use crate::frame::Frame;
+use crate::frame::{Frame, FrameError};
 use crate::scalar::Scalar;
 use crate::vector::{UnitVec3, Vec3};
 
@@ -35,6 +35,30 @@ impl<S: Scalar> Placement<S> {
             Self::World => Vec3::ZERO,
             Self::Frame(frame) => frame.position(),
             Self::Affine(affine) => affine.position(),
+        }
+    }
+
+    /// The same placement with the primitive's origin at another position: a [`Frame`] if there was none.
+    ///
+    /// # Errors
+    ///
+    /// [`FrameError::Position`] as for [`Frame::at`].
+    ///
+    /// ```
+    /// # use raylet::{Cuboid, Frame, Shape, UnitVec3, Vec3};
+    /// // A turned box is moved, and stays as it is turned.
+    /// let turned = Frame::turned_about(Vec3::new(1.0_f32, 0.0, 0.0), UnitVec3::Y, 30.0)?;
+    /// let mut cuboid = Shape::new(Cuboid::new(0.5, 1.0, 0.25)?).placed(turned);
+    /// let by = Vec3::new(0.0, 0.0, -2.0);
+    /// cuboid = cuboid.placed(cuboid.placement().moved_to(cuboid.placement().position() + by)?);
+    /// assert_eq!(cuboid.frame(), Some(&Frame::turned_about(Vec3::new(1.0, 0.0, -2.0), UnitVec3::Y, 30.0)?));
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub fn moved_to(self, position: Vec3<S>) -> Result<Self, FrameError> {
+        match self {
+            Self::World => Frame::at(position).map(Self::Frame),
+            Self::Frame(frame) => frame.moved_to(position).map(Self::Frame),
+            Self::Affine(affine) => affine.moved_to(position).map(Self::Affine),
         }
     }
 

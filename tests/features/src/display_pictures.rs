@@ -13,6 +13,10 @@ use raylet::scene::{Hierarchy, Node};
 use raylet::{Scalar, TraceContext};
 use shared::turntable::{self, FRAMES, Line, NODES};
 
+#[path = "../../../examples/one_bit.rs"]
+#[expect(dead_code, reason = "its `main` prints")]
+mod outlined;
+
 /// A display that remembers its pixels.
 struct Screen<C> {
     size: Area,
@@ -91,6 +95,10 @@ fn expect(file: &str, found: &[u8]) {
 fn levels(color: Rgb565) -> [u8; 3] {
     let (red, green, blue) = (color.r(), color.g(), color.b());
     [red << 3 | red >> 2, green << 2 | green >> 4, blue << 3 | blue >> 2]
+}
+
+fn black_or_white(pixel: BinaryColor) -> [u8; 3] {
+    if pixel.is_on() { [255; 3] } else { [0; 3] }
 }
 
 fn frames<S: Scalar>(frames: impl IntoIterator<Item = u8>) -> Vec<Screen<Rgb565>> {
@@ -205,6 +213,17 @@ fn pictures_of_one_bit() {
     let [upper, lower] = [share(upper), share(lower)];
     assert!(upper > lower + 0.05, "the ball is as bright above ({upper}) as below ({lower})");
 
-    let levels = |pixel: BinaryColor| if pixel.is_on() { [255; 3] } else { [0; 3] };
-    expect("docs/displays/one-bit.png", &screen.enlarged(4, levels).png());
+    expect("docs/displays/one-bit.png", &screen.enlarged(4, black_or_white).png());
+}
+
+/// The example `one_bit`: nothing but a line and some shade tells its things from the floor.
+#[test]
+fn pictures_of_outlines() {
+    let pages = outlined::draw().unwrap();
+    let mut screen = Screen::new(one_bit::WIDTH, one_bit::HEIGHT, BinaryColor::Off);
+    for (index, pixel) in screen.pixels.iter_mut().enumerate() {
+        let [x, y] = [index % usize::from(one_bit::WIDTH), index / usize::from(one_bit::WIDTH)];
+        *pixel = (pages[y / 8][x] >> (y % 8) & 1 == 1).into();
+    }
+    expect("docs/displays/outline.png", &screen.enlarged(4, black_or_white).png());
 }

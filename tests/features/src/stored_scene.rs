@@ -10,8 +10,8 @@ use raylet::scene::{CameraError, Coordinate, CornerNormals, Raster, SceneHit, Wa
 use raylet::shape::kinds::{Kind, KindSet};
 use raylet::tier::Precision;
 use raylet::{
-    Along, Camera, Color, Counters, Cylinder, Fog, Frame, Hit, Light, Material, Object, Part, Pixel, Plane, Ray,
-    Scalar, Scene, Shape, Size, Sphere, Texture, UnitVec3, ValueError, Vec3,
+    Along, Camera, Color, Counters, Cylinder, Fog, Frame, Hit, Light, Material, Object, Outline, Part, Pixel, Plane,
+    Ray, Scalar, Scene, Shape, Size, Sphere, Texture, UnitVec3, ValueError, Vec3,
 };
 use serde::{Serialize, de::DeserializeOwned};
 
@@ -61,6 +61,7 @@ fn all_come_back<S: Scalar>() {
     }
     round_trip(&color);
     round_trip(&Fog::new(color, unit(0.99)));
+    round_trip(&Outline::new(color).with_width(3));
     round_trip(&Light::new(point([1.0, 2.0, 1.0 / 3.0]), third));
     round_trip(&Light::distant(UnitVec3::from_f64([1.0, 2.0, 3.0]).expect("a length"), third));
     let waves = Waves { along_u: 3, along_v: 0, slope: third };
@@ -216,6 +217,7 @@ fn defmt_formats_every_value_in_every_number_type() {
         formats::<Camera<S>>();
         formats::<Raster<S>>();
         formats::<Fog<S>>();
+        formats::<Outline<S>>();
         formats::<Texture<'static, S>>();
         formats::<Waves<S>>();
         formats::<SceneHit<S>>();

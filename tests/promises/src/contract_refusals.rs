@@ -272,4 +272,5 @@ fn rule_10_one_error_takes_all_others_and_says_what_they_say() {
     check(HierarchyError::TooManyObjects);
     check(NffError { place: Place { line: 1, column: 2 }, reason: Reason::NoView });
     check(EffectError::Fog);
+    check(EffectError::Outline);
 }

@@ -75,7 +75,7 @@ fn sets_hold_what_they_are_given() {
     assert_eq!((set.len(), set.to_string()), (2, "diffuse, fog".to_owned()));
     assert_eq!(set.iter().collect::<Vec<_>>(), [Effect::Diffuse, Effect::Fog]);
     assert_eq!(set.without(Effect::Fog), EffectSet::of(Effect::Diffuse));
-    assert_eq!(EffectSet::ALL.difference(set).len(), 8);
+    assert_eq!(EffectSet::ALL.difference(set).len(), 9);
     assert_eq!(EffectSet::EMPTY.to_string(), "none");
     assert!(EffectSet::ALL.includes(set) && !set.includes(EffectSet::ALL));
     for effect in Effect::EVERY {
@@ -175,7 +175,7 @@ fn render<S: Scalar, E: Effects>(picture: &Picture<'_, S, E>) -> (Vec<Pixel<S>>,
 }
 
 /// The work of each effect that counts its own.
-fn work_of(counters: &Counters) -> [(Effect, u64); 7] {
+fn work_of(counters: &Counters) -> [(Effect, u64); 8] {
     [
         (Effect::Shadows, counters.shadow_rays),
         (Effect::Reflection, counters.reflection_rays),
@@ -184,6 +184,7 @@ fn work_of(counters: &Counters) -> [(Effect, u64); 7] {
         (Effect::Bump, counters.bumps),
         (Effect::Fog, counters.fogged_rays),
         (Effect::Antialiasing, counters.refined_pixels),
+        (Effect::Outline, counters.outline_rays),
     ]
 }
 
@@ -236,7 +237,8 @@ fn what_is_left_off_does_no_work() {
     let waves = Waves { along_u: 3, along_v: 0, slope: 0.5 };
     let material = material.with_refraction(0.3, 1.5).with_bump(waves);
     with_scene(material, true, Some(haze()), |scene| {
-        let scene = &scene.with_ambient(Color::from_f64([0.1; 3]));
+        let outline = scene::Outline::new(Color::from_f64([0.9, 0.1, 0.5]));
+        let scene = &scene.with_ambient(Color::from_f64([0.1; 3])).with_outline(outline);
         let picture = Picture::new(scene, Size::new(24, 18).with_samples(2));
         assert_eq!(picture.effects(), EffectSet::ALL);
         let (whole, counters) = render(&picture);

@@ -7,6 +7,7 @@
 //! | `picture` | a scene in flash, and its picture row by row |
 //! | `pictured` | the tests that the rays of a picture put to objects |
 //! | `subject` | what is measured: solids, unplaced and placed, and the queries |
+//! | `textbook` | the formulas that the library is compared with |
 //! | `rays` | seeded rays that hit, and others that miss |
 //! | `workload` | what users do: solids as they are placed, rays from near and far, departing rays |
 //! | `turntable` | the still life on a display (feature `displays`) |
@@ -20,6 +21,7 @@ pub mod pictured;
 pub mod range_sensor;
 pub mod rays;
 pub mod subject;
+pub mod textbook;
 #[cfg(feature = "displays")]
 pub mod turntable;
 pub mod workload;

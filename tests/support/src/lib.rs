@@ -10,7 +10,6 @@ pub mod crowd;
 pub mod described;
 pub mod exact_types;
 pub mod figures;
-pub mod fuzz;
 pub mod hard_case;
 #[cfg(feature = "laws")]
 pub mod laws;

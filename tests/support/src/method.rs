@@ -4,7 +4,7 @@ use super::exact_types::Exact as Number;
 use super::oracle::Solid;
 use super::placed::Placed;
 use super::subject::Subject;
-use super::textbook::{Form, Place, Plain, PlainRay, Reach};
+use super::textbook::{self, Plain, PlainRay, Reach};
 use fixed::types::{I16F16, I32F32};
 use raylet::tier::{self, Exact, Fast, Precision, Stable, Tier};
 use raylet::{Crossing, Part, Ray, Shape};
@@ -55,9 +55,9 @@ fn hits_of_tier<S: Number, T: Tier<S>>(target: &Target<'_, S>, ray: &Ray<S>) -> 
     hits.iter().map(|hit| Told { t: hit.t, surface: Some((hit.part, hit.crossing)) }).collect()
 }
 
-fn hits_of_textbook<S: Plain>(target: &Target<'_, S>, ray: &Ray<S>) -> Vec<Told<S>> {
-    let place = target.placed.map(Place::of);
-    let hits = Form::of::<S>(target.solid).hits(place.as_ref(), &PlainRay::of(ray), Reach::of(ray));
+fn hits_of_textbook<S: Plain + Number>(target: &Target<'_, S>, ray: &Ray<S>) -> Vec<Told<S>> {
+    let (form, place) = (textbook::form::<S>(target.solid), target.placed.map(textbook::place));
+    let hits = textbook::hits(&form, place.as_ref(), &PlainRay::of(ray), Reach::of(ray));
     hits.into_iter().filter_map(S::told).map(|t| Told { t, surface: None }).collect()
 }
 
@@ -67,14 +67,14 @@ impl<S: Number> Method<S> {
     }
 }
 
-impl<S: Plain> Method<S> {
+impl<S: Plain + Number> Method<S> {
     fn textbook() -> Self {
         Self { tier: "Textbook", hits: hits_of_textbook::<S>, in_integers: |_, _| false }
     }
 }
 
 /// A number type of the tables, with all ways to answer in it, the plainest first.
-pub trait Measurable: Plain {
+pub trait Measurable: Plain + Number {
     fn methods() -> Vec<Method<Self>>;
 }
 

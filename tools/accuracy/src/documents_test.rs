@@ -1,12 +1,12 @@
-//! The promise: docs/accuracy.md, docs/accuracy/, docs/which-one.md, docs/plots/ and the tables of the README and of
-//! docs/overview.md show what the repository holds: the bound table, the times and sweeps of the last
+//! The promise: the tables of the README, docs/overview.md, docs/accuracy.md and docs/which-one.md and the plots show what
+//! the repository holds, and what the pages claim of rows holds: the bound table, the times and sweeps of the last
 //! `cargo run --release -p raylet-accuracy -- --write`, the firmware's baselines.
 //!
 //! Nothing is measured here: `tests/promises/src/number_types.rs` holds the library to the bound table.
 
+use crate::publish;
 use crate::study::Study;
-use crate::{difference, publish};
-use std::fmt::Write;
+use raylet_tables::page::difference;
 use support::in_repository;
 
 /// How to renew the documents without measuring.
@@ -15,23 +15,23 @@ const RENEW: &str =
 
 #[test]
 fn the_documents_show_what_the_repository_holds() {
-    let study = Study::committed().unwrap();
-    let mut wrong = String::new();
-    for (path, wanted) in publish::documents(&study, &in_repository("")).unwrap() {
+    for (path, wanted) in publish::documents(&Study::committed().unwrap()).unwrap() {
         let held = std::fs::read_to_string(in_repository(&path)).unwrap_or_default();
-        if let Some(lines) = difference::between(&held, &wanted) {
-            writeln!(wrong, "{path}:\n{lines}").unwrap();
-        }
+        assert_eq!(difference(&held, &wanted), None, "{path} is not what it should be; {RENEW}");
     }
-    assert!(wrong.is_empty(), "documents are not what they should be; {RENEW}\n{wrong}");
 }
 
-/// An advice whose ground has gone says so in the document; then it is time to write another.
+/// What is no longer in the pages can be printed.
 #[test]
-fn every_advice_is_backed_by_its_rows() {
-    let text = std::fs::read_to_string(in_repository("docs/which-one.md")).unwrap();
-    let broken: Vec<_> = text.lines().filter(|line| line.contains("does not hold any more")).collect();
-    assert!(broken.is_empty(), "write another advice (tools/accuracy/src/publish/advice.rs): {broken:#?}");
+fn every_page_is_printed() {
+    let study = Study::committed().unwrap();
+    for name in publish::names() {
+        let page = publish::printed(&study, name);
+        assert!(page.lines().filter(|line| line.starts_with("| ")).count() > 10, "{name}");
+    }
+    let rows = |name| publish::printed(&study, name);
+    assert!(rows("Exact").contains("# Rows of `f32`") && !rows("Exact").contains("| Stable |"));
+    assert!(rows("I16F16").contains("| benign | Stable | 4000 | "));
 }
 
 /// What a number type, a tier or a primitive costs is shown for each: that there is a time counts here, not which.

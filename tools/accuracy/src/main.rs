@@ -5,6 +5,7 @@
 //! cargo run --release -p raylet-accuracy                 # tables and plots, in out/accuracy
 //! cargo run --release -p raylet-accuracy -- --quick      # the same of few rays, to look at
 //! cargo run --release -p raylet-accuracy -- --write      # renews everything that the repository shows
+//! cargo run --release -p raylet-accuracy -- --page f32    # all rows of a number type, as they are stored
 //! cargo run --release -p raylet-accuracy -- --bounds --only disc    # renews the bounds of a primitive
 //! cargo run --release -p raylet-accuracy -- --check      # fails if a figure of errors is not what is measured
 //! cargo run --release -p raylet-accuracy -- --broken     # the rays of which a tier's promise is broken, worst first
@@ -21,12 +22,10 @@
 //! | `sweep` | errors against distance and grazing |
 //! | `chips` | instructions on microcontrollers, from the firmware's baselines |
 //! | `study`, `stored` | all of these; times and sweeps as the repository stores them |
-//! | `publish` | the documents and plots that are made of them |
-//! | `difference` | how a document differs from another |
+//! | `publish` | the tables and plots that are made of them |
 
 mod broken;
 mod chips;
-mod difference;
 #[cfg(test)]
 mod documents_test;
 mod publish;
@@ -37,8 +36,11 @@ mod study;
 mod sweep;
 mod time;
 
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Parser, Subcommand};
 use indicatif::{ProgressBar, ProgressStyle};
+use raylet_tables::page::difference;
+use raylet_tables::print;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -49,9 +51,8 @@ use support::{bounds, figures, in_repository};
 
 /// Measure how wrong each tier is in each number type, and how long it takes.
 ///
-/// Without options everything is measured, which takes minutes, and the documents and plots are written to the folder
-/// out/accuracy. `rays` measures a solid and rays of your own instead. docs/accuracy.md is what this program writes,
-/// and explains every column.
+/// Without options everything is measured, which takes minutes, and pages and plots are written to the folder
+/// out/accuracy. `rays` measures a solid and rays of your own instead. docs/accuracy.md explains every column.
 ///
 /// Errors: every primitive (sphere, cone, ...) is met by several kinds of seeded rays. What the library answers is
 /// compared with exact arithmetic on the very bits that the library received: the error of t, in units in the last
@@ -84,14 +85,20 @@ struct Options {
     #[arg(short, long, default_value = "out/accuracy", value_name = "FOLDER")]
     output: PathBuf,
     /// Write what was measured into the repository instead of a folder: the bounds that the tests hold the library to
-    /// (data/bounds), docs/accuracy.md and docs/accuracy/, docs/which-one.md, docs/plots/ and the tables of the README
-    /// and of docs/overview.md.
+    /// (data/bounds), data/times.tsv and data/sweeps.tsv, docs/plots/ and the tables of the README and of
+    /// docs/overview.md, docs/accuracy.md and docs/which-one.md.
     #[arg(short, long, conflicts_with_all = ["check", "document"])]
     write: bool,
-    /// Measure nothing, and write the documents and plots of the repository again from the figures in data/: for use
-    /// after a change of the chips' figures, or of a text.
+    /// Measure nothing, and write the tables and plots of the repository's pages again from the figures in data/: for
+    /// use after a change of the chips' figures.
     #[arg(short, long)]
     document: bool,
+    /// Measure nothing, and print figures in data/: the rows of a number type or a tier; what benign rays cost; placed
+    /// solids by primitive; how often integers decide; surprises, which are rows in which more accuracy costs less, and
+    /// combinations that others beat. `all` writes all of these and all plots to the folder of --output.
+    #[arg(short, long, value_name = "NAME", value_parser = publish::names().into_iter().chain(["all"]).collect::<Vec<_>>(),
+        conflicts_with_all = ["write", "document", "check", "json", "quick", "rays"])]
+    page: Option<String>,
     /// Measure the errors, not the times, and compare the documents and plots of the repository with what they should
     /// be. Shows the lines that differ, and fails if there are any. Writes nothing.
     #[arg(short, long, conflicts_with = "document", group = "part")]
@@ -114,8 +121,16 @@ struct Options {
     #[arg(long, requires = "part", value_name = "PRIMITIVE", value_parser = SUBJECTS)]
     only: Vec<String>,
     /// Measure this number type only; may be given several times. Needs --broken or --search.
-    #[arg(long, requires = "part", conflicts_with = "check", value_name = "NUMBER", value_parser = NUMBERS)]
+    #[arg(long, requires = "part", conflicts_with = "check", value_name = "NUMBER", ignore_case = true, value_parser = number())]
     number: Vec<String>,
+}
+
+/// Parses the name of a number type, which may be written in either case.
+fn number() -> impl TypedValueParser<Value = String> {
+    PossibleValuesParser::new(NUMBERS).map(|given| {
+        let named = NUMBERS.into_iter().find(|name| name.eq_ignore_ascii_case(&given));
+        named.map_or(given, String::from)
+    })
 }
 
 /// What is measured instead of the published tables.
@@ -140,7 +155,12 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     }
     let root = &in_repository("");
     if options.document {
-        return put(root, publish::documents(&Study::committed()?, root)?);
+        return put(root, publish::documents(&Study::committed()?)?);
+    }
+    match options.page.as_deref() {
+        Some("all") => return put(&options.output, publish::everything(&Study::committed()?)?),
+        Some(name) => return print(&publish::printed(&Study::committed()?, name)),
+        None => {}
     }
     if options.check {
         return check(root, &options.only);
@@ -158,20 +178,20 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let (rays, rounds) = if options.quick { (Rays::new(40), 3) } else { (rays, 9) };
     let study = measure(rays, rounds)?;
     if options.json {
-        print!("{}", study::as_json(&study));
-        return Ok(());
+        return print(&study::as_json(&study));
     }
     if options.write {
         let tier = |tier: &&str| (bounds::path(tier), bounds::table(tier, &study.rows));
         let mut files: Vec<_> = figures::TIERS.iter().map(tier).collect();
         files.push((stored::TIMES.into(), stored::times_table(&study.times)));
         files.push((stored::SWEEPS.into(), stored::sweeps_table(&study.sweeps)));
-        files.extend(publish::documents(&study, root)?);
-        return put(root, files);
+        put(root, files)?;
+        // A claim of a page that does not hold any more is an error: what was measured is written before.
+        return put(root, publish::documents(&study)?);
     }
-    let mut files = publish::documents(&study, root)?;
+    let mut files = publish::everything(&study)?;
     files.push(("accuracy.json".into(), study::as_json(&study)));
-    print!("{}", publish::summary(&study));
+    print(&publish::summary(&study))?;
     put(&options.output, files)
 }
 
@@ -259,12 +279,12 @@ fn check(root: &Path, only: &[String]) -> Result<(), Box<dyn Error>> {
     rows.extend(fresh.cloned());
     let sweeps = if only.is_empty() { sweeps(bounds::RAYS.unplaced)? } else { committed.sweeps };
     let study = Study::new(bounds::RAYS, rows, committed.times, sweeps, committed.chips);
-    let mut files = publish::documents(&study, root)?;
+    let mut files = publish::documents(&study)?;
     files.push((stored::SWEEPS.into(), stored::sweeps_table(&study.sweeps)));
     let mut wrong = 0;
     for (path, wanted) in &files {
         let held = std::fs::read_to_string(root.join(path)).unwrap_or_default();
-        if let Some(lines) = difference::between(&held, wanted) {
+        if let Some(lines) = difference(&held, wanted) {
             println!("{path} (- as it is, + as measured):\n{lines}");
             wrong += 1;
         }
@@ -288,7 +308,7 @@ fn put(folder: &Path, files: Vec<(String, String)>) -> Result<(), Box<dyn Error>
         let told = |error| format!("{} cannot be written: {error}", path.display());
         std::fs::create_dir_all(path.parent().unwrap_or(folder)).map_err(told)?;
         std::fs::write(&path, text).map_err(told)?;
-        println!("written: {}", path.strip_prefix(in_repository("")).unwrap_or(&path).display());
+        print(&format!("written: {}\n", path.strip_prefix(in_repository("")).unwrap_or(&path).display()))?;
     }
     Ok(())
 }

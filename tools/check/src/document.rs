@@ -1,287 +1,303 @@
-//! `docs/microcontrollers.md`: the baselines as tables.
+//! The baselines of the chips as tables: those of `docs/microcontrollers.md` and `docs/gallery.md`, and all others to
+//! be printed. Also the tables of `docs/errors.md`.
 
 use crate::chip::{self, Part};
-use crate::{cost, cycles, effects, effects_table, kinds, marks, size};
-use raylet_tables::markdown::{head, row};
-use raylet_tables::{Baseline, CHIPS, Outcome, SUBJECTS, grouped, in_repository};
-use std::fmt::Write;
-use std::fs;
-
-/// The subjects that the textbook is compared with.
-const COMPARED: [&str; 3] = ["sphere", "cylinder, capped", "cone, capped"];
-
-/// Number types, and their tiers.
-const NUMBERS: [(&str, &[&str]); 4] = [
-    ("I16F16", &["Plain", "Fast", "Stable", "Exact"]),
-    ("f32", &["Plain", "Fast", "Stable", "Exact"]),
-    ("I32F32", &["Plain", "Fast", "Stable"]),
-    ("f64", &["Plain", "Fast", "Stable"]),
-];
+use crate::effects::{GALLERY_FIGURES, NUMBERS, SETS, key};
+use crate::{cost, kinds, size};
+use raylet_tables::markdown::{NONE, Table};
+use raylet_tables::{Baseline, CHIPS, Cell, Figures, Outcome, SUBJECTS, grouped, in_repository, joined, page, pivot};
+use raylet_tables::{Place, together};
 
 /// A chip, and what it takes.
-pub struct Measured {
-    /// Its name.
-    pub chip: &'static str,
+struct Measured {
+    name: &'static str,
     /// In instructions and bytes.
-    pub counted: Baseline,
+    counted: Baseline,
     /// In modelled cycles.
-    pub modelled: Baseline,
+    modelled: Baseline,
 }
 
-const INTRODUCTION: &str = "\
-# On microcontrollers
+fn chips() -> Outcome<Vec<Measured>> {
+    let read =
+        |(target, name)| Ok(Measured { name, counted: chip::baseline(target)?, modelled: chip::cycles(target)? });
+    CHIPS.into_iter().map(read).collect()
+}
 
-Flash, stack, instructions and modelled cycles on four chips: Cortex-M0+, Cortex-M3, Cortex-M4F and RV32IMC.
+/// Hit / miss.
+fn hit_and_miss(cell: &Cell<'_>) -> String {
+    joined(cell, &["hit", "miss"])
+}
 
-| section | what it holds |
-|---|---|
-| [Whole uses](#whole-uses) | flash and stack of a range sensor and of pictures |
-| [How it is measured](#how-it-is-measured) | what the figures mean, and what checks them |
-| [Modelled cycles](#modelled-cycles) | the model, and what cycles show that instructions do not |
-| [The marks](#the-marks) | limits that the library was written to reach |
-| [The nearest hit, beside the textbook](#the-nearest-hit-beside-the-textbook) | three primitives in every number type and tier, on all chips |
-| What users do: [M0+](#what-users-do-cortex-m0), [M3](#what-users-do-cortex-m3), [M4F](#what-users-do-cortex-m4f), [RV32IMC](#what-users-do-rv32imc) | the mean and the worst of single queries |
-| All primitives: [M0+](#cortex-m0), [M3](#cortex-m3), [M4F](#cortex-m4f), [RV32IMC](#rv32imc) | instructions, cycles and stack of every query |
-| [Flash](#flash) | bytes of a program with one primitive |
-| [Effects](#effects) | instructions, cycles, stack and flash of a pixel |
+/// The mean and, in brackets, the worst.
+fn mean_and_worst(cell: &Cell<'_>) -> String {
+    format!("{} ({})", joined(cell, &["mean"]), joined(cell, &["worst"]))
+}
 
-";
+/// A query of every solid in every number type and tier.
+fn query<'a>(figures: &'a Figures, query: &str, cell: impl Fn(&Cell<'_>) -> String) -> String {
+    let place = |parts: &[&'a str]| match *parts {
+        [subject, of, number, tier, what] if of == query => Some((vec![subject], vec![number, tier], what)),
+        _ => None,
+    };
+    pivot(&["solid"], figures, place, cell)
+}
 
-const METHOD: &str = "\
-## How it is measured
+/// Figures with names of three or four parts, the last of them in the cell.
+fn others<'a>(figures: &'a Figures, wanted: impl Fn(&str) -> bool, cell: impl Fn(&Cell<'_>) -> String) -> String {
+    let place = |parts: &[&'a str]| {
+        let [row, column @ .., what] = parts else { return None };
+        wanted(row).then(|| (vec![*row], column.to_vec(), *what))
+    };
+    pivot(&["what"], figures, place, cell)
+}
 
-Unless a table says otherwise, the figures are **instructions, not cycles**: a chip takes one or more cycles for each, depending on its pipeline and on its
-memory. Cycles are [modelled](#modelled-cycles). QEMU counts the instructions (`-icount shift=0`: its clock advances by one nanosecond an instruction), so that
-the counts are the same on every run. The programs of the M0+ run on QEMU's Cortex-M3, which executes all instructions of an M0+.
+/// Figures of a part of all chips: a column a chip.
+fn compared(
+    chips: &[Measured],
+    part: Part,
+    titles: &[&str],
+    place: impl for<'a> Fn(&[&'a str]) -> Option<Place<'a>>,
+    cell: impl Fn(&Cell<'_>) -> String,
+) -> String {
+    let figures = together(chips.iter().map(|of| (of.name, part.figures(&of.counted))));
+    pivot(titles, &figures, |parts| place(parts), cell)
+}
 
-Unless a table says otherwise, a figure is the mean over 64 seeded rays that start 2 to 6 units away; all of them hit, or all miss. The queries of the sections *What users do* are
-described in [benches.md](benches.md). Each query is a call of a function that is not inlined; the cost of the loop and of a call of an empty function is
-subtracted. The programs are built with `opt-level = 3`, link-time optimisation and one codegen unit.
-
-The *textbook* is the formula `k^2 - a c` as it is usually written: for floats with `libm`'s square root, for fixed point with the
-operators of the crate `fixed` in the same type, wrapping where a square overflows. The tables here show its cost; its errors are in
-[accuracy.md](accuracy.md). On the Cortex-M4F a second row, *VSQRT*, has the textbook with the chip's instruction for the square root, which raylet uses too.
-
-The documentation of `raylet::tier` says what the tiers promise.
-
-`.ci/measure --renew` and `.ci/cycles --renew` write this page; do not edit it. `.ci/measure` fails if a figure gets more than 2 % worse: `.ci/run` calls it for the
-M0+, `.ci/long` for all four. `.ci/cycles` does the same for modelled cycles, and `.ci/long` calls it.
-
-";
-
-/// The figure for rays that hit, or for both kinds.
-pub fn cell(baseline: &Baseline, subject: &str, query: &str, number: &str, tier: &str) -> String {
-    let figure = |rays| Part::Cost.figure(baseline, &cost::key(subject, query, number, tier, rays)).map(grouped);
-    match (figure("hit"), figure("miss")) {
-        (Some(hit), Some(miss)) => format!("{hit} / {miss}"),
-        (Some(hit), None) => hit,
-        _ => "–".into(),
+/// What the library takes of flash and stack: a shape of any primitive and placement, and pictures of them.
+fn uses(chips: &[Measured]) -> String {
+    let names = chips
+        .iter()
+        .flat_map(|of| [format!("{}, flash", of.name), "stack".into(), "instructions".into(), "cycles".into()]);
+    let mut table = Table::new(&["use", "number"].map(String::from).into_iter().chain(names).collect::<Vec<_>>(), 2);
+    let show = |figure: Option<u64>| figure.map_or(NONE.into(), grouped);
+    let of_cost = |baseline: &Baseline, subject: &str, number: &str, what: &str| {
+        Part::Cost.figure(baseline, &cost::key(subject, "nearest", number, "Stable", what))
+    };
+    for number in NUMBERS {
+        let mut row = |name: &str, figures: &dyn Fn(&Measured) -> [Option<u64>; 4]| {
+            let cells = chips.iter().flat_map(|of| figures(of).map(show));
+            table.row(&[name, number].map(String::from).into_iter().chain(cells).collect::<Vec<_>>());
+        };
+        row(SENSOR, &|of| {
+            let stack = |subject| of_cost(&of.counted, subject, number, "stack");
+            [
+                Part::Size.figure(&of.counted, &size::key(size::SHAPE, [number, "Stable"])),
+                SUBJECTS.into_iter().chain([SENSOR]).filter_map(stack).max(),
+                of_cost(&of.counted, SENSOR, number, "hit"),
+                of_cost(&of.modelled, SENSOR, number, "hit"),
+            ]
+        });
+        for (name, (_, set)) in [("picture, no effects", SETS[0]), ("picture, all effects", SETS[SETS.len() - 1])] {
+            row(name, &|of| {
+                let figure = |baseline, what: &str| Part::Effects.figure(baseline, &key(set, number, what));
+                [
+                    Part::Size.figure(&of.counted, &key(set, number, "bytes")),
+                    figure(&of.counted, "stack"),
+                    figure(&of.counted, "instructions"),
+                    figure(&of.modelled, "instructions"),
+                ]
+            });
+        }
+        for of_kinds in &kinds::USES {
+            row(of_kinds.name, &|of| [Part::Size.figure(&of.counted, &kinds::key(of_kinds, number)), None, None, None]);
+        }
     }
+    table.done()
 }
 
 /// The tests of a range sensor, as a subject.
 const SENSOR: &str = "range sensor";
 
-/// The subjects whose stack is measured: the sensor has rays that the first numbers of floats cannot decide.
-fn stacked() -> impl Iterator<Item = &'static str> {
-    SUBJECTS.into_iter().chain([SENSOR])
-}
-
-/// What the uses of the library take: a shape of any primitive and placement, and pictures of them.
-fn whole_uses(text: &mut String, chips: &[Measured]) {
-    text.push_str(
-        "## Whole uses\n\nIn `Stable`. *Flash* is bytes over those of a program that does nothing, built with `opt-level = 3`, the fastest profile and not the smallest. *Stack* is the most bytes that were measured: no bound is proved. \
-         A ray that the first numbers of a tier cannot decide needs the stack of wider ones; the sensor has such rays, and a simple picture may have none. \
-         Instructions and [modelled cycles](#modelled-cycles) are means.\n\n\
-         - The *range sensor* tests a `Shape`, which may be any primitive in any placement. Instructions and cycles are those of one test, of one of 64 zones against one of forty solids, 1 to 200 metres away and most of them upright; most tests miss. \
-         They are means over every 27th pair of a zone and a solid; the sections *What users do* have the worst of these too. The stack is the largest of all nearest hits that are measured.\n\
-         - The *picture* is that of the section [Effects](#effects), and its shapes may be any primitive too. Instructions and cycles are those of a pixel; with all effects, pixels at edges have several samples.\n\
-         - Rows that name primitives are programs that name them as well (`Shape<S, K>`): spheres and planes, or cylinders and planes, in frames or not placed. They contain no code of other primitives and placements. Only their flash is measured.\n\n",
-    );
-    head(text, ["use", "number", "chip", "flash", "stack", "instructions", "cycles"].map(String::from));
-    for number in effects::NUMBERS {
-        for Measured { chip, counted: baseline, modelled } in chips {
-            let cost = |baseline: &Baseline, subject: &str, of: &str| {
-                Part::Cost.figure(baseline, &cost::key(subject, "nearest", number, "Stable", of))
-            };
-            let deepest = stacked().filter_map(|subject| cost(baseline, subject, "stack")).max();
-            let flash = Part::Size.figure(baseline, &size::key(size::SHAPE, [number, "Stable"]));
-            let mut line = |of: &str, figures: [Option<u64>; 4]| {
-                let figures = figures.map(|figure| figure.map_or("–".into(), grouped));
-                row(text, [of, number, chip].map(String::from).into_iter().chain(figures));
-            };
-            let sensor = |figures| cost(figures, SENSOR, "hit");
-            line(SENSOR, [flash, deepest, sensor(baseline), sensor(modelled)]);
-            let ends = [("picture, no effects", effects::SETS.first()), ("picture, all effects", effects::SETS.last())];
-            for (name, set) in ends.into_iter().filter_map(|(name, set)| Some((name, set?.1))) {
-                let figure = |what: &str| Part::Effects.figure(baseline, &effects::key(set, number, what));
-                let flash = Part::Size.figure(baseline, &effects::key(set, number, "bytes"));
-                let cycles = Part::Effects.figure(modelled, &effects::key(set, number, "instructions"));
-                line(name, [flash, figure("stack"), figure("instructions"), cycles]);
-            }
-            for of in &kinds::USES {
-                line(of.name, [Part::Size.figure(baseline, &kinds::key(of, number)), None, None, None]);
-            }
-        }
+/// Cycles an instruction of a nearest hit, the median over solids and tiers; the textbook is left out.
+fn cycles(chips: &[Measured]) -> String {
+    let titles = ["number"].into_iter().chain(chips.iter().map(|of| of.name)).collect::<Vec<_>>();
+    let mut table = Table::new(&titles, 1);
+    for number in ["I16F16", "f32", "I32F32", "f64"] {
+        let is_of = |name: &str| {
+            let parts: Vec<_> = name.split(" | ").collect();
+            matches!(parts[..], [solid, "nearest", of, tier, "hit"]
+                if of == number && SUBJECTS.contains(&solid) && !tier.starts_with("textbook"))
+        };
+        let ratio = |of: &Measured| {
+            let counted = Part::Cost.figures(&of.counted).iter().filter(|(name, _)| is_of(name));
+            let mut ratios: Vec<_> = counted
+                .filter_map(|(name, counted)| Some(Part::Cost.figure(&of.modelled, name)? as f64 / *counted as f64))
+                .collect();
+            ratios.sort_by(f64::total_cmp);
+            ratios.get(ratios.len() / 2).map_or(NONE.into(), |ratio| format!("{ratio:.2}"))
+        };
+        table.row(&[number.to_string()].into_iter().chain(chips.iter().map(ratio)).collect::<Vec<_>>());
     }
-    text.push('\n');
+    table.done()
 }
 
-/// A few primitives on all chips, beside the textbook.
-fn comparison(text: &mut String, chips: &[Measured]) {
-    text.push_str("## The nearest hit, beside the textbook\n\nInstructions, and [modelled cycles](#modelled-cycles): hit / miss.\n\n");
-    let titles = chips.iter().flat_map(|Measured { chip, .. }| [(*chip).to_string(), "cycles".into()]);
-    head(text, ["", "number", "tier"].map(String::from).into_iter().chain(titles));
-    for subject in COMPARED {
-        for (number, tiers) in NUMBERS {
-            for tier in ["textbook", "textbook, VSQRT"].iter().chain(tiers) {
-                let figures = chips.iter().flat_map(|Measured { counted, modelled, .. }| [counted, modelled]);
-                let cells: Vec<_> = figures.map(|of| cell(of, subject, "nearest", number, tier)).collect();
-                if cells.iter().any(|cell| cell != "–") {
-                    let names = [subject, number, tier].map(String::from);
-                    row(text, names.into_iter().chain(cells));
-                }
-            }
-        }
+/// A picture of the gallery: its command, what that said, and the cost of a pixel.
+fn picture(chips: &[Measured], name: &str) -> Outcome<String> {
+    let text = std::fs::read_to_string(in_repository(&format!("docs/gallery/{name}.txt")))
+        .map_err(|error| format!("{name}: {error}; `.ci/gallery --renew` draws it"))?;
+    let (command, said) = text.split_once('\n').unwrap_or((&text, ""));
+    let costs = chips.iter().filter_map(|of| {
+        let figure = |number| Part::Gallery.figure(&of.counted, &key(name, number, GALLERY_FIGURES[0])).map(grouped);
+        let (fixed, float) = (figure("I16F16")?, figure("f32")?);
+        Some(format!("- {}: {fixed} instructions a pixel in I16F16, {float} in f32\n", of.name))
+    });
+    let said = said.lines().map(|line| format!("- {line}\n")).chain(costs);
+    Ok(format!("```sh\n{command}\n```\n\n{}\n", said.collect::<String>()))
+}
+
+/// How pictures of a scene differ from that in `f64`.
+fn errors(scene: &str) -> Outcome<String> {
+    let stored = raylet_tables::Table::read("data/errors.tsv", ".ci/errors --renew")?;
+    let titles = ["number and tier", "pixels that differ", "by more than a level", "greatest difference, levels"];
+    let titles = titles.into_iter().chain(["instructions a ray", "difference, 32 times as large"]).collect::<Vec<_>>();
+    let mut table = Table::new(&titles, 1);
+    for row in stored.rows.iter().filter(|row| row[0] == scene) {
+        let [_, number, tier, differing, more, greatest, instructions] = &row[..] else {
+            return Err("data/errors.tsv has seven columns".into());
+        };
+        let suffix = if tier == "stable" { String::new() } else { format!("-{tier}") };
+        let picture = format!("![difference](errors/{scene}-{number}{suffix}.png)");
+        let picture = if number == "f64" { NONE.into() } else { picture };
+        let figures = [differing, more, greatest, instructions].map(|figure| figure.replace('-', NONE));
+        table.row(&[format!("{number} {tier}")].into_iter().chain(figures).chain([picture]).collect::<Vec<_>>());
     }
+    Ok(table.done())
 }
 
-/// What users do, on one chip.
-fn workloads(text: &mut String, chip: &str, baseline: &Baseline) {
-    const KINDS: [(&str, &str); 10] = [
-        ("I16F16", "Plain"),
-        ("I16F16", "Fast"),
-        ("I16F16", "Stable"),
-        ("I16F16", "Exact"),
-        ("f32", "Plain"),
-        ("f32", "Fast"),
-        ("f32", "Stable"),
-        ("f32", "Exact"),
-        ("I32F32", "Stable"),
-        ("f64", "Stable"),
-    ];
-    let _ = write!(
-        text,
-        "\n## What users do: {chip}\n\nInstructions of a nearest hit. Each of a hundred queries is counted by itself: the mean (the worst).\n\n"
-    );
-    head(text, std::iter::once(String::new()).chain(KINDS.map(|(number, tier)| format!("{number} {tier}"))));
-    let names: std::collections::BTreeSet<_> =
-        Part::Workload.figures(baseline).keys().filter_map(|key| key.split(" | ").next()).collect();
-    for of in names {
-        let cells = KINDS.map(|(number, tier)| {
-            let figure =
-                |what| Part::Workload.figure(baseline, &cost::workload_key(of, number, tier, what)).map(grouped);
-            match (figure("mean"), figure("worst")) {
-                (Some(mean), Some(worst)) => format!("{mean} ({worst})"),
-                _ => "–".into(),
-            }
-        });
-        row(text, std::iter::once(of.to_string()).chain(cells));
-    }
+/// A table of a page, by the name of its mark.
+fn table(chips: &[Measured], name: &str, about: &str) -> Outcome<String> {
+    Ok(match name {
+        "uses" => uses(chips),
+        "cycles" => cycles(chips),
+        "compiler" => format!("Compiler: {}.\n\n", chips.first().map_or("", |of| &of.counted.compiler)),
+        "picture" => picture(chips, about)?,
+        "errors" => errors(about)?,
+        "textbook" => compared(chips, Part::Cost, &["solid", "number", "tier"], place_of_solid, hit_and_miss),
+        "users" => compared(chips, Part::Workload, &["rays"], place_of_user, mean_and_worst),
+        "flash" => compared(chips, Part::Size, &["solid", "tier"], place_of_size, |cell| joined(cell, &["bytes"])),
+        "effects" => compared(chips, Part::Effects, &["effects"], place_of_effects, |cell| {
+            joined(cell, &["instructions", "stack"])
+        }),
+        _ => return Err(format!("there is no table `{name}`").into()),
+    })
 }
 
-/// Every primitive on one chip.
-fn one_chip(text: &mut String, Measured { chip, counted: baseline, modelled }: &Measured) {
-    let _ = write!(text, "\n## {chip}\n\nThe nearest hit, in instructions: hit / miss.\n\n");
-    let kinds: Vec<_> =
-        NUMBERS.iter().flat_map(|(number, tiers)| tiers.iter().map(move |tier| (*number, *tier))).collect();
-    let nearest = |text: &mut String, figures: &Baseline| {
-        let titles = kinds.iter().map(|(number, tier)| format!("{number} {tier}"));
-        head(text, std::iter::once(String::new()).chain(titles));
-        for subject in SUBJECTS {
-            let cells = kinds.iter().map(|(number, tier)| cell(figures, subject, "nearest", number, tier));
-            row(text, std::iter::once(subject.to_string()).chain(cells));
-        }
+/// Of two solids every tier in types of 32 bits.
+fn place_of_solid<'a>(parts: &[&'a str]) -> Option<Place<'a>> {
+    let [chip, solid @ ("sphere" | "cone, capped"), "nearest", number @ ("f32" | "I16F16"), tier, what] = *parts else {
+        return None;
     };
-    nearest(text, baseline);
-    text.push_str("\nThe same in [modelled cycles](#modelled-cycles): hit / miss.\n\n");
-    nearest(text, modelled);
-    text.push_str(
-        "\nThe stack of a nearest hit: the most bytes that these rays take, the caller's frames not counted. A ray that the first numbers of a tier pass on takes more than the others, \
-         and not every row has one: plan with the largest figure of the column, and with a margin, since no bound is proved.\n\n",
-    );
-    let titles = kinds.iter().map(|(number, tier)| format!("{number} {tier}"));
-    head(text, std::iter::once(String::new()).chain(titles));
-    for subject in stacked() {
-        let cells = kinds.iter().map(|(number, tier)| {
-            let key = cost::key(subject, "nearest", number, tier, "stack");
-            Part::Cost.figure(baseline, &key).map_or("–".into(), grouped)
-        });
-        row(text, std::iter::once(subject.to_string()).chain(cells));
-    }
-    text.push_str("\nThe other queries in `Stable`, in instructions: hit / miss. Normals and surface coordinates (uv) are computed at a known hit.\n\n");
-    let queries = ["all hits", "occlusion", "normal", "uv"];
-    let numbers = ["I16F16", "f32"];
-    let titles = numbers.iter().flat_map(|number| queries.iter().map(move |query| format!("{number} {query}")));
-    head(text, std::iter::once(String::new()).chain(titles));
-    for subject in SUBJECTS {
-        let cells = numbers.iter().flat_map(|number| {
-            queries.iter().map(move |query| {
-                let tier = if matches!(*query, "normal" | "uv") { "any" } else { "Stable" };
-                cell(baseline, subject, query, number, tier)
-            })
-        });
-        row(text, std::iter::once(subject.to_string()).chain(cells));
-    }
+    Some((vec![solid, number, tier], vec![chip], what))
 }
 
-/// Bytes of flash.
-fn sizes(text: &mut String, chips: &[Measured]) {
-    text.push_str(
-        "\n## Flash\n\nBytes of code and constants of a program that computes the nearest hit of one primitive, over those of a program that does nothing. \
-         `shape` is a `Shape`, which may be any primitive in any placement. Primitives share code, such as the arithmetic of the number type; each row counts it.\n\n",
-    );
-    let titles = chips.iter().map(|Measured { chip, .. }| (*chip).to_string());
-    head(text, ["", "number", "tier"].map(String::from).into_iter().chain(titles));
-    for primitive in size::PRIMITIVES {
-        for [number, tier] in size::KINDS {
-            let figures = chips.iter().map(|Measured { counted, .. }| {
-                Part::Size.figure(counted, &size::key(primitive, [number, tier])).map_or("–".into(), grouped)
-            });
-            row(text, [primitive, number, tier].map(String::from).into_iter().chain(figures));
-        }
-    }
+/// Of rays of users a few, in `Stable`.
+fn place_of_user<'a>(parts: &[&'a str]) -> Option<Place<'a>> {
+    let [chip, of, number @ ("f32" | "I16F16"), "Stable", what] = *parts else { return None };
+    let is_shown = match of.strip_suffix(", turned, near") {
+        Some(solid) => matches!(solid, "sphere" | "cylinder, capped" | "cone, capped" | "triangle"),
+        None => of == SENSOR || of.starts_with("picture"),
+    };
+    is_shown.then(|| (vec![of], vec![chip, number], what))
 }
 
-fn text() -> Outcome<String> {
-    let mut chips = Vec::new();
-    for (target, chip) in CHIPS {
-        chips.push(Measured { chip, counted: chip::baseline(target)?, modelled: chip::cycles(target)? });
-    }
-    let mut text = INTRODUCTION.to_string();
-    whole_uses(&mut text, &chips);
-    text.push_str(METHOD);
-    if let Some(Measured { counted, .. }) = chips.first() {
-        let _ = write!(text, "Compiler: {}.\n\n", counted.compiler);
-    }
-    cycles::section(&mut text, &chips);
-    marks::table(&mut text, &chips);
-    comparison(&mut text, &chips);
-    for Measured { chip, counted, .. } in &chips {
-        workloads(&mut text, chip, counted);
-    }
-    for chip in &chips {
-        one_chip(&mut text, chip);
-    }
-    sizes(&mut text, &chips);
-    effects_table::tables(&mut text, &chips);
-    Ok(text)
+/// Bytes of programs with one ball or cone, or any solid.
+fn place_of_size<'a>(parts: &[&'a str]) -> Option<Place<'a>> {
+    let [chip, solid @ ("sphere" | "cone" | size::SHAPE), number, tier] = *parts else { return None };
+    Some((vec![solid, tier], vec![chip, number], "bytes"))
 }
 
-/// Writes the document, or says whether it is as it should be.
+/// Instructions and stack of a pixel with these effects.
+fn place_of_effects<'a>(parts: &[&'a str]) -> Option<Place<'a>> {
+    let [chip, set, number, what] = *parts else { return None };
+    Some((vec![set], vec![chip, number], what))
+}
+
+/// Every table of a chip.
+pub fn printed(chip: &str) -> Outcome<String> {
+    let named = |of: &Measured| of.name == chip || CHIPS.contains(&(chip, of.name));
+    let Some(Measured { name, counted, modelled }) = chips()?.into_iter().find(named) else {
+        let names = CHIPS.map(|(target, name)| format!("{name} ({target})")).join(", ");
+        return Err(format!("there is no chip `{chip}`: give one of {names}").into());
+    };
+    let (costs, cycles) = (Part::Cost.figures(&counted), Part::Cost.figures(&modelled));
+    let of = |what: &'static str| move |cell: &Cell<'_>| joined(cell, &[what]);
+    let all = |_: &str| true;
+    let is_set = |row: &str| SETS.iter().any(|(_, set)| *set == row);
+    let size = Part::Size.figures(&counted);
+    let solids: Figures = size
+        .iter()
+        .filter(|(name, _)| !name.ends_with(" | bytes"))
+        .map(|(name, bytes)| (format!("{name} | bytes"), *bytes))
+        .collect();
+    let least = Part::LeastCost.figures(&modelled);
+    let tables = [
+        ("The nearest hit, instructions: hit / miss", query(costs, "nearest", hit_and_miss)),
+        ("The nearest hit, modelled cycles: hit / miss", query(cycles, "nearest", hit_and_miss)),
+        ("The nearest hit, the least of the model's ranges", query(least, "nearest", hit_and_miss)),
+        ("The nearest hit, bytes of stack", query(costs, "nearest", of("stack"))),
+        ("All hits, instructions: hit / miss", query(costs, "all hits", hit_and_miss)),
+        ("Occlusion, instructions: hit / miss", query(costs, "occlusion", hit_and_miss)),
+        ("Normal at a known hit, instructions", query(costs, "normal", hit_and_miss)),
+        ("Surface coordinates at a known hit, instructions", query(costs, "uv", hit_and_miss)),
+        (
+            "What users do, instructions: the mean (the worst)",
+            others(Part::Workload.figures(&counted), all, mean_and_worst),
+        ),
+        ("What users do, modelled cycles: the mean", others(Part::Workload.figures(&modelled), all, of("mean"))),
+        ("Bytes of a program with one solid", others(&solids, all, of("bytes"))),
+        (
+            "Bytes of pictures and of programs of chosen kinds",
+            others(size, |row| is_set(row) || row.contains(", "), of("bytes")),
+        ),
+        (
+            "Effects, instructions a pixel: alone / among all",
+            others(Part::Effects.figures(&counted), is_set, |cell| {
+                joined(cell, &["instructions", "instructions among all"])
+            }),
+        ),
+        ("Effects, modelled cycles a pixel", others(Part::Effects.figures(&modelled), is_set, of("instructions"))),
+        (
+            "Effects, bytes of stack: alone / among all",
+            others(Part::Effects.figures(&counted), is_set, |cell| joined(cell, &["stack", "stack among all"])),
+        ),
+        (
+            "The gallery, instructions a pixel / rays",
+            others(Part::Gallery.figures(&counted), all, |cell| joined(cell, &GALLERY_FIGURES)),
+        ),
+    ];
+    let shown = tables.iter().filter(|(_, table)| table.lines().count() > 3);
+    let text = shown.fold(String::new(), |text, (title, table)| text + &format!("\n## {title}\n\n{table}"));
+    Ok(format!("# {name}\n\nCompiler: {}.\n{text}", counted.compiler))
+}
+
+/// Writes the tables of the pages, or says whether they are as they should be.
 pub fn write(verify: bool) -> Outcome {
-    put("docs/microcontrollers.md", &text()?, verify)
-}
-
-/// Writes a document, or says whether it is as it should be.
-pub fn put(path: &str, text: &str, verify: bool) -> Outcome {
-    if !verify {
-        fs::write(in_repository(path), text)?;
-        println!("{path} is written");
-    } else if fs::read_to_string(in_repository(path))? != text {
-        return Err(format!("{path} is not what the baselines say: .ci/measure --document").into());
-    } else {
-        println!("{path} is what the baselines say");
+    let chips = chips()?;
+    for path in ["docs/microcontrollers.md", "docs/gallery.md", "docs/errors.md"] {
+        let text = page::renewed(path, |name, about, _| table(&chips, name, about))?;
+        page::put(path, &text, verify, ".ci/measure --document")?;
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_pages_show_the_baselines() {
+        write(true).unwrap();
+    }
+
+    #[test]
+    fn every_chip_is_printed() {
+        for (target, name) in CHIPS {
+            let text = printed(target).unwrap();
+            assert_eq!(text, printed(name).unwrap());
+            let rows = ["| sphere |", "| triangle, framed |", "| none |", "| range sensor |", "| shape |"];
+            assert!(rows.iter().all(|row| text.contains(row)), "{name}: {text}");
+            assert!(!text.contains("|---|\n\n"), "{name}: an empty table");
+        }
+        assert!(printed("6502").is_err());
+    }
 }

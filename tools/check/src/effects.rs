@@ -10,7 +10,7 @@ use std::fs;
 use std::path::Path;
 
 /// The sets of effects, with the effects in each as the program `effects` names them.
-pub const SETS: [(&str, &str); 12] = [
+pub const SETS: [(&str, &str); 13] = [
     ("none", "none"),
     ("ambient", "ambient"),
     ("diffuse", "diffuse"),
@@ -22,14 +22,15 @@ pub const SETS: [(&str, &str); 12] = [
     ("bump", "diffuse, specular, shadows, bump"),
     ("fog", "diffuse, specular, shadows, fog"),
     ("antialiasing", "diffuse, specular, shadows, antialiasing"),
-    ("all", "ambient, diffuse, specular, shadows, reflection, refraction, texture, bump, fog, antialiasing"),
+    ("outline", "diffuse, specular, shadows, outline"),
+    ("all", "ambient, diffuse, specular, shadows, reflection, refraction, texture, bump, fog, antialiasing, outline"),
 ];
 
 /// The number types that they are measured in.
 pub const NUMBERS: [&str; 2] = ["I16F16", "f32"];
 
 /// Which source files the code of an effect stands in.
-const FILES: [(&str, &[&str]); 10] = [
+const FILES: [(&str, &[&str]); 11] = [
     ("ambient", &["ambient"]),
     // One multiplication, for which the compiler does not always keep a line: see `TINY`.
     ("diffuse", &["diffuse"]),
@@ -41,6 +42,7 @@ const FILES: [(&str, &[&str]); 10] = [
     ("bump", &["bump", "field"]),
     ("fog", &["fog"]),
     ("antialiasing", &["antialiasing"]),
+    ("outline", &["outline"]),
 ];
 
 /// A file that may be without instructions of its own.

@@ -9,20 +9,17 @@
 //! check effects --target TARGET OUTPUT [--renew]   # instructions and stack a pixel, against the baseline
 //! check gallery --target TARGET OUTPUT [--renew]   # instructions a pixel of the gallery, against the baseline
 //! check cost --cycles most ...                     # the same of modelled cycles, and of workloads and effects; also least
-//! check document [--verify]                        # docs/microcontrollers.md and docs/gallery.md from the baselines
+//! check document [--verify]                        # the tables of docs/microcontrollers.md and docs/gallery.md
+//! check page CHIP                                  # prints every table of a chip, such as Cortex-M3
 //! ```
 
 mod chip;
 mod cost;
-mod cycles;
 mod document;
 mod effects;
-mod effects_table;
 mod elf;
 mod forbidden;
-mod gallery;
 mod kinds;
-mod marks;
 mod programs;
 mod proofs;
 mod size;
@@ -90,7 +87,12 @@ enum Command {
         /// What the program `gallery` printed.
         output: PathBuf,
     },
-    /// Writes `docs/microcontrollers.md` and `docs/gallery.md` from the baselines.
+    /// Prints every table of a chip.
+    Page {
+        /// Its name or its target: Cortex-M0+, Cortex-M3, Cortex-M4F, RV32IMC.
+        chip: String,
+    },
+    /// Writes the tables of `docs/microcontrollers.md` and `docs/gallery.md` from the baselines.
     Document {
         /// Only say whether it is as it should be.
         #[arg(long)]
@@ -112,7 +114,8 @@ fn run(command: &Command) -> Outcome {
         }
         Command::Effects { chip, output } => chip::check(chip, Part::Effects, effects::read(output)?),
         Command::Gallery { chip, output } => chip::check(chip, Part::Gallery, effects::read_gallery(output)?),
-        Command::Document { verify } => document::write(*verify).and_then(|()| gallery::write(*verify)),
+        Command::Page { chip } => raylet_tables::print(&document::printed(chip)?),
+        Command::Document { verify } => document::write(*verify),
     }
 }
 

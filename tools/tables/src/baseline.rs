@@ -15,6 +15,9 @@ const SLACK_BETWEEN_COMPILERS: u64 = 15;
 /// And this many at least.
 const LEAST_SLACK: u64 = 2;
 
+/// A renewal keeps a stored figure that differs by less than one part in so many.
+const NOISE: u64 = 200;
+
 /// So many changes are shown.
 const SHOWN: usize = 60;
 
@@ -49,6 +52,22 @@ impl Baseline {
             baseline.parts.entry(part.clone()).or_default().insert(what.clone(), figure);
         }
         Ok(baseline)
+    }
+
+    /// What is stored after another measurement. A figure within the noise of the stored one is not replaced, so that a
+    /// renewal changes only what changed; parts that were not measured stay.
+    pub fn renewed(&self, now: &Self) -> Self {
+        let mut parts = self.parts.clone();
+        for (part, figures) in &now.parts {
+            let stored = self.part(part);
+            let figure = |(name, now): (&String, &u64)| {
+                let kept =
+                    stored.get(name).filter(|before| before.abs_diff(*now) <= (*before / NOISE).max(LEAST_SLACK));
+                (name.clone(), *kept.unwrap_or(now))
+            };
+            parts.insert(part.clone(), figures.iter().map(figure).collect());
+        }
+        Self { parts, machine: now.machine.clone(), compiler: now.compiler.clone() }
     }
 
     /// Makes it a table of the repository.
@@ -210,6 +229,16 @@ mod tests {
         let after: Figures = figures(&[("a", 979), ("b", 980), ("c", 1020), ("d", 1021), ("e", 12)]);
         let names: Vec<_> = changes(&before, &after, SLACK).into_iter().map(|change| change.name).collect();
         assert_eq!(names, ["d", "a"]);
+    }
+
+    #[test]
+    fn a_renewal_changes_only_what_changed() {
+        let before = counted("a", &[("kept", 1000), ("changed", 1000), ("gone", 1)]);
+        let now = counted("b", &[("kept", 1005), ("changed", 1006), ("new", 7)]);
+        let stored = before.renewed(&now);
+        assert_eq!(stored, counted("b", &[("kept", 1000), ("changed", 1006), ("new", 7)]));
+        let other = Baseline::new("a machine", "b", "size", Figures::new());
+        assert_eq!(before.renewed(&other).part("cost"), before.part("cost"));
     }
 
     #[test]

@@ -1,25 +1,10 @@
-//! The pages of all rows: one a number type.
+//! The rows that are timed, a page a number type.
 
 use super::markdown::{Table, instructions, length, nanoseconds, row_ratios, short};
 use crate::study::Study;
 use std::fmt::Write;
 use support::figures::{Figures, TIERS};
 use support::subject::SUBJECTS;
-
-fn head(study: &Study, number: &str) -> String {
-    let textbook = match number {
-        "f32" | "f64" => "the formulas of most textbooks, with the machine's square root",
-        _ => "the formulas of most textbooks, in the wrapping operators of the crate `fixed`",
-    };
-    format!(
-        "# Rows of `{number}`\n\n\
-         `cargo run --release -p raylet-accuracy -- --write` writes this page. [accuracy.md](../accuracy.md) defines the columns and the workloads, \
-         and says what follows from them. Further angles, departing rays and the other workloads at placed solids are only in \
-         [data/bounds](../../data/bounds). *Textbook*: {textbook}; it computes `t` and no part. Errors are the same on every \
-         machine. Times are those of {}: hit / miss, as a ratio to the textbook's sphere in `f32` ({} ns), and in nanoseconds.\n\n",
-        study.times.machine, study.times.reference_nanoseconds
-    )
-}
 
 /// The titles of a row's errors.
 pub const ERRORS: [&str; 11] = [
@@ -89,15 +74,22 @@ fn chips(study: &Study, rows: &[&Figures]) -> String {
     if any { format!("Instructions of a nearest hit, hit / miss:\n\n{}", table.done()) } else { String::new() }
 }
 
-/// The page of a number type.
-pub fn document(study: &Study, number: &str) -> String {
-    let mut text = head(study, number);
+/// The rows of a number type, or of its rows one tier alone.
+pub fn page(study: &Study, number: &str, tier: Option<&str>) -> String {
+    let mut text = format!(
+        "# Rows of `{number}`\n\nTimes are those of {}: hit / miss, as a ratio to the textbook's sphere in `f32` ({} ns), and in nanoseconds.\n\n",
+        study.times.machine, study.times.reference_nanoseconds
+    );
+    let tiers: Vec<_> = TIERS.into_iter().filter(|known| tier.is_none_or(|tier| tier == *known)).collect();
     for primitive in SUBJECTS {
         let mut rows: Vec<&Figures> = vec![];
         for workload in study.timed(number, primitive) {
-            rows.extend(TIERS.iter().filter_map(|tier| study.row(number, tier, primitive, &workload)));
+            rows.extend(tiers.iter().filter_map(|tier| study.row(number, tier, primitive, &workload)));
         }
-        let tiers: Vec<_> = TIERS.into_iter().filter(|tier| rows.iter().any(|row| row.tier == *tier)).collect();
+        if rows.is_empty() {
+            continue;
+        }
+        let tiers: Vec<_> = tiers.iter().copied().filter(|tier| rows.iter().any(|row| row.tier == *tier)).collect();
         let _ = write!(
             text,
             "## {primitive}\n\nErrors of `t`:\n\n{}Times, hit / miss:\n\n{}{}",

@@ -1,12 +1,10 @@
 //! Unexpected rows: those in which the more accurate tier is the faster one too, and combinations that another beats
 //! everywhere.
 
-use super::explanations::{self, WHY};
 use super::markdown::{NONE, Table, few_digits};
 use crate::chips::is_like;
 use crate::study::Study;
 use std::collections::{BTreeMap, HashMap};
-use std::fmt::Write;
 use support::figures::{Figures, NUMBERS, TIERS};
 
 /// A difference in errors below this is none: of the third digit, which is rounded up.
@@ -17,17 +15,17 @@ const SHORTER: f64 = 0.9;
 
 /// Where costs are counted: the host, then the chips.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub enum Machine {
+enum Machine {
     Host,
     Chip(usize),
 }
 
 impl Machine {
-    pub fn all(study: &Study) -> Vec<Self> {
+    fn all(study: &Study) -> Vec<Self> {
         std::iter::once(Self::Host).chain((0..study.chips.len()).map(Self::Chip)).collect()
     }
 
-    pub fn name(self, study: &Study) -> &'static str {
+    fn name(self, study: &Study) -> &'static str {
         match self {
             Self::Host => "host",
             Self::Chip(index) => study.chips[index].name,
@@ -35,7 +33,7 @@ impl Machine {
     }
 
     /// What a row costs there: of rays that hit, and of rays that miss.
-    pub fn costs(self, study: &Study, row: &Figures) -> [Option<f64>; 2] {
+    fn costs(self, study: &Study, row: &Figures) -> [Option<f64>; 2] {
         match self {
             Self::Host => {
                 let time = study.time(row);
@@ -51,10 +49,10 @@ impl Machine {
 }
 
 /// A row in which a tier is both faster and more accurate than another of the same number type.
-pub struct Beaten<'a> {
-    pub machine: Machine,
-    pub faster: &'a Figures,
-    pub slower: &'a Figures,
+struct Beaten<'a> {
+    machine: Machine,
+    faster: &'a Figures,
+    slower: &'a Figures,
     /// The faster's cost over the slower's.
     ratio: f64,
 }
@@ -91,25 +89,21 @@ fn beaten(study: &Study) -> Vec<Beaten<'_>> {
     all
 }
 
-/// What is known of one reason in one pair of tiers.
+/// What is known of one tier that another of its number type beats: rows by machine, and the smallest ratio there.
 #[derive(Default)]
 struct Group {
-    /// Rows by machine, and the smallest ratio there.
     seen: BTreeMap<usize, (usize, f64)>,
     primitives: Vec<&'static str>,
 }
 
-/// The list of rows in which more accuracy costs less, by reason; and how many rows have none.
-pub fn faster_and_more_accurate(study: &Study) -> (String, usize) {
+/// In how many rows more accuracy costs less, and the smallest ratio of costs.
+pub fn faster_and_more_accurate(study: &Study) -> String {
     let machines = Machine::all(study);
-    let mut groups: BTreeMap<(usize, usize, usize, usize), Group> = BTreeMap::new();
+    let mut groups: BTreeMap<[usize; 3], Group> = BTreeMap::new();
     let place = |names: &[&str], name: &str| names.iter().position(|it| *it == name).unwrap_or(names.len());
-    let mut unexplained = 0;
     for row in beaten(study) {
-        let why = explanations::of(&row);
-        unexplained += usize::from(why == WHY.len());
-        let tiers = [row.faster.tier, row.slower.tier].map(|tier| place(&TIERS, tier));
-        let group = groups.entry((why, place(&NUMBERS, &row.slower.number), tiers[0], tiers[1])).or_default();
+        let [faster, slower] = [row.faster.tier, row.slower.tier].map(|tier| place(&TIERS, tier));
+        let group = groups.entry([place(&NUMBERS, &row.slower.number), faster, slower]).or_default();
         let machine = machines.iter().position(|machine| *machine == row.machine).unwrap_or(0);
         let seen = group.seen.entry(machine).or_insert((0, f64::INFINITY));
         *seen = (seen.0 + 1, seen.1.min(row.ratio));
@@ -117,29 +111,22 @@ pub fn faster_and_more_accurate(study: &Study) -> (String, usize) {
             group.primitives.push(row.slower.primitive);
         }
     }
-    let titles = ["why", "number", "faster and more accurate", "than", "at"].map(String::from).into_iter();
-    let titles = titles.chain(machines.iter().map(|machine| machine.name(study).to_string())).collect::<Vec<_>>();
-    let mut table = Table::new(&titles, 5);
-    for ((why, number, faster, slower), group) in &groups {
-        let told = if *why == WHY.len() { "**not explained**".into() } else { format!("{}", why + 1) };
+    let titles = ["number", "faster and more accurate", "than", "at"].into_iter();
+    let titles: Vec<_> = titles.chain(machines.iter().map(|machine| machine.name(study))).collect();
+    let mut table = Table::new(&titles, 4);
+    for ([number, faster, slower], group) in &groups {
         let at = match group.primitives.len() {
             0..=4 => group.primitives.join(", "),
             more => format!("{more} primitives"),
         };
-        let mut cells = vec![told, format!("`{}`", NUMBERS[*number]), TIERS[*faster].into(), TIERS[*slower].into(), at];
+        let mut cells = vec![format!("`{}`", NUMBERS[*number]), TIERS[*faster].into(), TIERS[*slower].into(), at];
         cells.extend((0..machines.len()).map(|machine| match group.seen.get(&machine) {
             Some((rows, least)) => format!("{rows} ({})", few_digits(*least)),
             None => NONE.into(),
         }));
         table.row(&cells);
     }
-    let mut text = table.done();
-    for (index, (_, why)) in WHY.iter().enumerate() {
-        if groups.keys().any(|key| key.0 == index) {
-            let _ = writeln!(text, "{}. {why}", index + 1);
-        }
-    }
-    (text + "\n", unexplained)
+    table.done()
 }
 
 /// How often a combination is beaten by another, of any number type, in cost (of rays that hit) and error.
@@ -169,56 +156,24 @@ fn dominated<'a>(study: &'a Study, machine: Machine, number: &str, tier: &str) -
     told
 }
 
-/// The share of rows in which each combination is beaten, by machine; in bold: in all, and by whom most often.
+/// The share of rows in which each combination is beaten, by machine; where it is all, by whom most often.
 pub fn dominated_everywhere(study: &Study) -> String {
     let machines = Machine::all(study);
     let titles = ["number", "tier"].into_iter().chain(machines.iter().map(|machine| machine.name(study)));
     let mut table = Table::new(&titles.collect::<Vec<_>>(), 2);
-    let mut words = vec![];
-    for number in NUMBERS {
-        let mut whole: Vec<&str> = machines.iter().map(|machine| machine.name(study)).collect();
-        for tier in TIERS {
-            if !study.rows.iter().any(|row| row.number == number && row.tier == tier) {
-                continue;
+    for (number, tier) in NUMBERS.iter().flat_map(|number| TIERS.iter().map(move |tier| (*number, *tier))) {
+        let cell = |machine: &Machine| {
+            let Dominated { rows, beaten, by } = dominated(study, *machine, number, tier);
+            match by.iter().max_by_key(|(name, rows)| (**rows, *name)) {
+                _ if rows == 0 => NONE.into(),
+                Some(((number, tier), _)) if beaten == rows => format!("all (by `{number}` {tier})"),
+                _ => format!("{:.0} %", 100.0 * beaten as f64 / rows as f64),
             }
-            let mut cells = vec![format!("`{number}`"), tier.to_string()];
-            let mut everywhere: Vec<String> = vec![];
-            for machine in &machines {
-                let told = dominated(study, *machine, number, tier);
-                let share = 100.0 * told.beaten as f64 / told.rows.max(1) as f64;
-                if told.rows > 0 && told.beaten == told.rows {
-                    cells.push("**all**".into());
-                    let most = told.by.iter().max_by_key(|(name, rows)| (**rows, *name));
-                    let by = most.map_or(String::new(), |((number, tier), _)| format!(" (by `{number}` {tier})"));
-                    everywhere.push(format!("{}{by}", machine.name(study)));
-                } else {
-                    whole.retain(|name| *name != machine.name(study));
-                    cells.push(if told.rows == 0 { NONE.into() } else { format!("{share:.0} %") });
-                }
-            }
-            table.row(&cells);
-            if !everywhere.is_empty() {
-                words.push(format!(
-                    "- `{number}` {tier}: on {}. {}\n",
-                    everywhere.join(", "),
-                    explanations::why_take(number, tier)
-                ));
-            }
-        }
-        if !whole.is_empty() {
-            words.push(format!(
-                "- **`{number}` as a whole** is beaten in every row on {}. {}\n",
-                whole.join(", "),
-                explanations::why_take_number(number)
-            ));
+        };
+        let cells: Vec<_> = machines.iter().map(cell).collect();
+        if cells.iter().any(|cell| cell != NONE) {
+            table.row(&[vec![format!("`{number}`"), tier.into()], cells].concat());
         }
     }
-    if words.is_empty() {
-        words.push("No combination is beaten everywhere on any machine.\n".into());
-    }
-    format!(
-        "{}These combinations are beaten in every row; why one may take them nevertheless:\n\n{}\n",
-        table.done(),
-        words.concat()
-    )
+    table.done()
 }

@@ -1,13 +1,13 @@
 //! The tables of the README and of docs/overview.md.
 
-use super::markdown::{NONE, Table, between_marks, few_digits, instructions, length, row_ratios, short};
+use super::markdown::{NONE, Table, few_digits, instructions, length, row_ratios, short};
 use crate::chips::Chip;
 use crate::study::Study;
 use raylet_tables::grouped;
 use support::figures::{Figures, NUMBERS, TIERS};
 
 /// Few rows of errors.
-fn errors(study: &Study) -> Option<String> {
+pub fn errors(study: &Study) -> Option<String> {
     const SHOWN: [(&str, &str); 5] =
         [("Fast", "f32"), ("Stable", "f32"), ("Exact", "f32"), ("Stable", "I16F16"), ("Exact", "I16F16")];
     let titles = SHOWN.map(|(tier, number)| format!("`{tier}` `{number}`"));
@@ -94,9 +94,10 @@ fn tiers(study: &Study, host: &Chip) -> Option<String> {
         }
     }
     Some(format!(
-        "What a tier buys, in `{NUMBER}`, for a sphere and a capped cone that a frame turns. Errors are those of 99.9 % of the hits, as a length; in brackets\n\
-         is how many of some {} hits are lost or invented. *Textbook* is the formula `k^2 - a c` after the same transformation. Costs are instructions of a\n\
-         nearest hit, hit / miss, of rays from nearby; *flash* is bytes of a program with one such solid on the {CHIP}.\n\n{}",
+        "What a tier buys, in `{NUMBER}`, for a sphere and a capped cone that a frame turns. Errors are those of 99.9 % of\n\
+         the hits, as a length; in brackets is how many of some {} hits are lost or invented. *Textbook* is\n\
+         the formula `k^2 - a c` after the same transformation. Costs are instructions of a nearest hit, hit / miss, of rays\n\
+         from nearby; *flash* is bytes of a program with one such solid on the {CHIP}.\n\n{}",
         grouped(2 * study.rays.placed as u64),
         table.done()
     ))
@@ -107,21 +108,7 @@ fn tier_name(tier: &str) -> String {
     if tier == "Textbook" { "textbook".into() } else { format!("`{tier}`") }
 }
 
-/// The README with its tables written anew.
-pub fn document(readme: &str, study: &Study, host: &Chip) -> Result<String, String> {
-    let tables = few_costs(study).and_then(|costs| Some(costs + &tiers(study, host)?));
-    replaced(readme, "README.md", "placed", &tables.ok_or("a row that the README shows was not measured")?)
-}
-
-/// docs/overview.md with its tables written anew.
-pub fn overview(page: &str, study: &Study) -> Result<String, String> {
-    const PAGE: &str = "docs/overview.md";
-    let errors = errors(study).ok_or("a row that docs/overview.md shows was not measured")?;
-    replaced(&replaced(page, PAGE, "bounds", &errors)?, PAGE, "costs", &costs(study))
-}
-
-/// The text of a page with the table between its marks replaced.
-fn replaced(text: &str, page: &str, name: &str, table: &str) -> Result<String, String> {
-    let missing = || format!("{page} has no marks `<!-- {name}: ... -->` and `<!-- /{name} -->` for its table");
-    between_marks(text, name, table).ok_or_else(missing)
+/// The tables of the README.
+pub fn placed(study: &Study, host: &Chip) -> Option<String> {
+    Some(few_costs(study)? + &tiers(study, host)?)
 }

@@ -13,7 +13,7 @@ use support::measure::{Judgement, Measured, Rows};
 use support::method::{Target, Told};
 use support::oracle::InRange;
 use support::placed::{Placed, UNPLACED};
-use support::textbook::Place;
+use support::textbook;
 
 /// Rounds of timing, as of the published tables.
 const ROUNDS: usize = 9;
@@ -208,7 +208,7 @@ fn queries<S: Timed>(shape: &Shape<S>, placed: Option<&Placed<S>>, rays: &[Ray<S
     let (hits, misses): (Vec<_>, Vec<_>) = rays.iter().partition(|ray| shape.occludes(ray));
     [hits, misses].map(|rays| {
         let step = rays.len().div_ceil(time::RAYS).max(1);
-        let query = |ray: Ray<S>| Query { shape: *shape, place: placed.map(Place::of), ray };
+        let query = |ray: Ray<S>| Query { shape: *shape, place: placed.map(textbook::place), ray };
         rays.into_iter().step_by(step).map(query).collect()
     })
 }

@@ -22,6 +22,7 @@ mod words;
 use crate::publish;
 use clap::Args;
 use measured::{Outcome, Task};
+use raylet_tables::print;
 use std::error::Error;
 use std::path::PathBuf;
 use support::figures::NUMBERS;
@@ -71,7 +72,7 @@ pub struct Options {
     #[arg(short, long, value_name = "PLACEMENT", default_value = "", hide_default_value = true)]
     placement: String,
     /// Measure this number type only; may be given several times. By default all are measured.
-    #[arg(short, long, value_name = "NUMBER", value_parser = NUMBERS)]
+    #[arg(short, long, value_name = "NUMBER", ignore_case = true, value_parser = crate::number())]
     number: Vec<String>,
     /// Measure no times. What is printed and written is then the same in every run.
     #[arg(short, long)]
@@ -125,9 +126,9 @@ pub fn run(options: &Options) -> Result<Vec<(String, String)>, Box<dyn Error>> {
     progress.finish_and_clear();
     let outcome = outcome?;
     if options.json {
-        print!("{}", publish::rays_as_json(&task, options.texts(), &outcome));
+        print(&publish::rays_as_json(&task, options.texts(), &outcome))?;
         return Ok(vec![]);
     }
-    print!("{}", publish::rays_summary(&task, options.texts(), &outcome));
+    print(&publish::rays_summary(&task, options.texts(), &outcome))?;
     publish::rays_documents(&task, options.texts(), &outcome)
 }

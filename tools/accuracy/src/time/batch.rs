@@ -8,7 +8,7 @@ use raylet::{
 use std::hint::black_box;
 use std::time::Instant;
 use support::oracle::Solid;
-use support::textbook::{Form, Place, Plain, PlainRay};
+use support::textbook::{self, Form, Formula, Place, Plain, PlainRay};
 
 /// A batch goes on for at least this long: well above the grain of the clock, well below a slice of the scheduler.
 const NANOSECONDS: f64 = 25_000.0;
@@ -107,7 +107,7 @@ fn ask_textbook<S: Plain>((form, place, ray): &TextbookQuery<S::Number>) {
 
 /// The textbook.
 pub fn textbook<S: Plain>(solid: &Solid, queries: &[Query<S>]) -> Batch {
-    let form = Form::of::<S>(solid);
+    let form = textbook::form::<S>(solid);
     let inputs = queries.iter().map(|query| (form, query.place, PlainRay::of(&query.ray))).collect();
     Batch::new(inputs, ask_textbook::<S>)
 }

@@ -7,7 +7,7 @@ use support::figures;
 use support::placed::{Placed, Placing};
 use support::random::{Random, add, normalize, scale};
 use support::subject::Subject;
-use support::textbook::{Place, Plain};
+use support::textbook::{self, Place, Plain};
 use support::workload::Workload;
 
 /// Rays of each kind.
@@ -41,7 +41,7 @@ pub struct Query<S: Plain> {
     pub ray: Ray<S>,
 }
 
-fn draw<S: Plain>(subject: &Subject<S>, kind: Kind, random: &mut Random) -> Option<Query<S>> {
+fn draw<S: Plain + Exact>(subject: &Subject<S>, kind: Kind, random: &mut Random) -> Option<Query<S>> {
     match kind {
         Kind::Unplaced(workload) => {
             Some(Query { shape: subject.shape, place: None, ray: workload.ray(subject, random)? })
@@ -50,7 +50,7 @@ fn draw<S: Plain>(subject: &Subject<S>, kind: Kind, random: &mut Random) -> Opti
             let placed = Placed::new(subject, placing, random)?;
             Some(Query {
                 shape: placed.shape,
-                place: Some(Place::of(&placed)),
+                place: Some(textbook::place(&placed)),
                 ray: placed.ray(subject, Workload::Benign, random)?,
             })
         }
@@ -58,7 +58,7 @@ fn draw<S: Plain>(subject: &Subject<S>, kind: Kind, random: &mut Random) -> Opti
 }
 
 /// From the same origin past the solid, by up to a few times its size; `None` if that hits.
-fn past<S: Plain>(query: &Query<S>, random: &mut Random) -> Option<Query<S>> {
+fn past<S: Plain + Exact>(query: &Query<S>, random: &mut Random) -> Option<Query<S>> {
     let origin = query.ray.origin().to_f64();
     // A ray that hits is aimed at the solid: a little beside where it hits is past it.
     let hit = query.shape.nearest(&query.ray)?;

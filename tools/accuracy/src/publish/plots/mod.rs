@@ -13,37 +13,31 @@ mod sheet;
 mod sweeps;
 
 use crate::study::Study;
-use std::error::Error;
+use raylet_tables::Outcome;
 
 /// Primitives whose error is plotted against cost: those that the firmware has the textbook of.
 pub const COMPARED: [&str; 3] = ["sphere", "cylinder capped", "cone capped"];
 
 /// A name in paths: `cylinder capped` is `cylinder-capped`, `Cortex-M0+` is `cortex-m0plus`.
-pub fn in_path(name: &str) -> String {
+fn in_path(name: &str) -> String {
     name.to_lowercase().replace(' ', "-").replace('+', "plus")
 }
 
-/// The path of a plot of error against cost; on the host if no chip is named.
-pub fn cost_path(chip: Option<&str>, primitive: &str) -> String {
-    format!("docs/plots/cost-{}-{}.svg", chip.map_or("host".into(), in_path), in_path(primitive))
-}
+/// The plots that pages of the repository show.
+pub const SHOWN: [&str; 3] = ["distance.svg", "grazing.svg", "cost-host-sphere.svg"];
 
-/// The path of a plot of a sweep.
-pub fn sweep_path(sweep: &str) -> String {
-    format!("docs/plots/{sweep}.svg")
-}
-
-/// All plots, with their paths.
-pub fn all(study: &Study) -> Result<Vec<(String, String)>, Box<dyn Error>> {
+/// All plots, with the names of their files.
+pub fn all(study: &Study) -> Outcome<Vec<(String, String)>> {
     let mut files = vec![];
     for primitive in COMPARED {
-        files.push((cost_path(None, primitive), cost::plot(study, None, primitive)?));
-        for chip in &study.chips {
-            files.push((cost_path(Some(chip.name), primitive), cost::plot(study, Some(chip), primitive)?));
+        for chip in [None].into_iter().chain(study.chips.iter().map(Some)) {
+            let machine = chip.map_or("host", |chip| chip.name);
+            let name = format!("cost-{}-{}.svg", in_path(machine), in_path(primitive));
+            files.push((name, cost::plot(study, chip, primitive)?));
         }
     }
     for sweep in ["distance", "grazing"] {
-        files.push((sweep_path(sweep), sweeps::plot(study, sweep)?));
+        files.push((format!("{sweep}.svg"), sweeps::plot(study, sweep)?));
     }
     Ok(files)
 }

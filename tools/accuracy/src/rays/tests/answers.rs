@@ -50,6 +50,12 @@ fn a_ray_that_a_type_does_not_hold_is_counted_apart() {
     }
 }
 
+#[test]
+fn names_of_number_types_take_either_case() {
+    let options = command(&["my.csv", "--solid", "plane", "--number", "i16f16", "--number", "F32"]);
+    assert_eq!(options.number, ["I16F16", "f32"]);
+}
+
 /// A number type that holds none of the rays has a row all the same.
 #[test]
 fn a_type_that_holds_no_ray_has_a_row() {

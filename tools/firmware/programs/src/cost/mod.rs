@@ -20,7 +20,6 @@ use shared::every_subject;
 use shared::rays::{RAYS, rays};
 use shared::subject::{Subject, query};
 use shared::workload::{Query, SENSED, SENSED_EVERY, sensed};
-use textbook::Plain as InOperators;
 
 /// One figure.
 #[derive(Clone, Copy, Debug)]
@@ -143,15 +142,8 @@ macro_rules! number {
     ($report:expr, $S:ty, $number:literal: $($T:ident)+) => {{
         $(sensor::<$S, $T>(Names { subject: "range sensor", number: $number, tier: stringify!($T) }, $report);)+
         every_subject!($S, |name, subject| measure!(subject, name, $report, $S, $number: $($T)+));
-        textbook::<$S>($number, $report);
+        textbook::every::<$S>($number, $report);
     }};
-}
-
-/// The textbook's formulas at the same rays.
-fn textbook<S: InOperators>(number: &'static str, report: Report<'_>) {
-    textbook::every_formula::<S>(&mut |subject, of, instructions| {
-        report(Names { subject, number, tier: "textbook" }.row("nearest", of, instructions));
-    });
 }
 
 /// Measures everything, always in the same order. The clock must have been started.
@@ -160,7 +152,5 @@ pub fn all(report: Report<'_>) {
     number!(report, I16F16, "I16F16": Plain Fast Stable Exact);
     number!(report, I32F32, "I32F32": Plain Fast Stable);
     number!(report, f64, "f64": Plain Fast Stable);
-    textbook::with_the_chips_root(&mut |subject, of, instructions| {
-        report(Names { subject, number: "f32", tier: "textbook, VSQRT" }.row("nearest", of, instructions));
-    });
+    textbook::with_the_chips_root(report);
 }

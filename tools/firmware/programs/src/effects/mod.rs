@@ -13,8 +13,8 @@ use core::fmt::{self, Display};
 use fixed::types::I16F16;
 pub use measure::{Measured, picture};
 use raylet::effect::{
-    All, Ambient, Antialiasing, Bump, Diffuse, EffectSet, Effects, Fog, Reflection, Refraction, Shadows, Specular,
-    Texture,
+    All, Ambient, Antialiasing, Bump, Diffuse, EffectSet, Effects, Fog, Outline, Reflection, Refraction, Shadows,
+    Specular, Texture,
 };
 use raylet::{Picture, Scalar, Size};
 use stage::Stage;
@@ -62,6 +62,7 @@ fn every_set<S: Scalar>(number: &'static str, give: &mut impl FnMut(Row)) {
     give(row::<S, (Diffuse, Specular, Shadows, Bump)>(number));
     give(row::<S, (Diffuse, Specular, Shadows, Fog)>(number));
     give(row::<S, (Diffuse, Specular, Shadows, Antialiasing)>(number));
+    give(row::<S, (Diffuse, Specular, Shadows, Outline)>(number));
     give(row::<S, All>(number));
 }
 

@@ -4,7 +4,7 @@ use raylet::effect::{Effect, EffectSet};
 use raylet::scalar::UnitScalar;
 use raylet::scene::{SceneError, Waves};
 use raylet::{
-    Camera, Color, Cone, Cylinder, Fog, Frame, Light, Material, Object, Plane, Scalar, Scene, Shape, Sphere, Texture,
+    Camera, Color, Cone, Cylinder, Fog, Frame, Light, Material, Object, Outline, Plane, Scalar, Scene, Shape, Sphere, Texture,
     Vec3,
 };
 
@@ -82,7 +82,9 @@ impl<S: Scalar> Stage<S> {
         let scene = scene.with_background(Color::from_f64([0.2, 0.3, 0.5])).with_textures(&self.textures)?;
         let ambient = if self.effects.contains(Effect::Ambient) { Color::from_f64([0.1; 3]) } else { Color::BLACK };
         let scene = scene.with_ambient(ambient);
-        Ok(if self.effects.contains(Effect::Fog) { scene.with_fog(self.fog) } else { scene })
+        let scene = if self.effects.contains(Effect::Fog) { scene.with_fog(self.fog) } else { scene };
+        let outlined = self.effects.contains(Effect::Outline);
+        Ok(if outlined { scene.with_outline(Outline::new(Color::BLACK)) } else { scene })
     }
 
     /// Samples along each side of a pixel.
