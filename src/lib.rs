@@ -68,26 +68,10 @@
 //! `tests/promises/src/firmware.rs` and the firmware in `tools/firmware` compare digests of all answers on the host,
 //! Cortex-M0+, M3, M4F and RV32IMC.
 //!
-//! # Modules
+//! # Words
 //!
-//! A module imports only from its own layer and from layers below. Details are in
-//! [ARCHITECTURE.md](https://github.com/raylet-rs/raylet/blob/main/ARCHITECTURE.md). "Primitive" is the word for
-//! any of the shapes, "solid" for one that has an inside.
-//!
-//! | layer | module | what it holds |
-//! |---|---|---|
-//! | 9 | [`render`] | pictures, pixel by pixel |
-//! | 8 | [`effect`] | shading, shadows, mirrors, glass and other effects, a file for each; which effects a scene needs |
-//! | 7 | [`scene`] | objects, materials, lights, camera, NFF reader |
-//! | 6 | [`shape`], `bounds`, [`hierarchy`] | any primitive, placed; the primitives and placements that a program is compiled with; its bounding box; many shapes, in a hierarchy of boxes |
-//! | 5 | [`primitive`], [`tier`], `geometry`, `query`, `exact`, `ladder` | a file for each primitive: sizes, equations, normal, surface coordinates, tangents; accuracy tiers, and which numbers each computes in |
-//! | 4 | `solve`, `equations`, `grid` | the solver, which all tiers share; the equations of a solid; what primitives share on the grid of fixed point |
-//! | 3 | [`ray`], [`frame`], [`affine`], [`hit`], `intersection`, `line` | rays and ranges, placement, hits and hit lists, intervals |
-//! | 2 | [`vector`] | [`Vec3`], [`UnitVec3`] |
-//! | 1 | `number`, [`scalar`], `outline` | the numbers that solvers compute in; the stored number types: `f32`, `f64`, fixed point; the side of a cylinder or a cone |
-//!
-//! [`constant`](mod@constant) describes scenes in flash. `display`, `interchange`, `error` and `errata` belong to no
-//! layer.
+//! "Primitive" is the word for any of the shapes, "solid" for one that has an inside. How the library is built is in
+//! [ARCHITECTURE.md](https://github.com/raylet-rs/raylet/blob/main/ARCHITECTURE.md).
 //!
 //! # Features
 //!
@@ -122,7 +106,6 @@ pub mod constant;
 pub mod display;
 pub mod effect;
 mod equations;
-pub mod errata;
 mod error;
 mod exact;
 pub mod frame;

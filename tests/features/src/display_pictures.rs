@@ -185,7 +185,6 @@ fn pictures_of_one_bit() {
     let picture = one_bit::picture(&scene);
     let mut screen = Screen::new(one_bit::WIDTH, one_bit::HEIGHT, BinaryColor::Off);
     let Ok(_) = picture.draw(Point::zero(), &mut screen);
-    one_bit::main().expect("the example runs");
 
     let (mut shares, mut of_ball) = ([Share::default(); 14], vec![]);
     let mut context = TraceContext::new(());

@@ -4,7 +4,6 @@
 mod display;
 mod display_pictures;
 mod interchange;
-#[path = "../../../examples/display.rs"]
 mod one_bit;
 mod stored_scene;
 

@@ -1,5 +1,5 @@
 //! The mistakes of well-known articles on ray tracing cylinders and cones, each with a test of the correct mathematics.
-//! `raylet::errata` lists them in the same order.
+//! `docs/errata.md` lists them in the same order.
 
 use raylet::{Capsule, Cone, Crossing, Cylinder, Part, Range, Ray, Sphere, UnitVec3};
 use support::cases::{direction, n, summary, v};

@@ -1,11 +1,8 @@
-//! The still life of the gallery on a display of 128 by 64 pixels, each on or off, such as the SSD1306. It needs the
-//! feature `embedded-graphics`.
+//! The still life of the gallery on a display of 128 by 64 pixels, each on or off, such as the SSD1306.
 //!
 //! So few pixels show few shades. The floor and what is behind it are white, so that every solid stands out against
 //! them, and the solids keep the shades that tell a ball from a disc. Shadows would join the solids: they are left out.
 
-use embedded_graphics::prelude::*;
-use embedded_graphics::{pixelcolor::BinaryColor, primitives::Rectangle};
 use fixed::types::I16F16;
 use raylet::effect::{Ambient, Diffuse, Specular};
 use raylet::gallery::{BuiltIn, Stage};
@@ -37,43 +34,4 @@ pub(crate) fn lit(scene: Scene<'_, I16F16>) -> Scene<'_, I16F16> {
 /// The picture has ambient, diffuse and specular light. The program has no code for shadows.
 pub(crate) fn picture<'a>(scene: &'a Scene<'a, I16F16>) -> Picture<'a, I16F16, (Ambient, Diffuse, Specular)> {
     Picture::leaving_out(scene, raylet::Size::new(WIDTH, HEIGHT))
-}
-
-/// In the place of a display's driver.
-pub(crate) struct Screen(pub(crate) [[bool; WIDTH as usize]; HEIGHT as usize]);
-
-impl Dimensions for Screen {
-    fn bounding_box(&self) -> Rectangle {
-        Rectangle::new(Point::zero(), Size::new(WIDTH.into(), HEIGHT.into()))
-    }
-}
-
-impl DrawTarget for Screen {
-    type Color = BinaryColor;
-    type Error = core::convert::Infallible;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<BinaryColor>>>(&mut self, pixels: I) -> Result<(), Self::Error> {
-        for Pixel(Point { x, y }, color) in pixels {
-            self.0[y as usize][x as usize] = color.is_on();
-        }
-        Ok(())
-    }
-}
-
-pub(crate) fn main() -> Result<(), raylet::Error> {
-    let stage = stage()?;
-    let scene = lit(stage.scene()?);
-    let mut screen = Screen([[false; WIDTH as usize]; HEIGHT as usize]);
-    let Ok(_) = picture(&scene).draw(Point::zero(), &mut screen);
-    // Two rows a line, since characters are twice as high as wide.
-    for rows in screen.0.chunks(2) {
-        let line = rows[0].iter().zip(&rows[1]).map(|(upper, lower)| match (upper, lower) {
-            (true, true) => '█',
-            (true, false) => '▀',
-            (false, true) => '▄',
-            (false, false) => ' ',
-        });
-        println!("{}", line.collect::<String>());
-    }
-    Ok(())
 }
