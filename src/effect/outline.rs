@@ -16,7 +16,8 @@ pub(super) fn is_edge<S: Scalar, K: Kinds>(
     hits: [Option<SceneHit<S>>; 2],
 ) -> bool {
     let [Some(a), Some(b)] = hits else { return hits.iter().any(Option::is_some) };
-    // Within one part, seen from one side, every primitive is smooth.
+    // Within one part, seen from one side, every primitive is smooth; where one nappe of a double cone hides the other,
+    // there is no line.
     let face = |on: SceneHit<S>| (on.object, on.hit.part, on.hit.crossing == Crossing::Exit);
     if face(a) == face(b) {
         return false;

@@ -109,6 +109,8 @@ fn an_option_out_of_its_limits_says_which_they_are() {
         ("-s 0", "give a whole number from 1 to 16"),
         ("-s 17", "give a whole number from 1 to 16"),
         ("-s two", "give a whole number from 1 to 16"),
+        ("--outline=0", "give a whole number from 1 to 16"),
+        ("--outline=thick", "give a whole number from 1 to 16"),
         ("--threads -1", "give a whole number from 1 to 256"),
         ("--size 0x9", "give width and height in pixels, each 1 to 65535, such as 320x240"),
         ("--size -3x4", "give width and height in pixels, each 1 to 65535, such as 320x240"),
@@ -127,6 +129,17 @@ fn an_option_out_of_its_limits_says_which_they_are() {
 fn names_of_number_types_and_tiers_take_either_case() {
     let folder = Folder::with(ball());
     folder.run("scene.nff -n I16F16 -t Exact").succeeds_silently();
+}
+
+/// A number type that the program is not compiled for is told with those that it has.
+#[test]
+fn an_unknown_number_type_is_told_with_those_that_there_are() {
+    let folder = Folder::with(ball());
+    let said = folder.run("scene.nff -n I20F12");
+    assert!(said.error.contains("possible values: f32, f64, i16f16, i32f32"), "{said:?}");
+    let said = folder.run("scene.nff --compare I20F12 f64");
+    assert!(said.error.contains("there is no number type `I20F12`: choose among f32, f64, i16f16, i32f32"), "{said:?}");
+    folder.run("scene.nff --compare I16F16 F64-Plain -o a.ppm").succeeds_silently();
 }
 
 #[test]

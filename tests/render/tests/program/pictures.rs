@@ -150,3 +150,26 @@ fn a_light_too_far_for_the_type_counts_by_its_direction() {
     let folder = Folder::with(scene("l 2000 1000 1500"));
     folder.run("scene.nff -n i16f16 -o a.ppm").succeeds_silently();
 }
+
+/// Its inside is as bright as without it, and the line is black.
+#[test]
+fn an_outline_is_a_black_line_around_the_ball() {
+    let folder = Folder::with(ball().replace("8 6", "40 30"));
+    for number in ["f32", "i16f16"] {
+        let run = |options| folder.run(&format!("scene.nff --ambient 0.5 -n {number} {options}")).succeeds_silently();
+        run("-o without.ppm");
+        let said = run("--outline -o with.ppm");
+        assert!(said.output.contains(" outline), ") && said.output.contains("shadows, outline\n"), "{said:?}");
+        run("--outline=3 -o thick.ppm");
+        let [without, with, thick] = ["without", "with", "thick"].map(|name| folder.pixels(&format!("{name}.ppm")));
+        let changed = |pixels: &[[u8; 3]]| {
+            let changed = pixels.iter().zip(&without).filter(|(after, before)| after != before);
+            assert!(changed.clone().all(|(after, _)| *after == [0; 3]));
+            changed.count()
+        };
+        let [line, thick] = [changed(&with), changed(&thick)];
+        assert!((15..60).contains(&line) && thick > 2 * line, "{number}: {line} {thick}");
+        run("--outline --effects ambient,diffuse,shadows -o off.ppm");
+        assert!(folder.pixels("off.ppm") == without, "{number}: it is left off");
+    }
+}
