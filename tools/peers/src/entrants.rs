@@ -35,7 +35,7 @@ impl Field for f32 {
         #[cfg(feature = "parry")]
         all.extend(parry::single::entrant(sizes, &subject.solid));
         all.extend(embedded_3dgfx_rays::entrant(sizes, &subject.solid));
-        all.push(textbook::entrant(sizes, &subject.solid));
+        all.push(textbook::entrant(&subject.solid));
         all
     }
 }
@@ -55,7 +55,7 @@ impl Field for f64 {
         let mut all = Vec::from(raylet_tiers::entrants(subject));
         #[cfg(feature = "parry")]
         all.extend(parry::double::entrant(sizes, &subject.solid));
-        all.push(textbook::entrant(sizes, &subject.solid));
+        all.push(textbook::entrant(&subject.solid));
         all
     }
 }

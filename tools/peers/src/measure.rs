@@ -49,7 +49,7 @@ pub fn measure(plan: Plan, tick: &mut dyn FnMut()) -> Vec<Row> {
 /// Hands on the textbook's sphere in `f32` at benign rays that hit: the measure of all times.
 pub fn beside_the_textbook<A>(effort: Effort, measured: impl FnOnce(&dyn Prepared<f32>) -> A) -> A {
     let sphere = Subject::<f32>::new("sphere");
-    let textbook = textbook::entrant(crate::sizes::Sizes::of(&sphere), &sphere.solid);
+    let textbook = textbook::entrant(&sphere.solid);
     measured(textbook.prepare(&rays::drawn(&sphere, Workload::Benign, effort.rays)).as_ref())
 }
 

@@ -17,7 +17,7 @@ pub struct Pose<S> {
 impl<S: Number> Pose<S> {
     /// As the subject stands.
     pub const fn same() -> Self {
-        Self { middle: S::ZERO, is_mirrored: false }
+        Self { middle: <S as raylet::Scalar>::ZERO, is_mirrored: false }
     }
 
     /// With its middle, which is so high, in the origin.
