@@ -86,11 +86,10 @@ mod of_users {
 
 #[cfg(feature = "parry")]
 mod of_users {
-    use raylet_peers::measure::beside_the_textbook;
     pub use raylet_peers::users::TICKS;
     use raylet_peers::{stored, users};
 
     pub fn rows(effort: super::Effort, tick: &mut dyn FnMut()) -> Vec<Vec<String>> {
-        stored::of_users(&beside_the_textbook(effort, |sphere| users::measure(effort, sphere, tick)))
+        stored::of_users(&users::measure(effort, tick))
     }
 }

@@ -49,7 +49,7 @@ fn nanoseconds(speed: &Option<Speed>) -> String {
 }
 
 fn ratio(speed: &Option<Speed>) -> String {
-    speed.as_ref().map_or(NONE.into(), |speed| short(speed.to_stable[1]))
+    speed.as_ref().map_or(NONE.into(), |speed| short(speed.to_stable))
 }
 
 /// The rows of the workloads, then those of users, which have been made already.
