@@ -1,17 +1,10 @@
 //! What a contestant is: a primitive of a library, and its query for the nearest hit of a ray.
 
+use crate::number::Number;
 use crate::pose::Pose;
 use raylet::Ray;
-use shared::textbook::{self, Plain};
 use std::hint::black_box;
-use support::exact_types::Exact;
 use support::oracle::Solid;
-
-/// A number type of the comparison: a float, whose directions are of the same type, and the textbook's numbers too.
-pub trait Number: Exact<Unit = Self> + Plain<Number = Self> + textbook::Number {}
-
-impl Number for f32 {}
-impl Number for f64 {}
 
 /// One primitive in one library.
 pub trait Contestant<S: Number> {

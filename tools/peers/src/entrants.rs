@@ -1,7 +1,8 @@
 //! Who takes part: for each number type and primitive everyone that has it.
 
-use crate::contestant::{Entrant, Number};
+use crate::contestant::Entrant;
 use crate::names::{EMBEDDED_3DGFX, EXACT, FAST, PLAIN, STABLE, TEXTBOOK};
+use crate::number::Number;
 use crate::sizes::Sizes;
 use crate::{embedded_3dgfx_rays, raylet_tiers, textbook};
 #[cfg(feature = "parry")]

@@ -9,6 +9,7 @@ pub mod environment;
 pub mod errors;
 pub mod measure;
 pub mod names;
+pub mod number;
 #[cfg(feature = "parry")]
 pub mod parry;
 pub mod pose;

@@ -1,6 +1,6 @@
 //! Where a library puts a primitive that raylet stands on its base, and how the rays follow it there.
 
-use crate::contestant::Number;
+use crate::number::Number;
 use raylet::{Ray, Vec3};
 use support::exact_types::exact_line;
 use support::oracle::Line;

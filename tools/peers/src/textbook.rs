@@ -1,7 +1,8 @@
 //! The formulas that every tutorial has: `shared::textbook`.
 
-use crate::contestant::{Contestant, Entrant, Number};
+use crate::contestant::{Contestant, Entrant};
 use crate::names::TEXTBOOK;
+use crate::number::Number;
 use raylet::Ray;
 use shared::textbook::{Form, Formula, PlainRay, Sphere};
 use support::oracle::Solid;
