@@ -5,7 +5,7 @@
 //! Nothing is measured here: `tests/promises/src/number_types.rs` holds the library to the bound table.
 
 use crate::publish;
-use crate::study::Study;
+use crate::stored;
 use raylet_tables::page::difference;
 use support::in_repository;
 
@@ -15,7 +15,7 @@ const RENEW: &str =
 
 #[test]
 fn the_documents_show_what_the_repository_holds() {
-    for (path, wanted) in publish::documents(&Study::committed().unwrap()).unwrap() {
+    for (path, wanted) in publish::documents(&stored::study().unwrap()).unwrap() {
         let held = std::fs::read_to_string(in_repository(&path)).unwrap_or_default();
         assert_eq!(difference(&held, &wanted), None, "{path} is not what it should be; {RENEW}");
     }
@@ -24,7 +24,7 @@ fn the_documents_show_what_the_repository_holds() {
 /// What is no longer in the pages can be printed.
 #[test]
 fn every_page_is_printed() {
-    let study = Study::committed().unwrap();
+    let study = stored::study().unwrap();
     for name in publish::names() {
         let page = publish::printed(&study, name);
         assert!(page.lines().filter(|line| line.starts_with("| ")).count() > 10, "{name}");
@@ -38,7 +38,7 @@ fn every_page_is_printed() {
 #[test]
 fn no_primitive_or_number_type_is_missing() {
     use support::figures::{NUMBERS, TIERS};
-    let study = Study::committed().unwrap();
+    let study = stored::study().unwrap();
     for number in NUMBERS {
         for primitive in support::subject::SUBJECTS {
             for tier in &TIERS[..4] {

@@ -155,11 +155,11 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     }
     let root = &in_repository("");
     if options.document {
-        return put(root, publish::documents(&Study::committed()?)?);
+        return put(root, publish::documents(&stored::study()?)?);
     }
     match options.page.as_deref() {
-        Some("all") => return put(&options.output, publish::everything(&Study::committed()?)?),
-        Some(name) => return print(&publish::printed(&Study::committed()?, name)),
+        Some("all") => return put(&options.output, publish::everything(&stored::study()?)?),
+        Some(name) => return print(&publish::printed(&stored::study()?, name)),
         None => {}
     }
     if options.check {
@@ -176,11 +176,14 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
         return search(&options.only, &options.number);
     }
     let (rays, rounds) = if options.quick { (Rays::new(40), 3) } else { (rays, 9) };
-    let study = measure(rays, rounds)?;
+    let mut study = measure(rays, rounds)?;
     if options.json {
         return print(&study::as_json(&study));
     }
     if options.write {
+        if let Ok(before) = stored::times() {
+            study.times = stored::renewed(&before, study.times);
+        }
         let tier = |tier: &&str| (bounds::path(tier), bounds::table(tier, &study.rows));
         let mut files: Vec<_> = figures::TIERS.iter().map(tier).collect();
         files.push((stored::TIMES.into(), stored::times_table(&study.times)));
@@ -270,7 +273,7 @@ fn measure(rays: Rays, rounds: usize) -> Result<Study, Box<dyn Error>> {
 
 /// Measures the errors anew and compares the documents with what they should be.
 fn check(root: &Path, only: &[String]) -> Result<(), Box<dyn Error>> {
-    let committed = Study::committed()?;
+    let committed = stored::study()?;
     let measured = errors(bounds::RAYS, only, &[])?;
     let is_measured = |row: &figures::Figures| only.is_empty() || only.iter().any(|name| name == row.primitive);
     let mut fresh = measured.iter();

@@ -1,7 +1,10 @@
-//! Times and sweeps as tables of `data`.
+//! What the repository holds: times and sweeps as tables of `data`, and the study of these and all other tables.
 
-use crate::study::{Cost, Point, Time, Times};
+use crate::chips;
+use crate::study::{Cost, Point, Study, Time, Times};
 use raylet_tables::{Outcome, Table};
+use std::collections::HashMap;
+use support::bounds;
 
 pub const TIMES: &str = "data/times.tsv";
 pub const SWEEPS: &str = "data/sweeps.tsv";
@@ -88,4 +91,49 @@ pub fn sweeps() -> Outcome<Vec<Point>> {
     };
     let points: Option<Vec<_>> = table.rows.iter().map(point).collect();
     points.ok_or_else(|| format!("{SWEEPS} is not as `{WRITTEN_BY}` writes it").into())
+}
+
+/// Times vary by this much from run to run.
+const NOISE: f64 = 0.1;
+
+/// The times to store after another run: one within the noise of the stored one on the same machine is not replaced, so
+/// that a renewal changes only what changed.
+pub fn renewed(before: &Times, mut now: Times) -> Times {
+    if before.machine != now.machine {
+        return now;
+    }
+    let key = |time: &Time| [&time.number, &time.tier, &time.primitive, &time.workload].map(String::clone);
+    let stored: HashMap<_, _> = before.rows.iter().map(|time| (key(time), time)).collect();
+    let kept = |old: Option<Cost>, new: Option<Cost>| match (old, new) {
+        (Some(old), Some(new)) if (new.ratio / old.ratio - 1.0).abs() <= NOISE => Some(old),
+        _ => new,
+    };
+    for time in &mut now.rows {
+        if let Some(old) = stored.get(&key(time)) {
+            (time.hit, time.miss) = (kept(old.hit, time.hit), kept(old.miss, time.miss));
+        }
+    }
+    now
+}
+
+/// What the repository holds: the bound table, and the times and sweeps of the last `--write`.
+pub fn study() -> Outcome<Study> {
+    Ok(Study::new(bounds::RAYS, bounds::all(), times()?, sweeps()?, chips::read()?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_renewal_changes_only_what_changed() {
+        let of = |machine: &str, ratios: [f64; 2]| {
+            let [hit, miss] = ratios.map(|ratio| Some(Cost { ratio, nanoseconds: 4.0 * ratio }));
+            let [number, tier, primitive, workload] = ["f32", "Fast", "disc", "benign"].map(String::from);
+            let rows = vec![Time { number, tier, primitive, workload, hit, miss }];
+            Times { machine: machine.into(), reference_nanoseconds: 4.0, rows }
+        };
+        assert_eq!(renewed(&of("a", [1.0, 1.0]), of("a", [1.09, 1.11])), of("a", [1.0, 1.11]));
+        assert_eq!(renewed(&of("a", [1.0, 1.0]), of("b", [1.09, 1.11])), of("b", [1.09, 1.11]));
+    }
 }

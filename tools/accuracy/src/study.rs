@@ -1,10 +1,8 @@
 //! All that was measured: errors, times, sweeps, and what the firmware says of the chips.
 
 use crate::chips::{Chip, Instructions};
-use crate::stored;
 use serde_json::{Value, json};
 use std::collections::HashMap;
-use std::error::Error;
 use support::figures::{Figures, Rays};
 
 /// What a query costs on the machine that measured.
@@ -76,12 +74,6 @@ impl Study {
         let time_key = |time: &Time| key(&time.number, &time.tier, &time.primitive, &time.workload);
         let time_of = times.rows.iter().enumerate().map(|(index, time)| (time_key(time), index)).collect();
         Self { rays, rows, times, sweeps, chips, row_of, time_of }
-    }
-
-    /// What the repository holds: the bound table, and the times and sweeps of the last `--write`.
-    pub fn committed() -> Result<Self, Box<dyn Error>> {
-        use support::bounds;
-        Ok(Self::new(bounds::RAYS, bounds::all(), stored::times()?, stored::sweeps()?, crate::chips::read()?))
     }
 
     pub fn row(&self, number: &str, tier: &str, primitive: &str, workload: &str) -> Option<&Figures> {

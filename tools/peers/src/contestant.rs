@@ -1,36 +1,10 @@
 //! What a contestant is: a primitive of a library, and its query for the nearest hit of a ray.
 
+use crate::number::Number;
 use crate::pose::Pose;
 use raylet::Ray;
 use std::hint::black_box;
-use std::ops::{Add, Div, Mul, Sub};
-use support::exact_types::Exact;
 use support::oracle::Solid;
-
-/// A number type of the comparison: a float, whose directions are of the same type.
-pub trait Number:
-    Exact<Unit = Self> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
-{
-    /// One.
-    const ONE: Self;
-    /// The square root, by the machine's instruction.
-    fn square_root(self) -> Self;
-}
-
-macro_rules! numbers {
-    ($($Float:ident)+) => {
-        $(
-            impl Number for $Float {
-                const ONE: Self = 1.0;
-                #[inline(always)]
-                fn square_root(self) -> Self {
-                    self.sqrt()
-                }
-            }
-        )+
-    };
-}
-numbers!(f32 f64);
 
 /// One primitive in one library.
 pub trait Contestant<S: Number> {

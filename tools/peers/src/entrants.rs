@@ -1,7 +1,8 @@
 //! Who takes part: for each number type and primitive everyone that has it.
 
-use crate::contestant::{Entrant, Number};
+use crate::contestant::Entrant;
 use crate::names::{EMBEDDED_3DGFX, EXACT, FAST, PLAIN, STABLE, TEXTBOOK};
+use crate::number::Number;
 use crate::sizes::Sizes;
 use crate::{embedded_3dgfx_rays, raylet_tiers, textbook};
 #[cfg(feature = "parry")]
@@ -35,7 +36,7 @@ impl Field for f32 {
         #[cfg(feature = "parry")]
         all.extend(parry::single::entrant(sizes, &subject.solid));
         all.extend(embedded_3dgfx_rays::entrant(sizes, &subject.solid));
-        all.push(textbook::entrant(sizes, &subject.solid));
+        all.push(textbook::entrant(&subject.solid));
         all
     }
 }
@@ -55,7 +56,7 @@ impl Field for f64 {
         let mut all = Vec::from(raylet_tiers::entrants(subject));
         #[cfg(feature = "parry")]
         all.extend(parry::double::entrant(sizes, &subject.solid));
-        all.push(textbook::entrant(sizes, &subject.solid));
+        all.push(textbook::entrant(&subject.solid));
         all
     }
 }

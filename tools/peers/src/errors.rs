@@ -1,6 +1,7 @@
 //! How wrong the nearest hits of a contestant are, against exact arithmetic on the numbers that it received.
 
-use crate::contestant::{Entrant, Number};
+use crate::contestant::Entrant;
+use crate::number::Number;
 use raylet::Ray;
 use support::exact_types::exact_line;
 use support::oracle::{self, Answer, Dyadic, Root, Solid};

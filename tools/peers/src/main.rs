@@ -1,48 +1,39 @@
 //! Measures raylet beside its peers.
 //!
 //! ```text
-//! cargo run --release --manifest-path tools/peers/Cargo.toml                   # the tables as Markdown
-//! cargo run --release --manifest-path tools/peers/Cargo.toml -- --write        # renews docs/peers.md
+//! cargo run --release --manifest-path tools/peers/Cargo.toml                   # all rows that are stored
+//! cargo run --release --manifest-path tools/peers/Cargo.toml -- --write        # measures, and renews data/peers.tsv and docs/peers.md
 //! cargo run --release --manifest-path tools/peers/Cargo.toml -- --quick        # a few rays, to see that it works
 //! ```
 
 use clap::Parser;
 use indicatif::{ProgressBar, ProgressStyle};
-use raylet_peers::document::document;
-use raylet_peers::environment::{self, Environment};
-use raylet_peers::json::json;
+use raylet_peers::document;
+use raylet_peers::environment::Environment;
 use raylet_peers::measure::{Plan, TICKS, measure};
 use raylet_peers::speed::Effort;
+use raylet_peers::stored::{self, PATH};
+use raylet_tables::{in_repository, print};
 use std::error::Error;
-use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Puts the same rays to raylet, parry3d, embedded-3dgfx and the textbook: how fast is each, and how wrong?
 ///
-/// Prints Markdown: the bars that raylet set itself and whether it reaches them, times, errors against exact
-/// arithmetic, and all rows. Errors are the same on every run; times are ratios taken within rounds of some 50
-/// microseconds a contestant, so that a busy machine disturbs them little.
+/// Without options prints all rows that are stored in data/peers.tsv: times, and errors against exact arithmetic. Errors
+/// are the same on every run; times are ratios taken within rounds of some 50 microseconds a contestant, so that a busy
+/// machine disturbs them little.
 #[derive(Parser)]
 #[command(version)]
 struct Options {
-    /// Judge this many rays a row; docs/peers.md has 2000.
-    #[arg(long, default_value_t = 2000, value_parser = clap::value_parser!(u32).range(1..))]
-    rays: u32,
-    /// Time this many rounds a row; docs/peers.md has 101.
-    #[arg(long, default_value_t = 101, value_parser = clap::value_parser!(u32).range(1..))]
-    rounds: u32,
-    /// 100 rays and 3 rounds, to see that everything works; the times say little.
-    #[arg(short, long, conflicts_with_all = ["write", "rays", "rounds"])]
+    /// Measure 100 rays in 3 rounds, to see that everything works, and print the rows; the times say little.
+    #[arg(short, long, conflicts_with = "write")]
     quick: bool,
-    /// Only what users do: placed solids and a range sensor, beside parry3d.
-    #[arg(short, long, conflicts_with_all = ["write", "json"])]
-    users: bool,
-    /// Write the figures to this file as JSON, quartiles of the ratios included, instead of printing Markdown.
-    #[arg(short, long, value_name = "FILE")]
-    json: Option<PathBuf>,
-    /// Write docs/peers.md instead of printing it.
+    /// Measure 2000 rays a row in 101 rounds, and write data/peers.tsv and the tables of docs/peers.md.
     #[arg(short, long)]
     write: bool,
+    /// Measure nothing, and write the tables of docs/peers.md.
+    #[arg(short, long, conflicts_with_all = ["write", "quick"])]
+    document: bool,
 }
 
 /// Rays of a kind that are timed: few enough for the innermost cache, too many to be learnt by heart.
@@ -59,29 +50,28 @@ fn main() -> ExitCode {
 }
 
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
+    if options.document {
+        return document::write(false);
+    }
+    if !options.quick && !options.write {
+        return print(&document::printed()?);
+    }
     // Before the work, not after it.
     let environment = Environment::read()?;
-    let (rays, rounds) = if options.quick { (100, 3) } else { (options.rays as usize, options.rounds as usize) };
+    let (rays, rounds) = if options.quick { (100, 3) } else { (2000, 101) };
     let progress = ProgressBar::new((TICKS + of_users::TICKS) as u64);
     progress.set_style(ProgressStyle::with_template("{elapsed} {wide_bar} {pos}/{len} workloads, {eta} left")?);
     let plan = Plan { rays, effort: Effort { rays: rays.min(TIMED), rounds } };
-    let users = of_users::section(plan.effort, &mut || progress.inc(1));
-    if options.users {
-        progress.finish_and_clear();
-        print!("{users}");
-        return Ok(());
-    }
+    let users = of_users::rows(plan.effort, &mut || progress.inc(1));
     let rows = measure(plan, &mut || progress.inc(1));
     progress.finish_and_clear();
-    if let Some(file) = &options.json {
-        put(file, &json(&environment, &rows)?)?;
+    let table = stored::table(&environment, &rows, users).text();
+    if options.quick {
+        return print(&table);
     }
-    if options.write {
-        put(&environment::root().join("docs/peers.md"), &document(&environment, &rows, &users))?;
-    } else if options.json.is_none() {
-        print!("{}", document(&environment, &rows, &users));
-    }
-    Ok(())
+    std::fs::write(in_repository(PATH), table).map_err(|error| format!("{PATH} cannot be written: {error}"))?;
+    println!("written: {PATH}");
+    document::write(false)
 }
 
 /// Without parry there is nobody beside whom the workloads of users could be measured.
@@ -89,24 +79,17 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
 mod of_users {
     pub const TICKS: usize = 0;
 
-    pub fn section(_: super::Effort, _: &mut dyn FnMut()) -> String {
-        String::new()
+    pub fn rows(_: super::Effort, _: &mut dyn FnMut()) -> Vec<Vec<String>> {
+        vec![]
     }
 }
 
 #[cfg(feature = "parry")]
 mod of_users {
-    use raylet_peers::measure::beside_the_textbook;
     pub use raylet_peers::users::TICKS;
-    use raylet_peers::{users, users_document};
+    use raylet_peers::{stored, users};
 
-    pub fn section(effort: super::Effort, tick: &mut dyn FnMut()) -> String {
-        users_document::section(&beside_the_textbook(effort, |sphere| users::measure(effort, sphere, tick)))
+    pub fn rows(effort: super::Effort, tick: &mut dyn FnMut()) -> Vec<Vec<String>> {
+        stored::of_users(&users::measure(effort, tick))
     }
-}
-
-fn put(file: &Path, text: &str) -> Result<(), String> {
-    std::fs::write(file, text).map_err(|error| format!("{} cannot be written: {error}", file.display()))?;
-    println!("written: {}", file.display());
-    Ok(())
 }

@@ -1,13 +1,11 @@
 //! Every primitive at every workload: errors, then times.
 
-use crate::contestant::Prepared;
 use crate::entrants::Field;
 use crate::errors::{self, Errors};
 use crate::names::STABLE;
 use crate::rays;
 use crate::sizes::PRIMITIVES;
 use crate::speed::{self, Effort, Speed};
-use crate::textbook;
 use support::subject::Subject;
 use support::workload::{WORKLOADS, Workload};
 
@@ -39,31 +37,22 @@ pub const TICKS: usize = 2 * PRIMITIVES.len() * WORKLOADS.len();
 /// All rows, those of one primitive and workload together.
 pub fn measure(plan: Plan, tick: &mut dyn FnMut()) -> Vec<Row> {
     let mut rows = vec![];
-    beside_the_textbook(plan.effort, |sphere| {
-        of_number::<f32>(plan, sphere, &mut rows, tick);
-        of_number::<f64>(plan, sphere, &mut rows, tick);
-    });
+    of_number::<f32>(plan, &mut rows, tick);
+    of_number::<f64>(plan, &mut rows, tick);
     rows
 }
 
-/// Hands on the textbook's sphere in `f32` at benign rays that hit: the measure of all times.
-pub fn beside_the_textbook<A>(effort: Effort, measured: impl FnOnce(&dyn Prepared<f32>) -> A) -> A {
-    let sphere = Subject::<f32>::new("sphere");
-    let textbook = textbook::entrant(crate::sizes::Sizes::of(&sphere), &sphere.solid);
-    measured(textbook.prepare(&rays::drawn(&sphere, Workload::Benign, effort.rays)).as_ref())
-}
-
-fn of_number<S: Field>(plan: Plan, sphere: &dyn Prepared<f32>, rows: &mut Vec<Row>, tick: &mut dyn FnMut()) {
+fn of_number<S: Field>(plan: Plan, rows: &mut Vec<Row>, tick: &mut dyn FnMut()) {
     for primitive in PRIMITIVES {
         let subject = Subject::<S>::new(primitive);
         for workload in WORKLOADS {
-            rows.extend(of_workload(&subject, workload, plan, sphere));
+            rows.extend(of_workload(&subject, workload, plan));
             tick();
         }
     }
 }
 
-fn of_workload<S: Field>(subject: &Subject<S>, workload: Workload, plan: Plan, sphere: &dyn Prepared<f32>) -> Vec<Row> {
+fn of_workload<S: Field>(subject: &Subject<S>, workload: Workload, plan: Plan) -> Vec<Row> {
     let drawn = rays::drawn(subject, workload, plan.rays);
     if drawn.is_empty() {
         return vec![];
@@ -75,7 +64,7 @@ fn of_workload<S: Field>(subject: &Subject<S>, workload: Workload, plan: Plan, s
         let rays = rays?;
         let rays = &rays[..rays.len().min(plan.effort.rays)];
         let prepared: Vec<_> = entrants.iter().map(|entrant| entrant.prepare(rays)).collect();
-        Some(speed::race(&prepared, stable, sphere, plan.effort.rounds).into_iter())
+        Some(speed::race(&prepared, stable, plan.effort.rounds).into_iter())
     });
     let row = |entrant: &crate::contestant::Entrant<S>| Row {
         number: S::name(),

@@ -1,6 +1,6 @@
 //! Where a library puts a primitive that raylet stands on its base, and how the rays follow it there.
 
-use crate::contestant::Number;
+use crate::number::Number;
 use raylet::{Ray, Vec3};
 use support::exact_types::exact_line;
 use support::oracle::Line;
@@ -17,7 +17,7 @@ pub struct Pose<S> {
 impl<S: Number> Pose<S> {
     /// As the subject stands.
     pub const fn same() -> Self {
-        Self { middle: S::ZERO, is_mirrored: false }
+        Self { middle: <S as raylet::Scalar>::ZERO, is_mirrored: false }
     }
 
     /// With its middle, which is so high, in the origin.

@@ -1,7 +1,8 @@
 //! raylet, in each of its tiers: a primitive's own `nearest_at`.
 
-use crate::contestant::{Contestant, Entrant, Number};
+use crate::contestant::{Contestant, Entrant};
 use crate::names::{EXACT, FAST, PLAIN, STABLE};
+use crate::number::Number;
 use raylet::tier::{Exact, Fast, Plain, Stable, Tier};
 use raylet::{Capsule, Cone, Cylinder, Disc, Hit, Plane, Primitive, Ray, Sphere, Triangle};
 use std::marker::PhantomData;

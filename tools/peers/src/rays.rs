@@ -1,6 +1,6 @@
 //! The rays: those of `docs/accuracy.md`, and the same sorted into hits and misses for the clock.
 
-use crate::contestant::Number;
+use crate::number::Number;
 use raylet::{Ray, Vec3};
 use support::exact_types::expected;
 use support::random::{Random, add, scale};

@@ -1,6 +1,6 @@
 //! The primitives that are compared, and their sizes: one set for all contestants.
 
-use crate::contestant::Number;
+use crate::number::Number;
 use support::oracle::{ConeExtent, CylinderExtent, Dyadic, Solid};
 use support::subject::Subject;
 

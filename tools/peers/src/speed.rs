@@ -24,11 +24,8 @@ pub struct Effort {
 pub struct Speed {
     /// Nanoseconds a ray.
     pub nanoseconds: f64,
-    /// Its time over that of the textbook's `f32` sphere at benign rays that hit: first quartile, median, third
-    /// quartile.
-    pub to_sphere: [f64; 3],
-    /// Its time over that of raylet's `Stable` at the same rays, likewise.
-    pub to_stable: [f64; 3],
+    /// Its time over that of raylet's `Stable` at the same rays.
+    pub to_stable: f64,
 }
 
 /// One who takes turns.
@@ -61,36 +58,26 @@ impl<'a, S> Runner<'a, S> {
     }
 }
 
-/// Times contestants against each other, all at the same rays; `stable` is the place of raylet's `Stable` among them,
-/// and `sphere` is the textbook's sphere.
-pub fn race<S>(
-    contestants: &[Box<dyn Prepared<S> + '_>],
-    stable: usize,
-    sphere: &dyn Prepared<f32>,
-    rounds: usize,
-) -> Vec<Speed> {
-    let mut sphere = Runner::new(sphere);
+/// Times contestants against each other, all at the same rays; `stable` is the place of raylet's `Stable` among them.
+pub fn race<S>(contestants: &[Box<dyn Prepared<S> + '_>], stable: usize, rounds: usize) -> Vec<Speed> {
     let mut runners: Vec<_> = contestants.iter().map(|prepared| Runner::new(prepared.as_ref())).collect();
     let count = runners.len();
     for round in 0..rounds {
-        sphere.turn();
         for place in 0..count {
             // Nobody always runs behind the same one.
             runners[(place + round) % count].turn();
         }
     }
-    let ratios = |of: &[f64], to: &[f64]| quartiles(of.iter().zip(to).map(|(a, b)| a / b).collect());
+    let to_stable = |runner: &Runner<'_, S>| {
+        median(runner.seconds.iter().zip(&runners[stable].seconds).map(|(own, stable)| own / stable).collect())
+    };
     runners
         .iter()
-        .map(|runner| Speed {
-            nanoseconds: 1e9 * quartiles(runner.seconds.clone())[1],
-            to_sphere: ratios(&runner.seconds, &sphere.seconds),
-            to_stable: ratios(&runner.seconds, &runners[stable].seconds),
-        })
+        .map(|runner| Speed { nanoseconds: 1e9 * median(runner.seconds.clone()), to_stable: to_stable(runner) })
         .collect()
 }
 
-fn quartiles(mut values: Vec<f64>) -> [f64; 3] {
+fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
-    [0.25, 0.5, 0.75].map(|fraction| values[((values.len() - 1) as f64 * fraction).round() as usize])
+    values[(values.len() - 1) / 2]
 }

@@ -117,13 +117,13 @@ pub const TICKS: usize = SOLIDS.len() * PLACEMENTS.len() * 2 + 1;
 /// # Panics
 ///
 /// If a solid is among the workloads that parry does not have: an error of this program.
-pub fn measure(effort: Effort, sphere: &dyn Prepared<f32>, tick: &mut dyn FnMut()) -> Vec<UserRow> {
+pub fn measure(effort: Effort, tick: &mut dyn FnMut()) -> Vec<UserRow> {
     let mut rows = vec![];
     for (what, rays, queries) in workloads() {
         let contestants = prepare(&queries).expect("parry has every solid that is chosen");
         let answers = contestants.each_ref().map(|contestant| contestant.distances());
         let [_, _, _, exact, _] = &answers;
-        let speeds = race(&contestants, 2, sphere, effort.rounds);
+        let speeds = race(&contestants, 2, effort.rounds);
         for ((contestant, answers), speed) in NAMES.into_iter().zip(&answers).zip(speeds) {
             let wrong = self::wrong(answers, exact);
             let (what, rays) = (what.clone(), rays.clone());

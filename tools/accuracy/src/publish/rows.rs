@@ -90,10 +90,11 @@ pub fn check(study: &Study, claims: &str) -> Outcome {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::stored;
 
     #[test]
     fn claims_hold_or_do_not() {
-        let study = Study::committed().unwrap();
+        let study = stored::study().unwrap();
         for (claim, wanted) in [
             ("f32 Stable, sphere, benign within 16", Some(true)),
             ("f32 Stable, sphere, benign within 0.1", Some(false)),

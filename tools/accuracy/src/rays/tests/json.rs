@@ -1,7 +1,8 @@
 //! The JSON: every figure has a name, in the published tables and in those of a file of rays.
 
 use super::{at, command, json_of};
-use crate::study::{Cost, Study, as_json};
+use crate::stored;
+use crate::study::{Cost, as_json};
 use serde_json::Value;
 
 /// Fails at a figure in a list: the elements of a list are objects, whose fields have names.
@@ -20,7 +21,7 @@ fn assert_named(value: &Value, path: &str) {
 
 #[test]
 fn published_tables() {
-    let study = Study::committed().unwrap();
+    let study = stored::study().unwrap();
     let value: Value = serde_json::from_str(&as_json(&study)).unwrap();
     assert_named(&value, "");
     assert_eq!(value["rays"], 2000);
