@@ -94,6 +94,15 @@ impl EquationKinds {
 }
 
 impl<S> Equations<S> {
+    /// True if they describe a solid, false for a surface without an inside.
+    pub(crate) const fn is_solid(&self) -> bool {
+        match self {
+            Self::Ball { .. } | Self::Capsule { .. } | Self::Cuboid { .. } => true,
+            Self::Tube { extent, .. } | Self::Cone { extent, .. } => !matches!(extent, Extent::Open(_)),
+            Self::Plane | Self::Disc { .. } | Self::Rectangle { .. } | Self::Triangle { .. } => false,
+        }
+    }
+
     /// The kind of these.
     pub(crate) const fn kind(&self) -> EquationKinds {
         match self {

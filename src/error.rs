@@ -9,6 +9,7 @@ use crate::scalar::ValueError;
 use crate::scene::nff::NffError;
 use crate::scene::{CameraError, SceneError};
 use crate::shape::kinds::KindError;
+use crate::solids::{CrossingsError, StartError};
 use core::convert::Infallible;
 use core::fmt;
 
@@ -67,6 +68,10 @@ errors! {
     Scene(SceneError),
     /// Of a hierarchy.
     Hierarchy(HierarchyError),
+    /// Of the crossings of many solids.
+    Crossings(CrossingsError),
+    /// Of a start among many solids.
+    Start(StartError),
     /// Of a scene file.
     Nff(NffError),
     /// Of a picture that lacks an effect.

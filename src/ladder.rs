@@ -24,12 +24,13 @@ use crate::intersection::Intersection;
 use crate::line::{Needs, Place};
 use crate::number::{Guarded, Plain as PlainNumber, Running};
 use crate::part::Part;
-use crate::query::Solve;
+use crate::query::{Crossed, Solve};
 use crate::ray::{Leaving, Ray};
 use crate::scalar::{FromScalar, RealOf, Scalar};
 use crate::solve::{self, Attempt, Goal, Line, LocalRay, Localize, Of, Stop};
 use crate::tier::{Fast, Plain, Stable};
 use crate::vector::Vec3;
+use core::cmp::Ordering;
 use core::marker::PhantomData;
 
 /// A way to compute where a ray meets a geometry.
@@ -257,6 +258,11 @@ pub trait Listed<S: Scalar> {
     type Point: Of<S>;
     /// True if the ends of a range are compared with exact roots.
     const EXACT_ENDS: bool = false;
+    /// [`Solve::order`].
+    #[inline(always)]
+    fn order(_: &impl Crossed<S>, _: &impl Crossed<S>) -> Option<Ordering> {
+        None
+    }
     /// The inside test; the number of [`Listed::Point`] decides it.
     fn contains<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, point: Vec3<S>) -> bool {
         holds::<S, Self::Point, G>(&geometry.equations(), place, point).unwrap_or(false)
@@ -308,6 +314,10 @@ impl<S: Scalar, T: Listed<S>> Solve<S> for T {
     #[inline(always)]
     fn ahead<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<()> {
         <T::Methods as Methods<S>>::First::ahead(geometry, place, ray)
+    }
+    #[inline(always)]
+    fn order(a: &impl Crossed<S>, b: &impl Crossed<S>) -> Option<Ordering> {
+        <T as Listed<S>>::order(a, b)
     }
     fn contains<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, point: Vec3<S>) -> bool {
         <T as Listed<S>>::contains(geometry, place, point)

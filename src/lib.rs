@@ -132,6 +132,7 @@ pub mod render;
 pub mod scalar;
 pub mod scene;
 pub mod shape;
+pub mod solids;
 mod solve;
 pub mod tier;
 pub mod vector;

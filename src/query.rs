@@ -6,8 +6,9 @@ use crate::intersection::Intersection;
 use crate::line::Place;
 use crate::ray::{Range, Ray};
 use crate::scalar::{Scalar, largest};
-use crate::solve::{self, Attempt, Stop};
+use crate::solve::{self, Attempt, Of, Root, Stop};
 use crate::vector::Vec3;
+use core::cmp::Ordering;
 
 /// The steps of a query in a tier.
 pub trait Solve<S: Scalar> {
@@ -29,11 +30,22 @@ pub trait Solve<S: Scalar> {
     /// True if the point belongs to the geometry.
     fn contains<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, point: Vec3<S>) -> bool;
 
+    /// How two crossings of one line compare, by their exact roots; `None` in a tier that compares their rounded `t`.
+    #[inline(always)]
+    fn order(_: &impl Crossed<S>, _: &impl Crossed<S>) -> Option<Ordering> {
+        None
+    }
     /// Occlusion of the half-line `t >= 0`, from the signs of the equations alone.
     #[inline(always)]
     fn ahead<G: Geometry<S>, P: Place<S>>(_: &G, _: &P, _: &Ray<S>) -> Attempt<()> {
         Err(Stop::Unsure)
     }
+}
+
+/// A crossing of a surface by a line.
+pub trait Crossed<S: Scalar> {
+    /// The root of the surface's equation; `None` if the number does not know a sign.
+    fn root<N: Of<S>>(&self) -> Option<Root<N>>;
 }
 
 /// The kinds of crossings that are reported, entries and exits; a touch always is.

@@ -6,6 +6,7 @@ use crate::ray::Ray;
 use crate::scalar::Scalar;
 use crate::shape::{Shape, Shaped};
 use crate::tier::{Stable, Tier};
+use core::ops::ControlFlow;
 
 /// Shapes with a hierarchy of boxes around them: the nearest hit and occlusion of many shapes without a scene, for a
 /// program that needs distances and no picture. There is no camera, and there are no materials and counters.
@@ -117,5 +118,10 @@ impl<'a, S: Scalar, X: Shaped<S>> Shapes<'a, S, X> {
     /// As [`Shapes::hits`], in a chosen accuracy tier.
     pub fn hits_at<T: Tier<S>>(&self, ray: &Ray<S>, mut each: impl FnMut(u32, Hits<S>)) {
         search::every_hit::<S, T>(self.shapes, &self.hierarchy, ray, &mut each);
+    }
+
+    /// Calls `test` with the index of every shape that a ray without departure may meet, until it breaks.
+    pub(crate) fn visit_near(&self, ray: &Ray<S>, mut test: impl FnMut(u32) -> ControlFlow<()>) {
+        self.hierarchy.walk(ray, &mut (), |index, ()| test(index).is_continue().then_some(ray.range().end()));
     }
 }

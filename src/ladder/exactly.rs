@@ -12,10 +12,12 @@ use crate::line::Place;
 #[cfg(feature = "libm")]
 use crate::number::{Bounded, FLOAT_LIMBS, Integer};
 use crate::number::{Filtered, Running};
+use crate::query::Crossed;
 use crate::ray::Ray;
 use crate::scalar::Scalar;
-use crate::solve::{Attempt, Localize, Stop};
+use crate::solve::{Attempt, Localize, Of, Stop};
 use crate::vector::Vec3;
+use core::cmp::Ordering;
 
 /// A scalar that has an exact tier: `f32` and every `FixedI32<F>`. Sealed.
 pub trait ExactScalar: Scalar {
@@ -30,6 +32,8 @@ pub trait ExactScalar: Scalar {
     /// The integer that is used where a sign is unknown in [`ExactScalar::Bounded`]. It is wide enough for every
     /// polynomial of the solvers.
     type Integer: Localize<Self>;
+    /// The integer that compares roots of two solids: some 2.5 times as long.
+    type Order: Of<Self>;
 }
 
 #[cfg(feature = "libm")]
@@ -37,6 +41,7 @@ impl ExactScalar for f32 {
     type First = InDoubles;
     type Bounded = Bounded<u128>;
     type Integer = Integer<FLOAT_LIMBS>;
+    type Order = Integer<{ FLOAT_LIMBS / 2 * 5 }>;
 }
 
 impl<S: ExactScalar> Listed<S> for Exact {
@@ -44,6 +49,9 @@ impl<S: ExactScalar> Listed<S> for Exact {
     type Methods = (S::First, In<S::Bounded>, In<S::Integer>);
     type Point = S::Integer;
 
+    fn order(a: &impl Crossed<S>, b: &impl Crossed<S>) -> Option<Ordering> {
+        compared::<S, S::Bounded>(a, b).or_else(|| compared::<S, S::Order>(a, b))
+    }
     fn contains<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, point: Vec3<S>) -> bool {
         let equations = geometry.equations();
         holds::<S, Filtered, G>(&equations, place, point)
@@ -51,6 +59,12 @@ impl<S: ExactScalar> Listed<S> for Exact {
             .or_else(|| holds::<S, S::Integer, G>(&equations, place, point))
             .unwrap_or(false)
     }
+}
+
+/// How two crossings compare, in numbers of the type `N`.
+#[inline(never)]
+fn compared<S: ExactScalar, N: Of<S>>(a: &impl Crossed<S>, b: &impl Crossed<S>) -> Option<Ordering> {
+    a.root::<N>()?.order(&b.root::<N>()?)
 }
 
 /// In doubles with an error bound: that of the magnitudes of terms where these have few factors, otherwise a running

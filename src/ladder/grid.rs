@@ -282,6 +282,7 @@ impl<F: fixed::types::extra::LeEqU32 + Send + Sync + 'static> ExactScalar for fi
     type First = OnGridOrInDoubles;
     type Bounded = Bounded<u128>;
     type Integer = Integer<FIXED_LIMBS>;
+    type Order = Integer<{ FIXED_LIMBS / 2 * 5 }>;
 }
 
 /// The guards of the grid of `Exact`.

@@ -29,10 +29,11 @@ use crate::bounds;
 use crate::frame::Frame;
 use crate::geometry::{Bounds, Geometry};
 use crate::hit::{Hit, Hits};
-use crate::ladder::ExactScalar;
+use crate::ladder::{self, ExactScalar};
 use crate::line::InWorld;
 use crate::ray::Ray;
 use crate::scalar::Scalar;
+use crate::solve::{self, Of, Root};
 use crate::tier::{Precision, Stable, Tier};
 use crate::vector::Vec3;
 use core::fmt;
@@ -197,11 +198,38 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
 
     /// All hits, in a chosen accuracy tier.
     pub fn hits_at<T: Tier<S>>(&self, ray: &Ray<S>) -> Hits<S> {
-        let mut hits = through!(self, |member, place| member.visit(AllHits::<S, T, _>::new(place, ray)));
+        let mut hits = self.crossings_at::<T>(ray);
         if self.visible != Visible::Both {
             hits.retain(|hit| self.visible.sees(hit.crossing));
         }
         hits
+    }
+
+    /// All hits, from whichever side the shape is seen.
+    #[inline(always)]
+    pub(crate) fn crossings_at<T: Tier<S>>(&self, ray: &Ray<S>) -> Hits<S> {
+        through!(self, |member, place| member.visit(AllHits::<S, T, _>::new(place, ray)))
+    }
+
+    /// The root at a hit of the ray of its part's equation; `None` if the number `N` does not know a sign.
+    pub(crate) fn root<N: Of<S>>(&self, ray: &Ray<S>, hit: &Hit<S>) -> Option<Root<N>> {
+        let equations = self.member.equations();
+        let line = through!(self, |_member, place| ladder::line::<S, N, Member<S, K>>(&equations, place, ray));
+        let departed = ray.departure().map(|departure| departure.part);
+        solve::root_at::<S, N, Member<S, K>>(&equations, hit, &line, departed)
+    }
+
+    /// True for a solid, false for a surface without an inside: an open cylinder or cone, a plane, disc, triangle or
+    /// rectangle.
+    ///
+    /// ```
+    /// use raylet::{Cylinder, Shape};
+    /// assert!(Shape::new(Cylinder::capped(1.0_f32, 2.0)?).is_solid());
+    /// assert!(!Shape::new(Cylinder::open(1.0_f32, 2.0)?).is_solid());
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub fn is_solid(&self) -> bool {
+        self.member.equations().is_solid()
     }
 
     /// The visible hit with the smallest `t`.

@@ -26,7 +26,7 @@ impl Visible {
 
     /// True if such a crossing is reported. A touch always is.
     #[inline]
-    pub(super) const fn sees(self, crossing: Crossing) -> bool {
+    pub(crate) const fn sees(self, crossing: Crossing) -> bool {
         !matches!((self, crossing), (Self::Outside, Crossing::Exit) | (Self::Inside, Crossing::Enter))
     }
 }

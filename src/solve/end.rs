@@ -14,7 +14,7 @@ pub trait Of<S: Scalar>: FromScalar<S> + Number<Estimate: ToScalar<S>> {}
 impl<S: Scalar, N: FromScalar<S> + Number<Estimate: ToScalar<S>>> Of<S> for N {}
 
 /// A parameter `n / e` of the line; `e` is not zero.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Fraction<N> {
     pub(super) n: N,
     pub(super) e: N,
@@ -39,7 +39,7 @@ pub(super) fn times(a: Ordering, b: Ordering) -> Ordering {
 }
 
 /// What defines the parameter of an end.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(super) enum Place<N> {
     /// There is no end: the interval is infinite.
     Missing,

@@ -15,6 +15,7 @@
 //! | `local_ray` | the ray in a primitive's frame, in each number |
 //! | `quadric` | the quadrics in coordinates along a line: each equation once |
 //! | `quadratic` | a quadric along the line; the order of its roots and of planes |
+//! | `roots` | the order of the roots of two equations |
 //! | `end` | the ends of intervals, and their conversion to the ray's number type |
 //! | `round` | spheres and capsules |
 //! | `side` | cylinders and cones, double, infinite, open or between planes |
@@ -32,6 +33,7 @@ mod flat;
 mod local_ray;
 mod quadratic;
 mod quadric;
+mod roots;
 mod round;
 mod side;
 mod slabs;
@@ -47,6 +49,8 @@ pub(crate) use flat::{disc, plane, triangle};
 pub(crate) use local_ray::rounded_ray;
 pub use local_ray::{LocalRay, Localize};
 pub(crate) use quadric::Profile;
+pub use roots::Root;
+pub(crate) use roots::root_at;
 pub(crate) use round::{ball, capsule};
 pub(crate) use side::{caps, cone, tube};
 pub(crate) use slabs::{cuboid, rectangle};

@@ -206,19 +206,32 @@ impl<N: Number, Q: Quadric<N>> Curve<N> for Quadratic<N, Q> {
         // For either sign of a, f / a is a parabola that opens upwards.
         let f = times(f, self.a_sign);
         if f == Ordering::Less {
-            return Some(if second { Ordering::Greater } else { Ordering::Less });
+            return Some(root_beside(second, f, Ordering::Equal));
         }
         let slope = N::sum([[self.a, t.n], [self.k, t.e]]).sign()?;
-        let slope = times(times(slope, t.e.sign()?), self.a_sign);
-        Some(match (f, slope) {
-            // t is the vertex, and a root: the only one.
-            (_, Ordering::Equal) => Ordering::Equal,
-            (Ordering::Greater, slope) => slope.reverse(),
-            // t is the first root where f falls and the second where it rises.
-            (_, Ordering::Less) if second => Ordering::Greater,
-            (_, Ordering::Less) => Ordering::Equal,
-            (_, Ordering::Greater) if second => Ordering::Equal,
-            (_, Ordering::Greater) => Ordering::Less,
-        })
+        Some(root_beside(second, f, times(times(slope, t.e.sign()?), self.a_sign)))
+    }
+}
+
+/// How the first or the second root of a parabola that opens upwards compares with a parameter, from the signs of the
+/// parabola and of its slope there. (Where the parabola is negative, the slope decides nothing.)
+#[inline(always)]
+pub(super) fn root_beside(second: bool, f: Ordering, slope: Ordering) -> Ordering {
+    match (f, slope) {
+        (Ordering::Less, _) => {
+            if second {
+                Ordering::Greater
+            } else {
+                Ordering::Less
+            }
+        }
+        // The parameter is the vertex, and a root: the only one.
+        (_, Ordering::Equal) => Ordering::Equal,
+        (Ordering::Greater, slope) => slope.reverse(),
+        // The parameter is the first root where the parabola falls and the second where it rises.
+        (_, Ordering::Less) if second => Ordering::Greater,
+        (_, Ordering::Less) => Ordering::Equal,
+        (_, Ordering::Greater) if second => Ordering::Equal,
+        (_, Ordering::Greater) => Ordering::Less,
     }
 }

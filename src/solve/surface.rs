@@ -62,7 +62,7 @@ impl<N: Ring> Surface<N> {
 
     /// `h`, the scalar product of the [`gradient`](Self::gradient) (half of that of `f`) and the direction.
     #[inline(always)]
-    fn slope(&self) -> N {
+    pub(crate) fn slope(&self) -> N {
         match *self {
             Self::Ball(ball) => ball.k(),
             Self::Tube(tube) => tube.k(),

@@ -1,0 +1,130 @@
+//! The order of the roots of two equations along one line, by the signs of polynomials of their coefficients.
+//!
+//! The sign of one quadratic function at a root of another is that of a linear function there: `a g - b f` has no
+//! square, if `a` and `b` are the leading coefficients of `f` and `g`. So no square root is needed (Deakin and Snoeyink,
+//! *On the Precision to Sort Line-Quadric Intersections*, CCCG 2016).
+
+use super::end::{Fraction, Place, times};
+use super::quadratic::root_beside;
+use super::side::{caps, planes_of};
+use super::surface::{Line, surface_of};
+use crate::equations::{Described, Equations};
+use crate::hit::{Crossing, Hit};
+use crate::number::Number;
+use crate::part::Part;
+use crate::scalar::{FromScalar, Scalar};
+use core::cmp::Ordering;
+
+/// A root of `f = a t^2 + 2 k t + c`, or the parameter of a plane.
+#[derive(Clone, Copy, Debug)]
+pub struct Root<N> {
+    f: [N; 3],
+    place: Place<N>,
+}
+
+impl<N: Number> Root<N> {
+    /// The parameter `t`.
+    pub(crate) fn at_parameter(t: N) -> Self {
+        Self::at(Fraction { n: t, e: N::ONE })
+    }
+
+    const fn at(t: Fraction<N>) -> Self {
+        Self { f: [N::ZERO; 3], place: Place::At(t) }
+    }
+
+    /// The root at which `f` decreases, if the line enters, or increases; the only one, if there is one. `None` if a
+    /// sign is not known, or if `f` is constant.
+    fn of(f @ [a, k, c]: [N; 3], crossing: Crossing) -> Option<Self> {
+        let a_sign = a.sign()?;
+        if a_sign == Ordering::Equal {
+            let twice = k + k;
+            return (twice.sign()? != Ordering::Equal).then(|| Self::at(Fraction { n: -c, e: twice }));
+        }
+        if crossing == Crossing::Touch || N::sum([[k, k], [-a, c]]).sign()? == Ordering::Equal {
+            return Some(Self::at(Fraction { n: -k, e: a }));
+        }
+        let is_second = (crossing == Crossing::Exit) == (a_sign == Ordering::Greater);
+        Some(Self { f, place: if is_second { Place::Second } else { Place::First } })
+    }
+
+    /// How it compares with the parameter `t`.
+    fn against(&self, t: Fraction<N>) -> Option<Ordering> {
+        let [a, k, _] = self.f;
+        let is_second = match self.place {
+            Place::At(own) => return own.order(t),
+            Place::Missing => return None,
+            Place::First => false,
+            Place::Second => true,
+        };
+        let f = at(self.f, t).sign()?;
+        let slope = N::sum([[a, t.n], [k, t.e]]).sign()?;
+        let upwards = a.sign()?;
+        Some(root_beside(is_second, times(f, upwards), times(times(slope, t.e.sign()?), upwards)))
+    }
+
+    /// How it compares with another root on the same line; `None` if a sign is not known.
+    pub(crate) fn order(&self, other: &Self) -> Option<Ordering> {
+        let is_second = match (self.place, other.place) {
+            (_, Place::At(t)) => return self.against(t),
+            (Place::At(t), _) => return other.against(t).map(Ordering::reverse),
+            (_, place) => matches!(place, Place::Second),
+        };
+        let ([a, k, c], [b, l, d]) = (self.f, other.f);
+        // a g - b f = 2 slope t + value, at a root of f: the sign of a g there.
+        let [slope, value] = [N::sum([[a, l], [-b, k]]), N::sum([[a, d], [-b, c]])];
+        let difference = match slope.sign()? {
+            Ordering::Equal => value.sign()?,
+            sign => times(sign, self.against(Fraction { n: -value, e: slope + slope })?),
+        };
+        let upwards = b.sign()?;
+        let g = times(times(difference, a.sign()?), upwards);
+        let from_vertex = self.against(Fraction { n: -l, e: b })?;
+        Some(root_beside(is_second, g, from_vertex).reverse())
+    }
+
+    /// It, or the parameter zero if that is greater.
+    pub(crate) fn not_before_start(self) -> Option<Self> {
+        let start = Fraction { n: N::ZERO, e: N::ONE };
+        Some(if self.against(start)? == Ordering::Less { Self::at(start) } else { self })
+    }
+}
+
+/// `f` at `n / e`, times `e^2`.
+fn at<N: Number>([a, k, c]: [N; 3], Fraction { n, e }: Fraction<N>) -> N {
+    N::sum([[N::sum([[a, n], [k + k, e]]), n], [c * e, e]])
+}
+
+/// The root at a hit of the equation of its part. If the line departs from a part, `t = 0` is a root of its equation,
+/// whatever its rounded coordinates. `None` if the number does not know a sign.
+pub(crate) fn root_at<S: Scalar, N: FromScalar<S> + Number, G: Described>(
+    equations: &Equations<S>,
+    hit: &Hit<S>,
+    line: &Line<N>,
+    departed: Option<Part>,
+) -> Option<Root<N>> {
+    let function = |part: Part| {
+        let surface = surface_of::<S, N, G>(equations, part, line, N::scalar);
+        let value = if departed == Some(part) { N::ZERO } else { surface.value() };
+        [surface.bending(), surface.slope(), value]
+    };
+    let f @ [a, k, c] = function(hit.part);
+    let is_touch = hit.crossing == Crossing::Touch && a.sign()? != Ordering::Equal;
+    if is_touch && N::sum([[k, k], [-a, c]]).sign()? != Ordering::Equal {
+        // The line touches the solid at a rim, where it crosses the surface beyond the solid.
+        let rims = match equations {
+            Equations::Tube { extent, .. } => planes_of(*extent, [true; 2]),
+            Equations::Cone { outline, extent } => planes_of(*extent, caps(outline)),
+            _ => [None; 2],
+        };
+        for (_, part) in rims.into_iter().zip([Part::Base, Part::Top]).filter(|(rim, _)| rim.is_some()) {
+            let [_, growth, value] = function(part);
+            if growth.sign()? != Ordering::Equal {
+                let rim = Fraction { n: -value, e: growth + growth };
+                if at(f, rim).sign()? == Ordering::Equal {
+                    return Some(Root::at(rim));
+                }
+            }
+        }
+    }
+    Root::of(f, hit.crossing)
+}

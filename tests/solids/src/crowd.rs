@@ -1,0 +1,89 @@
+//! Crowds of solids that share faces, axes, centres and edges, and rays that meet several of them at one point.
+
+use raylet::{Frame, Ray, Shape, UnitVec3, Vec3};
+use support::described::{ConeExtent, CylinderExtent, Described};
+use support::exact_types::Exact;
+use support::oracle::Solid;
+use support::placed::{Placed, Placement};
+use support::random::{Random, add, scale};
+
+/// Some solids, placed, with what the oracle knows of them.
+pub struct Crowd<S: Exact> {
+    pub shapes: Vec<Shape<S>>,
+    pub solids: Vec<Solid>,
+    pub placed: Vec<Placed<S>>,
+    /// A point that many of them are near.
+    centre: [f64; 3],
+}
+
+/// Sizes that coincide often, and that every type holds exactly.
+const SIZES: [f64; 5] = [0.25, 0.5, 1.0, 1.5, 2.0];
+
+fn described<S: Exact>(random: &mut Random) -> Described<S> {
+    let mut size = || S::from_f64(random.pick(&SIZES)).expect("every tested type holds it");
+    let [a, b, c] = [size(), size(), size()];
+    match random.below(12) {
+        0 | 1 => Described::Sphere { radius: a },
+        2 | 3 => Described::Cylinder { radius: a, extent: CylinderExtent::Capped(b) },
+        4 => Described::Cylinder { radius: a, extent: CylinderExtent::Infinite },
+        5 => Described::Cone { slope: a, extent: ConeExtent::Capped(b) },
+        6 if a != b => Described::Frustum { base: a, top: b, height: c, capped: true },
+        7 => Described::Capsule { radius: a, height: b },
+        8 => Described::Cone { slope: a, extent: ConeExtent::Double },
+        9 => Described::Cone { slope: a, extent: ConeExtent::Nappe },
+        10 if random.below(2) == 0 => Described::Disc { radius: a },
+        10 => Described::Cylinder { radius: a, extent: CylinderExtent::Open(b) },
+        _ => Described::Cuboid { half: [a, b, c] },
+    }
+}
+
+impl<S: Exact> Crowd<S> {
+    /// Up to eight solids in a few frames: each frame is shared, or moved along the axes by sizes.
+    pub fn random(random: &mut Random) -> Self {
+        let is_turned = random.below(2) == 0;
+        let away = random.pick(&[0.0, 1.0, 8.0, 64.0]);
+        let centre = scale(random.direction(), away).map(f64::round);
+        let point = |p: [f64; 3]| Vec3::<S>::from_f64(p).expect("every tested type holds it");
+        let axes = [random.direction(), random.direction()].map(|axis| UnitVec3::new(point(axis)).expect("not zero"));
+        let mut crowd = Self { shapes: vec![], solids: vec![], placed: vec![], centre };
+        for _ in 0..2 + random.below(7) {
+            let described = described::<S>(random);
+            let (Ok(shape), solid) = (described.shape(), described.solid()) else { continue };
+            let shift = |random: &mut Random| random.pick(&[0.0, 0.0, 0.0, 0.5, 1.0, -0.5, -1.0, 2.0, -2.0]);
+            let place = add(centre, [shift(random), shift(random), shift(random)]);
+            let frame = if is_turned {
+                // Turned alike; most in one place.
+                let place = if random.below(3) > 0 { centre } else { place };
+                Frame::looking(point(place), axes[0], axes[1])
+            } else {
+                Frame::at(point(place))
+            };
+            let Ok(frame) = frame else { continue };
+            let Ok(placed) = Placed::by(&shape, &solid, Placement::Frame(frame)) else { continue };
+            crowd.shapes.push(placed.shape);
+            crowd.solids.push(solid);
+            crowd.placed.push(placed);
+        }
+        crowd
+    }
+
+    /// A ray through the crowd: at any point, at one on the grid of sizes, or along an axis through such a point.
+    pub fn ray(&self, random: &mut Random) -> Option<Ray<S>> {
+        let grid = |random: &mut Random| random.pick(&[-2.0, -1.5, -1.0, -0.5, -0.25, 0.0, 0.25, 0.5, 1.0, 1.5, 2.0]);
+        let target = if random.below(3) == 0 {
+            add(self.centre, scale(random.direction(), 2.0 * random.unit()))
+        } else {
+            add(self.centre, [grid(random), grid(random), grid(random)])
+        };
+        let distance = random.pick(&[0.0, 1.0, 5.0, 50.0]);
+        if random.below(3) == 0 {
+            let mut along = [0.0; 3];
+            along[random.below(3)] = random.sign();
+            let origin = add(target, scale(along, -distance));
+            return Ray::new(Vec3::from_f64(origin).ok()?, UnitVec3::new(Vec3::from_f64(along).ok()?).ok()?).ok();
+        }
+        let origin = add(target, scale(random.direction(), distance + 0.25));
+        let origin = if random.below(2) == 0 { origin.map(|c| (c * 4.0).round() / 4.0) } else { origin };
+        Ray::towards(Vec3::from_f64(origin).ok()?, Vec3::from_f64(target).ok()?).ok()
+    }
+}
