@@ -1,8 +1,14 @@
 //! Many solids along one ray: their order beside exact arithmetic, the set of solids inside, and rays that are followed
 //! from crossing to crossing.
 
-#![cfg(test)]
-
+#[cfg(test)]
 mod crowd;
+#[cfg(test)]
 mod following;
+#[cfg(test)]
 mod order;
+
+/// The examples of the page are tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/many-solids.md")]
+struct Page;
