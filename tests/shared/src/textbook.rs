@@ -257,6 +257,12 @@ impl<N: Number> Formula<N> for Sphere<N> {
     fn meet(&self, ray: &PlainRay<N>, root: impl Fn(N) -> N + Copy, report: &mut impl FnMut(N)) {
         ball(self.0, N::ZERO, ray, root, |t, _| report(t));
     }
+
+    /// The second root is computed only if the first one lies behind.
+    #[inline(always)]
+    fn nearest_by(&self, ray: &PlainRay<N>, root: impl Fn(N) -> N + Copy) -> Option<N> {
+        ball_roots(self.0, N::ZERO, ray, root)?.into_iter().find(|t| *t >= N::ZERO)
+    }
 }
 
 /// A cylinder or a cone about the y axis: the side's radius at the height 0 and how fast it grows, and the caps.
@@ -312,6 +318,10 @@ impl<N: Number, F: Formula<N>> Formula<N> for Placed<F, N> {
     #[inline(always)]
     fn meet(&self, ray: &PlainRay<N>, root: impl Fn(N) -> N + Copy, report: &mut impl FnMut(N)) {
         self.0.meet(&self.1.local(ray), root, report);
+    }
+    #[inline(always)]
+    fn nearest_by(&self, ray: &PlainRay<N>, root: impl Fn(N) -> N + Copy) -> Option<N> {
+        self.0.nearest_by(&self.1.local(ray), root)
     }
 }
 
@@ -409,11 +419,17 @@ impl<N: Number> Formula<N> for Form<N> {
 /// A ball around a point of the axis; reports `t` and the height there.
 #[inline(always)]
 fn ball<N: Number>(radius: N, centre: N, ray: &PlainRay<N>, root: impl Fn(N) -> N, mut report: impl FnMut(N, N)) {
-    let d = ray.direction;
-    let o = [ray.origin[0], ray.origin[1] - centre, ray.origin[2]];
-    for t in roots(dot(d, d), dot(o, d), dot(o, o) - radius * radius, root).into_iter().flatten() {
-        report(t, ray.origin[1] + t * d[1]);
+    for t in ball_roots(radius, centre, ray, root).into_iter().flatten() {
+        report(t, ray.origin[1] + t * ray.direction[1]);
     }
+}
+
+/// Both roots of that ball's equation.
+#[inline(always)]
+fn ball_roots<N: Number>(radius: N, centre: N, ray: &PlainRay<N>, root: impl Fn(N) -> N) -> Option<[N; 2]> {
+    let ([x, y, z], d) = (ray.origin, ray.direction);
+    let o = [x, y - centre, z];
+    roots(dot(d, d), dot(o, d), dot(o, o) - radius * radius, root)
 }
 
 /// Those roots whose height the side has.
