@@ -37,6 +37,7 @@ use core::fmt::Debug;
 use core::ops::{Div, Neg};
 
 mod attempt;
+#[cfg(feature = "fixed")]
 pub(crate) mod block;
 mod computing;
 pub(crate) mod constant;

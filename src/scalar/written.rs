@@ -29,6 +29,7 @@ pub(crate) use with_serde::{deserialize, serialize, three};
 #[cfg(feature = "serde")]
 mod with_serde {
     use super::Plain;
+    #[cfg(feature = "fixed")]
     use crate::scalar::block::{Block64, Block128};
     use core::fmt;
     use core::marker::PhantomData;
@@ -61,6 +62,7 @@ mod with_serde {
     }
 
     /// A number to compute in: an integer, and the power of two by which it is multiplied.
+    #[cfg(feature = "fixed")]
     macro_rules! blocks {
         ($($Block:ident($mantissa:ty),)+) => {$(
             impl ForSerde for $Block {
@@ -80,6 +82,7 @@ mod with_serde {
             }
         )+};
     }
+    #[cfg(feature = "fixed")]
     blocks!(Block64(i64), Block128(i128),);
 
     /// For `serde(with = ..)` on a field.
