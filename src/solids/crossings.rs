@@ -1,6 +1,7 @@
 //! The crossings of many solids along one ray, in order.
 
-use super::order::{self, Class, Entry, Located};
+use super::order::{self, Entry};
+use super::start::MOST_DEPARTURES;
 use super::{SolidSet, Start, StartError, queries};
 use crate::hierarchy::Shapes;
 use crate::hit::{Crossing, Hit};
@@ -108,9 +109,11 @@ impl<S: Scalar, X: Shaped<S>> List<S> for Shapes<'_, S, X> {
 /// # Ok::<(), raylet::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct Crossings<S, const N: usize, const W: usize = 1> {
+pub struct Crossings<S: Scalar, const N: usize, const W: usize = 1> {
     list: heapless::Vec<Entry<S>, N>,
     inside: SolidSet<W>,
+    ray: Ray<S>,
+    departures: heapless::Vec<Departure, MOST_DEPARTURES>,
 }
 
 impl<S: Scalar, const N: usize, const W: usize> Crossings<S, N, W> {
@@ -138,7 +141,12 @@ impl<S: Scalar, const N: usize, const W: usize> Crossings<S, N, W> {
         if shapes.len() > SolidSet::<W>::CAPACITY {
             return Err(CrossingsError::TooManySolids { given: shapes.len(), most: SolidSet::<W>::CAPACITY });
         }
-        let mut found = Self { list: heapless::Vec::new(), inside: start.inside().unwrap_or(SolidSet::EMPTY) };
+        let (inside, mut departures) = (start.inside_seen(), heapless::Vec::new());
+        for departure in start.departures() {
+            // Cannot be full: the start has as much room.
+            let _ = departures.push(*departure);
+        }
+        let mut found = Self { list: heapless::Vec::new(), inside, ray: *ray, departures };
         let mut result = Ok(());
         queries::each(solids, ray, start, |solid, shape| {
             result = found.add::<T, _>(shapes, solid, shape.shape(), ray, start);
@@ -158,22 +166,18 @@ impl<S: Scalar, const N: usize, const W: usize> Crossings<S, N, W> {
     ) -> Result<(), CrossingsError> {
         let own = start.ray_for(ray, solid);
         let (hits, is_moved) = start.crossings_of::<S, T, X::Kinds>(&own, solid, shape);
-        if start.inside().is_none() && hits.starts_inside() {
-            self.inside = self.inside.with(solid);
-        }
-        let located = |entry: &Entry<S>| {
-            let shape = shapes.get(entry.solid as usize)?.shape();
-            Some(Located { ray: start.ray_for(ray, entry.solid), shape, entry: *entry })
+        // What a departure says holds whatever else is known of the start.
+        let is_inside = match own.departure() {
+            Some(departure) if shape.is_solid() => Some(departure.leaving == Leaving::Inwards),
+            _ => start.inside().is_none().then(|| hits.starts_inside()),
         };
+        if let Some(is_inside) = is_inside {
+            self.inside = if is_inside { self.inside.with(solid) } else { self.inside.without(solid) };
+        }
+        let located = order::located(shapes, ray, start);
         let mut last: Option<Entry<S>> = None;
         for (index, hit) in hits.iter().enumerate() {
-            let mut entry = Entry {
-                solid,
-                hit: *hit,
-                class: Class::from(hit.crossing),
-                is_at_start: is_moved && index == 0,
-                is_solid: shape.is_solid(),
-            };
+            let mut entry = Entry::new(solid, shape, hit, is_moved && index == 0);
             if let Some(last) = last
                 && last.class > entry.class
                 && order::by_t::<S, T, _>(&last, &entry, &located).is_eq()
@@ -183,10 +187,11 @@ impl<S: Scalar, const N: usize, const W: usize> Crossings<S, N, W> {
             let place = self.list.iter().rposition(|other| {
                 other.solid == solid || order::order::<S, T, _>(other, &entry, &located) == Ordering::Less
             });
-            self.list
-                .insert(place.map_or(0, |place| place + 1), entry)
-                .map_err(|_| CrossingsError::Full { capacity: N })?;
             last = Some(entry);
+            // Each of the later ones moves up by one place.
+            let later = self.list.iter_mut().skip(place.map_or(0, |place| place + 1));
+            later.for_each(|later| core::mem::swap(later, &mut entry));
+            self.list.push(entry).map_err(|_| CrossingsError::Full { capacity: N })?;
         }
         Ok(())
     }
@@ -234,25 +239,39 @@ impl<S: Scalar, const N: usize, const W: usize> Crossings<S, N, W> {
     }
 
     fn start_at(&self, index: usize, crosses: bool) -> Result<Start<W>, StartError> {
-        let t = self.list.get(index).map(|entry| entry.hit.t);
-        let is_there = |crossing: &SolidCrossing<S, W>| Some(crossing.hit.t) == t;
-        let mut inside = self.inside;
-        for crossing in self {
-            if crosses && is_there(&crossing) || t.is_none_or(|t| crossing.hit.t < t) {
-                inside = crossing.after;
+        let Some(t) = self.list.get(index).map(|entry| entry.hit.t) else {
+            return Ok(Start::inside_of(self.iter().last().map_or(self.inside, |crossing| crossing.after)));
+        };
+        let earlier = self.list.iter().take(index).rev().take_while(|entry| entry.hit.t == t).count();
+        let there = || self.iter().skip(index - earlier).take_while(|crossing| crossing.hit.t == t);
+        let inside = match (there().next(), there().last()) {
+            (Some(first), Some(last)) => {
+                if crosses {
+                    last.after
+                } else {
+                    first.before
+                }
+            }
+            _ => self.inside,
+        };
+        let mut start = Start::inside_of(inside);
+        // Where the point is still the ray's start, it is on the surfaces that the ray departed from, too.
+        if self.ray.at(t) == self.ray.origin() {
+            for departure in &self.departures {
+                start = start.departing(*departure)?;
             }
         }
-        let mut start = Start::inside_of(inside);
-        for crossing in self.iter().filter(is_there) {
+        for (place, crossing) in there().enumerate() {
             let leaving = match crossing.hit.crossing {
                 Crossing::Enter if crosses => Leaving::Inwards,
                 Crossing::Exit if !crosses => Leaving::Inwards,
                 _ => Leaving::Outwards,
             };
-            // The chord of a solid may round to a point: behind it its last crossing counts, before it the first.
             let departure = Departure { object: crossing.solid, part: crossing.hit.part, leaving };
+            // The chord of a solid may round to a point: behind it its last crossing counts, before it the first.
+            let is_repeated = there().take(place).any(|earlier| earlier.solid == crossing.solid);
             match start.departure_from(crossing.solid) {
-                Some(own) if crosses => *own = departure,
+                Some(own) if crosses || !is_repeated => *own = departure,
                 Some(_) => {}
                 None => start = start.departing(departure)?,
             }

@@ -1,11 +1,12 @@
 //! The order of the crossings of many solids along one ray.
 
+use super::Start;
 use crate::hit::{Crossing, Hit};
 use crate::query::Crossed;
 use crate::ray::Ray;
 use crate::scalar::Scalar;
-use crate::shape::Shape;
 use crate::shape::kinds::Kinds;
+use crate::shape::{Shape, Shaped};
 use crate::solve::{Of, Root};
 use crate::tier::Tier;
 use core::cmp::Ordering;
@@ -21,6 +22,13 @@ pub(super) struct Entry<S> {
     pub(super) is_at_start: bool,
     /// The set of solids changes there.
     pub(super) is_solid: bool,
+}
+
+impl<S: Scalar> Entry<S> {
+    /// A crossing of this solid.
+    pub(super) fn new<K: Kinds>(solid: u32, shape: &Shape<S, K>, hit: &Hit<S>, is_at_start: bool) -> Self {
+        Self { solid, hit: *hit, class: Class::from(hit.crossing), is_at_start, is_solid: shape.is_solid() }
+    }
 }
 
 /// The order of crossings at equal `t`.
@@ -44,9 +52,21 @@ impl From<Crossing> for Class {
 
 /// A crossing with what its exact root is computed from.
 pub(super) struct Located<'a, S: Scalar, K: Kinds> {
-    pub(super) ray: Ray<S>,
-    pub(super) shape: &'a Shape<S, K>,
-    pub(super) entry: Entry<S>,
+    ray: Ray<S>,
+    shape: &'a Shape<S, K>,
+    entry: Entry<S>,
+}
+
+/// Finds the solid of a crossing in its list, and the ray that it was tested with.
+pub(super) fn located<'a, S: Scalar, X: Shaped<S>, const W: usize>(
+    shapes: &'a [X],
+    ray: &Ray<S>,
+    start: &Start<W>,
+) -> impl Fn(&Entry<S>) -> Option<Located<'a, S, X::Kinds>> {
+    |entry| {
+        let shape = shapes.get(entry.solid as usize)?.shape();
+        Some(Located { ray: start.ray_for(ray, entry.solid), shape, entry: *entry })
+    }
 }
 
 impl<S: Scalar, K: Kinds> Crossed<S> for Located<'_, S, K> {

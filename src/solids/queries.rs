@@ -1,6 +1,6 @@
 //! The nearest hit and occlusion of many solids by a ray whose start is known.
 
-use super::order::{self, Class, Entry, Located};
+use super::order::{self, Entry};
 use super::{List, Start};
 use crate::hit::Hit;
 use crate::ray::{Range, Ray};
@@ -56,24 +56,14 @@ pub fn nearest<S: Scalar, T: Tier<S>, const W: usize>(
     ray: &Ray<S>,
     start: &Start<W>,
 ) -> Option<(u32, Hit<S>)> {
-    let shapes = solids.list();
-    let located = |entry: &Entry<S>| {
-        let shape = shapes.get(entry.solid as usize)?.shape();
-        Some(Located { ray: start.ray_for(ray, entry.solid), shape, entry: *entry })
-    };
+    let located = order::located(solids.list(), ray, start);
     let mut nearest: Option<Entry<S>> = None;
     each(solids, ray, start, |solid, shape| {
         let shape = shape.shape();
         let (hits, is_moved) = start.crossings_of::<S, T, _>(&start.ray_for(ray, solid), solid, shape);
         let first = hits.iter().enumerate().find(|(_, hit)| shape.visible().sees(hit.crossing));
         if let Some((index, hit)) = first {
-            let entry = Entry {
-                solid,
-                hit: *hit,
-                class: Class::from(hit.crossing),
-                is_at_start: is_moved && index == 0,
-                is_solid: shape.is_solid(),
-            };
+            let entry = Entry::new(solid, shape, hit, is_moved && index == 0);
             if nearest.is_none_or(|best| order::order::<S, T, _>(&entry, &best, &located).is_lt()) {
                 nearest = Some(entry);
             }

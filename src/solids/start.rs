@@ -11,7 +11,7 @@ use crate::tier::Tier;
 use core::fmt;
 
 /// The most surfaces that a ray can depart from at once.
-const MOST_DEPARTURES: usize = 8;
+pub(super) const MOST_DEPARTURES: usize = 8;
 
 /// What is known of a ray's start among many solids, beside its coordinates: the solids that it is inside of, and the
 /// surfaces that it departs from.
@@ -40,7 +40,8 @@ impl<const W: usize> Start<W> {
         Self { inside: Some(solids), departures: heapless::Vec::new(), left_out: SolidSet::EMPTY, arrival: None }
     }
 
-    /// The same start, departing from one more surface.
+    /// The same start, departing from one more surface. A ray that departs from a solid inwards is inside of it, and one
+    /// that departs outwards is not, whatever set was given.
     ///
     /// # Errors
     ///
@@ -52,7 +53,7 @@ impl<const W: usize> Start<W> {
         }
     }
 
-    /// The same start for a ray that does not see these solids.
+    /// The same start for a ray that does not see these solids, neither at its start nor later.
     #[must_use]
     pub fn leaving_out(self, solids: SolidSet<W>) -> Self {
         Self { left_out: solids, ..self }
@@ -69,6 +70,12 @@ impl<const W: usize> Start<W> {
     /// The solids that the ray is inside of; `None` if its coordinates decide.
     pub const fn inside(&self) -> Option<SolidSet<W>> {
         self.inside
+    }
+
+    /// The solids that it is known to be inside of, without those that it does not see.
+    pub(super) fn inside_seen(&self) -> SolidSet<W> {
+        let inside = self.inside.unwrap_or(SolidSet::EMPTY);
+        self.left_out.iter().fold(inside, SolidSet::without)
     }
 
     /// The surfaces that it departs from.

@@ -11,7 +11,7 @@ use super::surface::{Line, surface_of};
 use crate::equations::{Described, Equations};
 use crate::hit::{Crossing, Hit};
 use crate::number::Number;
-use crate::part::Part;
+use crate::part::{FACES, Part};
 use crate::scalar::{FromScalar, Scalar};
 use core::cmp::Ordering;
 
@@ -108,6 +108,9 @@ pub(crate) fn root_at<S: Scalar, N: FromScalar<S> + Number, G: Described>(
         [surface.bending(), surface.slope(), value]
     };
     let f @ [a, k, c] = function(hit.part);
+    if is_constant(f)? {
+        return edge(equations, hit.crossing == Crossing::Enter, function);
+    }
     let is_touch = hit.crossing == Crossing::Touch && a.sign()? != Ordering::Equal;
     if is_touch && N::sum([[k, k], [-a, c]]).sign()? != Ordering::Equal {
         // The line touches the solid at a rim, where it crosses the surface beyond the solid.
@@ -127,4 +130,32 @@ pub(crate) fn root_at<S: Scalar, N: FromScalar<S> + Number, G: Described>(
         }
     }
     Root::of(f, hit.crossing)
+}
+
+/// True if the function does not change along the line.
+fn is_constant<N: Number>([a, k, _]: [N; 3]) -> Option<bool> {
+    Some(a.sign()? == Ordering::Equal && k.sign()? == Ordering::Equal)
+}
+
+/// The end, on an edge, of a line that lies in the surface of a solid: the part owns the edge, and others end the line.
+/// Between the two parts of each pair the line is inside.
+fn edge<S, N: Number>(equations: &Equations<S>, enters: bool, function: impl Fn(Part) -> [N; 3]) -> Option<Root<N>> {
+    let ends = [FACES[2]];
+    let pairs = if let Equations::Cuboid { .. } = equations { FACES.as_slice() } else { ends.as_slice() };
+    let mut last: Option<Root<N>> = None;
+    for pair in pairs {
+        let [f, g] = pair.map(&function);
+        if is_constant(f)? || is_constant(g)? {
+            continue;
+        }
+        // The balls of a capsule are touched.
+        let [first, second] = [Root::of(f, Crossing::Touch)?, Root::of(g, Crossing::Touch)?];
+        let is_rising = first.order(&second)? == Ordering::Less;
+        let end = if is_rising == enters { first } else { second };
+        last = match last {
+            Some(last) if (last.order(&end)? == Ordering::Greater) == enters => Some(last),
+            _ => Some(end),
+        };
+    }
+    last
 }

@@ -14,23 +14,28 @@ pub struct Crowd<S: Exact> {
     pub placed: Vec<Placed<S>>,
     /// A point that many of them are near.
     centre: [f64; 3],
+    /// What sizes and distances are multiplied by.
+    unit: f64,
 }
 
 /// Sizes that coincide often, and that every type holds exactly.
 const SIZES: [f64; 5] = [0.25, 0.5, 1.0, 1.5, 2.0];
 
-fn described<S: Exact>(random: &mut Random) -> Described<S> {
-    let mut size = || S::from_f64(random.pick(&SIZES)).expect("every tested type holds it");
+fn described<S: Exact>(random: &mut Random, unit: f64) -> Described<S> {
+    let number = |x: f64| S::from_f64(x).expect("every tested type holds it");
+    // Of a cone's slope there is no unit.
+    let slope = number(random.pick(&SIZES));
+    let mut size = || number(random.pick(&SIZES) * unit);
     let [a, b, c] = [size(), size(), size()];
     match random.below(12) {
         0 | 1 => Described::Sphere { radius: a },
         2 | 3 => Described::Cylinder { radius: a, extent: CylinderExtent::Capped(b) },
         4 => Described::Cylinder { radius: a, extent: CylinderExtent::Infinite },
-        5 => Described::Cone { slope: a, extent: ConeExtent::Capped(b) },
+        5 => Described::Cone { slope, extent: ConeExtent::Capped(b) },
         6 if a != b => Described::Frustum { base: a, top: b, height: c, capped: true },
         7 => Described::Capsule { radius: a, height: b },
-        8 => Described::Cone { slope: a, extent: ConeExtent::Double },
-        9 => Described::Cone { slope: a, extent: ConeExtent::Nappe },
+        8 => Described::Cone { slope, extent: ConeExtent::Double },
+        9 => Described::Cone { slope, extent: ConeExtent::Nappe },
         10 if random.below(2) == 0 => Described::Disc { radius: a },
         10 => Described::Cylinder { radius: a, extent: CylinderExtent::Open(b) },
         _ => Described::Cuboid { half: [a, b, c] },
@@ -38,19 +43,25 @@ fn described<S: Exact>(random: &mut Random) -> Described<S> {
 }
 
 impl<S: Exact> Crowd<S> {
-    /// Up to eight solids in a few frames: each frame is shared, or moved along the axes by sizes.
+    /// Up to eight solids in a few frames: each frame is shared, or moved along the axes by sizes; one in six is
+    /// stretched.
     pub fn random(random: &mut Random) -> Self {
+        Self::of_unit(random, 1.0)
+    }
+
+    /// The same, with all lengths multiplied by this.
+    pub fn of_unit(random: &mut Random, unit: f64) -> Self {
         let is_turned = random.below(2) == 0;
         let away = random.pick(&[0.0, 1.0, 8.0, 64.0]);
-        let centre = scale(random.direction(), away).map(f64::round);
+        let centre = scale(scale(random.direction(), away).map(f64::round), unit);
         let point = |p: [f64; 3]| Vec3::<S>::from_f64(p).expect("every tested type holds it");
         let axes = [random.direction(), random.direction()].map(|axis| UnitVec3::new(point(axis)).expect("not zero"));
-        let mut crowd = Self { shapes: vec![], solids: vec![], placed: vec![], centre };
+        let mut crowd = Self { shapes: vec![], solids: vec![], placed: vec![], centre, unit };
         for _ in 0..2 + random.below(7) {
-            let described = described::<S>(random);
+            let described = described::<S>(random, unit);
             let (Ok(shape), solid) = (described.shape(), described.solid()) else { continue };
             let shift = |random: &mut Random| random.pick(&[0.0, 0.0, 0.0, 0.5, 1.0, -0.5, -1.0, 2.0, -2.0]);
-            let place = add(centre, [shift(random), shift(random), shift(random)]);
+            let place = add(centre, scale([shift(random), shift(random), shift(random)], unit));
             let frame = if is_turned {
                 // Turned alike; most in one place.
                 let place = if random.below(3) > 0 { centre } else { place };
@@ -59,7 +70,14 @@ impl<S: Exact> Crowd<S> {
                 Frame::at(point(place))
             };
             let Ok(frame) = frame else { continue };
-            let Ok(placed) = Placed::by(&shape, &solid, Placement::Frame(frame)) else { continue };
+            let placement = if random.below(6) == 0 {
+                let factor = |random: &mut Random| S::from_f64(random.pick(&[0.25, 0.5, 1.0, 2.0, 3.0, 30.0]));
+                let factors = [(); 3].map(|()| factor(random).expect("every tested type holds it"));
+                Placement::Stretched(frame, factors)
+            } else {
+                Placement::Frame(frame)
+            };
+            let Ok(placed) = Placed::by(&shape, &solid, placement) else { continue };
             crowd.shapes.push(placed.shape);
             crowd.solids.push(solid);
             crowd.placed.push(placed);
@@ -71,19 +89,20 @@ impl<S: Exact> Crowd<S> {
     pub fn ray(&self, random: &mut Random) -> Option<Ray<S>> {
         let grid = |random: &mut Random| random.pick(&[-2.0, -1.5, -1.0, -0.5, -0.25, 0.0, 0.25, 0.5, 1.0, 1.5, 2.0]);
         let target = if random.below(3) == 0 {
-            add(self.centre, scale(random.direction(), 2.0 * random.unit()))
+            add(self.centre, scale(random.direction(), 2.0 * random.unit() * self.unit))
         } else {
-            add(self.centre, [grid(random), grid(random), grid(random)])
+            add(self.centre, scale([grid(random), grid(random), grid(random)], self.unit))
         };
-        let distance = random.pick(&[0.0, 1.0, 5.0, 50.0]);
+        let distance = random.pick(&[0.0, 1.0, 5.0, 50.0]) * self.unit;
         if random.below(3) == 0 {
             let mut along = [0.0; 3];
             along[random.below(3)] = random.sign();
             let origin = add(target, scale(along, -distance));
             return Ray::new(Vec3::from_f64(origin).ok()?, UnitVec3::new(Vec3::from_f64(along).ok()?).ok()?).ok();
         }
-        let origin = add(target, scale(random.direction(), distance + 0.25));
-        let origin = if random.below(2) == 0 { origin.map(|c| (c * 4.0).round() / 4.0) } else { origin };
+        let origin = add(target, scale(random.direction(), distance + 0.25 * self.unit));
+        let origin =
+            if random.below(2) == 0 { origin.map(|c| (c / self.unit * 4.0).round() / 4.0 * self.unit) } else { origin };
         Ray::towards(Vec3::from_f64(origin).ok()?, Vec3::from_f64(target).ok()?).ok()
     }
 }

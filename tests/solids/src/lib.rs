@@ -7,6 +7,8 @@ mod crowd;
 mod following;
 #[cfg(test)]
 mod order;
+#[cfg(test)]
+mod queries;
 
 /// The examples of the page are tests.
 #[cfg(doctest)]
