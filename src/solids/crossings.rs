@@ -1,7 +1,7 @@
 //! The crossings of many solids along one ray, in order.
 
 use super::order::{self, Entry};
-use super::start::MOST_DEPARTURES;
+use super::start::{MOST_DEPARTURES, stays};
 use super::{SolidSet, Start, StartError, queries};
 use crate::hierarchy::Shapes;
 use crate::hit::{Crossing, Hit};
@@ -165,29 +165,20 @@ impl<S: Scalar, const N: usize, const W: usize> Crossings<S, N, W> {
         start: &Start<W>,
     ) -> Result<(), CrossingsError> {
         let own = start.ray_for(ray, solid);
-        let (hits, is_moved) = start.crossings_of::<S, T, X::Kinds>(&own, solid, shape);
+        let hits = start.crossings_of::<S, T, X::Kinds>(&own, solid, shape);
         // What a departure says holds whatever else is known of the start.
         let is_inside = match own.departure() {
             Some(departure) if shape.is_solid() => Some(departure.leaving == Leaving::Inwards),
-            _ => start.inside().is_none().then(|| hits.starts_inside()),
+            _ => start.inside().is_none().then(|| hits.0.starts_inside()),
         };
         if let Some(is_inside) = is_inside {
             self.inside = if is_inside { self.inside.with(solid) } else { self.inside.without(solid) };
         }
         let located = order::located(shapes, ray, start);
-        let mut last: Option<Entry<S>> = None;
-        for (index, hit) in hits.iter().enumerate() {
-            let mut entry = Entry::new(solid, shape, hit, is_moved && index == 0);
-            if let Some(last) = last
-                && last.class > entry.class
-                && order::by_t::<S, T, _>(&last, &entry, &located).is_eq()
-            {
-                entry.class = last.class;
-            }
+        for mut entry in order::entries::<S, T, _, _>(solid, shape, &hits, &located) {
             let place = self.list.iter().rposition(|other| {
                 other.solid == solid || order::order::<S, T, _>(other, &entry, &located) == Ordering::Less
             });
-            last = Some(entry);
             // Each of the later ones moves up by one place.
             let later = self.list.iter_mut().skip(place.map_or(0, |place| place + 1));
             later.for_each(|later| core::mem::swap(later, &mut entry));
@@ -256,7 +247,7 @@ impl<S: Scalar, const N: usize, const W: usize> Crossings<S, N, W> {
         };
         let mut start = Start::inside_of(inside);
         // Where the point is still the ray's start, it is on the surfaces that the ray departed from, too.
-        if self.ray.at(t) == self.ray.origin() {
+        if stays(&self.ray, t) {
             for departure in &self.departures {
                 start = start.departing(*departure)?;
             }

@@ -1,7 +1,7 @@
 //! The order of the crossings of many solids along one ray.
 
 use super::Start;
-use crate::hit::{Crossing, Hit};
+use crate::hit::{Crossing, Hit, Hits};
 use crate::query::Crossed;
 use crate::ray::Ray;
 use crate::scalar::Scalar;
@@ -22,13 +22,6 @@ pub(super) struct Entry<S> {
     pub(super) is_at_start: bool,
     /// The set of solids changes there.
     pub(super) is_solid: bool,
-}
-
-impl<S: Scalar> Entry<S> {
-    /// A crossing of this solid.
-    pub(super) fn new<K: Kinds>(solid: u32, shape: &Shape<S, K>, hit: &Hit<S>, is_at_start: bool) -> Self {
-        Self { solid, hit: *hit, class: Class::from(hit.crossing), is_at_start, is_solid: shape.is_solid() }
-    }
 }
 
 /// The order of crossings at equal `t`.
@@ -111,4 +104,25 @@ pub(super) fn order<S: Scalar, T: Tier<S>, C: Crossed<S>>(
     located: &impl Fn(&Entry<S>) -> Option<C>,
 ) -> Ordering {
     by_t::<S, T, C>(a, b, located).then(a.class.cmp(&b.class)).then(a.solid.cmp(&b.solid))
+}
+
+/// The crossings of one solid, with their places among those of others.
+pub(super) fn entries<S: Scalar, T: Tier<S>, K: Kinds, C: Crossed<S>>(
+    solid: u32,
+    shape: &Shape<S, K>,
+    (hits, is_moved): &(Hits<S>, bool),
+    located: &impl Fn(&Entry<S>) -> Option<C>,
+) -> impl Iterator<Item = Entry<S>> {
+    hits.iter().enumerate().scan(None, move |last: &mut Option<Entry<S>>, (index, hit)| {
+        let (class, is_at_start) = (Class::from(hit.crossing), *is_moved && index == 0);
+        let mut entry = Entry { solid, hit: *hit, class, is_at_start, is_solid: shape.is_solid() };
+        if let Some(last) = last
+            && last.class > class
+            && by_t::<S, T, C>(last, &entry, located).is_eq()
+        {
+            entry.class = last.class;
+        }
+        *last = Some(entry);
+        Some(entry)
+    })
 }

@@ -60,13 +60,13 @@ pub fn nearest<S: Scalar, T: Tier<S>, const W: usize>(
     let mut nearest: Option<Entry<S>> = None;
     each(solids, ray, start, |solid, shape| {
         let shape = shape.shape();
-        let (hits, is_moved) = start.crossings_of::<S, T, _>(&start.ray_for(ray, solid), solid, shape);
-        let first = hits.iter().enumerate().find(|(_, hit)| shape.visible().sees(hit.crossing));
-        if let Some((index, hit)) = first {
-            let entry = Entry::new(solid, shape, hit, is_moved && index == 0);
-            if nearest.is_none_or(|best| order::order::<S, T, _>(&entry, &best, &located).is_lt()) {
-                nearest = Some(entry);
-            }
+        let hits = start.crossings_of::<S, T, _>(&start.ray_for(ray, solid), solid, shape);
+        let first = order::entries::<S, T, _, _>(solid, shape, &hits, &located)
+            .find(|entry| shape.visible().sees(entry.hit.crossing));
+        if let Some(entry) = first
+            && nearest.is_none_or(|best| order::order::<S, T, _>(&entry, &best, &located).is_lt())
+        {
+            nearest = Some(entry);
         }
         ControlFlow::Continue(())
     });

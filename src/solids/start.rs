@@ -4,7 +4,7 @@ use super::SolidSet;
 use crate::hit::{Crossing, Hit, Hits};
 use crate::part::Part;
 use crate::ray::{Departure, Leaving, Range, Ray};
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, largest};
 use crate::shape::Shape;
 use crate::shape::kinds::Kinds;
 use crate::tier::Tier;
@@ -124,7 +124,17 @@ impl<const W: usize> Start<W> {
         solid: u32,
         shape: &Shape<S, K>,
     ) -> (Hits<S>, bool) {
-        let hits = shape.crossings_at::<T>(ray);
+        let mut hits = shape.crossings_at::<T>(ray);
+        if self.inside.is_some()
+            && ray.departure().is_some()
+            && let [exit, enter, ..] = *hits
+            && (exit.crossing, enter.crossing) == (Crossing::Exit, Crossing::Enter)
+            && stays(ray, enter.t)
+        {
+            // At the apex of a double cone the gap between the nappes may be less than a rounding of the point, and the
+            // ray would meet it again and again.
+            hits.retain(|hit| *hit != exit && *hit != enter);
+        }
         match self.inside {
             Some(inside)
                 if ray.departure().is_none() && shape.is_solid() && hits.starts_inside() != inside.contains(solid) =>
@@ -134,6 +144,13 @@ impl<const W: usize> Start<W> {
             _ => (hits, false),
         }
     }
+}
+
+/// True if the point at `t` is the ray's start, but for a rounding of its largest coordinate. (Others may be next to
+/// zero, where a float is finer.)
+pub(super) fn stays<S: Scalar>(ray: &Ray<S>, t: S) -> bool {
+    let reach = largest(ray.origin().to_array());
+    ray.at(t) == ray.origin() || reach.plus(t) == reach
 }
 
 /// The crossings of a solid whose rounded coordinates contradict what is known: that the ray starts inside of it, or
