@@ -190,6 +190,23 @@ fn at_a_shared_face_the_exit_comes_first() {
     );
 }
 
+/// A ray in a face of a cuboid leaves it by an edge that the face owns, and the plane of the other face ends it. The
+/// stretched cylinder ends less than a unit before.
+#[test]
+fn an_end_on_an_edge_is_where_the_other_face_is() {
+    use raylet::{Affine, Cuboid, Cylinder, Frame, UnitVec3, Vec3};
+    let n = |x: f64| I16F16::from_num(x);
+    let v = |x, y, z| Vec3::new(n(x), n(y), n(z));
+    let block =
+        Shape::new(Cuboid::new(n(0.25), n(0.25), n(1.0)).unwrap()).placed(Frame::at(v(0.0, -1.0, -0.5)).unwrap());
+    let stretched = Affine::stretched(Frame::at(v(-2.0, -1.5, 0.0)).unwrap(), v(30.0, 3.0, 2.0)).unwrap();
+    let drum = Shape::new(Cylinder::capped(n(2.0), n(0.25)).unwrap()).placed(stretched);
+    let ray = Ray::new(v(-0.25, -1.0, -1.5), UnitVec3::Y).unwrap();
+    let list = List::with_start::<ExactTier>(&[block, drum], &ray, &Start::new()).unwrap();
+    let order: Vec<_> = list.iter().map(|c| (c.solid, c.hit.t, c.hit.part)).collect();
+    assert_eq!(order, [(1, n(0.25), Part::Top), (0, n(0.25), Part::Left)]);
+}
+
 #[test]
 fn messages_say_what_to_do() {
     use raylet::{Sphere, UnitVec3, Vec3};
