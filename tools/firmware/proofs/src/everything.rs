@@ -1,9 +1,11 @@
 //! Every public query of the library, with values of any bits.
 
 use crate::input::{Any, any_direction, any_point, any_word, give};
+use raylet::ExactScalar;
+use raylet::hierarchy::{Hierarchy, Node, Shapes};
 use raylet::scalar::{Real, UnitScalar};
 use raylet::shape::kinds::{KindError, Kinds};
-use raylet::ExactScalar;
+use raylet::solids::{self, Crossings, SolidSet, Start};
 use raylet::tier::Tier;
 use raylet::{
     Affine, Capsule, Cone, Cuboid, Cylinder, Departure, Disc, Frame, Leaving, Part, Plane, Range, Ray, Rectangle,
@@ -143,6 +145,29 @@ pub fn queries<S: Any, T: Tier<S>>() -> Option<()> {
     call!(any_shape::<S>()?, ray, T);
     call!(among::<S, (Sphere<S>, Plane<S>, Frame<S>)>()?, ray, T);
     call!(among::<S, (Affine<S>, Cone<S>)>()?, ray, T);
+    many_solids::<S, T>(ray)
+}
+
+/// Many solids along one ray, as a list and in a hierarchy, from any start.
+fn many_solids<S: Any, T: Tier<S>>(ray: &Ray<S>) -> Option<()> {
+    let shapes = [any_shape::<S>()?, any_shape()?, any_shape()?];
+    let mut start = match any_word() {
+        0 => Start::<2>::new(),
+        _ => Start::inside_of(SolidSet::EMPTY.with(any_word() as u32)),
+    };
+    start = start.leaving_out(SolidSet::EMPTY.with(any_word() as u32));
+    if let Some(departure) = any_ray::<S>()?.departure() {
+        start = start.departing(departure).ok()?.arriving(departure);
+    }
+    let mut nodes = [Node::EMPTY; Hierarchy::<S>::nodes_for(3)];
+    let tree = Shapes::new(&shapes, &mut nodes).ok()?;
+    let crossings = Crossings::<S, 7, 2>::with_start::<T>(&tree, ray, &start).ok()?;
+    crossings.iter().for_each(give);
+    give(crossings.inside().last());
+    give((crossings.start_across(any_word() as usize), crossings.start_before(any_word() as usize)));
+    give(Crossings::<S, 7, 2>::with_start::<T>(&shapes, ray, &start));
+    give(solids::nearest::<S, T, 2>(&tree, ray, &start));
+    give(solids::occludes::<S, T, 2>(&shapes, ray, &start));
     Some(())
 }
 

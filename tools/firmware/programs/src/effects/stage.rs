@@ -4,8 +4,8 @@ use raylet::effect::{Effect, EffectSet};
 use raylet::scalar::UnitScalar;
 use raylet::scene::{SceneError, Waves};
 use raylet::{
-    Camera, Color, Cone, Cylinder, Fog, Frame, Light, Material, Object, Outline, Plane, Scalar, Scene, Shape, Sphere, Texture,
-    Vec3,
+    Camera, Color, Cone, Cylinder, Fog, Frame, Light, Material, Object, Outline, Plane, Scalar, Scene, Shape, Sphere,
+    Texture, Vec3,
 };
 
 /// A ball, a can and a cone on a plane, whose materials call for a set of effects.
