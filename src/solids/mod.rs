@@ -20,7 +20,8 @@
 //! The crossings of a solid alternate, whatever their rounding. So the set of solids that the ray is inside of follows
 //! from the list alone, and no coordinate is tested again. A ray that continues from a crossing takes the set along
 //! ([`Start`]). A solid that rounding has put behind the new start is left, or entered, at the start: no crossing is
-//! lost and none is met twice, and no offset is needed.
+//! lost and none is met twice, and no offset is needed. (A ray that grazes a solid within the rounding of the points of
+//! its path may hit it from one of them and miss it from the next.)
 
 mod crossings;
 mod order;
