@@ -1,5 +1,6 @@
-//! A display of 128 by 64 pixels, each on or off (SSD1306): white things on a white floor. A line around each tells them
-//! apart, and dark pixels here and there tell which of them are round. In fixed point; the only memory is the display's.
+//! A display of 128 by 64 pixels, each on or off (SSD1306): white things on a white floor. A line around each tells
+//! them apart, and dark pixels here and there tell which of them are round. In fixed point; the only memory is the
+//! display's.
 
 use fixed::types::I16F16;
 use raylet::effect::{self, Ambient, Diffuse};

@@ -12,6 +12,7 @@
 //! | a disc of radius `r` in the plane of height `y` | `o + m_y y + r sqrt(m_x^2 + m_z^2)` |
 //! | a vertex | `o + m_x x + m_y y + m_z z` |
 //! | a cuboid of half extents `h` | `o + abs(m_x) h_x + abs(m_y) h_y + abs(m_z) h_z` |
+//! | a rounded cuboid | as its core, and `r sqrt(m_x^2 + m_y^2 + m_z^2)` more |
 //!
 //! and down to the negative of the same expression with the signs of `o` and `m` reversed. The convex hull of several
 //! parts reaches as far as the farthest of them.
@@ -76,14 +77,16 @@ fn interval<S: Scalar, G: Described>(hull: &Hull<S>, o: S, [x, y, z]: [Near<S>; 
     };
     // Only the hulls of the geometry's kinds are linked.
     let has = |kind| G::EQUATIONS.has(kind);
-    let between_discs = EquationKinds::TUBE.and(EquationKinds::CONE);
+    let between_discs =
+        EquationKinds::CYLINDER.and(EquationKinds::CONE).and(EquationKinds::REVOLVED).and(EquationKinds::TUBE);
+    let flat = EquationKinds::PLANE.and(EquationKinds::DISC).and(EquationKinds::ANNULUS);
     match hull {
         Hull::Ball(radius) if has(EquationKinds::BALL) => round([S::ZERO, *radius], length([x, y, z])),
         Hull::Balls(balls) if has(EquationKinds::CAPSULE) => {
             let spread = length([x, y, z]);
             united(balls.map(|ball| round(ball, spread)))
         }
-        Hull::Discs(discs) if has(between_discs.and(EquationKinds::PLANE).and(EquationKinds::DISC)) => {
+        Hull::Discs(discs) if has(between_discs.and(flat)) => {
             let spread = length([x, z]);
             united(discs.map(|disc| round(disc, spread)))
         }
@@ -99,6 +102,11 @@ fn interval<S: Scalar, G: Described>(hull: &Hull<S>, o: S, [x, y, z]: [Near<S>; 
         Hull::Cuboid([a, b, c]) if has(EquationKinds::CUBOID.and(EquationKinds::RECTANGLE)) => {
             let terms = [(*a, x.magnitude()), (*b, y.magnitude()), (*c, z.magnitude())];
             let furthest = |centre: S| no_less([(centre, Near::exact(one)), terms[0], terms[1], terms[2]]);
+            both(furthest(o), furthest(-o))
+        }
+        Hull::RoundedCuboid([a, b, c], radius) if has(EquationKinds::ROUNDED_CUBOID) => {
+            let terms = [(*a, x.magnitude()), (*b, y.magnitude()), (*c, z.magnitude()), (*radius, length([x, y, z]))];
+            let furthest = |centre: S| no_less([(centre, Near::exact(one)), terms[0], terms[1], terms[2], terms[3]]);
             both(furthest(o), furthest(-o))
         }
         // The geometry has no other hull.

@@ -18,6 +18,7 @@
 //! | direction | [`UnitVec3::X`](crate::UnitVec3::X) and so on, `const_from_components`, `const_neg` |
 //! | frame | `const_at`, `const_from_axes`, `const_from_quaternion` |
 //! | shape | `into_shape` of each primitive, [`Shape::in_frame`](crate::Shape::in_frame), [`Shape::seen_from`](crate::Shape::seen_from) |
+//! | combination | [`Combination::union`](crate::Combination::union), `intersection`, `difference`, `new`; [`Combination::shape`](crate::Combination::shape), [`Shape::beside_combinations`](crate::Shape::beside_combinations) |
 //! | object | [`Object::const_new`](crate::Object::const_new), `with_base`, `with_top` |
 //! | material, colour, point light, texture | all of it; a colour by [`Color::new`](crate::Color::new) |
 //! | camera | `const_in_frame`, `const_orthographic_in_frame` |

@@ -1,6 +1,7 @@
 //! A primitive as a set of equations and inequalities, for the solver.
 
-use crate::outline::{Extent, Outline};
+use crate::outline::{Extent, Meridian, Outline};
+use core::cmp::Ordering;
 
 /// The equations and inequalities of a primitive, in the numbers that it was built from.
 #[derive(Clone, Copy, Debug)]
@@ -17,8 +18,15 @@ pub enum Equations<S> {
         /// The length of the segment.
         height: S,
     },
+    /// The convex hull of two balls, about the origin and about `(0, height, 0)`.
+    RoundCone {
+        /// The radii of the lower and of the upper ball.
+        radii: [S; 2],
+        /// The height of the upper ball's centre.
+        height: S,
+    },
     /// The inside of a cylinder about the y axis, or its side alone.
-    Tube {
+    Cylinder {
         /// The radius.
         radius: S,
         /// Its ends.
@@ -31,6 +39,18 @@ pub enum Equations<S> {
         /// Its ends.
         extent: Extent<S>,
     },
+    /// The inside of a quadric of revolution about the y axis between two planes, or its side alone.
+    Revolved {
+        /// Its equation and its ends.
+        meridian: Meridian<S>,
+    },
+    /// What lies between two cylinders about the y axis, and between the planes `y = 0` and `y = height`.
+    Tube {
+        /// The inner and the outer radius.
+        radii: [S; 2],
+        /// The height.
+        height: S,
+    },
     /// The plane `y = 0`.
     Plane,
     /// The part of the plane `y = 0` within `radius` of the origin.
@@ -38,10 +58,24 @@ pub enum Equations<S> {
         /// The radius.
         radius: S,
     },
+    /// The part of the plane `y = 0` between two circles about the origin.
+    Annulus {
+        /// The inner and the outer radius.
+        radii: [S; 2],
+    },
     /// All points whose coordinates are at most these in magnitude.
     Cuboid {
         /// The half extents.
         half: [S; 3],
+    },
+    /// All points within `radius` of a cuboid about the origin.
+    RoundedCuboid {
+        /// The half extents of that cuboid.
+        half: [S; 3],
+        /// The radius.
+        radius: S,
+        /// The region of the point whose surface is asked for; of no interest to a query.
+        region: Region,
     },
     /// The part of the plane `y = 0` with `x` and `z` at most these in magnitude.
     Rectangle {
@@ -55,9 +89,23 @@ pub enum Equations<S> {
     },
 }
 
+/// Along each axis, whether a point is below a cuboid about the origin, between its planes, or above it.
+pub type Region = [Ordering; 3];
+
+/// The only axis along which a region is beyond the cuboid, if it is that of a face.
+#[inline(always)]
+pub(crate) fn axis_of_face(region: Region) -> Option<usize> {
+    match region.map(|side| side != Ordering::Equal) {
+        [true, false, false] => Some(0),
+        [false, true, false] => Some(1),
+        [false, false, true] => Some(2),
+        _ => None,
+    }
+}
+
 /// Kinds of equations: a bit for each kind for which the solver has a separate function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct EquationKinds(u16);
+pub struct EquationKinds(u32);
 
 impl EquationKinds {
     /// None.
@@ -66,8 +114,8 @@ impl EquationKinds {
     pub(crate) const BALL: Self = Self(1);
     /// [`Equations::Capsule`].
     pub(crate) const CAPSULE: Self = Self(1 << 1);
-    /// [`Equations::Tube`].
-    pub(crate) const TUBE: Self = Self(1 << 2);
+    /// [`Equations::Cylinder`].
+    pub(crate) const CYLINDER: Self = Self(1 << 2);
     /// [`Equations::Cone`].
     pub(crate) const CONE: Self = Self(1 << 3);
     /// [`Equations::Plane`].
@@ -80,6 +128,16 @@ impl EquationKinds {
     pub(crate) const CUBOID: Self = Self(1 << 7);
     /// [`Equations::Rectangle`].
     pub(crate) const RECTANGLE: Self = Self(1 << 8);
+    /// [`Equations::Revolved`].
+    pub(crate) const REVOLVED: Self = Self(1 << 9);
+    /// [`Equations::Tube`].
+    pub(crate) const TUBE: Self = Self(1 << 10);
+    /// [`Equations::Annulus`].
+    pub(crate) const ANNULUS: Self = Self(1 << 11);
+    /// [`Equations::RoundCone`].
+    pub(crate) const ROUND_CONE: Self = Self(1 << 12);
+    /// [`Equations::RoundedCuboid`].
+    pub(crate) const ROUNDED_CUBOID: Self = Self(1 << 13);
 
     /// Those of both sets.
     pub(crate) const fn and(self, other: Self) -> Self {
@@ -97,10 +155,18 @@ impl<S> Equations<S> {
     /// True if they describe a solid, false for a surface without an inside.
     pub(crate) const fn is_solid(&self) -> bool {
         match self {
-            Self::Ball { .. } | Self::Capsule { .. } | Self::Cuboid { .. } => true,
-            Self::Tube { extent, .. } | Self::Cone { extent, .. } => !matches!(extent, Extent::Open(_)),
-            Self::Plane | Self::Disc { .. } | Self::Rectangle { .. } | Self::Triangle { .. } => false,
+            Self::Cylinder { extent, .. } | Self::Cone { extent, .. } => !matches!(extent, Extent::Open(_)),
+            Self::Revolved { meridian } => !meridian.is_open,
+            _ => !self.is_flat(),
         }
+    }
+
+    /// True if they describe a part of a plane.
+    pub(crate) const fn is_flat(&self) -> bool {
+        matches!(
+            self,
+            Self::Plane | Self::Disc { .. } | Self::Annulus { .. } | Self::Rectangle { .. } | Self::Triangle { .. }
+        )
     }
 
     /// The kind of these.
@@ -108,11 +174,16 @@ impl<S> Equations<S> {
         match self {
             Self::Ball { .. } => EquationKinds::BALL,
             Self::Capsule { .. } => EquationKinds::CAPSULE,
-            Self::Tube { .. } => EquationKinds::TUBE,
+            Self::RoundCone { .. } => EquationKinds::ROUND_CONE,
+            Self::Cylinder { .. } => EquationKinds::CYLINDER,
             Self::Cone { .. } => EquationKinds::CONE,
+            Self::Revolved { .. } => EquationKinds::REVOLVED,
+            Self::Tube { .. } => EquationKinds::TUBE,
             Self::Plane => EquationKinds::PLANE,
             Self::Disc { .. } => EquationKinds::DISC,
+            Self::Annulus { .. } => EquationKinds::ANNULUS,
             Self::Cuboid { .. } => EquationKinds::CUBOID,
+            Self::RoundedCuboid { .. } => EquationKinds::ROUNDED_CUBOID,
             Self::Rectangle { .. } => EquationKinds::RECTANGLE,
             Self::Triangle { .. } => EquationKinds::TRIANGLE,
         }

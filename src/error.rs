@@ -8,8 +8,10 @@ use crate::ray::RayError;
 use crate::scalar::ValueError;
 use crate::scene::nff::NffError;
 use crate::scene::{CameraError, SceneError};
+use crate::shape::combination::CombinationError;
 use crate::shape::kinds::KindError;
 use crate::solids::{CrossingsError, StartError};
+use crate::thick::ThickError;
 use core::convert::Infallible;
 use core::fmt;
 
@@ -62,6 +64,8 @@ errors! {
     Frame(FrameError),
     /// Of a shape of chosen kinds.
     Kind(KindError),
+    /// Of a combination of solids.
+    Combination(CombinationError),
     /// Of a camera.
     Camera(CameraError),
     /// Of a scene.
@@ -72,6 +76,8 @@ errors! {
     Crossings(CrossingsError),
     /// Of a start among many solids.
     Start(StartError),
+    /// Of a thick ray.
+    Thick(ThickError),
     /// Of a scene file.
     Nff(NffError),
     /// Of a picture that lacks an effect.

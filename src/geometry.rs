@@ -67,7 +67,8 @@ pub trait Geometry<S: Scalar>: Copy + Described {
     {
         found!(self.meets_on_grid::<T>(line)).occlusion()
     }
-    /// The exit of a line that starts on the part `from` and leads inwards, on the grid. For convex primitives.
+    /// The exit of a line that starts on the part `from` and leads inwards, on the grid. Unsure if the line may enter
+    /// again.
     #[inline(always)]
     fn exit_on_grid<T: Guards>(&self, _line: &LocalLine<S>, _from: Part) -> Attempt<End<S>>
     where
@@ -123,6 +124,8 @@ pub enum Hull<S> {
     Points([Vec3<S>; 3]),
     /// A cuboid about the origin with these half extents.
     Cuboid([S; 3]),
+    /// All points within a radius of such a cuboid.
+    RoundedCuboid([S; 3], S),
 }
 
 impl<S: Scalar> Hull<S> {
@@ -133,9 +136,12 @@ impl<S: Scalar> Hull<S> {
         match *self {
             Self::Ball(radius) => [around(radius); 3],
             Self::Cuboid(half_extents) => half_extents.map(around),
+            Self::RoundedCuboid(half, radius) => half.map(|half| around(half.plus(radius))),
             Self::Balls([[low, below], [high, above]]) => {
                 let across = around(larger(below, above));
-                [across, [low.minus(below), high.plus(above)], across]
+                let along = [(low, below), (high, above)].map(|(y, radius)| [y.minus(radius), y.plus(radius)]);
+                let [[low, a], [other, b]] = along;
+                [across, [if other < low { other } else { low }, larger(a, b)], across]
             }
             Self::Discs([[low, below], [high, above]]) => {
                 let across = around(larger(below, above));

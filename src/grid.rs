@@ -2,7 +2,8 @@
 
 use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
-use crate::scalar::{Attempt, GridScalar, InSide, LocalLine, UnitScalar};
+use crate::scalar::{Attempt, GridScalar, InSide, LocalLine, UnitScalar, found};
+use core::cmp::Ordering;
 
 /// The guards of a tier on the grid against rounding errors.
 pub trait Guards: 'static {
@@ -97,6 +98,78 @@ impl<'a, S: GridScalar> Slab<'a, S> {
     fn cuts_off_what_is_inaccurate(&self, inside: &InSide<S>) -> bool {
         let ([is_enter_accurate, is_exit_accurate], [low, high]) = (inside.are_accurate(), inside.ends);
         (is_enter_accurate || self.span.enter.t > low) && (is_exit_accurate || self.span.exit.t < high)
+    }
+}
+
+/// Two balls and the part of an infinite side between the seams: the circles in which the side touches the balls.
+///
+/// An end of the line's interval in the solid is the end in the infinite side, if that lies between the seams, and
+/// otherwise the end in the ball beyond the seam.
+pub(crate) struct BetweenBalls<'a, S: GridScalar, F> {
+    pub(crate) line: &'a LocalLine<S>,
+    /// Whether the line's point at this `t` lies below the seams (`Less`), between them, or above.
+    pub(crate) seams: F,
+    pub(crate) radii: [S; 2],
+    /// The height of the upper ball's centre; that of the lower one is zero.
+    pub(crate) height: S,
+    /// See [`LocalLine::ball`].
+    pub(crate) by_moment: bool,
+    pub(crate) is_strict: bool,
+}
+
+impl<S: GridScalar, F: Fn(S) -> Attempt<Ordering>> BetweenBalls<'_, S, F> {
+    /// The intersection with a line whose interval in the infinite side is this.
+    #[inline(always)]
+    pub(crate) fn meets(&self, inside: &InSide<S>) -> Attempt<Intersection<S>> {
+        let ([low, high], [is_low, is_high]) = (inside.ends, inside.are_accurate());
+        // Next to a seam the ends in the ball are as inaccurate as those in the side.
+        let by_moment = self.by_moment || !is_low || !is_high;
+        let ball = |line: &LocalLine<S>, radius: S| line.ball(radius, by_moment, self.is_strict);
+        let outer = if is_low { low } else { -S::INFINITY };
+        let enter = found!(self.end([low, outer], |line, radius, _| Attempt::Hit(found!(ball(line, radius))[0])));
+        if self.line.needs_only(enter.t) {
+            return Attempt::Hit(Intersection::Entered(enter));
+        }
+        let outer = if is_high { high } else { S::INFINITY };
+        match self.end([high, outer], |line, radius, _| Attempt::Hit(found!(ball(line, radius))[1])) {
+            Attempt::Hit(exit) if enter.t <= exit.t => Attempt::Hit(Intersection::One(Span::new(enter, exit))),
+            // The exit is uncertain, or rounding put it before the entry.
+            _ => Attempt::Hit(Intersection::Entered(enter)),
+        }
+    }
+
+    /// The exit of a line that starts on the part `from`, and leaves the infinite side at this end, or as far away as
+    /// the second number.
+    #[inline(always)]
+    pub(crate) fn exit(&self, side: [S; 2], from: Part) -> Attempt<End<S>> {
+        self.end(side, |line, radius, part| {
+            if part == from {
+                return line.exit_from_round(true);
+            }
+            let by_moment = self.by_moment || side[0] != side[1];
+            Attempt::Hit(found!(line.ball(radius, by_moment, self.is_strict))[1])
+        })
+    }
+
+    /// The end in the solid for one end in the infinite side, which may lie as far away as `outer`. `of_ball` is given
+    /// the line relative to the ball's centre, and the radius.
+    #[inline(always)]
+    fn end(
+        &self,
+        [side, outer]: [S; 2],
+        of_ball: impl FnOnce(&LocalLine<S>, S, Part) -> Attempt<S>,
+    ) -> Attempt<End<S>> {
+        let seams = found!((self.seams)(side));
+        if side != outer && (seams == Ordering::Equal || found!((self.seams)(outer)) != seams) {
+            return Attempt::Unsure;
+        }
+        let (part, [centre, radius]) = match seams {
+            Ordering::Less => (Part::Base, [S::ZERO, self.radii[0]]),
+            Ordering::Greater => (Part::Top, [self.height, self.radii[1]]),
+            Ordering::Equal => return Attempt::Hit(End::new(side, Part::Side)),
+        };
+        let t = found!(of_ball(&found!(self.line.lowered(centre)), radius, part));
+        Attempt::Hit(End::new(t, part))
     }
 }
 

@@ -3,9 +3,11 @@
 use crate::part::Part;
 use crate::ray::Range;
 use crate::scalar::Scalar;
+use core::fmt::Debug;
 use core::ops::Deref;
 
-/// The most crossings that a line can have with any primitive: two intervals of a double cone.
+/// The most crossings that a line can have with any primitive: two intervals of a double cone, of a tube, or of a solid
+/// with a waist.
 pub const MOST_HITS: usize = 4;
 
 /// How a ray crosses a surface.
@@ -35,19 +37,20 @@ pub struct Hit<S> {
     pub crossing: Crossing,
 }
 
-/// All hits of a ray with a primitive, sorted by `t`; a slice of [`Hit`].
+/// All hits of a ray with a shape, sorted by `t`; a slice of [`Hit`].
 ///
-/// The list has a fixed capacity of [`MOST_HITS`], so that no hit is ever dropped.
+/// The list has a fixed capacity, so that no hit is ever dropped: [`MOST_HITS`] of a primitive, and of a
+/// [`Combination`](crate::Combination) [`MOST_CROSSINGS`](crate::shape::combination::MOST_CROSSINGS).
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(bound = "S: Scalar"))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Hits<S> {
-    list: heapless::Vec<Hit<S>, MOST_HITS>,
+pub struct Hits<S, const N: usize = MOST_HITS> {
+    list: heapless::Vec<Hit<S>, N>,
     starts_inside: bool,
     coincident: Option<Range<S>>,
 }
 
-impl<S: Scalar> Hits<S> {
+impl<S: Scalar, const N: usize> Hits<S, N> {
     /// A miss.
     pub(crate) const fn none() -> Self {
         Self { list: heapless::Vec::new(), starts_inside: false, coincident: None }
@@ -61,9 +64,15 @@ impl<S: Scalar> Hits<S> {
     /// Adds a hit after all others.
     #[inline]
     pub(crate) fn push(&mut self, hit: Hit<S>) {
-        // Cannot be full: no primitive has more ends than the capacity.
+        // Cannot be full: no shape has more ends than the capacity of its list.
         let pushed = self.list.push(hit);
         debug_assert!(pushed.is_ok());
+    }
+
+    /// Becomes another list, which has no more hits than there is room for.
+    pub(crate) fn take(&mut self, other: &Hits<S>) {
+        other.list.iter().for_each(|hit| self.push(*hit));
+        (self.starts_inside, self.coincident) = (other.starts_inside, other.coincident);
     }
 
     /// Notes that the start of the range lies inside.
@@ -93,7 +102,7 @@ impl<S: Scalar> Hits<S> {
     }
 }
 
-impl<S> Deref for Hits<S> {
+impl<S, const N: usize> Deref for Hits<S, N> {
     type Target = [Hit<S>];
     #[inline]
     fn deref(&self) -> &[Hit<S>] {
@@ -101,22 +110,22 @@ impl<S> Deref for Hits<S> {
     }
 }
 
-impl<S: Copy> IntoIterator for Hits<S> {
+impl<S: Copy, const N: usize> IntoIterator for Hits<S, N> {
     type Item = Hit<S>;
-    type IntoIter = IntoIter<S>;
-    fn into_iter(self) -> IntoIter<S> {
+    type IntoIter = IntoIter<S, N>;
+    fn into_iter(self) -> IntoIter<S, N> {
         IntoIter { list: self.list, next: 0 }
     }
 }
 
 /// Iterator over the hits of a list, by value. (The iterator of `heapless` is not used because its `drop` can panic.)
 #[derive(Clone, Debug)]
-pub struct IntoIter<S> {
-    list: heapless::Vec<Hit<S>, MOST_HITS>,
+pub struct IntoIter<S, const N: usize = MOST_HITS> {
+    list: heapless::Vec<Hit<S>, N>,
     next: usize,
 }
 
-impl<S: Copy> Iterator for IntoIter<S> {
+impl<S: Copy, const N: usize> Iterator for IntoIter<S, N> {
     type Item = Hit<S>;
 
     fn next(&mut self) -> Option<Hit<S>> {
@@ -131,14 +140,67 @@ impl<S: Copy> Iterator for IntoIter<S> {
     }
 }
 
-impl<S: Copy> ExactSizeIterator for IntoIter<S> {}
+impl<S: Copy, const N: usize> ExactSizeIterator for IntoIter<S, N> {}
 
-impl<S: Copy> core::iter::FusedIterator for IntoIter<S> {}
+impl<S: Copy, const N: usize> core::iter::FusedIterator for IntoIter<S, N> {}
 
-impl<'a, S> IntoIterator for &'a Hits<S> {
+impl<'a, S, const N: usize> IntoIterator for &'a Hits<S, N> {
     type Item = &'a Hit<S>;
     type IntoIter = core::slice::Iter<'a, Hit<S>>;
     fn into_iter(self) -> Self::IntoIter {
         self.list.iter()
+    }
+}
+
+mod sealed {
+    pub trait Sealed {}
+}
+
+/// A list of all hits, whatever its capacity: [`Hits`]. Sealed.
+pub trait HitList<S: Scalar>: Deref<Target = [Hit<S>]> + Clone + Debug + PartialEq + sealed::Sealed {
+    /// A miss.
+    #[doc(hidden)]
+    fn none() -> Self;
+    /// Adds a hit after all others.
+    #[doc(hidden)]
+    fn push(&mut self, hit: Hit<S>);
+    /// Notes that the start of the range lies inside.
+    #[doc(hidden)]
+    fn start_inside(&mut self);
+    /// Keeps the hits for which `keep` holds.
+    #[doc(hidden)]
+    fn retain(&mut self, keep: impl FnMut(&Hit<S>) -> bool);
+    /// As [`Hits::starts_inside`].
+    fn starts_inside(&self) -> bool;
+    /// As [`Hits::coincident`].
+    fn coincident(&self) -> Option<Range<S>>;
+}
+
+impl<S, const N: usize> sealed::Sealed for Hits<S, N> {}
+
+impl<S: Scalar, const N: usize> HitList<S> for Hits<S, N> {
+    #[inline(always)]
+    fn none() -> Self {
+        Self::none()
+    }
+    #[inline(always)]
+    fn push(&mut self, hit: Hit<S>) {
+        self.push(hit);
+    }
+    #[inline(always)]
+    fn start_inside(&mut self) {
+        self.start_inside();
+    }
+    #[inline(always)]
+    fn retain(&mut self, keep: impl FnMut(&Hit<S>) -> bool) {
+        self.retain(keep);
+    }
+    #[inline(always)]
+    fn starts_inside(&self) -> bool {
+        self.starts_inside()
+    }
+    #[inline(always)]
+    fn coincident(&self) -> Option<Range<S>> {
+        self.coincident()
     }
 }

@@ -216,7 +216,10 @@ mod with_defmt {
     use crate::render::Pixel;
     use crate::scalar::Scalar;
     use crate::scalar::written::Plain;
+    use crate::shape::Ellipsoid;
     use crate::shape::Placement;
+    use crate::solids::SolidCrossing;
+    use crate::thick::{Contact, ThickRay};
     use crate::vector::{UnitVec3, Vec3};
     use defmt::{Format, Formatter, write};
 
@@ -279,6 +282,33 @@ mod with_defmt {
     impl<S: Scalar> Format for Hit<S> {
         fn format(&self, f: Formatter<'_>) {
             write!(f, "Hit {{ t: {}, part: {}, crossing: {} }}", Plain(self.t), self.part, self.crossing);
+        }
+    }
+
+    impl<S: Scalar> Format for ThickRay<S> {
+        fn format(&self, f: Formatter<'_>) {
+            write!(f, "ThickRay {{ ray: {}, radius: {} }}", self.ray(), Plain(self.radius()));
+        }
+    }
+
+    impl<S: Scalar> Format for Contact<S> {
+        fn format(&self, f: Formatter<'_>) {
+            let Self { t, point, normal, overlaps } = self;
+            write!(f, "Contact {{ t: {}, point: {}, normal: {}, overlaps: {} }}", Plain(*t), point, normal, overlaps);
+        }
+    }
+
+    impl<S: Scalar> Format for Ellipsoid<S> {
+        fn format(&self, f: Formatter<'_>) {
+            let [x, y, z] = self.radii().map(Plain);
+            write!(f, "Ellipsoid {{ radii: [{}, {}, {}] }}", x, y, z);
+        }
+    }
+
+    impl<S: Scalar, const W: usize> Format for SolidCrossing<S, W> {
+        fn format(&self, f: Formatter<'_>) {
+            let Self { solid, hit, before, after } = self;
+            write!(f, "SolidCrossing {{ solid: {}, hit: {}, before: {}, after: {} }}", solid, hit, before, after);
         }
     }
 }

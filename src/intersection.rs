@@ -41,6 +41,14 @@ impl<S: Scalar> Span<S> {
         Self { enter, exit, touch: false }
     }
 
+    /// Between two ends. Those of a touch are one point, and an exit that was rounded to before the entry is moved to
+    /// it.
+    #[inline(always)]
+    pub(crate) fn joined(enter: End<S>, exit: End<S>, touch: bool) -> Self {
+        let exit = if touch || exit.t < enter.t { End { t: enter.t, ..exit } } else { exit };
+        Self { enter, exit, touch }
+    }
+
     /// Between two ends on the side.
     #[inline(always)]
     pub(crate) const fn of_side([enter, exit]: [S; 2]) -> Self {
@@ -87,7 +95,8 @@ pub enum Intersection<S> {
     One(Span<S>),
     /// The entry of one interval, whose exit was not computed: it is not needed, or uncertain.
     Entered(End<S>),
-    /// Two intervals, in order (a double cone).
+    /// Two intervals, in order (of a double cone, across a waist or through a tube). Of an open surface an exit and a
+    /// later entry, whose missing ends are infinite with the other signs, so that no point is inside.
     Two(Span<S>, Span<S>),
     /// The crossings of an open surface: those ends of the interval that lie on it. The others are infinite.
     Surface(Span<S>),
@@ -136,13 +145,43 @@ impl<S: Scalar> Intersection<S> {
         }
     }
 
-    /// The intersection with an entry that is certain, in place of that of its one interval: also where that was
-    /// rounded to a point, or to none.
+    /// The intersection with this part at the ends of its one interval.
+    pub(crate) fn with_part(self, part: Part) -> Self {
+        let of_part = |end: End<S>| End { part, ..end };
+        match self {
+            Self::One(Span { enter, exit, touch }) => {
+                Self::One(Span { enter: of_part(enter), exit: of_part(exit), touch })
+            }
+            Self::Entered(enter) => Self::Entered(of_part(enter)),
+            other => other,
+        }
+    }
+
+    /// Two intervals, of which the second does not begin before the first ends, nor end before it begins.
+    pub(crate) fn in_order(first: Span<S>, mut second: Span<S>) -> Self {
+        if second.enter.t < first.exit.t {
+            second.enter.t = first.exit.t;
+        }
+        if second.exit.t < second.enter.t {
+            second.exit.t = second.enter.t;
+        }
+        Self::Two(first, second)
+    }
+
+    /// The intersection with an entry that is certain, in place of that of the interval which it begins: also where
+    /// that was rounded to a point, or to none.
     pub(crate) fn entered_at(self, enter: End<S>) -> Self {
         match self {
-            Self::One(Span { exit, .. }) => {
-                let exit = if exit.t < enter.t { End { t: enter.t, ..exit } } else { exit };
-                Self::One(Span::new(enter, exit))
+            Self::One(Span { exit, .. }) => Self::One(Span::joined(enter, exit, false)),
+            // The entry that is nearer: in another number the first interval may have ended before it.
+            Self::Two(first, second) => {
+                let off = |span: &Span<S>| span.enter.t.minus(enter.t).magnitude();
+                let joined = |span: Span<S>| Span::joined(enter, span.exit, false);
+                if off(&second) < off(&first) {
+                    Self::in_order(first, joined(second))
+                } else {
+                    Self::in_order(joined(first), second)
+                }
             }
             Self::Miss => Self::One(Span::new(enter, enter)),
             other => other,

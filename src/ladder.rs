@@ -1,6 +1,8 @@
 //! Which numbers each tier computes in.
 //!
-//! A tier is a list of methods. A method is unsure where its numbers do not know a sign; then the next one decides.
+//! A tier is a list of methods. A method is unsure where its numbers do not know a sign, since rounding may have
+//! decided it; then the next one repeats the query. "In the world" means not placed; "the grid" is that of
+//! `scalar::integers`; "blocks" are integers that each have an exponent.
 //!
 //! | tier | floats | fixed point |
 //! |---|---|---|
@@ -35,8 +37,8 @@ use core::marker::PhantomData;
 
 /// A way to compute where a ray meets a geometry.
 pub trait Method<S: Scalar> {
-    /// The intersection of a ray without departure, compiled into the query. If `since` is given, only the first end at
-    /// or after it is needed. A method that only follows others has no need of it.
+    /// The intersection of a ray without departure, inlined into the query. If `since` is given, only the first end at
+    /// or after it is needed. Only the first method of a list is called so; the others need only [`Method::all`].
     #[inline(always)]
     fn nearest<G: Geometry<S>, P: Place<S>>(
         geometry: &G,
@@ -46,7 +48,7 @@ pub trait Method<S: Scalar> {
     ) -> Attempt<Intersection<S>> {
         Self::all(geometry, place, ray)
     }
-    /// The intersection of any ray: a call of a function that all placements share.
+    /// The intersection of any ray, by a call of a function that all placements share.
     fn all<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<Intersection<S>>;
     /// [`Solve::ahead`].
     #[inline(always)]
@@ -93,7 +95,7 @@ impl<S: Scalar, A: Method<S>, B: Method<S>, C: Method<S>> Methods<S> for (A, B, 
     }
 }
 
-/// The intersection, if it is more than an entry.
+/// The intersection, if both ends of its interval are known: an entry alone is `Unsure`.
 #[inline(always)]
 pub(super) fn whole<S>(found: Attempt<Intersection<S>>) -> Attempt<Intersection<S>> {
     if let Ok(Intersection::Entered(_)) = found { Err(Stop::Unsure) } else { found }
@@ -122,7 +124,7 @@ impl<S: Scalar + RealOf<S>> Tiers<S> for Floats {
     type Stable = (InBounds<S, true>, InDoubled<S>, In<S::Robust>);
 }
 
-/// In numbers of the type `N`.
+/// The method that computes in numbers of the type `N`.
 #[derive(Clone, Copy, Debug)]
 pub struct In<N>(PhantomData<N>);
 
@@ -136,7 +138,7 @@ impl<S: Scalar, N: Localize<S>> Method<S> for In<N> {
     ) -> Attempt<Intersection<S>> {
         let local = N::local_ray(place, ray, G::NEEDS, None);
         let goal = Goal { range: ray.range(), since };
-        // An affine map costs so much that a call adds little; a program has less code.
+        // An affine map takes so long that a call adds little, and a program has less code with it.
         if P::STRETCHES { intersect(geometry, &local, goal) } else { geometry.intersect(&local, goal) }
     }
     #[inline(always)]
@@ -154,7 +156,7 @@ impl<S: Scalar, N: Localize<S>> Method<S> for In<N> {
     }
 }
 
-/// The ray in the frame, in a number that is seldom needed: a function of its own, one for all geometries.
+/// The ray in the frame, in a number that is seldom needed: one function for all geometries, not inlined.
 #[inline(never)]
 fn transformed<S: Scalar, N: Localize<S>, P: Place<S>>(
     place: &P,
@@ -176,7 +178,7 @@ fn rounded<S: Scalar + RealOf<S>, P: Place<S>>(
     solve::rounded_ray::<S, S, P>(place, ray, needs, departure)
 }
 
-/// The intersection as a function of its own, one for all placements.
+/// The intersection: one function for all placements, not inlined.
 #[inline(never)]
 fn intersect<S: Scalar, N: Of<S>, G: Geometry<S>>(
     geometry: &G,
@@ -186,13 +188,13 @@ fn intersect<S: Scalar, N: Of<S>, G: Geometry<S>>(
     geometry.intersect(ray, goal)
 }
 
-/// In values with constant bounds of their errors where these are enough, and otherwise with running ones.
+/// The method that computes in values whose error bounds are constant ([`Guarded`]) where that is enough, and otherwise
+/// in values with running bounds ([`Running`]).
 ///
-/// Constant bounds of `Stable` are enough for short formulas ([`Geometry::HAS_CONSTANT_BOUNDS`]) and for flat parts in
-/// the world, those of `Fast` for all. (Without an FPU a cuboid in the world takes a third of what running bounds
-/// take.)
-/// Neither is enough in an affine map: where it stretches by 30, they do not tell which differences lost their
-/// digits, and hits of chords of 20 to 400 units were lost.
+/// The constant bounds of `Stable` are enough for short formulas ([`Geometry::HAS_CONSTANT_BOUNDS`]) and for flat parts
+/// in the world, those of `Fast` for all. (Without an FPU a cuboid in the world takes a third of the instructions of
+/// running bounds.) Neither is enough in an affine map: with a stretch of 30 a difference that passes these bounds may
+/// have lost its digits, and hits with chords of 20 to 400 units in the last place were lost.
 #[derive(Clone, Copy, Debug)]
 pub struct InBounds<R, const STABLE: bool>(PhantomData<R>);
 
@@ -219,8 +221,8 @@ impl<S: Scalar + RealOf<S>, const STABLE: bool> Method<S> for InBounds<S, STABLE
     }
     #[inline(always)]
     fn all<G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> Attempt<Intersection<S>> {
-        // The `t` of an exit next to the start is accurate only if the line is: of 191 exits from turned capsules,
-        // values knew 35, and a line in double-words 158.
+        // The `t` of an exit next to the start is accurate only if the line is: of 191 exits from turned capsules this
+        // method decided 35, and the next one, whose line is transformed in double-words, 158.
         if STABLE && ray.departure().is_some() && matches!(G::NEEDS, Needs::All | Needs::Flat) {
             return Err(Stop::Unsure);
         }
@@ -234,10 +236,12 @@ impl<S: Scalar + RealOf<S>, const STABLE: bool> Method<S> for InBounds<S, STABLE
     }
 }
 
-/// In values with a running bound, of a line that is transformed in double-words and then rounded.
+/// The method that computes in values with a running bound, for a line that is transformed in double-words and then
+/// rounded.
 ///
-/// The transformation makes most of the errors of a line: of the rays near a turned capsule, the first method leaves
-/// 7 % unsure, and this one 1 %. It shares the functions of [`Running`], so that a solid adds no code.
+/// The transformation causes most of the error of a line: of the rays near a turned capsule the first method is unsure
+/// for 7 %, and this one for 1 %. It calls the same functions as [`InBounds`] in [`Running`], so that it adds no code
+/// for a solid.
 #[derive(Clone, Copy, Debug)]
 pub struct InDoubled<R>(PhantomData<R>);
 
@@ -256,7 +260,7 @@ pub trait Listed<S: Scalar> {
     type Methods: Methods<S>;
     /// The number that decides whether a point is inside.
     type Point: Of<S>;
-    /// True if the ends of a range are compared with exact roots.
+    /// True if the exact `t` of an end, not the rounded one, decides whether it lies in the ray's range.
     const EXACT_ENDS: bool = false;
     /// [`Solve::order`].
     #[inline(always)]
@@ -324,9 +328,9 @@ impl<S: Scalar, T: Listed<S>> Solve<S> for T {
     }
 }
 
-/// True if the line certainly misses a geometry about the y axis, since it passes the axis at a distance. Most tests of
-/// a picture or of a range sensor do: in `Stable` a sensor's test of `f32` takes 192 instead of 406 instructions on a
-/// host, and one that hits some 40 more.
+/// True if the line certainly misses a geometry about the y axis, since its distance from the axis is larger than the
+/// geometry's radius. That decides most tests of a picture or a range sensor: in `Stable` a sensor's test in `f32`
+/// takes 192 instead of 406 instructions on a host on average, and one that hits takes some 40 more.
 #[inline(always)]
 fn passes<S: Scalar, G: Geometry<S>, P: Place<S>>(geometry: &G, place: &P, ray: &Ray<S>) -> bool {
     geometry.radius_about_axis().is_some_and(|r| place.passes_axis(ray, r))

@@ -44,16 +44,17 @@
 //! # The contract
 //!
 //! 1. A solid is a closed set. A line meets a convex solid in one interval, whose ends are the hits:
-//!    [`Crossing::Enter`] and [`Crossing::Exit`], or one [`Crossing::Touch`]. Crossings always pair up. (A double cone
-//!    is not convex: a line may meet it in two intervals.)
-//! 2. An open surface, such as a tube without caps, reports each point where the line crosses it, with the side that
-//!    was hit. An infinite solid reports the ends of its interval that are finite.
+//!    [`Crossing::Enter`] and [`Crossing::Exit`], or one [`Crossing::Touch`]. Crossings always pair up. (A double cone,
+//!    a quadric with a waist and a tube are not convex: a line may meet them in two intervals.)
+//! 2. An open surface, such as a cylinder without caps, reports each point where the line crosses it, with the side
+//!    that was hit. An infinite solid reports the ends of its interval that are finite.
 //! 3. Hits come sorted by `t`. Ends outside the ray's closed [`Range`] are no hits. If an exit has no enter before it,
 //!    the ray starts inside: [`Hits::starts_inside`].
 //! 4. `t` is distance, because directions are unit vectors by type ([`UnitVec3`]). Stored components are rounded, and
 //!    `t` is the parameter along the direction as stored.
 //! 5. A point on an edge between two parts belongs to the side: the rim between side and cap, and the seam between side
-//!    and hemisphere. So does the apex.
+//!    and round end. So does the apex. The inner rims of a tube belong to its inner side, and the seams of a rounded
+//!    cuboid to its faces.
 //! 6. Degenerate rays have defined results, without NaN: the table is in [`primitive`].
 //! 7. Normals are outward unit vectors. [`Surface::normal_towards_ray`] is the normal on the side that the ray comes
 //!    from.
@@ -134,6 +135,7 @@ pub mod scene;
 pub mod shape;
 pub mod solids;
 mod solve;
+pub mod thick;
 pub mod tier;
 pub mod vector;
 
@@ -146,12 +148,16 @@ pub use hierarchy::{ShapeTree, Shapes};
 pub use hit::{Crossing, Hit, Hits};
 pub use ladder::ExactScalar;
 pub use part::Part;
-pub use primitive::{Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, SizeError, Sphere, Triangle};
+pub use primitive::{
+    Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, Revolved, RoundCone, RoundedCuboid, SizeError,
+    Sphere, Triangle, Tube,
+};
 pub use ray::{Along, Departure, Leaving, Range, Ray, RayError};
 pub use render::{Picture, Pixel};
 pub use scalar::{Scalar, ValueError};
 pub use scene::{Camera, Color, Counters, Fog, Light, Material, Object, Outline, Scene, Size, Texture};
-pub use shape::{Placement, Primitive, Shape, Shaped, Surface, Visible};
+pub use shape::combination::{Combination, CombinationError};
+pub use shape::{Ellipsoid, Placement, Primitive, Shape, Shaped, Surface, Visible};
 pub use tier::{Exact, Fast, Plain, Stable, Tier};
 pub use vector::{UnitVec3, Vec3};
 

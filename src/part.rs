@@ -1,17 +1,19 @@
 //! The parts of a surface.
 
+use core::cmp::Ordering;
+
 /// A part of a primitive's surface. Each part can have its own material.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Part {
-    /// The curved side, or the whole surface of a sphere, plane, disc, rectangle or triangle. Rims, seams and the apex
-    /// belong to it.
+    /// The curved side, or the whole surface of a sphere, plane, disc, annulus, rectangle or triangle. Rims, seams and
+    /// the apex belong to it. Of a rounded cuboid its edges and corners, without the seams.
     Side,
-    /// The cap or hemisphere at the lower end of the axis; the lowest face of a cuboid.
+    /// The cap, or the part of a ball, at the lower end of the axis; the lowest face of a cuboid.
     Base,
-    /// The cap or hemisphere at the upper end of the axis; the highest face of a cuboid.
+    /// The cap, or the part of a ball, at the upper end of the axis; the highest face of a cuboid.
     Top,
     /// The face of a cuboid at the lowest `x`.
     Left,
@@ -21,6 +23,25 @@ pub enum Part {
     Back,
     /// The face of a cuboid at the highest `z`.
     Front,
+    /// The inner side of a tube. Its rims belong to it.
+    Inner,
+}
+
+impl Part {
+    /// Every part.
+    pub const EVERY: [Self; 8] =
+        [Self::Side, Self::Base, Self::Top, Self::Left, Self::Right, Self::Back, Self::Front, Self::Inner];
+}
+
+/// The face of a cuboid perpendicular to this axis, on this side.
+pub(crate) const fn face_of(axis: usize, side: Ordering) -> Part {
+    let [across_x, across_z, across_y] = FACES;
+    let [low, high] = match axis {
+        0 => across_x,
+        1 => across_y,
+        _ => across_z,
+    };
+    if matches!(side, Ordering::Less) { low } else { high }
 }
 
 /// The faces of a cuboid perpendicular to the axes x, z and y, at the negative and the positive half extent.

@@ -1,19 +1,20 @@
 //! Accuracy tiers, chosen by type.
 //!
-//! A tier is a list of numbers. A query is computed in the first; where that does not know a sign, because rounding may
-//! decide it, in the next. The last of `Fast` and `Stable` is the *robust number*, of 64 bits for 32-bit types and 128
-//! bits for 64-bit types, whose rounded value decides. A ray *grazes to `g`* if it passes within `g` times the radius
-//! of touching the surface, or if the sine of its angle to the solid's axis, a generator or a plane is at most `g`. A
-//! *grazing ray* is one that grazes to 10^-2.
+//! A tier is a list of numbers to compute in. A query is computed in the first. If that number does not know a sign,
+//! because rounding may have decided it, the query is repeated in the next. The last number of `Fast` and `Stable` is
+//! the *robust number*, with a mantissa of 64 bits for 32-bit types and 128 bits for 64-bit types; it takes the sign of
+//! the rounded value. A ray *grazes to `g`* if it passes within `g` times the radius of touching the surface, or if the
+//! sine of its angle to the solid's axis, a generator or a plane is at most `g`. A *grazing ray* is one that grazes to
+//! 10^-2.
 //!
 //! | tier | numbers | what it does | promise for `t`, in units in the last place |
 //! |---|---|---|---|
-//! | [`Plain`] | all | the equations once, in plain numbers, without guards | hits and misses near and away from grazing; error of `t` grows with distance and towards grazing |
-//! | [`Fast`] | all | the same with a guard on the difference that decides; the robust number where it is small | error grows with distance and towards grazing |
-//! | [`Stable`], the default | all | numbers that know a bound of their error, then wider ones, then the robust number | floats: about half a unit in the median, at most 16 except for grazing rays, at most 31 down to rays that graze to 10^-7; fixed point: at most 1 unit |
+//! | [`Plain`] | all | the equations once, in plain numbers, without guards | hits and misses of rays from nearby that do not graze; the error of `t` grows with distance and towards grazing |
+//! | [`Fast`] | all | the same with a guard on the difference that decides; the robust number where it is small | the error grows with distance and towards grazing |
+//! | [`Stable`], the default | all | numbers with a bound of their error, then wider ones, then the robust number | floats: about half a unit in the median, at most 16 except for grazing rays, at most 31 down to rays that graze to 10^-7; fixed point: at most 1 unit |
 //! | [`Exact`] | `f32`, `FixedI32<F>` | every decision by a sign that is certain | hit, miss, touch, part and order are those of exact arithmetic; `t` within one unit |
 //!
-//! Each tier costs more than the one above it in the table and decides more rays rightly.
+//! Each tier gives the right hits for more rays than the one above it in the table, and in most cases costs more.
 //!
 //! The promises hold for placed solids too. A frame's position and axes are taken as stored, and the transformation
 //! into the frame is part of the computation. Stored axes are perpendicular only to their last bits; a sphere in a
@@ -37,16 +38,18 @@ pub trait Tier<S: Scalar>: Copy + sealed::Sealed + Solve<S> + 'static {}
 
 /// The cheapest tier.
 ///
-/// It evaluates the equations once, in the scalar's own numbers. No test asks whether rounding may have decided, and
-/// nothing is computed again: a program that calls only this tier contains no wider number, so that it takes the least
-/// flash too.
+/// It evaluates the equations once, in the scalar's own numbers. It does not test whether rounding may have decided,
+/// and computes nothing again: in floats a program that calls only this tier contains no wider number and takes the
+/// least flash. (In fixed point it takes no less time or flash than [`Fast`].)
 ///
 /// No hit is lost or invented if the chord is at least a hundredth of the solid's size and the ray starts within 10
-/// sizes, except within 64 units in the last place of a rim, or 16 of a start on the surface, and where the direction
-/// is within 10^-5 of that of a cone's generator. The same holds for a line that has no chord, since it meets the
-/// surface once or not at all, unless the ray grazes (see [`tier`](self)). A ray that departs inwards, within 10^-7 of
-/// the surface, may meet it again where it started. Beyond that nothing is promised: with growing distance and towards
-/// grazing, `t` loses digits, and then hits are lost or invented. Where the square of a size or a distance is
+/// sizes (of a stretched solid also within 10^5 times its size along the axis along which it is narrowest), except
+/// within 64 units in the last place of a rim, or 16 of a start on the surface, and where the direction is within 10^-5
+/// of that of a cone's generator. Of a solid that is not convex the gap between two chords counts as a chord does. The
+/// same holds for a line that has no chord, since it meets the surface once or not at all, unless the ray grazes (see
+/// [`tier`](self)). A ray that departs inwards, within 10^-7 of the surface, may meet it again where it started; so may
+/// one that departs outwards from a solid that is not convex. Nothing else is promised: with growing distance and
+/// towards grazing, `t` loses digits, and then hits are lost or invented. Where the square of a size or a distance is
 /// infinite (`f32`: from 1e19 on), or for cones and triangles its fourth power (from 4e9 on), an end may be missing.
 /// Measured errors are in [docs/accuracy.md](https://github.com/raylet-rs/raylet/blob/main/docs/accuracy.md).
 ///
@@ -73,8 +76,9 @@ impl<S: Scalar> Tier<S> for Plain {}
 /// room.
 ///
 /// No hit is lost or invented if the chord is at least a hundredth of the solid's size and the ray starts within 100
-/// sizes, except within 16 units in the last place of a rim, or of a start on the surface. The same holds for a line
-/// that has no chord, since it meets the surface once or not at all, unless the ray grazes (see [`tier`](self)).
+/// sizes, except within 16 units in the last place of a rim, or of a start on the surface. Of a solid that is not
+/// convex the gap between two chords counts as a chord does. The same holds for a line that has no chord, since it
+/// meets the surface once or not at all, unless the ray grazes (see [`tier`](self)).
 ///
 /// ```
 /// use raylet::{Ray, Sphere, UnitVec3, Vec3, tier::Fast};
@@ -94,10 +98,9 @@ impl<S: Scalar> Tier<S> for Fast {}
 
 /// The default tier.
 ///
-/// Floats compute in numbers that know a bound of their error. Where a sign or a `t` is not certain enough, the line is
-/// transformed again in double-words, and then the robust number decides, of 64 bits (128 bits for 64-bit types), by
-/// the signs of its rounded values. Fixed point computes on a grid of integers, with a guard at each difference that
-/// may cancel.
+/// Floats compute in numbers with a bound of their error. Where a sign or a `t` is not certain enough, the line is
+/// transformed again in double-words; where that is not enough, the robust number decides by the signs of its rounded
+/// values. Fixed point computes on a grid of integers, with a guard at each difference that may cancel.
 ///
 /// Error of `t` for floats: about half a unit in the last place in the median, at most 16 units except for grazing rays
 /// (see [`tier`](self)), and at most 31 units down to rays that graze to 10^-7. For fixed point: at most one unit. For

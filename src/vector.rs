@@ -362,6 +362,26 @@ pub(crate) fn pairs<A, B>([ax, ay, az]: [A; 3], [bx, by, bz]: [B; 3]) -> [(A, B)
     [(ax, bx), (ay, by), (az, bz)]
 }
 
+/// The component along an axis: 0, 1 or 2 for x, y or z.
+#[inline(always)]
+pub(crate) const fn component<T: Copy>([x, y, z]: [T; 3], axis: usize) -> T {
+    match axis {
+        0 => x,
+        1 => y,
+        _ => z,
+    }
+}
+
+/// The vector with this component along an axis.
+#[inline(always)]
+pub(crate) const fn with_component<T: Copy>([x, y, z]: [T; 3], axis: usize, c: T) -> [T; 3] {
+    match axis {
+        0 => [c, y, z],
+        1 => [x, c, z],
+        _ => [x, y, c],
+    }
+}
+
 /// Rows as columns.
 #[inline(always)]
 pub(crate) fn transposed<R>([[a, b, c], [d, e, f], [g, h, i]]: [[R; 3]; 3]) -> [[R; 3]; 3] {

@@ -1,5 +1,7 @@
 //! Every small example runs, and finds what it says. `examples/render` has tests of its own, in the repository.
 
+#[path = "../examples/character.rs"]
+mod character;
 #[path = "../examples/many_rays.rs"]
 mod many_rays;
 #[path = "../examples/one_bit.rs"]
@@ -14,6 +16,11 @@ mod range;
 mod thickness;
 #[path = "../examples/tiers.rs"]
 mod tiers;
+
+#[test]
+fn a_ball_is_pushed_through_a_gap() {
+    character::main().expect("it runs");
+}
 
 #[test]
 fn many_rays_run_on_all_processors() {

@@ -16,7 +16,22 @@ pub(crate) enum Number {
     /// Fixed point, 64 bits: coordinates up to 10^9 in steps of 2^-32
     #[value(name = "i32f32")]
     I32f32,
+    /// Fixed point, 32 bits: coordinates up to 262144 in steps of 1/4096
+    #[cfg(feature = "every-type")]
+    #[value(name = "i20f12")]
+    I20f12,
+    /// Fixed point, 32 bits: coordinates up to 64 in steps of 2^-24
+    #[cfg(feature = "every-type")]
+    #[value(name = "i8f24")]
+    I8f24,
 }
+
+/// Their names.
+#[cfg(not(feature = "every-type"))]
+const NAMES: &str =
+    "f32, f64, i16f16, i32f32; i20f12 and i8f24 are compiled with `--features raylet-render/every-type`";
+#[cfg(feature = "every-type")]
+const NAMES: &str = "f32, f64, i16f16, i32f32, i20f12, i8f24";
 
 impl Number {
     /// The types that may hold what this one does not; none for the widest.
@@ -25,6 +40,8 @@ impl Number {
             Self::F64 => &[],
             Self::F32 | Self::I32f32 => &[Self::F64],
             Self::I16f16 => &[Self::I32f32, Self::F32, Self::F64],
+            #[cfg(feature = "every-type")]
+            Self::I20f12 | Self::I8f24 => &[Self::I16f16, Self::I32f32, Self::F32, Self::F64],
         }
     }
 
@@ -34,6 +51,10 @@ impl Number {
             Self::F32 | Self::F64 => None,
             Self::I16f16 => Some(16),
             Self::I32f32 => Some(32),
+            #[cfg(feature = "every-type")]
+            Self::I20f12 => Some(12),
+            #[cfg(feature = "every-type")]
+            Self::I8f24 => Some(24),
         }
     }
 }
@@ -45,6 +66,10 @@ impl fmt::Display for Number {
             Self::F64 => "f64",
             Self::I16f16 => "i16f16",
             Self::I32f32 => "i32f32",
+            #[cfg(feature = "every-type")]
+            Self::I20f12 => "i20f12",
+            #[cfg(feature = "every-type")]
+            Self::I8f24 => "i8f24",
         })
     }
 }
@@ -95,12 +120,8 @@ impl Arithmetic {
     /// From the command line: `i16f16`, or `i16f16-exact`.
     pub(crate) fn parse(text: &str) -> Result<Self, String> {
         let (number, tier) = text.split_once('-').unwrap_or((text, "stable"));
-        let number = Number::from_str(number, true).map_err(|_| {
-            format!(
-                "there is no number type `{number}`: choose among {}",
-                ["f32", "f64", "i16f16", "i32f32"].join(", ")
-            )
-        })?;
+        let number = Number::from_str(number, true)
+            .map_err(|_| format!("there is no number type `{number}`: choose among {NAMES}"))?;
         let tier = TierName::from_str(tier, true).map_err(|_| {
             format!("there is no tier `{tier}`: choose among {}", ["plain", "fast", "stable", "exact"].join(", "))
         })?;

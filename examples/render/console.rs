@@ -22,9 +22,11 @@ impl Console {
             (write_all(io::stdout().lock(), text), "standard output")
         };
         match said {
-            Err(error) if error.kind() != ErrorKind::BrokenPipe => {
-                Err(format!("cannot write the report to {name}: {error}; the picture is written: send {name} somewhere else to read of it").into())
-            }
+            Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(format!(
+                "cannot write the report to {name}: {error}; the picture is written: send {name} somewhere else to \
+                 read of it"
+            )
+            .into()),
             _ => Ok(()),
         }
     }

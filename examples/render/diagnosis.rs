@@ -85,7 +85,8 @@ fn emptiness<S: Scalar>(loaded: &Loaded<S>, camera: &Camera<S>, size: Size, numb
     if met > 0 {
         let percent = 100 * met / rays;
         return format!(
-            "every surface in sight is seen from its back ({percent} % of the picture), which does not show; see them with --both-sides"
+            "every surface in sight is seen from its back ({percent} % of the picture), which does not show; see them \
+             with --both-sides"
         );
     }
     "none is in sight; check the view's from, at and angle".into()
@@ -129,8 +130,9 @@ pub(crate) fn remarks(remarks: Remarks, number: Number) -> Vec<String> {
     if let Some(bits) = number.fraction_bits().filter(|_| remarks.scale < Scale::ONE) {
         let step = f64::from(-bits - i32::from(remarks.scale.power())).exp2();
         all.push(format!(
-            "one unit of the file is {} in the scene, so that its coordinates fit into {number}: lengths are rounded to multiples \
-             of {step} of the file's units, which shows in what is small, thin or mirrored; f64 rounds less",
+            "one unit of the file is {} in the scene, so that its coordinates fit into {number}: lengths are rounded \
+             to multiples of {step} of the file's units, which shows in what is small, thin or mirrored; f64 rounds \
+             less",
             remarks.scale
         ));
     }

@@ -42,6 +42,10 @@ fn holds(number: Number, text: &str, units: Units) -> bool {
         Number::F64 => is_held::<f64>(text, units),
         Number::I16f16 => is_held::<I16F16>(text, units),
         Number::I32f32 => is_held::<I32F32>(text, units),
+        #[cfg(feature = "every-type")]
+        Number::I20f12 => is_held::<fixed::types::I20F12>(text, units),
+        #[cfg(feature = "every-type")]
+        Number::I8f24 => is_held::<fixed::types::I8F24>(text, units),
     }
 }
 

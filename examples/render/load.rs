@@ -124,6 +124,7 @@ pub(crate) fn parse<S: Scalar>(
         textures: Vec::new(),
         fog: None,
         background: view.background,
+        ambient: Color::BLACK,
         camera: view.camera,
         resolution: view.resolution,
         remarks: Remarks { invisible: view.invisible, turned: view.turned, distant: view.distant, scale },
@@ -153,6 +154,7 @@ pub(crate) struct Loaded<S: Scalar> {
     pub(crate) textures: Vec<Texture<'static, S>>,
     pub(crate) fog: Option<Fog<S>>,
     pub(crate) background: Color<S>,
+    pub(crate) ambient: Color<S>,
     pub(crate) camera: Camera<S>,
     pub(crate) resolution: [u16; 2],
     pub(crate) remarks: Remarks,
@@ -168,6 +170,7 @@ impl<S: Scalar> From<Stage<S>> for Loaded<S> {
             textures: stage.textures.to_vec(),
             fog: stage.fog,
             background: stage.background,
+            ambient: stage.ambient,
             camera: stage.camera,
             resolution: BUILT_IN_SIZE,
             remarks: Remarks { invisible: 0, turned: 0, distant: 0, scale: Scale::ONE },
@@ -178,8 +181,11 @@ impl<S: Scalar> From<Stage<S>> for Loaded<S> {
 impl<S: Scalar> Loaded<S> {
     pub(crate) fn scene(&self) -> Result<Scene<'_, S>, Box<dyn Error>> {
         let scene = Scene::new(&self.objects, &self.materials, &self.lights, self.camera)?;
-        let scene =
-            scene.with_background(self.background).with_normals(&self.normals)?.with_textures(&self.textures)?;
+        let scene = scene
+            .with_background(self.background)
+            .with_ambient(self.ambient)
+            .with_normals(&self.normals)?
+            .with_textures(&self.textures)?;
         Ok(self.fog.map_or(scene, |fog| scene.with_fog(fog)))
     }
 }

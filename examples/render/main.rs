@@ -27,6 +27,8 @@ mod trace;
 use arithmetic::{Arithmetic, Number, TierName};
 use compare::Difference;
 use console::Console;
+#[cfg(feature = "every-type")]
+use fixed::types::{I8F24, I20F12};
 use fixed::types::{I16F16, I32F32};
 use load::Source;
 use options::Options;
@@ -91,7 +93,31 @@ fn trace(
         (Number::I32f32, Plain) => trace::trace::<I32F32, tier::Plain>(source, options, number, effects),
         (Number::I32f32, Fast) => trace::trace::<I32F32, tier::Fast>(source, options, number, effects),
         (Number::I32f32, Stable) => trace::trace::<I32F32, tier::Stable>(source, options, number, effects),
+        #[cfg(feature = "every-type")]
+        (Number::I20f12, tier) => trace_split::<I20F12>(options, source, number, tier, effects),
+        #[cfg(feature = "every-type")]
+        (Number::I8f24, tier) => trace_split::<I8F24>(options, source, number, tier, effects),
         (Number::F64 | Number::I32f32, Exact) => Err("the options are checked before".into()),
+    }
+}
+
+/// The same for another split of 32 bits.
+#[cfg(feature = "every-type")]
+fn trace_split<S: raylet::Scalar + Send + Sync>(
+    options: &Options,
+    source: &Source,
+    number: Number,
+    tier: TierName,
+    effects: EffectSet,
+) -> Result<Traced, Box<dyn Error>>
+where
+    tier::Exact: tier::Tier<S>,
+{
+    match tier {
+        TierName::Plain => trace::trace::<S, tier::Plain>(source, options, number, effects),
+        TierName::Fast => trace::trace::<S, tier::Fast>(source, options, number, effects),
+        TierName::Stable => trace::trace::<S, tier::Stable>(source, options, number, effects),
+        TierName::Exact => trace::trace::<S, tier::Exact>(source, options, number, effects),
     }
 }
 

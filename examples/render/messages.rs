@@ -45,18 +45,23 @@ fn because<S: Scalar>(text: &str, reason: Reason, options: &Options, number: Num
             format!("{what} is beyond {limit}, the most that {number} holds: give a smaller number{or_wider}")
         }
         Reason::Proportions => format!(
-            "the cone or cylinder is too long, or too wide for its length, for {number}: give it other proportions{or_wider}"
+            "the cone or cylinder is too long, or too wide for its length, for {number}: give it other \
+             proportions{or_wider}"
         ),
         Reason::Camera(CameraError::Position) => {
             format!("the camera is too far away for {number}: move it closer to the origin{or_wider}")
         }
         Reason::Camera(CameraError::Target) => {
             format!(
-                "the view's from and at are the same point, or nearer to each other than {number} can tell: move one{or_wider}"
+                "the view's from and at are the same point, or nearer to each other than {number} can tell: move \
+                 one{or_wider}"
             )
         }
         Reason::Camera(CameraError::Angle) => {
-            format!("the view's angle must be more than 0 and less than 180 degrees, and not too near to either for {number}: give one such as 45{or_wider}")
+            format!(
+                "the view's angle must be more than 0 and less than 180 degrees, and not too near to either for \
+                 {number}: give one such as 45{or_wider}"
+            )
         }
         Reason::Camera(error) => format!("{error}{or_wider}"),
         Reason::NotACount { what } => {
@@ -70,9 +75,10 @@ fn because<S: Scalar>(text: &str, reason: Reason, options: &Options, number: Num
         }
         Reason::Ended { what } => format!("the file ends where {what} should be: complete the entity"),
         Reason::NoView => {
-            "the file ends without a view: add one, such as \"v from 0 0 9 at 0 0 0 up 0 1 0 angle 45 resolution 160 120\""
+            "the file ends without a view: add one, such as \"v from 0 0 9 at 0 0 0 up 0 1 0 angle 45 resolution 160 \
+             120\""
                 .into()
-        },
+        }
         other => other.to_string(),
     }
 }

@@ -24,12 +24,13 @@ use std::path::PathBuf;
         render examples/scenes/tubes.nff --compare i16f16 f64\n                                                  \
         how far is fixed point from double precision?\n  \
         render - -o - < scene.nff | pnmtopng > a.png    from standard input to standard output\n\n\
-        The picture is written before anything is reported. Warnings, on standard error, say why a picture is black or\n\
-        empty, or less true than it seems. The exit status is 1 if there is no picture or it cannot be written, and 2 if the\n\
-        options are wrong. Every output is opened before tracing, and one that cannot be opened fails at once. Where the\n\
-        system does not tell that standard output is closed (all but Linux), a picture sent there is lost.\n\n\
-        What NFF files mean: Ks is the weight of the highlights and also of the mirrored rays, T that of the refracted rays.\n\
-        Transparent objects cast full shadows."
+        The picture is written before anything is reported. Warnings, on standard error, say why a picture is\n\
+        black or empty, or less true than it seems. The exit status is 1 if there is no picture or it cannot be\n\
+        written, and 2 if the options are wrong. Every output is opened before tracing, and one that cannot be\n\
+        opened fails at once. Where the system does not tell that standard output is closed (all but Linux), a\n\
+        picture sent there is lost.\n\n\
+        What NFF files mean: Ks is the weight of the highlights and also of the mirrored rays, T that of the\n\
+        refracted rays. Transparent objects cast full shadows."
 )]
 #[expect(clippy::struct_excessive_bools, reason = "each is a flag of its own")]
 pub(crate) struct Options {
@@ -44,8 +45,8 @@ pub(crate) struct Options {
 
     /// Effects to use: `auto` for all that the scene calls for, `none`, or a list such as `diffuse,shadows`
     ///
-    /// There are ambient, diffuse, specular, shadows, reflection, refraction, texture, bump, fog, antialiasing and outline. One
-    /// that is named but not called for by the scene is not used; the report says which are.
+    /// There are ambient, diffuse, specular, shadows, reflection, refraction, texture, bump, fog, antialiasing and
+    /// outline. One that is named but not called for by the scene is not used; the report says which are.
     #[arg(long, value_name = "LIST", default_value = "auto", value_parser = parse_effects)]
     pub(crate) effects: EffectSet,
 
@@ -54,7 +55,8 @@ pub(crate) struct Options {
     #[arg(long, conflicts_with = "compare")]
     pub(crate) report: bool,
 
-    /// Number type to trace in, which all coordinates and lengths are rounded to
+    /// Number type to trace in, which all coordinates and lengths are rounded to. Other splits of 32 bits, i20f12 and
+    /// i8f24, are compiled with `--features raylet-render/every-type`
     #[arg(short, long, value_enum, ignore_case = true, default_value_t = Number::F32)]
     pub(crate) number: Number,
 
@@ -84,7 +86,8 @@ pub(crate) struct Options {
     ///
     /// A and B are each a number type, or a number type and a tier, such as `i16f16-exact`. The report says how many
     /// pixels differ and by how much. Three pictures are written: both, and their difference, 32 times amplified.
-    #[arg(long, num_args = 2, value_names = ["A", "B"], conflicts_with_all = ["number", "tier"], value_parser = Arithmetic::parse)]
+    #[arg(long, num_args = 2, value_names = ["A", "B"], conflicts_with_all = ["number", "tier"],
+        value_parser = Arithmetic::parse)]
     pub(crate) compare: Vec<Arithmetic>,
 
     /// Enlarge or shrink the file by a power of two before it is rounded to the number type: `auto`, or 1/65536 to
@@ -106,9 +109,9 @@ pub(crate) struct Options {
     pub(crate) both_sides: bool,
 
     /// White ambient light, 0 to 1: with 0.1, what no light reaches is a tenth as bright as what faces a light of
-    /// strength 1
-    #[arg(long, value_name = "LEVEL", default_value_t = 0.0, allow_hyphen_values = true, value_parser = parse_level)]
-    pub(crate) ambient: f64,
+    /// strength 1 [default: that of the built-in scene, 0 for a file]
+    #[arg(long, value_name = "LEVEL", allow_hyphen_values = true, value_parser = parse_level)]
+    pub(crate) ambient: Option<f64>,
 
     /// Draw a black line around everything that is seen, PIXELS wide (1 to 16): for displays of few shades
     #[arg(

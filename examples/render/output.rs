@@ -50,7 +50,8 @@ impl Place {
             Some(suffix) => {
                 let format = format_of(suffix).ok_or_else(|| {
                     format!(
-                        "cannot write {}: pictures are PNG or PPM; end the name in .png or .ppm, or leave the suffix away for both",
+                        "cannot write {}: pictures are PNG or PPM; end the name in .png or .ppm, or leave the suffix \
+                         away for both",
                         output.display()
                     )
                 })?;

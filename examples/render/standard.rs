@@ -17,8 +17,8 @@ pub(crate) fn fault() -> Option<&'static str> {
         // A shell opens `> /dev/null` for writing only, and that is as it was meant. The runtime opens it for both. So
         // do some programs that start others: they are told how to say that they want no picture.
         Access::Both if fs::read_link("/proc/self/fd/1").ok()? == Path::new("/dev/null") => Some(
-            "standard output is closed (or /dev/null, open for reading too), and the picture would be lost: redirect standard \
-             output to a file or a program, or give --output a name; with -o /dev/null no picture is kept",
+            "standard output is closed (or /dev/null, open for reading too), and the picture would be lost: redirect \
+             standard output to a file or a program, or give --output a name; with -o /dev/null no picture is kept",
         ),
         Access::Write | Access::Both => None,
     }

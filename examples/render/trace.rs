@@ -86,7 +86,10 @@ pub(crate) fn trace<S: Scalar, T: Tier<S> + Send + Sync>(
     let progress = Progress::new();
     let loaded = source.load::<S>(options, number, &progress)?;
     let mut nodes = vec![Node::EMPTY; Hierarchy::<S>::nodes_for(loaded.objects.len())];
-    let mut scene = loaded.scene()?.at_tier::<T>().with_ambient(Color::from_f64([options.ambient; 3]));
+    let mut scene = loaded.scene()?.at_tier::<T>();
+    if let Some(level) = options.ambient {
+        scene = scene.with_ambient(Color::from_f64([level; 3]));
+    }
     if let Some(width) = options.outline {
         scene = scene.with_outline(Outline::new(Color::BLACK).with_width(width));
     }

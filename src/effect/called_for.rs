@@ -9,8 +9,8 @@ use core::fmt;
 
 /// Which effects a scene needs. This is determined once, before the first ray.
 impl<S: Scalar, T: Tier<S>, K: Kinds> Scene<'_, S, T, K> {
-    /// The effects that the scene needs for its materials, lights, fog and outline. [`Effect::Antialiasing`] is never among
-    /// them: it depends on the picture's [`Size`](crate::Size).
+    /// The effects that the scene needs for its materials, lights, fog and outline. [`Effect::Antialiasing`] is never
+    /// among them: it depends on the picture's [`Size`](crate::Size).
     ///
     /// ```
     /// # use raylet::{Camera, Color, Light, Material, Object, Plane, Scene, Shape, Vec3};

@@ -10,7 +10,7 @@ use crate::vector::pairs;
 ///
 /// If refraction is compiled in, paths branch. Rays then wait in two lists of fixed capacity: at most `DEPTH + 1` rays
 /// (the deepest is cast first), and `DEPTH` deferred rays of small weight. In `f32` and 32-bit fixed point that takes
-/// at most 33 times 64 bytes of stack. Without refraction a path does not branch, since a mirror reflects one ray for
+/// at most 33 times 100 bytes of stack. Without refraction a path does not branch, since a mirror reflects one ray for
 /// each that it receives, and there is no list. No function is recursive.
 pub const DEPTH: u8 = 16;
 

@@ -15,7 +15,10 @@
 //! | `outline` | lines where neighbouring rays see different things (Saito and Takahashi 1990) |
 //! | `set`, `compiled` | the effects as values, and as types |
 //! | `called_for` | which effects a scene needs, and the error if one is missing |
-//! | `tracer`, `cutoff` | tracing of a primary ray and its secondary rays; where paths end |
+//! | `tracer` | what a ray sees |
+//! | `paths`, `cutoff` | the rays of a path, and in which order they are cast; where paths end |
+//! | `shading` | the light at the first interface that a ray meets, and the rays from there |
+//! | `media` | the media along a path; what lies on the two sides of an interface |
 //! | `field` | the unit interval in equal fields, for patterns and waves |
 //! | `shading_point`, `trace_context` | the shading point; the trace context: counters and a shadow cache |
 //!
@@ -27,13 +30,13 @@
 //! default. A program contains no instruction of an effect that is not in this tuple.
 //!
 //! *When a picture is made*: [`Scene::effects`](crate::Scene::effects) returns the effects that materials, lights,
-//! fog and outline need. If one of them is not compiled in, the picture is rejected with an [`EffectError`], since it would be
-//! wrong without it.
+//! fog and outline need. If one of them is not compiled in, the picture is rejected with an [`EffectError`], since it
+//! would be wrong without it.
 //!
 //! *At each hit*: no shadow ray is cast towards a light that is behind the surface or would contribute nothing. No
 //! normal is computed for a shadow test, or where nothing is shaded. Surface coordinates are computed only for a
-//! texture or waves. No secondary ray is cast whose light cannot change the result. An outline casts a second ray beside
-//! a pixel only if the first sees no edge.
+//! texture or waves. No secondary ray is cast whose light cannot change the result. An outline casts a second ray
+//! beside a pixel only if the first sees no edge.
 //!
 //! # The cut-off
 //!
@@ -50,9 +53,11 @@
 //!
 //! # Glass
 //!
-//! [`Material`](crate::Material) defines how light is divided. A ray that enters an object departs from its surface
-//! inwards, one that leaves it departs outwards (see [`Departure`](crate::Departure)), so that no ray hits the surface
-//! again that it starts on, without any offset. Transparent objects cast full shadows, and there are no caustics.
+//! [`Material`](crate::Material) defines how light is divided. A path carries along which transparent solids it is
+//! inside of and which surfaces its next ray departs from (see [`Departure`](crate::Departure)), so that no ray hits a
+//! surface again that it starts on, without any offset. Surfaces that the number type cannot tell apart are one place,
+//! and what refracts there is the difference between the media before and behind it: `media` has the rules. Transparent
+//! objects cast full shadows, and there are no caustics.
 
 mod ambient;
 mod antialiasing;
@@ -63,10 +68,13 @@ mod cutoff;
 mod diffuse;
 mod field;
 mod fog;
+mod media;
 mod outline;
+mod paths;
 mod reflection;
 mod refraction;
 mod set;
+mod shading;
 mod shading_point;
 mod shadow;
 mod specular;

@@ -1,5 +1,5 @@
-//! Outlines, where neighbouring rays see different things: Saito and Takahashi, *Comprehensible Rendering of 3-D Shapes*
-//! (1990).
+//! Outlines, where neighbouring rays see different things: Saito and Takahashi, *Comprehensible Rendering of 3-D
+//! Shapes* (1990).
 
 use crate::hit::Crossing;
 use crate::ray::Ray;

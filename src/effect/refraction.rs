@@ -1,11 +1,12 @@
 //! Transmission through a surface: Snell's law, Fresnel's equations (as in Born and Wolf, *Principles of Optics*, 1.5),
 //! total reflection.
 //!
-//! The two sides of every surface are taken to be different media: light that enters is refracted by `1 / refraction`,
-//! light that leaves by `refraction`. That includes open surfaces, since a closed object may consist of triangles, or
-//! of a tube and two discs. A single pane, tube or triangle with the same medium on both sides should have the index 1,
-//! which does not bend the light.
+//! Light is refracted by the ratio of the indices of the media before and behind the interface (see `media`). Behind an
+//! open surface lies its own material, since a closed object may consist of triangles, or of an open cylinder and two
+//! discs. A single pane, open cylinder or triangle with the same medium on both sides should have the index 1, which
+//! does not bend the light.
 
+use super::media::Media;
 use super::reflection::part;
 use super::shading_point::ShadingPoint;
 use crate::hit::Crossing;
@@ -33,18 +34,23 @@ pub(super) fn transmittance<S: Scalar>(material: &Material<S>) -> S::Real {
 }
 
 /// How light is divided at a shading point.
-pub(super) fn split<S: Scalar>(material: &Material<S>, site: &ShadingPoint<S>, crossing: Crossing) -> Split<S> {
+pub(super) fn split<S: Scalar>(
+    material: &Material<S>,
+    site: &ShadingPoint<S>,
+    crossing: Crossing,
+    media: Media<'_, S>,
+) -> Split<S> {
     let (zero, one) = (S::Real::ZERO, S::Real::ONE);
     let transmittance = transmittance(material);
     let straight =
         Split { through: Some(-site.to_viewer), changes_medium: false, passing: transmittance, reflected: zero };
-    let index = material.refraction.real();
+    let [before, behind] = [media.before, media.behind].map(index);
     // A ray that only touches neither enters nor leaves.
-    if transmittance.is_zero() || index == one || index <= zero || crossing == Crossing::Touch {
+    if transmittance.is_zero() || before == behind || crossing == Crossing::Touch {
         return straight;
     }
     // The index of refraction of the far side relative to the near side.
-    let denser = if site.from_outside { index } else { one / index };
+    let denser = if before == one { behind } else { behind / before };
     let bent = bend(site, site.normal, denser);
     // With a perturbed normal the refracted ray may be on the wrong side of the surface; with the true normal it is
     // not.
@@ -61,6 +67,12 @@ pub(super) fn split<S: Scalar>(material: &Material<S>, site: &ShadingPoint<S>, c
         }
         None => Split { through: None, changes_medium: false, passing: zero, reflected: transmittance },
     }
+}
+
+/// The index of refraction of a medium; 1 outside of all, and for 0, which NFF files have for opaque materials.
+fn index<S: Scalar>(medium: Option<&Material<S>>) -> S::Real {
+    let index = medium.map_or(S::Real::ONE, |material| material.refraction.real());
+    if index > S::Real::ZERO { index } else { S::Real::ONE }
 }
 
 /// The refracted direction, and the fraction that is reflected; `None` at total reflection.

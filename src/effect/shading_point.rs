@@ -1,8 +1,8 @@
 //! Shading point: the point, its normals and the directions that all effects use.
 
+use super::media::Passage;
 use crate::hit::Crossing;
-use crate::part::Part;
-use crate::ray::{Departure, Leaving, Ray};
+use crate::ray::Ray;
 use crate::scalar::{Real, Ring, Scalar};
 use crate::scene::{Light, Object, Scene, SceneHit};
 use crate::shape::Surface;
@@ -13,10 +13,8 @@ use crate::vector::{UnitVec3, Vec3};
 /// A shading point.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ShadingPoint<S: Scalar> {
-    /// Index of the object that the point lies on.
-    pub(super) object: u32,
-    /// The part of its surface.
-    pub(super) part: Part,
+    /// What is known of a ray that starts there, to the viewer's side.
+    pub(super) near: Passage,
     /// The point.
     pub(super) point: Vec3<S>,
     /// The geometric normal, on the side that the ray comes from. It decides on which side of the surface a direction
@@ -50,6 +48,7 @@ impl<S: Scalar> ShadingPoint<S> {
         surface: &Surface<S, K>,
         ray: &Ray<S>,
         on: &SceneHit<S>,
+        near: Passage,
     ) -> Self {
         let to_viewer = -ray.direction();
         let from_outside = on.hit.crossing != Crossing::Exit;
@@ -66,8 +65,7 @@ impl<S: Scalar> ShadingPoint<S> {
         // Oriented by the geometric normal and not by the viewer: near a silhouette an interpolated normal may point
         // away from the viewer.
         let normal = smooth.map_or(facing, |smooth| if smooth.dot(facing).is_negative() { -smooth } else { smooth });
-        let (object, part) = (on.object, on.hit.part);
-        Self { object, part, point: surface.point(), facing, normal, from_outside, to_viewer }
+        Self { near, point: surface.point(), facing, normal, from_outside, to_viewer }
     }
 
     /// The direction to a light; `None` if the light is behind the surface or at the point itself.
@@ -85,12 +83,9 @@ impl<S: Scalar> ShadingPoint<S> {
         })
     }
 
-    /// A secondary ray, to the viewer's side or, if `through`, to the other side. Its [`Departure`] keeps it from
-    /// hitting the surface that it starts on; there is no offset. `None` if the point is beyond the number type's
-    /// budget, where no ray can start.
-    pub(super) fn ray(&self, direction: UnitVec3<S>, through: bool) -> Option<Ray<S>> {
-        let leaving = if self.from_outside == through { Leaving::Inwards } else { Leaving::Outwards };
-        let departure = Departure { object: self.object, part: self.part, leaving };
-        Ray::new(self.point, direction).ok().map(|ray| ray.departing(departure))
+    /// A secondary ray. What is known of its start (`Passage`) keeps it from hitting the surface that it starts on;
+    /// there is no offset. `None` if the point is beyond the number type's budget, where no ray can start.
+    pub(super) fn ray(&self, direction: UnitVec3<S>) -> Option<Ray<S>> {
+        Ray::new(self.point, direction).ok()
     }
 }

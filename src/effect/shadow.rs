@@ -1,11 +1,15 @@
 //! Shadow rays: whether a light reaches a point (Appel, *Some Techniques for Shading Machine Renderings of Solids*,
 //! 1968).
 
+use super::compiled::Effects;
+use super::media::Along;
+use super::set::Effect;
 use super::shading_point::{ShadingPoint, Towards};
 use super::trace_context::TraceContext;
+use super::tracer::Tracer;
 use crate::ray::Range;
 use crate::scalar::Scalar;
-use crate::scene::{Observer, Scene};
+use crate::scene::Observer;
 use crate::shape::kinds::Kinds;
 use crate::tier::Tier;
 
@@ -16,24 +20,26 @@ use crate::tier::Tier;
 /// and shadows do not depend on whether refraction is compiled in. A one-sided surface casts a shadow only if the
 /// shadow ray hits it from its visible side. A point beyond the number type's budget, from which no ray can start, is
 /// not in shadow.
-pub(super) fn is_shadowed<S: Scalar, T: Tier<S>, O: Observer, K: Kinds>(
-    scene: &Scene<'_, S, T, K>,
+pub(super) fn is_shadowed<S: Scalar, E: Effects, T: Tier<S>, O: Observer, K: Kinds>(
+    tracer: &Tracer<'_, S, E, T, K>,
     site: &ShadingPoint<S>,
     light: u32,
     towards: &Towards<S>,
     context: &mut TraceContext<O>,
 ) -> bool {
-    let Some(mut ray) = site.ray(towards.direction, false) else { return false };
+    let (scene, refracts) = (tracer.scene(), tracer.uses(Effect::Refraction));
+    let Some(mut ray) = site.ray(towards.direction) else { return false };
     if let Ok(range) = Range::new(S::ZERO, towards.distance) {
         ray = ray.with_range(range);
     }
     context.counters.shadow_rays += 1;
+    let along = Along::<'_, S, T, K, E>::new(scene, &ray, &site.near, refracts);
     if let Some(last) = context.last_occluder(light)
-        && scene.stands_on(last, &ray, &mut context.counters, &mut context.observer)
+        && scene.is_hit_known(last, &ray, &along, &mut context.counters, &mut context.observer)
     {
         return true;
     }
-    let occluder = scene.occluder(&ray, &mut context.counters, &mut context.observer);
+    let occluder = scene.occluder_known(&ray, &along, &mut context.counters, &mut context.observer);
     context.remember_occluder(light, occluder);
     occluder.is_some()
 }

@@ -15,7 +15,9 @@
 
 mod glass;
 mod patterns;
+mod quadrics;
 mod still_life;
+mod water;
 mod waves;
 
 use crate::scene::SceneError;
@@ -39,11 +41,17 @@ pub enum BuiltIn {
     Glass,
     /// Bump-mapped water and solids in front of rows of columns in fog.
     Waves,
+    /// A glass of water with a straw: transparent solids that overlap and share faces.
+    Water,
+    /// Quadrics of revolution: towers with a waist, a dish that mirrors, an hourglass, a dome; a tube, an annulus, a
+    /// round cone, a rounded cuboid.
+    Quadrics,
 }
 
 impl BuiltIn {
     /// All of them.
-    pub const EVERY: [Self; 4] = [Self::StillLife, Self::Patterns, Self::Glass, Self::Waves];
+    pub const EVERY: [Self; 6] =
+        [Self::StillLife, Self::Patterns, Self::Glass, Self::Waves, Self::Water, Self::Quadrics];
 
     /// The name on the command line.
     pub const fn name(self) -> &'static str {
@@ -52,6 +60,8 @@ impl BuiltIn {
             Self::Patterns => "patterns",
             Self::Glass => "glass",
             Self::Waves => "waves",
+            Self::Water => "water",
+            Self::Quadrics => "quadrics",
         }
     }
 
@@ -62,6 +72,10 @@ impl BuiltIn {
             Self::Patterns => "Solids with materials of their own on base and top, and patterns and an image on them",
             Self::Glass => "Glass and mirrors on a chessboard",
             Self::Waves => "Waves on water and on solids, before a hazy row of columns",
+            Self::Water => "A glass of water with a straw: transparent solids that overlap and share faces",
+            Self::Quadrics => {
+                "Quadrics of revolution: towers, a mirroring dish, a dome; a tube, an annulus, round solids"
+            }
         }
     }
 
@@ -72,6 +86,8 @@ impl BuiltIn {
             Self::Patterns => patterns::build(),
             Self::Glass => glass::build(),
             Self::Waves => waves::build(),
+            Self::Water => water::build(),
+            Self::Quadrics => quadrics::build(),
         }
     }
 }
@@ -98,6 +114,8 @@ pub struct Stage<S: Scalar> {
     pub fog: Option<Fog<S>>,
     /// The background.
     pub background: Color<S>,
+    /// The ambient light.
+    pub ambient: Color<S>,
     /// The camera.
     pub camera: Camera<S>,
 }
@@ -110,7 +128,7 @@ impl<S: Scalar> Stage<S> {
     /// Those of [`Scene::new`] and [`Scene::with_textures`], if the lists were changed after the stage was built.
     pub fn scene(&self) -> Result<Scene<'_, S>, SceneError> {
         let scene = Scene::new(&self.objects, &self.materials, &self.lights, self.camera)?;
-        let scene = scene.with_background(self.background).with_textures(&self.textures)?;
+        let scene = scene.with_background(self.background).with_ambient(self.ambient).with_textures(&self.textures)?;
         Ok(self.fog.map_or(scene, |fog| scene.with_fog(fog)))
     }
 
@@ -128,6 +146,7 @@ impl<S: Scalar> Stage<S> {
             textures: Vec::new(),
             fog: None,
             background: Color::from_f64([0.30, 0.42, 0.55]),
+            ambient: Color::BLACK,
             camera: Camera::new(point(0.2, 3.4, 9.0)?, point(0.0, 0.9, 0.0)?, point(0.0, 1.0, 0.0)?, number(34.0)?)
                 .ok()?,
         })

@@ -5,6 +5,7 @@ use super::{AXIS, Hierarchy, HierarchyError, LEVELS, MOST_OBJECTS, Node};
 use crate::geometry::Bounds;
 use crate::scalar::{Real, Scalar};
 use crate::scalar::{Ring, slabs::MARGIN_BITS};
+use crate::shape::combination;
 use crate::shape::kinds::{Kind, Kinds};
 use crate::shape::{Placement, Primitive, Shape, Shaped};
 use crate::vector::{Vec3, pairs};
@@ -112,13 +113,46 @@ impl<S: Scalar> Node<S> {
 
     /// The box of an object; of no objects if it has none.
     pub(super) fn leaf<K: Kinds>(index: u32, shape: &Shape<S, K>) -> Self {
+        match shape.combined() {
+            Some((leaves, operations)) => {
+                // Each leaf's box has the margin that its hits need.
+                Self::within(
+                    index,
+                    &combination::bounds(leaves, operations, |leaf| Self::of_primitive(0, leaf).around()),
+                )
+            }
+            None => Self::of_primitive(index, shape),
+        }
+    }
+
+    /// The leaf of an object in this box.
+    fn within(index: u32, bounds: &Bounds<S>) -> Self {
+        if !(bounds.low.is_within_budget() && bounds.high.is_within_budget()) {
+            return Self { object: index, ..Self::EMPTY };
+        }
+        let (centre, half) = padded(bounds.low, bounds.high, None, S::Real::ZERO);
+        Self { centre, half, objects: 1, object: index }
+    }
+
+    /// The box, not smaller by rounding; an infinite one if there is none.
+    fn around(&self) -> Bounds<S> {
+        if self.objects == 0 {
+            let infinite = Vec3::new(S::INFINITY, S::INFINITY, S::INFINITY);
+            return Bounds { low: -infinite, high: infinite };
+        }
+        let [low, high] = self.corners();
+        Bounds { low: low.map(|c| -(-c).next_up()).into(), high: high.map(S::next_up).into() }
+    }
+
+    /// The box of a primitive; of no objects if it has none.
+    fn of_primitive<K: Kinds>(index: u32, shape: &Shape<S, K>) -> Self {
         let nothing = Self { object: index, ..Self::EMPTY };
-        let bounds = simple_bounds(shape).unwrap_or_else(|| shape.bounds());
+        let bounds = simple_bounds(shape).unwrap_or_else(|| shape.own_bounds());
         let Some(sharpness) = sharpness(shape) else { return nothing };
         if !(bounds.low.is_within_budget() && bounds.high.is_within_budget()) {
             return nothing;
         }
-        let position = match shape.placement() {
+        let position = match shape.own().1 {
             Placement::Frame(frame) if K::SET.contains(Kind::Frame) => Some(frame.position()),
             Placement::Affine(affine) if K::SET.contains(Kind::Affine) => Some(affine.position()),
             _ => None,
@@ -133,11 +167,11 @@ impl<S: Scalar> Node<S> {
 /// A faster computation with the same bits, for the shapes of which large scenes consist: their bounds are sums without
 /// rounding.
 fn simple_bounds<S: Scalar, K: Kinds>(shape: &Shape<S, K>) -> Option<Bounds<S>> {
-    match (shape.placement(), shape.primitive()) {
-        (Placement::World, Primitive::Triangle(triangle)) if K::SET.contains(Kind::Triangle) => {
+    match shape.own() {
+        (Primitive::Triangle(triangle), Placement::World) if K::SET.contains(Kind::Triangle) => {
             Some(around(triangle.vertices()))
         }
-        (Placement::Frame(frame), Primitive::Sphere(sphere))
+        (Primitive::Sphere(sphere), Placement::Frame(frame))
             if !S::RELATIVE && K::SET.contains(Kind::Frame) && K::SET.contains(Kind::Sphere) =>
         {
             let (centre, radius) = (frame.position().to_array(), sphere.radius());
@@ -160,7 +194,8 @@ fn around<S: Scalar>([a, b, c]: [Vec3<S>; 3]) -> Bounds<S> {
 /// which the margin of a box does not cover.
 fn sharpness<S: Scalar, K: Kinds>(shape: &Shape<S, K>) -> Option<S::Real> {
     let one = S::Real::ONE;
-    let rim = match shape.primitive() {
+    let (primitive, placement) = shape.own();
+    let rim = match primitive {
         Primitive::Cone(cone) if K::SET.contains(Kind::Cone) => {
             let (top, height) = (cone.top_radius()?, cone.height()?);
             let slope = (top.real() - cone.base_radius().real()).abs() / height.real();
@@ -168,7 +203,7 @@ fn sharpness<S: Scalar, K: Kinds>(shape: &Shape<S, K>) -> Option<S::Real> {
         }
         _ => one,
     };
-    let placed = match shape.placement() {
+    let placed = match placement {
         Placement::Affine(affine) if K::SET.contains(Kind::Affine) => affine.sharpness()?,
         _ => 0,
     };

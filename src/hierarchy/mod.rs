@@ -129,16 +129,20 @@ impl<S: Scalar> Hierarchy<'_, S> {
     /// Calls `test` for every object that the ray may hit. `test` returns the end of the range that remains to be
     /// searched, or `None` to stop. Counts the tests of boxes.
     ///
-    /// Of two children the one that the ray reaches first is visited first, so that a hit in it shortens the range.
+    /// Of two children the one that the ray reaches first is visited first, so that a hit in it shortens the range. The
+    /// objects `always` are tested first, whatever their boxes.
     #[inline(always)]
-    fn walk<W: Watch>(&self, ray: &Ray<S>, watch: &mut W, mut test: impl FnMut(u32, &mut W) -> Option<S>) {
+    fn walk<W: Watch>(
+        &self,
+        ray: &Ray<S>,
+        always: &(impl Iterator<Item = u32> + Clone),
+        watch: &mut W,
+        mut test: impl FnMut(u32, &mut W) -> Option<S>,
+    ) {
         let (start, mut end) = (ray.range().start(), ray.range().end());
-        // The object that the ray departs from is always tested: its result follows from the departure, not from where
-        // the ray starts.
-        let departed = ray.departure().map(|departure| departure.object).filter(|own| (*own as usize) < self.objects());
-        for object in
-            departed.into_iter().chain(self.unbounded.iter().map(|node| node.object).filter(|o| Some(*o) != departed))
-        {
+        let is_tested = |object: u32| always.clone().any(|own| own == object);
+        let unbounded = self.unbounded.iter().map(|node| node.object).filter(|object| !is_tested(*object));
+        for object in always.clone().filter(|own| (*own as usize) < self.objects()).chain(unbounded) {
             match test(object, watch) {
                 Some(nearer) => end = nearer,
                 None => return,
@@ -166,7 +170,7 @@ impl<S: Scalar> Hierarchy<'_, S> {
                     next = Some(first);
                     continue;
                 }
-                if Some(node.object) != departed {
+                if !is_tested(node.object) {
                     match test(node.object, watch) {
                         Some(nearer) => end = nearer,
                         None => return,

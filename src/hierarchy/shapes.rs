@@ -1,10 +1,10 @@
 //! Many shapes without a scene.
 
 use super::{Hierarchy, HierarchyError, Node, search};
-use crate::hit::{Hit, Hits};
+use crate::hit::Hit;
 use crate::ray::Ray;
 use crate::scalar::Scalar;
-use crate::shape::{Shape, Shaped};
+use crate::shape::{HitsOf, Shape, Shaped};
 use crate::tier::{Stable, Tier};
 use core::ops::ControlFlow;
 
@@ -95,7 +95,8 @@ impl<'a, S: Scalar, X: Shaped<S>> Shapes<'a, S, X> {
 
     /// As [`Shapes::nearest`], in a chosen accuracy tier.
     pub fn nearest_at<T: Tier<S>>(&self, ray: &Ray<S>) -> Option<(u32, Hit<S>)> {
-        search::nearest::<S, T, ()>(self.shapes, Some(&self.hierarchy), ray, &mut ())
+        let nearest = search::nearest::<S, T, ()>(self.shapes, Some(&self.hierarchy), ray, ray, &mut ());
+        nearest.map(|(index, hit, _)| (index, hit))
     }
 
     /// True if the ray hits any shape within its range. Stops at the first that it finds.
@@ -105,23 +106,25 @@ impl<'a, S: Scalar, X: Shaped<S>> Shapes<'a, S, X> {
 
     /// As [`Shapes::occludes`], in a chosen accuracy tier.
     pub fn occludes_at<T: Tier<S>>(&self, ray: &Ray<S>) -> bool {
-        search::occluder::<S, T, ()>(self.shapes, Some(&self.hierarchy), ray, &mut ()).is_some()
+        search::occluder::<S, T, ()>(self.shapes, Some(&self.hierarchy), ray, ray, &mut ()).is_some()
     }
 
     /// All hits of a ray, shape by shape: calls `each` with the index of a shape and its hits, in the order in which
     /// the hierarchy finds them, not by `t`. Shapes that the ray misses are left out, except those that it starts
     /// inside of.
-    pub fn hits(&self, ray: &Ray<S>, each: impl FnMut(u32, Hits<S>)) {
+    pub fn hits(&self, ray: &Ray<S>, each: impl FnMut(u32, HitsOf<S, X>)) {
         self.hits_at::<Stable>(ray, each);
     }
 
     /// As [`Shapes::hits`], in a chosen accuracy tier.
-    pub fn hits_at<T: Tier<S>>(&self, ray: &Ray<S>, mut each: impl FnMut(u32, Hits<S>)) {
-        search::every_hit::<S, T>(self.shapes, &self.hierarchy, ray, &mut each);
+    pub fn hits_at<T: Tier<S>>(&self, ray: &Ray<S>, mut each: impl FnMut(u32, HitsOf<S, X>)) {
+        search::every_hit::<S, T, X>(self.shapes, &self.hierarchy, ray, &mut each);
     }
 
     /// Calls `test` with the index of every shape that a ray without departure may meet, until it breaks.
     pub(crate) fn visit_near(&self, ray: &Ray<S>, mut test: impl FnMut(u32) -> ControlFlow<()>) {
-        self.hierarchy.walk(ray, &mut (), |index, ()| test(index).is_continue().then_some(ray.range().end()));
+        self.hierarchy.walk(ray, &core::iter::empty(), &mut (), |index, ()| {
+            test(index).is_continue().then_some(ray.range().end())
+        });
     }
 }

@@ -2,10 +2,10 @@
 
 use super::refit::refit;
 use super::{Hierarchy, HierarchyError, Node, Shapes};
-use crate::hit::{Hit, Hits};
+use crate::hit::Hit;
 use crate::ray::Ray;
 use crate::scalar::Scalar;
-use crate::shape::Shaped;
+use crate::shape::{HitsOf, Shaped};
 use crate::tier::{Stable, Tier};
 
 mod sealed {
@@ -179,12 +179,12 @@ impl<S: Scalar, L: List<S>> ShapeTree<S, L> {
     }
 
     /// All hits of a ray, shape by shape: see [`Shapes::hits`].
-    pub fn hits(&self, ray: &Ray<S>, each: impl FnMut(u32, Hits<S>)) {
+    pub fn hits(&self, ray: &Ray<S>, each: impl FnMut(u32, HitsOf<S, L::Item>)) {
         self.hits_at::<Stable>(ray, each);
     }
 
     /// As [`ShapeTree::hits`], in a chosen accuracy tier.
-    pub fn hits_at<T: Tier<S>>(&self, ray: &Ray<S>, each: impl FnMut(u32, Hits<S>)) {
+    pub fn hits_at<T: Tier<S>>(&self, ray: &Ray<S>, each: impl FnMut(u32, HitsOf<S, L::Item>)) {
         self.view().hits_at::<T>(ray, each);
     }
 }

@@ -3,10 +3,10 @@
 use super::{Geometry, SizeError, checked_size, checked_size_or_zero, queries, surface_coordinates as coordinates};
 use crate::equations::{Described, EquationKinds, Equations};
 use crate::geometry::Hull;
-use crate::grid::Guards;
-use crate::intersection::{End, Intersection, Span};
+use crate::grid::{BetweenBalls, Guards};
+use crate::intersection::{End, Intersection};
 use crate::part::Part;
-use crate::scalar::{Attempt, GridScalar, InSide, Including, LocalLine, Real, Ring, Scalar, found};
+use crate::scalar::{Attempt, GridScalar, Including, LocalLine, Real, Ring, Scalar, found};
 use crate::solve::{self, Goal, LocalRay, Of};
 use crate::vector::{UnitVec3, Vec3};
 use core::cmp::Ordering;
@@ -71,30 +71,18 @@ impl<S: Scalar> Capsule<S> {
         self.height
     }
 
-    /// The end of the line's interval in the capsule, for one end in the infinite tube, which may lie as far as
-    /// `outer`: the same point if it lies between the seams, otherwise the end in the ball beyond the seam, which
-    /// `of_ball` computes from the line relative to the ball's centre.
+    /// The balls at both ends, on the grid.
     #[inline(always)]
-    fn end_on_grid(
-        &self,
-        line: &LocalLine<S>,
-        [tube, outer]: [S; 2],
-        of_ball: impl FnOnce(&LocalLine<S>, Part) -> Attempt<S>,
-    ) -> Attempt<End<S>>
+    fn on_grid<'a, T: Guards>(
+        &'a self,
+        line: &'a LocalLine<S>,
+    ) -> BetweenBalls<'a, S, impl Fn(S) -> Attempt<Ordering> + 'a>
     where
         S: GridScalar,
     {
-        let seams = found!(line.seams(tube, self.height));
-        if tube != outer && (seams == Ordering::Equal || found!(line.seams(outer, self.height)) != seams) {
-            return Attempt::Unsure;
-        }
-        let (part, centre) = match seams {
-            Ordering::Less => (Part::Base, S::ZERO),
-            Ordering::Greater => (Part::Top, self.height),
-            Ordering::Equal => return Attempt::Hit(End::new(tube, Part::Side)),
-        };
-        let t = found!(of_ball(&found!(line.lowered(centre)), part));
-        Attempt::Hit(End::new(t, part))
+        let seams = |t| line.seams(t, self.height);
+        let Self { radius, height } = *self;
+        BetweenBalls { line, seams, radii: [radius; 2], height, by_moment: T::GUARDED, is_strict: T::STRICT }
     }
 
     /// The point of the axis's segment nearest to a point of the part.
@@ -140,22 +128,7 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
     where
         S: GridScalar,
     {
-        let inside = found!(line.tube(self.radius));
-        let InSide { ends: [low, high], beyond } = inside;
-        // Next to a seam the ends in the ball are as inaccurate as those in the tube.
-        let is_guarded = T::GUARDED || inside.are_accurate() != [true; 2];
-        let ball = |line: &LocalLine<S>| line.ball(self.radius, is_guarded, T::STRICT);
-        let outer = low.minus(beyond[0]);
-        let enter = found!(self.end_on_grid(line, [low, outer], |line, _| Attempt::Hit(found!(ball(line))[0])));
-        if line.needs_only(enter.t) {
-            return Attempt::Hit(Intersection::Entered(enter));
-        }
-        let outer = high.plus(beyond[1]);
-        match self.end_on_grid(line, [high, outer], |line, _| Attempt::Hit(found!(ball(line))[1])) {
-            Attempt::Hit(exit) if enter.t <= exit.t => Attempt::Hit(Intersection::One(Span::new(enter, exit))),
-            // The exit is uncertain, or rounding put it before the entry.
-            _ => Attempt::Hit(Intersection::Entered(enter)),
-        }
+        self.on_grid::<T>(line).meets(&found!(line.cylinder(self.radius)))
     }
 
     #[inline(always)]
@@ -163,19 +136,11 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
     where
         S: GridScalar,
     {
-        let tube = if from == Part::Side {
-            [found!(line.exit_from_round(false)); 2]
-        } else {
-            let InSide { ends: [_, high], beyond: [_, beyond] } = found!(line.tube(self.radius));
-            [high, high.plus(beyond)]
+        let cylinder = match from {
+            Part::Side => found!(line.exit_from_round(false)),
+            _ => found!(found!(line.cylinder(self.radius)).exit()),
         };
-        self.end_on_grid(line, tube, |line, part| {
-            if part == from {
-                return line.exit_from_round(true);
-            }
-            let is_guarded = T::GUARDED || tube[0] != tube[1];
-            Attempt::Hit(found!(line.ball(self.radius, is_guarded, T::STRICT))[1])
-        })
+        self.on_grid::<T>(line).exit([cylinder; 2], from)
     }
 
     #[inline(always)]
@@ -227,9 +192,7 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
     }
 
     fn tangents(&self, point: Vec3<S>, part: Part) -> (UnitVec3<S>, UnitVec3<S>) {
-        let u = coordinates::around(point);
-        let v = UnitVec3::from_real(self.normal(point, part).cross(u)).unwrap_or(UnitVec3::Y);
-        (u, v)
+        coordinates::tangents_around(point, self.normal(point, part))
     }
 }
 

@@ -33,6 +33,11 @@ pub struct Cone<S> {
 }
 
 impl<S: Scalar> Cone<S> {
+    /// How far the side reaches.
+    pub(crate) const fn extent(&self) -> &Extent<S> {
+        &self.extent
+    }
+
     /// Two infinite nappes: `x^2 + z^2 = slope^2 y^2`.
     ///
     /// # Errors
@@ -295,16 +300,19 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
             (Part::Top, Some(height)) => Vec3 { y: height, ..point },
             (_, height) => {
                 let profile = Profile::of(self.outline, S::real);
-                let point = height.map_or(point, |height| coordinates::between(point, height));
+                let mut point = height.map_or(point, |height| coordinates::between(point, height));
                 let (g1, h) = (profile.growth, profile.h);
                 if g1.abs() > h && !h.is_zero() {
-                    // Flatter than 45 degrees: the nearest point of the side is found by moving along the axis.
+                    // Flatter than 45 degrees: the nearest point of the side is found by moving along the axis, unless
+                    // that leads beyond a rim.
                     let [x, _, z] = point.real();
                     let g = (x * x + z * z).sqrt() * h;
                     let g = if profile.at(point.y.real()).is_negative() { -g } else { g };
-                    let y = S::round((g - profile.base * h) / g1);
-                    let point = Vec3 { y, ..point };
-                    return height.map_or(point, |height| coordinates::between(point, height));
+                    let moved = Vec3 { y: S::round((g - profile.base * h) / g1), ..point };
+                    point = height.map_or(moved, |height| coordinates::between(moved, height));
+                    if point.y == moved.y {
+                        return moved;
+                    }
                 }
                 // The frustum is so flat that its height rounds to zero relative to its radii: any circle between them
                 // may be chosen.
@@ -356,9 +364,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         if part != Part::Side {
             return coordinates::planar_tangents();
         }
-        let u = coordinates::around(point);
-        let v = UnitVec3::from_real(self.normal(point, part).cross(u)).unwrap_or(UnitVec3::Y);
-        (u, v)
+        coordinates::tangents_around(point, self.normal(point, part))
     }
 }
 

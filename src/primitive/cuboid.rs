@@ -7,10 +7,11 @@ use crate::geometry::Hull;
 use crate::grid::Guards;
 use crate::intersection::{End, Intersection, Span};
 use crate::line::Needs;
-use crate::part::{FACES, Part};
+use crate::part::{Part, face_of};
 use crate::scalar::{Attempt, GridScalar, InCuboid, Including, LocalLine, Ring, Scalar, UnitScalar, found};
 use crate::solve::{self, Goal, LocalRay, Of};
-use crate::vector::{UnitVec3, Vec3, pairs};
+use crate::vector::{UnitVec3, Vec3, component, pairs};
+use core::cmp::Ordering;
 
 /// A closed cuboid about the origin, given by its half extents along x, y and z.
 ///
@@ -94,13 +95,7 @@ impl<S: Scalar> Cuboid<S> {
 /// The face perpendicular to this axis by which a line along `d` enters or leaves.
 #[inline(always)]
 fn face<U: UnitScalar>(axis: usize, d: [U; 3], leaves: bool) -> Part {
-    let [across_x, across_z, across_y] = FACES;
-    let (d, [low, high]) = match axis {
-        0 => (d[0], across_x),
-        1 => (d[1], across_y),
-        _ => (d[2], across_z),
-    };
-    if (d < U::ZERO) == leaves { low } else { high }
+    face_of(axis, if (component(d, axis) < U::ZERO) == leaves { Ordering::Less } else { Ordering::Greater })
 }
 
 impl<S> Described for Cuboid<S> {
@@ -177,7 +172,7 @@ impl<S: Scalar> Geometry<S> for Cuboid<S> {
             Part::Left => Vec3 { x: -x, ..inside },
             Part::Right => Vec3 { x, ..inside },
             Part::Base => Vec3 { y: -y, ..inside },
-            Part::Top | Part::Side => Vec3 { y, ..inside },
+            Part::Top | Part::Side | Part::Inner => Vec3 { y, ..inside },
             Part::Back => Vec3 { z: -z, ..inside },
             Part::Front => Vec3 { z, ..inside },
         }
@@ -188,7 +183,7 @@ impl<S: Scalar> Geometry<S> for Cuboid<S> {
             Part::Left => -UnitVec3::X,
             Part::Right => UnitVec3::X,
             Part::Base => -UnitVec3::Y,
-            Part::Top | Part::Side => UnitVec3::Y,
+            Part::Top | Part::Side | Part::Inner => UnitVec3::Y,
             Part::Back => -UnitVec3::Z,
             Part::Front => UnitVec3::Z,
         }
@@ -205,7 +200,9 @@ impl<S: Scalar> Geometry<S> for Cuboid<S> {
             Part::Right => (coordinates::across(-point.z, z), coordinates::across(point.y, y)),
             Part::Back => (coordinates::across(-point.x, x), coordinates::across(point.y, y)),
             Part::Front => (coordinates::across(point.x, x), coordinates::across(point.y, y)),
-            Part::Base | Part::Top | Part::Side => (coordinates::across(point.x, x), coordinates::across(point.z, z)),
+            Part::Base | Part::Top | Part::Side | Part::Inner => {
+                (coordinates::across(point.x, x), coordinates::across(point.z, z))
+            }
         }
     }
 
@@ -215,7 +212,7 @@ impl<S: Scalar> Geometry<S> for Cuboid<S> {
             Part::Right => (-UnitVec3::Z, UnitVec3::Y),
             Part::Back => (-UnitVec3::X, UnitVec3::Y),
             Part::Front => (UnitVec3::X, UnitVec3::Y),
-            Part::Base | Part::Top | Part::Side => coordinates::planar_tangents(),
+            Part::Base | Part::Top | Part::Side | Part::Inner => coordinates::planar_tangents(),
         }
     }
 }

@@ -11,7 +11,7 @@ use crate::scalar::{Attempt, GridScalar, Including, LocalLine, Scalar, found};
 use crate::solve::{self, Goal, LocalRay, Of};
 use crate::vector::{UnitVec3, Vec3};
 
-/// A cylinder about the y axis: infinite, a tube without caps, or closed by flat caps at `y = 0` and `y = height`.
+/// A cylinder about the y axis: infinite, an open side, or closed by flat caps at `y = 0` and `y = height`.
 ///
 /// ```
 /// use raylet::{Crossing, Cylinder, Part, Ray, UnitVec3, Vec3};
@@ -29,6 +29,11 @@ pub struct Cylinder<S> {
 }
 
 impl<S: Scalar> Cylinder<S> {
+    /// How far the side reaches.
+    pub(crate) const fn extent(&self) -> &Extent<S> {
+        &self.extent
+    }
+
     /// An infinite cylinder.
     ///
     /// # Errors
@@ -38,7 +43,7 @@ impl<S: Scalar> Cylinder<S> {
         Ok(Self { radius: checked_size(radius, SizeError::Radius)?, extent: Extent::Infinite })
     }
 
-    /// A tube without caps, `0 <= y <= height`: an open surface.
+    /// The side without caps, `0 <= y <= height`: an open surface.
     ///
     /// # Errors
     ///
@@ -78,7 +83,7 @@ impl<S: Copy> Cylinder<S> {
 }
 
 impl<S> Described for Cylinder<S> {
-    const EQUATIONS: EquationKinds = EquationKinds::TUBE;
+    const EQUATIONS: EquationKinds = EquationKinds::CYLINDER;
 }
 
 impl<S: Scalar> Geometry<S> for Cylinder<S> {
@@ -107,7 +112,7 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
     where
         S: GridScalar,
     {
-        let inside = found!(line.tube(self.radius));
+        let inside = found!(line.cylinder(self.radius));
         match self.extent {
             Extent::Double | Extent::Infinite => Attempt::Hit(Intersection::One(found!(whole_side(&inside)))),
             Extent::Open(height) => found!(Slab::new(line, S::ZERO, height)).rims(&inside),
@@ -123,7 +128,7 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
         let side = if from == Part::Side {
             found!(line.exit_from_round(false))
         } else {
-            found!(found!(line.tube(self.radius)).exit())
+            found!(found!(line.cylinder(self.radius)).exit())
         };
         let side = End::new(side, Part::Side);
         match self.extent {
@@ -135,11 +140,11 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
 
     #[inline(always)]
     fn intersect<N: Of<S>>(&self, ray: &LocalRay<N>, goal: Goal<S>) -> solve::Attempt<Intersection<S>> {
-        solve::tube(ray, self.radius, self.extent, goal)
+        solve::cylinder(ray, self.radius, self.extent, goal)
     }
 
     fn equations(&self) -> Equations<S> {
-        Equations::Tube { radius: self.radius, extent: self.extent }
+        Equations::Cylinder { radius: self.radius, extent: self.extent }
     }
 
     fn hull(&self) -> Hull<S> {

@@ -1,6 +1,9 @@
 //! Primitives as they are logged with `defmt`: by the constructor's name and the sizes.
 
-use super::{Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, Sphere, Triangle};
+use super::{
+    Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, Revolved, RoundCone, RoundedCuboid, Sphere,
+    Triangle, Tube,
+};
 use crate::outline::{Extent, Outline};
 use crate::scalar::Scalar;
 use crate::scalar::written::Plain;
@@ -37,6 +40,13 @@ impl<S: Scalar> Format for Cuboid<S> {
     }
 }
 
+impl<S: Scalar> Format for RoundedCuboid<S> {
+    fn format(&self, f: Formatter<'_>) {
+        let ([x, y, z], radius) = (self.half_extents().map(Plain), Plain(self.radius()));
+        write!(f, "RoundedCuboid {{ half_extents: [{}, {}, {}], radius: {} }}", x, y, z, radius);
+    }
+}
+
 impl<S: Scalar> Format for Rectangle<S> {
     fn format(&self, f: Formatter<'_>) {
         let [x, z] = self.half_extents().map(Plain);
@@ -48,6 +58,36 @@ impl<S: Scalar> Format for Triangle<S> {
     fn format(&self, f: Formatter<'_>) {
         let [a, b, c] = self.vertices();
         write!(f, "Triangle {{ vertices: [{}, {}, {}] }}", a, b, c);
+    }
+}
+
+impl<S: Scalar> Format for Revolved<S> {
+    fn format(&self, f: Formatter<'_>) {
+        let ((a, b, r), [low, high]) = (self.coefficients(), self.heights());
+        let ends = if self.is_open() { "open" } else { "capped" };
+        write!(f, "Revolved {{ a: {}, b: {}, radius: {}, ", Plain(a), Plain(b), Plain(r));
+        write!(f, "heights: [{}, {}], {} }}", Plain(low), Plain(high), ends);
+    }
+}
+
+impl<S: Scalar> Format for RoundCone<S> {
+    fn format(&self, f: Formatter<'_>) {
+        let [base, top, height] = [self.base_radius(), self.top_radius(), self.height()].map(Plain);
+        write!(f, "RoundCone {{ base_radius: {}, top_radius: {}, height: {} }}", base, top, height);
+    }
+}
+
+impl<S: Scalar> Format for Tube<S> {
+    fn format(&self, f: Formatter<'_>) {
+        let [inner, outer, height] = [self.inner_radius(), self.outer_radius(), self.height()].map(Plain);
+        write!(f, "Tube {{ inner_radius: {}, outer_radius: {}, height: {} }}", inner, outer, height);
+    }
+}
+
+impl<S: Scalar> Format for Annulus<S> {
+    fn format(&self, f: Formatter<'_>) {
+        let [inner, outer] = [self.inner_radius(), self.outer_radius()].map(Plain);
+        write!(f, "Annulus {{ inner_radius: {}, outer_radius: {} }}", inner, outer);
     }
 }
 

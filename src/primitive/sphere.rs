@@ -146,9 +146,7 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
     }
 
     fn tangents(&self, point: Vec3<S>, part: Part) -> (UnitVec3<S>, UnitVec3<S>) {
-        let u = coordinates::around(point);
-        let v = UnitVec3::from_real(self.normal(point, part).cross(u)).unwrap_or(UnitVec3::Y);
-        (u, v)
+        coordinates::tangents_around(point, self.normal(point, part))
     }
 }
 

@@ -1,6 +1,9 @@
 //! Primitives as they are stored: by constructor and sizes, which the constructor checks when they are read.
 
-use super::{Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, SizeError, Sphere, Triangle};
+use super::{
+    Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, Revolved, RoundCone, RoundedCuboid, SizeError,
+    Sphere, Triangle, Tube,
+};
 use crate::outline::{Extent, Outline};
 use crate::scalar::Scalar;
 use crate::scalar::written;
@@ -89,6 +92,61 @@ enum AnyCone<S> {
     Frustum(Radii<S>),
 }
 
+#[derive(Serialize, Deserialize)]
+#[serde(bound = "S: Scalar")]
+struct Quadric<S> {
+    #[serde(with = "written")]
+    a: S,
+    #[serde(with = "written")]
+    b: S,
+    #[serde(with = "written")]
+    radius: S,
+    #[serde(with = "written")]
+    low: S,
+    #[serde(with = "written")]
+    high: S,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(bound = "S: Scalar")]
+enum AnyRevolved<S> {
+    Open(Quadric<S>),
+    Capped(Quadric<S>),
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(bound = "S: Scalar")]
+struct Smooth<S> {
+    #[serde(with = "written")]
+    half_x: S,
+    #[serde(with = "written")]
+    half_y: S,
+    #[serde(with = "written")]
+    half_z: S,
+    #[serde(with = "written")]
+    radius: S,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(bound = "S: Scalar")]
+struct Hollow<S> {
+    #[serde(with = "written")]
+    inner_radius: S,
+    #[serde(with = "written")]
+    outer_radius: S,
+    #[serde(with = "written")]
+    height: S,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(bound = "S: Scalar")]
+struct Ring<S> {
+    #[serde(with = "written")]
+    inner_radius: S,
+    #[serde(with = "written")]
+    outer_radius: S,
+}
+
 /// Implements both traits of a primitive by the form in which it is stored.
 macro_rules! stored {
     ($Primitive:ident, $Stored:ty, |$primitive:ident| $to:expr, |$stored:pat_param| $from:expr) => {
@@ -126,6 +184,15 @@ stored!(
         Boxed { half_x, half_y, half_z }
     },
     |Boxed { half_x, half_y, half_z }| Cuboid::new(half_x, half_y, half_z)
+);
+stored!(
+    RoundedCuboid,
+    Smooth<S>,
+    |cuboid| {
+        let [half_x, half_y, half_z] = cuboid.half_extents();
+        Smooth { half_x, half_y, half_z, radius: cuboid.radius() }
+    },
+    |Smooth { half_x, half_y, half_z, radius }| RoundedCuboid::new(half_x, half_y, half_z, radius)
 );
 stored!(
     Rectangle,
@@ -180,5 +247,48 @@ stored!(
         }
         AnyCone::Frustum(Radii { base_radius, top_radius, height }) => Cone::frustum(base_radius, top_radius, height),
     }
+);
+stored!(
+    Revolved,
+    AnyRevolved<S>,
+    |revolved| {
+        let ((a, b, radius), [low, high]) = (revolved.coefficients(), revolved.heights());
+        let quadric = Quadric { a, b, radius, low, high };
+        if revolved.is_open() { AnyRevolved::Open(quadric) } else { AnyRevolved::Capped(quadric) }
+    },
+    |stored| {
+        let built = |Quadric { a, b, radius, low, high }| Revolved::new(a, b, radius, [low, high]);
+        match stored {
+            AnyRevolved::Open(quadric) => built(quadric).map(Revolved::open),
+            AnyRevolved::Capped(quadric) => built(quadric),
+        }
+    }
+);
+stored!(
+    RoundCone,
+    Radii<S>,
+    |cone| {
+        let [base_radius, top_radius] = cone.radii;
+        Radii { base_radius, top_radius, height: cone.height }
+    },
+    |Radii { base_radius, top_radius, height }| RoundCone::new(base_radius, top_radius, height)
+);
+stored!(
+    Tube,
+    Hollow<S>,
+    |tube| {
+        let [inner_radius, outer_radius] = tube.radii;
+        Hollow { inner_radius, outer_radius, height: tube.height }
+    },
+    |Hollow { inner_radius, outer_radius, height }| Tube::new(inner_radius, outer_radius, height)
+);
+stored!(
+    Annulus,
+    Ring<S>,
+    |annulus| {
+        let [inner_radius, outer_radius] = annulus.radii;
+        Ring { inner_radius, outer_radius }
+    },
+    |Ring { inner_radius, outer_radius }| Annulus::new(inner_radius, outer_radius)
 );
 stored!(Plane, (), |_plane| (), |()| Ok(Plane::new()));

@@ -4,8 +4,9 @@
 //! directions and the outward normal are right-handed. On flat caps `u` and `v` are x and z, mapped linearly from
 //! `[-r, r]` to `[0, 1]`.
 
-use crate::scalar::{Real, Ring, Scalar, UnitScalar};
+use crate::scalar::{Real, Ring, Scalar, UnitScalar, largest};
 use crate::vector::{UnitVec3, Vec3};
+use core::cmp::Ordering;
 
 /// The angle about the y axis, in turns; zero on the axis.
 pub(super) fn azimuth<S: Scalar>(point: Vec3<S>) -> S::Unit {
@@ -60,6 +61,13 @@ pub(super) fn planar_tangents<S: Scalar>() -> (UnitVec3<S>, UnitVec3<S>) {
     (UnitVec3::X, UnitVec3::Z)
 }
 
+/// The directions around the y axis and, perpendicular to it in the surface, upwards.
+#[inline(always)]
+pub(super) fn tangents_around<S: Scalar>(point: Vec3<S>, normal: UnitVec3<S>) -> (UnitVec3<S>, UnitVec3<S>) {
+    let u = around(point);
+    (u, UnitVec3::from_real(normal.cross(u)).unwrap_or(UnitVec3::Y))
+}
+
 /// The direction around the y axis, counter-clockwise as seen from +y; -z for a point on the axis.
 pub(super) fn around<S: Scalar>(point: Vec3<S>) -> UnitVec3<S> {
     UnitVec3::new(Vec3::new(point.z, S::ZERO, S::ZERO.minus(point.x))).unwrap_or(-UnitVec3::Z)
@@ -76,8 +84,17 @@ pub(super) fn between<S: Scalar>(point: Vec3<S>, height: S) -> Vec3<S> {
     Vec3 { y: if y > S::ZERO { y } else { S::ZERO }, ..point }
 }
 
+/// The point, moved to the distance `radius` from the y axis if its own compares with that as `is` says: to the circle
+/// around a disc if it is greater, or to that around a hole if it is less.
+pub(crate) fn at_circle<S: Scalar>(point: Vec3<S>, radius: S, is: Ordering) -> Vec3<S> {
+    // Scaled so that no square overflows.
+    let e = S::binary_exponent(largest([point.x, point.z, radius]));
+    let [x, z, r] = [point.x, point.z, radius].map(|c| c.real().scaled(-e));
+    if (x * x + z * z).partial_cmp(&(r * r)) == Some(is) { at_distance(point, |c| radius.along(c)) } else { point }
+}
+
 /// The point moved to a given distance from the y axis; `along` multiplies that distance by a component of a direction.
-pub(super) fn at_distance<S: Scalar>(point: Vec3<S>, along: impl Fn(S::Unit) -> S) -> Vec3<S> {
+pub(crate) fn at_distance<S: Scalar>(point: Vec3<S>, along: impl Fn(S::Unit) -> S) -> Vec3<S> {
     let outwards = outwards(point);
     Vec3 { x: along(outwards.x()), z: along(outwards.z()), ..point }
 }

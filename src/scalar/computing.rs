@@ -30,9 +30,9 @@ pub trait Computing: Numbers {
         t: Self,
         axes: [[Self::Unit; 3]; 3],
     ) -> [Self::Real; 3];
-    /// For fixed types: the normal, of any length, where the ray meets a ball about `centre` on the y axis, or a tube
-    /// about that axis, of this radius; `t` is rounded. It is along these axes, or along the world's. `None` where it
-    /// takes more than one step and integers of the double width, or is not determined.
+    /// For fixed types: the normal, of any length, where the ray meets a ball about `centre` on the y axis, or a
+    /// cylinder about that axis, of this radius; `t` is rounded. It is along these axes, or along the world's. `None`
+    /// where it takes more than one step and integers of the double width, or is not determined.
     fn round_normal(_line: RoundLine<Self>, _solid: RoundSolid<Self>) -> Option<[Self::Real; 3]> {
         None
     }
@@ -79,12 +79,12 @@ pub struct RoundLine<S: Numbers> {
     pub enters: bool,
 }
 
-/// A ball about a point of the y axis, or a tube about the axis.
+/// A ball about a point of the y axis, or a cylinder about the axis.
 #[derive(Clone, Copy, Debug)]
 pub struct RoundSolid<S> {
     /// The radius.
     pub radius: S,
-    /// The height of a ball's centre; `None` for a tube.
+    /// The height of a ball's centre; `None` for a cylinder.
     pub centre: Option<S>,
 }
 

@@ -57,6 +57,11 @@ macro_rules! checks {
             fault(value, <$Number as Scalar>::BUDGET.smallest_slope, <$Number as Scalar>::BUDGET.slope)
         }
 
+        /// True if the first of two numbers is below the second.
+        pub(crate) const fn is_less<$($generics)*>(a: $Number, b: $Number) -> bool {
+            raw!(a) < raw!(b)
+        }
+
         /// True for a positive number up to the largest coordinate.
         pub(crate) const fn is_extent<$($generics)*>(value: $Number) -> bool {
             raw!(value) > raw!(<$Number as Scalar>::ZERO) && raw!(value) <= raw!(<$Number as Scalar>::BUDGET.coordinate)
@@ -68,6 +73,17 @@ macro_rules! checks {
             if magnitude!(x) <= most && magnitude!(y) <= most && magnitude!(z) <= most {
                 None
             } else if infinite!(x) || infinite!(y) || infinite!(z) {
+                Some(ValueError::NotFinite)
+            } else {
+                Some(ValueError::BeyondBudget)
+            }
+        }
+
+        /// What is wrong with a number of any sign and of at most this magnitude, if anything is.
+        pub(crate) const fn within<$($generics)*>(value: $Number, most: $Number) -> Option<ValueError> {
+            if magnitude!(value) <= raw!(most) {
+                None
+            } else if infinite!(value) {
                 Some(ValueError::NotFinite)
             } else {
                 Some(ValueError::BeyondBudget)
@@ -166,6 +182,11 @@ macro_rules! floats {
                 dividend / divisor
             }
 
+            /// The value as a double, for checks alone.
+            pub(crate) const fn double(value: $Float) -> f64 {
+                value as f64
+            }
+
             /// The number to compute in.
             pub(crate) const fn real(value: $Float) -> $Float {
                 value
@@ -174,6 +195,11 @@ macro_rules! floats {
             /// Half of the number, to compute in.
             pub(crate) const fn half(value: $Float) -> $Float {
                 value / 2.0
+            }
+
+            /// The sum of two sizes.
+            pub(crate) const fn plus(a: $Float, b: $Float) -> $Float {
+                a + b
             }
         }
     };
@@ -261,6 +287,11 @@ macro_rules! fixed {
                 Unit::from_bits((dividend + divisor / 2).div_euclid(divisor) as $raw)
             }
 
+            /// The value as a double, rounded, for checks alone.
+            pub(crate) const fn double<F: $LeEq>(value: $Fixed<F>) -> f64 {
+                value.to_bits() as f64 / (1_u128 << F::U32) as f64
+            }
+
             /// The number to compute in.
             pub(crate) const fn real<F: $LeEq>(value: $Fixed<F>) -> $Block {
                 $Block::new(value.to_bits() as $wide, -(F::I32))
@@ -269,6 +300,11 @@ macro_rules! fixed {
             /// Half of the number, to compute in.
             pub(crate) const fn half<F: $LeEq>(value: $Fixed<F>) -> $Block {
                 $Block::new(value.to_bits() as $wide, -(F::I32) - 1)
+            }
+
+            /// The sum of two sizes; the end of the type if that is beyond.
+            pub(crate) const fn plus<F: $LeEq>(a: $Fixed<F>, b: $Fixed<F>) -> $Fixed<F> {
+                a.saturating_add(b)
             }
         }
     };

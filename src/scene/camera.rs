@@ -264,9 +264,9 @@ impl<S: Scalar> Raster<S> {
         self.size
     }
 
-    /// The ray through a sample (column and row) of a pixel (column and row); (0, 0) is the upper left. With one sample a pixel
-    /// it goes through the pixel's centre, as a zone of a range sensor is measured. `n` rows that span an angle `w`
-    /// between their outer edges need a camera of the angle `2 atan((1 - 1/n) tan(w/2))` ([`Camera::new`]).
+    /// The ray through a sample (column and row) of a pixel (column and row); (0, 0) is the upper left. With one sample
+    /// a pixel it goes through the pixel's centre, as a zone of a range sensor is measured. `n` rows that span an angle
+    /// `w` between their outer edges need a camera of the angle `2 atan((1 - 1/n) tan(w/2))` ([`Camera::new`]).
     ///
     /// Pixels and samples outside the picture are allowed. `None` only for an orthographic camera, for a ray that
     /// starts beyond the budget.

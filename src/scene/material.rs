@@ -37,9 +37,10 @@ pub struct Material<S: Scalar> {
     /// transmittance above 0 two-sided.
     #[cfg_attr(feature = "serde", serde(with = "crate::scalar::written"))]
     pub transmittance: S,
-    /// Index of refraction of the inside relative to the outside. At 1 light passes without being bent, as it should
-    /// for a surface with the same medium on both sides, such as a thin pane. The same holds for 0, which NFF files
-    /// have for opaque materials.
+    /// Index of refraction of the medium inside, relative to that outside of all objects. Where solids overlap, the one
+    /// that is listed last counts: see [`effect`](crate::effect#glass). At 1 light passes without being bent, as it
+    /// should for a surface with the same medium on both sides, such as a thin pane. The same holds for 0, which NFF
+    /// files have for opaque materials.
     #[cfg_attr(feature = "serde", serde(with = "crate::scalar::written"))]
     pub refraction: S,
     /// Fraction of the light that is reflected as by a mirror, at least 0 and usually at most 1. NFF has no such

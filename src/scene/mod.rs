@@ -7,6 +7,7 @@
 //! | `levels`, `srgb` | the levels that pictures are stored and shown in |
 //! | `texture`, `fog`, `outline` | patterns on surfaces; fog; lines around what is seen |
 //! | `camera` | the primary ray of each pixel sample |
+//! | `queries` | the nearest hit of a ray, occlusion, and which hits have one place |
 //! | `storage` | lists that a reader fills |
 //! | `stored`, `logged` | how parts that check what they hold are stored, for `serde`; how parts are logged, for `defmt` |
 //! | `counters`, `observer` | counters of rays and tests; a callback for each test |
@@ -27,6 +28,7 @@ pub mod nff;
 mod object;
 mod observer;
 mod outline;
+mod queries;
 mod srgb;
 mod storage;
 #[cfg(feature = "serde")]
@@ -46,15 +48,14 @@ pub use material::Material;
 pub use object::{CornerNormals, Object};
 pub use observer::Observer;
 pub use outline::Outline;
+pub use queries::SceneHit;
+pub(crate) use queries::{MOST_AT_ONE_PLACE, near};
 #[cfg(feature = "embedded-graphics")]
 pub(crate) use srgb::encoded;
 pub use storage::{Full, Store};
 pub use texture::{Coordinate, Texture, TextureFault, Waves};
 
-use crate::hierarchy::search::{self, Watch};
-use crate::hit::Hit;
 use crate::part::Part;
-use crate::ray::Ray;
 use crate::scalar::Scalar;
 use crate::shape::kinds::{All, Kinds};
 use crate::tier::{Stable, Tier};
@@ -84,8 +85,9 @@ pub struct Scene<'a, S: Scalar, T = Stable, K: Kinds = All> {
 }
 
 impl<'a, S: Scalar, K: Kinds> Scene<'a, S, Stable, K> {
-    /// A scene with a black background, flat shading, no textures, no fog and no outline; see [`Scene::with_background`],
-    /// [`Scene::with_normals`], [`Scene::with_textures`], [`Scene::with_fog`] and [`Scene::with_outline`].
+    /// A scene with a black background, flat shading, no textures, no fog and no outline; see
+    /// [`Scene::with_background`], [`Scene::with_normals`], [`Scene::with_textures`], [`Scene::with_fog`] and
+    /// [`Scene::with_outline`].
     ///
     /// # Errors
     ///
@@ -342,77 +344,6 @@ impl<'a, S: Scalar, T: Tier<S>, K: Kinds> Scene<'a, S, T, K> {
     pub fn corner_normals(&self, object: &Object<S, K>) -> Option<&'a CornerNormals<S>> {
         self.normals.get(object.smooth? as usize)
     }
-
-    /// The nearest hit of a ray, and the index of its object. If two objects are hit at the same `t`, the one with the
-    /// lower index is returned.
-    ///
-    /// A departure of the ray (see [`Departure`](crate::Departure)) applies to the object that it names; the other
-    /// objects are tested with the ray without departure. Counts every test in `counters`.
-    pub fn nearest(&self, ray: &Ray<S>, counters: &mut Counters) -> Option<SceneHit<S>> {
-        self.nearest_for(ray, counters, &mut ())
-    }
-
-    /// As [`Scene::nearest`], with an [`Observer`] that is called after every test.
-    pub fn nearest_for(
-        &self,
-        ray: &Ray<S>,
-        counters: &mut Counters,
-        observer: &mut impl Observer,
-    ) -> Option<SceneHit<S>> {
-        let mut watch = Watched { counters, observer };
-        let nearest = search::nearest::<S, T, _>(self.objects, self.hierarchy.as_ref(), ray, &mut watch);
-        nearest.map(|(object, hit)| SceneHit { object, hit })
-    }
-
-    /// Occlusion test, for shadows: true if the ray hits any object within its range. Stops at the first object that it
-    /// hits.
-    pub fn occludes(&self, ray: &Ray<S>, counters: &mut Counters) -> bool {
-        self.occluder(ray, counters, &mut ()).is_some()
-    }
-
-    /// Any object that the ray hits within its range, not necessarily the nearest; `None` if there is none.
-    pub fn occluder(&self, ray: &Ray<S>, counters: &mut Counters, observer: &mut impl Observer) -> Option<u32> {
-        let mut watch = Watched { counters, observer };
-        search::occluder::<S, T, _>(self.objects, self.hierarchy.as_ref(), ray, &mut watch)
-    }
-
-    /// True if the ray hits the object of this index within its range; false beyond the last object.
-    pub fn stands_on(&self, index: u32, ray: &Ray<S>, counters: &mut Counters, observer: &mut impl Observer) -> bool {
-        search::is_hit::<S, T, _>(self.objects, index, ray, &mut Watched { counters, observer })
-    }
-}
-
-/// Counts the tests, and hands them on.
-struct Watched<'a, O> {
-    counters: &'a mut Counters,
-    observer: &'a mut O,
-}
-
-impl<O: Observer> Watch for Watched<'_, O> {
-    #[inline(always)]
-    fn count_test(&mut self) {
-        self.counters.intersection_tests += 1;
-    }
-
-    #[inline(always)]
-    fn count_box(&mut self) {
-        self.counters.box_tests += 1;
-    }
-
-    #[inline(always)]
-    fn tested(&mut self, index: u32, found: bool) {
-        self.observer.tested(index, found);
-    }
-}
-
-/// The nearest hit in a scene.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = "S: Scalar"))]
-pub struct SceneHit<S> {
-    /// Index of the object.
-    pub object: u32,
-    /// The hit.
-    pub hit: Hit<S>,
 }
 
 /// Why a scene cannot be built.

@@ -11,7 +11,8 @@ pub type CornerNormals<S> = [UnitVec3<S>; 3];
 
 /// An object of a scene: a shape of the kinds `K`, and the indices of its materials and corner normals.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = ""))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "", deserialize = "Shape<S, K>: serde::Deserialize<'de>")))]
 pub struct Object<S: Scalar, K: Kinds = All> {
     /// The shape.
     pub shape: Shape<S, K>,
@@ -55,12 +56,13 @@ impl<S: Scalar, K: Kinds> Object<S, K> {
         Self { top: material, ..self }
     }
 
-    /// The index of the material of a part. The four faces at the sides of a cuboid have that of the side.
+    /// The index of the material of a part. The four faces at the sides of a cuboid, and the inner side of a tube,
+    /// have that of the side.
     pub const fn material_of(&self, part: Part) -> u32 {
         match part {
-            Part::Side | Part::Left | Part::Right | Part::Back | Part::Front => self.material,
             Part::Base => self.base,
             Part::Top => self.top,
+            _ => self.material,
         }
     }
 

@@ -27,6 +27,16 @@ pub enum Kind {
     Cuboid,
     /// A [`Rectangle`](crate::Rectangle).
     Rectangle,
+    /// A [`Revolved`](crate::Revolved).
+    Revolved,
+    /// A [`Tube`](crate::Tube).
+    Tube,
+    /// An [`Annulus`](crate::Annulus).
+    Annulus,
+    /// A [`RoundCone`](crate::RoundCone).
+    RoundCone,
+    /// A [`RoundedCuboid`](crate::RoundedCuboid).
+    RoundedCuboid,
     /// A [`Frame`](crate::Frame).
     Frame,
     /// An [`Affine`](crate::Affine).
@@ -35,7 +45,7 @@ pub enum Kind {
 
 impl Kind {
     /// Every kind, in order.
-    pub const EVERY: [Self; 11] = [
+    pub const EVERY: [Self; 16] = [
         Self::Sphere,
         Self::Cylinder,
         Self::Cone,
@@ -45,6 +55,11 @@ impl Kind {
         Self::Triangle,
         Self::Cuboid,
         Self::Rectangle,
+        Self::Revolved,
+        Self::Tube,
+        Self::Annulus,
+        Self::RoundCone,
+        Self::RoundedCuboid,
         Self::Frame,
         Self::Affine,
     ];
@@ -61,13 +76,18 @@ impl Kind {
             Self::Triangle => "Triangle",
             Self::Cuboid => "Cuboid",
             Self::Rectangle => "Rectangle",
+            Self::Revolved => "Revolved",
+            Self::Tube => "Tube",
+            Self::Annulus => "Annulus",
+            Self::RoundCone => "RoundCone",
+            Self::RoundedCuboid => "RoundedCuboid",
             Self::Frame => "Frame",
             Self::Affine => "Affine",
         }
     }
 
-    const fn bit(self) -> u16 {
-        1 << self as u16
+    const fn bit(self) -> u32 {
+        1 << self as u32
     }
 }
 
@@ -87,7 +107,7 @@ impl fmt::Display for Kind {
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct KindSet(u16);
+pub struct KindSet(u32);
 
 impl KindSet {
     /// Every kind.
@@ -116,7 +136,7 @@ impl KindSet {
         Self(self.0 | kind.bit())
     }
 
-    /// How many kinds are in the set, 0 to 11.
+    /// How many kinds are in the set, 0 to 16.
     pub const fn len(self) -> usize {
         self.0.count_ones() as usize
     }

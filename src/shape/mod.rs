@@ -7,9 +7,21 @@
 //! | [`kinds`] | the primitives and placements that a program is compiled with |
 //! | `surface` | the surface at a hit |
 //! | `shaped` | what has a shape |
+//! | `known` | the crossings by a ray that is known to start inside, or outside |
+//! | [`combination`] | solids combined into one: union, intersection, difference |
+//! | `order` | the order of the crossings of many solids |
+//! | `combined` | what a shape holds if it is a [combination](crate::Combination) |
+//! | `ellipsoid` | balls that are stretched along the axes of a frame |
+//! | `distance` | which part of a solid's surface a point is on |
 
+pub mod combination;
+mod combined;
+mod distance;
+mod ellipsoid;
 mod kind;
 pub mod kinds;
+pub(crate) mod known;
+pub(crate) mod order;
 mod placement;
 mod primitive;
 mod queries;
@@ -19,29 +31,36 @@ mod stored;
 mod surface;
 mod visible;
 
+pub(crate) use combined::{Leaf, OnLeaf};
+pub use ellipsoid::Ellipsoid;
 pub use placement::Placement;
 pub use primitive::Primitive;
-pub use shaped::Shaped;
+pub use shaped::{HitsOf, Shaped};
 pub use surface::Surface;
 pub use visible::Visible;
 
 use crate::bounds;
 use crate::frame::Frame;
 use crate::geometry::{Bounds, Geometry};
-use crate::hit::{Hit, Hits};
+use crate::hit::{Hit, HitList};
 use crate::ladder::{self, ExactScalar};
 use crate::line::InWorld;
+use crate::part::Part;
 use crate::ray::Ray;
 use crate::scalar::Scalar;
 use crate::solve::{self, Of, Root};
 use crate::tier::{Precision, Stable, Tier};
 use crate::vector::Vec3;
+use combination::{Combination, Op};
+use combined::{Combined, Parts};
 use core::fmt;
-use kinds::{All, Kind, KindError, Kinds, OfKind, Places};
+use distance::Beside;
+use kinds::{All, Combining, Kind, KindError, Kinds, OfKind, Places, Primitives};
 use primitive::Member;
 use queries::{AllHits, Contains, Nearest, NeededPrecision, Occludes};
 
-/// Any primitive of the kinds `K`, placed in the world, one-sided or two-sided.
+/// Any primitive of the kinds `K`, placed in the world, one-sided or two-sided; or a
+/// [`Combination`], if the kinds are [`Combining`].
 ///
 /// ```
 /// use raylet::{Cone, Frame, Ray, Shape, UnitVec3, Vec3, Visible};
@@ -69,6 +88,8 @@ pub struct Shape<S: Scalar, K: Kinds = All> {
     member: Member<S, K>,
     placement: Placement<S>,
     visible: Visible,
+    /// If it is a combination, that is what counts, and not primitive and placement.
+    combined: K::Combined<S>,
 }
 
 /// Evaluates an expression with the shape's primitive and placement, the placement in its own type.
@@ -103,17 +124,33 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
         Self::unplaced(primitive.into())
     }
 
+    /// The primitive must be among the kinds.
+    const fn unplaced(primitive: Primitive<S>) -> Self {
+        let combined = <K::Combined<S> as Combined<S>>::NONE;
+        Self { member: Member::new(primitive), placement: Placement::World, visible: Visible::Both, combined }
+    }
+
+    /// The same shape, seen only from the given sides.
+    #[must_use]
+    pub const fn seen_from(self, visible: Visible) -> Self {
+        Self { visible, ..self }
+    }
+
+    /// The sides from which it is seen.
+    pub const fn visible(&self) -> Visible {
+        self.visible
+    }
+}
+
+/// What only a shape that is certainly a primitive has. A combination is placed by its leaves: see
+/// [`combination`](crate::shape::combination#placement).
+impl<S: Scalar, K: Primitives> Shape<S, K> {
     /// The same shape, placed by a [`Frame`], an [`Affine`](crate::Affine) or a [`Placement`]. The program does not
     /// compile if that is not among the kinds.
     #[must_use]
     pub fn placed(self, placement: impl Places<S>) -> Self {
         among::<K, _, _>(&placement);
         Self { placement: placement.into(), ..self }
-    }
-
-    /// The primitive must be among the kinds.
-    const fn unplaced(primitive: Primitive<S>) -> Self {
-        Self { member: Member::new(primitive), placement: Placement::World, visible: Visible::Both }
     }
 
     /// The same shape, placed by a frame as by [`Shape::placed`]; also for constants. The program does not compile if
@@ -147,14 +184,19 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
                 return Err(KindError { kind, among: L::SET });
             }
         }
-        let Self { member, placement, visible } = self;
-        Ok(Shape { member: Member::new(member.primitive), placement, visible })
+        Ok(self.of_other_kinds())
     }
 
-    /// The same shape, seen only from the given sides.
-    #[must_use]
-    pub const fn seen_from(self, visible: Visible) -> Self {
-        Self { visible, ..self }
+    /// Its primitive and placement must be among the other kinds.
+    const fn of_other_kinds<L: Kinds>(self) -> Shape<S, L> {
+        let (member, combined) = (Member::new(self.member.primitive), <L::Combined<S> as Combined<S>>::NONE);
+        Shape { member, placement: self.placement, visible: self.visible, combined }
+    }
+
+    /// The same primitive for a list that holds combinations of such primitives, too: see [`Combining`]. Also for
+    /// constants.
+    pub const fn beside_combinations<'a>(self) -> Shape<S, Combining<'a, K>> {
+        self.of_other_kinds()
     }
 
     /// The primitive.
@@ -186,41 +228,82 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
         }
     }
 
-    /// The sides from which it is seen.
-    pub const fn visible(&self) -> Visible {
-        self.visible
+    /// How far a point is from a part of the solid's surface; infinite if there is no such part.
+    pub(crate) fn distance_to(&self, part: Part, point: Vec3<S>) -> S {
+        Beside::new(&self.member, &self.placement, point).distance_to(part)
     }
 
+    /// The part of the solid's surface that a point is on, but for rounding: this one, if it is on that.
+    pub(crate) fn part_at(&self, preferred: Part, point: Vec3<S>) -> Option<Part> {
+        Beside::new(&self.member, &self.placement, point).part(preferred)
+    }
+}
+
+impl<'a, S: Scalar, L: Primitives> Shape<S, Combining<'a, L>> {
+    /// The shape of a combination, seen from both sides.
+    pub(crate) const fn combining(combination: &'a Combination<'a, S, L>) -> Self {
+        Self { combined: Some(combination), ..Self::unplaced(Primitive::Plane(crate::primitive::Plane::new())) }
+    }
+
+    /// The combination; `None` if the shape is a primitive.
+    ///
+    /// ```
+    /// use raylet::{Combination, Shape, Sphere};
+    /// let balls = [Shape::new(Sphere::new(1.0_f32)?); 2];
+    /// let both = Combination::union(&balls)?;
+    /// assert_eq!(both.shape().combination(), Some(&both));
+    /// assert_eq!(balls[0].beside_combinations().combination(), None);
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub const fn combination(&self) -> Option<&'a Combination<'a, S, L>> {
+        self.combined
+    }
+}
+
+impl<S: Scalar, K: Kinds> Shape<S, K> {
     /// All hits, sorted by `t`.
-    pub fn hits(&self, ray: &Ray<S>) -> Hits<S> {
+    pub fn hits(&self, ray: &Ray<S>) -> K::Hits<S> {
         self.hits_at::<Stable>(ray)
     }
 
     /// All hits, in a chosen accuracy tier.
-    pub fn hits_at<T: Tier<S>>(&self, ray: &Ray<S>) -> Hits<S> {
-        let mut hits = self.crossings_at::<T>(ray);
-        if self.visible != Visible::Both {
-            hits.retain(|hit| self.visible.sees(hit.crossing));
+    pub fn hits_at<T: Tier<S>>(&self, ray: &Ray<S>) -> K::Hits<S> {
+        if self.visible == Visible::Both {
+            return self.crossings_at::<T>(ray);
         }
+        let mut hits = self.crossings_at::<T>(ray);
+        hits.retain(|hit| self.visible.sees(hit.crossing));
         hits
     }
 
-    /// All hits, from whichever side the shape is seen.
-    #[inline(always)]
-    pub(crate) fn crossings_at<T: Tier<S>>(&self, ray: &Ray<S>) -> Hits<S> {
-        through!(self, |member, place| member.visit(AllHits::<S, T, _>::new(place, ray)))
+    /// All hits, from whichever side the shape is seen. A function of its own, so that a program finds the kind of a
+    /// shape for its hits in one place.
+    #[inline(never)]
+    pub(crate) fn crossings_at<T: Tier<S>>(&self, ray: &Ray<S>) -> K::Hits<S> {
+        let of_primitive = || through!(self, |member, place| member.visit(AllHits::<S, T, _>::new(place, ray)));
+        self.combined.hits::<T>(ray, of_primitive)
     }
 
-    /// The root at a hit of the ray of its part's equation; `None` if the number `N` does not know a sign.
-    pub(crate) fn root<N: Of<S>>(&self, ray: &Ray<S>, hit: &Hit<S>) -> Option<Root<N>> {
+    /// The root at a hit of the ray in the tier `T` of its part's equation; `None` if the number `N` does not know a
+    /// sign.
+    pub(crate) fn root<N: Of<S>, T: Tier<S>>(&self, ray: &Ray<S>, hit: &Hit<S>) -> Option<Root<N>> {
+        match self.combined.at::<T>(ray, hit) {
+            Some(on) => on.shape.own_root(&on.ray, &on.hit),
+            None => self.own_root(ray, hit),
+        }
+    }
+
+    /// The same of a primitive.
+    #[inline(always)]
+    fn own_root<N: Of<S>>(&self, ray: &Ray<S>, hit: &Hit<S>) -> Option<Root<N>> {
         let equations = self.member.equations();
         let line = through!(self, |_member, place| ladder::line::<S, N, Member<S, K>>(&equations, place, ray));
         let departed = ray.departure().map(|departure| departure.part);
         solve::root_at::<S, N, Member<S, K>>(&equations, hit, &line, departed)
     }
 
-    /// True for a solid, false for a surface without an inside: an open cylinder or cone, a plane, disc, triangle or
-    /// rectangle.
+    /// True for a solid, such as every combination; false for a surface without an inside: an open cylinder or cone, a
+    /// plane, disc, triangle or rectangle.
     ///
     /// ```
     /// use raylet::{Cylinder, Shape};
@@ -229,7 +312,7 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
     /// # Ok::<(), raylet::Error>(())
     /// ```
     pub fn is_solid(&self) -> bool {
-        self.member.equations().is_solid()
+        self.combined.is_combination() || self.member.equations().is_solid()
     }
 
     /// The visible hit with the smallest `t`.
@@ -239,6 +322,9 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
 
     /// The visible hit with the smallest `t`, in a chosen accuracy tier.
     pub fn nearest_at<T: Tier<S>>(&self, ray: &Ray<S>) -> Option<Hit<S>> {
+        if self.combined.is_combination() {
+            return self.combined.nearest::<T>(ray, self.visible);
+        }
         through!(self, |member, place| member.visit(Nearest::<S, T, _>::new(place, ray, self.visible)))
     }
 
@@ -249,21 +335,42 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
 
     /// True if there is any visible hit, in a chosen accuracy tier.
     pub fn occludes_at<T: Tier<S>>(&self, ray: &Ray<S>) -> bool {
+        if self.combined.is_combination() {
+            return self.combined.nearest::<T>(ray, self.visible).is_some();
+        }
         through!(self, |member, place| member.visit(Occludes::<S, T, _>::new(place, ray, self.visible)))
     }
 
-    /// True if the point belongs to the shape: inside or on a solid, on an open surface.
+    /// True if the point belongs to the shape: inside or on a solid, on an open surface; of a combination, as its
+    /// operations say of the leaves that contain the point.
     pub fn contains(&self, point: Vec3<S>) -> bool {
         self.contains_at::<Stable>(point)
     }
 
     /// True if the point belongs to the shape, in a chosen accuracy tier.
     pub fn contains_at<T: Tier<S>>(&self, point: Vec3<S>) -> bool {
+        if let Some(contains) = self.combined.contains::<T>(point) {
+            return contains;
+        }
         through!(self, |member, place| member.visit(Contains::<S, T, _>::new(place, point)))
     }
 
-    /// The precision that the tier [`Exact`](crate::tier::Exact) uses to decide this ray.
+    /// The precision that the tier [`Exact`](crate::tier::Exact) uses to decide this ray; of a combination, to decide
+    /// it at every leaf.
     pub fn precision(&self, ray: &Ray<S>) -> Precision
+    where
+        S: ExactScalar,
+    {
+        if let Some((leaves, _)) = self.combined.parts() {
+            let needs_integers = leaves.iter().any(|leaf| leaf.own_precision(ray) == Precision::Integers);
+            return if needs_integers { Precision::Integers } else { Precision::Filter };
+        }
+        self.own_precision(ray)
+    }
+
+    /// The same of a primitive.
+    #[inline(always)]
+    fn own_precision(&self, ray: &Ray<S>) -> Precision
     where
         S: ExactScalar,
     {
@@ -284,6 +391,9 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
     /// than 2^18 in `f32` and 2^47 in `f64`: a thin cuboid of half extents 2^60 apart in `f32` may be wider by
     /// thousands of units of its thickness, and contains the shape nevertheless.
     ///
+    /// That of a combination is made of the boxes of its leaves: the union of them, their intersection, or that of the
+    /// solid which others are subtracted from.
+    ///
     /// A side is infinite if the shape is infinite in that direction, if the coordinate is beyond the number type, or
     /// if a float overflows in the computation.
     ///
@@ -297,6 +407,26 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
     /// # Ok::<(), raylet::Error>(())
     /// ```
     pub fn bounds(&self) -> Bounds<S> {
+        match self.combined.parts() {
+            Some((leaves, operations)) => combination::bounds(leaves, operations, Shape::own_bounds),
+            None => self.own_bounds(),
+        }
+    }
+
+    /// The primitive and its placement, of a shape that is no combination.
+    #[inline(always)]
+    pub(crate) const fn own(&self) -> (&Primitive<S>, &Placement<S>) {
+        (&self.member.primitive, &self.placement)
+    }
+
+    /// The leaves and the operations, if it is a combination.
+    #[inline(always)]
+    pub(crate) fn combined(&self) -> Option<Parts<'_, S, K::Leaves, impl Iterator<Item = Op>>> {
+        self.combined.parts()
+    }
+
+    /// The box of a primitive.
+    pub(crate) fn own_bounds(&self) -> Bounds<S> {
         let hull = self.member.hull();
         match &self.placement {
             Placement::Frame(frame) if K::SET.contains(Kind::Frame) => {
@@ -313,7 +443,10 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
     /// method is called. `ray` must be the ray of the hit.
     #[inline]
     pub fn surface<'a>(&'a self, ray: &'a Ray<S>, hit: &'a Hit<S>) -> Surface<S, K> {
-        Surface::new(self, ray, hit)
+        match self.combined.at::<Stable>(ray, hit) {
+            Some(on) => Surface::new(&on.shape.of_other_kinds(), &on.ray, &on.hit, on.leaf),
+            None => Surface::new(self, ray, hit, <K::Combined<S> as Combined<S>>::NO_LEAF),
+        }
     }
 }
 
@@ -327,6 +460,9 @@ const fn among<K: Kinds, S: Scalar, P: Places<S>>(_: &P) {
 impl<S: Scalar, K: Kinds> fmt::Debug for Shape<S, K> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut written = f.debug_struct("Shape");
+        if self.combined.is_combination() {
+            return written.field("combination", &self.combined).field("visible", &self.visible).finish();
+        }
         written.field("primitive", &self.member.primitive).field("placement", &self.placement);
         written.field("visible", &self.visible).finish()
     }

@@ -9,7 +9,10 @@ use crate::geometry::{Bounds, Geometry, Hull};
 use crate::hit::Hit;
 use crate::intersection::Intersection;
 use crate::part::Part;
-use crate::primitive::{Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, Sphere, Triangle};
+use crate::primitive::{
+    Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, Revolved, RoundCone, RoundedCuboid, Sphere,
+    Triangle, Tube,
+};
 use crate::ray::Ray;
 use crate::scalar::{Including, Scalar, UnitScalar};
 use crate::solve::{self, Goal, LocalRay, Of};
@@ -96,13 +99,10 @@ macro_rules! primitives {
         /// among the kinds, which no shape has.
         macro_rules! with {
             ($of:ident, |$primitive:ident| $answer:expr, $none:expr) => {
-                // There is no wildcard arm: the compiler does not know that it would be unreachable.
+                // One arm for all that are not among the kinds: an arm for each would take some bytes each time.
                 match &$of.primitive {
-                    $(
-                        Primitive::$Variant($primitive) => {
-                            if K::SET.contains(Kind::$Variant) { $answer } else { $none }
-                        }
-                    )+
+                    $(Primitive::$Variant($primitive) if K::SET.contains(Kind::$Variant) => $answer,)+
+                    _ => $none,
                 }
             };
         }
@@ -112,21 +112,47 @@ macro_rules! primitives {
             ($of:ident, |$primitive:ident| $answer:expr, $none:expr) => {
                 match &$of.primitive {
                     $(
-                        Primitive::$Variant($primitive) => {
-                            if K::SET.contains(Kind::$Variant) {
-                                Member { primitive: Primitive::$Variant($answer), kinds: PhantomData }
-                            } else {
-                                $none
-                            }
+                        Primitive::$Variant($primitive) if K::SET.contains(Kind::$Variant) => {
+                            Member { primitive: Primitive::$Variant($answer), kinds: PhantomData }
                         }
                     )+
+                    _ => $none,
                 }
             };
         }
     };
 }
 
-primitives!(Sphere, Cylinder, Cone, Capsule, Plane, Disc, Triangle, Cuboid, Rectangle);
+primitives!(
+    Sphere,
+    Cylinder,
+    Cone,
+    Capsule,
+    Plane,
+    Disc,
+    Triangle,
+    Cuboid,
+    Rectangle,
+    Revolved,
+    Tube,
+    Annulus,
+    RoundCone,
+    RoundedCuboid
+);
+
+impl<S: Scalar> Primitive<S> {
+    /// The most crossings that a line can have with the solid; zero of a surface without an inside.
+    pub(crate) const fn most_crossings(&self) -> usize {
+        match self {
+            Self::Sphere(_) | Self::Capsule(_) | Self::RoundCone(_) | Self::Cuboid(_) | Self::RoundedCuboid(_) => 2,
+            Self::Cylinder(cylinder) => cylinder.extent().most_crossings(),
+            Self::Cone(cone) => cone.extent().most_crossings(),
+            Self::Revolved(revolved) => revolved.most_crossings(),
+            Self::Tube(_) => 4,
+            Self::Plane(_) | Self::Disc(_) | Self::Annulus(_) | Self::Triangle(_) | Self::Rectangle(_) => 0,
+        }
+    }
+}
 
 /// A primitive that is among the kinds `K`.
 #[derive(Clone, Copy, PartialEq)]

@@ -37,3 +37,6 @@ impl<S: Scalar, K: Kinds> Shaped<S> for Shape<S, K> {
         self
     }
 }
+
+/// All hits of a ray with the shape of an `X`: [`Hits`](crate::Hits), of the capacity that the kinds need.
+pub type HitsOf<S, X> = <<X as Shaped<S>>::Kinds as Kinds>::Hits<S>;

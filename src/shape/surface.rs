@@ -6,10 +6,12 @@
 mod corrected;
 mod exact;
 
-use super::kinds::{All, Kind, Kinds};
+use super::combined::Combined;
+use super::kinds::{All, Combining, Kind, Kinds, Primitives};
 use super::primitive::Member;
 use super::{Placement, Shape};
 use crate::affine::Affine;
+use crate::equations::{Described, EquationKinds, Equations};
 use crate::frame::Frame;
 use crate::geometry::Geometry;
 use crate::hit::{Crossing, Hit};
@@ -28,12 +30,36 @@ pub struct Surface<S: Scalar, K: Kinds = All> {
     shape: Shape<S, K>,
     ray: Ray<S>,
     hit: Hit<S>,
+    leaf: LeafOf<S, K>,
+}
+
+/// What is known of the leaf of a combination; nothing of a primitive.
+type LeafOf<S, K> = <<K as Kinds>::Combined<S> as Combined<S>>::Leaf;
+
+impl<S: Scalar, L: Primitives> Surface<S, Combining<'_, L>> {
+    /// The index of the leaf that the hit is on; `None` if the shape is a primitive.
+    ///
+    /// ```
+    /// use raylet::{Combination, Cuboid, Ray, Shape, Sphere, UnitVec3, Vec3};
+    /// let leaves = [Shape::new(Cuboid::new(1.0_f32, 1.0, 1.0)?), Shape::new(Sphere::new(1.25)?)];
+    /// let corners = Combination::difference(&leaves)?;
+    /// let shape = corners.shape();
+    /// let ray = Ray::new(Vec3::new(-5.0, 0.875, 0.875), UnitVec3::X)?;
+    /// let leaf_of = |hit| shape.surface(&ray, &hit).leaf();
+    /// // In at the face, out into the ball, in again out of the ball, out at the face.
+    /// let leaves: Vec<_> = shape.hits(&ray).into_iter().map(leaf_of).collect();
+    /// assert_eq!(leaves, [Some(0), Some(1), Some(1), Some(0)]);
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub fn leaf(&self) -> Option<u32> {
+        self.leaf.map(|leaf| leaf.index)
+    }
 }
 
 impl<S: Scalar, K: Kinds> Surface<S, K> {
     #[inline]
-    pub(super) const fn new(shape: &Shape<S, K>, ray: &Ray<S>, hit: &Hit<S>) -> Self {
-        Self { shape: *shape, ray: *ray, hit: *hit }
+    pub(super) const fn new(shape: &Shape<S, K>, ray: &Ray<S>, hit: &Hit<S>, leaf: LeafOf<S, K>) -> Self {
+        Self { shape: *shape, ray: *ray, hit: *hit, leaf }
     }
 
     /// The point in the primitive's own coordinates, on its surface. It is accurate however far away the ray starts.
@@ -100,8 +126,13 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
     }
 
     /// The outward unit normal in the world. For an open surface it points away from the axis, for a flat one to the
-    /// front.
+    /// front. That of a combination points out of the result: where a leaf is subtracted, into the leaf.
     pub fn normal(&self) -> UnitVec3<S> {
+        if <K::Combined<S> as Combined<S>>::is_turned(self.leaf) { -self.own_normal() } else { self.own_normal() }
+    }
+
+    /// The outward normal of the primitive.
+    fn own_normal(&self) -> UnitVec3<S> {
         let rough = self.rough_local_point();
         if self.needs_exact_normal(rough)
             && let Some(normal) = self.corrected_normal(rough).or_else(|| self.exact_normal())
@@ -118,14 +149,19 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
     }
 
     /// False if a rotation spreads the rounding error of a large coordinate to smaller ones, so that the surface curves
-    /// more than these resolve.
+    /// more than these resolve; or if the core of a rounded cuboid takes the leading digits of its coordinates.
     fn is_turned_finely(&self, local: Vec3<S>, bend: S) -> bool {
-        match self.shape.placement {
-            Placement::Frame(_) if S::RELATIVE && K::SET.contains(Kind::Frame) => {
-                S::resolves(largest([local.x, local.y, local.z]), bend)
-            }
-            _ => true,
+        let is_turned = matches!(self.shape.placement, Placement::Frame(_) if K::SET.contains(Kind::Frame));
+        if S::RELATIVE && (is_turned || self.is_about_a_core()) {
+            return S::resolves(largest([local.x, local.y, local.z]), bend);
         }
+        true
+    }
+
+    /// True if the primitive is a rounded cuboid.
+    fn is_about_a_core(&self) -> bool {
+        Member::<S, K>::EQUATIONS.has(EquationKinds::ROUNDED_CUBOID)
+            && matches!(self.shape.member.equations(), Equations::RoundedCuboid { .. })
     }
 
     /// True if the placement changes lengths, and with them the rounding error of `t`.
@@ -197,8 +233,13 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
 
     /// The equation of the part's surface along a line in the primitive's frame, in these numbers.
     #[inline(always)]
-    fn equation<N: Ring>(&self, line: &Line<N>, number: impl Fn(S) -> N + Copy) -> solve::Surface<N> {
-        solve::surface_of::<S, N, Member<S, K>>(&self.shape.member.equations(), self.hit.part, line, number)
+    fn equation<N: Ring>(
+        &self,
+        equations: &Equations<S>,
+        line: &Line<N>,
+        number: impl Fn(S) -> N + Copy,
+    ) -> solve::Surface<N> {
+        solve::surface_of::<S, N, Member<S, K>>(equations, self.hit.part, line, number)
     }
 
     fn is_ball(&self) -> bool {

@@ -1,15 +1,15 @@
 //! The crossings of many solids along one ray, in order.
 
-use super::order::{self, Entry};
-use super::start::{MOST_DEPARTURES, stays};
+use super::start::MOST_DEPARTURES;
 use super::{SolidSet, Start, StartError, queries};
 use crate::hierarchy::Shapes;
-use crate::hit::{Crossing, Hit};
+use crate::hit::{Crossing, Hit, HitList};
 use crate::ray::{Departure, Leaving, Ray};
 use crate::scalar::Scalar;
+use crate::shape::known::stays;
+use crate::shape::order::{self, Entry, Ordered};
 use crate::shape::{Shape, Shaped};
 use crate::tier::{Stable, Tier};
-use core::cmp::Ordering;
 use core::fmt;
 use core::ops::ControlFlow;
 
@@ -76,7 +76,7 @@ impl<S: Scalar, X: Shaped<S>> List<S> for Shapes<'_, S, X> {
 /// All crossings of the solids of a list by a ray, in order, at most `N`; and the set of solids that the ray is inside
 /// of between them. `W` is the number of words of a [`SolidSet`].
 ///
-/// The order, and the rule at equal `t`, are those of [`solids`](super). Open surfaces (a disc, a triangle, a tube
+/// The order, and the rule at equal `t`, are those of [`solids`](super). Open surfaces (a disc, a triangle, a cylinder
 /// without caps) have crossings too, at which the set does not change. A one-sided shape is crossed from both sides.
 /// A ray that lies in a surface does not cross it.
 ///
@@ -110,7 +110,7 @@ impl<S: Scalar, X: Shaped<S>> List<S> for Shapes<'_, S, X> {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Crossings<S: Scalar, const N: usize, const W: usize = 1> {
-    list: heapless::Vec<Entry<S>, N>,
+    list: Ordered<S, N>,
     inside: SolidSet<W>,
     ray: Ray<S>,
     departures: heapless::Vec<Departure, MOST_DEPARTURES>,
@@ -146,13 +146,18 @@ impl<S: Scalar, const N: usize, const W: usize> Crossings<S, N, W> {
             // Cannot be full: the start has as much room.
             let _ = departures.push(*departure);
         }
-        let mut found = Self { list: heapless::Vec::new(), inside, ray: *ray, departures };
-        let mut result = Ok(());
-        queries::each(solids, ray, start, |solid, shape| {
-            result = found.add::<T, _>(shapes, solid, shape.shape(), ray, start);
-            if result.is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        // Filled where it is returned: it is large.
+        let mut result = Ok(Self { list: Ordered::new(), inside, ray: *ray, departures });
+        queries::each(solids, ray, start, |solid, shape, own| {
+            if let Ok(found) = &mut result
+                && let Err(full) = found.add::<T, _>(shapes, solid, shape.shape(), own, start)
+            {
+                result = Err(full);
+                return ControlFlow::Break(());
+            }
+            ControlFlow::Continue(())
         });
-        result.map(|()| found)
+        result
     }
 
     /// Adds the crossings of one solid.
@@ -161,28 +166,34 @@ impl<S: Scalar, const N: usize, const W: usize> Crossings<S, N, W> {
         shapes: &[X],
         solid: u32,
         shape: &Shape<S, X::Kinds>,
-        ray: &Ray<S>,
+        own: &Ray<S>,
         start: &Start<W>,
     ) -> Result<(), CrossingsError> {
-        let own = start.ray_for(ray, solid);
-        let hits = start.crossings_of::<S, T, X::Kinds>(&own, solid, shape);
+        let knows_nothing = start.inside().is_none() && own.departure().is_none();
+        let hits = if knows_nothing {
+            let hits = shape.crossings_at::<T>(own);
+            // Of many solids most are missed.
+            if hits.is_empty() && !hits.starts_inside() {
+                return Ok(());
+            }
+            (hits, false)
+        } else {
+            start.crossings_of::<S, T, X::Kinds>(own, solid, shape)
+        };
         // What a departure says holds whatever else is known of the start.
         let is_inside = match own.departure() {
             Some(departure) if shape.is_solid() => Some(departure.leaving == Leaving::Inwards),
             _ => start.inside().is_none().then(|| hits.0.starts_inside()),
         };
-        if let Some(is_inside) = is_inside {
+        if let Some(is_inside) = is_inside
+            && is_inside != self.inside.contains(solid)
+        {
             self.inside = if is_inside { self.inside.with(solid) } else { self.inside.without(solid) };
         }
-        let located = order::located(shapes, ray, start);
-        for mut entry in order::entries::<S, T, _, _>(solid, shape, &hits, &located) {
-            let place = self.list.iter().rposition(|other| {
-                other.solid == solid || order::order::<S, T, _>(other, &entry, &located) == Ordering::Less
-            });
-            // Each of the later ones moves up by one place.
-            let later = self.list.iter_mut().skip(place.map_or(0, |place| place + 1));
-            later.for_each(|later| core::mem::swap(later, &mut entry));
-            self.list.push(entry).map_err(|_| CrossingsError::Full { capacity: N })?;
+        let ray = self.ray;
+        let located = start.located::<S, T, _>(shapes, &ray);
+        for entry in order::entries::<S, T, _, _>(solid, shape, &hits, &located) {
+            self.list.insert::<T, _>(entry, &located).map_err(|_| CrossingsError::Full { capacity: N })?;
         }
         Ok(())
     }
@@ -282,6 +293,7 @@ impl<'a, S: Scalar, const N: usize, const W: usize> IntoIterator for &'a Crossin
 
 /// A crossing of one of many solids.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(bound = "S: Scalar"))]
 pub struct SolidCrossing<S, const W: usize = 1> {
     /// The index of the solid in its list.
     pub solid: u32,

@@ -6,14 +6,13 @@
 //! | `start` | what is known of a ray's start: the solids that it is inside of, the surfaces that it departs from |
 //! | `crossings` | the crossings of all solids of a list, in order |
 //! | `queries` | the nearest crossing, and occlusion |
-//! | `order` | the order of two crossings |
 //!
 //! # The order
 //!
 //! Crossings are ordered by their `t`: in [`Exact`](crate::Exact) by the exact one, in the other tiers by the rounded
 //! one. At equal `t` exits come first, then touches, then entries, and among these the solid of the lower index. So a
-//! ray that goes from one solid into another that touches it is inside of neither in between, and never of both. An exit
-//! at the `t` of its own entry comes after that: each solid's crossings keep their order.
+//! ray that goes from one solid into another that touches it is inside of neither in between, and never of both. An
+//! exit at the `t` of its own entry comes after that: each solid's crossings keep their order.
 //!
 //! # Which solids a point lies in
 //!
@@ -24,7 +23,6 @@
 //! its path may hit it from one of them and miss it from the next.)
 
 mod crossings;
-mod order;
 mod queries;
 mod set;
 mod start;

@@ -1,40 +1,35 @@
 //! The nearest hit and occlusion of many solids by a ray whose start is known.
 
-use super::order::{self, Entry};
 use super::{List, Start};
 use crate::hit::Hit;
 use crate::ray::{Range, Ray};
 use crate::scalar::Scalar;
 use crate::shape::Shaped;
+use crate::shape::order::{self, Entry};
 use crate::tier::Tier;
 use core::ops::ControlFlow;
 
-/// Calls `test` with every solid of a list that a ray may meet, until it breaks: first those whose result does not
-/// follow from where the ray is, so that no box may exclude them.
+/// Calls `test` with every solid of a list that a ray may meet, and its ray, until it breaks: first those whose result
+/// does not follow from where the ray is, so that no box may exclude them. The ray of all others is the same one.
 pub(super) fn each<S: Scalar, L: List<S> + ?Sized, const W: usize>(
     solids: &L,
     ray: &Ray<S>,
     start: &Start<W>,
-    mut test: impl FnMut(u32, &L::Item) -> ControlFlow<()>,
+    mut test: impl FnMut(u32, &L::Item, &Ray<S>) -> ControlFlow<()>,
 ) {
-    let shapes = solids.list();
+    let (shapes, plain) = (solids.list(), ray.without_departure());
     let is_known =
         |solid: u32| start.knows(solid) || ray.departure().is_some_and(|departure| departure.object == solid);
-    let mut seen = |solid: u32| match shapes.get(solid as usize) {
-        Some(shape) if !start.leaves_out(solid) => test(solid, shape),
+    let mut seen = |solid: u32, own: &Ray<S>| match shapes.get(solid as usize) {
+        Some(shape) if !start.leaves_out(solid) => test(solid, shape, own),
         _ => ControlFlow::Continue(()),
     };
     for (solid, _) in (0_u32..).zip(shapes) {
-        if is_known(solid) && seen(solid).is_break() {
+        if is_known(solid) && seen(solid, &start.ray_for(ray, solid)).is_break() {
             return;
         }
     }
-    solids.visit(
-        &ray.without_departure(),
-        |solid| {
-            if is_known(solid) { ControlFlow::Continue(()) } else { seen(solid) }
-        },
-    );
+    solids.visit(&plain, |solid| if is_known(solid) { ControlFlow::Continue(()) } else { seen(solid, &plain) });
 }
 
 /// The first visible crossing of a ray among many solids, and the index of its solid: that of
@@ -56,11 +51,11 @@ pub fn nearest<S: Scalar, T: Tier<S>, const W: usize>(
     ray: &Ray<S>,
     start: &Start<W>,
 ) -> Option<(u32, Hit<S>)> {
-    let located = order::located(solids.list(), ray, start);
+    let located = start.located::<S, T, _>(solids.list(), ray);
     let mut nearest: Option<Entry<S>> = None;
-    each(solids, ray, start, |solid, shape| {
+    each(solids, ray, start, |solid, shape, own| {
         let shape = shape.shape();
-        let hits = start.crossings_of::<S, T, _>(&start.ray_for(ray, solid), solid, shape);
+        let hits = start.crossings_of::<S, T, _>(own, solid, shape);
         let first = order::entries::<S, T, _, _>(solid, shape, &hits, &located)
             .find(|entry| shape.visible().sees(entry.hit.crossing));
         if let Some(entry) = first
@@ -96,15 +91,14 @@ pub fn occludes<S: Scalar, T: Tier<S>, const W: usize>(
     start: &Start<W>,
 ) -> bool {
     let mut is_hit = false;
-    each(solids, ray, start, |solid, shape| {
-        let (shape, own, arrives) = (shape.shape(), start.ray_for(ray, solid), start.arrives_at(solid));
+    each(solids, ray, start, |solid, shape, own| {
+        let (shape, arrives) = (shape.shape(), start.arrives_at(solid));
         let end = ray.range().end();
         // The crossing at which it arrives may lie behind the end, by rounding.
-        let own = match (arrives, Range::from(ray.range().start())) {
-            (Some(_), Ok(range)) => own.with_range(range),
-            _ => own,
+        let (hits, _) = match (arrives, Range::from(ray.range().start())) {
+            (Some(_), Ok(range)) => start.crossings_of::<S, T, _>(&own.with_range(range), solid, shape),
+            _ => start.crossings_of::<S, T, _>(own, solid, shape),
         };
-        let (hits, _) = start.crossings_of::<S, T, _>(&own, solid, shape);
         let (mut before, mut nearest) = (hits.len(), S::INFINITY);
         for (index, hit) in hits.iter().enumerate().filter(|(_, hit)| Some(hit.crossing) == arrives) {
             let from_end = hit.t.minus(end).magnitude();

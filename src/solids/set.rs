@@ -73,6 +73,45 @@ impl<const W: usize> SolidSet<W> {
     }
 }
 
+/// As the list of its solids.
+#[cfg(feature = "serde")]
+impl<const W: usize> serde::Serialize for SolidSet<W> {
+    fn serialize<T: serde::Serializer>(&self, serializer: T) -> Result<T::Ok, T::Error> {
+        serializer.collect_seq(self.iter())
+    }
+}
+
+#[cfg(feature = "serde")]
+impl<'de, const W: usize> serde::Deserialize<'de> for SolidSet<W> {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_seq(Listed)
+    }
+}
+
+/// Reads a list of solids.
+#[cfg(feature = "serde")]
+struct Listed<const W: usize>;
+
+#[cfg(feature = "serde")]
+impl<'de, const W: usize> serde::de::Visitor<'de> for Listed<W> {
+    type Value = SolidSet<W>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "a list of solids with indices below {}", SolidSet::<W>::CAPACITY)
+    }
+
+    fn visit_seq<A: serde::de::SeqAccess<'de>>(self, mut list: A) -> Result<SolidSet<W>, A::Error> {
+        let mut set = SolidSet::EMPTY;
+        while let Some(solid) = list.next_element::<u32>()? {
+            set = set.with(solid);
+            if !set.contains(solid) {
+                return Err(serde::de::Error::invalid_value(serde::de::Unexpected::Unsigned(solid.into()), &self));
+            }
+        }
+        Ok(set)
+    }
+}
+
 impl<const W: usize> Default for SolidSet<W> {
     fn default() -> Self {
         Self::EMPTY

@@ -1,12 +1,12 @@
 //! What is known of a ray's start among solids, beside its coordinates.
 
 use super::SolidSet;
-use crate::hit::{Crossing, Hit, Hits};
-use crate::part::Part;
-use crate::ray::{Departure, Leaving, Range, Ray};
-use crate::scalar::{Scalar, largest};
-use crate::shape::Shape;
+use crate::hit::Crossing;
+use crate::ray::{Departure, Leaving, Ray};
+use crate::scalar::Scalar;
 use crate::shape::kinds::Kinds;
+use crate::shape::order::{Entry, Located};
+use crate::shape::{Shape, Shaped, known};
 use crate::tier::Tier;
 use core::fmt;
 
@@ -21,6 +21,8 @@ pub(super) const MOST_DEPARTURES: usize = 8;
 /// [`Crossings::start_before`](super::Crossings::start_before). Its rounded coordinates then decide neither of what it
 /// is inside nor of what it departs from.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Start<const W: usize = 1> {
     /// The solids that it is inside of; `None` if the coordinates decide.
     inside: Option<SolidSet<W>>,
@@ -40,8 +42,8 @@ impl<const W: usize> Start<W> {
         Self { inside: Some(solids), departures: heapless::Vec::new(), left_out: SolidSet::EMPTY, arrival: None }
     }
 
-    /// The same start, departing from one more surface. A ray that departs from a solid inwards is inside of it, and one
-    /// that departs outwards is not, whatever set was given.
+    /// The same start, departing from one more surface. A ray that departs from a solid inwards is inside of it, and
+    /// one that departs outwards is not, whatever set was given.
     ///
     /// # Errors
     ///
@@ -59,9 +61,9 @@ impl<const W: usize> Start<W> {
         Self { left_out: solids, ..self }
     }
 
-    /// The same start of a segment that ends at a surface: the crossing there does not [occlude](super::occludes) it. The
-    /// surface is given as the departure of the reversed segment; so [`Leaving::Outwards`] is one that is reached from
-    /// outside.
+    /// The same start of a segment that ends at a surface: the crossing there does not [occlude](super::occludes) it.
+    /// The surface is given as the departure of the reversed segment; so [`Leaving::Outwards`] is one that is reached
+    /// from outside.
     #[must_use]
     pub fn arriving(self, at: Departure) -> Self {
         Self { arrival: Some(at), ..self }
@@ -116,6 +118,18 @@ impl<const W: usize> Start<W> {
         }
     }
 
+    /// Finds the solid of a crossing in its list, and the ray that it was tested with.
+    pub(super) fn located<'a, S: Scalar, T, X: Shaped<S>>(
+        &self,
+        shapes: &'a [X],
+        ray: &Ray<S>,
+    ) -> impl Fn(&Entry<S>) -> Option<Located<'a, S, X::Kinds, T>> {
+        |entry| {
+            let shape = shapes.get(entry.solid as usize)?.shape();
+            Some(Located::new(self.ray_for(ray, entry.solid), shape, entry))
+        }
+    }
+
     /// The crossings of one solid by its ray. They alternate, beginning with an exit if the ray is inside. Also whether
     /// the first of them was moved to the start.
     pub(super) fn crossings_of<S: Scalar, T: Tier<S>, K: Kinds>(
@@ -123,69 +137,10 @@ impl<const W: usize> Start<W> {
         ray: &Ray<S>,
         solid: u32,
         shape: &Shape<S, K>,
-    ) -> (Hits<S>, bool) {
-        let mut hits = shape.crossings_at::<T>(ray);
-        if self.inside.is_some()
-            && ray.departure().is_some()
-            && let [exit, enter, ..] = *hits
-            && (exit.crossing, enter.crossing) == (Crossing::Exit, Crossing::Enter)
-            && stays(ray, enter.t)
-        {
-            // At the apex of a double cone the gap between the nappes may be less than a rounding of the point, and the
-            // ray would meet it again and again.
-            hits.retain(|hit| *hit != exit && *hit != enter);
-        }
-        match self.inside {
-            Some(inside)
-                if ray.departure().is_none() && shape.is_solid() && hits.starts_inside() != inside.contains(solid) =>
-            {
-                corrected::<S, T, K>(ray, shape, &hits, inside.contains(solid))
-            }
-            _ => (hits, false),
-        }
+    ) -> (K::Hits<S>, bool) {
+        let is_inside = self.inside.map(|inside| inside.contains(solid));
+        known::crossings::<S, T, K>(ray, shape, is_inside)
     }
-}
-
-/// True if the point at `t` is the ray's start, but for a rounding of its largest coordinate. (Others may be next to
-/// zero, where a float is finer.)
-pub(super) fn stays<S: Scalar>(ray: &Ray<S>, t: S) -> bool {
-    let reach = largest(ray.origin().to_array());
-    ray.at(t) == ray.origin() || reach.plus(t) == reach
-}
-
-/// The crossings of a solid whose rounded coordinates contradict what is known: that the ray starts inside of it, or
-/// that it does not. Rounding has moved the start across the nearer of the two crossings around it.
-#[cold]
-fn corrected<S: Scalar, T: Tier<S>, K: Kinds>(
-    ray: &Ray<S>,
-    shape: &Shape<S, K>,
-    hits: &Hits<S>,
-    is_inside: bool,
-) -> (Hits<S>, bool) {
-    let start = ray.range().start();
-    let line = shape.crossings_at::<T>(&ray.with_range(Range::line()));
-    // Known to be inside and computed to be outside, the ray has not left at the last exit, or it has entered at the
-    // next entry; and so on.
-    let (missed, passed) =
-        if is_inside { (Crossing::Exit, Crossing::Enter) } else { (Crossing::Enter, Crossing::Exit) };
-    let behind = line.iter().rfind(|hit| hit.crossing == missed && hit.t <= start);
-    let ahead = hits.iter().position(|hit| hit.crossing == passed);
-    let is_behind = match (behind, ahead.and_then(|ahead| hits.get(ahead))) {
-        (Some(behind), Some(ahead)) => start.minus(behind.t) <= ahead.t.minus(start),
-        (None, Some(_)) => false,
-        (_, None) => true,
-    };
-    let mut corrected = Hits::none();
-    if is_inside {
-        corrected.start_inside();
-    }
-    if is_behind {
-        let part = behind.map_or(Part::Side, |hit| hit.part);
-        corrected.push(Hit { t: start, part, crossing: missed });
-    }
-    let skipped = if is_behind { 0 } else { ahead.map_or(0, |ahead| ahead + 1) };
-    hits.iter().skip(skipped).for_each(|hit| corrected.push(*hit));
-    (corrected, is_behind)
 }
 
 impl<const W: usize> Default for Start<W> {

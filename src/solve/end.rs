@@ -121,17 +121,17 @@ impl<N: Number> Interval<N> {
 }
 
 /// The order of roots and planes along a line, by the signs of polynomials.
-pub(super) trait Curve<N> {
+pub(super) trait Curve<N: Number> {
     /// How the end compares with the parameter `t`.
-    fn order_by_signs(&self, place: Place<N>, t: Fraction<N>) -> Option<Ordering>;
+    fn order_by_signs(&self, end: &End<N>, t: Fraction<N>) -> Option<Ordering>;
 }
 
 /// Of flat parts, which have no roots.
 pub(super) struct Flat;
 
 impl<N: Number> Curve<N> for Flat {
-    fn order_by_signs(&self, place: Place<N>, t: Fraction<N>) -> Option<Ordering> {
-        match place {
+    fn order_by_signs(&self, end: &End<N>, t: Fraction<N>) -> Option<Ordering> {
+        match end.place {
             Place::At(own) => own.order(t),
             Place::First | Place::Second | Place::Missing => None,
         }
@@ -142,7 +142,7 @@ impl<N: Number> Curve<N> for Flat {
 #[inline(always)]
 pub(super) fn order<N: Number>(curve: &impl Curve<N>, end: &End<N>, other: &End<N>) -> Attempt<Ordering> {
     let by_signs = || match other.place {
-        Place::At(t) if N::DECIDES_BY_SIGNS => curve.order_by_signs(end.place, t),
+        Place::At(t) if N::DECIDES_BY_SIGNS => curve.order_by_signs(end, t),
         _ => None,
     };
     known(end.t.compare(other.t).or_else(by_signs))
@@ -166,11 +166,7 @@ pub(super) fn compare<S: Scalar, N: Of<S>>(
     bound: S,
 ) -> Option<Ordering> {
     let by_signs = || {
-        if N::DECIDES_BY_SIGNS {
-            curve.order_by_signs(end.place, Fraction { n: N::scalar(bound), e: N::ONE })
-        } else {
-            None
-        }
+        if N::DECIDES_BY_SIGNS { curve.order_by_signs(end, Fraction { n: N::scalar(bound), e: N::ONE }) } else { None }
     };
     ToScalar::<S>::whole(end.t, line.start).compare(<N::Estimate as ToScalar<S>>::of(bound)).or_else(by_signs)
 }
@@ -237,10 +233,7 @@ pub(super) fn span<S: Scalar, N: Of<S>>(
 ) -> Attempt<Span<S>> {
     let enter = settled(curve, line, &interval.enter, range)?;
     let exit = settled(curve, line, &interval.exit, range)?;
-    // The ends of a touch are one point, although they may be rounded differently.
-    let is_moved = interval.touch || exit.t < enter.t;
-    let exit = if is_moved { intersection::End { t: enter.t, ..exit } } else { exit };
-    Ok(Span { enter, exit, touch: interval.touch })
+    Ok(Span::joined(enter, exit, interval.touch))
 }
 
 /// The intersection with a solid, one interval.
@@ -270,4 +263,20 @@ pub(super) fn inwards<S: Scalar, N: Of<S>>(
     let exit = if is_behind { End::start(exit.part) } else { *exit };
     let exit = settled(curve, line, &exit, range)?;
     Ok(Intersection::One(Span::new(intersection::End::none(-S::INFINITY), exit)))
+}
+
+/// The intersection with a solid that the line leaves and enters again: the first interval, and the second one, if
+/// there is one.
+pub(super) fn and_again<S: Scalar, N: Of<S>>(
+    curve: &impl Curve<N>,
+    line: &LocalRay<N>,
+    first: Intersection<S>,
+    second: &Attempt<Interval<N>>,
+    range: Range<S>,
+) -> Attempt<Intersection<S>> {
+    match (first, second) {
+        (Intersection::One(first), Ok(second)) => Ok(Intersection::in_order(first, span(curve, line, second, range)?)),
+        (_, Err(Stop::Unsure)) => Err(Stop::Unsure),
+        (first, _) => Ok(first),
+    }
 }

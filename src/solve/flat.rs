@@ -4,7 +4,7 @@ use super::attempt::{Attempt, Stop, known};
 use super::end::{End, Flat, Fraction, Goal, Interval, Of, span};
 use super::local_ray::LocalRay;
 use super::quadratic::{Inside, Quadratic};
-use super::quadric::Tube;
+use super::quadric::Cylinder;
 use crate::intersection::{self, Intersection, Span};
 use crate::number::{Difference, Estimate, Number, cross, difference, dot};
 use crate::part::Part;
@@ -41,11 +41,37 @@ pub(crate) fn plane<S: Scalar, N: Of<S>>(line: &LocalRay<N>, goal: Goal<S>) -> A
 /// The disc of this radius in the plane `y = 0`.
 #[inline(always)]
 pub(crate) fn disc<S: Scalar, N: Of<S>>(line: &LocalRay<N>, radius: S, goal: Goal<S>) -> Attempt<Intersection<S>> {
-    let ([x, y, z], [dx, dy, dz], r) = (line.origin, line.direction, N::scalar(radius));
-    let climb = known(dy.sign_among(Difference::Signs, || N::ONE))?;
+    let climb = known(line.direction[1].sign_among(Difference::Signs, || N::ONE))?;
     if climb == Ordering::Equal {
-        return chord_of_disc(line, r, goal);
+        return chord_of_disc(line, N::scalar(radius), goal);
     }
+    if from_circle(line, N::scalar(radius))? == Ordering::Greater {
+        return Err(Stop::Miss);
+    }
+    crossing(line, Fraction { n: -line.origin[1], e: line.direction[1] }, climb, goal)
+}
+
+/// The part of the plane `y = 0` between two circles.
+#[inline(always)]
+pub(crate) fn annulus<S: Scalar, N: Of<S>>(
+    line: &LocalRay<N>,
+    [inner, outer]: [S; 2],
+    goal: Goal<S>,
+) -> Attempt<Intersection<S>> {
+    let hit = disc(line, outer, goal)?;
+    let is_in_the_hole = match hit {
+        // In the plane the chord of the disc counts, also across the hole.
+        Intersection::LiesIn(_) => false,
+        _ => from_circle(line, N::scalar(inner))? == Ordering::Less,
+    };
+    if is_in_the_hole { Err(Stop::Miss) } else { Ok(hit) }
+}
+
+/// Where the line crosses the plane `y = 0`: inside the circle of radius `r` about the origin (`Less`), on it, or
+/// outside.
+#[inline(always)]
+fn from_circle<N: Number>(line: &LocalRay<N>, r: N) -> Attempt<Ordering> {
+    let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
     // |p|^2 <= r^2 where the line crosses the plane, times dy^2.
     let (wx, wz, rim) = (N::sum([[x, dy], [-y, dx]]), N::sum([[z, dy], [-y, dz]]), r * dy);
     let inside = N::sum([[rim, rim], [-wx, wx], [-wz, wz]]);
@@ -59,10 +85,7 @@ pub(crate) fn disc<S: Scalar, N: Of<S>>(line: &LocalRay<N>, radius: S, goal: Goa
         let [sx, sz] = [cancelled(x, dx), cancelled(z, dz)];
         terms + N::sum([[sx, sx], [sz, sz]]).scaled(-19)
     };
-    if known(inside.sign_among(Difference::Signs, terms))? == Ordering::Less {
-        return Err(Stop::Miss);
-    }
-    crossing(line, Fraction { n: -y, e: dy }, climb, goal)
+    Ok(known(inside.sign_among(Difference::Signs, terms))?.reverse())
 }
 
 /// A line parallel to the plane of a disc.
@@ -73,7 +96,7 @@ fn chord_of_disc<S: Scalar, N: Of<S>>(line: &LocalRay<N>, r: N, goal: Goal<S>) -
     if known(y.sign())? != Ordering::Equal {
         return Err(Stop::Miss);
     }
-    let chord = Quadratic::new(Tube { o: [x, z], d: [dx, dz], r }, line, false)?;
+    let chord = Quadratic::new(Cylinder { o: [x, z], d: [dx, dz], r }, line, false)?;
     let Inside::Between(touch) = chord.inside else { return Err(Stop::Miss) };
     Ok(Intersection::LiesIn(span(&chord, line, &chord.between(touch), goal.range)?))
 }

@@ -19,14 +19,14 @@ pub struct LocalRay<N: Number> {
     pub(crate) start: Option<N::Estimate>,
     /// The same as a number; zero if the origin was not moved.
     pub(crate) moved: N,
-    /// The direction has length 1, to one part in 2^19.
+    /// The square of the direction's length is 1 within 2^-19.
     pub(crate) is_unit: bool,
 }
 
 impl<N: Number> LocalRay<N> {
     /// The ray from its own start.
     #[inline(always)]
-    const fn new([origin, direction]: [[N; 3]; 2], departure: Option<(Part, Leaving)>) -> Self {
+    pub(super) const fn new([origin, direction]: [[N; 3]; 2], departure: Option<(Part, Leaving)>) -> Self {
         Self { origin, direction, departure, start: None, moved: N::ZERO, is_unit: false }
     }
 
@@ -40,6 +40,12 @@ impl<N: Number> LocalRay<N> {
     #[inline(always)]
     pub(super) fn departs_from(&self, part: Part) -> bool {
         N::DEPARTS && self.departure.is_some_and(|(from, _)| from == part)
+    }
+
+    /// True if it departs outwards.
+    #[inline(always)]
+    pub(super) fn leads_outwards(&self) -> bool {
+        N::DEPARTS && self.departure.is_some_and(|(_, leaving)| leaving == Leaving::Outwards)
     }
 
     /// The square of the distance by which the origin was moved, times `2^e`.

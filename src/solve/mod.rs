@@ -17,9 +17,12 @@
 //! | `quadratic` | a quadric along the line; the order of its roots and of planes |
 //! | `roots` | the order of the roots of two equations |
 //! | `end` | the ends of intervals, and their conversion to the ray's number type |
-//! | `round` | spheres and capsules |
+//! | `round` | spheres, capsules and round cones |
+//! | `rounded` | rounded cuboids |
+//! | `revolved` | quadrics of revolution between two planes |
 //! | `side` | cylinders and cones, double, infinite, open or between planes |
-//! | `flat` | planes, discs, triangles |
+//! | `tube` | tubes |
+//! | `flat` | planes, discs, annuli, triangles |
 //! | `slabs` | cuboids, rectangles |
 //! | `contains`, `surface` | the inside test; the point of a hit, and its normal |
 
@@ -33,28 +36,34 @@ mod flat;
 mod local_ray;
 mod quadratic;
 mod quadric;
+mod revolved;
 mod roots;
 mod round;
+mod rounded;
 mod side;
 mod slabs;
 mod surface;
 #[cfg(units)]
 #[path = "../../tests/units/solve.rs"]
 mod tests;
+mod tube;
 
 pub use attempt::{Attempt, Stop};
 pub(crate) use contains::holds;
 pub use end::{Goal, Of};
-pub(crate) use flat::{disc, plane, triangle};
+pub(crate) use flat::{annulus, disc, plane, triangle};
 pub(crate) use local_ray::rounded_ray;
 pub use local_ray::{LocalRay, Localize};
 pub(crate) use quadric::Profile;
+pub(crate) use revolved::revolved;
 pub use roots::Root;
 pub(crate) use roots::root_at;
-pub(crate) use round::{ball, capsule};
-pub(crate) use side::{caps, cone, tube};
+pub(crate) use round::{ball, capsule, round_cone};
+pub(crate) use rounded::{end_at, region_at, rounded_cuboid};
+pub(crate) use side::{caps, cone, cylinder};
 pub(crate) use slabs::{cuboid, rectangle};
 pub(crate) use surface::{Line, Surface, correction, point_at, surface_of};
+pub(crate) use tube::tube;
 
 use crate::equations::Equations;
 use crate::outline::Extent;
@@ -67,10 +76,10 @@ use crate::ray::Leaving;
 pub(crate) fn meets_nothing<S>(equations: &Equations<S>, departure: Option<(Part, Leaving)>) -> bool {
     match (departure, equations) {
         (None, _) => false,
-        (_, Equations::Plane | Equations::Disc { .. } | Equations::Rectangle { .. } | Equations::Triangle { .. }) => {
-            true
-        }
+        (_, equations) if equations.is_flat() => true,
         (_, Equations::Cone { extent: Extent::Double, .. }) => false,
+        (Some((Part::Side, _)), Equations::Revolved { meridian }) if meridian.has_waist => false,
+        (Some((Part::Inner, _)), Equations::Tube { .. }) => false,
         (Some((_, leaving)), _) => leaving == Leaving::Outwards,
     }
 }

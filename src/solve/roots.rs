@@ -1,14 +1,15 @@
 //! The order of the roots of two equations along one line, by the signs of polynomials of their coefficients.
 //!
-//! The sign of one quadratic function at a root of another is that of a linear function there: `a g - b f` has no
-//! square, if `a` and `b` are the leading coefficients of `f` and `g`. So no square root is needed (Deakin and Snoeyink,
-//! *On the Precision to Sort Line-Quadric Intersections*, CCCG 2016).
+//! Let `f` and `g` be quadratic functions with the leading coefficients `a` and `b`. At a root of `f` the sign of `a g`
+//! is that of `a g - b f`, which is linear. So no square root is needed (Deakin and Snoeyink, *On the Precision to Sort
+//! Line-Quadric Intersections*, CCCG 2016).
 
 use super::end::{Fraction, Place, times};
 use super::quadratic::root_beside;
-use super::side::{caps, planes_of};
+use super::rounded;
+use super::side::planes_through;
 use super::surface::{Line, surface_of};
-use crate::equations::{Described, Equations};
+use crate::equations::{Described, EquationKinds, Equations};
 use crate::hit::{Crossing, Hit};
 use crate::number::Number;
 use crate::part::{FACES, Part};
@@ -18,6 +19,7 @@ use core::cmp::Ordering;
 /// A root of `f = a t^2 + 2 k t + c`, or the parameter of a plane.
 #[derive(Clone, Copy, Debug)]
 pub struct Root<N> {
+    /// `a`, `k` and `c`; unused for a plane.
     f: [N; 3],
     place: Place<N>,
 }
@@ -28,12 +30,17 @@ impl<N: Number> Root<N> {
         Self::at(Fraction { n: t, e: N::ONE })
     }
 
+    /// A root of `f = a t^2 + 2 k t + c`, given by these, or the parameter of a plane.
+    pub(super) const fn new(f: [N; 3], place: Place<N>) -> Self {
+        Self { f, place }
+    }
+
     const fn at(t: Fraction<N>) -> Self {
         Self { f: [N::ZERO; 3], place: Place::At(t) }
     }
 
-    /// The root at which `f` decreases, if the line enters, or increases; the only one, if there is one. `None` if a
-    /// sign is not known, or if `f` is constant.
+    /// The root at which `f` decreases if the line enters, otherwise the one at which it increases; if there is only
+    /// one root, that one. `None` if a sign is not known, or if `f` is constant.
     fn of(f @ [a, k, c]: [N; 3], crossing: Crossing) -> Option<Self> {
         let a_sign = a.sign()?;
         if a_sign == Ordering::Equal {
@@ -70,7 +77,7 @@ impl<N: Number> Root<N> {
             (_, place) => matches!(place, Place::Second),
         };
         let ([a, k, c], [b, l, d]) = (self.f, other.f);
-        // a g - b f = 2 slope t + value, at a root of f: the sign of a g there.
+        // At a root of f the sign of a g is that of a g - b f = 2 slope t + value.
         let [slope, value] = [N::sum([[a, l], [-b, k]]), N::sum([[a, d], [-b, c]])];
         let difference = match slope.sign()? {
             Ordering::Equal => value.sign()?,
@@ -82,7 +89,7 @@ impl<N: Number> Root<N> {
         Some(root_beside(is_second, g, from_vertex).reverse())
     }
 
-    /// It, or the parameter zero if that is greater.
+    /// This root, or the parameter zero if that is greater.
     pub(crate) fn not_before_start(self) -> Option<Self> {
         let start = Fraction { n: N::ZERO, e: N::ONE };
         Some(if self.against(start)? == Ordering::Less { Self::at(start) } else { self })
@@ -94,14 +101,19 @@ fn at<N: Number>([a, k, c]: [N; 3], Fraction { n, e }: Fraction<N>) -> N {
     N::sum([[N::sum([[a, n], [k + k, e]]), n], [c * e, e]])
 }
 
-/// The root at a hit of the equation of its part. If the line departs from a part, `t = 0` is a root of its equation,
-/// whatever its rounded coordinates. `None` if the number does not know a sign.
+/// The root that belongs to a hit, of the equation of the part that is hit. If the line departs from a part, `t = 0` is
+/// a root of the part's equation, whatever the rounded coordinates. `None` if the number does not know a sign.
 pub(crate) fn root_at<S: Scalar, N: FromScalar<S> + Number, G: Described>(
     equations: &Equations<S>,
     hit: &Hit<S>,
     line: &Line<N>,
     departed: Option<Part>,
 ) -> Option<Root<N>> {
+    if let Equations::RoundedCuboid { half, radius, .. } = *equations
+        && G::EQUATIONS.has(EquationKinds::ROUNDED_CUBOID)
+    {
+        return Some(rounded::end_at(half, radius, hit.crossing, line, departed)?.root());
+    }
     let function = |part: Part| {
         let surface = surface_of::<S, N, G>(equations, part, line, N::scalar);
         let value = if departed == Some(part) { N::ZERO } else { surface.value() };
@@ -113,13 +125,10 @@ pub(crate) fn root_at<S: Scalar, N: FromScalar<S> + Number, G: Described>(
     }
     let is_touch = hit.crossing == Crossing::Touch && a.sign()? != Ordering::Equal;
     if is_touch && N::sum([[k, k], [-a, c]]).sign()? != Ordering::Equal {
-        // The line touches the solid at a rim, where it crosses the surface beyond the solid.
-        let rims = match equations {
-            Equations::Tube { extent, .. } => planes_of(*extent, [true; 2]),
-            Equations::Cone { outline, extent } => planes_of(*extent, caps(outline)),
-            _ => [None; 2],
-        };
-        for (_, part) in rims.into_iter().zip([Part::Base, Part::Top]).filter(|(rim, _)| rim.is_some()) {
+        // The line touches the solid at a rim, and crosses the infinite surface of the side there.
+        for (_, part) in
+            planes_through::<S, G>(equations).into_iter().zip([Part::Base, Part::Top]).filter(|(rim, _)| rim.is_some())
+        {
             let [_, growth, value] = function(part);
             if growth.sign()? != Ordering::Equal {
                 let rim = Fraction { n: -value, e: growth + growth };
@@ -137,8 +146,8 @@ fn is_constant<N: Number>([a, k, _]: [N; 3]) -> Option<bool> {
     Some(a.sign()? == Ordering::Equal && k.sign()? == Ordering::Equal)
 }
 
-/// The end, on an edge, of a line that lies in the surface of a solid: the part owns the edge, and others end the line.
-/// Between the two parts of each pair the line is inside.
+/// The end, on an edge, of a line that lies in the surface of a solid. The hit's part owns the edge, but the end is the
+/// root of another part's equation: the line is inside between the two parts of each pair.
 fn edge<S, N: Number>(equations: &Equations<S>, enters: bool, function: impl Fn(Part) -> [N; 3]) -> Option<Root<N>> {
     let ends = [FACES[2]];
     let pairs = if let Equations::Cuboid { .. } = equations { FACES.as_slice() } else { ends.as_slice() };
@@ -148,7 +157,7 @@ fn edge<S, N: Number>(equations: &Equations<S>, enters: bool, function: impl Fn(
         if is_constant(f)? || is_constant(g)? {
             continue;
         }
-        // The balls of a capsule are touched.
+        // A line in the side of a capsule touches the balls at its ends.
         let [first, second] = [Root::of(f, Crossing::Touch)?, Root::of(g, Crossing::Touch)?];
         let is_rising = first.order(&second)? == Ordering::Less;
         let end = if is_rising == enters { first } else { second };

@@ -4,7 +4,8 @@ use super::attempt::{Attempt, Stop, known};
 use super::end::{self, Curve, End, Fraction, Goal, Interval, Of, inwards, order, settled, solid, span};
 use super::local_ray::LocalRay;
 use super::quadratic::{Inside, Quadratic};
-use super::quadric::{Nappe, Profile, Quadric, Tube};
+use super::quadric::{Cylinder, Nappe, Profile, Quadric};
+use crate::equations::{Described, EquationKinds, Equations};
 use crate::intersection::{self, Intersection, Span};
 use crate::number::Number;
 use crate::outline::{Extent, Outline};
@@ -13,26 +14,26 @@ use crate::ray::Leaving;
 use crate::scalar::Scalar;
 use core::cmp::Ordering;
 
-/// The ends of a side, and at which of its two heights it is cut by a plane: it is not at an apex.
+/// The ends of a side, and whether a plane cuts it at its lower and at its upper height: none does at an apex.
 #[derive(Clone, Copy)]
 struct Ends<S> {
     extent: Extent<S>,
     are_planes: [bool; 2],
 }
 
-/// The infinite cylinder of this radius, between its ends.
+/// The cylinder of this radius, or its side alone.
 #[inline(always)]
-pub(crate) fn tube<S: Scalar, N: Of<S>>(
+pub(crate) fn cylinder<S: Scalar, N: Of<S>>(
     line: &LocalRay<N>,
     radius: S,
     extent: Extent<S>,
     goal: Goal<S>,
 ) -> Attempt<Intersection<S>> {
     let ends = Ends { extent, are_planes: [true; 2] };
-    side(line, Tube::along(line.origin, line.direction, N::scalar(radius)), ends, goal)
+    side(line, Cylinder::along(line.origin, line.direction, N::scalar(radius)), ends, goal)
 }
 
-/// The cone of this outline, between its ends.
+/// The cone of this outline, or its side alone.
 #[inline(always)]
 pub(crate) fn cone<S: Scalar, N: Of<S>>(
     line: &LocalRay<N>,
@@ -62,6 +63,19 @@ pub(super) fn planes_of<S: Scalar>(extent: Extent<S>, [base, top]: [bool; 2]) ->
     }
 }
 
+/// The planes that cut a primitive with a side, if the geometry `G` has such equations.
+#[inline(always)]
+pub(super) fn planes_through<S: Scalar, G: Described>(equations: &Equations<S>) -> [Option<S>; 2] {
+    let has = |kind| G::EQUATIONS.has(kind);
+    match equations {
+        Equations::Cylinder { extent, .. } if has(EquationKinds::CYLINDER) => planes_of(*extent, [true; 2]),
+        Equations::Cone { outline, extent } if has(EquationKinds::CONE) => planes_of(*extent, caps(outline)),
+        Equations::Revolved { meridian } if has(EquationKinds::REVOLVED) => meridian.heights.map(Some),
+        Equations::Tube { height, .. } if has(EquationKinds::TUBE) => [Some(S::ZERO), Some(*height)],
+        _ => [None; 2],
+    }
+}
+
 /// The line in the coordinates of a cone.
 #[inline(always)]
 fn nappe<S: Scalar, N: Of<S>>(line: &LocalRay<N>, outline: Outline<S>) -> Nappe<N> {
@@ -70,14 +84,14 @@ fn nappe<S: Scalar, N: Of<S>>(line: &LocalRay<N>, outline: Outline<S>) -> Nappe<
         Outline::Slope(_) => Some(profile.growth),
         Outline::Radii(..) => profile.growth.rounded_quotient(profile.h),
     };
-    // Where the slope may be rounded, the radius next to the origin has one rounding and not two.
+    // With a rounded slope m the radius at y is base + m y, with fewer roundings than (base h + growth y) / h.
     let Some(m) = slope else { return Nappe::along(line.origin, line.direction, profile) };
     let ([x, y, z], [dx, dy, dz]) = (line.origin, line.direction);
     Nappe { o: [x, z, profile.base + m * y], d: [dx, dz, m * dy] }
 }
 
-/// The interval of the line with `low <= y <= high`; `None` if there is none. The parts of its ends are those of the
-/// two planes, which belong to the slab. The start of a line that departs from one of them is taken to lie on it.
+/// The interval of the line with `low <= y <= high`; `None` if there is none. Its ends have the parts `Base` and `Top`.
+/// The start of a line that departs from one of the planes is taken to lie on it.
 #[inline(always)]
 pub(super) fn slab<N: Number>(line: &LocalRay<N>, low: Option<N>, high: Option<N>) -> Attempt<Option<Interval<N>>> {
     let (y, dy) = (line.origin[1], line.direction[1]);
@@ -104,25 +118,25 @@ pub(super) fn slab<N: Number>(line: &LocalRay<N>, low: Option<N>, high: Option<N
 }
 
 /// The interval of a line inside a side.
-enum Within<N: Number> {
+pub(super) enum Within<N: Number> {
     Nowhere,
     In(Interval<N>),
     /// The whole interval lies in the surface.
     Along(Interval<N>),
 }
 
-/// The interval of the line inside a side. Of a cone only the nappe with a positive outline counts.
+/// The interval of the line inside a side; of a cone, inside the nappe with `v >= 0`, where `v` is the outline.
 #[inline(always)]
-fn within<N: Number, Q: Quadric<N>>(quadratic: &Quadratic<N, Q>) -> Attempt<Within<N>> {
+pub(super) fn within<N: Number, Q: Quadric<N>>(quadratic: &Quadratic<N, Q>) -> Attempt<Within<N>> {
     N::apart(
         #[inline(always)]
         || {
             let [g, slope] = quadratic.quadric.outline();
-            // The outline grows with t if the line rises.
+            // Whether the outline v grows along the line.
             let grows = || if Q::HAS_NAPPES { known(slope.sign()) } else { Ok(Ordering::Equal) };
             let is_between = matches!(quadratic.inside, Inside::Between(_));
             if is_between && Q::HAS_NAPPES {
-                // The outline at the vertex t = -k/a, which lies between the roots, has the sign of the nappe.
+                // Both roots are in one nappe, whose sign is that of v at t = -k / a, between the roots, times a > 0.
                 let vertex = N::sum([[g, quadratic.a], [-slope, quadratic.k]]);
                 if known(vertex.sign())? == Ordering::Less {
                     return Ok(Within::Nowhere);
@@ -140,8 +154,8 @@ fn within<N: Number, Q: Quadric<N>>(quadratic: &Quadratic<N, Q>) -> Attempt<With
             if let Inside::Between(touch) = quadratic.inside {
                 return Ok(Within::In(Interval { enter: first, exit: second, touch }));
             }
-            // A half-line lies in each nappe if the line is steeper than the side, and one half-line if it is parallel
-            // to a generator.
+            // If the line is steeper than the side, a half-line lies in each nappe. If it is parallel to a generator,
+            // there is one half-line, in one nappe.
             Ok(match (quadratic.inside, grows()?) {
                 (Inside::Beyond | Inside::From, Ordering::Greater) => {
                     Within::In(Interval::new(second, End::never_left()))
@@ -167,22 +181,27 @@ fn along<N: Number>([g, slope]: [N; 2], grows: Ordering) -> Interval<N> {
     }
 }
 
-/// The side's end or the plane's: the plane's if the side's compares with it as `counts` says. If both are the same
-/// point, it is on a rim, which belongs to the side (rule 5 of the contract).
+/// The end of the side's interval, `own`, or that of the slab's, `plane`, if `own` compares with it as `counts` says.
+/// If both are the same point, it is on a rim, which belongs to the side (rule 5 of the contract).
 #[inline(always)]
-fn choose<N: Number>(curve: &impl Curve<N>, own: End<N>, plane: End<N>, counts: Ordering) -> Attempt<End<N>> {
+pub(super) fn choose<N: Number>(
+    curve: &impl Curve<N>,
+    own: End<N>,
+    plane: End<N>,
+    counts: Ordering,
+) -> Attempt<End<N>> {
     Ok(if order(curve, &own, &plane)? == counts { plane } else { own })
 }
 
-/// The side's interval between the planes (rule 1: one interval).
+/// The part of the side's interval that lies between the planes (rule 1 of the contract: one interval).
 #[inline(always)]
-fn clip<N: Number>(curve: &impl Curve<N>, side: &Interval<N>, planes: &Interval<N>) -> Attempt<Interval<N>> {
+pub(super) fn clip<N: Number>(curve: &impl Curve<N>, side: &Interval<N>, planes: &Interval<N>) -> Attempt<Interval<N>> {
     N::apart(
         #[inline(always)]
         || {
             let enter = choose(curve, side.enter, planes.enter, Ordering::Less)?;
             let exit = choose(curve, side.exit, planes.exit, Ordering::Greater)?;
-            // The roots are in order.
+            // Two roots are in order. With a plane the order must be decided.
             let lengths = match (enter.part, exit.part) {
                 (Part::Side, Part::Side) => Ordering::Less,
                 (_, Part::Side) => order(curve, &exit, &enter)?.reverse(),
@@ -212,25 +231,33 @@ fn side<S: Scalar, N: Of<S>, Q: Quadric<N>>(
     if Q::HAS_NAPPES && matches!(ends.extent, Extent::Double) {
         return both_nappes(line, quadratic, goal);
     }
-    let interval = match within(&quadratic)? {
-        Within::Nowhere => return Err(Stop::Miss),
-        Within::In(interval) => interval,
-        Within::Along(interval) if N::KNOWS_ZERO => {
-            return in_the_surface(line, quadratic, &interval, ends, goal);
+    // By reference: on an M0+, a move of an interval takes 490 instructions, and with `?` there would be four.
+    let within = within(&quadratic);
+    let interval = match &within {
+        Err(stop) => return Err(*stop),
+        Ok(Within::Nowhere) => return Err(Stop::Miss),
+        Ok(Within::In(interval)) => interval,
+        Ok(Within::Along(interval)) if N::KNOWS_ZERO => {
+            return in_the_side(line, quadratic, interval, ends, goal);
         }
-        Within::Along(_) => return Err(Stop::Unsure),
+        Ok(Within::Along(_)) => return Err(Stop::Unsure),
     };
     if let Extent::Infinite | Extent::Double = ends.extent {
-        return solid(&quadratic, line, &interval, goal);
+        return solid(&quadratic, line, interval, goal);
     }
-    let planes = planes(line, ends)?.ok_or(Stop::Miss)?;
+    let planes = planes(line, ends);
+    let planes = match &planes {
+        Err(stop) => return Err(*stop),
+        Ok(None) => return Err(Stop::Miss),
+        Ok(Some(planes)) => planes,
+    };
     if let Extent::Open(_) = ends.extent {
-        return on_the_side(line, &quadratic, &interval, &planes, goal);
+        return on_the_side(line, &quadratic, interval, planes, goal);
     }
-    solid(&quadratic, line, &clip(&quadratic, &interval, &planes)?, goal)
+    solid(&quadratic, line, &clip(&quadratic, interval, planes)?, goal)
 }
 
-/// Where the line is between the planes at the ends.
+/// The interval of the line between the planes at the ends; `None` if there is none.
 #[inline(always)]
 fn planes<S: Scalar, N: Of<S>>(line: &LocalRay<N>, ends: Ends<S>) -> Attempt<Option<Interval<N>>> {
     N::apart(
@@ -245,27 +272,57 @@ fn planes<S: Scalar, N: Of<S>>(line: &LocalRay<N>, ends: Ends<S>) -> Attempt<Opt
 /// A line that lies in the side over an interval.
 #[cold]
 #[inline(never)]
-fn in_the_surface<S: Scalar, N: Of<S>, Q: Quadric<N>>(
+fn in_the_side<S: Scalar, N: Of<S>, Q: Quadric<N>>(
     line: &LocalRay<N>,
     quadratic: Quadratic<N, Q>,
     interval: &Interval<N>,
     ends: Ends<S>,
     goal: Goal<S>,
 ) -> Attempt<Intersection<S>> {
+    let is_solid = matches!(ends.extent, Extent::Capped(..));
+    in_the_surface(line, &quadratic, interval, planes(line, ends)?, is_solid, goal)
+}
+
+/// A line that lies in a side without end, of which the part between the planes counts. A line that departs outwards
+/// meets nothing.
+#[cold]
+#[inline(never)]
+pub(super) fn in_the_whole_side<S: Scalar, N: Of<S>, Q: Quadric<N>>(
+    line: &LocalRay<N>,
+    side: &Quadratic<N, Q>,
+    planes: Option<Interval<N>>,
+    is_solid: bool,
+    goal: Goal<S>,
+) -> Attempt<Intersection<S>> {
+    if line.leads_outwards() {
+        return Err(Stop::Miss);
+    }
+    in_the_surface(line, side, &Interval::everywhere(), planes, is_solid, goal)
+}
+
+/// A line that lies in a surface over an interval, of which the part between the planes counts.
+#[inline(always)]
+fn in_the_surface<S: Scalar, N: Of<S>, Q: Quadric<N>>(
+    line: &LocalRay<N>,
+    quadratic: &Quadratic<N, Q>,
+    interval: &Interval<N>,
+    planes: Option<Interval<N>>,
+    is_solid: bool,
+    goal: Goal<S>,
+) -> Attempt<Intersection<S>> {
     let departs = line.departs();
-    let planes = match planes(line, ends)? {
+    let planes = match planes {
         Some(planes) => planes,
         None if departs => Interval::everywhere(),
         None => return Err(Stop::Miss),
     };
     // Its ends lie on rims, which belong to the side.
-    let Interval { enter, exit, touch } = clip(&quadratic, interval, &planes)?;
+    let Interval { enter, exit, touch } = clip(quadratic, interval, &planes)?;
     let interval = Interval { enter: enter.of_side(), exit: exit.of_side(), touch };
-    let is_solid = matches!(ends.extent, Extent::Capped(..));
     if is_solid && departs {
-        return inwards(&quadratic, line, &interval.exit, goal.range);
+        return inwards(quadratic, line, &interval.exit, goal.range);
     }
-    let span = span(&quadratic, line, &interval, goal.range)?;
+    let span = span(quadratic, line, &interval, goal.range)?;
     Ok(if is_solid { Intersection::One(span) } else { Intersection::LiesIn(span) })
 }
 
@@ -285,13 +342,13 @@ fn departing<S: Scalar, N: Of<S>, Q: Quadric<N>>(
     let planes = planes(line, ends)?.unwrap_or_else(Interval::everywhere);
     let own = match within(&quadratic)? {
         Within::Along(interval) if N::KNOWS_ZERO => {
-            return in_the_surface(line, quadratic, &interval, ends, goal);
+            return in_the_side(line, quadratic, &interval, ends, goal);
         }
         Within::Along(_) => return Err(Stop::Unsure),
         Within::In(interval) => interval.exit,
         Within::Nowhere if is_open => return Err(Stop::Miss),
-        // The interval of a line parallel to the axis, next to the side, ends at the plane. Any other line only touches
-        // the side, by its rounded coordinates.
+        // By its rounded coordinates the line is outside of the side. If it is parallel to the axis, its interval ends
+        // at the plane. Any other line leaves the solid where it starts.
         Within::Nowhere if quadratic.a_sign == Ordering::Equal => End::never_left(),
         Within::Nowhere => End::start(Part::Side),
     };
@@ -311,13 +368,13 @@ fn departing<S: Scalar, N: Of<S>, Q: Quadric<N>>(
 
 /// Whether an end of the side's interval lies between the rims of an open side.
 #[inline(always)]
-fn is_on_the_side<N: Number>(curve: &impl Curve<N>, end: &End<N>, planes: &Interval<N>) -> Attempt<bool> {
+pub(super) fn is_on_the_side<N: Number>(curve: &impl Curve<N>, end: &End<N>, planes: &Interval<N>) -> Attempt<bool> {
     Ok(order(curve, end, &planes.enter)? != Ordering::Less && order(curve, end, &planes.exit)? != Ordering::Greater)
 }
 
 /// The ends of the interval that lie between the rims of an open side; the rims belong to it.
 #[inline(always)]
-fn on_the_side<S: Scalar, N: Of<S>, Q: Quadric<N>>(
+pub(super) fn on_the_side<S: Scalar, N: Of<S>, Q: Quadric<N>>(
     line: &LocalRay<N>,
     quadratic: &Quadratic<N, Q>,
     interval: &Interval<N>,
@@ -354,23 +411,12 @@ fn both_nappes<S: Scalar, N: Of<S>, Q: Quadric<N>>(
                 return one(Interval::new(second, End::never_left()));
             }
             let second = span(&quadratic, line, &Interval::new(second, End::never_left()), goal.range)?;
-            Ok(in_order(first, second))
+            Ok(Intersection::in_order(first, second))
         }
         Inside::Until => one(Interval::new(End::never_entered(), quadratic.ends()[0])),
         Inside::From => one(Interval::new(quadratic.ends()[0], End::never_left())),
         Inside::Everywhere | Inside::InSurface => Ok(Intersection::LiesIn(Span::everywhere())),
     }
-}
-
-/// Two intervals, of which the second does not begin before the first ends, nor end before it begins.
-fn in_order<S: Scalar>(first: Span<S>, mut second: Span<S>) -> Intersection<S> {
-    if second.enter.t < first.exit.t {
-        second.enter.t = first.exit.t;
-    }
-    if second.exit.t < second.enter.t {
-        second.exit.t = second.enter.t;
-    }
-    Intersection::Two(first, second)
 }
 
 /// A double cone is not convex: a ray that leaves it outwards may meet the other nappe. One of the roots is the start.
@@ -390,9 +436,9 @@ fn departing_from_both<S: Scalar, N: Of<S>, Q: Quadric<N>>(
         (Inside::Between(_), Leaving::Inwards) => until(second),
         // The other root is the entry into the other nappe.
         (Inside::Beyond, Leaving::Outwards) if is_ahead()? => Ok(Intersection::One(from()?)),
-        // The interval of a ray that departs inwards but leads away from the nappe ends at its start.
+        // If rounding makes a ray that departs inwards lead outwards, its first interval ends at its start.
         (Inside::Beyond, Leaving::Inwards) if is_ahead()? => match until(first)? {
-            Intersection::One(first) => Ok(in_order(first, from()?)),
+            Intersection::One(first) => Ok(Intersection::in_order(first, from()?)),
             other => Ok(other),
         },
         (Inside::Beyond | Inside::From, Leaving::Inwards) => until(End::never_left()),

@@ -1,7 +1,8 @@
 //! The exact point of a hit on its surface, and the surface's gradient there.
 
-use super::quadric::{Ball, Nappe, Profile, Quadric, Tube};
-use super::side::{caps, planes_of};
+use super::quadric::{Ball, Cylinder, Nappe, Profile, Quadric, Revolution, Tangent};
+use super::rounded::piece;
+use super::side::planes_through;
 use crate::equations::{Described, EquationKinds, Equations};
 use crate::hit::{Crossing, Hit};
 use crate::number::{Estimate, Ring, cross, difference, dot};
@@ -29,8 +30,12 @@ impl<N: Ring> Line<N> {
 /// flat part `f` is twice the distance times the length of the [`gradient`](Self::gradient).
 pub(crate) enum Surface<N> {
     Ball(Ball<N>),
-    Tube(Tube<N>),
+    Cylinder(Cylinder<N>),
+    /// A cylinder with the inside of the solid around it.
+    Inner(Cylinder<N>),
     Nappe(Nappe<N>, Profile<N>),
+    Revolution(Revolution<N>),
+    Tangent(Tangent<N>),
     /// A plane perpendicular to an axis, with the inside below it.
     Face(Face<N>),
     /// A plane by its normal, of any length; from a point of it to `p`; and `d`.
@@ -52,8 +57,11 @@ impl<N: Ring> Surface<N> {
     pub(crate) fn value(&self) -> N {
         let distance = match *self {
             Self::Ball(ball) => return ball.c(),
-            Self::Tube(tube) => return tube.c(),
+            Self::Cylinder(cylinder) => return cylinder.c(),
+            Self::Inner(cylinder) => return -cylinder.c(),
             Self::Nappe(nappe, _) => return nappe.c(),
+            Self::Revolution(revolution) => return revolution.c(),
+            Self::Tangent(cone) => return cone.c(),
             Self::Face(Face { distance: [distance, _], .. }) => distance,
             Self::Plane([normal, from, _]) => dot(normal, from),
         };
@@ -65,8 +73,11 @@ impl<N: Ring> Surface<N> {
     pub(crate) fn slope(&self) -> N {
         match *self {
             Self::Ball(ball) => ball.k(),
-            Self::Tube(tube) => tube.k(),
+            Self::Cylinder(cylinder) => cylinder.k(),
+            Self::Inner(cylinder) => -cylinder.k(),
             Self::Nappe(nappe, _) => nappe.k(),
+            Self::Revolution(revolution) => revolution.k(),
+            Self::Tangent(cone) => cone.k(),
             Self::Face(Face { distance: [_, growth], .. }) => growth,
             Self::Plane([normal, _, d]) => dot(normal, d),
         }
@@ -77,8 +88,11 @@ impl<N: Ring> Surface<N> {
     pub(crate) fn bending(&self) -> N {
         match *self {
             Self::Ball(ball) => ball.a(),
-            Self::Tube(tube) => tube.a(),
+            Self::Cylinder(cylinder) => cylinder.a(),
+            Self::Inner(cylinder) => -cylinder.a(),
             Self::Nappe(nappe, _) => nappe.a(),
+            Self::Revolution(revolution) => revolution.a(),
+            Self::Tangent(cone) => cone.a(),
             Self::Face(_) | Self::Plane(_) => N::ZERO,
         }
     }
@@ -89,8 +103,11 @@ impl<N: Ring> Surface<N> {
         let zero = N::ZERO;
         match *self {
             Self::Ball(Ball { o, .. }) => o,
-            Self::Tube(Tube { o: [x, z], .. }) => [x, zero, z],
+            Self::Cylinder(Cylinder { o: [x, z], .. }) => [x, zero, z],
+            Self::Inner(Cylinder { o: [x, z], .. }) => [-x, zero, -z],
             Self::Nappe(Nappe { o: [x, z, g], .. }, Profile { growth, h, .. }) => [h * x, -(growth * g), h * z],
+            Self::Revolution(revolution) => revolution.gradient(),
+            Self::Tangent(cone) => cone.gradient(),
             Self::Face(Face { axis, is_along, .. }) => {
                 let component = if is_along { N::ONE } else { -N::ONE };
                 core::array::from_fn(|i| if i == axis { component } else { zero })
@@ -102,7 +119,7 @@ impl<N: Ring> Surface<N> {
 
 /// The surface of a part along a line.
 #[inline(always)]
-pub(crate) fn surface_of<S: Copy, N: Ring, G: Described>(
+pub(crate) fn surface_of<S: Scalar, N: Ring, G: Described>(
     equations: &Equations<S>,
     part: Part,
     line: &Line<N>,
@@ -114,7 +131,7 @@ pub(crate) fn surface_of<S: Copy, N: Ring, G: Described>(
         let [x, y, z] = p;
         Surface::Ball(Ball { o: [x, y - height, z], d, r: number(radius) })
     };
-    let tube = |radius: S| Surface::Tube(Tube::along(p, d, number(radius)));
+    let cylinder = |radius: S| Surface::Cylinder(Cylinder::along(p, d, number(radius)));
     // The planes at a coordinate along an axis, with a normal along it or against it.
     let along =
         |axis: usize, [p, d]: [N; 2], at: N| Surface::Face(Face { axis, is_along: true, distance: [p - at, d] });
@@ -126,21 +143,42 @@ pub(crate) fn surface_of<S: Copy, N: Ring, G: Described>(
         Equations::Capsule { radius, height } if kind.has(EquationKinds::CAPSULE) => match part {
             Part::Base => ball(radius, zero),
             Part::Top => ball(radius, number(height)),
-            _ => tube(radius),
+            _ => cylinder(radius),
         },
-        Equations::Tube { radius, .. } if kind.has(EquationKinds::TUBE) && part == Part::Side => tube(radius),
+        Equations::RoundCone { radii: [base, top], height } if kind.has(EquationKinds::ROUND_CONE) => match part {
+            Part::Base => ball(base, zero),
+            Part::Top => ball(top, number(height)),
+            _ => {
+                let k = number(base) - number(top);
+                Surface::Tangent(Tangent::along(p, d, [number(base), number(height), k]))
+            }
+        },
+        Equations::Cylinder { radius, .. } if kind.has(EquationKinds::CYLINDER) && part == Part::Side => {
+            cylinder(radius)
+        }
         Equations::Cone { outline, .. } if kind.has(EquationKinds::CONE) && part == Part::Side => {
             let profile = Profile::of(outline, number);
             Surface::Nappe(Nappe::along(p, d, profile), profile)
         }
-        Equations::Tube { extent, .. } | Equations::Cone { extent, .. }
-            if kind.has(EquationKinds::TUBE.and(EquationKinds::CONE)) =>
+        Equations::Cylinder { extent, .. } | Equations::Cone { extent, .. }
+            if kind.has(EquationKinds::CYLINDER.and(EquationKinds::CONE)) =>
         {
             match (extent, part) {
                 (Extent::Open(height) | Extent::Capped(height), Part::Top) => along(1, y, number(height)),
                 _ => against(1, y, zero),
             }
         }
+        Equations::Revolved { meridian } if kind.has(EquationKinds::REVOLVED) => match (part, meridian.heights) {
+            (Part::Base, [low, _]) => against(1, y, number(low)),
+            (Part::Top, [_, high]) => along(1, y, number(high)),
+            _ => Surface::Revolution(Revolution::along(p, d, &meridian, number)),
+        },
+        Equations::Tube { radii: [inner, outer], height } if kind.has(EquationKinds::TUBE) => match part {
+            Part::Base => against(1, y, zero),
+            Part::Top => along(1, y, number(height)),
+            Part::Inner => Surface::Inner(Cylinder::along(p, d, number(inner))),
+            _ => cylinder(outer),
+        },
         Equations::Triangle { vertices } if kind.has(EquationKinds::TRIANGLE) => {
             let [a, b, c] = vertices.map(|vertex| vertex.map(number));
             Surface::Plane([cross(difference(b, a), difference(c, a)), difference(p, a), d])
@@ -151,19 +189,36 @@ pub(crate) fn surface_of<S: Copy, N: Ring, G: Described>(
                 Part::Left => against(0, x, -half[0]),
                 Part::Right => along(0, x, half[0]),
                 Part::Base => against(1, y, -half[1]),
-                Part::Top | Part::Side => along(1, y, half[1]),
+                Part::Top | Part::Side | Part::Inner => along(1, y, half[1]),
                 Part::Back => against(2, z, -half[2]),
                 Part::Front => along(2, z, half[2]),
             }
         }
-        // A plane, a disc or a rectangle; the geometry has none of the others.
+        Equations::RoundedCuboid { half, radius, region } if kind.has(EquationKinds::ROUNDED_CUBOID) => {
+            let ([hx, hy, hz], r) = (half.map(number), number(radius));
+            match part {
+                Part::Left => against(0, x, -hx - r),
+                Part::Right => along(0, x, hx + r),
+                Part::Base => against(1, y, -hy - r),
+                Part::Top => along(1, y, hy + r),
+                Part::Back => against(2, z, -hz - r),
+                Part::Front => along(2, z, hz + r),
+                Part::Side | Part::Inner => Surface::Ball(piece(p, d, [hx, hy, hz], r, region)),
+            }
+        }
+        // A plane, a disc, an annulus or a rectangle; the geometry has none of the others.
         Equations::Ball { .. }
         | Equations::Capsule { .. }
-        | Equations::Tube { .. }
+        | Equations::RoundCone { .. }
+        | Equations::Cylinder { .. }
         | Equations::Cone { .. }
+        | Equations::Revolved { .. }
+        | Equations::Tube { .. }
         | Equations::Plane
         | Equations::Disc { .. }
+        | Equations::Annulus { .. }
         | Equations::Cuboid { .. }
+        | Equations::RoundedCuboid { .. }
         | Equations::Rectangle { .. }
         | Equations::Triangle { .. } => along(1, y, zero),
     }
@@ -192,7 +247,7 @@ pub(crate) fn correction<S: Scalar, N: FromScalar<S> + Estimate, G: Described>(
     let a = surface.bending();
     let is_zero = |n: N| n.sign() == Some(Ordering::Equal);
     if hit.crossing == Crossing::Touch || is_zero(h) && is_zero(a) {
-        return touched(equations, line, [f, h, a]);
+        return touched::<S, N, G>(equations, line, [f, h, a]);
     }
     // If the curvature is negligible, the slope alone gives the correction.
     if let (Some(f_top), Some(h_top), Some(a_top)) = (f.top(), h.top(), a.top())
@@ -211,17 +266,16 @@ pub(crate) fn correction<S: Scalar, N: FromScalar<S> + Estimate, G: Described>(
 /// The correction of the `t` of a touch, or of a line in the surface. A line touches a surface where
 /// `f + 2 h x + a x^2` is least, or a solid at a rim, where the line crosses the surface beyond the solid: of the
 /// vertex and of the points at the rims' heights, the one at which `f` is nearest to zero.
-fn touched<S: Scalar, N: FromScalar<S> + Estimate>(equations: &Equations<S>, line: &Line<N>, [f, h, a]: [N; 3]) -> N {
+fn touched<S: Scalar, N: FromScalar<S> + Estimate, G: Described>(
+    equations: &Equations<S>,
+    line: &Line<N>,
+    [f, h, a]: [N; 3],
+) -> N {
     let (y, dy) = (line.origin[1], line.direction[1]);
     let magnitude = |n: N| if n.sign() == Some(Ordering::Less) { -n } else { n };
     let is_less = |n: N, m: N| magnitude(n).compare(magnitude(m)) == Some(Ordering::Less);
     let value = |x: N| N::sum([[f, N::ONE], [h + h, x], [a * x, x]]);
-    let rims = match *equations {
-        _ if dy.sign() == Some(Ordering::Equal) => [None; 2],
-        Equations::Tube { extent, .. } => planes_of(extent, [true; 2]),
-        Equations::Cone { outline, extent } => planes_of(extent, caps(&outline)),
-        _ => [None; 2],
-    };
+    let rims = if dy.sign() == Some(Ordering::Equal) { [None; 2] } else { planes_through::<S, G>(equations) };
     let vertex = (a.sign() != Some(Ordering::Equal)).then(|| (-h).over(a));
     let crossings = rims.map(|rim| rim.map(|height| (N::scalar(height) - y).over(dy)));
     let mut best: Option<[N; 2]> = None;

@@ -1,7 +1,9 @@
 //! The solver over numbers with random signs, orders and values: its ends are always sorted and paired.
 
 use super::{Attempt, Goal, LocalRay, Stop};
-use super::{ball, capsule, cone, cuboid, disc, plane, rectangle, triangle, tube};
+use super::{
+    annulus, ball, capsule, cone, cuboid, cylinder, disc, plane, rectangle, round_cone, rounded_cuboid, triangle, tube,
+};
 use crate::hit::Crossing;
 use crate::intersection::Intersection;
 use crate::number::{Estimate, Number, Ring};
@@ -123,12 +125,16 @@ impl ToScalar<f32> for Fickle {
 enum Solver {
     Ball,
     Capsule,
-    Tube(Extent<f32>),
+    RoundCone([f32; 2]),
+    Tube,
+    Cylinder(Extent<f32>),
     Cone(Outline<f32>, Extent<f32>),
     Plane,
     Disc,
+    Annulus,
     Triangle,
     Cuboid,
+    RoundedCuboid([f32; 3]),
     Rectangle,
 }
 
@@ -137,14 +143,20 @@ impl Solver {
         let mut all = Vec::from([
             Self::Ball,
             Self::Capsule,
+            Self::RoundCone([1.0, 0.5]),
+            Self::RoundCone([0.5, 3.0]),
+            Self::Tube,
             Self::Plane,
             Self::Disc,
+            Self::Annulus,
             Self::Triangle,
             Self::Cuboid,
+            Self::RoundedCuboid([1.0, 2.0, 0.5]),
+            Self::RoundedCuboid([0.0, 1.0, 0.0]),
             Self::Rectangle,
         ]);
         for extent in [Extent::Infinite, Extent::Open(2.0), Extent::Capped(2.0)] {
-            all.push(Self::Tube(extent));
+            all.push(Self::Cylinder(extent));
             for outline in [Outline::Slope(1.0), Outline::Radii(1.0, 0.5, 2.0), Outline::Radii(0.0, 1.0, 2.0)] {
                 all.push(Self::Cone(outline, extent));
             }
@@ -159,18 +171,21 @@ impl Solver {
             self,
             Self::Plane
                 | Self::Disc
+                | Self::Annulus
                 | Self::Rectangle
                 | Self::Triangle
-                | Self::Tube(Extent::Open(_))
+                | Self::Cylinder(Extent::Open(_))
                 | Self::Cone(_, Extent::Open(_))
         )
     }
 
     /// True if a ray that departs outwards meets nothing, so that no solver runs.
     fn meets_nothing(self, departure: Option<(Part, Leaving)>) -> bool {
-        let is_flat = matches!(self, Self::Plane | Self::Disc | Self::Rectangle | Self::Triangle);
+        let is_flat = matches!(self, Self::Plane | Self::Disc | Self::Annulus | Self::Rectangle | Self::Triangle);
         let is_convex = !matches!(self, Self::Cone(_, Extent::Double));
-        departure.is_some_and(|(_, leaving)| is_flat || (is_convex && leaving == Leaving::Outwards))
+        let returns = |part: Part| matches!(self, Self::Tube) && part == Part::Inner;
+        departure
+            .is_some_and(|(part, leaving)| is_flat || (is_convex && leaving == Leaving::Outwards && !returns(part)))
     }
 
     fn run(self, line: LocalRay<Fickle>, goal: Goal<f32>) -> Attempt<Intersection<f32>> {
@@ -178,12 +193,16 @@ impl Solver {
         match self {
             Self::Ball => ball(line, 1.0, goal),
             Self::Capsule => capsule(line, [1.0, 2.0], goal),
-            Self::Tube(extent) => tube(line, 1.0, extent, goal),
+            Self::RoundCone(radii) => round_cone(line, radii, 2.0, goal),
+            Self::Tube => tube(line, [0.5, 1.0], 2.0, goal),
+            Self::Cylinder(extent) => cylinder(line, 1.0, extent, goal),
             Self::Cone(outline, extent) => cone(line, outline, extent, goal),
             Self::Plane => plane(line, goal),
             Self::Disc => disc(line, 1.0, goal),
+            Self::Annulus => annulus(line, [0.5, 1.0], goal),
             Self::Triangle => triangle(line, [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], goal),
             Self::Cuboid => cuboid(line, [1.0, 2.0, 3.0], goal),
+            Self::RoundedCuboid(half) => rounded_cuboid(line, half, 1.0, goal),
             Self::Rectangle => rectangle(line, [1.0, 2.0], goal),
         }
     }
@@ -193,7 +212,7 @@ impl Solver {
 fn contradicting_signs_leave_ends_sorted_and_paired() {
     let ranges = [Range::FORWARD, Range::line(), Range::new(-1.0, 2.0).unwrap_or(Range::FORWARD)];
     let mut departures = Vec::from([None]);
-    for part in [Part::Side, Part::Base, Part::Top, Part::Left, Part::Front] {
+    for part in [Part::Side, Part::Base, Part::Top, Part::Left, Part::Front, Part::Inner] {
         departures.extend([Some((part, Leaving::Inwards)), Some((part, Leaving::Outwards))]);
     }
     for solver in Solver::all() {

@@ -3,9 +3,7 @@
 use core::fmt;
 
 unsafe extern "C" {
-    /// The vector table comes first in flash.
-    #[cfg_attr(target_arch = "arm", link_name = "__vector_table")]
-    #[cfg_attr(target_arch = "riscv32", link_name = "__stext")]
+    #[link_name = "__stext"]
     static CODE: u8;
     #[link_name = "__etext"]
     static CODE_END: u8;
@@ -26,7 +24,7 @@ unsafe extern "C" {
 /// Sizes in bytes.
 #[derive(Clone, Copy, Debug)]
 pub struct Footprint {
-    /// Instructions and the vector table: `.text`.
+    /// Instructions: `.text`. The vector table, some 200 bytes, is not counted.
     pub code: usize,
     /// Tables, texts and the like: `.rodata`.
     pub constants: usize,

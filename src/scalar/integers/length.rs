@@ -22,8 +22,8 @@ pub trait Length:
     /// The least number of extra bits of a framed origin below the type's unit: its rounding error is then a hundredth
     /// of a unit, or less.
     const FINER: i32;
-    /// True if the closest approach to a ball is unsure next to a tangent. With 32 bits it is not: the grid of a line far
-    /// away is so coarse that all of its rays would be left to other methods.
+    /// True if the closest approach to a ball is unsure next to a tangent. With 32 bits it is not: the grid of a line
+    /// far away is so coarse that all of its rays would be left to other methods.
     const GUARDS_APPROACH: bool;
     /// Bits of the moments of a triangle's vertices below the unit of their grid.
     const MOMENT_BITS: u32;
@@ -35,8 +35,8 @@ pub trait Length:
     /// The largest number, which stands for infinity.
     const MAX: Self;
 
-    /// The highest 32 bits of the magnitude (for a negative number, of the magnitude less one). The bitwise or of several
-    /// has the leading zeros of the longest length.
+    /// The highest 32 bits of the magnitude (for a negative number, of the magnitude less one). The bitwise or of
+    /// several has the leading zeros of the longest length.
     fn top(self) -> u32;
     /// The leading zeros of the longest of these; at most `BITS - 1`.
     fn zeros<const M: usize>(lengths: [Self; M]) -> u32;

@@ -1,10 +1,14 @@
 //! What a line meets on the grid of fixed point: from stored numbers to raw integers and back. The results are
 //! [`Attempt::Unsure`] where rounding may decide.
 
-use super::length::{Length, Stretch};
-use super::{ball, cone, cuboid, departing, flat, round, triangle, turned};
-use crate::outline::Outline;
+use super::cone::Nappe;
+use super::length::{Length, Product, Stretch};
+use super::quadric::Quadric;
+use super::{ball, cone, cuboid, departing, flat, quadric, round, triangle, turned};
+use crate::equations::Region;
+use crate::outline::{Meridian, Outline};
 use crate::scalar::{Attempt, FinerLine, GridScalar, InCuboid, InSide, LocalLine, found};
+use crate::vector::component;
 use core::cmp::Ordering;
 
 /// The error of an end is at most a unit, that of the height there less than two: rounding may decide the order of two
@@ -21,6 +25,22 @@ fn raw<S: GridScalar, const M: usize>(numbers: [S; M]) -> [S::Raw; M] {
 #[inline(always)]
 pub(crate) fn are_doubtful<S: GridScalar>(a: S, b: S) -> bool {
     a.to_raw().are_within(b.to_raw(), DOUBTFUL_BITS)
+}
+
+/// The nappe of an outline.
+#[inline(always)]
+fn of_outline<S: GridScalar>(outline: Outline<S>) -> Option<Nappe<S::Raw>> {
+    let (base, top, height) = match outline {
+        Outline::Slope(slope) => (S::ZERO, slope, S::one()?),
+        Outline::Radii(base, top, height) => (base, top, height.to_raw()),
+    };
+    (height > S::Raw::ZERO).then(|| Nappe::of_radii([base.to_raw(), top.minus(base).to_raw(), height]))
+}
+
+/// The quadric of a meridian.
+#[inline(always)]
+fn of_meridian<S: GridScalar>(meridian: &Meridian<S>) -> Option<Quadric<S::Raw>> {
+    Quadric::new(raw([meridian.a, meridian.b, meridian.r]), S::one()?)
 }
 
 impl<S: GridScalar> LocalLine<S> {
@@ -60,30 +80,50 @@ impl<S: GridScalar> LocalLine<S> {
 
     /// The interval of the line inside the infinite cylinder of radius `r` about the y axis.
     #[inline(always)]
-    pub(crate) fn tube(&self, r: S) -> Attempt<InSide<S>> {
-        let ends = found!(round::tube(self.o(), self.extra_bits, self.d(), r.to_raw(), self.is_strict));
+    pub(crate) fn cylinder(&self, r: S) -> Attempt<InSide<S>> {
+        let ends = found!(round::cylinder(self.o(), self.extra_bits, self.d(), r.to_raw(), self.is_strict));
         Attempt::Hit(InSide { ends: ends.map(S::from_raw), beyond: [S::ZERO; 2] })
     }
 
-    /// The raw integers of a nappe: its radius at `y = 0`, and by how much it grows over its height.
-    #[inline(always)]
-    fn outline(outline: Outline<S>) -> Option<[S::Raw; 3]> {
-        let (base, top, height) = match outline {
-            Outline::Slope(slope) => (S::ZERO, slope, S::one()?),
-            Outline::Radii(base, top, height) => (base, top, height.to_raw()),
-        };
-        if height <= S::Raw::ZERO {
-            return None;
-        }
-        Some([base.to_raw(), top.minus(base).to_raw(), height])
-    }
-
-    /// The interval of the line inside the nappe.
+    /// The interval of the line inside the nappe of this outline.
     #[inline(always)]
     pub(crate) fn nappe(&self, outline: Outline<S>) -> Attempt<InSide<S>> {
-        let Some(outline) = Self::outline(outline) else { return Attempt::Unsure };
-        let InSide { ends, beyond } = found!(cone::nappe(self.o(), self.extra_bits, self.d(), outline, self.is_strict));
+        self.in_nappe(of_outline(outline))
+    }
+
+    /// The interval of the line inside the nappe that touches two balls, of these radii about the origin and about
+    /// `(0, height, 0)`.
+    #[inline(always)]
+    pub(crate) fn nappe_around(&self, radii: [S; 2], height: S) -> Attempt<InSide<S>> {
+        self.in_nappe(Nappe::around(raw(radii), height.to_raw()))
+    }
+
+    #[inline(always)]
+    fn in_nappe(&self, nappe: Option<Nappe<S::Raw>>) -> Attempt<InSide<S>> {
+        let Some(nappe) = nappe else { return Attempt::Unsure };
+        let InSide { ends, beyond } = found!(cone::nappe(self.o(), self.extra_bits, self.d(), nappe, self.is_strict));
         Attempt::Hit(InSide { ends: ends.map(S::from_raw), beyond: beyond.map(S::from_raw) })
+    }
+
+    /// Where the line is inside the quadric of revolution, without its planes: in one interval or in two.
+    #[inline(always)]
+    pub(crate) fn quadric(&self, meridian: &Meridian<S>) -> Attempt<(InSide<S>, Option<InSide<S>>)> {
+        let Some(of) = of_meridian(meridian) else { return Attempt::Unsure };
+        let (first, second) = found!(quadric::quadric(self.o(), self.extra_bits, self.d(), of, self.is_strict));
+        let inside = |InSide { ends, beyond }: InSide<S::Raw>| InSide {
+            ends: ends.map(S::from_raw),
+            beyond: beyond.map(S::from_raw),
+        };
+        Attempt::Hit((inside(first), second.map(inside)))
+    }
+
+    /// The exit of a line that starts on the quadric and leads inwards; infinite if there is none.
+    #[inline(always)]
+    pub(crate) fn exit_from_quadric(&self, meridian: &Meridian<S>) -> Attempt<S> {
+        found!(self.starts_at_origin());
+        let Some(of) = of_meridian(meridian) else { return Attempt::Unsure };
+        let exit = found!(quadric::exit_from_quadric(self.o(), self.extra_bits, self.d(), of, self.is_strict));
+        Attempt::Hit(S::from_raw(exit))
     }
 
     /// Where the line is inside a double cone of this slope: between the two ends, or, if `true`, outside them.
@@ -103,12 +143,24 @@ impl<S: GridScalar> LocalLine<S> {
         Attempt::Hit(S::from_raw(found!(departing::exit_from_round(self.o(), self.extra_bits, self.d(), is_ball))))
     }
 
-    /// The exit of a line that starts on the side of the nappe and leads inwards; infinite if there is none.
+    /// The exit of a line that starts on the side of the nappe of this outline and leads inwards; infinite if there is
+    /// none.
     #[inline(always)]
     pub(crate) fn exit_from_nappe(&self, outline: Outline<S>) -> Attempt<S> {
+        self.exit_from(of_outline(outline))
+    }
+
+    /// The same of the nappe of [`nappe_around`](Self::nappe_around).
+    #[inline(always)]
+    pub(crate) fn exit_from_nappe_around(&self, radii: [S; 2], height: S) -> Attempt<S> {
+        self.exit_from(Nappe::around(raw(radii), height.to_raw()))
+    }
+
+    #[inline(always)]
+    fn exit_from(&self, nappe: Option<Nappe<S::Raw>>) -> Attempt<S> {
         found!(self.starts_at_origin());
-        let Some(outline) = Self::outline(outline) else { return Attempt::Unsure };
-        let exit = found!(cone::exit_from_nappe(self.o(), self.extra_bits, self.d(), outline, self.is_strict));
+        let Some(nappe) = nappe else { return Attempt::Unsure };
+        let exit = found!(cone::exit_from_nappe(self.o(), self.extra_bits, self.d(), nappe, self.is_strict));
         Attempt::Hit(S::from_raw(exit))
     }
 
@@ -146,6 +198,74 @@ impl<S: GridScalar> LocalLine<S> {
         })
     }
 
+    /// The same between the seams of two balls of these radii and the nappe that touches them, one at
+    /// `base (base - top) / height`, the other at `height + top (base - top) / height`. The `t` may be infinite.
+    #[inline(always)]
+    pub(crate) fn seams_around(&self, t: S, radii: [S; 2], height: S) -> Attempt<Ordering> {
+        let ([base, top], height) = (raw(radii), height.to_raw());
+        let (oy, dy) = (self.origin[1].to_raw(), S::unit_to_raw(self.direction[1]));
+        if !t.is_finite() {
+            let climbs = dy.cmp(&S::Raw::ZERO);
+            return Attempt::Hit(if t < S::ZERO { climbs.reverse() } else { climbs });
+        }
+        let y = found!(flat::height(oy, self.extra_bits, dy, t.to_raw()));
+        let Some(above) = y.checked_plus(-height).filter(|above| S::Raw::have_products([y, *above, height])) else {
+            return Attempt::Unsure;
+        };
+        let k = base - top;
+        let from = [S::Raw::minor([y, base], [k, height]), S::Raw::minor([above, top], [k, height])];
+        let doubt = <S::Raw as Length>::Product::from(height) << DOUBTFUL_BITS;
+        if self.is_strict && from.into_iter().any(|from| from.magnitude() < doubt) {
+            return Attempt::Unsure;
+        }
+        let [above_low, above_high] = from.map(|from| from.cmp(&Product::ZERO));
+        Attempt::Hit(match (above_low, above_high) {
+            (Ordering::Less, _) => Ordering::Less,
+            (_, Ordering::Greater) => Ordering::Greater,
+            _ => Ordering::Equal,
+        })
+    }
+
+    /// The region of the line's point at `t` beside the cuboid with these half extents, if it is certain.
+    #[inline(always)]
+    pub(crate) fn region(&self, t: S, half: [S; 3]) -> Attempt<Region> {
+        let ([x, y, z], [dx, dy, dz], [hx, hy, hz]) = (self.o(), self.d(), raw(half));
+        let side = |o, d, half: S::Raw| {
+            let c = found!(flat::height(o, self.extra_bits, d, t.to_raw()));
+            let size = if c < S::Raw::ZERO { -c } else { c };
+            Attempt::Hit(if size.are_within(half, DOUBTFUL_BITS) {
+                return Attempt::Unsure;
+            } else if size < half {
+                Ordering::Equal
+            } else {
+                c.cmp(&S::Raw::ZERO)
+            })
+        };
+        Attempt::Hit([found!(side(x, dx, hx)), found!(side(y, dy, hy)), found!(side(z, dz, hz))])
+    }
+
+    /// True if the line starts in this plane across an axis, but for rounding.
+    #[inline(always)]
+    pub(crate) fn starts_at(&self, axis: usize, plane: S) -> bool {
+        let (o, d) = (component(self.o(), axis), component(self.d(), axis));
+        match flat::height(o, self.extra_bits, d, S::Raw::ZERO) {
+            Attempt::Hit(c) => c.are_within(plane.to_raw(), DOUBTFUL_BITS),
+            _ => false,
+        }
+    }
+
+    /// The line with its coordinates in turn, so that this axis is the second.
+    #[inline(always)]
+    pub(crate) fn about(&self, axis: usize) -> Self {
+        let ([x, y, z], [dx, dy, dz]) = (self.origin, self.direction);
+        let (origin, direction) = match axis {
+            0 => ([z, x, y], [dz, dx, dy]),
+            1 => ([x, y, z], [dx, dy, dz]),
+            _ => ([y, z, x], [dy, dz, dx]),
+        };
+        Self { origin, direction, ..*self }
+    }
+
     /// Whether two ends are so close that their order may be decided by rounding. Only a strict line has this guard:
     /// otherwise two ends within a unit of each other may be in either order.
     #[inline(always)]
@@ -157,8 +277,14 @@ impl<S: GridScalar> LocalLine<S> {
     #[inline(always)]
     pub(crate) fn lowered(&self, y: S) -> Attempt<Self> {
         let [ox, oy, oz] = self.origin;
-        match y.to_raw().relative_to(oy.to_raw(), self.extra_bits) {
-            Some(above) => Attempt::Hit(Self { origin: [ox, S::from_raw(-above), oz], ..*self }),
+        Attempt::Hit(Self { origin: [ox, found!(self.relative_to(y, oy)), oz], ..*self })
+    }
+
+    /// A coordinate of the origin, relative to this one of the sizes.
+    #[inline(always)]
+    pub(crate) fn relative_to(&self, size: S, coordinate: S) -> Attempt<S> {
+        match size.to_raw().relative_to(coordinate.to_raw(), self.extra_bits) {
+            Some(above) => Attempt::Hit(S::from_raw(-above)),
             None => Attempt::Unsure,
         }
     }

@@ -10,7 +10,7 @@ use crate::scalar::Attempt;
 /// The origin is in units of `2^-extra_bits` of the radius's; the answer is in the radius's. With `is_strict` only if
 /// it is certain whether the line is inside.
 #[inline(always)]
-pub(in crate::scalar) fn tube<N: Length>(
+pub(in crate::scalar) fn cylinder<N: Length>(
     o: [N; 3],
     extra_bits: i32,
     d: [N; 3],

@@ -3,7 +3,6 @@
 use super::Surface;
 use crate::equations::Equations;
 use crate::frame::Frame;
-use crate::geometry::Geometry;
 use crate::hit::Crossing;
 use crate::ladder;
 use crate::line::{InWorld, Place};
@@ -20,13 +19,15 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
     /// The error of the rounded `t`, by one Newton step. `None` in fixed point, which has no bits for it, and if the
     /// step is not accurate to a few units.
     #[inline(always)]
-    pub(super) fn correction(&self, rough: Vec3<S>) -> Option<Correction<S::Real>> {
+    pub(super) fn correction(&self, rough: Vec3<S>) -> Option<Correction<S>> {
         if !S::RELATIVE {
             return None;
         }
-        let (shape, equations) = (&self.shape, self.shape.member.equations());
-        // In a frame the local point is computed in twice the precision: its rounding would be amplified.
-        let (point, direction) = if let Placement::World = shape.placement {
+        let (shape, equations) = (&self.shape, self.equations());
+        // In a frame, and beside a core, the local point is computed in twice the precision: its rounding would be
+        // amplified.
+        let is_in_world = matches!(shape.placement, Placement::World) && !self.is_about_a_core();
+        let (point, direction) = if is_in_world {
             (rough.real().map(Twofold::of), self.ray.direction().real().map(Twofold::of))
         } else {
             let line: Line<Twofold<S::Real>> =
@@ -35,7 +36,7 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
             (solve::point_at(&line, t), line.direction)
         };
         let [p, d] = [point, direction].map(|vector| vector.map(|component| component.high));
-        let gradient = self.equation(&Line::at(p), S::real).gradient();
+        let gradient = self.equation(&equations, &Line::at(p), S::real).gradient();
         let (slope, squares, square) = (dot(gradient, d), dot(gradient, gradient), dot(d, d));
         // The line leaves the surface by more than 14 degrees, so that the rounding of the local point changes the
         // result by a few units, and the terms of the equation do not underflow.
@@ -44,7 +45,7 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         if !(is_steep && squares >= S::Real::ONE.scaled(-90)) {
             return None;
         }
-        let value = self.equation(&Line::at(point), |size| Twofold::of(size.real())).value();
+        let value = self.equation(&equations, &Line::at(point), |size| Twofold::of(size.real())).value();
         let step = -value.high / slope.scaled(1);
         let length = step.abs();
         // The error after the step is about its square over the radius of curvature.
@@ -52,7 +53,7 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         let is_small = length * length * square <= radius * radius;
         // A step of many units is no correction of a rounding error.
         let is_rounding = length <= self.hit.t.magnitude().real().scaled(S::Real::ROUNDING + 6);
-        let correction = Correction { point, direction, step };
+        let correction = Correction { equations, point, direction, step };
         let is_number = correction.local_point().into_iter().all(|component| S::round(component).is_finite());
         (is_small && is_rounding && is_number).then_some(correction)
     }
@@ -65,7 +66,7 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         if self.is_stretched() || self.hit.crossing == Crossing::Touch {
             return None;
         }
-        let (equations, part) = (self.shape.member.equations(), self.hit.part);
+        let (equations, part) = (self.equations(), self.hit.part);
         let (o, d, t) = (self.ray.origin().to_array(), self.ray.direction(), self.hit.t);
         if let Some(solid) = round_solid(&equations, part) {
             let frame = match &self.shape.placement {
@@ -92,15 +93,15 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
             }
             _ => (S::approach_exactly(o, [S::ZERO; 3], d.to_array(), t), d.real()),
         };
-        let gradient = |point| self.equation(&Line::at(point), S::real).gradient();
-        let value = self.equation(&Line::at(point.map(Summed)), |size| Summed(size.real())).value();
+        let gradient = |point| self.equation(&equations, &Line::at(point), S::real).gradient();
+        let value = self.equation(&equations, &Line::at(point.map(Summed)), |size| Summed(size.real())).value();
         let slope = dot(gradient(point), direction);
         if slope.is_zero() || slope.is_negative() != (self.hit.crossing == Crossing::Enter) {
             return None;
         }
         let inverse = S::Real::ONE / slope.scaled(1);
         let step = -value.0 * inverse;
-        let bending = self.equation(&Line { origin: point, direction }, S::real).bending();
+        let bending = self.equation(&equations, &Line { origin: point, direction }, S::real).bending();
         let term = bending * step * inverse;
         // A step of many units is no correction of a rounding error.
         let is_rounding = step.abs() <= S::Real::ONE.scaled(S::last_place(0) + 6);
@@ -119,12 +120,24 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
             let normal = UnitVec3::from_real(self.gradient_by_integers()?)?;
             return Some(self.frame_of_a_ball().map_or(normal, |frame| frame.direction_to_local(normal)));
         }
-        let normal = self.gradient_at(self.correction(rough)?.local_point())?;
+        let normal = self.normal_at(&self.correction(rough)?)?;
         Some(self.frame_of_a_ball().map_or(normal, |frame| frame.direction_to_local(normal)))
     }
 
-    fn gradient_at(&self, point: [S::Real; 3]) -> Option<UnitVec3<S>> {
-        UnitVec3::from_real(self.equation(&Line::at(point), S::real).gradient())
+    /// The normal of a primitive that is not stretched, in the coordinates of its line.
+    fn normal_at(&self, correction: &Correction<S>) -> Option<UnitVec3<S>> {
+        UnitVec3::from_real(if self.is_about_a_core() {
+            self.gradient_at(correction).map(|component| component.high)
+        } else {
+            self.equation(&correction.equations, &Line::at(correction.local_point()), S::real).gradient()
+        })
+    }
+
+    /// The gradient in twice the precision.
+    fn gradient_at(&self, correction: &Correction<S>) -> [Twofold<S::Real>; 3] {
+        let Correction { equations, point, direction, step } = correction;
+        let point = pairs(*point, *direction).map(|(p, d)| p + d * Twofold::of(*step));
+        self.equation(equations, &Line::at(point), |size: S| Twofold::of(size.real())).gradient()
     }
 
     pub(super) fn corrected_normal(&self, rough: Vec3<S>) -> Option<UnitVec3<S>> {
@@ -139,41 +152,47 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         }
         let correction = self.correction(rough)?;
         let Some(affine) = self.affine() else {
-            let normal = self.gradient_at(correction.local_point())?;
+            let normal = self.normal_at(&correction)?;
             let is_local = self.frame_of_a_ball().is_none();
             return Some(if is_local { self.local_normal_to_world(normal) } else { normal });
         };
-        let Correction { point, direction, step } = correction;
-        let point = pairs(point, direction).map(|(p, d)| p + d * Twofold::of(step));
-        let gradient = self.equation(&Line::at(point), |size: S| Twofold::of(size.real())).gradient();
-        UnitVec3::from_real(affine.gradient_to_world(gradient).map(|component| component.high))
+        UnitVec3::from_real(affine.gradient_to_world(self.gradient_at(&correction)).map(|component| component.high))
     }
 }
 
 /// A hit's local point from the rounded `t`, the line's direction in the same coordinates, and the correction of `t`.
-pub(super) struct Correction<R> {
-    point: [Twofold<R>; 3],
-    direction: [Twofold<R>; 3],
-    pub(super) step: R,
+pub(super) struct Correction<S: Scalar> {
+    /// The primitive's, at the hit.
+    equations: Equations<S>,
+    point: [Twofold<S::Real>; 3],
+    direction: [Twofold<S::Real>; 3],
+    pub(super) step: S::Real,
 }
 
-impl<R: Real> Correction<R> {
-    pub(super) fn local_point(&self) -> [R; 3] {
-        let Self { point, direction, step } = *self;
+impl<S: Scalar> Correction<S> {
+    pub(super) fn local_point(&self) -> [S::Real; 3] {
+        let Self { point, direction, step, .. } = *self;
         pairs(point, direction).map(|(p, d)| p.high + (p.low + d.high * step))
     }
 }
 
-/// The ball or tube that a part lies on, if it is one.
+/// The ball or cylinder that a part lies on, if it is one.
 fn round_solid<S: Scalar>(equations: &Equations<S>, part: Part) -> Option<RoundSolid<S>> {
     match (*equations, part) {
         (Equations::Ball { radius }, _) | (Equations::Capsule { radius, .. }, Part::Base) => {
             Some(RoundSolid { radius, centre: Some(S::ZERO) })
         }
         (Equations::Capsule { radius, height }, Part::Top) => Some(RoundSolid { radius, centre: Some(height) }),
-        (Equations::Capsule { radius, .. }, _) | (Equations::Tube { radius, .. }, Part::Side) => {
+        (Equations::Capsule { radius, .. }, _) | (Equations::Cylinder { radius, .. }, Part::Side) => {
             Some(RoundSolid { radius, centre: None })
         }
+        (Equations::RoundCone { radii: [radius, _], .. }, Part::Base) => {
+            Some(RoundSolid { radius, centre: Some(S::ZERO) })
+        }
+        (Equations::RoundCone { radii: [_, radius], height }, Part::Top) => {
+            Some(RoundSolid { radius, centre: Some(height) })
+        }
+        (Equations::Tube { radii: [_, radius], .. }, Part::Side) => Some(RoundSolid { radius, centre: None }),
         _ => None,
     }
 }

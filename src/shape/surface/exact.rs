@@ -1,7 +1,7 @@
 //! The surface at a hit in the robust number, where one step in the number type is not enough.
 
 use super::Surface;
-use crate::equations::Equations;
+use crate::equations::{Described, EquationKinds, Equations};
 use crate::geometry::Geometry;
 use crate::ladder;
 use crate::line::{InWorld, Place};
@@ -16,6 +16,32 @@ use crate::vector::{UnitVec3, Vec3};
 use core::cmp::Ordering;
 
 impl<S: Scalar, K: Kinds> Surface<S, K> {
+    /// The primitive's equations. Those of a rounded cuboid depend on where the hit is beside its core: on the rounded
+    /// point where that is accurate, otherwise on the end of the line's interval that rounds to the hit. If there is
+    /// none, the hit was made up: its own point counts.
+    pub(super) fn equations(&self) -> Equations<S> {
+        let equations = self.shape.member.equations();
+        let Equations::RoundedCuboid { half, radius, .. } = equations else { return equations };
+        if !Member::<S, K>::EQUATIONS.has(EquationKinds::ROUNDED_CUBOID) || self.hit.part != Part::Side {
+            return equations;
+        }
+        let (rough, number) = (self.rough_local_point(), <S::Robust as FromScalar<S>>::scalar);
+        let at = |point| solve::region_at(point, half.map(number)).unwrap_or([Ordering::Equal; 3]);
+        let region = if self.is_resolved(rough) {
+            at(rough.to_array().map(number))
+        } else {
+            let shape = &self.shape;
+            let line: Line<S::Robust> =
+                through!(shape, |_primitive, place| ladder::line::<S, _, Member<S, K>>(&equations, place, &self.ray));
+            let (t, departed) = (number(self.hit.t), self.ray.departure().map(|departure| departure.part));
+            match solve::end_at(half, radius, self.hit.crossing, &line, departed) {
+                Some(end) if is_rounding::<S>(t, end.t() - t) => end.region(),
+                _ => at(solve::point_at(&line, t)),
+            }
+        };
+        Equations::RoundedCuboid { half, radius, region }
+    }
+
     /// The line, the hit's `t` in the robust number, and whether that is the surface's: if not, the surface is many
     /// units away.
     fn exact_t(&self, equations: &Equations<S>) -> (Line<S::Robust>, S::Robust, bool) {
@@ -24,10 +50,7 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         let t = <S::Robust as FromScalar<S>>::scalar(self.hit.t);
         let from_hit = Line { origin: solve::point_at(&line, t), ..line };
         let correction = solve::correction::<S, _, Member<S, K>>(equations, &self.hit, &from_hit);
-        // A correction of many units is not one of a rounding error: the tier is `Fast`, or rule 8 has put the hit at
-        // the start.
-        let most = S::last_place(t.top().unwrap_or(i32::MIN / 2)) + 6;
-        let is_rounding = correction.top().is_none_or(|top| top <= most);
+        let is_rounding = is_rounding::<S>(t, correction);
         (line, if is_rounding { t + correction } else { t }, is_rounding)
     }
 
@@ -41,7 +64,7 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
     /// The hit in the primitive's frame, and whether it is on the surface.
     #[cold]
     fn exact_local_coordinates(&self) -> ([S::Robust; 3], bool) {
-        let (_, t, is_on_surface) = self.exact_t(&self.shape.member.equations());
+        let (_, t, is_on_surface) = self.exact_t(&self.equations());
         let shape = &self.shape;
         let [origin, direction] = through!(shape, |_primitive, place| place.line::<S::Robust>(&self.ray));
         (solve::point_at(&Line { origin, direction }, t), is_on_surface)
@@ -49,7 +72,7 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
 
     #[cold]
     pub(super) fn exact_point(&self) -> Vec3<S> {
-        let (_, t, is_on_surface) = self.exact_t(&self.shape.member.equations());
+        let (_, t, is_on_surface) = self.exact_t(&self.equations());
         if !is_on_surface {
             let point = match &self.shape.placement {
                 Placement::Frame(frame) if K::SET.contains(Kind::Frame) => {
@@ -72,9 +95,9 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
     /// rotated, it is along the world's axes.
     #[cold]
     fn exact_gradient(&self) -> [S::Robust; 3] {
-        let equations = self.shape.member.equations();
+        let equations = self.equations();
         let (line, t, _) = self.exact_t(&equations);
-        self.equation(&Line::at(solve::point_at(&line, t)), S::Robust::scalar).gradient()
+        self.equation(&equations, &Line::at(solve::point_at(&line, t)), S::Robust::scalar).gradient()
     }
 
     /// The normal at the exact hit; `None` at an apex.
@@ -123,6 +146,13 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         let normal = UnitVec3::from_robust(self.exact_gradient())?;
         Some(self.frame_of_a_ball().map_or(normal, |frame| frame.direction_to_local(normal)))
     }
+}
+
+/// True for a correction of `t` that may be one of a rounding error. One of many units is not: the tier is `Fast`, or
+/// rule 8 has put the hit at the start.
+fn is_rounding<S: Scalar>(t: S::Robust, correction: S::Robust) -> bool {
+    let most = S::last_place(t.top().unwrap_or(i32::MIN / 2)) + 6;
+    correction.top().is_none_or(|top| top <= most)
 }
 
 /// The coordinate, less by a whole number if it is beyond the number type.

@@ -2,9 +2,9 @@
 
 use fixed::types::{I2F30, I2F62, I12F20, I16F16, I32F32};
 use raylet::{
-    Affine, Bounds, Capsule, Cone, Crossing, Cuboid, Cylinder, Departure, Disc, Frame, FrameError, Hit, Hits, Leaving,
-    Part, Placement, Plane, Primitive, Range, Ray, RayError, Rectangle, Scalar, Shape, Sphere, Triangle, UnitVec3,
-    ValueError, Vec3, Visible,
+    Affine, Annulus, Bounds, Capsule, Cone, Crossing, Cuboid, Cylinder, Departure, Disc, Frame, FrameError, Hit, Hits,
+    Leaving, Part, Placement, Plane, Primitive, Range, Ray, RayError, Rectangle, Revolved, RoundCone, RoundedCuboid,
+    Scalar, Shape, Sphere, Triangle, Tube, UnitVec3, ValueError, Vec3, Visible,
 };
 use serde::{Serialize, de::DeserializeOwned};
 
@@ -60,6 +60,12 @@ fn primitives<S: Scalar>() -> Vec<Primitive<S>> {
         Cone::capped(third, n(0.7)).expect("sizes").into(),
         Cone::frustum_open(third, S::ZERO, n(0.7)).expect("sizes").into(),
         Cone::frustum(third, n(0.1), n(0.7)).expect("sizes").into(),
+        Tube::new(third, n(0.7), n(0.9)).expect("sizes").into(),
+        RoundCone::new(third, n(0.7), n(0.9)).expect("sizes").into(),
+        RoundedCuboid::new(third, S::ZERO, n(0.7), n(0.1)).expect("sizes").into(),
+        Annulus::new(third, n(0.7)).expect("sizes").into(),
+        Revolved::paraboloid(third, n(0.7)).expect("sizes").into(),
+        Revolved::hyperboloid(third, n(0.7), [n(-0.3), n(0.9)]).expect("sizes").open().into(),
     ]
 }
 
@@ -158,6 +164,36 @@ fn serde_writes_a_hit_list() {
     assert!(text.contains(r#"{"t":2.0,"part":"Side","crossing":"Enter"}"#), "{text}");
 }
 
+#[test]
+fn serde_carries_the_state_of_a_ray_among_solids() {
+    use raylet::solids::{Crossings, SolidCrossing, SolidSet, Start};
+    let balls = [2.0_f32, 1.0].map(|radius| Shape::new(Sphere::new(radius).expect("a size")));
+    let ray = Ray::new(Vec3::new(0.0_f32, 0.0, -3.0), UnitVec3::Z).expect("inside the budget");
+    let crossings = Crossings::<f32, 4>::of(&balls, &ray).expect("room");
+    let second = crossings.iter().nth(1).expect("four crossings");
+    let text = serde_json::to_string(&second).expect("every value can be written");
+    assert!(text.ends_with(r#""before":[0],"after":[0,1]}"#), "{text}");
+    assert_eq!(serde_json::from_str::<SolidCrossing<f32>>(&text).expect("as written"), second);
+    let start = crossings.start_across(1).expect("room").leaving_out(SolidSet::EMPTY.with(31));
+    let text = serde_json::to_string(&start).expect("every value can be written");
+    assert_eq!(serde_json::from_str::<Start>(&text).expect("as written"), start);
+    let error = serde_json::from_str::<SolidSet>("[3, 32]").expect_err("it holds 32 solids");
+    let message = "invalid value: integer `32`, expected a list of solids with indices below 32";
+    assert!(error.to_string().starts_with(message), "{error}");
+}
+
+#[test]
+fn serde_carries_contacts() {
+    use raylet::thick::{Contact, ThickRay};
+    let ball = Shape::new(Sphere::new(1.0_f32).expect("a size"));
+    let ray = Ray::new(Vec3::new(0.0_f32, 0.0, 3.0), -UnitVec3::Z).expect("inside the budget");
+    let contact = ThickRay::new(ray, 0.5).expect("a size").contact(&ball).expect("a ball").expect("a contact");
+    let text = serde_json::to_string(&contact).expect("every value can be written");
+    let expected = r#"{"t":1.5,"point":{"x":0.0,"y":0.0,"z":1.0},"normal":[0.0,0.0,1.0],"overlaps":false}"#;
+    assert_eq!(text, expected);
+    assert_eq!(serde_json::from_str::<Contact<f32>>(&text).expect("as written"), contact);
+}
+
 /// What one number type wrote another reads, rounded to its own numbers.
 #[test]
 fn serde_reads_a_shape_in_another_number_type() {
@@ -224,6 +260,43 @@ fn serde_refuses_what_a_constructor_refuses() {
     assert!(ray.to_string().starts_with(&RayError::Origin(ValueError::BeyondBudget).to_string()), "{ray}");
 }
 
+/// A combination is stored as its leaves and its operations, and made of them again; a primitive beside combinations as
+/// any other.
+#[test]
+fn combinations_are_made_again_of_what_is_stored() {
+    use raylet::shape::combination::{LeafHit, Op};
+    use raylet::{Combination, Object};
+    #[derive(serde::Deserialize)]
+    struct Stored {
+        leaves: Vec<Shape<I16F16>>,
+        operations: Vec<Op>,
+    }
+    let n = |x: f64| I16F16::from_num(x);
+    let leaves = [Shape::new(Cuboid::new(n(1.0), n(0.7), n(1.0)).unwrap()), Shape::new(Sphere::new(n(0.9)).unwrap())];
+    for combination in [Combination::union(&leaves), Combination::difference(&leaves)] {
+        let combination = combination.unwrap();
+        let written = serde_json::to_string(&combination).unwrap();
+        let stored: Stored = serde_json::from_str(&written).unwrap();
+        let again = Combination::new(&stored.leaves, &stored.operations).unwrap();
+        assert_eq!((again.leaves(), again.is_subtracted(1)), (combination.leaves(), combination.is_subtracted(1)));
+        assert!(again.operations().eq(combination.operations()));
+        let shape = serde_json::to_string(&combination.shape()).unwrap();
+        assert_eq!(shape, format!(r#"{{"combination":{written},"visible":"Both"}}"#));
+        let object = serde_json::to_string(&Object::new(combination.shape(), 3)).unwrap();
+        assert!(object.starts_with(&format!(r#"{{"shape":{shape},"#)), "{object}");
+    }
+    let beside = serde_json::to_string(&leaves[0].beside_combinations()).unwrap();
+    assert_eq!(beside, serde_json::to_string(&leaves[0]).unwrap());
+    let hit = Hit { t: n(1.5), part: Part::Side, crossing: Crossing::Enter };
+    round_trip(&LeafHit { leaf: 3, hit });
+    fn formats<T: defmt::Format>() {}
+    formats::<Combination<'_, f32>>();
+    formats::<LeafHit<I16F16>>();
+    formats::<Op>();
+    formats::<raylet::CombinationError>();
+    formats::<Shape<f32, raylet::shape::kinds::Combining<'_>>>();
+}
+
 #[test]
 fn mint_vectors_and_points_convert_both_ways() {
     let v = Vec3::new(1.0_f32, 2.0, 3.0);
@@ -250,6 +323,12 @@ fn defmt_formats_every_value_type() {
     formats::<Ray<I16F16>>();
     formats::<Bounds<I16F16>>();
     formats::<Frame<I32F32>>();
+    formats::<raylet::solids::SolidCrossing<I16F16>>();
+    formats::<raylet::solids::SolidSet<2>>();
+    formats::<raylet::solids::Start>();
+    formats::<raylet::thick::ThickRay<I16F16>>();
+    formats::<raylet::thick::Contact<I16F16>>();
+    formats::<raylet::Ellipsoid<I16F16>>();
     formats::<raylet::Error>();
     formats::<raylet::FrameError>();
     formats::<raylet::SizeError>();

@@ -6,7 +6,7 @@ use crate::query::Query;
 use raylet::{Hits, Part, Ray, Shape, Tier};
 use support::cases::Kind;
 use support::exact_types::{exact_line, same_crossing, same_part};
-use support::oracle::{self, ConeExtent, CylinderExtent, Dyadic, InRange, Line, Solid, hits_in_range};
+use support::oracle::{self, ConeExtent, CylinderExtent, Dyadic, InRange, Line, Revolved, Solid, hits_in_range};
 use support::random::Random;
 
 /// What a tier promises.
@@ -231,7 +231,9 @@ fn seams(solid: &Solid) -> Vec<Dyadic> {
         Solid::Cylinder { extent: CylinderExtent::Open(height) | CylinderExtent::Capped(height), .. }
         | Solid::Cone { extent: ConeExtent::Open(height) | ConeExtent::Capped(height), .. }
         | Solid::Frustum { height, .. }
-        | Solid::Capsule { height, .. } => vec![Dyadic::zero(), height.clone()],
+        | Solid::Capsule { height, .. }
+        | Solid::Tube { height, .. } => vec![Dyadic::zero(), height.clone()],
+        Solid::Revolved(revolved) => vec![revolved.low.clone(), revolved.high.clone()],
         Solid::Cone { .. } => vec![Dyadic::zero()],
         _ => vec![],
     }
@@ -245,6 +247,8 @@ fn resized(solid: &Solid, sign: i64, step: &Dyadic) -> Solid {
         if moved.signum() > 0 || size.is_zero() { moved } else { size.scaled(-1) }
     };
     let or_zero = |size: &Dyadic| if size.is_zero() { size.clone() } else { by(size) };
+    // An outer radius, which stays above the inner one.
+    let outside = |inner: &Dyadic, outer: &Dyadic| inner + &by(&(outer - inner));
     let slope = |slope: &Dyadic| slope * &(&Dyadic::from(1) + &(&Dyadic::from(sign) * &Dyadic::power_of_two(-20)));
     match solid {
         Solid::Sphere { radius } => Solid::Sphere { radius: by(radius) },
@@ -272,9 +276,35 @@ fn resized(solid: &Solid, sign: i64, step: &Dyadic) -> Solid {
             capped: *capped,
         },
         Solid::Capsule { radius, height } => Solid::Capsule { radius: by(radius), height: or_zero(height) },
+        Solid::Revolved(revolved) => {
+            let further = |height: &Dyadic| height + &(step * &Dyadic::from(sign));
+            Solid::Revolved(Revolved {
+                a: slope(&revolved.a),
+                b: further(&revolved.b),
+                r: or_zero(&revolved.r),
+                low: -&further(&-&revolved.low),
+                high: further(&revolved.high),
+                capped: revolved.capped,
+            })
+        }
+        Solid::RoundCone(oracle::RoundCone { base_radius, top_radius, height }) => {
+            Solid::RoundCone(oracle::RoundCone {
+                base_radius: by(base_radius),
+                top_radius: by(top_radius),
+                height: or_zero(height),
+            })
+        }
+        // The wall grows, or shrinks, to one side.
+        Solid::Tube { inner, outer, height } => {
+            Solid::Tube { inner: inner.clone(), outer: outside(inner, outer), height: by(height) }
+        }
         Solid::Plane => Solid::Plane,
         Solid::Disc { radius } => Solid::Disc { radius: by(radius) },
+        Solid::Annulus { inner, outer } => Solid::Annulus { inner: inner.clone(), outer: outside(inner, outer) },
         Solid::Cuboid { half } => Solid::Cuboid { half: half.each_ref().map(by) },
+        Solid::RoundedCuboid(oracle::RoundedCuboid { half, radius }) => {
+            Solid::RoundedCuboid(oracle::RoundedCuboid { half: half.each_ref().map(or_zero), radius: by(radius) })
+        }
         Solid::Rectangle { half } => Solid::Rectangle { half: half.each_ref().map(by) },
         Solid::Triangle { vertices } => {
             // One corner or another, each in another direction.

@@ -7,6 +7,7 @@ use crate::query::Query;
 use raylet::scalar::UnitScalar;
 use raylet::{Crossing, Hit, Hits, Leaving, Placement, Range, Ray, Scalar, Shape, Tier, UnitVec3, Vec3, Visible};
 use support::cases::Kind;
+use support::oracle::Solid;
 
 /// Fails with the case in words.
 macro_rules! law {
@@ -71,7 +72,8 @@ fn listed<S: Number, T: Tier<S>>(query: &Query<S>, shape: &Shape<S>, ray: &Ray<S
         let within = range.start() <= overlap.start() && overlap.end() <= range.end();
         law!(within && overlap.start() <= overlap.end(), query, "an overlap that is none: {hits:?} on {ray:?}");
         law!(hits.is_empty() && !hits.starts_inside(), query, "coincident, and crossing too: {hits:?} on {ray:?}");
-        law!(query.kind != Kind::Bounded, query, "nothing lies in the surface of a closed solid: {hits:?}");
+        let is_closed = matches!(query.kind, Kind::Bounded | Kind::NotConvex);
+        law!(!is_closed, query, "nothing lies in the surface of a closed solid: {hits:?}");
     }
     let nearest = shape.nearest_at::<T>(ray);
     law!(nearest == hits.first().copied(), query, "nearest is {nearest:?}, of {hits:?} on {ray:?}");
@@ -92,6 +94,12 @@ fn pairs_up<S: Number>(query: &Query<S>, whole: &Hits<S>) {
         (_, [] | [Touch] | [Enter, Exit]) => true,
         (Kind::Bounded, [Enter | Exit]) => query.may_leave_the_type(&query.ray),
         (_, [Enter | Exit]) => true,
+        (Kind::NotConvex, several) => {
+            let mut ends = several.iter().filter(|crossing| **crossing != Touch);
+            let are_paired = ends.clone().collect::<Vec<_>>().chunks(2).all(|pair| *pair == [&Enter, &Exit]);
+            are_paired || ends.next().is_some() && query.may_leave_the_type(&query.ray)
+        }
+        (Kind::Open, [Exit, Enter]) => matches!(&query.solid, Solid::Revolved(revolved) if revolved.has_waist()),
         (Kind::Unbounded, several) => {
             query.is_double && several.windows(2).all(|pair| pair[0] != pair[1]) && !several.contains(&Touch)
         }
@@ -122,7 +130,7 @@ fn starts_inside_as_the_crossings_say<S: Number>(query: &Query<S>, hits: &Hits<S
 
 /// Rule 8, for a ray that departs from where a hit was.
 fn departs<S: Number>(query: &Query<S>, ray: &Ray<S>, whole: &Hits<S>, leaving: Leaving) {
-    if query.kind == Kind::Open || query.is_double {
+    if matches!(query.kind, Kind::Open | Kind::NotConvex) || query.is_double {
         return;
     }
     let met = match (leaving, &whole[..]) {

@@ -3,8 +3,9 @@
 use crate::agreement::Agreement;
 use crate::bytes::{Bytes, Number};
 use raylet::{
-    Affine, Capsule, Cone, Cuboid, Cylinder, Departure, Disc, Frame, Leaving, Part, Placement, Plane, Primitive, Range,
-    Ray, Rectangle, Scalar, Shape, Sphere, Triangle, Visible, tier,
+    Affine, Annulus, Capsule, Cone, Cuboid, Cylinder, Departure, Disc, Frame, Leaving, Part, Placement, Plane,
+    Primitive, Range, Ray, Rectangle, Revolved, RoundCone, RoundedCuboid, Scalar, Shape, Sphere, Triangle, Tube,
+    Visible, tier,
 };
 use std::any::type_name;
 use std::cell::Cell;
@@ -149,7 +150,14 @@ fn extent(solid: &Solid) -> (Dyadic, Dyadic) {
         Solid::Frustum { base_radius, top_radius, height, .. } => {
             vec![base_radius.clone(), top_radius.clone(), height.clone()]
         }
+        Solid::Revolved(of) => [&of.r, &of.b, &of.low, &of.high].map(Dyadic::magnitude).to_vec(),
+        Solid::RoundCone(oracle::RoundCone { base_radius, top_radius, height }) => {
+            vec![base_radius.clone(), top_radius.clone(), height.clone()]
+        }
+        Solid::Tube { inner, outer, height } => vec![inner.clone(), outer - inner, outer.clone(), height.clone()],
+        Solid::Annulus { inner, outer } => vec![inner.clone(), outer - inner, outer.clone()],
         Solid::Cuboid { half } => half.to_vec(),
+        Solid::RoundedCuboid(oracle::RoundedCuboid { half, radius }) => half.iter().chain([radius]).cloned().collect(),
         Solid::Rectangle { half } => half.to_vec(),
         Solid::Triangle { vertices } => return triangle_extent(vertices),
     };
@@ -174,11 +182,14 @@ fn triangle_extent(vertices: &[[Dyadic; 3]; 3]) -> (Dyadic, Dyadic) {
 type Made<S> = (Kind, Primitive<S>, Solid);
 
 fn primitive<S: Number>(bytes: &mut Bytes<'_, S>) -> Result<Made<S>, Rejected> {
-    use Kind::{Bounded, Open, Unbounded};
-    // The last two are those of few bytes, so that most bytes of the corpus mean what they meant when it was made.
+    use Kind::{Bounded, NotConvex, Open, Unbounded};
+    // The last are those of few bytes, so that most bytes of the corpus mean what they meant when it was made.
     let which = match bytes.byte() {
         which @ 0..224 => which % 14,
-        which => 14 + which % 2,
+        which @ 224..248 => 14 + which % 2,
+        248..252 => return revolved(bytes),
+        // 16 to 18.
+        which => which.div_ceil(2) - 110,
     };
     if which == 13 {
         return triangle(bytes);
@@ -238,6 +249,27 @@ fn primitive<S: Number>(bytes: &mut Bytes<'_, S>) -> Result<Made<S>, Rejected> {
             let primitive = made(Rectangle::new(a, b), both, &given)?;
             (Open, primitive.into(), Solid::Rectangle { half: [a, b].map(S::exact) })
         }
+        16 => {
+            let primitive = made(Tube::new(a, b, c), both && is_size(c) && a < b, &given)?;
+            let [inner, outer, height] = given.map(S::exact);
+            (NotConvex, primitive.into(), Solid::Tube { inner, outer, height })
+        }
+        17 => {
+            let primitive = made(RoundCone::new(a, b, c), both && or_zero(c), &given)?;
+            let [base, top, height] = given.map(S::exact);
+            (Bounded, primitive.into(), oracle::RoundCone::solid(base, top, height))
+        }
+        19 => {
+            // Beyond the budget with the radius added: the constructor says so.
+            let Ok(cuboid) = RoundedCuboid::new(a, b, S::ZERO, c) else { return Err(Rejected) };
+            let half = [a.exact(), b.exact(), Dyadic::zero()];
+            let solid = oracle::RoundedCuboid { half, radius: c.exact() };
+            (Bounded, cuboid.into(), Solid::RoundedCuboid(solid))
+        }
+        18 => {
+            let primitive = made(Annulus::new(a, b), both && a < b, &given)?;
+            (Open, primitive.into(), Solid::Annulus { inner: a.exact(), outer: b.exact() })
+        }
         _ => (Open, made(Disc::new(a), is_size(a), &given)?.into(), Solid::Disc { radius: a.exact() }),
     })
 }
@@ -250,6 +282,22 @@ fn triangle<S: Number>(bytes: &mut Bytes<'_, S>) -> Result<Made<S>, Rejected> {
     assert!(corners.iter().all(|corner| corner.is_within_budget()), "beyond the budget: {corners:?}");
     let vertices = corners.map(|corner| corner.to_array().map(S::exact));
     Ok((Kind::Open, triangle.into(), Solid::Triangle { vertices }))
+}
+
+fn revolved<S: Number>(bytes: &mut Bytes<'_, S>) -> Result<Made<S>, Rejected> {
+    let (sizes, is_open) = ([(); 5].map(|()| bytes.number()), bytes.byte() & 1 == 1);
+    let [a, b, r, y, z] = sizes;
+    let [low, high] = if z < y { [z, y] } else { [y, z] };
+    // What is a quadric between planes is for the constructor to say.
+    let Ok(revolved) = Revolved::new(a, b, r, [low, high]) else { return Err(Rejected) };
+    let [a, b, r, low, high] = [a, b, r, low, high].map(S::exact);
+    let solid = oracle::Revolved { a, b, r, low, high, capped: !is_open };
+    let (kind, primitive) = match (is_open, solid.has_waist()) {
+        (true, _) => (Kind::Open, revolved.open()),
+        (false, true) => (Kind::NotConvex, revolved),
+        (false, false) => (Kind::Bounded, revolved),
+    };
+    Ok((kind, primitive.into(), Solid::Revolved(solid)))
 }
 
 fn placement<S: Number>(bytes: &mut Bytes<'_, S>) -> Result<(Placement<S>, (f64, f64)), Rejected> {
@@ -322,6 +370,7 @@ fn ray<S: Number>(bytes: &mut Bytes<'_, S>) -> Result<Ray<S>, Rejected> {
         Some(Part::Right),
         Some(Part::Back),
         Some(Part::Front),
+        Some(Part::Inner),
     ]);
     Ok(match part {
         None => ray,

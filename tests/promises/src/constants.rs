@@ -6,8 +6,8 @@ use fixed::types::extra::{U0, U30, U31};
 use fixed::types::{I16F16, I32F32};
 use raylet::scalar::{Unit, UnitScalar};
 use raylet::{
-    Camera, Capsule, Color, Cone, Cuboid, Cylinder, Disc, Frame, FrameError, Material, Object, Plane, Rectangle,
-    Scalar, Shape, Size, Sphere, UnitVec3, Vec3, constant,
+    Annulus, Camera, Capsule, Color, Cone, Cuboid, Cylinder, Disc, Frame, FrameError, Material, Object, Plane,
+    Rectangle, Revolved, RoundCone, RoundedCuboid, Scalar, Shape, Size, Sphere, Tube, UnitVec3, Vec3, constant,
 };
 use shared::flash;
 use std::fmt::Debug;
@@ -52,6 +52,10 @@ struct Tally {
 }
 
 impl Tally {
+    fn all(&mut self, several: impl IntoIterator<Item = bool>) {
+        several.into_iter().for_each(|good| self.add(good));
+    }
+
     fn add(&mut self, is_good: bool) {
         if is_good { self.good += 1 } else { self.bad += 1 }
     }
@@ -68,35 +72,34 @@ macro_rules! of_type {
             numbers.extend([$($special),*] as [S; _]);
             let mut tally = Tally::default();
             for &a in &numbers {
-                for good in [
+                tally.all([
                     same(Sphere::<S>::const_new(a), Sphere::new(a)),
                     same(Disc::<S>::const_new(a), Disc::new(a)),
                     same(Cylinder::<S>::const_infinite(a), Cylinder::infinite(a)),
                     same(Cone::<S>::const_double(a), Cone::double(a)),
                     same(Cone::<S>::const_nappe(a), Cone::nappe(a)),
-                ] {
-                    tally.add(good);
-                }
+                ]);
                 for &b in &numbers {
-                    for good in [
+                    tally.all([
                         same(Capsule::<S>::const_new(a, b), Capsule::new(a, b)),
+                        same(Annulus::<S>::const_new(a, b), Annulus::new(a, b)),
                         same(Rectangle::<S>::const_new(a, b), Rectangle::new(a, b)),
                         same(Cylinder::<S>::const_open(a, b), Cylinder::open(a, b)),
                         same(Cylinder::<S>::const_capped(a, b), Cylinder::capped(a, b)),
                         same(Cone::<S>::const_open(a, b), Cone::open(a, b)),
                         same(Cone::<S>::const_capped(a, b), Cone::capped(a, b)),
-                    ] {
-                        tally.add(good);
-                    }
+                    ]);
                     let c = numbers[random.below(numbers.len())];
-                    for good in [
+                    tally.all([
                         same(Cuboid::<S>::const_new(a, b, c), Cuboid::new(a, b, c)),
+                        same(RoundCone::<S>::const_new(a, b, c), RoundCone::new(a, b, c)),
+                        same(RoundedCuboid::<S>::const_new(a, b, c, b), RoundedCuboid::new(a, b, c, b)),
+                        same(Tube::<S>::const_new(a, b, c), Tube::new(a, b, c)),
                         same(Cone::<S>::const_frustum(a, b, c), Cone::frustum(a, b, c)),
                         same(Cone::<S>::const_frustum_open(a, b, c), Cone::frustum_open(a, b, c)),
+                        same(Revolved::<S>::const_new(a, b, c, [b, c]), Revolved::new(a, b, c, [b, c])),
                         same(Frame::<S>::const_at(Vec3::new(a, b, c)), Frame::at(Vec3::new(a, b, c))),
-                    ] {
-                        tally.add(good);
-                    }
+                    ]);
                 }
             }
             assert!(tally.good > 1000 && tally.bad > 1000, "{} and {}", tally.good, tally.bad);

@@ -77,6 +77,17 @@ fn rule_01_a_bounded_solid_is_closed_and_crossings_pair_up<S: Exact>() {
         assert_like_exact(&case, edges.into_iter());
         assert_like_exact(&case, random_rays(2, 4000));
     }
+    for case in cases_of::<S>(Kind::NotConvex) {
+        let edges = edge_rays(&case);
+        for (ray, _) in edges.iter().copied().chain(random_rays(1, 20000)) {
+            let mut list = crossings(&case, &ray.with_range(Range::line()));
+            list.retain(|crossing| *crossing != Crossing::Touch);
+            let are_paired = list.chunks(2).all(|pair| *pair == [Crossing::Enter, Crossing::Exit]);
+            assert!(are_paired && list.len() <= 4, "{} in {}: {list:?} for {ray:?}", case.name, S::name());
+        }
+        assert_like_exact(&case, edges.into_iter());
+        assert_like_exact(&case, random_rays(2, 4000));
+    }
 }
 
 fn rule_01_no_ray_slips_between_a_cap_and_the_side<S: Exact>() {

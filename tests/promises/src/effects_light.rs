@@ -71,8 +71,11 @@ fn paths_end_at_the_published_depth() {
         assert_eq!((red, counters.reflection_rays), (0.0, u64::from(DEPTH)));
         // A mirror that is transparent as well sends two rays on from each of DEPTH surfaces, at most.
         let both = black().with_mirror(number(0.5)).with_refraction(number(0.5), number(1.0));
-        let inside: Vec<_> = (0..20).map(|i| ball([0.0; 3], 1.0 + f64::from(i), 0)).collect();
-        let (_, counters) = seen::<S>(&inside, &[both], [0.0; 3], [0.1, 0.3, 0.2]);
+        // Between equal media there is no surface.
+        let shade = |i: u32| Color::from_f64([f64::from(i) / 20.0; 3]);
+        let materials: Vec<_> = (0..20).map(|i| Material { color: shade(i), ..both }).collect();
+        let inside: Vec<_> = (0..20).map(|i| ball([0.0; 3], 20.0 - f64::from(i), i)).collect();
+        let (_, counters) = seen::<S>(&inside, &materials, [0.0; 3], [0.1, 0.3, 0.2]);
         assert_eq!(counters.reflection_rays + counters.refraction_rays, (1 << (DEPTH + 1)) - 2);
     }
     check::<f32>();

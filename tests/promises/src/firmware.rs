@@ -4,9 +4,10 @@
 //! `RAYLET_WRITE_EXPECTED=1 cargo test -p raylet-promises firmware` writes the files anew.
 
 use fixed::types::I16F16;
-use raylet::{Picture, Scalar, TraceContext};
+use raylet::{Picture, Scalar, Stable, TraceContext};
 use shared::picture::Storage;
-use shared::{digest, flash, picture};
+use shared::range_sensor::{SOLIDS, ZONES};
+use shared::{digest, flash, picture, returns};
 use std::fmt::Write;
 
 const RENEW: &str = "the host no longer gives what is expected of the chips. If the library's answers were meant to \
@@ -34,6 +35,19 @@ fn the_host_gives_the_bits_of_the_chips() {
         writeln!(text, "{number} {tier} {shape}: {digest:016x}").expect("a string takes everything");
     });
     expect("digest.txt", text.as_bytes());
+}
+
+/// The digest leaves out a zone whose crossings do not fit into its list.
+#[test]
+fn a_zone_of_the_sensor_has_room_for_its_crossings() {
+    let yard = returns::yard::<I16F16>();
+    assert_eq!(yard.len(), SOLIDS);
+    let zones = (0..ZONES * ZONES).map(|zone| (zone % ZONES, zone / ZONES));
+    let found = zones.map(|(column, row)| {
+        returns::returns::<I16F16, Stable>(yard.as_slice(), column, row).expect("there is room").len()
+    });
+    // What the program `returns` prints on the chips.
+    assert_eq!(found.sum::<usize>(), 117);
 }
 
 /// Hands over the picture in this number type.

@@ -39,7 +39,7 @@ fn what_is_not_cast_changes_no_level() {
                     differing <= most && farthest <= off,
                     "{built_in}, {number}, {samples} samples: {differing} pixels differ, by up to {farthest}"
                 );
-                let sends_rays_on = matches!(built_in, BuiltIn::Glass | BuiltIn::Waves);
+                let sends_rays_on = matches!(built_in, BuiltIn::Glass | BuiltIn::Waves | BuiltIn::Water);
                 assert_eq!(rays < all_rays, sends_rays_on, "{built_in}, {number}: {rays} of {all_rays} rays");
             }
         }
@@ -69,6 +69,7 @@ fn number_types_agree() {
         let measured = match built_in {
             BuiltIn::Glass => [7, 16, 6],
             BuiltIn::Patterns => [1, 1, 0],
+            BuiltIn::Water => [0, 4, 0],
             _ => [0; 3],
         };
         let found = [single, fixed, wide];

@@ -49,7 +49,10 @@ fn any_scene<S: Scalar>(seed: u64, count: usize) -> Result<usize, TestCaseError>
 
 proptest! {
     #![proptest_config(ProptestConfig {
-        cases: amount(120, 6000), failure_persistence: None, rng_seed: RngSeed::Fixed(0x7261_796c_6574), ..ProptestConfig::default()
+        cases: amount(120, 6000),
+        failure_persistence: None,
+        rng_seed: RngSeed::Fixed(0x7261_796c_6574),
+        ..ProptestConfig::default()
     })]
     #[test]
     fn any_ray_gets_the_same_answers_in_any_scene(seed in any::<u64>(), count in 0_usize..40) {

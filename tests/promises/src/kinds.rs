@@ -1,10 +1,11 @@
 //! A shape of chosen kinds answers as the same shape of any kind does, to the bit, and has no other kinds.
 
 use raylet::scene::{Hierarchy, Node};
-use raylet::shape::kinds::{All, Kind, KindError, Kinds};
+use raylet::shape::kinds::{All, Kind, KindError, Kinds, Primitives};
 use raylet::{
-    Affine, Camera, Capsule, Color, Cone, Cuboid, Cylinder, Disc, Exact, Fast, Frame, Light, Material, Object, Picture,
-    Plain, Plane, Ray, Rectangle, Scalar, Scene, Shape, Size, Sphere, Stable, Tier, Triangle, UnitVec3, Vec3, Visible,
+    Affine, Annulus, Camera, Capsule, Color, Cone, Cuboid, Cylinder, Disc, Exact, Fast, Frame, Light, Material, Object,
+    Picture, Plain, Plane, Ray, Rectangle, Revolved, RoundCone, RoundedCuboid, Scalar, Scene, Shape, Size, Sphere,
+    Stable, Tier, Triangle, Tube, UnitVec3, Vec3, Visible,
 };
 use std::fmt::Debug;
 use support::amount::times;
@@ -42,7 +43,7 @@ fn same<A: Debug>(chosen: A, any: A, told: &impl Fn() -> String) {
 fn same_answers<S: exact_types::Exact, K: Kinds, T: Tier<S>>(shape: &Shape<S>, chosen: &Shape<S, K>, ray: &Ray<S>) {
     let told = || format!("{shape:?} {ray:?} {}", K::SET);
     let hits = shape.hits_at::<T>(ray);
-    same(chosen.hits_at::<T>(ray), hits.clone(), &told);
+    same(format!("{:?}", chosen.hits_at::<T>(ray)), format!("{hits:?}"), &told);
     same(chosen.nearest_at::<T>(ray), shape.nearest_at::<T>(ray), &told);
     same(chosen.occludes_at::<T>(ray), shape.occludes_at::<T>(ray), &told);
     same(chosen.contains_at::<T>(ray.origin()), shape.contains_at::<T>(ray.origin()), &told);
@@ -106,9 +107,13 @@ macro_rules! every_set {
             $compare::<$S, (Cylinder<$S>, Plane<$S>, Frame<$S>)>(),
             $compare::<$S, (Sphere<$S>, Capsule<$S>)>(),
             $compare::<$S, (Cuboid<$S>, Rectangle<$S>, Frame<$S>, Affine<$S>)>(),
+            $compare::<$S, (Revolved<$S>, Frame<$S>, Affine<$S>)>(),
+            $compare::<$S, (Tube<$S>, Annulus<$S>, Frame<$S>, Affine<$S>)>(),
+            $compare::<$S, (RoundCone<$S>, Frame<$S>, Affine<$S>)>(),
+            $compare::<$S, (RoundedCuboid<$S>, Frame<$S>, Affine<$S>)>(),
         ];
         // So many subjects in so many placements, seen from both sides and from each.
-        let expected = [(2, 5), (4, 5), (8, 5), (2, 5), (4, 3), (2, 1), (2, 5)];
+        let expected = [(2, 5), (4, 5), (8, 5), (2, 5), (4, 3), (2, 1), (2, 5), (2, 5), (2, 5), (1, 5), (1, 5)];
         assert_eq!(compared, expected.map(|(subjects, placements)| subjects * placements * 3));
     }};
 }
@@ -195,7 +200,7 @@ fn among_refuses_what_is_not_among_the_kinds<S: exact_types::Exact>() {
 /// A primitive and a placement that are named are taken without a test.
 #[test]
 fn what_is_named_is_taken() {
-    fn placed<K: Kinds>(ball: Shape<f32, K>, frame: Frame<f32>) -> Shape<f32, K> {
+    fn placed<K: Primitives>(ball: Shape<f32, K>, frame: Frame<f32>) -> Shape<f32, K> {
         ball.among::<All>().expect("all are among them").placed(frame).among().expect("it is named")
     }
     type Few = (Frame<f32>, Sphere<f32>);
@@ -214,7 +219,8 @@ fn a_set_is_what_it_names() {
     assert_eq!(<(Plane<f32>, Sphere<f32>)>::SET, <(Sphere<f64>, Plane<f32>, Sphere<f32>)>::SET);
     assert_eq!(
         All::SET.to_string(),
-        "Sphere, Cylinder, Cone, Capsule, Plane, Disc, Triangle, Cuboid, Rectangle, Frame, Affine"
+        "Sphere, Cylinder, Cone, Capsule, Plane, Disc, Triangle, Cuboid, Rectangle, Revolved, Tube, Annulus, \
+         RoundCone, RoundedCuboid, Frame, Affine"
     );
     assert_eq!(All::SET.len(), Kind::EVERY.len());
     for kind in Kind::EVERY {

@@ -12,9 +12,7 @@ use raylet::scalar::UnitScalar;
 use raylet::{Crossing, Frame, Hits, Part, Range, Ray, Rectangle, Shape, Triangle, UnitVec3, Vec3};
 use support::cases::v;
 use support::exact_types::Exact as Number;
-use support::laws::{
-    Grade, Graded, Law, Met, Nature, Pose, Setting, bound, is_float, met, number, unit_at, unit_on_the_way,
-};
+use support::laws::{Grade, Graded, Law, Met, Pose, Setting, bound, is_float, met, number, unit_at, unit_on_the_way};
 use support::oracle::Solid;
 use support::random::Random;
 
@@ -76,7 +74,7 @@ mod law {
                     (Shape::new(Triangle::new(a, b, c).expect("as large as before")), is_mirror)
                 }
                 // Of two sides the one across x owns an edge, whichever of them it is after a turn.
-                Solid::Cuboid { .. } if swap => continue,
+                Solid::Cuboid { .. } | Solid::RoundedCuboid(_) if swap => continue,
                 Solid::Rectangle { half: [x, z] } if swap => {
                     let [z, x] = [z, x].map(|half| number(half.to_f64()).expect("as large as before"));
                     (Shape::new(Rectangle::new(z, x).expect("as large as before")), false)
@@ -265,7 +263,7 @@ mod law {
                 prop_assert!(off <= bound, "{ray:?} {hit:?} is {:.2} bounds off", off / bound);
             }
         }
-        if setting.nature == Nature::Bounded {
+        if setting.is_bounded() {
             // Two answers, each as far off as the bound says.
             let alike = setting.alike(ray, here, there, 2.0 * bounds);
             prop_assert!(alike.is_ok(), "{ray:?}: {alike:?}: {here:?} {there:?}");

@@ -11,7 +11,7 @@ use raylet::tier::{Exact, Fast, Plain, Stable};
 use raylet::{Hits, Range};
 use support::amount::times;
 use support::exact_types::Exact as Number;
-use support::laws::{Grade, Graded, Law, Nature, Setting, bound, met};
+use support::laws::{Grade, Graded, Law, Setting, bound, met};
 use support::random::Random;
 
 laws!(finer_tiers_see_the_same_crossings_on_the_same_parts);
@@ -25,7 +25,7 @@ mod law {
         setting: &Setting<S>,
         _: &mut Random,
     ) -> Law {
-        if setting.nature != Nature::Bounded {
+        if !setting.is_bounded() {
             return Ok(());
         }
         for range in [setting.ray.range(), Range::line()] {
@@ -85,7 +85,7 @@ fn benign_rays_need_no_excuse() {
                 if seen(&coarse) != seen(&fine) {
                     differ += 1;
                     let lawful = law::same::<S, T>(&setting, &setting.ray, &coarse, &fine);
-                    assert!(lawful.is_ok() || setting.nature != Nature::Bounded, "{name}: {lawful:?}");
+                    assert!(lawful.is_ok() || !setting.is_bounded(), "{name}: {lawful:?}");
                 }
             }
         }

@@ -91,7 +91,8 @@ fn hold<S: Number, T: Tier<S>>(name: &'static str, workload: Workload, units: f6
         if judge::<S, T>(&shape, &subject.solid, &line, &ray).is_err() {
             // In fixed point 1e-6 of the size may be less than a unit.
             let want = oracle::hits_in_range(&oracle::solve(&subject.solid, &line), &Dyadic::zero(), None);
-            let judged = Judged { solid: &subject.solid, line: &line, ray: &ray, want: &want, size: 1.0 };
+            let (solid, size) = (&subject.solid, 1.0);
+            let judged = Judged { solid, line: &line, ray: &ray, want: &want, size, narrowest: size };
             let tier = if TypeId::of::<T>() == TypeId::of::<Exact>() { "Exact" } else { "Stable" };
             // What was told changes nothing in these tiers.
             if judged.excuses(tier, &[]) {

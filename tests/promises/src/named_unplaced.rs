@@ -5,7 +5,8 @@ use crate::named::{Want, assert_hits, bits, extreme, extreme_ray, extreme_solid,
 use fixed::types::I16F16;
 use raylet::tier::{Exact, Fast, Stable, Tier};
 use raylet::{
-    Affine, Capsule, Cone, Crossing, Cylinder, Frame, Object, Part, Range, Ray, Shape, Sphere, UnitVec3, Vec3,
+    Affine, Capsule, Cone, Crossing, Cylinder, Frame, Object, Part, Range, Ray, Revolved, Scalar, Shape, Sphere,
+    UnitVec3, Vec3,
 };
 use support::amount::times;
 use support::cases::{direction, n, v};
@@ -167,6 +168,13 @@ fn exact_is_right_where_the_numbers_of_a_solid_are_at_their_extremes() {
         };
         solids.extend(frustum.ok().map(|frustum| (frustum, exact(true))));
         solids.extend(Cone::frustum_open(r, s, h).ok().map(|open| (Shape::new(open), exact(false))));
+        for a in [-1.0, 0.0, f32::from_bits(1), f32::BUDGET.slope] {
+            let [low, high] = if a < 0.0 { [0.0, r] } else { [0.0, h] };
+            let (built, b) = (Revolved::new(a, s, r, [low, high]), s.exact());
+            let [a, r, low, high] = [a, r, low, high].map(f32::exact);
+            let solid = Solid::Revolved(oracle::Revolved { a, b, r, low, high, capped: true });
+            solids.extend(built.ok().map(|built| (Shape::new(built), solid)));
+        }
         if s == 1.0 {
             let capsule = Solid::Capsule { radius: radius.clone(), height: height.clone() };
             solids.extend(Capsule::new(r, h).ok().map(|built| (Shape::new(built), capsule)));

@@ -5,8 +5,8 @@ use fixed::types::extra::{LeEqU32, LeEqU64, U0, U16, U30, U32, U64};
 use fixed::{FixedI32, FixedI64};
 use raylet::scalar::UnitScalar;
 use raylet::{
-    Affine, Capsule, Cone, Cuboid, Cylinder, Departure, Disc, Frame, Leaving, Part, Plane, Primitive, Range, Ray,
-    Rectangle, Scalar, Shape, Sphere, Triangle, UnitVec3, Vec3, Visible,
+    Affine, Annulus, Capsule, Cone, Cuboid, Cylinder, Departure, Disc, Frame, Leaving, Part, Plane, Primitive, Range,
+    Ray, Rectangle, Revolved, RoundCone, RoundedCuboid, Scalar, Shape, Sphere, Triangle, Tube, UnitVec3, Vec3, Visible,
 };
 use support::amount::times;
 use support::random::Random;
@@ -120,6 +120,20 @@ fn primitives<S: Raw>(a: S, b: S, c: S, vertices: [Vec3<S>; 3]) -> Vec<Primitive
     all.extend(Cone::capped(a, b).map(Primitive::from));
     all.extend(Cone::frustum(a, b, c).map(Primitive::from));
     all.extend(Cone::frustum_open(a, b, c).map(Primitive::from));
+    let negative = |size: S| if size.is_finite() { -size } else { size };
+    let (zero, heights, one) = (S::ZERO, [negative(b), c], S::from_f64(1.0).unwrap_or(a));
+    all.extend(Revolved::new(zero, a, c, [zero, b]).map(Primitive::from));
+    all.extend(Revolved::new(negative(one), zero, a, [negative(a), a]).map(Primitive::from));
+    all.extend(Revolved::new(one, b, a, heights).map(|revolved| Primitive::from(revolved.open())));
+    all.extend(Revolved::hyperboloid(a, b, heights).map(Primitive::from));
+    all.extend(Revolved::spheroid(a, b, [negative(b), b]).map(Primitive::from));
+    all.extend(Revolved::tower(c, a, b, c).map(Primitive::from));
+    all.extend(Revolved::optical(a, negative(one), b).map(Primitive::from));
+    all.extend(Tube::new(a, b, c).map(Primitive::from));
+    all.extend(RoundCone::new(a, b, c).map(Primitive::from));
+    all.extend(RoundedCuboid::new(a, b, zero, c).map(Primitive::from));
+    all.extend(Tube::with_wall(a, b, c).map(Primitive::from));
+    all.extend(Annulus::new(a, b).map(Primitive::from));
     all.extend(Triangle::new(p, q, r).map(Primitive::from));
     all
 }

@@ -7,8 +7,8 @@ use std::cmp::Ordering;
 use dashu::rational::RBig;
 use support::amount::times;
 use support::oracle::{
-    Answer, Approach, ConeExtent, CylinderExtent, Dyadic, End, Line, Membership, Part, Root, Solid, contains,
-    exact_f64, solve,
+    Answer, Approach, ConeExtent, CylinderExtent, Dyadic, End, Line, Membership, Part, Revolved, Root, RoundCone,
+    RoundedCuboid, Solid, contains, exact_f64, solve,
 };
 
 /// SplitMix64.
@@ -199,7 +199,78 @@ fn is_on_face(half: &[Dyadic; 3], part: Part, [x, y, z]: [&Surd; 3]) -> bool {
         Part::Front => z[0] == 0 && inside(x) && within(y),
         Part::Base => y[1] == 0 && inside(x) && inside(z),
         Part::Top => y[0] == 0 && inside(x) && inside(z),
-        Part::Side => false,
+        Part::Side | Part::Inner => false,
+    }
+}
+
+/// Whether a point of this height, and of this square of the distance from the axis, is on the part of a quadric.
+fn is_on_quadric(revolved: &Revolved, part: Part, from_axis: &Surd, y: &Surd) -> bool {
+    let Revolved { a, b, r, low, high, capped } = revolved;
+    // The square of the radius there, negated.
+    let wider = y.squared().times(&-a.to_rational()).sum(&y.times(&-b.scaled(1).to_rational()));
+    let wall = from_axis.sum(&wider.plus(-r.squared().to_rational())).sign();
+    let above = |height: &Dyadic| y.plus(-height.to_rational()).sign();
+    match part {
+        Part::Side => wall == 0 && above(low) >= 0 && above(high) <= 0,
+        Part::Base => *capped && above(low) == 0 && wall < 0,
+        Part::Top => *capped && above(high) == 0 && wall < 0,
+        _ => false,
+    }
+}
+
+/// Whether such a point is on the part of a rounded cuboid.
+fn is_on_rounded_cuboid(cuboid: &RoundedCuboid, part: Part, point: [&Surd; 3]) -> bool {
+    let radius = cuboid.radius.to_rational();
+    // Zero, as a number along the line.
+    let zero = point[0].times(&RBig::ZERO);
+    let mut square = zero.plus(-(&radius * &radius));
+    let sides = [0, 1, 2].map(|axis: usize| {
+        let half = cuboid.half[axis].to_rational();
+        for (side, plane) in [(1_i8, half.clone()), (-1, -half)] {
+            let beyond = point[axis].plus(-plane);
+            if beyond.sign() == i32::from(side) {
+                square = square.sum(&beyond.squared());
+                return side;
+            }
+        }
+        0
+    });
+    square.sign() == 0 && RoundedCuboid::part_of(sides) == part
+}
+
+/// Whether such a point is on the part of a round cone.
+fn is_on_round_cone(cone: &RoundCone, part: Part, from_axis: &Surd, y: &Surd) -> bool {
+    let square = |value: &Dyadic| value.to_rational() * value.to_rational();
+    let ball = |radius: &Dyadic, y: &Surd| from_axis.sum(&y.squared()).plus(-square(radius)).sign() == 0;
+    if let Some((of, radius, centre)) = cone.ball() {
+        return part == of && ball(radius, &y.plus(-centre.to_rational()));
+    }
+    let [low, high] = cone.seams().map(|seam| y.times(&cone.height.to_rational()).plus(-seam.to_rational()).sign());
+    match part {
+        Part::Base => low < 0 && ball(&cone.base_radius, y),
+        Part::Top => high > 0 && ball(&cone.top_radius, &y.plus(-cone.height.to_rational())),
+        Part::Side => {
+            let [w, v] = cone.cone_at(&Dyadic::zero()).map(|c| c.to_rational());
+            let v = y.times(&-cone.difference().to_rational()).plus(v);
+            v.squared().sum(&from_axis.times(&-w)).sign() == 0 && low >= 0 && high <= 0
+        }
+        _ => false,
+    }
+}
+
+/// Whether such a point is on the part of a tube.
+fn is_on_tube([inner, outer, height]: [&Dyadic; 3], part: Part, from_axis: &Surd, y: &Surd) -> bool {
+    let [hole, wall] = [inner, outer].map(|radius| {
+        let radius = radius.to_rational();
+        from_axis.plus(-(radius.clone() * radius)).sign()
+    });
+    let [above, below] = [y.sign(), y.plus(-height.to_rational()).sign()];
+    match part {
+        Part::Side => wall == 0 && above >= 0 && below <= 0,
+        Part::Inner => hole == 0 && above >= 0 && below <= 0,
+        Part::Base => above == 0 && wall < 0 && hole > 0,
+        Part::Top => below == 0 && wall < 0 && hole > 0,
+        _ => false,
     }
 }
 
@@ -253,6 +324,13 @@ pub(crate) fn is_on_part(solid: &Solid, part: Part, line: &Line, t: &Root) -> bo
                 _ => false,
             }
         }
+        Solid::Revolved(revolved) => is_on_quadric(revolved, part, &from_axis, &y),
+        Solid::RoundCone(cone) => is_on_round_cone(cone, part, &from_axis, &y),
+        Solid::Tube { inner, outer, height } => is_on_tube([inner, outer, height], part, &from_axis, &y),
+        Solid::Annulus { inner, outer } => {
+            let [hole, rim] = [inner, outer].map(|radius| from_axis.plus(-square(radius)).sign());
+            y.sign() == 0 && rim <= 0 && hole >= 0
+        }
         Solid::Plane => y.sign() == 0,
         Solid::Disc { radius } => y.sign() == 0 && from_axis.plus(-square(radius)).sign() <= 0,
         Solid::Rectangle { half: [along_x, along_z] } => {
@@ -261,6 +339,7 @@ pub(crate) fn is_on_part(solid: &Solid, part: Part, line: &Line, t: &Root) -> bo
             y.sign() == 0 && is_between(&x, along_x) && is_between(&z, along_z)
         }
         Solid::Cuboid { half } => is_on_face(half, part, [&x, &y, &z]),
+        Solid::RoundedCuboid(cuboid) => is_on_rounded_cuboid(cuboid, part, [&x, &y, &z]),
         Solid::Triangle { vertices } => {
             // Barycentric: the point on either side of each edge, by the coordinates that are left when one is dropped.
             let v = vertices.each_ref().map(|vertex| vertex.each_ref().map(Dyadic::to_rational));

@@ -281,9 +281,9 @@ fn nothing_shadows_itself() {
 }
 
 #[test]
-fn of_two_objects_at_the_same_distance_the_first_is_seen() {
+fn of_two_objects_at_the_same_distance_the_last_is_seen() {
     let ball = Object::new(Shape::new(Sphere::new(1.0_f32).unwrap()), 0);
-    assert_eq!(middle(&[ball, ball]).seen.map(|(object, _)| object), Some(0));
+    assert_eq!(middle(&[ball, ball]).seen.map(|(object, _)| object), Some(1));
 }
 
 #[test]

@@ -112,7 +112,8 @@ macro_rules! leave_in {
                     for (index, leave) in tiers.iter().enumerate() {
                         let tally = leave(rays / tiers.len() + 1, 81 + index as u64);
                         println!("{}, tier {index}: {tally:?}", stringify!($S));
-                        assert_eq!((tally.self_hits, tally.lost_exits), (0, 0), "{} of {} rays", stringify!($S), tally.rays);
+                        let wrong = (tally.self_hits, tally.lost_exits);
+                        assert_eq!(wrong, (0, 0), "{} of {} rays", stringify!($S), tally.rays);
                     }
                 }
                 #[test]

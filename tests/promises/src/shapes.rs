@@ -112,7 +112,10 @@ fn of_three_types(seed: u64, count: usize) -> Result<[Met; 3], TestCaseError> {
 
 proptest! {
     #![proptest_config(ProptestConfig {
-        cases: amount(100, 6000), failure_persistence: None, rng_seed: RngSeed::Fixed(0x7261_796c_6574), ..ProptestConfig::default()
+        cases: amount(100, 6000),
+        failure_persistence: None,
+        rng_seed: RngSeed::Fixed(0x7261_796c_6574),
+        ..ProptestConfig::default()
     })]
     #[test]
     fn shapes_answer_as_a_loop_in_every_tier(seed in any::<u64>(), count in 0_usize..50) {

@@ -7,8 +7,8 @@ use fixed::types::extra::U20;
 use raylet::scalar::Scalar;
 use raylet::tier::{Exact, Fast, Stable, Tier};
 use raylet::{
-    Capsule, Cone, Crossing, Cuboid, Cylinder, Disc, Frame, Hits, Leaving, Plane, Primitive, Range, Ray, Rectangle,
-    Shape, Sphere, Triangle, UnitVec3, Vec3,
+    Annulus, Capsule, Cone, Crossing, Cuboid, Cylinder, Disc, Frame, Hits, Leaving, Plane, Primitive, Range, Ray,
+    Rectangle, Revolved, RoundCone, RoundedCuboid, Shape, Sphere, Triangle, Tube, UnitVec3, Vec3,
 };
 use support::random::{Random, add, cross, dot, normalize, scale};
 
@@ -18,9 +18,10 @@ const RAYS: u32 = 40_000;
 fn solid<S: Scalar>(random: &mut Random, size: f64) -> Option<Primitive<S>> {
     let mut any = |size: f64| S::from_f64(size * random.between(-3.0, 3.0).exp2()).ok();
     let (a, b, c, slope) = (any(size)?, any(size)?, any(size)?, any(1.0)?);
+    let wall = -(random.below(6) as i32) - 1;
     let mut corner = || Vec3::from_f64(scale(random.direction(), size)).ok();
     let (p, q, r) = (corner()?, corner()?, corner()?);
-    Some(match random.below(13) {
+    Some(match random.below(18) {
         0 => Sphere::new(a).ok()?.into(),
         1 => Cylinder::infinite(a).ok()?.into(),
         2 => Cylinder::open(a, b).ok()?.into(),
@@ -33,6 +34,12 @@ fn solid<S: Scalar>(random: &mut Random, size: f64) -> Option<Primitive<S>> {
         9 => Disc::new(a).ok()?.into(),
         10 => Rectangle::new(a, b).ok()?.into(),
         11 => Triangle::new(p, q, r).ok()?.into(),
+        12 => Revolved::paraboloid(a, b).ok()?.into(),
+        13 => Revolved::hyperboloid(a, slope, [-b, c]).ok()?.into(),
+        16 => RoundCone::new(a, b, c).ok()?.into(),
+        17 => RoundedCuboid::new(a, b, c, slope).ok()?.into(),
+        14 => Tube::with_wall(a, a.scaled(wall), b).ok()?.into(),
+        15 => Annulus::new(a.scaled(-1), a).ok()?.into(),
         _ => Cuboid::new(a, b, c).ok()?.into(),
     })
 }

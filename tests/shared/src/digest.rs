@@ -2,17 +2,20 @@
 //!
 //! Nothing here depends on the machine: rays come from integers, and of every answer each bit is taken.
 
+use crate::{milled, returns};
 use fixed::types::extra::{LeEqU32, LeEqU64};
 use fixed::types::{I16F16, I32F32};
 use fixed::{FixedI32, FixedI64};
 use raylet::tier::{Exact, Fast, Plain, Stable, Tier};
 use raylet::{
-    Affine, Capsule, Cone, Cuboid, Cylinder, Departure, Disc, Frame, Leaving, Plane, Primitive, Range, Ray, Rectangle,
-    Scalar, Shape, Sphere, Triangle, UnitVec3, Vec3,
+    Affine, Annulus, Capsule, Combination, Cone, Cuboid, Cylinder, Departure, Disc, Frame, Leaving, Plane, Primitive,
+    Range, Ray, Rectangle, Revolved, RoundCone, RoundedCuboid, Scalar, Shape, Size, Sphere, Triangle, Tube, UnitVec3,
+    Vec3,
 };
 
-/// Rays at each primitive.
-pub const RAYS: u32 = 2_000;
+/// Rays at each primitive. An emulated M0+ takes two minutes for them: what differs between chips is how numbers are
+/// computed, which every ray shows.
+const RAYS: u32 = 400;
 
 /// Every bit of a number.
 pub trait Bits {
@@ -45,10 +48,18 @@ impl<F: LeEqU64> Bits for FixedI64<F> {
 }
 
 /// FNV-1a (Fowler, Noll, Vo), over words instead of bytes.
-struct Digest(u64);
+pub(crate) struct Digest(u64);
 
 impl Digest {
-    fn take(&mut self, word: u64) {
+    pub(crate) const fn new() -> Self {
+        Self(0xcbf2_9ce4_8422_2325)
+    }
+
+    pub(crate) const fn bits(&self) -> u64 {
+        self.0
+    }
+
+    pub(crate) fn take(&mut self, word: u64) {
         self.0 = (self.0 ^ word).wrapping_mul(0x0000_0100_0000_01b3);
         self.0 ^= self.0 >> 29;
     }
@@ -116,6 +127,13 @@ fn shape<S: Scalar>(index: usize) -> Option<(&'static str, Shape<S>)> {
         16 => ("capsule", Capsule::new(n(9), n(14)).ok()?.into()),
         17..20 => ("cuboid", Cuboid::new(n(9), n(7), n(12)).ok()?.into()),
         20 | 21 => ("rectangle", Rectangle::new(n(9), n(12)).ok()?.into()),
+        22 | 23 => ("paraboloid", Revolved::paraboloid(n(4), n(14)).ok()?.into()),
+        24 => ("ball zone", Revolved::ball_zone(n(9), [n(-4), n(7)]).ok()?.into()),
+        25 | 26 => ("hyperboloid", Revolved::hyperboloid(n(6), n(7), [n(-7), n(9)]).ok()?.into()),
+        27..30 => ("tube", Tube::new(n(6), n(9), n(14)).ok()?.into()),
+        32..35 => ("round cone", RoundCone::new(n(9), n(5), n(14)).ok()?.into()),
+        35..38 => ("rounded cuboid", RoundedCuboid::new(n(6), n(4), n(9), n(3)).ok()?.into()),
+        30 | 31 => ("annulus", Annulus::new(n(4), n(9)).ok()?.into()),
         _ => return None,
     };
     let shape = Shape::new(primitive);
@@ -127,13 +145,22 @@ fn shape<S: Scalar>(index: usize) -> Option<(&'static str, Shape<S>)> {
         18 => ("cuboid framed", shape.placed(frame()?)),
         19 => ("cuboid stretched", shape.placed(affine()?)),
         21 => ("rectangle framed", shape.placed(frame()?)),
+        23 => ("paraboloid framed", shape.placed(frame()?)),
+        26 => ("hyperboloid stretched", shape.placed(affine()?)),
+        28 => ("tube framed", shape.placed(frame()?)),
+        29 => ("tube stretched", shape.placed(affine()?)),
+        31 => ("annulus framed", shape.placed(frame()?)),
+        33 => ("round cone framed", shape.placed(frame()?)),
+        34 => ("round cone stretched", shape.placed(affine()?)),
+        36 => ("rounded cuboid framed", shape.placed(frame()?)),
+        37 => ("rounded cuboid stretched", shape.placed(affine()?)),
         _ => (name, shape),
     })
 }
 
 /// The digest of one shape in one tier.
 fn digest<S: Scalar<Unit: Bits> + Bits, T: Tier<S>>(shape: &Shape<S>) -> u64 {
-    let mut digest = Digest(0xcbf2_9ce4_8422_2325);
+    let mut digest = Digest::new();
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     for _ in 0..RAYS {
         let Some(ray) = random.ray::<S>() else { continue };
@@ -165,7 +192,25 @@ fn digest<S: Scalar<Unit: Bits> + Bits, T: Tier<S>>(shape: &Shape<S>) -> u64 {
             }
         }
     }
-    digest.0
+    digest.bits()
+}
+
+/// A digest of all hits of the milled part by the rays of a small picture.
+fn milled_part<S: Scalar<Unit: Bits> + Bits, T: Tier<S>>() -> Option<u64> {
+    let leaves = milled::leaves::<S>()?;
+    let part = Combination::new(&leaves, &milled::OPERATIONS).ok()?;
+    let (shape, view) = (part.shape(), milled::camera::<S>()?.raster(Size::new(48, 36)));
+    let mut digest = Digest::new();
+    for pixel in 0..48 * 36 {
+        let Some(ray) = view.ray([pixel % 48, pixel / 48], [0, 0]) else { continue };
+        for on in part.leaf_hits_at::<T>(&ray) {
+            digest.take(on.hit.t.bits());
+            digest.take(u64::from(on.leaf) << 16 | (on.hit.part as u64) << 8 | on.hit.crossing as u64);
+            let normal = shape.surface(&ray, &on.hit).normal();
+            normal.to_array().into_iter().for_each(|component| digest.take(component.bits()));
+        }
+    }
+    Some(digest.bits())
 }
 
 /// Hands every shape, number type, tier and digest to `report`, always in the same order.
@@ -180,6 +225,8 @@ pub fn all(report: &mut dyn FnMut(&str, &str, &str, u64)) {
             report(number, tier, name, digest::<S, T>(&shape));
             index += 1;
         }
+        report(number, tier, "crossings of forty solids", returns::digest::<S, T>());
+        report(number, tier, "milled part", milled_part::<S, T>().unwrap_or_default());
     }
     tier::<f32, Plain>("f32", "Plain", report);
     tier::<f32, Fast>("f32", "Fast", report);

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `digest` | one number for all answers to a fixed set of rays |
 //! | `flash` | a scene that is all constants |
+//! | `milled` | a part that is drilled and milled: a combination |
 //! | `picture` | a scene in flash, and its picture row by row |
 //! | `pictured` | the tests that the rays of a picture put to objects |
 //! | `subject` | what is measured: solids, unplaced and placed, and the queries |
@@ -11,15 +12,17 @@
 //! | `rays` | seeded rays that hit, and others that miss |
 //! | `workload` | what users do: solids as they are placed, rays from near and far, departing rays |
 //! | `turntable` | the still life on a display (feature `displays`) |
-//! | `range_sensor` | a yard of forty solids, and the 64 zones of a sensor |
+//! | `range_sensor`, `returns` | a yard of forty solids, and the 64 zones of a sensor; three returns of each |
 #![no_std]
 
 pub mod digest;
 pub mod flash;
+pub mod milled;
 pub mod picture;
 pub mod pictured;
 pub mod range_sensor;
 pub mod rays;
+pub mod returns;
 pub mod subject;
 pub mod textbook;
 #[cfg(feature = "displays")]

@@ -2,8 +2,8 @@
 
 use raylet::tier::Tier;
 use raylet::{
-    Affine, Capsule, Cone, Cuboid, Cylinder, Disc, Frame, Hit, Hits, Plane, Ray, Rectangle, Scalar, Shape, Sphere,
-    Surface, Triangle, UnitVec3, Vec3,
+    Affine, Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Frame, Hit, Hits, Plane, Ray, Rectangle, Revolved,
+    RoundCone, RoundedCuboid, Scalar, Shape, Sphere, Surface, Triangle, Tube, UnitVec3, Vec3,
 };
 
 /// What a primitive and a shape have in common.
@@ -47,7 +47,8 @@ macro_rules! subjects {
         )+
     };
 }
-subjects!(Sphere Cylinder Cone Capsule Plane Disc Triangle Cuboid Rectangle Shape);
+subjects!(Sphere Cylinder Cone Capsule Plane Disc Triangle Cuboid Rectangle Revolved Tube Annulus RoundCone);
+subjects!(RoundedCuboid Shape);
 
 /// The queries, as functions that are not inlined and whose answers are used.
 pub mod query {
@@ -126,7 +127,8 @@ pub fn stretched<S: Scalar>(shape: Shape<S>) -> Option<Shape<S>> {
 macro_rules! every_subject {
     ($S:ty, |$name:ident, $subject:ident| $body:expr) => {{
         use $crate::subject::{eighths as n, framed, stretched, triangle};
-        use raylet::{Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, Shape, Sphere};
+        use raylet::{Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Plane};
+        use raylet::{Rectangle, Revolved, RoundCone, RoundedCuboid, Shape, Sphere, Tube};
         $crate::every_subject!(@each $S, $name, $subject, $body;
             "sphere" Sphere::new(n::<$S>(8)).ok();
             "cylinder, infinite" Cylinder::infinite(n::<$S>(8)).ok();
@@ -143,6 +145,12 @@ macro_rules! every_subject {
             "triangle" triangle::<$S>();
             "cuboid" Cuboid::new(n::<$S>(8), n(6), n(7)).ok();
             "rectangle" Rectangle::new(n::<$S>(8), n(7)).ok();
+            "paraboloid" Revolved::paraboloid(n::<$S>(3), n(12)).ok();
+            "hyperboloid" Revolved::hyperboloid(n::<$S>(5), n(6), [n(-6), n(8)]).ok();
+            "tube" Tube::new(n::<$S>(6), n(8), n(12)).ok();
+            "round cone" RoundCone::new(n::<$S>(7), n(4), n(10)).ok();
+            "rounded cuboid" RoundedCuboid::new(n::<$S>(6), n(4), n(5), n(2)).ok();
+            "annulus" Annulus::new(n::<$S>(4), n(8)).ok();
             "cylinder, capped, as a shape" Cylinder::capped(n::<$S>(8), n(12)).ok().map(Shape::new);
             "sphere, framed" Sphere::new(n::<$S>(8)).ok().map(Shape::new).and_then(framed);
             "cylinder, capped, framed" Cylinder::capped(n::<$S>(8), n(12)).ok().map(Shape::new).and_then(framed);

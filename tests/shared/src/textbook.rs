@@ -4,10 +4,14 @@
 //! Floats take the square root of `libm`. Fixed point has the operators of the crate `fixed`, wrapping where a square
 //! overflows, as its plain operators do in a release build. A direction is not taken to be exactly unit.
 
+mod form;
+
+pub use form::Form;
+
 use crate::subject::{eighths, frame, framed};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use fixed::Wrapping;
-use fixed::types::{I16F16, I32F32};
+use fixed::types::{I8F24, I16F16, I20F12, I32F32};
 use raylet::{Cone, Cylinder, Frame, Ray, Scalar, Shape};
 
 /// A number with operators.
@@ -97,7 +101,7 @@ macro_rules! fixed_point {
         )+
     };
 }
-fixed_point!(I16F16 I32F32);
+fixed_point!(I8F24 I16F16 I20F12 I32F32);
 
 /// Origin and direction.
 #[derive(Clone, Copy)]
@@ -205,6 +209,8 @@ pub enum Extent<N> {
     Upwards,
     /// From there to this height.
     To(N),
+    /// From one height to another.
+    Between([N; 2]),
 }
 
 impl<N: Number> Extent<N> {
@@ -214,6 +220,7 @@ impl<N: Number> Extent<N> {
             Self::Everywhere => true,
             Self::Upwards => y >= N::ZERO,
             Self::To(height) => y >= N::ZERO && y <= height,
+            Self::Between([low, high]) => y >= low && y <= high,
         }
     }
 }
@@ -310,6 +317,38 @@ impl<N: Number> Formula<N> for Side<N> {
     }
 }
 
+/// A quadric of revolution between two heights: `x^2 + z^2 = a y^2 + 2 b y + r^2`.
+#[derive(Clone, Copy)]
+pub struct Quadric<N> {
+    /// `a`, `b` and `r`.
+    pub coefficients: [N; 3],
+    /// The heights of its ends.
+    pub heights: [N; 2],
+    /// True if it has caps.
+    pub capped: bool,
+}
+
+impl<N: Number> Formula<N> for Quadric<N> {
+    #[inline(always)]
+    fn meet(&self, ray: &PlainRay<N>, root: impl Fn(N) -> N + Copy, report: &mut impl FnMut(N)) {
+        let ([ox, oy, oz], [dx, dy, dz], [a, b, r]) = (ray.origin, ray.direction, self.coefficients);
+        let square = |y: N| (a * y + b + b) * y + r * r;
+        let growth = a * oy + b;
+        let (a, k) = (dx * dx + dz * dz - a * dy * dy, ox * dx + oz * dz - growth * dy);
+        let side = roots(a, k, ox * ox + oz * oz - square(oy), root);
+        along(side, Extent::Between(self.heights), ray, report);
+        if self.capped && dy != N::ZERO {
+            for height in self.heights {
+                let t = (height - oy) / dy;
+                let (x, z) = (ox + t * dx, oz + t * dz);
+                if x * x + z * z <= square(height) {
+                    report(t);
+                }
+            }
+        }
+    }
+}
+
 /// A solid where it stands.
 #[derive(Clone, Copy)]
 pub struct Placed<F, N>(pub F, pub Place<N>);
@@ -360,62 +399,6 @@ pub fn every_formula<S: Plain<Number: Send + Sync>>(visit: &mut impl Visit<S>) {
     }
 }
 
-/// A primitive of any kind.
-#[derive(Clone, Copy)]
-pub enum Form<N> {
-    Sphere { radius: N },
-    Side(Side<N>),
-    Capsule { radius: N, height: N },
-    Plane,
-    Disc { radius: N },
-    Cuboid { half: [N; 3] },
-    Rectangle { half: [N; 2] },
-    Triangle { vertices: [[N; 3]; 3] },
-}
-
-impl<N: Number> Formula<N> for Form<N> {
-    #[inline(always)]
-    fn meet(&self, ray: &PlainRay<N>, root: impl Fn(N) -> N + Copy, report: &mut impl FnMut(N)) {
-        match *self {
-            Self::Sphere { radius } => Sphere(radius).meet(ray, root, report),
-            Self::Side(side) => side.meet(ray, root, report),
-            Self::Capsule { radius, height } => {
-                let side = Side { base: radius, slope: None, extent: Extent::To(height), caps: [None; 2] };
-                side.meet(ray, root, report);
-                for (centre, is_base) in [(N::ZERO, true), (height, false)] {
-                    ball(radius, centre, ray, root, |t, y| {
-                        if if is_base { y < N::ZERO } else { y > height } {
-                            report(t);
-                        }
-                    });
-                }
-            }
-            Self::Plane => {
-                if ray.direction[1] != N::ZERO {
-                    report(-ray.origin[1] / ray.direction[1]);
-                }
-            }
-            Self::Disc { radius } => ends([Some((N::ZERO, radius)), None], ray, report),
-            Self::Cuboid { half } => {
-                if let Some(ends) = slabs(half, ray) {
-                    ends.into_iter().for_each(&mut *report);
-                }
-            }
-            Self::Rectangle { half: [x, z] } => {
-                let ([ox, oy, oz], [dx, dy, dz]) = (ray.origin, ray.direction);
-                if dy != N::ZERO {
-                    let t = -oy / dy;
-                    let (px, pz) = (ox + t * dx, oz + t * dz);
-                    if -x <= px && px <= x && -z <= pz && pz <= z {
-                        report(t);
-                    }
-                }
-            }
-            Self::Triangle { vertices } => triangle(vertices, ray, report),
-        }
-    }
-}
-
 /// A ball around a point of the axis; reports `t` and the height there.
 #[inline(always)]
 fn ball<N: Number>(radius: N, centre: N, ray: &PlainRay<N>, root: impl Fn(N) -> N, mut report: impl FnMut(N, N)) {
@@ -454,22 +437,5 @@ fn ends<N: Number>(caps: [Option<Cap<N>>; 2], ray: &PlainRay<N>, report: &mut im
         if x * x + z * z <= radius * radius {
             report(t);
         }
-    }
-}
-
-/// Möller and Trumbore, *Fast, Minimum Storage Ray/Triangle Intersection*, 1997.
-#[inline(always)]
-fn triangle<N: Number>([a, b, c]: [[N; 3]; 3], ray: &PlainRay<N>, report: &mut impl FnMut(N)) {
-    let from = |p: [N; 3]| [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
-    let (first, second, o) = (from(b), from(c), from(ray.origin));
-    let p = cross(ray.direction, second);
-    let determinant = dot(first, p);
-    if determinant == N::ZERO {
-        return;
-    }
-    let q = cross(o, first);
-    let (u, v) = (dot(o, p) / determinant, dot(ray.direction, q) / determinant);
-    if u >= N::ZERO && v >= N::ZERO && u + v <= N::ONE {
-        report(dot(second, q) / determinant);
     }
 }

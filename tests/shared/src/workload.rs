@@ -7,15 +7,15 @@ use crate::range_sensor::{self, SOLIDS, ZONES};
 use crate::subject::{eighths, triangle};
 use raylet::tier::Stable;
 use raylet::{
-    Affine, Capsule, Cone, Cuboid, Cylinder, Disc, Frame, Leaving, Plane, Primitive, Ray, Rectangle, Scalar, Shape,
-    Sphere, UnitVec3, Vec3,
+    Affine, Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Frame, Leaving, Plane, Primitive, Ray, Rectangle, Revolved,
+    RoundCone, RoundedCuboid, Scalar, Shape, Sphere, Tube, UnitVec3, Vec3,
 };
 
 /// Queries of a workload.
 pub const QUERIES: usize = 100;
 
 /// The solids, all about as large as the unit ball.
-pub const SOLIDS_BY_NAME: [&str; 12] = [
+pub const SOLIDS_BY_NAME: [&str; 18] = [
     "sphere",
     "cylinder, capped",
     "capsule",
@@ -28,6 +28,12 @@ pub const SOLIDS_BY_NAME: [&str; 12] = [
     "triangle",
     "cuboid",
     "rectangle",
+    "paraboloid",
+    "hyperboloid",
+    "tube",
+    "annulus",
+    "round cone",
+    "rounded cuboid",
 ];
 
 /// How a solid is placed.
@@ -107,6 +113,12 @@ fn primitive<S: Scalar>(name: &str) -> Option<Primitive<S>> {
         "triangle" => triangle()?.into(),
         "cuboid" => Cuboid::new(n(8), n(6), n(7)).ok()?.into(),
         "rectangle" => Rectangle::new(n(8), n(7)).ok()?.into(),
+        "paraboloid" => Revolved::paraboloid(n(3), n(12)).ok()?.into(),
+        "hyperboloid" => Revolved::hyperboloid(n(5), n(6), [n(-6), n(8)]).ok()?.into(),
+        "round cone" => RoundCone::new(n(7), n(4), n(10)).ok()?.into(),
+        "rounded cuboid" => RoundedCuboid::new(n(6), n(4), n(5), n(2)).ok()?.into(),
+        "tube" => Tube::new(n(6), n(8), n(12)).ok()?.into(),
+        "annulus" => Annulus::new(n(4), n(8)).ok()?.into(),
         _ => return None,
     })
 }

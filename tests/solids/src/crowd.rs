@@ -21,7 +21,66 @@ pub struct Crowd<S: Exact> {
 /// Sizes that coincide often, and that every type holds exactly.
 const SIZES: [f64; 5] = [0.25, 0.5, 1.0, 1.5, 2.0];
 
-fn described<S: Exact>(random: &mut Random, unit: f64) -> Described<S> {
+/// What solids a crowd consists of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Of {
+    /// All but quadrics of revolution, round cones, rounded cuboids and tubes.
+    Others,
+    /// Every third is a quadric of revolution or a tube.
+    All,
+    /// Every third is a round cone or a rounded cuboid.
+    Round,
+}
+
+/// A quadric of revolution; not all of them are solids.
+fn quadric<S: Exact>(random: &mut Random, unit: f64) -> Described<S> {
+    let number = |x: f64| S::from_f64(x).expect("every tested type holds it");
+    let a = number(random.pick(&[-1.0, -0.25, 0.0, 0.25, 1.0]));
+    let b = number(random.pick(&[0.0, 0.0, 0.25, -0.5, 1.0]) * unit);
+    let mut size = || number(random.pick(&SIZES) * unit);
+    let [radius, low, high] = [size(), -size(), size()];
+    // Often with an end at the origin, where others have theirs.
+    let (radius, low) = match random.below(3) {
+        0 => (S::ZERO, S::ZERO),
+        1 => (radius, S::ZERO),
+        _ => (radius, low),
+    };
+    Described::Revolved { a, b, radius, heights: [low, high], capped: random.below(8) > 0 }
+}
+
+fn tube<S: Exact>(random: &mut Random, unit: f64) -> Described<S> {
+    let mut size = || random.pick(&SIZES) * unit;
+    let (inner, wall, height) = (size(), size(), size());
+    let [inner, outer, height] =
+        [inner, inner + wall, height].map(|x| S::from_f64(x).expect("every tested type holds it"));
+    Described::Tube { inner, outer, height }
+}
+
+fn round_cone<S: Exact>(random: &mut Random, unit: f64) -> Described<S> {
+    let [base, top, height] =
+        [(); 3].map(|()| S::from_f64(random.pick(&SIZES) * unit).expect("every tested type holds it"));
+    Described::RoundCone { base, top, height }
+}
+
+fn rounded_cuboid<S: Exact>(random: &mut Random, unit: f64) -> Described<S> {
+    let [x, y, z, radius] =
+        [(); 4].map(|()| S::from_f64(random.pick(&SIZES) * unit).expect("every tested type holds it"));
+    // Often without extent along an axis.
+    let half = match random.below(3) {
+        0 => [x, S::ZERO, z],
+        1 => [S::ZERO, y, S::ZERO],
+        _ => [x, y, z],
+    };
+    Described::RoundedCuboid { half, radius }
+}
+
+fn described<S: Exact>(random: &mut Random, unit: f64, of: Of) -> Described<S> {
+    if of == Of::Round && random.below(3) == 0 {
+        return if random.below(2) == 0 { round_cone(random, unit) } else { rounded_cuboid(random, unit) };
+    }
+    if of == Of::All && random.below(3) == 0 {
+        return if random.below(3) == 0 { tube(random, unit) } else { quadric(random, unit) };
+    }
     let number = |x: f64| S::from_f64(x).expect("every tested type holds it");
     // Of a cone's slope there is no unit.
     let slope = number(random.pick(&SIZES));
@@ -45,12 +104,12 @@ fn described<S: Exact>(random: &mut Random, unit: f64) -> Described<S> {
 impl<S: Exact> Crowd<S> {
     /// Up to eight solids in a few frames: each frame is shared, or moved along the axes by sizes; one in six is
     /// stretched.
-    pub fn random(random: &mut Random) -> Self {
-        Self::of_unit(random, 1.0)
+    pub fn random(random: &mut Random, of: Of) -> Self {
+        Self::of_unit(random, 1.0, of)
     }
 
     /// The same, with all lengths multiplied by this.
-    pub fn of_unit(random: &mut Random, unit: f64) -> Self {
+    pub fn of_unit(random: &mut Random, unit: f64, of: Of) -> Self {
         let is_turned = random.below(2) == 0;
         let away = random.pick(&[0.0, 1.0, 8.0, 64.0]);
         let centre = scale(scale(random.direction(), away).map(f64::round), unit);
@@ -58,7 +117,7 @@ impl<S: Exact> Crowd<S> {
         let axes = [random.direction(), random.direction()].map(|axis| UnitVec3::new(point(axis)).expect("not zero"));
         let mut crowd = Self { shapes: vec![], solids: vec![], placed: vec![], centre, unit };
         for _ in 0..2 + random.below(7) {
-            let described = described::<S>(random, unit);
+            let described = described::<S>(random, unit, of);
             let (Ok(shape), solid) = (described.shape(), described.solid()) else { continue };
             let shift = |random: &mut Random| random.pick(&[0.0, 0.0, 0.0, 0.5, 1.0, -0.5, -1.0, 2.0, -2.0]);
             let place = add(centre, scale([shift(random), shift(random), shift(random)], unit));

@@ -1,6 +1,6 @@
 //! The nearest crossing and occlusion agree with the list of crossings; a tree with a slice; starts with what they say.
 
-use crate::crowd::Crowd;
+use crate::crowd::{Crowd, Of};
 use fixed::types::I16F16;
 use raylet::hierarchy::{Hierarchy, Node, Shapes};
 use raylet::solids::{self, Crossings, SolidSet, Start};
@@ -36,7 +36,7 @@ fn agrees<S: Exact, T: Tier<S>>(shapes: &[Shape<S>], ray: &Ray<S>, start: &Start
 fn queries_agree<S: Exact, T: Tier<S>>() {
     let mut random = Random(0x6a09_e667_f3bc_c908);
     for _ in 0..times(1_000) {
-        let mut crowd = Crowd::<S>::random(&mut random);
+        let mut crowd = Crowd::<S>::random(&mut random, Of::Others);
         for shape in &mut crowd.shapes {
             *shape = shape.seen_from(random.pick(&[Visible::Both, Visible::Both, Visible::Outside, Visible::Inside]));
         }
@@ -67,7 +67,7 @@ fn seen_points<S: Exact, T: Tier<S>>() {
     let mut random = Random(0xbb67_ae85_84ca_a73b);
     let (mut segments, mut hidden_without) = (0, 0);
     for _ in 0..times(2_000) {
-        let crowd = Crowd::<S>::random(&mut random);
+        let crowd = Crowd::<S>::random(&mut random, Of::Others);
         let Some(ray) = crowd.ray(&mut random) else { continue };
         let start = Start::<1>::new();
         let Some((solid, hit)) = solids::nearest::<S, T, 1>(crowd.shapes.as_slice(), &ray, &start) else { continue };

@@ -5,8 +5,8 @@ use super::oracle::{self, ConeExtent, CylinderExtent, Solid};
 use super::random::Random;
 use raylet::scalar::UnitScalar;
 use raylet::{
-    Capsule, Cone, Crossing, Cuboid, Cylinder, Disc, Hits, Part, Plane, Primitive, Range, Ray, Rectangle, Shape,
-    Sphere, Triangle, UnitVec3, Vec3,
+    Annulus, Capsule, Cone, Crossing, Cuboid, Cylinder, Disc, Hits, Part, Plane, Primitive, Range, Ray, Rectangle,
+    Revolved, RoundCone, RoundedCuboid, Shape, Sphere, Triangle, Tube, UnitVec3, Vec3,
 };
 
 impl Random {
@@ -44,6 +44,8 @@ pub fn direction<S: Exact>(components: [f64; 3]) -> UnitVec3<S> {
 pub enum Kind {
     /// A closed set of finite size: rule 1.
     Bounded,
+    /// A closed set of finite size that a line may meet in two intervals: rule 1, of each of them.
+    NotConvex,
     /// A solid without end: rule 2.
     Unbounded,
     /// A surface that encloses nothing: rule 2.
@@ -69,8 +71,27 @@ impl<S: Exact> Case<S> {
     }
 
     pub fn is_convex(&self) -> bool {
-        self.kind != Kind::Open && self.name != "double cone"
+        matches!(self.kind, Kind::Bounded | Kind::Unbounded) && self.name != "double cone"
     }
+}
+
+/// Round cones: both radii, the height, and the heights of the seams.
+const ROUND_CONES: [(&str, [f64; 3], &[f64]); 4] = [
+    ("round cone", [1.0, 0.5, 2.0], &[0.25, 2.125]),
+    ("widening round cone", [0.25, 1.0, 1.5], &[-0.125, 1.0]),
+    ("straight round cone", [1.0, 1.0, 2.0], &[0.0, 2.0]),
+    ("round cone of one ball", [0.5, 1.5, 0.75], &[]),
+];
+
+/// Rounded cuboids: the half extents of the core, and the radius.
+const ROUNDED_CUBOIDS: [(&str, [f64; 3], f64); 2] =
+    [("rounded cuboid", [0.75, 0.75, 0.25], 0.25), ("cushion", [1.0, 0.0, 0.5], 0.5)];
+
+fn rounded_cuboid<S: Exact>(half: [f64; 3], radius: f64) -> (Primitive<S>, Solid) {
+    let [x, y, z] = half.map(n::<S>);
+    let cuboid = RoundedCuboid::new(x, y, z, n(radius)).expect("the sizes are within the budget");
+    let exact = |size: f64| n::<S>(size).exact();
+    (cuboid.into(), Solid::RoundedCuboid(oracle::RoundedCuboid { half: half.map(exact), radius: exact(radius) }))
 }
 
 /// Every row of the design's section 3, in sizes that every type holds exactly.
@@ -127,15 +148,48 @@ pub fn cases<S: Exact>() -> Vec<Case<S>> {
         let solid = Solid::Capsule { radius: d(1.0), height: d(height) };
         add(name, Kind::Bounded, capsule.into(), solid, &[0.0, height], &[1.0]);
     }
+    for (name, [a, b, r, low, high], radii, capped) in [
+        ("paraboloid", [0.0, 0.25, 0.0, 0.0, 2.0], [0.0, 1.0], true),
+        ("ball zone", [-1.0, 0.0, 1.25, -0.75, 1.0], [1.0, 0.75], true),
+        ("hourglass", [0.25, 0.0, 0.0, -2.0, 1.0], [1.0, 0.5], true),
+        ("tower", [1.0, 0.0, 0.75, -1.0, 1.0], [1.25, 1.25], true),
+        ("open paraboloid", [0.0, 0.25, 0.0, 0.0, 2.0], [0.0, 1.0], false),
+        ("open tower", [1.0, 0.0, 0.75, -1.0, 1.0], [1.25, 1.25], false),
+    ] {
+        let revolved = Revolved::new(n(a), n(b), n(r), [n(low), n(high)]).expect(sizes);
+        let revolved = if capped { revolved } else { revolved.open() };
+        let kind = match name {
+            _ if !capped => Kind::Open,
+            "hourglass" | "tower" => Kind::NotConvex,
+            _ => Kind::Bounded,
+        };
+        let solid = oracle::Revolved { a: d(a), b: d(b), r: d(r), low: d(low), high: d(high), capped };
+        add(name, kind, revolved.into(), Solid::Revolved(solid), &[low, high], &radii);
+    }
+    for (name, sizes, seams) in ROUND_CONES {
+        let cone = RoundCone::new(n(sizes[0]), n(sizes[1]), n(sizes[2])).expect("sizes");
+        let [base, top, height] = sizes.map(d);
+        let solid = oracle::RoundCone::solid(base, top, height);
+        add(name, Kind::Bounded, cone.into(), solid, seams, &sizes[..2]);
+    }
+    let tube = Tube::new(n(0.75), n(1.25), n(2.0)).expect(sizes);
+    let solid = Solid::Tube { inner: d(0.75), outer: d(1.25), height: d(2.0) };
+    add("tube", Kind::NotConvex, tube.into(), solid, &[0.0, 2.0], &[0.75, 1.25]);
+    let annulus = Annulus::new(n(0.75), n(1.25)).expect(sizes);
+    let solid = Solid::Annulus { inner: d(0.75), outer: d(1.25) };
+    add("annulus", Kind::Open, annulus.into(), solid, &[0.0], &[0.75, 1.25]);
     add("plane", Kind::Open, Plane::new().into(), Solid::Plane, &[0.0], &[]);
     let disc = Disc::new(n(1.5)).expect(sizes);
     add("disc", Kind::Open, disc.into(), Solid::Disc { radius: d(1.5) }, &[0.0], &[1.5]);
-    let half = [1.0, 1.0, 0.5];
     let cuboid = Cuboid::new(n(1.0), n(1.0), n(0.5)).expect(sizes);
-    add("cuboid", Kind::Bounded, cuboid.into(), Solid::Cuboid { half: half.map(d) }, &[-1.0, 1.0], &[1.0, 0.5]);
-    let half = [1.5, 0.5];
-    let rectangle = Rectangle::new(n(1.5), n(0.5)).expect(sizes);
-    add("rectangle", Kind::Open, rectangle.into(), Solid::Rectangle { half: half.map(d) }, &[0.0], &[1.5, 0.5]);
+    let solid = Solid::Cuboid { half: [1.0, 1.0, 0.5].map(d) };
+    add("cuboid", Kind::Bounded, cuboid.into(), solid, &[-1.0, 1.0], &[1.0, 0.5]);
+    for (name, half @ [x, y, z], r) in ROUNDED_CUBOIDS {
+        let (cuboid, solid) = rounded_cuboid::<S>(half, r);
+        add(name, Kind::Bounded, cuboid, solid, &[-y - r, -y, y, y + r], &[x, x + r, z, z + r]);
+    }
+    let (rectangle, half) = (Rectangle::new(n(1.5), n(0.5)).expect(sizes), [1.5, 0.5].map(d));
+    add("rectangle", Kind::Open, rectangle.into(), Solid::Rectangle { half }, &[0.0], &[1.5, 0.5]);
     let corners = [[-1.0, 0.5, -1.0], [1.0, 0.0, 1.0], [1.0, 1.0, -1.0]];
     let [a, b, c] = corners.map(v);
     let triangle = Triangle::new(a, b, c).expect(sizes);

@@ -4,7 +4,8 @@
 use super::exact_types::Exact;
 use super::oracle::{self, Solid};
 use raylet::{
-    Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, Shape, SizeError, Sphere, Triangle, ValueError, Vec3,
+    Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, Revolved, RoundCone, RoundedCuboid, Shape,
+    SizeError, Sphere, Triangle, Tube, ValueError, Vec3,
 };
 
 /// How far a cylinder reaches along its axis.
@@ -32,9 +33,14 @@ pub enum Described<N> {
     Cone { slope: N, extent: ConeExtent<N> },
     Frustum { base: N, top: N, height: N, capped: bool },
     Capsule { radius: N, height: N },
+    Revolved { a: N, b: N, radius: N, heights: [N; 2], capped: bool },
+    RoundCone { base: N, top: N, height: N },
+    Tube { inner: N, outer: N, height: N },
     Plane,
     Disc { radius: N },
+    Annulus { inner: N, outer: N },
     Cuboid { half: [N; 3] },
+    RoundedCuboid { half: [N; 3], radius: N },
     Rectangle { half: [N; 2] },
     Triangle { vertices: [[N; 3]; 3] },
 }
@@ -57,9 +63,15 @@ impl<N> Described<N> {
             Self::Frustum { capped: false, .. } => "frustum open",
             Self::Frustum { capped: true, .. } => "frustum capped",
             Self::Capsule { .. } => "capsule",
+            Self::Revolved { capped: false, .. } => "revolved open",
+            Self::Revolved { capped: true, .. } => "revolved capped",
+            Self::RoundCone { .. } => "round cone",
+            Self::Tube { .. } => "tube",
             Self::Plane => "plane",
             Self::Disc { .. } => "disc",
+            Self::Annulus { .. } => "annulus",
             Self::Cuboid { .. } => "cuboid",
+            Self::RoundedCuboid { .. } => "rounded cuboid",
             Self::Rectangle { .. } => "rectangle",
             Self::Triangle { .. } => "triangle",
         }
@@ -101,11 +113,31 @@ impl<N> Described<N> {
             Self::Capsule { radius: r, height: h } => {
                 Described::Capsule { radius: of(r, radius)?, height: of(h, height)? }
             }
+            Self::Revolved { a, b, radius: r, heights: [low, high], capped } => Described::Revolved {
+                a: of(a, SizeError::Coefficient)?,
+                b: of(b, SizeError::Coefficient)?,
+                radius: of(r, radius)?,
+                heights: [of(low, height)?, of(high, height)?],
+                capped: *capped,
+            },
+            Self::RoundCone { base, top, height: h } => {
+                Described::RoundCone { base: of(base, radius)?, top: of(top, radius)?, height: of(h, height)? }
+            }
+            Self::Tube { inner, outer, height: h } => {
+                Described::Tube { inner: of(inner, radius)?, outer: of(outer, radius)?, height: of(h, height)? }
+            }
             Self::Plane => Described::Plane,
             Self::Disc { radius: r } => Described::Disc { radius: of(r, radius)? },
+            Self::Annulus { inner, outer } => {
+                Described::Annulus { inner: of(inner, radius)?, outer: of(outer, radius)? }
+            }
             Self::Cuboid { half: [x, y, z] } => {
                 let half = |size| of(size, SizeError::HalfExtent);
                 Described::Cuboid { half: [half(x)?, half(y)?, half(z)?] }
+            }
+            Self::RoundedCuboid { half: [x, y, z], radius: r } => {
+                let half = |size| of(size, SizeError::HalfExtent);
+                Described::RoundedCuboid { half: [half(x)?, half(y)?, half(z)?], radius: of(r, radius)? }
             }
             Self::Rectangle { half: [x, z] } => {
                 let half = |size| of(size, SizeError::HalfExtent);
@@ -145,9 +177,17 @@ impl<S: Exact> Described<S> {
             Self::Frustum { base, top, height, capped: true } => Shape::new(Cone::frustum(base, top, height)?),
             Self::Frustum { base, top, height, capped: false } => Shape::new(Cone::frustum_open(base, top, height)?),
             Self::Capsule { radius, height } => Shape::new(Capsule::new(radius, height)?),
+            Self::Revolved { a, b, radius, heights, capped } => {
+                let revolved = Revolved::new(a, b, radius, heights)?;
+                Shape::new(if capped { revolved } else { revolved.open() })
+            }
+            Self::RoundCone { base, top, height } => Shape::new(RoundCone::new(base, top, height)?),
+            Self::Tube { inner, outer, height } => Shape::new(Tube::new(inner, outer, height)?),
             Self::Plane => Shape::new(Plane::new()),
             Self::Disc { radius } => Shape::new(Disc::new(radius)?),
+            Self::Annulus { inner, outer } => Shape::new(Annulus::new(inner, outer)?),
             Self::Cuboid { half: [x, y, z] } => Shape::new(Cuboid::new(x, y, z)?),
+            Self::RoundedCuboid { half: [x, y, z], radius } => Shape::new(RoundedCuboid::new(x, y, z, radius)?),
             Self::Rectangle { half: [x, z] } => Shape::new(Rectangle::new(x, z)?),
             Self::Triangle { vertices } => {
                 let [a, b, c] = vertices.map(Vec3::from);
@@ -183,9 +223,25 @@ impl<S: Exact> Described<S> {
                 Solid::Frustum { base_radius, top_radius, height, capped }
             }
             Self::Capsule { radius, height } => Solid::Capsule { radius: exact(radius), height: exact(height) },
+            Self::Revolved { a, b, radius, heights: [low, high], capped } => {
+                let [a, b, r, low, high] = [a, b, radius, low, high].map(exact);
+                Solid::Revolved(oracle::Revolved { a, b, r, low, high, capped })
+            }
+            Self::RoundCone { base, top, height } => {
+                let [base_radius, top_radius, height] = [base, top, height].map(exact);
+                oracle::RoundCone::solid(base_radius, top_radius, height)
+            }
+            Self::Tube { inner, outer, height } => {
+                let [inner, outer, height] = [inner, outer, height].map(exact);
+                Solid::Tube { inner, outer, height }
+            }
             Self::Plane => Solid::Plane,
             Self::Disc { radius } => Solid::Disc { radius: exact(radius) },
+            Self::Annulus { inner, outer } => Solid::Annulus { inner: exact(inner), outer: exact(outer) },
             Self::Cuboid { half } => Solid::Cuboid { half: half.map(exact) },
+            Self::RoundedCuboid { half, radius } => {
+                Solid::RoundedCuboid(oracle::RoundedCuboid { half: half.map(exact), radius: exact(radius) })
+            }
             Self::Rectangle { half } => Solid::Rectangle { half: half.map(exact) },
             Self::Triangle { vertices } => Solid::Triangle { vertices: vertices.map(|vertex| vertex.map(exact)) },
         }
@@ -205,8 +261,17 @@ impl<S: Exact> Described<S> {
                 height.to_f64() * slope.to_f64().max(1.0)
             }
             Self::Frustum { base, top, height, .. } => largest(&[base, top, height]),
+            Self::RoundCone { base, top, height } => largest(&[base, top, height]),
+            Self::Tube { outer, height, .. } => largest(&[outer, height]),
+            Self::Annulus { outer, .. } => largest(&[outer]),
+            // The bounding box of the shape, which is a cylinder.
+            Self::Revolved { heights: [low, high], .. } => {
+                let bounds = self.shape().map(|shape| shape.bounds().high.x);
+                largest(&[low, high, bounds.unwrap_or(high)])
+            }
             Self::Plane | Self::Cone { extent: ConeExtent::Double | ConeExtent::Nappe, .. } => 1.0,
             Self::Cuboid { half } => largest(&half),
+            Self::RoundedCuboid { half: [x, y, z], radius } => largest(&[x, y, z]) + radius.to_f64(),
             Self::Rectangle { half } => largest(&half),
             Self::Triangle { vertices } => largest(vertices.as_flattened()),
         }

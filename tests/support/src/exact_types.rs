@@ -161,6 +161,7 @@ fn oracle_part(part: Part) -> oracle::Part {
         Part::Right => oracle::Part::Right,
         Part::Back => oracle::Part::Back,
         Part::Front => oracle::Part::Front,
+        Part::Inner => oracle::Part::Inner,
         _ => oracle::Part::Side,
     }
 }

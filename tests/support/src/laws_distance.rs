@@ -1,7 +1,7 @@
 //! How far a point is from a surface, straight from the definitions of the solids: differences in exact numbers, so
 //! that a distance of `2^-60` is as right as one of 1; the quotients that make lengths of them in `f64`.
 
-use super::oracle::{ConeExtent, CylinderExtent, Dyadic, Part, Solid};
+use super::oracle::{self, ConeExtent, CylinderExtent, Dyadic, Part, RoundCone, Solid};
 
 /// A point in exact numbers.
 pub type Point = [Dyadic; 3];
@@ -36,17 +36,19 @@ fn face(part: Part) -> (usize, bool) {
         Part::Top => (1, true),
         Part::Back => (2, false),
         Part::Front => (2, true),
-        Part::Side => panic!("a cuboid has no such part"),
+        Part::Side | Part::Inner => panic!("a cuboid has no such part"),
     }
 }
 
 /// The heights between which the solid or its side lies.
-fn heights(solid: &Solid) -> Option<Dyadic> {
+fn heights(solid: &Solid) -> Option<[Dyadic; 2]> {
     match solid {
         Solid::Cylinder { extent: CylinderExtent::Open(height) | CylinderExtent::Capped(height), .. }
         | Solid::Cone { extent: ConeExtent::Open(height) | ConeExtent::Capped(height), .. }
         | Solid::Frustum { height, .. }
-        | Solid::Capsule { height, .. } => Some(height.clone()),
+        | Solid::Capsule { height, .. }
+        | Solid::Tube { height, .. } => Some([Dyadic::zero(), height.clone()]),
+        Solid::Revolved(revolved) => Some([revolved.low.clone(), revolved.high.clone()]),
         _ => None,
     }
 }
@@ -77,7 +79,32 @@ fn under_side(solid: &Solid, p: &Point) -> f64 {
             let reach = &(base_radius * &(height - y)) + &(top_radius * y);
             slanted(reach, height, height.to_f64().hypot((top_radius - base_radius).to_f64()))
         }
-        Solid::Plane | Solid::Disc { .. } | Solid::Rectangle { .. } => -y.to_f64(),
+        // To the first order: the value of the equation over the length of its gradient.
+        Solid::Revolved(revolved) => {
+            let gradient = gradient(solid, Part::Side, p);
+            let length = gradient.into_iter().map(|c| c * c).sum::<f64>().sqrt();
+            let value = oracle::revolved_margin(revolved, y, &from_axis).to_f64();
+            if value == 0.0 { 0.0 } else { value / (2.0 * length) }
+        }
+        Solid::RoundCone(cone) => {
+            let [w, v] = cone.cone_at(y);
+            let sum = v.to_f64() + (w.to_f64() * from_axis.to_f64()).sqrt();
+            (&v.squared() - &(&w * &from_axis)).to_f64() / (cone.height.to_f64() * sum)
+        }
+        Solid::Tube { inner, outer, .. } => {
+            difference_of_roots(&outer.squared(), &from_axis).min(difference_of_roots(&from_axis, &inner.squared()))
+        }
+        Solid::RoundedCuboid(cuboid) => {
+            let excess = cuboid.excess(p);
+            let square = dot(&excess, &excess);
+            if square.is_zero() {
+                // Deeper than any face.
+                let core = (0..3).map(|i| (&cuboid.half[i] - &p[i].magnitude()).to_f64());
+                return cuboid.radius.to_f64() + core.fold(f64::INFINITY, f64::min);
+            }
+            difference_of_roots(&cuboid.radius.squared(), &square)
+        }
+        Solid::Plane | Solid::Disc { .. } | Solid::Annulus { .. } | Solid::Rectangle { .. } => -y.to_f64(),
         Solid::Cuboid { half } => (0..3).map(|i| (&half[i] - &p[i].magnitude()).to_f64()).fold(f64::INFINITY, f64::min),
         Solid::Triangle { vertices } => {
             let [a, b, c] = vertices;
@@ -89,7 +116,7 @@ fn under_side(solid: &Solid, p: &Point) -> f64 {
 
 /// How far below the top and above the base.
 fn between_ends(solid: &Solid, y: &Dyadic) -> f64 {
-    heights(solid).map_or(f64::INFINITY, |height| y.to_f64().min((&height - y).to_f64()))
+    heights(solid).map_or(f64::INFINITY, |[low, high]| (y - &low).to_f64().min((&high - y).to_f64()))
 }
 
 /// How deep the point lies in a solid; outside, less its distance or something nearer to zero.
@@ -106,15 +133,30 @@ pub fn depth(solid: &Solid, p: &Point) -> f64 {
             };
             difference_of_roots(&radius.squared(), &(&(&x.squared() + &z.squared()) + &beyond.squared()))
         }
+        Solid::RoundCone(cone) => match cone.part_at(y) {
+            Part::Side => under_side(solid, p),
+            part => under_ball(cone, part, p),
+        },
         _ => under_side(solid, p).min(between_ends(solid, y)),
     }
+}
+
+/// How deep the point lies in one of the balls.
+fn under_ball(cone: &RoundCone, part: Part, [x, y, z]: &Point) -> f64 {
+    let from_axis = &x.squared() + &z.squared();
+    let (radius, above) = match part {
+        Part::Top => (&cone.top_radius, y - &cone.height),
+        _ => (&cone.base_radius, y.clone()),
+    };
+    difference_of_roots(&radius.squared(), &(&from_axis + &above.squared()))
 }
 
 /// How far the point is from a part of the surface; beyond the part's rim by how much, or by something less.
 pub fn distance_from(solid: &Solid, part: Part, p: &Point) -> f64 {
     let [x, y, z] = p;
     let from_axis = &x.squared() + &z.squared();
-    let level = if part == Part::Top { heights(solid).unwrap_or(Dyadic::zero()) } else { Dyadic::zero() };
+    let [low, high] = heights(solid).unwrap_or([Dyadic::zero(), Dyadic::zero()]);
+    let level = if part == Part::Top { high } else { low };
     match (solid, part) {
         (Solid::Capsule { radius, .. }, Part::Base | Part::Top) => {
             let above = y - &level;
@@ -122,9 +164,46 @@ pub fn distance_from(solid: &Solid, part: Part, p: &Point) -> f64 {
             difference_of_roots(&radius.squared(), &(&from_axis + &above.squared())).abs().max(beyond)
         }
         (Solid::Disc { radius }, _) => y.to_f64().abs().max(difference_of_roots(&from_axis, &radius.squared())),
+        (Solid::RoundCone(cone), _) => {
+            // How far beyond the circle between the parts.
+            let [low, high] = cone.seams().map(|seam| (&(y * &cone.height) - &seam).to_f64() / cone.height.to_f64());
+            let is_ball = cone.ball().is_some();
+            match part {
+                Part::Base | Part::Top => {
+                    let beyond = if part == Part::Top { -high } else { low };
+                    under_ball(cone, part, p).abs().max(if is_ball { 0.0 } else { beyond })
+                }
+                _ => under_side(solid, p).abs().max(-low).max(high),
+            }
+        }
+        (Solid::Annulus { inner, outer }, _) => {
+            let beyond = difference_of_roots(&from_axis, &outer.squared());
+            y.to_f64().abs().max(beyond).max(difference_of_roots(&inner.squared(), &from_axis))
+        }
+        (Solid::Tube { inner: radius, .. }, Part::Inner) | (Solid::Tube { outer: radius, .. }, Part::Side) => {
+            difference_of_roots(&radius.squared(), &from_axis).abs().max(-between_ends(solid, y))
+        }
         (Solid::Rectangle { half: [along_x, along_z] }, _) => {
             let beyond = [(x, along_x), (z, along_z)].map(|(c, half)| (&c.magnitude() - half).to_f64());
             beyond.into_iter().fold(y.to_f64().abs(), f64::max)
+        }
+        (Solid::RoundedCuboid(cuboid), Part::Side) => {
+            // The second largest excess is how far it is beyond a face's edge.
+            let mut beyond = [0, 1, 2].map(|i: usize| (&p[i].magnitude() - &cuboid.half[i]).to_f64());
+            beyond.sort_by(f64::total_cmp);
+            under_side(solid, p).abs().max(-beyond[1])
+        }
+        (Solid::RoundedCuboid(cuboid), _) => {
+            let (axis, is_positive) = face(part);
+            let off = |i: usize| {
+                let beyond = &p[i].magnitude() - &cuboid.half[i];
+                if i != axis {
+                    return beyond.to_f64();
+                }
+                let is_on_side = (p[i].signum() < 0) != is_positive;
+                if is_on_side { (&beyond - &cuboid.radius).to_f64().abs() } else { p[i].magnitude().to_f64() }
+            };
+            (0..3).map(off).fold(0.0, f64::max)
         }
         (Solid::Cuboid { half }, _) => {
             let (axis, is_positive) = face(part);
@@ -158,7 +237,17 @@ pub fn gradient(solid: &Solid, part: Part, p: &Point) -> [f64; 3] {
     match (solid, part) {
         (Solid::Sphere { .. }, _) | (Solid::Capsule { .. }, Part::Base) => [x, y, z],
         (Solid::Capsule { height, .. }, Part::Top) => [x, (&p[1] - height).to_f64(), z],
-        (Solid::Cuboid { .. }, _) => {
+        (Solid::RoundCone(_), Part::Base) => [x, y, z],
+        (Solid::RoundCone(cone), Part::Top) => [x, (&p[1] - &cone.height).to_f64(), z],
+        (Solid::RoundCone(cone), _) => {
+            let [w, v] = cone.cone_at(&p[1]).map(|c| c.to_f64());
+            [w * x, cone.difference().to_f64() * v, w * z]
+        }
+        (Solid::RoundedCuboid(cuboid), Part::Side) => {
+            let excess = cuboid.excess(p).map(|c| c.to_f64());
+            [excess[0].copysign(x), excess[1].copysign(y), excess[2].copysign(z)]
+        }
+        (Solid::Cuboid { .. } | Solid::RoundedCuboid(_), _) => {
             let (axis, is_positive) = face(part);
             std::array::from_fn(|i| {
                 if i != axis {
@@ -170,10 +259,14 @@ pub fn gradient(solid: &Solid, part: Part, p: &Point) -> [f64; 3] {
                 }
             })
         }
-        (Solid::Plane | Solid::Disc { .. } | Solid::Rectangle { .. }, _) | (_, Part::Top) => [0.0, 1.0, 0.0],
+        (Solid::Plane | Solid::Disc { .. } | Solid::Annulus { .. } | Solid::Rectangle { .. }, _) | (_, Part::Top) => {
+            [0.0, 1.0, 0.0]
+        }
         (Solid::Triangle { vertices: [a, b, c] }, _) => cross(&minus(b, a), &minus(c, a)).map(|n| n.to_f64()),
         (_, Part::Base) => [0.0, -1.0, 0.0],
-        (Solid::Cylinder { .. } | Solid::Capsule { .. }, _) => [x, 0.0, z],
+        (_, Part::Inner) => [-x, 0.0, -z],
+        (Solid::Cylinder { .. } | Solid::Capsule { .. } | Solid::Tube { .. }, _) => [x, 0.0, z],
+        (Solid::Revolved(oracle::Revolved { a, b, .. }), _) => [x, -(&(a * &p[1]) + b).to_f64(), z],
         (Solid::Cone { slope, .. }, _) => [x, -y * slope.to_f64().powi(2), z],
         (Solid::Frustum { base_radius, top_radius, height, .. }, _) => {
             let growth = (top_radius - base_radius).to_f64() / height.to_f64();

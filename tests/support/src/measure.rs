@@ -182,13 +182,14 @@ impl<'a, S: Number> Rows<'a, S> {
 
     /// The exact answer, and what each method makes of the ray.
     pub fn measure(&mut self, target: &Target<'_, S>, ray: &Ray<S>) -> (InRange, Vec<Judgement<S>>) {
-        let (line, size) = match target.placed {
-            None => (exact_line(ray), target.size),
-            Some(placed) => (placed.line(ray), placed.largest * target.size),
+        let (line, [least, most]) = match target.placed {
+            None => (exact_line(ray), [1.0; 2]),
+            Some(placed) => (placed.line(ray), [placed.smallest, placed.largest]),
         };
+        let (size, narrowest) = (most * target.size, least * target.size);
         let solid = target.solid;
         let want: InRange = expected_of(solid, &line, ray);
-        let judged = Judged { solid, line: &line, ray, want: &want, size };
+        let judged = Judged { solid, line: &line, ray, want: &want, size, narrowest };
         let judge = |(method, row): (&Method<S>, &mut Measured)| {
             let hits = (method.hits)(target, ray);
             let before = (row.errors.len(), row.lost + row.phantom, row.part);

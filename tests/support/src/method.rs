@@ -5,7 +5,7 @@ use super::oracle::Solid;
 use super::placed::Placed;
 use super::subject::Subject;
 use super::textbook::{self, Plain, PlainRay, Reach};
-use fixed::types::{I16F16, I32F32};
+use fixed::types::{I8F24, I16F16, I20F12, I32F32};
 use raylet::tier::{self, Exact, Fast, Precision, Stable, Tier};
 use raylet::{Crossing, Part, Ray, Shape};
 
@@ -96,8 +96,22 @@ macro_rules! measurable {
     };
 }
 measurable! {
-    f32: Method { in_integers: |shape, ray| shape.precision(ray) == Precision::Integers, ..Method::tier::<Exact>("Exact") };
+    f32: Method {
+        in_integers: |shape, ray| shape.precision(ray) == Precision::Integers,
+        ..Method::tier::<Exact>("Exact")
+    };
     f64:;
-    I16F16: Method { in_integers: |shape, ray| shape.precision(ray) == Precision::Integers, ..Method::tier::<Exact>("Exact") };
+    I16F16: Method {
+        in_integers: |shape, ray| shape.precision(ray) == Precision::Integers,
+        ..Method::tier::<Exact>("Exact")
+    };
     I32F32:;
+    I8F24: Method {
+        in_integers: |shape, ray| shape.precision(ray) == Precision::Integers,
+        ..Method::tier::<Exact>("Exact")
+    };
+    I20F12: Method {
+        in_integers: |shape, ray| shape.precision(ray) == Precision::Integers,
+        ..Method::tier::<Exact>("Exact")
+    };
 }

@@ -108,6 +108,8 @@ pub struct Placed<S: Exact> {
     position: [f64; 3],
     /// The largest factor that it is stretched by, or 1.
     pub largest: f64,
+    /// The smallest one, or 1.
+    pub smallest: f64,
     /// The rows of the way into the frame, and the position, as they are stored.
     rows: [[Dyadic; 3]; 3],
     exact_position: [Dyadic; 3],
@@ -144,10 +146,10 @@ impl<S: Exact> Placed<S> {
             }
             Placement::Matrix(affine) => (affine.axes().map(Vec3::to_f64), exact_rows(&affine), shape.placed(affine)),
         };
-        let largest = match placement {
-            Placement::Frame(_) => 1.0,
-            Placement::Stretched(_, factors) => factors.iter().map(|factor| factor.to_f64()).fold(1.0, f64::max),
-            Placement::Matrix(_) => axes.iter().map(|axis| dot(*axis, *axis).sqrt()).fold(1.0, f64::max),
+        let factors = match placement {
+            Placement::Frame(_) => [1.0; 3],
+            Placement::Stretched(_, factors) => factors.map(S::to_f64),
+            Placement::Matrix(_) => axes.map(|axis| dot(axis, axis).sqrt()),
         };
         let position = placement.position();
         Ok(Self {
@@ -155,7 +157,8 @@ impl<S: Exact> Placed<S> {
             placement,
             axes,
             position: position.to_f64(),
-            largest,
+            largest: factors.into_iter().fold(1.0, f64::max),
+            smallest: factors.into_iter().fold(1.0, f64::min),
             rows,
             exact_position: position.to_array().map(S::exact),
         })

@@ -1,7 +1,7 @@
 //! What the tiers promise of one ray, and whether an answer keeps it.
 //!
 //! - `Plain`: no hit is lost or invented where the ray is plain, 10^-5 off the generators of a cone, and the start
-//!   within 10 sizes, but within 64 units of a rim or 16 of the start.
+//!   within 10 sizes, and 10^5 of its narrowest size, but within 64 units of a rim or 16 of the start.
 //! - `Fast`: no hit is lost, invented or on another part where the ray is plain and the start within 100 sizes, but
 //!   within 16 units of a rim or of the start.
 //! - `Stable`: no hit is lost, invented or on another part but within a unit of touching or of a rim. In floats `t` is
@@ -16,9 +16,12 @@
 
 use super::exact_types::{Exact as Number, expected_of, same_crossing, same_part};
 use super::method::Told;
-use super::oracle::{ConeExtent, CylinderExtent, Dyadic, ExpectedHit, InRange, Line, Root, Solid, exact_f64};
+use super::oracle::{
+    ConeExtent, CylinderExtent, Dyadic, ExpectedHit, InRange, Line, Revolved, Root, RoundCone, RoundedCuboid, Solid,
+    exact_f64,
+};
 use super::random::{add, cross, dot, scale};
-use raylet::{Leaving, Range, Ray};
+use raylet::{Leaving, Part, Range, Ray};
 
 /// Away from grazing is what is farther than this from touching, and by as much off an axis, a generator and a plane.
 const AWAY: f64 = 1e-2;
@@ -29,6 +32,10 @@ const NEAREST: f64 = 1e-7;
 /// Nearer than this `Plain` promises nothing of a cone: through a map that stretches by 30, the direction in the
 /// solid's frame is off by some 10^-6 in `f32`, which decides on which nappe a ray along a generator ends.
 const NEAREST_OF_PLAIN: f64 = 1e-5;
+
+/// Farther than so many times the narrowest size away, `Plain` promises nothing: the coordinates of a start at 3,000,
+/// in the units of a solid that a map makes a thousandth as wide, are off by a tenth of its size in `f32`.
+const MOST_OF_NARROWEST: f64 = 1e5;
 
 /// A start nearer to the surface than this share of the size is judged by positions.
 const NEAR: f64 = 1e-3;
@@ -42,6 +49,8 @@ pub struct Judged<'a, S: Number> {
     pub want: &'a InRange,
     /// The solid's size in the world, about.
     pub size: f64,
+    /// The same along the axis along which a map makes it narrowest.
+    pub narrowest: f64,
 }
 
 /// How far a line is from grazing: the depth below or above a curved surface over the radius there, and the sines of
@@ -81,8 +90,42 @@ pub fn clearance(solid: &Solid, line: &Line) -> f64 {
             let slope = (top - base) / height;
             cone(-base / slope, slope).min(if *capped { off_plane } else { 1.0 })
         }
-        Solid::Plane | Solid::Disc { .. } | Solid::Rectangle { .. } => off_plane,
+        Solid::Revolved(Revolved { a, b, r, capped, .. }) => {
+            let [a, b, r] = [a, b, r].map(Dyadic::to_f64);
+            let [wx, wy, wz] = cross(o, d);
+            // 1 less the ratio of the discriminant's terms; the angle to the generators of the asymptotic cone.
+            let positive = [r * r * across * across, b * b * y * y, 2.0 * b * (wx * z - wz * x), -(a * r * r * y * y)];
+            let full = positive.into_iter().map(f64::abs).sum::<f64>() + a.abs() * (wx * wx + wz * wz) + wy * wy;
+            let discriminant = positive.into_iter().sum::<f64>() + a * (wx * wx + wz * wz) - wy * wy;
+            let off_generator = if a > 0.0 { (libm::atan2(across, y.abs()) - libm::atan(a.sqrt())).abs() } else { 1.0 };
+            let off_axis = if a < 0.0 { 1.0 } else { across };
+            let off_plane = if *capped { off_plane } else { 1.0 };
+            (discriminant / full).abs().min(off_generator).min(off_axis).min(off_plane)
+        }
+        Solid::RoundCone(RoundCone { base_radius, top_radius, height }) => {
+            let [r, top, h] = [base_radius, top_radius, height].map(Dyadic::to_f64);
+            let (k, balls) = (r - top, ball(0.0, r).min(ball(h, top)));
+            if k.abs() < h { balls.min(cone(r * h / k, k / ((h - k) * (h + k)).sqrt())) } else { balls }
+        }
+        Solid::Tube { inner, outer, .. } => tube(inner.to_f64()).min(tube(outer.to_f64())).min(off_plane),
+        Solid::Plane | Solid::Disc { .. } | Solid::Annulus { .. } | Solid::Rectangle { .. } => off_plane,
         Solid::Cuboid { .. } => x.abs().min(y.abs()).min(z.abs()),
+        Solid::RoundedCuboid(RoundedCuboid { half, radius }) => {
+            let ([hx, hy, hz], r) = (half.each_ref().map(Dyadic::to_f64), radius.to_f64());
+            let corners = (0..8).map(|i| {
+                let sign = |bit: i32, h: f64| if i & bit == 0 { h } else { -h };
+                add(o, [sign(1, hx), sign(2, hy), sign(4, hz)])
+            });
+            corners.fold(x.abs().min(y.abs()).min(z.abs()), |least, o| {
+                let w = cross(o, d);
+                let of_edge = |axis: usize| {
+                    let across = (1.0 - d[axis] * d[axis]).sqrt();
+                    across.min((1.0 - w[axis].abs() / (across * r)).abs())
+                };
+                let of_ball = (1.0 - dot(w, w).sqrt() / r).abs();
+                least.min(of_ball).min(of_edge(0)).min(of_edge(1)).min(of_edge(2))
+            })
+        }
         Solid::Triangle { vertices } => {
             let [a, b, c] = vertices.each_ref().map(|vertex| vertex.each_ref().map(Dyadic::to_f64));
             let n = cross(add(b, scale(a, -1.0)), add(c, scale(a, -1.0)));
@@ -120,10 +163,16 @@ impl<S: Number> Judged<'_, S> {
     }
 
     /// Whether the tier's promise leaves room for these hits, which are others than the exact ones. A ray that departs
-    /// never meets what it departs from.
+    /// outwards from a convex solid never meets it.
     pub fn excuses(&self, tier: &str, told: &[Told<S>]) -> bool {
         let departs = |leaving| self.ray.departure().is_some_and(|departure| departure.leaving == leaving);
-        let must_miss = departs(Leaving::Outwards) || (departs(Leaving::Inwards) && tier != "Plain");
+        let from_inside = || self.ray.departure().is_some_and(|departure| departure.part == Part::Inner);
+        let may_return = match self.solid {
+            Solid::Revolved(revolved) => revolved.has_waist(),
+            Solid::Tube { .. } => from_inside(),
+            _ => false,
+        };
+        let must_miss = (departs(Leaving::Outwards) && !may_return) || (departs(Leaving::Inwards) && tier != "Plain");
         if must_miss && self.want.hits.is_empty() {
             return false;
         }
@@ -131,8 +180,9 @@ impl<S: Number> Judged<'_, S> {
             "Exact" => false,
             "Stable" => self.is_within_units(0),
             "Plain" => {
-                let is_cone = matches!(self.solid, Solid::Cone { .. } | Solid::Frustum { .. });
+                let is_cone = matches!(self.solid, Solid::Cone { .. } | Solid::Frustum { .. } | Solid::RoundCone(_));
                 !self.is_plain(10.0, if is_cone { NEAREST_OF_PLAIN } else { NEAREST })
+                    || self.away() > MOST_OF_NARROWEST * self.narrowest
                     || told.len() == self.want.hits.len()
                     || self.differs_at_start(told, 4)
                     // Farther beside, a ray may have the same hits for another reason.
@@ -170,12 +220,16 @@ impl<S: Number> Judged<'_, S> {
         })
     }
 
+    /// How far the start is from the first hit, or from the point that is next to the frame's origin.
+    fn away(&self) -> f64 {
+        self.want.hits.first().map_or_else(|| nearest_to_origin(self.line), |hit| hit.t.to_f64()).abs()
+    }
+
     /// Whether the ray is plain, is so far from grazing, and starts within so many sizes. A ray that meets nothing
     /// starts as far away as its point next to the frame's origin.
     pub fn is_plain(&self, sizes: f64, nearest: f64) -> bool {
-        let away = self.want.hits.first().map_or_else(|| nearest_to_origin(self.line), |hit| hit.t.to_f64());
         // A direction is not known well enough to tell on which side of a generator or a face such a ray leads.
-        if away.abs() > sizes * self.size || clearance(self.solid, self.line) < nearest {
+        if self.away() > sizes * self.size || clearance(self.solid, self.line) < nearest {
             return false;
         }
         // The chord that a ray starts in counts from its beginning.

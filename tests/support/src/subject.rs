@@ -2,12 +2,12 @@
 
 use super::described::{ConeExtent, CylinderExtent, Described};
 use super::exact_types::Exact;
-use super::oracle::{Dyadic, Solid};
+use super::oracle::{Dyadic, Revolved, Solid};
 use super::random::{Random, add, cross, normalize, scale};
 use raylet::Shape;
 
 /// Every primitive of the design, with a name for tables.
-pub const SUBJECTS: [&str; 18] = [
+pub const SUBJECTS: [&str; 24] = [
     "sphere",
     "cylinder infinite",
     "cylinder open",
@@ -21,15 +21,23 @@ pub const SUBJECTS: [&str; 18] = [
     "frustum capped",
     "frustum widening",
     "frustum pointed",
+    "paraboloid",
+    "hyperboloid",
+    "round cone",
+    "tube",
     "plane",
     "disc",
+    "annulus",
     "triangle",
     "cuboid",
+    "rounded cuboid",
     "rectangle",
 ];
 
 /// The half extents of the cuboid.
 const CUBOID: [f64; 3] = [1.1, 0.85, 0.6];
+/// The half extents of the core of the rounded cuboid, and its radius.
+const ROUNDED: ([f64; 3], f64) = ([0.8, 0.55, 0.3], 0.3);
 /// The half extents of the rectangle.
 const RECTANGLE: [f64; 2] = [1.3, 0.7];
 
@@ -47,6 +55,7 @@ impl<S: Exact> Subject<S> {
     pub fn new(name: &'static str) -> Self {
         let (r, h, slope, wide, narrow) = (1.1, 1.7, 0.8, 1.3, 0.6);
         let frustum = |base, top, capped| Described::Frustum { base, top, height: h, capped };
+        let quadric = |a, b, radius| Described::Revolved { a, b, radius, heights: [0.0, h], capped: true };
         let (described, outline) = match name {
             "sphere" => (Described::Sphere { radius: r }, (r, r, 0.0)),
             "cylinder infinite" => (Described::Cylinder { radius: r, extent: CylinderExtent::Infinite }, (r, r, h)),
@@ -61,13 +70,19 @@ impl<S: Exact> Subject<S> {
             "frustum capped" => (frustum(wide, narrow, true), (wide, narrow, h)),
             "frustum widening" => (frustum(narrow, wide, true), (narrow, wide, h)),
             "frustum pointed" => (frustum(wide, 0.0, true), (wide, 0.0, h)),
+            "paraboloid" => (quadric(0.0, 0.5, 0.0), (0.0, 1.3, h)),
+            "hyperboloid" => (quadric(0.9, -0.7, r), (r, 1.2, h)),
+            "round cone" => (Described::RoundCone { base: r, top: narrow, height: h }, (r, narrow, h)),
+            "tube" => (Described::Tube { inner: narrow, outer: r, height: h }, (r, r, h)),
             "plane" => (Described::Plane, (2.0, 0.0, 0.0)),
             "disc" => (Described::Disc { radius: r }, (r, 0.0, 0.0)),
+            "annulus" => (Described::Annulus { inner: narrow, outer: r }, (r, 0.0, 0.0)),
             "triangle" => {
                 let vertices = [[-1.1, 0.0, -0.7], [0.9, 0.3, -0.6], [0.2, -0.2, 1.2]];
                 (Described::Triangle { vertices }, (0.6, 0.0, 0.0))
             }
             "cuboid" => (Described::Cuboid { half: CUBOID }, (0.0, 0.0, 1.0)),
+            "rounded cuboid" => (Described::RoundedCuboid { half: ROUNDED.0, radius: ROUNDED.1 }, (0.0, 0.0, 1.0)),
             "rectangle" => (Described::Rectangle { half: RECTANGLE }, (RECTANGLE[1], 0.0, 0.0)),
             _ => panic!("no subject of this name: {name}"),
         };
@@ -79,7 +94,7 @@ impl<S: Exact> Subject<S> {
 
     /// True for primitives without a curved side.
     pub fn is_flat(&self) -> bool {
-        matches!(self.name, "plane" | "disc" | "rectangle" | "triangle")
+        matches!(self.name, "plane" | "disc" | "annulus" | "rectangle" | "triangle")
     }
 
     /// True for cones and frustums.
@@ -93,16 +108,39 @@ impl<S: Exact> Subject<S> {
         (top - base) / height
     }
 
+    /// The radius at a fraction of the height, and the tangent of the angle between axis and side there.
+    fn side_at(&self, v: f64) -> (f64, f64) {
+        let (base, top, height) = self.outline;
+        let Solid::Revolved(Revolved { a, b, r, .. }) = &self.solid else {
+            return (base + (top - base) * v, self.slope());
+        };
+        let (y, [a, b, r]) = (v * height, [a, b, r].map(Dyadic::to_f64));
+        let radius = ((a * y + 2.0 * b) * y + r * r).sqrt();
+        (radius, (a * y + b) / radius)
+    }
+
+    /// The radius of the hole of a tube or an annulus; zero of the others.
+    fn hole(&self) -> f64 {
+        match &self.solid {
+            Solid::Tube { inner, .. } | Solid::Annulus { inner, .. } => inner.to_f64(),
+            _ => 0.0,
+        }
+    }
+
     /// A point well inside (of a flat primitive: on it).
     pub fn inner_point(&self, random: &mut Random) -> [f64; 3] {
-        let (base, top, height) = self.outline;
+        let (base, _, height) = self.outline;
         let angle = random.between(0.0, std::f64::consts::TAU);
         let around = random.unit().sqrt() * 0.8;
+        if self.hole() > 0.0 {
+            let (y, radius) = (random.between(0.1, 0.9) * height, random.between(1.1 * self.hole(), 0.95 * base));
+            return [libm::cos(angle) * radius, y, libm::sin(angle) * radius];
+        }
         if self.name == "sphere" {
             return random.direction().map(|c| c * around * base);
         }
-        if self.name == "cuboid" {
-            return CUBOID.map(|half| random.between(-0.9, 0.9) * half);
+        if let Some((half, _)) = self.core() {
+            return half.map(|half| random.between(-0.9, 0.9) * half);
         }
         if self.is_flat() {
             // The triangle's centroid is the origin and its plane is tilted.
@@ -110,25 +148,51 @@ impl<S: Exact> Subject<S> {
             return [x, 0.0, z];
         }
         let v = random.between(0.1, 0.9);
-        let radius = (base + (top - base) * v) * around;
+        let radius = self.side_at(v).0 * around;
         [libm::cos(angle) * radius, v * height, libm::sin(angle) * radius]
     }
 
-    /// A point of the face of the cuboid across the axis, and the outward normal there.
-    fn face_point(random: &mut Random, axis: usize) -> ([f64; 3], [f64; 3]) {
-        let (mut point, mut normal) = (CUBOID.map(|half| random.between(-0.9, 0.9) * half), [0.0; 3]);
+    /// The half extents of the cuboid, or of the core of the rounded one, and its radius.
+    fn core(&self) -> Option<([f64; 3], f64)> {
+        match self.name {
+            "cuboid" => Some((CUBOID, 0.0)),
+            "rounded cuboid" => Some(ROUNDED),
+            _ => None,
+        }
+    }
+
+    /// A point of the face across the axis, and the outward normal there.
+    fn face_point((half, radius): ([f64; 3], f64), random: &mut Random, axis: usize) -> ([f64; 3], [f64; 3]) {
+        let (mut point, mut normal) = (half.map(|half| random.between(-0.9, 0.9) * half), [0.0; 3]);
         normal[axis] = random.sign();
-        point[axis] = normal[axis] * CUBOID[axis];
+        point[axis] = normal[axis] * (half[axis] + radius);
         (point, normal)
+    }
+
+    /// A point of an edge or a corner of the rounded cuboid, and the outward normal there.
+    fn rounded_point((half, radius): ([f64; 3], f64), random: &mut Random) -> ([f64; 3], [f64; 3]) {
+        let mut normal = random.direction();
+        let mut point = [0, 1, 2].map(|axis| half[axis].copysign(normal[axis]));
+        // A corner, or an edge along this axis.
+        let along = random.below(4);
+        if along < 3 {
+            normal[along] = 0.0;
+            normal = normalize(normal);
+            point[along] = random.between(-0.9, 0.9) * half[along];
+        }
+        (add(point, scale(normal, radius)), normal)
     }
 
     /// A point of the curved side, or of a face at the sides, and the outward normal there.
     pub fn side_point(&self, random: &mut Random) -> ([f64; 3], [f64; 3]) {
-        if self.name == "cuboid" {
+        if let Some(core) = self.core() {
+            if core.1 > 0.0 && random.below(2) == 0 {
+                return Self::rounded_point(core, random);
+            }
             let axis = random.pick(&[0, 2]);
-            return Self::face_point(random, axis);
+            return Self::face_point(core, random, axis);
         }
-        let (base, top, height) = self.outline;
+        let (base, _, height) = self.outline;
         if self.name == "sphere" {
             let n = random.direction();
             return (n.map(|c| c * base), n);
@@ -138,8 +202,11 @@ impl<S: Exact> Subject<S> {
             return (self.inner_point(random), [0.0, 1.0, 0.0]);
         }
         let v = random.between(0.1, 0.9);
-        let radius = base + (top - base) * v;
-        let slope = self.slope();
+        if self.hole() > 0.0 && random.next() & 1 == 0 {
+            let [x, z] = [libm::cos(angle), libm::sin(angle)];
+            return ([x * self.hole(), v * height, z * self.hole()], [-x, 0.0, -z]);
+        }
+        let (radius, slope) = self.side_at(v);
         let scale = 1.0 / (1.0 + slope * slope).sqrt();
         (
             [libm::cos(angle) * radius, v * height, libm::sin(angle) * radius],
@@ -158,28 +225,35 @@ impl<S: Exact> Subject<S> {
             let (u, v) = if u + v > 1.0 { (1.0 - u, 1.0 - v) } else { (u, v) };
             return Some((add(a, add(scale(along, u), scale(across, v))), normalize(cross(along, across))));
         }
-        if self.name == "cuboid" {
-            return Some(Self::face_point(random, 1));
+        if let Some(core) = self.core() {
+            return Some(Self::face_point(core, random, 1));
         }
         let caps: &[(f64, f64)] = match self.name {
-            "plane" | "disc" | "rectangle" => &[(base, 0.0)],
-            "cone capped" => &[(top, height)],
+            "plane" | "disc" | "annulus" | "rectangle" => &[(base, 0.0)],
+            "cone capped" | "paraboloid" => &[(top, height)],
             "frustum pointed" => &[(base, 0.0)],
-            "cylinder capped" | "frustum capped" | "frustum widening" => &[(base, 0.0), (top, height)],
+            "cylinder capped" | "frustum capped" | "frustum widening" | "hyperboloid" | "tube" => {
+                &[(base, 0.0), (top, height)]
+            }
             _ => return None,
         };
         let (radius, y) = random.pick(caps);
-        let (angle, around) = (random.between(0.0, std::f64::consts::TAU), random.unit().sqrt() * radius);
+        let (angle, share) = (random.between(0.0, std::f64::consts::TAU), self.hole() / radius);
+        let around = (share * share + (1.0 - share * share) * random.unit()).sqrt() * radius;
         Some(([libm::cos(angle) * around, y, libm::sin(angle) * around], [0.0, 1.0, 0.0]))
     }
 
     /// A point of a rim (or seam, or the apex), where parts meet.
     pub fn rim_point(&self, random: &mut Random) -> [f64; 3] {
-        if self.name == "cuboid" {
-            // At one of the twelve edges.
+        if let Some((half, radius)) = self.core() {
+            // At one of the twelve edges, or at a seam beside one.
             let along = random.below(3);
-            let mut point = CUBOID.map(|half| half * random.sign());
+            let mut point = half.map(|half| half * random.sign());
             point[along] *= random.unit();
+            if radius > 0.0 {
+                let across = (along + 1 + random.below(2)) % 3;
+                point[across] += radius.copysign(point[across]);
+            }
             return point;
         }
         if self.name == "rectangle" {
@@ -191,6 +265,7 @@ impl<S: Exact> Subject<S> {
         let angle = random.between(0.0, std::f64::consts::TAU);
         let upper = random.next() & 1 == 0 && height > 0.0;
         let (radius, y) = if upper { (top, height) } else { (base, 0.0) };
+        let radius = if self.hole() > 0.0 && random.next() & 1 == 0 { self.hole() } else { radius };
         [libm::cos(angle) * radius, y, libm::sin(angle) * radius]
     }
 }

@@ -1,11 +1,11 @@
 //! The textbook's formulas (`shared::textbook`) at the solids of the oracle, and all their hits.
 
 use super::exact_types::Exact;
-use super::oracle::{ConeExtent, CylinderExtent, Dyadic, Solid};
+use super::oracle::{ConeExtent, CylinderExtent, Dyadic, Revolved, RoundCone, RoundedCuboid, Solid};
 use super::placed::{Placed, Placement};
 use raylet::scalar::UnitScalar;
 use raylet::{Frame, Ray};
-pub use shared::textbook::{Extent, Form, Formula, Number, Place, Plain, PlainRay, Side};
+pub use shared::textbook::{Extent, Form, Formula, Number, Place, Plain, PlainRay, Quadric, Side};
 
 /// The range of `t` in which hits are told.
 #[derive(Clone, Copy)]
@@ -73,9 +73,20 @@ pub fn form<S: Plain>(solid: &Solid) -> Form<S::Number> {
             Form::Side(Side { caps, ..side(base, Some((top - base) / height), Extent::To(height)) })
         }
         Solid::Capsule { radius, height } => Form::Capsule { radius: n(radius), height: n(height) },
+        Solid::Revolved(Revolved { a, b, r, low, high, capped }) => {
+            Form::Revolved(Quadric { coefficients: [a, b, r].map(n), heights: [low, high].map(n), capped: *capped })
+        }
+        Solid::RoundCone(RoundCone { base_radius, top_radius, height }) => {
+            Form::RoundCone { radii: [base_radius, top_radius].map(n), height: n(height) }
+        }
+        Solid::Tube { inner, outer, height } => Form::Tube { radii: [inner, outer].map(n), height: n(height) },
         Solid::Plane => Form::Plane,
         Solid::Disc { radius } => Form::Disc { radius: n(radius) },
+        Solid::Annulus { inner, outer } => Form::Annulus { radii: [inner, outer].map(n) },
         Solid::Cuboid { half } => Form::Cuboid { half: half.each_ref().map(n) },
+        Solid::RoundedCuboid(RoundedCuboid { half, radius }) => {
+            Form::RoundedCuboid { half: half.each_ref().map(n), radius: n(radius) }
+        }
         Solid::Rectangle { half } => Form::Rectangle { half: half.each_ref().map(n) },
         Solid::Triangle { vertices } => Form::Triangle { vertices: vertices.each_ref().map(|v| v.each_ref().map(n)) },
     }

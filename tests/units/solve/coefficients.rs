@@ -2,11 +2,12 @@
 
 use super::LocalRay;
 use super::local_ray::{Localize, rounded_ray};
-use super::quadric::{Ball, Nappe, Quadric, Tube};
+use super::quadric::{Ball, Cylinder, Nappe, Quadric, Revolution, Tangent};
 use crate::affine::Affine;
 use crate::frame::Frame;
 use crate::line::{InWorld, Needs, Place};
 use crate::number::{Estimate, Number, Ring, Robust, Running};
+use crate::outline::Meridian;
 use crate::random::Random;
 use crate::ray::Ray;
 use crate::scalar::FromScalar;
@@ -127,14 +128,25 @@ fn check_lines<P: Place<f32>>(
     let near = line(Needs::All);
     let [[x, y, z], [dx, dy, dz]] = exactly(place, ray, Needs::All, near.moved.value);
     let ([nx, ny, nz], [ndx, ndy, ndz]) = (near.origin, near.direction);
-    let tube = Tube { o: [nx, nz], d: [ndx, ndz], r: Running::scalar(r) };
-    check(&tube, &Tube { o: [x, z], d: [dx, dz], r: Wide::scalar(r) }, told);
+    let cylinder = Cylinder { o: [nx, nz], d: [ndx, ndz], r: Running::scalar(r) };
+    check(&cylinder, &Cylinder { o: [x, z], d: [dx, dz], r: Wide::scalar(r) }, told);
+
+    // Any numbers of the size of the solid; `a` from -1 to some hundreds.
+    let (a, heights) = ((top - r) / height, [0.0, height]);
+    let meridian = Meridian { a, b: height - r, r: top, heights, is_open: false, has_waist: false };
+    let revolution = Revolution::along(near.origin, near.direction, &meridian, Running::scalar);
+    check(&revolution, &Revolution::along([x, y, z], [dx, dy, dz], &meridian, Wide::scalar), told);
 
     let growth = Running::scalar(top) - Running::scalar(r);
     let Some(m) = growth.rounded_quotient(Running::scalar(height)) else { return };
     let nappe = Nappe { o: [nx, nz, Running::scalar(r) + m * ny], d: [ndx, ndz, m * ndy] };
+    let (one, own) = (Running::ONE, Running::scalar(r) + m * ny);
+    let (o, d) = ([nx, nz], [ndx, ndz]);
+    let tangent = Tangent { o, d, w: (one + m) * (one - m), v: [own, m * ndy], k: -m };
     let m = (Wide::scalar(top) - Wide::scalar(r)).over(Wide::scalar(height));
     check(&nappe, &Nappe { o: [x, z, Wide::scalar(r) + m * y], d: [dx, dz, m * dy] }, told);
+    let v = [Wide::scalar(r) + m * y, m * dy];
+    check(&tangent, &Tangent { o: [x, z], d: [dx, dz], w: (Wide::ONE + m) * (Wide::ONE - m), v, k: -m }, told);
 }
 
 #[test]

@@ -11,8 +11,8 @@ pub fn report(rows: &[Figures]) -> Result<(), Box<dyn Error>> {
         let [lost, phantom, edge, part, _] = row.counts;
         let Figures { tier, number, primitive, broken, hits, errors: [.., most], .. } = row;
         println!(
-            "{tier} {number} {primitive}, {}: {broken} rays, {hits} hits, worst {most} units, {lost} lost, {phantom} phantom, {edge} edge, \
-             {part} part\n    {:.2} of the limit: {}",
+            "{tier} {number} {primitive}, {}: {broken} rays, {hits} hits, worst {most} units, {lost} lost, {phantom} \
+             phantom, {edge} edge, {part} part\n    {:.2} of the limit: {}",
             row.name(),
             worst.by,
             worst.told

@@ -1,5 +1,5 @@
-//! The promise: the tables of the README, docs/overview.md, docs/accuracy.md and docs/which-one.md and the plots show what
-//! the repository holds, and what the pages claim of rows holds: the bound table, the times and sweeps of the last
+//! The promise: the tables of the README, docs/overview.md, docs/accuracy.md and docs/which-one.md and the plots show
+//! what the repository holds, and what the pages claim of rows holds: the bound table, the times and sweeps of the last
 //! `cargo run --release -p raylet-accuracy -- --write`, the firmware's baselines.
 //!
 //! Nothing is measured here: `tests/promises/src/number_types.rs` holds the library to the bound table.

@@ -10,7 +10,7 @@
 //! cargo run --release -p raylet-accuracy -- --check      # fails if a figure of errors is not what is measured
 //! cargo run --release -p raylet-accuracy -- --broken     # the rays of which a tier's promise is broken, worst first
 //! cargo run --release -p raylet-accuracy -- --search     # the same, searched from the worst random rays uphill
-//! cargo run --release -p raylet-accuracy -- rays FILE --solid SOLID    # the errors of your own rays: docs/your-rays.md
+//! cargo run --release -p raylet-accuracy -- rays FILE --solid SOLID    # your own rays: docs/your-rays.md
 //! ```
 //!
 //! | module | what it holds |
@@ -96,7 +96,8 @@ struct Options {
     /// Measure nothing, and print figures in data/: the rows of a number type or a tier; what benign rays cost; placed
     /// solids by primitive; how often integers decide; surprises, which are rows in which more accuracy costs less, and
     /// combinations that others beat. `all` writes all of these and all plots to the folder of --output.
-    #[arg(short, long, value_name = "NAME", value_parser = publish::names().into_iter().chain(["all"]).collect::<Vec<_>>(),
+    #[arg(short, long, value_name = "NAME",
+        value_parser = publish::names().into_iter().chain(["all"]).collect::<Vec<_>>(),
         conflicts_with_all = ["write", "document", "check", "json", "quick", "rays"])]
     page: Option<String>,
     /// Measure the errors, not the times, and compare the documents and plots of the repository with what they should
@@ -121,14 +122,15 @@ struct Options {
     #[arg(long, requires = "part", value_name = "PRIMITIVE", value_parser = SUBJECTS)]
     only: Vec<String>,
     /// Measure this number type only; may be given several times. Needs --broken or --search.
-    #[arg(long, requires = "part", conflicts_with = "check", value_name = "NUMBER", ignore_case = true, value_parser = number())]
+    #[arg(long, requires = "part", conflicts_with = "check", value_name = "NUMBER", ignore_case = true,
+        value_parser = number(NUMBERS))]
     number: Vec<String>,
 }
 
-/// Parses the name of a number type, which may be written in either case.
-fn number() -> impl TypedValueParser<Value = String> {
-    PossibleValuesParser::new(NUMBERS).map(|given| {
-        let named = NUMBERS.into_iter().find(|name| name.eq_ignore_ascii_case(&given));
+/// Parses the name of one of these number types, which may be written in either case.
+fn number<const N: usize>(among: [&'static str; N]) -> impl TypedValueParser<Value = String> {
+    PossibleValuesParser::new(among).map(move |given| {
+        let named = among.into_iter().find(|name| name.eq_ignore_ascii_case(&given));
         named.map_or(given, String::from)
     })
 }

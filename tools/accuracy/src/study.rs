@@ -140,7 +140,8 @@ pub fn as_json(study: &Study) -> String {
         })
     });
     format!(
-        "{{\n\"machine\": {},\n\"reference_nanoseconds\": {},\n\"rays\": {},\n\"rays_placed\": {},\n\"rows\": [\n{}\n],\n\"sweeps\": [\n{}\n]}}\n",
+        "{{\n\"machine\": {},\n\"reference_nanoseconds\": {},\n\"rays\": {},\n\"rays_placed\": {},\n\
+         \"rows\": [\n{}\n],\n\"sweeps\": [\n{}\n]}}\n",
         json!(study.times.machine),
         study.times.reference_nanoseconds,
         study.rays.unplaced,

@@ -1,8 +1,8 @@
 //! What the programs `cost` and `workloads` printed.
 
+use crate::printed::rows;
 use raylet_tables::{Figures, Outcome};
 use serde::Deserialize;
-use std::fs;
 use std::path::Path;
 
 #[derive(Deserialize)]
@@ -20,14 +20,10 @@ pub fn key(subject: &str, query: &str, number: &str, tier: &str, of: &str) -> St
     format!("{subject} | {query} | {number} | {tier} | {of}")
 }
 
-/// Reads a line of JSON for each figure.
+/// Reads what the program `cost` printed: a figure a line.
 pub fn read(path: &Path) -> Outcome<Figures> {
-    let mut figures = Figures::new();
-    for line in fs::read_to_string(path)?.lines() {
-        let row: Row = serde_json::from_str(line).map_err(|error| format!("{line}: {error}"))?;
-        figures.insert(key(&row.subject, &row.query, &row.number, &row.tier, &row.of), row.figure);
-    }
-    Ok(figures)
+    let named = |row: Row| (key(&row.subject, &row.query, &row.number, &row.tier, &row.of), row.figure);
+    Ok(rows(path)?.into_iter().map(named).collect())
 }
 
 #[derive(Deserialize)]
@@ -43,8 +39,7 @@ struct WorkloadRow {
 /// Reads what the program `workloads` printed: three figures a line.
 pub fn read_workloads(path: &Path) -> Outcome<Figures> {
     let mut figures = Figures::new();
-    for line in fs::read_to_string(path)?.lines() {
-        let row: WorkloadRow = serde_json::from_str(line).map_err(|error| format!("{line}: {error}"))?;
+    for row in rows::<WorkloadRow>(path)? {
         for (what, figure) in [("mean", row.mean), ("99 %", row.nearly), ("worst", row.worst)] {
             figures.insert(workload_key(&row.of, &row.number, &row.tier, what), figure);
         }

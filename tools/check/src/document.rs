@@ -2,11 +2,12 @@
 //! be printed. Also the tables of `docs/errors.md`.
 
 use crate::chip::{self, Part};
-use crate::effects::{GALLERY_FIGURES, NUMBERS, SETS, key};
+use crate::effects::{GALLERY_FIGURES, key};
+use crate::sets::{NUMBERS, SETS, SHAPE, USES};
 use crate::{cost, kinds, size};
 use raylet_tables::markdown::{NONE, Table};
 use raylet_tables::{Baseline, CHIPS, Cell, Figures, Outcome, SUBJECTS, grouped, in_repository, joined, page, pivot};
-use raylet_tables::{Place, together};
+use raylet_tables::{Place, mean_and_worst, together};
 
 /// A chip, and what it takes.
 struct Measured {
@@ -26,11 +27,6 @@ fn chips() -> Outcome<Vec<Measured>> {
 /// Hit / miss.
 fn hit_and_miss(cell: &Cell<'_>) -> String {
     joined(cell, &["hit", "miss"])
-}
-
-/// The mean and, in brackets, the worst.
-fn mean_and_worst(cell: &Cell<'_>) -> String {
-    format!("{} ({})", joined(cell, &["mean"]), joined(cell, &["worst"]))
 }
 
 /// A query of every solid in every number type and tier.
@@ -81,7 +77,7 @@ fn uses(chips: &[Measured]) -> String {
         row(SENSOR, &|of| {
             let stack = |subject| of_cost(&of.counted, subject, number, "stack");
             [
-                Part::Size.figure(&of.counted, &size::key(size::SHAPE, [number, "Stable"])),
+                Part::Size.figure(&of.counted, &size::key(SHAPE, [number, "Stable"])),
                 SUBJECTS.into_iter().chain([SENSOR]).filter_map(stack).max(),
                 of_cost(&of.counted, SENSOR, number, "hit"),
                 of_cost(&of.modelled, SENSOR, number, "hit"),
@@ -98,7 +94,7 @@ fn uses(chips: &[Measured]) -> String {
                 ]
             });
         }
-        for of_kinds in &kinds::USES {
+        for of_kinds in &USES {
             row(of_kinds.name, &|of| [Part::Size.figure(&of.counted, &kinds::key(of_kinds, number)), None, None, None]);
         }
     }
@@ -169,25 +165,21 @@ fn table(chips: &[Measured], name: &str, about: &str) -> Outcome<String> {
     Ok(match name {
         "uses" => uses(chips),
         "cycles" => cycles(chips),
-        "compiler" => format!("Compiler: {}.\n\n", chips.first().map_or("", |of| &of.counted.compiler)),
         "picture" => picture(chips, about)?,
         "errors" => errors(about)?,
         "textbook" => compared(chips, Part::Cost, &["solid", "number", "tier"], place_of_solid, hit_and_miss),
         "users" => compared(chips, Part::Workload, &["rays"], place_of_user, mean_and_worst),
         "flash" => compared(chips, Part::Size, &["solid", "tier"], place_of_size, |cell| joined(cell, &["bytes"])),
-        "effects" => compared(chips, Part::Effects, &["effects"], place_of_effects, |cell| {
-            joined(cell, &["instructions", "stack"])
-        }),
         _ => return Err(format!("there is no table `{name}`").into()),
     })
 }
 
-/// Of two solids every tier in types of 32 bits.
+/// Of two solids the textbook and `Stable` in types of 32 bits.
 fn place_of_solid<'a>(parts: &[&'a str]) -> Option<Place<'a>> {
     let [chip, solid @ ("sphere" | "cone, capped"), "nearest", number @ ("f32" | "I16F16"), tier, what] = *parts else {
         return None;
     };
-    Some((vec![solid, number, tier], vec![chip], what))
+    (tier == "Stable" || tier.starts_with("textbook")).then(|| (vec![solid, number, tier], vec![chip], what))
 }
 
 /// Of rays of users a few, in `Stable`.
@@ -202,14 +194,10 @@ fn place_of_user<'a>(parts: &[&'a str]) -> Option<Place<'a>> {
 
 /// Bytes of programs with one ball or cone, or any solid.
 fn place_of_size<'a>(parts: &[&'a str]) -> Option<Place<'a>> {
-    let [chip, solid @ ("sphere" | "cone" | size::SHAPE), number, tier] = *parts else { return None };
+    let [chip, solid @ ("sphere" | "cone" | SHAPE), number, tier @ ("Plain" | "Stable" | "Exact")] = *parts else {
+        return None;
+    };
     Some((vec![solid, tier], vec![chip, number], "bytes"))
-}
-
-/// Instructions and stack of a pixel with these effects.
-fn place_of_effects<'a>(parts: &[&'a str]) -> Option<Place<'a>> {
-    let [chip, set, number, what] = *parts else { return None };
-    Some((vec![set], vec![chip, number], what))
 }
 
 /// Every table of a chip.

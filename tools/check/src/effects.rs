@@ -2,32 +2,14 @@
 //! programs of `sizes`; and that an effect left out leaves no code.
 
 use crate::elf::{self, Program};
+use crate::faults;
+use crate::printed::rows;
 use crate::programs;
+use crate::sets::{NUMBERS, SETS};
 use raylet_tables::{Figures, Outcome};
 use serde::Deserialize;
 use std::collections::BTreeSet;
-use std::fs;
 use std::path::Path;
-
-/// The sets of effects, with the effects in each as the program `effects` names them.
-pub const SETS: [(&str, &str); 13] = [
-    ("none", "none"),
-    ("ambient", "ambient"),
-    ("diffuse", "diffuse"),
-    ("specular", "diffuse, specular"),
-    ("shadows", "diffuse, specular, shadows"),
-    ("reflection", "diffuse, specular, shadows, reflection"),
-    ("refraction", "diffuse, specular, shadows, reflection, refraction"),
-    ("texture", "diffuse, specular, shadows, texture"),
-    ("bump", "diffuse, specular, shadows, bump"),
-    ("fog", "diffuse, specular, shadows, fog"),
-    ("antialiasing", "diffuse, specular, shadows, antialiasing"),
-    ("outline", "diffuse, specular, shadows, outline"),
-    ("all", "ambient, diffuse, specular, shadows, reflection, refraction, texture, bump, fog, antialiasing, outline"),
-];
-
-/// The number types that they are measured in.
-pub const NUMBERS: [&str; 2] = ["I16F16", "f32"];
 
 /// Which source files the code of an effect stands in.
 const FILES: [(&str, &[&str]); 11] = [
@@ -80,9 +62,7 @@ struct Row {
 /// An error if an effect that is compiled in and not called for changes a picture, or casts a ray.
 pub fn read(path: &Path) -> Outcome<Figures> {
     let mut figures = Figures::new();
-    for line in fs::read_to_string(path)?.lines() {
-        let Row { set, number, alone, among_all } =
-            serde_json::from_str(line).map_err(|error| format!("{line}: {error}"))?;
+    for Row { set, number, alone, among_all } in rows(path)? {
         if (alone.levels, alone.rays) != (among_all.levels, among_all.rays) {
             return Err(format!("{set}, {number}: with all effects compiled in the picture or the rays differ").into());
         }
@@ -113,9 +93,7 @@ struct Picture {
 /// What the program `gallery` printed.
 pub fn read_gallery(path: &Path) -> Outcome<Figures> {
     let mut figures = Figures::new();
-    for line in fs::read_to_string(path)?.lines() {
-        let Picture { scene, number, measured } =
-            serde_json::from_str(line).map_err(|error| format!("{line}: {error}"))?;
+    for Picture { scene, number, measured } in rows(path)? {
         figures.insert(key(&scene, &number, GALLERY_FIGURES[0]), measured.instructions);
         figures.insert(key(&scene, &number, GALLERY_FIGURES[1]), measured.rays);
     }
@@ -152,9 +130,7 @@ pub fn check_left_out(directory: &Path) -> Outcome {
             }
         }
     }
-    if !faults.is_empty() {
-        return Err(format!("\n    {}", faults.join("\n    ")).into());
-    }
+    faults::none(&faults)?;
     println!("{} programs with sets of effects: only what was named is in them", SETS.len() * NUMBERS.len());
     Ok(())
 }

@@ -1,70 +1,16 @@
 //! What programs over chosen primitives and placements take of a chip's flash, and that a primitive or a placement that
 //! is left out leaves no code.
 
-use crate::effects::NUMBERS;
 use crate::elf::{self, Program};
+use crate::faults::none;
 use crate::programs;
+use crate::sets::{NUMBERS, Use, uses};
 use raylet_tables::{Figures, Outcome};
 use std::collections::BTreeSet;
 use std::path::Path;
 
-/// A program that uses chosen kinds.
-pub struct Use {
-    /// Its name in the tables.
-    pub name: &'static str,
-    /// Its file's name, without the number type.
-    pub program: &'static str,
-    /// The macro of `raylet-sizes` that makes it.
-    pub made_by: &'static str,
-    /// The kinds that it names.
-    pub kinds: &'static [&'static str],
-    /// The effects of a picture.
-    pub effects: Option<&'static str>,
-}
-
-const BALLS: &[&str] = &["Sphere", "Plane", "Frame"];
-
-/// What users do, each in all of [`NUMBERS`].
-pub const USES: [Use; 3] = [
-    Use {
-        name: "range sensor, cylinders and planes",
-        program: "range_cylinder_plane",
-        made_by: "range",
-        kinds: &["Cylinder", "Plane", "Frame"],
-        effects: None,
-    },
-    Use {
-        name: "picture, spheres and planes, no effects",
-        program: "picture_sphere_plane",
-        made_by: "picture",
-        kinds: BALLS,
-        effects: Some("none"),
-    },
-    Use {
-        name: "picture, spheres and planes, all effects",
-        program: "picture_sphere_plane_effects",
-        made_by: "picture",
-        kinds: BALLS,
-        effects: Some("all"),
-    },
-];
-
-/// Every query of a shape, in every tier: no program of a user, but one that would show any code that is left.
-const EVERYTHING: Use = Use {
-    name: "all queries, spheres and planes",
-    program: "asked_sphere_plane",
-    made_by: "asked",
-    kinds: BALLS,
-    effects: None,
-};
-
-/// All programs that use chosen kinds.
-pub fn programs() -> impl Iterator<Item = &'static Use> {
-    USES.iter().chain([&EVERYTHING])
-}
-
 /// The source files with the code of few kinds: who they belong to, and the number type, if they are of one.
-const FILES: [(&str, &[&str], Option<&str>); 19] = [
+const FILES: [(&str, &[&str], Option<&str>); 27] = [
     ("primitive/sphere", &["Sphere"], None),
     ("primitive/cylinder", &["Cylinder"], None),
     ("primitive/cone", &["Cone"], None),
@@ -72,15 +18,23 @@ const FILES: [(&str, &[&str], Option<&str>); 19] = [
     ("primitive/plane", &["Plane"], None),
     ("primitive/disc", &["Disc"], None),
     ("primitive/triangle", &["Triangle"], None),
-    ("primitive/cuboid", &["Cuboid"], None),
+    ("primitive/cuboid", &["Cuboid", "RoundedCuboid"], None),
     ("primitive/rectangle", &["Rectangle"], None),
+    ("primitive/revolved", &["Revolved"], None),
+    ("primitive/tube", &["Tube"], None),
+    ("primitive/round_cone", &["RoundCone"], None),
+    ("primitive/rounded_cuboid", &["RoundedCuboid"], None),
+    ("primitive/annulus", &["Annulus"], None),
     ("affine", &["Affine"], None),
-    ("solve/side", &["Cylinder", "Cone", "Capsule"], None),
-    ("solve/round", &["Sphere", "Cone", "Capsule"], None),
-    ("solve/flat", &["Plane", "Disc", "Rectangle", "Triangle"], None),
+    ("solve/revolved", &["Revolved"], None),
+    ("solve/tube", &["Tube"], None),
+    ("solve/rounded", &["RoundedCuboid"], None),
+    ("solve/side", &["Cylinder", "Cone", "Capsule", "Revolved", "Tube", "RoundCone"], None),
+    ("solve/round", &["Sphere", "Cone", "Capsule", "RoundCone"], None),
+    ("solve/flat", &["Plane", "Disc", "Annulus", "Rectangle", "Triangle"], None),
     ("solve/slabs", &["Cuboid", "Rectangle"], None),
     ("scalar/integers/ball", &["Sphere", "Capsule"], Some("I16F16")),
-    ("scalar/integers/round", &["Cylinder", "Capsule"], Some("I16F16")),
+    ("scalar/integers/round", &["Cylinder", "Capsule", "Tube"], Some("I16F16")),
     ("scalar/integers/cone", &["Cone"], Some("I16F16")),
     ("scalar/integers/triangle", &["Triangle"], Some("I16F16")),
     ("scalar/integers/bits32/stretched", &["Affine"], Some("I16F16")),
@@ -96,7 +50,7 @@ pub fn key(of: &Use, number: &str) -> String {
 
 /// Bytes of each program, over those of the empty program.
 pub fn sizes(directory: &Path, empty: u64, figures: &mut Figures) -> Outcome {
-    for of in programs() {
+    for of in uses() {
         for number in NUMBERS {
             let bytes = Program::read(&directory.join(programs::of_use(of.program, number)))?.bytes;
             figures.insert(key(of, number), bytes.saturating_sub(empty));
@@ -129,7 +83,7 @@ pub fn check_left_out(directory: &Path) -> Outcome {
         for file in files(number, |_| true).difference(&found) {
             wrong.push(format!("{any}: no instruction of {file}: the line tables prove nothing"));
         }
-        for of in programs() {
+        for of in uses() {
             let program = programs::of_use(of.program, number);
             let found = elf::sources(&directory.join(&program), &FOLDERS)?;
             wrong.extend(faults(&program, number, of.kinds, &found));
@@ -139,16 +93,15 @@ pub fn check_left_out(directory: &Path) -> Outcome {
             }
         }
     }
-    if !wrong.is_empty() {
-        return Err(format!("\n    {}", wrong.join("\n    ")).into());
-    }
-    println!("{} programs with chosen kinds: only what was named is in them", programs().count() * NUMBERS.len());
+    none(&wrong)?;
+    println!("{} programs with chosen kinds: only what was named is in them", uses().count() * NUMBERS.len());
     Ok(())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sets::BALLS;
 
     fn found(files: &[&str]) -> BTreeSet<String> {
         files.iter().map(ToString::to_string).collect()
@@ -164,7 +117,7 @@ mod tests {
         // Everything that a program of any kind has, and no chosen kind may have.
         for number in NUMBERS {
             let every = files(number, |_| true);
-            for of in programs() {
+            for of in uses() {
                 assert!(faults(of.program, number, of.kinds, &every).len() > 6, "{} {number}", of.program);
             }
         }

@@ -8,7 +8,7 @@
 //! check left-out DIRECTORY                         # an effect, a kind or a tier that is left out leaves no code
 //! check effects --target TARGET OUTPUT [--renew]   # instructions and stack a pixel, against the baseline
 //! check gallery --target TARGET OUTPUT [--renew]   # instructions a pixel of the gallery, against the baseline
-//! check cost --cycles most ...                     # the same of modelled cycles, and of workloads and effects; also least
+//! check cost --cycles most ...                     # the same of modelled cycles (least: the other end of ranges)
 //! check document [--verify]                        # the tables of docs/microcontrollers.md and docs/gallery.md
 //! check page CHIP                                  # prints every table of a chip, such as Cortex-M3
 //! ```
@@ -18,10 +18,13 @@ mod cost;
 mod document;
 mod effects;
 mod elf;
+mod faults;
 mod forbidden;
 mod kinds;
+mod printed;
 mod programs;
 mod proofs;
+mod sets;
 mod size;
 mod tiers;
 

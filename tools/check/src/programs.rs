@@ -1,8 +1,6 @@
 //! The programs of `tools/firmware/sizes`: one for each row of the tables of sizes, and an empty one.
 
-use crate::effects::{NUMBERS, SETS};
-use crate::kinds;
-use crate::size::{KINDS, PRIMITIVES};
+use crate::sets::{KINDS, NUMBERS, PRIMITIVES, SETS, uses};
 use raylet_tables::{Outcome, in_repository};
 use std::collections::BTreeMap;
 use std::fs;
@@ -28,10 +26,13 @@ pub fn of_use(program: &str, number: &str) -> String {
     format!("{program}_{number}").to_lowercase()
 }
 
-/// The type of a primitive or an effect: its name with a capital.
+/// The type of a primitive or an effect: the words of its name with capitals, joined.
 fn type_name(name: &str) -> String {
-    let mut letters = name.chars();
-    letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect()
+    let capital = |word: &str| {
+        let mut letters = word.chars();
+        letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect::<String>()
+    };
+    name.split('_').map(capital).collect()
 }
 
 /// The type of a set of effects, and what it takes from `raylet::effect`.
@@ -88,7 +89,7 @@ fn all() -> BTreeMap<String, String> {
             programs.insert(of_set(name, number), text(&what, Some(number), [vec![], effects], &program));
         }
     }
-    for (of, number) in kinds::programs().flat_map(|of| NUMBERS.map(|number| (of, number))) {
+    for (of, number) in uses().flat_map(|of| NUMBERS.map(|number| (of, number))) {
         let what = format!("{}: {}; {number}", of.name, of.kinds.join(", "));
         let types: Vec<_> = of.kinds.iter().map(|kind| format!("{kind}<{number}>")).collect();
         let (set, effects) = of.effects.map_or_else(Default::default, |set| set_type(set, set));
@@ -128,10 +129,7 @@ mod tests {
 
     #[test]
     fn every_row_has_a_program_of_its_own() {
-        assert_eq!(
-            all().len(),
-            1 + PRIMITIVES.len() * KINDS.len() + (SETS.len() + kinds::programs().count()) * NUMBERS.len()
-        );
+        assert_eq!(all().len(), 1 + PRIMITIVES.len() * KINDS.len() + (SETS.len() + uses().count()) * NUMBERS.len());
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! What must not be linked is not; and where it is on purpose, it is found.
 
 use crate::elf::Program;
+use crate::faults::none;
 use crate::forbidden::Forbidden::{self, Allocator, Doubles, Formatting, Panic};
 use raylet_tables::Outcome;
 use std::path::Path;
@@ -50,5 +51,5 @@ pub fn check(directory: &Path) -> Outcome {
         }
     }
     println!("{name}: {expected:?} found, as they should be");
-    if faults.is_empty() { Ok(()) } else { Err(format!("\n    {}", faults.join("\n    ")).into()) }
+    none(&faults)
 }

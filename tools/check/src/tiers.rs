@@ -1,6 +1,7 @@
 //! Which numbers the tiers link: `Plain` none that is wider than its type, `Fast` none of those of `Exact`.
 
-use crate::size::{KINDS, PRIMITIVES};
+use crate::faults::none;
+use crate::sets::{KINDS, PRIMITIVES};
 use crate::{elf, programs};
 use raylet_tables::Outcome;
 use std::collections::BTreeSet;
@@ -45,9 +46,7 @@ pub fn check(directory: &Path) -> Outcome {
             wrong.push(format!("no instruction of {} in any program: the line tables prove nothing", file(number)));
         }
     }
-    if !wrong.is_empty() {
-        return Err(format!("\n    {}", wrong.join("\n    ")).into());
-    }
+    none(&wrong)?;
     println!("{} programs of one tier: no number of another tier is in them", PRIMITIVES.len() * KINDS.len());
     Ok(())
 }

@@ -135,7 +135,8 @@ macro_rules! number {
     ($cases:ident, $wanted:ident, $S:ty, $number:literal: $($T:ident)+) => {
         every_subject!($S, |name, subject| {
             let at = KINDS.map(|(hitting, _)| rays::<$S, _>(&subject, hitting).to_vec());
-            let mut builder = Builder::<ALL_HITS> { cases: &mut $cases, wanted: $wanted, subject: name, number: $number };
+            let mut builder =
+                Builder::<ALL_HITS> { cases: &mut $cases, wanted: $wanted, subject: name, number: $number };
             $(builder.tier::<$S, $T, _>(stringify!($T), &subject, &at);)+
             builder.surface::<$S, _>(&subject, &at[0]);
         });

@@ -4,7 +4,7 @@
 use crate::callgrind::Counted;
 use crate::workloads::{ARRIVING, NUMBERS_AWAY, PICTURES, RANGE_SENSOR, of_solid};
 use raylet_tables::markdown::{NONE, Table};
-use raylet_tables::{Baseline, Cell, Figures, Outcome, SUBJECTS, grouped, joined, page, pivot};
+use raylet_tables::{Baseline, Cell, Figures, Outcome, SUBJECTS, grouped, joined, mean_and_worst, page, pivot};
 use shared::workload::{PLACEMENTS, Placed, SOLIDS_BY_NAME};
 use std::env::consts::ARCH;
 
@@ -44,11 +44,6 @@ fn workloads<'a>(figures: &'a Figures, wanted: impl Fn(&str) -> bool, cell: impl
         wanted(of).then(|| (vec![of], vec![number, tier], what))
     };
     pivot(&["rays"], figures, place, cell)
-}
-
-/// The mean and, in brackets, the worst of a workload.
-fn mean_and_worst(cell: &Cell<'_>) -> String {
-    format!("{} ({})", joined(cell, &["mean"]), joined(cell, &["worst"]))
 }
 
 /// The workloads that the page shows: pictures, a sensor, and each solid turned and near.

@@ -48,7 +48,9 @@ macro_rules! contestants {
 }
 contestants! {
     Sphere { centre: Vector3<f32>, radius: f32 }, |ray| ray_intersects_sphere(ray, centre, radius);
-    Capsule { low: Vector3<f32>, high: Vector3<f32>, radius: f32 }, |ray| ray_intersects_capsule(ray, low, high, radius);
+    Capsule { low: Vector3<f32>, high: Vector3<f32>, radius: f32 }, |ray| {
+        ray_intersects_capsule(ray, low, high, radius)
+    };
     Plane { point: Vector3<f32>, normal: Vector3<f32> }, |ray| ray_intersects_plane(ray, point, normal);
     Disc { centre: Vector3<f32>, normal: Vector3<f32>, radius: f32 }, |ray| {
         ray_intersects_disc(ray, centre, normal, radius)

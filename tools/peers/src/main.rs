@@ -1,9 +1,9 @@
 //! Measures raylet beside its peers.
 //!
 //! ```text
-//! cargo run --release --manifest-path tools/peers/Cargo.toml                   # all rows that are stored
-//! cargo run --release --manifest-path tools/peers/Cargo.toml -- --write        # measures, and renews data/peers.tsv and docs/peers.md
-//! cargo run --release --manifest-path tools/peers/Cargo.toml -- --quick        # a few rays, to see that it works
+//! cargo run --release --manifest-path tools/peers/Cargo.toml               # all rows that are stored
+//! cargo run --release --manifest-path tools/peers/Cargo.toml -- --write    # measures, renews data/peers.tsv and docs
+//! cargo run --release --manifest-path tools/peers/Cargo.toml -- --quick    # a few rays, to see that it works
 //! ```
 
 use clap::Parser;
@@ -19,9 +19,9 @@ use std::process::ExitCode;
 
 /// Puts the same rays to raylet, parry3d, embedded-3dgfx and the textbook: how fast is each, and how wrong?
 ///
-/// Without options prints all rows that are stored in data/peers.tsv: times, and errors against exact arithmetic. Errors
-/// are the same on every run; times are ratios taken within rounds of some 50 microseconds a contestant, so that a busy
-/// machine disturbs them little.
+/// Without options prints all rows that are stored in data/peers.tsv: times, and errors against exact arithmetic.
+/// Errors are the same on every run; times are ratios taken within rounds of some 50 microseconds a contestant, so that
+/// a busy machine disturbs them little.
 #[derive(Parser)]
 #[command(version)]
 struct Options {

@@ -32,7 +32,11 @@ macro_rules! contestants {
 
         fn entrant<S: Number, T: Tier<S>>(name: &'static str, subject: &Subject<S>) -> Entrant<S> {
             match *subject.shape.primitive() {
-                $(Primitive::$Primitive(primitive) => Entrant::new(name, &subject.solid, In(primitive, PhantomData::<T>)),)+
+                $(
+                    Primitive::$Primitive(primitive) => {
+                        Entrant::new(name, &subject.solid, In(primitive, PhantomData::<T>))
+                    }
+                )+
                 // The library may get further ones, and then this list does.
                 primitive => unreachable!("{primitive:?} is no contestant"),
             }

@@ -21,7 +21,7 @@ mod table;
 pub use baseline::{Baseline, Figures};
 pub use grouped::grouped;
 pub use names::{CHIPS, SUBJECTS};
-pub use pivot::{Cell, Place, joined, pivot, together};
+pub use pivot::{Cell, Place, joined, mean_and_worst, pivot, together};
 pub use table::Table;
 
 use std::io::Write;

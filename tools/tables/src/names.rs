@@ -9,7 +9,7 @@ pub const CHIPS: [(&str, &str); 4] = [
 ];
 
 /// The subjects, as the programs that count instructions name them.
-pub const SUBJECTS: [&str; 23] = [
+pub const SUBJECTS: [&str; 29] = [
     "sphere",
     "cylinder, infinite",
     "cylinder, open",
@@ -25,6 +25,12 @@ pub const SUBJECTS: [&str; 23] = [
     "triangle",
     "cuboid",
     "rectangle",
+    "paraboloid",
+    "hyperboloid",
+    "tube",
+    "round cone",
+    "rounded cuboid",
+    "annulus",
     "cylinder, capped, as a shape",
     "sphere, framed",
     "cylinder, capped, framed",

@@ -74,6 +74,11 @@ pub fn joined(cell: &Cell<'_>, names: &[&str]) -> String {
     if found.is_empty() { NONE.into() } else { found.join(" / ") }
 }
 
+/// The mean and, in brackets, the worst of what users do.
+pub fn mean_and_worst(cell: &Cell<'_>) -> String {
+    format!("{} ({})", joined(cell, &["mean"]), joined(cell, &["worst"]))
+}
+
 /// The figures of several machines, each with the machine's name in front.
 pub fn together<'a>(machines: impl IntoIterator<Item = (&'a str, &'a Figures)>) -> Figures {
     let of = |(machine, figures): (&'a str, &'a Figures)| {

@@ -34,7 +34,7 @@ impl Policy {
 #[derive(Clone, Debug, Default)]
 pub struct Found {
     pub worst: f64,
-    /// Other answers that are exact for a ray within one unit: see [`is_within_a_unit`].
+    /// Other answers that are exact for a ray within one unit: see `is_within_a_unit`.
     pub ties: Vec<String>,
     /// Other answers, that are exact for no ray near by.
     pub other: Vec<String>,
@@ -133,7 +133,9 @@ fn seams(solid: &Solid) -> Vec<Dyadic> {
         Solid::Cylinder { extent: CylinderExtent::Open(height) | CylinderExtent::Capped(height), .. }
         | Solid::Cone { extent: ConeExtent::Open(height) | ConeExtent::Capped(height), .. }
         | Solid::Frustum { height, .. }
-        | Solid::Capsule { height, .. } => vec![Dyadic::zero(), height.clone()],
+        | Solid::Capsule { height, .. }
+        | Solid::Tube { height, .. } => vec![Dyadic::zero(), height.clone()],
+        Solid::Revolved(revolved) => vec![revolved.low.clone(), revolved.high.clone()],
         _ => vec![],
     }
 }

@@ -24,19 +24,19 @@ pub enum Leaving {
 }
 
 /// The earlier of two ends; of two at the same point that of the side, which comes first here.
-fn first(side: Option<End>, plane: Option<End>) -> Option<End> {
+pub(super) fn first(side: Option<End>, plane: Option<End>) -> Option<End> {
     match (side, plane) {
         (Some(side), Some(plane)) => Some(if plane.t < side.t { plane } else { side }),
         (side, plane) => side.or(plane),
     }
 }
 
-fn start(part: Part) -> End {
+pub(super) fn start(part: Part) -> End {
     End { t: Root::from(&Dyadic::zero()), part }
 }
 
 /// The span from before the start to the end, which is not before the start.
-fn inwards(exit: Option<End>) -> Answer {
+pub(super) fn inwards(exit: Option<End>) -> Answer {
     let exit = exit.map(|end| if end.t.signum() < 0 { start(end.part) } else { end });
     Answer::Spans(vec![Span { enter: None, exit }])
 }
@@ -57,7 +57,7 @@ fn crossing(line: &IntegerLine, height: &IBig, part: Part, from: Part) -> End {
 }
 
 /// The plane through which the line leaves the slab between the caps; without caps, or parallel to them, it never does.
-fn last_cap(line: &IntegerLine, [base, top]: [Option<&IBig>; 2], from: Part) -> Option<End> {
+pub(super) fn last_cap(line: &IntegerLine, [base, top]: [Option<&IBig>; 2], from: Part) -> Option<End> {
     let (height, part) = match sign_of(&line.direction[1]) {
         1 => (top?, Part::Top),
         -1 => (base?, Part::Base),
@@ -187,9 +187,20 @@ fn capsule(solid: &Solid, line: &IntegerLine, radius: &IBig, height: &IBig, from
 pub fn solve_departing(solid: &Solid, line: &Line, from: Part, leaving: Leaving) -> Answer {
     match (solid, leaving) {
         (Solid::Cuboid { half }, _) => super::slabs::departing(line, half, from, leaving),
-        (Solid::Plane | Solid::Disc { .. } | Solid::Rectangle { .. } | Solid::Triangle { .. }, _) => {
-            Answer::Crossings(vec![])
+        (Solid::RoundedCuboid(cuboid), _) => super::rounded_cuboid::departing(cuboid, line, from, leaving),
+        (Solid::Revolved(revolved), _) => super::revolved::departing(revolved, line, from, leaving),
+        (Solid::RoundCone(cone), _) => super::round_cone::departing(cone, line, from, leaving),
+        (Solid::Tube { inner, outer, height }, _) => {
+            super::tube::departing([inner, outer, height], line, from, leaving)
         }
+        (
+            Solid::Plane
+            | Solid::Disc { .. }
+            | Solid::Annulus { .. }
+            | Solid::Rectangle { .. }
+            | Solid::Triangle { .. },
+            _,
+        ) => Answer::Crossings(vec![]),
         (Solid::Cone { extent: ConeExtent::Double, .. }, _) => {
             both_nappes(solid, &IntegerLine::new(line, &[]), leaving)
         }

@@ -42,6 +42,16 @@ pub(super) fn disc(line: &IntegerLine, radius: &IBig) -> Answer {
     chord.map_or(Answer::Crossings(vec![]), coincident)
 }
 
+/// The disc of the larger radius, less what is nearer to the origin than the smaller one; in its plane the disc's.
+pub(super) fn annulus(line: &IntegerLine, [inner, outer]: [IBig; 2]) -> Answer {
+    let is_in = |radius: &IBig| matches!(disc(line, radius), Answer::Crossings(crossings) if !crossings.is_empty());
+    let ([x, y, z], [dx, dy, dz]) = (&line.origin, &line.direction);
+    let (px, pz) = (x * dy - y * dx, z * dy - y * dz);
+    // The inner circle itself belongs to the annulus.
+    let is_on_the_inner = &px * &px + &pz * &pz == IBig::from((&inner * dy).sqr());
+    if is_in(&inner) && !is_on_the_inner { Answer::Crossings(vec![]) } else { disc(line, &outer) }
+}
+
 fn integer_subtract(left: &[IBig; 3], right: &[IBig; 3]) -> [IBig; 3] {
     std::array::from_fn(|axis| &left[axis] - &right[axis])
 }

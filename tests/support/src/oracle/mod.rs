@@ -7,10 +7,11 @@
 //! - [`dyadic`]: the numbers given, `mantissa * 2^exponent`.
 //! - [`algebraic`]: the numbers answered, `(p + s * sqrt(D)) / q`.
 //! - [`solids`]: what the solids are, and which points belong to them.
-//! - [`solve`]: where a line meets them; of which [`quadric`], [`flat`] and [`slabs`] do the equations.
+//! - `solve`: where a line meets them; of which `quadric`, `revolved`, `round_cone`, `rounded_cuboid`, `tube`, `flat` and `slabs` do the
+//!   equations.
 //! - [`departing`]: where a line that departs from a solid meets it again.
 //! - [`expected`]: what of that a ray with a range of `t` must report.
-//! - [`normal`]: which way the surface faces there.
+//! - `normal`: which way the surface faces there.
 
 pub mod algebraic;
 pub mod departing;
@@ -19,14 +20,21 @@ pub mod expected;
 mod flat;
 pub mod normal;
 mod quadric;
+mod revolved;
+mod round_cone;
+mod rounded_cuboid;
 mod slabs;
 pub mod solids;
 pub mod solve;
+mod tube;
 
 pub use algebraic::Root;
 pub use departing::{Leaving, solve_departing};
 pub use dyadic::{Dyadic, exact_f32, exact_f64, exact_fixed};
 pub use expected::{ExpectedCrossing, ExpectedHit, InRange, hits_in_range};
 pub use normal::{gradient, normal};
-pub use solids::{ConeExtent, CylinderExtent, Line, Membership, Part, Solid, contains, margin};
+pub use revolved::margin as revolved_margin;
+pub use solids::{
+    ConeExtent, CylinderExtent, Line, Membership, Part, Revolved, RoundCone, RoundedCuboid, Solid, contains, margin,
+};
 pub use solve::{Answer, Approach, Crossing, End, Span, solve};

@@ -33,7 +33,32 @@ pub fn gradient(solid: &Solid, part: Part, t: &Root, line: &Line) -> [Dyadic; 3]
             let y = t.mul_add(&line.direction[1], &above);
             [coordinate(0), y.approximation(GRADIENT_BITS), coordinate(2)]
         }
-        (Solid::Plane | Solid::Disc { .. } | Solid::Rectangle { .. }, Part::Side) => upwards(1),
+        (Solid::Plane | Solid::Disc { .. } | Solid::Annulus { .. } | Solid::Rectangle { .. }, Part::Side) => upwards(1),
+        (Solid::Tube { .. }, Part::Side) => [coordinate(0), Dyadic::zero(), coordinate(2)],
+        (_, Part::Inner) => [-&coordinate(0), Dyadic::zero(), -&coordinate(2)],
+        (Solid::RoundCone(_), Part::Base) => [coordinate(0), coordinate(1), coordinate(2)],
+        (Solid::RoundCone(cone), Part::Top) => {
+            let y = t.mul_add(&line.direction[1], &(&line.origin[1] - &cone.height));
+            [coordinate(0), y.approximation(GRADIENT_BITS), coordinate(2)]
+        }
+        (Solid::RoundCone(cone), Part::Side) => {
+            let ([w, v], k) = (cone.cone_at(&line.origin[1]), cone.difference());
+            let v = t.mul_add(&-&(&k * &line.direction[1]), &v).approximation(GRADIENT_BITS);
+            [&w * &coordinate(0), &k * &v, &w * &coordinate(2)]
+        }
+        (Solid::RoundedCuboid(cuboid), Part::Side) => std::array::from_fn(|axis| {
+            let (half, c) = (&cuboid.half[axis], line.coordinate_at(t, axis));
+            let beyond = |plane: &Dyadic| {
+                t.mul_add(&line.direction[axis], &(&line.origin[axis] - plane)).approximation(GRADIENT_BITS)
+            };
+            if c.cmp_dyadic(half).is_gt() {
+                beyond(half)
+            } else if c.cmp_dyadic(&-half).is_lt() {
+                beyond(&-half)
+            } else {
+                Dyadic::zero()
+            }
+        }),
         (_, Part::Left) => along(0, -1),
         (_, Part::Right) => along(0, 1),
         (_, Part::Back) => along(2, -1),
@@ -41,6 +66,11 @@ pub fn gradient(solid: &Solid, part: Part, t: &Root, line: &Line) -> [Dyadic; 3]
         (Solid::Triangle { vertices }, Part::Side) => triangle_normal(vertices),
         (_, Part::Base) => upwards(-1),
         (_, Part::Top) => upwards(1),
+        (Solid::Revolved(revolved), Part::Side) => {
+            let (growth, height) = (&revolved.a * &line.direction[1], &revolved.a * &line.origin[1]);
+            let growth = t.mul_add(&growth, &(&height + &revolved.b)).approximation(GRADIENT_BITS);
+            [coordinate(0), -&growth, coordinate(2)]
+        }
         (_, Part::Side) => {
             // The gradient of weight^2 (x^2 + z^2) - (offset + growth y)^2.
             let lateral = solid.lateral().expect("every other side is lateral");

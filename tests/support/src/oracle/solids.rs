@@ -67,6 +67,19 @@ pub enum Solid {
         /// The length of the segment; may be zero.
         height: Dyadic,
     },
+    /// The convex hull of a ball around the origin and one around `(0, height, 0)`.
+    RoundCone(RoundCone),
+    /// A quadric of revolution between two planes.
+    Revolved(Revolved),
+    /// What lies between two cylinders around the y axis, over `0 <= y <= height`, with flat ends.
+    Tube {
+        /// The smaller radius.
+        inner: Dyadic,
+        /// The larger radius.
+        outer: Dyadic,
+        /// Its height.
+        height: Dyadic,
+    },
     /// The plane `y = 0`, facing +y.
     Plane,
     /// The disc around the origin in the plane `y = 0`, facing +y.
@@ -74,11 +87,20 @@ pub enum Solid {
         /// Its radius.
         radius: Dyadic,
     },
+    /// What lies between two circles around the origin in the plane `y = 0`, facing +y.
+    Annulus {
+        /// The smaller radius.
+        inner: Dyadic,
+        /// The larger radius.
+        outer: Dyadic,
+    },
     /// All points whose coordinates are at most these in magnitude.
     Cuboid {
         /// The half extents along x, y and z.
         half: [Dyadic; 3],
     },
+    /// All points within a radius of such a cuboid.
+    RoundedCuboid(RoundedCuboid),
     /// The rectangle around the origin in the plane `y = 0`, facing +y.
     Rectangle {
         /// The half extents along x and z.
@@ -89,6 +111,142 @@ pub enum Solid {
         /// Its corners.
         vertices: [[Dyadic; 3]; 3],
     },
+}
+
+/// Two balls and what is between them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RoundCone {
+    /// Of the ball around the origin.
+    pub base_radius: Dyadic,
+    /// Of the other ball.
+    pub top_radius: Dyadic,
+    /// Of the other ball's centre; may be zero.
+    pub height: Dyadic,
+}
+
+impl RoundCone {
+    /// The solid of these sizes: with equal radii a capsule.
+    pub fn solid(base_radius: Dyadic, top_radius: Dyadic, height: Dyadic) -> Solid {
+        if base_radius == top_radius {
+            Solid::Capsule { radius: base_radius, height }
+        } else {
+            Solid::RoundCone(Self { base_radius, top_radius, height })
+        }
+    }
+
+    /// The difference of the radii.
+    pub fn difference(&self) -> Dyadic {
+        &self.base_radius - &self.top_radius
+    }
+
+    /// The ball that holds the other, and its part, if one does.
+    pub fn ball(&self) -> Option<(Part, &Dyadic, Dyadic)> {
+        let k = self.difference();
+        if k >= self.height {
+            Some((Part::Base, &self.base_radius, Dyadic::zero()))
+        } else if -&k >= self.height {
+            Some((Part::Top, &self.top_radius, self.height.clone()))
+        } else {
+            None
+        }
+    }
+
+    /// The heights of the circles where the cone touches the balls, times the height.
+    pub fn seams(&self) -> [Dyadic; 2] {
+        let k = self.difference();
+        [&self.base_radius * &k, &self.height.squared() + &(&self.top_radius * &k)]
+    }
+
+    /// The part that a point of the surface at this height belongs to.
+    pub fn part_at(&self, y: &Dyadic) -> Part {
+        if let Some((part, ..)) = self.ball() {
+            return part;
+        }
+        let ([low, high], y) = (self.seams(), y * &self.height);
+        if y < low {
+            Part::Base
+        } else if y > high {
+            Part::Top
+        } else {
+            Part::Side
+        }
+    }
+
+    /// `h^2 - k^2` and `r h - k y`: on the cone `(h^2 - k^2) (x^2 + z^2) = (r h - k y)^2`.
+    pub fn cone_at(&self, y: &Dyadic) -> [Dyadic; 2] {
+        let k = self.difference();
+        [&self.height.squared() - &k.squared(), &(&self.base_radius * &self.height) - &(&k * y)]
+    }
+}
+
+/// All points within a radius of a cuboid around the origin.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RoundedCuboid {
+    /// The half extents of the cuboid; may be zero.
+    pub half: [Dyadic; 3],
+    /// The radius.
+    pub radius: Dyadic,
+}
+
+impl RoundedCuboid {
+    /// How far a point is beyond the cuboid along each axis.
+    pub fn excess(&self, point: &[Dyadic; 3]) -> [Dyadic; 3] {
+        std::array::from_fn(|axis| {
+            let beyond = &point[axis].magnitude() - &self.half[axis];
+            if beyond.signum() > 0 { beyond } else { Dyadic::zero() }
+        })
+    }
+
+    /// The part of a point of the surface: the seams belong to the faces.
+    pub fn part_at(&self, line: &Line, t: &Root) -> Part {
+        let sides: [i8; 3] = std::array::from_fn(|axis| {
+            let (c, half) = (line.coordinate_at(t, axis), &self.half[axis]);
+            i8::from(c.cmp_dyadic(half).is_gt()) - i8::from(c.cmp_dyadic(&-half).is_lt())
+        });
+        Self::part_of(sides)
+    }
+
+    /// The part of points that are beyond the cuboid along these axes, to these sides.
+    pub fn part_of(sides: [i8; 3]) -> Part {
+        match sides {
+            [-1, 0, 0] => Part::Left,
+            [1, 0, 0] => Part::Right,
+            [0, -1, 0] => Part::Base,
+            [0, 1, 0] => Part::Top,
+            [0, 0, -1] => Part::Back,
+            [0, 0, 1] => Part::Front,
+            _ => Part::Side,
+        }
+    }
+}
+
+/// `x^2 + z^2 = a y^2 + 2 b y + r^2` with `low <= y <= high`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Revolved {
+    /// The coefficient of `y^2`.
+    pub a: Dyadic,
+    /// Half the coefficient of `y`.
+    pub b: Dyadic,
+    /// The radius at `y = 0`.
+    pub r: Dyadic,
+    /// The lower end.
+    pub low: Dyadic,
+    /// The upper end.
+    pub high: Dyadic,
+    /// Whether it is the solid with flat caps or the side alone.
+    pub capped: bool,
+}
+
+impl Revolved {
+    /// Whether a ray that departs outwards from the side may meet it again.
+    pub fn has_waist(&self) -> bool {
+        let has_two_sheets = match self.b.signum() {
+            0 => self.low.signum() < 0 && self.high.signum() > 0,
+            1 => self.low.signum() < 0,
+            _ => self.high.signum() > 0,
+        };
+        self.a.signum() > 0 && (self.r.signum() > 0 || has_two_sheets)
+    }
 }
 
 /// A part of a surface. The side owns every rim and seam that it shares.
@@ -108,6 +266,8 @@ pub enum Part {
     Back,
     /// A cuboid's face at the highest `z`.
     Front,
+    /// The inner side of a tube.
+    Inner,
 }
 
 /// Where a point lies.
@@ -265,9 +425,38 @@ pub fn contains(solid: &Solid, point: &[Dyadic; 3]) -> Membership {
             };
             within(&[&radius.squared() - &(&from_axis + &along.squared())])
         }
+        Solid::RoundCone(cone) => {
+            let ball = |radius: &Dyadic, y: &Dyadic| within(&[&radius.squared() - &(&from_axis + &y.squared())]);
+            match cone.part_at(y) {
+                Part::Base => ball(&cone.base_radius, y),
+                Part::Top => ball(&cone.top_radius, &(y - &cone.height)),
+                _ => {
+                    let [w, v] = cone.cone_at(y);
+                    within(&[&v.squared() - &(&w * &from_axis)])
+                }
+            }
+        }
+        Solid::Revolved(revolved) => {
+            let wall = super::revolved::margin(revolved, y, &from_axis);
+            let margins = [y - &revolved.low, &revolved.high - y];
+            if revolved.capped {
+                let [above, below] = margins;
+                within(&[wall, above, below])
+            } else {
+                on(&wall, &margins)
+            }
+        }
+        Solid::Tube { inner, outer, height } => {
+            within(&[&outer.squared() - &from_axis, &from_axis - &inner.squared(), y.clone(), height - y])
+        }
         Solid::Plane => on(y, &[]),
         Solid::Disc { radius } => on(y, &[&radius.squared() - &from_axis]),
+        Solid::Annulus { inner, outer } => on(y, &[&outer.squared() - &from_axis, &from_axis - &inner.squared()]),
         Solid::Cuboid { half } => within(&std::array::from_fn::<_, 3, _>(|i| &half[i] - &point[i].magnitude())),
+        Solid::RoundedCuboid(cuboid) => {
+            let excess = cuboid.excess(point);
+            within(&[&cuboid.radius.squared() - &dot(&excess, &excess)])
+        }
         Solid::Rectangle { half: [along_x, along_z] } => on(y, &[along_x - &x.magnitude(), along_z - &z.magnitude()]),
         Solid::Triangle { vertices } => {
             let normal = triangle_normal(vertices);

@@ -6,7 +6,7 @@ use dashu::integer::IBig;
 
 use super::algebraic::Root;
 use super::dyadic::{Dyadic, sign_of};
-use super::flat::{disc, plane, triangle};
+use super::flat::{annulus, disc, plane, triangle};
 use super::quadric::{EVERYWHERE, IntegerLine, Interval, LateralLine, Overlap, Quadratic, sphere_overlap};
 use super::slabs::{cuboid, rectangle};
 use super::solids::{ConeExtent, CylinderExtent, Lateral, Line, Part, Solid, triangle_normal};
@@ -61,7 +61,8 @@ pub struct Crossing {
 /// Where a line meets a solid or a surface.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Answer {
-    /// Of a solid: the pieces of the line within it, sorted; at most two, and two for a double cone only.
+    /// Of a solid: the pieces of the line within it, sorted; at most two, and two for a double cone, a waist or a
+    /// tube only.
     Spans(Vec<Span>),
     /// Of an open or flat surface: the crossings, sorted.
     Crossings(Vec<Crossing>),
@@ -75,22 +76,23 @@ pub enum Answer {
     },
 }
 
-/// The piece of a line with `0 <= y <= height`.
-enum Slab {
+/// The piece of a line between two heights.
+#[derive(Clone)]
+pub(super) enum Slab {
     Nothing,
     Everywhere,
     Between { enter: End, exit: End },
 }
 
 impl Slab {
-    fn new(line: &IntegerLine, height: &IBig) -> Self {
+    pub(super) fn new(line: &IntegerLine, low: &IBig, high: &IBig) -> Self {
         let [_, y, _] = &line.origin;
         let climb = sign_of(&line.direction[1]);
         if climb == 0 {
-            return if sign_of(y) < 0 || y > height { Self::Nothing } else { Self::Everywhere };
+            return if y < low || y > high { Self::Nothing } else { Self::Everywhere };
         }
-        let base = End { t: line.at_height(&IBig::ZERO), part: Part::Base };
-        let top = End { t: line.at_height(height), part: Part::Top };
+        let base = End { t: line.at_height(low), part: Part::Base };
+        let top = End { t: line.at_height(high), part: Part::Top };
         if climb > 0 { Self::Between { enter: base, exit: top } } else { Self::Between { enter: top, exit: base } }
     }
 }
@@ -132,7 +134,7 @@ pub(super) fn coincident(interval: Interval) -> Answer {
 }
 
 /// The interval within the slab; ends that the interval and the slab share are the interval's, and so the side's.
-fn clip(interval: Interval, slab: Slab) -> Option<Span> {
+pub(super) fn clip(interval: Interval, slab: Slab) -> Option<Span> {
     let mut span = all_side(interval);
     match slab {
         Slab::Nothing => return None,
@@ -160,7 +162,7 @@ fn clip(interval: Interval, slab: Slab) -> Option<Span> {
     Some(span)
 }
 
-fn solid_with_flat_caps(overlap: Overlap, slab: Slab) -> Answer {
+pub(super) fn solid_with_flat_caps(overlap: Overlap, slab: Slab) -> Answer {
     let span = match overlap {
         Overlap::Nothing => None,
         Overlap::Within(interval) => clip(interval, slab),
@@ -173,7 +175,7 @@ fn solid_with_flat_caps(overlap: Overlap, slab: Slab) -> Answer {
     Answer::Spans(span.into_iter().collect())
 }
 
-fn open_side(overlap: Overlap, slab: Slab) -> Answer {
+pub(super) fn open_side(overlap: Overlap, slab: Slab) -> Answer {
     match overlap {
         Overlap::Nothing => Answer::Crossings(vec![]),
         Overlap::InSurface(interval) => match clip(interval, slab) {
@@ -217,7 +219,7 @@ fn capsule(line: &IntegerLine, lateral: &Lateral, radius: &IBig, height: &IBig) 
         .filter_map(|centre| sphere_overlap(line, radius, centre))
         .filter_map(|ball| Some((ball.enter?, ball.exit?, false)))
         .collect();
-    let body = solid_with_flat_caps(LateralLine::new(line, lateral).one_nappe(), Slab::new(line, height));
+    let body = solid_with_flat_caps(LateralLine::new(line, lateral).one_nappe(), Slab::new(line, &IBig::ZERO, height));
     if let Answer::Spans(spans) = body {
         ends.extend(spans.into_iter().filter_map(|span| Some((span.enter?.t, span.exit?.t, true))));
     }
@@ -283,14 +285,14 @@ pub fn solve(solid: &Solid, line: &Line) -> Answer {
         | Solid::Cone { extent: ConeExtent::Capped(height), .. }
         | Solid::Frustum { height, capped: true, .. } => {
             let integers = IntegerLine::new(line, &[height]);
-            let slab = Slab::new(&integers, &integers.length(height));
+            let slab = Slab::new(&integers, &IBig::ZERO, &integers.length(height));
             solid_with_flat_caps(one_nappe(&integers), slab)
         }
         Solid::Cylinder { extent: CylinderExtent::Open(height), .. }
         | Solid::Cone { extent: ConeExtent::Open(height), .. }
         | Solid::Frustum { height, capped: false, .. } => {
             let integers = IntegerLine::new(line, &[height]);
-            let slab = Slab::new(&integers, &integers.length(height));
+            let slab = Slab::new(&integers, &IBig::ZERO, &integers.length(height));
             open_side(one_nappe(&integers), slab)
         }
         Solid::Capsule { radius, height } => {
@@ -298,12 +300,20 @@ pub fn solve(solid: &Solid, line: &Line) -> Answer {
             let lateral = solid.lateral().expect("a capsule has a side");
             capsule(&integers, &lateral, &integers.length(radius), &integers.length(height))
         }
+        Solid::RoundCone(cone) => super::round_cone::solve(cone, line),
+        Solid::Revolved(revolved) => super::revolved::solve(revolved, line),
+        Solid::Tube { inner, outer, height } => super::tube::solve([inner, outer, height], line),
         Solid::Plane => plane(&IntegerLine::new(line, &[])),
         Solid::Disc { radius } => {
             let integers = IntegerLine::new(line, &[radius]);
             disc(&integers, &integers.length(radius))
         }
+        Solid::Annulus { inner, outer } => {
+            let integers = IntegerLine::new(line, &[inner, outer]);
+            annulus(&integers, [integers.length(inner), integers.length(outer)])
+        }
         Solid::Cuboid { half } => cuboid(line, half),
+        Solid::RoundedCuboid(cuboid) => super::rounded_cuboid::solve(cuboid, line),
         Solid::Rectangle { half } => rectangle(line, half),
         Solid::Triangle { vertices } => {
             // Called for its check that the triangle has an area.

@@ -66,7 +66,7 @@ fn met_round<N: Tested>(is_ball: bool, of_unit: i64) {
                 Attempt::Unsure => Attempt::Unsure,
             }
         } else {
-            tube(given_o, extra_bits, given_d, given_r, true)
+            cylinder(given_o, extra_bits, given_d, given_r, true)
         };
         let told = std::format!("{o:?} {d:?} {r}, extra bits: {extra_bits}, in truth {true_o:?} {true_d:?}");
         missed += u32::from(matches!(ends, Attempt::Miss));

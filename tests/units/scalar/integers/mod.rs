@@ -1,12 +1,12 @@
 use super::*;
 use crate::scalar::{Attempt, InSide, found};
 use ball::{ByApproach, ByMoment};
-use cone::nappe;
+use cone::{Nappe, nappe};
 use core::fmt::Debug;
 use dashu_int::IBig;
 use flat::{crossings, height};
 use length::Normalized;
-use round::tube;
+use round::cylinder;
 use triangle::triangle;
 
 mod framed;
@@ -270,7 +270,7 @@ fn met_cylinders<N: Tested>() {
         let line = std::format!("{o:?} {d:?} {r}, extra bits: {extra_bits}");
         let across = N::Normalized::new(N::squared_length([N::of(d[0]), N::of(d[2])]));
         let of_unit = within::<N>(560, r, extra_bits, across.map_or(0, Normalized::shift));
-        let ends = tube(o.map(N::of), extra_bits, d.map(N::of), N::of(r), false);
+        let ends = cylinder(o.map(N::of), extra_bits, d.map(N::of), N::of(r), false);
         found += u32::from(exactly.check(ends, extra_bits, of_unit, &line));
     }
     assert!(found > LINES / 4, "{found}");
@@ -359,9 +359,9 @@ fn directions_are_within_a_hair_of_half_a_unit() {
 #[test]
 fn a_nappe_that_begins_somewhere_beyond_is_unclear() {
     let (o, d) = ([15487837, -82574188, 2456411], [-802209627, 669821284, 246415638]);
-    assert_eq!(nappe(o, 6, d, [273, 73268, 16384], false), Attempt::Unsure);
+    assert_eq!(nappe(o, 6, d, Nappe::of_radii([273, 73268, 16384]), false), Attempt::Unsure);
     // In the opposite direction the line ends there.
-    assert_eq!(nappe(o, 6, d.map(|c| -c), [273, 73268, 16384], false), Attempt::Unsure);
+    assert_eq!(nappe(o, 6, d.map(|c| -c), Nappe::of_radii([273, 73268, 16384]), false), Attempt::Unsure);
 }
 
 /// `a . (b x c)`, exactly.

@@ -1,5 +1,5 @@
 use super::*;
-use cone::{double_cone, nappe};
+use cone::{Nappe, double_cone, nappe};
 use flat::disc;
 
 /// For all sizes nothing overflows, and hits lie on the surface; for lines from far and near, in the world and in
@@ -66,7 +66,7 @@ fn met_on_surfaces<N: Tested>() {
             assert!(near, "{o:?} {d:?} {:?}: {x} {y} {z} {outline}", [r, g, h]);
         };
         if let Attempt::Hit(InSide { ends, beyond }) =
-            nappe(o.map(N::of), extra_bits, d.map(N::of), [r, g, h].map(N::of), false)
+            nappe(o.map(N::of), extra_bits, d.map(N::of), Nappe::of_radii([r, g, h].map(N::of)), false)
         {
             cones += 1;
             for (end, beyond) in ends.into_iter().zip(beyond) {

@@ -77,7 +77,8 @@ fn chips(study: &Study, rows: &[&Figures]) -> String {
 /// The rows of a number type, or of its rows one tier alone.
 pub fn page(study: &Study, number: &str, tier: Option<&str>) -> String {
     let mut text = format!(
-        "# Rows of `{number}`\n\nTimes are those of {}: hit / miss, as a ratio to the textbook's sphere in `f32` ({} ns), and in nanoseconds.\n\n",
+        "# Rows of `{number}`\n\nTimes are those of {}: hit / miss, as a ratio to the textbook's sphere in `f32` ({} \
+         ns), and in nanoseconds.\n\n",
         study.times.machine, study.times.reference_nanoseconds
     );
     let tiers: Vec<_> = TIERS.into_iter().filter(|known| tier.is_none_or(|tier| tier == *known)).collect();

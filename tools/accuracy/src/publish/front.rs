@@ -99,7 +99,8 @@ pub fn integers(study: &Study) -> String {
 pub fn printed(study: &Study) -> String {
     format!(
         "Errors of t in units in the last place, the largest of all primitives, median / worst:\n\n{}\
-         A sphere in a frame, benign: 99.9 % error as a length; times as a ratio to the textbook's in f32 ({} ns), instructions; hit / miss:\n\n{}",
+         A sphere in a frame, benign: 99.9 % error as a length; times as a ratio to the textbook's in f32 ({} ns), \
+         instructions; hit / miss:\n\n{}",
         summary(study),
         study.times.reference_nanoseconds,
         readme::costs(study)

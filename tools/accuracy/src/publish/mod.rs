@@ -68,11 +68,13 @@ pub fn names() -> Vec<&'static str> {
 pub fn printed(study: &Study, name: &str) -> String {
     match name {
         "costs" => format!(
-            "# What it costs\n\nThe nearest hit of benign rays, hit / miss: time on the host, instructions on the chips.\n\n{}",
+            "# What it costs\n\nThe nearest hit of benign rays, hit / miss: time on the host, instructions on the \
+             chips.\n\n{}",
             front::costs(study, &plots::COMPARED)
         ),
         "placed" => format!(
-            "# Placed solids\n\nThe largest error of `t` in units in the last place, of well-aimed rays / of all workloads.\n\n{}",
+            "# Placed solids\n\nThe largest error of `t` in units in the last place, of well-aimed rays / of all \
+             workloads.\n\n{}",
             placed::table(study, false)
         ),
         "integers" => format!(
@@ -80,11 +82,12 @@ pub fn printed(study: &Study, name: &str) -> String {
             front::integers(study)
         ),
         "surprises" => format!(
-            "# Faster and more accurate\n\nThe number of rows in which one tier is both more accurate (99.9 % error, no more wrong hits) and \
-             cheaper than another of the same number type; hits and misses are two rows. In brackets is the smallest ratio of their \
-             costs. On the host a time is shorter if it is below nine tenths of the other.\n\n{}# Beaten by another\n\nThe share of rows \
-             in which another combination costs no more, has no larger error as a length and no more wrong hits, and is better in one \
-             of them. On the chips the instructions of benign rays are used for every workload.\n\n{}",
+            "# Faster and more accurate\n\nThe number of rows in which one tier is both more accurate (99.9 % error, \
+             no more wrong hits) and cheaper than another of the same number type; hits and misses are two rows. In \
+             brackets is the smallest ratio of their costs. On the host a time is shorter if it is below nine tenths \
+             of the other.\n\n{}# Beaten by another\n\nThe share of rows in which another combination costs no more, \
+             has no larger error as a length and no more wrong hits, and is better in one of them. On the chips the \
+             instructions of benign rays are used for every workload.\n\n{}",
             findings::faster_and_more_accurate(study),
             findings::dominated_everywhere(study)
         ),

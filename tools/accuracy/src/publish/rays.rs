@@ -84,11 +84,11 @@ pub fn printed(task: &Task<'_>, texts: [&str; 2], outcome: &Outcome) -> String {
 
 /// What the columns mean.
 const LEGEND: &str = "\
-The exact answers are those for the solid, the placement and the rays as each number type stores them. *Rays* are those that the type
-holds, *not held* those with a coordinate or a start of their range beyond it. *Median*, *99.9%* and *worst* are errors of `t` in units in
-the last place, *length* the same as lengths. *Lost* are hits that are missing, *phantom* hits that do not exist, *edge* hits within one
-unit of the range's start on its wrong side, *part* hits on another part or with another crossing, *broken* rays of which the tier does not
-keep its promise.";
+The exact answers are those for the solid, the placement and the rays as each number type stores them. *Rays* are those
+that the type holds, *not held* those with a coordinate or a start of their range beyond it. *Median*, *99.9%* and
+*worst* are errors of `t` in units in the last place, *length* the same as lengths. *Lost* are hits that are missing,
+*phantom* hits that do not exist, *edge* hits within one unit of the range's start on its wrong side, *part* hits on
+another part or with another crossing, *broken* rays of which the tier does not keep its promise.";
 
 /// The page, the plot, and everything as JSON, with their paths in the folder of the output.
 pub fn documents(
@@ -101,13 +101,15 @@ pub fn documents(
         String::new()
     } else {
         format!(
-            " *Host* is the time of a nearest hit, of rays that hit / that miss, as a ratio to the textbook's sphere in `f32` ({} ns on {}).",
+            " *Host* is the time of a nearest hit, of rays that hit / that miss, as a ratio to the textbook's sphere \
+             in `f32` ({} ns on {}).",
             times.reference_nanoseconds, times.machine
         )
     };
     let page = format!(
-        "# Errors of your rays\n\n{}\n\n{LEGEND}{timed}\n\n{}{}![Errors by the share of hits that exceed them](rays.svg)\n\n\
-         ## Worst rays\n\nThe ray of each row with a wrong hit, or with the largest error. *Line* is that of the file.\n\n{}",
+        "# Errors of your rays\n\n{}\n\n{LEGEND}{timed}\n\n{}{}\
+         ![Errors by the share of hits that exceed them](rays.svg)\n\n## Worst rays\n\n\
+         The ray of each row with a wrong hit, or with the largest error. *Line* is that of the file.\n\n{}",
         about(task, texts),
         left_out(outcome),
         errors(outcome),
@@ -158,8 +160,8 @@ pub fn as_json(task: &Task<'_>, [solid, placement]: [&str; 2], outcome: &Outcome
     let rows = outcome.study.rows.iter().zip(&outcome.extras).map(|(figures, extra)| row(outcome, figures, extra));
     let left_out = outcome.left_out.iter().map(|(number, why)| json!({ "number": number, "why": why }));
     format!(
-        "{{\n\"file\": {},\n\"solid\": {},\n\"placement\": {},\n\"rays\": {},\n\"machine\": {},\n\"reference_nanoseconds\": {},\n\
-         \"rows\": [\n{}\n],\n\"not_measured\": [\n{}\n]}}\n",
+        "{{\n\"file\": {},\n\"solid\": {},\n\"placement\": {},\n\"rays\": {},\n\"machine\": {},\n\
+         \"reference_nanoseconds\": {},\n\"rows\": [\n{}\n],\n\"not_measured\": [\n{}\n]}}\n",
         json!(task.file),
         json!(solid),
         json!(placement),

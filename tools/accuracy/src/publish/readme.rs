@@ -64,7 +64,7 @@ fn cost_table(study: &Study, rows: &[&Figures]) -> String {
     table.done()
 }
 
-/// What a tier buys, for two solids that a frame turns: errors near, far away and where rays graze, beside the cost.
+/// All tiers for two solids in a turned frame: errors near, far away and where rays graze, beside the cost.
 /// The textbook is the first row of each.
 fn tiers(study: &Study, host: &Chip) -> Option<String> {
     const NUMBER: &str = "f32";
@@ -94,10 +94,11 @@ fn tiers(study: &Study, host: &Chip) -> Option<String> {
         }
     }
     Some(format!(
-        "What a tier buys, in `{NUMBER}`, for a sphere and a capped cone that a frame turns. Errors are those of 99.9 % of\n\
-         the hits, as a length; in brackets is how many of some {} hits are lost or invented. *Textbook* is\n\
-         the formula `k^2 - a c` after the same transformation. Costs are instructions of a nearest hit, hit / miss, of rays\n\
-         from nearby; *flash* is bytes of a program with one such solid on the {CHIP}.\n\n{}",
+        "All tiers in `{NUMBER}`, for a sphere and a capped cone in a turned frame. The columns *near* (3 to 8 away),\n\
+         *grazing to 1e-4* (past the side, at 1e-4 of the size from touching) and *10,000 away* are 99.9 % errors; in\n\
+         brackets is how many of some {} hits are lost or invented. *Textbook* is the formula above after the\n\
+         same transformation. *Host* and *{CHIP}* are instructions of a nearest hit, hit / miss, of the near\n\
+         rays; *flash* is bytes of a program with one such solid on the {CHIP}.\n\n{}",
         grouped(2 * study.rays.placed as u64),
         table.done()
     ))

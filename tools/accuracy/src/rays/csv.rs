@@ -17,7 +17,7 @@ const COUNTS: [usize; 3] = [6, 8, 10];
 const PART: usize = 8;
 const LEAVING: usize = 9;
 
-const PARTS: [(&str, Part); 7] = [
+const PARTS: [(&str, Part); 8] = [
     ("side", Part::Side),
     ("base", Part::Base),
     ("top", Part::Top),
@@ -25,6 +25,7 @@ const PARTS: [(&str, Part); 7] = [
     ("right", Part::Right),
     ("back", Part::Back),
     ("front", Part::Front),
+    ("inner", Part::Inner),
 ];
 
 const SIDES: [(&str, Leaving); 2] = [("outwards", Leaving::Outwards), ("inwards", Leaving::Inwards)];
@@ -100,8 +101,9 @@ pub fn parse<'a>(path: &str, text: &'a str) -> Result<Vec<Line<'a>>, String> {
         if !COUNTS.contains(&cells.len()) {
             let columns = if cells.len() == 1 { "1 column".into() } else { format!("{} columns", cells.len()) };
             return Err(format!(
-                "{path}, line {number}: it has {columns}: give 6 (origin x, y, z, direction x, y, z), 8 (also start and end of the \
-                 range, which may be empty) or 10 (also the part that the ray departs from, and to which side), separated by commas"
+                "{path}, line {number}: it has {columns}: give 6 (origin x, y, z, direction x, y, z), 8 (also start \
+                 and end of the range, which may be empty) or 10 (also the part that the ray departs from, and to \
+                 which side), separated by commas"
             ));
         }
         // A header has no number at all.

@@ -5,7 +5,7 @@ use super::decimal::Decimal;
 use super::placement::Placement;
 use crate::study::{Study, Time, Times};
 use crate::time::{self, Query, Reference, Timed};
-use fixed::types::{I16F16, I32F32};
+use fixed::types::{I8F24, I16F16, I20F12, I32F32};
 use raylet::{Ray, Shape};
 use support::described::Described;
 use support::figures::{Figures, Rays};
@@ -87,6 +87,8 @@ impl Task<'_> {
                 "f32" => self.of_type::<f32>(&mut found, tick),
                 "f64" => self.of_type::<f64>(&mut found, tick),
                 "I16F16" => self.of_type::<I16F16>(&mut found, tick),
+                "I8F24" => self.of_type::<I8F24>(&mut found, tick),
+                "I20F12" => self.of_type::<I20F12>(&mut found, tick),
                 _ => self.of_type::<I32F32>(&mut found, tick),
             };
             if let Err(why) = done {

@@ -32,12 +32,13 @@ fn forms() -> String {
     format!(
         "Example:\n  \
          raylet-accuracy rays tools/accuracy/examples/rays.csv --solid 'sphere radius 2' --placement 'at 1 2 3'\n\n\
-         Solids: take one of these, with your own sizes. The axis of a solid is the y axis. Cylinders, capsules and frustums stand on\n\
-         y = 0, a cone stands on its apex, the origin. A sphere, a cuboid, a rectangle, a disc and a plane have their centre at the\n\
-         origin. The sizes of cuboids and rectangles are half extents. A slope is the radius divided by the height.{}\n\n\
-         Placements: take one of these, with your own numbers. `at` is the position. `axis`, `left`, `up` and `forward` are the\n\
-         directions that the solid is turned to, `stretched` the factors along its own axes, and `x`, `y`, `z` the vectors that its\n\
-         axes become.{}\n\n\
+         Solids: take one of these, with your own sizes. The axis of a solid is the y axis. Cylinders, capsules and\n\
+         frustums stand on y = 0, a cone stands on its apex, the origin. A sphere, a cuboid, a rectangle, a disc\n\
+         and a plane have their centre at the origin. The sizes of cuboids and rectangles are half extents. A slope\n\
+         is the radius divided by the height.{}\n\n\
+         Placements: take one of these, with your own numbers. `at` is the position. `axis`, `left`, `up` and\n\
+         `forward` are the directions that the solid is turned to, `stretched` the factors along its own axes, and\n\
+         `x`, `y`, `z` the vectors that its axes become.{}\n\n\
          The guide, with all columns of the table: docs/your-rays.md",
         words::list(&solid::EXAMPLES),
         words::list(&placement::EXAMPLES)
@@ -71,8 +72,8 @@ pub struct Options {
     /// Where the solid stands, such as 'at 1 2 3 axis 0 0 1 stretched 2 1 0.5'. Without it, it stands in its own frame.
     #[arg(short, long, value_name = "PLACEMENT", default_value = "", hide_default_value = true)]
     placement: String,
-    /// Measure this number type only; may be given several times. By default all are measured.
-    #[arg(short, long, value_name = "NUMBER", ignore_case = true, value_parser = crate::number())]
+    /// Measure this number type only; may be given several times. By default all are measured but I8F24 and I20F12.
+    #[arg(short, long, value_name = "NUMBER", ignore_case = true, value_parser = crate::number(ALL_NUMBERS))]
     number: Vec<String>,
     /// Measure no times. What is printed and written is then the same in every run.
     #[arg(short, long)]
@@ -108,11 +109,18 @@ impl Options {
             solid,
             placement,
             lines,
-            numbers: NUMBERS.into_iter().filter(is_wanted).collect(),
+            numbers: if self.number.is_empty() {
+                NUMBERS.to_vec()
+            } else {
+                ALL_NUMBERS.into_iter().filter(is_wanted).collect()
+            },
             is_timed: !self.errors_only,
         })
     }
 }
+
+/// The number types that may be named: those of the tables, and other splits of 32 bits.
+const ALL_NUMBERS: [&str; 6] = ["f32", "f64", "I16F16", "I32F32", "I8F24", "I20F12"];
 
 /// Prints what was measured; the documents that are to be written, none with `--json`.
 pub fn run(options: &Options) -> Result<Vec<(String, String)>, Box<dyn Error>> {

@@ -6,7 +6,7 @@ use raylet::Part;
 use support::described::{ConeExtent, CylinderExtent, Described};
 
 /// Every solid, as one writes it.
-pub const EXAMPLES: [&str; 16] = [
+pub const EXAMPLES: [&str; 22] = [
     "sphere radius 1",
     "cylinder infinite radius 1",
     "cylinder open radius 1 height 2",
@@ -18,9 +18,15 @@ pub const EXAMPLES: [&str; 16] = [
     "frustum open base 1 top 0.5 height 2",
     "frustum capped base 1 top 0.5 height 2",
     "capsule radius 1 height 2",
+    "revolved open a -0.5 b 1 radius 0 low 0 high 2",
+    "revolved capped a -0.5 b 1 radius 0 low 0 high 2",
+    "round cone base 1 top 0.5 height 2",
+    "tube inner 0.75 radius 1 height 2",
     "plane",
     "disc radius 1",
+    "annulus inner 0.25 radius 1",
     "cuboid x 1 y 0.5 z 2",
+    "rounded cuboid x 1 y 0.5 z 2 radius 0.25",
     "rectangle x 1 z 2",
     "triangle -1 0 -1, 1 0 -1, 0 0 1",
 ];
@@ -46,7 +52,9 @@ impl<'a> Sizes<'a> {
 fn names(example: &'static str) -> (&'static str, Vec<&'static str>) {
     let is_number = |word: &&str| word.starts_with(|c: char| c.is_ascii_digit() || c == '-');
     let words: Vec<&str> = example.split(' ').filter(|word| !is_number(word)).collect();
-    let is_size = |word: &str| ["radius", "height", "slope", "base", "top", "x", "y", "z"].contains(&word);
+    let is_size = |word: &str| {
+        ["radius", "inner", "height", "slope", "base", "top", "x", "y", "z", "a", "b", "low", "high"].contains(&word)
+    };
     let count = words.iter().take_while(|word| !is_size(word)).count();
     let length = words[..count].join(" ").len();
     (&example[..length], words[count..].to_vec())
@@ -58,7 +66,7 @@ fn example(words: &mut Words<'_>) -> Result<&'static str, String> {
     let of_first: Vec<_> = EXAMPLES.into_iter().filter(|example| example.split(' ').next() == Some(first)).collect();
     match of_first[..] {
         [] => Err(format!("`{first}` is no solid that is measured: give one of{}", list(&EXAMPLES))),
-        [only] => Ok(only),
+        [only] if !names(only).0.contains(' ') => Ok(only),
         _ => {
             let second = words.next();
             let found = of_first.iter().copied().find(|example| names(example).0.split(' ').nth(1) == second);
@@ -98,6 +106,10 @@ pub fn parse(text: &str) -> Result<Described<Decimal<'_>>, String> {
     let frustum = |capped| {
         Ok::<_, String>(Described::Frustum { base: get("base")?, top: get("top")?, height: get("height")?, capped })
     };
+    let revolved = |capped| {
+        let heights = [get("low")?, get("high")?];
+        Ok::<_, String>(Described::Revolved { a: get("a")?, b: get("b")?, radius: get("radius")?, heights, capped })
+    };
     let cylinder = |extent| Ok::<_, String>(Described::Cylinder { radius: get("radius")?, extent });
     let cone = |extent| Ok::<_, String>(Described::Cone { slope: get("slope")?, extent });
     match solid {
@@ -112,8 +124,16 @@ pub fn parse(text: &str) -> Result<Described<Decimal<'_>>, String> {
         "frustum open" => frustum(false),
         "frustum capped" => frustum(true),
         "capsule" => Ok(Described::Capsule { radius: get("radius")?, height: get("height")? }),
+        "revolved open" => revolved(false),
+        "revolved capped" => revolved(true),
+        "round cone" => Ok(Described::RoundCone { base: get("base")?, top: get("top")?, height: get("height")? }),
+        "tube" => Ok(Described::Tube { inner: get("inner")?, outer: get("radius")?, height: get("height")? }),
+        "annulus" => Ok(Described::Annulus { inner: get("inner")?, outer: get("radius")? }),
         "disc" => Ok(Described::Disc { radius: get("radius")? }),
         "cuboid" => Ok(Described::Cuboid { half: [get("x")?, get("y")?, get("z")?] }),
+        "rounded cuboid" => {
+            Ok(Described::RoundedCuboid { half: [get("x")?, get("y")?, get("z")?], radius: get("radius")? })
+        }
         "rectangle" => Ok(Described::Rectangle { half: [get("x")?, get("z")?] }),
         _ => Ok(Described::Plane),
     }
@@ -121,11 +141,15 @@ pub fn parse(text: &str) -> Result<Described<Decimal<'_>>, String> {
 
 /// The parts of its surface, from which a ray may depart.
 pub fn parts<N>(solid: &Described<N>) -> &'static [Part] {
-    use Part::{Back, Base, Front, Left, Right, Side, Top};
+    use Part::{Back, Base, Front, Inner, Left, Right, Side, Top};
     match solid {
         Described::Cuboid { .. } => &[Left, Right, Base, Top, Back, Front],
+        Described::RoundedCuboid { .. } => &[Side, Left, Right, Base, Top, Back, Front],
+        Described::Tube { .. } => &[Side, Inner, Base, Top],
         Described::Cylinder { extent: CylinderExtent::Capped(_), .. }
         | Described::Frustum { capped: true, .. }
+        | Described::Revolved { capped: true, .. }
+        | Described::RoundCone { .. }
         | Described::Capsule { .. } => &[Side, Base, Top],
         Described::Cone { extent: ConeExtent::Capped(_), .. } => &[Side, Top],
         _ => &[Side],

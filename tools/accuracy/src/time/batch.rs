@@ -3,7 +3,8 @@
 use super::rays::Query;
 use raylet::tier::Tier;
 use raylet::{
-    Capsule, Cone, Cuboid, Cylinder, Disc, Hit, Plane, Primitive, Ray, Rectangle, Scalar, Shape, Sphere, Triangle,
+    Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Hit, Plane, Primitive, Ray, Rectangle, Revolved, RoundCone,
+    RoundedCuboid, Scalar, Shape, Sphere, Triangle, Tube,
 };
 use std::hint::black_box;
 use std::time::Instant;
@@ -70,7 +71,8 @@ macro_rules! primitives {
         )+
     };
 }
-primitives!(Sphere Cylinder Cone Capsule Plane Disc Triangle Cuboid Rectangle Shape);
+primitives!(Sphere Cylinder Cone Capsule Plane Disc Triangle Cuboid Rectangle Revolved Tube Annulus RoundCone);
+primitives!(RoundedCuboid Shape);
 
 #[inline(never)]
 fn nearest<S: Scalar, T: Tier<S>, P: Nearest<S>>((subject, ray): &(P, Ray<S>)) {
@@ -95,7 +97,9 @@ pub fn tier<S: Plain, T: Tier<S>>(queries: &[Query<S>]) -> Batch {
             }
         };
     }
-    own!(Sphere Cylinder Cone Capsule Plane Disc Triangle Cuboid Rectangle)
+    own!(
+        Sphere Cylinder Cone Capsule Plane Disc Triangle Cuboid Rectangle Revolved Tube Annulus RoundCone RoundedCuboid
+    )
 }
 
 type TextbookQuery<N> = (Form<N>, Option<Place<N>>, PlainRay<N>);

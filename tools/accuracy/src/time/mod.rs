@@ -15,7 +15,7 @@ pub use rays::{Query, RAYS};
 
 use crate::study::{Cost, Time, Times};
 use batch::{Batch, nothing, textbook, tier};
-use fixed::types::{I16F16, I32F32};
+use fixed::types::{I8F24, I16F16, I20F12, I32F32};
 use raylet::tier::{Exact, Fast, Plain, Stable};
 use rays::{Kind, queries};
 use support::method::{Measurable, Method};
@@ -49,6 +49,8 @@ timed! {
     f64: Plain Fast Stable;
     I16F16: Plain Fast Stable Exact;
     I32F32: Plain Fast Stable;
+    I8F24: Plain Fast Stable Exact;
+    I20F12: Plain Fast Stable Exact;
 }
 
 fn median(mut values: Vec<f64>) -> f64 {

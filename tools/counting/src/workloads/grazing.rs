@@ -16,11 +16,23 @@ struct Line {
     direction: [f64; 3],
 }
 
-/// A side: the radius at the height 0, and how fast it grows.
+/// A side: the square of its radius at the height `y` is `a y^2 + 2 b y + r^2`.
 #[derive(Clone, Copy)]
 struct Side {
-    base: f64,
-    slope: f64,
+    a: f64,
+    b: f64,
+    r: f64,
+}
+
+impl Side {
+    /// A cylinder or a cone: the radius at the height 0, and how fast it grows.
+    fn straight(base: f64, slope: f64) -> Self {
+        Self { a: slope * slope, b: base * slope, r: base }
+    }
+
+    fn square_at(self, y: f64) -> f64 {
+        (self.a * y + 2.0 * self.b) * y + self.r * self.r
+    }
 }
 
 fn dot([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> f64 {
@@ -49,20 +61,20 @@ impl Line {
 
     /// The sign of the discriminant of the line with a side whose radii are `scale` times as large: whether it meets
     /// that.
-    fn meets(self, Side { base, slope }: Side, scale: f64) -> bool {
+    fn meets(self, side: Side, scale: f64) -> bool {
         let ([x, y, z], [dx, dy, dz]) = (self.origin, self.direction);
-        let (radius, growth) = (scale * (base + slope * y), scale * slope * dy);
-        let a = dx * dx + dz * dz - growth * growth;
-        let k = x * dx + z * dz - radius * growth;
-        let c = x * x + z * z - radius * radius;
+        let square = scale * scale;
+        let a = dx * dx + dz * dz - square * side.a * dy * dy;
+        let k = x * dx + z * dz - square * (side.a * y + side.b) * dy;
+        let c = x * x + z * z - square * side.square_at(y);
         k * k >= a * c
     }
 
     fn grazes_side(self, side: Side) -> bool {
         let ([x, y, z], [dx, dy, dz]) = (self.origin, self.direction);
         let to_axis = libm::atan2(libm::hypot(dx, dz), dy.abs());
-        let to_generator = (to_axis - libm::atan(side.slope.abs())).abs();
-        let to_surface = (libm::hypot(x, z) - (side.base + side.slope * y).abs()).abs();
+        let to_generator = (to_axis - libm::atan(side.a.max(0.0).sqrt())).abs();
+        let to_surface = (libm::hypot(x, z) - side.square_at(y).max(0.0).sqrt()).abs();
         self.meets(side, 1.0 - GRAZING) != self.meets(side, 1.0 + GRAZING)
             || to_axis.min(to_generator) < GRAZING
             || to_surface < GRAZING / 10.0
@@ -76,6 +88,26 @@ impl Line {
     }
 }
 
+impl Line {
+    /// Any of the planes, of the cylinders about the edges and of the balls about the corners.
+    fn grazes_rounded(self, [hx, hy, hz]: [f64; 3], radius: f64) -> bool {
+        let corners = (0..8).map(|i| {
+            let sign = |bit: i32, h: f64| if i & bit == 0 { h } else { -h };
+            minus(self.origin, [sign(1, hx), sign(2, hy), sign(4, hz)])
+        });
+        let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let is_near = |distance: f64| (distance / radius - 1.0).abs() < GRAZING;
+        axes.iter().any(|n| self.is_parallel_to(*n))
+            || corners.into_iter().any(|from| {
+                let ([x, y, z], [dx, dy, dz]) = (from, self.direction);
+                let w = [y * dz - z * dy, z * dx - x * dz, x * dy - y * dx];
+                let of_edge = |axis: usize| (w[axis].abs(), libm::sqrt(1.0 - self.direction[axis].powi(2)));
+                is_near(libm::sqrt(dot(w, w)))
+                    || [0, 1, 2].into_iter().map(of_edge).any(|(w, across)| across < GRAZING || is_near(w / across))
+            })
+    }
+}
+
 /// Whether the query's ray grazes one of the surfaces that its solid is made of, or starts next to it; `None` for a
 /// solid that is not listed here.
 pub fn grazes(query: &Query<f64>) -> Option<bool> {
@@ -83,22 +115,38 @@ pub fn grazes(query: &Query<f64>) -> Option<bool> {
     let is_level = || line.is_parallel_to([0.0, 1.0, 0.0]);
     Some(match query.shape.primitive() {
         Primitive::Sphere(sphere) => line.grazes_ball(0.0, sphere.radius()),
-        Primitive::Cylinder(cylinder) => line.grazes_side(Side { base: cylinder.radius(), slope: 0.0 }) || is_level(),
+        Primitive::Cylinder(cylinder) => line.grazes_side(Side::straight(cylinder.radius(), 0.0)) || is_level(),
         Primitive::Capsule(capsule) => {
             let (r, h) = (capsule.radius(), capsule.height());
-            line.grazes_side(Side { base: r, slope: 0.0 }) || line.grazes_ball(0.0, r) || line.grazes_ball(h, r)
+            line.grazes_side(Side::straight(r, 0.0)) || line.grazes_ball(0.0, r) || line.grazes_ball(h, r)
         }
         Primitive::Cone(cone) => {
             let base = cone.base_radius();
             let of_radii = || Some((cone.top_radius()? - base) / cone.height()?);
             let slope = cone.slope().or_else(of_radii).unwrap_or_default();
-            line.grazes_side(Side { base, slope }) || cone.height().is_some() && is_level()
+            line.grazes_side(Side::straight(base, slope)) || cone.height().is_some() && is_level()
         }
-        Primitive::Disc(_) | Primitive::Rectangle(_) => is_level(),
+        Primitive::Revolved(revolved) => {
+            let (a, b, r) = revolved.coefficients();
+            line.grazes_side(Side { a, b, r }) || is_level()
+        }
+        Primitive::RoundCone(cone) => {
+            let [r, top, h] = [cone.base_radius(), cone.top_radius(), cone.height()];
+            let k = r - top;
+            let cosine = (1.0 - k * k / (h * h)).sqrt();
+            let side = Side::straight(r / cosine, -k / (h * cosine));
+            line.grazes_side(side) || line.grazes_ball(0.0, r) || line.grazes_ball(h, top)
+        }
+        Primitive::Tube(tube) => {
+            let sides = [tube.inner_radius(), tube.outer_radius()].map(|radius| Side::straight(radius, 0.0));
+            sides.into_iter().any(|side| line.grazes_side(side)) || is_level()
+        }
+        Primitive::Disc(_) | Primitive::Annulus(_) | Primitive::Rectangle(_) => is_level(),
         Primitive::Plane(_) => is_level() || line.origin[1].abs() < GRAZING / 10.0,
         Primitive::Cuboid(_) => {
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].iter().any(|n| line.is_parallel_to(*n))
         }
+        Primitive::RoundedCuboid(cuboid) => line.grazes_rounded(cuboid.half_extents(), cuboid.radius()),
         Primitive::Triangle(triangle) => {
             let [a, b, c] = triangle.vertices().map(Vec3::to_array);
             let ([p, q, r], [x, y, z]) = (minus(b, a), minus(c, a));

@@ -6,10 +6,13 @@ use core::hint::black_box;
 use core::slice;
 use fixed::types::{I16F16, I32F32};
 use heapless::Vec;
+use raylet::shape::kinds::Combining;
 use raylet::tier::{Exact, Fast, Plain, Stable, Tier};
-use raylet::{Scalar, Shape};
+use raylet::{Combination, Ray, Scalar, Shape, Size};
 use raylet_firmware::clock;
+use shared::milled::{self, Few};
 use shared::pictured::{BUILT_IN, of_built_in};
+use shared::returns::{self, Yard};
 use shared::subject::query;
 use shared::workload::{Placed, QUERIES, Query, Rays, SENSED, SENSED_EVERY, SOLIDS_BY_NAME, query, sensed};
 
@@ -51,18 +54,18 @@ pub type Report<'a> = &'a mut dyn FnMut(Row<'_>);
 type Queries<S> = Vec<Query<S>, QUERIES>;
 
 /// Instructions of one query.
-fn singly<S: Scalar>(test: &Query<S>, query: fn(&Shape<S>, &Query<S>)) -> u64 {
-    let (tests, nothing) = (slice::from_ref(test), black_box(nothing::<Shape<S>, Query<S>> as fn(&_, &_)));
+fn singly<P, I>(subject: &P, input: &I, query: fn(&P, &I)) -> u64 {
+    let (inputs, nothing) = (slice::from_ref(input), black_box(nothing::<P, I> as fn(&_, &_)));
     let mut rounds = 1;
     let taken = loop {
-        let taken = run(&test.shape, tests, query, rounds);
+        let taken = run(subject, inputs, query, rounds);
         if taken >= ENOUGH || rounds >= MOST_ROUNDS {
             break taken;
         }
         rounds *= 2;
     };
     // A function that does nothing takes less than the grain of the clock.
-    let looping = run(&test.shape, tests, nothing, LOOPS);
+    let looping = run(subject, inputs, nothing, LOOPS);
     (taken.saturating_sub(looping * rounds / LOOPS) + rounds / 2) / rounds
 }
 
@@ -70,7 +73,55 @@ fn singly<S: Scalar>(test: &Query<S>, query: fn(&Shape<S>, &Query<S>)) -> u64 {
 fn tier<S: Scalar, T: Tier<S>>(tests: &Queries<S>) -> [u64; 3] {
     // The compiler must not know which function it is: it would make a copy of the loop for each.
     let query = black_box((|shape, test| query::nearest::<S, T, _>(shape, &test.ray)) as fn(&Shape<S>, &Query<S>));
-    let mut counts: Vec<u64, QUERIES> = tests.iter().map(|test| singly(test, query)).collect();
+    spread(tests.iter().map(|test| singly(&test.shape, test, query)))
+}
+
+/// What many solids take: all crossings of a yard in order, beside the hits of each of its solids, for the rays of a
+/// sensor; all hits of a combination of two solids, beside those of each, for the rays of a picture.
+const MANY: [&str; 4] =
+    ["crossings of forty solids", "hits of forty solids", "hits of a combination of two", "hits of its two solids"];
+
+/// Figures in the order of [`MANY`].
+#[inline(never)]
+fn many<S: Scalar, T: Tier<S>>() -> [[u64; 3]; 4] {
+    let crossings = |yard: &Yard<S>, ray: &Ray<S>| {
+        // By reference, here and below: `black_box` copies what it is given.
+        black_box(&returns::crossings::<S, T>(yard.as_slice(), ray));
+    };
+    let hits_of_each = |yard: &Yard<S>, ray: &Ray<S>| {
+        for solid in yard {
+            black_box(&solid.hits_at::<T>(ray));
+        }
+    };
+    let yard = returns::yard();
+    let [crossings, hits_of_each] = [crossings as fn(&_, &_), hits_of_each]
+        .map(|query| spread(returns::rays().step_by(3).map(|ray| singly(&yard, &ray, black_box(query)))));
+    let combined = |part: &Shape<S, Combining<'_, Few>>, ray: &Ray<S>| {
+        black_box(&part.hits_at::<T>(ray));
+    };
+    let each = |leaves: &&[Shape<S, Few>], ray: &Ray<S>| {
+        for leaf in *leaves {
+            black_box(&leaf.hits_at::<T>(ray));
+        }
+    };
+    let parts = milled::leaves::<S>().zip(milled::camera::<S>()).map(|(leaves, camera)| {
+        // Plate and slot.
+        let two = [leaves[0], leaves[4]];
+        let view = camera.raster(Size::new(10, 10));
+        let rays = || (0..100).filter_map(|pixel| view.ray([pixel % 10, pixel / 10], [0, 0]));
+        let part = Combination::difference(&two).expect("two solids");
+        [
+            spread(rays().map(|ray| singly(&part.shape(), &ray, black_box(combined as fn(&_, &_))))),
+            spread(rays().map(|ray| singly(&two.as_slice(), &ray, black_box(each as fn(&_, &_))))),
+        ]
+    });
+    let [combined, each] = parts.unwrap_or_default();
+    [crossings, hits_of_each, combined, each]
+}
+
+/// The mean of some counts, the 99th of a hundred, and the largest.
+fn spread(counts: impl Iterator<Item = u64>) -> [u64; 3] {
+    let mut counts: Vec<u64, QUERIES> = counts.take(QUERIES).collect();
     counts.sort_unstable();
     let count = counts.len().max(1);
     let mean = (counts.iter().sum::<u64>() + count as u64 / 2) / count as u64;
@@ -81,6 +132,12 @@ fn tier<S: Scalar, T: Tier<S>>(tests: &Queries<S>) -> [u64; 3] {
 /// Every workload in one number type.
 macro_rules! number {
     ($report:expr, $S:ty, $number:literal: $($T:ident)+) => {{
+        $(
+            let rows = many::<$S, $T>();
+            for (of, instructions) in MANY.into_iter().zip(rows) {
+                $report(Row { of, kind: None, number: $number, tier: stringify!($T), instructions });
+            }
+        )+
         let mut all = |of: &str, kind: Option<(Placed, Rays)>, tests: &Queries<$S>| {
             $($report(Row { of, kind, number: $number, tier: stringify!($T), instructions: tier::<$S, $T>(tests) });)+
         };

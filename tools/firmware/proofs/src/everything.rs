@@ -4,12 +4,15 @@ use crate::input::{Any, any_direction, any_point, any_word, give};
 use raylet::ExactScalar;
 use raylet::hierarchy::{Hierarchy, Node, Shapes};
 use raylet::scalar::{Real, UnitScalar};
+use raylet::shape::combination::Op;
 use raylet::shape::kinds::{KindError, Kinds};
 use raylet::solids::{self, Crossings, SolidSet, Start};
+use raylet::thick::{self, ThickRay};
 use raylet::tier::Tier;
 use raylet::{
-    Affine, Capsule, Cone, Cuboid, Cylinder, Departure, Disc, Frame, Leaving, Part, Plane, Range, Ray, Rectangle,
-    Shape, Sphere, Surface, Triangle, UnitVec3, Vec3, Visible,
+    Affine, Annulus, Capsule, Combination, Cone, Cuboid, Cylinder, Departure, Disc, Ellipsoid, Frame, Leaving, Part,
+    Plane, Range, Ray, Rectangle, Revolved, RoundCone, RoundedCuboid, Shape, Sphere, Surface, Triangle, Tube, UnitVec3,
+    Vec3, Visible,
 };
 
 /// Calls the methods that a primitive shares with a shape, in one tier.
@@ -57,9 +60,7 @@ pub fn any_ray<S: Any>() -> Option<Ray<S>> {
     give(range.contains(S::any()));
     let ray = ray.ok()?.with_range(range);
     give(ray.at(S::any()));
-    let part = [Part::Side, Part::Base, Part::Top, Part::Left, Part::Right, Part::Back, Part::Front]
-        .into_iter()
-        .nth(any_word() as usize)?;
+    let part = Part::EVERY.into_iter().nth(any_word() as usize)?;
     let leaving = if any_word() == 0 { Leaving::Inwards } else { Leaving::Outwards };
     Some(if any_word() == 0 { ray } else { ray.departing(Departure { object: 0, part, leaving }) })
 }
@@ -94,6 +95,12 @@ pub fn any_shape<S: Any>() -> Option<Shape<S>> {
         5 => Shape::new(Disc::new(S::any()).ok()?),
         6 => Shape::new(Cuboid::new(S::any(), S::any(), S::any()).ok()?),
         7 => Shape::new(Rectangle::new(S::any(), S::any()).ok()?),
+        8 => Shape::new(any_revolved()?),
+        9 => Shape::new(any_tube()?),
+        10 => Shape::new(Annulus::new(S::any(), S::any()).ok()?),
+        11 => Shape::new(RoundCone::new(S::any(), S::any(), S::any()).ok()?),
+        12 => Shape::new(RoundedCuboid::new(S::any(), S::any(), S::any(), S::any()).ok()?),
+        13 => return Ellipsoid::new(S::any(), S::any(), S::any()).ok()?.placed(any_frame()?).ok(),
         _ => Shape::new(Triangle::new(any_point(), any_point(), any_point()).ok()?),
     };
     let shape = match any_word() {
@@ -113,6 +120,30 @@ fn any_cylinder<S: Any>() -> Option<Cylinder<S>> {
         0 => Cylinder::infinite(S::any()).ok(),
         1 => Cylinder::open(S::any(), S::any()).ok(),
         _ => Cylinder::capped(S::any(), S::any()).ok(),
+    }
+}
+
+fn any_revolved<S: Any>() -> Option<Revolved<S>> {
+    let heights = [S::any(), S::any()];
+    let revolved = match any_word() {
+        0 => Revolved::new(S::any(), S::any(), S::any(), heights),
+        1 => Revolved::paraboloid(S::any(), S::any()),
+        2 => Revolved::spheroid(S::any(), S::any(), heights),
+        3 => Revolved::ball_zone(S::any(), heights),
+        4 => Revolved::cone(S::any(), heights),
+        5 => Revolved::hyperboloid(S::any(), S::any(), heights),
+        6 => Revolved::tower(S::any(), S::any(), S::any(), S::any()),
+        _ => Revolved::optical(S::any(), S::any(), S::any()),
+    };
+    let revolved = revolved.ok()?;
+    give((revolved.coefficients(), revolved.heights(), revolved.radius_at(S::any())));
+    Some(if any_word() == 0 { revolved.open() } else { revolved })
+}
+
+fn any_tube<S: Any>() -> Option<Tube<S>> {
+    match any_word() {
+        0 => Tube::with_wall(S::any(), S::any(), S::any()).ok(),
+        _ => Tube::new(S::any(), S::any(), S::any()).ok(),
     }
 }
 
@@ -141,11 +172,43 @@ pub fn queries<S: Any, T: Tier<S>>() -> Option<()> {
     call!(Disc::new(S::any()).ok()?, ray, T);
     call!(Cuboid::new(S::any(), S::any(), S::any()).ok()?, ray, T);
     call!(Rectangle::new(S::any(), S::any()).ok()?, ray, T);
+    call!(any_revolved()?, ray, T);
+    call!(any_tube()?, ray, T);
+    call!(RoundCone::new(S::any(), S::any(), S::any()).ok()?, ray, T);
+    call!(RoundedCuboid::new(S::any(), S::any(), S::any(), S::any()).ok()?, ray, T);
+    call!(Annulus::new(S::any(), S::any()).ok()?, ray, T);
     call!(Triangle::new(any_point(), any_point(), any_point()).ok()?, ray, T);
     call!(any_shape::<S>()?, ray, T);
     call!(among::<S, (Sphere<S>, Plane<S>, Frame<S>)>()?, ray, T);
     call!(among::<S, (Affine<S>, Cone<S>)>()?, ray, T);
+    combined::<S, T>(ray);
     many_solids::<S, T>(ray)
+}
+
+/// Any combination of any solids, alone and in lists.
+fn combined<S: Any, T: Tier<S>>(ray: &Ray<S>) -> Option<()> {
+    let leaves = [any_shape::<S>()?, any_shape()?, any_shape()?];
+    let op = |_| [Op::Union, Op::Intersection, Op::Difference].into_iter().nth(any_word() as usize).unwrap_or(Op::Leaf);
+    let operations = [(); 5].map(op);
+    let combination = match any_word() {
+        0 => Combination::union(&leaves),
+        1 => Combination::intersection(&leaves),
+        2 => Combination::difference(&leaves),
+        _ => Combination::new(&leaves, &operations),
+    };
+    let combination = combination.ok()?;
+    combination.leaf_hits_at::<T>(ray).for_each(give);
+    combination.operations().for_each(give);
+    let list = [combination.shape().seen_from(Visible::Outside), any_shape()?.beside_combinations()];
+    call!(list[0], ray, T);
+    let mut nodes = [Node::EMPTY; Hierarchy::<S>::nodes_for(2)];
+    let tree = Shapes::new(&list, &mut nodes).ok()?;
+    give(tree.nearest_at::<T>(ray));
+    give(tree.occludes_at::<T>(ray));
+    let crossings = Crossings::<S, 7, 2>::with_start::<T>(&tree, ray, &Start::new()).ok()?;
+    crossings.iter().for_each(give);
+    give(solids::nearest::<S, T, 2>(&tree, ray, &crossings.start_across(any_word() as usize).ok()?));
+    Some(())
 }
 
 /// Many solids along one ray, as a list and in a hierarchy, from any start.
@@ -168,6 +231,8 @@ fn many_solids<S: Any, T: Tier<S>>(ray: &Ray<S>) -> Option<()> {
     give(Crossings::<S, 7, 2>::with_start::<T>(&shapes, ray, &start));
     give(solids::nearest::<S, T, 2>(&tree, ray, &start));
     give(solids::occludes::<S, T, 2>(&shapes, ray, &start));
+    let ball = ThickRay::new(*ray, S::any()).ok()?;
+    give((thick::first::<S, T, _>(&ball, &shapes).ok()?, ball.at_start(&shapes[0]).ok()?));
     Some(())
 }
 

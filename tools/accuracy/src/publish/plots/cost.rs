@@ -126,7 +126,8 @@ fn legend(area: &Area<'_>, axis: &str) -> Result<(), Box<dyn Error>> {
     }
     sheet::tiers(area, x + 14, |_| RGBColor(0x80, 0x88, 0x90))?;
     let axes = format!(
-        "Across: {axis}. Up: 99.9 % error of t, as a length; the solid's size is about 1. Line: nothing is better in both."
+        "Across: {axis}. Up: 99.9 % error of t, as a length; the solid's size is about 1. Line: nothing is better in \
+         both."
     );
     label(area, &axes, (12, 60), 12)
 }

@@ -42,7 +42,8 @@ fn legend(area: &Area<'_>, is_timed: bool) -> Result<(), Box<dyn Error>> {
         12,
     )?;
     if is_timed {
-        let axes = "Cost: time of a nearest hit, 1 is the textbook's sphere in f32 (across); 99.9 % error of t, as a length (up).";
+        let axes = "Cost: time of a nearest hit, 1 is the textbook's sphere in f32 (across); 99.9 % error of t, as a \
+                    length (up).";
         label(area, axes, (12, 78), 12)?;
     }
     Ok(())

@@ -2,6 +2,7 @@
 
 use super::super::{placement, solid};
 use super::{at, command, measured};
+use crate::rays::ALL_NUMBERS;
 use std::fmt::Write;
 use support::figures::{NUMBERS, TIERS};
 
@@ -31,7 +32,7 @@ fn a_known_grazing_ray_has_its_known_hits() {
 #[test]
 fn a_direction_may_have_any_length() {
     let lines = "-3,0.25,0.5, 1,-0.125,-0.25\n-3,0.25,0.5, 8e100,-1e100,-2e100\n-3,0.25,0.5, 8e-100,-1e-100,-2e-100";
-    for number in NUMBERS {
+    for number in ALL_NUMBERS {
         let options = command(&["my.csv", "-e", "--solid", "sphere radius 1.1", "--number", number]);
         let outcome = measured(&options, lines).unwrap();
         let (row, extra) = outcome.row(number, "Stable");

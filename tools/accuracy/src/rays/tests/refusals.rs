@@ -152,7 +152,7 @@ fn departures() {
         (",inwards", "column 9 (part): it is empty: name the part that the ray departs from"),
         (
             "lid,inwards",
-            "column 9 (part): `lid` is none of side, base, top, left, right, back, front: give one of them, or leave both cells of the \
+            "column 9 (part): `lid` is none of side, base, top, left, right, back, front, inner: give one of them, or leave both cells of the \
              departure empty",
         ),
         (

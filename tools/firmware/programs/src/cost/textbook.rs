@@ -1,5 +1,5 @@
-//! The formulas that everyone writes first (`shared::textbook`), for their cost. Their errors are what raylet was written
-//! to avoid: see `docs/accuracy.md`.
+//! The formulas that everyone writes first (`shared::textbook`), for their cost. Their errors are what raylet was
+//! written to avoid: see `docs/accuracy.md`.
 
 use super::measure::instructions;
 use super::{Names, Of, Report};

@@ -1,0 +1,277 @@
+//! From a ray to the light at its first interface, and to the rays that it sends on from there.
+
+use super::compiled::Effects;
+use super::cutoff::DEPTH;
+use super::media::{Along, Media, Place};
+use super::paths::{Gathered, Segment};
+use super::set::{Effect, EffectSet};
+use super::shading_point::ShadingPoint;
+use super::trace_context::TraceContext;
+use super::tracer::Tracer;
+use super::{ambient, bump, diffuse, fog, reflection, refraction, shadow, specular, texture};
+use crate::hit::Crossing;
+use crate::ray::{Range, Ray};
+use crate::scalar::{Ring, Scalar};
+use crate::scene::{Color, Material, Observer, Waves};
+use crate::shape::Surface;
+use crate::shape::kinds::Kinds;
+use crate::tier::Tier;
+use crate::vector::Vec3;
+
+/// The most surfaces between equal media that a ray passes; the next one is seen.
+const MOST_PASSED: u32 = 256;
+
+impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
+    /// Casts a ray, gathers the light at the first interface, and returns the secondary rays.
+    pub(super) fn meet<O: Observer>(
+        &self,
+        mut segment: Segment<S>,
+        gathered: &mut Gathered<S>,
+        context: &mut TraceContext<O>,
+    ) -> [Option<Segment<S>>; 2] {
+        match segment.cause {
+            Some(Effect::Reflection) => context.counters.reflection_rays += 1,
+            Some(_) => context.counters.refraction_rays += 1,
+            None => {}
+        }
+        let mut weight = S::unit_real(segment.weight);
+        let mut place = Place::new();
+        for passed in 0..=MOST_PASSED {
+            let met = self.meet_place(&mut segment, &mut place, context);
+            let seen = met.is_some().then_some(place.seen);
+            if segment.cause.is_none() {
+                gathered.first = seen;
+            }
+            if self.uses(Effect::Fog) && !segment.enclosed {
+                weight = self.through_fog(weight, seen.map(|on| on.hit.t), gathered, context);
+            }
+            let (Some((media, is_interface)), Some(on)) = (met, seen) else {
+                gathered.add(self.scene.background(), weight);
+                return [None, None];
+            };
+            if !self.shows_surfaces() {
+                return [None, None];
+            }
+            let Some(object) = self.scene.object(on.object) else { return [None, None] };
+            let Some(material) = self.scene.material_of(object, on.hit.part) else { return [None, None] };
+            if is_interface && !self.is_seen(material) {
+                return [None, None];
+            }
+            let surface = object.shape.surface(&segment.ray, &on.hit);
+            if !is_interface && passed < MOST_PASSED {
+                // The same medium on both sides: the ray goes on as if there were nothing.
+                let passage = segment.passage.at(&place, true, &segment.ray, self.scene);
+                let Some(ray) = continued(&segment.ray, surface.point(), on.hit.t) else { return [None, None] };
+                segment = Segment { ray, passage, enclosed: media.is_enclosed(), ..segment };
+                continue;
+            }
+            context.counters.hits_refined += 1;
+            let near = segment.passage.at(&place, false, &segment.ray, self.scene);
+            let mut site = ShadingPoint::new(self.scene, object, &surface, &segment.ray, &on, near);
+            let color = self.dress(material, &surface, &mut site, context);
+            let lit_by = self.shade(material, color, &site, weight, gathered, context);
+            if segment.cause.is_none() {
+                gathered.lit_by = lit_by;
+            }
+            return self.onward(&segment, material, &site, &place, media, weight);
+        }
+        [None, None]
+    }
+
+    /// Finds the first place where a ray meets surfaces, and returns the media on its sides, and whether they differ.
+    fn meet_place<O: Observer>(
+        &self,
+        segment: &mut Segment<S>,
+        place: &mut Place<S>,
+        context: &mut TraceContext<O>,
+    ) -> Option<(Media<'a, S>, bool)> {
+        let (counters, observer, ray) = (&mut context.counters, &mut context.observer, &segment.ray);
+        let along = Along::<'_, S, T, K, E>::new(self.scene, ray, &segment.passage, self.uses(Effect::Refraction));
+        let (nearest, is_alone) = self.scene.nearest_known(ray, &along, counters, observer)?;
+        place.begin(nearest);
+        if !is_alone {
+            self.scene.at_one_place(ray, &along, nearest.hit.t, counters, observer, |on| place.add(on));
+        }
+        let is_opaque = !is_alone && place.see_last(self.scene);
+        if is_opaque || !self.uses(Effect::Refraction) || !self.scene.transmits(&place.seen) {
+            return Some((Media::none(), true));
+        }
+        if segment.passage.begins() {
+            segment.passage = if segment.ray.origin() == self.scene.camera().position() {
+                self.around_camera
+            } else {
+                self.around(&segment.ray)
+            };
+        }
+        Some(place.separate(self.scene, &segment.passage))
+    }
+
+    /// True if any effect is in use that makes surfaces other than black.
+    fn shows_surfaces(&self) -> bool {
+        let light = EffectSet::of(Effect::Ambient).with(Effect::Diffuse).with(Effect::Specular);
+        let shows = light.with(Effect::Reflection).with(Effect::Refraction);
+        !E::SET.intersection(shows).intersection(self.active).is_empty()
+    }
+
+    /// True if point and normal are needed to shade the material; otherwise the surface is black.
+    fn is_seen(&self, material: &Material<S>) -> bool {
+        (self.uses(Effect::Ambient) || self.uses(Effect::Diffuse)) && material.diffuse > S::ZERO
+            || self.uses(Effect::Specular) && material.specular > S::ZERO
+            || self.uses(Effect::Reflection) && material.mirror > S::ZERO
+            || self.uses(Effect::Refraction) && material.transmits()
+    }
+
+    /// Adds the light of the fog along a ray, and returns the weight of what is behind it.
+    fn through_fog<O: Observer>(
+        &self,
+        weight: S::Real,
+        t: Option<S>,
+        gathered: &mut Gathered<S>,
+        context: &mut TraceContext<O>,
+    ) -> S::Real {
+        let Some(haze) = self.scene.fog() else { return weight };
+        context.counters.fogged_rays += 1;
+        let visible = weight * fog::visibility(haze, t);
+        gathered.add(haze.color(), weight - visible);
+        visible
+    }
+
+    /// The colour of the surface at a shading point, and its normal after bump mapping. Surface coordinates are
+    /// computed once, and only if there is a texture or a bump map.
+    fn dress<O: Observer>(
+        &self,
+        material: &Material<S>,
+        surface: &Surface<S, K>,
+        site: &mut ShadingPoint<S>,
+        context: &mut TraceContext<O>,
+    ) -> Color<S> {
+        let pattern = if self.uses(Effect::Texture) { self.scene.texture(material) } else { None };
+        let waves = if self.uses(Effect::Bump) { material.bump.filter(Waves::are_visible) } else { None };
+        if pattern.is_none() && waves.is_none() {
+            return material.color;
+        }
+        let uv = surface.uv();
+        if let Some(waves) = waves {
+            context.counters.bumps += 1;
+            site.normal = bump::bent(&waves, surface, uv, site.normal, site.from_outside);
+        }
+        pattern.map_or(material.color, |pattern| {
+            context.counters.texture_lookups += 1;
+            material.color.times(texture::color(pattern, uv, || surface.uvw()))
+        })
+    }
+
+    /// Adds the ambient light and that of all light sources that reach a shading point, and returns which of the first
+    /// 32 do.
+    ///
+    /// No shadow ray is cast to a light that is behind the surface or would contribute nothing.
+    fn shade<O: Observer>(
+        &self,
+        material: &Material<S>,
+        color: Color<S>,
+        site: &ShadingPoint<S>,
+        weight: S::Real,
+        gathered: &mut Gathered<S>,
+        context: &mut TraceContext<O>,
+    ) -> u32 {
+        let mut lit_by = 0;
+        if self.uses(Effect::Ambient) {
+            gathered.gather(ambient::light(self.scene.ambient(), material, color, weight));
+        }
+        if !self.uses(Effect::Diffuse) && !self.uses(Effect::Specular) {
+            return lit_by;
+        }
+        for (index, light) in (0_u32..).zip(self.scene.lights()) {
+            let Some(towards) = site.towards(light) else { continue };
+            let (mut scattered, mut mirrored) = (S::Real::ZERO, S::Real::ZERO);
+            if self.uses(Effect::Diffuse) {
+                scattered = diffuse::weight(material, &towards);
+            }
+            if self.uses(Effect::Specular) {
+                mirrored = specular::weight(material, site, &towards);
+            }
+            let [own_red, own_green, own_blue] = color.to_array();
+            let [red, green, blue] = light.strength;
+            let channel =
+                |own: S::Unit, strength: S| (S::unit_real(own) * scattered + mirrored) * strength.real() * weight;
+            let light_of = [channel(own_red, red), channel(own_green, green), channel(own_blue, blue)];
+            if Color::<S>::from(light_of.map(S::unit_round)) == Color::BLACK
+                || self.uses(Effect::Shadows) && shadow::is_shadowed(self, site, index, &towards, context)
+            {
+                continue;
+            }
+            lit_by |= 1_u32.checked_shl(index).unwrap_or(0);
+            gathered.gather(light_of);
+        }
+        lit_by
+    }
+
+    /// The secondary rays of a shading point: mirrored and refracted.
+    fn onward(
+        &self,
+        segment: &Segment<S>,
+        material: &Material<S>,
+        site: &ShadingPoint<S>,
+        place: &Place<S>,
+        media: Media<'_, S>,
+        weight: S::Real,
+    ) -> [Option<Segment<S>>; 2] {
+        let mut onward = [None, None];
+        if segment.depth >= DEPTH {
+            return onward;
+        }
+        let mut mirror = S::Real::ZERO;
+        let mut cause = Effect::Refraction;
+        if self.uses(Effect::Reflection) && material.mirror > S::ZERO {
+            (mirror, cause) = (reflection::weight(material), Effect::Reflection);
+        }
+        let [mirrored, refracted] = &mut onward;
+        if self.uses(Effect::Refraction) && material.transmits() {
+            let crossing = place.seen.hit.crossing;
+            let split = refraction::split(material, site, crossing, media);
+            mirror = mirror + split.reflected;
+            if let Some(through) = split.through
+                && let Some(weight) = stored::<S>(weight * split.passing)
+            {
+                // A ray that only touches stays on the same side.
+                let passes = crossing != Crossing::Touch;
+                *refracted = site.ray(through).map(|ray| Segment {
+                    ray,
+                    passage: segment.passage.at(place, passes, &segment.ray, self.scene),
+                    weight,
+                    depth: segment.depth + 1,
+                    cause: Some(Effect::Refraction),
+                    enclosed: if split.changes_medium { media.is_enclosed() } else { segment.enclosed },
+                });
+            }
+        }
+        if mirror > S::Real::ZERO
+            && let Some(weight) = stored::<S>(weight * mirror)
+        {
+            *mirrored = site.ray(reflection::direction(site)).map(|ray| Segment {
+                ray,
+                passage: site.near,
+                weight,
+                depth: segment.depth + 1,
+                cause: Some(cause),
+                enclosed: segment.enclosed,
+            });
+        }
+        onward
+    }
+}
+
+/// The ray from a point at `t` on, in the same direction and in what is left of its range; `None` beyond the budget.
+fn continued<S: Scalar>(ray: &Ray<S>, point: Vec3<S>, t: S) -> Option<Ray<S>> {
+    let (onward, end) = (Ray::new(point, ray.direction()).ok()?, ray.range().end());
+    let left = if end < Range::FORWARD.end() { end.minus(t) } else { end };
+    Some(onward.with_range(Range::new(S::ZERO, left).unwrap_or(Range::FORWARD)))
+}
+
+/// A weight as it is stored, at most 1; `None` if it rounds to zero.
+fn stored<S: Scalar>(weight: S::Real) -> Option<S::Unit> {
+    use crate::scalar::UnitScalar;
+    let weight = S::unit_round(weight);
+    let weight = if weight < S::Unit::ONE { weight } else { S::Unit::ONE };
+    (weight > S::Unit::ZERO).then_some(weight)
+}
