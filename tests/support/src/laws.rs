@@ -386,14 +386,18 @@ macro_rules! in_every_tier {
         $on!(fixed::types::I32F32, raylet::tier::Plain, $($rest)*);
         $on!(fixed::types::I32F32, raylet::tier::Fast, $($rest)*);
         $on!(fixed::types::I32F32, raylet::tier::Stable, $($rest)*);
-        $on!(fixed::types::I8F24, raylet::tier::Plain, $($rest)*);
-        $on!(fixed::types::I8F24, raylet::tier::Fast, $($rest)*);
+        // Other splits of 32 bits: one in the default tier, one in the exact one, and all four tiers in the long form.
         $on!(fixed::types::I8F24, raylet::tier::Stable, $($rest)*);
-        $on!(fixed::types::I8F24, raylet::tier::Exact, $($rest)*);
-        $on!(fixed::types::I20F12, raylet::tier::Plain, $($rest)*);
-        $on!(fixed::types::I20F12, raylet::tier::Fast, $($rest)*);
-        $on!(fixed::types::I20F12, raylet::tier::Stable, $($rest)*);
         $on!(fixed::types::I20F12, raylet::tier::Exact, $($rest)*);
+        #[cfg(feature = "every-type")]
+        {
+            $on!(fixed::types::I8F24, raylet::tier::Plain, $($rest)*);
+            $on!(fixed::types::I8F24, raylet::tier::Fast, $($rest)*);
+            $on!(fixed::types::I8F24, raylet::tier::Exact, $($rest)*);
+            $on!(fixed::types::I20F12, raylet::tier::Plain, $($rest)*);
+            $on!(fixed::types::I20F12, raylet::tier::Fast, $($rest)*);
+            $on!(fixed::types::I20F12, raylet::tier::Stable, $($rest)*);
+        }
     };
 }
 
