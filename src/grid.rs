@@ -2,7 +2,7 @@
 
 use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
-use crate::scalar::{Attempt, GridScalar, InSide, LocalLine, UnitScalar, found};
+use crate::scalar::{Attempt, GridScalar, InSide, LocalLine, UnitScalar, are_doubtful, found};
 use core::cmp::Ordering;
 
 /// The guards of a tier on the grid against rounding errors.
@@ -14,25 +14,28 @@ pub trait Guards: 'static {
 }
 
 /// The interval of a line with `low <= y <= high`.
-pub(crate) struct Slab<'a, S: GridScalar> {
-    line: &'a LocalLine<S>,
+pub(crate) struct Slab<S> {
     pub(crate) span: Span<S>,
+    /// Whether the grid is unsure where rounding may decide which of two ends is the first. Otherwise two ends within a
+    /// unit of each other may be in either order.
+    is_guarded: bool,
 }
 
-impl<'a, S: GridScalar> Slab<'a, S> {
+impl<S: GridScalar> Slab<S> {
     /// The interval between two heights, if the grid is sure. The parts of its ends are those of the two planes.
     #[inline(always)]
-    pub(crate) fn new(line: &'a LocalLine<S>, low: S, high: S) -> Attempt<Self> {
+    pub(crate) fn new(line: &LocalLine<S>, low: S, high: S) -> Attempt<Self> {
         let ([_, y, _], [_, dy, _]) = (line.origin, line.direction);
+        let of = |span| Self { span, is_guarded: line.is_strict };
         match line.crossings([low, high]) {
             Attempt::Hit([low, high]) => {
                 let (base, top) = (End::new(low, Part::Base), End::new(high, Part::Top));
                 let rises = dy >= S::Unit::ZERO;
-                Attempt::Hit(Self { line, span: if rises { Span::new(base, top) } else { Span::new(top, base) } })
+                Attempt::Hit(of(if rises { Span::new(base, top) } else { Span::new(top, base) }))
             }
             Attempt::Miss if line.extra_bits == 0 => {
                 if low <= y && y <= high {
-                    Attempt::Hit(Self { line, span: Span::everywhere() })
+                    Attempt::Hit(of(Span::everywhere()))
                 } else {
                     Attempt::Miss
                 }
@@ -41,20 +44,32 @@ impl<'a, S: GridScalar> Slab<'a, S> {
         }
     }
 
+    /// The same, unsure at rims in every tier with guards.
+    #[inline(always)]
+    pub(crate) fn with_guarded_rims<T: Guards>(self) -> Self {
+        Self { is_guarded: self.is_guarded || T::GUARDED, ..self }
+    }
+
+    /// Whether two ends are so close that their order may be decided by rounding.
+    #[inline(always)]
+    fn are_close(&self, a: S, b: S) -> bool {
+        self.is_guarded && are_doubtful(a, b)
+    }
+
     /// Whether rounding may decide the entry into a side and these planes.
     #[inline(always)]
     fn is_entry_close(&self, side: &Span<S>) -> bool {
         let planes = &self.span;
-        self.line.are_close(side.enter.t, planes.enter.t)
-            || self.line.are_close(side.enter.t, planes.exit.t)
-            || self.line.are_close(side.exit.t, planes.enter.t)
-            || self.line.are_close(planes.enter.t, planes.exit.t)
+        self.are_close(side.enter.t, planes.enter.t)
+            || self.are_close(side.enter.t, planes.exit.t)
+            || self.are_close(side.exit.t, planes.enter.t)
+            || self.are_close(planes.enter.t, planes.exit.t)
     }
 
     /// The same for their exit, once their entry is certain.
     #[inline(always)]
     fn is_exit_close(&self, side: &Span<S>) -> bool {
-        self.line.are_close(side.exit.t, self.span.exit.t)
+        self.are_close(side.exit.t, self.span.exit.t)
     }
 
     /// The exit of a line that starts on the part `from` of a side or of these planes: the nearer of the side's and the
@@ -64,7 +79,7 @@ impl<'a, S: GridScalar> Slab<'a, S> {
         let plane = self.span.exit;
         // It cannot leave by the plane that it starts on.
         let leads_away = plane.part == from && from != Part::Side;
-        if leads_away || self.line.are_close(side.t, plane.t) {
+        if leads_away || self.are_close(side.t, plane.t) {
             Attempt::Unsure
         } else {
             Attempt::Hit(if plane.t >= side.t { side } else { plane })

@@ -154,7 +154,7 @@ fn checked_radii<S: Scalar>(base: S, top: S, height: S) -> Result<Outline<S>, Si
 impl<S: Scalar> Cone<S> {
     /// The line's interval between the two heights, if the grid is sure. At an end that is an apex there is no plane.
     #[inline(always)]
-    fn grid_slab<'a>(&self, line: &'a LocalLine<S>, height: S) -> Attempt<Slab<'a, S>>
+    fn grid_slab(&self, line: &LocalLine<S>, height: S) -> Attempt<Slab<S>>
     where
         S: GridScalar,
     {

@@ -241,15 +241,19 @@ impl<S: Scalar> Revolved<S> {
 
     /// The interval of an arriving line between the planes, on the grid. A solid that ends at the origin by itself has
     /// no cap there: a plane as far beyond it takes the place of that plane.
+    ///
+    /// The tiers with guards leave its rims to the solver: the error of a flat side's end is more than that of the
+    /// plane's, and without guards a ray along a rim was lost or invented.
     #[inline(always)]
-    fn grid_slab<'a>(&self, line: &'a LocalLine<S>) -> Attempt<Slab<'a, S>>
+    fn grid_slab<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Slab<S>>
     where
         S: GridScalar,
     {
         let Meridian { a, r, heights: [low, high], .. } = self.meridian;
         let has_apex = r == S::ZERO && a <= S::ZERO;
         let beyond = |height: S, other: S| if has_apex && height == S::ZERO { -other } else { height };
-        Slab::new(line, beyond(low, high), beyond(high, low))
+        let slab = found!(Slab::new(line, beyond(low, high), beyond(high, low)));
+        Attempt::Hit(slab.with_guarded_rims::<T>())
     }
 
     /// The most crossings that a line can have with the solid; zero of an open surface.
@@ -321,7 +325,7 @@ impl<S: Scalar> Geometry<S> for Revolved<S> {
     where
         S: GridScalar,
     {
-        let slab = found!(self.grid_slab(line));
+        let slab = found!(self.grid_slab::<T>(line));
         let (first, second) = found!(line.quadric(&self.meridian));
         let Some(second) = second else {
             return if self.is_open() { slab.rims(&first) } else { slab.clip(&first) };

@@ -1,8 +1,8 @@
 //! A line and the side of a cone, on the grid of fixed point. The words of the comments are those of
 //! [`integers`](super).
 
-use super::conic::{self, OnGrid, Roots, along, other_root};
 use super::length::{Length, Normalized, Product};
+use super::roots::{self, OnGrid, Roots, along, other_root};
 use crate::scalar::{Attempt, InSide, found};
 
 /// A nappe: where `h rho <= s r + g y`, at the distance `rho` from the y axis. Only the ratios of `s`, `g` and `h`
@@ -88,7 +88,7 @@ impl<N: Length> Scaled<N> {
 
     #[inline(always)]
     fn is_steep(&self) -> bool {
-        conic::is_steep::<N>(self.a)
+        roots::is_steep::<N>(self.a)
     }
 
     #[inline(always)]

@@ -3,8 +3,8 @@
 
 use super::cone::Nappe;
 use super::length::{Length, Product, Stretch};
-use super::quadric::Quadric;
-use super::{ball, cone, cuboid, departing, flat, quadric, round, triangle, turned};
+use super::revolved::Quadric;
+use super::{ball, cone, cuboid, departing, flat, revolved, round, triangle, turned};
 use crate::equations::Region;
 use crate::outline::{Meridian, Outline};
 use crate::scalar::{Attempt, FinerLine, GridScalar, InCuboid, InSide, LocalLine, found};
@@ -109,7 +109,7 @@ impl<S: GridScalar> LocalLine<S> {
     #[inline(always)]
     pub(crate) fn quadric(&self, meridian: &Meridian<S>) -> Attempt<(InSide<S>, Option<InSide<S>>)> {
         let Some(of) = of_meridian(meridian) else { return Attempt::Unsure };
-        let (first, second) = found!(quadric::quadric(self.o(), self.extra_bits, self.d(), of, self.is_strict));
+        let (first, second) = found!(revolved::quadric(self.o(), self.extra_bits, self.d(), of, self.is_strict));
         let inside = |InSide { ends, beyond }: InSide<S::Raw>| InSide {
             ends: ends.map(S::from_raw),
             beyond: beyond.map(S::from_raw),
@@ -122,7 +122,7 @@ impl<S: GridScalar> LocalLine<S> {
     pub(crate) fn exit_from_quadric(&self, meridian: &Meridian<S>) -> Attempt<S> {
         found!(self.starts_at_origin());
         let Some(of) = of_meridian(meridian) else { return Attempt::Unsure };
-        let exit = found!(quadric::exit_from_quadric(self.o(), self.extra_bits, self.d(), of, self.is_strict));
+        let exit = found!(revolved::exit_from_quadric(self.o(), self.extra_bits, self.d(), of, self.is_strict));
         Attempt::Hit(S::from_raw(exit))
     }
 
@@ -264,13 +264,6 @@ impl<S: GridScalar> LocalLine<S> {
             _ => ([y, z, x], [dy, dz, dx]),
         };
         Self { origin, direction, ..*self }
-    }
-
-    /// Whether two ends are so close that their order may be decided by rounding. Only a strict line has this guard:
-    /// otherwise two ends within a unit of each other may be in either order.
-    #[inline(always)]
-    pub(crate) fn are_close(&self, a: S, b: S) -> bool {
-        self.is_strict && are_doubtful(a, b)
     }
 
     /// The line relative to the point `(0, y, 0)`.

@@ -1,8 +1,8 @@
 //! A line and a quadric of revolution, on the grid of fixed point. The words of the comments are those of
 //! [`integers`](super).
 
-use super::conic::{OnGrid, Roots, along, is_steep, other_root};
 use super::length::{Length, Normalized, Product};
+use super::roots::{OnGrid, Roots, along, is_steep, other_root};
 use crate::scalar::{Attempt, InSide, found};
 
 /// A quadric of revolution: `x^2 + z^2 = a y^2 + 2 b y + r^2`.
