@@ -11,7 +11,7 @@
 //!
 //! | value | in a constant |
 //! |---|---|
-//! | sphere, disc, capsule, cuboid, rectangle | `const_new` |
+//! | sphere, disc, annulus, tube, capsule, round cone, cuboid, rounded cuboid, rectangle, quadric of revolution | `const_new` |
 //! | cylinder | `const_infinite`, `const_open`, `const_capped` |
 //! | cone | `const_double`, `const_nappe`, `const_open`, `const_capped`, `const_frustum`, `const_frustum_open` |
 //! | plane | [`Plane::new`](crate::Plane::new) |
@@ -24,9 +24,10 @@
 //! | camera | `const_in_frame`, `const_orthographic_in_frame` |
 //!
 //! Not in a constant, because they need a root or a quotient: the direction of a vector of any length, frames whose
-//! axes are computed, affine placements, [triangles](crate::Triangle) (whose area is checked),
-//! [`Camera::new`](crate::Camera::new), distant lights by direction. Nor is a hierarchy, which is built in RAM.
-//! [`Scene::new`](crate::Scene::new) runs in the program: it compares the indices of the objects, and borrows the rest.
+//! axes are computed, affine placements (so [ellipsoids](crate::Ellipsoid) too), [triangles](crate::Triangle) (whose
+//! area is checked), [`Camera::new`](crate::Camera::new), distant lights by direction. Nor is a hierarchy, which is built
+//! in RAM. [`Scene::new`](crate::Scene::new) runs in the program: it compares the indices of the objects, and borrows
+//! the rest.
 //!
 //! [`constant!`](crate::constant!) unwraps the result:
 //!

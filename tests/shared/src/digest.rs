@@ -6,6 +6,7 @@ use crate::{milled, returns};
 use fixed::types::extra::{LeEqU32, LeEqU64};
 use fixed::types::{I16F16, I32F32};
 use fixed::{FixedI32, FixedI64};
+use raylet::thick::ThickRay;
 use raylet::tier::{Exact, Fast, Plain, Stable, Tier};
 use raylet::{
     Affine, Annulus, Capsule, Combination, Cone, Cuboid, Cylinder, Departure, Disc, Frame, Leaving, Plane, Primitive,
@@ -16,6 +17,9 @@ use raylet::{
 /// Rays at each primitive. An emulated M0+ takes two minutes for them: what differs between chips is how numbers are
 /// computed, which every ray shows.
 const RAYS: u32 = 400;
+
+/// Moving balls at each of them.
+const CONTACTS: u32 = 40;
 
 /// Every bit of a number.
 pub trait Bits {
@@ -213,6 +217,28 @@ fn milled_part<S: Scalar<Unit: Bits> + Bits, T: Tier<S>>() -> Option<u64> {
     Some(digest.bits())
 }
 
+/// A digest of the contacts of a moving ball with each solid that may be tested with one.
+fn contacts<S: Scalar<Unit: Bits> + Bits, T: Tier<S>>() -> u64 {
+    let mut digest = Digest::new();
+    let radius = S::from_f64(0.375).unwrap_or(S::ZERO);
+    let mut index = 0;
+    while let Some((_, shape)) = shape::<S>(index) {
+        index += 1;
+        let mut random = Random(0x510e_527f_ade6_82d1);
+        for _ in 0..CONTACTS {
+            let Some(ball) = random.ray::<S>().and_then(|ray| ThickRay::new(ray, radius).ok()) else { continue };
+            for found in [ball.contact_at::<T, _>(&shape), ball.at_start(&shape)] {
+                let Ok(Some(contact)) = found else { continue };
+                digest.take(contact.t.bits());
+                digest.take(u64::from(contact.overlaps));
+                contact.point.to_array().into_iter().for_each(|c| digest.take(c.bits()));
+                contact.normal.to_array().into_iter().for_each(|c| digest.take(c.bits()));
+            }
+        }
+    }
+    digest.bits()
+}
+
 /// Hands every shape, number type, tier and digest to `report`, always in the same order.
 pub fn all(report: &mut dyn FnMut(&str, &str, &str, u64)) {
     fn tier<S: Scalar<Unit: Bits> + Bits, T: Tier<S>>(
@@ -242,4 +268,9 @@ pub fn all(report: &mut dyn FnMut(&str, &str, &str, u64)) {
     tier::<f64, Plain>("f64", "Plain", report);
     tier::<f64, Fast>("f64", "Fast", report);
     tier::<f64, Stable>("f64", "Stable", report);
+    let mut balls = |number: &str, digest| report(number, "Stable", "contacts of a ball", digest);
+    balls("f32", contacts::<f32, Stable>());
+    balls("f64", contacts::<f64, Stable>());
+    balls("I16F16", contacts::<I16F16, Stable>());
+    balls("I32F32", contacts::<I32F32, Stable>());
 }

@@ -187,7 +187,7 @@ fn place_of_user<'a>(parts: &[&'a str]) -> Option<Place<'a>> {
     let [chip, of, number @ ("f32" | "I16F16"), "Stable", what] = *parts else { return None };
     let is_shown = match of.strip_suffix(", turned, near") {
         Some(solid) => matches!(solid, "sphere" | "cylinder, capped" | "cone, capped" | "triangle"),
-        None => of == SENSOR || of.starts_with("picture"),
+        None => of == SENSOR || of.starts_with("picture") || of.starts_with("a ball against a "),
     };
     is_shown.then(|| (vec![of], vec![chip, number], what))
 }

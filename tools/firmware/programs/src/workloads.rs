@@ -7,6 +7,7 @@ use core::slice;
 use fixed::types::{I16F16, I32F32};
 use heapless::Vec;
 use raylet::shape::kinds::Combining;
+use raylet::thick::ThickRay;
 use raylet::tier::{Exact, Fast, Plain, Stable, Tier};
 use raylet::{Combination, Ray, Scalar, Shape, Size};
 use raylet_firmware::clock;
@@ -119,6 +120,29 @@ fn many<S: Scalar, T: Tier<S>>() -> [[u64; 3]; 4] {
     [crossings, hits_of_each, combined, each]
 }
 
+/// What a thick ray takes against solids that are turned, of rays from near: the name of the figure, and the solid.
+const THICK: [(&str, &str); 7] = [
+    ("a ball against a sphere", "sphere"),
+    ("a ball against a capsule", "capsule"),
+    ("a ball against a plane", "plane"),
+    ("a ball against a cuboid", "cuboid"),
+    ("a ball against a rounded cuboid", "rounded cuboid"),
+    ("a ball against a rectangle", "rectangle"),
+    ("a ball against a triangle", "triangle"),
+];
+
+/// The first contact of a ball of an eighth of the size of the solid.
+#[inline(never)]
+fn thick<S: Scalar, T: Tier<S>>(solid: &str) -> [u64; 3] {
+    let contact = |shape: &Shape<S>, ball: &ThickRay<S>| {
+        black_box(&ball.contact_at::<T, _>(shape));
+    };
+    let radius = S::from_f64(0.125).unwrap_or(S::ZERO);
+    let tests = (0..QUERIES).filter_map(|index| query::<S>(solid, Placed::Turned, Rays::Near, index));
+    let tests = tests.filter_map(|Query { shape, ray }| Some((shape, ThickRay::new(ray, radius).ok()?)));
+    spread(tests.map(|(shape, ball)| singly(&shape, &ball, black_box(contact as fn(&_, &_)))))
+}
+
 /// The mean of some counts, the 99th of a hundred, and the largest.
 fn spread(counts: impl Iterator<Item = u64>) -> [u64; 3] {
     let mut counts: Vec<u64, QUERIES> = counts.take(QUERIES).collect();
@@ -138,6 +162,10 @@ macro_rules! number {
                 $report(Row { of, kind: None, number: $number, tier: stringify!($T), instructions });
             }
         )+
+        for (of, solid) in THICK {
+            let instructions = thick::<$S, Stable>(solid);
+            $report(Row { of, kind: None, number: $number, tier: "Stable", instructions });
+        }
         let mut all = |of: &str, kind: Option<(Placed, Rays)>, tests: &Queries<$S>| {
             $($report(Row { of, kind, number: $number, tier: stringify!($T), instructions: tier::<$S, $T>(tests) });)+
         };
