@@ -72,7 +72,6 @@ pub(crate) use computing::{Computing, Elementary, RoundLine, RoundSolid};
 pub(crate) use culling::Culling;
 pub(crate) use grid::{FinerLine, GridScalar, LocalLine};
 pub(crate) use including::Including;
-#[cfg(feature = "fixed")]
 pub(crate) use integers::are_doubtful;
 pub(crate) use rungs::{FromScalar, RealOf, ToScalar};
 pub(crate) use summed::Summed;
