@@ -25,8 +25,8 @@
 //!
 //! Not in a constant, because they need a root or a quotient: the direction of a vector of any length, frames whose
 //! axes are computed, affine placements (so [ellipsoids](crate::Ellipsoid) too), [triangles](crate::Triangle) (whose
-//! area is checked), [`Camera::new`](crate::Camera::new), distant lights by direction. Nor is a hierarchy, which is built
-//! in RAM. [`Scene::new`](crate::Scene::new) runs in the program: it compares the indices of the objects, and borrows
+//! area is checked), [`Camera::new`](crate::Camera::new), distant lights by direction. Nor is a hierarchy, which is
+//! built in RAM. [`Scene::new`](crate::Scene::new) runs in the program: it compares the indices of the objects, and borrows
 //! the rest.
 //!
 //! [`constant!`](crate::constant!) unwraps the result:

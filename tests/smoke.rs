@@ -1,9 +1,10 @@
-//! Most solids in every number type and in every tier, once. The tests of all that raylet promises are in `tests/promises`.
+//! Every solid in every number type and in every tier, once. The tests of all that raylet promises are in
+//! `tests/promises`.
 
 use fixed::types::{I16F16, I32F32};
 use raylet::{
-    Affine, Capsule, Cone, Crossing, Cuboid, Cylinder, Disc, Exact, Fast, Frame, Part, Plain, Plane, Ray, Rectangle,
-    Scalar, Shape, Sphere, Stable, Tier, Triangle, UnitVec3, Vec3,
+    Affine, Annulus, Capsule, Cone, Crossing, Cuboid, Cylinder, Disc, Exact, Fast, Frame, Part, Plain, Plane, Ray,
+    Rectangle, Revolved, RoundCone, RoundedCuboid, Scalar, Shape, Sphere, Stable, Tier, Triangle, Tube, UnitVec3, Vec3,
 };
 
 fn n<S: Scalar>(value: f64) -> S {
@@ -18,7 +19,7 @@ fn v<S: Scalar>(x: f64, y: f64, z: f64) -> Vec3<S> {
 type Row<S> = (&'static str, Shape<S>, &'static [(f64, Part)]);
 
 /// Solids whose hits on that ray are exact numbers of few bits, or irrational and known.
-fn solids<S: Scalar>() -> [Row<S>; 9] {
+fn solids<S: Scalar>() -> [Row<S>; 12] {
     // The sphere of radius 1.25 is met at z = +-sqrt(1.25^2 - .25^2 - .5^2), the cylinder of radius 1.25 at
     // +-sqrt(1.5).
     const SPHERE: &[(f64, Part)] =
@@ -28,12 +29,22 @@ fn solids<S: Scalar>() -> [Row<S>; 9] {
     // The cone of slope 2 has radius 1 at y = .5, the frustum from 1.5 to .5 over 2 has 1.25.
     const CONE: &[(f64, Part)] =
         &[(8.0 - 0.968_245_836_551_854, Part::Side), (8.0 + 0.968_245_836_551_854, Part::Side)];
+    // The wall of the tube is left at +-sqrt(.5) and entered again.
+    const WALL: &[(f64, Part)] = &[
+        (8.0 - 1.224_744_871_391_589, Part::Side),
+        (8.0 - core::f64::consts::FRAC_1_SQRT_2, Part::Inner),
+        (8.0 + core::f64::consts::FRAC_1_SQRT_2, Part::Inner),
+        (8.0 + 1.224_744_871_391_589, Part::Side),
+    ];
     [
         ("sphere", Shape::new(Sphere::new(n(1.25)).unwrap()), SPHERE),
         ("infinite cylinder", Shape::new(Cylinder::infinite(n(1.25)).unwrap()), ROUND),
         ("open cylinder", Shape::new(Cylinder::open(n(1.25), n(2.0)).unwrap()), ROUND),
         ("capped cylinder", Shape::new(Cylinder::capped(n(1.25), n(2.0)).unwrap()), ROUND),
         ("capsule", Shape::new(Capsule::new(n(1.25), n(2.0)).unwrap()), ROUND),
+        ("round cone", Shape::new(RoundCone::new(n(1.25), n(1.25), n(2.0)).unwrap()), ROUND),
+        ("ball zone", Shape::new(Revolved::ball_zone(n(1.25), [n(-1.0), n(1.0)]).unwrap()), SPHERE),
+        ("tube", Shape::new(Tube::new(n(0.75), n(1.25), n(2.0)).unwrap()), WALL),
         ("double cone", Shape::new(Cone::double(n(2.0)).unwrap()), CONE),
         ("capped cone", Shape::new(Cone::capped(n(2.0), n(2.0)).unwrap()), CONE),
         ("frustum", Shape::new(Cone::frustum(n(1.5), n(0.5), n(2.0)).unwrap()), ROUND),
@@ -76,6 +87,9 @@ fn every_solid<S: Scalar, T: Tier<S>>() {
     let down = Ray::new(v(0.25, 4.0, 0.5), -UnitVec3::<S>::Y).unwrap();
     check::<S, T>("plane", &Shape::new(Plane::new()), &down, &[(4.0, Part::Side)]);
     check::<S, T>("disc", &Shape::new(Disc::new(n(1.0)).unwrap()), &down, &[(4.0, Part::Side)]);
+    check::<S, T>("annulus", &Shape::new(Annulus::new(n(0.25), n(1.0)).unwrap()), &down, &[(4.0, Part::Side)]);
+    let soap = RoundedCuboid::new(n(1.0), n(0.5), n(2.0), n(0.25)).unwrap();
+    check::<S, T>("rounded cuboid", &Shape::new(soap), &down, &[(3.25, Part::Top), (4.75, Part::Base)]);
     // Through the caps: the top is entered, the base left.
     let can = Cylinder::capped(n::<S>(1.25), n(2.0)).unwrap();
     let cuboid = Shape::new(Cuboid::new(n(1.0), n(0.5), n(2.0)).unwrap());

@@ -2,10 +2,10 @@
 //!
 //! The excess of a coordinate is how far it is beyond the core along its axis; it is zero between the core's planes.
 //! The square of the distance from the core is the sum of the squares of the excesses (Arvo, *A Simple Method for
-//! Box-Sphere Intersection Testing*, in *Graphics Gems*, 1990). Along a line that is a convex function with a continuous
-//! slope, and quadratic between the crossings of the core's planes, where it is that of a face, an edge or a corner. So
-//! an end of the line's interval is found piece by piece, from where the line crosses the box around all: it lies in the
-//! first piece at whose other end the distance is at most the radius, or grows.
+//! Box-Sphere Intersection Testing*, in *Graphics Gems*, 1990). Along a line that is a convex function with a
+//! continuous slope, and quadratic between the crossings of the core's planes, where it is that of a face, an edge or a
+//! corner. So an end of the line's interval is found piece by piece, from where the line crosses the box around all: it
+//! lies in the first piece at whose other end the distance is at most the radius, or grows.
 
 use super::attempt::{Attempt, Stop, known};
 use super::end::{Curve, End, Flat, Fraction, Goal, Of, inwards, settled, times};

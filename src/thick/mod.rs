@@ -74,8 +74,8 @@ pub struct Contact<S: Scalar> {
     pub point: Vec3<S>,
     /// The direction in which the ball is pushed: from that point to the centre; if the centre is inside of a sphere or
     /// capsule, from the centre to that point. Where no single point is nearest (the centre lies in a flat part, on an
-    /// axis, at the centre of a sphere or inside of a cuboid or of a rounded one's core), the direction of those that is
-    /// most against the ray.
+    /// axis, at the centre of a sphere or inside of a cuboid or of a rounded one's core), the direction of those that
+    /// is most against the ray.
     pub normal: UnitVec3<S>,
     /// The ball overlaps the solid where the range of its ray starts, by more than rounding.
     pub overlaps: bool,
