@@ -10,7 +10,7 @@
 //! |---|---|
 //! | a ball of radius `r` about `(0, y, 0)` | `o + m_y y + r sqrt(m_x^2 + m_y^2 + m_z^2)` |
 //! | a disc of radius `r` in the plane of height `y` | `o + m_y y + r sqrt(m_x^2 + m_z^2)` |
-//! | a vertex | `o + m_x x + m_y y + m_z z` |
+//! | a vertex, a corner of a prism or of the box of a polyhedron | `o + m_x x + m_y y + m_z z` |
 //! | a cuboid of half extents `h` | `o + abs(m_x) h_x + abs(m_y) h_y + abs(m_z) h_z` |
 //! | a rounded cuboid | as its core, and `r sqrt(m_x^2 + m_y^2 + m_z^2)` more |
 //!
@@ -75,6 +75,10 @@ fn interval<S: Scalar, G: Described>(hull: &Hull<S>, o: S, [x, y, z]: [Near<S>; 
     let round = |[height, radius]: [S; 2], spread: Near<S>| {
         both(no_less([moved, (height, y), (radius, spread)]), no_less([mirrored, (-height, y), (radius, spread)]))
     };
+    let point = |[a, b, c]: [S; 3]| {
+        both(no_less([moved, (a, x), (b, y), (c, z)]), no_less([mirrored, (-a, x), (-b, y), (-c, z)]))
+    };
+    let nothing = [S::INFINITY, -S::INFINITY];
     // Only the hulls of the geometry's kinds are linked.
     let has = |kind| G::EQUATIONS.has(kind);
     let between_discs =
@@ -95,10 +99,7 @@ fn interval<S: Scalar, G: Described>(hull: &Hull<S>, o: S, [x, y, z]: [Near<S>; 
             let [rise, fall] = [one, -one].map(|sign| sum([(sign, y), (slope.real(), spread)]));
             united([[o; 2], both(no_less([moved, (*height, rise)]), no_less([mirrored, (*height, fall)]))])
         }
-        Hull::Points(points) if has(EquationKinds::TRIANGLE) => united(points.map(|point| {
-            let [a, b, c] = point.to_array();
-            both(no_less([moved, (a, x), (b, y), (c, z)]), no_less([mirrored, (-a, x), (-b, y), (-c, z)]))
-        })),
+        Hull::Points(points) if has(EquationKinds::TRIANGLE) => united(points.map(|vertex| point(vertex.to_array()))),
         Hull::Cuboid([a, b, c]) if has(EquationKinds::CUBOID.and(EquationKinds::RECTANGLE)) => {
             let terms = [(*a, x.magnitude()), (*b, y.magnitude()), (*c, z.magnitude())];
             let furthest = |centre: S| no_less([(centre, Near::exact(one)), terms[0], terms[1], terms[2]]);
@@ -108,6 +109,13 @@ fn interval<S: Scalar, G: Described>(hull: &Hull<S>, o: S, [x, y, z]: [Near<S>; 
             let terms = [(*a, x.magnitude()), (*b, y.magnitude()), (*c, z.magnitude()), (*radius, length([x, y, z]))];
             let furthest = |centre: S| no_less([(centre, Near::exact(one)), terms[0], terms[1], terms[2], terms[3]]);
             both(furthest(o), furthest(-o))
+        }
+        Hull::Prism(polygon, height) if has(EquationKinds::PRISM) => {
+            let columns = polygon.corners().flat_map(|[x, z]| [[x, S::ZERO, z], [x, *height, z]]);
+            columns.map(point).fold(nothing, |all, own| united([all, own]))
+        }
+        Hull::Box(solid) if has(EquationKinds::POLYHEDRON) => {
+            solid.box_corners().map(point).fold(nothing, |all, own| united([all, own]))
         }
         // The geometry has no other hull.
         _ => [o; 2],

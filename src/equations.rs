@@ -1,11 +1,13 @@
 //! A primitive as a set of equations and inequalities, for the solver.
 
+use crate::half_space::CutBox;
 use crate::outline::{Extent, Meridian, Outline};
+use crate::polygon::Polygon;
 use core::cmp::Ordering;
 
 /// The equations and inequalities of a primitive, in the numbers that it was built from.
 #[derive(Clone, Copy, Debug)]
-pub enum Equations<S> {
+pub enum Equations<S: 'static> {
     /// All points within `radius` of the origin.
     Ball {
         /// The radius.
@@ -77,6 +79,18 @@ pub enum Equations<S> {
         /// The region of the point whose surface is asked for; of no interest to a query.
         region: Region,
     },
+    /// The part of an infinite prism over a polygon between the planes `y = 0` and `y = height`.
+    Prism {
+        /// The polygon.
+        polygon: Polygon<S>,
+        /// The height.
+        height: S,
+    },
+    /// A box that half-spaces cut.
+    Polyhedron {
+        /// The box and the half-spaces.
+        solid: CutBox<S>,
+    },
     /// The part of the plane `y = 0` with `x` and `z` at most these in magnitude.
     Rectangle {
         /// The half extents along x and z.
@@ -138,6 +152,10 @@ impl EquationKinds {
     pub(crate) const ROUND_CONE: Self = Self(1 << 12);
     /// [`Equations::RoundedCuboid`].
     pub(crate) const ROUNDED_CUBOID: Self = Self(1 << 13);
+    /// [`Equations::Prism`].
+    pub(crate) const PRISM: Self = Self(1 << 14);
+    /// [`Equations::Polyhedron`].
+    pub(crate) const POLYHEDRON: Self = Self(1 << 15);
 
     /// Those of both sets.
     pub(crate) const fn and(self, other: Self) -> Self {
@@ -184,6 +202,8 @@ impl<S> Equations<S> {
             Self::Annulus { .. } => EquationKinds::ANNULUS,
             Self::Cuboid { .. } => EquationKinds::CUBOID,
             Self::RoundedCuboid { .. } => EquationKinds::ROUNDED_CUBOID,
+            Self::Prism { .. } => EquationKinds::PRISM,
+            Self::Polyhedron { .. } => EquationKinds::POLYHEDRON,
             Self::Rectangle { .. } => EquationKinds::RECTANGLE,
             Self::Triangle { .. } => EquationKinds::TRIANGLE,
         }

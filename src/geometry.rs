@@ -2,21 +2,23 @@
 
 use crate::equations::{Described, Equations};
 use crate::grid::Guards;
+use crate::half_space::CutBox;
 use crate::intersection::{End, Intersection};
 use crate::line::{Needs, Place};
 use crate::part::Part;
+use crate::polygon::Polygon;
 use crate::ray::Ray;
 use crate::scalar::{Attempt, GridScalar, Including, LocalLine, Scalar, found};
 use crate::solve::{self, Goal, LocalRay, Of};
-use crate::vector::{UnitVec3, Vec3};
+use crate::vector::{UnitVec3, Vec3, pairs};
 
 /// The interface of a primitive, in its own frame.
 pub trait Geometry<S: Scalar>: Copy + Described {
     /// The same primitive in another number type.
     type In<R: Scalar>: Geometry<R>;
 
-    /// The primitive in a type that holds all values of this one.
-    fn in_type<R: Including<S>>(&self) -> Self::In<R>;
+    /// The primitive in a type that holds all values of this one; `None` if it borrows its sizes.
+    fn in_type<R: Including<S>>(&self) -> Option<Self::In<R>>;
     /// At least the magnitude of every coordinate of its points. For an infinite primitive a characteristic size.
     fn largest_coordinate(&self) -> S;
     /// The primitive with all lengths multiplied by `2^e`, as [`Computing::scaled`](crate::scalar::Computing::scaled)
@@ -106,7 +108,7 @@ pub trait Geometry<S: Scalar>: Copy + Described {
 ///
 /// Balls and discs about points of the y axis are written as a height and a radius. Both may be infinite.
 #[derive(Clone, Copy, Debug)]
-pub enum Hull<S> {
+pub enum Hull<S: 'static> {
     /// A ball of this radius about the origin.
     Ball(S),
     /// Two balls.
@@ -126,6 +128,10 @@ pub enum Hull<S> {
     Cuboid([S; 3]),
     /// All points within a radius of such a cuboid.
     RoundedCuboid([S; 3], S),
+    /// The corners of a polygon in the plane `y = 0`, and in the plane of this height.
+    Prism(Polygon<S>, S),
+    /// A box.
+    Box(CutBox<S>),
 }
 
 impl<S: Scalar> Hull<S> {
@@ -136,6 +142,11 @@ impl<S: Scalar> Hull<S> {
         match *self {
             Self::Ball(radius) => [around(radius); 3],
             Self::Cuboid(half_extents) => half_extents.map(around),
+            Self::Prism(polygon, height) => {
+                let [x, z] = polygon.extents();
+                [x, [S::ZERO, height], z]
+            }
+            Self::Box(CutBox { corners: [low, high], .. }) => pairs(low, high).map(|(low, high)| [low, high]),
             Self::RoundedCuboid(half, radius) => half.map(|half| around(half.plus(radius))),
             Self::Balls([[low, below], [high, above]]) => {
                 let across = around(larger(below, above));

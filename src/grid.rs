@@ -2,7 +2,7 @@
 
 use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
-use crate::scalar::{Attempt, GridScalar, InSide, LocalLine, UnitScalar, are_doubtful, found};
+use crate::scalar::{Attempt, Crossed, GridScalar, InSide, LocalLine, UnitScalar, are_doubtful, found};
 use core::cmp::Ordering;
 
 /// The guards of a tier on the grid against rounding errors.
@@ -23,10 +23,12 @@ pub(crate) struct Slab<S> {
 
 impl<S: GridScalar> Slab<S> {
     /// The interval between two heights, if the grid is sure. The parts of its ends are those of the two planes.
+    ///
+    /// The tiers with guards leave rims to the solver: rays aimed at them were lost or invented, up to 14 of 2,000.
     #[inline(always)]
-    pub(crate) fn new(line: &LocalLine<S>, low: S, high: S) -> Attempt<Self> {
+    pub(crate) fn new<T: Guards>(line: &LocalLine<S>, low: S, high: S) -> Attempt<Self> {
         let ([_, y, _], [_, dy, _]) = (line.origin, line.direction);
-        let of = |span| Self { span, is_guarded: line.is_strict };
+        let of = |span| Self { span, is_guarded: T::GUARDED };
         match line.crossings([low, high]) {
             Attempt::Hit([low, high]) => {
                 let (base, top) = (End::new(low, Part::Base), End::new(high, Part::Top));
@@ -42,12 +44,6 @@ impl<S: GridScalar> Slab<S> {
             }
             _ => Attempt::Unsure,
         }
-    }
-
-    /// The same, unsure at rims in every tier with guards.
-    #[inline(always)]
-    pub(crate) fn with_guarded_rims<T: Guards>(self) -> Self {
-        Self { is_guarded: self.is_guarded || T::GUARDED, ..self }
     }
 
     /// Whether two ends are so close that their order may be decided by rounding.
@@ -113,6 +109,115 @@ impl<S: GridScalar> Slab<S> {
     fn cuts_off_what_is_inaccurate(&self, inside: &InSide<S>) -> bool {
         let ([is_enter_accurate, is_exit_accurate], [low, high]) = (inside.are_accurate(), inside.ends);
         (is_enter_accurate || self.span.enter.t > low) && (is_exit_accurate || self.span.exit.t < high)
+    }
+}
+
+/// The interval of a line in half-spaces, as far as it has been clipped.
+pub(crate) struct Clip<S> {
+    enter: End<S>,
+    exit: End<S>,
+    /// Whether the grid is unsure where rounding may decide which of two ends is the first.
+    is_guarded: bool,
+    /// False if rounding may decide which plane the line leaves by.
+    is_exit_sure: bool,
+    /// The part that the line starts on; it leads inwards from it.
+    from: Option<Part>,
+}
+
+impl<S: GridScalar> Clip<S> {
+    /// The whole line; or what is ahead of a start on this part, from which it leads inwards.
+    #[inline(always)]
+    pub(crate) fn new<T: Guards>(from: Option<Part>) -> Self {
+        let Span { enter, exit, .. } = Span::everywhere();
+        Self { enter, exit, is_guarded: T::GUARDED, is_exit_sure: true, from }
+    }
+
+    /// Whether rounding may decide the order of two ends.
+    #[inline(always)]
+    fn are_close(&self, a: S, b: S) -> bool {
+        self.is_guarded && a.is_finite() && b.is_finite() && are_doubtful(a, b)
+    }
+
+    /// Clips by the half-space of a face. If two planes are crossed at the same `t`, the first one counts.
+    #[inline(always)]
+    pub(crate) fn by(&mut self, crossed: Attempt<Crossed<S>>, part: Part) -> Attempt<()> {
+        match (crossed, self.from) {
+            (Attempt::Hit(Crossed::Leaves(_)), Some(from)) if from == part => return Attempt::Unsure,
+            (Attempt::Hit(Crossed::Inside | Crossed::Enters(_)), Some(_)) => {}
+            // The line has been inside, whatever its rounded coordinates are.
+            (Attempt::Miss, Some(_)) => return Attempt::Unsure,
+            (Attempt::Hit(Crossed::Enters(t)), None) => {
+                if self.are_close(t, self.enter.t) {
+                    return Attempt::Unsure;
+                }
+                if t > self.enter.t {
+                    self.enter = End::new(t, part);
+                }
+            }
+            (Attempt::Hit(Crossed::Leaves(t)), _) => {
+                if self.are_close(t, self.exit.t) {
+                    self.is_exit_sure = false;
+                } else if t < self.exit.t {
+                    self.is_exit_sure = true;
+                }
+                if t < self.exit.t {
+                    self.exit = End::new(t, part);
+                }
+            }
+            (Attempt::Hit(Crossed::Inside), None) => {}
+            (Attempt::Miss, None) => return Attempt::Miss,
+            (Attempt::Unsure, _) => return Attempt::Unsure,
+        }
+        if self.enter.t > self.exit.t && !self.are_close(self.enter.t, self.exit.t) {
+            return Attempt::Miss;
+        }
+        Attempt::Hit(())
+    }
+
+    /// Clips by two planes across an axis of the line, the parts of the lower and of the upper face.
+    #[inline(always)]
+    pub(crate) fn by_slab(
+        &mut self,
+        line: &LocalLine<S>,
+        axis: usize,
+        [low, high]: [S; 2],
+        [below, above]: [Part; 2],
+    ) -> Attempt<()> {
+        let line = line.about(axis);
+        let ([_, o, _], [_, d, _]) = (line.origin, line.direction);
+        let [low, high] = match line.crossings([low, high]) {
+            Attempt::Hit([at_low, at_high]) if d > S::Unit::ZERO => [Crossed::Enters(at_low), Crossed::Leaves(at_high)],
+            Attempt::Hit([at_low, at_high]) => [Crossed::Leaves(at_low), Crossed::Enters(at_high)],
+            Attempt::Miss if line.extra_bits == 0 => {
+                return if low < o && o < high {
+                    Attempt::Hit(())
+                } else if o < low || o > high {
+                    self.by(Attempt::Miss, below)
+                } else {
+                    Attempt::Unsure
+                };
+            }
+            _ => return Attempt::Unsure,
+        };
+        found!(self.by(Attempt::Hit(low), below));
+        self.by(Attempt::Hit(high), above)
+    }
+
+    /// The interval, or its entry alone.
+    #[inline(always)]
+    pub(crate) fn interval(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>> {
+        let Self { enter, exit, .. } = *self;
+        if self.are_close(enter.t, exit.t) || enter.t > exit.t {
+            return Attempt::Unsure;
+        }
+        let entry_alone = line.needs_only(enter.t) || !self.is_exit_sure;
+        Attempt::Hit(if entry_alone { Intersection::Entered(enter) } else { Intersection::One(Span::new(enter, exit)) })
+    }
+
+    /// Where a line that starts on a part leaves.
+    #[inline(always)]
+    pub(crate) fn exit(&self) -> Attempt<End<S>> {
+        if self.is_exit_sure { Attempt::Hit(self.exit) } else { Attempt::Unsure }
     }
 }
 

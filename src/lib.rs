@@ -53,8 +53,8 @@
 //! 4. `t` is distance, because directions are unit vectors by type ([`UnitVec3`]). Stored components are rounded, and
 //!    `t` is the parameter along the direction as stored.
 //! 5. A point on an edge between two parts belongs to the side: the rim between side and cap, and the seam between side
-//!    and round end. So does the apex. The inner rims of a tube belong to its inner side, and the seams of a rounded
-//!    cuboid to its faces.
+//!    and round end. So does the apex. The inner rims of a tube belong to its inner side, the seams of a rounded
+//!    cuboid to its faces, and an edge between two faces to the first of them.
 //! 6. Degenerate rays have defined results, without NaN: the table is in [`primitive`].
 //! 7. Normals are outward unit vectors. [`Surface::normal_towards_ray`] is the normal on the side that the ray comes
 //!    from.
@@ -113,6 +113,7 @@ pub mod frame;
 pub mod gallery;
 mod geometry;
 mod grid;
+mod half_space;
 pub mod hierarchy;
 pub mod hit;
 #[cfg(any(feature = "mint", feature = "serde", feature = "defmt"))]
@@ -123,6 +124,7 @@ mod line;
 mod number;
 mod outline;
 mod part;
+mod polygon;
 pub mod primitive;
 mod query;
 #[cfg(units)]
@@ -149,8 +151,8 @@ pub use hit::{Crossing, Hit, Hits};
 pub use ladder::ExactScalar;
 pub use part::Part;
 pub use primitive::{
-    Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, Revolved, RoundCone, RoundedCuboid, SizeError,
-    Sphere, Triangle, Tube,
+    Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, HalfSpace, Plane, Polyhedron, Prism, Rectangle, Revolved,
+    RoundCone, RoundedCuboid, SizeError, Sphere, Triangle, Tube,
 };
 pub use ray::{Along, Departure, Leaving, Range, Ray, RayError};
 pub use render::{Picture, Pixel};

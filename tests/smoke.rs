@@ -3,8 +3,9 @@
 
 use fixed::types::{I16F16, I32F32};
 use raylet::{
-    Affine, Annulus, Capsule, Cone, Crossing, Cuboid, Cylinder, Disc, Exact, Fast, Frame, Part, Plain, Plane, Ray,
-    Rectangle, Revolved, RoundCone, RoundedCuboid, Scalar, Shape, Sphere, Stable, Tier, Triangle, Tube, UnitVec3, Vec3,
+    Affine, Annulus, Capsule, Cone, Crossing, Cuboid, Cylinder, Disc, Exact, Fast, Frame, HalfSpace, Part, Plain,
+    Plane, Polyhedron, Prism, Ray, Rectangle, Revolved, RoundCone, RoundedCuboid, Scalar, Shape, Sphere, Stable, Tier,
+    Triangle, Tube, UnitVec3, Vec3,
 };
 
 fn n<S: Scalar>(value: f64) -> S {
@@ -90,6 +91,12 @@ fn every_solid<S: Scalar, T: Tier<S>>() {
     check::<S, T>("annulus", &Shape::new(Annulus::new(n(0.25), n(1.0)).unwrap()), &down, &[(4.0, Part::Side)]);
     let soap = RoundedCuboid::new(n(1.0), n(0.5), n(2.0), n(0.25)).unwrap();
     check::<S, T>("rounded cuboid", &Shape::new(soap), &down, &[(3.25, Part::Top), (4.75, Part::Base)]);
+    let corners = [[n(1.0), n(1.0)], [n(1.0), n(-1.0)], [n(-1.0), n(0.0)]];
+    let wedge = Prism::new(corners.to_vec().leak(), n(2.0)).unwrap();
+    check::<S, T>("prism", &Shape::new(wedge), &down, &[(2.0, Part::Top), (4.0, Part::Base)]);
+    let slope = HalfSpace::new(v(0.25, 1.0, 0.0), v(1.0, 1.0, 0.0)).unwrap();
+    let ramp = Polyhedron::within(v(-1.0, 0.0, -1.0), v(1.0, 2.0, 1.0), vec![slope].leak()).unwrap();
+    check::<S, T>("polyhedron", &Shape::new(ramp), &down, &[(3.0, Part::Facet0), (4.0, Part::Base)]);
     // Through the caps: the top is entered, the base left.
     let can = Cylinder::capped(n::<S>(1.25), n(2.0)).unwrap();
     let cuboid = Shape::new(Cuboid::new(n(1.0), n(0.5), n(2.0)).unwrap());

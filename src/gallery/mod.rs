@@ -14,11 +14,14 @@
 //! ```
 
 mod glass;
+mod lists;
 mod patterns;
 mod quadrics;
 mod still_life;
 mod water;
 mod waves;
+
+pub(crate) use lists::Lists;
 
 use crate::scene::SceneError;
 use crate::{

@@ -1,10 +1,11 @@
-//! The built-in scene: quadrics of revolution, closed and open, a tube, an annulus, a round cone and a rounded
-//! cuboid, on a plane.
+//! The built-in scene: quadrics of revolution, closed and open, a tube, an annulus, a round cone, a rounded cuboid, a
+//! prism and a cube without a corner, on a plane.
 
 use super::{Stage, all, matte, number, on_y, point};
 use crate::primitive::SizeError;
 use crate::{
-    Annulus, Frame, Material, Object, Plane, Revolved, RoundCone, RoundedCuboid, Scalar, Shape, Tube, UnitVec3,
+    Annulus, Frame, Material, Object, Plane, Polyhedron, Prism, Revolved, RoundCone, RoundedCuboid, Scalar, Shape,
+    Tube, UnitVec3, Vec3,
 };
 
 pub(super) fn build<S: Scalar>() -> Option<Stage<S>> {
@@ -49,6 +50,12 @@ pub(super) fn build<S: Scalar>() -> Option<Stage<S>> {
     let turned = UnitVec3::from_f64([0.5, 0.0, 0.85]).ok()?;
     let lying = Frame::looking(point(-0.75, 0.26, 3.15)?, turned, UnitVec3::Y).ok()?;
     let washer = Annulus::new(number(0.22)?, number(0.5)?).ok()?;
+    let wedge = Prism::new(S::TRIANGLE, number(0.45)?).ok()?;
+    let cube = Polyhedron::within(Vec3::ZERO, point(1.0, 1.0, 1.0)?, S::CUT).ok()?;
+    let facing = |at: [f64; 3], towards: [f64; 2]| {
+        let ([x, y, z], [along_x, along_z]) = (at, towards);
+        Frame::looking(point(x, y, z)?, UnitVec3::from_f64([along_x, 0.0, along_z]).ok()?, UnitVec3::Y).ok()
+    };
     let objects = [
         Object::new(Shape::new(Plane::new()), floor),
         tower(-3.4, -2.6)?.with_top(red),
@@ -71,6 +78,8 @@ pub(super) fn build<S: Scalar>() -> Option<Stage<S>> {
         Object::new(Shape::new(washer).placed(leaning([-2.3, 0.3, 2.0], [0.35, 0.85, 0.35])?), green),
         Object::new(Shape::new(soap).placed(lying), yellow),
         on_y(pear, point(3.6, 0.45, -0.2)?, red)?,
+        Object::new(Shape::new(wedge).placed(facing([1.75, 0.0, 2.75], [0.9, 0.3])?), green),
+        Object::new(Shape::new(cube).placed(facing([0.45, 0.0, -1.9], [-0.3, 0.9])?), red),
     ];
     let materials: heapless::Vec<_, 8> = all(materials)?;
     let materials = materials.into_iter().collect::<Option<heapless::Vec<_, 8>>>()?;

@@ -168,7 +168,8 @@ fn in_wider<S: GridScalar, G: Geometry<S>, P: Place<S>>(
     place: &P,
     ray: &Ray<S>,
 ) -> Attempt<Intersection<S>> {
-    let (geometry, place, wider) = (geometry.in_type::<S::Wider>(), place.in_type(), ray.in_type());
+    let Some(geometry) = geometry.in_type::<S::Wider>() else { return Attempt::Unsure };
+    let (place, wider) = (place.in_type(), ray.in_type());
     let intersection = match whole(OnGrid::<Widely>::all(&geometry, &place, &wider)) {
         Ok(intersection) => intersection,
         Err(Stop::Miss) => return Attempt::Miss,

@@ -154,11 +154,11 @@ fn checked_radii<S: Scalar>(base: S, top: S, height: S) -> Result<Outline<S>, Si
 impl<S: Scalar> Cone<S> {
     /// The line's interval between the two heights, if the grid is sure. At an end that is an apex there is no plane.
     #[inline(always)]
-    fn grid_slab(&self, line: &LocalLine<S>, height: S) -> Attempt<Slab<S>>
+    fn grid_slab<T: Guards>(&self, line: &LocalLine<S>, height: S) -> Attempt<Slab<S>>
     where
         S: GridScalar,
     {
-        let mut slab = found!(Slab::new(line, S::ZERO, height));
+        let mut slab = found!(Slab::new::<T>(line, S::ZERO, height));
         if let Extent::Capped(_) = self.extent {
             let (between, [base, top]) = (&mut slab.span, solve::caps(&self.outline));
             let is_plane = |part: Part| if part == Part::Base { base } else { top };
@@ -189,8 +189,8 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
     type In<R: Scalar> = Cone<R>;
 
     #[inline(always)]
-    fn in_type<R: Including<S>>(&self) -> Self::In<R> {
-        self.map(R::exactly, R::exactly)
+    fn in_type<R: Including<S>>(&self) -> Option<Self::In<R>> {
+        Some(self.map(R::exactly, R::exactly))
     }
 
     fn largest_coordinate(&self) -> S {
@@ -242,8 +242,8 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         let inside = found!(line.nappe(self.outline));
         match self.extent {
             Extent::Double | Extent::Infinite => Attempt::Hit(Intersection::One(found!(whole_side(&inside)))),
-            Extent::Open(height) => found!(self.grid_slab(line, height)).rims(&inside),
-            Extent::Capped(height) => found!(self.grid_slab(line, height)).clip(&inside),
+            Extent::Open(height) => found!(self.grid_slab::<T>(line, height)).rims(&inside),
+            Extent::Capped(height) => found!(self.grid_slab::<T>(line, height)).clip(&inside),
         }
     }
 
@@ -271,7 +271,7 @@ impl<S: Scalar> Geometry<S> for Cone<S> {
         };
         let side = End::new(side, Part::Side);
         let Extent::Capped(height) = self.extent else { return Attempt::Hit(side) };
-        let slab = found!(self.grid_slab(line, height));
+        let slab = found!(self.grid_slab::<T>(line, height));
         // An end of the nappe that is not certain must be cut off by the slab. The error of an end that follows from
         // the rounded coordinates of a start on a cap may be some units larger than promised for floats.
         if is_certain || slab.span.exit.t < side.t { slab.exit(side, from) } else { Attempt::Unsure }

@@ -16,6 +16,7 @@ macro_rules! checked {
         })+
     };
 }
+pub(super) use checked;
 
 /// A quadric of revolution in doubles, for the checks of [`Revolved::new`]: they allow for some roundings, so that they
 /// need not be exact.

@@ -106,8 +106,8 @@ impl<S: Scalar> Geometry<S> for Cuboid<S> {
     type In<R: Scalar> = Cuboid<R>;
 
     #[inline(always)]
-    fn in_type<R: Including<S>>(&self) -> Self::In<R> {
-        Cuboid { half: self.half.map(R::exactly) }
+    fn in_type<R: Including<S>>(&self) -> Option<Self::In<R>> {
+        Some(Cuboid { half: self.half.map(R::exactly) })
     }
 
     /// The sum of the half extents, which is no less than the half diagonal.
@@ -172,9 +172,9 @@ impl<S: Scalar> Geometry<S> for Cuboid<S> {
             Part::Left => Vec3 { x: -x, ..inside },
             Part::Right => Vec3 { x, ..inside },
             Part::Base => Vec3 { y: -y, ..inside },
-            Part::Top | Part::Side | Part::Inner => Vec3 { y, ..inside },
             Part::Back => Vec3 { z: -z, ..inside },
             Part::Front => Vec3 { z, ..inside },
+            _ => Vec3 { y, ..inside },
         }
     }
 
@@ -183,9 +183,9 @@ impl<S: Scalar> Geometry<S> for Cuboid<S> {
             Part::Left => -UnitVec3::X,
             Part::Right => UnitVec3::X,
             Part::Base => -UnitVec3::Y,
-            Part::Top | Part::Side | Part::Inner => UnitVec3::Y,
             Part::Back => -UnitVec3::Z,
             Part::Front => UnitVec3::Z,
+            _ => UnitVec3::Y,
         }
     }
 
@@ -200,9 +200,7 @@ impl<S: Scalar> Geometry<S> for Cuboid<S> {
             Part::Right => (coordinates::across(-point.z, z), coordinates::across(point.y, y)),
             Part::Back => (coordinates::across(-point.x, x), coordinates::across(point.y, y)),
             Part::Front => (coordinates::across(point.x, x), coordinates::across(point.y, y)),
-            Part::Base | Part::Top | Part::Side | Part::Inner => {
-                (coordinates::across(point.x, x), coordinates::across(point.z, z))
-            }
+            _ => (coordinates::across(point.x, x), coordinates::across(point.z, z)),
         }
     }
 
@@ -212,7 +210,7 @@ impl<S: Scalar> Geometry<S> for Cuboid<S> {
             Part::Right => (-UnitVec3::Z, UnitVec3::Y),
             Part::Back => (-UnitVec3::X, UnitVec3::Y),
             Part::Front => (UnitVec3::X, UnitVec3::Y),
-            Part::Base | Part::Top | Part::Side | Part::Inner => coordinates::planar_tangents(),
+            _ => coordinates::planar_tangents(),
         }
     }
 }

@@ -90,8 +90,8 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
     type In<R: Scalar> = Cylinder<R>;
 
     #[inline(always)]
-    fn in_type<R: Including<S>>(&self) -> Self::In<R> {
-        self.map(R::exactly)
+    fn in_type<R: Including<S>>(&self) -> Option<Self::In<R>> {
+        Some(self.map(R::exactly))
     }
 
     fn largest_coordinate(&self) -> S {
@@ -115,8 +115,8 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
         let inside = found!(line.cylinder(self.radius));
         match self.extent {
             Extent::Double | Extent::Infinite => Attempt::Hit(Intersection::One(found!(whole_side(&inside)))),
-            Extent::Open(height) => found!(Slab::new(line, S::ZERO, height)).rims(&inside),
-            Extent::Capped(height) => found!(Slab::new(line, S::ZERO, height)).clip(&inside),
+            Extent::Open(height) => found!(Slab::new::<T>(line, S::ZERO, height)).rims(&inside),
+            Extent::Capped(height) => found!(Slab::new::<T>(line, S::ZERO, height)).clip(&inside),
         }
     }
 
@@ -134,7 +134,7 @@ impl<S: Scalar> Geometry<S> for Cylinder<S> {
         match self.extent {
             Extent::Double | Extent::Infinite => Attempt::Hit(side),
             Extent::Open(_) => Attempt::Unsure,
-            Extent::Capped(height) => found!(Slab::new(line, S::ZERO, height)).exit(side, from),
+            Extent::Capped(height) => found!(Slab::new::<T>(line, S::ZERO, height)).exit(side, from),
         }
     }
 

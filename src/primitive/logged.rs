@@ -1,8 +1,8 @@
 //! Primitives as they are logged with `defmt`: by the constructor's name and the sizes.
 
 use super::{
-    Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, Revolved, RoundCone, RoundedCuboid, Sphere,
-    Triangle, Tube,
+    Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Polyhedron, Prism, Rectangle, Revolved, RoundCone,
+    RoundedCuboid, Sphere, Triangle, Tube,
 };
 use crate::outline::{Extent, Outline};
 use crate::scalar::Scalar;
@@ -44,6 +44,29 @@ impl<S: Scalar> Format for RoundedCuboid<S> {
     fn format(&self, f: Formatter<'_>) {
         let ([x, y, z], radius) = (self.half_extents().map(Plain), Plain(self.radius()));
         write!(f, "RoundedCuboid {{ half_extents: [{}, {}, {}], radius: {} }}", x, y, z, radius);
+    }
+}
+
+impl<S: Scalar> Format for Prism<S> {
+    fn format(&self, f: Formatter<'_>) {
+        write!(f, "Prism {{ corners: [");
+        for (index, [x, z]) in self.corners().iter().enumerate() {
+            let separator = if index == 0 { "" } else { ", " };
+            write!(f, "{}[{}, {}]", separator, Plain(*x), Plain(*z));
+        }
+        write!(f, "], height: {} }}", Plain(self.height()));
+    }
+}
+
+impl<S: Scalar> Format for Polyhedron<S> {
+    fn format(&self, f: Formatter<'_>) {
+        let [low, high] = self.corners();
+        write!(f, "Polyhedron {{ low: {}, high: {}, half_spaces: [", low, high);
+        for (index, face) in self.half_spaces().iter().enumerate() {
+            let separator = if index == 0 { "" } else { ", " };
+            write!(f, "{}{}", separator, face);
+        }
+        write!(f, "] }}");
     }
 }
 

@@ -17,6 +17,8 @@
 //! | [`Tube`] | [`new`](Tube::new), [`with_wall`](Tube::with_wall) |
 //! | [`Cuboid`] | [`new`](Cuboid::new), [`between`](Cuboid::between) |
 //! | [`RoundedCuboid`] | [`new`](RoundedCuboid::new), [`within`](RoundedCuboid::within) |
+//! | [`Prism`] | [`new`](Prism::new) |
+//! | [`Polyhedron`] | [`new`](Polyhedron::new), [`within`](Polyhedron::within) |
 //! | [`Plane`], [`Disc`], [`Annulus`], [`Rectangle`], [`Triangle`] | [`new`](Plane::new), [`new`](Disc::new), [`new`](Annulus::new), [`new`](Rectangle::new), [`new`](Triangle::new) |
 //!
 //! # Degenerate rays
@@ -46,6 +48,7 @@
 //! | along the inner side of a tube | from rim to rim, with the part `Inner` |
 //! | in the plane of a cuboid's face, or along its edge | enters and leaves where it crosses the edges of that face or the corners; [`Cuboid`] says which part owns them |
 //! | across an edge or a corner of a cuboid from outside | one touch |
+//! | in the plane of a prism's or a polyhedron's face, along its edge, or across one from outside | as of a cuboid; [`Prism`] and [`Polyhedron`] say which part owns an edge |
 //! | in the plane of a rounded cuboid's face | enters and leaves at the seams, which belong to the face |
 //! | along a rounded cuboid's edge, in its surface | enters and leaves at the corners, with the part `Side` |
 //! | in a plane, disc, annulus, rectangle or triangle | `coincident`; across the hole of an annulus too |
@@ -59,12 +62,15 @@ mod aperture;
 mod capsule;
 mod cone;
 mod constant;
+mod constant_lists;
 mod cuboid;
 mod cylinder;
 mod disc;
 #[cfg(feature = "defmt")]
 mod logged;
 mod plane;
+mod polyhedron;
+mod prism;
 mod queries;
 mod rectangle;
 mod revolved;
@@ -73,10 +79,13 @@ mod rounded_cuboid;
 mod sphere;
 #[cfg(feature = "serde")]
 mod stored;
+#[cfg(feature = "serde")]
+mod stored_lists;
 pub(crate) mod surface_coordinates;
 mod triangle;
 mod tube;
 
+pub use crate::half_space::HalfSpace;
 pub use annulus::Annulus;
 pub use capsule::Capsule;
 pub use cone::Cone;
@@ -84,6 +93,8 @@ pub use cuboid::Cuboid;
 pub use cylinder::Cylinder;
 pub use disc::Disc;
 pub use plane::Plane;
+pub use polyhedron::Polyhedron;
+pub use prism::Prism;
 pub use rectangle::Rectangle;
 pub use revolved::Revolved;
 pub use round_cone::RoundCone;
@@ -122,6 +133,17 @@ pub enum SizeError {
     Outline,
     /// The vertices lie on a line, or too nearly so for the number type.
     Vertices,
+    /// A polyhedron has no half-space, or more than 16.
+    FaceCount,
+    /// The largest component of the normal of a half-space is zero, not finite or, as a slope, beyond the budget.
+    Normal(ValueError),
+    /// What half-spaces have in common is not bounded, or only by planes that are nearly parallel; or it is empty.
+    Unbounded,
+    /// A prism has fewer than 3 corners, or more than 16.
+    CornerCount,
+    /// The corners of a prism are not those of a convex polygon, counter-clockwise as seen from +y; or one turns by
+    /// less than 1/4000.
+    Corners,
 }
 
 impl SizeError {
@@ -138,6 +160,11 @@ impl SizeError {
             Self::Heights => "the lower height is not below the upper one",
             Self::Radii => "the inner radius is not below the outer one",
             Self::Outline => "there is no radius at a height between the ends, or none above zero",
+            Self::FaceCount => "there is no half-space, or there are more than 16",
+            Self::Normal(error) => with_fault!("the largest component of the normal ", error),
+            Self::Unbounded => "the half-spaces bound no solid, or only by planes that are nearly parallel",
+            Self::CornerCount => "there are fewer than 3 corners, or more than 16",
+            Self::Corners => "the corners do not turn to the left, as seen from +y, once around a convex polygon",
             Self::Vertices => "the vertices lie on a line, or too nearly so for the number type",
         }
     }

@@ -70,8 +70,8 @@ impl<S: Scalar> Geometry<S> for Plane<S> {
     type In<R: Scalar> = Plane<R>;
 
     #[inline(always)]
-    fn in_type<R: Including<S>>(&self) -> Self::In<R> {
-        Plane::new()
+    fn in_type<R: Including<S>>(&self) -> Option<Self::In<R>> {
+        Some(Plane::new())
     }
 
     fn largest_coordinate(&self) -> S {

@@ -53,8 +53,8 @@ impl<S: Scalar> Geometry<S> for Rectangle<S> {
     type In<R: Scalar> = Rectangle<R>;
 
     #[inline(always)]
-    fn in_type<R: Including<S>>(&self) -> Self::In<R> {
-        Rectangle { half: self.half.map(R::exactly) }
+    fn in_type<R: Including<S>>(&self) -> Option<Self::In<R>> {
+        Some(Rectangle { half: self.half.map(R::exactly) })
     }
 
     /// The sum of the half extents, which is no less than the half diagonal.

@@ -241,9 +241,6 @@ impl<S: Scalar> Revolved<S> {
 
     /// The interval of an arriving line between the planes, on the grid. A solid that ends at the origin by itself has
     /// no cap there: a plane as far beyond it takes the place of that plane.
-    ///
-    /// The tiers with guards leave its rims to the solver: the error of a flat side's end is more than that of the
-    /// plane's, and without guards a ray along a rim was lost or invented.
     #[inline(always)]
     fn grid_slab<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Slab<S>>
     where
@@ -252,8 +249,7 @@ impl<S: Scalar> Revolved<S> {
         let Meridian { a, r, heights: [low, high], .. } = self.meridian;
         let has_apex = r == S::ZERO && a <= S::ZERO;
         let beyond = |height: S, other: S| if has_apex && height == S::ZERO { -other } else { height };
-        let slab = found!(Slab::new(line, beyond(low, high), beyond(high, low)));
-        Attempt::Hit(slab.with_guarded_rims::<T>())
+        Slab::new::<T>(line, beyond(low, high), beyond(high, low))
     }
 
     /// The most crossings that a line can have with the solid; zero of an open surface.
@@ -300,8 +296,8 @@ impl<S: Scalar> Geometry<S> for Revolved<S> {
     type In<R: Scalar> = Revolved<R>;
 
     #[inline(always)]
-    fn in_type<R: Including<S>>(&self) -> Self::In<R> {
-        Revolved { meridian: self.meridian.map(R::exactly, R::exactly) }
+    fn in_type<R: Including<S>>(&self) -> Option<Self::In<R>> {
+        Some(Revolved { meridian: self.meridian.map(R::exactly, R::exactly) })
     }
 
     fn largest_coordinate(&self) -> S {
@@ -362,7 +358,7 @@ impl<S: Scalar> Geometry<S> for Revolved<S> {
         };
         // Also next to an apex, as in the solver: the side's end follows from a start that is not on the side.
         let [low, high] = self.meridian.heights;
-        let slab = found!(Slab::new(line, low, high));
+        let slab = found!(Slab::new::<T>(line, low, high));
         if is_accurate || slab.span.exit.t < side {
             slab.exit(End::new(side, Part::Side), from)
         } else {

@@ -203,8 +203,8 @@ impl<S: Scalar> Geometry<S> for RoundedCuboid<S> {
     type In<R: Scalar> = RoundedCuboid<R>;
 
     #[inline(always)]
-    fn in_type<R: Including<S>>(&self) -> Self::In<R> {
-        self.map(R::exactly)
+    fn in_type<R: Including<S>>(&self) -> Option<Self::In<R>> {
+        Some(self.map(R::exactly))
     }
 
     /// The sum of the half extents and the radius, which is no less than the distance of a corner.

@@ -60,8 +60,8 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
     type In<R: Scalar> = Sphere<R>;
 
     #[inline(always)]
-    fn in_type<R: Including<S>>(&self) -> Self::In<R> {
-        self.map(R::exactly)
+    fn in_type<R: Including<S>>(&self) -> Option<Self::In<R>> {
+        Some(self.map(R::exactly))
     }
     fn largest_coordinate(&self) -> S {
         self.radius

@@ -1,9 +1,11 @@
 //! Primitives as they are stored: by constructor and sizes, which the constructor checks when they are read.
 
+use super::stored_lists::Kept;
 use super::{
-    Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, Revolved, RoundCone, RoundedCuboid, SizeError,
-    Sphere, Triangle, Tube,
+    Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Polyhedron, Prism, Rectangle, Revolved, RoundCone,
+    RoundedCuboid, SizeError, Sphere, Triangle, Tube,
 };
+use crate::half_space::HalfSpace;
 use crate::outline::{Extent, Outline};
 use crate::scalar::Scalar;
 use crate::scalar::written;
@@ -45,6 +47,22 @@ struct Flat<S> {
     half_x: S,
     #[serde(with = "written")]
     half_z: S,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(bound = "S: Scalar")]
+struct Polygonal<S: 'static> {
+    corners: Kept<[S; 2]>,
+    #[serde(with = "written")]
+    height: S,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(bound = "S: Scalar")]
+struct Cut<S: 'static> {
+    low: Vec3<S>,
+    high: Vec3<S>,
+    half_spaces: Kept<HalfSpace<S>>,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -290,5 +308,24 @@ stored!(
         Ring { inner_radius, outer_radius }
     },
     |Ring { inner_radius, outer_radius }| Annulus::new(inner_radius, outer_radius)
+);
+stored!(
+    Prism,
+    Polygonal<S>,
+    |prism| Polygonal { corners: Kept(prism.corners()), height: prism.height() },
+    |Polygonal { corners, height }| Prism::new(corners.0, height)
+);
+stored!(
+    Polyhedron,
+    Cut<S>,
+    |polyhedron| {
+        let [low, high] = polyhedron.corners();
+        Cut { low, high, half_spaces: Kept(polyhedron.half_spaces()) }
+    },
+    |Cut { low, high, half_spaces }| {
+        // As the constructor of a half-space would.
+        let checked = |face: &HalfSpace<S>| HalfSpace::new(face.point(), face.normal()).map(|_| ());
+        half_spaces.0.iter().try_for_each(checked).and_then(|()| Polyhedron::within(low, high, half_spaces.0))
+    }
 );
 stored!(Plane, (), |_plane| (), |()| Ok(Plane::new()));

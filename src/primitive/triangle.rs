@@ -129,8 +129,8 @@ impl<S: Scalar> Geometry<S> for Triangle<S> {
     type In<R: Scalar> = Triangle<R>;
 
     #[inline(always)]
-    fn in_type<R: Including<S>>(&self) -> Self::In<R> {
-        Triangle { vertices: self.vertices.map(Vec3::in_type) }
+    fn in_type<R: Including<S>>(&self) -> Option<Self::In<R>> {
+        Some(Triangle { vertices: self.vertices.map(Vec3::in_type) })
     }
 
     /// The largest coordinate of a vertex.

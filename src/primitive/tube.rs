@@ -96,8 +96,8 @@ impl<S: Scalar> Geometry<S> for Tube<S> {
     type In<R: Scalar> = Tube<R>;
 
     #[inline(always)]
-    fn in_type<R: Including<S>>(&self) -> Self::In<R> {
-        self.map(R::exactly)
+    fn in_type<R: Including<S>>(&self) -> Option<Self::In<R>> {
+        Some(self.map(R::exactly))
     }
 
     fn largest_coordinate(&self) -> S {
@@ -120,7 +120,7 @@ impl<S: Scalar> Geometry<S> for Tube<S> {
     {
         let [inner, outer] = self.radii;
         let outer = found!(line.cylinder(outer));
-        let slab = found!(Slab::new(line, S::ZERO, self.height));
+        let slab = found!(Slab::new::<T>(line, S::ZERO, self.height));
         let whole = found!(slab.clip(&outer));
         let gap = match line.cylinder(inner) {
             Attempt::Hit(inner) => slab.clip(&inner),

@@ -37,6 +37,17 @@ impl<S: Scalar> InSide<S> {
     }
 }
 
+/// Where a line crosses the plane of a half-space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Crossed<T> {
+    /// It comes inside there.
+    Enters(T),
+    /// It goes outside there.
+    Leaves(T),
+    /// Nowhere near: the line is inside.
+    Inside,
+}
+
 /// The interval of a line inside a cuboid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InCuboid<S> {

@@ -201,6 +201,16 @@ macro_rules! floats {
             pub(crate) const fn plus(a: $Float, b: $Float) -> $Float {
                 a + b
             }
+
+            /// The difference of two coordinates.
+            pub(crate) const fn minus(a: $Float, b: $Float) -> $Float {
+                a - b
+            }
+
+            /// The magnitude.
+            pub(crate) const fn magnitude(value: $Float) -> $Float {
+                $Float::abs(value)
+            }
         }
     };
 }
@@ -305,6 +315,16 @@ macro_rules! fixed {
             /// The sum of two sizes; the end of the type if that is beyond.
             pub(crate) const fn plus<F: $LeEq>(a: $Fixed<F>, b: $Fixed<F>) -> $Fixed<F> {
                 a.saturating_add(b)
+            }
+
+            /// The difference of two coordinates; the end of the type if that is beyond.
+            pub(crate) const fn minus<F: $LeEq>(a: $Fixed<F>, b: $Fixed<F>) -> $Fixed<F> {
+                a.saturating_sub(b)
+            }
+
+            /// The magnitude.
+            pub(crate) const fn magnitude<F: $LeEq>(value: $Fixed<F>) -> $Fixed<F> {
+                value.saturating_abs()
             }
         }
     };

@@ -29,6 +29,7 @@
 // | `value` | what can be wrong with a value that a constructor is given |
 // | `square_root` | the square root of `f32` by instruction, which `core` does not have |
 
+use crate::gallery::Lists;
 use crate::ladder::Tiers;
 use crate::number::word::Word;
 use crate::number::{Limbs, Number, Parts};
@@ -67,7 +68,7 @@ pub(crate) mod written;
 pub use crate::number::Ring;
 pub use value::ValueError;
 
-pub(crate) use attempt::{Attempt, InCuboid, InSide, found};
+pub(crate) use attempt::{Attempt, Crossed, InCuboid, InSide, found};
 pub(crate) use computing::{Computing, Elementary, RoundLine, RoundSolid};
 pub(crate) use culling::Culling;
 pub(crate) use grid::{FinerLine, GridScalar, LocalLine};
@@ -165,7 +166,7 @@ pub type Unit<S> = <S as Numbers>::Unit;
 /// A number that stores coordinates, sizes and distances.
 ///
 /// Implemented for `f32`, `f64`, `FixedI32<F>` and `FixedI64<F>` for every `F` that `fixed` allows. Sealed.
-pub trait Scalar: Numbers + Computing + Elementary + Culling {
+pub trait Scalar: Numbers + Computing + Elementary + Culling + Lists {
     /// The number in which the solver computes where the grid is unsure.
     // What is hidden is for the solvers, in whose numbers no user computes.
     #[doc(hidden)]

@@ -5,7 +5,7 @@ use super::kinds::{Kind, Primitives};
 use super::primitive::Member;
 use crate::equations::Equations;
 use crate::geometry::{Geometry, Hull};
-use crate::part::Part;
+use crate::part::{FACES, Part};
 use crate::primitive::RoundCone;
 use crate::primitive::surface_coordinates::at_circle;
 use crate::scalar::{Scalar, largest};
@@ -71,8 +71,10 @@ impl<'a, S: Scalar, K: Primitives> Beside<'a, S, K> {
         let [_, [low, high], _] = self.hull.extents();
         match (&self.hull, part) {
             (Hull::Ball(_), _) => part == Part::Side,
-            (Hull::Cuboid(_), _) => !matches!(part, Part::Side | Part::Inner),
-            (Hull::RoundedCuboid(..), _) => part != Part::Inner,
+            (Hull::Cuboid(_), _) => FACES.as_flattened().contains(&part),
+            (Hull::RoundedCuboid(..), _) => part != Part::Inner && part.facet_number().is_none(),
+            (Hull::Box(solid), _) => FACES.as_flattened().contains(&part) || solid.facet(part).is_some(),
+            (Hull::Prism(polygon, _), _) => matches!(part, Part::Base | Part::Top) || polygon.edge(part).is_some(),
             // A cone ends at its apex without a cap.
             (Hull::Cone { .. }, Part::Base) => false,
             (Hull::Balls(balls), _) => {
@@ -105,7 +107,7 @@ impl<'a, S: Scalar, K: Primitives> Beside<'a, S, K> {
         let endless = [-S::INFINITY, S::INFINITY];
         // How far the part reaches along the axis: its surface may go on within the solid, or beyond the apex.
         let [low, high] = match (&self.hull, part) {
-            (Hull::Ball(_) | Hull::Cuboid(_) | Hull::RoundedCuboid(..), _) => endless,
+            (Hull::Ball(_) | Hull::Cuboid(_) | Hull::RoundedCuboid(..) | Hull::Prism(..) | Hull::Box(_), _) => endless,
             (Hull::Balls(balls), _) => {
                 let [low, high] = self.seams(balls);
                 match part {

@@ -37,6 +37,10 @@ pub enum Kind {
     RoundCone,
     /// A [`RoundedCuboid`](crate::RoundedCuboid).
     RoundedCuboid,
+    /// A [`Prism`](crate::Prism).
+    Prism,
+    /// A [`Polyhedron`](crate::Polyhedron).
+    Polyhedron,
     /// A [`Frame`](crate::Frame).
     Frame,
     /// An [`Affine`](crate::Affine).
@@ -45,7 +49,7 @@ pub enum Kind {
 
 impl Kind {
     /// Every kind, in order.
-    pub const EVERY: [Self; 16] = [
+    pub const EVERY: [Self; 18] = [
         Self::Sphere,
         Self::Cylinder,
         Self::Cone,
@@ -60,6 +64,8 @@ impl Kind {
         Self::Annulus,
         Self::RoundCone,
         Self::RoundedCuboid,
+        Self::Prism,
+        Self::Polyhedron,
         Self::Frame,
         Self::Affine,
     ];
@@ -81,6 +87,8 @@ impl Kind {
             Self::Annulus => "Annulus",
             Self::RoundCone => "RoundCone",
             Self::RoundedCuboid => "RoundedCuboid",
+            Self::Prism => "Prism",
+            Self::Polyhedron => "Polyhedron",
             Self::Frame => "Frame",
             Self::Affine => "Affine",
         }
@@ -136,7 +144,7 @@ impl KindSet {
         Self(self.0 | kind.bit())
     }
 
-    /// How many kinds are in the set, 0 to 16.
+    /// How many kinds are in the set, 0 to 18.
     pub const fn len(self) -> usize {
         self.0.count_ones() as usize
     }

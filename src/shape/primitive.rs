@@ -10,8 +10,8 @@ use crate::hit::Hit;
 use crate::intersection::Intersection;
 use crate::part::Part;
 use crate::primitive::{
-    Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, Revolved, RoundCone, RoundedCuboid, Sphere,
-    Triangle, Tube,
+    Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Polyhedron, Prism, Rectangle, Revolved, RoundCone,
+    RoundedCuboid, Sphere, Triangle, Tube,
 };
 use crate::ray::Ray;
 use crate::scalar::{Including, Scalar, UnitScalar};
@@ -137,14 +137,22 @@ primitives!(
     Tube,
     Annulus,
     RoundCone,
-    RoundedCuboid
+    RoundedCuboid,
+    Prism,
+    Polyhedron
 );
 
 impl<S: Scalar> Primitive<S> {
     /// The most crossings that a line can have with the solid; zero of a surface without an inside.
     pub(crate) const fn most_crossings(&self) -> usize {
         match self {
-            Self::Sphere(_) | Self::Capsule(_) | Self::RoundCone(_) | Self::Cuboid(_) | Self::RoundedCuboid(_) => 2,
+            Self::Sphere(_)
+            | Self::Capsule(_)
+            | Self::RoundCone(_)
+            | Self::Cuboid(_)
+            | Self::RoundedCuboid(_)
+            | Self::Prism(_)
+            | Self::Polyhedron(_) => 2,
             Self::Cylinder(cylinder) => cylinder.extent().most_crossings(),
             Self::Cone(cone) => cone.extent().most_crossings(),
             Self::Revolved(revolved) => revolved.most_crossings(),
@@ -185,8 +193,8 @@ impl<S: Scalar, K: Kinds> Geometry<S> for Member<S, K> {
     type In<R: Scalar> = Member<R, K>;
 
     #[inline(always)]
-    fn in_type<R: Including<S>>(&self) -> Self::In<R> {
-        map!(self, |p| p.in_type(), Member::new(Primitive::Plane(Plane::new())))
+    fn in_type<R: Including<S>>(&self) -> Option<Self::In<R>> {
+        Some(map!(self, |p| p.in_type()?, Member::new(Primitive::Plane(Plane::new()))))
     }
     fn largest_coordinate(&self) -> S {
         with!(self, |p| p.largest_coordinate(), S::ZERO)

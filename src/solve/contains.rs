@@ -2,6 +2,7 @@
 
 use super::end::Of;
 use super::flat::is_zero;
+use super::polyhedra;
 use super::quadric::{Ball, Cylinder, Nappe, Profile, Quadric, Revolution, Tangent};
 use super::rounded::{piece, region_at};
 use super::side::planes_through;
@@ -77,24 +78,19 @@ pub(crate) fn holds<S: Scalar, N: Of<S>, G: Described>(equations: &Equations<S>,
                 && is_outside(cylinder(N::scalar(inner)))?,
         ),
         Equations::Triangle { vertices } if G::EQUATIONS.has(EquationKinds::TRIANGLE) => {
-            let corners = vertices.map(|vertex| vertex.map(N::scalar));
-            let [a, b, c] = corners.map(|corner| difference(corner, point));
-            let normal = cross(difference(corners[1], corners[0]), difference(corners[2], corners[0]));
-            if is_zero(normal)? || dot(normal, a).sign()? != Ordering::Equal {
-                return Some(false);
-            }
-            for (p, q) in [(a, b), (b, c), (c, a)] {
-                if dot(normal, cross(p, q)).sign()? == Ordering::Less {
-                    return Some(false);
-                }
-            }
-            Some(true)
+            is_in_triangle(point, vertices.map(|vertex| vertex.map(N::scalar)))
         }
         Equations::Cuboid { half } if G::EQUATIONS.has(EquationKinds::CUBOID) => is_between(point, half.map(N::scalar)),
         Equations::RoundedCuboid { half, radius, .. } if G::EQUATIONS.has(EquationKinds::ROUNDED_CUBOID) => {
             let half = half.map(N::scalar);
             let region = region_at(point, half)?;
             is_inside(piece(point, no_direction, half, N::scalar(radius), region))
+        }
+        Equations::Prism { polygon, height } if G::EQUATIONS.has(EquationKinds::PRISM) => {
+            polyhedra::is_in_prism(point, polygon, height)
+        }
+        Equations::Polyhedron { solid } if G::EQUATIONS.has(EquationKinds::POLYHEDRON) => {
+            polyhedra::is_in_polyhedron(point, solid)
         }
         Equations::Rectangle { half: [x, z] } if G::EQUATIONS.has(EquationKinds::RECTANGLE) => {
             is_between(point, [N::scalar(x), N::ZERO, N::scalar(z)])
@@ -112,9 +108,26 @@ pub(crate) fn holds<S: Scalar, N: Of<S>, G: Described>(equations: &Equations<S>,
         | Equations::Annulus { .. }
         | Equations::Cuboid { .. }
         | Equations::RoundedCuboid { .. }
+        | Equations::Prism { .. }
+        | Equations::Polyhedron { .. }
         | Equations::Rectangle { .. }
         | Equations::Triangle { .. } => Some(false),
     }
+}
+
+/// True if the point is in the plane of the triangle and on the inner side of each edge.
+fn is_in_triangle<N: Number>(point: [N; 3], vertices: [[N; 3]; 3]) -> Option<bool> {
+    let [a, b, c] = vertices.map(|vertex| difference(vertex, point));
+    let normal = cross(difference(vertices[1], vertices[0]), difference(vertices[2], vertices[0]));
+    if is_zero(normal)? || dot(normal, a).sign()? != Ordering::Equal {
+        return Some(false);
+    }
+    for (p, q) in [(a, b), (b, c), (c, a)] {
+        if dot(normal, cross(p, q)).sign()? == Ordering::Less {
+            return Some(false);
+        }
+    }
+    Some(true)
 }
 
 /// The part of a round cone at a height; of one whose one ball holds the other, that ball's.

@@ -24,6 +24,7 @@
 //! | `tube` | tubes |
 //! | `flat` | planes, discs, annuli, triangles |
 //! | `slabs` | cuboids, rectangles |
+//! | `polyhedra` | prisms, polyhedra |
 //! | `contains`, `surface` | the inside test; the point of a hit, and its normal |
 
 mod attempt;
@@ -34,6 +35,7 @@ mod contains;
 mod end;
 mod flat;
 mod local_ray;
+mod polyhedra;
 mod quadratic;
 mod quadric;
 mod revolved;
@@ -54,6 +56,7 @@ pub use end::{Goal, Of};
 pub(crate) use flat::{annulus, disc, plane, triangle};
 pub(crate) use local_ray::rounded_ray;
 pub use local_ray::{LocalRay, Localize};
+pub(crate) use polyhedra::{polyhedron, prism};
 pub(crate) use quadric::Profile;
 pub(crate) use revolved::revolved;
 pub use roots::Root;

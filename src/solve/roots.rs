@@ -5,6 +5,7 @@
 //! Line-Quadric Intersections*, CCCG 2016).
 
 use super::end::{Fraction, Place, times};
+use super::polyhedra::{end_in_a_polyhedron, end_in_a_prism};
 use super::quadratic::root_beside;
 use super::rounded;
 use super::side::planes_through;
@@ -35,7 +36,7 @@ impl<N: Number> Root<N> {
         Self { f, place }
     }
 
-    const fn at(t: Fraction<N>) -> Self {
+    pub(super) const fn at(t: Fraction<N>) -> Self {
         Self { f: [N::ZERO; 3], place: Place::At(t) }
     }
 
@@ -121,6 +122,16 @@ pub(crate) fn root_at<S: Scalar, N: FromScalar<S> + Number, G: Described>(
     };
     let f @ [a, k, c] = function(hit.part);
     if is_constant(f)? {
+        if let Equations::Prism { polygon, height } = *equations
+            && G::EQUATIONS.has(EquationKinds::PRISM)
+        {
+            return end_in_a_prism(line, polygon, height, (hit.crossing == Crossing::Enter, departed));
+        }
+        if let Equations::Polyhedron { solid } = *equations
+            && G::EQUATIONS.has(EquationKinds::POLYHEDRON)
+        {
+            return end_in_a_polyhedron(line, solid, (hit.crossing == Crossing::Enter, departed));
+        }
         return edge(equations, hit.crossing == Crossing::Enter, function);
     }
     let is_touch = hit.crossing == Crossing::Touch && a.sign()? != Ordering::Equal;

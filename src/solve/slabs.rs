@@ -21,7 +21,7 @@ struct Crossed<N: Number> {
     d: N,
     /// The parameter; zero in wide numbers, which are compared without it.
     t: N::Estimate,
-    /// The number of the face's axis in the order of [`FACES`].
+    /// The number of the face's axis in the order of [`FACES`], or of a face among those that own edges.
     rank: usize,
     part: Part,
 }
@@ -54,7 +54,7 @@ impl<N: Number> Crossed<N> {
 
 /// The interval of the line in the slabs, as far as it has been clipped. A missing end is infinite.
 #[derive(Clone, Copy)]
-struct Clipped<N: Number> {
+pub(super) struct Clipped<N: Number> {
     enter: Option<Crossed<N>>,
     exit: Option<Crossed<N>>,
     /// The first face whose plane the line lies in.
@@ -62,10 +62,16 @@ struct Clipped<N: Number> {
 }
 
 impl<N: Number> Clipped<N> {
+    /// The whole line.
+    #[inline(always)]
+    pub(super) const fn everywhere() -> Self {
+        Self { enter: None, exit: None, along: None }
+    }
+
     /// The interval of the line with every coordinate at most that of `half` in magnitude; a miss if there is none.
     #[inline(always)]
     fn new(line: &LocalRay<N>, half: [N; 3]) -> Attempt<Self> {
-        let mut clipped = Self { enter: None, exit: None, along: None };
+        let mut clipped = Self::everywhere();
         let ([x, y, z], [dx, dy, dz], [hx, hy, hz]) = (line.origin, line.direction, half);
         clipped.clip(line, 0, [x, dx, hx])?;
         clipped.clip(line, 1, [z, dz, hz])?;
@@ -100,6 +106,41 @@ impl<N: Number> Clipped<N> {
         Ok(())
     }
 
+    /// Clips by the half-space `value + slope t <= 0`, that of a face in the order of those that own edges, as
+    /// [`Clipped::clip`] does by two of them.
+    #[inline(always)]
+    pub(super) fn by_half_space(
+        &mut self,
+        line: &LocalRay<N>,
+        [value, slope]: [N; 2],
+        (rank, part): (usize, Part),
+    ) -> Attempt<()> {
+        let crossed = || {
+            if line.departs_from(part) {
+                return Crossed::new(N::ZERO, N::ZERO, N::ONE, (rank, part));
+            }
+            Crossed::new(N::ZERO, value, slope, (rank, part))
+        };
+        match known(slope.sign())? {
+            Ordering::Greater => self.exit = later(self.exit, crossed(), Ordering::Less)?,
+            Ordering::Less if line.departs() => {}
+            Ordering::Less => self.enter = later(self.enter, crossed(), Ordering::Greater)?,
+            Ordering::Equal if line.departs_from(part) => self.along = self.along.or(Some((rank, part))),
+            Ordering::Equal => match known(value.sign())? {
+                Ordering::Greater if !line.departs() => return Err(Stop::Miss),
+                Ordering::Equal => self.along = self.along.or(Some((rank, part))),
+                _ => {}
+            },
+        }
+        Ok(())
+    }
+
+    /// Where it leaves.
+    #[inline(always)]
+    pub(super) fn exit(&self) -> End<N> {
+        self.end(self.exit, End::never_left)
+    }
+
     /// An end with its part: that of the first face that holds it.
     #[inline(always)]
     fn end(&self, end: Option<Crossed<N>>, missing: fn() -> End<N>) -> End<N> {
@@ -110,9 +151,9 @@ impl<N: Number> Clipped<N> {
 
     /// The interval; a miss if it is empty.
     #[inline(always)]
-    fn interval(&self) -> Attempt<Interval<N>> {
+    pub(super) fn interval(&self) -> Attempt<Interval<N>> {
         let enter = self.end(self.enter, End::never_entered);
-        let exit = self.end(self.exit, End::never_left);
+        let exit = self.exit();
         let (Some(first), Some(last)) = (&self.enter, &self.exit) else {
             return Ok(Interval { enter, exit, touch: false });
         };
@@ -160,7 +201,7 @@ fn later<N: Number>(own: Option<Crossed<N>>, new: Crossed<N>, counts: Ordering) 
 pub(crate) fn cuboid<S: Scalar, N: Of<S>>(line: &LocalRay<N>, half: [S; 3], goal: Goal<S>) -> Attempt<Intersection<S>> {
     let clipped = Clipped::new(line, half.map(N::scalar))?;
     if line.departs() {
-        return inwards(&Flat, line, &clipped.end(clipped.exit, End::never_left), goal.range);
+        return inwards(&Flat, line, &clipped.exit(), goal.range);
     }
     solid(&Flat, line, &clipped.interval()?, goal)
 }

@@ -1,5 +1,6 @@
 //! The exact point of a hit on its surface, and the surface's gradient there.
 
+use super::polyhedra::{half_space, over_edge};
 use super::quadric::{Ball, Cylinder, Nappe, Profile, Quadric, Revolution, Tangent};
 use super::rounded::piece;
 use super::side::planes_through;
@@ -138,6 +139,15 @@ pub(crate) fn surface_of<S: Scalar, N: Ring, G: Described>(
     let against =
         |axis: usize, [p, d]: [N; 2], at: N| Surface::Face(Face { axis, is_along: false, distance: [at - p, -d] });
     let [x, y, z] = [[p[0], d[0]], [p[1], d[1]], [p[2], d[2]]];
+    // A face of the box between two corners.
+    let face = |low: [N; 3], high: [N; 3]| match part {
+        Part::Left => against(0, x, low[0]),
+        Part::Right => along(0, x, high[0]),
+        Part::Base => against(1, y, low[1]),
+        Part::Back => against(2, z, low[2]),
+        Part::Front => along(2, z, high[2]),
+        _ => along(1, y, high[1]),
+    };
     match *equations {
         Equations::Ball { radius } if kind.has(EquationKinds::BALL) => ball(radius, zero),
         Equations::Capsule { radius, height } if kind.has(EquationKinds::CAPSULE) => match part {
@@ -148,10 +158,7 @@ pub(crate) fn surface_of<S: Scalar, N: Ring, G: Described>(
         Equations::RoundCone { radii: [base, top], height } if kind.has(EquationKinds::ROUND_CONE) => match part {
             Part::Base => ball(base, zero),
             Part::Top => ball(top, number(height)),
-            _ => {
-                let k = number(base) - number(top);
-                Surface::Tangent(Tangent::along(p, d, [number(base), number(height), k]))
-            }
+            _ => Surface::Tangent(Tangent::along(p, d, [number(base), number(height), number(base) - number(top)])),
         },
         Equations::Cylinder { radius, .. } if kind.has(EquationKinds::CYLINDER) && part == Part::Side => {
             cylinder(radius)
@@ -185,42 +192,33 @@ pub(crate) fn surface_of<S: Scalar, N: Ring, G: Described>(
         }
         Equations::Cuboid { half } if kind.has(EquationKinds::CUBOID) => {
             let half = half.map(number);
-            match part {
-                Part::Left => against(0, x, -half[0]),
-                Part::Right => along(0, x, half[0]),
-                Part::Base => against(1, y, -half[1]),
-                Part::Top | Part::Side | Part::Inner => along(1, y, half[1]),
-                Part::Back => against(2, z, -half[2]),
-                Part::Front => along(2, z, half[2]),
-            }
+            face(half.map(|h| -h), half)
         }
         Equations::RoundedCuboid { half, radius, region } if kind.has(EquationKinds::ROUNDED_CUBOID) => {
-            let ([hx, hy, hz], r) = (half.map(number), number(radius));
-            match part {
-                Part::Left => against(0, x, -hx - r),
-                Part::Right => along(0, x, hx + r),
-                Part::Base => against(1, y, -hy - r),
-                Part::Top => along(1, y, hy + r),
-                Part::Back => against(2, z, -hz - r),
-                Part::Front => along(2, z, hz + r),
-                Part::Side | Part::Inner => Surface::Ball(piece(p, d, [hx, hy, hz], r, region)),
+            let (half, r) = (half.map(number), number(radius));
+            if matches!(part, Part::Side | Part::Inner) {
+                Surface::Ball(piece(p, d, half, r, region))
+            } else {
+                face(half.map(|h| -h - r), half.map(|h| h + r))
             }
         }
+        Equations::Prism { polygon, height } if kind.has(EquationKinds::PRISM) => match polygon.edge(part) {
+            Some(edge) => Surface::Plane(over_edge(edge, [p, d], number)),
+            None => {
+                if part == Part::Base {
+                    against(1, y, zero)
+                } else {
+                    along(1, y, number(height))
+                }
+            }
+        },
+        Equations::Polyhedron { solid } if kind.has(EquationKinds::POLYHEDRON) => {
+            let [low, high] = solid.corners.map(|corner| corner.map(number));
+            let facet = solid.facet(part).map(|facet| Surface::Plane(half_space(facet, [p, d], number)));
+            facet.unwrap_or_else(|| face(low, high))
+        }
         // A plane, a disc, an annulus or a rectangle; the geometry has none of the others.
-        Equations::Ball { .. }
-        | Equations::Capsule { .. }
-        | Equations::RoundCone { .. }
-        | Equations::Cylinder { .. }
-        | Equations::Cone { .. }
-        | Equations::Revolved { .. }
-        | Equations::Tube { .. }
-        | Equations::Plane
-        | Equations::Disc { .. }
-        | Equations::Annulus { .. }
-        | Equations::Cuboid { .. }
-        | Equations::RoundedCuboid { .. }
-        | Equations::Rectangle { .. }
-        | Equations::Triangle { .. } => along(1, y, zero),
+        _ => along(1, y, zero),
     }
 }
 

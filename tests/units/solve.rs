@@ -2,16 +2,20 @@
 
 use super::{Attempt, Goal, LocalRay, Stop};
 use super::{
-    annulus, ball, capsule, cone, cuboid, cylinder, disc, plane, rectangle, round_cone, rounded_cuboid, triangle, tube,
+    annulus, ball, capsule, cone, cuboid, cylinder, disc, plane, polyhedron, prism, rectangle, round_cone,
+    rounded_cuboid, triangle, tube,
 };
+use crate::half_space::{CutBox, HalfSpace};
 use crate::hit::Crossing;
 use crate::intersection::Intersection;
 use crate::number::{Estimate, Number, Ring};
 use crate::outline::{Extent, Outline};
 use crate::part::Part;
+use crate::polygon::Polygon;
 use crate::random::Random;
 use crate::ray::{Leaving, Range};
 use crate::scalar::{FromScalar, ToScalar};
+use crate::vector::Vec3;
 use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
 use std::cell::Cell;
@@ -120,6 +124,12 @@ impl ToScalar<f32> for Fickle {
     }
 }
 
+/// What cuts the box of the polyhedron.
+static CUTS: [HalfSpace<f32>; 2] = [
+    HalfSpace { point: Vec3::new(0.5, 0.5, 0.5), normal: Vec3::new(1.0, 1.0, 1.0) },
+    HalfSpace { point: Vec3::new(-0.5, 0.0, 0.0), normal: Vec3::new(-1.0, 2.0, 0.0) },
+];
+
 /// A solver of this module.
 #[derive(Clone, Copy, Debug)]
 enum Solver {
@@ -135,6 +145,8 @@ enum Solver {
     Triangle,
     Cuboid,
     RoundedCuboid([f32; 3]),
+    Prism,
+    Polyhedron,
     Rectangle,
 }
 
@@ -153,6 +165,8 @@ impl Solver {
             Self::Cuboid,
             Self::RoundedCuboid([1.0, 2.0, 0.5]),
             Self::RoundedCuboid([0.0, 1.0, 0.0]),
+            Self::Prism,
+            Self::Polyhedron,
             Self::Rectangle,
         ]);
         for extent in [Extent::Infinite, Extent::Open(2.0), Extent::Capped(2.0)] {
@@ -203,6 +217,8 @@ impl Solver {
             Self::Triangle => triangle(line, [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], goal),
             Self::Cuboid => cuboid(line, [1.0, 2.0, 3.0], goal),
             Self::RoundedCuboid(half) => rounded_cuboid(line, half, 1.0, goal),
+            Self::Prism => prism(line, Polygon::new(&[[1.0, 0.0], [0.0, -1.0], [-1.0, 1.0]]), 2.0, goal),
+            Self::Polyhedron => polyhedron(line, CutBox::new([[-1.0; 3], [1.0; 3]], &CUTS), goal),
             Self::Rectangle => rectangle(line, [1.0, 2.0], goal),
         }
     }

@@ -4,10 +4,10 @@
 use super::cone::Nappe;
 use super::length::{Length, Product, Stretch};
 use super::revolved::Quadric;
-use super::{ball, cone, cuboid, departing, flat, revolved, round, triangle, turned};
+use super::{ball, cone, cuboid, departing, flat, half_space, revolved, round, triangle, turned};
 use crate::equations::Region;
 use crate::outline::{Meridian, Outline};
-use crate::scalar::{Attempt, FinerLine, GridScalar, InCuboid, InSide, LocalLine, found};
+use crate::scalar::{Attempt, Crossed, FinerLine, GridScalar, InCuboid, InSide, LocalLine, found};
 use crate::vector::component;
 use core::cmp::Ordering;
 
@@ -316,6 +316,17 @@ impl<S: GridScalar> LocalLine<S> {
         let since = self.since.map(S::to_raw);
         let InCuboid { ends, axes } = found!(cuboid::cuboid(self.o(), self.extra_bits, self.d(), raw(half), since));
         Attempt::Hit(InCuboid { ends: ends.map(S::from_raw), axes })
+    }
+
+    /// Where the line crosses the plane through a point with this outward normal, of any length.
+    #[inline(always)]
+    pub(crate) fn half_space(&self, point: [S; 3], normal: [S; 3]) -> Attempt<Crossed<S>> {
+        let plane = [raw(point), raw(normal)];
+        Attempt::Hit(match found!(half_space::half_space(self.o(), self.extra_bits, self.d(), plane)) {
+            Crossed::Enters(t) => Crossed::Enters(S::from_raw(t)),
+            Crossed::Leaves(t) => Crossed::Leaves(S::from_raw(t)),
+            Crossed::Inside => Crossed::Inside,
+        })
     }
 
     /// Where the line crosses the triangle with these vertices, and whether it comes from the side from which they are

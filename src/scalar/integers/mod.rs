@@ -25,6 +25,7 @@ mod cuboid;
 mod departing;
 mod direction;
 mod flat;
+mod half_space;
 pub(super) mod length;
 mod lines;
 mod revolved;

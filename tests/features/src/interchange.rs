@@ -2,9 +2,9 @@
 
 use fixed::types::{I2F30, I2F62, I12F20, I16F16, I32F32};
 use raylet::{
-    Affine, Annulus, Bounds, Capsule, Cone, Crossing, Cuboid, Cylinder, Departure, Disc, Frame, FrameError, Hit, Hits,
-    Leaving, Part, Placement, Plane, Primitive, Range, Ray, RayError, Rectangle, Revolved, RoundCone, RoundedCuboid,
-    Scalar, Shape, Sphere, Triangle, Tube, UnitVec3, ValueError, Vec3, Visible,
+    Affine, Annulus, Bounds, Capsule, Cone, Crossing, Cuboid, Cylinder, Departure, Disc, Frame, FrameError, HalfSpace,
+    Hit, Hits, Leaving, Part, Placement, Plane, Polyhedron, Primitive, Prism, Range, Ray, RayError, Rectangle,
+    Revolved, RoundCone, RoundedCuboid, Scalar, Shape, Sphere, Triangle, Tube, UnitVec3, ValueError, Vec3, Visible,
 };
 use serde::{Serialize, de::DeserializeOwned};
 
@@ -64,6 +64,16 @@ fn primitives<S: Scalar>() -> Vec<Primitive<S>> {
         RoundCone::new(third, n(0.7), n(0.9)).expect("sizes").into(),
         RoundedCuboid::new(third, S::ZERO, n(0.7), n(0.1)).expect("sizes").into(),
         Annulus::new(third, n(0.7)).expect("sizes").into(),
+        Prism::new(vec![[third, S::ZERO], [S::ZERO, n(-0.7)], [n(-0.9), third]].leak(), n(0.7))
+            .expect("corners")
+            .into(),
+        Polyhedron::within(
+            corner(-0.1, -0.2, -0.3),
+            corner(0.4, 0.5, 0.6),
+            vec![HalfSpace::new(corner(0.1, 0.2, 0.3), corner(1.0, -0.3, 0.7)).expect("a normal")].leak(),
+        )
+        .expect("a box")
+        .into(),
         Revolved::paraboloid(third, n(0.7)).expect("sizes").into(),
         Revolved::hyperboloid(third, n(0.7), [n(-0.3), n(0.9)]).expect("sizes").open().into(),
     ]
@@ -111,6 +121,22 @@ fn serde_reads_no_kind_that_is_not_chosen() {
     assert_eq!(refused(Shape::new(Plane::new())), told("Plane"));
     let stretched = Affine::stretched(frame, Vec3::new(1.0, 2.0, 3.0)).expect("a volume");
     assert_eq!(refused(Shape::new(ball).placed(stretched)), told("Affine"));
+}
+
+/// Lists that a primitive would borrow are as long as it takes, and each item is checked.
+#[test]
+fn serde_reads_no_list_that_is_none() {
+    let refused = |text: &str| serde_json::from_str::<Primitive<f32>>(text).expect_err("it is none").to_string();
+    let corners = |count: usize| vec!["[0,0]"; count].join(",");
+    let prism = |count| refused(&format!(r#"{{"Prism":{{"corners":[{}],"height":1}}}}"#, corners(count)));
+    assert!(prism(2).starts_with("Prism: there are fewer than 3 corners, or more than 16"), "{}", prism(2));
+    assert!(prism(17).starts_with("invalid length 17, expected a list of at most 16"), "{}", prism(17));
+    let origin = r#"{"x":0,"y":0,"z":0}"#;
+    let half_space = format!(r#"{{"point":{origin},"normal":{origin}}}"#);
+    let high = r#"{"x":1,"y":1,"z":1}"#;
+    let text = format!(r#"{{"Polyhedron":{{"low":{origin},"high":{high},"half_spaces":[{half_space}]}}}}"#);
+    let told = "Polyhedron: the largest component of the normal is zero";
+    assert!(refused(&text).starts_with(told), "{}", refused(&text));
 }
 
 #[test]

@@ -305,6 +305,23 @@ fn resized(solid: &Solid, sign: i64, step: &Dyadic) -> Solid {
         Solid::RoundedCuboid(oracle::RoundedCuboid { half, radius }) => {
             Solid::RoundedCuboid(oracle::RoundedCuboid { half: half.each_ref().map(or_zero), radius: by(radius) })
         }
+        Solid::HalfSpaces(of) => {
+            // Each plane moves along an axis, outwards or inwards.
+            let mut of = of.clone();
+            for face in &mut of.faces {
+                let axis = (0..3).max_by_key(|i| face.normal[*i].magnitude()).unwrap_or(0);
+                let is_low = (face.normal[axis].signum() < 0) == (sign > 0);
+                face.point[axis] = &face.point[axis]
+                    + &if sign == 0 {
+                        Dyadic::zero()
+                    } else if is_low {
+                        -step
+                    } else {
+                        step.clone()
+                    };
+            }
+            Solid::HalfSpaces(of)
+        }
         Solid::Rectangle { half } => Solid::Rectangle { half: half.each_ref().map(by) },
         Solid::Triangle { vertices } => {
             // One corner or another, each in another direction.

@@ -3,9 +3,9 @@
 use crate::agreement::Agreement;
 use crate::bytes::{Bytes, Number};
 use raylet::{
-    Affine, Annulus, Capsule, Cone, Cuboid, Cylinder, Departure, Disc, Frame, Leaving, Part, Placement, Plane,
-    Primitive, Range, Ray, Rectangle, Revolved, RoundCone, RoundedCuboid, Scalar, Shape, Sphere, Triangle, Tube,
-    Visible, tier,
+    Affine, Annulus, Capsule, Cone, Cuboid, Cylinder, Departure, Disc, Frame, HalfSpace, Leaving, Part, Placement,
+    Plane, Polyhedron, Primitive, Prism, Range, Ray, Rectangle, Revolved, RoundCone, RoundedCuboid, Scalar, Shape,
+    Sphere, Triangle, Tube, Vec3, Visible, tier,
 };
 use std::any::type_name;
 use std::cell::Cell;
@@ -158,6 +158,7 @@ fn extent(solid: &Solid) -> (Dyadic, Dyadic) {
         Solid::Annulus { inner, outer } => vec![inner.clone(), outer - inner, outer.clone()],
         Solid::Cuboid { half } => half.to_vec(),
         Solid::RoundedCuboid(oracle::RoundedCuboid { half, radius }) => half.iter().chain([radius]).cloned().collect(),
+        Solid::HalfSpaces(of) => of.lengths.iter().map(Dyadic::magnitude).collect(),
         Solid::Rectangle { half } => half.to_vec(),
         Solid::Triangle { vertices } => return triangle_extent(vertices),
     };
@@ -187,7 +188,9 @@ fn primitive<S: Number>(bytes: &mut Bytes<'_, S>) -> Result<Made<S>, Rejected> {
     let which = match bytes.byte() {
         which @ 0..224 => which % 14,
         which @ 224..248 => 14 + which % 2,
-        248..252 => return revolved(bytes),
+        248 | 249 => return revolved(bytes),
+        250 => return prism(bytes),
+        251 => return polyhedron(bytes),
         // 16 to 18.
         which => which.div_ceil(2) - 110,
     };
@@ -282,6 +285,30 @@ fn triangle<S: Number>(bytes: &mut Bytes<'_, S>) -> Result<Made<S>, Rejected> {
     assert!(corners.iter().all(|corner| corner.is_within_budget()), "beyond the budget: {corners:?}");
     let vertices = corners.map(|corner| corner.to_array().map(S::exact));
     Ok((Kind::Open, triangle.into(), Solid::Triangle { vertices }))
+}
+
+fn prism<S: Number>(bytes: &mut Bytes<'_, S>) -> Result<Made<S>, Rejected> {
+    let corners: Vec<_> = (0..3 + bytes.byte() % 4).map(|_| [bytes.number(), bytes.number()]).collect();
+    let height = bytes.size();
+    // What is a polygon is for the constructor to say.
+    let Ok(prism) = Prism::new(corners.clone().leak(), height) else { return Err(Rejected) };
+    let corners: Vec<_> = corners.into_iter().map(|corner| corner.map(S::exact)).collect();
+    let solid = Solid::HalfSpaces(oracle::HalfSpaces::prism(&corners, &height.exact()));
+    Ok((Kind::Bounded, prism.into(), solid))
+}
+
+fn polyhedron<S: Number>(bytes: &mut Bytes<'_, S>) -> Result<Made<S>, Rejected> {
+    let [low, high] = [bytes.vector(), bytes.vector()];
+    let facets: Vec<_> = (0..=bytes.byte() % 4).map(|_| [bytes.vector(), bytes.vector()]).collect();
+    let half_spaces =
+        facets.iter().map(|[point, normal]| HalfSpace::new(*point, *normal)).collect::<Result<Vec<_>, _>>();
+    // What are half-spaces is for the constructor to say.
+    let Ok(half_spaces) = half_spaces else { return Err(Rejected) };
+    let Ok(polyhedron) = Polyhedron::within(low, high, half_spaces.leak()) else { return Err(Rejected) };
+    let exact = |v: Vec3<S>| v.to_array().map(S::exact);
+    let facets: Vec<_> = facets.into_iter().map(|facet| facet.map(exact)).collect();
+    let solid = Solid::HalfSpaces(oracle::HalfSpaces::polyhedron([&exact(low), &exact(high)], &facets));
+    Ok((Kind::Bounded, polyhedron.into(), solid))
 }
 
 fn revolved<S: Number>(bytes: &mut Bytes<'_, S>) -> Result<Made<S>, Rejected> {

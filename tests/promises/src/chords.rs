@@ -168,14 +168,13 @@ fn row<S: Number>(
 fn no_hit_is_lost_or_invented<S: Number>(finer: Finer<S>) {
     let tested: [Tested<S>; 2] = [(Method::tier::<Plain>("Plain"), 10.0), (Method::tier::<Fast>("Fast"), 100.0)];
     let places = [None].into_iter().chain(PLACINGS[..3].iter().copied().map(Some));
-    let (mut broken, mut seed) = (String::new(), 40);
-    for tested in &tested {
+    let mut broken = String::new();
+    for (tested, from) in tested.iter().zip([40, 136]) {
         let tier = tested.0.tier;
         let mut all = Seen::default();
-        for name in SUBJECTS {
+        for (name, seed) in SUBJECTS.into_iter().zip((from..).step_by(4)) {
             let subject = Subject::<S>::new(name);
-            for placing in places.clone() {
-                seed += 1;
+            for (placing, seed) in places.clone().zip(seed + 1..) {
                 let seen = row(tested, finer, &subject, placing, seed);
                 if seen.broken > 0 {
                     let placed = placing.map_or("in the world".into(), Placing::name);

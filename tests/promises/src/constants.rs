@@ -6,11 +6,13 @@ use fixed::types::extra::{U0, U30, U31};
 use fixed::types::{I16F16, I32F32};
 use raylet::scalar::{Unit, UnitScalar};
 use raylet::{
-    Annulus, Camera, Capsule, Color, Cone, Cuboid, Cylinder, Disc, Frame, FrameError, Material, Object, Plane,
-    Rectangle, Revolved, RoundCone, RoundedCuboid, Scalar, Shape, Size, Sphere, Tube, UnitVec3, Vec3, constant,
+    Annulus, Camera, Capsule, Color, Cone, Cuboid, Cylinder, Disc, Frame, FrameError, HalfSpace, Material, Object,
+    Plane, Polyhedron, Prism, Rectangle, Revolved, RoundCone, RoundedCuboid, Scalar, Shape, Size, Sphere, Tube,
+    UnitVec3, Vec3, constant,
 };
 use shared::flash;
 use std::fmt::Debug;
+use support::amount::times;
 use support::random::Random;
 
 /// Sizes at the edges of the budgets and beyond, and any.
@@ -171,6 +173,50 @@ macro_rules! of_type {
         }
     };
 }
+
+/// Those of what borrows a list: half-spaces, prisms and polyhedra.
+macro_rules! of_lists {
+    ($test:ident, $S:ty) => {
+        #[test]
+        fn $test() {
+            type S = $S;
+            let mut random = Random(0x9015);
+            let numbers = numbers::<S>(&mut random);
+            let [mut half_spaces, mut prisms, mut polyhedra] = [(); 3].map(|()| Tally::default());
+            let up = Vec3::from_f64([0.0, 1.0, 0.0]).expect("small");
+            let faces: &[HalfSpace<S>] = vec![HalfSpace::new(Vec3::ZERO, up).expect("a normal"); 17].leak();
+            for _ in 0..times(2_000) {
+                let [a, b, c, d, e, f] = [(); 6].map(|()| random.pick(&numbers));
+                let (point, normal) = (Vec3::new(a, b, c), Vec3::new(d, e, f));
+                half_spaces.add(same(HalfSpace::<S>::const_new(point, normal), HalfSpace::new(point, normal)));
+                let faces = &faces[..random.pick(&[0, 1, 1, 1, 16, 17])];
+                let built = Polyhedron::<S>::const_within(point, normal, faces);
+                polyhedra.add(same(built, Polyhedron::within(point, normal, faces)));
+                // A polygon of any numbers is seldom convex; one on an ellipse is, unless it is too flat.
+                let flat = random.pick(&[1.0, 1.0, 1e-2, 1e-3, 2e-4, 1e-4, 1e-6]);
+                let on_ellipse = |i: usize| {
+                    let angle = i as f64;
+                    [angle.cos(), -angle.sin() * flat].map(|c| <S as Scalar>::from_f64(c).expect("small"))
+                };
+                let corners: Vec<[S; 2]> = if random.below(4) == 0 {
+                    vec![[a, b], [c, d], [e, f]]
+                } else {
+                    (0..random.pick(&[2, 3, 4, 5, 6, 7, 18])).map(on_ellipse).collect()
+                };
+                let corners = corners.leak();
+                let height = if random.below(2) == 0 { a } else { up.y };
+                prisms.add(same(Prism::<S>::const_new(corners, height), Prism::new(corners, height)));
+            }
+            for tally in [half_spaces, prisms, polyhedra] {
+                assert!(tally.good > 50 && tally.bad > 50, "{} and {}", tally.good, tally.bad);
+            }
+        }
+    };
+}
+of_lists!(lists_in_constants_are_those_of_run_time_f32, f32);
+of_lists!(lists_in_constants_are_those_of_run_time_f64, f64);
+of_lists!(lists_in_constants_are_those_of_run_time_i16f16, I16F16);
+of_lists!(lists_in_constants_are_those_of_run_time_i32f32, I32F32);
 
 of_type!(constants_are_those_of_run_time_f32, f32, f32::NAN, -0.0, f32::MIN_POSITIVE, f32::MAX);
 of_type!(constants_are_those_of_run_time_f64, f64, f64::NAN, -0.0, f64::MIN_POSITIVE, f64::MAX);

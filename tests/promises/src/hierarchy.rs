@@ -107,26 +107,23 @@ fn rays_that_touch_a_ball_and_its_box_get_the_same_answers() {
     check::<I32F32>();
 }
 
-/// Where the side meets the top at an angle of 1 : 350, ends that round to one `t` lie 60 units beside the rim.
+/// Where the side meets the top at an angle of 1 : 350, ends round to one `t` up to 60 units beside the rim: there they
+/// were hits, which a box did not hold.
 #[test]
-fn a_hit_beside_a_sharp_rim_is_not_lost() {
+fn beside_a_sharp_rim_there_is_no_hit() {
     let number = |value| I16F16::from_f64(value).expect("in the type");
     let along = [0.47599643, -0.8794472115, 0.0].map(raylet::scalar::Unit::<I16F16>::from_num::<f64>);
     let along = UnitVec3::from_components(along).expect("a unit vector");
-    for (top, least) in [(1.5491, 60), (1.2, 40), (0.8, 20)] {
+    for top in [1.5491, 1.2, 0.8] {
         let dish = Cone::frustum(number(0.5), number(top), number(0.00298)).expect("sizes");
         let objects = [Object::new(Shape::new(dish), 0); 3];
-        let mut farthest = 0;
         both(&objects, |[plain, boxed]| {
-            for beside in 0..100 {
+            for beside in 1..100 {
                 let z = number(top) + I16F16::from_bits(beside);
                 let ray = Ray::new(Vec3::new(number(0.00189), number(0.00298), z), along).expect("within the budget");
-                if agree(plain, boxed, &ray).expect("the same answers") {
-                    farthest = beside;
-                }
+                assert!(!agree(plain, boxed, &ray).expect("the same answers"), "{beside} beside {top}");
             }
         });
-        assert!(farthest > least, "{farthest}: the rounding that this test is about");
     }
 }
 

@@ -4,8 +4,8 @@ use raylet::scene::{Hierarchy, Node};
 use raylet::shape::kinds::{All, Kind, KindError, Kinds, Primitives};
 use raylet::{
     Affine, Annulus, Camera, Capsule, Color, Cone, Cuboid, Cylinder, Disc, Exact, Fast, Frame, Light, Material, Object,
-    Picture, Plain, Plane, Ray, Rectangle, Revolved, RoundCone, RoundedCuboid, Scalar, Scene, Shape, Size, Sphere,
-    Stable, Tier, Triangle, Tube, UnitVec3, Vec3, Visible,
+    Picture, Plain, Plane, Polyhedron, Prism, Ray, Rectangle, Revolved, RoundCone, RoundedCuboid, Scalar, Scene, Shape,
+    Size, Sphere, Stable, Tier, Triangle, Tube, UnitVec3, Vec3, Visible,
 };
 use std::fmt::Debug;
 use support::amount::times;
@@ -111,9 +111,11 @@ macro_rules! every_set {
             $compare::<$S, (Tube<$S>, Annulus<$S>, Frame<$S>, Affine<$S>)>(),
             $compare::<$S, (RoundCone<$S>, Frame<$S>, Affine<$S>)>(),
             $compare::<$S, (RoundedCuboid<$S>, Frame<$S>, Affine<$S>)>(),
+            $compare::<$S, (Prism<$S>, Polyhedron<$S>, Frame<$S>, Affine<$S>)>(),
         ];
         // So many subjects in so many placements, seen from both sides and from each.
-        let expected = [(2, 5), (4, 5), (8, 5), (2, 5), (4, 3), (2, 1), (2, 5), (2, 5), (2, 5), (1, 5), (1, 5)];
+        let one = (1, 5);
+        let expected = [(2, 5), (4, 5), (8, 5), (2, 5), (4, 3), (2, 1), (2, 5), (2, 5), (2, 5), one, one, (2, 5)];
         assert_eq!(compared, expected.map(|(subjects, placements)| subjects * placements * 3));
     }};
 }
@@ -220,7 +222,7 @@ fn a_set_is_what_it_names() {
     assert_eq!(
         All::SET.to_string(),
         "Sphere, Cylinder, Cone, Capsule, Plane, Disc, Triangle, Cuboid, Rectangle, Revolved, Tube, Annulus, \
-         RoundCone, RoundedCuboid, Frame, Affine"
+         RoundCone, RoundedCuboid, Prism, Polyhedron, Frame, Affine"
     );
     assert_eq!(All::SET.len(), Kind::EVERY.len());
     for kind in Kind::EVERY {

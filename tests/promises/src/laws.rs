@@ -29,7 +29,7 @@ mod law {
     use super::*;
     use raylet::{Hit, Ray};
     use support::exact_types::{expected_of, same_crossing, same_part};
-    use support::laws::{Grade, exact_part, number, unit, unit_at, unit_on_the_way};
+    use support::laws::{Grade, number, unit, unit_at, unit_on_the_way};
     use support::laws_distance::{depth, gradient};
     use support::oracle::{self, Dyadic, Membership};
     use support::random::{dot, normalize};
@@ -266,7 +266,7 @@ mod law {
         let ray = setting.ray;
         for hit in &setting.shape.hits_at::<T>(&ray) {
             let local = setting.local_point(&ray, &hit.t.exact());
-            let outwards = gradient(&setting.solid, exact_part(hit.part), &local);
+            let outwards = gradient(&setting.solid, support::exact_types::oracle_part(hit.part), &local);
             let off = bound::<S, T>(setting, &ray, hit.t) + 2.0 * unit_on_the_way(&ray, hit.t.to_f64());
             // Around the axis a normal turns the more the nearer to it; at an apex it is the axis, which no crossing
             // can tell.
@@ -286,7 +286,7 @@ mod law {
             let mut apart = apart_from(exact);
             if apart > turn && matches!(T::GRADE, Grade::Plain | Grade::Fast) {
                 let local = setting.local_point(&ray, &exact_parameter(setting, &ray, hit));
-                let outwards = gradient(&setting.solid, exact_part(hit.part), &local);
+                let outwards = gradient(&setting.solid, support::exact_types::oracle_part(hit.part), &local);
                 apart = apart.min(apart_from(normalize(setting.pose.normal_to_world(outwards))));
             }
             support::laws::note::<S, T>("normal", setting, apart / turn);

@@ -5,8 +5,9 @@ use fixed::types::extra::{LeEqU32, LeEqU64, U0, U16, U30, U32, U64};
 use fixed::{FixedI32, FixedI64};
 use raylet::scalar::UnitScalar;
 use raylet::{
-    Affine, Annulus, Capsule, Cone, Cuboid, Cylinder, Departure, Disc, Frame, Leaving, Part, Plane, Primitive, Range,
-    Ray, Rectangle, Revolved, RoundCone, RoundedCuboid, Scalar, Shape, Sphere, Triangle, Tube, UnitVec3, Vec3, Visible,
+    Affine, Annulus, Capsule, Cone, Cuboid, Cylinder, Departure, Disc, Frame, HalfSpace, Leaving, Part, Plane,
+    Polyhedron, Primitive, Prism, Range, Ray, Rectangle, Revolved, RoundCone, RoundedCuboid, Scalar, Shape, Sphere,
+    Triangle, Tube, UnitVec3, Vec3, Visible,
 };
 use support::amount::times;
 use support::random::Random;
@@ -134,6 +135,12 @@ fn primitives<S: Raw>(a: S, b: S, c: S, vertices: [Vec3<S>; 3]) -> Vec<Primitive
     all.extend(RoundedCuboid::new(a, b, zero, c).map(Primitive::from));
     all.extend(Tube::with_wall(a, b, c).map(Primitive::from));
     all.extend(Annulus::new(a, b).map(Primitive::from));
+    all.extend(
+        Prism::new(vec![[a, zero], [zero, negative(b)], [negative(c), zero], [zero, a]].leak(), b).map(Primitive::from),
+    );
+    let half_spaces: Vec<_> = [(p, q), (q, r), (r, p)].iter().flat_map(|(p, q)| HalfSpace::new(*p, *q)).collect();
+    all.extend(Polyhedron::within(p, q, half_spaces.clone().leak()).map(Primitive::from));
+    all.extend(Polyhedron::new(half_spaces.leak()).map(Primitive::from));
     all.extend(Triangle::new(p, q, r).map(Primitive::from));
     all
 }

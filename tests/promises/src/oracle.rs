@@ -7,8 +7,8 @@ use std::cmp::Ordering;
 use dashu::rational::RBig;
 use support::amount::times;
 use support::oracle::{
-    Answer, Approach, ConeExtent, CylinderExtent, Dyadic, End, Line, Membership, Part, Revolved, Root, RoundCone,
-    RoundedCuboid, Solid, contains, exact_f64, solve,
+    Answer, Approach, ConeExtent, CylinderExtent, Dyadic, End, HalfSpaces, Line, Membership, Part, Revolved, Root,
+    RoundCone, RoundedCuboid, Solid, contains, exact_f64, solve,
 };
 
 /// SplitMix64.
@@ -95,6 +95,17 @@ pub(crate) fn cuboid(half: [f64; 3]) -> Solid {
 }
 
 /// Solids whose answers are spans.
+fn prism(corners: &[[f64; 2]], height: f64) -> Solid {
+    let corners: Vec<_> = corners.iter().map(|corner| corner.map(number)).collect();
+    Solid::HalfSpaces(HalfSpaces::prism(&corners, &number(height)))
+}
+
+fn polyhedron(corners: [[f64; 3]; 2], facets: &[[[f64; 3]; 2]]) -> Solid {
+    let [low, high] = corners.map(|corner| corner.map(number));
+    let facets: Vec<_> = facets.iter().map(|facet| facet.map(|v| v.map(number))).collect();
+    Solid::HalfSpaces(HalfSpaces::polyhedron([&low, &high], &facets))
+}
+
 pub(crate) fn solids() -> Vec<Solid> {
     vec![
         sphere(1.5),
@@ -117,6 +128,11 @@ pub(crate) fn solids() -> Vec<Solid> {
         capsule(1.0, 2.0),
         capsule(1.5, 0.0),
         capsule(0.5, 1.0),
+        prism(&[[1.0, 0.5], [1.0, -0.5], [0.0, -1.0], [-1.0, -0.5], [-1.0, 1.0]], 2.0),
+        polyhedron(
+            [[-1.0, 0.0, -1.0], [1.0, 2.0, 0.5]],
+            &[[[1.0, 1.0, 0.0], [1.0, 1.0, 0.0]], [[0.0; 3], [-1.0, -1.0, 1.0]]],
+        ),
     ]
 }
 
@@ -199,7 +215,7 @@ fn is_on_face(half: &[Dyadic; 3], part: Part, [x, y, z]: [&Surd; 3]) -> bool {
         Part::Front => z[0] == 0 && inside(x) && within(y),
         Part::Base => y[1] == 0 && inside(x) && inside(z),
         Part::Top => y[0] == 0 && inside(x) && inside(z),
-        Part::Side | Part::Inner => false,
+        Part::Side | Part::Inner | Part::Facet(_) => false,
     }
 }
 
@@ -274,6 +290,25 @@ fn is_on_tube([inner, outer, height]: [&Dyadic; 3], part: Part, from_axis: &Surd
     }
 }
 
+/// Whether such a point is on its own face's plane, within all others, and inside of those that come before it.
+fn is_on_half_spaces(of: &HalfSpaces, part: Part, [x, y, z]: [&Surd; 3]) -> bool {
+    let mut is_before = true;
+    of.faces.iter().all(|face| {
+        let [nx, ny, nz] = face.normal.each_ref().map(Dyadic::to_rational);
+        let inside = face.margin(&[(); 3].map(|()| Dyadic::zero())).to_rational();
+        let beyond = x.times(&nx).sum(&y.times(&ny)).sum(&z.times(&nz)).plus(-inside).sign();
+        let is_own = face.part == part;
+        is_before &= !is_own;
+        if is_own {
+            beyond == 0
+        } else if is_before {
+            beyond < 0
+        } else {
+            beyond <= 0
+        }
+    })
+}
+
 /// Whether the point at `t` is on the part named, by that part's own equation.
 pub(crate) fn is_on_part(solid: &Solid, part: Part, line: &Line, t: &Root) -> bool {
     let [x, y, z] = [0, 1, 2].map(|axis| Surd::coordinate(line, t, axis));
@@ -340,6 +375,7 @@ pub(crate) fn is_on_part(solid: &Solid, part: Part, line: &Line, t: &Root) -> bo
         }
         Solid::Cuboid { half } => is_on_face(half, part, [&x, &y, &z]),
         Solid::RoundedCuboid(cuboid) => is_on_rounded_cuboid(cuboid, part, [&x, &y, &z]),
+        Solid::HalfSpaces(of) => is_on_half_spaces(of, part, [&x, &y, &z]),
         Solid::Triangle { vertices } => {
             // Barycentric: the point on either side of each edge, by the coordinates that are left when one is dropped.
             let v = vertices.each_ref().map(|vertex| vertex.each_ref().map(Dyadic::to_rational));
@@ -459,7 +495,7 @@ fn spans_are_the_parameters_of_the_points_that_belong_to_the_solid() {
 #[test]
 fn ends_lie_on_the_part_that_they_name() {
     let mut random = Random(2);
-    let mut found = [0; 7];
+    let mut found = [0; 12];
     for _ in 0..times(1200) {
         let line = random.line();
         let flat = [
@@ -472,12 +508,24 @@ fn ends_lie_on_the_part_that_they_name() {
         let open = open_and_capped().into_iter().map(|(open, _)| open);
         for solid in solids().into_iter().chain(flat).chain(open) {
             for (t, part) in ends(&solve(&solid, &line)) {
-                found[part as usize] += 1;
+                let index = match part {
+                    Part::Side => 0,
+                    Part::Base => 1,
+                    Part::Top => 2,
+                    Part::Left => 3,
+                    Part::Right => 4,
+                    Part::Back => 5,
+                    Part::Front => 6,
+                    Part::Inner => unreachable!("no tube is among them"),
+                    Part::Facet(number) => 7 + usize::from(number).min(4),
+                };
+                found[index] += 1;
                 assert!(is_on_part(&solid, part, &line, &t), "{solid:?}\n{line:?}\n{part:?} at {t:?}");
             }
         }
     }
-    assert!(found.iter().all(|&count| count > 200), "{found:?}");
+    let (others, facets) = found.split_at(7);
+    assert!(others.iter().all(|&count| count > 200) && facets.iter().all(|&count| count > 40), "{found:?}");
 }
 
 #[test]

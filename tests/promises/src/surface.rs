@@ -416,7 +416,8 @@ fn parts_are_those_of_exact_arithmetic<S: Exact>() {
         }
         let parts = match case.name {
             "cuboid" => 6,
-            "rounded cuboid" => 7,
+            "rounded cuboid" | "prism" => 7,
+            "polyhedron" => 8,
             "tube" => 4,
             "capped cylinder"
             | "frustum"

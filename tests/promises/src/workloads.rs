@@ -3,6 +3,7 @@
 use fixed::types::{I16F16, I32F32};
 use raylet::Scalar;
 use raylet::scalar::UnitScalar;
+use shared::borrowed::Borrowed;
 use shared::range_sensor::{SOLIDS, ZONES, ray, solid};
 use shared::workload::{PLACEMENTS, QUERIES, RAYS, Rays, SENSED, SOLIDS_BY_NAME, query, sensed};
 
@@ -21,7 +22,7 @@ fn the_range_sensor_sees_its_yard<S: Scalar>() {
     assert_eq!((0..SENSED).filter_map(sensed::<S>).count(), SENSED);
 }
 
-fn every_solid_has_its_queries<S: Scalar>() {
+fn every_solid_has_its_queries<S: Borrowed>() {
     for solid in SOLIDS_BY_NAME {
         for placed in PLACEMENTS {
             for rays in RAYS {

@@ -2,6 +2,7 @@
 //!
 //! Nothing here depends on the machine: rays come from integers, and of every answer each bit is taken.
 
+use crate::borrowed::{self, Borrowed};
 use crate::{milled, returns};
 use fixed::types::extra::{LeEqU32, LeEqU64};
 use fixed::types::{I16F16, I32F32};
@@ -108,7 +109,7 @@ impl Random {
 }
 
 /// The primitives: those of the canonical pose, then some of them placed.
-fn shape<S: Scalar>(index: usize) -> Option<(&'static str, Shape<S>)> {
+fn shape<S: Borrowed>(index: usize) -> Option<(&'static str, Shape<S>)> {
     let n = |eighths: i32| S::from_f64(eighths as f64 / 8.0).unwrap_or(S::ZERO);
     let v = |x: i32, y: i32, z: i32| Vec3::new(n(x), n(y), n(z));
     let frame =
@@ -137,6 +138,8 @@ fn shape<S: Scalar>(index: usize) -> Option<(&'static str, Shape<S>)> {
         27..30 => ("tube", Tube::new(n(6), n(9), n(14)).ok()?.into()),
         32..35 => ("round cone", RoundCone::new(n(9), n(5), n(14)).ok()?.into()),
         35..38 => ("rounded cuboid", RoundedCuboid::new(n(6), n(4), n(9), n(3)).ok()?.into()),
+        38..41 => ("prism", borrowed::prism(n(14))?.into()),
+        41..44 => ("polyhedron", borrowed::polyhedron::<S>()?.into()),
         30 | 31 => ("annulus", Annulus::new(n(4), n(9)).ok()?.into()),
         _ => return None,
     };
@@ -158,6 +161,10 @@ fn shape<S: Scalar>(index: usize) -> Option<(&'static str, Shape<S>)> {
         34 => ("round cone stretched", shape.placed(affine()?)),
         36 => ("rounded cuboid framed", shape.placed(frame()?)),
         37 => ("rounded cuboid stretched", shape.placed(affine()?)),
+        39 => ("prism framed", shape.placed(frame()?)),
+        40 => ("prism stretched", shape.placed(affine()?)),
+        42 => ("polyhedron framed", shape.placed(frame()?)),
+        43 => ("polyhedron stretched", shape.placed(affine()?)),
         _ => (name, shape),
     })
 }
@@ -218,7 +225,7 @@ fn milled_part<S: Scalar<Unit: Bits> + Bits, T: Tier<S>>() -> Option<u64> {
 }
 
 /// A digest of the contacts of a moving ball with each solid that may be tested with one.
-fn contacts<S: Scalar<Unit: Bits> + Bits, T: Tier<S>>() -> u64 {
+fn contacts<S: Borrowed<Unit: Bits> + Bits, T: Tier<S>>() -> u64 {
     let mut digest = Digest::new();
     let radius = S::from_f64(0.375).unwrap_or(S::ZERO);
     let mut index = 0;
@@ -241,7 +248,7 @@ fn contacts<S: Scalar<Unit: Bits> + Bits, T: Tier<S>>() -> u64 {
 
 /// Hands every shape, number type, tier and digest to `report`, always in the same order.
 pub fn all(report: &mut dyn FnMut(&str, &str, &str, u64)) {
-    fn tier<S: Scalar<Unit: Bits> + Bits, T: Tier<S>>(
+    fn tier<S: Borrowed<Unit: Bits> + Bits, T: Tier<S>>(
         number: &str,
         tier: &str,
         report: &mut dyn FnMut(&str, &str, &str, u64),

@@ -2,6 +2,7 @@
 //!
 //! | module | what it holds |
 //! |---|---|
+//! | `borrowed` | what a prism and a polyhedron borrow |
 //! | `digest` | one number for all answers to a fixed set of rays |
 //! | `flash` | a scene that is all constants |
 //! | `milled` | a part that is drilled and milled: a combination |
@@ -15,6 +16,7 @@
 //! | `range_sensor`, `returns` | a yard of forty solids, and the 64 zones of a sensor; three returns of each |
 #![no_std]
 
+pub mod borrowed;
 pub mod digest;
 pub mod flash;
 pub mod milled;

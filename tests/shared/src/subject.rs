@@ -2,8 +2,8 @@
 
 use raylet::tier::Tier;
 use raylet::{
-    Affine, Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Frame, Hit, Hits, Plane, Ray, Rectangle, Revolved,
-    RoundCone, RoundedCuboid, Scalar, Shape, Sphere, Surface, Triangle, Tube, UnitVec3, Vec3,
+    Affine, Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Frame, Hit, Hits, Plane, Polyhedron, Prism, Ray, Rectangle,
+    Revolved, RoundCone, RoundedCuboid, Scalar, Shape, Sphere, Surface, Triangle, Tube, UnitVec3, Vec3,
 };
 
 /// What a primitive and a shape have in common.
@@ -48,7 +48,7 @@ macro_rules! subjects {
     };
 }
 subjects!(Sphere Cylinder Cone Capsule Plane Disc Triangle Cuboid Rectangle Revolved Tube Annulus RoundCone);
-subjects!(RoundedCuboid Shape);
+subjects!(RoundedCuboid Prism Polyhedron Shape);
 
 /// The queries, as functions that are not inlined and whose answers are used.
 pub mod query {
@@ -150,6 +150,8 @@ macro_rules! every_subject {
             "tube" Tube::new(n::<$S>(6), n(8), n(12)).ok();
             "round cone" RoundCone::new(n::<$S>(7), n(4), n(10)).ok();
             "rounded cuboid" RoundedCuboid::new(n::<$S>(6), n(4), n(5), n(2)).ok();
+            "prism" $crate::borrowed::prism(n::<$S>(12));
+            "polyhedron" $crate::borrowed::polyhedron::<$S>();
             "annulus" Annulus::new(n::<$S>(4), n(8)).ok();
             "cylinder, capped, as a shape" Cylinder::capped(n::<$S>(8), n(12)).ok().map(Shape::new);
             "sphere, framed" Sphere::new(n::<$S>(8)).ok().map(Shape::new).and_then(framed);

@@ -2,6 +2,7 @@
 //!
 //! Every query is a solid and a ray of its own, from seeded numbers that all number types hold.
 
+use crate::borrowed::{self, Borrowed};
 use crate::digest::Random;
 use crate::range_sensor::{self, SOLIDS, ZONES};
 use crate::subject::{eighths, triangle};
@@ -15,7 +16,7 @@ use raylet::{
 pub const QUERIES: usize = 100;
 
 /// The solids, all about as large as the unit ball.
-pub const SOLIDS_BY_NAME: [&str; 18] = [
+pub const SOLIDS_BY_NAME: [&str; 20] = [
     "sphere",
     "cylinder, capped",
     "capsule",
@@ -34,6 +35,8 @@ pub const SOLIDS_BY_NAME: [&str; 18] = [
     "annulus",
     "round cone",
     "rounded cuboid",
+    "prism",
+    "polyhedron",
 ];
 
 /// How a solid is placed.
@@ -98,7 +101,7 @@ pub struct Query<S: Scalar> {
     pub ray: Ray<S>,
 }
 
-fn primitive<S: Scalar>(name: &str) -> Option<Primitive<S>> {
+fn primitive<S: Borrowed>(name: &str) -> Option<Primitive<S>> {
     let n = eighths::<S>;
     Some(match name {
         "sphere" => Sphere::new(n(8)).ok()?.into(),
@@ -117,6 +120,8 @@ fn primitive<S: Scalar>(name: &str) -> Option<Primitive<S>> {
         "hyperboloid" => Revolved::hyperboloid(n(5), n(6), [n(-6), n(8)]).ok()?.into(),
         "round cone" => RoundCone::new(n(7), n(4), n(10)).ok()?.into(),
         "rounded cuboid" => RoundedCuboid::new(n(6), n(4), n(5), n(2)).ok()?.into(),
+        "prism" => borrowed::prism(n(12))?.into(),
+        "polyhedron" => borrowed::polyhedron::<S>()?.into(),
         "tube" => Tube::new(n(6), n(8), n(12)).ok()?.into(),
         "annulus" => Annulus::new(n(4), n(8)).ok()?.into(),
         _ => return None,
@@ -179,7 +184,7 @@ fn departing<S: Scalar>(shape: &Shape<S>, arriving: &Ray<S>, random: &mut Random
 }
 
 /// The query of this index; always the same.
-pub fn query<S: Scalar>(solid: &str, placed: Placed, rays: Rays, index: usize) -> Option<Query<S>> {
+pub fn query<S: Borrowed>(solid: &str, placed: Placed, rays: Rays, index: usize) -> Option<Query<S>> {
     // The seeds of neighbours must differ in many bits.
     let mut random = Random((index as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15));
     let shape = Shape::new(primitive(solid)?);

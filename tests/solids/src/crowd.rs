@@ -24,11 +24,11 @@ const SIZES: [f64; 5] = [0.25, 0.5, 1.0, 1.5, 2.0];
 /// What solids a crowd consists of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Of {
-    /// All but quadrics of revolution, round cones, rounded cuboids and tubes.
+    /// All but quadrics of revolution, round cones, rounded cuboids, prisms and tubes.
     Others,
     /// Every third is a quadric of revolution or a tube.
     All,
-    /// Every third is a round cone or a rounded cuboid.
+    /// Every third is a round cone, a rounded cuboid or a prism.
     Round,
 }
 
@@ -74,9 +74,22 @@ fn rounded_cuboid<S: Exact>(random: &mut Random, unit: f64) -> Described<S> {
     Described::RoundedCuboid { half, radius }
 }
 
+/// A house: two walls and a roof in plan, so that faces coincide with those of cuboids.
+fn prism<S: Exact>(random: &mut Random, unit: f64) -> Described<S> {
+    let mut size = || random.pick(&SIZES) * unit;
+    let [x, z, roof, height] = [size(), size(), size(), size()];
+    let corners = [[x, z], [x, -z], [0.0, -z - roof], [-x, -z], [-x, z]];
+    let number = |x: f64| S::from_f64(x).expect("every tested type holds it");
+    Described::Prism { corners: corners.map(|corner| corner.map(number)), height: number(height) }
+}
+
 fn described<S: Exact>(random: &mut Random, unit: f64, of: Of) -> Described<S> {
     if of == Of::Round && random.below(3) == 0 {
-        return if random.below(2) == 0 { round_cone(random, unit) } else { rounded_cuboid(random, unit) };
+        return match random.below(3) {
+            0 => round_cone(random, unit),
+            1 => rounded_cuboid(random, unit),
+            _ => prism(random, unit),
+        };
     }
     if of == Of::All && random.below(3) == 0 {
         return if random.below(3) == 0 { tube(random, unit) } else { quadric(random, unit) };

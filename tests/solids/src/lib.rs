@@ -1,6 +1,6 @@
 //! Many solids along one ray: their order beside exact arithmetic, the set of solids inside, and rays that are followed
 //! from crossing to crossing; light through touching and overlapping glass. Also balls that move along a ray, and
-//! ellipsoids, quadrics of revolution, round cones, rounded cuboids and tubes.
+//! ellipsoids, polyhedra, prisms, quadrics of revolution, round cones, rounded cuboids and tubes.
 
 /// Calls a test in all tiers of all number types.
 #[cfg(test)]
@@ -42,6 +42,10 @@ mod hollow;
 mod media;
 #[cfg(test)]
 mod order;
+#[cfg(test)]
+mod polyhedron;
+#[cfg(test)]
+mod prism;
 #[cfg(test)]
 mod queries;
 #[cfg(test)]

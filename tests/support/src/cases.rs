@@ -1,5 +1,6 @@
 //! Every primitive of the crate beside the oracle's own, rays at their edges, and what counts as the same answer.
 
+use super::described::Described;
 use super::exact_types::{Exact, expected, same_crossing, same_part};
 use super::oracle::{self, ConeExtent, CylinderExtent, Solid};
 use super::random::Random;
@@ -94,6 +95,30 @@ fn rounded_cuboid<S: Exact>(half: [f64; 3], radius: f64) -> (Primitive<S>, Solid
     (cuboid.into(), Solid::RoundedCuboid(oracle::RoundedCuboid { half: half.map(exact), radius: exact(radius) }))
 }
 
+/// A prism with two parallel sides and slanted ones; and a block without an edge and without a corner. With the heights
+/// and the distances at which something changes.
+const OF_HALF_SPACES: [(Described<f64>, &[f64], &[f64]); 2] = [
+    (
+        Described::Prism { corners: [[1.0, 0.5], [1.0, -0.5], [0.0, -1.0], [-1.0, -1.0], [-1.0, 1.0]], height: 2.0 },
+        &[0.0, 2.0],
+        &[1.0, 0.5],
+    ),
+    (
+        Described::Polyhedron {
+            corners: [[-1.0, -0.5, -1.0], [1.0, 1.5, 1.0]],
+            facets: [[[1.0, 1.0, 0.0], [1.0, 1.0, 0.0]], [[-1.0, 0.0, 0.5], [-1.0, -1.0, 2.0]]],
+        },
+        &[-0.5, 1.5],
+        &[1.0, 0.5],
+    ),
+];
+
+fn of_half_spaces<S: Exact>(described: &Described<f64>) -> (&'static str, Primitive<S>, Solid) {
+    let described = described.try_map(|size| S::from_f64(*size)).expect("the sizes are within the type");
+    let shape = described.shape().expect("the sizes are within the budget");
+    (described.name(), *shape.primitive(), described.solid())
+}
+
 /// Every row of the design's section 3, in sizes that every type holds exactly.
 pub fn cases<S: Exact>() -> Vec<Case<S>> {
     let mut cases: Vec<Case<S>> = vec![];
@@ -102,14 +127,8 @@ pub fn cases<S: Exact>() -> Vec<Case<S>> {
         cases.push(Case { name, kind, primitive, solid, seams: seams.to_vec(), radii: radii.to_vec() });
     };
     let sizes = "the sizes are within the budget";
-    add(
-        "sphere",
-        Kind::Bounded,
-        Sphere::new(n(1.5)).expect(sizes).into(),
-        Solid::Sphere { radius: d(1.5) },
-        &[],
-        &[1.5],
-    );
+    let sphere = Sphere::new(n(1.5)).expect(sizes);
+    add("sphere", Kind::Bounded, sphere.into(), Solid::Sphere { radius: d(1.5) }, &[], &[1.5]);
     let cylinder = |extent| Solid::Cylinder { radius: d(1.0), extent };
     let infinite = Cylinder::infinite(n(1.0)).expect(sizes);
     add("infinite cylinder", Kind::Unbounded, infinite.into(), cylinder(CylinderExtent::Infinite), &[], &[1.0]);
@@ -172,21 +191,26 @@ pub fn cases<S: Exact>() -> Vec<Case<S>> {
         let solid = oracle::RoundCone::solid(base, top, height);
         add(name, Kind::Bounded, cone.into(), solid, seams, &sizes[..2]);
     }
-    let tube = Tube::new(n(0.75), n(1.25), n(2.0)).expect(sizes);
-    let solid = Solid::Tube { inner: d(0.75), outer: d(1.25), height: d(2.0) };
-    add("tube", Kind::NotConvex, tube.into(), solid, &[0.0, 2.0], &[0.75, 1.25]);
-    let annulus = Annulus::new(n(0.75), n(1.25)).expect(sizes);
-    let solid = Solid::Annulus { inner: d(0.75), outer: d(1.25) };
-    add("annulus", Kind::Open, annulus.into(), solid, &[0.0], &[0.75, 1.25]);
+    let [inner, outer] = [0.75, 1.25];
+    let tube = Tube::new(n(inner), n(outer), n(2.0)).expect(sizes);
+    let solid = Solid::Tube { inner: d(inner), outer: d(outer), height: d(2.0) };
+    add("tube", Kind::NotConvex, tube.into(), solid, &[0.0, 2.0], &[inner, outer]);
+    let annulus = Annulus::new(n(inner), n(outer)).expect(sizes);
+    let solid = Solid::Annulus { inner: d(inner), outer: d(outer) };
+    add("annulus", Kind::Open, annulus.into(), solid, &[0.0], &[inner, outer]);
     add("plane", Kind::Open, Plane::new().into(), Solid::Plane, &[0.0], &[]);
-    let disc = Disc::new(n(1.5)).expect(sizes);
-    add("disc", Kind::Open, disc.into(), Solid::Disc { radius: d(1.5) }, &[0.0], &[1.5]);
+    let disc = Disc::new(n(1.5)).expect(sizes).into();
+    add("disc", Kind::Open, disc, Solid::Disc { radius: d(1.5) }, &[0.0], &[1.5]);
     let cuboid = Cuboid::new(n(1.0), n(1.0), n(0.5)).expect(sizes);
     let solid = Solid::Cuboid { half: [1.0, 1.0, 0.5].map(d) };
     add("cuboid", Kind::Bounded, cuboid.into(), solid, &[-1.0, 1.0], &[1.0, 0.5]);
     for (name, half @ [x, y, z], r) in ROUNDED_CUBOIDS {
         let (cuboid, solid) = rounded_cuboid::<S>(half, r);
         add(name, Kind::Bounded, cuboid, solid, &[-y - r, -y, y, y + r], &[x, x + r, z, z + r]);
+    }
+    for (described, seams, radii) in OF_HALF_SPACES {
+        let (name, primitive, solid) = of_half_spaces::<S>(&described);
+        add(name, Kind::Bounded, primitive, solid, seams, radii);
     }
     let (rectangle, half) = (Rectangle::new(n(1.5), n(0.5)).expect(sizes), [1.5, 0.5].map(d));
     add("rectangle", Kind::Open, rectangle.into(), Solid::Rectangle { half }, &[0.0], &[1.5, 0.5]);
@@ -306,7 +330,10 @@ pub fn compare_answers<S: Exact>(hits: &Hits<S>, exact: &oracle::InRange) -> Ver
 
 /// Of a primitive with straight edges: whether a ray that starts a hair beside has another number of hits.
 fn is_at_an_edge<S: Exact>(case: &Case<S>, ray: &Ray<S>, hits: usize, tie: f64) -> bool {
-    let (Solid::Triangle { .. } | Solid::Cuboid { .. } | Solid::Rectangle { .. }) = case.solid else { return false };
+    let (Solid::Triangle { .. } | Solid::Cuboid { .. } | Solid::HalfSpaces(_) | Solid::Rectangle { .. }) = case.solid
+    else {
+        return false;
+    };
     let line = super::exact_types::exact_line(ray);
     let (start, end) = (ray.range().start().exact(), ray.range().end().exact());
     (0..6).any(|side| {

@@ -4,8 +4,8 @@
 use super::exact_types::Exact;
 use super::oracle::{self, Solid};
 use raylet::{
-    Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Rectangle, Revolved, RoundCone, RoundedCuboid, Shape,
-    SizeError, Sphere, Triangle, Tube, ValueError, Vec3,
+    Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, HalfSpace, Plane, Polyhedron, Prism, Rectangle, Revolved,
+    RoundCone, RoundedCuboid, Shape, SizeError, Sphere, Triangle, Tube, ValueError, Vec3,
 };
 
 /// How far a cylinder reaches along its axis.
@@ -28,21 +28,74 @@ pub enum ConeExtent<N> {
 /// A primitive and its sizes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Described<N> {
-    Sphere { radius: N },
-    Cylinder { radius: N, extent: CylinderExtent<N> },
-    Cone { slope: N, extent: ConeExtent<N> },
-    Frustum { base: N, top: N, height: N, capped: bool },
-    Capsule { radius: N, height: N },
-    Revolved { a: N, b: N, radius: N, heights: [N; 2], capped: bool },
-    RoundCone { base: N, top: N, height: N },
-    Tube { inner: N, outer: N, height: N },
+    Sphere {
+        radius: N,
+    },
+    Cylinder {
+        radius: N,
+        extent: CylinderExtent<N>,
+    },
+    Cone {
+        slope: N,
+        extent: ConeExtent<N>,
+    },
+    Frustum {
+        base: N,
+        top: N,
+        height: N,
+        capped: bool,
+    },
+    Capsule {
+        radius: N,
+        height: N,
+    },
+    Revolved {
+        a: N,
+        b: N,
+        radius: N,
+        heights: [N; 2],
+        capped: bool,
+    },
+    RoundCone {
+        base: N,
+        top: N,
+        height: N,
+    },
+    Tube {
+        inner: N,
+        outer: N,
+        height: N,
+    },
     Plane,
-    Disc { radius: N },
-    Annulus { inner: N, outer: N },
-    Cuboid { half: [N; 3] },
-    RoundedCuboid { half: [N; 3], radius: N },
-    Rectangle { half: [N; 2] },
-    Triangle { vertices: [[N; 3]; 3] },
+    Disc {
+        radius: N,
+    },
+    Annulus {
+        inner: N,
+        outer: N,
+    },
+    Cuboid {
+        half: [N; 3],
+    },
+    RoundedCuboid {
+        half: [N; 3],
+        radius: N,
+    },
+    Prism {
+        corners: [[N; 2]; 5],
+        height: N,
+    },
+    /// Of each half-space a point and the normal.
+    Polyhedron {
+        corners: [[N; 3]; 2],
+        facets: [[[N; 3]; 2]; 2],
+    },
+    Rectangle {
+        half: [N; 2],
+    },
+    Triangle {
+        vertices: [[N; 3]; 3],
+    },
 }
 
 /// What a size is: the error of the constructor that refuses it.
@@ -72,6 +125,8 @@ impl<N> Described<N> {
             Self::Annulus { .. } => "annulus",
             Self::Cuboid { .. } => "cuboid",
             Self::RoundedCuboid { .. } => "rounded cuboid",
+            Self::Prism { .. } => "prism",
+            Self::Polyhedron { .. } => "polyhedron",
             Self::Rectangle { .. } => "rectangle",
             Self::Triangle { .. } => "triangle",
         }
@@ -139,6 +194,18 @@ impl<N> Described<N> {
                 let half = |size| of(size, SizeError::HalfExtent);
                 Described::RoundedCuboid { half: [half(x)?, half(y)?, half(z)?], radius: of(r, radius)? }
             }
+            Self::Prism { corners, height: h } => {
+                let corner = |[x, z]: &[N; 2]| Ok([of(x, SizeError::Corner)?, of(z, SizeError::Corner)?]);
+                let [a, b, c, d, e] = corners.each_ref().map(corner);
+                Described::Prism { corners: [a?, b?, c?, d?, e?], height: of(h, height)? }
+            }
+            Self::Polyhedron { corners, facets } => {
+                let vector = |[x, y, z]: &[N; 3], what: Size| Ok([of(x, what)?, of(y, what)?, of(z, what)?]);
+                let point = |v: &[N; 3]| vector(v, SizeError::Corner);
+                let facet = |[p, normal]: &[[N; 3]; 2]| Ok([point(p)?, vector(normal, SizeError::Normal)?]);
+                let corners = [point(&corners[0])?, point(&corners[1])?];
+                Described::Polyhedron { corners, facets: [facet(&facets[0])?, facet(&facets[1])?] }
+            }
             Self::Rectangle { half: [x, z] } => {
                 let half = |size| of(size, SizeError::HalfExtent);
                 Described::Rectangle { half: [half(x)?, half(z)?] }
@@ -188,6 +255,12 @@ impl<S: Exact> Described<S> {
             Self::Annulus { inner, outer } => Shape::new(Annulus::new(inner, outer)?),
             Self::Cuboid { half: [x, y, z] } => Shape::new(Cuboid::new(x, y, z)?),
             Self::RoundedCuboid { half: [x, y, z], radius } => Shape::new(RoundedCuboid::new(x, y, z, radius)?),
+            // A prism borrows its corners for the rest of the program.
+            Self::Prism { corners, height } => Shape::new(Prism::new(Vec::from(corners).leak(), height)?),
+            Self::Polyhedron { corners: [low, high], facets } => {
+                let [a, b] = facets.map(|[point, normal]| HalfSpace::new(point.into(), normal.into()));
+                Shape::new(Polyhedron::within(low.into(), high.into(), Vec::from([a?, b?]).leak())?)
+            }
             Self::Rectangle { half: [x, z] } => Shape::new(Rectangle::new(x, z)?),
             Self::Triangle { vertices } => {
                 let [a, b, c] = vertices.map(Vec3::from);
@@ -242,6 +315,15 @@ impl<S: Exact> Described<S> {
             Self::RoundedCuboid { half, radius } => {
                 Solid::RoundedCuboid(oracle::RoundedCuboid { half: half.map(exact), radius: exact(radius) })
             }
+            Self::Prism { corners, height } => {
+                let corners = corners.map(|corner| corner.map(exact));
+                Solid::HalfSpaces(oracle::HalfSpaces::prism(&corners, &exact(height)))
+            }
+            Self::Polyhedron { corners, facets } => {
+                let [low, high] = corners.map(|corner| corner.map(exact));
+                let facets = facets.map(|facet| facet.map(|v| v.map(exact)));
+                Solid::HalfSpaces(oracle::HalfSpaces::polyhedron([&low, &high], &facets))
+            }
             Self::Rectangle { half } => Solid::Rectangle { half: half.map(exact) },
             Self::Triangle { vertices } => Solid::Triangle { vertices: vertices.map(|vertex| vertex.map(exact)) },
         }
@@ -272,6 +354,8 @@ impl<S: Exact> Described<S> {
             Self::Plane | Self::Cone { extent: ConeExtent::Double | ConeExtent::Nappe, .. } => 1.0,
             Self::Cuboid { half } => largest(&half),
             Self::RoundedCuboid { half: [x, y, z], radius } => largest(&[x, y, z]) + radius.to_f64(),
+            Self::Prism { corners, height } => largest(corners.as_flattened()).max(largest(&[height])),
+            Self::Polyhedron { corners, .. } => largest(corners.as_flattened()),
             Self::Rectangle { half } => largest(&half),
             Self::Triangle { vertices } => largest(vertices.as_flattened()),
         }

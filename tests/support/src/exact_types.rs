@@ -153,7 +153,8 @@ pub fn expected_of<S: Exact>(solid: &oracle::Solid, line: &oracle::Line, ray: &R
     oracle::hits_in_range(&answer, &ray.range().start().exact(), Some(&ray.range().end().exact()))
 }
 
-fn oracle_part(part: Part) -> oracle::Part {
+/// The same part in the oracle's words.
+pub fn oracle_part(part: Part) -> oracle::Part {
     match part {
         Part::Base => oracle::Part::Base,
         Part::Top => oracle::Part::Top,
@@ -162,7 +163,7 @@ fn oracle_part(part: Part) -> oracle::Part {
         Part::Back => oracle::Part::Back,
         Part::Front => oracle::Part::Front,
         Part::Inner => oracle::Part::Inner,
-        _ => oracle::Part::Side,
+        _ => part.facet_number().map_or(oracle::Part::Side, |number| oracle::Part::Facet(number as u8)),
     }
 }
 

@@ -2,7 +2,7 @@
 //! number type and tier.
 
 use super::cases::{Case, n};
-use super::exact_types::Exact as Number;
+use super::exact_types::{Exact as Number, oracle_part};
 use super::laws_distance::{Point, depth, distance_from};
 pub use super::laws_pose::{POSES, Pose};
 use super::oracle::{self, Dyadic, Solid};
@@ -149,26 +149,12 @@ impl<S: Number> Setting<S> {
 
     /// How far the ray's point at `t` is from a part, in exact numbers.
     pub fn off(&self, ray: &Ray<S>, t: &Dyadic, part: Part) -> f64 {
-        distance_from(&self.solid, exact_part(part), &self.point_as_the_solid_sees_it(ray, t))
+        distance_from(&self.solid, oracle_part(part), &self.point_as_the_solid_sees_it(ray, t))
     }
 
     /// How deep the ray's point at `t` lies, in exact numbers.
     pub fn depth(&self, ray: &Ray<S>, t: &Dyadic) -> f64 {
         depth(&self.solid, &self.point_as_the_solid_sees_it(ray, t))
-    }
-}
-
-pub fn exact_part(part: Part) -> oracle::Part {
-    match part {
-        Part::Side => oracle::Part::Side,
-        Part::Base => oracle::Part::Base,
-        Part::Top => oracle::Part::Top,
-        Part::Left => oracle::Part::Left,
-        Part::Right => oracle::Part::Right,
-        Part::Back => oracle::Part::Back,
-        Part::Front => oracle::Part::Front,
-        Part::Inner => oracle::Part::Inner,
-        _ => panic!("the oracle does not know {part:?}"),
     }
 }
 

@@ -1,7 +1,7 @@
 //! How far a point is from a surface, straight from the definitions of the solids: differences in exact numbers, so
 //! that a distance of `2^-60` is as right as one of 1; the quotients that make lengths of them in `f64`.
 
-use super::oracle::{self, ConeExtent, CylinderExtent, Dyadic, Part, RoundCone, Solid};
+use super::oracle::{self, ConeExtent, CylinderExtent, Dyadic, HalfSpace, Part, RoundCone, Solid};
 
 /// A point in exact numbers.
 pub type Point = [Dyadic; 3];
@@ -36,7 +36,7 @@ fn face(part: Part) -> (usize, bool) {
         Part::Top => (1, true),
         Part::Back => (2, false),
         Part::Front => (2, true),
-        Part::Side | Part::Inner => panic!("a cuboid has no such part"),
+        Part::Side | Part::Inner | Part::Facet(_) => panic!("a cuboid has no such part"),
     }
 }
 
@@ -106,12 +106,18 @@ fn under_side(solid: &Solid, p: &Point) -> f64 {
         }
         Solid::Plane | Solid::Disc { .. } | Solid::Annulus { .. } | Solid::Rectangle { .. } => -y.to_f64(),
         Solid::Cuboid { half } => (0..3).map(|i| (&half[i] - &p[i].magnitude()).to_f64()).fold(f64::INFINITY, f64::min),
+        Solid::HalfSpaces(of) => of.faces.iter().map(|face| inside_of(face, p)).fold(f64::INFINITY, f64::min),
         Solid::Triangle { vertices } => {
             let [a, b, c] = vertices;
             let normal = cross(&minus(b, a), &minus(c, a));
             -dot(&normal, &minus(p, a)).to_f64() / dot(&normal, &normal).to_f64().sqrt()
         }
     }
+}
+
+/// How far inside of a face's plane the point is.
+fn inside_of(face: &HalfSpace, p: &Point) -> f64 {
+    face.margin(p).to_f64() / dot(&face.normal, &face.normal).to_f64().sqrt()
 }
 
 /// How far below the top and above the base.
@@ -215,6 +221,13 @@ pub fn distance_from(solid: &Solid, part: Part, p: &Point) -> f64 {
             };
             (0..3).map(off).fold(0.0, f64::max)
         }
+        (Solid::HalfSpaces(of), _) => {
+            let off = |face: &HalfSpace| {
+                let inside = inside_of(face, p);
+                if face.part == part { inside.abs() } else { -inside }
+            };
+            of.faces.iter().map(off).fold(0.0, f64::max)
+        }
         (Solid::Triangle { vertices }, _) => {
             let [a, b, c] = vertices;
             let normal = cross(&minus(b, a), &minus(c, a));
@@ -247,6 +260,7 @@ pub fn gradient(solid: &Solid, part: Part, p: &Point) -> [f64; 3] {
             let excess = cuboid.excess(p).map(|c| c.to_f64());
             [excess[0].copysign(x), excess[1].copysign(y), excess[2].copysign(z)]
         }
+        (Solid::HalfSpaces(of), _) => of.normal(part).map(|n| n.to_f64()),
         (Solid::Cuboid { .. } | Solid::RoundedCuboid(_), _) => {
             let (axis, is_positive) = face(part);
             std::array::from_fn(|i| {

@@ -126,6 +126,10 @@ pub fn clearance(solid: &Solid, line: &Line) -> f64 {
                 least.min(of_ball).min(of_edge(0)).min(of_edge(1)).min(of_edge(2))
             })
         }
+        Solid::HalfSpaces(of) => of.faces.iter().fold(1.0, |least: f64, face| {
+            let n = face.normal.each_ref().map(Dyadic::to_f64);
+            least.min(dot(n, d).abs() / dot(n, n).sqrt())
+        }),
         Solid::Triangle { vertices } => {
             let [a, b, c] = vertices.each_ref().map(|vertex| vertex.each_ref().map(Dyadic::to_f64));
             let n = cross(add(b, scale(a, -1.0)), add(c, scale(a, -1.0)));

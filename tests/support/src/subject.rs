@@ -2,12 +2,12 @@
 
 use super::described::{ConeExtent, CylinderExtent, Described};
 use super::exact_types::Exact;
-use super::oracle::{Dyadic, Revolved, Solid};
-use super::random::{Random, add, cross, normalize, scale};
+use super::oracle::{Dyadic, HalfSpace, Revolved, Solid};
+use super::random::{Random, add, cross, dot, normalize, scale};
 use raylet::Shape;
 
 /// Every primitive of the design, with a name for tables.
-pub const SUBJECTS: [&str; 24] = [
+pub const SUBJECTS: [&str; 26] = [
     "sphere",
     "cylinder infinite",
     "cylinder open",
@@ -32,12 +32,19 @@ pub const SUBJECTS: [&str; 24] = [
     "cuboid",
     "rounded cuboid",
     "rectangle",
+    "prism",
+    "polyhedron",
 ];
 
 /// The half extents of the cuboid.
 const CUBOID: [f64; 3] = [1.1, 0.85, 0.6];
 /// The half extents of the core of the rounded cuboid, and its radius.
 const ROUNDED: ([f64; 3], f64) = ([0.8, 0.55, 0.3], 0.3);
+/// The corners of the prism.
+const PENTAGON: [[f64; 2]; 5] = [[1.2, 0.3], [0.7, -0.9], [-0.5, -1.0], [-1.1, 0.2], [0.1, 1.1]];
+/// The box of the polyhedron, and of each half-space a point and the normal.
+const BOX: [[f64; 3]; 2] = [[-1.1, -0.7, -0.9], [1.2, 0.8, 1.1]];
+const FACETS: [[[f64; 3]; 2]; 2] = [[[0.7, 0.8, 0.3], [0.6, 0.8, 0.3]], [[-0.6, 0.1, 0.9], [-0.7, 0.2, 0.5]]];
 /// The half extents of the rectangle.
 const RECTANGLE: [f64; 2] = [1.3, 0.7];
 
@@ -83,6 +90,8 @@ impl<S: Exact> Subject<S> {
             }
             "cuboid" => (Described::Cuboid { half: CUBOID }, (0.0, 0.0, 1.0)),
             "rounded cuboid" => (Described::RoundedCuboid { half: ROUNDED.0, radius: ROUNDED.1 }, (0.0, 0.0, 1.0)),
+            "prism" => (Described::Prism { corners: PENTAGON, height: h }, (1.0, 1.0, h)),
+            "polyhedron" => (Described::Polyhedron { corners: BOX, facets: FACETS }, (1.0, 1.0, 1.0)),
             "rectangle" => (Described::Rectangle { half: RECTANGLE }, (RECTANGLE[1], 0.0, 0.0)),
             _ => panic!("no subject of this name: {name}"),
         };
@@ -142,6 +151,9 @@ impl<S: Exact> Subject<S> {
         if let Some((half, _)) = self.core() {
             return half.map(|half| random.between(-0.9, 0.9) * half);
         }
+        if let Some((point, _)) = self.face_point_of_half_spaces(random) {
+            return point.map(|c| c * 0.95 * random.unit().cbrt());
+        }
         if self.is_flat() {
             // The triangle's centroid is the origin and its plane is tilted.
             let (x, z) = (libm::cos(angle) * around * base, libm::sin(angle) * around * base);
@@ -159,6 +171,34 @@ impl<S: Exact> Subject<S> {
             "rounded cuboid" => Some(ROUNDED),
             _ => None,
         }
+    }
+
+    /// The planes of a prism or a polyhedron: normals, and their inner products with points of the planes.
+    fn planes(&self) -> Option<Vec<([f64; 3], f64)>> {
+        let Solid::HalfSpaces(of) = &self.solid else { return None };
+        let plane = |face: &HalfSpace| {
+            let [normal, point] = [&face.normal, &face.point].map(|v| v.each_ref().map(Dyadic::to_f64));
+            (normal, dot(normal, point))
+        };
+        Some(of.faces.iter().map(plane).collect())
+    }
+
+    /// Where a line from within leaves the planes, and the normal there.
+    fn leave(planes: &[([f64; 3], f64)], from: [f64; 3], along: [f64; 3]) -> ([f64; 3], [f64; 3]) {
+        let crossing = |(normal, at): &([f64; 3], f64)| {
+            let slope = dot(*normal, along);
+            (slope > 1e-9).then(|| ((at - dot(*normal, from)) / slope, *normal))
+        };
+        let first = planes.iter().filter_map(crossing).min_by(|a, b| a.0.total_cmp(&b.0));
+        let (t, normal) = first.expect("it is bounded");
+        (add(from, scale(along, t)), normalize(normal))
+    }
+
+    /// A point of a face of a prism or a polyhedron, and the outward normal there.
+    fn face_point_of_half_spaces(&self, random: &mut Random) -> Option<([f64; 3], [f64; 3])> {
+        // The origin is in the middle of the prism's base.
+        let middle = [0.0, if self.name == "prism" { 0.5 * self.outline.2 } else { 0.0 }, 0.0];
+        Some(Self::leave(&self.planes()?, middle, random.direction()))
     }
 
     /// A point of the face across the axis, and the outward normal there.
@@ -191,6 +231,9 @@ impl<S: Exact> Subject<S> {
             }
             let axis = random.pick(&[0, 2]);
             return Self::face_point(core, random, axis);
+        }
+        if let Some(found) = self.face_point_of_half_spaces(random) {
+            return found;
         }
         let (base, _, height) = self.outline;
         if self.name == "sphere" {
@@ -228,6 +271,9 @@ impl<S: Exact> Subject<S> {
         if let Some(core) = self.core() {
             return Some(Self::face_point(core, random, 1));
         }
+        if let Some(found) = self.face_point_of_half_spaces(random) {
+            return Some(found);
+        }
         let caps: &[(f64, f64)] = match self.name {
             "plane" | "disc" | "annulus" | "rectangle" => &[(base, 0.0)],
             "cone capped" | "paraboloid" => &[(top, height)],
@@ -255,6 +301,10 @@ impl<S: Exact> Subject<S> {
                 point[across] += radius.copysign(point[across]);
             }
             return point;
+        }
+        if let (Some((from, normal)), Some(planes)) = (self.face_point_of_half_spaces(random), self.planes()) {
+            // Along the face to its edge.
+            return Self::leave(&planes, from, normalize(cross(normal, random.direction()))).0;
         }
         if self.name == "rectangle" {
             let [x, z] = RECTANGLE.map(|half| random.sign() * half);

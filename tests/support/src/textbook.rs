@@ -87,6 +87,14 @@ pub fn form<S: Plain>(solid: &Solid) -> Form<S::Number> {
         Solid::RoundedCuboid(RoundedCuboid { half, radius }) => {
             Form::RoundedCuboid { half: half.each_ref().map(n), radius: n(radius) }
         }
+        Solid::HalfSpaces(of) => {
+            let mut faces = [[[S::Number::ZERO; 3]; 2]; 8];
+            assert!(of.faces.len() <= faces.len(), "the textbook's solids have at most {} faces", faces.len());
+            for (of, face) in faces.iter_mut().zip(&of.faces) {
+                *of = [&face.normal, &face.point].map(|v| v.each_ref().map(n));
+            }
+            Form::HalfSpaces { faces }
+        }
         Solid::Rectangle { half } => Form::Rectangle { half: half.each_ref().map(n) },
         Solid::Triangle { vertices } => Form::Triangle { vertices: vertices.each_ref().map(|v| v.each_ref().map(n)) },
     }

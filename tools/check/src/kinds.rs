@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 /// The source files with the code of few kinds: who they belong to, and the number type, if they are of one.
-const FILES: [(&str, &[&str], Option<&str>); 27] = [
+const FILES: [(&str, &[&str], Option<&str>); 30] = [
     ("primitive/sphere", &["Sphere"], None),
     ("primitive/cylinder", &["Cylinder"], None),
     ("primitive/cone", &["Cone"], None),
@@ -25,6 +25,8 @@ const FILES: [(&str, &[&str], Option<&str>); 27] = [
     ("primitive/round_cone", &["RoundCone"], None),
     ("primitive/rounded_cuboid", &["RoundedCuboid"], None),
     ("primitive/annulus", &["Annulus"], None),
+    ("primitive/prism", &["Prism"], None),
+    ("primitive/polyhedron", &["Polyhedron"], None),
     ("affine", &["Affine"], None),
     ("solve/revolved", &["Revolved"], None),
     ("solve/tube", &["Tube"], None),
@@ -32,7 +34,8 @@ const FILES: [(&str, &[&str], Option<&str>); 27] = [
     ("solve/side", &["Cylinder", "Cone", "Capsule", "Revolved", "Tube", "RoundCone"], None),
     ("solve/round", &["Sphere", "Cone", "Capsule", "RoundCone"], None),
     ("solve/flat", &["Plane", "Disc", "Annulus", "Rectangle", "Triangle"], None),
-    ("solve/slabs", &["Cuboid", "Rectangle"], None),
+    ("solve/slabs", &["Cuboid", "Rectangle", "Prism", "Polyhedron"], None),
+    ("solve/polyhedra", &["Prism", "Polyhedron"], None),
     ("scalar/integers/ball", &["Sphere", "Capsule"], Some("I16F16")),
     ("scalar/integers/round", &["Cylinder", "Capsule", "Tube"], Some("I16F16")),
     ("scalar/integers/cone", &["Cone"], Some("I16F16")),

@@ -2,7 +2,7 @@
 //! chosen kinds.
 
 /// The primitives, and a shape, which may be any of them in any placement.
-pub const PRIMITIVES: [&str; 15] = [
+pub const PRIMITIVES: [&str; 17] = [
     "sphere",
     "cylinder",
     "cone",
@@ -17,6 +17,8 @@ pub const PRIMITIVES: [&str; 15] = [
     "annulus",
     "round_cone",
     "rounded_cuboid",
+    "prism",
+    "polyhedron",
     SHAPE,
 ];
 

@@ -13,6 +13,7 @@ use fixed::types::{I8F24, I16F16, I20F12, I32F32};
 pub use pictures::PICTURES;
 use raylet::Scalar;
 use raylet::tier::{Exact, Fast, Plain, Stable, Tier};
+use shared::borrowed::Borrowed;
 use shared::digest::Bits;
 use shared::subject::query;
 use shared::workload::{
@@ -97,7 +98,7 @@ pub fn of_solid(solid: &str, placed: Placed, rays: Rays) -> String {
 pub const RANGE_SENSOR: &str = "range sensor";
 
 /// The queries of one number type, each kind with its name.
-fn queries<S: Scalar>() -> Vec<(String, Vec<Query<S>>)> {
+fn queries<S: Borrowed>() -> Vec<(String, Vec<Query<S>>)> {
     let mut all = vec![];
     for solid in SOLIDS_BY_NAME {
         for placed in PLACEMENTS {
@@ -148,7 +149,7 @@ impl Away {
     }
 
     /// The same rays in a number type.
-    fn workload<S: Scalar>(&self, number: &str) -> Workload {
+    fn workload<S: Borrowed>(&self, number: &str) -> Workload {
         let Self { solid, placed, rays, ref indices } = *self;
         let queries = indices.iter().filter_map(|index| query(solid, placed, rays, *index)).collect();
         Workload::new::<S, Stable>(&of_solid(solid, placed, rays), number, "Stable", queries)

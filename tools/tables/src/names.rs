@@ -9,7 +9,7 @@ pub const CHIPS: [(&str, &str); 4] = [
 ];
 
 /// The subjects, as the programs that count instructions name them.
-pub const SUBJECTS: [&str; 29] = [
+pub const SUBJECTS: [&str; 31] = [
     "sphere",
     "cylinder, infinite",
     "cylinder, open",
@@ -30,6 +30,8 @@ pub const SUBJECTS: [&str; 29] = [
     "tube",
     "round cone",
     "rounded cuboid",
+    "prism",
+    "polyhedron",
     "annulus",
     "cylinder, capped, as a shape",
     "sphere, framed",

@@ -5,19 +5,47 @@ use super::{Extent, Formula, Number, PlainRay, Quadric, Side, Sphere, ball, cros
 /// A primitive of any kind.
 #[derive(Clone, Copy)]
 pub enum Form<N> {
-    Sphere { radius: N },
+    Sphere {
+        radius: N,
+    },
     Side(Side<N>),
-    Capsule { radius: N, height: N },
+    Capsule {
+        radius: N,
+        height: N,
+    },
     Revolved(Quadric<N>),
-    RoundCone { radii: [N; 2], height: N },
-    Tube { radii: [N; 2], height: N },
+    RoundCone {
+        radii: [N; 2],
+        height: N,
+    },
+    Tube {
+        radii: [N; 2],
+        height: N,
+    },
     Plane,
-    Disc { radius: N },
-    Annulus { radii: [N; 2] },
-    Cuboid { half: [N; 3] },
-    RoundedCuboid { half: [N; 3], radius: N },
-    Rectangle { half: [N; 2] },
-    Triangle { vertices: [[N; 3]; 3] },
+    Disc {
+        radius: N,
+    },
+    Annulus {
+        radii: [N; 2],
+    },
+    Cuboid {
+        half: [N; 3],
+    },
+    RoundedCuboid {
+        half: [N; 3],
+        radius: N,
+    },
+    /// Of each face a normal and a point; a face without a normal bounds nothing.
+    HalfSpaces {
+        faces: [[[N; 3]; 2]; 8],
+    },
+    Rectangle {
+        half: [N; 2],
+    },
+    Triangle {
+        vertices: [[N; 3]; 3],
+    },
 }
 
 impl<N: Number> Formula<N> for Form<N> {
@@ -80,6 +108,7 @@ impl<N: Number> Formula<N> for Form<N> {
                 }
             }
             Self::RoundedCuboid { half, radius } => rounded_cuboid(half, radius, ray, root, report),
+            Self::HalfSpaces { faces } => half_spaces(faces, ray, report),
             Self::Rectangle { half: [x, z] } => {
                 let ([ox, oy, oz], [dx, dy, dz]) = (ray.origin, ray.direction);
                 if dy != N::ZERO {
@@ -141,6 +170,35 @@ fn rounded_cuboid<N: Number>(
                 }
             }
         }
+    }
+}
+
+/// What the half-spaces have in common (Cyrus and Beck, 1978).
+#[inline(always)]
+fn half_spaces<N: Number>(faces: [[[N; 3]; 2]; 8], ray: &PlainRay<N>, report: &mut impl FnMut(N)) {
+    let (mut enter, mut exit, mut misses) = (None, None, false);
+    let mut clip = |value: N, slope: N| {
+        if slope == N::ZERO {
+            misses |= value > N::ZERO;
+            return;
+        }
+        let t = -value / slope;
+        if slope < N::ZERO {
+            enter = Some(enter.filter(|own| *own > t).unwrap_or(t));
+        } else {
+            exit = Some(exit.filter(|own| *own < t).unwrap_or(t));
+        }
+    };
+    for [n, p] in faces {
+        let o = ray.origin;
+        clip(dot(n, [o[0] - p[0], o[1] - p[1], o[2] - p[2]]), dot(n, ray.direction));
+    }
+    if let (Some(enter), Some(exit)) = (enter, exit)
+        && !misses
+        && enter <= exit
+    {
+        report(enter);
+        report(exit);
     }
 }
 

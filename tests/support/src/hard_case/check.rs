@@ -153,7 +153,11 @@ fn summary<S: Exact>(hits: &Hits<S>) -> String {
 }
 
 fn exact_summary(exact: &InRange) -> String {
-    let mut words: Vec<String> = exact.hits.iter().map(|hit| format!("{:?} {:?}", hit.crossing, hit.part)).collect();
+    let word = |hit: &oracle::ExpectedHit| match hit.part {
+        oracle::Part::Facet(number) => format!("{:?} Facet{number}", hit.crossing),
+        part => format!("{:?} {part:?}", hit.crossing),
+    };
+    let mut words: Vec<String> = exact.hits.iter().map(word).collect();
     words.extend(exact.starts_inside.then(|| "inside".into()));
     words.extend(exact.coincident.then(|| "lies in it".into()));
     if words.is_empty() { "nothing".into() } else { words.join(", ") }

@@ -187,6 +187,7 @@ fn capsule(solid: &Solid, line: &IntegerLine, radius: &IBig, height: &IBig, from
 pub fn solve_departing(solid: &Solid, line: &Line, from: Part, leaving: Leaving) -> Answer {
     match (solid, leaving) {
         (Solid::Cuboid { half }, _) => super::slabs::departing(line, half, from, leaving),
+        (Solid::HalfSpaces(of), _) => super::half_spaces::departing(of, line, from, leaving),
         (Solid::RoundedCuboid(cuboid), _) => super::rounded_cuboid::departing(cuboid, line, from, leaving),
         (Solid::Revolved(revolved), _) => super::revolved::departing(revolved, line, from, leaving),
         (Solid::RoundCone(cone), _) => super::round_cone::departing(cone, line, from, leaving),

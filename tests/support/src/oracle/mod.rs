@@ -7,7 +7,7 @@
 //! - [`dyadic`]: the numbers given, `mantissa * 2^exponent`.
 //! - [`algebraic`]: the numbers answered, `(p + s * sqrt(D)) / q`.
 //! - [`solids`]: what the solids are, and which points belong to them.
-//! - `solve`: where a line meets them; of which `quadric`, `revolved`, `round_cone`, `rounded_cuboid`, `tube`, `flat`
+//! - `solve`: where a line meets them; of which `quadric`, `revolved`, `round_cone`, `rounded_cuboid`, `tube`, `half_spaces`, `flat`
 //!   and `slabs` do the equations.
 //! - [`departing`]: where a line that departs from a solid meets it again.
 //! - [`expected`]: what of that a ray with a range of `t` must report.
@@ -18,6 +18,7 @@ pub mod departing;
 pub mod dyadic;
 pub mod expected;
 mod flat;
+mod half_spaces;
 pub mod normal;
 mod quadric;
 mod revolved;
@@ -35,6 +36,7 @@ pub use expected::{ExpectedCrossing, ExpectedHit, InRange, hits_in_range};
 pub use normal::{gradient, normal};
 pub use revolved::margin as revolved_margin;
 pub use solids::{
-    ConeExtent, CylinderExtent, Line, Membership, Part, Revolved, RoundCone, RoundedCuboid, Solid, contains, margin,
+    ConeExtent, CylinderExtent, HalfSpace, HalfSpaces, Line, Membership, Part, Revolved, RoundCone, RoundedCuboid,
+    Solid, contains, margin,
 };
 pub use solve::{Answer, Approach, Crossing, End, Span, solve};

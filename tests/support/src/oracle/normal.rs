@@ -59,6 +59,7 @@ pub fn gradient(solid: &Solid, part: Part, t: &Root, line: &Line) -> [Dyadic; 3]
                 Dyadic::zero()
             }
         }),
+        (Solid::HalfSpaces(of), _) => of.normal(part),
         (_, Part::Left) => along(0, -1),
         (_, Part::Right) => along(0, 1),
         (_, Part::Back) => along(2, -1),
@@ -71,6 +72,7 @@ pub fn gradient(solid: &Solid, part: Part, t: &Root, line: &Line) -> [Dyadic; 3]
             let growth = t.mul_add(&growth, &(&height + &revolved.b)).approximation(GRADIENT_BITS);
             [coordinate(0), -&growth, coordinate(2)]
         }
+        (_, Part::Facet(_)) => panic!("only a prism has facets"),
         (_, Part::Side) => {
             // The gradient of weight^2 (x^2 + z^2) - (offset + growth y)^2.
             let lateral = solid.lateral().expect("every other side is lateral");

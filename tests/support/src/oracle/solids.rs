@@ -101,6 +101,8 @@ pub enum Solid {
     },
     /// All points within a radius of such a cuboid.
     RoundedCuboid(RoundedCuboid),
+    /// A prism or a polyhedron.
+    HalfSpaces(HalfSpaces),
     /// The rectangle around the origin in the plane `y = 0`, facing +y.
     Rectangle {
         /// The half extents along x and z.
@@ -111,6 +113,88 @@ pub enum Solid {
         /// Its corners.
         vertices: [[Dyadic; 3]; 3],
     },
+}
+
+/// A face of what half-spaces have in common.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HalfSpace {
+    /// Its part.
+    pub part: Part,
+    /// The outward normal, of any length.
+    pub normal: [Dyadic; 3],
+    /// A point of the plane.
+    pub point: [Dyadic; 3],
+}
+
+impl HalfSpace {
+    /// How far inside of the plane the point is, times the length of the normal.
+    pub fn margin(&self, point: &[Dyadic; 3]) -> Dyadic {
+        dot(&self.normal, &subtract(&self.point, point))
+    }
+}
+
+/// What half-spaces have in common: a prism, or a polyhedron.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HalfSpaces {
+    /// The faces in the order in which they own edges.
+    pub faces: Vec<HalfSpace>,
+    /// The coordinates and sizes that it was made of.
+    pub lengths: Vec<Dyadic>,
+}
+
+impl HalfSpaces {
+    /// The prism over `0 <= y <= height` and the polygon with these corners, each as x and z, counter-clockwise as seen
+    /// from +y.
+    pub fn prism(corners: &[[Dyadic; 2]], height: &Dyadic) -> Self {
+        let next = corners.iter().cycle().skip(1);
+        let facets = corners.iter().zip(next).enumerate().map(|(i, ([ax, az], [bx, bz]))| HalfSpace {
+            part: Part::Facet(i as u8),
+            normal: [az - bz, Dyadic::zero(), bx - ax],
+            point: [ax.clone(), Dyadic::zero(), az.clone()],
+        });
+        let ends = [(Part::Base, 1, false, Dyadic::zero()), (Part::Top, 1, true, height.clone())];
+        let lengths = corners.iter().flatten().chain([height]).cloned().collect();
+        Self { faces: facets.chain(ends.map(across)).collect(), lengths }
+    }
+
+    /// The box between these corners, cut by half-spaces: of each a point and the outward normal.
+    pub fn polyhedron([low, high]: [&[Dyadic; 3]; 2], facets: &[[[Dyadic; 3]; 2]]) -> Self {
+        let facets = facets.iter().enumerate();
+        let facets = facets.map(|(i, [point, normal])| HalfSpace {
+            part: Part::Facet(i as u8),
+            normal: normal.clone(),
+            point: point.clone(),
+        });
+        let ends = [
+            (Part::Left, 0, false, low[0].clone()),
+            (Part::Right, 0, true, high[0].clone()),
+            (Part::Back, 2, false, low[2].clone()),
+            (Part::Front, 2, true, high[2].clone()),
+            (Part::Base, 1, false, low[1].clone()),
+            (Part::Top, 1, true, high[1].clone()),
+        ];
+        let lengths = low.iter().chain(high).cloned().collect();
+        Self { faces: facets.chain(ends.map(across)).collect(), lengths }
+    }
+
+    /// How far inside of each face's plane the point is, times the length of the normal.
+    pub fn margins(&self, point: &[Dyadic; 3]) -> Vec<Dyadic> {
+        self.faces.iter().map(|face| face.margin(point)).collect()
+    }
+
+    /// The normal of a part.
+    pub fn normal(&self, part: Part) -> [Dyadic; 3] {
+        let face = self.faces.iter().find(|face| face.part == part);
+        face.expect("the solid has no such part").normal.clone()
+    }
+}
+
+/// A face across an axis at this coordinate, and whether its normal points along the axis.
+fn across((part, axis, is_along, at): (Part, usize, bool, Dyadic)) -> HalfSpace {
+    let (mut normal, mut point) = ([0, 0, 0].map(Dyadic::from), [0, 0, 0].map(Dyadic::from));
+    normal[axis] = Dyadic::from(if is_along { 1 } else { -1 });
+    point[axis] = at;
+    HalfSpace { part, normal, point }
 }
 
 /// Two balls and what is between them.
@@ -266,6 +350,8 @@ pub enum Part {
     Back,
     /// A cuboid's face at the highest `z`.
     Front,
+    /// A facet of a prism, by its number.
+    Facet(u8),
     /// The inner side of a tube.
     Inner,
 }
@@ -457,6 +543,7 @@ pub fn contains(solid: &Solid, point: &[Dyadic; 3]) -> Membership {
             let excess = cuboid.excess(point);
             within(&[&cuboid.radius.squared() - &dot(&excess, &excess)])
         }
+        Solid::HalfSpaces(solid) => within(&solid.margins(point)),
         Solid::Rectangle { half: [along_x, along_z] } => on(y, &[along_x - &x.magnitude(), along_z - &z.magnitude()]),
         Solid::Triangle { vertices } => {
             let normal = triangle_normal(vertices);

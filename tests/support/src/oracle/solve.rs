@@ -314,6 +314,7 @@ pub fn solve(solid: &Solid, line: &Line) -> Answer {
         }
         Solid::Cuboid { half } => cuboid(line, half),
         Solid::RoundedCuboid(cuboid) => super::rounded_cuboid::solve(cuboid, line),
+        Solid::HalfSpaces(of) => super::half_spaces::solve(of, line),
         Solid::Rectangle { half } => rectangle(line, half),
         Solid::Triangle { vertices } => {
             // Called for its check that the triangle has an area.

@@ -43,6 +43,11 @@ fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
+fn of_length_1(v: [f64; 3]) -> [f64; 3] {
+    let length = dot(v, v).sqrt();
+    v.map(|c| c / length)
+}
+
 impl Line {
     fn of(query: &Query<f64>) -> Self {
         let (ray, placement) = (&query.ray, query.shape.placement());
@@ -147,6 +152,17 @@ pub fn grazes(query: &Query<f64>) -> Option<bool> {
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].iter().any(|n| line.is_parallel_to(*n))
         }
         Primitive::RoundedCuboid(cuboid) => line.grazes_rounded(cuboid.half_extents(), cuboid.radius()),
+        Primitive::Prism(prism) => {
+            let corners = prism.corners();
+            let next = corners.iter().cycle().skip(1);
+            let mut sides = corners.iter().zip(next).map(|([ax, az], [bx, bz])| of_length_1([az - bz, 0.0, bx - ax]));
+            sides.any(|n| line.is_parallel_to(n)) || is_level()
+        }
+        Primitive::Polyhedron(polyhedron) => {
+            let mut facets = polyhedron.half_spaces().iter().map(|face| face.unit_normal().to_f64());
+            let mut axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].into_iter();
+            facets.any(|n| line.is_parallel_to(n)) || axes.any(|n| line.is_parallel_to(n))
+        }
         Primitive::Triangle(triangle) => {
             let [a, b, c] = triangle.vertices().map(Vec3::to_array);
             let ([p, q, r], [x, y, z]) = (minus(b, a), minus(c, a));

@@ -11,6 +11,7 @@ use raylet::thick::ThickRay;
 use raylet::tier::{Exact, Fast, Plain, Stable, Tier};
 use raylet::{Combination, Ray, Scalar, Shape, Size};
 use raylet_firmware::clock;
+use shared::borrowed::Borrowed;
 use shared::milled::{self, Few};
 use shared::pictured::{BUILT_IN, of_built_in};
 use shared::returns::{self, Yard};
@@ -133,7 +134,7 @@ const THICK: [(&str, &str); 7] = [
 
 /// The first contact of a ball of an eighth of the size of the solid.
 #[inline(never)]
-fn thick<S: Scalar, T: Tier<S>>(solid: &str) -> [u64; 3] {
+fn thick<S: Borrowed, T: Tier<S>>(solid: &str) -> [u64; 3] {
     let contact = |shape: &Shape<S>, ball: &ThickRay<S>| {
         black_box(&ball.contact_at::<T, _>(shape));
     };

@@ -1,6 +1,6 @@
 //! Every public query of the library, with values of any bits.
 
-use crate::input::{Any, any_direction, any_point, any_word, give};
+use crate::input::{Any, any_direction, any_list, any_point, any_word, give};
 use raylet::ExactScalar;
 use raylet::hierarchy::{Hierarchy, Node, Shapes};
 use raylet::scalar::{Real, UnitScalar};
@@ -10,9 +10,9 @@ use raylet::solids::{self, Crossings, SolidSet, Start};
 use raylet::thick::{self, ThickRay};
 use raylet::tier::Tier;
 use raylet::{
-    Affine, Annulus, Capsule, Combination, Cone, Cuboid, Cylinder, Departure, Disc, Ellipsoid, Frame, Leaving, Part,
-    Plane, Range, Ray, Rectangle, Revolved, RoundCone, RoundedCuboid, Shape, Sphere, Surface, Triangle, Tube, UnitVec3,
-    Vec3, Visible,
+    Affine, Annulus, Capsule, Combination, Cone, Cuboid, Cylinder, Departure, Disc, Ellipsoid, Frame, HalfSpace,
+    Leaving, Part, Plane, Polyhedron, Prism, Range, Ray, Rectangle, Revolved, RoundCone, RoundedCuboid, Shape, Sphere,
+    Surface, Triangle, Tube, UnitVec3, Vec3, Visible,
 };
 
 /// Calls the methods that a primitive shares with a shape, in one tier.
@@ -84,6 +84,18 @@ fn any_affine<S: Any>() -> Option<Affine<S>> {
     affine.ok()
 }
 
+fn any_prism<S: Any>() -> Option<Prism<S>> {
+    Prism::new(any_list(), S::any()).ok()
+}
+
+fn any_polyhedron<S: Any>() -> Option<Polyhedron<S>> {
+    give(HalfSpace::new(any_point::<S>(), any_point()));
+    match any_word() {
+        0 => Polyhedron::within(any_point(), any_point(), any_list()).ok(),
+        _ => Polyhedron::new(any_list()).ok(),
+    }
+}
+
 /// A shape of any primitive, in any placement, seen from any side.
 pub fn any_shape<S: Any>() -> Option<Shape<S>> {
     let shape = match any_word() {
@@ -100,7 +112,9 @@ pub fn any_shape<S: Any>() -> Option<Shape<S>> {
         10 => Shape::new(Annulus::new(S::any(), S::any()).ok()?),
         11 => Shape::new(RoundCone::new(S::any(), S::any(), S::any()).ok()?),
         12 => Shape::new(RoundedCuboid::new(S::any(), S::any(), S::any(), S::any()).ok()?),
-        13 => return Ellipsoid::new(S::any(), S::any(), S::any()).ok()?.placed(any_frame()?).ok(),
+        13 => Shape::new(any_prism()?),
+        14 => Shape::new(any_polyhedron()?),
+        15 => return Ellipsoid::new(S::any(), S::any(), S::any()).ok()?.placed(any_frame()?).ok(),
         _ => Shape::new(Triangle::new(any_point(), any_point(), any_point()).ok()?),
     };
     let shape = match any_word() {
@@ -177,6 +191,8 @@ pub fn queries<S: Any, T: Tier<S>>() -> Option<()> {
     call!(RoundCone::new(S::any(), S::any(), S::any()).ok()?, ray, T);
     call!(RoundedCuboid::new(S::any(), S::any(), S::any(), S::any()).ok()?, ray, T);
     call!(Annulus::new(S::any(), S::any()).ok()?, ray, T);
+    call!(any_prism::<S>()?, ray, T);
+    call!(any_polyhedron::<S>()?, ray, T);
     call!(Triangle::new(any_point(), any_point(), any_point()).ok()?, ray, T);
     call!(any_shape::<S>()?, ray, T);
     call!(among::<S, (Sphere<S>, Plane<S>, Frame<S>)>()?, ray, T);

@@ -27,6 +27,12 @@ pub fn any_reference<T>() -> &'static T {
     unsafe { &*(any_word() as usize as *const T) }
 }
 
+/// A list of anything, which nobody reads: the programs are not run.
+pub fn any_list<T>() -> &'static [T] {
+    // SAFETY: never run.
+    unsafe { core::slice::from_raw_parts(any_reference::<T>(), any_word() as usize) }
+}
+
 /// Any text.
 pub fn any_text() -> &'static str {
     // SAFETY: never run.
