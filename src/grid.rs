@@ -142,7 +142,8 @@ impl<S: GridScalar> Clip<S> {
     #[inline(always)]
     pub(crate) fn by(&mut self, crossed: Attempt<Crossed<S>>, part: Part) -> Attempt<()> {
         match (crossed, self.from) {
-            (Attempt::Hit(Crossed::Leaves(_)), Some(from)) if from == part => return Attempt::Unsure,
+            // It leads in by the slope alone, wherever its rounded coordinates put the crossing.
+            (Attempt::Hit(Crossed::Leaves(_) | Crossed::Inside), Some(from)) if from == part => return Attempt::Unsure,
             (Attempt::Hit(Crossed::Inside | Crossed::Enters(_)), Some(_)) => {}
             // The line has been inside, whatever its rounded coordinates are.
             (Attempt::Miss, Some(_)) => return Attempt::Unsure,

@@ -13,6 +13,7 @@ use support::cases::v;
 use support::exact_types::Exact as Number;
 use support::oracle::{self, Solid};
 use support::random::Random;
+use support::subject::Subject;
 
 /// A prism of 3 to 16 corners on an ellipse about some point; every other one with corners at multiples of a quarter,
 /// so that some of its edges are parallel to axes and to each other.
@@ -176,6 +177,20 @@ fn a_departing_ray_meets_no_facet_that_it_starts_on() {
         assert_eq!(nut.nearest(&ray).map(|hit| (hit.t, hit.part)), wanted);
         assert_eq!(nut.nearest_at::<Exact>(&ray).map(|hit| (hit.t, hit.part)), wanted);
     }
+}
+
+/// Said to enter, the ray leads out of the facet by 1e-10: it ends where it starts. By its rounded coordinates it is half
+/// a unit inside, and the facet's plane is farther away than any `t`.
+#[test]
+fn a_ray_that_is_said_to_enter_along_a_facet_ends_at_once() {
+    let prism = Subject::<I16F16>::new("prism").shape;
+    let origin = Vec3::from([31974, 49437, -60140].map(I16F16::from_bits));
+    let along = [670607953, 836709663, 55887549].map(raylet::scalar::Unit::<I16F16>::from_bits);
+    let ray = Ray::new(origin, UnitVec3::from_components(along).unwrap()).unwrap();
+    let ray = ray.departing(Departure { object: 0, part: Part::Facet1, leaving: Leaving::Inwards });
+    let wanted = Some((I16F16::ZERO, Part::Facet1));
+    assert_eq!(prism.nearest(&ray).map(|hit| (hit.t, hit.part)), wanted);
+    assert_eq!(prism.nearest_at::<Exact>(&ray).map(|hit| (hit.t, hit.part)), wanted);
 }
 
 #[test]
