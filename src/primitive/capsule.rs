@@ -80,7 +80,7 @@ impl<S: Scalar> Capsule<S> {
     where
         S: GridScalar,
     {
-        let seams = |t| line.seams(t, self.height);
+        let seams = |t| line.seams(t, self.height, T::GUARDED);
         let Self { radius, height } = *self;
         BetweenBalls { line, seams, radii: [radius; 2], height, by_moment: T::GUARDED, is_strict: T::STRICT }
     }

@@ -78,7 +78,7 @@ impl<S: Scalar> RoundCone<S> {
         S: GridScalar,
     {
         let Self { radii, height } = *self;
-        let seams = move |t| line.seams_around(t, radii, height);
+        let seams = move |t| line.seams_around(t, radii, height, T::GUARDED);
         BetweenBalls { line, seams, radii, height, by_moment: T::GUARDED, is_strict: T::STRICT }
     }
 

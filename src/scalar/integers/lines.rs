@@ -180,13 +180,13 @@ impl<S: GridScalar> LocalLine<S> {
     }
 
     /// Whether the line's point at `t` lies below `y = 0` (`Less`), between that and the height (`Equal`), or above
-    /// (`Greater`).
+    /// (`Greater`); unsure next to these, if `is_guarded`.
     #[inline(always)]
-    pub(crate) fn seams(&self, t: S, height: S) -> Attempt<Ordering> {
+    pub(crate) fn seams(&self, t: S, height: S, is_guarded: bool) -> Attempt<Ordering> {
         let (oy, dy) = (self.origin[1].to_raw(), S::unit_to_raw(self.direction[1]));
         let y = found!(flat::height(oy, self.extra_bits, dy, t.to_raw()));
         let (low, high) = (S::Raw::ZERO, height.to_raw());
-        if self.is_strict && (y.are_within(low, DOUBTFUL_BITS) || y.are_within(high, DOUBTFUL_BITS)) {
+        if is_guarded && (y.are_within(low, DOUBTFUL_BITS) || y.are_within(high, DOUBTFUL_BITS)) {
             return Attempt::Unsure;
         }
         Attempt::Hit(if y < low {
@@ -201,7 +201,7 @@ impl<S: GridScalar> LocalLine<S> {
     /// The same between the seams of two balls of these radii and the nappe that touches them, one at
     /// `base (base - top) / height`, the other at `height + top (base - top) / height`. The `t` may be infinite.
     #[inline(always)]
-    pub(crate) fn seams_around(&self, t: S, radii: [S; 2], height: S) -> Attempt<Ordering> {
+    pub(crate) fn seams_around(&self, t: S, radii: [S; 2], height: S, is_guarded: bool) -> Attempt<Ordering> {
         let ([base, top], height) = (raw(radii), height.to_raw());
         let (oy, dy) = (self.origin[1].to_raw(), S::unit_to_raw(self.direction[1]));
         if !t.is_finite() {
@@ -215,7 +215,7 @@ impl<S: GridScalar> LocalLine<S> {
         let k = base - top;
         let from = [S::Raw::minor([y, base], [k, height]), S::Raw::minor([above, top], [k, height])];
         let doubt = <S::Raw as Length>::Product::from(height) << DOUBTFUL_BITS;
-        if self.is_strict && from.into_iter().any(|from| from.magnitude() < doubt) {
+        if is_guarded && from.into_iter().any(|from| from.magnitude() < doubt) {
             return Attempt::Unsure;
         }
         let [above_low, above_high] = from.map(|from| from.cmp(&Product::ZERO));
