@@ -190,8 +190,15 @@ macro_rules! of_lists {
                 let (point, normal) = (Vec3::new(a, b, c), Vec3::new(d, e, f));
                 half_spaces.add(same(HalfSpace::<S>::const_new(point, normal), HalfSpace::new(point, normal)));
                 let faces = &faces[..random.pick(&[0, 1, 1, 1, 16, 17])];
-                let built = Polyhedron::<S>::const_within(point, normal, faces);
-                polyhedra.add(same(built, Polyhedron::within(point, normal, faces)));
+                let ordered = |p: S, q: S| if q < p { [q, p] } else { [p, q] };
+                let [x, y, z] = if random.below(4) > 0 {
+                    [ordered(a, d), ordered(b, e), ordered(c, f)]
+                } else {
+                    [[a, d], [b, e], [c, f]]
+                };
+                let [low, high] = [0, 1].map(|i: usize| Vec3::new(x[i], y[i], z[i]));
+                let built = Polyhedron::<S>::const_within(low, high, faces);
+                polyhedra.add(same(built, Polyhedron::within(low, high, faces)));
                 // A polygon of any numbers is seldom convex; one on an ellipse is, unless it is too flat.
                 let flat = random.pick(&[1.0, 1.0, 1e-2, 1e-3, 2e-4, 1e-4, 1e-6]);
                 let on_ellipse = |i: usize| {
