@@ -188,24 +188,31 @@ fn around<S: Scalar>(faces: &[HalfSpace<S>]) -> Option<(Vec3<S>, Vec3<S>)> {
         for (j, (b, at_b)) in planes().enumerate().skip(i + 1) {
             // A direction along both planes that leads out of no half-space.
             let along = cross(a, b);
-            let leads_on = |sign: S::Real| planes().all(|(n, _)| dot(n, along) * sign <= least * least);
+            let leads_on = |sign: S::Real| {
+                let others = planes().enumerate().filter(|(k, _)| *k != i && *k != j);
+                others.into_iter().all(|(_, (n, _))| dot(n, along) * sign <= least * least)
+            };
             if dot(along, along) >= least * least && (leads_on(S::Real::ONE) || leads_on(-S::Real::ONE)) {
                 return None;
             }
             for (c, at_c) in planes().skip(j + 1) {
                 let volume = dot(along, c);
-                if volume.abs() < least {
+                if volume.is_zero() {
                     continue;
                 }
+                let is_far = volume.abs() < least;
                 let (of_a, of_b) = (cross(b, c), cross(c, a));
                 let corner = pairs(along, pairs(of_a, of_b)).map(|(of_c, (of_a, of_b))| {
                     S::Real::sum_of_products([[at_a, of_a], [at_b, of_b], [at_c, of_c]]) / volume
                 });
                 let size = corner.map(S::Real::abs).into_iter().fold(at_a.abs(), |a, b| if a > b { a } else { b });
                 // By so much the corner's own rounding may put it outside.
-                let doubt = size.scaled(S::Real::ROUNDING - LEAST_VOLUME + 4);
+                let doubt = size.scaled(if is_far { -6 } else { S::Real::ROUNDING - LEAST_VOLUME + 4 });
                 if planes().any(|(n, at)| dot(n, corner) - at > doubt) {
                     continue;
+                }
+                if is_far {
+                    return None;
                 }
                 let [low, high] = found.unwrap_or([corner; 2]);
                 let least = |a: S::Real, b: S::Real| if b < a { b } else { a };

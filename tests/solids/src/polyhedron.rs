@@ -154,6 +154,22 @@ fn sizes_that_are_none_are_refused() {
     assert!(within(1.0, &faces[..16]).is_ok());
 }
 
+/// The corner of three planes that span a volume of 1e-4 is 21,000 away: the box that was computed without it cut the
+/// solid.
+#[test]
+fn a_needle_has_no_box() {
+    let normals = [
+        [-0.34422255, 0.9068288, -0.24325365],
+        [0.44205794, 0.3203836, 0.8378181],
+        [0.8160084, -0.18675134, 0.5470414],
+        [-0.09140208, 0.6836252, 0.7240872],
+        [-0.47154424, -0.81688225, 0.33218879],
+        [0.1232567, 0.8409802, -0.5268398],
+    ];
+    assert_eq!(Polyhedron::new(around_the_ball::<f32>(&normals)), Err(SizeError::Unbounded));
+    assert_eq!(Polyhedron::new(around_the_ball::<I16F16>(&normals)), Err(SizeError::Unbounded));
+}
+
 /// Two half-spaces that leave nothing of the box: no ray meets it, and no point is inside.
 #[test]
 fn an_empty_solid_is_never_met() {
