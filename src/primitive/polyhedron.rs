@@ -108,8 +108,8 @@ impl<S: Scalar> Polyhedron<S> {
     /// let octahedron = Polyhedron::new(faces.leak())?;
     /// let ray = Ray::new(Vec3::new(-3.0, 0.25, 0.25), UnitVec3::X)?;
     /// assert_eq!(octahedron.hits(&ray).iter().map(|hit| hit.t).collect::<Vec<_>>(), [2.5, 3.5]);
-    /// // Without one of them it has no end.
-    /// let error = Polyhedron::new(&octahedron.half_spaces()[..7]).unwrap_err();
+    /// // Three of them bound nothing.
+    /// let error = Polyhedron::new(&octahedron.half_spaces()[..3]).unwrap_err();
     /// assert_eq!(error.to_string(), "the half-spaces bound no solid, or only by planes that are nearly parallel");
     /// # Ok::<(), raylet::Error>(())
     /// ```
