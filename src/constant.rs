@@ -11,7 +11,8 @@
 //!
 //! | value | in a constant |
 //! |---|---|
-//! | sphere, disc, annulus, tube, capsule, round cone, cuboid, rounded cuboid, rectangle, quadric of revolution | `const_new` |
+//! | sphere, disc, annulus, tube, capsule, round cone, cuboid, rounded cuboid, rectangle, quadric of revolution, half-space, prism | `const_new` |
+//! | polyhedron | `const_within` |
 //! | cylinder | `const_infinite`, `const_open`, `const_capped` |
 //! | cone | `const_double`, `const_nappe`, `const_open`, `const_capped`, `const_frustum`, `const_frustum_open` |
 //! | plane | [`Plane::new`](crate::Plane::new) |
@@ -25,8 +26,9 @@
 //!
 //! Not in a constant, because they need a root or a quotient: the direction of a vector of any length, frames whose
 //! axes are computed, affine placements (so [ellipsoids](crate::Ellipsoid) too), [triangles](crate::Triangle) (whose
-//! area is checked), [`Camera::new`](crate::Camera::new), distant lights by direction. Nor is a hierarchy, which is
-//! built in RAM. [`Scene::new`](crate::Scene::new) runs in the program: it compares the indices of the objects, and borrows
+//! area is checked), [`Polyhedron::new`](crate::Polyhedron::new), whose box is computed,
+//! [`Camera::new`](crate::Camera::new), distant lights by direction. Nor is a hierarchy, which is built in RAM.
+//! [`Scene::new`](crate::Scene::new) runs in the program: it compares the indices of the objects, and borrows
 //! the rest.
 //!
 //! [`constant!`](crate::constant!) unwraps the result:

@@ -16,8 +16,11 @@ pub trait Lists: Sized + 'static {
 macro_rules! lists {
     ([$($generics:tt)*] $Number:ty) => {
         impl<$($generics)*> Lists for $Number {
-            const TRIANGLE: &'static [[Self; 2]] =
-                &[[Self::ROUNDED_ONE, <Self as Scalar>::ZERO], [<Self as Scalar>::ZERO, <Self as Scalar>::ZERO], [<Self as Scalar>::ZERO, Self::ROUNDED_ONE]];
+            const TRIANGLE: &'static [[Self; 2]] = &[
+                [Self::ROUNDED_ONE, <Self as Scalar>::ZERO],
+                [<Self as Scalar>::ZERO, <Self as Scalar>::ZERO],
+                [<Self as Scalar>::ZERO, Self::ROUNDED_ONE],
+            ];
             const CUT: &'static [HalfSpace<Self>] = &[HalfSpace {
                 point: Vec3::new(Self::ROUNDED_ONE, Self::ROUNDED_ONE, <Self as Scalar>::ZERO),
                 normal: Vec3::new(Self::ROUNDED_ONE, Self::ROUNDED_ONE, Self::ROUNDED_ONE),

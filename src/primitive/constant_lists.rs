@@ -101,9 +101,9 @@ macro_rules! constants {
                     constant::$checks::within(y, budget.slope) => SizeError::Normal,
                     constant::$checks::within(z, budget.slope) => SizeError::Normal,
                 );
-                let [x, y, z] = [constant::$checks::magnitude(x), constant::$checks::magnitude(y), constant::$checks::magnitude(z)];
-                let largest = if constant::$checks::is_less(x, y) { y } else { x };
-                let largest = if constant::$checks::is_less(largest, z) { z } else { largest };
+                let (x, y) = (constant::$checks::magnitude(x), constant::$checks::magnitude(y));
+                let (larger, z) = (if constant::$checks::is_less(x, y) { y } else { x }, constant::$checks::magnitude(z));
+                let largest = if constant::$checks::is_less(larger, z) { z } else { larger };
                 checked!(constant::$checks::slope(largest) => SizeError::Normal);
                 Ok(Self { point, normal })
             }

@@ -67,8 +67,8 @@ impl<S: Scalar> Places<S> for Placement<S> {
 ///
 /// A shape is one of the primitives in the tuple. It is not placed, or is placed by one of the placements in the tuple.
 /// What is not in the tuple contributes no instruction to the program: its code runs only after a test of the constant
-/// [`SET`](Kinds::SET), and the compiler removes it. On a Cortex-M0+ a picture of spheres and planes takes a quarter to
-/// two fifths of the flash that a picture of any primitive takes;
+/// [`SET`](Kinds::SET), and the compiler removes it. On a Cortex-M0+ a picture of spheres and planes takes a ninth to
+/// a fifth of the flash that a picture of any primitive takes;
 /// [docs/microcontrollers.md](https://github.com/raylet-rs/raylet/blob/main/docs/microcontrollers.md) has the figures.
 ///
 /// The number type of a primitive in the tuple has no effect.

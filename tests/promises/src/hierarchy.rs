@@ -107,8 +107,8 @@ fn rays_that_touch_a_ball_and_its_box_get_the_same_answers() {
     check::<I32F32>();
 }
 
-/// Where the side meets the top at an angle of 1 : 350, ends round to one `t` up to 60 units beside the rim: there they
-/// were hits, which a box did not hold.
+/// Where the side meets the top at an angle of 1 : 350, two ends round to one `t` up to 60 units beside the rim. A hit
+/// there would be outside of the box, and so be lost among boxes only.
 #[test]
 fn beside_a_sharp_rim_there_is_no_hit() {
     let number = |value| I16F16::from_f64(value).expect("in the type");

@@ -116,7 +116,7 @@ fn hits_are_those_of_the_definition_f32() {
     of_definition::<f32, Fast>(Of::Others);
     of_definition::<f32, Stable>(Of::Others);
     of_definition::<f32, Stable>(Of::All);
-    of_definition::<f32, Stable>(Of::Round);
+    of_definition::<f32, Stable>(Of::Further);
 }
 
 #[test]
@@ -130,7 +130,7 @@ fn hits_are_those_of_the_definition_fixed() {
     of_definition::<I16F16, Plain>(Of::Others);
     of_definition::<I16F16, Stable>(Of::Others);
     of_definition::<I16F16, Stable>(Of::All);
-    of_definition::<I16F16, Stable>(Of::Round);
+    of_definition::<I16F16, Stable>(Of::Further);
     of_definition::<I32F32, Fast>(Of::Others);
     of_definition::<I32F32, Stable>(Of::Others);
 }
@@ -163,9 +163,9 @@ fn of_points<S: Exact, T: Tier<S>>(of: Of, gap: f64) {
 fn between_crossings_membership_is_that_of_exact_arithmetic() {
     of_points::<f32, ExactTier>(Of::Others, 1e-4);
     of_points::<f32, ExactTier>(Of::All, 1e-4);
-    of_points::<f32, ExactTier>(Of::Round, 1e-4);
+    of_points::<f32, ExactTier>(Of::Further, 1e-4);
     of_points::<f64, Stable>(Of::All, 1e-6);
-    of_points::<f64, Stable>(Of::Round, 1e-6);
+    of_points::<f64, Stable>(Of::Further, 1e-6);
     of_points::<I16F16, ExactTier>(Of::Others, 1e-3);
     of_points::<f32, Stable>(Of::Others, 1e-2);
     of_points::<f64, Stable>(Of::Others, 1e-6);

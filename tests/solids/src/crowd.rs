@@ -29,7 +29,7 @@ pub enum Of {
     /// Every third is a quadric of revolution or a tube.
     All,
     /// Every third is a round cone, a rounded cuboid or a prism.
-    Round,
+    Further,
 }
 
 /// A quadric of revolution; not all of them are solids.
@@ -84,7 +84,7 @@ fn prism<S: Exact>(random: &mut Random, unit: f64) -> Described<S> {
 }
 
 fn described<S: Exact>(random: &mut Random, unit: f64, of: Of) -> Described<S> {
-    if of == Of::Round && random.below(3) == 0 {
+    if of == Of::Further && random.below(3) == 0 {
         return match random.below(3) {
             0 => round_cone(random, unit),
             1 => rounded_cuboid(random, unit),

@@ -89,7 +89,7 @@ fn follow<S: Exact, T: Tier<S>>(crowd: &Crowd<S>, ray: &Ray<S>, wrong: &mut Wron
 fn nothing_is_lost<S: Exact, T: Tier<S>>() {
     nothing_is_lost_of::<S, T>(Of::Others);
     nothing_is_lost_of::<S, T>(Of::All);
-    nothing_is_lost_of::<S, T>(Of::Round);
+    nothing_is_lost_of::<S, T>(Of::Further);
 }
 
 fn nothing_is_lost_of<S: Exact, T: Tier<S>>(of: Of) {

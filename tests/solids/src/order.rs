@@ -117,7 +117,7 @@ where
 {
     exact_order_of::<S>(units, Of::Others);
     exact_order_of::<S>(units, Of::All);
-    exact_order_of::<S>(units, Of::Round);
+    exact_order_of::<S>(units, Of::Further);
 }
 
 fn exact_order_of<S: Exact>(units: &[f64], of: Of)

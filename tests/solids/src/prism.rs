@@ -179,8 +179,8 @@ fn a_departing_ray_meets_no_facet_that_it_starts_on() {
     }
 }
 
-/// Said to enter, the ray leads out of the facet by 1e-10: it ends where it starts. By its rounded coordinates it is half
-/// a unit inside, and the facet's plane is farther away than any `t`.
+/// Said to enter, the ray leads out of the facet by 1e-10: it ends where it starts. By its rounded coordinates it is
+/// half a unit inside, and the facet's plane is farther away than any `t`.
 #[test]
 fn a_ray_that_is_said_to_enter_along_a_facet_ends_at_once() {
     let prism = Subject::<I16F16>::new("prism").shape;

@@ -34,8 +34,8 @@ pub const FARTHER: Sweep = Sweep {
     name: "ever farther",
     // From 2^64 sizes away and farther, where the robust number's own bits end; nearer than that a line whose origin is
     // moved is off by as many roundings of its length as its incidence is oblique.
-    // Along the axis of a round cone, and at edges and corners of a rounded cuboid, a prism and a polyhedron, the part is
-    // lost there too.
+    // Along the axis of a round cone, and at edges and corners of a rounded cuboid, a prism and a polyhedron, the part
+    // is lost there too.
     limits: &[("f32", 0, 0, 1.8), ("f64", 982, 126, 1.2)],
 };
 pub const ENDS: Sweep = Sweep { name: "at the ends of the type", limits: &[] };
