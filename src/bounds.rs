@@ -12,6 +12,7 @@
 //! | a disc of radius `r` in the plane of height `y` | `o + m_y y + r sqrt(m_x^2 + m_z^2)` |
 //! | a vertex, a corner of a prism or of the box of a polyhedron | `o + m_x x + m_y y + m_z z` |
 //! | a cuboid of half extents `h` | `o + abs(m_x) h_x + abs(m_y) h_y + abs(m_z) h_z` |
+//! | a torus of the radii `R` and `r` | `o + R sqrt(m_x^2 + m_z^2) + r sqrt(m_x^2 + m_y^2 + m_z^2)` |
 //! | a rounded cuboid | as its core, and `r sqrt(m_x^2 + m_y^2 + m_z^2)` more |
 //!
 //! and down to the negative of the same expression with the signs of `o` and `m` reversed. The convex hull of several
@@ -108,6 +109,11 @@ fn interval<S: Scalar, G: Described>(hull: &Hull<S>, o: S, [x, y, z]: [Near<S>; 
         Hull::RoundedCuboid([a, b, c], radius) if has(EquationKinds::ROUNDED_CUBOID) => {
             let terms = [(*a, x.magnitude()), (*b, y.magnitude()), (*c, z.magnitude()), (*radius, length([x, y, z]))];
             let furthest = |centre: S| no_less([(centre, Near::exact(one)), terms[0], terms[1], terms[2], terms[3]]);
+            both(furthest(o), furthest(-o))
+        }
+        Hull::Torus([major, minor]) if has(EquationKinds::TORUS) => {
+            let terms = [(*major, length([x, z])), (*minor, length([x, y, z]))];
+            let furthest = |centre: S| no_less([(centre, Near::exact(one)), terms[0], terms[1]]);
             both(furthest(o), furthest(-o))
         }
         Hull::Prism(polygon, height) if has(EquationKinds::PRISM) => {

@@ -11,7 +11,7 @@
 //!
 //! | value | in a constant |
 //! |---|---|
-//! | sphere, disc, annulus, tube, capsule, round cone, cuboid, rounded cuboid, rectangle, quadric of revolution, half-space, prism | `const_new` |
+//! | sphere, disc, annulus, tube, torus, capsule, round cone, cuboid, rounded cuboid, rectangle, quadric of revolution, half-space, prism | `const_new` |
 //! | polyhedron | `const_within` |
 //! | cylinder | `const_infinite`, `const_open`, `const_capped` |
 //! | cone | `const_double`, `const_nappe`, `const_open`, `const_capped`, `const_frustum`, `const_frustum_open` |

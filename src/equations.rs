@@ -53,6 +53,11 @@ pub enum Equations<S: 'static> {
         /// The height.
         height: S,
     },
+    /// All points within the minor radius of a circle about the y axis in the plane `y = 0`.
+    Torus {
+        /// The major and the minor radius.
+        radii: [S; 2],
+    },
     /// The plane `y = 0`.
     Plane,
     /// The part of the plane `y = 0` within `radius` of the origin.
@@ -156,6 +161,8 @@ impl EquationKinds {
     pub(crate) const PRISM: Self = Self(1 << 14);
     /// [`Equations::Polyhedron`].
     pub(crate) const POLYHEDRON: Self = Self(1 << 15);
+    /// [`Equations::Torus`].
+    pub(crate) const TORUS: Self = Self(1 << 16);
 
     /// Those of both sets.
     pub(crate) const fn and(self, other: Self) -> Self {
@@ -197,6 +204,7 @@ impl<S> Equations<S> {
             Self::Cone { .. } => EquationKinds::CONE,
             Self::Revolved { .. } => EquationKinds::REVOLVED,
             Self::Tube { .. } => EquationKinds::TUBE,
+            Self::Torus { .. } => EquationKinds::TORUS,
             Self::Plane => EquationKinds::PLANE,
             Self::Disc { .. } => EquationKinds::DISC,
             Self::Annulus { .. } => EquationKinds::ANNULUS,

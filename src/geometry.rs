@@ -86,6 +86,8 @@ pub trait Geometry<S: Scalar>: Copy + Described {
     /// True if the terms of its polynomials have so few factors that their magnitudes bound their errors: see
     /// [`Filtered`](crate::number::Filtered).
     const HAS_FEW_FACTORS: bool = false;
+    /// True if its formulas are so long that constant bounds on their errors would leave most rays to the next number.
+    const HAS_LONG_FORMULAS: bool = false;
     /// Where a ray in its frame meets it.
     fn intersect<N: Of<S>>(&self, ray: &LocalRay<N>, goal: Goal<S>) -> solve::Attempt<Intersection<S>>;
     /// The equations and inequalities that its points satisfy.
@@ -132,6 +134,8 @@ pub enum Hull<S: 'static> {
     Prism(Polygon<S>, S),
     /// A box.
     Box(CutBox<S>),
+    /// A disc about the origin in the plane `y = 0`, and all points within a distance of it: both radii.
+    Torus([S; 2]),
 }
 
 impl<S: Scalar> Hull<S> {
@@ -154,6 +158,7 @@ impl<S: Scalar> Hull<S> {
                 let [[low, a], [other, b]] = along;
                 [across, [if other < low { other } else { low }, larger(a, b)], across]
             }
+            Self::Torus([major, minor]) => [around(major.plus(minor)), around(minor), around(major.plus(minor))],
             Self::Discs([[low, below], [high, above]]) => {
                 let across = around(larger(below, above));
                 [across, [low, high], across]

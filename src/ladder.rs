@@ -201,7 +201,7 @@ pub struct InBounds<R, const STABLE: bool>(PhantomData<R>);
 impl<R, const STABLE: bool> InBounds<R, STABLE> {
     const fn are_constant<S: Scalar, G: Geometry<S>, P: Place<S>>() -> bool {
         let is_flat = matches!(G::NEEDS, Needs::Flat | Needs::Height);
-        !P::STRETCHES && (G::HAS_CONSTANT_BOUNDS || !STABLE || is_flat && P::IS_WORLD)
+        !P::STRETCHES && !G::HAS_LONG_FORMULAS && (G::HAS_CONSTANT_BOUNDS || !STABLE || is_flat && P::IS_WORLD)
     }
 }
 

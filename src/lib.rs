@@ -152,7 +152,7 @@ pub use ladder::ExactScalar;
 pub use part::Part;
 pub use primitive::{
     Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, HalfSpace, Plane, Polyhedron, Prism, Rectangle, Revolved,
-    RoundCone, RoundedCuboid, SizeError, Sphere, Triangle, Tube,
+    RoundCone, RoundedCuboid, SizeError, Sphere, Torus, Triangle, Tube,
 };
 pub use ray::{Along, Departure, Leaving, Range, Ray, RayError};
 pub use render::{Picture, Pixel};

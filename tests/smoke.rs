@@ -5,7 +5,7 @@ use fixed::types::{I16F16, I32F32};
 use raylet::{
     Affine, Annulus, Capsule, Cone, Crossing, Cuboid, Cylinder, Disc, Exact, Fast, Frame, HalfSpace, Part, Plain,
     Plane, Polyhedron, Prism, Ray, Rectangle, Revolved, RoundCone, RoundedCuboid, Scalar, Shape, Sphere, Stable, Tier,
-    Triangle, Tube, UnitVec3, Vec3,
+    Torus, Triangle, Tube, UnitVec3, Vec3,
 };
 
 fn n<S: Scalar>(value: f64) -> S {
@@ -20,7 +20,7 @@ fn v<S: Scalar>(x: f64, y: f64, z: f64) -> Vec3<S> {
 type Row<S> = (&'static str, Shape<S>, &'static [(f64, Part)]);
 
 /// Solids whose hits on that ray are exact numbers of few bits, or irrational and known.
-fn solids<S: Scalar>() -> [Row<S>; 12] {
+fn solids<S: Scalar>() -> [Row<S>; 13] {
     // The sphere of radius 1.25 is met at z = +-sqrt(1.25^2 - .25^2 - .5^2), the cylinder of radius 1.25 at
     // +-sqrt(1.5).
     const SPHERE: &[(f64, Part)] =
@@ -37,6 +37,13 @@ fn solids<S: Scalar>() -> [Row<S>; 12] {
         (8.0 + core::f64::consts::FRAC_1_SQRT_2, Part::Inner),
         (8.0 + 1.224_744_871_391_589, Part::Side),
     ];
+    // At y = .5 the torus reaches from .375 within its middle circle of radius 1 to .375 beyond.
+    const RING: &[(f64, Part)] = &[
+        (8.0 - 1.352_081_728_298_996, Part::Side),
+        (8.0 - 0.572_821_961_869_480, Part::Side),
+        (8.0 + 0.572_821_961_869_480, Part::Side),
+        (8.0 + 1.352_081_728_298_996, Part::Side),
+    ];
     [
         ("sphere", Shape::new(Sphere::new(n(1.25)).unwrap()), SPHERE),
         ("infinite cylinder", Shape::new(Cylinder::infinite(n(1.25)).unwrap()), ROUND),
@@ -46,6 +53,7 @@ fn solids<S: Scalar>() -> [Row<S>; 12] {
         ("round cone", Shape::new(RoundCone::new(n(1.25), n(1.25), n(2.0)).unwrap()), ROUND),
         ("ball zone", Shape::new(Revolved::ball_zone(n(1.25), [n(-1.0), n(1.0)]).unwrap()), SPHERE),
         ("tube", Shape::new(Tube::new(n(0.75), n(1.25), n(2.0)).unwrap()), WALL),
+        ("torus", Shape::new(Torus::new(n(1.0), n(0.625)).unwrap()), RING),
         ("double cone", Shape::new(Cone::double(n(2.0)).unwrap()), CONE),
         ("capped cone", Shape::new(Cone::capped(n(2.0), n(2.0)).unwrap()), CONE),
         ("frustum", Shape::new(Cone::frustum(n(1.5), n(0.5), n(2.0)).unwrap()), ROUND),

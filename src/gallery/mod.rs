@@ -47,7 +47,7 @@ pub enum BuiltIn {
     /// A glass of water with a straw: transparent solids that overlap and share faces.
     Water,
     /// Quadrics of revolution: towers with a waist, a dish that mirrors, an hourglass, a dome; a tube, an annulus, a
-    /// round cone, a rounded cuboid.
+    /// torus, a round cone, a rounded cuboid, a prism, a polyhedron.
     Quadrics,
 }
 

@@ -1,11 +1,11 @@
-//! The built-in scene: quadrics of revolution, closed and open, a tube, an annulus, a round cone, a rounded cuboid, a
-//! prism and a cube without a corner, on a plane.
+//! The built-in scene: quadrics of revolution, closed and open, a tube, an annulus, a torus, a round cone, a rounded
+//! cuboid, a prism and a cube without a corner, on a plane.
 
 use super::{Stage, all, matte, number, on_y, point};
 use crate::primitive::SizeError;
 use crate::{
     Annulus, Frame, Material, Object, Plane, Polyhedron, Prism, Revolved, RoundCone, RoundedCuboid, Scalar, Shape,
-    Tube, UnitVec3, Vec3,
+    Torus, Tube, UnitVec3, Vec3,
 };
 
 pub(super) fn build<S: Scalar>() -> Option<Stage<S>> {
@@ -50,6 +50,7 @@ pub(super) fn build<S: Scalar>() -> Option<Stage<S>> {
     let turned = UnitVec3::from_f64([0.5, 0.0, 0.85]).ok()?;
     let lying = Frame::looking(point(-0.75, 0.26, 3.15)?, turned, UnitVec3::Y).ok()?;
     let washer = Annulus::new(number(0.22)?, number(0.5)?).ok()?;
+    let ring = Torus::new(number(0.32)?, number(0.11)?).ok()?;
     let wedge = Prism::new(S::TRIANGLE, number(0.45)?).ok()?;
     let cube = Polyhedron::within(Vec3::ZERO, point(1.0, 1.0, 1.0)?, S::CUT).ok()?;
     let facing = |at: [f64; 3], towards: [f64; 2]| {
@@ -79,6 +80,7 @@ pub(super) fn build<S: Scalar>() -> Option<Stage<S>> {
         Object::new(Shape::new(soap).placed(lying), yellow),
         on_y(pear, point(3.6, 0.45, -0.2)?, red)?,
         Object::new(Shape::new(wedge).placed(facing([1.75, 0.0, 2.75], [0.9, 0.3])?), green),
+        on_y(ring, point(-1.85, 0.11, 3.1)?, blue)?,
         Object::new(Shape::new(cube).placed(facing([0.45, 0.0, -1.9], [-0.3, 0.9])?), red),
     ];
     let materials: heapless::Vec<_, 8> = all(materials)?;

@@ -142,6 +142,7 @@ impl<W: Word> Ring for Bounded<W> {
 
 impl<W: Word> Number for Bounded<W> {
     type Estimate = Self;
+    type Long = Self;
     const DECIDES_BY_SIGNS: bool = true;
 
     #[inline(always)]
@@ -162,10 +163,25 @@ impl<W: Word> Number for Bounded<W> {
     fn estimate(self) -> Self {
         self
     }
+    #[inline(always)]
+    fn long(self) -> Self {
+        self
+    }
 }
 
 impl<W: Word> Estimate for Bounded<W> {
     const INFINITY: Self = Self::exact(Limbs::INFINITY);
+    const DIGITS: i32 = Limbs::<W>::BITS;
+    type Rough = Limbs<W>;
+
+    #[inline(always)]
+    fn rough(self) -> Limbs<W> {
+        self.value
+    }
+    #[inline(always)]
+    fn exactly(value: Limbs<W>) -> Self {
+        Self::exact(value)
+    }
 
     #[inline]
     fn over(self, other: Self) -> Self {

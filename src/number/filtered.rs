@@ -78,6 +78,7 @@ impl Ring for Filtered {
 
 impl Number for Filtered {
     type Estimate = Running<f64>;
+    type Long = Self;
     const IS_WIDE: bool = false;
     const DEPARTS: bool = false;
     const KNOWS_ZERO: bool = false;
@@ -95,6 +96,10 @@ impl Number for Filtered {
         } else {
             None
         }
+    }
+    #[inline(always)]
+    fn long(self) -> Self {
+        self
     }
     #[inline(always)]
     fn estimate(self) -> Running<f64> {

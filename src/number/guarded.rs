@@ -60,6 +60,7 @@ impl<R: Real, const STABLE: bool> Ring for Guarded<R, STABLE> {
 
 impl<R: Real, const STABLE: bool> Number for Guarded<R, STABLE> {
     type Estimate = Plain<R>;
+    type Long = Self;
     const IS_WIDE: bool = false;
     const DEPARTS: bool = false;
     const APPROACHES_AGAIN: bool = STABLE;
@@ -110,6 +111,10 @@ impl<R: Real, const STABLE: bool> Number for Guarded<R, STABLE> {
     #[inline(always)]
     fn estimate(self) -> Plain<R> {
         self.0
+    }
+    #[inline(always)]
+    fn long(self) -> Self {
+        self
     }
     #[inline(always)]
     fn magnitude(self) -> Self {

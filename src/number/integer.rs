@@ -17,6 +17,13 @@ pub(crate) const FLOAT_LIMBS: usize = 128;
 #[cfg(feature = "fixed")]
 pub(crate) const FIXED_LIMBS: usize = 32;
 
+/// Limbs of an integer that holds every polynomial of the equation of a torus over `f32`: the discriminant of a quartic
+/// spans less than 17,000 binary places.
+const LONG_FLOAT_LIMBS: usize = 544;
+/// The same over 32-bit fixed types: less than 4,900 places.
+#[cfg(feature = "fixed")]
+const LONG_FIXED_LIMBS: usize = 160;
+
 /// `(-1)^negative * limbs * 2^(32 * exponent)`, with neither a highest nor a lowest limb of zero.
 #[derive(Clone, Copy, Debug)]
 pub struct Integer<const N: usize> {
@@ -181,8 +188,57 @@ impl<const N: usize> Ring for Integer<N> {
     }
 }
 
-impl<const N: usize> Number for Integer<N> {
+/// An integer whose length is one of those that the solvers use.
+pub trait OfKnownLength: Copy {
+    /// One that holds every polynomial of the equation of a torus, whose discriminant is of the 24th degree in
+    /// coordinates.
+    type Long: Number<Estimate = Bounded<u128>, Long = Self::Long>;
+    /// The same number.
+    fn lengthened(self) -> Self::Long;
+}
+
+impl<const N: usize> Integer<N> {
+    fn resized<const M: usize>(self) -> Integer<M> {
+        let mut limbs = [0; M];
+        limbs.iter_mut().zip(self.limbs).for_each(|(limb, own)| *limb = own);
+        Integer { limbs, length: self.length, exponent: self.exponent, negative: self.negative }
+    }
+}
+
+/// Names the longer integer of each length, which stable Rust cannot compute.
+macro_rules! lengths {
+    ($($Length:expr => $Long:expr),+ $(,)?) => {
+        $(
+            impl OfKnownLength for Integer<{ $Length }> {
+                type Long = Integer<{ $Long }>;
+                #[inline(always)]
+                fn lengthened(self) -> Self::Long {
+                    self.resized()
+                }
+            }
+        )+
+    };
+}
+lengths!(
+    FLOAT_LIMBS => LONG_FLOAT_LIMBS,
+    LONG_FLOAT_LIMBS => LONG_FLOAT_LIMBS,
+    FLOAT_LIMBS / 2 * 5 => LONG_FLOAT_LIMBS / 2 * 5,
+    LONG_FLOAT_LIMBS / 2 * 5 => LONG_FLOAT_LIMBS / 2 * 5,
+);
+#[cfg(feature = "fixed")]
+lengths!(
+    FIXED_LIMBS => LONG_FIXED_LIMBS,
+    LONG_FIXED_LIMBS => LONG_FIXED_LIMBS,
+    FIXED_LIMBS / 2 * 5 => LONG_FIXED_LIMBS / 2 * 5,
+    LONG_FIXED_LIMBS / 2 * 5 => LONG_FIXED_LIMBS / 2 * 5,
+);
+
+impl<const N: usize> Number for Integer<N>
+where
+    Self: OfKnownLength,
+{
     type Estimate = Bounded<u128>;
+    type Long = <Self as OfKnownLength>::Long;
     const DECIDES_BY_SIGNS: bool = true;
 
     #[inline(always)]
@@ -196,6 +252,11 @@ impl<const N: usize> Number for Integer<N> {
             (_, true) => Ordering::Less,
             (_, false) => Ordering::Greater,
         })
+    }
+
+    #[inline(always)]
+    fn long(self) -> Self::Long {
+        self.lengthened()
     }
 
     fn estimate(self) -> Bounded<u128> {

@@ -133,6 +133,8 @@ pub trait Ring: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Se
 pub trait Number: Ring {
     /// The type of approximate quotients and square roots.
     type Estimate: Estimate;
+    /// A number in which the equation of a torus is as certain: for integers, a longer one.
+    type Long: Number<Estimate = Self::Estimate, Long = Self::Long>;
     /// True if an operation is a function call. Code in such numbers is not inlined, since it is called in several
     /// places and runs seldom.
     const IS_WIDE: bool = true;
@@ -176,6 +178,8 @@ pub trait Number: Ring {
     }
     /// The number rounded to [`Number::Estimate`].
     fn estimate(self) -> Self::Estimate;
+    /// The same number.
+    fn long(self) -> Self::Long;
     /// `self / other` as such a number, if it may be rounded.
     #[inline(always)]
     fn rounded_quotient(self, _other: Self) -> Option<Self> {
@@ -224,6 +228,15 @@ fn in_a_function<A>(work: impl FnOnce() -> A) -> A {
 pub trait Estimate: Number<Estimate = Self> {
     /// Above every number of a solver: the parameter of a missing end.
     const INFINITY: Self;
+    /// How many binary digits it has.
+    const DIGITS: i32;
+    /// The value alone, for what approximates others.
+    type Rough: Estimate<Rough = Self::Rough>;
+
+    /// The value alone.
+    fn rough(self) -> Self::Rough;
+    /// A value, taken to be exact.
+    fn exactly(value: Self::Rough) -> Self;
 
     /// `self / other`; `other` must not be zero.
     fn over(self, other: Self) -> Self;

@@ -68,6 +68,7 @@ impl<R: Real> Ring for Plain<R> {
 
 impl<R: Real> Number for Plain<R> {
     type Estimate = Self;
+    type Long = Self;
     const IS_WIDE: bool = !R::IS_FLOAT;
     const KNOWS_LENGTH: bool = false;
     const APPROACHES_AGAIN: bool = false;
@@ -78,6 +79,10 @@ impl<R: Real> Number for Plain<R> {
     }
     #[inline(always)]
     fn estimate(self) -> Self {
+        self
+    }
+    #[inline(always)]
+    fn long(self) -> Self {
         self
     }
     #[inline(always)]
@@ -92,6 +97,17 @@ impl<R: Real> Number for Plain<R> {
 
 impl<R: Real> Estimate for Plain<R> {
     const INFINITY: Self = Self(R::INFINITY);
+    const DIGITS: i32 = -R::ROUNDING;
+    type Rough = Self;
+
+    #[inline(always)]
+    fn rough(self) -> Self {
+        self
+    }
+    #[inline(always)]
+    fn exactly(value: Self) -> Self {
+        value
+    }
 
     #[inline(always)]
     fn over(self, other: Self) -> Self {

@@ -46,6 +46,7 @@ impl<W: Word> Ring for Limbs<W> {
 
 impl<W: Word> Number for Limbs<W> {
     type Estimate = Self;
+    type Long = Self;
 
     #[inline(always)]
     fn apart<A>(work: impl FnOnce() -> A) -> A {
@@ -67,10 +68,26 @@ impl<W: Word> Number for Limbs<W> {
     fn estimate(self) -> Self {
         self
     }
+
+    #[inline(always)]
+    fn long(self) -> Self {
+        self
+    }
 }
 
 impl<W: Word> Estimate for Limbs<W> {
     const INFINITY: Self = Self { mantissa: W::TOP, exponent: INFINITE_EXPONENT, negative: false };
+    const DIGITS: i32 = Self::BITS;
+    type Rough = Self;
+
+    #[inline(always)]
+    fn rough(self) -> Self {
+        self
+    }
+    #[inline(always)]
+    fn exactly(value: Self) -> Self {
+        value
+    }
 
     #[inline]
     fn over(self, other: Self) -> Self {

@@ -164,6 +164,7 @@ impl<R: Real, const STABLE: bool> Ring for Running<R, STABLE> {
 
 impl<R: Real, const STABLE: bool> Number for Running<R, STABLE> {
     type Estimate = Self;
+    type Long = Self;
     const IS_WIDE: bool = false;
     const KNOWS_ZERO: bool = false;
     const STARTS_AT_VERTEX: bool = true;
@@ -188,6 +189,10 @@ impl<R: Real, const STABLE: bool> Number for Running<R, STABLE> {
         self
     }
     #[inline(always)]
+    fn long(self) -> Self {
+        self
+    }
+    #[inline(always)]
     fn without_error(self) -> Self {
         Self::exact(self.value)
     }
@@ -207,6 +212,17 @@ impl<R: Real, const STABLE: bool> Number for Running<R, STABLE> {
 
 impl<R: Real, const STABLE: bool> Estimate for Running<R, STABLE> {
     const INFINITY: Self = Self::exact(R::INFINITY);
+    const DIGITS: i32 = -R::ROUNDING;
+    type Rough = super::Plain<R>;
+
+    #[inline(always)]
+    fn rough(self) -> super::Plain<R> {
+        super::Plain(self.value)
+    }
+    #[inline(always)]
+    fn exactly(value: super::Plain<R>) -> Self {
+        Self::exact(value.0)
+    }
 
     #[inline(always)]
     fn over(self, other: Self) -> Self {

@@ -2,7 +2,7 @@
 
 use super::{
     Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Rectangle, Revolved, RoundCone, RoundedCuboid, SizeError, Sphere,
-    Tube,
+    Torus, Tube,
 };
 use crate::outline::{Extent, Meridian, Outline, has_waist};
 use crate::scalar::ValueError;
@@ -296,6 +296,25 @@ macro_rules! constants {
                         Ok(Self { radii: annulus.radii, height })
                     }
                     Err(error) => Err(error),
+                }
+            }
+        }
+
+        impl<$($generics)*> Torus<$Number> {
+            /// [`Torus::new`] in a constant.
+            ///
+            /// # Errors
+            ///
+            /// As [`Torus::new`].
+            pub const fn const_new(major_radius: $Number, minor_radius: $Number) -> Result<Self, SizeError> {
+                checked!(
+                    constant::$checks::size(major_radius) => SizeError::Radius,
+                    constant::$checks::size(minor_radius) => SizeError::Radius,
+                );
+                if constant::$checks::is_less(minor_radius, major_radius) {
+                    Ok(Self { radii: [major_radius, minor_radius] })
+                } else {
+                    Err(SizeError::Ring)
                 }
             }
         }

@@ -2,7 +2,7 @@
 
 use super::{
     Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Polyhedron, Prism, Rectangle, Revolved, RoundCone,
-    RoundedCuboid, Sphere, Triangle, Tube,
+    RoundedCuboid, Sphere, Torus, Triangle, Tube,
 };
 use crate::outline::{Extent, Outline};
 use crate::scalar::Scalar;
@@ -104,6 +104,13 @@ impl<S: Scalar> Format for Tube<S> {
     fn format(&self, f: Formatter<'_>) {
         let [inner, outer, height] = [self.inner_radius(), self.outer_radius(), self.height()].map(Plain);
         write!(f, "Tube {{ inner_radius: {}, outer_radius: {}, height: {} }}", inner, outer, height);
+    }
+}
+
+impl<S: Scalar> Format for Torus<S> {
+    fn format(&self, f: Formatter<'_>) {
+        let [major, minor] = [self.major_radius(), self.minor_radius()].map(Plain);
+        write!(f, "Torus {{ major_radius: {}, minor_radius: {} }}", major, minor);
     }
 }
 

@@ -15,6 +15,7 @@
 //! | [`Revolved`] | [`paraboloid`](Revolved::paraboloid), [`spheroid`](Revolved::spheroid), [`ball_zone`](Revolved::ball_zone), [`cone`](Revolved::cone), [`hyperboloid`](Revolved::hyperboloid), [`tower`](Revolved::tower), [`optical`](Revolved::optical), [`new`](Revolved::new); [`open`](Revolved::open) |
 //! | [`RoundCone`] | [`new`](RoundCone::new) |
 //! | [`Tube`] | [`new`](Tube::new), [`with_wall`](Tube::with_wall) |
+//! | [`Torus`] | [`new`](Torus::new) |
 //! | [`Cuboid`] | [`new`](Cuboid::new), [`between`](Cuboid::between) |
 //! | [`RoundedCuboid`] | [`new`](RoundedCuboid::new), [`within`](RoundedCuboid::within) |
 //! | [`Prism`] | [`new`](Prism::new) |
@@ -45,6 +46,9 @@
 //! | touching a waist from inside | leaves and enters again at the same `t` |
 //! | through the hole of a tube from outside | two intervals |
 //! | touching the inner side of a tube from within the wall | one interval: it does not leave the wall |
+//! | through a torus on both sides of its hole | two intervals |
+//! | touching a torus from outside, also in the plane of its highest circle | one touch, or one on each side |
+//! | touching the surface of a torus from within | one interval: it does not leave the solid |
 //! | along the inner side of a tube | from rim to rim, with the part `Inner` |
 //! | in the plane of a cuboid's face, or along its edge | enters and leaves where it crosses the edges of that face or the corners; [`Cuboid`] says which part owns them |
 //! | across an edge or a corner of a cuboid from outside | one touch |
@@ -82,6 +86,7 @@ mod stored;
 #[cfg(feature = "serde")]
 mod stored_lists;
 pub(crate) mod surface_coordinates;
+mod torus;
 mod triangle;
 mod tube;
 
@@ -100,6 +105,7 @@ pub use revolved::Revolved;
 pub use round_cone::RoundCone;
 pub use rounded_cuboid::RoundedCuboid;
 pub use sphere::Sphere;
+pub use torus::Torus;
 pub use triangle::Triangle;
 pub use tube::Tube;
 
@@ -129,6 +135,8 @@ pub enum SizeError {
     Heights,
     /// The inner radius of a tube or an annulus is not below the outer one.
     Radii,
+    /// The minor radius of a torus is not below the major one.
+    Ring,
     /// A quadric of revolution has no radius at a height between its ends, or is no wider than its axis.
     Outline,
     /// The vertices lie on a line, or too nearly so for the number type.
@@ -159,6 +167,7 @@ impl SizeError {
             Self::Coefficient(error) => with_fault!("a coefficient ", error),
             Self::Heights => "the lower height is not below the upper one",
             Self::Radii => "the inner radius is not below the outer one",
+            Self::Ring => "the minor radius is not below the major one",
             Self::Outline => "there is no radius at a height between the ends, or none above zero",
             Self::FaceCount => "there is no half-space, or there are more than 16",
             Self::Normal(error) => with_fault!("the largest component of the normal ", error),

@@ -3,7 +3,7 @@
 use super::stored_lists::Kept;
 use super::{
     Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Polyhedron, Prism, Rectangle, Revolved, RoundCone,
-    RoundedCuboid, SizeError, Sphere, Triangle, Tube,
+    RoundedCuboid, SizeError, Sphere, Torus, Triangle, Tube,
 };
 use crate::half_space::HalfSpace;
 use crate::outline::{Extent, Outline};
@@ -165,6 +165,15 @@ struct Ring<S> {
     outer_radius: S,
 }
 
+#[derive(Serialize, Deserialize)]
+#[serde(bound = "S: Scalar")]
+struct TwoRadii<S> {
+    #[serde(with = "written")]
+    major_radius: S,
+    #[serde(with = "written")]
+    minor_radius: S,
+}
+
 /// Implements both traits of a primitive by the form in which it is stored.
 macro_rules! stored {
     ($Primitive:ident, $Stored:ty, |$primitive:ident| $to:expr, |$stored:pat_param| $from:expr) => {
@@ -308,6 +317,12 @@ stored!(
         Ring { inner_radius, outer_radius }
     },
     |Ring { inner_radius, outer_radius }| Annulus::new(inner_radius, outer_radius)
+);
+stored!(
+    Torus,
+    TwoRadii<S>,
+    |torus| TwoRadii { major_radius: torus.major_radius(), minor_radius: torus.minor_radius() },
+    |TwoRadii { major_radius, minor_radius }| Torus::new(major_radius, minor_radius)
 );
 stored!(
     Prism,

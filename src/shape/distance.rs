@@ -70,7 +70,7 @@ impl<'a, S: Scalar, K: Primitives> Beside<'a, S, K> {
     fn has(&self, part: Part) -> bool {
         let [_, [low, high], _] = self.hull.extents();
         match (&self.hull, part) {
-            (Hull::Ball(_), _) => part == Part::Side,
+            (Hull::Ball(_) | Hull::Torus(_), _) => part == Part::Side,
             (Hull::Cuboid(_), _) => FACES.as_flattened().contains(&part),
             (Hull::RoundedCuboid(..), _) => part != Part::Inner && part.facet_number().is_none(),
             (Hull::Box(solid), _) => FACES.as_flattened().contains(&part) || solid.facet(part).is_some(),
@@ -107,7 +107,15 @@ impl<'a, S: Scalar, K: Primitives> Beside<'a, S, K> {
         let endless = [-S::INFINITY, S::INFINITY];
         // How far the part reaches along the axis: its surface may go on within the solid, or beyond the apex.
         let [low, high] = match (&self.hull, part) {
-            (Hull::Ball(_) | Hull::Cuboid(_) | Hull::RoundedCuboid(..) | Hull::Prism(..) | Hull::Box(_), _) => endless,
+            (
+                Hull::Ball(_)
+                | Hull::Torus(_)
+                | Hull::Cuboid(_)
+                | Hull::RoundedCuboid(..)
+                | Hull::Prism(..)
+                | Hull::Box(_),
+                _,
+            ) => endless,
             (Hull::Balls(balls), _) => {
                 let [low, high] = self.seams(balls);
                 match part {

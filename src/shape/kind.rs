@@ -41,6 +41,8 @@ pub enum Kind {
     Prism,
     /// A [`Polyhedron`](crate::Polyhedron).
     Polyhedron,
+    /// A [`Torus`](crate::Torus).
+    Torus,
     /// A [`Frame`](crate::Frame).
     Frame,
     /// An [`Affine`](crate::Affine).
@@ -49,7 +51,7 @@ pub enum Kind {
 
 impl Kind {
     /// Every kind, in order.
-    pub const EVERY: [Self; 18] = [
+    pub const EVERY: [Self; 19] = [
         Self::Sphere,
         Self::Cylinder,
         Self::Cone,
@@ -66,6 +68,7 @@ impl Kind {
         Self::RoundedCuboid,
         Self::Prism,
         Self::Polyhedron,
+        Self::Torus,
         Self::Frame,
         Self::Affine,
     ];
@@ -89,6 +92,7 @@ impl Kind {
             Self::RoundedCuboid => "RoundedCuboid",
             Self::Prism => "Prism",
             Self::Polyhedron => "Polyhedron",
+            Self::Torus => "Torus",
             Self::Frame => "Frame",
             Self::Affine => "Affine",
         }
@@ -144,7 +148,7 @@ impl KindSet {
         Self(self.0 | kind.bit())
     }
 
-    /// How many kinds are in the set, 0 to 18.
+    /// How many kinds are in the set, 0 to 19.
     pub const fn len(self) -> usize {
         self.0.count_ones() as usize
     }

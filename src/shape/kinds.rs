@@ -9,7 +9,7 @@ use crate::frame::Frame;
 use crate::hit::{HitList, Hits};
 use crate::primitive::{
     Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Polyhedron, Prism, Rectangle, Revolved, RoundCone,
-    RoundedCuboid, Sphere, Triangle, Tube,
+    RoundedCuboid, Sphere, Torus, Triangle, Tube,
 };
 use crate::scalar::Scalar;
 use crate::shape::combination::{Combination, MOST_CROSSINGS};
@@ -22,7 +22,7 @@ mod sealed {
 
 /// A primitive or a placement, by its type. Sealed: [`Sphere`], [`Cylinder`], [`Cone`], [`Capsule`], [`Plane`],
 /// [`Disc`], [`Triangle`], [`Cuboid`], [`Rectangle`], [`Revolved`], [`Tube`], [`Annulus`], [`RoundCone`],
-/// [`RoundedCuboid`], [`Prism`], [`Polyhedron`], [`Frame`] and [`Affine`], of any number type.
+/// [`RoundedCuboid`], [`Prism`], [`Polyhedron`], [`Torus`], [`Frame`] and [`Affine`], of any number type.
 pub trait OfKind: Copy + Debug + PartialEq + sealed::Sealed + 'static {
     /// The kind of its values.
     const KIND: Kind;
@@ -40,7 +40,7 @@ macro_rules! kinds {
     };
 }
 kinds!(Sphere Cylinder Cone Capsule Plane Disc Triangle Cuboid Rectangle Revolved Tube Annulus RoundCone);
-kinds!(RoundedCuboid Prism Polyhedron Frame Affine);
+kinds!(RoundedCuboid Prism Polyhedron Torus Frame Affine);
 
 /// What [`Shape::placed`](super::Shape::placed) takes. Sealed: [`Frame`], [`Affine`] and [`Placement`].
 pub trait Places<S: Scalar>: Into<Placement<S>> + sealed::Sealed {

@@ -11,7 +11,7 @@ use crate::intersection::Intersection;
 use crate::part::Part;
 use crate::primitive::{
     Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Plane, Polyhedron, Prism, Rectangle, Revolved, RoundCone,
-    RoundedCuboid, Sphere, Triangle, Tube,
+    RoundedCuboid, Sphere, Torus, Triangle, Tube,
 };
 use crate::ray::Ray;
 use crate::scalar::{Including, Scalar, UnitScalar};
@@ -139,7 +139,8 @@ primitives!(
     RoundCone,
     RoundedCuboid,
     Prism,
-    Polyhedron
+    Polyhedron,
+    Torus
 );
 
 impl<S: Scalar> Primitive<S> {
@@ -156,7 +157,7 @@ impl<S: Scalar> Primitive<S> {
             Self::Cylinder(cylinder) => cylinder.extent().most_crossings(),
             Self::Cone(cone) => cone.extent().most_crossings(),
             Self::Revolved(revolved) => revolved.most_crossings(),
-            Self::Tube(_) => 4,
+            Self::Tube(_) | Self::Torus(_) => 4,
             Self::Plane(_) | Self::Disc(_) | Self::Annulus(_) | Self::Triangle(_) | Self::Rectangle(_) => 0,
         }
     }

@@ -158,10 +158,10 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         true
     }
 
-    /// True if the primitive is a rounded cuboid.
+    /// True if the primitive is a rounded cuboid or a torus: all points within a radius of what may be much larger.
     fn is_about_a_core(&self) -> bool {
-        Member::<S, K>::EQUATIONS.has(EquationKinds::ROUNDED_CUBOID)
-            && matches!(self.shape.member.equations(), Equations::RoundedCuboid { .. })
+        Member::<S, K>::EQUATIONS.has(EquationKinds::ROUNDED_CUBOID.and(EquationKinds::TORUS))
+            && matches!(self.shape.member.equations(), Equations::RoundedCuboid { .. } | Equations::Torus { .. })
     }
 
     /// True if the placement changes lengths, and with them the rounding error of `t`.
@@ -315,7 +315,10 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
             && self.needs_exact_normal(rough)
             && let Some(normal) = self.corrected_local_normal(rough).or_else(|| self.exact_local_normal())
         {
-            tangents = along_the_surface(normal);
+            let is_torus = Member::<S, K>::EQUATIONS.has(EquationKinds::TORUS)
+                && matches!(self.shape.member.equations(), Equations::Torus { .. });
+            // The normal of a torus need not lead away from the axis.
+            tangents = along_the_surface(normal, is_torus.then_some(tangents.0));
         }
         let (u, v) = tangents;
         match &self.shape.placement {
@@ -335,10 +338,11 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
     }
 }
 
-/// The tangents around the axis and up, on a surface of revolution about the y axis with this outward normal.
-fn along_the_surface<S: Scalar>(normal: UnitVec3<S>) -> (UnitVec3<S>, UnitVec3<S>) {
+/// The tangents around the axis and up, on a surface of revolution about the y axis with this outward normal, which
+/// leads away from the axis if the first is not given.
+fn along_the_surface<S: Scalar>(normal: UnitVec3<S>, around: Option<UnitVec3<S>>) -> (UnitVec3<S>, UnitVec3<S>) {
     let [x, _, z] = normal.real();
-    let u = UnitVec3::from_real([z, S::Real::ZERO, -x]).unwrap_or(-UnitVec3::Z);
+    let u = around.or_else(|| UnitVec3::from_real([z, S::Real::ZERO, -x])).unwrap_or(-UnitVec3::Z);
     let v = UnitVec3::from_real(normal.cross(u)).unwrap_or(UnitVec3::Y);
     (u, v)
 }

@@ -6,6 +6,7 @@ use super::polyhedra;
 use super::quadric::{Ball, Cylinder, Nappe, Profile, Quadric, Revolution, Tangent};
 use super::rounded::{piece, region_at};
 use super::side::planes_through;
+use super::torus::Torus;
 use crate::equations::{Described, EquationKinds, Equations};
 use crate::number::{Number, cross, difference, dot};
 use crate::outline::Extent;
@@ -68,6 +69,10 @@ pub(crate) fn holds<S: Scalar, N: Of<S>, G: Described>(equations: &Equations<S>,
                 && is_inside(cylinder(N::scalar(outer)))?
                 && is_outside(cylinder(N::scalar(inner)))?,
         ),
+        Equations::Torus { radii } if G::EQUATIONS.has(EquationKinds::TORUS) => {
+            let torus = Torus { o: point, d: no_direction, radii: radii.map(N::scalar) };
+            Some(torus.value().sign()? != Ordering::Greater)
+        }
         Equations::Plane if G::EQUATIONS.has(EquationKinds::PLANE) => Some(y.sign()? == Ordering::Equal),
         Equations::Disc { radius } if G::EQUATIONS.has(EquationKinds::DISC) => {
             Some(y.sign()? == Ordering::Equal && is_inside(cylinder(N::scalar(radius)))?)
@@ -103,6 +108,7 @@ pub(crate) fn holds<S: Scalar, N: Of<S>, G: Described>(equations: &Equations<S>,
         | Equations::Cone { .. }
         | Equations::Revolved { .. }
         | Equations::Tube { .. }
+        | Equations::Torus { .. }
         | Equations::Plane
         | Equations::Disc { .. }
         | Equations::Annulus { .. }

@@ -10,8 +10,8 @@ use crate::scalar::{FromScalar, Scalar, ToScalar};
 use core::cmp::Ordering;
 
 /// A computing number for the scalars of one type.
-pub trait Of<S: Scalar>: FromScalar<S> + Number<Estimate: ToScalar<S>> {}
-impl<S: Scalar, N: FromScalar<S> + Number<Estimate: ToScalar<S>>> Of<S> for N {}
+pub trait Of<S: Scalar>: FromScalar<S> + Number<Estimate: ToScalar<S>, Long: FromScalar<S>> {}
+impl<S: Scalar, N: FromScalar<S> + Number<Estimate: ToScalar<S>, Long: FromScalar<S>>> Of<S> for N {}
 
 /// A parameter `n / e` of the line; `e` is not zero.
 #[derive(Clone, Copy, Debug)]

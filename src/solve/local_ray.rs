@@ -48,6 +48,14 @@ impl<N: Number> LocalRay<N> {
         N::DEPARTS && self.departure.is_some_and(|(_, leaving)| leaving == Leaving::Outwards)
     }
 
+    /// The same ray in [`Number::Long`].
+    #[inline(always)]
+    pub(super) fn long(&self) -> LocalRay<N::Long> {
+        let [origin, direction] = [self.origin, self.direction].map(|v| v.map(N::long));
+        let Self { departure, start, is_unit, .. } = *self;
+        LocalRay { origin, direction, departure, start, moved: self.moved.long(), is_unit }
+    }
+
     /// The square of the distance by which the origin was moved, times `2^e`.
     #[inline(always)]
     pub(super) fn far(&self, e: i32) -> N {
@@ -87,7 +95,7 @@ impl<S: Scalar, W: Word> Localize<S> for Limbs<W> where Self: Of<S> {}
 
 impl<S: Scalar, W: Word> Localize<S> for Bounded<W> {}
 
-impl<S: Scalar, const N: usize> Localize<S> for Integer<N> {}
+impl<S: Scalar, const N: usize> Localize<S> for Integer<N> where Self: Of<S> {}
 
 #[cfg(feature = "libm")]
 impl<S: Scalar> Localize<S> for Filtered {}

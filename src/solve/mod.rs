@@ -22,6 +22,8 @@
 //! | `revolved` | quadrics of revolution between two planes |
 //! | `side` | cylinders and cones, double, infinite, open or between planes |
 //! | `tube` | tubes |
+//! | `torus` | tori |
+//! | `quartic`, `sturm`, `newton` | the roots of the equation of a torus: counted, ordered, computed |
 //! | `flat` | planes, discs, annuli, triangles |
 //! | `slabs` | cuboids, rectangles |
 //! | `polyhedra` | prisms, polyhedra |
@@ -35,19 +37,23 @@ mod contains;
 mod end;
 mod flat;
 mod local_ray;
+mod newton;
 mod polyhedra;
 mod quadratic;
 mod quadric;
+mod quartic;
 mod revolved;
 mod roots;
 mod round;
 mod rounded;
 mod side;
 mod slabs;
+mod sturm;
 mod surface;
 #[cfg(units)]
 #[path = "../../tests/units/solve.rs"]
 mod tests;
+mod torus;
 mod tube;
 
 pub use attempt::{Attempt, Stop};
@@ -66,6 +72,7 @@ pub(crate) use rounded::{end_at, region_at, rounded_cuboid};
 pub(crate) use side::{caps, cone, cylinder};
 pub(crate) use slabs::{cuboid, rectangle};
 pub(crate) use surface::{Line, Surface, correction, point_at, surface_of};
+pub(crate) use torus::torus;
 pub(crate) use tube::tube;
 
 use crate::equations::Equations;
@@ -82,7 +89,7 @@ pub(crate) fn meets_nothing<S>(equations: &Equations<S>, departure: Option<(Part
         (_, equations) if equations.is_flat() => true,
         (_, Equations::Cone { extent: Extent::Double, .. }) => false,
         (Some((Part::Side, _)), Equations::Revolved { meridian }) if meridian.has_waist => false,
-        (Some((Part::Inner, _)), Equations::Tube { .. }) => false,
+        (Some((Part::Inner, _)), Equations::Tube { .. }) | (Some(_), Equations::Torus { .. }) => false,
         (Some((_, leaving)), _) => leaving == Leaving::Outwards,
     }
 }

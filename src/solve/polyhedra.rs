@@ -8,7 +8,7 @@
 use super::attempt::Attempt;
 use super::end::{Flat, Fraction, Goal, Of, inwards, solid};
 use super::local_ray::LocalRay;
-use super::roots::Root;
+use super::roots::RootOfQuadric;
 use super::slabs::Clipped;
 use super::surface::Line;
 use crate::half_space::{CutBox, HalfSpace};
@@ -139,7 +139,7 @@ pub(super) fn end_in_a_prism<S: Scalar, N: FromScalar<S> + Number>(
     polygon: Polygon<S>,
     height: S,
     (enters, departed): (bool, Option<Part>),
-) -> Option<Root<N>> {
+) -> Option<RootOfQuadric<N>> {
     end_in_a_face(of_prism([line.origin, line.direction], polygon, height), enters, departed)
 }
 
@@ -148,7 +148,7 @@ pub(super) fn end_in_a_polyhedron<S: Scalar, N: FromScalar<S> + Number>(
     line: &Line<N>,
     solid: CutBox<S>,
     (enters, departed): (bool, Option<Part>),
-) -> Option<Root<N>> {
+) -> Option<RootOfQuadric<N>> {
     end_in_a_face(of_polyhedron([line.origin, line.direction], solid), enters, departed)
 }
 
@@ -157,7 +157,7 @@ fn end_in_a_face<N: Number>(
     faces: impl Iterator<Item = Along<N>>,
     enters: bool,
     departed: Option<Part>,
-) -> Option<Root<N>> {
+) -> Option<RootOfQuadric<N>> {
     let crosses = if enters { Ordering::Less } else { Ordering::Greater };
     let mut last: Option<Fraction<N>> = None;
     for (part, [value, slope]) in faces {
@@ -172,5 +172,5 @@ fn end_in_a_face<N: Number>(
             _ => Some(t),
         };
     }
-    last.map(Root::at)
+    last.map(RootOfQuadric::at)
 }

@@ -4,33 +4,71 @@
 //! is that of `a g - b f`, which is linear. So no square root is needed (Deakin and Snoeyink, *On the Precision to Sort
 //! Line-Quadric Intersections*, CCCG 2016).
 
-use super::end::{Fraction, Place, times};
+use super::end::{Fraction, Of, Place, times};
 use super::polyhedra::{end_in_a_polyhedron, end_in_a_prism};
 use super::quadratic::root_beside;
 use super::rounded;
 use super::side::planes_through;
 use super::surface::{Line, surface_of};
+use super::torus::{self, RootOfTorus};
 use crate::equations::{Described, EquationKinds, Equations};
 use crate::hit::{Crossing, Hit};
-use crate::number::Number;
+use crate::number::{Estimate, Number};
 use crate::part::{FACES, Part};
-use crate::scalar::{FromScalar, Scalar};
+use crate::scalar::Scalar;
 use core::cmp::Ordering;
 
-/// A root of `f = a t^2 + 2 k t + c`, or the parameter of a plane.
-#[derive(Clone, Copy, Debug)]
-pub struct Root<N> {
-    /// `a`, `k` and `c`; unused for a plane.
-    f: [N; 3],
-    place: Place<N>,
+/// Where a line crosses a surface.
+#[expect(missing_debug_implementations, reason = "the numbers of solvers need not be written")]
+#[derive(Clone, Copy)]
+pub enum Root<N: Number> {
+    /// A quadric, or a plane.
+    OfQuadric(RootOfQuadric<N>),
+    /// A torus.
+    OfTorus(RootOfTorus<N::Long>),
+}
+
+impl<N: Number> From<RootOfQuadric<N>> for Root<N> {
+    fn from(root: RootOfQuadric<N>) -> Self {
+        Self::OfQuadric(root)
+    }
 }
 
 impl<N: Number> Root<N> {
     /// The parameter `t`.
     pub(crate) fn at_parameter(t: N) -> Self {
-        Self::at(Fraction { n: t, e: N::ONE })
+        RootOfQuadric::at(Fraction { n: t, e: N::ONE }).into()
     }
 
+    /// How it compares with another root on the same line; `None` if a sign is not known, or if the roots are those of
+    /// two tori and closer than numbers with an error bound can tell.
+    pub(crate) fn order(&self, other: &Self) -> Option<Ordering> {
+        match (self, other) {
+            (Self::OfQuadric(root), Self::OfQuadric(other)) => root.order(other),
+            (Self::OfTorus(root), Self::OfQuadric(other)) => root.order_with_quadric(&other.long()),
+            (Self::OfQuadric(root), Self::OfTorus(other)) => {
+                other.order_with_quadric(&root.long()).map(Ordering::reverse)
+            }
+            (Self::OfTorus(root), Self::OfTorus(other)) => root.order(other),
+        }
+    }
+
+    /// This root, or the parameter zero if that is greater.
+    pub(crate) fn not_before_start(self) -> Option<Self> {
+        let start = Self::at_parameter(N::ZERO);
+        Some(if self.order(&start)? == Ordering::Less { start } else { self })
+    }
+}
+
+/// A root of `f = a t^2 + 2 k t + c`, or the parameter of a plane.
+#[derive(Clone, Copy, Debug)]
+pub struct RootOfQuadric<N> {
+    /// `a`, `k` and `c`; unused for a plane.
+    f: [N; 3],
+    place: Place<N>,
+}
+
+impl<N: Number> RootOfQuadric<N> {
     /// A root of `f = a t^2 + 2 k t + c`, given by these, or the parameter of a plane.
     pub(super) const fn new(f: [N; 3], place: Place<N>) -> Self {
         Self { f, place }
@@ -55,8 +93,55 @@ impl<N: Number> Root<N> {
         Some(Self { f, place: if is_second { Place::Second } else { Place::First } })
     }
 
+    /// The same root in [`Number::Long`].
+    fn long(&self) -> RootOfQuadric<N::Long> {
+        let place = match self.place {
+            Place::At(Fraction { n, e }) => Place::At(Fraction { n: n.long(), e: e.long() }),
+            Place::Missing => Place::Missing,
+            Place::First => Place::First,
+            Place::Second => Place::Second,
+        };
+        RootOfQuadric { f: self.f.map(N::long), place }
+    }
+
+    /// The root of the same number of another equation, or the parameter of the same plane, as these functions make
+    /// them.
+    pub(super) fn map(&self, f: impl Fn([N; 3]) -> [N; 3], at: impl Fn(Fraction<N>) -> Fraction<N>) -> Self {
+        match self.place {
+            Place::At(t) => Self::at(at(t)),
+            place => Self { f: f(self.f), place },
+        }
+    }
+
+    /// The sign at the root of a polynomial of the fourth degree, whose coefficients are from the lowest power to the
+    /// highest: by `a t^2 + 2 k t + c = 0` it is linear in `t`.
+    pub(super) fn sign_of(&self, [c0, c1, c2, c3, c4]: &[N; 5]) -> Option<Ordering> {
+        let ([a, k, c], [mut value, mut slope], mut power) = (self.f, [*c4, N::ZERO], N::ONE);
+        for coefficient in [c3, c2, c1, c0] {
+            power = power * a;
+            let product = N::sum([[value, a], [-(k + k), slope]]);
+            value = N::sum([[*coefficient, power], [-c, slope]]);
+            slope = product;
+        }
+        Some(match slope.sign()? {
+            Ordering::Equal => value.sign()?,
+            sign => times(sign, self.against(Fraction { n: -value, e: slope })?),
+        })
+    }
+
+    /// Its parameter, approximately.
+    pub(super) fn estimate(&self) -> N::Estimate {
+        let [a, k, c] = self.f;
+        let root = || N::sum([[k, k], [-a, c]]).estimate().square_root();
+        match self.place {
+            Place::At(Fraction { n, e }) => n.estimate().over(e.estimate()),
+            Place::First => (-k.estimate() - root()).over(a.estimate()),
+            Place::Second | Place::Missing => (root() - k.estimate()).over(a.estimate()),
+        }
+    }
+
     /// How it compares with the parameter `t`.
-    fn against(&self, t: Fraction<N>) -> Option<Ordering> {
+    pub(super) fn against(&self, t: Fraction<N>) -> Option<Ordering> {
         let [a, k, _] = self.f;
         let is_second = match self.place {
             Place::At(own) => return own.order(t),
@@ -71,7 +156,7 @@ impl<N: Number> Root<N> {
     }
 
     /// How it compares with another root on the same line; `None` if a sign is not known.
-    pub(crate) fn order(&self, other: &Self) -> Option<Ordering> {
+    pub(super) fn order(&self, other: &Self) -> Option<Ordering> {
         let is_second = match (self.place, other.place) {
             (_, Place::At(t)) => return self.against(t),
             (Place::At(t), _) => return other.against(t).map(Ordering::reverse),
@@ -89,12 +174,6 @@ impl<N: Number> Root<N> {
         let from_vertex = self.against(Fraction { n: -l, e: b })?;
         Some(root_beside(is_second, g, from_vertex).reverse())
     }
-
-    /// This root, or the parameter zero if that is greater.
-    pub(crate) fn not_before_start(self) -> Option<Self> {
-        let start = Fraction { n: N::ZERO, e: N::ONE };
-        Some(if self.against(start)? == Ordering::Less { Self::at(start) } else { self })
-    }
 }
 
 /// `f` at `n / e`, times `e^2`.
@@ -104,7 +183,7 @@ fn at<N: Number>([a, k, c]: [N; 3], Fraction { n, e }: Fraction<N>) -> N {
 
 /// The root that belongs to a hit, of the equation of the part that is hit. If the line departs from a part, `t = 0` is
 /// a root of the part's equation, whatever the rounded coordinates. `None` if the number does not know a sign.
-pub(crate) fn root_at<S: Scalar, N: FromScalar<S> + Number, G: Described>(
+pub(crate) fn root_at<S: Scalar, N: Of<S>, G: Described>(
     equations: &Equations<S>,
     hit: &Hit<S>,
     line: &Line<N>,
@@ -113,7 +192,12 @@ pub(crate) fn root_at<S: Scalar, N: FromScalar<S> + Number, G: Described>(
     if let Equations::RoundedCuboid { half, radius, .. } = *equations
         && G::EQUATIONS.has(EquationKinds::ROUNDED_CUBOID)
     {
-        return Some(rounded::end_at(half, radius, hit.crossing, line, departed)?.root());
+        return Some(rounded::end_at(half, radius, hit.crossing, line, departed)?.root().into());
+    }
+    if let Equations::Torus { radii } = *equations
+        && G::EQUATIONS.has(EquationKinds::TORUS)
+    {
+        return torus::root_at(radii, hit, line, departed);
     }
     let function = |part: Part| {
         let surface = surface_of::<S, N, G>(equations, part, line, N::scalar);
@@ -125,14 +209,14 @@ pub(crate) fn root_at<S: Scalar, N: FromScalar<S> + Number, G: Described>(
         if let Equations::Prism { polygon, height } = *equations
             && G::EQUATIONS.has(EquationKinds::PRISM)
         {
-            return end_in_a_prism(line, polygon, height, (hit.crossing == Crossing::Enter, departed));
+            return end_in_a_prism(line, polygon, height, (hit.crossing == Crossing::Enter, departed)).map(Root::from);
         }
         if let Equations::Polyhedron { solid } = *equations
             && G::EQUATIONS.has(EquationKinds::POLYHEDRON)
         {
-            return end_in_a_polyhedron(line, solid, (hit.crossing == Crossing::Enter, departed));
+            return end_in_a_polyhedron(line, solid, (hit.crossing == Crossing::Enter, departed)).map(Root::from);
         }
-        return edge(equations, hit.crossing == Crossing::Enter, function);
+        return edge(equations, hit.crossing == Crossing::Enter, function).map(Root::from);
     }
     let is_touch = hit.crossing == Crossing::Touch && a.sign()? != Ordering::Equal;
     if is_touch && N::sum([[k, k], [-a, c]]).sign()? != Ordering::Equal {
@@ -144,12 +228,12 @@ pub(crate) fn root_at<S: Scalar, N: FromScalar<S> + Number, G: Described>(
             if growth.sign()? != Ordering::Equal {
                 let rim = Fraction { n: -value, e: growth + growth };
                 if at(f, rim).sign()? == Ordering::Equal {
-                    return Some(Root::at(rim));
+                    return Some(RootOfQuadric::at(rim).into());
                 }
             }
         }
     }
-    Root::of(f, hit.crossing)
+    RootOfQuadric::of(f, hit.crossing).map(Root::from)
 }
 
 /// True if the function does not change along the line.
@@ -159,17 +243,21 @@ fn is_constant<N: Number>([a, k, _]: [N; 3]) -> Option<bool> {
 
 /// The end, on an edge, of a line that lies in the surface of a solid. The hit's part owns the edge, but the end is the
 /// root of another part's equation: the line is inside between the two parts of each pair.
-fn edge<S, N: Number>(equations: &Equations<S>, enters: bool, function: impl Fn(Part) -> [N; 3]) -> Option<Root<N>> {
+fn edge<S, N: Number>(
+    equations: &Equations<S>,
+    enters: bool,
+    function: impl Fn(Part) -> [N; 3],
+) -> Option<RootOfQuadric<N>> {
     let ends = [FACES[2]];
     let pairs = if let Equations::Cuboid { .. } = equations { FACES.as_slice() } else { ends.as_slice() };
-    let mut last: Option<Root<N>> = None;
+    let mut last: Option<RootOfQuadric<N>> = None;
     for pair in pairs {
         let [f, g] = pair.map(&function);
         if is_constant(f)? || is_constant(g)? {
             continue;
         }
         // A line in the side of a capsule touches the balls at its ends.
-        let [first, second] = [Root::of(f, Crossing::Touch)?, Root::of(g, Crossing::Touch)?];
+        let [first, second] = [RootOfQuadric::of(f, Crossing::Touch)?, RootOfQuadric::of(g, Crossing::Touch)?];
         let is_rising = first.order(&second)? == Ordering::Less;
         let end = if is_rising == enters { first } else { second };
         last = match last {

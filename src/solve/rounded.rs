@@ -12,7 +12,7 @@ use super::end::{Curve, End, Flat, Fraction, Goal, Of, inwards, settled, times};
 use super::local_ray::LocalRay;
 use super::quadratic::{Inside, Quadratic};
 use super::quadric::{Ball, Quadric};
-use super::roots::Root;
+use super::roots::RootOfQuadric;
 use super::surface::Line;
 use crate::equations::{Region, axis_of_face};
 use crate::hit::Crossing;
@@ -165,9 +165,9 @@ impl<N: Number> Found<N> {
         self.region
     }
     /// The root of the equation of its face, edge or corner.
-    pub(super) fn root(&self) -> Root<N> {
+    pub(super) fn root(&self) -> RootOfQuadric<N> {
         let f = self.piece.as_ref().map_or([N::ZERO; 3], Quadratic::coefficients);
-        Root::new(f, self.end.place)
+        RootOfQuadric::new(f, self.end.place)
     }
 }
 

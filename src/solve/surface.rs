@@ -4,6 +4,7 @@ use super::polyhedra::{half_space, over_edge};
 use super::quadric::{Ball, Cylinder, Nappe, Profile, Quadric, Revolution, Tangent};
 use super::rounded::piece;
 use super::side::planes_through;
+use super::torus::Torus;
 use crate::equations::{Described, EquationKinds, Equations};
 use crate::hit::{Crossing, Hit};
 use crate::number::{Estimate, Ring, cross, difference, dot};
@@ -37,6 +38,8 @@ pub(crate) enum Surface<N> {
     Nappe(Nappe<N>, Profile<N>),
     Revolution(Revolution<N>),
     Tangent(Tangent<N>),
+    /// Only up to the second order.
+    Torus(Torus<N>),
     /// A plane perpendicular to an axis, with the inside below it.
     Face(Face<N>),
     /// A plane by its normal, of any length; from a point of it to `p`; and `d`.
@@ -63,6 +66,7 @@ impl<N: Ring> Surface<N> {
             Self::Nappe(nappe, _) => return nappe.c(),
             Self::Revolution(revolution) => return revolution.c(),
             Self::Tangent(cone) => return cone.c(),
+            Self::Torus(torus) => return torus.value(),
             Self::Face(Face { distance: [distance, _], .. }) => distance,
             Self::Plane([normal, from, _]) => dot(normal, from),
         };
@@ -79,6 +83,7 @@ impl<N: Ring> Surface<N> {
             Self::Nappe(nappe, _) => nappe.k(),
             Self::Revolution(revolution) => revolution.k(),
             Self::Tangent(cone) => cone.k(),
+            Self::Torus(torus) => torus.slope(),
             Self::Face(Face { distance: [_, growth], .. }) => growth,
             Self::Plane([normal, _, d]) => dot(normal, d),
         }
@@ -94,6 +99,7 @@ impl<N: Ring> Surface<N> {
             Self::Nappe(nappe, _) => nappe.a(),
             Self::Revolution(revolution) => revolution.a(),
             Self::Tangent(cone) => cone.a(),
+            Self::Torus(torus) => torus.bending(),
             Self::Face(_) | Self::Plane(_) => N::ZERO,
         }
     }
@@ -109,6 +115,7 @@ impl<N: Ring> Surface<N> {
             Self::Nappe(Nappe { o: [x, z, g], .. }, Profile { growth, h, .. }) => [h * x, -(growth * g), h * z],
             Self::Revolution(revolution) => revolution.gradient(),
             Self::Tangent(cone) => cone.gradient(),
+            Self::Torus(torus) => torus.gradient(),
             Self::Face(Face { axis, is_along, .. }) => {
                 let component = if is_along { N::ONE } else { -N::ONE };
                 core::array::from_fn(|i| if i == axis { component } else { zero })
@@ -216,6 +223,9 @@ pub(crate) fn surface_of<S: Scalar, N: Ring, G: Described>(
             let [low, high] = solid.corners.map(|corner| corner.map(number));
             let facet = solid.facet(part).map(|facet| Surface::Plane(half_space(facet, [p, d], number)));
             facet.unwrap_or_else(|| face(low, high))
+        }
+        Equations::Torus { radii } if kind.has(EquationKinds::TORUS) => {
+            Surface::Torus(Torus { o: p, d, radii: radii.map(number) })
         }
         // A plane, a disc, an annulus or a rectangle; the geometry has none of the others.
         _ => along(1, y, zero),

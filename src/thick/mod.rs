@@ -245,7 +245,7 @@ pub fn first<S: Scalar, T: Tier<S>, K: Primitives>(
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum ThickError {
-    /// A primitive whose grown shape is not known: a cylinder, a cone, a round cone, a tube, a quadric of
+    /// A primitive whose grown shape is not known: a cylinder, a cone, a round cone, a tube, a torus, a quadric of
     /// revolution, a disc or an annulus.
     Primitive(Kind),
     /// An affine placement, whose coordinates may be stretched: a ball would be an ellipsoid in them.

@@ -1,3 +1,4 @@
+use super::integer::FLOAT_LIMBS;
 use super::word::Word;
 use super::{Bounded, Estimate, Integer, Limbs, Number, Ring, Robust};
 use crate::random::Random;
@@ -33,7 +34,7 @@ fn a_bounded_number_holds_the_exact_one() {
     let (mut known, mut exact) = (0, 0);
     for _ in 0..20_000 {
         let inputs = [0; 6].map(|_| random.float());
-        let truth = polynomial::<Integer<64>>(inputs);
+        let truth = polynomial::<Integer<FLOAT_LIMBS>>(inputs);
         let (narrow, wide) = (polynomial::<Bounded<u64>>(inputs), polynomial::<Bounded<u128>>(inputs));
         for sign in [narrow.sign(), wide.sign()].into_iter().flatten() {
             known += 1;
@@ -56,7 +57,7 @@ fn a_robust_number_is_the_rounded_exact_one() {
             let robust: f32 = Robust::<u64>::sum(terms.map(|term| term.map(|x| number::<Robust<u64>>(x as f32))))
                 .rounded()
                 .unwrap_or(f32::NAN);
-            let exact = Integer::<64>::sum(terms.map(|term| term.map(|x| number::<Integer<64>>(x as f32))));
+            let exact = Integer::<FLOAT_LIMBS>::sum(terms.map(|term| term.map(|x| number(x as f32))));
             let exact: f32 = exact.estimate().rounded().unwrap_or(f32::NAN);
             assert!((robust.to_bits() as i64 - exact.to_bits() as i64).abs() <= 1, "{terms:?}: {robust} {exact}");
         };

@@ -3,7 +3,7 @@
 use super::{Attempt, Goal, LocalRay, Stop};
 use super::{
     annulus, ball, capsule, cone, cuboid, cylinder, disc, plane, polyhedron, prism, rectangle, round_cone,
-    rounded_cuboid, triangle, tube,
+    rounded_cuboid, torus, triangle, tube,
 };
 use crate::half_space::{CutBox, HalfSpace};
 use crate::hit::Crossing;
@@ -74,11 +74,15 @@ impl Ring for Fickle {
 }
 impl Number for Fickle {
     type Estimate = Self;
+    type Long = Self;
     const DECIDES_BY_SIGNS: bool = true;
     fn sign(self) -> Option<Ordering> {
         Some(random_order())
     }
     fn estimate(self) -> Self {
+        Self
+    }
+    fn long(self) -> Self {
         Self
     }
     fn apart<A>(work: impl FnOnce() -> A) -> A {
@@ -87,6 +91,14 @@ impl Number for Fickle {
 }
 impl Estimate for Fickle {
     const INFINITY: Self = Self;
+    const DIGITS: i32 = 24;
+    type Rough = Self;
+    fn rough(self) -> Self {
+        Self
+    }
+    fn exactly(_: Self) -> Self {
+        Self
+    }
     fn over(self, _: Self) -> Self {
         Self
     }
@@ -137,6 +149,7 @@ enum Solver {
     Capsule,
     RoundCone([f32; 2]),
     Tube,
+    Torus,
     Cylinder(Extent<f32>),
     Cone(Outline<f32>, Extent<f32>),
     Plane,
@@ -158,6 +171,7 @@ impl Solver {
             Self::RoundCone([1.0, 0.5]),
             Self::RoundCone([0.5, 3.0]),
             Self::Tube,
+            Self::Torus,
             Self::Plane,
             Self::Disc,
             Self::Annulus,
@@ -197,7 +211,7 @@ impl Solver {
     fn meets_nothing(self, departure: Option<(Part, Leaving)>) -> bool {
         let is_flat = matches!(self, Self::Plane | Self::Disc | Self::Annulus | Self::Rectangle | Self::Triangle);
         let is_convex = !matches!(self, Self::Cone(_, Extent::Double));
-        let returns = |part: Part| matches!(self, Self::Tube) && part == Part::Inner;
+        let returns = |part: Part| matches!(self, Self::Torus) || matches!(self, Self::Tube) && part == Part::Inner;
         departure
             .is_some_and(|(part, leaving)| is_flat || (is_convex && leaving == Leaving::Outwards && !returns(part)))
     }
@@ -209,6 +223,7 @@ impl Solver {
             Self::Capsule => capsule(line, [1.0, 2.0], goal),
             Self::RoundCone(radii) => round_cone(line, radii, 2.0, goal),
             Self::Tube => tube(line, [0.5, 1.0], 2.0, goal),
+            Self::Torus => torus(line, [1.0, 0.25], goal),
             Self::Cylinder(extent) => cylinder(line, 1.0, extent, goal),
             Self::Cone(outline, extent) => cone(line, outline, extent, goal),
             Self::Plane => plane(line, goal),

@@ -67,6 +67,10 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
             return None;
         }
         let (equations, part) = (self.equations(), self.hit.part);
+        // Its polynomial is of the fourth degree: more bits than these integers have.
+        if matches!(equations, Equations::Torus { .. }) {
+            return None;
+        }
         let (o, d, t) = (self.ray.origin().to_array(), self.ray.direction(), self.hit.t);
         if let Some(solid) = round_solid(&equations, part) {
             let frame = match &self.shape.placement {

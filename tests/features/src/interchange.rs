@@ -4,7 +4,8 @@ use fixed::types::{I2F30, I2F62, I12F20, I16F16, I32F32};
 use raylet::{
     Affine, Annulus, Bounds, Capsule, Cone, Crossing, Cuboid, Cylinder, Departure, Disc, Frame, FrameError, HalfSpace,
     Hit, Hits, Leaving, Part, Placement, Plane, Polyhedron, Primitive, Prism, Range, Ray, RayError, Rectangle,
-    Revolved, RoundCone, RoundedCuboid, Scalar, Shape, Sphere, Triangle, Tube, UnitVec3, ValueError, Vec3, Visible,
+    Revolved, RoundCone, RoundedCuboid, Scalar, Shape, Sphere, Torus, Triangle, Tube, UnitVec3, ValueError, Vec3,
+    Visible,
 };
 use serde::{Serialize, de::DeserializeOwned};
 
@@ -61,6 +62,7 @@ fn primitives<S: Scalar>() -> Vec<Primitive<S>> {
         Cone::frustum_open(third, S::ZERO, n(0.7)).expect("sizes").into(),
         Cone::frustum(third, n(0.1), n(0.7)).expect("sizes").into(),
         Tube::new(third, n(0.7), n(0.9)).expect("sizes").into(),
+        Torus::new(n(0.7), third).expect("sizes").into(),
         RoundCone::new(third, n(0.7), n(0.9)).expect("sizes").into(),
         RoundedCuboid::new(third, S::ZERO, n(0.7), n(0.1)).expect("sizes").into(),
         Annulus::new(third, n(0.7)).expect("sizes").into(),

@@ -298,6 +298,12 @@ fn resized(solid: &Solid, sign: i64, step: &Dyadic) -> Solid {
         Solid::Tube { inner, outer, height } => {
             Solid::Tube { inner: inner.clone(), outer: outside(inner, outer), height: by(height) }
         }
+        // The minor radius, which stays below the major one, alone: then the torus grows, or shrinks, everywhere.
+        Solid::Torus { major, minor } => {
+            let wider = by(minor);
+            let minor = if &wider < major { wider } else { minor.clone() };
+            Solid::Torus { major: major.clone(), minor }
+        }
         Solid::Plane => Solid::Plane,
         Solid::Disc { radius } => Solid::Disc { radius: by(radius) },
         Solid::Annulus { inner, outer } => Solid::Annulus { inner: inner.clone(), outer: outside(inner, outer) },

@@ -5,7 +5,7 @@ use crate::bytes::{Bytes, Number};
 use raylet::{
     Affine, Annulus, Capsule, Cone, Cuboid, Cylinder, Departure, Disc, Frame, HalfSpace, Leaving, Part, Placement,
     Plane, Polyhedron, Primitive, Prism, Range, Ray, Rectangle, Revolved, RoundCone, RoundedCuboid, Scalar, Shape,
-    Sphere, Triangle, Tube, Vec3, Visible, tier,
+    Sphere, Torus, Triangle, Tube, Vec3, Visible, tier,
 };
 use std::any::type_name;
 use std::cell::Cell;
@@ -113,7 +113,7 @@ impl<S: Number> Query<S> {
 
     /// True if its equation has the fourth power of a length.
     fn is_slanted(&self) -> bool {
-        matches!(self.solid, Solid::Cone { .. } | Solid::Frustum { .. } | Solid::Triangle { .. })
+        matches!(self.solid, Solid::Cone { .. } | Solid::Frustum { .. } | Solid::Triangle { .. } | Solid::Torus { .. })
     }
 
     /// True if the square of the smallest length beside that of the largest is nothing to the type; of a cone, whose
@@ -155,6 +155,7 @@ fn extent(solid: &Solid) -> (Dyadic, Dyadic) {
             vec![base_radius.clone(), top_radius.clone(), height.clone()]
         }
         Solid::Tube { inner, outer, height } => vec![inner.clone(), outer - inner, outer.clone(), height.clone()],
+        Solid::Torus { major, minor } => vec![minor.clone(), major - minor, major + minor],
         Solid::Annulus { inner, outer } => vec![inner.clone(), outer - inner, outer.clone()],
         Solid::Cuboid { half } => half.to_vec(),
         Solid::RoundedCuboid(oracle::RoundedCuboid { half, radius }) => half.iter().chain([radius]).cloned().collect(),
@@ -191,6 +192,7 @@ fn primitive<S: Number>(bytes: &mut Bytes<'_, S>) -> Result<Made<S>, Rejected> {
         248 | 249 => return revolved(bytes),
         250 => return prism(bytes),
         251 => return polyhedron(bytes),
+        254 => 20,
         // 16 to 18.
         which => which.div_ceil(2) - 110,
     };
@@ -268,6 +270,10 @@ fn primitive<S: Number>(bytes: &mut Bytes<'_, S>) -> Result<Made<S>, Rejected> {
             let half = [a.exact(), b.exact(), Dyadic::zero()];
             let solid = oracle::RoundedCuboid { half, radius: c.exact() };
             (Bounded, cuboid.into(), Solid::RoundedCuboid(solid))
+        }
+        20 => {
+            let primitive = made(Torus::new(a, b), both && b < a, &given)?;
+            (NotConvex, primitive.into(), Solid::Torus { major: a.exact(), minor: b.exact() })
         }
         18 => {
             let primitive = made(Annulus::new(a, b), both && a < b, &given)?;

@@ -7,7 +7,7 @@ use fixed::types::{I16F16, I32F32};
 use raylet::scalar::{Unit, UnitScalar};
 use raylet::{
     Annulus, Camera, Capsule, Color, Cone, Cuboid, Cylinder, Disc, Frame, FrameError, HalfSpace, Material, Object,
-    Plane, Polyhedron, Prism, Rectangle, Revolved, RoundCone, RoundedCuboid, Scalar, Shape, Size, Sphere, Tube,
+    Plane, Polyhedron, Prism, Rectangle, Revolved, RoundCone, RoundedCuboid, Scalar, Shape, Size, Sphere, Torus, Tube,
     UnitVec3, Vec3, constant,
 };
 use shared::flash;
@@ -85,6 +85,7 @@ macro_rules! of_type {
                     tally.all([
                         same(Capsule::<S>::const_new(a, b), Capsule::new(a, b)),
                         same(Annulus::<S>::const_new(a, b), Annulus::new(a, b)),
+                        same(Torus::<S>::const_new(a, b), Torus::new(a, b)),
                         same(Rectangle::<S>::const_new(a, b), Rectangle::new(a, b)),
                         same(Cylinder::<S>::const_open(a, b), Cylinder::open(a, b)),
                         same(Cylinder::<S>::const_capped(a, b), Cylinder::capped(a, b)),

@@ -5,7 +5,7 @@ use raylet::shape::kinds::{All, Kind, KindError, Kinds, Primitives};
 use raylet::{
     Affine, Annulus, Camera, Capsule, Color, Cone, Cuboid, Cylinder, Disc, Exact, Fast, Frame, Light, Material, Object,
     Picture, Plain, Plane, Polyhedron, Prism, Ray, Rectangle, Revolved, RoundCone, RoundedCuboid, Scalar, Scene, Shape,
-    Size, Sphere, Stable, Tier, Triangle, Tube, UnitVec3, Vec3, Visible,
+    Size, Sphere, Stable, Tier, Torus, Triangle, Tube, UnitVec3, Vec3, Visible,
 };
 use std::fmt::Debug;
 use support::amount::times;
@@ -112,10 +112,11 @@ macro_rules! every_set {
             $compare::<$S, (RoundCone<$S>, Frame<$S>, Affine<$S>)>(),
             $compare::<$S, (RoundedCuboid<$S>, Frame<$S>, Affine<$S>)>(),
             $compare::<$S, (Prism<$S>, Polyhedron<$S>, Frame<$S>, Affine<$S>)>(),
+            $compare::<$S, (Torus<$S>, Frame<$S>, Affine<$S>)>(),
         ];
         // So many subjects in so many placements, seen from both sides and from each.
         let one = (1, 5);
-        let expected = [(2, 5), (4, 5), (8, 5), (2, 5), (4, 3), (2, 1), (2, 5), (2, 5), (2, 5), one, one, (2, 5)];
+        let expected = [(2, 5), (4, 5), (8, 5), (2, 5), (4, 3), (2, 1), (2, 5), (2, 5), (2, 5), one, one, (2, 5), one];
         assert_eq!(compared, expected.map(|(subjects, placements)| subjects * placements * 3));
     }};
 }
@@ -222,7 +223,7 @@ fn a_set_is_what_it_names() {
     assert_eq!(
         All::SET.to_string(),
         "Sphere, Cylinder, Cone, Capsule, Plane, Disc, Triangle, Cuboid, Rectangle, Revolved, Tube, Annulus, \
-         RoundCone, RoundedCuboid, Prism, Polyhedron, Frame, Affine"
+         RoundCone, RoundedCuboid, Prism, Polyhedron, Torus, Frame, Affine"
     );
     assert_eq!(All::SET.len(), Kind::EVERY.len());
     for kind in Kind::EVERY {

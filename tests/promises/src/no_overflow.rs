@@ -7,7 +7,7 @@ use raylet::scalar::UnitScalar;
 use raylet::{
     Affine, Annulus, Capsule, Cone, Cuboid, Cylinder, Departure, Disc, Frame, HalfSpace, Leaving, Part, Plane,
     Polyhedron, Primitive, Prism, Range, Ray, Rectangle, Revolved, RoundCone, RoundedCuboid, Scalar, Shape, Sphere,
-    Triangle, Tube, UnitVec3, Vec3, Visible,
+    Torus, Triangle, Tube, UnitVec3, Vec3, Visible,
 };
 use support::amount::times;
 use support::random::Random;
@@ -135,6 +135,7 @@ fn primitives<S: Raw>(a: S, b: S, c: S, vertices: [Vec3<S>; 3]) -> Vec<Primitive
     all.extend(RoundedCuboid::new(a, b, zero, c).map(Primitive::from));
     all.extend(Tube::with_wall(a, b, c).map(Primitive::from));
     all.extend(Annulus::new(a, b).map(Primitive::from));
+    all.extend(Torus::new(a, b).map(Primitive::from));
     all.extend(
         Prism::new(vec![[a, zero], [zero, negative(b)], [negative(c), zero], [zero, a]].leak(), b).map(Primitive::from),
     );

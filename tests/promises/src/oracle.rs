@@ -100,6 +100,10 @@ fn prism(corners: &[[f64; 2]], height: f64) -> Solid {
     Solid::HalfSpaces(HalfSpaces::prism(&corners, &number(height)))
 }
 
+fn torus(major: f64, minor: f64) -> Solid {
+    Solid::Torus { major: number(major), minor: number(minor) }
+}
+
 fn polyhedron(corners: [[f64; 3]; 2], facets: &[[[f64; 3]; 2]]) -> Solid {
     let [low, high] = corners.map(|corner| corner.map(number));
     let facets: Vec<_> = facets.iter().map(|facet| facet.map(|v| v.map(number))).collect();
@@ -128,6 +132,9 @@ pub(crate) fn solids() -> Vec<Solid> {
         capsule(1.0, 2.0),
         capsule(1.5, 0.0),
         capsule(0.5, 1.0),
+        torus(1.5, 0.5),
+        torus(2.0, 1.0),
+        torus(1.0, 0.75),
         prism(&[[1.0, 0.5], [1.0, -0.5], [0.0, -1.0], [-1.0, -0.5], [-1.0, 1.0]], 2.0),
         polyhedron(
             [[-1.0, 0.0, -1.0], [1.0, 2.0, 0.5]],
@@ -309,8 +316,20 @@ fn is_on_half_spaces(of: &HalfSpaces, part: Part, [x, y, z]: [&Surd; 3]) -> bool
     })
 }
 
+/// Whether the equation of a torus is zero as nearly as it must be so near to the point at `t`.
+fn is_on_torus([major, minor]: [&Dyadic; 2], line: &Line, t: &Root) -> bool {
+    let [x, y, z] = line.point_at(&t.enclosure(200).0);
+    let [across, square] = [&x.squared() + &z.squared(), major.squared()];
+    let power = &(&(&across + &y.squared()) - &square) - &minor.squared();
+    let value = &power.squared() + &(&square.scaled(2) * &(&y.squared() - &minor.squared()));
+    value.magnitude() < Dyadic::power_of_two(-160)
+}
+
 /// Whether the point at `t` is on the part named, by that part's own equation.
 pub(crate) fn is_on_part(solid: &Solid, part: Part, line: &Line, t: &Root) -> bool {
+    if let Solid::Torus { major, minor } = solid {
+        return part == Part::Side && is_on_torus([major, minor], line, t);
+    }
     let [x, y, z] = [0, 1, 2].map(|axis| Surd::coordinate(line, t, axis));
     let from_axis = x.squared().sum(&z.squared());
     let square = |value: &Dyadic| value.to_rational() * value.to_rational();
@@ -366,6 +385,7 @@ pub(crate) fn is_on_part(solid: &Solid, part: Part, line: &Line, t: &Root) -> bo
             let [hole, rim] = [inner, outer].map(|radius| from_axis.plus(-square(radius)).sign());
             y.sign() == 0 && rim <= 0 && hole >= 0
         }
+        Solid::Torus { .. } => unreachable!("its crossings are no square roots"),
         Solid::Plane => y.sign() == 0,
         Solid::Disc { radius } => y.sign() == 0 && from_axis.plus(-square(radius)).sign() <= 0,
         Solid::Rectangle { half: [along_x, along_z] } => {
@@ -482,7 +502,9 @@ fn spans_are_the_parameters_of_the_points_that_belong_to_the_solid() {
                     touches += spans.iter().filter(|span| span.is_touch()).count();
                     pairs += spans.len();
                     assert!(parameters(&answer).is_sorted());
-                    assert!(spans.len() < 2 || matches!(&solid, Solid::Cone { extent: ConeExtent::Double, .. }));
+                    let is_convex =
+                        !matches!(&solid, Solid::Cone { extent: ConeExtent::Double, .. } | Solid::Torus { .. });
+                    assert!(spans.len() < 2 || !is_convex && spans.len() < 3);
                 }
                 _ => coincidences += 1,
             }

@@ -8,7 +8,7 @@ use raylet::scalar::Scalar;
 use raylet::tier::{Exact, Fast, Stable, Tier};
 use raylet::{
     Annulus, Capsule, Cone, Crossing, Cuboid, Cylinder, Disc, Frame, Hits, Leaving, Plane, Primitive, Range, Ray,
-    Rectangle, Revolved, RoundCone, RoundedCuboid, Shape, Sphere, Triangle, Tube, UnitVec3, Vec3,
+    Rectangle, Revolved, RoundCone, RoundedCuboid, Shape, Sphere, Torus, Triangle, Tube, UnitVec3, Vec3,
 };
 use support::random::{Random, add, cross, dot, normalize, scale};
 
@@ -21,7 +21,7 @@ fn solid<S: Scalar>(random: &mut Random, size: f64) -> Option<Primitive<S>> {
     let wall = -(random.below(6) as i32) - 1;
     let mut corner = || Vec3::from_f64(scale(random.direction(), size)).ok();
     let (p, q, r) = (corner()?, corner()?, corner()?);
-    Some(match random.below(18) {
+    Some(match random.below(19) {
         0 => Sphere::new(a).ok()?.into(),
         1 => Cylinder::infinite(a).ok()?.into(),
         2 => Cylinder::open(a, b).ok()?.into(),
@@ -40,6 +40,7 @@ fn solid<S: Scalar>(random: &mut Random, size: f64) -> Option<Primitive<S>> {
         17 => RoundedCuboid::new(a, b, c, slope).ok()?.into(),
         14 => Tube::with_wall(a, a.scaled(wall), b).ok()?.into(),
         15 => Annulus::new(a.scaled(-1), a).ok()?.into(),
+        18 => Torus::new(a, a.scaled(wall)).ok()?.into(),
         _ => Cuboid::new(a, b, c).ok()?.into(),
     })
 }

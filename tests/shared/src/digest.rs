@@ -11,8 +11,8 @@ use raylet::thick::ThickRay;
 use raylet::tier::{Exact, Fast, Plain, Stable, Tier};
 use raylet::{
     Affine, Annulus, Capsule, Combination, Cone, Cuboid, Cylinder, Departure, Disc, Frame, Leaving, Plane, Primitive,
-    Range, Ray, Rectangle, Revolved, RoundCone, RoundedCuboid, Scalar, Shape, Size, Sphere, Triangle, Tube, UnitVec3,
-    Vec3,
+    Range, Ray, Rectangle, Revolved, RoundCone, RoundedCuboid, Scalar, Shape, Size, Sphere, Torus, Triangle, Tube,
+    UnitVec3, Vec3,
 };
 
 /// Rays at each primitive. An emulated M0+ takes two minutes for them: what differs between chips is how numbers are
@@ -140,6 +140,7 @@ fn shape<S: Borrowed>(index: usize) -> Option<(&'static str, Shape<S>)> {
         35..38 => ("rounded cuboid", RoundedCuboid::new(n(6), n(4), n(9), n(3)).ok()?.into()),
         38..41 => ("prism", borrowed::prism(n(14))?.into()),
         41..44 => ("polyhedron", borrowed::polyhedron::<S>()?.into()),
+        44..47 => ("torus", Torus::new(n(9), n(3)).ok()?.into()),
         30 | 31 => ("annulus", Annulus::new(n(4), n(9)).ok()?.into()),
         _ => return None,
     };
@@ -165,6 +166,8 @@ fn shape<S: Borrowed>(index: usize) -> Option<(&'static str, Shape<S>)> {
         40 => ("prism stretched", shape.placed(affine()?)),
         42 => ("polyhedron framed", shape.placed(frame()?)),
         43 => ("polyhedron stretched", shape.placed(affine()?)),
+        45 => ("torus framed", shape.placed(frame()?)),
+        46 => ("torus stretched", shape.placed(affine()?)),
         _ => (name, shape),
     })
 }

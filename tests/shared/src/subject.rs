@@ -3,7 +3,7 @@
 use raylet::tier::Tier;
 use raylet::{
     Affine, Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Frame, Hit, Hits, Plane, Polyhedron, Prism, Ray, Rectangle,
-    Revolved, RoundCone, RoundedCuboid, Scalar, Shape, Sphere, Surface, Triangle, Tube, UnitVec3, Vec3,
+    Revolved, RoundCone, RoundedCuboid, Scalar, Shape, Sphere, Surface, Torus, Triangle, Tube, UnitVec3, Vec3,
 };
 
 /// What a primitive and a shape have in common.
@@ -48,7 +48,7 @@ macro_rules! subjects {
     };
 }
 subjects!(Sphere Cylinder Cone Capsule Plane Disc Triangle Cuboid Rectangle Revolved Tube Annulus RoundCone);
-subjects!(RoundedCuboid Prism Polyhedron Shape);
+subjects!(RoundedCuboid Prism Polyhedron Torus Shape);
 
 /// The queries, as functions that are not inlined and whose answers are used.
 pub mod query {
@@ -128,7 +128,7 @@ macro_rules! every_subject {
     ($S:ty, |$name:ident, $subject:ident| $body:expr) => {{
         use $crate::subject::{eighths as n, framed, stretched, triangle};
         use raylet::{Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Plane};
-        use raylet::{Rectangle, Revolved, RoundCone, RoundedCuboid, Shape, Sphere, Tube};
+        use raylet::{Rectangle, Revolved, RoundCone, RoundedCuboid, Shape, Sphere, Torus, Tube};
         $crate::every_subject!(@each $S, $name, $subject, $body;
             "sphere" Sphere::new(n::<$S>(8)).ok();
             "cylinder, infinite" Cylinder::infinite(n::<$S>(8)).ok();
@@ -152,6 +152,7 @@ macro_rules! every_subject {
             "rounded cuboid" RoundedCuboid::new(n::<$S>(6), n(4), n(5), n(2)).ok();
             "prism" $crate::borrowed::prism(n::<$S>(12));
             "polyhedron" $crate::borrowed::polyhedron::<$S>();
+            "torus" Torus::new(n::<$S>(6), n(2)).ok();
             "annulus" Annulus::new(n::<$S>(4), n(8)).ok();
             "cylinder, capped, as a shape" Cylinder::capped(n::<$S>(8), n(12)).ok().map(Shape::new);
             "sphere, framed" Sphere::new(n::<$S>(8)).ok().map(Shape::new).and_then(framed);

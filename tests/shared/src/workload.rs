@@ -9,14 +9,14 @@ use crate::subject::{eighths, triangle};
 use raylet::tier::Stable;
 use raylet::{
     Affine, Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Frame, Leaving, Plane, Primitive, Ray, Rectangle, Revolved,
-    RoundCone, RoundedCuboid, Scalar, Shape, Sphere, Tube, UnitVec3, Vec3,
+    RoundCone, RoundedCuboid, Scalar, Shape, Sphere, Torus, Tube, UnitVec3, Vec3,
 };
 
 /// Queries of a workload.
 pub const QUERIES: usize = 100;
 
 /// The solids, all about as large as the unit ball.
-pub const SOLIDS_BY_NAME: [&str; 20] = [
+pub const SOLIDS_BY_NAME: [&str; 21] = [
     "sphere",
     "cylinder, capped",
     "capsule",
@@ -37,6 +37,7 @@ pub const SOLIDS_BY_NAME: [&str; 20] = [
     "rounded cuboid",
     "prism",
     "polyhedron",
+    "torus",
 ];
 
 /// How a solid is placed.
@@ -123,6 +124,7 @@ fn primitive<S: Borrowed>(name: &str) -> Option<Primitive<S>> {
         "prism" => borrowed::prism(n(12))?.into(),
         "polyhedron" => borrowed::polyhedron::<S>()?.into(),
         "tube" => Tube::new(n(6), n(8), n(12)).ok()?.into(),
+        "torus" => Torus::new(n(6), n(2)).ok()?.into(),
         "annulus" => Annulus::new(n(4), n(8)).ok()?.into(),
         _ => return None,
     })

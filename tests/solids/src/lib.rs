@@ -1,6 +1,6 @@
 //! Many solids along one ray: their order beside exact arithmetic, the set of solids inside, and rays that are followed
 //! from crossing to crossing; light through touching and overlapping glass. Also balls that move along a ray, and
-//! ellipsoids, polyhedra, prisms, quadrics of revolution, round cones, rounded cuboids and tubes.
+//! ellipsoids, polyhedra, prisms, quadrics of revolution, round cones, rounded cuboids, tori and tubes.
 
 /// Calls a test in all tiers of all number types.
 #[cfg(test)]
@@ -58,6 +58,8 @@ mod round_cone;
 mod rounded_cuboid;
 #[cfg(test)]
 mod thick;
+#[cfg(test)]
+mod torus;
 #[cfg(test)]
 mod values;
 

@@ -7,7 +7,7 @@ use super::random::Random;
 use raylet::scalar::UnitScalar;
 use raylet::{
     Annulus, Capsule, Cone, Crossing, Cuboid, Cylinder, Disc, Hits, Part, Plane, Primitive, Range, Ray, Rectangle,
-    Revolved, RoundCone, RoundedCuboid, Shape, Sphere, Triangle, Tube, UnitVec3, Vec3,
+    Revolved, RoundCone, RoundedCuboid, Shape, Sphere, Torus, Triangle, Tube, UnitVec3, Vec3,
 };
 
 impl Random {
@@ -94,6 +94,10 @@ fn rounded_cuboid<S: Exact>(half: [f64; 3], radius: f64) -> (Primitive<S>, Solid
     let exact = |size: f64| n::<S>(size).exact();
     (cuboid.into(), Solid::RoundedCuboid(oracle::RoundedCuboid { half: half.map(exact), radius: exact(radius) }))
 }
+
+/// Tori: the major and the minor radius. The least is a thousandth that every type holds exactly.
+const TORI: [(&str, f64, f64); 3] =
+    [("torus", 1.0, 0.25), ("torus with a narrow hole", 1.0, 0.875), ("thin torus", 1.0, 1.0 / 1024.0)];
 
 /// A prism with two parallel sides and slanted ones; and a block without an edge and without a corner. With the heights
 /// and the distances at which something changes.
@@ -195,6 +199,12 @@ pub fn cases<S: Exact>() -> Vec<Case<S>> {
     let tube = Tube::new(n(inner), n(outer), n(2.0)).expect(sizes);
     let solid = Solid::Tube { inner: d(inner), outer: d(outer), height: d(2.0) };
     add("tube", Kind::NotConvex, tube.into(), solid, &[0.0, 2.0], &[inner, outer]);
+    for (name, major, minor) in TORI {
+        let torus = Torus::new(n(major), n(minor)).expect(sizes);
+        let solid = Solid::Torus { major: d(major), minor: d(minor) };
+        let radii = [major - minor, major, major + minor];
+        add(name, Kind::NotConvex, torus.into(), solid, &[-minor, 0.0, minor], &radii);
+    }
     let annulus = Annulus::new(n(inner), n(outer)).expect(sizes);
     let solid = Solid::Annulus { inner: d(inner), outer: d(outer) };
     add("annulus", Kind::Open, annulus.into(), solid, &[0.0], &[inner, outer]);

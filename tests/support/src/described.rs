@@ -5,7 +5,7 @@ use super::exact_types::Exact;
 use super::oracle::{self, Solid};
 use raylet::{
     Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, HalfSpace, Plane, Polyhedron, Prism, Rectangle, Revolved,
-    RoundCone, RoundedCuboid, Shape, SizeError, Sphere, Triangle, Tube, ValueError, Vec3,
+    RoundCone, RoundedCuboid, Shape, SizeError, Sphere, Torus, Triangle, Tube, ValueError, Vec3,
 };
 
 /// How far a cylinder reaches along its axis.
@@ -66,6 +66,10 @@ pub enum Described<N> {
         outer: N,
         height: N,
     },
+    Torus {
+        major: N,
+        minor: N,
+    },
     Plane,
     Disc {
         radius: N,
@@ -120,6 +124,7 @@ impl<N> Described<N> {
             Self::Revolved { capped: true, .. } => "revolved capped",
             Self::RoundCone { .. } => "round cone",
             Self::Tube { .. } => "tube",
+            Self::Torus { .. } => "torus",
             Self::Plane => "plane",
             Self::Disc { .. } => "disc",
             Self::Annulus { .. } => "annulus",
@@ -181,6 +186,7 @@ impl<N> Described<N> {
             Self::Tube { inner, outer, height: h } => {
                 Described::Tube { inner: of(inner, radius)?, outer: of(outer, radius)?, height: of(h, height)? }
             }
+            Self::Torus { major, minor } => Described::Torus { major: of(major, radius)?, minor: of(minor, radius)? },
             Self::Plane => Described::Plane,
             Self::Disc { radius: r } => Described::Disc { radius: of(r, radius)? },
             Self::Annulus { inner, outer } => {
@@ -250,6 +256,7 @@ impl<S: Exact> Described<S> {
             }
             Self::RoundCone { base, top, height } => Shape::new(RoundCone::new(base, top, height)?),
             Self::Tube { inner, outer, height } => Shape::new(Tube::new(inner, outer, height)?),
+            Self::Torus { major, minor } => Shape::new(Torus::new(major, minor)?),
             Self::Plane => Shape::new(Plane::new()),
             Self::Disc { radius } => Shape::new(Disc::new(radius)?),
             Self::Annulus { inner, outer } => Shape::new(Annulus::new(inner, outer)?),
@@ -308,6 +315,7 @@ impl<S: Exact> Described<S> {
                 let [inner, outer, height] = [inner, outer, height].map(exact);
                 Solid::Tube { inner, outer, height }
             }
+            Self::Torus { major, minor } => Solid::Torus { major: exact(major), minor: exact(minor) },
             Self::Plane => Solid::Plane,
             Self::Disc { radius } => Solid::Disc { radius: exact(radius) },
             Self::Annulus { inner, outer } => Solid::Annulus { inner: exact(inner), outer: exact(outer) },
@@ -345,6 +353,7 @@ impl<S: Exact> Described<S> {
             Self::Frustum { base, top, height, .. } => largest(&[base, top, height]),
             Self::RoundCone { base, top, height } => largest(&[base, top, height]),
             Self::Tube { outer, height, .. } => largest(&[outer, height]),
+            Self::Torus { major, minor } => major.to_f64() + minor.to_f64(),
             Self::Annulus { outer, .. } => largest(&[outer]),
             // The bounding box of the shape, which is a cylinder.
             Self::Revolved { heights: [low, high], .. } => {

@@ -83,7 +83,7 @@ impl<S: Number> Setting<S> {
         let nature = match name {
             "cylinder infinite" | "cone double" | "cone nappe" => Nature::Unbounded,
             "plane" | "disc" | "annulus" | "rectangle" | "triangle" => Nature::Open,
-            "hyperboloid" | "tube" => Nature::NotConvex,
+            "hyperboloid" | "tube" | "torus" => Nature::NotConvex,
             _ if name.ends_with("open") => Nature::Open,
             _ => Nature::Bounded,
         };
@@ -233,7 +233,9 @@ pub fn bound<S: Number, T: Graded<S>>(setting: &Setting<S>, ray: &Ray<S>, t: S) 
             let reach =
                 ray.origin().to_f64().iter().fold(t.to_f64().abs(), |most, c| most.max(c.abs())).max(2.0) * growth;
             let eta = 4.0 * units * reach * (1.0 + square.abs()) / a.max(1e-100);
-            eta / x.hypot(z).max(eta.sqrt())
+            // The equation of a torus is as steep as its tube is wide.
+            let across = if let Solid::Torus { minor, .. } = &setting.solid { minor.to_f64() } else { x.hypot(z) };
+            eta / across.max(eta.sqrt())
         }
     }
 }

@@ -94,6 +94,15 @@ fn under_side(solid: &Solid, p: &Point) -> f64 {
         Solid::Tube { inner, outer, .. } => {
             difference_of_roots(&outer.squared(), &from_axis).min(difference_of_roots(&from_axis, &inner.squared()))
         }
+        Solid::Torus { major, minor } => {
+            // The equation is the product of r^2 - d^2, where d is the distance from the circle in the middle, and of
+            // the same with the distance from the point of the circle on the other side.
+            let power = &(&dot(p, p) - &major.squared()) - &minor.squared();
+            let value = &power.squared() + &(&major.squared().scaled(2) * &(&y.squared() - &minor.squared()));
+            let [rho, y, major, minor] = [from_axis.to_f64().sqrt(), y.to_f64(), major.to_f64(), minor.to_f64()];
+            let other = (rho + major).powi(2) + y * y - minor * minor;
+            -value.to_f64() / (other * (minor + (rho - major).hypot(y)))
+        }
         Solid::RoundedCuboid(cuboid) => {
             let excess = cuboid.excess(p);
             let square = dot(&excess, &excess);
@@ -280,6 +289,13 @@ pub fn gradient(solid: &Solid, part: Part, p: &Point) -> [f64; 3] {
         (_, Part::Base) => [0.0, -1.0, 0.0],
         (_, Part::Inner) => [-x, 0.0, -z],
         (Solid::Cylinder { .. } | Solid::Capsule { .. } | Solid::Tube { .. }, _) => [x, 0.0, z],
+        (Solid::Torus { major, .. }, _) => {
+            // 1 - R / rho, from the exact difference of the squares.
+            let square = &p[0].squared() + &p[2].squared();
+            let (rho, off) = (square.to_f64().sqrt(), (&square - &major.squared()).to_f64());
+            let share = off / (rho * (rho + major.to_f64()));
+            [share * x, y, share * z]
+        }
         (Solid::Revolved(oracle::Revolved { a, b, .. }), _) => [x, -(&(a * &p[1]) + b).to_f64(), z],
         (Solid::Cone { slope, .. }, _) => [x, -y * slope.to_f64().powi(2), z],
         (Solid::Frustum { base_radius, top_radius, height, .. }, _) => {

@@ -108,6 +108,7 @@ pub fn clearance(solid: &Solid, line: &Line) -> f64 {
             if k.abs() < h { balls.min(cone(r * h / k, k / ((h - k) * (h + k)).sqrt())) } else { balls }
         }
         Solid::Tube { inner, outer, .. } => tube(inner.to_f64()).min(tube(outer.to_f64())).min(off_plane),
+        Solid::Torus { major, minor } => torus([major.to_f64(), minor.to_f64()], o, d),
         Solid::Plane | Solid::Disc { .. } | Solid::Annulus { .. } | Solid::Rectangle { .. } => off_plane,
         Solid::Cuboid { .. } => x.abs().min(y.abs()).min(z.abs()),
         Solid::RoundedCuboid(RoundedCuboid { half, radius }) => {
@@ -138,6 +139,31 @@ pub fn clearance(solid: &Solid, line: &Line) -> f64 {
     };
     // Nothing to divide by is along an axis.
     if least.is_nan() { 0.0 } else { least }
+}
+
+/// The same for a torus, where the polynomial along the line is least or greatest: the depth over the minor radius.
+fn torus([major, minor]: [f64; 2], o: [f64; 3], d: [f64; 3]) -> f64 {
+    // From the point nearest to the centre the polynomial is u^4 + 2 p u^2 + 4 q u + s, and its derivative is
+    // 4 (u^3 + p u + q).
+    let o = add(o, scale(d, -dot(o, d)));
+    let p = dot(o, o) - major * major - minor * minor + 2.0 * (major * d[1]).powi(2);
+    let q = 2.0 * major * major * o[1] * d[1];
+    // Viète: three roots, or else Cardano's one.
+    let square = q * q / 4.0 + p * p * p / 27.0;
+    let roots = if square < 0.0 {
+        let (length, angle) = ((-p / 3.0).sqrt(), libm::acos((-q / 2.0 / (-p / 3.0).powf(1.5)).clamp(-1.0, 1.0)));
+        [0.0, 1.0, 2.0].map(|i| 2.0 * length * libm::cos((angle + i * std::f64::consts::TAU) / 3.0))
+    } else {
+        let larger = -q / 2.0 - square.sqrt().copysign(q);
+        let one = libm::cbrt(larger);
+        // Of a root that is twice there, there is another one, which is half of that and of the other sign.
+        let one = if one == 0.0 { 0.0 } else { one - p / (3.0 * one) };
+        [one, -one / 2.0, one]
+    };
+    roots.into_iter().fold(1.0, |least: f64, u| {
+        let [x, y, z] = add(o, scale(d, u));
+        least.min(((x.hypot(z) - major).hypot(y) / minor - 1.0).abs())
+    })
 }
 
 impl<S: Number> Judged<'_, S> {
@@ -174,6 +200,7 @@ impl<S: Number> Judged<'_, S> {
         let may_return = match self.solid {
             Solid::Revolved(revolved) => revolved.has_waist(),
             Solid::Tube { .. } => from_inside(),
+            Solid::Torus { .. } => true,
             _ => false,
         };
         let must_miss = (departs(Leaving::Outwards) && !may_return) || (departs(Leaving::Inwards) && tier != "Plain");

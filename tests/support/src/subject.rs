@@ -7,7 +7,7 @@ use super::random::{Random, add, cross, dot, normalize, scale};
 use raylet::Shape;
 
 /// Every primitive of the design, with a name for tables.
-pub const SUBJECTS: [&str; 26] = [
+pub const SUBJECTS: [&str; 27] = [
     "sphere",
     "cylinder infinite",
     "cylinder open",
@@ -34,6 +34,7 @@ pub const SUBJECTS: [&str; 26] = [
     "rectangle",
     "prism",
     "polyhedron",
+    "torus",
 ];
 
 /// The half extents of the cuboid.
@@ -45,6 +46,8 @@ const PENTAGON: [[f64; 2]; 5] = [[1.2, 0.3], [0.7, -0.9], [-0.5, -1.0], [-1.1, 0
 /// The box of the polyhedron, and of each half-space a point and the normal.
 const BOX: [[f64; 3]; 2] = [[-1.1, -0.7, -0.9], [1.2, 0.8, 1.1]];
 const FACETS: [[[f64; 3]; 2]; 2] = [[[0.7, 0.8, 0.3], [0.6, 0.8, 0.3]], [[-0.6, 0.1, 0.9], [-0.7, 0.2, 0.5]]];
+/// The major and the minor radius of the torus.
+const TORUS: [f64; 2] = [1.1, 0.33];
 /// The half extents of the rectangle.
 const RECTANGLE: [f64; 2] = [1.3, 0.7];
 
@@ -92,6 +95,10 @@ impl<S: Exact> Subject<S> {
             "rounded cuboid" => (Described::RoundedCuboid { half: ROUNDED.0, radius: ROUNDED.1 }, (0.0, 0.0, 1.0)),
             "prism" => (Described::Prism { corners: PENTAGON, height: h }, (1.0, 1.0, h)),
             "polyhedron" => (Described::Polyhedron { corners: BOX, facets: FACETS }, (1.0, 1.0, 1.0)),
+            "torus" => {
+                let [major, minor] = TORUS;
+                (Described::Torus { major, minor }, (major, major, 0.0))
+            }
             "rectangle" => (Described::Rectangle { half: RECTANGLE }, (RECTANGLE[1], 0.0, 0.0)),
             _ => panic!("no subject of this name: {name}"),
         };
@@ -148,6 +155,9 @@ impl<S: Exact> Subject<S> {
         if self.name == "sphere" {
             return random.direction().map(|c| c * around * base);
         }
+        if self.name == "torus" {
+            return Self::point_of_torus(angle, random.between(0.0, std::f64::consts::TAU), around).0;
+        }
         if let Some((half, _)) = self.core() {
             return half.map(|half| random.between(-0.9, 0.9) * half);
         }
@@ -162,6 +172,14 @@ impl<S: Exact> Subject<S> {
         let v = random.between(0.1, 0.9);
         let radius = self.side_at(v).0 * around;
         [libm::cos(angle) * radius, v * height, libm::sin(angle) * radius]
+    }
+
+    /// The point of a torus so far around the axis and around the tube, from the outer equator upwards, at a share of
+    /// the minor radius; and the outward normal there.
+    fn point_of_torus(angle: f64, around: f64, share: f64) -> ([f64; 3], [f64; 3]) {
+        let ([major, minor], [x, z]) = (TORUS, [libm::cos(angle), libm::sin(angle)]);
+        let normal = [x * libm::cos(around), libm::sin(around), z * libm::cos(around)];
+        (add(scale([x, 0.0, z], major), scale(normal, minor * share)), normal)
     }
 
     /// The half extents of the cuboid, or of the core of the rounded one, and its radius.
@@ -241,6 +259,9 @@ impl<S: Exact> Subject<S> {
             return (n.map(|c| c * base), n);
         }
         let angle = random.between(0.0, std::f64::consts::TAU);
+        if self.name == "torus" {
+            return Self::point_of_torus(angle, random.between(0.0, std::f64::consts::TAU), 1.0);
+        }
         if self.is_flat() {
             return (self.inner_point(random), [0.0, 1.0, 0.0]);
         }
@@ -289,7 +310,8 @@ impl<S: Exact> Subject<S> {
         Some(([libm::cos(angle) * around, y, libm::sin(angle) * around], [0.0, 1.0, 0.0]))
     }
 
-    /// A point of a rim (or seam, or the apex), where parts meet.
+    /// A point of a rim (or seam, or the apex), where parts meet; of a torus one of an equator or of the highest or the
+    /// lowest circle.
     pub fn rim_point(&self, random: &mut Random) -> [f64; 3] {
         if let Some((half, radius)) = self.core() {
             // At one of the twelve edges, or at a seam beside one.
@@ -313,6 +335,9 @@ impl<S: Exact> Subject<S> {
         }
         let (base, top, height) = self.outline;
         let angle = random.between(0.0, std::f64::consts::TAU);
+        if self.name == "torus" {
+            return Self::point_of_torus(angle, random.below(4) as f64 * std::f64::consts::FRAC_PI_2, 1.0).0;
+        }
         let upper = random.next() & 1 == 0 && height > 0.0;
         let (radius, y) = if upper { (top, height) } else { (base, 0.0) };
         let radius = if self.hole() > 0.0 && random.next() & 1 == 0 { self.hole() } else { radius };

@@ -80,6 +80,7 @@ pub fn form<S: Plain>(solid: &Solid) -> Form<S::Number> {
             Form::RoundCone { radii: [base_radius, top_radius].map(n), height: n(height) }
         }
         Solid::Tube { inner, outer, height } => Form::Tube { radii: [inner, outer].map(n), height: n(height) },
+        Solid::Torus { major, minor } => Form::Torus { radii: [major, minor].map(n) },
         Solid::Plane => Form::Plane,
         Solid::Disc { radius } => Form::Disc { radius: n(radius) },
         Solid::Annulus { inner, outer } => Form::Annulus { radii: [inner, outer].map(n) },

@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 /// The source files with the code of few kinds: who they belong to, and the number type, if they are of one.
-const FILES: [(&str, &[&str], Option<&str>); 30] = [
+const FILES: [(&str, &[&str], Option<&str>); 35] = [
     ("primitive/sphere", &["Sphere"], None),
     ("primitive/cylinder", &["Cylinder"], None),
     ("primitive/cone", &["Cone"], None),
@@ -27,9 +27,14 @@ const FILES: [(&str, &[&str], Option<&str>); 30] = [
     ("primitive/annulus", &["Annulus"], None),
     ("primitive/prism", &["Prism"], None),
     ("primitive/polyhedron", &["Polyhedron"], None),
+    ("primitive/torus", &["Torus"], None),
     ("affine", &["Affine"], None),
     ("solve/revolved", &["Revolved"], None),
     ("solve/tube", &["Tube"], None),
+    ("solve/torus", &["Torus"], None),
+    ("solve/quartic", &["Torus"], None),
+    ("solve/newton", &["Torus"], None),
+    ("solve/sturm", &["Torus"], None),
     ("solve/rounded", &["RoundedCuboid"], None),
     ("solve/side", &["Cylinder", "Cone", "Capsule", "Revolved", "Tube", "RoundCone"], None),
     ("solve/round", &["Sphere", "Cone", "Capsule", "RoundCone"], None),

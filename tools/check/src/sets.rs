@@ -2,7 +2,7 @@
 //! chosen kinds.
 
 /// The primitives, and a shape, which may be any of them in any placement.
-pub const PRIMITIVES: [&str; 17] = [
+pub const PRIMITIVES: [&str; 18] = [
     "sphere",
     "cylinder",
     "cone",
@@ -19,6 +19,7 @@ pub const PRIMITIVES: [&str; 17] = [
     "rounded_cuboid",
     "prism",
     "polyhedron",
+    "torus",
     SHAPE,
 ];
 

@@ -9,7 +9,7 @@ pub const CHIPS: [(&str, &str); 4] = [
 ];
 
 /// The subjects, as the programs that count instructions name them.
-pub const SUBJECTS: [&str; 31] = [
+pub const SUBJECTS: [&str; 32] = [
     "sphere",
     "cylinder, infinite",
     "cylinder, open",
@@ -32,6 +32,7 @@ pub const SUBJECTS: [&str; 31] = [
     "rounded cuboid",
     "prism",
     "polyhedron",
+    "torus",
     "annulus",
     "cylinder, capped, as a shape",
     "sphere, framed",

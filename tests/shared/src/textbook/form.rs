@@ -22,6 +22,9 @@ pub enum Form<N> {
         radii: [N; 2],
         height: N,
     },
+    Torus {
+        radii: [N; 2],
+    },
     Plane,
     Disc {
         radius: N,
@@ -95,6 +98,7 @@ impl<N: Number> Formula<N> for Form<N> {
                 ring(N::ZERO, radii, ray, report);
                 ring(height, radii, ray, report);
             }
+            Self::Torus { radii } => torus(radii, ray, root, report),
             Self::Plane => {
                 if ray.direction[1] != N::ZERO {
                     report(-ray.origin[1] / ray.direction[1]);
@@ -200,6 +204,62 @@ fn half_spaces<N: Number>(faces: [[[N; 3]; 2]; 8], ray: &PlainRay<N>, report: &m
         report(enter);
         report(exit);
     }
+}
+
+/// The quartic of `(|p|^2 - R^2 - r^2)^2 + 4 R^2 (y^2 - r^2) = 0`, without its cubic term, as the product of two
+/// quadratic ones (Descartes, 1637).
+#[inline(always)]
+fn torus<N: Number>(
+    [major, minor]: [N; 2],
+    ray: &PlainRay<N>,
+    root: impl Fn(N) -> N + Copy,
+    report: &mut impl FnMut(N),
+) {
+    let (o, d, two) = (ray.origin, ray.direction, N::ONE + N::ONE);
+    let (square, four) = (major * major, two * two);
+    let (dd, m, rest) = (dot(d, d), dot(o, d), dot(o, o) - square - minor * minor);
+    let k = m / dd;
+    let a = (four * m * m + two * dd * rest + four * square * d[1] * d[1]) / (dd * dd);
+    let b = four * (m * rest + two * square * o[1] * d[1]) / (dd * dd);
+    let c = (rest * rest + four * square * (o[1] * o[1] - minor * minor)) / (dd * dd);
+    // With t = u - k that is u^4 + p u^2 + q u + r.
+    let p = a - (four + two) * k * k;
+    let q = b - two * a * k + two * four * k * k * k;
+    let r = c - b * k + a * k * k - (two + N::ONE) * k * k * k * k;
+    if q == N::ZERO {
+        for square in roots(N::ONE, p / two, r, root).into_iter().flatten().filter(|square| *square >= N::ZERO) {
+            report(root(square) - k);
+            report(-root(square) - k);
+        }
+        return;
+    }
+    let z = largest_root(two * p, p * p - four * r, -q * q);
+    if z > N::ZERO {
+        let s = root(z);
+        for (s, other) in [(s, q / s), (-s, -q / s)] {
+            let ends = roots(N::ONE, s / two, (p + z - other) / two, root);
+            ends.into_iter().flatten().for_each(|u| report(u - k));
+        }
+    }
+}
+
+/// The largest root of `z^3 + a z^2 + b z + c`, by Newton's method from above all roots.
+#[inline(always)]
+fn largest_root<N: Number>(a: N, b: N, c: N) -> N {
+    let larger = |a: N, b: N| if a < b { b } else { a };
+    let mut z = N::ONE + [a, b, c].into_iter().fold(N::ZERO, |most, c| larger(most, larger(c, -c)));
+    for _ in 0..64 {
+        let slope = ((z + z + z) + a + a) * z + b;
+        if slope <= N::ZERO {
+            break;
+        }
+        let next = z - (((z + a) * z + b) * z + c) / slope;
+        if next >= z {
+            break;
+        }
+        z = next;
+    }
+    z
 }
 
 /// The plane at this height, between two circles about the axis.

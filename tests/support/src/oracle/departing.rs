@@ -191,6 +191,7 @@ pub fn solve_departing(solid: &Solid, line: &Line, from: Part, leaving: Leaving)
         (Solid::RoundedCuboid(cuboid), _) => super::rounded_cuboid::departing(cuboid, line, from, leaving),
         (Solid::Revolved(revolved), _) => super::revolved::departing(revolved, line, from, leaving),
         (Solid::RoundCone(cone), _) => super::round_cone::departing(cone, line, from, leaving),
+        (Solid::Torus { major, minor }, _) => super::torus::departing([major, minor], line, leaving),
         (Solid::Tube { inner, outer, height }, _) => {
             super::tube::departing([inner, outer, height], line, from, leaving)
         }

@@ -8,7 +8,7 @@
 //! - [`algebraic`]: the numbers answered, `(p + s * sqrt(D)) / q`.
 //! - [`solids`]: what the solids are, and which points belong to them.
 //! - `solve`: where a line meets them; of which `quadric`, `revolved`, `round_cone`, `rounded_cuboid`, `tube`,
-//!   `half_spaces`, `flat` and `slabs` do the equations.
+//!   `torus`, `half_spaces`, `flat` and `slabs` do the equations.
 //! - [`departing`]: where a line that departs from a solid meets it again.
 //! - [`expected`]: what of that a ray with a range of `t` must report.
 //! - `normal`: which way the surface faces there.
@@ -27,6 +27,7 @@ mod rounded_cuboid;
 mod slabs;
 pub mod solids;
 pub mod solve;
+mod torus;
 mod tube;
 
 pub use algebraic::Root;

@@ -36,6 +36,9 @@ pub fn gradient(solid: &Solid, part: Part, t: &Root, line: &Line) -> [Dyadic; 3]
         (Solid::Plane | Solid::Disc { .. } | Solid::Annulus { .. } | Solid::Rectangle { .. }, Part::Side) => upwards(1),
         (Solid::Tube { .. }, Part::Side) => [coordinate(0), Dyadic::zero(), coordinate(2)],
         (_, Part::Inner) => [-&coordinate(0), Dyadic::zero(), -&coordinate(2)],
+        (Solid::Torus { major, minor }, Part::Side) => {
+            super::torus::gradient([major, minor], &[coordinate(0), coordinate(1), coordinate(2)])
+        }
         (Solid::RoundCone(_), Part::Base) => [coordinate(0), coordinate(1), coordinate(2)],
         (Solid::RoundCone(cone), Part::Top) => {
             let y = t.mul_add(&line.direction[1], &(&line.origin[1] - &cone.height));

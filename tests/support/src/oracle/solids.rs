@@ -80,6 +80,13 @@ pub enum Solid {
         /// Its height.
         height: Dyadic,
     },
+    /// All points within the minor radius of the circle of the major radius around the y axis, in the plane `y = 0`.
+    Torus {
+        /// The radius of the circle.
+        major: Dyadic,
+        /// The radius of the tube, below the other.
+        minor: Dyadic,
+    },
     /// The plane `y = 0`, facing +y.
     Plane,
     /// The disc around the origin in the plane `y = 0`, facing +y.
@@ -471,6 +478,7 @@ pub fn contains(solid: &Solid, point: &[Dyadic; 3]) -> Membership {
     let [x, y, z] = point;
     let from_axis = &x.squared() + &z.squared();
     match solid {
+        Solid::Torus { major, minor } => within(&[-&super::torus::value([major, minor], point)]),
         Solid::Sphere { radius } => within(&[&radius.squared() - &(&from_axis + &y.squared())]),
         Solid::Cylinder { radius, extent } => {
             let wall = &radius.squared() - &from_axis;

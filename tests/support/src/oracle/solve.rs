@@ -61,8 +61,8 @@ pub struct Crossing {
 /// Where a line meets a solid or a surface.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Answer {
-    /// Of a solid: the pieces of the line within it, sorted; at most two, and two for a double cone, a waist or a
-    /// tube only.
+    /// Of a solid: the pieces of the line within it, sorted; at most two, and two for a double cone, a waist, a
+    /// tube or a torus only.
     Spans(Vec<Span>),
     /// Of an open or flat surface: the crossings, sorted.
     Crossings(Vec<Crossing>),
@@ -303,6 +303,7 @@ pub fn solve(solid: &Solid, line: &Line) -> Answer {
         Solid::RoundCone(cone) => super::round_cone::solve(cone, line),
         Solid::Revolved(revolved) => super::revolved::solve(revolved, line),
         Solid::Tube { inner, outer, height } => super::tube::solve([inner, outer, height], line),
+        Solid::Torus { major, minor } => super::torus::solve([major, minor], line),
         Solid::Plane => plane(&IntegerLine::new(line, &[])),
         Solid::Disc { radius } => {
             let integers = IntegerLine::new(line, &[radius]);

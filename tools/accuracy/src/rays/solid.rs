@@ -6,7 +6,7 @@ use raylet::Part;
 use support::described::{ConeExtent, CylinderExtent, Described};
 
 /// Every solid, as one writes it.
-pub const EXAMPLES: [&str; 22] = [
+pub const EXAMPLES: [&str; 23] = [
     "sphere radius 1",
     "cylinder infinite radius 1",
     "cylinder open radius 1 height 2",
@@ -22,6 +22,7 @@ pub const EXAMPLES: [&str; 22] = [
     "revolved capped a -0.5 b 1 radius 0 low 0 high 2",
     "round cone base 1 top 0.5 height 2",
     "tube inner 0.75 radius 1 height 2",
+    "torus major 1 minor 0.25",
     "plane",
     "disc radius 1",
     "annulus inner 0.25 radius 1",
@@ -53,7 +54,8 @@ fn names(example: &'static str) -> (&'static str, Vec<&'static str>) {
     let is_number = |word: &&str| word.starts_with(|c: char| c.is_ascii_digit() || c == '-');
     let words: Vec<&str> = example.split(' ').filter(|word| !is_number(word)).collect();
     let is_size = |word: &str| {
-        ["radius", "inner", "height", "slope", "base", "top", "x", "y", "z", "a", "b", "low", "high"].contains(&word)
+        let of_round = ["radius", "inner", "major", "minor", "height", "slope", "base", "top"];
+        of_round.contains(&word) || ["x", "y", "z", "a", "b", "low", "high"].contains(&word)
     };
     let count = words.iter().take_while(|word| !is_size(word)).count();
     let length = words[..count].join(" ").len();
@@ -128,6 +130,7 @@ pub fn parse(text: &str) -> Result<Described<Decimal<'_>>, String> {
         "revolved capped" => revolved(true),
         "round cone" => Ok(Described::RoundCone { base: get("base")?, top: get("top")?, height: get("height")? }),
         "tube" => Ok(Described::Tube { inner: get("inner")?, outer: get("radius")?, height: get("height")? }),
+        "torus" => Ok(Described::Torus { major: get("major")?, minor: get("minor")? }),
         "annulus" => Ok(Described::Annulus { inner: get("inner")?, outer: get("radius")? }),
         "disc" => Ok(Described::Disc { radius: get("radius")? }),
         "cuboid" => Ok(Described::Cuboid { half: [get("x")?, get("y")?, get("z")?] }),

@@ -4,7 +4,7 @@ use super::rays::Query;
 use raylet::tier::Tier;
 use raylet::{
     Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Hit, Plane, Polyhedron, Primitive, Prism, Ray, Rectangle, Revolved,
-    RoundCone, RoundedCuboid, Scalar, Shape, Sphere, Triangle, Tube,
+    RoundCone, RoundedCuboid, Scalar, Shape, Sphere, Torus, Triangle, Tube,
 };
 use std::hint::black_box;
 use std::time::Instant;
@@ -72,7 +72,7 @@ macro_rules! primitives {
     };
 }
 primitives!(Sphere Cylinder Cone Capsule Plane Disc Triangle Cuboid Rectangle Revolved Tube Annulus RoundCone);
-primitives!(RoundedCuboid Prism Polyhedron Shape);
+primitives!(RoundedCuboid Prism Polyhedron Torus Shape);
 
 #[inline(never)]
 fn nearest<S: Scalar, T: Tier<S>, P: Nearest<S>>((subject, ray): &(P, Ray<S>)) {
@@ -99,7 +99,7 @@ pub fn tier<S: Plain, T: Tier<S>>(queries: &[Query<S>]) -> Batch {
     }
     own!(
         Sphere Cylinder Cone Capsule Plane Disc Triangle Cuboid Rectangle Revolved Tube Annulus RoundCone RoundedCuboid
-        Prism Polyhedron
+        Prism Polyhedron Torus
     )
 }
 

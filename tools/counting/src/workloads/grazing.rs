@@ -113,6 +113,24 @@ impl Line {
     }
 }
 
+impl Line {
+    /// Whether it enters a torus of a slightly larger minor radius another number of times than one of a slightly smaller
+    /// one: the distance from the middle circle is compared with both at the ends of many small steps.
+    fn grazes_torus(self, major: f64, minor: f64) -> bool {
+        let (closest, reach) = (-dot(self.origin, self.direction), major + 2.0 * minor);
+        let point = |t: f64| [0, 1, 2].map(|i| self.origin[i] + t * self.direction[i]);
+        let off = |t: f64| {
+            let [x, y, z] = point(t);
+            libm::hypot(libm::hypot(x, z) - major, y) / minor
+        };
+        const STEPS: i32 = 2_000;
+        let of_steps = (-STEPS..=STEPS).map(|step| off(closest + f64::from(step) / f64::from(STEPS) * reach));
+        let all: Vec<f64> = of_steps.collect();
+        let entries = |limit: f64| all.windows(2).filter(|pair| pair[0] > limit && pair[1] <= limit).count();
+        entries(1.0 - GRAZING) != entries(1.0 + GRAZING) || (off(0.0) - 1.0).abs() < GRAZING / 10.0
+    }
+}
+
 /// Whether the query's ray grazes one of the surfaces that its solid is made of, or starts next to it; `None` for a
 /// solid that is not listed here.
 pub fn grazes(query: &Query<f64>) -> Option<bool> {
@@ -163,6 +181,7 @@ pub fn grazes(query: &Query<f64>) -> Option<bool> {
             let mut axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].into_iter();
             facets.any(|n| line.is_parallel_to(n)) || axes.any(|n| line.is_parallel_to(n))
         }
+        Primitive::Torus(torus) => line.grazes_torus(torus.major_radius(), torus.minor_radius()),
         Primitive::Triangle(triangle) => {
             let [a, b, c] = triangle.vertices().map(Vec3::to_array);
             let ([p, q, r], [x, y, z]) = (minus(b, a), minus(c, a));

@@ -12,7 +12,7 @@ use raylet::tier::Tier;
 use raylet::{
     Affine, Annulus, Capsule, Combination, Cone, Cuboid, Cylinder, Departure, Disc, Ellipsoid, Frame, HalfSpace,
     Leaving, Part, Plane, Polyhedron, Prism, Range, Ray, Rectangle, Revolved, RoundCone, RoundedCuboid, Shape, Sphere,
-    Surface, Triangle, Tube, UnitVec3, Vec3, Visible,
+    Surface, Torus, Triangle, Tube, UnitVec3, Vec3, Visible,
 };
 
 /// Calls the methods that a primitive shares with a shape, in one tier.
@@ -114,7 +114,8 @@ pub fn any_shape<S: Any>() -> Option<Shape<S>> {
         12 => Shape::new(RoundedCuboid::new(S::any(), S::any(), S::any(), S::any()).ok()?),
         13 => Shape::new(any_prism()?),
         14 => Shape::new(any_polyhedron()?),
-        15 => return Ellipsoid::new(S::any(), S::any(), S::any()).ok()?.placed(any_frame()?).ok(),
+        15 => Shape::new(Torus::new(S::any(), S::any()).ok()?),
+        16 => return Ellipsoid::new(S::any(), S::any(), S::any()).ok()?.placed(any_frame()?).ok(),
         _ => Shape::new(Triangle::new(any_point(), any_point(), any_point()).ok()?),
     };
     let shape = match any_word() {
@@ -193,6 +194,7 @@ pub fn queries<S: Any, T: Tier<S>>() -> Option<()> {
     call!(Annulus::new(S::any(), S::any()).ok()?, ray, T);
     call!(any_prism::<S>()?, ray, T);
     call!(any_polyhedron::<S>()?, ray, T);
+    call!(Torus::new(S::any(), S::any()).ok()?, ray, T);
     call!(Triangle::new(any_point(), any_point(), any_point()).ok()?, ray, T);
     call!(any_shape::<S>()?, ray, T);
     call!(among::<S, (Sphere<S>, Plane<S>, Frame<S>)>()?, ray, T);

@@ -6,7 +6,7 @@ use super::super::{placement, solid};
 use fixed::types::{I16F16, I32F32};
 use raylet::{
     Affine, Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Frame, Plane, Rectangle, Revolved, RoundCone,
-    RoundedCuboid, Shape, Sphere, Triangle, Tube, UnitVec3, Vec3,
+    RoundedCuboid, Shape, Sphere, Torus, Triangle, Tube, UnitVec3, Vec3,
 };
 use support::exact_types::Exact;
 use support::placed::Placed;
@@ -18,7 +18,7 @@ fn shape(text: &str) -> Shape<f64> {
 #[test]
 fn solids() {
     let v = |x, y, z| Vec3::new(x, y, z);
-    let wanted: [Shape<f64>; 22] = [
+    let wanted: [Shape<f64>; 23] = [
         Shape::new(Sphere::new(1.0).unwrap()),
         Shape::new(Cylinder::infinite(1.0).unwrap()),
         Shape::new(Cylinder::open(1.0, 2.0).unwrap()),
@@ -34,6 +34,7 @@ fn solids() {
         Shape::new(Revolved::new(-0.5, 1.0, 0.0, [0.0, 2.0]).unwrap()),
         Shape::new(RoundCone::new(1.0, 0.5, 2.0).unwrap()),
         Shape::new(Tube::new(0.75, 1.0, 2.0).unwrap()),
+        Shape::new(Torus::new(1.0, 0.25).unwrap()),
         Shape::new(Plane::new()),
         Shape::new(Disc::new(1.0).unwrap()),
         Shape::new(Annulus::new(0.25, 1.0).unwrap()),
