@@ -263,6 +263,14 @@ impl<S: Scalar> Geometry<S> for Polyhedron<S> {
         largest([ax, ay, az, bx, by, bz])
     }
 
+    /// Four times as large, so that coordinates of the line leave two bits free: the grid multiplies differences of them.
+    #[inline(always)]
+    fn lengths(&self) -> S {
+        let largest = self.largest_coordinate();
+        let twice = largest.plus(largest);
+        twice.plus(twice)
+    }
+
     fn scaled(&self, e: i32) -> Self {
         Self { solid: self.solid.scaled(e) }
     }

@@ -136,6 +136,14 @@ impl<S: Scalar> Geometry<S> for Prism<S> {
         largest([self.polygon.largest(), self.height])
     }
 
+    /// Four times as large, so that coordinates of the line leave two bits free: the grid multiplies differences of them.
+    #[inline(always)]
+    fn lengths(&self) -> S {
+        let largest = self.largest_coordinate();
+        let twice = largest.plus(largest);
+        twice.plus(twice)
+    }
+
     fn scaled(&self, e: i32) -> Self {
         Self { polygon: self.polygon.scaled(e), height: self.height.scaled(e) }
     }

@@ -23,17 +23,21 @@ const MOST_STEPS: usize = 40;
 pub(super) fn of_quartic<E: Estimate>([p, q, c]: [E; 3], count: usize, most: E) -> [E; 4] {
     let is_left = q.sign() == Some(Ordering::Greater);
     let q = if is_left { q } else { -q };
-    let (resolvent, most) = ([-(q * q).scaled(1), c, p + p, E::ONE], (most * most).scaled(1));
-    let is_even = q.sign() == Some(Ordering::Equal);
+    let twice = (q * q).scaled(1);
+    let (resolvent, most) = ([-twice, c, p + p, E::ONE], (most * most).scaled(1));
     let z = match count {
-        2 if is_even => E::ZERO,
         // Its other roots are not positive, or not real.
-        2 => between(resolvent, [E::ZERO, most], None),
+        2 => {
+            let near = if c.sign() == Some(Ordering::Greater) { twice.over(c) } else { most };
+            between(resolvent, [E::ZERO, near, most], None)
+        }
         _ => fall(resolvent, most, None),
     };
     let w = root_or_zero(z + z);
+    // Beside a small z the other difference does not cancel.
+    let is_small = (z * z).scaled(8).compare(c) != Some(Ordering::Greater);
     let n =
-        if is_even || w.sign() == Some(Ordering::Equal) { root_or_zero(c + z * (p + p + z)) } else { (q + q).over(w) };
+        if is_small || w.sign() == Some(Ordering::Equal) { root_or_zero(c + z * (p + p + z)) } else { (q + q).over(w) };
     let (middle, square) = (w.scaled(-1), -(z.scaled(-1) + p));
     // Half the distance of the roots of each pair; if there are two roots, only the first pair is real.
     let [half, other] = [root_or_zero(square + n), if count == 2 { E::ZERO } else { root_or_zero(square - n) }];
@@ -54,7 +58,7 @@ fn root_or_zero<E: Estimate>(square: E) -> E {
 #[inline(never)]
 pub(super) fn of_cubic<E: Estimate>(coefficients: [E; 4], count: usize, [most, size]: [E; 2]) -> [E; 4] {
     if count < 2 {
-        return [between(coefficients, [E::ZERO, most], Some(size)); 4];
+        return [between(coefficients, [E::ZERO, most.scaled(-1), most], Some(size)); 4];
     }
     let last = fall(coefficients, most, Some(size));
     let [first, second] = of_quadratic(without_root(coefficients, last));
@@ -126,9 +130,12 @@ fn fall<E: Estimate, const M: usize>(coefficients: [E; M], mut x: E, size: Optio
     x
 }
 
-/// The only root between two numbers, at the second of which the function is positive; as accurate as [`fall`].
-fn between<E: Estimate, const M: usize>(coefficients: [E; M], [mut low, mut high]: [E; 2], size: Option<E>) -> E {
-    let mut x = (low + high).scaled(-1);
+/// The only root between the first and the last of three numbers, at the last of which the function is positive; as
+/// accurate as [`fall`]. It begins with the second, if that is between them.
+fn between<E: Estimate, const M: usize>(coefficients: [E; M], [mut low, near, mut high]: [E; 3], size: Option<E>) -> E {
+    let is_inside =
+        |x: E, low: E, high: E| x.compare(low) == Some(Ordering::Greater) && x.compare(high) == Some(Ordering::Less);
+    let mut x = if is_inside(near, low, high) { near } else { (low + high).scaled(-1) };
     for _ in 0..MOST_STEPS {
         let [value, slope] = value_and_slope(coefficients, x);
         if value.sign() == Some(Ordering::Less) {
@@ -136,9 +143,8 @@ fn between<E: Estimate, const M: usize>(coefficients: [E; M], [mut low, mut high
         } else {
             high = x;
         }
-        let is_inside = |x: &E| x.compare(low) == Some(Ordering::Greater) && x.compare(high) == Some(Ordering::Less);
         let newton = (slope.sign() != Some(Ordering::Equal)).then(|| x - value.over(slope));
-        let next = newton.filter(is_inside).unwrap_or_else(|| (low + high).scaled(-1));
+        let next = newton.filter(|x| is_inside(*x, low, high)).unwrap_or_else(|| (low + high).scaled(-1));
         let step = next - x;
         if is_short(step, size.unwrap_or(next)) || step.sign() == Some(Ordering::Equal) {
             return next;

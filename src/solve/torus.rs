@@ -200,7 +200,7 @@ impl<N: Number> Along<N> {
             return newton::step(expansion.map(N::estimate), is_exit);
         }
         let mut t = N::Estimate::exactly(t);
-        for _ in 0..3 {
+        for _ in 0..8 {
             let step = newton::step(self.expansion(t), is_exit);
             let next = t + step;
             if newton::is_below(step.rough(), most) {
