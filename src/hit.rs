@@ -6,8 +6,8 @@ use crate::scalar::Scalar;
 use core::fmt::Debug;
 use core::ops::Deref;
 
-/// The most crossings that a line can have with any primitive: two intervals of a double cone, of a tube, or of a solid
-/// with a waist.
+/// The most crossings that a line can have with any primitive: two intervals of a double cone, of a tube, of a torus,
+/// or of a solid with a waist.
 pub const MOST_HITS: usize = 4;
 
 /// How a ray crosses a surface.

@@ -45,7 +45,7 @@
 //!
 //! 1. A solid is a closed set. A line meets a convex solid in one interval, whose ends are the hits:
 //!    [`Crossing::Enter`] and [`Crossing::Exit`], or one [`Crossing::Touch`]. Crossings always pair up. (A double cone,
-//!    a quadric with a waist and a tube are not convex: a line may meet them in two intervals.)
+//!    a quadric with a waist, a tube and a torus are not convex: a line may meet them in two intervals.)
 //! 2. An open surface, such as a cylinder without caps, reports each point where the line crosses it, with the side
 //!    that was hit. An infinite solid reports the ends of its interval that are finite.
 //! 3. Hits come sorted by `t`. Ends outside the ray's closed [`Range`] are no hits. If an exit has no enter before it,

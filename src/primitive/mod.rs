@@ -1,7 +1,7 @@
 //! The primitives, a file for each.
 //!
-//! In its canonical pose a primitive has the axis +y and its base at the origin; a sphere and a cuboid have their
-//! centre there, a round cone that of its lower ball, and a cone that is given by its slope its apex. Sizes are numbers
+//! In its canonical pose a primitive has the axis +y and its base at the origin; a sphere, a torus and a cuboid have
+//! their centre there, a round cone that of its lower ball, and a cone that is given by its slope its apex. Sizes are numbers
 //! such as radius and height, not scales. A primitive is a closed set of points. It computes where a line meets it, its
 //! normals, surface coordinates and tangents. Placement and material belong to [`Shape`](crate::Shape) and
 //! [`Object`](crate::Object).

@@ -141,12 +141,10 @@ impl<S: Scalar> Geometry<S> for Torus<S> {
     }
 
     fn uv(&self, point: Vec3<S>, _: Part) -> (S::Unit, S::Unit) {
-        let [x, z] = [point.x, point.z].map(Scalar::real);
-        // The distance from the axis, less the major radius: (x^2 + z^2 - R^2) / (rho + R) does not cancel twice.
-        let major = self.major_radius().real();
-        let rho = S::Real::sum_of_products([[x, x], [z, z]]).sqrt();
-        let across = S::Real::sum_of_products([[x, x], [z, z], [-major, major]]) / (rho + major);
-        (coordinates::azimuth(point), S::turns(point.y.real(), across))
+        let (from_middle, outwards) = (self.from_middle(point).real(), coordinates::outwards(point));
+        let [x, _, z] = outwards.real();
+        let across = S::Real::sum_of_products([[from_middle[0], x], [from_middle[2], z]]);
+        (coordinates::azimuth(point), S::turns(from_middle[1], across))
     }
 
     fn tangents(&self, point: Vec3<S>, part: Part) -> (UnitVec3<S>, UnitVec3<S>) {

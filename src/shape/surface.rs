@@ -315,10 +315,7 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
             && self.needs_exact_normal(rough)
             && let Some(normal) = self.corrected_local_normal(rough).or_else(|| self.exact_local_normal())
         {
-            let is_torus = Member::<S, K>::EQUATIONS.has(EquationKinds::TORUS)
-                && matches!(self.shape.member.equations(), Equations::Torus { .. });
-            // The normal of a torus need not lead away from the axis.
-            tangents = along_the_surface(normal, is_torus.then_some(tangents.0));
+            tangents = along_the_surface(normal, tangents.0);
         }
         let (u, v) = tangents;
         match &self.shape.placement {
@@ -338,11 +335,13 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
     }
 }
 
-/// The tangents around the axis and up, on a surface of revolution about the y axis with this outward normal, which
-/// leads away from the axis if the first is not given.
-fn along_the_surface<S: Scalar>(normal: UnitVec3<S>, around: Option<UnitVec3<S>>) -> (UnitVec3<S>, UnitVec3<S>) {
+/// The tangents around the axis and up, on a surface of revolution about the y axis with this outward normal. The first
+/// is nearly `around`: the normal of a torus leads to the axis on its inner side, and along it on top.
+fn along_the_surface<S: Scalar>(normal: UnitVec3<S>, around: UnitVec3<S>) -> (UnitVec3<S>, UnitVec3<S>) {
     let [x, _, z] = normal.real();
-    let u = around.or_else(|| UnitVec3::from_real([z, S::Real::ZERO, -x])).unwrap_or(-UnitVec3::Z);
+    let is_level = S::Real::sum_of_products([[x, x], [z, z]]).scaled(6) < S::Real::ONE;
+    let across = UnitVec3::from_real([z, S::Real::ZERO, -x]).filter(|_| !is_level).unwrap_or(around);
+    let u = if across.dot(around).is_negative() { -across } else { across };
     let v = UnitVec3::from_real(normal.cross(u)).unwrap_or(UnitVec3::Y);
     (u, v)
 }

@@ -26,6 +26,7 @@ pub(super) fn of_quartic<E: Estimate>([p, q, c]: [E; 3], count: usize, most: E) 
     let twice = (q * q).scaled(1);
     let (resolvent, most) = ([-twice, c, p + p, E::ONE], (most * most).scaled(1));
     let z = match count {
+        2 if twice.sign() == Some(Ordering::Equal) => E::ZERO,
         // Its other roots are not positive, or not real.
         2 => {
             let near = if c.sign() == Some(Ordering::Greater) { twice.over(c) } else { most };

@@ -191,23 +191,26 @@ impl<N: Number> Along<N> {
     /// The error is that of the last expansion.
     fn corrected(&self, t: RoughOf<N>, is_exit: bool) -> N::Estimate {
         let most = self.size.scaled(-<RoughOf<N> as Estimate>::DIGITS / 3);
-        if newton::is_below(t, most) {
-            // From the line's origin, whose coordinates are known best: a small t must be accurate relative to itself.
-            let expansion = match self.equation {
-                Equation::Quartic(_) => self.torus.expansion(),
-                Equation::Cubic([h, c, b, _]) => [h, c.scaled(-1), b],
-            };
-            return newton::step(expansion.map(N::estimate), is_exit);
-        }
-        let mut t = N::Estimate::exactly(t);
+        let mut t = t;
         for _ in 0..8 {
-            let step = newton::step(self.expansion(t), is_exit);
-            let next = t + step;
+            if newton::is_below(t, most) {
+                // From the line's origin, whose coordinates are known best: a small t must be accurate relative to
+                // itself.
+                let expansion = match self.equation {
+                    Equation::Quartic(_) => self.torus.expansion(),
+                    Equation::Cubic([h, c, b, _]) => [h, c.scaled(-1), b],
+                };
+                return newton::step(expansion.map(N::estimate), is_exit);
+            }
+            let from = N::Estimate::exactly(t);
+            let step = newton::step(self.expansion(from), is_exit);
+            let next = from + step;
             if newton::is_below(step.rough(), most) {
                 return next;
             }
-            t = N::Estimate::exactly(next.rough());
+            t = next.rough();
         }
+        let t = N::Estimate::exactly(t);
         t + newton::step(self.expansion(t), is_exit)
     }
 
@@ -389,9 +392,7 @@ fn intersect<S: Scalar, N: Of<S>>(line: &LocalRay<N>, radii: [S; 2], goal: Goal<
         Err(_) if enter.t.is_finite() && !N::IS_WIDE => return Ok(Intersection::Entered(enter)),
         Err(_) => return Err(Stop::Unsure),
     };
-    if goal.since.is_some_and(|since| first.exit.t < since) {
-        return solid(&ends(1), line, &along.interval(1), goal);
-    }
+    // Also if only the second interval is needed: so that both are known by the same number.
     match span(&ends(1), line, &along.interval(1), goal.range) {
         Ok(second) => Ok(Intersection::in_order(first, second)),
         Err(_) if enter.t.is_finite() && !N::IS_WIDE => Ok(Intersection::Entered(enter)),

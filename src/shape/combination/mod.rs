@@ -85,7 +85,7 @@ use operation::{Operations, mask};
 pub const MOST_LEAVES: usize = 16;
 
 /// The most crossings that a line can have with the leaves of a combination: two of each, and four of one that is not
-/// convex (a double cone, a tube, a solid with a waist).
+/// convex (a double cone, a tube, a torus, a solid with a waist).
 pub const MOST_CROSSINGS: usize = 2 * MOST_LEAVES;
 
 /// Solids combined into one: see [`combination`](crate::shape::combination).

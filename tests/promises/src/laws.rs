@@ -13,6 +13,7 @@ use proptest::test_runner::RngSeed;
 use raylet::{Crossing, Range, Visible};
 use support::exact_types::Exact as Number;
 use support::laws::{Graded, Law, Nature, Setting, bound};
+use support::oracle::Solid;
 use support::random::Random;
 
 laws!(
@@ -272,8 +273,11 @@ mod law {
             // can tell.
             let from_axis = local[0].to_f64().hypot(local[2].to_f64());
             let curved = hit.part == raylet::Part::Side || setting.name.starts_with("capsule");
-            let around =
-                if setting.name.starts_with("sphere") || setting.name.starts_with("capsule") { 1.0 } else { from_axis };
+            let around = match &setting.solid {
+                Solid::Torus { minor, .. } => minor.to_f64().min(from_axis),
+                _ if setting.name.starts_with("sphere") || setting.name.starts_with("capsule") => 1.0,
+                _ => from_axis,
+            };
             if curved && around < 64.0 * off || outwards == [0.0; 3] {
                 continue;
             }

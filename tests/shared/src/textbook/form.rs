@@ -234,8 +234,8 @@ fn torus<N: Number>(
         return;
     }
     let z = largest_root(two * p, p * p - four * r, -q * q);
-    if z > N::ZERO {
-        let s = root(z);
+    let s = if z > N::ZERO { root(z) } else { N::ZERO };
+    if s > N::ZERO {
         for (s, other) in [(s, q / s), (-s, -q / s)] {
             let ends = roots(N::ONE, s / two, (p + z - other) / two, root);
             ends.into_iter().flatten().for_each(|u| report(u - k));
