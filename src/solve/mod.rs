@@ -22,7 +22,7 @@
 //! | `revolved` | quadrics of revolution between two planes |
 //! | `side` | cylinders and cones, double, infinite, open or between planes |
 //! | `tube` | tubes |
-//! | `torus` | tori |
+//! | `torus`, `root_of_torus` | tori; their crossings among those of others |
 //! | `quartic`, `sturm`, `newton` | the roots of the equation of a torus: counted, ordered, computed |
 //! | `flat` | planes, discs, annuli, triangles |
 //! | `slabs` | cuboids, rectangles |
@@ -38,11 +38,15 @@ mod end;
 mod flat;
 mod local_ray;
 mod newton;
+#[cfg(units)]
+#[path = "../../tests/units/solve/order.rs"]
+mod order;
 mod polyhedra;
 mod quadratic;
 mod quadric;
 mod quartic;
 mod revolved;
+mod root_of_torus;
 mod roots;
 mod round;
 mod rounded;

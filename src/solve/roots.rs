@@ -7,10 +7,11 @@
 use super::end::{Fraction, Of, Place, times};
 use super::polyhedra::{end_in_a_polyhedron, end_in_a_prism};
 use super::quadratic::root_beside;
+use super::root_of_torus::{self, RootOfTorus};
 use super::rounded;
 use super::side::planes_through;
 use super::surface::{Line, surface_of};
-use super::torus::{self, RootOfTorus};
+
 use crate::equations::{Described, EquationKinds, Equations};
 use crate::hit::{Crossing, Hit};
 use crate::number::{Estimate, Number};
@@ -132,12 +133,14 @@ impl<N: Number> RootOfQuadric<N> {
     /// Its parameter, approximately.
     pub(super) fn estimate(&self) -> N::Estimate {
         let [a, k, c] = self.f;
-        let root = || N::sum([[k, k], [-a, c]]).estimate().square_root();
-        match self.place {
-            Place::At(Fraction { n, e }) => n.estimate().over(e.estimate()),
-            Place::First => (-k.estimate() - root()).over(a.estimate()),
-            Place::Second | Place::Missing => (root() - k.estimate()).over(a.estimate()),
-        }
+        let is_second = match self.place {
+            Place::At(Fraction { n, e }) => return n.estimate().over(e.estimate()),
+            Place::First | Place::Missing => false,
+            Place::Second => true,
+        };
+        let root = N::sum([[k, k], [-a, c]]).estimate().square_root();
+        let is_plus = is_second == (a.sign() != Some(Ordering::Less));
+        (if is_plus { root - k.estimate() } else { -root - k.estimate() }).over(a.estimate())
     }
 
     /// How it compares with the parameter `t`.
@@ -197,7 +200,7 @@ pub(crate) fn root_at<S: Scalar, N: Of<S>, G: Described>(
     if let Equations::Torus { radii } = *equations
         && G::EQUATIONS.has(EquationKinds::TORUS)
     {
-        return torus::root_at(radii, hit, line, departed);
+        return root_of_torus::root_at(radii, hit, line, departed);
     }
     let function = |part: Part| {
         let surface = surface_of::<S, N, G>(equations, part, line, N::scalar);

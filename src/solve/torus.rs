@@ -21,14 +21,10 @@ use super::end::{Curve, End, Fraction, Goal, Interval, Of, Place, and_again, inw
 use super::local_ray::LocalRay;
 use super::newton;
 use super::quartic::{Equation, Roots, Where};
-use super::roots::{Root, RootOfQuadric};
-use super::surface::Line;
-use crate::hit::{Crossing, Hit};
 use crate::intersection::{Intersection, Span};
 use crate::number::{Estimate, Number, Ring};
 use crate::part::Part;
-use crate::ray::Leaving;
-use crate::scalar::{Scalar, ToScalar};
+use crate::scalar::Scalar;
 use core::cmp::Ordering;
 
 /// The torus along the line `o + x d`: `f(o + x d) = f + 2 h x + a x^2` up to the second order.
@@ -97,22 +93,22 @@ impl<N: Ring> Torus<N> {
 }
 
 /// A torus and a line, both divided by `2^scale`, so that no power of a length overflows.
-struct Along<N: Number> {
+pub(super) struct Along<N: Number> {
     torus: Torus<N>,
     /// `D`
-    dd: N,
+    pub(super) dd: N,
     /// `m`
-    m: N,
+    pub(super) m: N,
     scale: i32,
-    equation: Equation<N>,
-    roots: Roots,
+    pub(super) equation: Equation<N>,
+    pub(super) roots: Roots,
     /// The simple roots of the equation, approximately, and a length below which the surface is nearly flat.
     rough: [RoughOf<N>; 4],
     size: RoughOf<N>,
 }
 
 /// An approximate number, whose error is of no interest.
-type RoughOf<N> = <<N as Number>::Estimate as Estimate>::Rough;
+pub(super) type RoughOf<N> = <<N as Number>::Estimate as Estimate>::Rough;
 
 fn rough<N: Number>(number: N) -> RoughOf<N> {
     number.estimate().rough()
@@ -120,7 +116,7 @@ fn rough<N: Number>(number: N) -> RoughOf<N> {
 
 impl<N: Number> Along<N> {
     #[inline(always)]
-    fn new<S: Scalar>(line: &LocalRay<N>, radii: [S; 2], scale: i32) -> Attempt<Self>
+    pub(super) fn new<S: Scalar>(line: &LocalRay<N>, radii: [S; 2], scale: i32) -> Attempt<Self>
     where
         N: Of<S>,
     {
@@ -163,7 +159,7 @@ impl<N: Number> Along<N> {
     }
 
     /// An end of one of the intervals, of which the departure of a line begins the first.
-    fn end(&self, interval: usize, is_exit: bool) -> End<N> {
+    pub(super) fn end(&self, interval: usize, is_exit: bool) -> End<N> {
         let found = self.roots.place(&self.equation, interval, is_exit);
         let t = match (found, self.equation) {
             (Where::Simple(number), equation) => {
@@ -281,86 +277,11 @@ impl<N: Number> Curve<N> for Ends<'_, N> {
 }
 
 /// The parameter in which an equation is, from `t`.
-fn parameter<N: Number>(equation: &Equation<N>, [dd, m]: [N; 2], t: Fraction<N>) -> Fraction<N> {
+pub(super) fn parameter<N: Number>(equation: &Equation<N>, [dd, m]: [N; 2], t: Fraction<N>) -> Fraction<N> {
     match equation {
         Equation::Quartic(_) => Fraction { n: N::sum([[dd, t.n], [m, t.e]]), e: t.e },
         Equation::Cubic(_) => t,
     }
-}
-
-/// Where a line crosses a torus.
-#[expect(missing_debug_implementations, reason = "the numbers of solvers need not be written")]
-#[derive(Clone, Copy)]
-pub struct RootOfTorus<N: Number> {
-    equation: Equation<N>,
-    /// `D` and `m`.
-    line: [N; 2],
-    place: Where<N>,
-    /// Approximately.
-    t: N::Estimate,
-}
-
-impl<N: Number> RootOfTorus<N> {
-    /// How it compares with the root of another torus.
-    pub(super) fn order(&self, other: &Self) -> Option<Ordering> {
-        self.t.compare(other.t).or_else(|| {
-            let are_same = |a: N, b: N| (a - b).sign() == Some(Ordering::Equal);
-            let lines = self.line.into_iter().zip(other.line).all(|(a, b)| are_same(a, b));
-            match (self.place, other.place) {
-                (Where::Simple(own), Where::Simple(other_number)) if lines => {
-                    self.equation.is_same(&other.equation, are_same).then(|| own.cmp(&other_number))
-                }
-                (Where::Root(own), Where::Root(other)) if lines => own.order(&other),
-                _ => None,
-            }
-        })
-    }
-
-    /// How it compares with the root of a quadric.
-    pub(super) fn order_with_quadric(&self, other: &RootOfQuadric<N>) -> Option<Ordering> {
-        self.t.compare(other.estimate()).or_else(|| {
-            let ([dd, m], equation) = (self.line, &self.equation);
-            // For t = (u - m) / D the equation a t^2 + 2 k t + c, times D^2.
-            let in_u = |[a, k, c]: [N; 3]| match equation {
-                Equation::Quartic(_) => {
-                    let k = k * dd;
-                    [a, k - a * m, N::sum([[a * m, m], [-(k + k), m], [c * dd, dd]])]
-                }
-                Equation::Cubic(_) => [a, k, c],
-            };
-            equation.order_with_quadric(self.place, &other.map(in_u, |t| parameter(equation, self.line, t)))
-        })
-    }
-}
-
-/// The root at a hit: of those that are crossed so, the nearest.
-pub(super) fn root_at<S: Scalar, N: Of<S>>(
-    radii: [S; 2],
-    hit: &Hit<S>,
-    line: &Line<N>,
-    departed: Option<Part>,
-) -> Option<Root<N>> {
-    let departure = departed.map(|part| (part, Leaving::Inwards));
-    let line = LocalRay::new([line.origin, line.direction], departure).long();
-    let along = Along::new(&line, radii, 0).ok()?;
-    let is_exit = hit.crossing == Crossing::Exit;
-    let t = <N::Estimate as ToScalar<S>>::of(hit.t).rough();
-    let mut nearest: Option<(RoughOf<N>, RootOfTorus<N::Long>)> = None;
-    for interval in [0, 1] {
-        if !along.roots.has_end(interval, is_exit, departed.is_some()) {
-            continue;
-        }
-        let end = along.end(interval, is_exit);
-        let off = end.t.rough() - t;
-        let off = if off.sign() == Some(Ordering::Less) { -off } else { off };
-        if nearest.is_none_or(|(least, _)| off.compare(least) == Some(Ordering::Less)) {
-            let place = along.roots.place(&along.equation, interval, is_exit);
-            let root = RootOfTorus { equation: along.equation, line: [along.dd, along.m], place, t: end.t };
-            nearest = Some((off, root));
-        }
-    }
-    // A ray that is said to lead inwards and does not ends at its start.
-    Some(nearest.map_or(Root::at_parameter(N::ZERO), |(_, root)| Root::OfTorus(root)))
 }
 
 /// The torus of these radii, the major and the minor one.

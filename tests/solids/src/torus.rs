@@ -378,3 +378,31 @@ fn a_ball_does_not_touch_a_torus() {
     let ball = ThickRay::new(ray, 0.5).unwrap();
     assert_eq!(ball.contact_at::<Stable, _>(&ring()), Err(ThickError::Primitive(Kind::Torus)));
 }
+
+/// Both crossings of each pair are equal, which the tiers without exact roots find in equal numbers.
+#[test]
+fn a_ring_less_itself_is_nothing() {
+    fn check<S: Number, T: Tier<S>>() {
+        let mut random = Random(0x1e55);
+        let mut crossed = 0;
+        for _ in 0..times(500) {
+            let Some((shape, _)) = torus::<S>(&mut random) else { continue };
+            let frame = Frame::looking(v(random.direction()), random.unit_vector(), random.unit_vector());
+            let Ok(frame) = frame else { continue };
+            let leaves = [shape.placed(frame); 2];
+            let nothing = Combination::difference(&leaves).expect("two solids");
+            for _ in 0..8 {
+                let (from, to) = (random.direction().map(|c| 3.0 * c), random.direction());
+                let along = direction([0, 1, 2].map(|i| to[i] - from[i]));
+                let ray = Ray::new(v(from), along).expect("near").with_range(Range::line());
+                crossed += leaves[0].hits_at::<T>(&ray).len();
+                assert_eq!(nothing.shape().hits_at::<T>(&ray).len(), 0, "{leaves:?} {ray:?}");
+            }
+        }
+        assert!(crossed > 500, "{crossed}");
+    }
+    check::<f32, Exact>();
+    check::<I16F16, Exact>();
+    check::<f32, Stable>();
+    check::<I16F16, Stable>();
+}

@@ -32,6 +32,7 @@ const FILES: [(&str, &[&str], Option<&str>); 35] = [
     ("solve/revolved", &["Revolved"], None),
     ("solve/tube", &["Tube"], None),
     ("solve/torus", &["Torus"], None),
+    ("solve/root_of_torus", &["Torus"], None),
     ("solve/quartic", &["Torus"], None),
     ("solve/newton", &["Torus"], None),
     ("solve/sturm", &["Torus"], None),

@@ -1,0 +1,89 @@
+//! The order of a torus' crossings among those of other solids.
+
+use super::end::Of;
+use super::local_ray::LocalRay;
+use super::quartic::{Equation, Where};
+use super::roots::{Root, RootOfQuadric};
+use super::surface::Line;
+use super::torus::{Along, RoughOf, parameter};
+use crate::hit::{Crossing, Hit};
+use crate::number::{Estimate, Number};
+use crate::part::Part;
+use crate::ray::Leaving;
+use crate::scalar::{Scalar, ToScalar};
+use core::cmp::Ordering;
+
+/// Where a line crosses a torus.
+#[expect(missing_debug_implementations, reason = "the numbers of solvers need not be written")]
+#[derive(Clone, Copy)]
+pub struct RootOfTorus<N: Number> {
+    equation: Equation<N>,
+    /// `D` and `m`.
+    line: [N; 2],
+    place: Where<N>,
+    /// Approximately.
+    t: N::Estimate,
+}
+
+impl<N: Number> RootOfTorus<N> {
+    /// How it compares with the root of another torus.
+    pub(super) fn order(&self, other: &Self) -> Option<Ordering> {
+        self.t.compare(other.t).or_else(|| {
+            let are_same = |a: N, b: N| (a - b).sign() == Some(Ordering::Equal);
+            let lines = self.line.into_iter().zip(other.line).all(|(a, b)| are_same(a, b));
+            match (self.place, other.place) {
+                (Where::Simple(own), Where::Simple(other_number)) if lines => {
+                    self.equation.is_same(&other.equation, are_same).then(|| own.cmp(&other_number))
+                }
+                (Where::Root(own), Where::Root(other)) if lines => own.order(&other),
+                _ => None,
+            }
+        })
+    }
+
+    /// How it compares with the root of a quadric.
+    pub(super) fn order_with_quadric(&self, other: &RootOfQuadric<N>) -> Option<Ordering> {
+        self.t.compare(other.estimate()).or_else(|| {
+            let ([dd, m], equation) = (self.line, &self.equation);
+            // For t = (u - m) / D the equation a t^2 + 2 k t + c, times D^2.
+            let in_u = |[a, k, c]: [N; 3]| match equation {
+                Equation::Quartic(_) => {
+                    let k = k * dd;
+                    [a, k - a * m, N::sum([[a * m, m], [-(k + k), m], [c * dd, dd]])]
+                }
+                Equation::Cubic(_) => [a, k, c],
+            };
+            equation.order_with_quadric(self.place, &other.map(in_u, |t| parameter(equation, self.line, t)))
+        })
+    }
+}
+
+/// The root at a hit: of those that are crossed so, the nearest.
+pub(super) fn root_at<S: Scalar, N: Of<S>>(
+    radii: [S; 2],
+    hit: &Hit<S>,
+    line: &Line<N>,
+    departed: Option<Part>,
+) -> Option<Root<N>> {
+    let departure = departed.map(|part| (part, Leaving::Inwards));
+    let line = LocalRay::new([line.origin, line.direction], departure).long();
+    let along = Along::new(&line, radii, 0).ok()?;
+    let is_exit = hit.crossing == Crossing::Exit;
+    let t = <N::Estimate as ToScalar<S>>::of(hit.t).rough();
+    let mut nearest: Option<(RoughOf<N>, RootOfTorus<N::Long>)> = None;
+    for interval in [0, 1] {
+        if !along.roots.has_end(interval, is_exit, departed.is_some()) {
+            continue;
+        }
+        let end = along.end(interval, is_exit);
+        let off = end.t.rough() - t;
+        let off = if off.sign() == Some(Ordering::Less) { -off } else { off };
+        if nearest.is_none_or(|(least, _)| off.compare(least) == Some(Ordering::Less)) {
+            let place = along.roots.place(&along.equation, interval, is_exit);
+            let root = RootOfTorus { equation: along.equation, line: [along.dd, along.m], place, t: end.t };
+            nearest = Some((off, root));
+        }
+    }
+    // A ray that is said to lead inwards and does not ends at its start.
+    Some(nearest.map_or(Root::at_parameter(N::ZERO), |(_, root)| Root::OfTorus(root)))
+}
