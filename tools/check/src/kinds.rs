@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 /// The source files with the code of few kinds: who they belong to, and the number type, if they are of one.
-const FILES: [(&str, &[&str], Option<&str>); 35] = [
+const FILES: [(&str, &[&str], Option<&str>); 34] = [
     ("primitive/sphere", &["Sphere"], None),
     ("primitive/cylinder", &["Cylinder"], None),
     ("primitive/cone", &["Cone"], None),
@@ -32,10 +32,8 @@ const FILES: [(&str, &[&str], Option<&str>); 35] = [
     ("solve/revolved", &["Revolved"], None),
     ("solve/tube", &["Tube"], None),
     ("solve/torus", &["Torus"], None),
-    ("solve/root_of_torus", &["Torus"], None),
     ("solve/quartic", &["Torus"], None),
     ("solve/newton", &["Torus"], None),
-    ("solve/sturm", &["Torus"], None),
     ("solve/rounded", &["RoundedCuboid"], None),
     ("solve/side", &["Cylinder", "Cone", "Capsule", "Revolved", "Tube", "RoundCone"], None),
     ("solve/round", &["Sphere", "Cone", "Capsule", "RoundCone"], None),
