@@ -141,19 +141,24 @@ impl<N: Number> Along<N> {
         let half = if square.sign() == Some(Ordering::Greater) { square.square_root() } else { Ring::ZERO };
         let equation = if line.departs() { torus.after_departure(dd, m) } else { torus.depressed(dd, w, ww) };
         let roots = known(equation.roots())?;
+        let size = half * rough(minor);
+        let zero = [Ring::ZERO; 4];
         let (rough, size) = match (roots, equation) {
             (Roots::None, Equation::Quartic(_)) => return Err(Stop::Miss),
-            (Roots::Simple(count), Equation::Quartic(coefficients)) => {
-                let size = half * rough(minor);
-                let [p, q, _, c] = coefficients.map(rough);
-                (newton::of_quartic([p, q, c], count, half), size)
+            (Roots::Simple(count), Equation::Quartic([p, q, _, c])) => {
+                (newton::of_quartic([p, q, c].map(rough), count, half), size)
             }
-            (Roots::Simple(count), Equation::Cubic(coefficients)) => {
+            (_, Equation::Quartic(_)) => (zero, size),
+            (roots, Equation::Cubic(coefficients)) => {
                 let dd = rough(dd);
-                let (most, size) = ((half - rough(m)).over(dd), (half * rough(minor)).over(dd));
-                (newton::of_cubic(coefficients.map(rough), count, [most, size]), size)
+                let (most, size) = ((half - rough(m)).over(dd), size.over(dd));
+                match roots {
+                    Roots::Simple(count) => {
+                        (newton::of_cubic(coefficients.map(rough), count, [most, size]), size)
+                    }
+                    _ => (zero, size),
+                }
             }
-            _ => ([Ring::ZERO; 4], Ring::ZERO),
         };
         Ok(Self { torus, dd, m, scale, equation, roots, rough, size })
     }
@@ -176,7 +181,17 @@ impl<N: Number> Along<N> {
                 };
                 self.corrected(t, is_exit)
             }
-            (Where::Root(root), Equation::Quartic(_)) => (root.estimate() - self.m.estimate()).over(self.dd.estimate()),
+            (Where::Root(root), Equation::Quartic(_)) => {
+                let t = (root.estimate() - self.m.estimate()).over(self.dd.estimate());
+                if !self.roots.touches(interval) {
+                    self.corrected(t.rough(), is_exit)
+                } else if self.is_near_origin(t.rough()) {
+                    let [_, h, a] = self.torus.expansion().map(N::estimate);
+                    (-h).over(a)
+                } else {
+                    t
+                }
+            }
             (Where::Root(root), Equation::Cubic(_)) => root.estimate(),
         };
         let place = if is_exit { Place::Second } else { Place::First };
@@ -186,12 +201,9 @@ impl<N: Number> Along<N> {
     /// The root next to `t` of the function's expansion up to the second order, as often as that changes it by much.
     /// The error is that of the last expansion.
     fn corrected(&self, t: RoughOf<N>, is_exit: bool) -> N::Estimate {
-        let most = self.size.scaled(-<RoughOf<N> as Estimate>::DIGITS / 3);
         let mut t = t;
         for _ in 0..8 {
-            if newton::is_below(t, most) {
-                // From the line's origin, whose coordinates are known best: a small t must be accurate relative to
-                // itself.
+            if self.is_near_origin(t) {
                 let expansion = match self.equation {
                     Equation::Quartic(_) => self.torus.expansion(),
                     Equation::Cubic([h, c, b, _]) => [h, c.scaled(-1), b],
@@ -201,13 +213,19 @@ impl<N: Number> Along<N> {
             let from = N::Estimate::exactly(t);
             let step = newton::step(self.expansion(from), is_exit);
             let next = from + step;
-            if newton::is_below(step.rough(), most) {
+            if self.is_near_origin(step.rough()) {
                 return next;
             }
             t = next.rough();
         }
         let t = N::Estimate::exactly(t);
         t + newton::step(self.expansion(t), is_exit)
+    }
+
+    /// True if the expansion at the line's origin gives a root at `t` to the precision of the number. Its coordinates
+    /// are known best, and such a `t` must be accurate relative to itself.
+    fn is_near_origin(&self, t: RoughOf<N>) -> bool {
+        newton::is_below(t, self.size.scaled(-<RoughOf<N> as Estimate>::DIGITS / 3))
     }
 
     /// `f`, `h` and `a` of `f + 2 h x + a x^2` at `t`. After a departure `f` is divided by `t`.
