@@ -315,7 +315,9 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
             && self.needs_exact_normal(rough)
             && let Some(normal) = self.corrected_local_normal(rough).or_else(|| self.exact_local_normal())
         {
-            tangents = along_the_surface(normal, tangents.0);
+            let is_torus = Member::<S, K>::EQUATIONS.has(EquationKinds::TORUS)
+                && matches!(self.shape.member.equations(), Equations::Torus { .. });
+            tangents = if is_torus { along_a_torus(normal, tangents.0) } else { along_the_surface(normal) };
         }
         let (u, v) = tangents;
         match &self.shape.placement {
@@ -335,15 +337,30 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
     }
 }
 
-/// The tangents around the axis and up, on a surface of revolution about the y axis with this outward normal. The first
-/// is nearly `around`: the normal of a torus leads to the axis on its inner side, and along it on top.
-fn along_the_surface<S: Scalar>(normal: UnitVec3<S>, around: UnitVec3<S>) -> (UnitVec3<S>, UnitVec3<S>) {
+/// The tangents around the axis and up, on a surface of revolution about the y axis with this outward normal, which
+/// leads away from the axis.
+fn along_the_surface<S: Scalar>(normal: UnitVec3<S>) -> (UnitVec3<S>, UnitVec3<S>) {
     let [x, _, z] = normal.real();
-    let is_level = S::Real::sum_of_products([[x, x], [z, z]]).scaled(6) < S::Real::ONE;
-    let across = UnitVec3::from_real([z, S::Real::ZERO, -x]).filter(|_| !is_level).unwrap_or(around);
-    let u = if across.dot(around).is_negative() { -across } else { across };
-    let v = UnitVec3::from_real(normal.cross(u)).unwrap_or(UnitVec3::Y);
-    (u, v)
+    let u = UnitVec3::from_real([z, S::Real::ZERO, -x]).unwrap_or(-UnitVec3::Z);
+    (u, across(normal, u).unwrap_or(UnitVec3::Y))
+}
+
+/// The same on a torus, whose normal leads to the axis on its inner side and along it on top. The first is nearly
+/// `around`.
+fn along_a_torus<S: Scalar>(normal: UnitVec3<S>, around: UnitVec3<S>) -> (UnitVec3<S>, UnitVec3<S>) {
+    let [x, _, z] = normal.real();
+    if S::Real::sum_of_products([[x, x], [z, z]]).scaled(6) < S::Real::ONE {
+        // The horizontal part is too short to tell the direction.
+        let v = across(normal, around).unwrap_or(UnitVec3::Y);
+        return (across(v, normal).unwrap_or(around), v);
+    }
+    let (u, v) = along_the_surface(normal);
+    if u.dot(around).is_negative() { (-u, -v) } else { (u, v) }
+}
+
+/// The direction perpendicular to both.
+fn across<S: Scalar>(a: UnitVec3<S>, b: UnitVec3<S>) -> Option<UnitVec3<S>> {
+    UnitVec3::from_real(a.cross(b))
 }
 
 fn is_finite<S: Scalar>(point: Vec3<S>) -> bool {

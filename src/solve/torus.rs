@@ -153,9 +153,7 @@ impl<N: Number> Along<N> {
                 let dd = rough(dd);
                 let (most, size) = ((half - rough(m)).over(dd), size.over(dd));
                 match roots {
-                    Roots::Simple(count) => {
-                        (newton::of_cubic(coefficients.map(rough), count, [most, size]), size)
-                    }
+                    Roots::Simple(count) => (newton::of_cubic(coefficients.map(rough), count, [most, size]), size),
                     _ => (zero, size),
                 }
             }

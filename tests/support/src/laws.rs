@@ -349,7 +349,7 @@ pub fn each_edge<S: Number>(every: usize, mut law: impl FnMut(&Setting<S>, &mut 
             for (index, range) in [(0, ray.range()), (at % POSES, ray.range()), (at % POSES, raylet::Range::FORWARD)] {
                 let Some(setting) = Setting::at_edge(&case, ray.with_range(range), index) else { continue };
                 if let Err(error) = law(&setting, &mut random) {
-                    panic!("{} in {}: {error}", case.name, S::name());
+                    panic!("{} in {}, {:?}: {error}", case.name, S::name(), setting.shape);
                 }
             }
         }

@@ -218,10 +218,15 @@ fn torus<N: Number>(
     let (o, d, two) = (ray.origin, ray.direction, N::ONE + N::ONE);
     let (square, four) = (major * major, two * two);
     let (dd, m, rest) = (dot(d, d), dot(o, d), dot(o, o) - square - minor * minor);
+    let lead = dd * dd;
+    // Squares of small numbers are zero in fixed point.
+    if lead == N::ZERO {
+        return;
+    }
     let k = m / dd;
-    let a = (four * m * m + two * dd * rest + four * square * d[1] * d[1]) / (dd * dd);
-    let b = four * (m * rest + two * square * o[1] * d[1]) / (dd * dd);
-    let c = (rest * rest + four * square * (o[1] * o[1] - minor * minor)) / (dd * dd);
+    let a = (four * m * m + two * dd * rest + four * square * d[1] * d[1]) / lead;
+    let b = four * (m * rest + two * square * o[1] * d[1]) / lead;
+    let c = (rest * rest + four * square * (o[1] * o[1] - minor * minor)) / lead;
     // With t = u - k that is u^4 + p u^2 + q u + r.
     let p = a - (four + two) * k * k;
     let q = b - two * a * k + two * four * k * k * k;
