@@ -102,7 +102,8 @@ macro_rules! constants {
                     constant::$checks::within(z, budget.slope) => SizeError::Normal,
                 );
                 let (x, y) = (constant::$checks::magnitude(x), constant::$checks::magnitude(y));
-                let (larger, z) = (if constant::$checks::is_less(x, y) { y } else { x }, constant::$checks::magnitude(z));
+                let larger = if constant::$checks::is_less(x, y) { y } else { x };
+                let z = constant::$checks::magnitude(z);
                 let largest = if constant::$checks::is_less(larger, z) { z } else { larger };
                 checked!(constant::$checks::slope(largest) => SizeError::Normal);
                 Ok(Self { point, normal })
