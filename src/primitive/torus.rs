@@ -74,8 +74,8 @@ impl<S: Scalar> Torus<S> {
         coordinates::at_distance(Vec3 { y: S::ZERO, ..point }, |c| self.major_radius().along(c))
     }
 
-    /// From that point to this one.
-    fn from_middle(&self, point: Vec3<S>) -> Vec3<S> {
+    /// From the nearest point of that circle to this point.
+    fn offset(&self, point: Vec3<S>) -> Vec3<S> {
         let middle = self.middle(point);
         Vec3 { x: point.x.minus(middle.x), y: point.y, z: point.z.minus(middle.z) }
     }
@@ -125,12 +125,12 @@ impl<S: Scalar> Geometry<S> for Torus<S> {
 
     fn on_surface(&self, point: Vec3<S>, _: Part) -> Vec3<S> {
         let (middle, minor) = (self.middle(point), self.minor_radius());
-        let out = UnitVec3::new(self.from_middle(point)).unwrap_or(UnitVec3::Y);
+        let out = UnitVec3::new(self.offset(point)).unwrap_or(UnitVec3::Y);
         Vec3 { x: middle.x.plus(minor.along(out.x())), y: minor.along(out.y()), z: middle.z.plus(minor.along(out.z())) }
     }
 
     fn normal(&self, point: Vec3<S>, _: Part) -> UnitVec3<S> {
-        UnitVec3::new(self.from_middle(point)).unwrap_or(UnitVec3::Y)
+        UnitVec3::new(self.offset(point)).unwrap_or(UnitVec3::Y)
     }
 
     fn bend(&self, _: Vec3<S>, _: Part) -> S {
@@ -141,10 +141,10 @@ impl<S: Scalar> Geometry<S> for Torus<S> {
     }
 
     fn uv(&self, point: Vec3<S>, _: Part) -> (S::Unit, S::Unit) {
-        let (from_middle, outwards) = (self.from_middle(point).real(), coordinates::outwards(point));
+        let (offset, outwards) = (self.offset(point).real(), coordinates::outwards(point));
         let [x, _, z] = outwards.real();
-        let across = S::Real::sum_of_products([[from_middle[0], x], [from_middle[2], z]]);
-        (coordinates::azimuth(point), S::turns(from_middle[1], across))
+        let across = S::Real::sum_of_products([[offset[0], x], [offset[2], z]]);
+        (coordinates::azimuth(point), S::turns(offset[1], across))
     }
 
     fn tangents(&self, point: Vec3<S>, part: Part) -> (UnitVec3<S>, UnitVec3<S>) {

@@ -320,10 +320,8 @@ fn intersect<S: Scalar, N: Of<S>>(line: &LocalRay<N>, radii: [S; 2], goal: Goal<
     if goal.since.is_some_and(|since| enter.t >= since) && !along.roots.touches(0) {
         return Ok(Intersection::Entered(enter));
     }
-    let exit = match along.roots.touches(0) {
-        true => Ok(enter),
-        false => settled(&ends(0), line, &along.end(0, true), goal.range),
-    };
+    let exit =
+        if along.roots.touches(0) { Ok(enter) } else { settled(&ends(0), line, &along.end(0, true), goal.range) };
     let first = match exit {
         Ok(exit) => Span::joined(enter, exit, along.roots.touches(0)),
         Err(_) if enter.t.is_finite() && !N::IS_WIDE => return Ok(Intersection::Entered(enter)),

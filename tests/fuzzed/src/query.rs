@@ -189,7 +189,8 @@ fn primitive<S: Number>(bytes: &mut Bytes<'_, S>) -> Result<Made<S>, Rejected> {
     let which = match bytes.byte() {
         which @ 0..224 => which % 14,
         which @ 224..248 => 14 + which % 2,
-        248 | 249 => return revolved(bytes),
+        248 => return revolved(bytes),
+        249 => 19,
         250 => return prism(bytes),
         251 => return polyhedron(bytes),
         254 => 20,

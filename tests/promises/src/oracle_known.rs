@@ -1,6 +1,7 @@
 //! The oracle against known answers.
 
 use crate::oracle::*;
+use crate::oracle_drawn::*;
 
 use support::amount::times;
 use support::oracle::{

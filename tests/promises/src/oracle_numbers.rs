@@ -1,6 +1,6 @@
 //! The oracle's numbers: roots against high-precision enclosures, and units in the last place.
 
-use crate::oracle::*;
+use crate::oracle_drawn::*;
 use std::cmp::Ordering;
 
 use dashu::integer::IBig;

@@ -123,7 +123,18 @@ fn of_half_spaces<S: Exact>(described: &Described<f64>) -> (&'static str, Primit
     (described.name(), *shape.primitive(), described.solid())
 }
 
-/// Every row of the design's section 3, in sizes that every type holds exactly.
+/// Names, radii at the base and at the top, and whether the ends are closed.
+const FRUSTUMS: [(&str, f64, f64, bool); 7] = [
+    ("frustum", 1.0, 0.5, true),
+    ("widening frustum", 0.5, 1.5, true),
+    ("straight frustum", 1.0, 1.0, true),
+    ("spire", 1.0, 0.0, true),
+    ("open frustum", 1.0, 0.5, false),
+    ("open straight frustum", 1.0, 1.0, false),
+    ("open spire", 1.0, 0.0, false),
+];
+
+/// Every kind of solid and of flat part, in sizes that every type holds exactly.
 pub fn cases<S: Exact>() -> Vec<Case<S>> {
     let mut cases: Vec<Case<S>> = vec![];
     let d = |value: f64| n::<S>(value).exact();
@@ -155,16 +166,11 @@ pub fn cases<S: Exact>() -> Vec<Case<S>> {
         height: d(height),
         capped,
     };
-    for (name, base, top) in
-        [("frustum", 1.0, 0.5), ("widening frustum", 0.5, 1.5), ("straight frustum", 1.0, 1.0), ("spire", 1.0, 0.0)]
-    {
-        let solid = Cone::frustum(n(base), n(top), n(2.0)).expect(sizes);
-        add(name, Kind::Bounded, solid.into(), frustum(base, top, 2.0, true), &[0.0, 2.0], &[base, top]);
-    }
-    for (name, base, top) in [("open frustum", 1.0, 0.5), ("open straight frustum", 1.0, 1.0), ("open spire", 1.0, 0.0)]
-    {
-        let open = Cone::frustum_open(n(base), n(top), n(2.0)).expect(sizes);
-        add(name, Kind::Open, open.into(), frustum(base, top, 2.0, false), &[0.0, 2.0], &[base, top]);
+    for (name, base, top, capped) in FRUSTUMS {
+        let constructor = if capped { Cone::frustum } else { Cone::frustum_open };
+        let kind = if capped { Kind::Bounded } else { Kind::Open };
+        let primitive = constructor(n(base), n(top), n(2.0)).expect(sizes).into();
+        add(name, kind, primitive, frustum(base, top, 2.0, capped), &[0.0, 2.0], &[base, top]);
     }
     for (name, height) in [("capsule", 2.0), ("capsule without a side", 0.0)] {
         let capsule = Capsule::new(n(1.0), n(height)).expect(sizes);

@@ -139,10 +139,11 @@ impl Chain {
         let crosses = self.value(&low).signum() != rises;
         let mut steps = 0;
         while &high - &low > unit {
-            if crosses && steps == 40 {
-                if let Some(root) = self.by_newton([&low, &high], rises, bound) {
-                    return self.few_bits(&root, bound);
-                }
+            if crosses
+                && steps == 40
+                && let Some(root) = self.by_newton([&low, &high], rises, bound)
+            {
+                return self.few_bits(&root, bound);
             }
             steps += 1;
             let middle = self.middle(&low, &high);
