@@ -3,9 +3,10 @@
 use super::{Geometry, SizeError, checked_size, queries, surface_coordinates as coordinates};
 use crate::equations::{Described, EquationKinds, Equations};
 use crate::geometry::Hull;
-use crate::intersection::Intersection;
+use crate::grid::Guards;
+use crate::intersection::{End, Intersection, Span};
 use crate::part::Part;
-use crate::scalar::{Including, Real, Scalar};
+use crate::scalar::{Attempt, GridScalar, Including, LocalLine, Real, Scalar, found};
 use crate::solve::{self, Goal, LocalRay, Of};
 use crate::vector::{UnitVec3, Vec3};
 
@@ -109,6 +110,20 @@ impl<S: Scalar> Geometry<S> for Torus<S> {
     }
 
     const HAS_LONG_FORMULAS: bool = true;
+
+    #[inline(always)]
+    fn meets_on_grid<T: Guards>(&self, line: &LocalLine<S>) -> Attempt<Intersection<S>>
+    where
+        S: GridScalar,
+    {
+        let (first, second) = found!(line.torus(self.radii));
+        let [enter, _] = first.ends;
+        Attempt::Hit(match (first.are_accurate(), second) {
+            ([_, false], _) => Intersection::Entered(End::new(enter, Part::Side)),
+            (_, None) => Intersection::One(Span::of_side(first.ends)),
+            (_, Some(second)) => Intersection::Two(Span::of_side(first.ends), Span::of_side(second.ends)),
+        })
+    }
 
     #[inline(always)]
     fn intersect<N: Of<S>>(&self, ray: &LocalRay<N>, goal: Goal<S>) -> solve::Attempt<Intersection<S>> {

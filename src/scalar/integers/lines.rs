@@ -4,7 +4,7 @@
 use super::cone::Nappe;
 use super::length::{Length, Product, Stretch};
 use super::revolved::Quadric;
-use super::{ball, cone, cuboid, departing, flat, half_space, revolved, round, triangle, turned};
+use super::{ball, cone, cuboid, departing, flat, half_space, revolved, round, torus, triangle, turned};
 use crate::equations::Region;
 use crate::outline::{Meridian, Outline};
 use crate::scalar::{Attempt, Crossed, FinerLine, GridScalar, InCuboid, InSide, LocalLine, found};
@@ -19,6 +19,12 @@ const DOUBTFUL_BITS: u32 = 2;
 #[inline(always)]
 fn raw<S: GridScalar, const M: usize>(numbers: [S; M]) -> [S::Raw; M] {
     numbers.map(S::to_raw)
+}
+
+/// The interval of raw integers in the type.
+#[inline(always)]
+fn from_raw<S: GridScalar>(InSide { ends, beyond }: InSide<S::Raw>) -> InSide<S> {
+    InSide { ends: ends.map(S::from_raw), beyond: beyond.map(S::from_raw) }
 }
 
 /// Whether rounding may decide the order of two ends.
@@ -101,8 +107,8 @@ impl<S: GridScalar> LocalLine<S> {
     #[inline(always)]
     fn in_nappe(&self, nappe: Option<Nappe<S::Raw>>) -> Attempt<InSide<S>> {
         let Some(nappe) = nappe else { return Attempt::Unsure };
-        let InSide { ends, beyond } = found!(cone::nappe(self.o(), self.extra_bits, self.d(), nappe, self.is_strict));
-        Attempt::Hit(InSide { ends: ends.map(S::from_raw), beyond: beyond.map(S::from_raw) })
+        let inside = found!(cone::nappe(self.o(), self.extra_bits, self.d(), nappe, self.is_strict));
+        Attempt::Hit(from_raw(inside))
     }
 
     /// Where the line is inside the quadric of revolution, without its planes: in one interval or in two.
@@ -110,11 +116,16 @@ impl<S: GridScalar> LocalLine<S> {
     pub(crate) fn quadric(&self, meridian: &Meridian<S>) -> Attempt<(InSide<S>, Option<InSide<S>>)> {
         let Some(of) = of_meridian(meridian) else { return Attempt::Unsure };
         let (first, second) = found!(revolved::quadric(self.o(), self.extra_bits, self.d(), of, self.is_strict));
-        let inside = |InSide { ends, beyond }: InSide<S::Raw>| InSide {
-            ends: ends.map(S::from_raw),
-            beyond: beyond.map(S::from_raw),
-        };
-        Attempt::Hit((inside(first), second.map(inside)))
+        Attempt::Hit((from_raw(first), second.map(from_raw)))
+    }
+
+    /// Where the line is inside the torus with these radii, the major and the minor one: in one interval or in two. If
+    /// only the entry is needed, the exit may be inaccurate.
+    #[inline(always)]
+    pub(crate) fn torus(&self, radii: [S; 2]) -> Attempt<(InSide<S>, Option<InSide<S>>)> {
+        let since = self.since.map(S::to_raw);
+        let (first, second) = found!(torus::torus(self.o(), self.extra_bits, self.d(), raw(radii), since));
+        Attempt::Hit((from_raw(first), second.map(from_raw)))
     }
 
     /// The exit of a line that starts on the quadric and leads inwards; infinite if there is none.

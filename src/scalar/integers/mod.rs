@@ -31,6 +31,7 @@ mod lines;
 mod revolved;
 mod roots;
 mod round;
+mod torus;
 mod triangle;
 mod turned;
 
