@@ -95,8 +95,8 @@ pub enum Intersection<S> {
     One(Span<S>),
     /// The entry of one interval, whose exit was not computed: it is not needed, or uncertain.
     Entered(End<S>),
-    /// Two intervals, in order (of a double cone, across a waist, through a tube or a torus). Of an open surface an exit and a
-    /// later entry, whose missing ends are infinite with the other signs, so that no point is inside.
+    /// Two intervals, in order (of a double cone, across a waist, through a tube or a torus). Of an open surface an exit
+    /// and a later entry, whose missing ends are infinite with the other signs, so that no point is inside.
     Two(Span<S>, Span<S>),
     /// The crossings of an open surface: those ends of the interval that lie on it. The others are infinite.
     Surface(Span<S>),

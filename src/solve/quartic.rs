@@ -220,9 +220,10 @@ impl<N: Number> Equation<N> {
 
     /// How a root compares with one of a quadratic equation.
     pub(super) fn order_with_quadric(&self, place: Where<N>, other: &RootOfQuadric<N>) -> Option<Ordering> {
-        match place {
-            Where::Root(root) => root.order(other),
-            Where::Simple(number) => {
+        match (place, other.parameter()) {
+            (Where::Root(root), _) => root.order(other),
+            (_, Some(t)) => self.order(place, t),
+            (Where::Simple(number), None) => {
                 Chain { equation: self, discriminant: self.discriminant()? }.order_with_root(number, other)
             }
         }

@@ -2,6 +2,7 @@
 
 use super::end::Of;
 use super::local_ray::LocalRay;
+use super::newton;
 use super::quartic::{Equation, Where};
 use super::roots::{Root, RootOfQuadric};
 use super::surface::Line;
@@ -21,14 +22,22 @@ pub struct RootOfTorus<N: Number> {
     /// `D` and `m`.
     line: [N; 2],
     place: Where<N>,
-    /// Approximately.
+    /// Approximately; the bound of its error does not hold the next term of the function's expansion.
     t: N::Estimate,
+    /// A bound of that term.
+    doubt: RoughOf<N>,
 }
 
 impl<N: Number> RootOfTorus<N> {
+    /// How it compares with `t`, if they are apart.
+    fn compare(&self, t: N::Estimate) -> Option<Ordering> {
+        let off = self.t.rough() - t.rough();
+        if newton::is_below(off, self.doubt) { None } else { self.t.compare(t) }
+    }
+
     /// How it compares with the root of another torus.
     pub(super) fn order(&self, other: &Self) -> Option<Ordering> {
-        self.t.compare(other.t).or_else(|| {
+        self.compare(other.t).or_else(|| {
             let are_same = |a: N, b: N| (a - b).sign() == Some(Ordering::Equal);
             let lines = self.line.into_iter().zip(other.line).all(|(a, b)| are_same(a, b));
             match (self.place, other.place) {
@@ -43,7 +52,7 @@ impl<N: Number> RootOfTorus<N> {
 
     /// How it compares with the root of a quadric.
     pub(super) fn order_with_quadric(&self, other: &RootOfQuadric<N>) -> Option<Ordering> {
-        self.t.compare(other.estimate()).or_else(|| {
+        self.compare(other.estimate()).or_else(|| {
             let ([dd, m], equation) = (self.line, &self.equation);
             // For t = (u - m) / D the equation a t^2 + 2 k t + c, times D^2.
             let in_u = |[a, k, c]: [N; 3]| match equation {
@@ -80,7 +89,8 @@ pub(super) fn root_at<S: Scalar, N: Of<S>>(
         let off = if off.sign() == Some(Ordering::Less) { -off } else { off };
         if nearest.is_none_or(|(least, _)| off.compare(least) == Some(Ordering::Less)) {
             let place = along.roots.place(&along.equation, interval, is_exit);
-            let root = RootOfTorus { equation: along.equation, line: [along.dd, along.m], place, t: end.t };
+            let line = [along.dd, along.m];
+            let root = RootOfTorus { equation: along.equation, line, place, t: end.t, doubt: along.doubt() };
             nearest = Some((off, root));
         }
     }

@@ -115,7 +115,7 @@ impl<N: Number> RootOfQuadric<N> {
     }
 
     /// The sign at the root of a polynomial of the fourth degree, whose coefficients are from the lowest power to the
-    /// highest: by `a t^2 + 2 k t + c = 0` it is linear in `t`.
+    /// highest: by `a t^2 + 2 k t + c = 0` it is linear in `t`. Not for a [`parameter`](Self::parameter).
     pub(super) fn sign_of(&self, [c0, c1, c2, c3, c4]: &[N; 5]) -> Option<Ordering> {
         let ([a, k, c], [mut value, mut slope], mut power) = (self.f, [*c4, N::ZERO], N::ONE);
         for coefficient in [c3, c2, c1, c0] {
@@ -141,6 +141,11 @@ impl<N: Number> RootOfQuadric<N> {
         let root = N::sum([[k, k], [-a, c]]).estimate().square_root();
         let is_plus = is_second == (a.sign() != Some(Ordering::Less));
         (if is_plus { root - k.estimate() } else { -root - k.estimate() }).over(a.estimate())
+    }
+
+    /// That of a plane, or of a root that is rational.
+    pub(super) fn parameter(&self) -> Option<Fraction<N>> {
+        if let Place::At(t) = self.place { Some(t) } else { None }
     }
 
     /// How it compares with the parameter `t`.

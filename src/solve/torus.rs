@@ -226,6 +226,11 @@ impl<N: Number> Along<N> {
         newton::is_below(t, self.size.scaled(-<RoughOf<N> as Estimate>::DIGITS / 3))
     }
 
+    /// A bound of what the last expansion leaves out.
+    pub(super) fn doubt(&self) -> RoughOf<N> {
+        self.size.scaled(16 - <RoughOf<N> as Estimate>::DIGITS)
+    }
+
     /// `f`, `h` and `a` of `f + 2 h x + a x^2` at `t`. After a departure `f` is divided by `t`.
     fn expansion(&self, t: N::Estimate) -> [N::Estimate; 3] {
         match self.equation {
