@@ -44,10 +44,13 @@ fn size<N: Length>(length: N) -> N {
     if length < N::ZERO { -length } else { length }
 }
 
-/// `numerator / divisor`, both in the unit of products, as a length; `None` if it is too large.
+/// `numerator / divisor`, both in the unit of products, as a length; `None` if it is too large. A divisor is at most 1.
 #[inline(always)]
 fn quotient<N: Length>(numerator: N::Product, divisor: N::Product) -> Option<N> {
-    N::Normalized::new(divisor)?.divisor().quotient(numerator, 0)
+    let divisor = N::Normalized::new(divisor)?.divisor();
+    // A quotient that has no room for all of its digits has some fewer.
+    let fewer = N::BITS / 8;
+    divisor.quotient(numerator, 0).or_else(|| Some(divisor.quotient(numerator, fewer)?.up(fewer)))
 }
 
 /// The root of a length.
@@ -239,15 +242,12 @@ pub(in crate::scalar) fn torus<N: Length>(
     // Between the extremes Newton's method goes from the inflection to the root without passing it.
     let Some(inflection) = root(third(-p)) else { return Attempt::Unsure };
     let leaves_between = found!(along.value(between)) > N::Product::ZERO;
-    let enter = found!(if meets_first {
-        along.beyond(first, at_first, p, false)
-    } else {
-        along.root_from(inflection)
-    });
+    let enter = found!(if meets_first { along.beyond(first, at_first, p, false) } else { along.root_from(inflection) });
     if is_enough(enter) {
         return Attempt::Hit((entered(enter), None));
     }
-    let exit = |from_first: bool| if from_first { along.root_from(-inflection) } else { along.beyond(last, at_last, p, true) };
+    let exit =
+        |from_first: bool| if from_first { along.root_from(-inflection) } else { along.beyond(last, at_last, p, true) };
     let ends = [enter, found!(exit(meets_first && leaves_between))];
     if !(meets_first && meets_last && leaves_between) {
         return if ends[0] <= ends[1] { Attempt::Hit((inside(ends), None)) } else { Attempt::Unsure };
