@@ -262,6 +262,8 @@ pub trait Listed<S: Scalar> {
     type Point: Of<S>;
     /// True if the exact `t` of an end, not the rounded one, decides whether it lies in the ray's range.
     const EXACT_ENDS: bool = false;
+    /// [`Solve::SHADES_ROUGHLY`].
+    const SHADES_ROUGHLY: bool = false;
     /// [`Solve::order`].
     #[inline(always)]
     fn order(_: &impl Crossed<S>, _: &impl Crossed<S>) -> Option<Ordering> {
@@ -276,11 +278,13 @@ pub trait Listed<S: Scalar> {
 impl<S: Scalar> Listed<S> for Plain {
     type Methods = <S::Tiers as Tiers<S>>::Plain;
     type Point = <S::Tiers as Tiers<S>>::PlainNumber;
+    const SHADES_ROUGHLY: bool = true;
 }
 
 impl<S: Scalar> Listed<S> for Fast {
     type Methods = <S::Tiers as Tiers<S>>::Fast;
     type Point = S::Robust;
+    const SHADES_ROUGHLY: bool = true;
 }
 
 impl<S: Scalar> Listed<S> for Stable {
@@ -290,6 +294,7 @@ impl<S: Scalar> Listed<S> for Stable {
 
 impl<S: Scalar, T: Listed<S>> Solve<S> for T {
     const EXACT_ENDS: bool = <T as Listed<S>>::EXACT_ENDS;
+    const SHADES_ROUGHLY: bool = <T as Listed<S>>::SHADES_ROUGHLY;
 
     #[inline(always)]
     fn first<G: Geometry<S>, P: Place<S>>(

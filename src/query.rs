@@ -14,6 +14,8 @@ use core::cmp::Ordering;
 pub trait Solve<S: Scalar> {
     /// True if the ends of a range are compared with exact roots, and not with the rounded `t` of hits.
     const EXACT_ENDS: bool = false;
+    /// True if pictures are shaded from the rounded `t` of a hit, without a correction.
+    const SHADES_ROUGHLY: bool = false;
 
     /// The intersection of a ray without departure by the first method of the tier. If `since` is given, only the first
     /// end at or after it is needed.

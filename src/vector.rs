@@ -315,6 +315,13 @@ impl<S: Scalar> UnitVec3<S> {
         S::unit_dot(self.components, other.components)
     }
 
+    /// The cosine of the angle between two directions, rounded to a component's unit.
+    #[inline]
+    pub(crate) fn cosine(self, other: Self) -> S::Unit {
+        let [x, y, z] = pairs(self.components, other.components).map(|(a, b)| a.times(b));
+        x.plus(y).plus(z)
+    }
+
     /// The cross product, whose length is the sine of the angle between the two.
     #[inline]
     pub fn cross(self, other: Self) -> [S::Real; 3] {

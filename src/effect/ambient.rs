@@ -1,7 +1,7 @@
 //! Ambient light: light of the same strength from everywhere (Phong, *Illumination for computer generated pictures*,
 //! 1975).
 
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, UnitScalar};
 use crate::scene::{Color, Material};
 use crate::vector::pairs;
 
@@ -10,9 +10,9 @@ pub(super) fn light<S: Scalar>(
     ambient: Color<S>,
     material: &Material<S>,
     color: Color<S>,
-    weight: S::Real,
-) -> [S::Real; 3] {
-    let scattered = material.diffuse.real() * weight;
+    weight: S::Unit,
+) -> [S::Unit; 3] {
+    let scattered = S::times(weight, material.diffuse);
     pairs(ambient.to_array(), color.to_array())
-        .map(|(ambient, own)| S::unit_real(ambient) * S::unit_real(own) * scattered)
+        .map(|(ambient, own)| ambient.times(own).times(scattered))
 }

@@ -15,11 +15,11 @@ use crate::vector::pairs;
 pub const DEPTH: u8 = 16;
 
 /// True if no addition of up to `doubt` to the light changes its level in any channel.
-pub(super) fn is_settled<S: Scalar>(light: [S::Real; 3], doubt: [S::Real; 3], levels: Levels) -> bool {
+pub(super) fn is_settled<S: Scalar>(light: [S::Unit; 3], doubt: [S::Real; 3], levels: Levels) -> bool {
     // The sum of the same terms in another order may be rounded differently.
     let rounding = S::Real::ONE.scaled(S::Real::ROUNDING + 3);
     let level = |channel: S::Real| levels.of(S::unit_round(channel));
-    pairs(light, doubt)
+    pairs(light.map(S::unit_real), doubt)
         .into_iter()
         .all(|(light, doubt)| doubt.is_zero() || level(light - rounding) == level(light + doubt + rounding))
 }

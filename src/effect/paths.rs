@@ -9,7 +9,7 @@ use super::set::Effect;
 use super::trace_context::TraceContext;
 use super::tracer::Tracer;
 use crate::ray::Ray;
-use crate::scalar::{Ring, Scalar};
+use crate::scalar::{Ring, Scalar, UnitScalar};
 use crate::scene::{Color, Levels, Observer, SceneHit};
 use crate::shape::kinds::Kinds;
 use crate::tier::Tier;
@@ -37,7 +37,7 @@ pub(super) struct Segment<S: Scalar> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Gathered<S: Scalar> {
     /// The light.
-    pub(super) light: [S::Real; 3],
+    pub(super) light: [S::Unit; 3],
     /// The first hit of the primary ray, and the lights that reach it.
     pub(crate) first: Option<SceneHit<S>>,
     pub(super) lit_by: u32,
@@ -177,29 +177,28 @@ fn exchanged<S: Scalar>(
 
 impl<S: Scalar> Segment<S> {
     pub(super) fn from_eye(ray: Ray<S>) -> Self {
-        use crate::scalar::UnitScalar;
         Self { ray, passage: Passage::new(), weight: S::Unit::ONE, depth: 0, cause: None, enclosed: false }
     }
 }
 
 impl<S: Scalar> Gathered<S> {
     pub(super) fn new() -> Self {
-        Self { light: [S::Real::ZERO; 3], first: None, lit_by: 0 }
+        Self { light: [S::Unit::ZERO; 3], first: None, lit_by: 0 }
     }
 
-    pub(super) fn gather(&mut self, light: [S::Real; 3]) {
+    pub(super) fn gather(&mut self, light: [S::Unit; 3]) {
         for (sum, light) in self.light.iter_mut().zip(light) {
-            *sum = *sum + light;
+            *sum = sum.plus(light);
         }
     }
 
-    pub(super) fn add(&mut self, color: Color<S>, weight: S::Real) {
-        self.gather(color.to_array().map(|channel| S::unit_real(channel) * weight));
+    pub(super) fn add(&mut self, color: Color<S>, weight: S::Unit) {
+        self.gather(color.to_array().map(|channel| channel.times(weight)));
     }
 
     pub(crate) fn sample(&self) -> Sample<S> {
         Sample {
-            color: self.light.map(S::unit_round).into(),
+            color: self.light.into(),
             seen: self.first.map(|on| (on.object, on.hit.part)),
             lit_by: self.lit_by,
         }

@@ -11,7 +11,7 @@ use super::tracer::Tracer;
 use super::{ambient, bump, diffuse, fog, reflection, refraction, shadow, specular, texture};
 use crate::hit::Crossing;
 use crate::ray::{Range, Ray};
-use crate::scalar::{Ring, Scalar};
+use crate::scalar::{Ring, Scalar, UnitScalar};
 use crate::scene::{Color, Material, Observer, Waves};
 use crate::shape::Surface;
 use crate::shape::kinds::Kinds;
@@ -34,7 +34,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
             Some(_) => context.counters.refraction_rays += 1,
             None => {}
         }
-        let mut weight = S::unit_real(segment.weight);
+        let mut weight = segment.weight;
         let mut place = Place::new();
         for passed in 0..=MOST_PASSED {
             let met = self.meet_place(&mut segment, &mut place, context);
@@ -124,15 +124,15 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
     /// Adds the light of the fog along a ray, and returns the weight of what is behind it.
     fn through_fog<O: Observer>(
         &self,
-        weight: S::Real,
+        weight: S::Unit,
         t: Option<S>,
         gathered: &mut Gathered<S>,
         context: &mut TraceContext<O>,
-    ) -> S::Real {
+    ) -> S::Unit {
         let Some(haze) = self.scene.fog() else { return weight };
         context.counters.fogged_rays += 1;
-        let visible = weight * fog::visibility(haze, t);
-        gathered.add(haze.color(), weight - visible);
+        let visible = weight.times(fog::visibility(haze, t));
+        gathered.add(haze.color(), weight.minus(visible));
         visible
     }
 
@@ -170,7 +170,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         material: &Material<S>,
         color: Color<S>,
         site: &ShadingPoint<S>,
-        weight: S::Real,
+        weight: S::Unit,
         gathered: &mut Gathered<S>,
         context: &mut TraceContext<O>,
     ) -> u32 {
@@ -183,7 +183,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         }
         for (index, light) in (0_u32..).zip(self.scene.lights()) {
             let Some(towards) = site.towards(light) else { continue };
-            let (mut scattered, mut mirrored) = (S::Real::ZERO, S::Real::ZERO);
+            let (mut scattered, mut mirrored) = (S::Unit::ZERO, S::Unit::ZERO);
             if self.uses(Effect::Diffuse) {
                 scattered = diffuse::weight(material, &towards);
             }
@@ -192,10 +192,11 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
             }
             let [own_red, own_green, own_blue] = color.to_array();
             let [red, green, blue] = light.strength;
+            // The strength last: it may be large.
             let channel =
-                |own: S::Unit, strength: S| (S::unit_real(own) * scattered + mirrored) * strength.real() * weight;
+                |own: S::Unit, strength: S| S::times(own.times(scattered).plus(mirrored).times(weight), strength);
             let light_of = [channel(own_red, red), channel(own_green, green), channel(own_blue, blue)];
-            if Color::<S>::from(light_of.map(S::unit_round)) == Color::BLACK
+            if Color::<S>::from(light_of) == Color::BLACK
                 || self.uses(Effect::Shadows) && shadow::is_shadowed(self, site, index, &towards, context)
             {
                 continue;
@@ -214,12 +215,13 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         site: &ShadingPoint<S>,
         place: &Place<S>,
         media: Media<'_, S>,
-        weight: S::Real,
+        weight: S::Unit,
     ) -> [Option<Segment<S>>; 2] {
         let mut onward = [None, None];
         if segment.depth >= DEPTH {
             return onward;
         }
+        let weight = S::unit_real(weight);
         let mut mirror = S::Real::ZERO;
         let mut cause = Effect::Refraction;
         if self.uses(Effect::Reflection) && material.mirror > S::ZERO {
@@ -270,7 +272,6 @@ fn continued<S: Scalar>(ray: &Ray<S>, point: Vec3<S>, t: S) -> Option<Ray<S>> {
 
 /// A weight as it is stored, at most 1; `None` if it rounds to zero.
 fn stored<S: Scalar>(weight: S::Real) -> Option<S::Unit> {
-    use crate::scalar::UnitScalar;
     let weight = S::unit_round(weight);
     let weight = if weight < S::Unit::ONE { weight } else { S::Unit::ONE };
     (weight > S::Unit::ZERO).then_some(weight)

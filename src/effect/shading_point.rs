@@ -3,7 +3,7 @@
 use super::media::Passage;
 use crate::hit::Crossing;
 use crate::ray::Ray;
-use crate::scalar::{Real, Ring, Scalar};
+use crate::scalar::{Real, Ring, Scalar, UnitScalar};
 use crate::scene::{Light, Object, Scene, SceneHit};
 use crate::shape::Surface;
 use crate::shape::kinds::Kinds;
@@ -37,13 +37,13 @@ pub(super) struct Towards<S: Scalar> {
     /// Distance of the light; [`Scalar::INFINITY`] beyond the range of the type.
     pub(super) distance: S,
     /// Cosine of the angle between the shading normal and the direction of the light. It is positive.
-    pub(super) cosine: S::Real,
+    pub(super) cosine: S::Unit,
 }
 
 impl<S: Scalar> ShadingPoint<S> {
     /// The shading point of a hit, before bump mapping.
-    pub(super) fn new<K: Kinds>(
-        scene: &Scene<'_, S, impl Tier<S>, K>,
+    pub(super) fn new<K: Kinds, T: Tier<S>>(
+        scene: &Scene<'_, S, T, K>,
         object: &Object<S, K>,
         surface: &Surface<S, K>,
         ray: &Ray<S>,
@@ -52,7 +52,7 @@ impl<S: Scalar> ShadingPoint<S> {
     ) -> Self {
         let to_viewer = -ray.direction();
         let from_outside = on.hit.crossing != Crossing::Exit;
-        let outward = surface.normal();
+        let (point, outward) = if T::SHADES_ROUGHLY { surface.rough() } else { (surface.point(), surface.normal()) };
         let facing = if from_outside { outward } else { -outward };
         let smooth = scene.corner_normals(object).and_then(|[a, b, c]| {
             let (u, v) = surface.uv();
@@ -65,22 +65,18 @@ impl<S: Scalar> ShadingPoint<S> {
         // Oriented by the geometric normal and not by the viewer: near a silhouette an interpolated normal may point
         // away from the viewer.
         let normal = smooth.map_or(facing, |smooth| if smooth.dot(facing).is_negative() { -smooth } else { smooth });
-        Self { near, point: surface.point(), facing, normal, from_outside, to_viewer }
+        Self { near, point, facing, normal, from_outside, to_viewer }
     }
 
     /// The direction to a light; `None` if the light is behind the surface or at the point itself.
     pub(super) fn towards(&self, light: &Light<S>) -> Option<Towards<S>> {
         let from = if light.distant { Vec3::ZERO } else { self.point };
-        let ([lx, ly, lz], [px, py, pz]) = (light.position.real(), from.real());
-        let (components, distance) = S::normalize([lx - px, ly - py, lz - pz])?;
+        let (components, distance) = S::towards(from.to_array(), light.position.to_array())?;
         let direction = UnitVec3::rotated(components);
-        let cosine = self.normal.dot(direction);
-        let zero = S::Real::ZERO;
-        (cosine > zero && self.facing.dot(direction) > zero).then(|| Towards {
-            direction,
-            distance: if light.distant { S::INFINITY } else { S::round(distance) },
-            cosine,
-        })
+        let cosine = self.normal.cosine(direction);
+        let is_before = cosine > S::Unit::ZERO && (self.normal == self.facing || self.facing.dot(direction) > S::Real::ZERO);
+        let distance = if light.distant { S::INFINITY } else { distance };
+        is_before.then_some(Towards { direction, distance, cosine })
     }
 
     /// A secondary ray. What is known of its start (`Passage`) keeps it from hitting the surface that it starts on;

@@ -1,6 +1,7 @@
 //! Operations on stored numbers.
 
-use super::{Attempt, Numbers};
+use super::{Attempt, Numbers, Scalar};
+use crate::vector::pairs;
 
 /// Products, lengths and directions.
 pub trait Computing: Numbers {
@@ -50,6 +51,26 @@ pub trait Computing: Numbers {
     fn direction_of(_: [Self; 3]) -> Attempt<[Self::Unit; 3]> {
         Attempt::Unsure
     }
+    /// The direction from one point to another, and the distance, to within two units; infinite beyond the type. `None`
+    /// for the same point.
+    #[inline]
+    fn towards(from: [Self; 3], to: [Self; 3]) -> Option<([Self::Unit; 3], Self)>
+    where
+        Self: Scalar,
+    {
+        // A difference beyond the type, which is saturated, is not of the grid.
+        let v = pairs(to, from).map(|(to, from)| to.minus(from));
+        match Self::direction_of(v) {
+            Attempt::Hit(d) => Some((d, Self::round(Self::dot(v, d)))),
+            Attempt::Miss => None,
+            Attempt::Unsure => {
+                let (d, length) = Self::normalize(pairs(to, from).map(|(to, from)| to.real() - from.real()))?;
+                Some((d, Self::round(length)))
+            }
+        }
+    }
+    /// A component or a channel times a number, rounded to nearest and saturated.
+    fn times(component: Self::Unit, by: Self) -> Self::Unit;
     /// This length along a direction: `self` times its component, rounded once.
     fn along(self, component: Self::Unit) -> Self;
     /// The exponent `e` for which `2^-e` brings the largest of the given magnitudes near 1; always zero for fixed
@@ -96,6 +117,8 @@ pub trait Elementary: Numbers {
     fn turns(y: Self::Real, x: Self::Real) -> Self::Unit;
     /// Sine and cosine of an angle in turns.
     fn sine_cosine(turns: Self::Unit) -> (Self::Unit, Self::Unit);
+    /// The number, if it is an integer from 0 to 1023.
+    fn small_integer(self) -> Option<u32>;
     /// `base^exponent` for a base in `[0, 1]` and an exponent of at least zero.
     fn power(base: Self::Unit, exponent: Self) -> Self::Unit;
 }

@@ -330,6 +330,16 @@ macro_rules! fixed {
                 Self::approach(o, [<Self as Scalar>::ZERO; 3], d, t)
             }
             #[inline]
+            fn times(component: Self::Unit, by: Self) -> Self::Unit {
+                let product = component.to_bits() as $wide * by.to_bits() as $wide;
+                let units = (product + ((1 << F::U32) >> 1)) >> F::U32;
+                match units.unsigned_abs() < <$raw>::MAX as $unsigned {
+                    true => $Fixed::from_bits(units as $raw),
+                    false if units < 0 => $Fixed::from_bits(-<$raw>::MAX),
+                    false => $Fixed::from_bits(<$raw>::MAX),
+                }
+            }
+            #[inline]
             fn normalize(v: [$Block; 3]) -> Option<([Self::Unit; 3], $Block)> {
                 let [x, y, z] = v;
                 let length = $Block::sum_of_products([[x, x], [y, y], [z, z]]).sqrt();
@@ -399,6 +409,13 @@ macro_rules! fixed {
                 let (sine, cosine) = elementary::sine_cosine(angle, $bits - 2);
                 let narrow = |value: i64| $Block::new(value as $wide, -62);
                 (Self::unit_round(narrow(sine)), Self::unit_round(narrow(cosine)))
+            }
+            #[inline]
+            fn small_integer(self) -> Option<u32> {
+                let (raw, fraction) = (self.to_bits(), F::U32);
+                let whole = if fraction < $bits { raw >> fraction } else { 0 };
+                let is_small = whole >= 0 && whole < 1024;
+                (is_small && whole.checked_shl(fraction).unwrap_or(0) == raw).then_some(whole as u32)
             }
             fn power(base: Self::Unit, exponent: Self) -> Self::Unit {
                 if exponent <= Self::ZERO {

@@ -208,6 +208,10 @@ macro_rules! float {
                 let v = Self::approach(o, base, d, t);
                 axes.map(|axis| Self::dot(v, axis))
             }
+            #[inline(always)]
+            fn times(component: Self, by: Self) -> Self {
+                component * by
+            }
             #[inline]
             fn normalize(v: [Self; 3]) -> Option<([Self; 3], Self)> {
                 let longest = largest(v);
@@ -261,6 +265,12 @@ macro_rules! float {
             }
             fn sine_cosine(turns: Self) -> (Self, Self) {
                 $sincos(turns * core::$Float::consts::TAU)
+            }
+            #[inline]
+            fn small_integer(self) -> Option<u32> {
+                let is_small = self >= 0.0 && self < 1024.0;
+                let whole = if is_small { self as u32 } else { 0 };
+                (is_small && whole as $Float == self).then_some(whole)
             }
             fn power(base: Self, exponent: Self) -> Self {
                 $pow(base, exponent)

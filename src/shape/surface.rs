@@ -114,6 +114,18 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
         if point.to_array().iter().all(|c| c.is_finite()) { point } else { self.exact_point() }
     }
 
+    /// The point and the normal in the world as the rounded `t` gives them, for pictures of the tiers `Plain` and
+    /// `Fast`: the point is off by as much as `t`, and the normal by that over the surface's radius of curvature.
+    pub(crate) fn rough(&self) -> (Vec3<S>, UnitVec3<S>) {
+        let normal = self.rounded_local_normal(self.rough_local_point());
+        let normal = match &self.shape.placement {
+            Placement::Frame(frame) if K::SET.contains(Kind::Frame) => frame.direction_roughly_to_world(normal),
+            _ => self.local_normal_to_world(normal),
+        };
+        let is_turned = <K::Combined<S> as Combined<S>>::is_turned(self.leaf);
+        (self.ray.at(self.hit.t), if is_turned { -normal } else { normal })
+    }
+
     /// True if a point of the frame in the world may be off by more than a part of a unit, since the axes are unit and
     /// perpendicular only to their last bits; for fixed point, whose largest coordinates have more bits than the axes.
     fn is_far_from_frame(&self, local: Vec3<S>) -> bool {
