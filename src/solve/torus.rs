@@ -102,8 +102,9 @@ pub(super) struct Along<N: Number> {
     scale: i32,
     pub(super) equation: Equation<N>,
     pub(super) roots: Roots,
-    /// The simple roots of the equation, approximately, and a length below which the surface is nearly flat.
+    /// The simple roots of the equation, approximately.
     rough: [RoughOf<N>; 4],
+    /// A length below which the surface is nearly flat, times `D`.
     size: RoughOf<N>,
 }
 
@@ -141,22 +142,17 @@ impl<N: Number> Along<N> {
         let half = if square.sign() == Some(Ordering::Greater) { square.square_root() } else { Ring::ZERO };
         let equation = if line.departs() { torus.after_departure(dd, m) } else { torus.depressed(dd, w, ww) };
         let roots = known(equation.roots())?;
-        let size = half * rough(minor);
-        let zero = [Ring::ZERO; 4];
-        let (rough, size) = match (roots, equation) {
+        let size = (half * rough(minor)).over(rough(major));
+        let rough = match (roots, equation) {
             (Roots::None, Equation::Quartic(_)) => return Err(Stop::Miss),
             (Roots::Simple(count), Equation::Quartic([p, q, _, c])) => {
-                (newton::of_quartic([p, q, c].map(rough), count, half), size)
+                newton::of_quartic([p, q, c].map(rough), count, half)
             }
-            (_, Equation::Quartic(_)) => (zero, size),
-            (roots, Equation::Cubic(coefficients)) => {
-                let dd = rough(dd);
-                let (most, size) = ((half - rough(m)).over(dd), size.over(dd));
-                match roots {
-                    Roots::Simple(count) => (newton::of_cubic(coefficients.map(rough), count, [most, size]), size),
-                    _ => (zero, size),
-                }
+            (Roots::Simple(count), Equation::Cubic(coefficients)) => {
+                let most_and_size = [half - rough(m), size].map(|length| length.over(rough(dd)));
+                newton::of_cubic(coefficients.map(rough), count, most_and_size)
             }
+            _ => [Ring::ZERO; 4],
         };
         Ok(Self { torus, dd, m, scale, equation, roots, rough, size })
     }
@@ -223,12 +219,12 @@ impl<N: Number> Along<N> {
     /// True if the expansion at the line's origin gives a root at `t` to the precision of the number. Its coordinates
     /// are known best, and such a `t` must be accurate relative to itself.
     fn is_near_origin(&self, t: RoughOf<N>) -> bool {
-        newton::is_below(t, self.size.scaled(-<RoughOf<N> as Estimate>::DIGITS / 3))
+        newton::is_below(t * rough(self.dd), self.size.scaled(-<RoughOf<N> as Estimate>::DIGITS / 3))
     }
 
     /// A bound of what the last expansion leaves out.
     pub(super) fn doubt(&self) -> RoughOf<N> {
-        self.size.scaled(16 - <RoughOf<N> as Estimate>::DIGITS)
+        self.size.scaled(16 - <RoughOf<N> as Estimate>::DIGITS).over(rough(self.dd))
     }
 
     /// `f`, `h` and `a` of `f + 2 h x + a x^2` at `t`. After a departure `f` is divided by `t`.

@@ -112,9 +112,18 @@ impl<N: Length> Along<N> {
         [N::nearest(p), N::nearest(N::dot([self.height], [self.rise]) >> 1)]
     }
 
+    /// True at points that may be inside; `u` may be longer than the radii, whose sum is below half of the unit.
+    #[inline(always)]
+    fn is_near(u: N) -> bool {
+        size(u) < N::from(1).up(N::FRACTION - 1)
+    }
+
     /// The value at an extreme, if its sign is certain.
     #[inline(always)]
     fn value(&self, u: N) -> Attempt<N::Product> {
+        if !Self::is_near(u) {
+            return Attempt::Hit(N::Product::ONE);
+        }
         let At { value, lengths, .. } = self.at(u);
         if value.magnitude() > lengths << self.doubt { Attempt::Hit(value) } else { Attempt::Unsure }
     }
@@ -131,6 +140,9 @@ impl<N: Length> Along<N> {
             let At { value, slope, lengths } = self.at(u);
             let Some(step) = quotient(value >> 1, slope) else { return Attempt::Unsure };
             u = u - step;
+            if !Self::is_near(u) {
+                return Attempt::Unsure;
+            }
             if !is_short(step) {
                 continue;
             }
