@@ -5,7 +5,9 @@ mod constant;
 use crate::line::Place;
 use crate::number::{difference, dot};
 use crate::ray::Ray;
-use crate::scalar::{FromScalar, GridScalar, Including, LocalLine, Real, Ring, Scalar, UnitScalar, ValueError, with_fault};
+use crate::scalar::{
+    FromScalar, GridScalar, Including, LocalLine, Real, Ring, Scalar, UnitScalar, ValueError, with_fault,
+};
 use crate::vector::{UnitVec3, Vec3, pairs, transposed};
 use core::fmt;
 
@@ -339,7 +341,7 @@ impl<S: Scalar> Frame<S> {
 
     /// The same without making its length 1 again: it is off by some units.
     pub(crate) fn direction_roughly_to_world(&self, direction: UnitVec3<S>) -> UnitVec3<S> {
-    let turned = pairs(direction.to_array(), self.axes.map(UnitVec3::to_array));
+        let turned = pairs(direction.to_array(), self.axes.map(UnitVec3::to_array));
         let [x, y, z] = turned.map(|(component, axis)| axis.map(|a| a.times(component)));
         UnitVec3::rotated(pairs(pairs(x, y), z).map(|((x, y), z)| x.plus(y).plus(z)))
     }

@@ -13,6 +13,5 @@ pub(super) fn light<S: Scalar>(
     weight: S::Unit,
 ) -> [S::Unit; 3] {
     let scattered = S::times(weight, material.diffuse);
-    pairs(ambient.to_array(), color.to_array())
-        .map(|(ambient, own)| ambient.times(own).times(scattered))
+    pairs(ambient.to_array(), color.to_array()).map(|(ambient, own)| ambient.times(own).times(scattered))
 }

@@ -197,11 +197,7 @@ impl<S: Scalar> Gathered<S> {
     }
 
     pub(crate) fn sample(&self) -> Sample<S> {
-        Sample {
-            color: self.light.into(),
-            seen: self.first.map(|on| (on.object, on.hit.part)),
-            lit_by: self.lit_by,
-        }
+        Sample { color: self.light.into(), seen: self.first.map(|on| (on.object, on.hit.part)), lit_by: self.lit_by }
     }
 }
 

@@ -74,7 +74,8 @@ impl<S: Scalar> ShadingPoint<S> {
         let (components, distance) = S::towards(from.to_array(), light.position.to_array())?;
         let direction = UnitVec3::rotated(components);
         let cosine = self.normal.cosine(direction);
-        let is_before = cosine > S::Unit::ZERO && (self.normal == self.facing || self.facing.dot(direction) > S::Real::ZERO);
+        let is_before =
+            cosine > S::Unit::ZERO && (self.normal == self.facing || self.facing.dot(direction) > S::Real::ZERO);
         let distance = if light.distant { S::INFINITY } else { distance };
         is_before.then_some(Towards { direction, distance, cosine })
     }

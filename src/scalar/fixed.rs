@@ -414,7 +414,7 @@ macro_rules! fixed {
             fn small_integer(self) -> Option<u32> {
                 let (raw, fraction) = (self.to_bits(), F::U32);
                 let whole = if fraction < $bits { raw >> fraction } else { 0 };
-                let is_small = whole >= 0 && whole < 1024;
+                let is_small = (0..1024).contains(&whole);
                 (is_small && whole.checked_shl(fraction).unwrap_or(0) == raw).then_some(whole as u32)
             }
             fn power(base: Self::Unit, exponent: Self) -> Self::Unit {

@@ -268,7 +268,7 @@ macro_rules! float {
             }
             #[inline]
             fn small_integer(self) -> Option<u32> {
-                let is_small = self >= 0.0 && self < 1024.0;
+                let is_small = (0.0..1024.0).contains(&self);
                 let whole = if is_small { self as u32 } else { 0 };
                 (is_small && whole as $Float == self).then_some(whole)
             }
