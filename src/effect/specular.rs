@@ -36,3 +36,7 @@ fn power<S: Scalar>(base: S::Unit, exponent: S) -> S::Unit {
     }
     power
 }
+
+#[cfg(units)]
+#[path = "../../tests/units/effect/specular.rs"]
+mod tests;

@@ -133,6 +133,10 @@ impl<'a, S: Scalar, K: Kinds> Scene<'a, S, Stable, K> {
 impl<'a, S: Scalar, T: Tier<S>, K: Kinds> Scene<'a, S, T, K> {
     /// The same scene with its objects intersected in another accuracy tier.
     ///
+    /// Pictures in [`Plain`](crate::tier::Plain) and [`Fast`](crate::tier::Fast) are also shaded from the rounded `t`:
+    /// point and normal of a hit are not corrected for its error. Of the built-in scenes that changes no pixel in
+    /// `f32`, and few in 32-bit fixed point, by one level.
+    ///
     /// ```
     /// # use raylet::{Camera, Material, Object, Picture, Scene, Shape, Size, Sphere, Vec3, tier::Exact};
     /// # let y = Vec3::new(0.0_f32, 1.0, 0.0);

@@ -2,8 +2,9 @@
 //! level.
 
 use fixed::types::{I16F16, I32F32};
+use raylet::effect::All;
 use raylet::gallery::BuiltIn;
-use raylet::{Picture, Scalar, Size};
+use raylet::{Fast, Picture, Plain, Scalar, Size, Stable, Tier};
 
 type Levels = Vec<[u8; 3]>;
 
@@ -46,6 +47,34 @@ fn what_is_not_cast_changes_no_level() {
     }
     check::<f32>("f32");
     check::<I16F16>("I16F16");
+}
+
+/// A cheaper tier shows the same picture, though it shades from the rounded `t`: a level more or less on some pixels of
+/// fixed point, and on few of them more where light goes through glass.
+#[test]
+fn tiers_agree() {
+    const SIZE: Size = Size::new(64, 48);
+    fn in_tier<S: Scalar, T: Tier<S>>(built_in: BuiltIn) -> Levels {
+        let stage = built_in.build::<S>().unwrap();
+        let scene = stage.scene().unwrap().at_tier::<T>();
+        let mut levels = Vec::new();
+        Picture::<S, All, T>::new(&scene, SIZE).render(|_, _, pixel| levels.push(pixel.color.to_srgb888()));
+        levels
+    }
+    fn check<S: Scalar>(number: &str, [most, most_farther]: [usize; 2]) {
+        for built_in in BuiltIn::EVERY {
+            let stable = in_tier::<S, Stable>(built_in);
+            for (tier, levels) in [("Plain", in_tier::<S, Plain>(built_in)), ("Fast", in_tier::<S, Fast>(built_in))] {
+                let off = |(a, b): (&[u8; 3], &[u8; 3])| a.iter().zip(b).map(|(a, b)| a.abs_diff(*b)).max();
+                let off: Vec<u8> = levels.iter().zip(&stable).filter_map(off).filter(|off| *off > 0).collect();
+                let farther = off.iter().filter(|off| **off > 1).count();
+                println!("{built_in}, {number}, {tier}: {} pixels differ from Stable, {farther} by more", off.len());
+                assert!(off.len() <= most && farther <= most_farther, "{built_in}, {number}, {tier}: {off:?}");
+            }
+        }
+    }
+    check::<f32>("f32", [0, 0]);
+    check::<I16F16>("I16F16", [10, 2]);
 }
 
 /// Within one level on 99 of 100 pixels, against `f64`.
