@@ -69,6 +69,20 @@ pub trait Computing: Numbers {
             }
         }
     }
+    /// The direction of `forward + x right + y up`, of perpendicular directions.
+    #[inline]
+    fn direction_in_plane(
+        forward: [Self::Unit; 3],
+        across: [[Self::Unit; 3]; 2],
+        at: [Self::Real; 2],
+    ) -> Option<[Self::Unit; 3]>
+    where
+        Self: Scalar,
+    {
+        let ([right, up], [x, y]) = (across.map(|axis| axis.map(Self::unit_real)), at);
+        let offsets = pairs(right, up).map(|(right, up)| right * x + up * y);
+        Self::direction(pairs(forward, offsets).map(|(forward, offset)| Self::unit_real(forward) + offset))
+    }
     /// A component or a channel times a number, rounded to nearest and saturated.
     fn times(component: Self::Unit, by: Self) -> Self::Unit;
     /// This length along a direction: `self` times its component, rounded once.

@@ -471,6 +471,12 @@ macro_rules! fixed {
     };
 }
 
+/// Whether a component was beyond its type.
+#[inline(always)]
+const fn is_saturated(component: i32) -> bool {
+    component.unsigned_abs() >= i32::MAX as u32
+}
+
 fixed!(FixedI32, LeEqU32, U30, Block64, u64, i32, i64, u64, 32, 30, integers::product, {
     #[inline(always)]
     fn along(self, component: Self::Unit) -> Self {
@@ -479,6 +485,29 @@ fixed!(FixedI32, LeEqU32, U30, Block64, u64, i32, i64, u64, 32, 30, integers::pr
     #[inline(always)]
     fn direction_of(v: [Self; 3]) -> Attempt<[Self::Unit; 3]> {
         Attempt::Hit(found!(integers::direction(v.map(Self::to_bits))).map(FixedI32::from_bits))
+    }
+    #[inline]
+    fn direction_in_plane(
+        forward: [Self::Unit; 3],
+        [right, up]: [[Self::Unit; 3]; 2],
+        at: [Self::Real; 2],
+    ) -> Option<[Self::Unit; 3]> {
+        let [x, y] = at.map(Self::unit_round).map(FixedI32::to_bits);
+        if is_saturated(x) || is_saturated(y) {
+            let offsets = pairs(right, up).map(|(right, up)| Self::unit_real(right) * at[0] + Self::unit_real(up) * at[1]);
+            return Self::direction(pairs(forward, offsets).map(|(f, offset)| Self::unit_real(f) + offset));
+        }
+        // Below 5 in units of 2^-60, and rounded to 30 bits of the longest.
+        let sums = pairs(forward, pairs(right, up)).map(|(forward, (right, up))| {
+            let product = |a: Self::Unit, b: i32| integers::product(a.to_bits(), b);
+            ((forward.to_bits() as i64) << 30) + product(right, x) + product(up, y)
+        });
+        let all = sums.iter().fold(1, |all, sum| all | sum.unsigned_abs());
+        let down = 34 - all.leading_zeros().min(33);
+        match integers::direction(sums.map(|sum| integers::round_off(sum, down) as i32)) {
+            Attempt::Hit(direction) => Some(direction.map(FixedI32::from_bits)),
+            _ => None,
+        }
     }
     #[inline]
     fn direction(v: [Block64; 3]) -> Option<[Self::Unit; 3]> {

@@ -7,7 +7,7 @@ use crate::frame::Frame;
 use crate::frame::FrameError;
 use crate::ray::Ray;
 use crate::scalar::{Real, Ring, Scalar};
-use crate::vector::{UnitVec3, Vec3};
+use crate::vector::{UnitVec3, Vec3, pairs};
 use core::fmt;
 
 /// A pinhole camera, or an orthographic one, whose rays are parallel.
@@ -298,18 +298,17 @@ impl<S: Scalar> Raster<S> {
         // Twice the distance from the middle of the picture, in samples: at most 2^25, so that it is exact.
         let steps =
             |halves: i64, pixels: u16| S::Real::from_int((halves - i64::from(pixels) * samples) as i32) * self.pitch;
-        let across = steps(right, self.size.width);
-        let upwards = -steps(down, self.size.height);
-        let ([fx, fy, fz], [rx, ry, rz], [ux, uy, uz]) =
-            (self.camera.forward.real(), self.camera.right.real(), self.camera.up.real());
-        let offset = [rx * across + ux * upwards, ry * across + uy * upwards, rz * across + uz * upwards];
+        let at = [steps(right, self.size.width), -steps(down, self.size.height)];
+        let Camera { position, forward, right, up, .. } = self.camera;
         if self.camera.is_orthographic {
-            let ([px, py, pz], [x, y, z]) = (self.camera.position.real(), offset);
-            let origin = Vec3::new(S::round(px + x), S::round(py + y), S::round(pz + z));
-            return Ray::new(origin, self.camera.forward).ok();
+            let [across, upwards] = at;
+            let offsets = pairs(right.real(), up.real()).map(|(right, up)| right * across + up * upwards);
+            let origin = Vec3::round(pairs(position.real(), offsets).map(|(position, offset)| position + offset));
+            return Ray::new(origin, forward).ok();
         }
-        let [x, y, z] = offset;
-        Ray::new(self.camera.position, UnitVec3::from_real([fx + x, fy + y, fz + z])?).ok()
+        let across = [right, up].map(UnitVec3::to_array);
+        let direction = S::direction_in_plane(forward.to_array(), across, at)?;
+        Ray::new(position, UnitVec3::rotated(direction)).ok()
     }
 }
 
