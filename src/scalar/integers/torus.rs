@@ -202,8 +202,8 @@ fn largest_root<N: Length>(p: N, q: N) -> Option<N> {
     None
 }
 
-/// Where the line is inside a torus with these radii, the major and the minor one: in one interval or in two. If `since`
-/// is given, only the first end at or after it is needed.
+/// Where the line is inside a torus with these radii, the major and the minor one: in one interval or in two, or its
+/// entry alone, if other ends are inaccurate. If `since` is given, only the first end at or after it is needed.
 ///
 /// The origin is in units of `2^-extra_bits` of the unit of the lengths; the answer is in that unit.
 #[inline(never)]
@@ -240,11 +240,13 @@ pub(in crate::scalar) fn torus<N: Length>(
             return Attempt::Miss;
         }
         let enter = found!(along.beyond(first, at_first, p, false));
-        if is_enough(enter) {
-            return Attempt::Hit((entered(enter), None));
+        if !is_enough(enter)
+            && let Attempt::Hit(exit) = along.beyond(first, at_first, p, true)
+            && enter <= exit
+        {
+            return Attempt::Hit((inside([enter, exit]), None));
         }
-        let exit = found!(along.beyond(first, at_first, p, true));
-        return if enter <= exit { Attempt::Hit((inside([enter, exit]), None)) } else { Attempt::Unsure };
+        return Attempt::Hit((entered(enter), None));
     };
     let at_last = found!(along.value(last));
     let [meets_first, meets_last] = [at_first, at_last].map(|value| value < N::Product::ZERO);
@@ -258,16 +260,16 @@ pub(in crate::scalar) fn torus<N: Length>(
     if is_enough(enter) {
         return Attempt::Hit((entered(enter), None));
     }
-    let exit =
-        |from_first: bool| if from_first { along.root_from(-inflection) } else { along.beyond(last, at_last, p, true) };
-    let ends = [enter, found!(exit(meets_first && leaves_between))];
-    if !(meets_first && meets_last && leaves_between) {
-        return if ends[0] <= ends[1] { Attempt::Hit((inside(ends), None)) } else { Attempt::Unsure };
+    let last_exit = || along.beyond(last, at_last, p, true);
+    let has_two = meets_first && meets_last && leaves_between;
+    let first_exit = if meets_first && leaves_between { along.root_from(-inflection) } else { last_exit() };
+    let second = if has_two { [along.root_from(inflection), last_exit()] } else { [first_exit; 2] };
+    if let (Attempt::Hit(exit), [Attempt::Hit(again), Attempt::Hit(last)]) = (first_exit, second)
+        && enter <= exit
+        && exit <= again
+        && again <= last
+    {
+        return Attempt::Hit((inside([enter, exit]), has_two.then(|| inside([again, last]))));
     }
-    let second = [found!(along.root_from(inflection)), found!(exit(false))];
-    if ends[0] <= ends[1] && ends[1] <= second[0] && second[0] <= second[1] {
-        Attempt::Hit((inside(ends), Some(inside(second))))
-    } else {
-        Attempt::Unsure
-    }
+    Attempt::Hit((entered(enter), None))
 }
