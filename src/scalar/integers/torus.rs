@@ -137,12 +137,12 @@ impl<N: Length> Along<N> {
             return Attempt::Unsure;
         }
         for _ in 0..MOST_STEPS {
-            let At { value, slope, lengths } = self.at(u);
-            let Some(step) = quotient(value >> 1, slope) else { return Attempt::Unsure };
-            u = u - step;
             if !Self::is_near(u) {
                 return Attempt::Unsure;
             }
+            let At { value, slope, lengths } = self.at(u);
+            let Some(step) = quotient(value >> 1, slope) else { return Attempt::Unsure };
+            u = u - step;
             if !is_short(step) {
                 continue;
             }
