@@ -66,6 +66,13 @@ fn is_short<N: Length>(step: N) -> bool {
     size(step) < N::from(1).up(N::FRACTION / 2 - 3)
 }
 
+/// True at points that may be inside, since the sum of the radii is below half of the unit.
+#[inline(always)]
+fn is_near<N: Length>(u: N) -> bool {
+    let half = N::from(1).up(N::FRACTION - 1);
+    -half < u && u < half
+}
+
 impl<N: Length> Along<N> {
     /// A line that comes near the torus.
     #[inline(always)]
@@ -112,16 +119,10 @@ impl<N: Length> Along<N> {
         [N::nearest(p), N::nearest(N::dot([self.height], [self.rise]) >> 1)]
     }
 
-    /// True at points that may be inside; `u` may be longer than the radii, whose sum is below half of the unit.
-    #[inline(always)]
-    fn is_near(u: N) -> bool {
-        size(u) < N::from(1).up(N::FRACTION - 1)
-    }
-
     /// The value at an extreme, if its sign is certain.
     #[inline(always)]
     fn value(&self, u: N) -> Attempt<N::Product> {
-        if !Self::is_near(u) {
+        if !is_near(u) {
             return Attempt::Hit(N::Product::ONE);
         }
         let At { value, lengths, .. } = self.at(u);
@@ -137,11 +138,13 @@ impl<N: Length> Along<N> {
             return Attempt::Unsure;
         }
         for _ in 0..MOST_STEPS {
-            if !Self::is_near(u) {
+            if !is_near(u) {
                 return Attempt::Unsure;
             }
             let At { value, slope, lengths } = self.at(u);
-            let Some(step) = quotient(value >> 1, slope) else { return Attempt::Unsure };
+            let Some(step) = quotient(value >> 1, slope).filter(|step| is_near(*step)) else {
+                return Attempt::Unsure;
+            };
             u = u - step;
             if !is_short(step) {
                 continue;
@@ -194,6 +197,9 @@ fn largest_root<N: Length>(p: N, q: N) -> Option<N> {
         let value = along(v, N::nearest(square + p.at_unit())) - q;
         // Both are divided by four, since a divisor is at most 1.
         let step = quotient(value.at_unit() >> 2, (square + square + square + p.at_unit()) >> 2)?;
+        if !is_near(step) {
+            return None;
+        }
         v = v - step;
         if is_short(step) {
             return Some(v);
