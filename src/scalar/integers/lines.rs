@@ -119,8 +119,8 @@ impl<S: GridScalar> LocalLine<S> {
         Attempt::Hit((from_raw(first), second.map(from_raw)))
     }
 
-    /// Where the line is inside the torus with these radii, the major and the minor one: in one interval or in two. If
-    /// only the entry is needed, the exit may be inaccurate.
+    /// Where the line is inside the torus with these radii, the major and the minor one: in one interval or in two, or
+    /// its entry alone, whose exit is then inaccurate.
     #[inline(always)]
     pub(crate) fn torus(&self, radii: [S; 2]) -> Attempt<(InSide<S>, Option<InSide<S>>)> {
         let since = self.since.map(S::to_raw);

@@ -66,6 +66,13 @@ fn is_short<N: Length>(step: N) -> bool {
     size(step) < N::from(1).up(N::FRACTION / 2 - 3)
 }
 
+/// True at points that may be inside, since the sum of the radii is below half of the unit.
+#[inline(always)]
+fn is_near<N: Length>(u: N) -> bool {
+    let half = N::from(1).up(N::FRACTION - 1);
+    -half < u && u < half
+}
+
 impl<N: Length> Along<N> {
     /// A line that comes near the torus.
     #[inline(always)]
@@ -112,16 +119,10 @@ impl<N: Length> Along<N> {
         [N::nearest(p), N::nearest(N::dot([self.height], [self.rise]) >> 1)]
     }
 
-    /// True at points that may be inside; `u` may be longer than the radii, whose sum is below half of the unit.
-    #[inline(always)]
-    fn is_near(u: N) -> bool {
-        size(u) < N::from(1).up(N::FRACTION - 1)
-    }
-
     /// The value at an extreme, if its sign is certain.
     #[inline(always)]
     fn value(&self, u: N) -> Attempt<N::Product> {
-        if !Self::is_near(u) {
+        if !is_near(u) {
             return Attempt::Hit(N::Product::ONE);
         }
         let At { value, lengths, .. } = self.at(u);
@@ -137,12 +138,14 @@ impl<N: Length> Along<N> {
             return Attempt::Unsure;
         }
         for _ in 0..MOST_STEPS {
-            let At { value, slope, lengths } = self.at(u);
-            let Some(step) = quotient(value >> 1, slope) else { return Attempt::Unsure };
-            u = u - step;
-            if !Self::is_near(u) {
+            if !is_near(u) {
                 return Attempt::Unsure;
             }
+            let At { value, slope, lengths } = self.at(u);
+            let Some(step) = quotient(value >> 1, slope).filter(|step| is_near(*step)) else {
+                return Attempt::Unsure;
+            };
+            u = u - step;
             if !is_short(step) {
                 continue;
             }
@@ -194,6 +197,9 @@ fn largest_root<N: Length>(p: N, q: N) -> Option<N> {
         let value = along(v, N::nearest(square + p.at_unit())) - q;
         // Both are divided by four, since a divisor is at most 1.
         let step = quotient(value.at_unit() >> 2, (square + square + square + p.at_unit()) >> 2)?;
+        if !is_near(step) {
+            return None;
+        }
         v = v - step;
         if is_short(step) {
             return Some(v);
@@ -202,8 +208,8 @@ fn largest_root<N: Length>(p: N, q: N) -> Option<N> {
     None
 }
 
-/// Where the line is inside a torus with these radii, the major and the minor one: in one interval or in two. If `since`
-/// is given, only the first end at or after it is needed.
+/// Where the line is inside a torus with these radii, the major and the minor one: in one interval or in two, or its
+/// entry alone, if other ends are inaccurate. If `since` is given, only the first end at or after it is needed.
 ///
 /// The origin is in units of `2^-extra_bits` of the unit of the lengths; the answer is in that unit.
 #[inline(never)]
@@ -240,11 +246,13 @@ pub(in crate::scalar) fn torus<N: Length>(
             return Attempt::Miss;
         }
         let enter = found!(along.beyond(first, at_first, p, false));
-        if is_enough(enter) {
-            return Attempt::Hit((entered(enter), None));
+        if !is_enough(enter)
+            && let Attempt::Hit(exit) = along.beyond(first, at_first, p, true)
+            && enter <= exit
+        {
+            return Attempt::Hit((inside([enter, exit]), None));
         }
-        let exit = found!(along.beyond(first, at_first, p, true));
-        return if enter <= exit { Attempt::Hit((inside([enter, exit]), None)) } else { Attempt::Unsure };
+        return Attempt::Hit((entered(enter), None));
     };
     let at_last = found!(along.value(last));
     let [meets_first, meets_last] = [at_first, at_last].map(|value| value < N::Product::ZERO);
@@ -258,16 +266,16 @@ pub(in crate::scalar) fn torus<N: Length>(
     if is_enough(enter) {
         return Attempt::Hit((entered(enter), None));
     }
-    let exit =
-        |from_first: bool| if from_first { along.root_from(-inflection) } else { along.beyond(last, at_last, p, true) };
-    let ends = [enter, found!(exit(meets_first && leaves_between))];
-    if !(meets_first && meets_last && leaves_between) {
-        return if ends[0] <= ends[1] { Attempt::Hit((inside(ends), None)) } else { Attempt::Unsure };
+    let last_exit = || along.beyond(last, at_last, p, true);
+    let has_two = meets_first && meets_last && leaves_between;
+    let first_exit = if meets_first && leaves_between { along.root_from(-inflection) } else { last_exit() };
+    let second = if has_two { [along.root_from(inflection), last_exit()] } else { [first_exit; 2] };
+    if let (Attempt::Hit(exit), [Attempt::Hit(again), Attempt::Hit(last)]) = (first_exit, second)
+        && enter <= exit
+        && exit <= again
+        && again <= last
+    {
+        return Attempt::Hit((inside([enter, exit]), has_two.then(|| inside([again, last]))));
     }
-    let second = [found!(along.root_from(inflection)), found!(exit(false))];
-    if ends[0] <= ends[1] && ends[1] <= second[0] && second[0] <= second[1] {
-        Attempt::Hit((inside(ends), Some(inside(second))))
-    } else {
-        Attempt::Unsure
-    }
+    Attempt::Hit((entered(enter), None))
 }
