@@ -44,13 +44,14 @@ pub trait Tier<S: Scalar>: Copy + sealed::Sealed + Solve<S> + 'static {}
 ///
 /// No hit is lost or invented if the chord is at least a hundredth of the solid's size and the ray starts within 10
 /// sizes (of a stretched solid also within 10^5 times its size along the axis along which it is narrowest), except
-/// within 64 units in the last place of a rim, or 16 of a start on the surface, and where the direction is within 10^-5
-/// of that of a cone's generator. Of a solid that is not convex the gap between two chords counts as a chord does. The
-/// same holds for a line that has no chord, since it meets the surface once or not at all, unless the ray grazes (see
-/// [`tier`](self)). A ray that departs inwards, within 10^-7 of the surface, may meet it again where it started; so may
-/// one that departs outwards from a solid that is not convex. Nothing else is promised: with growing distance and
-/// towards grazing, `t` loses digits, and then hits are lost or invented. Where the square of a size or a distance is
-/// infinite (`f32`: from 1e19 on), or for cones and triangles its fourth power (from 4e9 on), an end may be missing.
+/// within 64 units in the last place of a rim, or 16 of a start on the surface, where the direction is within 10^-5 of
+/// that of a cone's generator, and where the line passes a torus within 10^-5 of its minor radius of touching it. Of a
+/// solid that is not convex the gap between two chords counts as a chord does. The same holds for a line that has no
+/// chord, since it meets the surface once or not at all, unless the ray grazes (see [`tier`](self)). A ray that departs
+/// inwards, within 10^-7 of the surface, may meet it again where it started; so may one that departs outwards from a
+/// solid that is not convex. Nothing else is promised: with growing distance and towards grazing, `t` loses digits, and
+/// then hits are lost or invented. Where the square of a size or a distance is infinite (`f32`: from 1e19 on), or for
+/// cones and triangles its fourth power (from 4e9 on), an end may be missing.
 /// Measured errors are in [docs/accuracy.md](https://github.com/raylet-rs/raylet/blob/main/docs/accuracy.md).
 ///
 /// ```

@@ -15,7 +15,7 @@
 //! | `local_ray` | the ray in a primitive's frame, in each number |
 //! | `quadric` | the quadrics in coordinates along a line: each equation once |
 //! | `quadratic` | a quadric along the line; the order of its roots and of planes |
-//! | `roots` | the order of the roots of two equations |
+//! | `roots`, `root_of_hit` | the order of the roots of two equations; which root belongs to a hit |
 //! | `end` | the ends of intervals, and their conversion to the ray's number type |
 //! | `round` | spheres, capsules and round cones |
 //! | `rounded` | rounded cuboids |
@@ -46,6 +46,7 @@ mod quadratic;
 mod quadric;
 mod quartic;
 mod revolved;
+mod root_of_hit;
 mod root_of_torus;
 mod roots;
 mod round;
@@ -69,8 +70,8 @@ pub use local_ray::{LocalRay, Localize};
 pub(crate) use polyhedra::{polyhedron, prism};
 pub(crate) use quadric::Profile;
 pub(crate) use revolved::revolved;
-pub use roots::Root;
-pub(crate) use roots::root_at;
+pub use root_of_hit::Root;
+pub(crate) use root_of_hit::root_at;
 pub(crate) use round::{ball, capsule, round_cone};
 pub(crate) use rounded::{end_at, region_at, rounded_cuboid};
 pub(crate) use side::{caps, cone, cylinder};

@@ -1,17 +1,10 @@
 //! The order of a torus' crossings among those of other solids.
 
-use super::end::Of;
-use super::local_ray::LocalRay;
 use super::newton;
 use super::quartic::{Equation, Where};
-use super::roots::{Root, RootOfQuadric};
-use super::surface::Line;
+use super::roots::RootOfQuadric;
 use super::torus::{Along, RoughOf, parameter};
-use crate::hit::{Crossing, Hit};
 use crate::number::{Estimate, Number};
-use crate::part::Part;
-use crate::ray::Leaving;
-use crate::scalar::{Scalar, ToScalar};
 use core::cmp::Ordering;
 
 /// Where a line crosses a torus.
@@ -67,21 +60,16 @@ impl<N: Number> RootOfTorus<N> {
     }
 }
 
-/// The root at a hit: of those that are crossed so, the nearest.
-pub(super) fn root_at<S: Scalar, N: Of<S>>(
-    radii: [S; 2],
-    hit: &Hit<S>,
-    line: &Line<N>,
-    departed: Option<Part>,
-) -> Option<Root<N>> {
-    let departure = departed.map(|part| (part, Leaving::Inwards));
-    let line = LocalRay::new([line.origin, line.direction], departure).long();
-    let along = Along::new(&line, radii, 0).ok()?;
-    let is_exit = hit.crossing == Crossing::Exit;
-    let t = <N::Estimate as ToScalar<S>>::of(hit.t).rough();
-    let mut nearest: Option<(RoughOf<N>, RootOfTorus<N::Long>)> = None;
+/// The root nearest to `t` at which the line enters or leaves; `None` if it never does.
+pub(super) fn nearest_to<N: Number>(
+    t: RoughOf<N>,
+    along: &Along<N>,
+    is_exit: bool,
+    departs: bool,
+) -> Option<RootOfTorus<N>> {
+    let mut nearest: Option<(RoughOf<N>, RootOfTorus<N>)> = None;
     for interval in [0, 1] {
-        if !along.roots.has_end(interval, is_exit, departed.is_some()) {
+        if !along.roots.has_end(interval, is_exit, departs) {
             continue;
         }
         let end = along.end(interval, is_exit);
@@ -94,6 +82,5 @@ pub(super) fn root_at<S: Scalar, N: Of<S>>(
             nearest = Some((off, root));
         }
     }
-    // A ray that is said to lead inwards and does not ends at its start.
-    Some(nearest.map_or(Root::at_parameter(N::ZERO), |(_, root)| Root::OfTorus(root)))
+    nearest.map(|(_, root)| root)
 }

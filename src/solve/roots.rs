@@ -4,62 +4,11 @@
 //! is that of `a g - b f`, which is linear. So no square root is needed (Deakin and Snoeyink, *On the Precision to Sort
 //! Line-Quadric Intersections*, CCCG 2016).
 
-use super::end::{Fraction, Of, Place, times};
-use super::polyhedra::{end_in_a_polyhedron, end_in_a_prism};
+use super::end::{Fraction, Place, times};
 use super::quadratic::root_beside;
-use super::root_of_torus::{self, RootOfTorus};
-use super::rounded;
-use super::side::planes_through;
-use super::surface::{Line, surface_of};
-
-use crate::equations::{Described, EquationKinds, Equations};
-use crate::hit::{Crossing, Hit};
+use crate::hit::Crossing;
 use crate::number::{Estimate, Number};
-use crate::part::{FACES, Part};
-use crate::scalar::Scalar;
 use core::cmp::Ordering;
-
-/// Where a line crosses a surface.
-#[expect(missing_debug_implementations, reason = "the numbers of solvers need not be written")]
-#[derive(Clone, Copy)]
-pub enum Root<N: Number> {
-    /// A quadric, or a plane.
-    OfQuadric(RootOfQuadric<N>),
-    /// A torus.
-    OfTorus(RootOfTorus<N::Long>),
-}
-
-impl<N: Number> From<RootOfQuadric<N>> for Root<N> {
-    fn from(root: RootOfQuadric<N>) -> Self {
-        Self::OfQuadric(root)
-    }
-}
-
-impl<N: Number> Root<N> {
-    /// The parameter `t`.
-    pub(crate) fn at_parameter(t: N) -> Self {
-        RootOfQuadric::at(Fraction { n: t, e: N::ONE }).into()
-    }
-
-    /// How it compares with another root on the same line; `None` if a sign is not known, or if the roots are those of
-    /// two tori and closer than numbers with an error bound can tell.
-    pub(crate) fn order(&self, other: &Self) -> Option<Ordering> {
-        match (self, other) {
-            (Self::OfQuadric(root), Self::OfQuadric(other)) => root.order(other),
-            (Self::OfTorus(root), Self::OfQuadric(other)) => root.order_with_quadric(&other.long()),
-            (Self::OfQuadric(root), Self::OfTorus(other)) => {
-                other.order_with_quadric(&root.long()).map(Ordering::reverse)
-            }
-            (Self::OfTorus(root), Self::OfTorus(other)) => root.order(other),
-        }
-    }
-
-    /// This root, or the parameter zero if that is greater.
-    pub(crate) fn not_before_start(self) -> Option<Self> {
-        let start = Self::at_parameter(N::ZERO);
-        Some(if self.order(&start)? == Ordering::Less { start } else { self })
-    }
-}
 
 /// A root of `f = a t^2 + 2 k t + c`, or the parameter of a plane.
 #[derive(Clone, Copy, Debug)]
@@ -81,7 +30,7 @@ impl<N: Number> RootOfQuadric<N> {
 
     /// The root at which `f` decreases if the line enters, otherwise the one at which it increases; if there is only
     /// one root, that one. `None` if a sign is not known, or if `f` is constant.
-    fn of(f @ [a, k, c]: [N; 3], crossing: Crossing) -> Option<Self> {
+    pub(super) fn of(f @ [a, k, c]: [N; 3], crossing: Crossing) -> Option<Self> {
         let a_sign = a.sign()?;
         if a_sign == Ordering::Equal {
             let twice = k + k;
@@ -95,7 +44,7 @@ impl<N: Number> RootOfQuadric<N> {
     }
 
     /// The same root in [`Number::Long`].
-    fn long(&self) -> RootOfQuadric<N::Long> {
+    pub(super) fn long(&self) -> RootOfQuadric<N::Long> {
         let place = match self.place {
             Place::At(Fraction { n, e }) => Place::At(Fraction { n: n.long(), e: e.long() }),
             Place::Missing => Place::Missing,
@@ -185,93 +134,6 @@ impl<N: Number> RootOfQuadric<N> {
 }
 
 /// `f` at `n / e`, times `e^2`.
-fn at<N: Number>([a, k, c]: [N; 3], Fraction { n, e }: Fraction<N>) -> N {
+pub(super) fn at<N: Number>([a, k, c]: [N; 3], Fraction { n, e }: Fraction<N>) -> N {
     N::sum([[N::sum([[a, n], [k + k, e]]), n], [c * e, e]])
-}
-
-/// The root that belongs to a hit, of the equation of the part that is hit. If the line departs from a part, `t = 0` is
-/// a root of the part's equation, whatever the rounded coordinates. `None` if the number does not know a sign.
-pub(crate) fn root_at<S: Scalar, N: Of<S>, G: Described>(
-    equations: &Equations<S>,
-    hit: &Hit<S>,
-    line: &Line<N>,
-    departed: Option<Part>,
-) -> Option<Root<N>> {
-    if let Equations::RoundedCuboid { half, radius, .. } = *equations
-        && G::EQUATIONS.has(EquationKinds::ROUNDED_CUBOID)
-    {
-        return Some(rounded::end_at(half, radius, hit.crossing, line, departed)?.root().into());
-    }
-    if let Equations::Torus { radii } = *equations
-        && G::EQUATIONS.has(EquationKinds::TORUS)
-    {
-        return root_of_torus::root_at(radii, hit, line, departed);
-    }
-    let function = |part: Part| {
-        let surface = surface_of::<S, N, G>(equations, part, line, N::scalar);
-        let value = if departed == Some(part) { N::ZERO } else { surface.value() };
-        [surface.bending(), surface.slope(), value]
-    };
-    let f @ [a, k, c] = function(hit.part);
-    if is_constant(f)? {
-        if let Equations::Prism { polygon, height } = *equations
-            && G::EQUATIONS.has(EquationKinds::PRISM)
-        {
-            return end_in_a_prism(line, polygon, height, (hit.crossing == Crossing::Enter, departed)).map(Root::from);
-        }
-        if let Equations::Polyhedron { solid } = *equations
-            && G::EQUATIONS.has(EquationKinds::POLYHEDRON)
-        {
-            return end_in_a_polyhedron(line, solid, (hit.crossing == Crossing::Enter, departed)).map(Root::from);
-        }
-        return edge(equations, hit.crossing == Crossing::Enter, function).map(Root::from);
-    }
-    let is_touch = hit.crossing == Crossing::Touch && a.sign()? != Ordering::Equal;
-    if is_touch && N::sum([[k, k], [-a, c]]).sign()? != Ordering::Equal {
-        // The line touches the solid at a rim, and crosses the infinite surface of the side there.
-        for (_, part) in
-            planes_through::<S, G>(equations).into_iter().zip([Part::Base, Part::Top]).filter(|(rim, _)| rim.is_some())
-        {
-            let [_, growth, value] = function(part);
-            if growth.sign()? != Ordering::Equal {
-                let rim = Fraction { n: -value, e: growth + growth };
-                if at(f, rim).sign()? == Ordering::Equal {
-                    return Some(RootOfQuadric::at(rim).into());
-                }
-            }
-        }
-    }
-    RootOfQuadric::of(f, hit.crossing).map(Root::from)
-}
-
-/// True if the function does not change along the line.
-fn is_constant<N: Number>([a, k, _]: [N; 3]) -> Option<bool> {
-    Some(a.sign()? == Ordering::Equal && k.sign()? == Ordering::Equal)
-}
-
-/// The end, on an edge, of a line that lies in the surface of a solid. The hit's part owns the edge, but the end is the
-/// root of another part's equation: the line is inside between the two parts of each pair.
-fn edge<S, N: Number>(
-    equations: &Equations<S>,
-    enters: bool,
-    function: impl Fn(Part) -> [N; 3],
-) -> Option<RootOfQuadric<N>> {
-    let ends = [FACES[2]];
-    let pairs = if let Equations::Cuboid { .. } = equations { FACES.as_slice() } else { ends.as_slice() };
-    let mut last: Option<RootOfQuadric<N>> = None;
-    for pair in pairs {
-        let [f, g] = pair.map(&function);
-        if is_constant(f)? || is_constant(g)? {
-            continue;
-        }
-        // A line in the side of a capsule touches the balls at its ends.
-        let [first, second] = [RootOfQuadric::of(f, Crossing::Touch)?, RootOfQuadric::of(g, Crossing::Touch)?];
-        let is_rising = first.order(&second)? == Ordering::Less;
-        let end = if is_rising == enters { first } else { second };
-        last = match last {
-            Some(last) if (last.order(&end)? == Ordering::Greater) == enters => Some(last),
-            _ => Some(end),
-        };
-    }
-    last
 }

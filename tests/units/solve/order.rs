@@ -1,12 +1,13 @@
 //! The order of crossings of a torus among those of planes, quadrics and tori, where they are equal.
 
 use super::end::{Fraction, Place};
-use super::root_of_torus::root_at;
-use super::roots::{Root, RootOfQuadric};
-use super::{Line, Of};
+use super::roots::RootOfQuadric;
+use super::{Line, Of, Root, root_at};
+use crate::equations::Equations;
 use crate::hit::{Crossing, Hit};
 use crate::number::Integer;
 use crate::part::Part;
+use crate::primitive::Torus;
 use crate::scalar::FromScalar;
 use core::cmp::Ordering;
 
@@ -22,7 +23,8 @@ fn line(height: f32) -> Line<Number> {
 }
 
 fn crossing(height: f32, radii: [f32; 2], t: f32, crossing: Crossing) -> Root<Number> {
-    let root = root_at::<f32, Number>(radii, &Hit { t, part: Part::Side, crossing }, &line(height), None);
+    let hit = Hit { t, part: Part::Side, crossing };
+    let root = root_at::<f32, Number, Torus<f32>>(&Equations::Torus { radii }, &hit, &line(height), None);
     // Signs are certain: no test expects the other root.
     root.unwrap_or(RootOfQuadric::at(Fraction { n: number(f32::MAX), e: number(1.0) }).into())
 }
