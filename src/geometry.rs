@@ -139,6 +139,26 @@ pub enum Hull<S: 'static> {
 }
 
 impl<S: Scalar> Hull<S> {
+    /// A ball that holds the primitive but for rounding: its centre, and lengths whose squares add up to that of its
+    /// radius.
+    pub(crate) fn ball(&self) -> (Vec3<S>, [S; 3]) {
+        let [x, y, z] = self.extents().map(|[low, high]| {
+            let whole = high.minus(low);
+            if !low.is_finite() || !high.is_finite() || !whole.is_finite() {
+                return (S::ZERO, S::INFINITY);
+            }
+            let half = whole.scaled(-1);
+            (low.plus(half), half)
+        });
+        let legs = match self {
+            Self::Ball(_) | Self::Balls(_) => [y.1, S::ZERO, S::ZERO],
+            Self::Torus(_) => [x.1, S::ZERO, S::ZERO],
+            Self::Discs(_) | Self::Cone { .. } => [x.1, y.1, S::ZERO],
+            _ => [x.1, y.1, z.1],
+        };
+        (Vec3::new(x.0, y.0, z.0), legs)
+    }
+
     /// The lowest and the highest coordinate of the primitive along each of its own axes, rounded.
     pub(crate) fn extents(&self) -> [[S; 2]; 3] {
         let around = |radius: S| [S::ZERO.minus(radius), radius];

@@ -8,7 +8,7 @@ use crate::effect::{All, Effect, EffectError, EffectSet, Effects, Sample, TraceC
 use crate::part::Part;
 use crate::ray::Ray;
 use crate::scalar::{Real, Ring, Scalar};
-use crate::scene::{Color, Counters, Levels, Observer, Raster, Scene, SceneHit, Size};
+use crate::scene::{Candidates, CandidatesOfRow, Color, Counters, Levels, Observer, Raster, Scene, SceneHit, Size};
 use crate::shape::kinds::{self, Kinds};
 use crate::tier::{Stable, Tier};
 
@@ -168,7 +168,19 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
         if self.is_antialiased() {
             return self.pixel_of_many(x, y, context);
         }
-        let Sample { color, seen, lit_by } = self.sample(self.raster.place([x, y], [0, 0]), self.levels, context);
+        self.pixel_of_one(x, y, Candidates::ALL, context)
+    }
+
+    #[inline(always)]
+    fn pixel_of_one<O: Observer>(
+        &self,
+        x: u16,
+        y: u16,
+        candidates: Candidates,
+        context: &mut TraceContext<O>,
+    ) -> Pixel<S> {
+        let at = self.raster.place([x, y], [0, 0]);
+        let Sample { color, seen, lit_by } = self.sample(at, candidates, self.levels, context);
         Pixel { color, seen, lit_by }
     }
 
@@ -199,8 +211,12 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
     ) -> Row<'w, 'a, S, E, O, T, K> {
         context.forget();
         let next = u32::from(x);
-        let left = if self.is_antialiased() { Some(self.edge(next, y, context)) } else { None };
-        Row { picture: self, context, next, y, left }
+        let (left, candidates) = if self.is_antialiased() {
+            (Some(self.edge(next, y, context)), CandidatesOfRow::all())
+        } else {
+            (None, CandidatesOfRow::new(self.tracer.scene(), &self.raster, y))
+        };
+        Row { picture: self, context, next, y, left, candidates }
     }
 
     /// Traces every pixel, row after row from the upper left, and passes each to `each` with its column and row.
@@ -216,12 +232,18 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
     }
 
     /// What the primary ray through a point of the raster sees, its colour clamped to `[0, 1]`.
-    fn sample<O: Observer>(&self, at: [i64; 2], levels: Levels, context: &mut TraceContext<O>) -> Sample<S> {
+    fn sample<O: Observer>(
+        &self,
+        at: [i64; 2],
+        candidates: Candidates,
+        levels: Levels,
+        context: &mut TraceContext<O>,
+    ) -> Sample<S> {
         let Some(ray) = self.raster.through(at) else {
             return Sample { color: Color::BLACK, seen: None, lit_by: 0 };
         };
         context.counters.primary_rays += 1;
-        let gathered = self.tracer.gather(&ray, levels, context);
+        let gathered = self.tracer.gather(&ray, candidates, levels, context);
         let mut sample = gathered.sample();
         if self.tracer.uses(Effect::Outline)
             && let Some(outline) = self.tracer.scene().outline()
@@ -255,7 +277,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
     /// The two corners, upper and lower, on the left of the pixel in column `x`.
     fn edge<O: Observer>(&self, x: u32, y: u16, context: &mut TraceContext<O>) -> [Sample<S>; 2] {
         let y = u32::from(y);
-        [y, y + 1].map(|y| self.sample(self.raster.corner([x, y]), Levels::Fine, context))
+        [y, y + 1].map(|y| self.sample(self.raster.corner([x, y]), Candidates::ALL, Levels::Fine, context))
     }
 
     /// The pixel between two edges.
@@ -285,7 +307,8 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
         let mut middle = Sample { color: Color::BLACK, seen: None, lit_by: 0 };
         for row in 0..samples {
             for column in 0..samples {
-                let sample = self.sample(self.raster.place(at, [column, row]), Levels::Fine, context);
+                let place = self.raster.place(at, [column, row]);
+                let sample = self.sample(place, Candidates::ALL, Levels::Fine, context);
                 mean.take(sample.color);
                 if (column, row) == (samples / 2, samples / 2) {
                     middle = sample;
@@ -328,6 +351,8 @@ pub struct Row<'w, 'a, S: Scalar, E, O, T = Stable, K: Kinds = kinds::All> {
     y: u16,
     /// The corners on the left of the next pixel.
     left: Option<[Sample<S>; 2]>,
+    /// The objects that the next pixel's ray may meet, if it has one sample.
+    candidates: CandidatesOfRow,
 }
 
 impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> Iterator for Row<'_, '_, S, E, O, T, K> {
@@ -337,7 +362,8 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> Iterator for Row<
         let x = u16::try_from(self.next).ok().filter(|x| *x < self.picture.size().width)?;
         self.next += 1;
         if !self.picture.is_antialiased() {
-            return Some(self.picture.pixel(x, self.y, self.context));
+            let candidates = self.candidates.of(x);
+            return Some(self.picture.pixel_of_one(x, self.y, candidates, self.context));
         }
         let left = self.left?;
         let right = self.picture.edge(self.next, self.y, self.context);

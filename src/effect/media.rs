@@ -16,7 +16,7 @@ use crate::hit::{Crossing, Hit};
 use crate::part::Part;
 use crate::ray::{Departure, Leaving, Ray};
 use crate::scalar::Scalar;
-use crate::scene::{MOST_AT_ONE_PLACE, Material, Scene, SceneHit, near};
+use crate::scene::{Candidates, MOST_AT_ONE_PLACE, Material, Scene, SceneHit, near};
 use crate::shape::Visible;
 use crate::shape::kinds::Kinds;
 use crate::shape::known::stays;
@@ -129,6 +129,7 @@ pub(super) struct Along<'a, S: Scalar, T, K: Kinds, E> {
     scene: &'a Scene<'a, S, T, K>,
     ray: &'a Ray<S>,
     passage: &'a Passage,
+    candidates: Candidates,
     /// Paths cross surfaces.
     refracts: bool,
     compiled: PhantomData<E>,
@@ -141,7 +142,12 @@ impl<'a, S: Scalar, T, K: Kinds, E> Along<'a, S, T, K, E> {
         passage: &'a Passage,
         refracts: bool,
     ) -> Self {
-        Self { scene, ray, passage, refracts, compiled: PhantomData }
+        Self { scene, ray, passage, candidates: Candidates::ALL, refracts, compiled: PhantomData }
+    }
+
+    /// The same for a ray that meets no other objects than these.
+    pub(super) const fn among(self, candidates: Candidates) -> Self {
+        Self { candidates, ..self }
     }
 }
 
@@ -177,6 +183,10 @@ impl<S: Scalar, T: Tier<S>, K: Kinds, E: Effects> Known<S> for Along<'_, S, T, K
     #[inline(always)]
     fn near(&self, t: S) -> S {
         near(self.ray, t)
+    }
+    #[inline(always)]
+    fn may_meet(&self, object: u32) -> bool {
+        self.candidates.contain(object)
     }
 }
 

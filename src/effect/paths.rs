@@ -10,7 +10,7 @@ use super::trace_context::TraceContext;
 use super::tracer::Tracer;
 use crate::ray::Ray;
 use crate::scalar::{Ring, Scalar, UnitScalar};
-use crate::scene::{Color, Levels, Observer, SceneHit};
+use crate::scene::{Candidates, Color, Levels, Observer, SceneHit};
 use crate::shape::kinds::Kinds;
 use crate::tier::Tier;
 
@@ -21,6 +21,8 @@ const FAINT: i32 = -7;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Segment<S: Scalar> {
     pub(super) ray: Ray<S>,
+    /// The objects that it may meet.
+    pub(super) candidates: Candidates,
     /// What is known of its start.
     pub(super) passage: Passage,
     /// The fraction of its radiance that reaches the eye, in `[0, 1]`.
@@ -50,16 +52,18 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'_, S, E, T, K> {
     pub(crate) fn gather<O: Observer>(
         &self,
         ray: &Ray<S>,
+        candidates: Candidates,
         levels: Levels,
         context: &mut TraceContext<O>,
     ) -> Gathered<S> {
         let mut gathered = Gathered::new();
+        let first = Segment::from_eye(*ray, candidates);
         if self.uses(Effect::Refraction) {
-            self.follow_tree(ray, &mut gathered, levels, context);
+            self.follow_tree(&first, &mut gathered, levels, context);
         } else if self.uses(Effect::Reflection) {
-            self.follow_chain(ray, &mut gathered, levels, context);
+            self.follow_chain(first, &mut gathered, levels, context);
         } else {
-            self.meet(Segment::from_eye(*ray), &mut gathered, context);
+            self.meet(first, &mut gathered, context);
         }
         gathered
     }
@@ -75,12 +79,12 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'_, S, E, T, K> {
     #[inline(never)]
     fn follow_chain<O: Observer>(
         &self,
-        ray: &Ray<S>,
+        first: Segment<S>,
         gathered: &mut Gathered<S>,
         levels: Levels,
         context: &mut TraceContext<O>,
     ) {
-        let mut next = Some(Segment::from_eye(*ray));
+        let mut next = Some(first);
         while let Some(segment) = next {
             [next, _] = self.meet(segment, gathered, context);
             next = next.filter(|next| {
@@ -97,23 +101,23 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'_, S, E, T, K> {
     #[inline(never)]
     fn follow_tree<O: Observer>(
         &self,
-        ray: &Ray<S>,
+        first: &Segment<S>,
         gathered: &mut Gathered<S>,
         levels: Levels,
         context: &mut TraceContext<O>,
     ) {
         // Where more rays are deferred than there is room for, the weakest are left out. If they could change a level,
         // which is rare, the path is followed again without leaving any out.
-        if self.uncut || !self.follow(ray, true, gathered, levels, context) {
+        if self.uncut || !self.follow(first, true, gathered, levels, context) {
             *gathered = Gathered::new();
-            self.follow(ray, false, gathered, levels, context);
+            self.follow(first, false, gathered, levels, context);
         }
     }
 
     /// False if rays were left out that could change a level.
     fn follow<O: Observer>(
         &self,
-        ray: &Ray<S>,
+        first: &Segment<S>,
         leaves_out: bool,
         gathered: &mut Gathered<S>,
         levels: Levels,
@@ -123,7 +127,7 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'_, S, E, T, K> {
         let mut waiting = heapless::Vec::<Segment<S>, { DEPTH as usize + 1 }>::new();
         let mut aside = heapless::Vec::<Segment<S>, { DEPTH as usize }>::new();
         let mut left_out = S::Real::ZERO;
-        let mut next = Some(Segment::from_eye(*ray));
+        let mut next = Some(*first);
         while let Some(segment) = next {
             for mut onward in self.meet(segment, gathered, context).into_iter().flatten() {
                 if onward.weight < faint && !self.uncut {
@@ -176,8 +180,9 @@ fn exchanged<S: Scalar>(
 }
 
 impl<S: Scalar> Segment<S> {
-    pub(super) fn from_eye(ray: Ray<S>) -> Self {
-        Self { ray, passage: Passage::new(), weight: S::Unit::ONE, depth: 0, cause: None, enclosed: false }
+    pub(super) fn from_eye(ray: Ray<S>, candidates: Candidates) -> Self {
+        let (passage, weight) = (Passage::new(), S::Unit::ONE);
+        Self { ray, candidates, passage, weight, depth: 0, cause: None, enclosed: false }
     }
 }
 

@@ -12,7 +12,7 @@ use super::{ambient, bump, diffuse, fog, reflection, refraction, shadow, specula
 use crate::hit::Crossing;
 use crate::ray::{Range, Ray};
 use crate::scalar::{Ring, Scalar, UnitScalar};
-use crate::scene::{Color, Material, Observer, Waves};
+use crate::scene::{Candidates, Color, Material, Observer, Waves};
 use crate::shape::Surface;
 use crate::shape::kinds::Kinds;
 use crate::tier::Tier;
@@ -86,7 +86,8 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         context: &mut TraceContext<O>,
     ) -> Option<(Media<'a, S>, bool)> {
         let (counters, observer, ray) = (&mut context.counters, &mut context.observer, &segment.ray);
-        let along = Along::<'_, S, T, K, E>::new(self.scene, ray, &segment.passage, self.uses(Effect::Refraction));
+        let along = Along::<'_, S, T, K, E>::new(self.scene, ray, &segment.passage, self.uses(Effect::Refraction))
+            .among(segment.candidates);
         let (nearest, is_alone) = self.scene.nearest_known(ray, &along, counters, observer)?;
         place.begin(nearest);
         if !is_alone {
@@ -239,6 +240,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
                 let passes = crossing != Crossing::Touch;
                 *refracted = site.ray(through).map(|ray| Segment {
                     ray,
+                    candidates: Candidates::ALL,
                     passage: segment.passage.at(place, passes, &segment.ray, self.scene),
                     weight,
                     depth: segment.depth + 1,
@@ -252,6 +254,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         {
             *mirrored = site.ray(reflection::direction(site)).map(|ray| Segment {
                 ray,
+                candidates: Candidates::ALL,
                 passage: site.near,
                 weight,
                 depth: segment.depth + 1,

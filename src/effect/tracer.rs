@@ -10,7 +10,7 @@ use super::{Sample, outline, reflection, refraction};
 use crate::hit::Crossing;
 use crate::ray::{Range, Ray};
 use crate::scalar::{Ring, Scalar};
-use crate::scene::{Levels, Observer, Scene, SceneHit};
+use crate::scene::{Candidates, Levels, Observer, Scene, SceneHit};
 use crate::shape::kinds::{self, Kinds};
 use crate::tier::{Stable, Tier};
 use core::marker::PhantomData;
@@ -138,7 +138,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
     /// Rays and tests are counted in `context`. A ray whose light could not change the colour's eight-bit
     /// level is not cast; see [`effect`](crate::effect#the-cut-off).
     pub fn look<O: Observer>(&self, ray: &Ray<S>, context: &mut TraceContext<O>) -> Sample<S> {
-        self.gather(ray, Levels::Srgb, context).sample()
+        self.gather(ray, Candidates::ALL, Levels::Srgb, context).sample()
     }
 
     /// True if there is an edge between what a ray sees, whose first hit is `on`, and what the ray `beside` it sees.

@@ -43,6 +43,12 @@ pub(crate) trait Known<S: Scalar> {
     fn is_inside(&self, shape: u32) -> Option<bool>;
     /// The largest `t` that may be the same place as this one.
     fn near(&self, t: S) -> S;
+    /// False if it is certain that the ray does not meet this shape.
+    #[inline(always)]
+    fn may_meet(&self, shape: u32) -> bool {
+        let _ = shape;
+        true
+    }
 }
 
 /// Nothing but the departure of the ray itself.
@@ -84,6 +90,9 @@ pub(crate) fn nearest<S: Scalar, T: Tier<S>, W: Watch>(
     let whole = ray.without_departure();
     let mut shortened = whole;
     let mut test = |index: u32, watch: &mut W| {
+        if !known.may_meet(index) {
+            return Some(shortened.range().end());
+        }
         let shape = shapes.get(index as usize)?.shape();
         watch.count_test();
         // The rounding of an exact root close to the end of a range depends on that end: the result of a shape must not
@@ -123,6 +132,9 @@ pub(crate) fn up_to<S: Scalar, T: Tier<S>, W: Watch>(
 ) {
     let whole = ray.without_departure();
     each(shapes.len(), hierarchy, ray, known, watch, &mut |index, watch: &mut W| {
+        if !known.may_meet(index) {
+            return Some(end);
+        }
         let shape = shapes.get(index as usize)?.shape();
         watch.count_test();
         let hit = first_hit::<S, T, _>(shape, &whole, index, known);

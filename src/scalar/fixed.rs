@@ -494,7 +494,8 @@ fixed!(FixedI32, LeEqU32, U30, Block64, u64, i32, i64, u64, 32, 30, integers::pr
     ) -> Option<[Self::Unit; 3]> {
         let [x, y] = at.map(Self::unit_round).map(FixedI32::to_bits);
         if is_saturated(x) || is_saturated(y) {
-            let offsets = pairs(right, up).map(|(right, up)| Self::unit_real(right) * at[0] + Self::unit_real(up) * at[1]);
+            let offsets =
+                pairs(right, up).map(|(right, up)| Self::unit_real(right) * at[0] + Self::unit_real(up) * at[1]);
             return Self::direction(pairs(forward, offsets).map(|(f, offset)| Self::unit_real(f) + offset));
         }
         // Below 5 in units of 2^-60, and rounded to 30 bits of the longest.

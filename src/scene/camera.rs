@@ -264,6 +264,13 @@ impl<S: Scalar> Raster<S> {
         self.size
     }
 
+    /// The eye, the directions to the right, upwards and forwards, and half of the distance between neighbouring
+    /// samples one unit in front of the eye. `None` of an orthographic camera.
+    pub(super) fn pinhole(&self) -> Option<(Vec3<S>, [UnitVec3<S>; 3], S::Real)> {
+        let Camera { position, forward, right, up, is_orthographic, .. } = self.camera;
+        (!is_orthographic).then_some((position, [right, up, forward], self.pitch))
+    }
+
     /// The ray through a sample (column and row) of a pixel (column and row); (0, 0) is the upper left. With one sample
     /// a pixel it goes through the pixel's centre, as a zone of a range sensor is measured. `n` rows that span an angle
     /// `w` between their outer edges need a camera of the angle `2 atan((1 - 1/n) tan(w/2))` ([`Camera::new`]).

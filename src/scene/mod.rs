@@ -16,6 +16,7 @@
 //! The bounding volume hierarchy is in [`crate::hierarchy`].
 
 mod camera;
+mod candidates;
 mod color;
 mod counters;
 mod fog;
@@ -37,6 +38,7 @@ mod texture;
 
 pub use crate::hierarchy::{Hierarchy, HierarchyError, Node};
 pub use camera::{Camera, CameraError, Raster, Size};
+pub(crate) use candidates::{Candidates, CandidatesOfRow};
 pub use color::Color;
 pub use counters::Counters;
 pub use fog::Fog;

@@ -439,6 +439,20 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
         }
     }
 
+    /// A ball that holds the shape but for rounding, as [`Hull::ball`](crate::geometry::Hull::ball). `None` of a
+    /// combination, and of a shape that a matrix places.
+    pub(crate) fn ball(&self) -> Option<(Vec3<S>, [S; 3])> {
+        if self.combined.parts().is_some() {
+            return None;
+        }
+        let (centre, legs) = self.member.hull().ball();
+        match &self.placement {
+            Placement::World => Some((centre, legs)),
+            Placement::Frame(frame) if K::SET.contains(Kind::Frame) => Some((frame.point_to_world(centre), legs)),
+            _ => None,
+        }
+    }
+
     /// The surface at a hit of this shape: point, normal, surface coordinates, tangents. Each is computed only when its
     /// method is called. `ray` must be the ray of the hit.
     #[inline]

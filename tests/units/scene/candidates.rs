@@ -1,0 +1,124 @@
+//! No ray that meets an object is outside of its columns, and few columns are too many.
+
+use super::*;
+use crate::frame::Frame;
+use crate::hit::Hit;
+use crate::primitive::{Capsule, Cone, Cuboid, Cylinder, Plane, RoundCone, RoundedCuboid, Sphere, Torus, Triangle};
+use crate::random::Random;
+use crate::scene::{Camera, Object};
+use crate::shape::Primitive;
+
+fn value<S: Scalar>(value: f64) -> S {
+    S::from_f64(value).expect("a value of the type")
+}
+
+fn vector<S: Scalar>(random: &mut Random, most: f64) -> Vec3<S> {
+    Vec3::from([0; 3].map(|_| value(random.between(-most, most))))
+}
+
+/// Solids of about this size, of all hulls.
+fn solids<S: Scalar>(size: f64) -> [Primitive<S>; 13] {
+    let [a, b, c] = [1.0, 0.6, 0.3].map(|share| value::<S>(share * size));
+    let corner = |x, y, z| Vec3::new(x, y, z);
+    let zero = S::ZERO;
+    [
+        Sphere::new(a).expect("a size").into(),
+        Cylinder::capped(b, a).expect("sizes").into(),
+        Cylinder::infinite(b).expect("sizes").into(),
+        Cone::capped(b, a).expect("sizes").into(),
+        Cone::frustum(a, c, b).expect("sizes").into(),
+        Capsule::new(c, a).expect("sizes").into(),
+        RoundCone::new(a, c, a).expect("sizes").into(),
+        RoundCone::new(a, c, b).expect("sizes").into(),
+        Cuboid::new(a, b, c).expect("sizes").into(),
+        RoundedCuboid::new(a, b, c, c).expect("sizes").into(),
+        Torus::new(a, c).expect("sizes").into(),
+        Triangle::new(corner(zero, a, zero), corner(b, zero, zero), corner(zero, c, a)).expect("corners").into(),
+        Plane::new().into(),
+    ]
+}
+
+/// Every ray of pictures of one solid; returns the rays, those that may meet it, and those that do.
+fn check<S: Scalar>(seed: u64) -> [u32; 3] {
+    let (mut random, mut counts) = (Random(seed), [0; 3]);
+    for _ in 0..40 {
+        let (eye, up) = (vector::<S>(&mut random, 9.0), vector(&mut random, 1.0));
+        let angle = random.between(0.5, 120.0) * random.unit().max(0.05);
+        let camera = Camera::new(eye, vector(&mut random, 2.0), up, value(angle)).expect("a camera");
+        let [width, height] = [1 + (random.next() % 70) as u16, 1 + (random.next() % 50) as u16];
+        let raster = camera.raster(Size::new(width, height));
+        let size = random.between(0.02, 3.0);
+        for solid in solids::<S>(size) {
+            let place = vector(&mut random, 5.0);
+            let axis = UnitVec3::new(vector(&mut random, 1.0)).expect("it is not zero");
+            let shape = Shape::new(solid).placed(Frame::from_base_and_axis(place, axis).expect("a frame"));
+            let objects = [Object::new(shape, 0)];
+            let materials = [crate::scene::Material::default()];
+            let scene = Scene::new(&objects, &materials, &[], camera).expect("a scene");
+            for y in 0..height {
+                let mut row = CandidatesOfRow::new(&scene, &raster, y);
+                for x in 0..width {
+                    let ray = raster.ray([x, y], [0, 0]).expect("a ray of a pinhole camera");
+                    let hit: Option<Hit<S>> = shape.nearest(&ray);
+                    let is_candidate = row.of(x).contain(0);
+                    assert!(is_candidate || hit.is_none(), "{shape:?} at {x}, {y} of {width} x {height}: {ray:?}");
+                    counts[0] += 1;
+                    counts[1] += u32::from(is_candidate);
+                    counts[2] += u32::from(hit.is_some());
+                }
+            }
+        }
+    }
+    counts
+}
+
+#[test]
+fn a_ray_that_meets_an_object_has_it_among_its_candidates() {
+    for [rays, candidates, hits] in [check::<f32>(1), check::<f64>(2)] {
+        assert!(hits > rays / 20 && candidates < rays / 2, "{hits} {candidates} of {rays}");
+    }
+}
+
+#[cfg(feature = "fixed")]
+#[test]
+fn a_ray_that_meets_an_object_has_it_among_its_candidates_in_fixed_point() {
+    use fixed::types::{I8F24, I16F16, I20F12, I32F32};
+    for [rays, candidates, hits] in [check::<I16F16>(3), check::<I32F32>(4), check::<I20F12>(5), check::<I8F24>(6)] {
+        assert!(hits > rays / 20 && candidates < rays / 2, "{hits} {candidates} of {rays}");
+    }
+}
+
+/// Those of a ball at this distance before the eye, or behind it.
+fn columns_of_ball(distance: f32, radius: f32, size: Size, y: u16) -> [u16; 2] {
+    let (eye, up) = (Vec3::new(0.0, 0.0, distance), Vec3::new(0.0, 1.0, 0.0));
+    let target = if distance > 0.0 { Vec3::ZERO } else { eye + eye };
+    let camera = Camera::new(eye, target, up, 60.0).expect("a camera");
+    let (eye, axes, pitch) = camera.raster(size).pinhole().expect("a pinhole");
+    let ball = Ball::of(&Shape::<f32>::new(Sphere::new(radius).expect("a radius")), eye, axes);
+    // Pixels of a picture of one row are as wide as the view.
+    Directions::of_row::<f32>(size, pitch, y).map_or([0, size.width], |row| row.columns(ball))
+}
+
+#[test]
+fn a_ball_has_hardly_more_columns_than_it_covers() {
+    // Its outline is at a radius of 100 tan(asin(0.1)) / tan(30) = 17.4 pixels about the middle.
+    let size = Size::new(256, 200);
+    assert_eq!(columns_of_ball(10.0, 1.0, size, 100), [111, 145]);
+    assert_eq!(columns_of_ball(10.0, 1.0, size, 116), [122, 134]);
+    assert_eq!(columns_of_ball(10.0, 1.0, size, 118), [0, 0]);
+    // From the inside, and behind the eye.
+    assert_eq!(columns_of_ball(0.5, 1.0, size, 118), [0, 256]);
+    assert_eq!(columns_of_ball(-10.0, 1.0, size, 100), [0, 0]);
+}
+
+#[test]
+fn the_largest_pictures_and_the_smallest_overflow_nowhere() {
+    for [width, height] in [[1, 1], [1, 8191], [8191, 1], [16383, 3]] {
+        for y in [0, height / 2, height - 1] {
+            for (distance, radius) in [(10.0, 1.0), (1e-3, 9.99e-4), (1e9, 9.9e8), (3.0, 1e-20)] {
+                let [first, end] = columns_of_ball(distance, radius, Size::new(width, height), y);
+                assert!(first <= end && end <= width);
+            }
+        }
+    }
+}
