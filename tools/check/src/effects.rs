@@ -41,6 +41,11 @@ pub fn key(set: &str, number: &str, figure: &str) -> String {
     format!("{set} | {number} | {figure}")
 }
 
+/// The name of a set in another tier than `Stable`.
+pub fn in_tier(set: &str, tier: &str) -> String {
+    format!("{set}; {tier}")
+}
+
 #[derive(Deserialize)]
 struct Measured {
     instructions: u64,
@@ -52,9 +57,11 @@ struct Measured {
 #[derive(Deserialize)]
 struct Row {
     set: String,
+    tier: String,
     number: String,
     alone: Measured,
-    among_all: Measured,
+    /// Not in every tier.
+    among_all: Option<Measured>,
 }
 
 /// What the program `effects` printed: each set alone, and among all.
@@ -62,18 +69,16 @@ struct Row {
 /// An error if an effect that is compiled in and not called for changes a picture, or casts a ray.
 pub fn read(path: &Path) -> Outcome<Figures> {
     let mut figures = Figures::new();
-    for Row { set, number, alone, among_all } in rows(path)? {
+    for Row { set, tier, number, alone, among_all } in rows(path)? {
+        let row = if tier == "Stable" { set } else { in_tier(&set, &tier) };
+        figures.insert(key(&row, &number, "instructions"), alone.instructions);
+        figures.insert(key(&row, &number, "stack"), alone.stack);
+        let Some(among_all) = among_all else { continue };
         if (alone.levels, alone.rays) != (among_all.levels, among_all.rays) {
-            return Err(format!("{set}, {number}: with all effects compiled in the picture or the rays differ").into());
+            return Err(format!("{row}, {number}: with all effects compiled in the picture or the rays differ").into());
         }
-        for (figure, value) in [
-            ("instructions", alone.instructions),
-            ("stack", alone.stack),
-            ("instructions among all", among_all.instructions),
-            ("stack among all", among_all.stack),
-        ] {
-            figures.insert(key(&set, &number, figure), value);
-        }
+        figures.insert(key(&row, &number, "instructions among all"), among_all.instructions);
+        figures.insert(key(&row, &number, "stack among all"), among_all.stack);
     }
     for (_, set) in SETS {
         if let Some(number) = NUMBERS.iter().find(|number| !figures.contains_key(&key(set, number, "stack"))) {

@@ -4,6 +4,7 @@ use crate::stack::{depth, used_since};
 use core::fmt::{self, Display};
 use core::hint::black_box;
 use raylet::effect::Effects;
+use raylet::tier::Tier;
 use raylet::{Counters, Picture, Scalar, TraceContext};
 use raylet_firmware::clock;
 
@@ -29,7 +30,7 @@ impl Display for Measured {
 }
 
 /// Measures a picture, row by row.
-pub fn picture<S: Scalar, E: Effects>(picture: &Picture<'_, S, E>) -> Measured {
+pub fn picture<S: Scalar, E: Effects, T: Tier<S>>(picture: &Picture<'_, S, E, T>) -> Measured {
     let mut measured = Measured { instructions: 0, stack: 0, rays: 0, levels: 0 };
     let (mut context, mut instructions) = (TraceContext::new(()), 0);
     let size = picture.size();
@@ -46,7 +47,12 @@ pub fn picture<S: Scalar, E: Effects>(picture: &Picture<'_, S, E>) -> Measured {
 
 /// Traces a row, to eight bits a channel.
 #[inline(never)]
-fn row<S: Scalar, E: Effects>(picture: &Picture<'_, S, E>, y: u16, context: &mut TraceContext, levels: u32) -> u32 {
+fn row<S: Scalar, E: Effects, T: Tier<S>>(
+    picture: &Picture<'_, S, E, T>,
+    y: u16,
+    context: &mut TraceContext,
+    levels: u32,
+) -> u32 {
     let mix = |sum: u32, level: u8| (sum ^ u32::from(level)).wrapping_mul(0x0100_0193);
     picture.row(y, context).fold(levels, |sum, pixel| pixel.color.to_srgb888().into_iter().fold(sum, mix))
 }

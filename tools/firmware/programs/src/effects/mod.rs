@@ -1,5 +1,5 @@
 //! What effects cost on a chip: instructions and stack of a pixel, with each set of effects compiled in, and with all
-//! of them.
+//! of them; and some sets in the other tiers.
 //!
 //! | module | what it holds |
 //! |---|---|
@@ -16,6 +16,7 @@ use raylet::effect::{
     All, Ambient, Antialiasing, Bump, Diffuse, EffectSet, Effects, Fog, Outline, Reflection, Refraction, Shadows,
     Specular, Texture,
 };
+use raylet::tier::{Fast, Plain, Tier};
 use raylet::{Picture, Scalar, Size};
 use stage::Stage;
 
@@ -27,19 +28,25 @@ const SIZE: Size = Size::new(16, 12);
 pub struct Row {
     /// The set: what its scene calls for.
     pub set: EffectSet,
+    /// The tier.
+    pub tier: &'static str,
     /// The number type.
     pub number: &'static str,
     /// With just this set compiled in.
     pub alone: Measured,
-    /// The same scene with every effect compiled in.
-    pub among_all: Measured,
+    /// The same scene with every effect compiled in; measured only in `Stable`.
+    pub among_all: Option<Measured>,
 }
 
 impl Display for Row {
     /// A line of JSON.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { set, number, alone, among_all } = self;
-        write!(f, r#"{{"set":"{set}","number":"{number}","alone":{alone},"among_all":{among_all}}}"#)
+        let Self { set, tier, number, alone, among_all } = self;
+        write!(f, r#"{{"set":"{set}","tier":"{tier}","number":"{number}","alone":{alone},"among_all":"#)?;
+        match among_all {
+            Some(measured) => write!(f, "{measured}}}"),
+            None => f.write_str("null}"),
+        }
     }
 }
 
@@ -64,6 +71,23 @@ fn every_set<S: Scalar>(number: &'static str, give: &mut impl FnMut(Row)) {
     give(row::<S, (Diffuse, Specular, Shadows, Antialiasing)>(number));
     give(row::<S, (Diffuse, Specular, Shadows, Outline)>(number));
     give(row::<S, All>(number));
+    in_tier::<S, Plain>("Plain", number, give);
+    in_tier::<S, Fast>("Fast", number, give);
+}
+
+/// What a nearest hit, a light and two shadows take.
+fn in_tier<S: Scalar, T: Tier<S>>(tier: &'static str, number: &'static str, give: &mut impl FnMut(Row)) {
+    give(row_in_tier::<S, (), T>(tier, number));
+    give(row_in_tier::<S, (Diffuse,), T>(tier, number));
+    give(row_in_tier::<S, (Diffuse, Specular, Shadows), T>(tier, number));
+}
+
+#[inline(never)]
+fn row_in_tier<S: Scalar, E: Effects, T: Tier<S>>(tier: &'static str, number: &'static str) -> Row {
+    let stage = Stage::<S>::calling_for(E::SET).expect("the stage's numbers fit every type");
+    let scene = stage.scene().expect("the stage's lists fit together").at_tier::<T>();
+    let alone = picture(&Picture::<S, E, T>::leaving_out(&scene, SIZE));
+    Row { set: E::SET, tier, number, alone, among_all: None }
 }
 
 /// Its own frame, so that nothing of another set is counted.
@@ -75,8 +99,9 @@ fn row<S: Scalar, E: Effects>(number: &'static str) -> Row {
     // Of a light without shadows the set knows, but the scene does not: what is not in the set is left off.
     Row {
         set: E::SET,
+        tier: "Stable",
         number,
         alone: picture(&Picture::<S, E>::leaving_out(&scene, size)),
-        among_all: picture(&Picture::<S, All>::new(&scene, size).only(E::SET)),
+        among_all: Some(picture(&Picture::<S, All>::new(&scene, size).only(E::SET))),
     }
 }
