@@ -45,7 +45,7 @@ pub trait Tier<S: Scalar>: Copy + sealed::Sealed + Solve<S> + 'static {}
 /// No hit is lost or invented if the chord is at least a hundredth of the solid's size and the ray starts within 10
 /// sizes (of a stretched solid also within 10^5 times its size along the axis along which it is narrowest), except
 /// within 64 units in the last place of a rim, or 16 of a start on the surface, where the direction is within 10^-5 of
-/// that of a cone's generator, and where the line passes a torus within 10^-5 of its minor radius of touching it. Of a
+/// that of a cone's generator, and where the line passes a torus within 10^-4 of its minor radius of touching it. Of a
 /// solid that is not convex the gap between two chords counts as a chord does. The same holds for a line that has no
 /// chord, since it meets the surface once or not at all, unless the ray grazes (see [`tier`](self)). A ray that departs
 /// inwards, within 10^-7 of the surface, may meet it again where it started; so may one that departs outwards from a

@@ -1,8 +1,8 @@
 //! A line and a torus, on the grid of fixed point. The words of the comments are those of [`integers`](super).
 //!
 //! The equation is that of the solver, for a direction of length 1, with `u` from the line's point closest to the
-//! centre: `f = S^2 + (2 R)^2 (y^2 - r^2)`, where `S = u^2 + e` and `y = y_0 + u d_y`. Far away `f > 0`, and there is at
-//! most one root between two extremes, where the slope `4 (u^3 + p u + q)` is zero. So the signs of `f` at these, at
+//! centre: `f = S^2 + (2 R)^2 (y^2 - r^2)`, where `S = u^2 + e` and `y = y_0 + u d_y`. Far away `f > 0`, and there is
+//! at most one root between two extremes, where the slope `4 (u^3 + p u + q)` is zero. So the signs of `f` at these, at
 //! most three, tell how many roots there are, and separate them. Where a sign is not certain, the line may touch the
 //! torus, and the solver decides.
 //!
@@ -84,8 +84,8 @@ impl<N: Length> Along<N> {
         let [x, y, z] = [x - along(k, d[0]), y - along(k, d[1]), z - along(k, d[2])];
         let major = around - minor;
         let (square, twice) = (N::squared_length([x, y, z]), major + major);
-        // Each coordinate is off by 2.6 units at most, so that `f` is off by at most 10 times its lengths; and, in a frame,
-        // by another unit or more, which adds 3.5 times the lengths for each.
+        // Each coordinate is off by 2.6 units at most, so that `f` is off by at most 10 times its lengths; and, in a
+        // frame, by another unit or more, which adds 3.5 times the lengths for each.
         let doubt = 5.max(3 + line.framed_bits());
         if square > N::squared_length([around]) + (N::Product::from(around) << doubt) {
             return Attempt::Miss;
