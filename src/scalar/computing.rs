@@ -79,9 +79,7 @@ pub trait Computing: Numbers {
     where
         Self: Scalar,
     {
-        let ([right, up], [x, y]) = (across.map(|axis| axis.map(Self::unit_real)), at);
-        let offsets = pairs(right, up).map(|(right, up)| right * x + up * y);
-        Self::direction(pairs(forward, offsets).map(|(forward, offset)| Self::unit_real(forward) + offset))
+        direction_in_plane::<Self>(forward, across, at)
     }
     /// A component or a channel times a number, rounded to nearest and saturated.
     fn times(component: Self::Unit, by: Self) -> Self::Unit;
@@ -135,4 +133,15 @@ pub trait Elementary: Numbers {
     fn small_integer(self) -> Option<u32>;
     /// `base^exponent` for a base in `[0, 1]` and an exponent of at least zero.
     fn power(base: Self::Unit, exponent: Self) -> Self::Unit;
+}
+
+/// [`Computing::direction_in_plane`] in the numbers to compute in.
+pub(super) fn direction_in_plane<S: Scalar>(
+    forward: [S::Unit; 3],
+    across: [[S::Unit; 3]; 2],
+    [x, y]: [S::Real; 2],
+) -> Option<[S::Unit; 3]> {
+    let [right, up] = across.map(|axis| axis.map(S::unit_real));
+    let offsets = pairs(right, up).map(|(right, up)| right * x + up * y);
+    S::direction(pairs(forward, offsets).map(|(forward, offset)| S::unit_real(forward) + offset))
 }

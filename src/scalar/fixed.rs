@@ -4,6 +4,7 @@
 //! every result depends on that of the direction. Products of the two are exact in the double width.
 
 use super::block::{Block64, Block128};
+use super::computing::direction_in_plane;
 use super::slabs::Slabs;
 use super::{
     Attempt, Budget, Computing, Culling, Elementary, Numbers, Real, RoundLine, RoundSolid, Scalar, UnitScalar,
@@ -471,7 +472,7 @@ macro_rules! fixed {
     };
 }
 
-/// Whether a component was beyond its type.
+/// Whether a number was beyond the type of a direction's components, and was saturated.
 #[inline(always)]
 const fn is_saturated(component: i32) -> bool {
     component.unsigned_abs() >= i32::MAX as u32
@@ -494,9 +495,7 @@ fixed!(FixedI32, LeEqU32, U30, Block64, u64, i32, i64, u64, 32, 30, integers::pr
     ) -> Option<[Self::Unit; 3]> {
         let [x, y] = at.map(Self::unit_round).map(FixedI32::to_bits);
         if is_saturated(x) || is_saturated(y) {
-            let offsets =
-                pairs(right, up).map(|(right, up)| Self::unit_real(right) * at[0] + Self::unit_real(up) * at[1]);
-            return Self::direction(pairs(forward, offsets).map(|(f, offset)| Self::unit_real(f) + offset));
+            return direction_in_plane::<Self>(forward, [right, up], at);
         }
         // Below 5 in units of 2^-60, and rounded to 30 bits of the longest.
         let sums = pairs(forward, pairs(right, up)).map(|(forward, (right, up))| {

@@ -264,11 +264,11 @@ impl<S: Scalar> Raster<S> {
         self.size
     }
 
-    /// The eye, the directions to the right, upwards and forwards, and half of the distance between neighbouring
-    /// samples one unit in front of the eye. `None` of an orthographic camera.
-    pub(super) fn pinhole(&self) -> Option<(Vec3<S>, [UnitVec3<S>; 3], S::Real)> {
-        let Camera { position, forward, right, up, is_orthographic, .. } = self.camera;
-        (!is_orthographic).then_some((position, [right, up, forward], self.pitch))
+    /// The directions to the right, upwards and forwards, and half of the distance between neighbouring samples one
+    /// unit in front of the eye. `None` of an orthographic camera.
+    pub(super) fn pinhole(&self) -> Option<([UnitVec3<S>; 3], S::Real)> {
+        let Camera { forward, right, up, is_orthographic, .. } = self.camera;
+        (!is_orthographic).then_some(([right, up, forward], self.pitch))
     }
 
     /// The ray through a sample (column and row) of a pixel (column and row); (0, 0) is the upper left. With one sample

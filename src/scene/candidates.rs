@@ -66,11 +66,11 @@ impl CandidatesOfRow {
         let mut columns = heapless::Vec::new();
         // A hierarchy finds them at less cost.
         let pinhole = if scene.hierarchy.is_none() { raster.pinhole() } else { None };
-        let Some((eye, axes, pitch)) = pinhole else { return Self::all() };
+        let Some((axes, pitch)) = pinhole else { return Self::all() };
         let Some(row) = Directions::of_row::<S>(raster.size(), pitch, y) else { return Self::all() };
         for object in scene.objects.iter().take(MOST) {
             // There is room for MOST.
-            let ball = Ball::of(&object.shape, eye, axes);
+            let ball = Ball::of(&object.shape, raster.camera().position(), axes);
             let _ = columns.push(row.columns(ball));
         }
         Self { columns, until: 0, these: Candidates::ALL }
@@ -113,6 +113,7 @@ fn truncated(Parts { mantissa, exponent, negative }: Parts, scale: i32) -> i64 {
 }
 
 /// A ball in the coordinates of a camera, in a unit in which its numbers have [`BITS`] bits.
+#[derive(Clone, Copy)]
 struct Ball {
     c: [i64; 3],
     r: i64,
@@ -209,5 +210,6 @@ impl Directions {
 }
 
 #[cfg(units)]
+#[expect(clippy::expect_used, reason = "a test may panic")]
 #[path = "../../tests/units/scene/candidates.rs"]
 mod tests;

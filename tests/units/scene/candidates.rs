@@ -93,7 +93,7 @@ fn columns_of_ball(distance: f32, radius: f32, size: Size, y: u16) -> [u16; 2] {
     let (eye, up) = (Vec3::new(0.0, 0.0, distance), Vec3::new(0.0, 1.0, 0.0));
     let target = if distance > 0.0 { Vec3::ZERO } else { eye + eye };
     let camera = Camera::new(eye, target, up, 60.0).expect("a camera");
-    let (eye, axes, pitch) = camera.raster(size).pinhole().expect("a pinhole");
+    let (axes, pitch) = camera.raster(size).pinhole().expect("a pinhole");
     let ball = Ball::of(&Shape::<f32>::new(Sphere::new(radius).expect("a radius")), eye, axes);
     // Pixels of a picture of one row are as wide as the view.
     Directions::of_row::<f32>(size, pitch, y).map_or([0, size.width], |row| row.columns(ball))
