@@ -4,6 +4,8 @@
 //! to a function one by one, row after row, so that they may be sent directly to a display. Rows do not depend on each
 //! other.
 
+mod changes;
+
 use crate::effect::{All, Effect, EffectError, EffectSet, Effects, Sample, TraceContext, Tracer, differ};
 use crate::part::Part;
 use crate::ray::Ray;

@@ -21,8 +21,6 @@ const FAINT: i32 = -7;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Segment<S: Scalar> {
     pub(super) ray: Ray<S>,
-    /// The objects that it may meet.
-    pub(super) candidates: Candidates,
     /// What is known of its start.
     pub(super) passage: Passage,
     /// The fraction of its radiance that reaches the eye, in `[0, 1]`.
@@ -57,13 +55,12 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'_, S, E, T, K> {
         context: &mut TraceContext<O>,
     ) -> Gathered<S> {
         let mut gathered = Gathered::new();
-        let first = Segment::from_eye(*ray, candidates);
         if self.uses(Effect::Refraction) {
-            self.follow_tree(&first, &mut gathered, levels, context);
+            self.follow_tree((ray, candidates), &mut gathered, levels, context);
         } else if self.uses(Effect::Reflection) {
-            self.follow_chain(first, &mut gathered, levels, context);
+            self.follow_chain((ray, candidates), &mut gathered, levels, context);
         } else {
-            self.meet(first, &mut gathered, context);
+            self.meet(Segment::from_eye(*ray), candidates, &mut gathered, context);
         }
         gathered
     }
@@ -79,14 +76,15 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'_, S, E, T, K> {
     #[inline(never)]
     fn follow_chain<O: Observer>(
         &self,
-        first: Segment<S>,
+        (ray, mut candidates): (&Ray<S>, Candidates),
         gathered: &mut Gathered<S>,
         levels: Levels,
         context: &mut TraceContext<O>,
     ) {
-        let mut next = Some(first);
+        let mut next = Some(Segment::from_eye(*ray));
         while let Some(segment) = next {
-            [next, _] = self.meet(segment, gathered, context);
+            [next, _] = self.meet(segment, candidates, gathered, context);
+            candidates = Candidates::ALL;
             next = next.filter(|next| {
                 let left = self.at_most(S::unit_real(next.weight));
                 self.uncut || !cutoff::is_settled::<S>(gathered.light, left, levels)
@@ -101,7 +99,7 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'_, S, E, T, K> {
     #[inline(never)]
     fn follow_tree<O: Observer>(
         &self,
-        first: &Segment<S>,
+        first: (&Ray<S>, Candidates),
         gathered: &mut Gathered<S>,
         levels: Levels,
         context: &mut TraceContext<O>,
@@ -117,7 +115,7 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'_, S, E, T, K> {
     /// False if rays were left out that could change a level.
     fn follow<O: Observer>(
         &self,
-        first: &Segment<S>,
+        (ray, mut candidates): (&Ray<S>, Candidates),
         leaves_out: bool,
         gathered: &mut Gathered<S>,
         levels: Levels,
@@ -127,9 +125,11 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'_, S, E, T, K> {
         let mut waiting = heapless::Vec::<Segment<S>, { DEPTH as usize + 1 }>::new();
         let mut aside = heapless::Vec::<Segment<S>, { DEPTH as usize }>::new();
         let mut left_out = S::Real::ZERO;
-        let mut next = Some(*first);
+        let mut next = Some(Segment::from_eye(*ray));
         while let Some(segment) = next {
-            for mut onward in self.meet(segment, gathered, context).into_iter().flatten() {
+            let sent_on = self.meet(segment, candidates, gathered, context);
+            candidates = Candidates::ALL;
+            for mut onward in sent_on.into_iter().flatten() {
                 if onward.weight < faint && !self.uncut {
                     match aside.push(onward) {
                         Ok(()) => continue,
@@ -180,9 +180,8 @@ fn exchanged<S: Scalar>(
 }
 
 impl<S: Scalar> Segment<S> {
-    pub(super) fn from_eye(ray: Ray<S>, candidates: Candidates) -> Self {
-        let (passage, weight) = (Passage::new(), S::Unit::ONE);
-        Self { ray, candidates, passage, weight, depth: 0, cause: None, enclosed: false }
+    pub(super) fn from_eye(ray: Ray<S>) -> Self {
+        Self { ray, passage: Passage::new(), weight: S::Unit::ONE, depth: 0, cause: None, enclosed: false }
     }
 }
 

@@ -22,10 +22,12 @@ use crate::vector::Vec3;
 const MOST_PASSED: u32 = 256;
 
 impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
-    /// Casts a ray, gathers the light at the first interface, and returns the secondary rays.
+    /// Casts a ray, which meets no other objects than these, gathers the light at the first interface, and returns the
+    /// secondary rays.
     pub(super) fn meet<O: Observer>(
         &self,
         mut segment: Segment<S>,
+        candidates: Candidates,
         gathered: &mut Gathered<S>,
         context: &mut TraceContext<O>,
     ) -> [Option<Segment<S>>; 2] {
@@ -37,7 +39,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         let mut weight = segment.weight;
         let mut place = Place::new();
         for passed in 0..=MOST_PASSED {
-            let met = self.meet_place(&mut segment, &mut place, context);
+            let met = self.meet_place(&mut segment, candidates, &mut place, context);
             let seen = met.is_some().then_some(place.seen);
             if segment.cause.is_none() {
                 gathered.first = seen;
@@ -82,12 +84,13 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
     fn meet_place<O: Observer>(
         &self,
         segment: &mut Segment<S>,
+        candidates: Candidates,
         place: &mut Place<S>,
         context: &mut TraceContext<O>,
     ) -> Option<(Media<'a, S>, bool)> {
         let (counters, observer, ray) = (&mut context.counters, &mut context.observer, &segment.ray);
         let along = Along::<'_, S, T, K, E>::new(self.scene, ray, &segment.passage, self.uses(Effect::Refraction))
-            .among(segment.candidates);
+            .among(candidates);
         let (nearest, is_alone) = self.scene.nearest_known(ray, &along, counters, observer)?;
         place.begin(nearest);
         if !is_alone {
@@ -240,7 +243,6 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
                 let passes = crossing != Crossing::Touch;
                 *refracted = site.ray(through).map(|ray| Segment {
                     ray,
-                    candidates: Candidates::ALL,
                     passage: segment.passage.at(place, passes, &segment.ray, self.scene),
                     weight,
                     depth: segment.depth + 1,
@@ -254,7 +256,6 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         {
             *mirrored = site.ray(reflection::direction(site)).map(|ray| Segment {
                 ray,
-                candidates: Candidates::ALL,
                 passage: site.near,
                 weight,
                 depth: segment.depth + 1,

@@ -264,11 +264,16 @@ impl<S: Scalar> Raster<S> {
         self.size
     }
 
-    /// The directions to the right, upwards and forwards, and half of the distance between neighbouring samples one
-    /// unit in front of the eye. `None` of an orthographic camera.
-    pub(super) fn pinhole(&self) -> Option<([UnitVec3<S>; 3], S::Real)> {
-        let Camera { forward, right, up, is_orthographic, .. } = self.camera;
-        (!is_orthographic).then_some(([right, up, forward], self.pitch))
+    /// The directions to the right, upwards and forwards.
+    pub(super) const fn axes(&self) -> [UnitVec3<S>; 3] {
+        let Camera { forward, right, up, .. } = self.camera;
+        [right, up, forward]
+    }
+
+    /// Half of the side of a pixel, one unit in front of the eye. `None` of an orthographic camera.
+    pub(super) fn half_a_pixel(&self) -> Option<S::Real> {
+        let samples = S::Real::from_int(i32::from(self.size.samples.max(1)));
+        (!self.camera.is_orthographic).then(|| self.pitch * samples)
     }
 
     /// The ray through a sample (column and row) of a pixel (column and row); (0, 0) is the upper left. With one sample

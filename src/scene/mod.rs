@@ -7,6 +7,7 @@
 //! | `levels`, `srgb` | the levels that pictures are stored and shown in |
 //! | `texture`, `fog`, `outline` | patterns on surfaces; fog; lines around what is seen |
 //! | `camera` | the primary ray of each pixel sample |
+//! | `directions`, `candidates` | the rays of a row and the balls that they may meet; so, the objects in each column |
 //! | `queries` | the nearest hit of a ray, occlusion, and which hits have one place |
 //! | `storage` | lists that a reader fills |
 //! | `stored`, `logged` | how parts that check what they hold are stored, for `serde`; how parts are logged, for `defmt` |
@@ -19,6 +20,7 @@ mod camera;
 mod candidates;
 mod color;
 mod counters;
+mod directions;
 mod fog;
 mod levels;
 mod light;
@@ -41,6 +43,7 @@ pub use camera::{Camera, CameraError, Raster, Size};
 pub(crate) use candidates::{Candidates, CandidatesOfRow};
 pub use color::Color;
 pub use counters::Counters;
+pub(crate) use directions::{Directions, View};
 pub use fog::Fog;
 pub(crate) use levels::Levels;
 #[cfg(feature = "embedded-graphics")]
@@ -284,6 +287,17 @@ impl<'a, S: Scalar, T: Tier<S>, K: Kinds> Scene<'a, S, T, K> {
             let (objects, built_for) = (self.objects.len(), hierarchy.objects());
             Err(SceneError::Hierarchy { objects: objects as u32, built_for: built_for as u32 })
         }
+    }
+
+    /// True if this scene is the other one but for its objects, and for a hierarchy.
+    pub(crate) fn differs_only_in_objects(&self, other: &Scene<'_, S, T, K>) -> bool {
+        self.materials == other.materials
+            && self.lights == other.lights
+            && self.normals == other.normals
+            && self.textures == other.textures
+            && (self.fog, self.outline) == (other.fog, other.outline)
+            && (self.background, self.ambient) == (other.background, other.ambient)
+            && self.camera == other.camera
     }
 
     /// The objects; a hit names one by its index.

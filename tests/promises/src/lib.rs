@@ -11,6 +11,7 @@ extern crate support;
 mod named;
 
 mod cameras;
+mod changed_rows;
 mod chords;
 mod constants;
 mod contract;

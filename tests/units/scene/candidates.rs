@@ -5,8 +5,9 @@ use crate::frame::Frame;
 use crate::hit::Hit;
 use crate::primitive::{Capsule, Cone, Cuboid, Cylinder, Plane, RoundCone, RoundedCuboid, Sphere, Torus, Triangle};
 use crate::random::Random;
-use crate::scene::{Camera, Object};
-use crate::shape::Primitive;
+use crate::scene::{Camera, Object, Size};
+use crate::shape::{Primitive, Shape};
+use crate::vector::{UnitVec3, Vec3};
 
 fn value<S: Scalar>(value: f64) -> S {
     S::from_f64(value).expect("a value of the type")
@@ -93,10 +94,10 @@ fn columns_of_ball(distance: f32, radius: f32, size: Size, y: u16) -> [u16; 2] {
     let (eye, up) = (Vec3::new(0.0, 0.0, distance), Vec3::new(0.0, 1.0, 0.0));
     let target = if distance > 0.0 { Vec3::ZERO } else { eye + eye };
     let camera = Camera::new(eye, target, up, 60.0).expect("a camera");
-    let (axes, pitch) = camera.raster(size).pinhole().expect("a pinhole");
-    let ball = Ball::of(&Shape::<f32>::new(Sphere::new(radius).expect("a radius")), eye, axes);
+    let raster = camera.raster(size);
+    let ball = View::of(&raster).ball(&Shape::<f32>::new(Sphere::new(radius).expect("a radius")));
     // Pixels of a picture of one row are as wide as the view.
-    Directions::of_row::<f32>(size, pitch, y).map_or([0, size.width], |row| row.columns(ball))
+    Directions::of_row(&raster, u32::from(y)).map_or([0, size.width], |row| row.columns(ball))
 }
 
 #[test]

@@ -1,0 +1,210 @@
+//! The rays of a row of pixels and the balls that they may meet, in integers.
+//!
+//! In the coordinates of a pinhole camera, to the right, upwards and forwards from the eye, the ray through a pixel has
+//! the direction `D = (u, v, f)`: `u` and `v` are the pixel's distances from the middle of the picture, and `f` is how
+//! far in front of the eye pixels are as wide as that. It meets the ball of radius `r` about `c` if `c . D > 0` and
+//!
+//! ```text
+//! q = (c . D)^2 - (D . D) (c . c - r^2) >= 0
+//! ```
+//!
+//! Along a row `q` is a quadratic function of the column, so that two additions lead to the next column (forward
+//! differences), and the columns with `q >= 0` follow each other. The plane of the row has the normal `n = (0, f, -v)`:
+//! there may be no point of the ball within it.
+//!
+//! A light at `l` casts the ball's shadow: that are the balls about `l + m (c - l)` with the radii `m r`, for `m >= 1`.
+//!
+//! All lengths are rounded to [`BITS`] bits, and the ball is larger by as much as that may change; all else is exact in
+//! 64 bits.
+
+use super::{Raster, Size};
+use crate::number::Parts;
+use crate::scalar::{Ring, Scalar};
+use crate::shape::Shape;
+use crate::shape::kinds::Kinds;
+use crate::vector::{UnitVec3, Vec3, pairs};
+
+/// Lengths are below 2 to the power of this: products of four are then below `2^62`.
+const BITS: i32 = 14;
+
+/// The integer below the magnitude of a number times a power of two, with its sign.
+fn truncated(Parts { mantissa, exponent, negative }: Parts, scale: i32) -> i64 {
+    let shift = exponent + scale;
+    let magnitude = if shift >= 0 {
+        mantissa.checked_shl(shift.unsigned_abs()).unwrap_or(0)
+    } else {
+        mantissa.checked_shr(shift.unsigned_abs()).unwrap_or(0)
+    };
+    if negative { -(magnitude as i64) } else { magnitude as i64 }
+}
+
+/// Lengths in a unit in which the largest has [`BITS`] bits, rounded towards zero; `None` if one is infinite, or all
+/// are zero.
+fn truncated_all<S: Scalar, const N: usize>(lengths: [S; N]) -> Option<[i64; N]> {
+    if !lengths.into_iter().all(S::is_finite) {
+        return None;
+    }
+    let lengths = lengths.map(S::parts);
+    let top = |parts: Parts| parts.exponent + (u64::BITS - parts.mantissa.leading_zeros()) as i32;
+    let top = lengths.into_iter().filter(|parts| parts.mantissa != 0).map(top).max()?;
+    Some(lengths.map(|length| truncated(length, BITS - top)))
+}
+
+/// The coordinates of a pinhole camera.
+#[derive(Clone, Copy)]
+pub(crate) struct View<S: Scalar> {
+    eye: Vec3<S>,
+    /// To the right, upwards and forwards.
+    axes: [UnitVec3<S>; 3],
+}
+
+impl<S: Scalar> View<S> {
+    /// That of a picture.
+    pub(crate) fn of(raster: &Raster<S>) -> Self {
+        Self { eye: raster.camera().position(), axes: raster.axes() }
+    }
+
+    /// The coordinates of a point, off by no more than a unit of the type and by the rounding of the axes.
+    fn coordinates(&self, point: Vec3<S>) -> [S; 3] {
+        let from_eye = pairs(point.to_array(), self.eye.to_array()).map(|(point, eye)| point.minus(eye));
+        if from_eye.into_iter().all(S::is_finite) {
+            self.axes.map(|axis| S::round(S::dot(from_eye, axis.to_array())))
+        } else {
+            [S::INFINITY; 3]
+        }
+    }
+
+    /// A ball that surely holds the shape; `None` if none is known.
+    pub(crate) fn ball<K: Kinds>(&self, shape: &Shape<S, K>) -> Option<Ball> {
+        self.ball_and_light(shape, self.eye).map(|(ball, _)| ball)
+    }
+
+    /// The same, and a light in the same unit.
+    pub(crate) fn ball_and_light<K: Kinds>(&self, shape: &Shape<S, K>, light: Vec3<S>) -> Option<(Ball, [i64; 3])> {
+        let (centre, legs) = shape.ball()?;
+        // The centre is off by two units of the type on each axis: in all less than what is added to the legs.
+        let [a, b, c] = legs.map(|leg| (0..4).fold(leg, |leg, _| leg.next_up()));
+        let ([x, y, z], [lx, ly, lz]) = (self.coordinates(centre), self.coordinates(light));
+        let [x, y, z, a, b, c, lx, ly, lz] = truncated_all([x, y, z, a, b, c, lx, ly, lz])?;
+        let square = [a, b, c].into_iter().map(|leg| (leg + 1) * (leg + 1)).sum::<i64>();
+        Some((Ball { c: [x, y, z], r: root(square) }, [lx, ly, lz]))
+    }
+}
+
+/// A number no less than the square root.
+fn root(square: i64) -> i64 {
+    square.unsigned_abs().isqrt() as i64 + 1
+}
+
+/// A ball in the coordinates of a camera, in a unit in which its numbers have [`BITS`] bits.
+#[derive(Clone, Copy)]
+pub(crate) struct Ball {
+    c: [i64; 3],
+    r: i64,
+}
+
+/// The directions of the rays of a row, in the coordinates of a pinhole camera.
+pub(crate) struct Directions {
+    /// `u` of the first column, and by how much it grows.
+    u: [i64; 2],
+    v: i64,
+    f: i64,
+    width: u16,
+    /// The rays are up to this far above the row's middle, and below it.
+    height: i64,
+    /// No less than the length of `n` at any of these heights.
+    length: i64,
+}
+
+impl Directions {
+    /// Those of row `y`, which may lie below the picture. `None` if they are parallel, or have no room in [`BITS`]
+    /// bits.
+    pub(crate) fn of_row<S: Scalar>(raster: &Raster<S>, y: u32) -> Option<Self> {
+        let Size { width, height, samples } = raster.size();
+        let [pixels, rows] = [width, height].map(i64::from);
+        let mut shift = BITS - (u64::BITS - pixels.max(rows).leading_zeros()) as i32;
+        // How far in front of the eye half a pixel is a unit wide, as a share of 2^BITS.
+        let mut far = (S::Real::ONE / raster.half_a_pixel()?).scaled(shift - BITS);
+        while far >= S::Real::ONE && shift > 0 {
+            (far, shift) = (far.scaled(-1), shift - 1);
+        }
+        if far >= S::Real::ONE || shift < 0 {
+            return None;
+        }
+        let f = truncated(S::unit_parts(S::unit_round(far)), BITS);
+        let from_middle = |pixel: i64, pixels: i64| (2 * pixel + 1 - pixels) << shift;
+        let (u, v) = (from_middle(0, pixels), -from_middle(i64::from(y), rows));
+        // So that the error of `f` is a small angle; and room for rows below the picture.
+        if f < 1 << 6 || v.abs() >= 1 << (BITS + 1) {
+            return None;
+        }
+        let height = if samples > 1 { 1 << shift } else { 0 };
+        let highest = v.abs() + height;
+        Some(Self { u: [u, 2 << shift], v, f, width, height, length: root(f * f + highest * highest) })
+    }
+
+    /// The radius of a ball, and as much as rounding may matter.
+    fn enlarged(&self, r: i64) -> i64 {
+        // A centre is off by less than 2, its distance from a light by less than 4. That `f` is off by less than 1
+        // turns a ray by less than 1 / 2 f, and so moves it by less than 2^BITS / f at the centre, which is nearer than
+        // 2^(BITS + 1). Directions of rays are rounded too.
+        r + 8 + (r >> 10) + (1 << BITS) / self.f
+    }
+
+    /// How far a point is from the plane of the row, times the length of its normal.
+    fn off_plane(&self, [_, y, z]: [i64; 3]) -> i64 {
+        y * self.f - z * self.v
+    }
+
+    /// How far a ball may be off the plane that a ray of the row meets.
+    fn reach(&self, [_, _, z]: [i64; 3], r: i64) -> i64 {
+        self.enlarged(r) * self.length + z.abs() * self.height
+    }
+
+    /// True if a ray of the row may meet the ball.
+    pub(crate) fn may_meet(&self, ball: &Ball) -> bool {
+        self.off_plane(ball.c).abs() <= self.reach(ball.c, ball.r)
+    }
+
+    /// True if a ray of the row may meet the shadow of the ball in this light, or the ball.
+    pub(crate) fn may_meet_shadow(&self, ball: &Ball, light: [i64; 3]) -> bool {
+        // From ball to ball of the shadow the distance grows in proportion to `from_light`. Either the first is near
+        // enough; or the plane is crossed; or the radii grow faster than the distance.
+        let from_light = pairs(ball.c, light).map(|(c, l)| c - l);
+        let (off, growth) = (self.off_plane(ball.c), self.off_plane(from_light));
+        self.may_meet(ball) || off.signum() * growth.signum() < 0 || growth.abs() <= self.reach(from_light, ball.r)
+    }
+
+    /// The first column in which a ray may meet the ball, and the one after the last; all columns if there is no ball.
+    /// For rays through the middle of pixels.
+    pub(super) fn columns(&self, ball: Option<Ball>) -> [u16; 2] {
+        let all = [0, self.width];
+        let Some(ball) = ball else { return all };
+        let Self { u: [u, step], v, f, .. } = *self;
+        let ([cx, cy, cz], r) = (ball.c, self.enlarged(ball.r));
+        let e = cx * cx + cy * cy + cz * cz - r * r;
+        if e <= 0 {
+            return all;
+        }
+        if !self.may_meet(&ball) {
+            return [0; 2];
+        }
+        // q = a u^2 + 2 b u + (k^2 - (v^2 + f^2) e)
+        let k = cy * v + cz * f;
+        let (a, b) = (cx * cx - e, cx * k);
+        let mut q = (a * u + 2 * b) * u + k * k - (v * v + f * f) * e;
+        let mut growth = (a * (2 * u + step) + 2 * b) * step;
+        let bend = 2 * a * step * step;
+        let mut ahead = cx * u + k;
+        let mut first = None;
+        for column in 0..self.width {
+            match (q >= 0 && ahead > 0, first) {
+                (true, None) => first = Some(column),
+                (false, Some(first)) => return [first, column],
+                _ => {}
+            }
+            (q, growth, ahead) = (q + growth, growth + bend, ahead + cx * step);
+        }
+        first.map_or([0; 2], |first| [first, self.width])
+    }
+}

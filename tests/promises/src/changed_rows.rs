@@ -1,0 +1,155 @@
+//! The promise: the rows of a picture that need not be drawn again are the same to the bit.
+
+use fixed::types::{I16F16, I32F32};
+use raylet::scene::{Outline, Waves};
+use raylet::{
+    Camera, Color, Cone, Cuboid, Cylinder, Frame, Light, Material, Object, Picture, Pixel, Plane, Scalar, Scene, Shape,
+    Size, Sphere, Torus, UnitVec3, Vec3,
+};
+use support::random::Random;
+
+fn number<S: Scalar>(value: f64) -> S {
+    S::from_f64(value).unwrap()
+}
+
+fn point<S: Scalar>(v: [f64; 3]) -> Vec3<S> {
+    Vec3::from_f64(v).unwrap()
+}
+
+fn anywhere<S: Scalar>(random: &mut Random, most: f64) -> Vec3<S> {
+    point([0; 3].map(|_| random.between(-most, most)))
+}
+
+fn frame<S: Scalar>(random: &mut Random) -> Frame<S> {
+    Frame::from_base_and_axis(anywhere(random, 3.0), UnitVec3::new(point(random.direction())).unwrap()).unwrap()
+}
+
+/// A floor, and solids in the air over it, some of which mirror or are of glass.
+fn objects<S: Scalar>(random: &mut Random) -> Vec<Object<S>> {
+    let below = Frame::at(point([0.0, -3.5, 0.0])).unwrap();
+    let mut objects = vec![Object::new(Shape::new(Plane::new()).placed(below), 0)];
+    for _ in 0..5 {
+        let size = random.between(0.1, 1.2);
+        let [large, small] = [size, 0.4 * size].map(number);
+        let shape = match random.below(5) {
+            0 => Shape::new(Cylinder::capped(small, large).unwrap()),
+            1 => Shape::new(Cone::capped(small, large).unwrap()),
+            2 => Shape::new(Cuboid::new(small, large, small).unwrap()),
+            3 => Shape::new(Torus::new(large, small).unwrap()),
+            _ => Shape::new(Sphere::new(large).unwrap()),
+        };
+        // Few mirrors, or every row has one.
+        let material = if random.below(5) == 0 { 1 + random.below(2) as u32 } else { 0 };
+        objects.push(Object::new(shape.placed(frame(random)), material));
+    }
+    objects
+}
+
+fn materials<S: Scalar>() -> [Material<S>; 3] {
+    let matte = Material::matte(Color::from_f64([0.9, 0.6, 0.3])).with_highlight(number(0.3), number(20.0));
+    [matte, matte.with_mirror(number(0.5)), matte.with_refraction(number(0.6), number(1.5))]
+}
+
+fn rows<S: Scalar>(picture: &Picture<'_, S>) -> Vec<Vec<Pixel<S>>> {
+    let mut rows = vec![Vec::new(); usize::from(picture.size().height)];
+    picture.render(|_, y, pixel| rows[usize::from(y)].push(pixel));
+    rows
+}
+
+/// Frames in which one or two objects move; returns the rows, those that are drawn again, and those that differ.
+fn check<S: Scalar>(seed: u64, samples: u8, outline: bool) -> [usize; 3] {
+    let (mut random, mut counts) = (Random(seed), [0; 3]);
+    let materials = materials::<S>();
+    for _ in 0..12 {
+        let far = |random: &mut Random, distance: f64| point(random.direction().map(|c| c * distance));
+        let lights = [0; 2].map(|_| {
+            let distance = random.pick(&[2.0, 9.0, 40.0]);
+            Light::new(far(&mut random, distance), number(0.5))
+        });
+        let angle = number(random.between(20.0, 90.0));
+        let camera = Camera::new(far(&mut random, 8.0), anywhere(&mut random, 1.0), far(&mut random, 1.0), angle);
+        let before = objects::<S>(&mut random);
+        let mut now = before.clone();
+        for _ in 0..=random.below(2) {
+            let moved = 1 + random.below(5);
+            now[moved].shape = now[moved].shape.placed(frame(&mut random));
+        }
+        if random.below(4) == 0 {
+            now.pop();
+        }
+        let [before, now] = [&before, &now].map(|objects| {
+            let scene = Scene::new(objects, &materials, &lights, camera.unwrap()).unwrap();
+            if outline { scene.with_outline(Outline::new(Color::BLACK)) } else { scene }
+        });
+        let size = Size::new(24, 32).with_samples(samples);
+        let [before, now] = [&before, &now].map(|scene| Picture::new(scene, size));
+        let (was, is) = (rows(&before), rows(&now));
+        let changed: Vec<_> = now.changed_rows(&before).collect();
+        let mut redrawn = was.clone();
+        for y in &changed {
+            redrawn[usize::from(*y)].clear();
+        }
+        let counters = now.render_changed(&before, |_, y, pixel| redrawn[usize::from(y)].push(pixel));
+        assert!(redrawn == is, "{seed}: rows other than {changed:?} differ");
+        assert!(samples > 1 || counters.primary_rays == 24 * changed.len() as u64);
+        let differing = was.iter().zip(&is).filter(|(was, is)| was != is).count();
+        counts = [counts[0] + was.len(), counts[1] + changed.len(), counts[2] + differing];
+    }
+    counts
+}
+
+#[test]
+fn rows_that_are_not_drawn_again_are_the_same_to_the_bit() {
+    let checked = [
+        check::<f32>(1, 1, false),
+        check::<f64>(2, 1, false),
+        check::<I16F16>(3, 1, false),
+        check::<I32F32>(4, 1, false),
+    ];
+    for [all, drawn, differing] in checked {
+        println!("{all} rows, {drawn} drawn again, {differing} differ");
+        assert!(drawn < all && differing > drawn / 3);
+    }
+}
+
+#[test]
+fn so_they_are_with_an_outline_and_with_several_samples() {
+    for [all, drawn, _] in [check::<f32>(5, 1, true), check::<I16F16>(6, 2, false), check::<f32>(7, 3, true)] {
+        assert!(drawn < all);
+    }
+}
+
+/// A ball over a floor, moved by a length, in this light.
+fn ball(x: f32) -> [Object<f32>; 2] {
+    let place = Frame::at(Vec3::new(x, 1.0, 0.0)).unwrap();
+    [Object::new(Shape::new(Plane::new()), 0), Object::new(Shape::new(Sphere::new(0.5).unwrap()).placed(place), 0)]
+}
+
+fn picture_of<'a>(scene: &'a Scene<'_, f32>) -> Picture<'a, f32> {
+    Picture::new(scene, Size::new(64, 48))
+}
+
+#[test]
+fn few_rows_change_if_a_ball_moves_and_all_if_anything_else_does() {
+    let up = Vec3::new(0.0, 1.0, 0.0);
+    let camera = Camera::new(Vec3::new(0.0_f32, 2.0, 8.0), up, up, 40.0).unwrap();
+    let materials = [Material::default()];
+    let lights = [Light::new(Vec3::new(2.0, 9.0, 4.0), 0.9)];
+    let (first, second) = (ball(0.0), ball(0.25));
+    let scene = |objects| Scene::new(objects, &materials, &lights, camera).unwrap();
+    let [before, now] = [scene(&first), scene(&second)];
+    let changed: Vec<_> = picture_of(&now).changed_rows(&picture_of(&before)).collect();
+    // The ball covers the rows from 19 to 28, its shadow some below.
+    assert!(changed.len() < 20 && changed.contains(&20) && changed.windows(2).all(|pair| pair[0] + 1 == pair[1]));
+    let all = |now: &Scene<'_, f32>| picture_of(now).changed_rows(&picture_of(&before)).count() == 48;
+    assert_eq!(picture_of(&before).changed_rows(&picture_of(&before)).count(), 0);
+    assert!(all(&before.with_background(Color::WHITE)));
+    let brighter = [Light::new(Vec3::new(2.0, 9.0, 4.0), 1.0)];
+    assert!(all(&Scene::new(&first, &materials, &brighter, camera).unwrap()));
+    let wavy = [Material { bump: Some(Waves { along_u: 1, along_v: 1, slope: 0.1 }), ..Material::default() }];
+    assert!(all(&Scene::new(&first, &wavy, &lights, camera).unwrap()));
+    let nearer = Camera::new(Vec3::new(0.0_f32, 2.0, 7.0), up, up, 40.0).unwrap();
+    assert!(all(&Scene::new(&first, &materials, &lights, nearer).unwrap()));
+    let sunk = [Object::new(Shape::new(Plane::new()).placed(Frame::at(-up).unwrap()), 0), first[1]];
+    assert!(all(&scene(&sunk)));
+}
