@@ -13,10 +13,10 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'_, S, E, T, K> {
     /// were others. All other rows are the same to the bit, and need not be drawn again.
     ///
     /// These rows may show an object that differs, as it is or as it was, its shadow, or a mirror or a transparent
-    /// object, in which it may be seen. Objects are told apart by their index, and a ball stands for each. So every row
-    /// is among them if an object differs that has no such ball: a plane, any that is infinite, any that a matrix
-    /// places, or a combination; or if the pictures differ in anything but their objects; or if the camera is
-    /// orthographic.
+    /// object, in which it may be seen. Objects are told apart by their index, and a ball stands for each; a shadow ends
+    /// at planes that stay. So every row is among them if an object differs that has no such ball: a plane, any that is
+    /// infinite, any that a matrix places, or a combination; or if the pictures differ in anything but their objects; or
+    /// if the camera is orthographic.
     ///
     /// ```
     /// # use raylet::{Camera, Frame, Light, Material, Object, Picture, Plane, Scene, Shape, Size, Sphere, Vec3};
@@ -30,8 +30,8 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'_, S, E, T, K> {
     /// let before = Scene::new(&first, &materials, &lights, camera)?;
     /// let now = Scene::new(&second, &materials, &lights, camera)?;
     /// let [before, now] = [&before, &now].map(|scene| Picture::new(scene, Size::new(64, 48)));
-    /// assert_eq!(now.changed_rows(&before).count(), 15);
-    /// assert_eq!(now.render_changed(&before, |_, _, _| {}).primary_rays, 15 * 64);
+    /// assert_eq!(now.changed_rows(&before).count(), 19);
+    /// assert_eq!(now.render_changed(&before, |_, _, _| {}).primary_rays, 19 * 64);
     /// # Ok::<(), raylet::Error>(())
     /// ```
     pub fn changed_rows<'p>(&'p self, before: &'p Picture<'_, S, E, T, K>) -> impl Iterator<Item = u16> + 'p {
@@ -70,6 +70,7 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'_, S, E, T, K> {
         let Some(row) = Directions::of_row(&self.raster, y) else { return true };
         let view = View::of(&self.raster);
         let [now, was] = [self, before].map(|picture| picture.tracer.scene().objects());
+        let stay = || now.iter().zip(was).filter(|(now, was)| now == was).map(|(now, _)| now);
         let (mut is_changed, mut shows_others) = (false, false);
         for index in 0..now.len().max(was.len()) {
             let pair = [now.get(index), was.get(index)];
@@ -80,22 +81,35 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'_, S, E, T, K> {
                 continue;
             }
             is_changed = true;
-            if pair.into_iter().flatten().any(|object| self.may_be_seen(object, &row, &view)) {
-                return true;
+            for object in pair.into_iter().flatten() {
+                let may_be_seen = view.ball(&object.shape).is_none_or(|ball| row.may_meet(&ball));
+                if may_be_seen || self.may_shade(object, &row, &view, stay()) {
+                    return true;
+                }
             }
         }
         is_changed && shows_others
     }
 
-    /// True if a ray of a row may see the object or its shadow.
-    fn may_be_seen(&self, object: &Object<S, K>, row: &Directions, view: &View<S>) -> bool {
-        if view.ball(&object.shape).is_none_or(|ball| row.may_meet(&ball)) {
-            return true;
-        }
+    /// True if a ray of a row may see the shadow of an object where others, which stay, do not throw theirs.
+    fn may_shade<'o>(
+        &self,
+        object: &Object<S, K>,
+        row: &Directions,
+        view: &View<S>,
+        others: impl Iterator<Item = &'o Object<S, K>> + Clone,
+    ) -> bool
+    where
+        K: 'o,
+    {
         let lights = if self.tracer.uses(Effect::Shadows) { self.tracer.scene().lights() } else { &[] };
         lights.iter().any(|light| {
-            let found = view.ball_and_light(&object.shape, light.position);
-            found.is_none_or(|(ball, light)| row.may_meet_shadow(&ball, light))
+            let may_meet = |other: Option<&Object<S, K>>| {
+                let shadow = view.shadow(&object.shape, light.position, other.map(|other| &other.shape));
+                shadow.is_none_or(|shadow| row.may_meet_shadow(&shadow))
+            };
+            let planes = others.clone().filter(|other| other.shape.plane().is_some());
+            may_meet(None) && planes.map(Some).all(may_meet)
         })
     }
 

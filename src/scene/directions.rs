@@ -12,7 +12,7 @@
 //! differences), and the columns with `q >= 0` follow each other. The plane of the row has the normal `n = (0, f, -v)`:
 //! there may be no point of the ball within it.
 //!
-//! A light at `l` casts the ball's shadow: that are the balls about `l + m (c - l)` with the radii `m r`, for `m >= 1`.
+//! In the light at `l` its shadow is the balls about `c + m (c - l)` with the radii `(1 + m) r`, for `m >= 0`.
 //!
 //! All lengths are rounded to [`BITS`] bits, and the ball is larger by as much as that may change; all else is exact in
 //! 64 bits.
@@ -76,19 +76,41 @@ impl<S: Scalar> View<S> {
 
     /// A ball that surely holds the shape; `None` if none is known.
     pub(crate) fn ball<K: Kinds>(&self, shape: &Shape<S, K>) -> Option<Ball> {
-        self.ball_and_light(shape, self.eye).map(|(ball, _)| ball)
+        let (centre, legs) = around(shape)?;
+        let ([x, y, z], [a, b, c]) = (self.coordinates(centre), legs);
+        let [x, y, z, a, b, c] = truncated_all([x, y, z, a, b, c])?;
+        Some(Ball::new([x, y, z], [a, b, c]))
     }
 
-    /// The same, and a light in the same unit.
-    pub(crate) fn ball_and_light<K: Kinds>(&self, shape: &Shape<S, K>, light: Vec3<S>) -> Option<(Ball, [i64; 3])> {
-        let (centre, legs) = shape.ball()?;
-        // The centre is off by two units of the type on each axis: in all less than what is added to the legs.
-        let [a, b, c] = legs.map(|leg| (0..4).fold(leg, |leg, _| leg.next_up()));
-        let ([x, y, z], [lx, ly, lz]) = (self.coordinates(centre), self.coordinates(light));
-        let [x, y, z, a, b, c, lx, ly, lz] = truncated_all([x, y, z, a, b, c, lx, ly, lz])?;
-        let square = [a, b, c].into_iter().map(|leg| (leg + 1) * (leg + 1)).sum::<i64>();
-        Some((Ball { c: [x, y, z], r: root(square) }, [lx, ly, lz]))
+    /// The shadow of such a ball in this light, and the part of it that another shape may throw, too; `None` if no ball
+    /// is known.
+    pub(crate) fn shadow<K: Kinds>(
+        &self,
+        shape: &Shape<S, K>,
+        light: Vec3<S>,
+        other: Option<&Shape<S, K>>,
+    ) -> Option<Shadow> {
+        let (centre, legs) = around(shape)?;
+        let ([x, y, z], [a, b, c], [lx, ly, lz]) = (self.coordinates(centre), legs, self.coordinates(light));
+        let plane = other.and_then(Shape::plane);
+        let above = |point: Vec3<S>| plane.map_or(S::ZERO, |(on, normal)| S::round((point - on).dot(normal)));
+        let lengths = [x, y, z, a, b, c, lx, ly, lz, above(centre), above(light)];
+        let [x, y, z, a, b, c, lx, ly, lz, height, of_light] = truncated_all(lengths)?;
+        let (centre, side) = ([x, y, z], of_light.signum());
+        Some(Shadow {
+            ball: Ball::new(centre, [a, b, c]),
+            from_light: pairs(centre, [lx, ly, lz]).map(|(c, l)| c - l),
+            heights: [side * height, side * (height - of_light)],
+        })
     }
+}
+
+/// A ball that holds the shape but for the rounding of its centre, which is less than a unit of the type: its centre,
+/// and lengths whose squares add up to that of its radius.
+fn around<S: Scalar, K: Kinds>(shape: &Shape<S, K>) -> Option<(Vec3<S>, [S; 3])> {
+    let (centre, legs) = shape.ball()?;
+    // In all the coordinates are off by less than what is added here.
+    Some((centre, legs.map(|leg| (0..4).fold(leg, |leg, _| leg.next_up()))))
 }
 
 /// A number no less than the square root.
@@ -96,11 +118,46 @@ fn root(square: i64) -> i64 {
     square.unsigned_abs().isqrt() as i64 + 1
 }
 
+/// True if there is an `m >= 0` for which every `a + b m` of these is no less than zero.
+fn are_positive(terms: [[i64; 2]; 4]) -> bool {
+    // From `low` to `high`, which are fractions; 1 / 0 is infinite.
+    let (mut low, mut high) = ([0, 1], [1, 0]);
+    let is_less = |[a, b]: [i64; 2], [c, d]: [i64; 2]| i128::from(a) * i128::from(d) < i128::from(c) * i128::from(b);
+    for [a, b] in terms {
+        if a < 0 && b <= 0 {
+            return false;
+        } else if a < 0 {
+            low = if is_less(low, [-a, b]) { [-a, b] } else { low };
+        } else if b < 0 {
+            high = if is_less([a, -b], high) { [a, -b] } else { high };
+        }
+    }
+    !is_less(high, low)
+}
+
 /// A ball in the coordinates of a camera, in a unit in which its numbers have [`BITS`] bits.
 #[derive(Clone, Copy)]
 pub(crate) struct Ball {
     c: [i64; 3],
     r: i64,
+}
+
+impl Ball {
+    /// The legs have been rounded down.
+    fn new(c: [i64; 3], legs: [i64; 3]) -> Self {
+        let square = legs.into_iter().map(|leg| (leg + 1) * (leg + 1)).sum::<i64>();
+        Self { c, r: root(square) }
+    }
+}
+
+/// The shadow of a ball in the same coordinates: the balls about `c + m (c - l)` with the radii `(1 + m) r`.
+pub(crate) struct Shadow {
+    ball: Ball,
+    /// `c - l`
+    from_light: [i64; 3],
+    /// How far these centres are on the light's side of a plane, which shades all that is on the other side: for `m = 0`,
+    /// and the growth. Zero without a plane.
+    heights: [i64; 2],
 }
 
 /// The directions of the rays of a row, in the coordinates of a pinhole camera.
@@ -145,10 +202,10 @@ impl Directions {
 
     /// The radius of a ball, and as much as rounding may matter.
     fn enlarged(&self, r: i64) -> i64 {
-        // A centre is off by less than 2, its distance from a light by less than 4. That `f` is off by less than 1
-        // turns a ray by less than 1 / 2 f, and so moves it by less than 2^BITS / f at the centre, which is nearer than
-        // 2^(BITS + 1). Directions of rays are rounded too.
-        r + 8 + (r >> 10) + (1 << BITS) / self.f
+        // A centre is off by less than 2. That `f` is off by less than 1 turns a ray by less than 1 / 2 f, and so moves
+        // it by less than 2^BITS / f at the centre, which is nearer than 2^(BITS + 1). Directions of rays are rounded
+        // too.
+        r + 4 + (r >> 10) + (1 << BITS) / self.f
     }
 
     /// How far a point is from the plane of the row, times the length of its normal.
@@ -166,13 +223,17 @@ impl Directions {
         self.off_plane(ball.c).abs() <= self.reach(ball.c, ball.r)
     }
 
-    /// True if a ray of the row may meet the shadow of the ball in this light, or the ball.
-    pub(crate) fn may_meet_shadow(&self, ball: &Ball, light: [i64; 3]) -> bool {
-        // From ball to ball of the shadow the distance grows in proportion to `from_light`. Either the first is near
-        // enough; or the plane is crossed; or the radii grow faster than the distance.
-        let from_light = pairs(ball.c, light).map(|(c, l)| c - l);
-        let (off, growth) = (self.off_plane(ball.c), self.off_plane(from_light));
-        self.may_meet(ball) || off.signum() * growth.signum() < 0 || growth.abs() <= self.reach(from_light, ball.r)
+    /// True if a ray of the row may meet the shadow on the light's side of the plane.
+    pub(crate) fn may_meet_shadow(&self, Shadow { ball, from_light, heights }: &Shadow) -> bool {
+        // How far a ball of the shadow is off the plane of the row, how far it may be, and how far its nearest point is
+        // in front of the eye: of each the value for m = 0, and the growth. The distance from the light is off by less
+        // than 4.
+        let radius = self.enlarged(ball.r + 4);
+        let [reach, more] = [self.reach(ball.c, ball.r), self.reach(*from_light, ball.r + 4)];
+        let [off, farther] = [ball.c, *from_light].map(|point| self.off_plane(point));
+        let ahead = [ball.c[2] + radius, from_light[2] + radius];
+        let lit = heights.map(|height| height + radius);
+        are_positive([[reach + off, more + farther], [reach - off, more - farther], ahead, lit])
     }
 
     /// The first column in which a ray may meet the ball, and the one after the last; all columns if there is no ball.

@@ -50,7 +50,7 @@ use crate::ray::Ray;
 use crate::scalar::Scalar;
 use crate::solve::{self, Of, Root};
 use crate::tier::{Precision, Stable, Tier};
-use crate::vector::Vec3;
+use crate::vector::{UnitVec3, Vec3};
 use combination::{Combination, Op};
 use combined::{Combined, Parts};
 use core::fmt;
@@ -449,6 +449,18 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
         match &self.placement {
             Placement::World => Some((centre, legs)),
             Placement::Frame(frame) if K::SET.contains(Kind::Frame) => Some((frame.point_to_world(centre), legs)),
+            _ => None,
+        }
+    }
+
+    /// A point of a plane that is seen from both sides, and its normal; `None` of any other shape.
+    pub(crate) fn plane(&self) -> Option<(Vec3<S>, UnitVec3<S>)> {
+        let is_plane = self.combined.parts().is_none()
+            && self.visible == Visible::Both
+            && matches!(self.member.primitive, Primitive::Plane(_));
+        match &self.placement {
+            Placement::World if is_plane => Some((Vec3::ZERO, UnitVec3::Y)),
+            Placement::Frame(frame) if is_plane => Some((frame.position(), frame.up())),
             _ => None,
         }
     }
