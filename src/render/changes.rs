@@ -13,10 +13,10 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'_, S, E, T, K> {
     /// were others. All other rows are the same to the bit, and need not be drawn again.
     ///
     /// These rows may show an object that differs, as it is or as it was, its shadow, or a mirror or a transparent
-    /// object, in which it may be seen. Objects are told apart by their index, and a ball stands for each; a shadow ends
-    /// at planes that stay. So every row is among them if an object differs that has no such ball: a plane, any that is
-    /// infinite, any that a matrix places, or a combination; or if the pictures differ in anything but their objects; or
-    /// if the camera is orthographic.
+    /// object, in which it may be seen. Objects are told apart by their index, and a ball stands for each; a shadow
+    /// ends at planes that stay. So every row is among them if an object differs that has no such ball: a plane, any
+    /// that is infinite, any that a matrix places, or a combination; or if the pictures differ in anything but their
+    /// objects; or if the camera is orthographic.
     ///
     /// ```
     /// # use raylet::{Camera, Frame, Light, Material, Object, Picture, Plane, Scene, Shape, Size, Sphere, Vec3};
@@ -83,7 +83,7 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'_, S, E, T, K> {
             is_changed = true;
             for object in pair.into_iter().flatten() {
                 let may_be_seen = view.ball(&object.shape).is_none_or(|ball| row.may_meet(&ball));
-                if may_be_seen || self.may_shade(object, &row, &view, stay()) {
+                if may_be_seen || self.may_shade(object, &row, &view, &stay()) {
                     return true;
                 }
             }
@@ -97,7 +97,7 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'_, S, E, T, K> {
         object: &Object<S, K>,
         row: &Directions,
         view: &View<S>,
-        others: impl Iterator<Item = &'o Object<S, K>> + Clone,
+        others: &(impl Iterator<Item = &'o Object<S, K>> + Clone),
     ) -> bool
     where
         K: 'o,

@@ -155,8 +155,8 @@ pub(crate) struct Shadow {
     ball: Ball,
     /// `c - l`
     from_light: [i64; 3],
-    /// How far these centres are on the light's side of a plane, which shades all that is on the other side: for `m = 0`,
-    /// and the growth. Zero without a plane.
+    /// How far these centres are on the light's side of a plane, which shades all that is on the other side: for
+    /// `m = 0`, and the growth. Zero without a plane.
     heights: [i64; 2],
 }
 
