@@ -1,5 +1,5 @@
 //! The objects that the rays of a row of pixels may meet, so that all others are not tested. A picture has the same
-//! bits with them as without.
+//! bits with them as without, but for hits that `Plain` and `Fast` may invent far away from an object.
 
 use super::{Directions, Raster, Scene, View};
 use crate::scalar::Scalar;

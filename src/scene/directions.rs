@@ -171,6 +171,8 @@ pub(crate) struct Directions {
     height: i64,
     /// No less than the length of `n` at any of these heights.
     length: i64,
+    /// No less than what the error of `f` moves a ray by at a centre.
+    turned: i64,
 }
 
 impl Directions {
@@ -197,15 +199,16 @@ impl Directions {
         }
         let height = if samples > 1 { 1 << shift } else { 0 };
         let highest = v.abs() + height;
-        Some(Self { u: [u, 2 << shift], v, f, width, height, length: root(f * f + highest * highest) })
+        let length = root(f * f + highest * highest);
+        // That `f` is off by less than 1 turns a ray by less than 1 / 2 f; a centre is nearer than 2^(BITS + 1).
+        let turned = (1_i64 << BITS).checked_div(f)?;
+        Some(Self { u: [u, 2 << shift], v, f, width, height, length, turned })
     }
 
     /// The radius of a ball, and as much as rounding may matter.
     fn enlarged(&self, r: i64) -> i64 {
-        // A centre is off by less than 2. That `f` is off by less than 1 turns a ray by less than 1 / 2 f, and so moves
-        // it by less than 2^BITS / f at the centre, which is nearer than 2^(BITS + 1). Directions of rays are rounded
-        // too.
-        r + 4 + (r >> 10) + (1 << BITS) / self.f
+        // A centre is off by less than 2. Directions of rays are rounded too.
+        r + 4 + (r >> 10) + self.turned
     }
 
     /// How far a point is from the plane of the row, times the length of its normal.

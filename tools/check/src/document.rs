@@ -170,6 +170,9 @@ fn table(chips: &[Measured], name: &str, about: &str) -> Outcome<String> {
         "textbook" => compared(chips, Part::Cost, &["solid", "number", "tier"], place_of_solid, hit_and_miss),
         "users" => compared(chips, Part::Workload, &["rays"], place_of_user, mean_and_worst),
         "flash" => compared(chips, Part::Size, &["solid", "tier"], place_of_size, |cell| joined(cell, &["bytes"])),
+        "pixels" => compared(chips, Part::Effects, &["effects", "number", "tier"], place_of_pixel, |cell| {
+            joined(cell, &["instructions"])
+        }),
         _ => return Err(format!("there is no table `{name}`").into()),
     })
 }
@@ -200,6 +203,14 @@ fn place_of_size<'a>(parts: &[&'a str]) -> Option<Place<'a>> {
     Some((vec![solid, tier], vec![chip, number], "bytes"))
 }
 
+/// The nearest hit, light, and shadows in pictures of every tier.
+fn place_of_pixel<'a>(parts: &[&'a str]) -> Option<Place<'a>> {
+    let [chip, of, number, "instructions"] = *parts else { return None };
+    let (set, tier) = of.split_once("; ").unwrap_or((of, "Stable"));
+    let is_shown = matches!(set, "none" | "diffuse" | "diffuse, specular, shadows");
+    is_shown.then(|| (vec![set, number, tier], vec![chip], "instructions"))
+}
+
 /// Every table of a chip.
 pub fn printed(chip: &str) -> Outcome<String> {
     let named = |of: &Measured| of.name == chip || CHIPS.contains(&(chip, of.name));
@@ -211,6 +222,7 @@ pub fn printed(chip: &str) -> Outcome<String> {
     let of = |what: &'static str| move |cell: &Cell<'_>| joined(cell, &[what]);
     let all = |_: &str| true;
     let is_set = |row: &str| SETS.iter().any(|(_, set)| *set == row);
+    let is_set_in_tier = |row: &str| is_set(row.split("; ").next().unwrap_or(row));
     let size = Part::Size.figures(&counted);
     let solids: Figures = size
         .iter()
@@ -239,14 +251,14 @@ pub fn printed(chip: &str) -> Outcome<String> {
         ),
         (
             "Effects, instructions a pixel: alone / among all",
-            others(Part::Effects.figures(&counted), is_set, |cell| {
+            others(Part::Effects.figures(&counted), is_set_in_tier, |cell| {
                 joined(cell, &["instructions", "instructions among all"])
             }),
         ),
         ("Effects, modelled cycles a pixel", others(Part::Effects.figures(&modelled), is_set, of("instructions"))),
         (
             "Effects, bytes of stack: alone / among all",
-            others(Part::Effects.figures(&counted), is_set, |cell| joined(cell, &["stack", "stack among all"])),
+            others(Part::Effects.figures(&counted), is_set_in_tier, |cell| joined(cell, &["stack", "stack among all"])),
         ),
         (
             "The gallery, instructions a pixel / rays",
