@@ -49,6 +49,8 @@ pub fn pictures<S: Any>(camera: Camera<S>) -> Option<()> {
     give(scene.camera().raster(size).ray([any_word() as u16, any_word() as u16], [any_word() as u8, 0]));
     give(picture.pixel(any_word() as u16, any_word() as u16, &mut context));
     give(picture.render(|x, y, pixel| give((x, y, pixel.color.to_srgb888(), pixel.seen, pixel.lit_by))));
+    let earlier = Scene::new(any_list(&objects), &materials, &lights, camera).ok()?;
+    give(picture.render_changed(&Picture::new(&earlier, size), |x, y, pixel| give((x, y, pixel.seen))));
     give((any_color::<S>().plus(any_color()), any_color::<S>().times(any_color())));
     Some(())
 }
