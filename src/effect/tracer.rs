@@ -125,6 +125,11 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         self.active
     }
 
+    /// True if this tracer is the other one but for the objects of its scene.
+    pub(crate) fn differs_only_in_objects(&self, other: &Tracer<'_, S, E, T, K>) -> bool {
+        (self.active, self.uncut) == (other.active, other.uncut) && self.scene.differs_only_in_objects(other.scene)
+    }
+
     /// True if the effect is in use. For an effect that is not compiled in this is a constant, and the compiler removes
     /// the code that depends on it.
     #[inline(always)]

@@ -37,8 +37,7 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'_, S, E, T, K> {
     pub fn changed_rows<'p>(&'p self, before: &'p Picture<'_, S, E, T, K>) -> impl Iterator<Item = u16> + 'p {
         let are_comparable = self.raster == before.raster
             && self.levels == before.levels
-            && self.effects() == before.effects()
-            && self.tracer.scene().differs_only_in_objects(before.tracer.scene());
+            && self.tracer.differs_only_in_objects(&before.tracer);
         (0..self.size().height).filter(move |y| !are_comparable || self.may_differ(before, u32::from(*y)))
     }
 

@@ -19,7 +19,7 @@
 
 use super::{Raster, Size};
 use crate::number::Parts;
-use crate::scalar::{Ring, Scalar};
+use crate::scalar::{Ring, Scalar, largest};
 use crate::shape::Shape;
 use crate::shape::kinds::Kinds;
 use crate::vector::{UnitVec3, Vec3, pairs};
@@ -105,12 +105,15 @@ impl<S: Scalar> View<S> {
     }
 }
 
-/// A ball that holds the shape but for the rounding of its centre, which is less than a unit of the type: its centre,
-/// and lengths whose squares add up to that of its radius.
+/// A ball that holds the shape, whatever the rounding of its centre: this, and lengths whose squares add up to that of
+/// its radius.
 fn around<S: Scalar, K: Kinds>(shape: &Shape<S, K>) -> Option<(Vec3<S>, [S; 3])> {
     let (centre, legs) = shape.ball()?;
-    // In all the coordinates are off by less than what is added here.
-    Some((centre, legs.map(|leg| (0..4).fold(leg, |leg, _| leg.next_up()))))
+    // The coordinates are off by some units in their last place, which far from the origin may be as large as the shape:
+    // by two on each axis in fixed point, where a length is off by one, and by one in floats.
+    let farthest = largest(centre.to_array());
+    let unit = farthest.next_up().minus(farthest);
+    Some((centre, legs.map(|leg| (0..8).fold(leg, |leg, _| leg.plus(unit)))))
 }
 
 /// A number no less than the square root.

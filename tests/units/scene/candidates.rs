@@ -26,7 +26,7 @@ fn solids<S: Scalar>(size: f64) -> [Primitive<S>; 13] {
         Sphere::new(a).expect("a size").into(),
         Cylinder::capped(b, a).expect("sizes").into(),
         Cylinder::infinite(b).expect("sizes").into(),
-        Cone::capped(b, a).expect("sizes").into(),
+        Cone::capped(value(0.6), a).expect("sizes").into(),
         Cone::frustum(a, c, b).expect("sizes").into(),
         Capsule::new(c, a).expect("sizes").into(),
         RoundCone::new(a, c, a).expect("sizes").into(),
@@ -39,18 +39,20 @@ fn solids<S: Scalar>(size: f64) -> [Primitive<S>; 13] {
     ]
 }
 
-/// Every ray of pictures of one solid; returns the rays, those that may meet it, and those that do.
-fn check<S: Scalar>(seed: u64) -> [u32; 3] {
+/// Every ray of pictures of one solid in a scene of this scale, this far from the origin; returns the rays, those that
+/// may meet it, and those that do.
+fn check<S: Scalar>(seed: u64, scale: f64, away: f64) -> [u32; 3] {
     let (mut random, mut counts) = (Random(seed), [0; 3]);
+    let away = Vec3::from([away, -0.7 * away, 0.9 * away].map(value::<S>));
     for _ in 0..40 {
-        let (eye, up) = (vector::<S>(&mut random, 9.0), vector(&mut random, 1.0));
+        let (eye, up) = (away + vector::<S>(&mut random, 9.0 * scale), vector(&mut random, 1.0));
         let angle = random.between(0.5, 120.0) * random.unit().max(0.05);
-        let camera = Camera::new(eye, vector(&mut random, 2.0), up, value(angle)).expect("a camera");
+        let camera = Camera::new(eye, away + vector(&mut random, 2.0 * scale), up, value(angle)).expect("a camera");
         let [width, height] = [1 + (random.next() % 70) as u16, 1 + (random.next() % 50) as u16];
         let raster = camera.raster(Size::new(width, height));
-        let size = random.between(0.02, 3.0);
+        let size = scale * random.between(0.02, 3.0);
         for solid in solids::<S>(size) {
-            let place = vector(&mut random, 5.0);
+            let place = away + vector(&mut random, 5.0 * scale);
             let axis = UnitVec3::new(vector(&mut random, 1.0)).expect("it is not zero");
             let shape = Shape::new(solid).placed(Frame::from_base_and_axis(place, axis).expect("a frame"));
             let objects = [Object::new(shape, 0)];
@@ -75,7 +77,9 @@ fn check<S: Scalar>(seed: u64) -> [u32; 3] {
 
 #[test]
 fn a_ray_that_meets_an_object_has_it_among_its_candidates() {
-    for [rays, candidates, hits] in [check::<f32>(1), check::<f64>(2)] {
+    let near = [check::<f32>(1, 1.0, 0.0), check::<f64>(2, 1.0, 0.0), check::<f32>(3, 1e-9, 0.0)];
+    let far = [1e3, 1e5, 2e6].map(|away| check::<f32>(4, 1.0, away));
+    for [rays, candidates, hits] in near.into_iter().chain(far) {
         assert!(hits > rays / 20 && candidates < rays / 2, "{hits} {candidates} of {rays}");
     }
 }
@@ -84,7 +88,10 @@ fn a_ray_that_meets_an_object_has_it_among_its_candidates() {
 #[test]
 fn a_ray_that_meets_an_object_has_it_among_its_candidates_in_fixed_point() {
     use fixed::types::{I8F24, I16F16, I20F12, I32F32};
-    for [rays, candidates, hits] in [check::<I16F16>(3), check::<I32F32>(4), check::<I20F12>(5), check::<I8F24>(6)] {
+    let near = [check::<I16F16>(5, 1.0, 0.0), check::<I32F32>(6, 1.0, 0.0), check::<I8F24>(7, 1.0, 0.0)];
+    // Of units in which the smallest solids are a few long; and at the end of the budget.
+    let coarse = [check::<I20F12>(8, 0.25, 0.0), check::<I16F16>(9, 0.02, 0.0), check::<I16F16>(10, 1.0, 16_000.0)];
+    for [rays, candidates, hits] in near.into_iter().chain(coarse) {
         assert!(hits > rays / 20 && candidates < rays / 2, "{hits} {candidates} of {rays}");
     }
 }
