@@ -89,7 +89,9 @@ pub(crate) fn high_product(a: u32, b: u32) -> u32 {
     let (al, ah, bl, bh) = (a & 0xffff, a >> 16, b & 0xffff, b >> 16);
     let first = ah * bl + ((al * bl) >> 16);
     let second = al * bh + (first & 0xffff);
-    ah * bh + (first >> 16) + (second >> 16)
+    // The lower half of `second` is the upper half of the low word. Subtracting it changes nothing, but without it
+    // LLVM 21 sees that this is a long product, and calls the function for it.
+    ah * bh + (first >> 16) + ((second - (a.wrapping_mul(b) >> 16)) >> 16)
 }
 
 /// `2^12 / sqrt(n + 1/2)` less 2^8, rounded down, for the top byte `n` of a number with one of its two top bits set.

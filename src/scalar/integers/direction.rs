@@ -1,6 +1,6 @@
 //! The direction of a vector.
 
-use crate::number::machine::{high_product, leading_zeros, product, reciprocal_root, square};
+use crate::number::machine::{high_product, leading_zeros, product, product_unsigned, reciprocal_root, square};
 use crate::scalar::{Attempt, found};
 
 /// The direction and the length of a vector.
@@ -49,7 +49,7 @@ pub(super) fn unit(v: [i32; 3]) -> Attempt<Unit> {
     // m r in units of 2^-62, m r^2 in units of 2^-60, and e in units of 2^-38.
     let (low, carry) = above.wrapping_mul(r).overflowing_add(high_product(below, r));
     let root = high_product(above, r) + carry as u32;
-    let lack = (1 << 60) - product(root as i32, r as i32) - high_product(low, r) as i64;
+    let lack = (1 << 60) - product_unsigned(root, r) as i64 - high_product(low, r) as i64;
     let lack = (lack >> 22) as i32;
 
     let along = |component: i32, signed: i32| {
