@@ -10,7 +10,9 @@ use crate::effect::{All, Effect, EffectError, EffectSet, Effects, Sample, TraceC
 use crate::part::Part;
 use crate::ray::Ray;
 use crate::scalar::{Real, Ring, Scalar};
-use crate::scene::{Candidates, CandidatesOfRow, Color, Counters, Levels, Observer, Raster, Scene, SceneHit, Size};
+use crate::scene::{
+    Candidates, CandidatesOfRow, Color, Counters, Levels, Observer, Raster, RaysOfRow, Scene, SceneHit, Size,
+};
 use crate::shape::kinds::{self, Kinds};
 use crate::tier::{Stable, Tier};
 
@@ -170,19 +172,19 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
         if self.is_antialiased() {
             return self.pixel_of_many(x, y, context);
         }
-        self.pixel_of_one(x, y, Candidates::ALL, context)
+        let [right, down] = self.raster.place([x, y], [0, 0]);
+        self.pixel_of_one(&self.raster.row(down), right, None, context)
     }
 
     #[inline(always)]
     fn pixel_of_one<O: Observer>(
         &self,
-        x: u16,
-        y: u16,
-        candidates: Candidates,
+        row: &RaysOfRow<'_, S>,
+        right: i32,
+        candidates: Option<Candidates>,
         context: &mut TraceContext<O>,
     ) -> Pixel<S> {
-        let at = self.raster.place([x, y], [0, 0]);
-        let Sample { color, seen, lit_by } = self.sample(at, candidates, self.levels, context);
+        let Sample { color, seen, lit_by } = self.sample(row, right, candidates, self.levels, context);
         Pixel { color, seen, lit_by }
     }
 
@@ -218,11 +220,12 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
         context.forget();
         let next = u32::from(x);
         let (left, candidates) = if self.is_antialiased() {
-            (Some(self.edge(next, y, context)), CandidatesOfRow::all())
+            (Some(self.edge(next, y, context)), None)
         } else {
-            (None, CandidatesOfRow::new(self.tracer.scene(), &self.raster, y))
+            (None, CandidatesOfRow::new(self.tracer.balls(), &self.raster, y))
         };
-        Row { picture: self, context, next, y, left, candidates }
+        let [_, down] = self.raster.place([0, y], [0, 0]);
+        Row { picture: self, context, next, y, left, rays: self.raster.row(down), candidates }
     }
 
     /// Traces every pixel, row after row from the upper left, and passes each to `each` with its column and row.
@@ -237,23 +240,25 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
         context.counters
     }
 
-    /// What the primary ray through a point of the raster sees, its colour clamped to `[0, 1]`.
+    /// What a primary ray of a row sees, so many half samples from the left edge; its colour is clamped to `[0, 1]`.
     fn sample<O: Observer>(
         &self,
-        at: [i64; 2],
-        candidates: Candidates,
+        row: &RaysOfRow<'_, S>,
+        right: i32,
+        candidates: Option<Candidates>,
         levels: Levels,
         context: &mut TraceContext<O>,
     ) -> Sample<S> {
-        let Some(ray) = self.raster.through(at) else {
+        let Some(ray) = row.through(right) else {
             return Sample { color: Color::BLACK, seen: None, lit_by: 0 };
         };
         context.counters.primary_rays += 1;
+        let candidates = candidates.unwrap_or_else(|| self.tracer.candidates(&ray));
         let gathered = self.tracer.gather(&ray, candidates, levels, context);
         let mut sample = gathered.sample();
         if self.tracer.uses(Effect::Outline)
             && let Some(outline) = self.tracer.scene().outline()
-            && self.is_outlined(at, outline.width, &ray, gathered.first, context)
+            && self.is_outlined(row, right, outline.width, &ray, gathered.first, context)
         {
             sample.color = outline.color;
         }
@@ -266,24 +271,25 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
     #[inline(never)]
     fn is_outlined<O: Observer>(
         &self,
-        [right, down]: [i64; 2],
+        row: &RaysOfRow<'_, S>,
+        right: i32,
         width: u8,
         ray: &Ray<S>,
         on: Option<SceneHit<S>>,
         context: &mut TraceContext<O>,
     ) -> bool {
-        let width = i64::from(width) * self.raster.pixel();
-        let beside = [[right + width, down], [right, down + width]];
-        beside
-            .into_iter()
-            .filter_map(|at| self.raster.through(at))
-            .any(|beside| self.tracer.sees_edge([ray, &beside], on, context))
+        let width = i32::from(width) * self.raster.pixel();
+        let beside = [row.through(right + width), self.raster.row(row.down() + width).through(right)];
+        beside.into_iter().flatten().any(|beside| self.tracer.sees_edge([ray, &beside], on, context))
     }
 
     /// The two corners, upper and lower, on the left of the pixel in column `x`.
     fn edge<O: Observer>(&self, x: u32, y: u16, context: &mut TraceContext<O>) -> [Sample<S>; 2] {
         let y = u32::from(y);
-        [y, y + 1].map(|y| self.sample(self.raster.corner([x, y]), Candidates::ALL, Levels::Fine, context))
+        [y, y + 1].map(|y| {
+            let [right, down] = self.raster.corner([x, y]);
+            self.sample(&self.raster.row(down), right, None, Levels::Fine, context)
+        })
     }
 
     /// The pixel between two edges.
@@ -313,8 +319,8 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
         let mut middle = Sample { color: Color::BLACK, seen: None, lit_by: 0 };
         for row in 0..samples {
             for column in 0..samples {
-                let place = self.raster.place(at, [column, row]);
-                let sample = self.sample(place, Candidates::ALL, Levels::Fine, context);
+                let [right, down] = self.raster.place(at, [column, row]);
+                let sample = self.sample(&self.raster.row(down), right, None, Levels::Fine, context);
                 mean.take(sample.color);
                 if (column, row) == (samples / 2, samples / 2) {
                     middle = sample;
@@ -358,7 +364,8 @@ pub struct Row<'w, 'a, S: Scalar, E, O, T = Stable, K: Kinds = kinds::All> {
     /// The corners on the left of the next pixel.
     left: Option<[Sample<S>; 2]>,
     /// The objects that the next pixel's ray may meet, if it has one sample.
-    candidates: CandidatesOfRow,
+    rays: RaysOfRow<'w, S>,
+    candidates: Option<CandidatesOfRow>,
 }
 
 impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> Iterator for Row<'_, '_, S, E, O, T, K> {
@@ -368,8 +375,9 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> Iterator for Row<
         let x = u16::try_from(self.next).ok().filter(|x| *x < self.picture.size().width)?;
         self.next += 1;
         if !self.picture.is_antialiased() {
-            let candidates = self.candidates.of(x);
-            return Some(self.picture.pixel_of_one(x, self.y, candidates, self.context));
+            let candidates = self.candidates.as_mut().map(|row| row.of(x));
+            let [right, _] = self.picture.raster.place([x, self.y], [0, 0]);
+            return Some(self.picture.pixel_of_one(&self.rays, right, candidates, self.context));
         }
         let left = self.left?;
         let right = self.picture.edge(self.next, self.y, self.context);

@@ -69,18 +69,6 @@ pub trait Computing: Numbers {
             }
         }
     }
-    /// The direction of `forward + x right + y up`, of perpendicular directions.
-    #[inline]
-    fn direction_in_plane(
-        forward: [Self::Unit; 3],
-        across: [[Self::Unit; 3]; 2],
-        at: [Self::Real; 2],
-    ) -> Option<[Self::Unit; 3]>
-    where
-        Self: Scalar,
-    {
-        direction_in_plane::<Self>(forward, across, at)
-    }
     /// A component or a channel times a number, rounded to nearest and saturated.
     fn times(component: Self::Unit, by: Self) -> Self::Unit;
     /// This length along a direction: `self` times its component, rounded once.
@@ -133,15 +121,4 @@ pub trait Elementary: Numbers {
     fn small_integer(self) -> Option<u32>;
     /// `base^exponent` for a base in `[0, 1]` and an exponent of at least zero.
     fn power(base: Self::Unit, exponent: Self) -> Self::Unit;
-}
-
-/// [`Computing::direction_in_plane`] in the numbers to compute in.
-pub(super) fn direction_in_plane<S: Scalar>(
-    forward: [S::Unit; 3],
-    across: [[S::Unit; 3]; 2],
-    [x, y]: [S::Real; 2],
-) -> Option<[S::Unit; 3]> {
-    let [right, up] = across.map(|axis| axis.map(S::unit_real));
-    let offsets = pairs(right, up).map(|(right, up)| right * x + up * y);
-    S::direction(pairs(forward, offsets).map(|(forward, offset)| S::unit_real(forward) + offset))
 }

@@ -4,7 +4,7 @@
 //! every result depends on that of the direction. Products of the two are exact in the double width.
 
 use super::block::{Block64, Block128};
-use super::computing::direction_in_plane;
+use super::scanline::{InIntegers, InNumbers};
 use super::slabs::Slabs;
 use super::{
     Attempt, Budget, Computing, Culling, Elementary, Numbers, Real, RoundLine, RoundSolid, Scalar, UnitScalar,
@@ -42,7 +42,7 @@ trait WideApproach: Numbers {
 macro_rules! fixed {
     (
         $Fixed:ident, $LeEq:ident, $UnitBits:ident, $Block:ident, $robust:ty, $raw:ty, $wide:ty, $unsigned:ty,
-        $bits:literal, $unit_bits:literal, $product:path, { $($direction:tt)* }
+        $bits:literal, $unit_bits:literal, $product:path, $scanline:ty, { $($direction:tt)* }
     ) => {
         impl<F: $LeEq + Send + Sync + 'static> Sealed for $Fixed<F> {}
 
@@ -54,6 +54,7 @@ macro_rules! fixed {
         impl<F: $LeEq + Send + Sync + 'static> Scalar for $Fixed<F> {
             type Robust = Robust<$robust>;
             type Tiers = FixedPoint;
+            type Scanline = $scanline;
             const ZERO: Self = Self::from_bits(0);
             const ROUNDED_ONE: Self = Self::from_bits(if F::U32 < $bits - 1 { 1 << F::U32 } else { <$raw>::MAX });
             const INFINITY: Self = Self::from_bits(<$raw>::MAX);
@@ -208,14 +209,14 @@ macro_rules! fixed {
             #[inline(always)]
             fn dot(o: [Self; 3], d: [Self::Unit; 3]) -> $Block {
                 // Cauchy-Schwarz: the sum stays below 2^(2 bits - 2), though a coordinate may use all its bits.
-                let product = |i: usize| o[i].to_bits() as $wide * d[i].to_bits() as $wide;
+                let product = |i: usize| $product(o[i].to_bits(), d[i].to_bits());
                 $Block::new(product(0) + product(1) + product(2), -(F::I32) - $unit_bits)
             }
             #[inline(always)]
             fn cross(o: [Self; 3], d: [Self::Unit; 3]) -> [$Block; 3] {
-                let ([x, y, z], [dx, dy, dz]) = (o.map(|c| c.to_bits() as $wide), d.map(|c| c.to_bits() as $wide));
-                let block = |minor: $wide| $Block::new(minor, -(F::I32) - $unit_bits);
-                [block(y * dz - z * dy), block(z * dx - x * dz), block(x * dy - y * dx)]
+                let ([x, y, z], [dx, dy, dz]) = (o.map(Self::to_bits), d.map($Fixed::to_bits));
+                let minor = |a, b, c, d| $Block::new($product(a, d) - $product(b, c), -(F::I32) - $unit_bits);
+                [minor(y, z, dy, dz), minor(z, x, dz, dx), minor(x, y, dx, dy)]
             }
             #[inline(always)]
             fn unit_dot(d: [Self::Unit; 3], e: [Self::Unit; 3]) -> $Block {
@@ -332,7 +333,7 @@ macro_rules! fixed {
             }
             #[inline]
             fn times(component: Self::Unit, by: Self) -> Self::Unit {
-                let product = component.to_bits() as $wide * by.to_bits() as $wide;
+                let product = $product(component.to_bits(), by.to_bits());
                 let units = (product + ((1 << F::U32) >> 1)) >> F::U32;
                 match units.unsigned_abs() < <$raw>::MAX as $unsigned {
                     true => $Fixed::from_bits(units as $raw),
@@ -442,7 +443,7 @@ macro_rules! fixed {
             }
             #[inline]
             fn times(self, other: Self) -> Self {
-                let product = self.to_bits() as $wide * other.to_bits() as $wide;
+                let product = $product(self.to_bits(), other.to_bits());
                 let rounded = (product >> $unit_bits) + ((product >> ($unit_bits - 1)) & 1);
                 Self::from_bits(if rounded > <$raw>::MAX as $wide {
                     <$raw>::MAX
@@ -472,13 +473,7 @@ macro_rules! fixed {
     };
 }
 
-/// Whether a number was beyond the type of a direction's components, and was saturated.
-#[inline(always)]
-const fn is_saturated(component: i32) -> bool {
-    component.unsigned_abs() >= i32::MAX as u32
-}
-
-fixed!(FixedI32, LeEqU32, U30, Block64, u64, i32, i64, u64, 32, 30, integers::product, {
+fixed!(FixedI32, LeEqU32, U30, Block64, u64, i32, i64, u64, 32, 30, integers::product, InIntegers, {
     #[inline(always)]
     fn along(self, component: Self::Unit) -> Self {
         Self::from_bits(integers::round_off(integers::product(self.to_bits(), component.to_bits()), 30) as i32)
@@ -486,28 +481,6 @@ fixed!(FixedI32, LeEqU32, U30, Block64, u64, i32, i64, u64, 32, 30, integers::pr
     #[inline(always)]
     fn direction_of(v: [Self; 3]) -> Attempt<[Self::Unit; 3]> {
         Attempt::Hit(found!(integers::direction(v.map(Self::to_bits))).map(FixedI32::from_bits))
-    }
-    #[inline]
-    fn direction_in_plane(
-        forward: [Self::Unit; 3],
-        [right, up]: [[Self::Unit; 3]; 2],
-        at: [Self::Real; 2],
-    ) -> Option<[Self::Unit; 3]> {
-        let [x, y] = at.map(Self::unit_round).map(FixedI32::to_bits);
-        if is_saturated(x) || is_saturated(y) {
-            return direction_in_plane::<Self>(forward, [right, up], at);
-        }
-        // Below 5 in units of 2^-60, and rounded to 30 bits of the longest.
-        let sums = pairs(forward, pairs(right, up)).map(|(forward, (right, up))| {
-            let product = |a: Self::Unit, b: i32| integers::product(a.to_bits(), b);
-            ((forward.to_bits() as i64) << 30) + product(right, x) + product(up, y)
-        });
-        let all = sums.iter().fold(1, |all, sum| all | sum.unsigned_abs());
-        let down = 34 - all.leading_zeros().min(33);
-        match integers::direction(sums.map(|sum| integers::round_off(sum, down) as i32)) {
-            Attempt::Hit(direction) => Some(direction.map(FixedI32::from_bits)),
-            _ => None,
-        }
     }
     #[inline]
     fn direction(v: [Block64; 3]) -> Option<[Self::Unit; 3]> {
@@ -519,7 +492,7 @@ fixed!(FixedI32, LeEqU32, U30, Block64, u64, i32, i64, u64, 32, 30, integers::pr
         }
     }
 });
-fixed!(FixedI64, LeEqU64, U62, Block128, u128, i64, i128, u128, 64, 62, product, {
+fixed!(FixedI64, LeEqU64, U62, Block128, u128, i64, i128, u128, 64, 62, product, InNumbers<Self>, {
     #[inline(always)]
     fn along(self, component: Self::Unit) -> Self {
         <Self as Scalar>::round(self.real() * Self::unit_real(component))

@@ -1,6 +1,7 @@
 //! `f32` and `f64` as scalars: plain arithmetic, and error-free sums and products for ill-conditioned cases.
 
 use super::error_free::{exact_f32, exact_f64};
+use super::scanline::InNumbers;
 use super::slabs::Slabs;
 use super::square_root::square_root_f32;
 use super::{
@@ -27,6 +28,7 @@ macro_rules! float {
         impl Scalar for $Float {
             type Robust = Robust<$robust>;
             type Tiers = Floats;
+            type Scanline = InNumbers<Self>;
             const ZERO: Self = 0.0;
             const ROUNDED_ONE: Self = 1.0;
             const INFINITY: Self = $Float::INFINITY;

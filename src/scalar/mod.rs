@@ -20,6 +20,7 @@
 // | `rungs`, `twofold` | conversion between stored numbers and those of `number`; numbers of twice the precision |
 // | `summed` | numbers whose sums of products are rounded once |
 // | `including` | types that hold the values of others |
+// | `scanline` | the directions of the rays of a row of pixels |
 // | `slabs` | conservative test of a ray against a box |
 // | `block` | integer mantissa and exponent; square root and quotient of integers |
 // | `decimal` | decimal text to fixed point, correctly rounded |
@@ -57,6 +58,7 @@ mod grid;
 mod including;
 mod integers;
 mod rungs;
+mod scanline;
 pub(crate) mod slabs;
 #[cfg(feature = "libm")]
 mod square_root;
@@ -75,6 +77,7 @@ pub(crate) use grid::{FinerLine, GridScalar, LocalLine};
 pub(crate) use including::Including;
 pub(crate) use integers::are_doubtful;
 pub(crate) use rungs::{FromScalar, RealOf, ToScalar};
+pub(crate) use scanline::Scanline;
 pub(crate) use summed::Summed;
 pub(crate) use twofold::Twofold;
 pub(crate) use value::with_fault;
@@ -174,6 +177,9 @@ pub trait Scalar: Numbers + Computing + Elementary + Culling + Lists {
     /// The lists of numbers of the tiers.
     #[doc(hidden)]
     type Tiers: Tiers<Self>;
+    /// How the directions of a row of pixels are computed.
+    #[doc(hidden)]
+    type Scanline: Scanline<Self>;
     /// Zero.
     const ZERO: Self;
     /// One, rounded to the type: [`Scalar::INFINITY`] for a fixed type that cannot hold it.

@@ -6,7 +6,7 @@ use crate::frame::Frame;
 #[cfg(feature = "serde")]
 use crate::frame::FrameError;
 use crate::ray::Ray;
-use crate::scalar::{Real, Ring, Scalar};
+use crate::scalar::{Real, Ring, Scalar, Scanline};
 use crate::vector::{UnitVec3, Vec3, pairs};
 use core::fmt;
 
@@ -283,44 +283,82 @@ impl<S: Scalar> Raster<S> {
     /// Pixels and samples outside the picture are allowed. `None` only for an orthographic camera, for a ray that
     /// starts beyond the budget.
     pub fn ray(&self, pixel: [u16; 2], sample: [u8; 2]) -> Option<Ray<S>> {
-        self.through(self.place(pixel, sample))
+        let [right, down] = self.place(pixel, sample);
+        self.row(down).through(right)
     }
 
-    /// Where the ray through a sample of a pixel goes, for [`Raster::through`].
-    pub(crate) fn place(&self, [x, y]: [u16; 2], [column, row]: [u8; 2]) -> [i64; 2] {
-        let half = |pixel: u16, sample: u8| i64::from(pixel) * self.pixel() + 2 * i64::from(sample) + 1;
+    /// Where the ray through a sample of a pixel goes: half samples to the right of the upper left corner, for
+    /// [`RaysOfRow::through`], and below it, for [`Raster::row`].
+    pub(crate) fn place(&self, [x, y]: [u16; 2], [column, row]: [u8; 2]) -> [i32; 2] {
+        let half = |pixel: u16, sample: u8| i32::from(pixel) * self.pixel() + 2 * i32::from(sample) + 1;
         [half(x, column), half(y, row)]
     }
 
     /// Where the upper left corner of pixel (`x`, `y`) is, which it shares with its neighbours; (width, height) is the
     /// picture's lower right corner.
-    pub(crate) fn corner(&self, corner: [u32; 2]) -> [i64; 2] {
-        corner.map(|pixels| i64::from(pixels) * self.pixel())
+    pub(crate) fn corner(&self, corner: [u32; 2]) -> [i32; 2] {
+        corner.map(|pixels| pixels as i32 * self.pixel())
     }
 
     /// The side of a pixel in half samples.
-    pub(crate) fn pixel(&self) -> i64 {
-        2 * i64::from(self.size.samples.max(1))
+    pub(crate) fn pixel(&self) -> i32 {
+        2 * i32::from(self.size.samples.max(1))
     }
 
-    /// The ray through the point that is `right` half samples to the right of the upper left corner and `down` half
-    /// samples below it.
-    pub(crate) fn through(&self, [right, down]: [i64; 2]) -> Option<Ray<S>> {
-        let samples = i64::from(self.size.samples.max(1));
-        // Twice the distance from the middle of the picture, in samples: at most 2^25, so that it is exact.
-        let steps =
-            |halves: i64, pixels: u16| S::Real::from_int((halves - i64::from(pixels) * samples) as i32) * self.pitch;
-        let at = [steps(right, self.size.width), -steps(down, self.size.height)];
-        let Camera { position, forward, right, up, .. } = self.camera;
-        if self.camera.is_orthographic {
-            let [across, upwards] = at;
-            let offsets = pairs(right.real(), up.real()).map(|(right, up)| right * across + up * upwards);
-            let origin = Vec3::round(pairs(position.real(), offsets).map(|(position, offset)| position + offset));
-            return Ray::new(origin, forward).ok();
-        }
+    /// The rays that are so many half samples below the upper left corner.
+    pub(crate) fn row(&self, down: i32) -> RaysOfRow<'_, S> {
+        let above = self.above(down);
+        let Camera { forward, right, up, is_orthographic, .. } = self.camera;
         let across = [right, up].map(UnitVec3::to_array);
-        let direction = S::direction_in_plane(forward.to_array(), across, at)?;
-        Ray::new(position, UnitVec3::rotated(direction)).ok()
+        let line = (!is_orthographic).then(|| S::Scanline::new(forward.to_array(), across, self.pitch, above));
+        RaysOfRow { raster: self, down, line }
+    }
+
+    /// The ray of an orthographic camera that starts so many half samples to the right of the middle and above it.
+    #[inline(never)]
+    fn parallel(&self, steps: [i32; 2]) -> Option<Ray<S>> {
+        let [across, upwards] = steps.map(|halves| S::Real::from_int(halves) * self.pitch);
+        let Camera { position, forward, right, up, .. } = self.camera;
+        let offsets = pairs(right.real(), up.real()).map(|(right, up)| right * across + up * upwards);
+        let origin = Vec3::round(pairs(position.real(), offsets).map(|(position, offset)| position + offset));
+        Ray::new(origin, forward).ok()
+    }
+
+    /// How many half samples a row is above the middle.
+    fn above(&self, down: i32) -> i32 {
+        self.middle(self.size.height) - down
+    }
+
+    /// How many half samples the middle of so many pixels is from their start. Less another place, and more than that
+    /// of an outline, this is below 2^26.
+    fn middle(&self, pixels: u16) -> i32 {
+        i32::from(pixels) * i32::from(self.size.samples.max(1))
+    }
+}
+
+/// The rays of a row of samples.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RaysOfRow<'r, S: Scalar> {
+    raster: &'r Raster<S>,
+    down: i32,
+    /// Their directions; `None` if they are parallel.
+    line: Option<S::Scanline>,
+}
+
+impl<S: Scalar> RaysOfRow<'_, S> {
+    /// How many half samples it is below the upper left corner.
+    pub(crate) const fn down(&self) -> i32 {
+        self.down
+    }
+
+    /// The ray that is so many half samples to the right of the left edge.
+    #[inline]
+    pub(crate) fn through(&self, right: i32) -> Option<Ray<S>> {
+        let beside = right - self.raster.middle(self.raster.size.width);
+        match &self.line {
+            Some(line) => Ray::new(self.raster.camera.position, UnitVec3::rotated(line.direction(beside)?)).ok(),
+            None => self.raster.parallel([beside, self.raster.above(self.down)]),
+        }
     }
 }
 
