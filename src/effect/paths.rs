@@ -84,11 +84,13 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'_, S, E, T, K> {
         let mut next = Some(Segment::from_eye(*ray));
         while let Some(segment) = next {
             [next, _] = self.meet(segment, candidates, gathered, context);
-            candidates = Candidates::ALL;
             next = next.filter(|next| {
                 let left = self.at_most(S::unit_real(next.weight));
                 self.uncut || !cutoff::is_settled::<S>(gathered.light, left, levels)
             });
+            if let Some(next) = &next {
+                candidates = self.candidates(&next.ray);
+            }
         }
     }
 
@@ -128,7 +130,6 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'_, S, E, T, K> {
         let mut next = Some(Segment::from_eye(*ray));
         while let Some(segment) = next {
             let sent_on = self.meet(segment, candidates, gathered, context);
-            candidates = Candidates::ALL;
             for mut onward in sent_on.into_iter().flatten() {
                 if onward.weight < faint && !self.uncut {
                     match aside.push(onward) {
@@ -155,6 +156,9 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'_, S, E, T, K> {
                     return true;
                 }
                 next = aside.pop().map(|last| exchanged(&mut aside, last, |weight, best| weight > best));
+            }
+            if let Some(next) = &next {
+                candidates = self.candidates(&next.ray);
             }
         }
         false

@@ -39,6 +39,7 @@ pub(super) fn is_shadowed<S: Scalar, E: Effects, T: Tier<S>, O: Observer, K: Kin
     {
         return true;
     }
+    let along = along.among(tracer.candidates(&ray));
     let occluder = scene.occluder_known(&ray, &along, &mut context.counters, &mut context.observer);
     context.remember_occluder(light, occluder);
     occluder.is_some()

@@ -10,7 +10,7 @@ use super::{Sample, outline, reflection, refraction};
 use crate::hit::Crossing;
 use crate::ray::{Range, Ray};
 use crate::scalar::{Ring, Scalar};
-use crate::scene::{Candidates, Levels, Observer, Scene, SceneHit};
+use crate::scene::{Balls, Candidates, Levels, Observer, Scene, SceneHit};
 use crate::shape::kinds::{self, Kinds};
 use crate::tier::{Stable, Tier};
 use core::marker::PhantomData;
@@ -46,6 +46,7 @@ pub struct Tracer<'a, S: Scalar, E = All, T = Stable, K: Kinds = kinds::All> {
     pub(super) uncut: bool,
     /// The transparent solids around the camera.
     pub(super) around_camera: Passage,
+    balls: Balls,
     compiled: PhantomData<E>,
 }
 
@@ -79,8 +80,8 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         } else {
             [S::Real::ZERO; 3]
         };
-        let mut tracer =
-            Self { scene, active, brightest, uncut: false, around_camera: Passage::new(), compiled: PhantomData };
+        let (around_camera, balls) = (Passage::new(), Balls::of(scene));
+        let mut tracer = Self { scene, active, brightest, uncut: false, around_camera, balls, compiled: PhantomData };
         if refracts && let Ok(ray) = Ray::new(scene.camera().position(), scene.camera().forward()) {
             tracer.around_camera = tracer.around(&ray);
         }
@@ -143,7 +144,19 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
     /// Rays and tests are counted in `context`. A ray whose light could not change the colour's eight-bit
     /// level is not cast; see [`effect`](crate::effect#the-cut-off).
     pub fn look<O: Observer>(&self, ray: &Ray<S>, context: &mut TraceContext<O>) -> Sample<S> {
-        self.gather(ray, Candidates::ALL, Levels::Srgb, context).sample()
+        self.gather(ray, self.candidates(ray), Levels::Srgb, context).sample()
+    }
+
+    /// The balls around the objects.
+    pub(crate) const fn balls(&self) -> &Balls {
+        &self.balls
+    }
+
+    /// The objects that a ray may meet. A picture has the same bits with these alone as with all, but for hits that
+    /// `Plain` and `Fast` may invent far away from an object.
+    #[inline(never)]
+    pub(crate) fn candidates(&self, ray: &Ray<S>) -> Candidates {
+        self.balls.met_by(ray, self.scene.camera().position())
     }
 
     /// True if there is an edge between what a ray sees, whose first hit is `on`, and what the ray `beside` it sees.

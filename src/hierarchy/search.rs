@@ -228,7 +228,7 @@ pub(crate) fn occluder<S: Scalar, T: Tier<S>, W: Watch>(
 ) -> Option<u32> {
     let (whole, mut occluder) = (ray.without_departure(), None);
     each(shapes.len(), hierarchy, ray, known, watch, &mut |index, watch: &mut W| {
-        if is_hit::<S, T, W>(shapes, index, &whole, known, watch) {
+        if known.may_meet(index) && is_hit::<S, T, W>(shapes, index, &whole, known, watch) {
             occluder = Some(index);
             return None;
         }

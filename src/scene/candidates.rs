@@ -1,31 +1,9 @@
 //! The objects that the rays of a row of pixels may meet, so that all others are not tested. A picture has the same
 //! bits with them as without, but for hits that `Plain` and `Fast` may invent far away from an object.
 
-use super::{Directions, Raster, Scene, View};
+use super::balls::{Balls, Candidates, MOST};
+use super::{Directions, Raster, View};
 use crate::scalar::Scalar;
-use crate::shape::kinds::Kinds;
-
-/// The most objects of which columns are computed; all others may be met anywhere. A picture of more needs a
-/// hierarchy.
-const MOST: usize = 16;
-
-/// A set of objects of a scene, among which all are that a ray may meet.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Candidates {
-    /// Bit `i` is object `i`.
-    first: u16,
-}
-
-impl Candidates {
-    /// All objects.
-    pub(crate) const ALL: Self = Self { first: u16::MAX };
-
-    /// True if the ray may meet the object of this index.
-    #[inline(always)]
-    pub(crate) fn contain(self, object: u32) -> bool {
-        object >= MOST as u32 || self.first & (1 << object) != 0
-    }
-}
 
 /// The candidates of each column of a row.
 #[derive(Clone, Debug)]
@@ -38,22 +16,16 @@ pub(crate) struct CandidatesOfRow {
 }
 
 impl CandidatesOfRow {
-    /// All objects in each column.
-    pub(crate) const fn all() -> Self {
-        Self { columns: heapless::Vec::new(), until: u16::MAX, these: Candidates::ALL }
-    }
-
-    /// Those of row `y` of a picture with one sample a pixel.
-    pub(crate) fn new<S: Scalar, T, K: Kinds>(scene: &Scene<'_, S, T, K>, raster: &Raster<S>, y: u16) -> Self {
-        // A hierarchy finds them at less cost.
-        let row = if scene.hierarchy.is_none() { Directions::of_row(raster, u32::from(y)) } else { None };
-        let Some(row) = row else { return Self::all() };
+    /// Those of row `y` of a picture with one sample a pixel; `None` without balls, or if its rays are parallel or have
+    /// no room.
+    pub(crate) fn new<S: Scalar>(balls: &Balls, raster: &Raster<S>, y: u16) -> Option<Self> {
+        let row = if balls.are_none() { None } else { Directions::of_row(raster, u32::from(y)) }?;
         let (view, mut columns) = (View::of(raster), heapless::Vec::new());
-        for object in scene.objects.iter().take(MOST) {
+        for ball in balls.iter() {
             // There is room for MOST.
-            let _ = columns.push(row.columns(view.ball(&object.shape)));
+            let _ = columns.push(row.columns(ball.as_ref().map(|ball| view.seen(ball))));
         }
-        Self { columns, until: 0, these: Candidates::ALL }
+        Some(Self { columns, until: 0, these: Candidates::ALL })
     }
 
     /// Those of a column, which is not left of the last one that was asked for.
@@ -71,7 +43,7 @@ impl CandidatesOfRow {
         for (index, columns) in self.columns.iter().enumerate() {
             let [first, end] = *columns;
             if column < first || column >= end {
-                self.these.first &= !(1 << index);
+                self.these.remove(index);
             }
             let change = if column < first { first } else { end };
             if column < change && change < self.until {

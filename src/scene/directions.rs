@@ -14,41 +14,15 @@
 //!
 //! In the light at `l` its shadow is the balls about `c + m (c - l)` with the radii `(1 + m) r`, for `m >= 0`.
 //!
-//! All lengths are rounded to [`BITS`] bits, and the ball is larger by as much as that may change; all else is exact in
-//! 64 bits.
+//! All lengths are rounded to [`BITS`] bits, so that products of four are below `2^62`, and the ball is larger by as much
+//! as that may change; all else is exact in 64 bits.
 
+use super::balls::{BITS, Ball, around, radius, truncated, truncated_all};
 use super::{Raster, Size};
-use crate::number::Parts;
-use crate::scalar::{Ring, Scalar, largest};
+use crate::scalar::{Ring, Scalar};
 use crate::shape::Shape;
 use crate::shape::kinds::Kinds;
 use crate::vector::{UnitVec3, Vec3, pairs};
-
-/// Lengths are below 2 to the power of this: products of four are then below `2^62`.
-const BITS: i32 = 14;
-
-/// The integer below the magnitude of a number times a power of two, with its sign.
-fn truncated(Parts { mantissa, exponent, negative }: Parts, scale: i32) -> i64 {
-    let shift = exponent + scale;
-    let magnitude = if shift >= 0 {
-        mantissa.checked_shl(shift.unsigned_abs()).unwrap_or(0)
-    } else {
-        mantissa.checked_shr(shift.unsigned_abs()).unwrap_or(0)
-    };
-    if negative { -(magnitude as i64) } else { magnitude as i64 }
-}
-
-/// Lengths in a unit in which the largest has [`BITS`] bits, rounded towards zero; `None` if one is infinite, or all
-/// are zero.
-fn truncated_all<S: Scalar, const N: usize>(lengths: [S; N]) -> Option<[i64; N]> {
-    if !lengths.into_iter().all(S::is_finite) {
-        return None;
-    }
-    let lengths = lengths.map(S::parts);
-    let top = |parts: Parts| parts.exponent + (u64::BITS - parts.mantissa.leading_zeros()) as i32;
-    let top = lengths.into_iter().filter(|parts| parts.mantissa != 0).map(top).max()?;
-    Some(lengths.map(|length| truncated(length, BITS - top)))
-}
 
 /// The coordinates of a pinhole camera.
 #[derive(Clone, Copy)]
@@ -56,12 +30,19 @@ pub(crate) struct View<S: Scalar> {
     eye: Vec3<S>,
     /// To the right, upwards and forwards.
     axes: [UnitVec3<S>; 3],
+    /// The same in units of `2^-AXIS`.
+    turn: [[i32; 3]; 3],
 }
+
+/// The fraction bits of an axis.
+const AXIS: u32 = 15;
 
 impl<S: Scalar> View<S> {
     /// That of a picture.
     pub(crate) fn of(raster: &Raster<S>) -> Self {
-        Self { eye: raster.camera().position(), axes: raster.axes() }
+        let (eye, axes) = (raster.camera().position(), raster.axes());
+        let turn = axes.map(|axis| axis.to_array().map(|c| truncated(S::unit_parts(c), AXIS as i32)));
+        Self { eye, axes, turn }
     }
 
     /// The coordinates of a point, off by no more than a unit of the type and by the rounding of the axes.
@@ -75,11 +56,14 @@ impl<S: Scalar> View<S> {
     }
 
     /// A ball that surely holds the shape; `None` if none is known.
-    pub(crate) fn ball<K: Kinds>(&self, shape: &Shape<S, K>) -> Option<Ball> {
-        let (centre, legs) = around(shape)?;
-        let ([x, y, z], [a, b, c]) = (self.coordinates(centre), legs);
-        let [x, y, z, a, b, c] = truncated_all([x, y, z, a, b, c])?;
-        Some(Ball::new([x, y, z], [a, b, c]))
+    pub(crate) fn ball<K: Kinds>(&self, shape: &Shape<S, K>) -> Option<SeenBall> {
+        Some(self.seen(&Ball::around(shape, self.eye)?))
+    }
+
+    /// A ball in these coordinates.
+    pub(super) fn seen(&self, Ball { centre, radius, .. }: &Ball) -> SeenBall {
+        let [x, y, z] = centre.map(i32::from);
+        SeenBall { c: self.turn.map(|[a, b, c]| i64::from((x * a + y * b + z * c) >> AXIS)), r: i64::from(*radius) }
     }
 
     /// The shadow of such a ball in this light, and the part of it that another shape may throw, too; `None` if no ball
@@ -95,25 +79,15 @@ impl<S: Scalar> View<S> {
         let plane = other.and_then(Shape::plane);
         let above = |point: Vec3<S>| plane.map_or(S::ZERO, |(on, normal)| S::round((point - on).dot(normal)));
         let lengths = [x, y, z, a, b, c, lx, ly, lz, above(centre), above(light)];
-        let [x, y, z, a, b, c, lx, ly, lz, height, of_light] = truncated_all(lengths)?;
-        let (centre, side) = ([x, y, z], of_light.signum());
+        let ([x, y, z, a, b, c, lx, ly, lz, height, of_light], _) = truncated_all(lengths, BITS)?;
+        let (centre, side) = ([x, y, z].map(i64::from), i64::from(of_light.signum()));
+        let [lx, ly, lz, height, of_light] = [lx, ly, lz, height, of_light].map(i64::from);
         Some(Shadow {
-            ball: Ball::new(centre, [a, b, c]),
+            ball: SeenBall { c: centre, r: i64::from(radius([a, b, c])) },
             from_light: pairs(centre, [lx, ly, lz]).map(|(c, l)| c - l),
             heights: [side * height, side * (height - of_light)],
         })
     }
-}
-
-/// A ball that holds the shape, whatever the rounding of its centre: this, and lengths whose squares add up to that of
-/// its radius.
-fn around<S: Scalar, K: Kinds>(shape: &Shape<S, K>) -> Option<(Vec3<S>, [S; 3])> {
-    let (centre, legs) = shape.ball()?;
-    // The coordinates are off by some units in their last place, which far from the origin may be as large as the shape:
-    // by two on each axis in fixed point, where a length is off by one, and by one in floats.
-    let farthest = largest(centre.to_array());
-    let unit = farthest.next_up().minus(farthest);
-    Some((centre, legs.map(|leg| (0..8).fold(leg, |leg, _| leg.plus(unit)))))
 }
 
 /// A number no less than the square root.
@@ -138,24 +112,16 @@ fn are_positive(terms: [[i64; 2]; 4]) -> bool {
     !is_less(high, low)
 }
 
-/// A ball in the coordinates of a camera, in a unit in which its numbers have [`BITS`] bits.
+/// A ball in the coordinates of a camera, in the unit in which its numbers have [`BITS`] bits along the world's axes.
 #[derive(Clone, Copy)]
-pub(crate) struct Ball {
+pub(crate) struct SeenBall {
     c: [i64; 3],
     r: i64,
 }
 
-impl Ball {
-    /// The legs have been rounded down.
-    fn new(c: [i64; 3], legs: [i64; 3]) -> Self {
-        let square = legs.into_iter().map(|leg| (leg + 1) * (leg + 1)).sum::<i64>();
-        Self { c, r: root(square) }
-    }
-}
-
 /// The shadow of a ball in the same coordinates: the balls about `c + m (c - l)` with the radii `(1 + m) r`.
 pub(crate) struct Shadow {
-    ball: Ball,
+    ball: SeenBall,
     /// `c - l`
     from_light: [i64; 3],
     /// How far these centres are on the light's side of a plane, which shades all that is on the other side: for
@@ -193,7 +159,7 @@ impl Directions {
         if far >= S::Real::ONE || shift < 0 {
             return None;
         }
-        let f = truncated(S::unit_parts(S::unit_round(far)), BITS);
+        let f = i64::from(truncated(S::unit_parts(S::unit_round(far)), BITS));
         let from_middle = |pixel: i64, pixels: i64| (2 * pixel + 1 - pixels) << shift;
         let (u, v) = (from_middle(0, pixels), -from_middle(i64::from(y), rows));
         // So that the error of `f` is a small angle; and room for rows below the picture.
@@ -210,8 +176,8 @@ impl Directions {
 
     /// The radius of a ball, and as much as rounding may matter.
     fn enlarged(&self, r: i64) -> i64 {
-        // A centre is off by less than 2. Directions of rays are rounded too.
-        r + 4 + (r >> 10) + self.turned
+        // A centre is off by less than 7. Directions of rays are rounded too.
+        r + 9 + (r >> 10) + self.turned
     }
 
     /// How far a point is from the plane of the row, times the length of its normal.
@@ -225,7 +191,7 @@ impl Directions {
     }
 
     /// True if a ray of the row may meet the ball.
-    pub(crate) fn may_meet(&self, ball: &Ball) -> bool {
+    pub(crate) fn may_meet(&self, ball: &SeenBall) -> bool {
         self.off_plane(ball.c).abs() <= self.reach(ball.c, ball.r)
     }
 
@@ -244,7 +210,7 @@ impl Directions {
 
     /// The first column in which a ray may meet the ball, and the one after the last; all columns if there is no ball.
     /// For rays through the middle of pixels.
-    pub(super) fn columns(&self, ball: Option<Ball>) -> [u16; 2] {
+    pub(super) fn columns(&self, ball: Option<SeenBall>) -> [u16; 2] {
         let all = [0, self.width];
         let Some(ball) = ball else { return all };
         let Self { u: [u, step], v, f, .. } = *self;

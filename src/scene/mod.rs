@@ -7,6 +7,7 @@
 //! | `levels`, `srgb` | the levels that pictures are stored and shown in |
 //! | `texture`, `fog`, `outline` | patterns on surfaces; fog; lines around what is seen |
 //! | `camera` | the primary ray of each pixel sample |
+//! | `balls` | balls around the objects, in integers, and those that a ray may meet |
 //! | `directions`, `candidates` | the rays of a row and the balls that they may meet; so, the objects in each column |
 //! | `queries` | the nearest hit of a ray, occlusion, and which hits have one place |
 //! | `storage` | lists that a reader fills |
@@ -16,6 +17,7 @@
 //!
 //! The bounding volume hierarchy is in [`crate::hierarchy`].
 
+mod balls;
 mod camera;
 mod candidates;
 mod color;
@@ -39,8 +41,10 @@ mod stored;
 mod texture;
 
 pub use crate::hierarchy::{Hierarchy, HierarchyError, Node};
+pub(crate) use balls::{Balls, Candidates};
+pub(crate) use camera::RaysOfRow;
 pub use camera::{Camera, CameraError, Raster, Size};
-pub(crate) use candidates::{Candidates, CandidatesOfRow};
+pub(crate) use candidates::CandidatesOfRow;
 pub use color::Color;
 pub use counters::Counters;
 pub(crate) use directions::{Directions, View};

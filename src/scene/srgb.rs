@@ -33,12 +33,22 @@ pub(crate) const STEPS: u32 = 256;
 
 /// The encoded channel in 256ths of a level, from 65536ths of the brightest. Between two levels it is interpolated.
 pub(crate) fn encoded(linear: u32) -> u32 {
+    let (level, [above, whole]) = between(linear);
+    level * STEPS + (above * STEPS / whole.max(1)).min(STEPS)
+}
+
+/// The nearest of the levels 0 to 255 to a channel in 65536ths of the brightest.
+pub(crate) fn nearest_of_255(linear: u32) -> u32 {
+    let (level, [above, whole]) = between(linear);
+    level + u32::from(2 * above >= whole)
+}
+
+/// The brightest level that is not brighter, how much brighter the channel is, and how much the next level.
+fn between(linear: u32) -> (u32, [u32; 2]) {
     let brightness = |level: usize| LINEAR.get(level).map_or(65536, |brightness| u32::from(*brightness));
-    // The brightest level that is not brighter.
     let level = LINEAR.partition_point(|brightness| u32::from(*brightness) <= linear).saturating_sub(1);
-    let (low, high) = (brightness(level), brightness(level + 1));
-    let within = linear.saturating_sub(low) * STEPS / (high - low).max(1);
-    level as u32 * STEPS + within.min(STEPS)
+    let low = brightness(level);
+    (level as u32, [linear.saturating_sub(low), brightness(level + 1) - low])
 }
 
 #[cfg(units)]

@@ -1,11 +1,12 @@
-//! No ray that meets an object is outside of its columns, and few columns are too many.
+//! No ray that meets an object is outside of its columns, or passes its ball; and few others are not.
 
 use super::*;
 use crate::frame::Frame;
 use crate::hit::Hit;
 use crate::primitive::{Capsule, Cone, Cuboid, Cylinder, Plane, RoundCone, RoundedCuboid, Sphere, Torus, Triangle};
 use crate::random::Random;
-use crate::scene::{Camera, Object, Size};
+use crate::ray::Ray;
+use crate::scene::{Camera, Object, Scene, Size};
 use crate::shape::{Primitive, Shape};
 use crate::vector::{UnitVec3, Vec3};
 
@@ -58,12 +59,13 @@ fn check<S: Scalar>(seed: u64, scale: f64, away: f64) -> [u32; 3] {
             let objects = [Object::new(shape, 0)];
             let materials = [crate::scene::Material::default()];
             let scene = Scene::new(&objects, &materials, &[], camera).expect("a scene");
+            let balls = Balls::of(&scene);
             for y in 0..height {
-                let mut row = CandidatesOfRow::new(&scene, &raster, y);
+                let mut row = CandidatesOfRow::new(&balls, &raster, y);
                 for x in 0..width {
                     let ray = raster.ray([x, y], [0, 0]).expect("a ray of a pinhole camera");
                     let hit: Option<Hit<S>> = shape.nearest(&ray);
-                    let is_candidate = row.of(x).contain(0);
+                    let is_candidate = row.as_mut().is_none_or(|row| row.of(x).contain(0));
                     assert!(is_candidate || hit.is_none(), "{shape:?} at {x}, {y} of {width} x {height}: {ray:?}");
                     counts[0] += 1;
                     counts[1] += u32::from(is_candidate);
@@ -73,6 +75,123 @@ fn check<S: Scalar>(seed: u64, scale: f64, away: f64) -> [u32; 3] {
         }
     }
     counts
+}
+
+/// Rays from anywhere about one solid of a scene, as shadow rays and mirrored rays are; returns the rays, those that may
+/// meet it, and those that do.
+fn check_from_anywhere<S: Scalar>(seed: u64, scale: f64, away: f64) -> [u32; 3] {
+    let (mut random, mut counts) = (Random(seed), [0; 3]);
+    let away = Vec3::from([away, -0.7 * away, 0.9 * away].map(value::<S>));
+    for _ in 0..60 {
+        let eye = away + vector::<S>(&mut random, 9.0 * scale);
+        let camera = Camera::new(eye, away, vector(&mut random, 1.0), value(60.0)).expect("a camera");
+        let size = scale * random.between(0.02, 3.0);
+        for solid in solids::<S>(size) {
+            let place = away + vector(&mut random, 5.0 * scale);
+            let axis = UnitVec3::new(vector(&mut random, 1.0)).expect("it is not zero");
+            let shape = Shape::new(solid).placed(Frame::from_base_and_axis(place, axis).expect("a frame"));
+            let objects = [Object::new(shape, 0)];
+            let materials = [crate::scene::Material::default()];
+            let scene = Scene::new(&objects, &materials, &[], camera).expect("a scene");
+            let balls = Balls::of(&scene);
+            for number in 0..60 {
+                // From the eye, near the solid or inside, as far away as a scene is wide, and beyond.
+                let from = match number % 4 {
+                    0 => eye,
+                    1 => place + vector(&mut random, size),
+                    2 => away + vector(&mut random, 9.0 * scale),
+                    // So far that the ball is next to the rounding of its distance.
+                    _ if S::RELATIVE && number % 8 == 3 => away + vector(&mut random, 3e4 * scale),
+                    _ => away + vector(&mut random, 60.0 * scale),
+                };
+                let aim = place + vector(&mut random, random_reach(number) * size);
+                let Ok(mut ray) = Ray::towards(from, aim) else { continue };
+                for _ in 0..2 {
+                    let hit: Option<Hit<S>> = shape.nearest(&ray);
+                    let both = [balls.met_in_integers(&ray, eye), balls.met_in_numbers(&ray, eye)];
+                    let is_candidate = both.iter().any(|candidates| candidates.contain(0));
+                    let is_in_both = both.iter().all(|candidates| candidates.contain(0));
+                    assert!(is_in_both || hit.is_none(), "{shape:?}: {ray:?} from {eye:?}");
+                    counts[0] += 1;
+                    counts[1] += u32::from(is_candidate);
+                    counts[2] += u32::from(hit.is_some());
+                    // And on from its surface.
+                    let Some(hit) = hit else { break };
+                    ray = Ray::towards(ray.at(hit.t), away + vector(&mut random, 9.0 * scale)).unwrap_or(ray);
+                }
+            }
+        }
+    }
+    counts
+}
+
+/// Half of the rays graze.
+const fn random_reach(number: u32) -> f64 {
+    if number % 8 < 4 { 1.0 } else { 4.0 }
+}
+
+#[test]
+fn a_ray_from_anywhere_that_meets_an_object_has_it_among_its_candidates() {
+    let near = [(1, 1.0), (2, 1e-9), (3, 1e9)].map(|(seed, scale)| check_from_anywhere::<f32>(seed, scale, 0.0));
+    let far = [1e3, 1e5].map(|away| check_from_anywhere::<f32>(4, 1.0, away));
+    for [rays, candidates, hits] in near.into_iter().chain(far).chain([check_from_anywhere::<f64>(5, 1.0, 0.0)]) {
+        assert!(hits > rays / 20 && candidates < rays * 4 / 5, "{hits} {candidates} of {rays}");
+    }
+    // Where a unit is as long as a quarter of the largest solid, most balls are in the way.
+    let [rays, candidates, hits] = check_from_anywhere::<f32>(4, 1.0, 2e6);
+    assert!(hits > rays / 20 && candidates < rays, "{hits} {candidates} of {rays}");
+}
+
+#[cfg(feature = "fixed")]
+#[test]
+fn a_ray_from_anywhere_that_meets_an_object_has_it_among_its_candidates_in_fixed_point() {
+    use fixed::types::{I8F24, I16F16, I20F12, I32F32};
+    let near = [check_from_anywhere::<I16F16>(6, 1.0, 0.0), check_from_anywhere::<I32F32>(7, 1.0, 0.0)];
+    let coarse = [check_from_anywhere::<I20F12>(8, 0.25, 0.0), check_from_anywhere::<I16F16>(9, 0.02, 0.0)];
+    let ends = [check_from_anywhere::<I8F24>(10, 0.8, 0.0), check_from_anywhere::<I16F16>(11, 1.0, 15_900.0)];
+    for [rays, candidates, hits] in near.into_iter().chain(coarse).chain(ends) {
+        assert!(hits > rays / 20 && candidates < rays * 4 / 5, "{hits} {candidates} of {rays}");
+    }
+}
+
+/// Whether a ball of this radius at the origin is a candidate of a ray along x from here, as seen from this far: in
+/// integers and in numbers.
+fn may_meet(radius: f32, from: [f32; 3], eye: f32) -> [bool; 2] {
+    let objects = [Object::new(Shape::<f32>::new(Sphere::new(radius).expect("a radius")), 0)];
+    let (materials, eye) = ([crate::scene::Material::default()], Vec3::new(0.0, 0.0, eye));
+    let camera = Camera::new(eye, Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0), 60.0).expect("a camera");
+    let scene = Scene::new(&objects, &materials, &[], camera).expect("a scene");
+    let ray = Ray::new(Vec3::from(from), UnitVec3::X).expect("a ray");
+    let balls = Balls::of(&scene);
+    [balls.met_in_integers(&ray, eye), balls.met_in_numbers(&ray, eye)].map(|met| met.contain(0))
+}
+
+#[test]
+fn a_ray_that_passes_a_ball_by_little_is_not_a_candidate() {
+    for (eye, far) in [(5.0, -3.0), (20.0, -20.0), (1.0, -0.5)] {
+        assert_eq!(may_meet(1.0, [far, 0.7, 0.7], eye), [true; 2]);
+        assert_eq!(may_meet(1.0, [far, 0.74, 0.75], eye), [false; 2]);
+        assert_eq!(may_meet(1.0, [far, 0.0, 1.05], eye), [false; 2]);
+        assert_eq!(may_meet(1.0, [0.99, 0.0, 0.0], eye), [true; 2]);
+        // It is behind.
+        assert_eq!(may_meet(1.0, [1.05, 0.0, 0.0], eye), [false; 2]);
+    }
+}
+
+#[test]
+fn the_largest_balls_and_the_farthest_rays_overflow_nowhere() {
+    let extremes = [1e-38, 1e-20, 1e-3, 1.0, 1e9, 1e30, 5e37];
+    for radius in extremes {
+        for eye in extremes {
+            for length in extremes {
+                for signs in 0..8 {
+                    let sign = |bit: u32| if signs >> bit & 1 == 0 { length } else { -length };
+                    may_meet(radius, [sign(0), sign(1), sign(2)], eye);
+                }
+                assert_eq!(may_meet(radius, [-length, 0.0, 0.0], eye), [true; 2]);
+            }
+        }
+    }
 }
 
 #[test]
@@ -111,7 +230,7 @@ fn columns_of_ball(distance: f32, radius: f32, size: Size, y: u16) -> [u16; 2] {
 fn a_ball_has_hardly_more_columns_than_it_covers() {
     // Its outline is at a radius of 100 tan(asin(0.1)) / tan(30) = 17.4 pixels about the middle.
     let size = Size::new(256, 200);
-    assert_eq!(columns_of_ball(10.0, 1.0, size, 100), [111, 145]);
+    assert_eq!(columns_of_ball(10.0, 1.0, size, 100), [110, 146]);
     assert_eq!(columns_of_ball(10.0, 1.0, size, 116), [122, 134]);
     assert_eq!(columns_of_ball(10.0, 1.0, size, 118), [0, 0]);
     // From the inside, and behind the eye.

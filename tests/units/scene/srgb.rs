@@ -15,3 +15,8 @@ fn levels_are_those_of_the_standard() {
 fn brighter_is_never_darker() {
     assert!((0..65536).all(|linear| encoded(linear) <= encoded(linear + 1)));
 }
+
+#[test]
+fn the_nearest_level_is_that_of_the_encoded_channel() {
+    assert!((0..=65536).all(|linear| nearest_of_255(linear) == (encoded(linear) + STEPS / 2) / STEPS));
+}

@@ -1,0 +1,259 @@
+//! Balls around the objects of a scene, in integers, and those that a ray may meet.
+//!
+//! All coordinates are from the eye, along the world's axes. The line through `p` in the unit direction `d` passes the
+//! centre `c` at the distance `|(c - p) x d|`, and is closest to it at `t = (c - p) . d`. (The cross product has the
+//! digits that `|c - p|^2 - t^2` cancels.)
+//!
+//! Lengths are rounded to [`BITS`] bits, and the ball is larger by as much as that may change. All else is exact in 32
+//! bits: a test takes some 50 instructions on a chip without any but short products, and needs no root.
+
+use super::Scene;
+use crate::number::Parts;
+use crate::number::machine::leading_zeros_of_64;
+use crate::ray::Ray;
+use crate::scalar::{Real, Scalar, largest};
+use crate::shape::Shape;
+use crate::shape::kinds::Kinds;
+use crate::vector::{Vec3, pairs};
+
+/// The most objects that have a ball; all others may be met by any ray. A picture of more needs a hierarchy.
+pub(super) const MOST: usize = 16;
+
+/// The bits of a length.
+pub(super) const BITS: i32 = 14;
+
+/// The fraction bits of a direction.
+const DIRECTION: u32 = 15;
+
+/// The bits of a ray's origin, before its unit is that of a ball.
+const ORIGIN: i32 = 30;
+
+/// A set of objects of a scene, among which all are that a ray may meet.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Candidates {
+    /// Bit `i` is object `i`.
+    first: u16,
+}
+
+impl Candidates {
+    /// All objects.
+    pub(crate) const ALL: Self = Self { first: u16::MAX };
+
+    /// True if the ray may meet the object of this index.
+    #[inline(always)]
+    pub(crate) fn contain(self, object: u32) -> bool {
+        object >= MOST as u32 || self.first & (1 << object) != 0
+    }
+
+    /// Removes one of the first [`MOST`] objects.
+    pub(super) fn remove(&mut self, object: usize) {
+        self.first &= !(1 << object);
+    }
+}
+
+/// A ball that surely holds a shape: its centre and radius, in units of `2^exponent`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Ball {
+    pub(super) centre: [i16; 3],
+    pub(super) radius: u16,
+    exponent: i16,
+}
+
+impl Ball {
+    /// That of a shape as seen from this place; `None` if none is known.
+    pub(super) fn around<S: Scalar, K: Kinds>(shape: &Shape<S, K>, eye: Vec3<S>) -> Option<Self> {
+        let (centre, legs) = around(shape)?;
+        let ([x, y, z], [a, b, c]) = (from(eye, centre), legs);
+        let ([x, y, z, a, b, c], exponent) = truncated_all([x, y, z, a, b, c], BITS)?;
+        Some(Self { centre: [x, y, z].map(|c| c as i16), radius: radius([a, b, c]) as u16, exponent: exponent as i16 })
+    }
+
+    /// True if the ray may meet it.
+    #[inline(always)]
+    fn may_be_met(&self, line: &Line) -> bool {
+        // Both in the coarser unit, in which neither has more than BITS bits.
+        let exponent = i32::from(self.exponent).max(line.exponent + ORIGIN - BITS);
+        let shift = |by: i32| by.min(31) as u32;
+        let (of_ball, of_line) = (shift(exponent - i32::from(self.exponent)), shift(exponent - line.exponent));
+        let [x, y, z] = pairs(self.centre, line.p).map(|(c, p)| (i32::from(c) >> of_ball) - (p >> of_line));
+        let [dx, dy, dz] = line.d;
+        // By Cauchy-Schwarz no sum of products is longer than |c - p| |d|, which is below 2^31. Coordinates of `c - p`
+        // are off by less than 2, of `d` by less than a unit, and of the results by less than 1: in all that moves the
+        // line by less than 9.
+        let reach = (i32::from(self.radius) >> of_ball) + 10;
+        // Most balls are passed on one of the axes.
+        let (mut left, limit) = (reach * reach, reach as u32);
+        for [a, b, c, d] in [[y, z, dy, dz], [z, x, dz, dx], [x, y, dx, dy]] {
+            let off = (a * d - b * c) >> DIRECTION;
+            if off.unsigned_abs() > limit {
+                return false;
+            }
+            left -= off * off;
+        }
+        left >= 0 && (x * dx + y * dy + z * dz) >> DIRECTION >= -reach
+    }
+
+    /// The same in floats of a chip that has instructions for them, where that takes half as many as integers do.
+    #[inline(always)]
+    fn may_be_met_in_numbers<R: Real>(&self, p: [R; 3], d: [R; 3]) -> bool {
+        let unit = R::ONE.scaled(i32::from(self.exponent));
+        let e = pairs(self.centre, p).map(|(c, p)| R::from_int(c.into()) * unit - p);
+        let [x, y, z] = e.map(R::abs);
+        // The centre is off by less than 2, and the line by some millionths of its length.
+        let reach = R::from_int(i32::from(self.radius) + 2) * unit + (x + y + z).scaled(-20);
+        let ([x, y, z], [dx, dy, dz]) = (e, d);
+        let [u, v, w] = [y * dz - z * dy, z * dx - x * dz, x * dy - y * dx];
+        // What is not a number is no reason.
+        let passes = u * u + v * v + w * w > reach * reach || x * dx + y * dy + z * dz < -reach;
+        !passes
+    }
+}
+
+/// The line of a ray.
+struct Line {
+    /// In units of `2^exponent`, of [`ORIGIN`] bits.
+    p: [i32; 3],
+    exponent: i32,
+    /// In units of `2^-DIRECTION`.
+    d: [i32; 3],
+}
+
+impl Line {
+    /// `None` if the point is beyond the type.
+    #[inline(always)]
+    fn new<S: Scalar>(p: [S; 3], d: [S::Unit; 3]) -> Option<Self> {
+        let d = d.map(|c| truncated(S::unit_parts(c), DIRECTION as i32));
+        if p == [S::ZERO; 3] {
+            return Some(Self { p: [0; 3], exponent: i32::from(i16::MIN), d });
+        }
+        let (p, exponent) = truncated_all(p, ORIGIN)?;
+        Some(Self { p, exponent, d })
+    }
+}
+
+/// The balls around the first objects of a scene.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Balls {
+    balls: [Option<Ball>; MOST],
+    /// How many of them are of objects; none if no object has a ball.
+    count: u8,
+}
+
+impl Balls {
+    /// Those of a scene, from its camera. None if it has a hierarchy, which finds candidates at less cost.
+    pub(crate) fn of<S: Scalar, T, K: Kinds>(scene: &Scene<'_, S, T, K>) -> Self {
+        let (mut balls, mut count) = ([None; MOST], 0);
+        if scene.hierarchy.is_none() {
+            for (ball, object) in balls.iter_mut().zip(scene.objects) {
+                *ball = Ball::around(&object.shape, scene.camera.position());
+                count += 1;
+            }
+        }
+        Self { balls, count: if balls.iter().all(Option::is_none) { 0 } else { count } }
+    }
+
+    /// Those of the first objects, in their order.
+    pub(super) fn iter(&self) -> impl Iterator<Item = &Option<Ball>> {
+        self.balls.iter().take(usize::from(self.count))
+    }
+
+    /// True if no object has one.
+    pub(super) fn are_none(&self) -> bool {
+        self.count == 0
+    }
+
+    /// The objects that a ray from anywhere may meet.
+    pub(crate) fn met_by<S: Scalar>(&self, ray: &Ray<S>, eye: Vec3<S>) -> Candidates {
+        if self.are_none() || ray.range().start() < S::ZERO {
+            Candidates::ALL
+        } else if S::Real::HAS_INSTRUCTIONS {
+            self.met_in_numbers(ray, eye)
+        } else {
+            self.met_in_integers(ray, eye)
+        }
+    }
+
+    /// The same of a ray that starts at `t = 0` or later.
+    #[inline(always)]
+    pub(super) fn met_in_integers<S: Scalar>(&self, ray: &Ray<S>, eye: Vec3<S>) -> Candidates {
+        match Line::new::<S>(from(eye, ray.origin()), ray.direction().to_array()) {
+            Some(line) => self.of_which(|ball| ball.may_be_met(&line)),
+            None => Candidates::ALL,
+        }
+    }
+
+    /// The same.
+    #[inline(always)]
+    pub(super) fn met_in_numbers<S: Scalar>(&self, ray: &Ray<S>, eye: Vec3<S>) -> Candidates {
+        let (p, d) = (from(eye, ray.origin()).map(S::real), ray.direction().real());
+        self.of_which(|ball| ball.may_be_met_in_numbers(p, d))
+    }
+
+    /// All objects but those whose balls are not met.
+    #[inline(always)]
+    fn of_which(&self, is_met: impl Fn(&Ball) -> bool) -> Candidates {
+        let mut candidates = Candidates::ALL;
+        for (index, ball) in self.iter().enumerate() {
+            if ball.as_ref().is_some_and(|ball| !is_met(ball)) {
+                candidates.remove(index);
+            }
+        }
+        candidates
+    }
+}
+
+/// A point from the eye; infinite beyond the type.
+fn from<S: Scalar>(eye: Vec3<S>, point: Vec3<S>) -> [S; 3] {
+    pairs(point.to_array(), eye.to_array()).map(|(point, eye)| point.minus(eye))
+}
+
+/// A ball that holds the shape, whatever the rounding of its centre: this, and lengths whose squares add up to that of
+/// its radius.
+pub(super) fn around<S: Scalar, K: Kinds>(shape: &Shape<S, K>) -> Option<(Vec3<S>, [S; 3])> {
+    let (centre, legs) = shape.ball()?;
+    // The coordinates are off by some units in their last place, which far from the origin may be as large as the shape:
+    // by two on each axis in fixed point, where a length is off by one, and by one in floats.
+    let farthest = largest(centre.to_array());
+    let unit = farthest.next_up().minus(farthest);
+    Some((centre, legs.map(|leg| (0..8).fold(leg, |leg, _| leg.plus(unit)))))
+}
+
+/// The radius of a ball from lengths whose squares add up to its square, and which have been rounded down.
+pub(super) fn radius(legs: [i32; 3]) -> i32 {
+    let square = legs.into_iter().map(|leg| (leg + 1) * (leg + 1)).sum::<i32>();
+    square.unsigned_abs().isqrt() as i32 + 1
+}
+
+/// The integer below the magnitude of a number times a power of two, with its sign. It must be below 2^31.
+#[inline(always)]
+pub(super) fn truncated(Parts { mantissa, exponent, negative }: Parts, scale: i32) -> i32 {
+    let (left, right) = (exponent + scale, (-exponent - scale).max(0).unsigned_abs());
+    // Of most types the mantissa is a word.
+    let magnitude = if let Ok(mantissa) = u32::try_from(mantissa) {
+        if left >= 0 { mantissa.checked_shl(left as u32) } else { mantissa.checked_shr(right) }
+    } else {
+        // To the left a product with zero bits would leave the word.
+        mantissa.checked_shr(right).map(|magnitude| magnitude as u32)
+    };
+    let magnitude = magnitude.unwrap_or(0) as i32;
+    if negative { -magnitude } else { magnitude }
+}
+
+/// Lengths in units of `2^exponent`, in which the largest has so many bits, rounded towards zero, and that exponent;
+/// `None` if one is infinite, or all are zero.
+#[inline(always)]
+pub(super) fn truncated_all<S: Scalar, const N: usize>(lengths: [S; N], bits: i32) -> Option<([i32; N], i32)> {
+    if !lengths.into_iter().all(S::is_finite) {
+        return None;
+    }
+    let lengths = lengths.map(S::parts);
+    // In the unit of the one with the largest exponent, which for fixed point is that of all.
+    let exponent = lengths.iter().map(|parts| parts.exponent).max()?;
+    let in_unit = |parts: &Parts| parts.mantissa.checked_shr((exponent - parts.exponent) as u32).unwrap_or(0);
+    let all = lengths.iter().fold(0, |all, parts| all | in_unit(parts));
+    if all == 0 {
+        return None;
+    }
+    let top = exponent + (u64::BITS - leading_zeros_of_64(all)) as i32;
+    Some((lengths.map(|length| truncated(length, bits - top)), top - bits))
+}
