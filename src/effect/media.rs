@@ -104,9 +104,9 @@ impl Passage {
             next.note(Relation { object: on.object, is_inside, departs });
         }
         // Where the point is still the ray's start, it is on the surfaces that the ray departed from, too.
-        let stays = stays(ray, place.seen.hit.t);
+        let stays = || stays(ray, place.seen.hit.t);
         for relation in self.relations() {
-            let departs = relation.departs.filter(|_| stays);
+            let departs = relation.departs.filter(|_| stays());
             if (relation.is_inside || departs.is_some()) && !place.meets(relation.object) {
                 next.note(Relation { departs, ..*relation });
             }

@@ -117,13 +117,19 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
     /// The point and the normal in the world as the rounded `t` gives them, for pictures of the tiers `Plain` and
     /// `Fast`: the point is off by as much as `t`, and the normal by that over the surface's radius of curvature.
     pub(crate) fn rough(&self) -> (Vec3<S>, UnitVec3<S>) {
-        let normal = self.rounded_local_normal(self.rough_local_point());
+        let point = self.ray.at(self.hit.t);
+        let normal = if self.is_flat() {
+            self.shape.member.normal(Vec3::ZERO, self.hit.part)
+        } else {
+            let is_placed = !matches!(self.shape.placement, Placement::World);
+            self.rounded_local_normal(if is_placed { self.rough_local_point() } else { point })
+        };
         let normal = match &self.shape.placement {
             Placement::Frame(frame) if K::SET.contains(Kind::Frame) => frame.direction_roughly_to_world(normal),
             _ => self.local_normal_to_world(normal),
         };
         let is_turned = <K::Combined<S> as Combined<S>>::is_turned(self.leaf);
-        (self.ray.at(self.hit.t), if is_turned { -normal } else { normal })
+        (point, if is_turned { -normal } else { normal })
     }
 
     /// True if a point of the frame in the world may be off by more than a part of a unit, since the axes are unit and
