@@ -198,9 +198,9 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
     /// The pixels of row `y` from the left. Clears the shadow cache of `context`, and adds rays and tests to its
     /// counters.
     ///
-    /// With one sample for each pixel, a ray tests only the objects that it may meet in this row, which are found
-    /// first. The pixels are those of [`Picture::pixel`], but for hits that [`Plain`](crate::tier::Plain) and
-    /// [`Fast`](crate::tier::Fast) may invent farther away than they promise.
+    /// A ray tests only the objects whose bounding balls it may meet; with one sample for each pixel these are found
+    /// once for all columns of the row. The pixels are those of [`Picture::pixel`], but for hits that
+    /// [`Plain`](crate::tier::Plain) and [`Fast`](crate::tier::Fast) may invent farther away than they promise.
     ///
     /// With several samples for each pixel, its corners are traced first, which neighbours share. If the corners see
     /// the same part of the same object in the same lights, and no channel differs by more than eight levels of sRGB,

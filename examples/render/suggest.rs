@@ -33,7 +33,7 @@ mod tests {
 
     #[test]
     fn a_name_is_suggested_for_what_is_like_it_and_for_nothing_else() {
-        let names = ["still-life", "patterns", "glass", "waves", "water", "quadrics"];
+        let names = ["still-life", "patterns", "glass", "waves", "water", "quadrics", "raystones"];
         for (word, expected) in [
             ("glas", Some("glass")),
             ("GLASS", Some("glass")),

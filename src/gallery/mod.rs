@@ -17,6 +17,7 @@ mod glass;
 mod lists;
 mod patterns;
 mod quadrics;
+mod raystones;
 mod still_life;
 mod water;
 mod waves;
@@ -49,12 +50,14 @@ pub enum BuiltIn {
     /// Quadrics of revolution: towers with a waist, a dish that mirrors, an hourglass, a dome; a tube, an annulus, a
     /// torus, a round cone, a rounded cuboid, a prism, a polyhedron.
     Quadrics,
+    /// Balls of ivory, glass, rubber and a mirror over a board: the scene of the benchmark Raystones.
+    Raystones,
 }
 
 impl BuiltIn {
     /// All of them.
-    pub const EVERY: [Self; 6] =
-        [Self::StillLife, Self::Patterns, Self::Glass, Self::Waves, Self::Water, Self::Quadrics];
+    pub const EVERY: [Self; 7] =
+        [Self::StillLife, Self::Patterns, Self::Glass, Self::Waves, Self::Water, Self::Quadrics, Self::Raystones];
 
     /// The name on the command line.
     pub const fn name(self) -> &'static str {
@@ -65,6 +68,7 @@ impl BuiltIn {
             Self::Waves => "waves",
             Self::Water => "water",
             Self::Quadrics => "quadrics",
+            Self::Raystones => "raystones",
         }
     }
 
@@ -79,10 +83,11 @@ impl BuiltIn {
             Self::Quadrics => {
                 "Quadrics of revolution: towers, a mirroring dish, a dome; a tube, an annulus, round solids"
             }
+            Self::Raystones => "Four balls over a board: the scene of the benchmark Raystones",
         }
     }
 
-    /// Builds the scene. `None` if the number type does not hold its numbers, which go up to 100.
+    /// Builds the scene. `None` if the number type does not hold its numbers, which go up to 200.
     pub fn build<S: Scalar>(self) -> Option<Stage<S>> {
         match self {
             Self::StillLife => still_life::build(),
@@ -91,6 +96,7 @@ impl BuiltIn {
             Self::Waves => waves::build(),
             Self::Water => water::build(),
             Self::Quadrics => quadrics::build(),
+            Self::Raystones => raystones::build(),
         }
     }
 }
@@ -110,7 +116,7 @@ pub struct Stage<S: Scalar> {
     /// The materials; each names its texture by index.
     pub materials: Vec<Material<S>, 8>,
     /// The lights.
-    pub lights: Vec<Light<S>, 2>,
+    pub lights: Vec<Light<S>, 3>,
     /// The textures.
     pub textures: Vec<Texture<'static, S>, 6>,
     /// The fog, if there is any.
@@ -135,17 +141,20 @@ impl<S: Scalar> Stage<S> {
         Ok(self.fog.map_or(scene, |fog| scene.with_fog(fog)))
     }
 
-    /// Objects with two lights and the default camera, without fog.
+    /// Objects with lights and the default camera, without fog.
     fn new(
         objects: impl IntoIterator<Item = Object<S>>,
         materials: impl IntoIterator<Item = Material<S>>,
-        lights: [([f64; 3], f64); 2],
+        lights: impl IntoIterator<Item = ([f64; 3], f64)>,
     ) -> Option<Self> {
-        let [first, second] = lights.map(|([x, y, z], strength)| Some(Light::new(point(x, y, z)?, number(strength)?)));
+        let mut placed = Vec::new();
+        for ([x, y, z], strength) in lights {
+            placed.push(Light::new(point(x, y, z)?, number(strength)?)).ok()?;
+        }
         Some(Self {
             objects: all(objects)?,
             materials: all(materials)?,
-            lights: all([first?, second?])?,
+            lights: placed,
             textures: Vec::new(),
             fog: None,
             background: Color::from_f64([0.30, 0.42, 0.55]),

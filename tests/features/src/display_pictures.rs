@@ -11,6 +11,7 @@ use fixed::types::I16F16;
 use raylet::gallery::BuiltIn;
 use raylet::scene::{Hierarchy, Node};
 use raylet::{Scalar, TraceContext};
+use shared::bounce;
 use shared::turntable::{self, FRAMES, Line, NODES};
 
 #[path = "../../../examples/one_bit.rs"]
@@ -118,12 +119,12 @@ fn frames<S: Scalar>(frames: impl IntoIterator<Item = u8>) -> Vec<Screen<Rgb565>
     frames.into_iter().map(&mut show).collect()
 }
 
-/// What went over the bus of the firmware's stand-in for a display: for each row its window, then its pixels (FNV-1a,
-/// 32 bits).
-fn digest(screen: &Screen<Rgb565>) -> u32 {
+/// What went over the bus of the firmware's stand-in for a display: for each of these rows its window, then its pixels
+/// (FNV-1a, 32 bits).
+fn digest(screen: &Screen<Rgb565>, rows: impl IntoIterator<Item = u16>) -> u32 {
     let width = screen.size.width as u16;
-    let rows = (0_u16..).zip(screen.pixels.chunks(width.into()));
-    let words = rows.flat_map(|(y, row)| {
+    let row = |y: u16| &screen.pixels[usize::from(y) * usize::from(width)..][..usize::from(width)];
+    let words = rows.into_iter().map(|y| (y, row(y))).flat_map(|(y, row)| {
         [0, y, width - 1, y].into_iter().chain(row.iter().map(|color| color.into_storage())).collect::<Vec<u16>>()
     });
     words
@@ -131,19 +132,59 @@ fn digest(screen: &Screen<Rgb565>) -> u32 {
         .fold(0x811c_9dc5, |digest, byte| (digest ^ u32::from(byte)).wrapping_mul(0x0100_0193))
 }
 
-/// Four frames, a quarter of a turn apart, two by two.
-#[test]
-fn pictures_of_the_turntable() {
-    let screens = frames::<I16F16>([0, FRAMES / 4, FRAMES / 2, 3 * (FRAMES / 4)]);
-    let images: Vec<_> = screens.iter().map(|screen| screen.enlarged(2, levels)).collect();
+/// Four images, two by two.
+fn two_by_two(images: &[Image]) -> Image {
     let row = |left: &Image, right: &Image| {
         let lines = left.pixels.chunks(left.width).zip(right.pixels.chunks(right.width));
         lines.flat_map(|(left, right)| [left, right].concat()).collect::<Vec<_>>()
     };
     let pixels = [row(&images[0], &images[1]), row(&images[2], &images[3])].concat();
-    expect("docs/displays/turntable.png", &Image { width: 2 * images[0].width, pixels }.png());
-    let digests = frames::<I16F16>([0, 1]).iter().map(digest).map(|digest| format!("{digest:08x}")).collect::<Vec<_>>();
+    Image { width: 2 * images[0].width, pixels }
+}
+
+/// Four frames, a quarter of a turn apart, two by two.
+#[test]
+fn pictures_of_the_turntable() {
+    let screens = frames::<I16F16>([0, FRAMES / 4, FRAMES / 2, 3 * (FRAMES / 4)]);
+    let images: Vec<_> = screens.iter().map(|screen| screen.enlarged(2, levels)).collect();
+    expect("docs/displays/turntable.png", &two_by_two(&images).png());
+    let screens = frames::<I16F16>([0, 1]);
+    let digests = screens.iter().map(|screen| format!("{:08x}", digest(screen, 0..turntable::HEIGHT)));
+    let digests = digests.collect::<Vec<_>>();
     expect("examples/firmware/expected/turntable.txt", format!("{}\n", digests.join("\n")).as_bytes());
+}
+
+/// The frames of the ball, in each of which only the rows are drawn that may have changed, are whole frames to the bit.
+/// Four of them, two by two; and what the firmware sends for the first.
+#[test]
+fn pictures_of_the_bounce() {
+    const HEIGHT: u16 = turntable::HEIGHT;
+    let mut line: Line = [Rgb565::BLACK; turntable::WIDTH as usize];
+    let (mut context, mut sent, mut shown, mut drawn) = (TraceContext::new(()), vec![], vec![], 0);
+    let mut screen = Screen::new(turntable::WIDTH, HEIGHT, Rgb565::MAGENTA);
+    for frame in 0..=bounce::FRAMES {
+        let [before, now] = [frame.saturating_sub(1), frame].map(|frame| bounce::Stage::<I16F16>::of(frame).unwrap());
+        let [before, now] = [before.scene(), now.scene()];
+        let [before, now] = [&before, &now].map(bounce::picture);
+        let mut whole = Screen::new(turntable::WIDTH, HEIGHT, Rgb565::MAGENTA);
+        let Ok(_) = turntable::show_rows(&now, 0..HEIGHT, &mut line, &mut context, &mut whole);
+        let rows: Vec<u16> = if frame == 0 { (0..HEIGHT).collect() } else { now.changed_rows(&before).collect() };
+        let Ok(count) = turntable::show_rows(&now, rows.iter().copied(), &mut line, &mut context, &mut screen);
+        assert!(screen.pixels == whole.pixels, "frame {frame}");
+        assert_eq!(usize::from(count), rows.len());
+        if frame > 0 {
+            drawn += rows.len();
+        }
+        if frame < 6 {
+            sent.push(format!("{:08x} {count} of {HEIGHT} rows", digest(&screen, rows)));
+        }
+        if [0, 4, 12, 20].contains(&frame) {
+            shown.push(screen.enlarged(2, levels));
+        }
+    }
+    println!("{drawn} of {} rows are drawn", usize::from(bounce::FRAMES) * usize::from(HEIGHT));
+    expect("docs/displays/bounce.png", &two_by_two(&shown).png());
+    expect("examples/firmware/expected/bounce.txt", format!("{}\n", sent.join("\n")).as_bytes());
 }
 
 #[test]

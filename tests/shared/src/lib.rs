@@ -2,6 +2,7 @@
 //!
 //! | module | what it holds |
 //! |---|---|
+//! | `bounce` | a ball that bounces on a display, of which only some rows change (feature `displays`) |
 //! | `borrowed` | what a prism and a polyhedron borrow |
 //! | `digest` | one number for all answers to a fixed set of rays |
 //! | `flash` | a scene that is all constants |
@@ -17,6 +18,8 @@
 #![no_std]
 
 pub mod borrowed;
+#[cfg(feature = "displays")]
+pub mod bounce;
 pub mod digest;
 pub mod flash;
 pub mod milled;

@@ -9,6 +9,8 @@ use embedded_graphics_core::primitives::Rectangle;
 use raylet::effect::{Ambient, Diffuse, Effects, Shadows, Specular};
 use raylet::scalar::{Real, Ring};
 use raylet::scene::{Hierarchy, Observer};
+use raylet::shape::kinds::Kinds;
+use raylet::tier::Tier;
 use raylet::{Camera, Color, Picture, Scalar, Scene, Size, TraceContext, Vec3};
 
 /// Columns of the display.
@@ -62,10 +64,27 @@ pub fn show<S: Scalar, E: Effects, O: Observer, D: DrawTarget<Color = Rgb565>>(
     context: &mut TraceContext<O>,
     display: &mut D,
 ) -> Result<(), D::Error> {
-    for y in 0..picture.size().height {
+    show_rows(picture, 0..picture.size().height, line, context, display).map(|_| ())
+}
+
+/// The same with some of its rows; returns how many.
+///
+/// # Errors
+///
+/// The first error of the display.
+pub fn show_rows<S: Scalar, E: Effects, T: Tier<S>, K: Kinds, O: Observer, D: DrawTarget<Color = Rgb565>>(
+    picture: &Picture<'_, S, E, T, K>,
+    rows: impl Iterator<Item = u16>,
+    line: &mut Line,
+    context: &mut TraceContext<O>,
+    display: &mut D,
+) -> Result<u16, D::Error> {
+    let mut drawn = 0;
+    for y in rows {
         picture.line(y, line, context);
         let area = Rectangle::new(Point::new(0, i32::from(y)), Area::new(u32::from(WIDTH), 1));
         display.fill_contiguous(&area, line.iter().copied())?;
+        drawn += 1;
     }
-    Ok(())
+    Ok(drawn)
 }
