@@ -178,7 +178,7 @@ fn pictures_of_the_bounce() {
         if frame < 6 {
             sent.push(format!("{:08x} {count} of {HEIGHT} rows", digest(&screen, rows)));
         }
-        if [0, 4, 12, 20].contains(&frame) {
+        if [0, 4, 10, 14].contains(&frame) {
             shown.push(screen.enlarged(2, levels));
         }
     }

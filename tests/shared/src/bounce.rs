@@ -64,6 +64,10 @@ impl<S: Scalar> Stage<S> {
     }
 
     /// The scene.
+    ///
+    /// # Panics
+    ///
+    /// Never: the lists fit together.
     pub fn scene(&self) -> Scene<'_, S, Fast, Kinds<S>> {
         let scene = Scene::new(&self.objects, &self.materials, &self.lights, self.camera);
         let scene = scene.expect("the lists are those of a stage");
