@@ -10,9 +10,9 @@ use crate::tier::Tier;
 
 impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'_, S, E, T, K> {
     /// The rows that may differ from those of a picture of the frame before, in which objects were placed otherwise, or
-    /// were others. All other rows are the same to the bit, and need not be drawn again. (Of more than 16 objects
-    /// [`Plain`](crate::tier::Plain) and [`Fast`](crate::tier::Fast) may invent hits that are farther from an object than
-    /// they promise, and so in other rows.)
+    /// were others. All other rows are the same to the bit, and need not be drawn again. (In scenes of more than 16
+    /// objects [`Plain`](crate::tier::Plain) and [`Fast`](crate::tier::Fast) may invent hits in them, farther from an
+    /// object than they promise.)
     ///
     /// These rows may show an object that differs, as it is or as it was, its shadow, or a mirror or a transparent
     /// object, in which it may be seen. Objects are told apart by their index, and a ball stands for each; a shadow
