@@ -211,8 +211,8 @@ fn from<S: Scalar>(eye: Vec3<S>, point: Vec3<S>) -> [S; 3] {
 /// its radius.
 pub(super) fn around<S: Scalar, K: Kinds>(shape: &Shape<S, K>) -> Option<(Vec3<S>, [S; 3])> {
     let (centre, legs) = shape.ball()?;
-    // The coordinates are off by some units in their last place, which far from the origin may be as large as the shape:
-    // by two on each axis in fixed point, where a length is off by one, and by one in floats.
+    // The coordinates are off by some units in their last place, which far from the origin may be as large as the
+    // shape: by two on each axis in fixed point, where a length is off by one, and by one in floats.
     let farthest = largest(centre.to_array());
     let unit = farthest.next_up().minus(farthest);
     Some((centre, legs.map(|leg| (0..8).fold(leg, |leg, _| leg.plus(unit)))))

@@ -14,8 +14,8 @@
 //!
 //! In the light at `l` its shadow is the balls about `c + m (c - l)` with the radii `(1 + m) r`, for `m >= 0`.
 //!
-//! All lengths are rounded to [`BITS`] bits, so that products of four are below `2^62`, and the ball is larger by as much
-//! as that may change; all else is exact in 64 bits.
+//! All lengths are rounded to [`BITS`] bits, so that products of four are below `2^62`, and the ball is larger by as
+//! much as that may change; all else is exact in 64 bits.
 
 use super::balls::{BITS, Ball, around, radius, truncated, truncated_all};
 use super::{Raster, Size};
