@@ -90,7 +90,7 @@ pub(crate) fn high_product(a: u32, b: u32) -> u32 {
     let first = ah * bl + ((al * bl) >> 16);
     let second = al * bh + (first & 0xffff);
     // The lower half of `second` is the upper half of the low word. Subtracting it changes nothing, but without it
-    // LLVM 21 sees that this is a long product, and calls the function for it.
+    // LLVM 22 sees that this is a long product, and calls the function for it.
     ah * bh + (first >> 16) + ((second - (a.wrapping_mul(b) >> 16)) >> 16)
 }
 

@@ -103,9 +103,9 @@ impl Ball {
         let reach = R::from_int(i32::from(self.radius) + 2) * unit + (x + y + z).scaled(-20);
         let ([x, y, z], [dx, dy, dz]) = (e, d);
         let [u, v, w] = [y * dz - z * dy, z * dx - x * dz, x * dy - y * dx];
-        // What is not a number is no reason.
+        // The ball may be met, too, where its unit is too small for the type, or a square is infinite.
         let passes = u * u + v * v + w * w > reach * reach || x * dx + y * dy + z * dz < -reach;
-        !passes
+        unit == R::ZERO || !passes
     }
 }
 

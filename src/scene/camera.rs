@@ -329,8 +329,8 @@ impl<S: Scalar> Raster<S> {
         self.middle(self.size.height) - down
     }
 
-    /// How many half samples the middle of so many pixels is from their start. Less another place, and more than that
-    /// of an outline, this is below 2^26.
+    /// How many half samples the middle of so many pixels is from their start: below 2^24, so that places are below
+    /// 2^26, those of an outline included.
     fn middle(&self, pixels: u16) -> i32 {
         i32::from(pixels) * i32::from(self.size.samples.max(1))
     }

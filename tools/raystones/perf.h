@@ -1,4 +1,5 @@
-/* The counters that raystones.c reads. Both count instructions, as QEMU does, or modelled cycles, as tools/cycles does. */
+/* The counters that raystones.c reads. Both count instructions, as QEMU does, or modelled cycles, as tools/cycles
+   does. */
 #include <stdint.h>
 
 /* csrr of minstreth (0xb82) and minstret (0xb02), as numbers: the multilib of the compiler has no Zicsr. */

@@ -32,7 +32,8 @@ def main() -> int:
     instructions, cycles = of_rust(read("rust.instructions")), of_rust(read("rust.cycles"))
     for name, (taken, rays) in instructions.items():
         rows.append((f"`raylet`, {name}", taken, cycles[name][0], f"{rays / pixels:.2f}"))
-    table = "| program | instructions a pixel | modelled cycles a pixel | rays a pixel | Raystones |\n|---|---:|---:|---:|---:|\n"
+    table = "| program | instructions a pixel | modelled cycles a pixel | rays a pixel | Raystones |\n"
+    table += "|---|---:|---:|---:|---:|\n"
     for name, taken, modelled, rays in rows:
         # The upper end of the model's ranges, and three digits of what is modelled.
         table += f"| {name} | {taken:,} | {float(f'{modelled:.3g}'):,.0f} | {rays} | {1e6 / modelled:.1f} |\n"

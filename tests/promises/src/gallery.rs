@@ -95,8 +95,8 @@ fn number_types_agree() {
         let wide = beyond_a_level::<I32F32>(built_in, &reference);
         println!("{built_in:10} f32 {single}  I16F16 {fixed}  I32F32 {wide}");
         // What was measured; the promise is one in a hundred, 122. In glass a cylinder stands on a stretched floor:
-        // which of the two is met first is decided by the last place of `t`. A highlight of the benchmark's mirror is ten
-        // times as bright as white; a channel of fixed point ends at twice white, which is seen where it is mirrored.
+        // which of the two is met first is decided by the last place of `t`. A highlight of the benchmark's mirror is
+        // ten times as bright as white; a channel of fixed point ends at twice white, which shows in other mirrors.
         let measured = match built_in {
             BuiltIn::Glass => [7, 16, 6],
             BuiltIn::Patterns => [1, 1, 0],

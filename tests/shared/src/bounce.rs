@@ -37,8 +37,8 @@ pub struct Stage<S: Scalar> {
 }
 
 impl<S: Scalar> Stage<S> {
-    /// That of a frame; frames repeat after [`FRAMES`]. `None` if the number type does not hold its numbers, which go up
-    /// to 37.
+    /// That of a frame; frames repeat after [`FRAMES`]. `None` if the number type does not hold its numbers, which go
+    /// up to 32.
     pub fn of(frame: u8) -> Option<Self> {
         let number = |value| S::from_f64(value).ok();
         let point = |x, y, z| Vec3::from_f64([x, y, z]).ok();

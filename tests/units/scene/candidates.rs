@@ -40,6 +40,18 @@ fn solids<S: Scalar>(size: f64) -> [Primitive<S>; 13] {
     ]
 }
 
+/// A solid with its base there, turned anyhow, and the balls of a scene of it.
+fn placed<S: Scalar>(random: &mut Random, solid: Primitive<S>, base: Vec3<S>, camera: Camera<S>) -> (Shape<S>, Balls) {
+    let axis = UnitVec3::new(vector(random, 1.0)).expect("it is not zero");
+    let shape = Shape::new(solid).placed(Frame::from_base_and_axis(base, axis).expect("a frame"));
+    (shape, balls_of(shape, camera))
+}
+
+fn balls_of<S: Scalar>(shape: Shape<S>, camera: Camera<S>) -> Balls {
+    let (objects, materials) = ([Object::new(shape, 0)], [crate::scene::Material::default()]);
+    Balls::of(&Scene::new(&objects, &materials, &[], camera).expect("a scene"))
+}
+
 /// Every ray of pictures of one solid in a scene of this scale, this far from the origin; returns the rays, those that
 /// may meet it, and those that do.
 fn check<S: Scalar>(seed: u64, scale: f64, away: f64) -> [u32; 3] {
@@ -54,12 +66,7 @@ fn check<S: Scalar>(seed: u64, scale: f64, away: f64) -> [u32; 3] {
         let size = scale * random.between(0.02, 3.0);
         for solid in solids::<S>(size) {
             let place = away + vector(&mut random, 5.0 * scale);
-            let axis = UnitVec3::new(vector(&mut random, 1.0)).expect("it is not zero");
-            let shape = Shape::new(solid).placed(Frame::from_base_and_axis(place, axis).expect("a frame"));
-            let objects = [Object::new(shape, 0)];
-            let materials = [crate::scene::Material::default()];
-            let scene = Scene::new(&objects, &materials, &[], camera).expect("a scene");
-            let balls = Balls::of(&scene);
+            let (shape, balls) = placed(&mut random, solid, place, camera);
             for y in 0..height {
                 let mut row = CandidatesOfRow::new(&balls, &raster, y);
                 for x in 0..width {
@@ -77,8 +84,8 @@ fn check<S: Scalar>(seed: u64, scale: f64, away: f64) -> [u32; 3] {
     counts
 }
 
-/// Rays from anywhere about one solid of a scene, as shadow rays and mirrored rays are; returns the rays, those that may
-/// meet it, and those that do.
+/// Rays from anywhere about one solid of a scene, as shadow rays and mirrored rays are; returns the rays, those that
+/// may meet it, and those that do.
 fn check_from_anywhere<S: Scalar>(seed: u64, scale: f64, away: f64) -> [u32; 3] {
     let (mut random, mut counts) = (Random(seed), [0; 3]);
     let away = Vec3::from([away, -0.7 * away, 0.9 * away].map(value::<S>));
@@ -88,12 +95,7 @@ fn check_from_anywhere<S: Scalar>(seed: u64, scale: f64, away: f64) -> [u32; 3] 
         let size = scale * random.between(0.02, 3.0);
         for solid in solids::<S>(size) {
             let place = away + vector(&mut random, 5.0 * scale);
-            let axis = UnitVec3::new(vector(&mut random, 1.0)).expect("it is not zero");
-            let shape = Shape::new(solid).placed(Frame::from_base_and_axis(place, axis).expect("a frame"));
-            let objects = [Object::new(shape, 0)];
-            let materials = [crate::scene::Material::default()];
-            let scene = Scene::new(&objects, &materials, &[], camera).expect("a scene");
-            let balls = Balls::of(&scene);
+            let (shape, balls) = placed(&mut random, solid, place, camera);
             for number in 0..60 {
                 // From the eye, near the solid or inside, as far away as a scene is wide, and beyond.
                 let from = match number % 4 {
@@ -137,6 +139,11 @@ fn a_ray_from_anywhere_that_meets_an_object_has_it_among_its_candidates() {
     for [rays, candidates, hits] in near.into_iter().chain(far).chain([check_from_anywhere::<f64>(5, 1.0, 0.0)]) {
         assert!(hits > rays / 20 && candidates < rays * 4 / 5, "{hits} {candidates} of {rays}");
     }
+    // Where a float has few digits left, or none of its unit.
+    for scale in [1e-39, 1e-41, 1e-43] {
+        let [rays, candidates, hits] = check_from_anywhere::<f32>(6, scale, 0.0);
+        assert!(hits > rays / 40 && candidates >= hits, "{hits} {candidates} of {rays}");
+    }
     // Where a unit is as long as a quarter of the largest solid, most balls are in the way.
     let [rays, candidates, hits] = check_from_anywhere::<f32>(4, 1.0, 2e6);
     assert!(hits > rays / 20 && candidates < rays, "{hits} {candidates} of {rays}");
@@ -157,12 +164,10 @@ fn a_ray_from_anywhere_that_meets_an_object_has_it_among_its_candidates_in_fixed
 /// Whether a ball of this radius at the origin is a candidate of a ray along x from here, as seen from this far: in
 /// integers and in numbers.
 fn may_meet(radius: f32, from: [f32; 3], eye: f32) -> [bool; 2] {
-    let objects = [Object::new(Shape::<f32>::new(Sphere::new(radius).expect("a radius")), 0)];
-    let (materials, eye) = ([crate::scene::Material::default()], Vec3::new(0.0, 0.0, eye));
+    let eye = Vec3::new(0.0, 0.0, eye);
     let camera = Camera::new(eye, Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0), 60.0).expect("a camera");
-    let scene = Scene::new(&objects, &materials, &[], camera).expect("a scene");
+    let balls = balls_of(Shape::<f32>::new(Sphere::new(radius).expect("a radius")), camera);
     let ray = Ray::new(Vec3::from(from), UnitVec3::X).expect("a ray");
-    let balls = Balls::of(&scene);
     [balls.met_in_integers(&ray, eye), balls.met_in_numbers(&ray, eye)].map(|met| met.contain(0))
 }
 
@@ -176,6 +181,17 @@ fn a_ray_that_passes_a_ball_by_little_is_not_a_candidate() {
         // It is behind.
         assert_eq!(may_meet(1.0, [1.05, 0.0, 0.0], eye), [false; 2]);
     }
+}
+
+#[test]
+fn a_line_is_tested_against_what_is_behind_its_point() {
+    use crate::ray::Range;
+    let eye = Vec3::new(0.0_f32, 0.0, 5.0);
+    let camera = Camera::new(eye, Vec3::ZERO, Vec3::new(0.0, 1.0, 0.0), 60.0).expect("a camera");
+    let balls = balls_of(Shape::new(Sphere::new(1.0).expect("a radius")), camera);
+    let ray = Ray::new(Vec3::new(3.0, 0.0, 0.0), UnitVec3::X).expect("a ray");
+    assert!(!balls.met_by(&ray, eye).contain(0));
+    assert!(balls.met_by(&ray.with_range(Range::line()), eye).contain(0));
 }
 
 #[test]
@@ -217,7 +233,12 @@ fn a_ray_that_meets_an_object_has_it_among_its_candidates_in_fixed_point() {
 
 /// Those of a ball at this distance before the eye, or behind it.
 fn columns_of_ball(distance: f32, radius: f32, size: Size, y: u16) -> [u16; 2] {
-    let (eye, up) = (Vec3::new(0.0, 0.0, distance), Vec3::new(0.0, 1.0, 0.0));
+    columns_from(Vec3::new(0.0, 0.0, distance), distance, radius, size, y)
+}
+
+/// Those of a ball at the origin, as seen from there if the distance is positive; otherwise from there on.
+fn columns_from(eye: Vec3<f32>, distance: f32, radius: f32, size: Size, y: u16) -> [u16; 2] {
+    let up = Vec3::new(0.0, 1.0, 0.0);
     let target = if distance > 0.0 { Vec3::ZERO } else { eye + eye };
     let camera = Camera::new(eye, target, up, 60.0).expect("a camera");
     let raster = camera.raster(size);
@@ -243,8 +264,12 @@ fn the_largest_pictures_and_the_smallest_overflow_nowhere() {
     for [width, height] in [[1, 1], [1, 8191], [8191, 1], [16383, 3]] {
         for y in [0, height / 2, height - 1] {
             for (distance, radius) in [(10.0, 1.0), (1e-3, 9.99e-4), (1e9, 9.9e8), (3.0, 1e-20)] {
-                let [first, end] = columns_of_ball(distance, radius, Size::new(width, height), y);
-                assert!(first <= end && end <= width);
+                // Along an axis, and along a diagonal, on which the coordinates of a camera are longer.
+                for axis in [[0.0, 0.0, 1.0], [1.0; 3], [-1.0, 1.0, -1.0], [1.0, 0.1, 0.0]] {
+                    let eye = Vec3::from(axis.map(|c| c * distance));
+                    let [first, end] = columns_from(eye, distance, radius, Size::new(width, height), y);
+                    assert!(first <= end && end <= width);
+                }
             }
         }
     }
