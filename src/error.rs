@@ -3,11 +3,13 @@
 use crate::effect::EffectError;
 use crate::frame::FrameError;
 use crate::hierarchy::HierarchyError;
+use crate::hit::Undecided;
 use crate::primitive::SizeError;
 use crate::ray::RayError;
 use crate::scalar::ValueError;
 use crate::scene::nff::NffError;
 use crate::scene::{CameraError, SceneError};
+use crate::sensor::SensorError;
 use crate::shape::combination::CombinationError;
 use crate::shape::kinds::KindError;
 use crate::solids::{CrossingsError, StartError};
@@ -72,6 +74,10 @@ errors! {
     Scene(SceneError),
     /// Of a hierarchy.
     Hierarchy(HierarchyError),
+    /// Of a query by the first numbers of a tier alone.
+    Undecided(Undecided),
+    /// Of a range sensor.
+    Sensor(SensorError),
     /// Of the crossings of many solids.
     Crossings(CrossingsError),
     /// Of a start among many solids.

@@ -159,6 +159,21 @@ impl<S: Scalar> Hull<S> {
         (Vec3::new(x.0, y.0, z.0), legs)
     }
 
+    /// Two balls whose convex hull holds the primitive but for rounding, each as [`Hull::ball`] has it. Those of a post
+    /// are about its ends.
+    pub(crate) fn ends(&self) -> [(Vec3<S>, [S; 3]); 2] {
+        let about = |[y, radius]: [S; 2]| (Vec3::new(S::ZERO, y, S::ZERO), [radius, S::ZERO, S::ZERO]);
+        match *self {
+            Self::Discs(ends) | Self::Balls(ends) if ends.as_flattened().iter().all(|c| c.is_finite()) => {
+                ends.map(about)
+            }
+            Self::Cone { slope, height } if height.is_finite() => {
+                [[S::ZERO; 2], [height, S::round(slope.real() * height.real())]].map(about)
+            }
+            _ => [self.ball(); 2],
+        }
+    }
+
     /// The lowest and the highest coordinate of the primitive along each of its own axes, rounded.
     pub(crate) fn extents(&self) -> [[S; 2]; 3] {
         let around = |radius: S| [S::ZERO.minus(radius), radius];

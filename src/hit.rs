@@ -3,7 +3,7 @@
 use crate::part::Part;
 use crate::ray::Range;
 use crate::scalar::Scalar;
-use core::fmt::Debug;
+use core::fmt::{self, Debug};
 use core::ops::Deref;
 
 /// The most crossings that a line can have with any primitive: two intervals of a double cone, of a tube, of a torus,
@@ -36,6 +36,19 @@ pub struct Hit<S> {
     /// How the ray crosses the surface.
     pub crossing: Crossing,
 }
+
+/// The first method of a tier does not decide a ray: see [`Shape::try_nearest_at`](crate::Shape::try_nearest_at).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Undecided;
+
+impl fmt::Display for Undecided {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the first numbers of this tier do not decide the ray: call the query that tries them all")
+    }
+}
+
+impl core::error::Error for Undecided {}
 
 /// All hits of a ray with a shape, sorted by `t`; a slice of [`Hit`].
 ///

@@ -134,6 +134,7 @@ pub mod ray;
 pub mod render;
 pub mod scalar;
 pub mod scene;
+pub mod sensor;
 pub mod shape;
 pub mod solids;
 mod solve;

@@ -121,10 +121,15 @@ impl<'a, S: Scalar, X: Shaped<S>> Shapes<'a, S, X> {
         search::every_hit::<S, T, X>(self.shapes, &self.hierarchy, ray, &mut each);
     }
 
-    /// Calls `test` with the index of every shape that a ray without departure may meet, until it breaks.
+    /// Calls `test` with the index of every shape that a ray without departure may meet. `test` returns the end of the
+    /// range that remains to be searched, or `None` to stop.
+    #[inline(always)]
+    pub(crate) fn visit(&self, ray: &Ray<S>, mut test: impl FnMut(u32) -> Option<S>) {
+        self.hierarchy.walk(ray, &core::iter::empty(), &mut (), |index, ()| test(index));
+    }
+
+    /// The same, of the whole range, until `test` breaks.
     pub(crate) fn visit_near(&self, ray: &Ray<S>, mut test: impl FnMut(u32) -> ControlFlow<()>) {
-        self.hierarchy.walk(ray, &core::iter::empty(), &mut (), |index, ()| {
-            test(index).is_continue().then_some(ray.range().end())
-        });
+        self.visit(ray, |index| test(index).is_continue().then_some(ray.range().end()));
     }
 }

@@ -17,7 +17,7 @@ use crate::shape::kinds::Kinds;
 use crate::vector::{Vec3, pairs};
 
 /// The most objects that have a ball; all others may be met by any ray. A picture of more needs a hierarchy.
-pub(super) const MOST: usize = 16;
+pub(crate) const MOST: usize = 16;
 
 /// The bits of a length.
 pub(super) const BITS: i32 = 14;
@@ -62,10 +62,19 @@ pub(crate) struct Ball {
 impl Ball {
     /// That of a shape as seen from this place; `None` if none is known.
     pub(super) fn around<S: Scalar, K: Kinds>(shape: &Shape<S, K>, eye: Vec3<S>) -> Option<Self> {
-        let (centre, legs) = around(shape)?;
+        Self::seen(around(shape)?, eye)
+    }
+
+    /// A ball in the world as seen from this place; `None` if that is beyond the type.
+    pub(crate) fn seen<S: Scalar>((centre, legs): BallInWorld<S>, eye: Vec3<S>) -> Option<Self> {
         let ([x, y, z], [a, b, c]) = (from(eye, centre), legs);
         let ([x, y, z, a, b, c], exponent) = truncated_all([x, y, z, a, b, c], BITS)?;
         Some(Self { centre: [x, y, z].map(|c| c as i16), radius: radius([a, b, c]) as u16, exponent: exponent as i16 })
+    }
+
+    /// The exponent of its unit.
+    pub(crate) fn exponent(&self) -> i32 {
+        self.exponent.into()
     }
 
     /// True if the ray may meet it.
@@ -142,12 +151,24 @@ pub(crate) struct Balls {
 impl Balls {
     /// Those of a scene, from its camera. None if it has a hierarchy, which finds candidates at less cost.
     pub(crate) fn of<S: Scalar, T, K: Kinds>(scene: &Scene<'_, S, T, K>) -> Self {
+        let objects = if scene.hierarchy.is_none() { scene.objects } else { &[] };
+        Self::around(objects.iter().map(|object| &object.shape), scene.camera.position())
+    }
+
+    /// Those around these shapes, as seen from this place.
+    pub(crate) fn around<'a, S: Scalar, K: Kinds + 'a>(
+        shapes: impl Iterator<Item = &'a Shape<S, K>>,
+        eye: Vec3<S>,
+    ) -> Self {
+        Self::these(shapes.map(|shape| Ball::around(shape, eye)))
+    }
+
+    /// These, of the first objects of a list.
+    pub(crate) fn these(those: impl Iterator<Item = Option<Ball>>) -> Self {
         let (mut balls, mut count) = ([None; MOST], 0);
-        if scene.hierarchy.is_none() {
-            for (ball, object) in balls.iter_mut().zip(scene.objects) {
-                *ball = Ball::around(&object.shape, scene.camera.position());
-                count += 1;
-            }
+        for (ball, that) in balls.iter_mut().zip(those) {
+            *ball = that;
+            count += 1;
         }
         Self { balls, count: if balls.iter().all(Option::is_none) { 0 } else { count } }
     }
@@ -207,15 +228,26 @@ fn from<S: Scalar>(eye: Vec3<S>, point: Vec3<S>) -> [S; 3] {
     pairs(point.to_array(), eye.to_array()).map(|(point, eye)| point.minus(eye))
 }
 
-/// A ball that holds the shape, whatever the rounding of its centre: this, and lengths whose squares add up to that of
-/// its radius.
-pub(super) fn around<S: Scalar, K: Kinds>(shape: &Shape<S, K>) -> Option<(Vec3<S>, [S; 3])> {
-    let (centre, legs) = shape.ball()?;
+/// A centre, and lengths whose squares add up to that of a radius.
+pub(crate) type BallInWorld<S> = (Vec3<S>, [S; 3]);
+
+/// A ball that holds the shape, whatever the rounding of its centre.
+pub(super) fn around<S: Scalar, K: Kinds>(shape: &Shape<S, K>) -> Option<BallInWorld<S>> {
+    shape.ball().map(enlarged)
+}
+
+/// Two balls whose convex hull holds the shape, whatever the rounding of their centres.
+pub(crate) fn ends<S: Scalar, K: Kinds>(shape: &Shape<S, K>) -> Option<[BallInWorld<S>; 2]> {
+    Some(shape.ends()?.map(enlarged))
+}
+
+/// The ball, larger by what the rounding of its centre may be.
+fn enlarged<S: Scalar>((centre, legs): BallInWorld<S>) -> BallInWorld<S> {
     // The coordinates are off by some units in their last place, which far from the origin may be as large as the
     // shape: by two on each axis in fixed point, where a length is off by one, and by one in floats.
     let farthest = largest(centre.to_array());
     let unit = farthest.next_up().minus(farthest);
-    Some((centre, legs.map(|leg| (0..8).fold(leg, |leg, _| leg.plus(unit)))))
+    (centre, legs.map(|leg| (0..8).fold(leg, |leg, _| leg.plus(unit))))
 }
 
 /// The radius of a ball from lengths whose squares add up to its square, and which have been rounded down.

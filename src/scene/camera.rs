@@ -310,7 +310,8 @@ impl<S: Scalar> Raster<S> {
         let above = self.above(down);
         let Camera { forward, right, up, is_orthographic, .. } = self.camera;
         let across = [right, up].map(UnitVec3::to_array);
-        let line = (!is_orthographic).then(|| S::Scanline::new(forward.to_array(), across, self.pitch, above));
+        let line =
+            (!is_orthographic).then(|| S::Scanline::new(forward.to_array(), across, [self.pitch; 2]).above(above));
         RaysOfRow { raster: self, down, line }
     }
 

@@ -40,7 +40,11 @@ const AXIS: u32 = 15;
 impl<S: Scalar> View<S> {
     /// That of a picture.
     pub(crate) fn of(raster: &Raster<S>) -> Self {
-        let (eye, axes) = (raster.camera().position(), raster.axes());
+        Self::new(raster.camera().position(), raster.axes())
+    }
+
+    /// From an eye, to the right, upwards and forwards.
+    pub(crate) fn new(eye: Vec3<S>, axes: [UnitVec3<S>; 3]) -> Self {
         let turn = axes.map(|axis| axis.to_array().map(|c| truncated(S::unit_parts(c), AXIS as i32)));
         Self { eye, axes, turn }
     }
@@ -60,8 +64,8 @@ impl<S: Scalar> View<S> {
         Some(self.seen(&Ball::around(shape, self.eye)?))
     }
 
-    /// A ball in these coordinates.
-    pub(super) fn seen(&self, Ball { centre, radius, .. }: &Ball) -> SeenBall {
+    /// A ball in these coordinates, with [`BITS`] bits: its centre is off by less than 7 of its units.
+    pub(crate) fn seen(&self, Ball { centre, radius, .. }: &Ball) -> SeenBall {
         let [x, y, z] = centre.map(i32::from);
         SeenBall { c: self.turn.map(|[a, b, c]| i64::from((x * a + y * b + z * c) >> AXIS)), r: i64::from(*radius) }
     }
@@ -115,8 +119,8 @@ fn are_positive(terms: [[i64; 2]; 4]) -> bool {
 /// A ball in the coordinates of a camera, in the unit in which its numbers have [`BITS`] bits along the world's axes.
 #[derive(Clone, Copy)]
 pub(crate) struct SeenBall {
-    c: [i64; 3],
-    r: i64,
+    pub(crate) c: [i64; 3],
+    pub(crate) r: i64,
 }
 
 /// The shadow of a ball in the same coordinates: the balls about `c + m (c - l)` with the radii `(1 + m) r`.

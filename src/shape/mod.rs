@@ -42,7 +42,7 @@ pub use visible::Visible;
 use crate::bounds;
 use crate::frame::Frame;
 use crate::geometry::{Bounds, Geometry};
-use crate::hit::{Hit, HitList};
+use crate::hit::{Hit, HitList, Undecided};
 use crate::ladder::{self, ExactScalar};
 use crate::line::InWorld;
 use crate::part::Part;
@@ -57,7 +57,7 @@ use core::fmt;
 use distance::Beside;
 use kinds::{All, Combining, Kind, KindError, Kinds, OfKind, Places, Primitives};
 use primitive::Member;
-use queries::{AllHits, Contains, Nearest, NeededPrecision, Occludes};
+use queries::{AllHits, Contains, Nearest, NeededPrecision, Occludes, TryNearest};
 
 /// Any primitive of the kinds `K`, placed in the world, one-sided or two-sided; or a
 /// [`Combination`], if the kinds are [`Combining`].
@@ -328,6 +328,47 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
         through!(self, |member, place| member.visit(Nearest::<S, T, _>::new(place, ray, self.visible)))
     }
 
+    /// As [`Shape::try_nearest_at`], in the tier [`Stable`].
+    ///
+    /// # Errors
+    ///
+    /// [`Undecided`] if the first numbers of the tier do not decide.
+    pub fn try_nearest(&self, ray: &Ray<S>) -> Result<Option<Hit<S>>, Undecided> {
+        self.try_nearest_at::<Stable>(ray)
+    }
+
+    /// The visible hit with the smallest `t`, as [`Shape::nearest_at`] returns it, if the first numbers of the tier
+    /// decide it. No query takes longer, and a program that calls only this has the code of no other numbers.
+    ///
+    /// In fixed point the first numbers are integers on a grid. They do not decide where there is no room for the
+    /// coordinates, along an axis, and next to touching; in `Stable` next to a rim too. In floats `Plain` decides
+    /// always, and the other tiers where the error is small.
+    ///
+    /// # Errors
+    ///
+    /// [`Undecided`] if they do not decide; always for a ray that departs and for a combination.
+    ///
+    /// ```
+    /// use fixed::types::I16F16;
+    /// use raylet::{Cylinder, Fast, Ray, Shape, Vec3, hit::Undecided};
+    /// let metres = |x: f64| I16F16::from_num(x);
+    /// let post = Shape::new(Cylinder::capped(metres(0.25), metres(2.0))?);
+    /// let eye = Vec3::new(metres(4.0), metres(1.0), metres(0.0));
+    /// let ahead = Ray::towards(eye, Vec3::new(metres(0.0), metres(1.0), metres(0.125)))?;
+    /// assert_eq!(post.try_nearest_at::<Fast>(&ahead), Ok(post.nearest_at::<Fast>(&ahead)));
+    /// // Through the caps, along the axis.
+    /// let down = Ray::towards(Vec3::new(metres(0.0), metres(4.0), metres(0.0)), Vec3::ZERO)?;
+    /// assert_eq!(post.try_nearest_at::<Fast>(&down), Err(Undecided));
+    /// assert_eq!(post.nearest_at::<Fast>(&down).map(|hit| hit.t), Some(metres(2.0)));
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    pub fn try_nearest_at<T: Tier<S>>(&self, ray: &Ray<S>) -> Result<Option<Hit<S>>, Undecided> {
+        if self.combined.is_combination() {
+            return Err(Undecided);
+        }
+        through!(self, |member, place| member.visit(TryNearest::<S, T, _>::new(place, ray, self.visible)))
+    }
+
     /// True if there is any visible hit.
     pub fn occludes(&self, ray: &Ray<S>) -> bool {
         self.occludes_at::<Stable>(ray)
@@ -442,13 +483,24 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
     /// A ball that holds the shape but for rounding, as [`Hull::ball`](crate::geometry::Hull::ball). `None` of a
     /// combination, and of a shape that a matrix places.
     pub(crate) fn ball(&self) -> Option<(Vec3<S>, [S; 3])> {
+        self.in_world([self.member.hull().ball()]).map(|[ball]| ball)
+    }
+
+    /// Two balls whose convex hull holds the shape, as [`Hull::ends`](crate::geometry::Hull::ends).
+    pub(crate) fn ends(&self) -> Option<[(Vec3<S>, [S; 3]); 2]> {
+        self.in_world(self.member.hull().ends())
+    }
+
+    /// Balls of the primitive's frame in the world.
+    fn in_world<const N: usize>(&self, balls: [(Vec3<S>, [S; 3]); N]) -> Option<[(Vec3<S>, [S; 3]); N]> {
         if self.combined.parts().is_some() {
             return None;
         }
-        let (centre, legs) = self.member.hull().ball();
         match &self.placement {
-            Placement::World => Some((centre, legs)),
-            Placement::Frame(frame) if K::SET.contains(Kind::Frame) => Some((frame.point_to_world(centre), legs)),
+            Placement::World => Some(balls),
+            Placement::Frame(frame) if K::SET.contains(Kind::Frame) => {
+                Some(balls.map(|(centre, legs)| (frame.point_to_world(centre), legs)))
+            }
             _ => None,
         }
     }

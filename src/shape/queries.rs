@@ -2,7 +2,7 @@
 
 use super::Visible;
 use crate::geometry::Geometry;
-use crate::hit::{Hit, Hits};
+use crate::hit::{Hit, Hits, Undecided};
 use crate::ladder;
 use crate::ladder::ExactScalar;
 use crate::line::Place;
@@ -42,6 +42,29 @@ impl<S: Scalar, T: Tier<S>, P: Place<S>> Visitor<S> for Nearest<'_, S, T, P> {
     #[inline(always)]
     fn none(self) -> Option<Hit<S>> {
         None
+    }
+}
+
+/// The nearest hit, if the first method decides it.
+pub(super) struct TryNearest<'a, S: Scalar, T, P>(&'a P, &'a Ray<S>, Visible, PhantomData<T>);
+
+impl<'a, S: Scalar, T, P> TryNearest<'a, S, T, P> {
+    #[inline(always)]
+    pub(super) const fn new(place: &'a P, ray: &'a Ray<S>, visible: Visible) -> Self {
+        Self(place, ray, visible, PhantomData)
+    }
+}
+
+impl<S: Scalar, T: Tier<S>, P: Place<S>> Visitor<S> for TryNearest<'_, S, T, P> {
+    type Answer = Result<Option<Hit<S>>, Undecided>;
+
+    #[inline(always)]
+    fn visit<G: Geometry<S>>(self, geometry: &G) -> Self::Answer {
+        query::try_nearest::<S, T, G, P>(geometry, self.0, self.1, self.2.reported())
+    }
+    #[inline(always)]
+    fn none(self) -> Self::Answer {
+        Ok(None)
     }
 }
 

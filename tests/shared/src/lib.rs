@@ -14,6 +14,7 @@
 //! | `rays` | seeded rays that hit, and others that miss |
 //! | `workload` | what users do: solids as they are placed, rays from near and far, departing rays |
 //! | `turntable` | the still life on a display (feature `displays`) |
+//! | `sensor` | a sensor with zones among twelve obstacles in flash |
 //! | `range_sensor`, `returns` | a yard of forty solids, and the 64 zones of a sensor; three returns of each |
 #![no_std]
 
@@ -28,6 +29,7 @@ pub mod pictured;
 pub mod range_sensor;
 pub mod rays;
 pub mod returns;
+pub mod sensor;
 pub mod subject;
 pub mod textbook;
 #[cfg(feature = "displays")]
