@@ -55,7 +55,9 @@ class Program:
             self.decoder = capstone.Cs(CS_ARCH_RISCV, CS_MODE_RISCV32 | CS_MODE_RISCVC)
         self.decoder.detail = False
         self.segments = [
-            (header[2], header[1], header[4]) for header in self._headers(28, 42, "<8I") if header[0] == 1
+            (header[2], header[1], header[4])
+            for header in self._headers(28, 42, "<8I")
+            if header[0] == 1 and header[4]
         ]
         functions = {}
         for name, value, size, kind in self._symbols():
@@ -81,6 +83,10 @@ class Program:
                 name, value, size, info = struct.unpack_from("<IIIB", self.image, place)
                 name += sections[link][4]
                 yield self.image[name : self.image.index(b"\0", name)].decode(), value, size, info & 15
+
+    def bytes_in_flash(self) -> int:
+        """What is stored of the program: code, constants, and first values of statics."""
+        return sum(size for _, _, size in self.segments)
 
     def bytes_at(self, address: int, count: int) -> bytes:
         """What is loaded there."""
@@ -142,10 +148,11 @@ def _step_of_arm(program: Program, function: Function, i: capstone.CsInsn, befor
     if name == "bx" and i.op_str == "lr" or name in ("pop", "ldm") and "pc" in i.op_str or name == "udf":
         return Step(goes_on=False)
     if name in ("tbb", "tbh"):
-        return Step(_table(program, function, i, before), goes_on=False)
+        width = 2 if name == "tbh" else 1
+        return Step(_offsets_behind(program, function, i.address + 4, i.address + 4, width), goes_on=False)
     if name == "add" and i.op_str.startswith("pc, r"):
         width = 2 if any(b.mnemonic == "ldrh" for b in before[-2:]) else 1
-        return Step(_offsets_behind(program, function, i.address, width), goes_on=False)
+        return Step(_offsets_behind(program, function, i.address + 2, i.address + 4, width), goes_on=False)
     if name == "mov" and i.op_str.startswith("pc, r"):
         return Step(_addresses_behind(program, function, i.address), goes_on=False)
     if name == "bx" or i.op_str.startswith("pc"):
@@ -164,21 +171,21 @@ def _first_constant_behind(program: Program, function: Function, address: int) -
     return min(constant for constant in constants if constant > address + 2)
 
 
-def _offsets_behind(program: Program, function: Function, address: int, width: int) -> list[int]:
-    """The targets of a table of bytes or halfwords behind `add pc, r`, which ends at the first of them or at a constant."""
-    place, pc = address + 2, address + 4
+def _offsets_behind(program: Program, function: Function, place: int, pc: int, width: int) -> list[int]:
+    """The targets of a table of bytes or halfwords, in steps of two from `pc`. It ends at the first of them or at a
+    constant."""
     end = _first_constant_behind(program, function, place)
-    targets = []
+    targets, start = [], place
     while place + width <= end:
         target = pc + 2 * int.from_bytes(program.bytes_at(place, width), "little")
         # What fills up, or a `nop` that does before a constant.
-        if target <= place or program.bytes_at(place, 2) == b"\xc0\x46":
+        if not place < target < function.end or program.bytes_at(place, 2) == b"\xc0\x46":
             break
         end = min(end, target)
         targets.append(target)
         place += width
     if len(targets) < 2:
-        raise Unknown(f"{function.name}: no table behind {address:#x}")
+        raise Unknown(f"{function.name}: no table at {start:#x}")
     return targets
 
 
@@ -195,16 +202,6 @@ def _addresses_behind(program: Program, function: Function, address: int) -> lis
     if len(targets) < 2:
         raise Unknown(f"{function.name}: no table behind {address:#x}")
     return targets
-
-
-def _table(program: Program, function: Function, i: capstone.CsInsn, before: list[capstone.CsInsn]) -> list[int]:
-    """The targets of a table that follows; the instructions before compare the index with its last."""
-    lasts = [_number(b.op_str) for b in before[-4:] if b.mnemonic.startswith("cmp") and "#" in b.op_str]
-    if not lasts:
-        raise Unknown(f"{function.name}: a table of unknown length at {i.address:#x}")
-    wide, base = i.mnemonic.startswith("tbh"), i.address + 4
-    entries = program.bytes_at(base, (lasts[-1] + 1) * (2 if wide else 1))
-    return [base + 2 * n for n in struct.unpack(f"<{lasts[-1] + 1}{'H' if wide else 'B'}", entries)]
 
 
 def _step_of_riscv(program: Program, function: Function, i: capstone.CsInsn, before: list[capstone.CsInsn]) -> Step:
@@ -233,10 +230,32 @@ def _step_of_riscv(program: Program, function: Function, i: capstone.CsInsn, bef
             target = (last.address + upper + offset) & 0xFFFF_FFFF
             links = name == "jalr" and operands[0] in ("ra", "t0") and len(operands) > 1 or name == "jalr" and len(operands) == 1
             return Step(call=target) if links else Step([], False, leaves_to=target)
-        raise Unknown(f"{function.name}: a jump to what is in a register at {i.address:#x}: {i.mnemonic} {i.op_str}")
+        return Step(_table_of_riscv(program, function, i, before), goes_on=False)
     if name in ("unimp", "ebreak"):
         return Step(goes_on=name == "ebreak")
     return Step()
+
+
+def _table_of_riscv(program: Program, function: Function, i: capstone.CsInsn, before: list[capstone.CsInsn]) -> list[int]:
+    """The targets of a jump by a table of words: its address is loaded by `lui` and `addi`, and a word of it from
+    there. It ends where a word is no place in the function."""
+    text = [(b.mnemonic.removeprefix("c."), [part.strip() for part in b.op_str.split(",")]) for b in before[-12:]]
+    for at in range(len(text) - 1, -1, -1):
+        name, operands = text[at]
+        upper = [int(o[1], 0) for n, o in text[:at] if n == "lui" and o[0] == operands[0]]
+        if name == "addi" and len(operands) >= 2 and upper and operands[-1].lstrip("-").isalnum():
+            place, targets = (upper[-1] << 12) + int(operands[-1], 0) & 0xFFFF_FFFF, []
+            while True:
+                try:
+                    target = int.from_bytes(program.bytes_at(place + 4 * len(targets), 4), "little")
+                except Unknown:
+                    break
+                if not function.start <= target < function.end:
+                    break
+                targets.append(target)
+            if len(targets) > 1:
+                return targets
+    raise Unknown(f"{function.name}: a jump to what is in a register at {i.address:#x}: {i.mnemonic} {i.op_str}")
 
 
 def _taken_apart(program: Program, start: int) -> Function:

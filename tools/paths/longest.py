@@ -6,7 +6,8 @@ gone through as often as the table of bounds says. Paths that no input takes cou
 
 from dataclasses import dataclass
 
-from code import Function, Program, Unknown
+from code import Block, Function, Program, Unknown
+from constants import State, before_blocks, through
 
 
 @dataclass
@@ -19,43 +20,52 @@ class Loop:
     instructions: int
 
 
-class Missing(Exception):
-    """A loop without a bound."""
-
-    def __init__(self, loop: Loop) -> None:
-        super().__init__(f"{loop.function}: no bound of loop {loop.number} at {loop.address:#x}")
-        self.loop = loop
-
-
 class Longest:
-    """The longest paths of a program. `bound` gives the most rounds of a loop, or None if it is not known."""
+    """The longest paths of a program.
 
-    def __init__(self, program: Program, bound) -> None:
-        self.program, self.bound = program, bound
-        self.known: dict[int, int] = {}
+    `bounds` has `is_counted(name)`, true for a function whose third argument says how much it does, and
+    `rounds(loop, count)`, the most rounds of a loop, or None if that is not known.
+    """
+
+    def __init__(self, program: Program, bounds) -> None:
+        self.program, self.bounds = program, bounds
+        self.known: dict[tuple[int, int | None], int] = {}
         self.missing: list[Loop] = []
+        self.count: int | None = None
 
-    def of(self, start: int) -> int:
+    def of(self, start: int, count: int | None = None) -> int:
         """Of the function that starts there, its last instruction included."""
-        if start not in self.known:
-            self.known[start] = 0
-            function = self.program.function(start)
-            self.known[start] = self._of_function(function)
-        return self.known[start]
+        key = (start, count)
+        if key not in self.known:
+            if not self.bounds.is_counted(self.program.names[start]):
+                key, count = (start, None), None
+            if key not in self.known:
+                outer, self.count = self.count, count
+                self.known[key] = self._of_function(self.program.function(start))
+                self.count = outer
+        return self.known[key]
 
     def _of_function(self, function: Function) -> int:
-        costs = {}
+        costs, states = {}, before_blocks(function)
         for block in function.blocks.values():
             cost = len(block.instructions)
-            for _, callee in block.calls:
-                cost += self.of(self._start_of(callee))
+            for index, callee in block.calls:
+                cost += self.of(self._start_of(callee), self._third_argument(states, block, index))
             if block.leaves_to is not None:
-                cost += self.of(self._start_of(block.leaves_to))
+                cost += self.of(self._start_of(block.leaves_to), self._third_argument(states, block, len(block.instructions)))
             costs[block.start] = cost
         after = {block.start: [to for to in block.after] for block in function.blocks.values()}
-        self._number = 0
-        lengths = self._lengths(function, set(costs), function.start, costs, after)
-        return max(lengths.values())
+        outer, self._number = getattr(self, "_number", 0), 0
+        lengths = self._lengths(function, set(costs), function.start, None, costs, after)
+        self._number = outer
+        leaving = [block.start for block in function.blocks.values() if not block.after or block.leaves_to is not None]
+        # What never returns ends anywhere.
+        return max(lengths[block] for block in leaving or lengths if block in lengths)
+
+    def _third_argument(self, states: dict[int, State], block: Block, index: int) -> int | None:
+        """The constant that the third argument of a call is; for its own calls that of a function that counts by it."""
+        value = through(block, states[block.start], index).get("r2" if self.program.is_arm else "a2")
+        return self.count if value is None else value
 
     def _start_of(self, address: int) -> int:
         start = self.program.containing(address)
@@ -64,14 +74,20 @@ class Longest:
         return start
 
     def _lengths(
-        self, function: Function, blocks: set[int], head: int, costs: dict[int, int], after: dict[int, list[int]]
+        self,
+        function: Function,
+        blocks: set[int],
+        first: int,
+        head: int | None,
+        costs: dict[int, int],
+        after: dict[int, list[int]],
     ) -> dict[int, int]:
-        """The longest way from the head to each block, both included; edges back to the head are left out."""
+        """The longest way from the first block to each, both included; edges back to the head of a loop are left out."""
         inner = {block: [to for to in after[block] if to in blocks and to != head] for block in blocks}
         groups = components(blocks, inner)
         group_of = {block: index for index, group in enumerate(groups) for block in group}
         # Groups come in the order of their edges, the first last.
-        best: dict[int, int] = {head: 0}
+        best: dict[int, int] = {first: 0}
         lengths: dict[int, int] = {}
         for group in reversed(groups):
             entries = {block: best[block] for block in group if block in best}
@@ -107,7 +123,7 @@ class Longest:
         ((head, first),) = entries.items()
         loop = self._loop(function, head, blocks)
         rounds = self._rounds(loop)
-        lengths = self._lengths(function, blocks, head, costs, after)
+        lengths = self._lengths(function, blocks, head, head, costs, after)
         turns = [block for block in blocks if head in after[block] and block in lengths]
         a_round = max(lengths[block] for block in turns)
         return {block: first + (rounds - 1) * a_round + length for block, length in lengths.items()}
@@ -118,7 +134,7 @@ class Longest:
         return Loop(function.name, self._number, head, size)
 
     def _rounds(self, loop: Loop) -> int:
-        rounds = self.bound(loop)
+        rounds = self.bounds.rounds(loop, self.count)
         if rounds is None:
             self.missing.append(loop)
             return 1

@@ -7,8 +7,8 @@ import re
 import sys
 from pathlib import Path
 
-PAGE = Path(__file__).parents[2] / "docs" / "raystones.md"
-FIRST, LAST = "<!-- raystones: written by `.ci/raystones --renew` -->\n", "<!-- /raystones -->\n"
+sys.path.insert(0, str(Path(__file__).parents[1] / "paths"))
+from page import write_or_compare
 
 
 def of_c(text: str) -> int:
@@ -38,15 +38,7 @@ def main() -> int:
         # The upper end of the model's ranges, and three digits of what is modelled.
         table += f"| {name} | {taken:,} | {float(f'{modelled:.3g}'):,.0f} | {rays} | {1e6 / modelled:.1f} |\n"
     print(table)
-    page = PAGE.read_text()
-    start, end = page.index(FIRST) + len(FIRST), page.index(LAST)
-    written = page[:start] + "\n" + table + "\n" + page[end:]
-    if "--renew" in sys.argv:
-        PAGE.write_text(written)
-    elif written != page:
-        print("docs/raystones.md has other figures; if these are right: .ci/raystones --renew", file=sys.stderr)
-        return 1
-    return 0
+    return write_or_compare("raystones.md", "raystones", table, ".ci/raystones", "--renew" in sys.argv)
 
 
 if __name__ == "__main__":

@@ -17,6 +17,8 @@ macro_rules! in_every_tier {
 #[cfg(test)]
 mod extremes;
 #[cfg(test)]
+mod firmware;
+#[cfg(test)]
 mod first_numbers;
 #[cfg(test)]
 mod noise;

@@ -1,7 +1,8 @@
 //! A sensor with 8 by 8 zones among twelve obstacles: the ground and eleven posts, all constants, in flash.
 
+use core::fmt;
 use fixed::types::I16F16;
-use raylet::sensor::{RangeSensor, SensorError, Zones};
+use raylet::sensor::{RangeSensor, Reading, SensorError, Zones};
 use raylet::{Cylinder, Frame, Plane, Shape, UnitVec3, Vec3, constant};
 
 /// Metres, in steps of 1/65,536.
@@ -88,4 +89,20 @@ pub fn zones() -> Result<Zones<Number>, SensorError> {
 /// None.
 pub fn sensor() -> Result<RangeSensor<Number>, SensorError> {
     RangeSensor::new(hundredths(5), hundredths(600))
+}
+
+/// A row of readings, for printing: the obstacle and the distance of each zone.
+#[derive(Debug)]
+pub struct Row<'a>(pub &'a [Reading<Number, 1>]);
+
+impl fmt::Display for Row<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for reading in self.0 {
+            match reading.returns.first() {
+                Some(seen) => write!(f, "{:2}:{:.4} ", seen.obstacle, seen.distance)?,
+                None => f.write_str(" -        ")?,
+            }
+        }
+        Ok(())
+    }
 }

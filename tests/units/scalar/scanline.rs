@@ -8,6 +8,12 @@ use crate::vector::{UnitVec3, Vec3};
 use fixed::types::I16F16;
 
 type Number = I16F16;
+type Axis = [<Number as crate::scalar::Numbers>::Unit; 3];
+
+fn in_integers(forward: Axis, across: [Axis; 2], steps: [Block64; 2], y: i32) -> InIntegers {
+    let row = <InIntegers as Scanline<Number>>::new(forward, across, steps);
+    Scanline::<Number>::above(row, y)
+}
 
 /// The largest difference, in units of a component, between directions of rows of this step, up to so many steps away;
 /// rows are so many times as far apart as columns.
@@ -22,7 +28,7 @@ fn difference(seed: u64, step: f64, most: i32, wider: f64) -> i64 {
         let step = step * random.between(0.5, 1.0);
         let steps = [step, step * wider].map(|step| Block64::new((step * 2_f64.powi(58)) as i64, -58));
         let [x, y] = [0; 2].map(|_| random.between(-f64::from(most), f64::from(most)) as i32);
-        let integers = <InIntegers as Scanline<Number>>::new(forward, [right, up], steps).above(y);
+        let integers = in_integers(forward, [right, up], steps, y);
         let integers = Scanline::<Number>::direction(&integers, x);
         let numbers = InNumbers::<Number>::new(forward, [right, up], steps).above(y).direction(x);
         let pairs = pairs(integers.expect("it has a length"), numbers.expect("it has a length"));
@@ -40,7 +46,8 @@ fn directions_in_integers_are_those_in_numbers() {
         // Zones of sensors may be higher than wide, or wider than high.
         for wider in [1.0, 2.5, 0.125] {
             let difference = difference(most as u64, step, most, wider);
-            let tangent = step * f64::from(most) * wider.max(1.0);
+            // Both steps are rounded to the unit of the longer.
+            let tangent = step * f64::from(most) * if wider > 1.0 { 1.0 + wider } else { 1.0 };
             assert!(difference <= 3 + tangent as i64, "{difference} units at {step}, {wider}");
         }
     }
@@ -53,15 +60,12 @@ fn steps_of_no_length_and_of_any_length_overflow_nowhere() {
         for mantissa in [0, 1, 3, (1 << 30) - 1, i64::MAX >> 1] {
             for most in [0, 1, -1, (1 << 26) - 1, -(1 << 26)] {
                 let step = Block64::new(mantissa, exponent);
-                let row = <InIntegers as Scanline<Number>>::new(forward, [right, up], [step, Block64::new(1, -20)])
-                    .above(most);
-                let _ = Scanline::<Number>::direction(&row, most);
-                let row = <InIntegers as Scanline<Number>>::new(forward, [right, up], [Block64::new(1, -20), step])
-                    .above(most);
-                let _ = Scanline::<Number>::direction(&row, most);
+                for steps in [[step, Block64::new(1, -20)], [Block64::new(1, -20), step]] {
+                    let _ = Scanline::<Number>::direction(&in_integers(forward, [right, up], steps, most), most);
+                }
             }
         }
     }
-    let still = <InIntegers as Scanline<Number>>::new(forward, [right, up], [Block64::new(0, 0); 2]).above(9);
+    let still = in_integers(forward, [right, up], [Block64::new(0, 0); 2], 9);
     assert_eq!(Scanline::<Number>::direction(&still, 9), Some(forward));
 }

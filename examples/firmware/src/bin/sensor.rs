@@ -9,8 +9,8 @@ use raylet::sensor::{Bounded, Obstacles, Reading, Search, Try};
 use raylet::{Error, Fast, Ray, Stable};
 use raylet_firmware::footprint::Footprint;
 use raylet_firmware::{clock, stack};
-use semihosting::{print, println};
-use shared::sensor::{OBSTACLES, RAYS, ZONES, sensor, zones};
+use semihosting::println;
+use shared::sensor::{OBSTACLES, RAYS, Row, ZONES, sensor, zones};
 
 type Readings = [[Reading<I16F16, 1>; ZONES as usize]; ZONES as usize];
 
@@ -51,13 +51,7 @@ fn all() -> Result<(), Error> {
     let (of_zones, of_fan) = (|column, row| zones.rays(column, row), |column, row| fan.rays(column, row));
     let (readings, stable) = scan::<Stable, _, _>(in_zone, of_fan)?;
     for row in &readings {
-        for reading in row {
-            match reading.returns.first() {
-                Some(seen) => print!("{:2}:{:.4} ", seen.obstacle, seen.distance),
-                None => print!(" -        "),
-            }
-        }
-        println!("");
+        println!("{}", Row(row));
     }
     println!("instructions: bounds {bounding}, as seen from a place {seeing}, fan of rays {making}; a zone");
     for (name, (again, taken)) in [
