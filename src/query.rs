@@ -102,18 +102,44 @@ pub(crate) fn nearest<S: Scalar, T: Solve<S>, G: Geometry<S>, P: Place<S>>(
     reported: Reported,
 ) -> Option<Hit<S>> {
     let (range, accept) = (ray.range(), |crossing| reported.has(crossing));
+    // If the entry is accepted, later ends are not needed.
+    let since = reported.enter.then(|| range.start());
     if ray.departure().is_some() {
         if misses_by_departure(geometry, ray) {
             return None;
         }
         return departing::<S, T, G, P>(geometry, place, ray).nearest(range, accept);
     }
-    match by_first::<S, T, G, P>(geometry, place, ray, reported) {
-        Ok(hit) => hit,
-        Err(Rest::All) => others::<S, T, G, P>(geometry, place, ray).nearest(range, accept),
+    match T::first(geometry, place, ray, since) {
+        Err(Stop::Miss) => None,
+        Err(Stop::Unsure) => others::<S, T, G, P>(geometry, place, ray).nearest(range, accept),
+        // The common case is tested by itself: the compiler then passes the entry on in registers.
+        Ok(Intersection::Entered(enter)) if range.contains(enter.t) && reported.enter => {
+            Some(Hit { t: enter.t, part: enter.part, crossing: Crossing::Enter })
+        }
+        // If the range ends before the entry, it holds no exit either.
+        Ok(Intersection::Entered(enter)) if enter.t > range.end() => None,
         // The entry stays as it is, so that the hit is one of [`hits`].
-        Err(Rest::Exit(enter)) => others::<S, T, G, P>(geometry, place, ray).entered_at(enter).nearest(range, accept),
+        Ok(Intersection::Entered(enter)) => {
+            others::<S, T, G, P>(geometry, place, ray).entered_at(enter).nearest(range, accept)
+        }
+        Ok(intersection) => intersection.nearest(range, accept),
     }
+}
+
+/// The first hit that is reported, if the first method of the tier decides it. A program that calls only this has
+/// neither the code of the other methods nor that of departing rays.
+#[inline(never)]
+pub(crate) fn try_nearest<S: Scalar, T: Solve<S>, G: Geometry<S>, P: Place<S>>(
+    geometry: &G,
+    place: &P,
+    ray: &Ray<S>,
+    reported: Reported,
+) -> Result<Option<Hit<S>>, Undecided> {
+    if ray.departure().is_some() {
+        return Err(Undecided);
+    }
+    by_first::<S, T, G, P>(geometry, place, ray, reported).map_err(|_| Undecided)
 }
 
 /// What the first method of a tier leaves to the others.
@@ -124,7 +150,9 @@ enum Rest<S> {
     Exit(End<S>),
 }
 
-/// The first hit that is reported, of a ray without departure, by the first method of the tier.
+/// The first hit that is reported, of a ray without departure, by the first method of the tier: the decisions of
+/// [`nearest`]. (If that called this, queries of flat parts would take up to 30 instructions more on a Cortex-M0+. If
+/// this did not say what is left, [`try_nearest`] of a framed cylinder would be 900 bytes longer.)
 #[inline(always)]
 fn by_first<S: Scalar, T: Solve<S>, G: Geometry<S>, P: Place<S>>(
     geometry: &G,
@@ -147,21 +175,6 @@ fn by_first<S: Scalar, T: Solve<S>, G: Geometry<S>, P: Place<S>>(
         Ok(Intersection::Entered(enter)) => Err(Rest::Exit(enter)),
         Ok(intersection) => Ok(intersection.nearest(range, |crossing| reported.has(crossing))),
     }
-}
-
-/// The first hit that is reported, if the first method of the tier decides it. A program that calls only this has
-/// neither the code of the other methods nor that of departing rays.
-#[inline(never)]
-pub(crate) fn try_nearest<S: Scalar, T: Solve<S>, G: Geometry<S>, P: Place<S>>(
-    geometry: &G,
-    place: &P,
-    ray: &Ray<S>,
-    reported: Reported,
-) -> Result<Option<Hit<S>>, Undecided> {
-    if ray.departure().is_some() {
-        return Err(Undecided);
-    }
-    by_first::<S, T, G, P>(geometry, place, ray, reported).map_err(|_| Undecided)
 }
 
 /// True if there is a hit that is reported.

@@ -258,7 +258,7 @@ pub(super) fn radius(legs: [i32; 3]) -> i32 {
 
 /// The integer below the magnitude of a number times a power of two, with its sign. It must be below 2^31.
 #[inline(always)]
-pub(super) fn truncated(Parts { mantissa, exponent, negative }: Parts, scale: i32) -> i32 {
+pub(crate) fn truncated(Parts { mantissa, exponent, negative }: Parts, scale: i32) -> i32 {
     let (left, right) = (exponent + scale, (-exponent - scale).max(0).unsigned_abs());
     // Of most types the mantissa is a word.
     let magnitude = if let Ok(mantissa) = u32::try_from(mantissa) {

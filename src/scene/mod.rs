@@ -41,7 +41,7 @@ mod stored;
 mod texture;
 
 pub use crate::hierarchy::{Hierarchy, HierarchyError, Node};
-pub(crate) use balls::{Ball, BallInWorld, Balls, Candidates, MOST, ends};
+pub(crate) use balls::{Ball, BallInWorld, Balls, Candidates, MOST, ends, truncated};
 pub(crate) use camera::RaysOfRow;
 pub use camera::{Camera, CameraError, Raster, Size};
 pub(crate) use candidates::CandidatesOfRow;

@@ -185,8 +185,11 @@ impl<S: Scalar> RangeSensor<S> {
                         });
                         if is_nearer {
                             nearest = Some(Return { distance: t, obstacle, ray: number as u16, hit });
-                            end = t;
-                            if let Ok(range) = Range::new(from, end) {
+                            // The result of an obstacle must not depend on that of another.
+                            if !T::EXACT_ENDS
+                                && let Ok(range) = Range::new(from, t)
+                            {
+                                end = t;
                                 ray = ray.with_range(range);
                             }
                         }

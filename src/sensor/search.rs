@@ -14,6 +14,9 @@ mod sealed {
 
 /// A way to find the nearest hit of an obstacle: any [`Tier`], or [`Try`] of one. Sealed.
 pub trait Search<S: Scalar>: sealed::Sealed<S> {
+    #[doc(hidden)]
+    /// True if the rounding of a hit next to the end of a range depends on that end.
+    const EXACT_ENDS: bool;
     /// The nearest hit.
     ///
     /// # Errors
@@ -25,6 +28,8 @@ pub trait Search<S: Scalar>: sealed::Sealed<S> {
 impl<S: Scalar, T: Tier<S>> sealed::Sealed<S> for T {}
 
 impl<S: Scalar, T: Tier<S>> Search<S> for T {
+    const EXACT_ENDS: bool = T::EXACT_ENDS;
+
     #[inline(always)]
     fn nearest<K: Kinds>(shape: &Shape<S, K>, ray: &Ray<S>) -> Result<Option<Hit<S>>, Undecided> {
         Ok(shape.nearest_at::<T>(ray))
@@ -39,6 +44,8 @@ pub struct Try<T>(PhantomData<T>);
 impl<S: Scalar, T: Tier<S>> sealed::Sealed<S> for Try<T> {}
 
 impl<S: Scalar, T: Tier<S>> Search<S> for Try<T> {
+    const EXACT_ENDS: bool = T::EXACT_ENDS;
+
     #[inline(always)]
     fn nearest<K: Kinds>(shape: &Shape<S, K>, ray: &Ray<S>) -> Result<Option<Hit<S>>, Undecided> {
         shape.try_nearest_at::<T>(ray)

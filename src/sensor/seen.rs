@@ -5,12 +5,14 @@
 //! plane between two columns is `f x = u z`, where `u / f` is the tangent of its angle. The ball of radius `r` about
 //! `(x, y, z)` is wholly to the right of it if `f x - u z > r sqrt(f^2 + u^2)`, and the hull of two balls if both are.
 //!
-//! All numbers have 14 bits, so that products and their sums have 31, and the balls are larger by as much as their rounding may change.
+//! Lengths have 14 bits, `u` and `f` 15, so that products and their sums have 31, and the balls are larger by as much
+//! as their rounding may change.
 
 use super::{Obstacles, Zones};
+use crate::number::machine::leading_zeros;
 use crate::ray::Ray;
-use crate::scalar::{Real, Ring, Scalar, UnitScalar};
-use crate::scene::{Ball, MOST, View};
+use crate::scalar::{Real, Ring, Scalar};
+use crate::scene::{Ball, MOST, View, truncated};
 use crate::shape::Shaped;
 
 /// The columns or the rows that a ball may be seen by: the first, and the one after the last.
@@ -36,6 +38,8 @@ pub struct SeenByZones<'a, S, X> {
     list: &'a [X],
     /// The nearest first.
     seen: heapless::Vec<Seen<S>, MOST>,
+    /// Columns and rows.
+    counts: [u8; 2],
 }
 
 impl<'a, S: Scalar, X: Shaped<S>> SeenByZones<'a, S, X> {
@@ -94,13 +98,14 @@ impl<'a, S: Scalar, X: Shaped<S>> SeenByZones<'a, S, X> {
             },
         );
         sort(&mut seen);
-        Self { list, seen }
+        Self { list, seen, counts: [columns, rows] }
     }
 
-    /// The obstacles that the rays of a zone may meet.
+    /// The obstacles that the rays of a zone may meet. Beside the field of view these are all.
     #[inline(always)]
     pub const fn in_zone(&self, column: u8, row: u8) -> InZone<'_, S, X> {
-        InZone { seen: self, column, row }
+        let [columns, rows] = self.counts;
+        InZone { seen: self, column, row, is_beside: column >= columns || row >= rows }
     }
 }
 
@@ -110,6 +115,7 @@ pub struct InZone<'a, S, X> {
     seen: &'a SeenByZones<'a, S, X>,
     column: u8,
     row: u8,
+    is_beside: bool,
 }
 
 impl<S: Scalar, X: Shaped<S>> Obstacles<S> for InZone<'_, S, X> {
@@ -128,7 +134,7 @@ impl<S: Scalar, X: Shaped<S>> Obstacles<S> for InZone<'_, S, X> {
             if seen.nearest > end.next_up().next_up() {
                 break;
             }
-            if holds(seen.columns, self.column) && holds(seen.rows, self.row) {
+            if self.is_beside || (holds(seen.columns, self.column) && holds(seen.rows, self.row)) {
                 match test(seen.index.into()) {
                     Some(nearer) => end = nearer,
                     None => return,
@@ -169,8 +175,11 @@ struct Rod {
     ends: [End; 2],
 }
 
-/// A radius, and as much as rounding may matter: a centre is off by less than 7, `f` and `u` by less than 1, which moves
-/// a plane by less than 4 at the centre. Directions of rays are rounded too.
+/// The bits of the parts of a tangent.
+const WIDE: i32 = 21;
+
+/// A radius, and as much as rounding may matter: a centre is off by less than 7, `f` and `u` by less than 1, which
+/// moves a plane by less than 4 at the centre. Directions of rays are rounded too.
 const fn enlarged(r: i32) -> i32 {
     r + 13 + (r >> 10)
 }
@@ -184,15 +193,24 @@ fn each_column<S: Scalar>(
     coordinate: impl Fn([i32; 3]) -> i32,
     mut covers: impl FnMut(u8, u8),
 ) {
-    // The larger of `f` and of the `u` at the edge is 2^14.
-    let one = 1 << 14;
-    let in_units = |share: S::Real| S::unit_round(share.scaled(-2)).in_65536ths() as i32;
+    // The tangent as a fraction whose larger part is 2^WIDE.
+    let part = |share: S::Real| truncated(S::unit_parts(S::unit_round(share.scaled(-1))), WIDE + 1);
     let is_wide = tangent > S::Real::ONE;
-    let (edge, f) = if is_wide { (one, in_units(S::Real::ONE / tangent)) } else { (in_units(tangent), one) };
+    let (edge, far) = if is_wide { (1 << WIDE, part(S::Real::ONE / tangent)) } else { (part(tangent), 1 << WIDE) };
+    // The planes of a wider field of view would be off by more.
+    if far < 1 << (WIDE - 6) {
+        for rod in rods {
+            (0..count).for_each(|column| covers(rod.index, column));
+        }
+        return;
+    }
     // Bit `i` is set if obstacle `i` is to the left of the last plane.
     let mut left = 0_u16;
     for plane in 0..=count {
         let u = edge * (2 * i32::from(plane) - i32::from(count)) / i32::from(count.max(1));
+        // The larger part has 15 bits.
+        let down = (17 - leading_zeros((u.abs() | far) as u32) as i32).max(0);
+        let (u, f) = (u >> down, far >> down);
         let length = (f * f + u * u).unsigned_abs().isqrt() as i32 + 1;
         for (i, rod) in rods.iter().enumerate() {
             // Of each ball how far its centre is to the right, and its radius.

@@ -152,7 +152,8 @@ def _step_of_arm(program: Program, function: Function, i: capstone.CsInsn, befor
         return Step(_offsets_behind(program, function, i.address + 4, i.address + 4, width), goes_on=False)
     if name == "add" and i.op_str.startswith("pc, r"):
         width = 2 if any(b.mnemonic == "ldrh" for b in before[-2:]) else 1
-        return Step(_offsets_behind(program, function, i.address + 2, i.address + 4, width), goes_on=False)
+        # The table is aligned to a word.
+        return Step(_offsets_behind(program, function, i.address + 2 + 3 & ~3, i.address + 4, width), goes_on=False)
     if name == "mov" and i.op_str.startswith("pc, r"):
         return Step(_addresses_behind(program, function, i.address), goes_on=False)
     if name == "bx" or i.op_str.startswith("pc"):
@@ -228,7 +229,7 @@ def _step_of_riscv(program: Program, function: Function, i: capstone.CsInsn, bef
             upper = int(last.op_str.split(",")[1], 0) << 12
             offset = int(offset, 0) if re.fullmatch(r"-?(0x)?[0-9a-f]+", offset) else 0
             target = (last.address + upper + offset) & 0xFFFF_FFFF
-            links = name == "jalr" and operands[0] in ("ra", "t0") and len(operands) > 1 or name == "jalr" and len(operands) == 1
+            links = name == "jalr" and (len(operands) == 1 or operands[0] in ("ra", "t0"))
             return Step(call=target) if links else Step([], False, leaves_to=target)
         return Step(_table_of_riscv(program, function, i, before), goes_on=False)
     if name in ("unimp", "ebreak"):
@@ -236,7 +237,9 @@ def _step_of_riscv(program: Program, function: Function, i: capstone.CsInsn, bef
     return Step()
 
 
-def _table_of_riscv(program: Program, function: Function, i: capstone.CsInsn, before: list[capstone.CsInsn]) -> list[int]:
+def _table_of_riscv(
+    program: Program, function: Function, i: capstone.CsInsn, before: list[capstone.CsInsn]
+) -> list[int]:
     """The targets of a jump by a table of words: its address is loaded by `lui` and `addi`, and a word of it from
     there. It ends where a word is no place in the function."""
     text = [(b.mnemonic.removeprefix("c."), [part.strip() for part in b.op_str.split(",")]) for b in before[-12:]]

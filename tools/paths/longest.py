@@ -52,7 +52,8 @@ class Longest:
             for index, callee in block.calls:
                 cost += self.of(self._start_of(callee), self._third_argument(states, block, index))
             if block.leaves_to is not None:
-                cost += self.of(self._start_of(block.leaves_to), self._third_argument(states, block, len(block.instructions)))
+                count = self._third_argument(states, block, len(block.instructions))
+                cost += self.of(self._start_of(block.leaves_to), count)
             costs[block.start] = cost
         after = {block.start: [to for to in block.after] for block in function.blocks.values()}
         outer, self._number = getattr(self, "_number", 0), 0
@@ -82,7 +83,7 @@ class Longest:
         costs: dict[int, int],
         after: dict[int, list[int]],
     ) -> dict[int, int]:
-        """The longest way from the first block to each, both included; edges back to the head of a loop are left out."""
+        """The longest way from the first block to each, both included; edges back to a loop's head are left out."""
         inner = {block: [to for to in after[block] if to in blocks and to != head] for block in blocks}
         groups = components(blocks, inner)
         group_of = {block: index for index, group in enumerate(groups) for block in group}
@@ -142,7 +143,8 @@ class Longest:
 
 
 def components(nodes: set[int], after: dict[int, list[int]]) -> list[list[int]]:
-    """The strongly connected components, the last first (Tarjan, *Depth-first search and linear graph algorithms*, 1972)."""
+    """The strongly connected components, the last first (Tarjan, *Depth-first search and linear graph algorithms*,
+    1972)."""
     index: dict[int, int] = {}
     low: dict[int, int] = {}
     on_stack: set[int] = set()

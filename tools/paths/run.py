@@ -14,7 +14,7 @@ from pathlib import Path
 from bounds import Bounds
 from code import Program, Unknown
 from longest import Longest
-from page import write_or_compare
+from page import compiled, write_or_compare
 from stack import Stacks
 
 CHIPS = {
@@ -40,7 +40,7 @@ def stack(program: Path, functions: list[str]) -> int:
 
 def worst(folder: Path, renew: bool) -> int:
     """Writes or compares the table of longest paths; fails if a search found more than that."""
-    table = "| chip | solid | numbers | mean | 99 % | longest, of users | longest, found | bound | of what was found | stack |\n"
+    table = "| chip | solid | numbers | mean | 99 % | longest, of users | longest, found | bound | of that | stack |\n"
     table += "|---|---|---|---:|---:|---:|---:|---:|---:|---:|\n"
     failed = 0
     for target in (target for target in CHIPS if (folder / target / "worst.out").exists()):
@@ -60,6 +60,7 @@ def worst(folder: Path, renew: bool) -> int:
             name = f"{target}: {loop.function}"
             print(f"{name}: bounds.toml has no line for loop {loop.number}, at {loop.address:#x}", file=sys.stderr)
             failed = 1
+    table += compiled()
     print(table)
     return write_or_compare("worst-case.md", "worst", table, ".ci/worst", renew) or failed
 
@@ -88,6 +89,7 @@ def sensor(folder: Path, renew: bool) -> int:
             add("its stack at most, by its call graph, bytes", "–")
     table = f"| | {' | '.join(CHIPS[target] for target in targets)} |\n|---|{'---:|' * len(targets)}\n"
     table += "".join(f"| {name} | {' | '.join(values)} |\n" for name, values in rows.items())
+    table += compiled()
     print(table)
     return write_or_compare("range-sensor.md", "sensor", table, ".ci/sensor", renew)
 

@@ -1,5 +1,5 @@
-//! A scene for MuJoCo and what `raylet` reads in it: the scene in MJCF, then a line of JSON a reading. `.ci/mujoco` runs
-//! it.
+//! A scene for MuJoCo and what `raylet` reads in it: of each number type the scene in MJCF, then a line a reading.
+//! `.ci/mujoco` runs it.
 //!
 //! A body's frame in MuJoCo has the axis of a cylinder or a capsule along z and its middle at the origin; here the axis
 //! is y, and the base is there. So its axes are z, x, y of the frame.

@@ -11,7 +11,7 @@ fn bounds_hide_nothing<S: Scalar>(scales: &[f64]) {
     let mut random = Random(8);
     let [mut seen, mut all] = [0; 2];
     for &scale in scales {
-        for tangent in [1e-2, 0.3, 1.0, 3.0, 60.0] {
+        for tangent in [1e-2, 0.3, 1.0, 1.2, 3.0, 20.0, 60.0, 90.0] {
             for counts in [[1, 1], [255, 1], [1, 255], [16, 16]] {
                 let mut list = Vec::new();
                 for _ in 0..3 {

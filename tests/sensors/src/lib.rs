@@ -1,5 +1,5 @@
-//! Range sensors: readings beside a plain search of all hits, the rays of zones and sweeps beside doubles, errors beside
-//! their distribution; and queries by the first numbers of a tier alone.
+//! Range sensors: readings beside a plain search of all hits, the rays of zones and sweeps beside doubles, errors
+//! beside their distribution; and queries by the first numbers of a tier alone.
 
 /// Calls a test in all tiers of all number types.
 #[cfg(test)]

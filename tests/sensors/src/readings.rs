@@ -80,6 +80,9 @@ fn agree<S: Number, T: Tier<S>>() {
             assert_eq!(of(&reading), first_three, "{listed:?} {list:?}");
             assert_eq!(sensor.read_at::<T, 3>(&seen.in_zone(column, row), rays.clone(), 0), reading, "{list:?}");
             assert_eq!(sensor.read_at::<T, 3>(&shapes, fan.rays(column, row), 0), reading);
+            // Beside the field of view.
+            let beside = sensor.read_at::<T, 3>(&seen.in_zone(columns, row), zones.rays(columns, row), 0);
+            assert_eq!(beside, sensor.read_at::<T, 3>(&list[..], zones.rays(columns, row), 0));
             let one = sensor.read_at::<T, 1>(&seen.in_zone(column, row), rays.clone(), 0);
             assert_eq!(one.returns.first(), reading.returns.first());
             let tried = sensor.read_at::<Try<T>, 3>(&list[..], rays, 0);
@@ -103,6 +106,8 @@ fn readings_are_those_of_a_plain_search() {
     agree::<fixed::types::I16F16, Stable>();
     agree::<fixed::types::I20F12, Stable>();
     agree::<fixed::types::I32F32, Stable>();
+    agree::<f32, raylet::Exact>();
+    agree::<fixed::types::I16F16, raylet::Exact>();
 }
 
 fn ray(x: f32, y: f32) -> Ray<f32> {

@@ -1,6 +1,7 @@
 //! Every public query of the library, with values of any bits.
 
 use crate::input::{Any, any_direction, any_list, any_point, any_word, give};
+use crate::sensors::sensors;
 use raylet::ExactScalar;
 use raylet::hierarchy::{Hierarchy, Node, Shapes};
 use raylet::scalar::{Real, UnitScalar};
@@ -65,7 +66,7 @@ pub fn any_ray<S: Any>() -> Option<Ray<S>> {
     Some(if any_word() == 0 { ray } else { ray.departing(Departure { object: 0, part, leaving }) })
 }
 
-fn any_frame<S: Any>() -> Option<Frame<S>> {
+pub(crate) fn any_frame<S: Any>() -> Option<Frame<S>> {
     let frame = match any_word() {
         0 => Frame::at(any_point()),
         1 => Frame::from_base_and_axis(any_point(), any_direction()),
@@ -200,6 +201,7 @@ pub fn queries<S: Any, T: Tier<S>>() -> Option<()> {
     call!(among::<S, (Sphere<S>, Plane<S>, Frame<S>)>()?, ray, T);
     call!(among::<S, (Affine<S>, Cone<S>)>()?, ray, T);
     combined::<S, T>(ray);
+    sensors::<S, T>(ray);
     many_solids::<S, T>(ray)
 }
 

@@ -6,7 +6,7 @@
 use raylet::{Capsule, Cone, Cuboid, Cylinder, Fast, Plain, Plane, Ray, Sphere, Stable};
 use raylet_firmware::clock;
 use raylet_programs::worst::{Number, Of, of};
-use semihosting::println;
+use semihosting::{print, println};
 
 /// Defines the functions of a solid, one for each query, and prints what they take.
 macro_rules! solids {
@@ -27,10 +27,8 @@ macro_rules! solids {
                     ("`Stable`", stringify!($stable), $stable),
                 ] {
                     let [mean, nearly, worst, found] = of::<$P<Number>>($solid, make, query);
-                    println!(
-                        r#"{{"solid":"{}","tier":"{tier}","function":"{name}","mean":{mean},"nearly":{nearly},"worst":{worst},"found":{found}}}"#,
-                        $solid
-                    );
+                    print!(r#"{{"solid":"{}","tier":"{tier}","function":"{name}","#, $solid);
+                    println!(r#""mean":{mean},"nearly":{nearly},"worst":{worst},"found":{found}}}"#);
                 }
             )+
         }
@@ -46,12 +44,18 @@ macro_rules! solids {
 }
 
 solids! {
-    "sphere", Sphere, |[r, _, _]| Sphere::new(r).ok(), worst_sphere_try, worst_sphere_plain, worst_sphere_fast, worst_sphere_stable;
-    "plane", Plane, |_| Some(Plane::new()), worst_plane_try, worst_plane_plain, worst_plane_fast, worst_plane_stable;
-    "cylinder, capped", Cylinder, |[r, h, _]| Cylinder::capped(r, h).ok(), worst_cylinder_try, worst_cylinder_plain, worst_cylinder_fast, worst_cylinder_stable;
-    "frustum", Cone, |[a, b, h]| Cone::frustum(a, b, h).ok(), worst_cone_try, worst_cone_plain, worst_cone_fast, worst_cone_stable;
-    "capsule", Capsule, |[r, h, _]| Capsule::new(r, h).ok(), worst_capsule_try, worst_capsule_plain, worst_capsule_fast, worst_capsule_stable;
-    "cuboid", Cuboid, |[a, b, c]| Cuboid::new(a, b, c).ok(), worst_cuboid_try, worst_cuboid_plain, worst_cuboid_fast, worst_cuboid_stable;
+    "sphere", Sphere, |[r, _, _]| Sphere::new(r).ok(),
+        worst_sphere_try, worst_sphere_plain, worst_sphere_fast, worst_sphere_stable;
+    "plane", Plane, |_| Some(Plane::new()),
+        worst_plane_try, worst_plane_plain, worst_plane_fast, worst_plane_stable;
+    "cylinder, capped", Cylinder, |[r, h, _]| Cylinder::capped(r, h).ok(),
+        worst_cylinder_try, worst_cylinder_plain, worst_cylinder_fast, worst_cylinder_stable;
+    "frustum", Cone, |[a, b, h]| Cone::frustum(a, b, h).ok(),
+        worst_cone_try, worst_cone_plain, worst_cone_fast, worst_cone_stable;
+    "capsule", Capsule, |[r, h, _]| Capsule::new(r, h).ok(),
+        worst_capsule_try, worst_capsule_plain, worst_capsule_fast, worst_capsule_stable;
+    "cuboid", Cuboid, |[a, b, c]| Cuboid::new(a, b, c).ok(),
+        worst_cuboid_try, worst_cuboid_plain, worst_cuboid_fast, worst_cuboid_stable;
 }
 
 fn run() -> ! {
