@@ -59,7 +59,8 @@ impl<S: Scalar> Sweep<S> {
         &self.frame
     }
 
-    /// A beam; `None` beyond the last.
+    /// A beam; `None` beyond the last. It takes a sine and a cosine, which `libm` computes in doubles for `f32`: on a
+    /// chip keep the beams.
     pub fn beam(&self, number: u16) -> Option<Ray<S>> {
         if number >= self.beams {
             return None;

@@ -7,7 +7,7 @@
 pub mod everything;
 pub mod input;
 pub mod pictures;
-mod sensors;
+pub mod sensors;
 
 /// The bottom of every panic. Where any code can panic, this is linked.
 #[inline(never)]

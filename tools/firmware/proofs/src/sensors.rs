@@ -12,11 +12,8 @@ pub fn sensors<S: Any, T: Tier<S>>(ray: &Ray<S>) -> Option<()> {
     let list = [any_shape::<S>()?, any_shape()?, any_shape()?];
     give(list[0].try_nearest_at::<T>(ray).ok()?);
     let counts = [any_word() as u8, any_word() as u8];
-    let zones = match any_word() {
-        0 => Zones::new(any_frame()?, counts, [S::any(), S::any()]),
-        _ => Zones::with_tangents(any_frame()?, counts, [S::any(), S::any()]),
-    };
-    let zones = zones.ok()?.with_rays(any_word() as u8).moved_to(any_frame()?);
+    let zones = Zones::with_tangents(any_frame()?, counts, [S::any(), S::any()]).ok()?;
+    let zones = zones.with_rays(any_word() as u8).moved_to(any_frame()?);
     let [column, row] = [any_word() as u8, any_word() as u8];
     let noise = Noise::new(S::any(), S::any(), any_word() as u32).ok()?.losing(any_word() as u16);
     let sensor = RangeSensor::new(S::any(), S::any()).ok()?.separating(S::any()).ok()?.with_noise(noise);
@@ -29,7 +26,13 @@ pub fn sensors<S: Any, T: Tier<S>>(ray: &Ray<S>) -> Option<()> {
     give(sensor.read_at::<Try<T>, 2>(&in_zone.in_zone(column, row), fan.rays(column, row), any_word() as u32).status);
     let mut nodes = [Node::EMPTY; Hierarchy::<S>::nodes_for(3)];
     let tree = Shapes::new(&list, &mut nodes).ok()?;
-    let sweep = Sweep::new(any_frame()?, any_word() as u16, S::any()).ok()?;
-    give(sensor.read_at::<T, 1>(&tree, [sweep.beam(any_word() as u16)?], any_word() as u32).status);
+    give(sensor.read_at::<T, 1>(&tree, [*ray], any_word() as u32).status);
+    Some(())
+}
+
+/// What is made from angles.
+pub fn angles<S: Any>() -> Option<()> {
+    give(Zones::new(any_frame()?, [any_word() as u8, any_word() as u8], [S::any(), S::any()]));
+    give(Sweep::new(any_frame()?, any_word() as u16, S::any()).ok()?.beam(any_word() as u16));
     Some(())
 }

@@ -5,7 +5,7 @@
 use fixed::types::{I16F16, I32F32};
 use raylet::tier::{Exact, Fast, Plain, Stable, Tier};
 use raylet_proofs::input::{Any, give};
-use raylet_proofs::{everything, pictures, program};
+use raylet_proofs::{everything, pictures, program, sensors};
 
 #[inline(never)]
 fn queries<S: Any, T: Tier<S>>() {
@@ -17,6 +17,7 @@ fn the_rest<S: Any>() {
     give(everything::geometry::<S>());
     everything::numbers::<S>();
     everything::host_conversions::<S>();
+    give(sensors::angles::<S>());
     give(pictures::any_camera::<S>().and_then(pictures::pictures));
 }
 

@@ -1,7 +1,7 @@
 //! Every public query in `f32`, `Plain`, `Fast` and `Stable`: linked without an operation on doubles.
 //!
-//! But for the making of a camera, which is given here ready made: `libm` computes the sine of its angle in doubles,
-//! once a picture.
+//! But for the making of a camera, which is given here ready made, and of zones and beams from angles: `libm` computes
+//! the sine of an angle in doubles.
 #![no_std]
 #![no_main]
 
