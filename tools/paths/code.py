@@ -152,13 +152,25 @@ def _step_of_arm(program: Program, function: Function, i: capstone.CsInsn, befor
         return Step(_offsets_behind(program, function, i.address + 4, i.address + 4, width), goes_on=False)
     if name == "add" and i.op_str.startswith("pc, r"):
         width = 2 if any(b.mnemonic == "ldrh" for b in before[-2:]) else 1
-        # The table is aligned to a word.
-        return Step(_offsets_behind(program, function, i.address + 2 + 3 & ~3, i.address + 4, width), goes_on=False)
+        place = _start_of_table(before[-8:], i.address + 2 + 3 & ~3)
+        return Step(_offsets_behind(program, function, place, i.address + 4, width), goes_on=False)
     if name == "mov" and i.op_str.startswith("pc, r"):
         return Step(_addresses_behind(program, function, i.address), goes_on=False)
     if name == "bx" or i.op_str.startswith("pc"):
         raise Unknown(f"{function.name}: a jump to what is in a register at {i.address:#x}")
     return Step()
+
+
+def _start_of_table(before: list[capstone.CsInsn], behind: int) -> int:
+    """Where the table starts that the instructions before a jump read: `adr r, #n`, or `add r, pc` and `[r, #n]`;
+    otherwise behind the jump."""
+    for at, b in enumerate(before):
+        if b.mnemonic == "adr":
+            behind = (b.address + 4 & ~3) + _number(b.op_str)
+        elif b.mnemonic == "add" and b.op_str.endswith(", pc"):
+            loads = [load for load in before[at:] if load.mnemonic in ("ldrb", "ldrh") and "#" in load.op_str]
+            behind = b.address + 4 + (_number(loads[0].op_str.rstrip("]")) if loads else 0)
+    return behind
 
 
 def _first_constant_behind(program: Program, function: Function, address: int) -> int:
