@@ -35,16 +35,8 @@ impl<S: Scalar> Camera<S> {
     /// A [`CameraError`] that names the value at fault.
     pub fn new(position: Vec3<S>, target: Vec3<S>, up: Vec3<S>, angle: S) -> Result<Self, CameraError> {
         let camera = Self::facing(position, target, up)?;
-        let turns = angle.real() / S::Real::from_int(720);
-        if !angle.is_finite() || angle <= S::ZERO || turns >= S::Real::ONE.scaled(-2) {
-            return Err(CameraError::Angle);
-        }
-        let (sine, cosine) = S::sine_cosine(S::unit_round(turns));
-        let (sine, cosine) = (S::unit_real(sine), S::unit_real(cosine));
-        if sine <= S::Real::ZERO || cosine <= S::Real::ZERO {
-            return Err(CameraError::Angle);
-        }
-        Ok(Self { half_height: sine / cosine, ..camera })
+        let half_height = tangent_of_half(angle).ok_or(CameraError::Angle)?;
+        Ok(Self { half_height, ..camera })
     }
 
     /// An orthographic camera: all rays are parallel to the line from `position` to the point `target`, so that lengths
@@ -210,6 +202,17 @@ impl<S: Scalar> Camera<S> {
         let pitch = self.half_height / (S::Real::from_int(intervals) * S::Real::from_int(samples));
         Raster { camera: *self, size, pitch }
     }
+}
+
+/// The tangent of half an angle in degrees, or `None` if the angle is not between 0 and 180, exclusive.
+pub(crate) fn tangent_of_half<S: Scalar>(angle: S) -> Option<S::Real> {
+    let turns = angle.real() / S::Real::from_int(720);
+    if !angle.is_finite() || angle <= S::ZERO || turns >= S::Real::ONE.scaled(-2) {
+        return None;
+    }
+    let (sine, cosine) = S::sine_cosine(S::unit_round(turns));
+    let [sine, cosine] = [sine, cosine].map(S::unit_real);
+    (sine > S::Real::ZERO && cosine > S::Real::ZERO).then(|| sine / cosine)
 }
 
 /// `a - b` in the computing number, since a fixed-point difference might saturate.

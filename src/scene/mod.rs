@@ -42,8 +42,8 @@ mod texture;
 
 pub use crate::hierarchy::{Hierarchy, HierarchyError, Node};
 pub(crate) use balls::{Ball, BallInWorld, Balls, Candidates, MOST, ends, truncated};
-pub(crate) use camera::RaysOfRow;
 pub use camera::{Camera, CameraError, Raster, Size};
+pub(crate) use camera::{RaysOfRow, tangent_of_half};
 pub(crate) use candidates::CandidatesOfRow;
 pub use color::Color;
 pub use counters::Counters;

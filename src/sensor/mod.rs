@@ -44,20 +44,21 @@
 //! # Ok::<(), raylet::Error>(())
 //! ```
 
+mod bounded;
+mod columns;
 mod error;
 mod noise;
 mod obstacles;
 mod reading;
 mod search;
-mod seen;
 mod sweep;
 mod zones;
 
+pub use bounded::{Bounded, InZone, SeenByZones};
 pub use error::SensorError;
 pub use noise::Noise;
-pub use obstacles::{Bounded, Obstacles};
+pub use obstacles::Obstacles;
 pub use reading::{RangeSensor, Reading, Return, Status};
 pub use search::{Search, Try};
-pub use seen::{InZone, SeenByZones};
 pub use sweep::Sweep;
 pub use zones::{Fan, RaysOfZone, Zones};

@@ -3,7 +3,8 @@
 use super::SensorError;
 use crate::frame::Frame;
 use crate::ray::Ray;
-use crate::scalar::{Real, Ring, Scalar, Scanline};
+use crate::scalar::{Real, Scalar, Scanline};
+use crate::scene::tangent_of_half;
 use crate::vector::{UnitVec3, Vec3};
 
 /// The rays of a time-of-flight sensor with zones. Zones are equal rectangles in a plane before the sensor, as the
@@ -33,8 +34,8 @@ impl<S: Scalar> Zones<S> {
     /// [`SensorError::NoZone`] if there is no row or no column; [`SensorError::Angle`] if an angle is not between 0 and
     /// 180 degrees, exclusive.
     pub fn new(frame: Frame<S>, counts: [u8; 2], angles: [S; 2]) -> Result<Self, SensorError> {
-        let [a, b] = angles.map(tangent_of_half::<S>);
-        Self::of_reals(frame, counts, [a?, b?])
+        let [right, up] = angles.map(|angle| tangent_of_half(angle).ok_or(SensorError::Angle));
+        Self::of_reals(frame, counts, [right?, up?])
     }
 
     /// As [`Zones::new`], from the tangents of half the field of view: half of its width and of its height, one unit in
@@ -158,17 +159,6 @@ impl<S: Scalar> Zones<S> {
 fn level<S: Scalar>(frame: &Frame<S>, pitch: [S::Real; 2]) -> S::Scanline {
     let [left, up, forward] = frame.axes();
     S::Scanline::new(forward.to_array(), [-left, up].map(UnitVec3::to_array), pitch)
-}
-
-/// The tangent of half an angle in degrees.
-fn tangent_of_half<S: Scalar>(angle: S) -> Result<S::Real, SensorError> {
-    let turns = angle.real() / S::Real::from_int(720);
-    if !angle.is_finite() || angle <= S::ZERO || turns >= S::Real::ONE.scaled(-2) {
-        return Err(SensorError::Angle);
-    }
-    let (sine, cosine) = S::sine_cosine(S::unit_round(turns));
-    let [sine, cosine] = [sine, cosine].map(S::unit_real);
-    if sine > S::Real::ZERO && cosine > S::Real::ZERO { Ok(sine / cosine) } else { Err(SensorError::Angle) }
 }
 
 /// The rays of a zone.

@@ -1,6 +1,9 @@
-//! The linker finds the memory map of this folder.
+//! The linker finds the memory map of the chip, that of `examples/firmware`.
+
+use std::path::Path;
 
 fn main() {
-    println!("cargo:rustc-link-search={}", env!("CARGO_MANIFEST_DIR"));
-    println!("cargo:rerun-if-changed=memory.x");
+    let map = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../firmware/boards/stm32f4");
+    println!("cargo:rustc-link-search={}", map.display());
+    println!("cargo:rerun-if-changed={}", map.join("memory.x").display());
 }

@@ -6,6 +6,7 @@ use raylet::{Combination, Ray, Scalar, Shape, Tier, Visible};
 use shared::borrowed::Borrowed;
 use shared::workload::{PLACEMENTS, QUERIES, Query, RAYS, Rays, SENSED, SOLIDS_BY_NAME, query, sensed};
 use support::amount::amount;
+use support::call_in_every_tier;
 
 /// Queries of all solids.
 fn queries<S: Borrowed>() -> impl Iterator<Item = (&'static str, Rays, Query<S>)> {
@@ -39,7 +40,8 @@ fn agrees<S: Borrowed, T: Tier<S>>() {
 
 #[test]
 fn what_the_first_numbers_decide_all_numbers_do() {
-    in_every_tier!(agrees);
+    call_in_every_tier!(agrees);
+    call_in_every_tier!(agrees: fixed::types::I8F24, raylet::Plain, raylet::Fast, raylet::Stable, raylet::Exact);
 }
 
 /// Of the tests of a range sensor's rays how many it does not decide.

@@ -10,6 +10,7 @@ use raylet::{
     Color, Counters, Cuboid, Exact, Fast, Frame, Light, Material, Object, Picture, Plain, Scalar, Scene, Shape, Size,
     Stable, Tier, UnitVec3,
 };
+use support::call_in_every_tier;
 use support::random::Random;
 
 /// The fraction of light that passes plates of glass at right angles, with all reflections between their faces (Stokes
@@ -125,7 +126,7 @@ fn a_polygon_given_twice_is_one() {
             }
         }
     }
-    in_every_tier!(check);
+    call_in_every_tier!(check);
 }
 
 #[test]
@@ -143,7 +144,7 @@ fn a_decal_in_the_plane_of_a_wall_is_seen_and_lit() {
             }
         }
     }
-    in_every_tier!(check);
+    call_in_every_tier!(check);
     check::<I20F12, Fast>();
 }
 
@@ -255,7 +256,7 @@ fn a_hierarchy_changes_no_light_among_coincident_surfaces() {
         }
         assert!(doubled > 50, "{doubled} pixels of the cube that is given twice");
     }
-    in_every_tier!(check);
+    call_in_every_tier!(check);
 }
 
 /// Six copies are one; of more than a path remembers, the picture is finished all the same.

@@ -15,6 +15,7 @@ use raylet::{
     Scene, Shape, Size, Sphere, Tier, UnitVec3, Vec3, Visible, constant,
 };
 use support::amount::times;
+use support::call_in_every_tier;
 use support::exact_types::Exact;
 use support::random::Random;
 
@@ -62,7 +63,7 @@ fn equal_solids<S: Exact, T: Tier<S>>() {
 /// The union of a solid with itself is the solid, the intersection too, and the difference is nothing.
 #[test]
 fn equal_solids_leave_no_sliver() {
-    in_every_tier!(equal_solids);
+    call_in_every_tier!(equal_solids);
 }
 
 fn hole_as_deep_as_the_block<S: Exact, T: Tier<S>>() {
@@ -93,7 +94,7 @@ fn hole_as_deep_as_the_block<S: Exact, T: Tier<S>>() {
 
 #[test]
 fn a_hole_as_deep_as_the_block_is_open() {
-    in_every_tier!(hole_as_deep_as_the_block);
+    call_in_every_tier!(hole_as_deep_as_the_block);
 }
 
 fn touching_blocks<S: Exact, T: Tier<S>>() {
@@ -118,7 +119,7 @@ fn touching_blocks<S: Exact, T: Tier<S>>() {
 
 #[test]
 fn touching_blocks_are_one() {
-    in_every_tier!(touching_blocks);
+    call_in_every_tier!(touching_blocks);
 }
 
 fn de_morgan<S: Exact, T: Tier<S>>() {
@@ -149,7 +150,7 @@ fn de_morgan<S: Exact, T: Tier<S>>() {
 
 #[test]
 fn de_morgan_holds_of_hits() {
-    in_every_tier!(de_morgan);
+    call_in_every_tier!(de_morgan);
 }
 
 macro_rules! ball {
@@ -439,7 +440,7 @@ fn a_hierarchy_of_combinations_answers_as_a_loop() {
         }
         assert!(met > 300, "{met}");
     }
-    in_every_tier!(of);
+    call_in_every_tier!(of);
 }
 
 #[test]

@@ -8,6 +8,7 @@ use raylet::{
     Sphere, Stable, Tier, Tube, UnitVec3, Vec3,
 };
 use std::fmt::Debug;
+use support::call_in_every_tier;
 use support::random::{Random, add, scale};
 
 /// The part of a chord at this distance from the centre that is in the wall, once.
@@ -134,5 +135,5 @@ fn domes_lenses_and_bowls_are_what_the_page_says() {
         let bowl = Combination::difference(&bowl).expect("three solids");
         is_made::<S, T>(&bowl, 0.5, &[(-2.25, false), (-1.8125, true), (-1.0, false), (0.5, false), (1.8125, false)]);
     }
-    in_every_tier!(of);
+    call_in_every_tier!(of);
 }

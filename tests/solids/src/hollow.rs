@@ -9,6 +9,7 @@ use raylet::{
     Stable, Tier, Tube, UnitVec3, ValueError, Vec3,
 };
 use support::amount::times;
+use support::call_in_every_tier;
 use support::cases::{direction, v};
 use support::described::Described;
 use support::exact_types::Exact as Number;
@@ -54,7 +55,7 @@ fn leaves<S: Number, T: Tier<S>>() {
 
 #[test]
 fn rays_leave_in_every_tier() {
-    in_every_tier!(leaves);
+    call_in_every_tier!(leaves);
 }
 
 fn told<S: Number, T: Tier<S>>(shape: Shape<S>, from: [f64; 3], along: [f64; 3]) -> Vec<(f64, Part, Crossing)> {
@@ -99,7 +100,7 @@ fn lines_along_the_surfaces<S: Number, T: Tier<S>>() {
 
 #[test]
 fn lines_along_the_surfaces_are_defined() {
-    in_every_tier!(lines_along_the_surfaces);
+    call_in_every_tier!(lines_along_the_surfaces);
 }
 
 /// From the inner side outwards of the wall, which is into the hole, a ray meets the other side of the hole; inwards it
@@ -126,7 +127,7 @@ fn departures<S: Number, T: Tier<S>>() {
 
 #[test]
 fn a_ray_that_departs_into_the_hole_meets_the_other_side() {
-    in_every_tier!(departures);
+    call_in_every_tier!(departures);
 }
 
 /// Into the hole beside a thin wall: the entry was known by one number, and the exit by another, so that the nearest

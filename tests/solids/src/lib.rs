@@ -2,18 +2,6 @@
 //! from crossing to crossing; light through touching and overlapping glass. Also balls that move along a ray, and
 //! ellipsoids, polyhedra, prisms, quadrics of revolution, round cones, rounded cuboids, tori and tubes.
 
-/// Calls a test in all tiers of all number types.
-#[cfg(test)]
-macro_rules! in_every_tier {
-    ($test:ident) => {
-        in_every_tier!($test: f32, raylet::Plain, raylet::Fast, raylet::Stable, raylet::Exact);
-        in_every_tier!($test: f64, raylet::Plain, raylet::Fast, raylet::Stable);
-        in_every_tier!($test: fixed::types::I16F16, raylet::Plain, raylet::Fast, raylet::Stable, raylet::Exact);
-        in_every_tier!($test: fixed::types::I32F32, raylet::Plain, raylet::Fast, raylet::Stable);
-    };
-    ($test:ident: $S:ty, $($T:ty),+) => { $($test::<$S, $T>();)+ };
-}
-
 #[cfg(test)]
 mod coincident;
 #[cfg(test)]

@@ -5,6 +5,7 @@ use crate::drawn::{departures_pair_up, is_exact};
 use fixed::types::{I8F24, I16F16};
 use raylet::{Exact, HalfSpace, Part, Polyhedron, Ray, Shape, SizeError, Tier, UnitVec3, ValueError, Vec3};
 use support::amount::times;
+use support::call_in_every_tier;
 use support::cases::v;
 use support::exact_types::Exact as Number;
 use support::oracle::{self, Solid};
@@ -53,7 +54,7 @@ fn leaves<S: Number, T: Tier<S>>() {
 
 #[test]
 fn rays_leave_in_every_tier() {
-    in_every_tier!(leaves);
+    call_in_every_tier!(leaves);
 }
 
 /// Half-spaces that touch the unit ball, in these directions.

@@ -9,6 +9,7 @@ use raylet::{
     UnitVec3, ValueError, Vec3, constant,
 };
 use support::amount::times;
+use support::call_in_every_tier;
 use support::cases::v;
 use support::exact_types::Exact as Number;
 use support::oracle::{self, Solid};
@@ -56,7 +57,7 @@ fn leaves<S: Number, T: Tier<S>>() {
 
 #[test]
 fn rays_leave_in_every_tier() {
-    in_every_tier!(leaves);
+    call_in_every_tier!(leaves);
 }
 
 /// A hexagonal prism with corners that every type holds.
@@ -152,7 +153,7 @@ fn of_a_box<S: Number, T: Tier<S>>() {
 
 #[test]
 fn a_box_is_the_cuboid() {
-    in_every_tier!(of_a_box);
+    call_in_every_tier!(of_a_box);
 }
 
 /// A nut: the prism less a cylinder.

@@ -9,6 +9,7 @@ use raylet::{
     Crossing, Departure, Disc, Exact, Frame, Leaving, Part, Plain, Ray, Revolved, Shape, Shapes, SizeError, Stable,
     Tier, UnitVec3, ValueError, Vec3,
 };
+use support::call_in_every_tier;
 use support::cases::{direction, v};
 use support::described::Described;
 use support::exact_types::Exact as Number;
@@ -78,7 +79,7 @@ fn leaves<S: Number, T: Tier<S>>() {
 
 #[test]
 fn rays_leave_in_every_tier() {
-    in_every_tier!(leaves);
+    call_in_every_tier!(leaves);
 }
 
 /// A parabolic mirror: rays along its axis meet in the focus. (optiland #559: a division by zero at a conic constant of
@@ -273,7 +274,7 @@ fn beside_a_sharp_rim<S: Number, T: Tier<S>>() {
 
 #[test]
 fn a_hierarchy_loses_no_hit_beside_a_sharp_rim() {
-    in_every_tier!(beside_a_sharp_rim);
+    call_in_every_tier!(beside_a_sharp_rim);
 }
 
 #[test]

@@ -9,6 +9,7 @@ use raylet::{
     Tier, UnitVec3, ValueError, Vec3,
 };
 use support::amount::times;
+use support::call_in_every_tier;
 use support::cases::{direction, v};
 use support::described::Described;
 use support::exact_types::{Exact as Number, exact_line, expected_of};
@@ -50,7 +51,7 @@ fn leaves<S: Number, T: Tier<S>>() {
 
 #[test]
 fn rays_leave_in_every_tier() {
-    in_every_tier!(leaves);
+    call_in_every_tier!(leaves);
 }
 
 /// Rays at random, departing ones among them, at two shapes that are one solid.
@@ -98,7 +99,7 @@ fn with_equal_radii<S: Number, T: Tier<S>>() {
 
 #[test]
 fn equal_radii_give_the_bits_of_the_capsule() {
-    in_every_tier!(with_equal_radii);
+    call_in_every_tier!(with_equal_radii);
 }
 
 /// The larger ball alone: seen beside a sphere of the same radius at its centre.
@@ -135,7 +136,7 @@ fn is_the_larger_ball<S: Number, T: Tier<S>>() {
 
 #[test]
 fn of_two_balls_one_in_the_other_the_larger_is_left() {
-    in_every_tier!(is_the_larger_ball);
+    call_in_every_tier!(is_the_larger_ball);
 }
 
 /// The upper ball of a tall capsule or round cone, far from the frame's origin, along directions as long as they may

@@ -8,6 +8,7 @@ use raylet::{
     Crossing, Exact, Frame, Hit, Part, Ray, RoundedCuboid, Shape, SizeError, Sphere, Tier, UnitVec3, ValueError, Vec3,
 };
 use support::amount::times;
+use support::call_in_every_tier;
 use support::cases::{direction, v};
 use support::described::Described;
 use support::exact_types::{Exact as Number, exact_line, expected_of};
@@ -51,7 +52,7 @@ fn leaves<S: Number, T: Tier<S>>() {
 
 #[test]
 fn rays_leave_in_every_tier() {
-    in_every_tier!(leaves);
+    call_in_every_tier!(leaves);
 }
 
 /// A core that is a point makes a ball: the same hits as the sphere's, but for units.
@@ -74,7 +75,7 @@ fn of_a_point<S: Number, T: Tier<S>>() {
 
 #[test]
 fn a_core_that_is_a_point_makes_a_ball() {
-    in_every_tier!(of_a_point);
+    call_in_every_tier!(of_a_point);
 }
 
 /// A core that is a segment makes a capsule, whose balls lie beyond its ends.

@@ -12,6 +12,7 @@ use raylet::{
 };
 use std::f64::consts::TAU;
 use support::amount::times;
+use support::call_in_every_tier;
 use support::cases::{direction, v};
 use support::described::Described;
 use support::exact_types::Exact as Number;
@@ -53,7 +54,7 @@ fn leaves<S: Number, T: Tier<S>>() {
 
 #[test]
 fn rays_leave_in_every_tier() {
-    in_every_tier!(leaves);
+    call_in_every_tier!(leaves);
 }
 
 /// The torus of the rows below: its numbers, and those of the rays, are small multiples of a quarter.
@@ -107,7 +108,7 @@ fn lines_across<S: Number, T: Tier<S>>() {
 
 #[test]
 fn lines_across_a_torus_are_met_in_every_tier() {
-    in_every_tier!(lines_across);
+    call_in_every_tier!(lines_across);
 }
 
 /// Lines that touch the surface.
@@ -184,7 +185,7 @@ fn from_inside<S: Number, T: Tier<S>>() {
 
 #[test]
 fn rays_from_inside_leave_first() {
-    in_every_tier!(from_inside);
+    call_in_every_tier!(from_inside);
 }
 
 /// From the inner equator outwards, which is into the hole, a ray meets the other side of the ring; inwards it leaves by
@@ -210,7 +211,7 @@ fn departures<S: Number, T: Tier<S>>() {
 
 #[test]
 fn a_ray_that_departs_into_the_hole_meets_the_other_side() {
-    in_every_tier!(departures);
+    call_in_every_tier!(departures);
 }
 
 /// Along the plane of the highest circle a ray that departs from it touches it on the other side, and meets nothing
@@ -319,7 +320,7 @@ fn contains<S: Number, T: Tier<S>>() {
 
 #[test]
 fn the_hole_does_not_belong_to_it() {
-    in_every_tier!(contains);
+    call_in_every_tier!(contains);
 }
 
 /// Every point of a turned torus is within its bounds, and they are no larger than its points need.

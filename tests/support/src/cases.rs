@@ -40,6 +40,21 @@ pub fn direction<S: Exact>(components: [f64; 3]) -> UnitVec3<S> {
         .expect("the direction has a length")
 }
 
+/// Calls a test in all tiers of the usual number types, or in the tiers of one type: `call_in_every_tier!(test)`,
+/// `call_in_every_tier!(test: f32, raylet::Fast)`.
+#[macro_export]
+macro_rules! call_in_every_tier {
+    ($test:ident) => {
+        $crate::call_in_every_tier!($test: f32, raylet::Plain, raylet::Fast, raylet::Stable, raylet::Exact);
+        $crate::call_in_every_tier!($test: f64, raylet::Plain, raylet::Fast, raylet::Stable);
+        $crate::call_in_every_tier!(
+            $test: fixed::types::I16F16, raylet::Plain, raylet::Fast, raylet::Stable, raylet::Exact
+        );
+        $crate::call_in_every_tier!($test: fixed::types::I32F32, raylet::Plain, raylet::Fast, raylet::Stable);
+    };
+    ($test:ident: $S:ty, $($T:ty),+) => { $($test::<$S, $T>();)+ };
+}
+
 /// What rule of section 2 a primitive falls under.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {

@@ -12,20 +12,20 @@ use raylet_firmware::{clock, stack};
 use semihosting::println;
 use shared::sensor::{OBSTACLES, RAYS, Row, ZONES, sensor, zones};
 
-type Readings = [[Reading<I16F16, 1>; ZONES as usize]; ZONES as usize];
+type Readings<const N: usize> = [[Reading<I16F16, N>; ZONES as usize]; ZONES as usize];
 
-/// All zones by one search, and the instructions of a zone.
+/// All zones by one search, with up to `N` returns each, and the instructions of a zone.
 #[inline(never)]
-fn scan<T: Search<I16F16>, O: Obstacles<I16F16>, R: Iterator<Item = Ray<I16F16>> + Clone>(
+fn scan<T: Search<I16F16>, const N: usize, O: Obstacles<I16F16>, R: Iterator<Item = Ray<I16F16>> + Clone>(
     obstacles: impl Fn(u8, u8) -> O,
     rays: impl Fn(u8, u8) -> R,
-) -> Result<(Readings, u64), Error> {
+) -> Result<(Readings<N>, u64), Error> {
     let sensor = sensor()?;
     let (readings, instructions) = counted(|| {
         core::array::from_fn(|row| {
             core::array::from_fn(|column| {
                 let (column, row) = (column as u8, row as u8);
-                sensor.read_at::<T, 1>(&obstacles(column, row), rays(column, row), 0)
+                sensor.read_at::<T, N>(&obstacles(column, row), rays(column, row), 0)
             })
         })
     });
@@ -49,20 +49,26 @@ fn all() -> Result<(), Error> {
 
     let in_zone = |column, row| seen.in_zone(column, row);
     let (of_zones, of_fan) = (|column, row| zones.rays(column, row), |column, row| fan.rays(column, row));
-    let (readings, stable) = scan::<Stable, _, _>(in_zone, of_fan)?;
+    let (readings, stable) = scan::<Stable, 1, _, _>(in_zone, of_fan)?;
     for row in &readings {
         println!("{}", Row(row));
     }
     println!("instructions: bounds {bounding}, as seen from a place {seeing}, fan of rays {making}; a zone");
     for (name, (again, taken)) in [
         ("Stable, bounds, fan", (readings.clone(), stable)),
-        ("Fast, bounds, fan", scan::<Fast, _, _>(in_zone, of_fan)?),
-        ("first numbers of Fast, bounds, fan", scan::<Try<Fast>, _, _>(in_zone, of_fan)?),
-        ("first numbers of Fast, bounds", scan::<Try<Fast>, _, _>(in_zone, of_zones)?),
-        ("first numbers of Fast", scan::<Try<Fast>, _, _>(|_, _| &list[..], of_zones)?),
+        ("Fast, bounds, fan", scan::<Fast, 1, _, _>(in_zone, of_fan)?),
+        ("first numbers of Fast, bounds, fan", scan::<Try<Fast>, 1, _, _>(in_zone, of_fan)?),
+        ("first numbers of Fast, bounds", scan::<Try<Fast>, 1, _, _>(in_zone, of_zones)?),
+        ("first numbers of Fast", scan::<Try<Fast>, 1, _, _>(|_, _| &list[..], of_zones)?),
     ] {
         println!("  {name}: {taken}{}", if again == readings { "" } else { ", with other readings" });
     }
+    let (_, taken) = scan::<Stable, 3, _, _>(in_zone, of_fan)?;
+    println!("  Stable, bounds, fan, up to three returns: {taken}");
+    let finer = zones.with_rays(2);
+    let fan = finer.fan::<{ 4 * RAYS }>()?;
+    let (_, taken) = scan::<Stable, 1, _, _>(in_zone, |column, row| fan.rays(column, row))?;
+    println!("  Stable, bounds, fan, four rays a zone: {taken}");
     Ok(())
 }
 
