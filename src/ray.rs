@@ -2,7 +2,7 @@
 
 use crate::number::{Estimate, difference, dot};
 use crate::part::Part;
-use crate::scalar::{FromScalar, Scalar, ValueError};
+use crate::scalar::{FromScalar, Scalar, ValueError, with_fault};
 use crate::vector::{UnitVec3, Vec3};
 use core::fmt;
 
@@ -330,18 +330,25 @@ pub enum RayError {
     Range,
 }
 
+impl RayError {
+    /// The message.
+    pub const fn message(self) -> &'static str {
+        match self {
+            Self::Origin(error) => with_fault!("a coordinate of the ray's origin ", error),
+            Self::Target(error) => with_fault!("a coordinate of the ray's target ", error),
+            Self::Direction(ValueError::NoDirection | ValueError::Zero) => {
+                "the ray has no direction: the vector is zero, or origin and target are the same point"
+            }
+            Self::Direction(error) => with_fault!("the vector of the ray's direction ", error),
+            Self::RangeEnd(error) => with_fault!("an end of the ray's range ", error),
+            Self::Range => "the ray's range is empty: its start lies above its end",
+        }
+    }
+}
+
 impl fmt::Display for RayError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Origin(error) => write!(f, "a coordinate of the ray's origin {}", error.predicate()),
-            Self::Target(error) => write!(f, "a coordinate of the ray's target {}", error.predicate()),
-            Self::Direction(ValueError::NoDirection | ValueError::Zero) => {
-                f.write_str("the ray has no direction: the vector is zero, or origin and target are the same point")
-            }
-            Self::Direction(error) => write!(f, "the vector of the ray's direction {}", error.predicate()),
-            Self::RangeEnd(error) => write!(f, "an end of the ray's range {}", error.predicate()),
-            Self::Range => f.write_str("the ray's range is empty: its start lies above its end"),
-        }
+        f.write_str(self.message())
     }
 }
 

@@ -7,7 +7,18 @@ mod interchange;
 mod one_bit;
 mod stored_scene;
 
+#[path = "../examples/glam.rs"]
+mod glam_example;
+#[path = "../examples/nalgebra.rs"]
+mod nalgebra_example;
+
 use std::fmt::Write;
+
+#[test]
+fn examples_of_other_vectors_run() {
+    glam_example::main().expect("it runs");
+    nalgebra_example::main().expect("it runs");
+}
 
 /// With every feature the digest of all answers is what it is without (`tests/promises/src/firmware.rs`).
 #[test]

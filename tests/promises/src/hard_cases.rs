@@ -10,25 +10,13 @@
 use fixed::types::{I8F24, I16F16, I20F12, I32F32};
 use raylet::{Exact as ExactTier, Stable, Tier};
 use support::exact_types::Exact;
-use support::hard_case::Case;
 use support::hard_case::check::{Policy, check, check_written};
 use support::hard_case::sweeps::{self, Sweep, Tally};
+use support::hard_case::{Case, every_class};
 
 /// Every written case.
 fn cases() -> Vec<Case> {
-    use support::hard_case::{boxes, corners, flat, grazing, listed, parallel, placed, sizes, slopes};
-    [
-        &listed::LISTED[..],
-        &sizes::SIZES,
-        &grazing::GRAZING,
-        &parallel::PARALLEL,
-        &corners::CORNERS,
-        &slopes::SLOPES,
-        &flat::FLAT,
-        &placed::PLACED,
-        &boxes::BOXES,
-    ]
-    .concat()
+    every_class().into_iter().flat_map(|(_, cases)| cases).copied().collect()
 }
 
 #[test]

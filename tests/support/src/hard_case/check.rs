@@ -176,7 +176,7 @@ fn in_frame(offset: &[Dyadic; 3], towards: &[Dyadic; 3], axes: &[[Dyadic; 3]; 3]
 
 /// The case in a number type: the shape, the solid, the ray, and its line as the solid sees it; `None` where the type
 /// cannot hold it.
-fn of_type<S: Exact>(case: &Case) -> Option<(Shape<S>, Solid, Ray<S>, Line)> {
+pub fn of_type<S: Exact>(case: &Case) -> Option<(Shape<S>, Solid, Ray<S>, Line)> {
     let base = Vec3::<S>::from_f64(case.base).ok()?;
     let (frame, end) = match case.axis {
         Axis::X => (Frame::from_base_and_axis(base, UnitVec3::X).ok()?, None),

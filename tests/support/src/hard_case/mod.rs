@@ -20,6 +20,21 @@ use crate::exact_types::Exact;
 use crate::oracle::{ConeExtent, CylinderExtent, Dyadic, Solid};
 use raylet::{Crossing, Part, Primitive, Vec3};
 
+/// All written cases, by the name of their class.
+pub const fn every_class() -> [(&'static str, &'static [Case]); 9] {
+    [
+        ("listed", &listed::LISTED),
+        ("sizes", &sizes::SIZES),
+        ("grazing", &grazing::GRAZING),
+        ("parallel", &parallel::PARALLEL),
+        ("corners", &corners::CORNERS),
+        ("slopes", &slopes::SLOPES),
+        ("flat", &flat::FLAT),
+        ("placed", &placed::PLACED),
+        ("boxes", &boxes::BOXES),
+    ]
+}
+
 /// A primitive by its sizes, canonical pose as in the crate.
 #[derive(Clone, Copy, Debug)]
 pub enum Kind {
