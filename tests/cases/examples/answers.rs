@@ -5,10 +5,10 @@ use raylet::Stable;
 use std::process::ExitCode;
 use support::exact_types::Exact;
 use support::hard_case::check::of_type;
-use support::hard_case::every_class;
+use support::hard_case::classes;
 
 fn answers<S: Exact>() {
-    for case in every_class().iter().flat_map(|(_, cases)| *cases) {
+    for case in classes().iter().flat_map(|(_, cases)| *cases) {
         if let Some((shape, _, ray, _)) = of_type::<S>(case) {
             let hit = shape.nearest_at::<Stable>(&ray).map(|hit| format!("{:?}", hit.t.to_f64()));
             println!("{}\t{}", case.name, hit.unwrap_or_else(|| "none".into()));

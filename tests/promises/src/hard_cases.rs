@@ -12,11 +12,11 @@ use raylet::{Exact as ExactTier, Stable, Tier};
 use support::exact_types::Exact;
 use support::hard_case::check::{Policy, check, check_written};
 use support::hard_case::sweeps::{self, Sweep, Tally};
-use support::hard_case::{Case, every_class};
+use support::hard_case::{Case, classes};
 
 /// Every written case.
 fn cases() -> Vec<Case> {
-    every_class().into_iter().flat_map(|(_, cases)| cases).copied().collect()
+    classes().into_iter().flat_map(|(_, cases)| cases).copied().collect()
 }
 
 #[test]

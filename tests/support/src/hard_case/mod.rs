@@ -21,7 +21,7 @@ use crate::oracle::{ConeExtent, CylinderExtent, Dyadic, Solid};
 use raylet::{Crossing, Part, Primitive, Vec3};
 
 /// All written cases, by the name of their class.
-pub const fn every_class() -> [(&'static str, &'static [Case]); 9] {
+pub const fn classes() -> [(&'static str, &'static [Case]); 9] {
     [
         ("listed", &listed::LISTED),
         ("sizes", &sizes::SIZES),
