@@ -9,7 +9,7 @@ use crate::shape::Shaped;
 
 /// A list of shapes, of which the first 16 are each bounded by two balls, made once: a post by those about its ends.
 /// As seen from a sensor these tell which obstacles the rays of a zone may meet. For a dozen obstacles that takes the
-/// least time; for many a tree does ([`Shapes`]).
+/// least time; for many a tree does ([`Shapes`](crate::Shapes)).
 ///
 /// ```
 /// use raylet::sensor::{Bounded, RangeSensor, Reading, Zones};
