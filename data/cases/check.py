@@ -60,7 +60,7 @@ def both(a, b):
     return [(lo, hi) for lo, hi in found if lo[0] <= hi[0] or same(lo[0], hi[0])]
 
 def solve(case, number=ROUND["written"]):
-    """All crossings of the line, as (t, crossing, part); whether the ray starts inside; whether it lies in the surface."""
+    """All crossings of the line, as (t, crossing, part); does the ray start inside; does it lie in the surface."""
     vec, kind = lambda v: [number(x) for x in v], case["solid"]["kind"]
     solid = {k: number(value(v)) for k, v in case["solid"].items() if k not in ("kind", "vertices")}
     base, d, axis = vec(case["base"]), vec(case["direction"]), case["axis"]
@@ -75,13 +75,14 @@ def solve(case, number=ROUND["written"]):
         a, b, c = (vec(x) for x in case["solid"]["vertices"])
         w = cross(minus(b, a), minus(c, a))
         y, v = dot(minus(p, a), w), dot(d, w)
-        edges = [(dot(cross(minus(f, e), minus(p, e)), w), dot(cross(minus(f, e), d), w)) for e, f in ((a, b), (b, c), (c, a))]
-        flat = lambda: [i for e in edges for i in [slab(e[0], e[1], Decimal(0), INF, ["side"] * 2)]]
+        sides = [(e, minus(f, e)) for e, f in ((a, b), (b, c), (c, a))]
+        edges = [(dot(cross(f, minus(p, e)), w), dot(cross(f, d), w)) for e, f in sides]
+        flat = lambda: [slab(*e, Decimal(0), INF, ["side"] * 2) for e in edges]
     elif kind in ("plane", "disc", "rectangle"):
         i = [x != 0 for x in w].index(True)
         x, z = (p[i - 1], d[i - 1]), (p[i - 2], d[i - 2])
-        flat = lambda: {"plane": [], "disc": [below(A, B, C - (r or 0) ** 2 * W)], "rectangle": [
-            slab(*c, -solid[n], solid[n], ["side"] * 2) for c, n in ((x, "half_x"), (z, "half_z")) if n in solid]}[kind]
+        flat = lambda: [below(A, B, C - r * r * W)] if r else [
+            slab(*c, -solid[n], solid[n], ["side"] * 2) for c, n in ((x, "half_x"), (z, "half_z")) if n in solid]
     if flat:
         if v == 0:
             inside = [((-INF, "side"), (INF, "side"))] if y == 0 else []
@@ -89,14 +90,16 @@ def solve(case, number=ROUND["written"]):
                 inside = both(inside, limit)
             return [], False, bool(inside)
         s = -y / v
-        on = all(any((i[0][0] <= s or same(i[0][0], s)) and (s <= i[1][0] or same(i[1][0], s)) for i in l) for l in flat())
+        within = lambda i: (i[0][0] <= s or same(i[0][0], s)) and (s <= i[1][0] or same(i[1][0], s))
+        on = all(any(map(within, limit)) for limit in flat())
         return [(s * unit, "enter" if v < 0 else "exit", "side")] * on, False, False
     if kind == "box":
         inside = [((-INF, "side"), (INF, "side"))]
-        for i, n, parts in ((0, "half_x", ["left", "right"]), (2, "half_z", ["back", "front"]), (1, "half_y", ["base", "top"])):
+        faces = (0, "half_x", ["left", "right"]), (2, "half_z", ["back", "front"]), (1, "half_y", ["base", "top"])
+        for i, n, parts in faces:
             inside = both(inside, slab(p[i], d[i], -solid[n], solid[n], parts))
-        edge = lambda s, old: next((f for i, n, fs in ((0, "half_x", ("left", "right")), (2, "half_z", ("back", "front")))
-                                    for f, e in zip(fs, (-1, 1)) if same(p[i] + s * d[i], e * solid[n])), old)
+        edge = lambda s, old: next((part for i, n, parts in faces[:2] for part, sign in zip(parts, (-1, 1))
+                                    if same(p[i] + s * d[i], sign * solid[n])), old)
         inside = [tuple((s, edge(s, part)) for s, part in i) for i in inside]
     elif kind == "sphere":
         inside = below(dot(d, d), dot(p, d), dot(p, p) - r * r)
@@ -126,7 +129,8 @@ def solve(case, number=ROUND["written"]):
         if kind == "capsule":
             balls = [below(dot(d, d), dot(p, d) - e * v, dot(p, p) - 2 * e * y + e * e * W - r * r) for e in (0, h / W)]
             parts = [i for l in (both(inside, ends), *balls) for i in l]
-            part = lambda s: "base" if y + v * s < 0 and not same(-y, v * s) else "side" if y + v * s <= h or same(h - y, v * s) else "top"
+            low = lambda s: y + v * s < 0 and not same(-y, v * s)
+            part = lambda s: "base" if low(s) else "side" if y + v * s <= h or same(h - y, v * s) else "top"
             lo, hi = (f((i[n][0] for i in parts), default=None) for n, f in ((0, min), (1, max)))
             inside = [((lo, part(lo)), (hi, part(hi)))] if parts else []
         elif kind not in ("infinite cylinder", "double cone"):
@@ -159,7 +163,8 @@ def main(path="data/cases/cases.jsonl"):
             count += 1
             if not agree or inside != answer["starts_inside"] or lies != (answer["lies_in_it"] is not None):
                 wrong += 1
-                print(f"{case['name']}, {numbers}:\n  stored {answer['hits']}\n  found ", [(f"{a[0]:.20g}", *a[1:]) for a in hits], inside, lies)
+                found = [(f"{a[0]:.20g}", *a[1:]) for a in hits], inside, lies
+                print(f"{case['name']}, {numbers}:\n  stored {answer['hits']}\n  found {found}")
     print(f"{count} answers confirmed" if wrong == 0 else f"{wrong} of {count} answers are wrong")
     return wrong
 

@@ -61,8 +61,9 @@ def main(arguments):
     old = page.read_text()
     before, _, rest = old.partition("<!-- table: written by `.ci/cases --renew` -->\n")
     _, _, after = rest.partition("<!-- /table -->")
-    new = before + "<!-- table: written by `.ci/cases --renew` -->\n\n" + "\n".join(head + rows) + "\n\n<!-- /table -->" + after
-    print("\n".join(head + rows))
+    table = "\n".join(head + rows)
+    new = f"{before}<!-- table: written by `.ci/cases --renew` -->\n\n{table}\n\n<!-- /table -->{after}"
+    print(table)
     if "--renew" in arguments:
         page.write_text(new)
     elif new != old:

@@ -14,7 +14,8 @@ def valid(case, form):
     """Rounded, no number is infinite, and no size or direction is zero that was not."""
     try:
         rounded = lambda x: ROUND[form](x)
-        numbers = [*case["origin"], *case["direction"], *case["base"]] + [value(x) for k, x in case["solid"].items() if k not in ("kind", "vertices")]
+        sizes = [value(x) for k, x in case["solid"].items() if k not in ("kind", "vertices")]
+        numbers = [*case["origin"], *case["direction"], *case["base"], *sizes]
         return all(math.isfinite(rounded(x)) and (rounded(x) != 0 or x == 0) for x in numbers)
     except OverflowError:
         return False
@@ -25,7 +26,8 @@ def main(path="data/cases/cases.jsonl"):
         case = json.loads(line, parse_float=Decimal, parse_int=Decimal)
         text = line.split(", \"ray_bits\"")[0].rstrip("\n")
         text = text[:-1] if text.endswith("}") and "\"ray_bits\"" not in line else text
-        more = {"ray_bits": {form: bits(case["origin"] + case["direction"], form) if valid(case, form) else None for form in ("f64", "f32")}}
+        ray = case["origin"] + case["direction"]
+        more = {"ray_bits": {form: bits(ray, form) if valid(case, form) else None for form in ("f64", "f32")}}
         for form in ("f64", "f32"):
             more[form] = None
             if valid(case, form):

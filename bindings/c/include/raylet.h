@@ -348,44 +348,6 @@ typedef struct {
 } raylet_shape_f32;
 
 /**
- * A point, a vector of any length, or, with components in the number type's unit, a direction.
- */
-typedef struct {
-  /**
-   * To the right.
-   */
-  float x;
-  /**
-   * Upwards.
-   */
-  float y;
-  /**
-   * Towards the viewer.
-   */
-  float z;
-} raylet_vec3_f32;
-
-/**
- * A half-space, of which polyhedra are made.
- */
-typedef struct {
-  /**
-   * Not to be read or written.
-   */
-  uint64_t opaque[3];
-} raylet_half_space_f32;
-
-/**
- * A position and three axes at right angles, which place a shape.
- */
-typedef struct {
-  /**
-   * Not to be read or written.
-   */
-  uint64_t opaque[6];
-} raylet_frame_f32;
-
-/**
  * A ray: an origin, a direction, a range of `t`, and the surface that it departs from, if any.
  */
 typedef struct {
@@ -412,6 +374,24 @@ typedef struct {
    */
   uint8_t crossing;
 } raylet_hit_f32;
+
+/**
+ * A point, a vector of any length, or, with components in the number type's unit, a direction.
+ */
+typedef struct {
+  /**
+   * To the right.
+   */
+  float x;
+  /**
+   * Upwards.
+   */
+  float y;
+  /**
+   * Towards the viewer.
+   */
+  float z;
+} raylet_vec3_f32;
 
 /**
  * All hits of a solid on one ray, sorted by `t`.
@@ -493,6 +473,26 @@ typedef struct {
 } raylet_crossing_f32;
 
 /**
+ * A position and three axes at right angles, which place a shape.
+ */
+typedef struct {
+  /**
+   * Not to be read or written.
+   */
+  uint64_t opaque[6];
+} raylet_frame_f32;
+
+/**
+ * A half-space, of which polyhedra are made.
+ */
+typedef struct {
+  /**
+   * Not to be read or written.
+   */
+  uint64_t opaque[3];
+} raylet_half_space_f32;
+
+/**
  * A solid or an open surface, placed in the world. It is a value: it may be copied, and needs no release.
  */
 typedef struct {
@@ -503,50 +503,6 @@ typedef struct {
 } raylet_shape_i16f16;
 
 /**
- * A fixed-point number: an integer in units of 2^-16 (`I16F16`). The unit of directions is 2^-30: components of
- * directions and normals, and surface coordinates, are in that. (In `float` both are 1.)
- */
-typedef int32_t raylet_i16f16;
-
-/**
- * A point, a vector of any length, or, with components in the number type's unit, a direction.
- */
-typedef struct {
-  /**
-   * To the right.
-   */
-  raylet_i16f16 x;
-  /**
-   * Upwards.
-   */
-  raylet_i16f16 y;
-  /**
-   * Towards the viewer.
-   */
-  raylet_i16f16 z;
-} raylet_vec3_i16f16;
-
-/**
- * A half-space, of which polyhedra are made.
- */
-typedef struct {
-  /**
-   * Not to be read or written.
-   */
-  uint64_t opaque[3];
-} raylet_half_space_i16f16;
-
-/**
- * A position and three axes at right angles, which place a shape.
- */
-typedef struct {
-  /**
-   * Not to be read or written.
-   */
-  uint64_t opaque[6];
-} raylet_frame_i16f16;
-
-/**
  * A ray: an origin, a direction, a range of `t`, and the surface that it departs from, if any.
  */
 typedef struct {
@@ -555,6 +511,12 @@ typedef struct {
    */
   uint64_t opaque[5];
 } raylet_ray_i16f16;
+
+/**
+ * A fixed-point number: an integer in units of 2^-16 (`I16F16`). The unit of directions is 2^-30: components of
+ * directions and normals, and surface coordinates, are in that. (In `float` both are 1.)
+ */
+typedef int32_t raylet_i16f16;
 
 /**
  * A hit: where a ray meets a surface.
@@ -573,6 +535,24 @@ typedef struct {
    */
   uint8_t crossing;
 } raylet_hit_i16f16;
+
+/**
+ * A point, a vector of any length, or, with components in the number type's unit, a direction.
+ */
+typedef struct {
+  /**
+   * To the right.
+   */
+  raylet_i16f16 x;
+  /**
+   * Upwards.
+   */
+  raylet_i16f16 y;
+  /**
+   * Towards the viewer.
+   */
+  raylet_i16f16 z;
+} raylet_vec3_i16f16;
 
 /**
  * All hits of a solid on one ray, sorted by `t`.
@@ -654,6 +634,26 @@ typedef struct {
 } raylet_crossing_i16f16;
 
 /**
+ * A position and three axes at right angles, which place a shape.
+ */
+typedef struct {
+  /**
+   * Not to be read or written.
+   */
+  uint64_t opaque[6];
+} raylet_frame_i16f16;
+
+/**
+ * A half-space, of which polyhedra are made.
+ */
+typedef struct {
+  /**
+   * Not to be read or written.
+   */
+  uint64_t opaque[3];
+} raylet_half_space_i16f16;
+
+/**
  * Done.
  */
 #define RAYLET_OK 0
@@ -663,231 +663,314 @@ extern "C" {
 #endif // __cplusplus
 
 /**
- * The plane y = 0, with its normal along +y.
+ * The nearest visible hit within the range of a ray: 1 and the hit, or 0. In the tier Stable, as all queries whose
+ * names name no tier.
  */
-raylet_status raylet_plane_f32(raylet_shape_f32 *shape);
+raylet_status raylet_nearest_f32(const raylet_shape_f32 *shape,
+                                 const raylet_ray_f32 *ray,
+                                 raylet_hit_f32 *hit);
 
 /**
- * A ball about the origin.
+ * As `raylet_nearest_f32`, in the tier Plain.
  */
-raylet_status raylet_sphere_f32(raylet_shape_f32 *shape, float radius);
+raylet_status raylet_nearest_plain_f32(const raylet_shape_f32 *shape,
+                                       const raylet_ray_f32 *ray,
+                                       raylet_hit_f32 *hit);
 
 /**
- * A solid cylinder without ends about the y axis.
+ * As `raylet_nearest_f32`, in the tier Fast.
  */
-raylet_status raylet_cylinder_infinite_f32(raylet_shape_f32 *shape, float radius);
+raylet_status raylet_nearest_fast_f32(const raylet_shape_f32 *shape,
+                                      const raylet_ray_f32 *ray,
+                                      raylet_hit_f32 *hit);
 
 /**
- * The side of a cylinder about the y axis, from y = 0 up: an open surface.
+ * As `raylet_nearest_f32`, in the tier Exact.
  */
-raylet_status raylet_cylinder_open_f32(raylet_shape_f32 *shape, float radius, float height);
+raylet_status raylet_nearest_exact_f32(const raylet_shape_f32 *shape,
+                                       const raylet_ray_f32 *ray,
+                                       raylet_hit_f32 *hit);
 
 /**
- * A solid cylinder about the y axis, from y = 0 up.
+ * The nearest hit by the first numbers of the tier Stable alone: 1 and the hit, 0, or `RAYLET_ERROR_UNDECIDED`. For
+ * the least flash, and the least time of the slowest ray.
  */
-raylet_status raylet_cylinder_capped_f32(raylet_shape_f32 *shape, float radius, float height);
+raylet_status raylet_try_nearest_f32(const raylet_shape_f32 *shape,
+                                     const raylet_ray_f32 *ray,
+                                     raylet_hit_f32 *hit);
 
 /**
- * A solid double cone without ends about the y axis, with its apex at the origin. `slope` is radius over height.
+ * As `raylet_try_nearest_f32`, in the tier Plain.
  */
-raylet_status raylet_cone_double_f32(raylet_shape_f32 *shape,
-                                     float slope);
+raylet_status raylet_try_nearest_plain_f32(const raylet_shape_f32 *shape,
+                                           const raylet_ray_f32 *ray,
+                                           raylet_hit_f32 *hit);
 
 /**
- * The upper half of a double cone.
+ * As `raylet_try_nearest_f32`, in the tier Fast.
  */
-raylet_status raylet_cone_nappe_f32(raylet_shape_f32 *shape, float slope);
+raylet_status raylet_try_nearest_fast_f32(const raylet_shape_f32 *shape,
+                                          const raylet_ray_f32 *ray,
+                                          raylet_hit_f32 *hit);
 
 /**
- * The side of a cone from its apex at the origin up: an open surface.
+ * 1 if a ray hits the shape within its range, or 0.
  */
-raylet_status raylet_cone_open_f32(raylet_shape_f32 *shape, float slope, float height);
+raylet_status raylet_occludes_f32(const raylet_shape_f32 *shape, const raylet_ray_f32 *ray);
 
 /**
- * A solid cone from its apex at the origin up.
+ * As `raylet_occludes_f32`, in the tier Plain.
  */
-raylet_status raylet_cone_capped_f32(raylet_shape_f32 *shape, float slope, float height);
+raylet_status raylet_occludes_plain_f32(const raylet_shape_f32 *shape, const raylet_ray_f32 *ray);
 
 /**
- * The side of a truncated cone from y = 0 up: an open surface.
+ * As `raylet_occludes_f32`, in the tier Fast.
  */
-raylet_status raylet_frustum_open_f32(raylet_shape_f32 *shape,
-                                      float base_radius,
-                                      float top_radius,
-                                      float height);
+raylet_status raylet_occludes_fast_f32(const raylet_shape_f32 *shape, const raylet_ray_f32 *ray);
 
 /**
- * A solid truncated cone from y = 0 up.
+ * As `raylet_occludes_f32`, in the tier Exact.
  */
-raylet_status raylet_frustum_f32(raylet_shape_f32 *shape,
-                                 float base_radius,
-                                 float top_radius,
-                                 float height);
+raylet_status raylet_occludes_exact_f32(const raylet_shape_f32 *shape, const raylet_ray_f32 *ray);
 
 /**
- * A cylinder from y = 0 to `height` with half balls at its ends, which `height` excludes.
+ * 1 if a point is in the closed solid, or 0; 0 of an open surface.
  */
-raylet_status raylet_capsule_f32(raylet_shape_f32 *shape, float radius, float height);
+raylet_status raylet_contains_f32(const raylet_shape_f32 *shape, raylet_vec3_f32 point);
 
 /**
- * The hull of two balls: about the origin, and about (0, height, 0).
+ * As `raylet_contains_f32`, in the tier Plain.
  */
-raylet_status raylet_round_cone_f32(raylet_shape_f32 *shape,
-                                    float base_radius,
-                                    float top_radius,
-                                    float height);
+raylet_status raylet_contains_plain_f32(const raylet_shape_f32 *shape, raylet_vec3_f32 point);
 
 /**
- * A box about the origin, by half of its extents.
+ * As `raylet_contains_f32`, in the tier Fast.
  */
-raylet_status raylet_cuboid_f32(raylet_shape_f32 *shape, float half_x, float half_y, float half_z);
+raylet_status raylet_contains_fast_f32(const raylet_shape_f32 *shape, raylet_vec3_f32 point);
 
 /**
- * All points no farther than `radius` from a box about the origin, which is given by half of its extents.
+ * As `raylet_contains_f32`, in the tier Exact.
  */
-raylet_status raylet_rounded_cuboid_f32(raylet_shape_f32 *shape,
-                                        float half_x,
-                                        float half_y,
-                                        float half_z,
-                                        float radius);
+raylet_status raylet_contains_exact_f32(const raylet_shape_f32 *shape, raylet_vec3_f32 point);
 
 /**
- * A solid tube about the y axis, from y = 0 up.
+ * All visible hits within the range of a ray, sorted by `t`: their number, up to `RAYLET_MOST_HITS`.
  */
-raylet_status raylet_tube_f32(raylet_shape_f32 *shape,
-                              float inner_radius,
-                              float outer_radius,
-                              float height);
+raylet_status raylet_all_hits_f32(const raylet_shape_f32 *shape,
+                                  const raylet_ray_f32 *ray,
+                                  raylet_hits_f32 *hits);
 
 /**
- * A torus about the y axis, in the plane y = 0.
+ * As `raylet_all_hits_f32`, in the tier Plain.
  */
-raylet_status raylet_torus_f32(raylet_shape_f32 *shape, float major_radius, float minor_radius);
+raylet_status raylet_all_hits_plain_f32(const raylet_shape_f32 *shape,
+                                        const raylet_ray_f32 *ray,
+                                        raylet_hits_f32 *hits);
 
 /**
- * A disc about the origin in the plane y = 0.
+ * As `raylet_all_hits_f32`, in the tier Fast.
  */
-raylet_status raylet_disc_f32(raylet_shape_f32 *shape, float radius);
+raylet_status raylet_all_hits_fast_f32(const raylet_shape_f32 *shape,
+                                       const raylet_ray_f32 *ray,
+                                       raylet_hits_f32 *hits);
 
 /**
- * A disc with a round hole.
+ * As `raylet_all_hits_f32`, in the tier Exact.
  */
-raylet_status raylet_annulus_f32(raylet_shape_f32 *shape, float inner_radius, float outer_radius);
+raylet_status raylet_all_hits_exact_f32(const raylet_shape_f32 *shape,
+                                        const raylet_ray_f32 *ray,
+                                        raylet_hits_f32 *hits);
 
 /**
- * A rectangle about the origin in the plane y = 0, by half of its extents.
+ * The surface of a shape at a hit of a ray with it.
  */
-raylet_status raylet_rectangle_f32(raylet_shape_f32 *shape, float half_x, float half_z);
+raylet_status raylet_surface_at_f32(raylet_surface_f32 *surface,
+                                    const raylet_shape_f32 *shape,
+                                    const raylet_ray_f32 *ray,
+                                    const raylet_hit_f32 *hit);
 
 /**
- * A triangle, anticlockwise as seen from its front.
+ * The point of the hit.
  */
-raylet_status raylet_triangle_f32(raylet_shape_f32 *shape,
-                                  raylet_vec3_f32 a,
-                                  raylet_vec3_f32 b,
-                                  raylet_vec3_f32 c);
+raylet_status raylet_surface_point_f32(const raylet_surface_f32 *surface, raylet_vec3_f32 *point);
 
 /**
- * The quadric of revolution x^2 + z^2 = radius^2 + 2 a y + b y^2, between two heights; `is_open` leaves out its
- * caps.
+ * The outward normal, of length 1, in the unit of directions.
  */
-raylet_status raylet_revolved_f32(raylet_shape_f32 *shape,
-                                  float a,
-                                  float b,
-                                  float radius,
-                                  float low,
-                                  float high,
-                                  bool is_open);
+raylet_status raylet_surface_normal_f32(const raylet_surface_f32 *surface, raylet_vec3_f32 *normal);
 
 /**
- * A bowl from its vertex at the origin up, full.
+ * The normal on the side that the ray comes from.
  */
-raylet_status raylet_paraboloid_f32(raylet_shape_f32 *shape, float focal_length, float height);
+raylet_status raylet_surface_normal_towards_ray_f32(const raylet_surface_f32 *surface,
+                                                    raylet_vec3_f32 *normal);
 
 /**
- * An ellipsoid of revolution about the origin, between two heights.
+ * The cosine of the angle between the line of the ray and the normal, from 0 to 1, as a number.
  */
-raylet_status raylet_spheroid_f32(raylet_shape_f32 *shape,
-                                  float radius,
-                                  float half_height,
-                                  float low,
-                                  float high);
+raylet_status raylet_surface_cosine_f32(const raylet_surface_f32 *surface, float *cosine);
 
 /**
- * A ball about the origin between two heights.
+ * Surface coordinates, each from 0 to 1, in the unit of directions.
  */
-raylet_status raylet_ball_zone_f32(raylet_shape_f32 *shape, float radius, float low, float high);
+raylet_status raylet_surface_uv_f32(const raylet_surface_f32 *surface, float (*uv)[2]);
 
 /**
- * A hyperboloid of one sheet with its waist at the origin, between two heights.
+ * Where the hit lies in the bounding box of the solid along its axes, each from 0 to 1, in the unit of directions.
  */
-raylet_status raylet_hyperboloid_f32(raylet_shape_f32 *shape,
-                                     float waist,
-                                     float slope,
-                                     float low,
-                                     float high);
+raylet_status raylet_surface_uvw_f32(const raylet_surface_f32 *surface,
+                                     float (*uvw)[3]);
 
 /**
- * A tower that is narrowest between its ends.
+ * The directions in the world in which u and v grow, of length 1, in the unit of directions.
  */
-raylet_status raylet_tower_f32(raylet_shape_f32 *shape,
-                               float base_radius,
-                               float waist,
-                               float top_radius,
-                               float height);
+raylet_status raylet_surface_tangents_f32(const raylet_surface_f32 *surface,
+                                          raylet_vec3_f32 *along_u,
+                                          raylet_vec3_f32 *along_v);
 
 /**
- * A prism over a convex polygon with 3 to 16 corners, from y = 0 up. `corners` are `count` pairs of x and z,
- * counter-clockwise as seen from +y. They must stay where they are, unchanged, as long as the shape is used: they may
- * lie in flash.
+ * Makes a hierarchy of a list of shapes in the given nodes: `RAYLET_NODES(count)` of them. List and nodes must stay
+ * where they are, unchanged, as long as it is used. To move a shape, change the list and build it again.
  */
-raylet_status raylet_prism_f32(raylet_shape_f32 *shape,
-                               const float *corners,
-                               size_t count,
-                               float height);
+raylet_status raylet_shapes_build_f32(raylet_shapes_f32 *shapes,
+                                      const raylet_shape_f32 *list,
+                                      size_t count,
+                                      raylet_node_f32 *nodes,
+                                      size_t node_count);
 
 /**
- * The half-space on the side of a plane that `normal` points away from. `point` is on the plane; `normal` has any
- * length.
+ * The nearest hit of a ray with any of the shapes: 1, the index of its shape and the hit; or 0.
  */
-raylet_status raylet_half_space_through_f32(raylet_half_space_f32 *half_space,
-                                            raylet_vec3_f32 point,
-                                            raylet_vec3_f32 normal);
+raylet_status raylet_shapes_nearest_f32(const raylet_shapes_f32 *shapes,
+                                        const raylet_ray_f32 *ray,
+                                        uint32_t *shape,
+                                        raylet_hit_f32 *hit);
 
 /**
- * What 1 to 16 half-spaces have in common, which must be bounded. They must stay where they are, unchanged, as long
- * as the shape is used.
+ * As `raylet_shapes_nearest_f32`, in the tier Plain.
  */
-raylet_status raylet_polyhedron_f32(raylet_shape_f32 *shape,
-                                    const raylet_half_space_f32 *faces,
-                                    size_t count);
+raylet_status raylet_shapes_nearest_plain_f32(const raylet_shapes_f32 *shapes,
+                                              const raylet_ray_f32 *ray,
+                                              uint32_t *shape,
+                                              raylet_hit_f32 *hit);
 
 /**
- * What a box, from its lowest to its highest corner, has in common with up to 16 half-spaces, which must stay where
- * they are, unchanged, as long as the shape is used.
+ * As `raylet_shapes_nearest_f32`, in the tier Fast.
  */
-raylet_status raylet_polyhedron_within_f32(raylet_shape_f32 *shape,
-                                           raylet_vec3_f32 low,
-                                           raylet_vec3_f32 high,
-                                           const raylet_half_space_f32 *faces,
-                                           size_t count);
+raylet_status raylet_shapes_nearest_fast_f32(const raylet_shapes_f32 *shapes,
+                                             const raylet_ray_f32 *ray,
+                                             uint32_t *shape,
+                                             raylet_hit_f32 *hit);
 
 /**
- * An ellipsoid about the origin, which places it already: `raylet_ellipsoid_in_frame_f32` turns and moves it.
+ * As `raylet_shapes_nearest_f32`, in the tier Exact.
  */
-raylet_status raylet_ellipsoid_f32(raylet_shape_f32 *shape,
-                                   float radius_x,
-                                   float radius_y,
-                                   float radius_z);
+raylet_status raylet_shapes_nearest_exact_f32(const raylet_shapes_f32 *shapes,
+                                              const raylet_ray_f32 *ray,
+                                              uint32_t *shape,
+                                              raylet_hit_f32 *hit);
 
 /**
- * An ellipsoid about the origin of a frame, along its axes.
+ * 1 if a ray hits any of the shapes within its range, or 0.
  */
-raylet_status raylet_ellipsoid_in_frame_f32(raylet_shape_f32 *shape,
-                                            float radius_x,
-                                            float radius_y,
-                                            float radius_z,
-                                            const raylet_frame_f32 *frame);
+raylet_status raylet_shapes_occlude_f32(const raylet_shapes_f32 *shapes, const raylet_ray_f32 *ray);
+
+/**
+ * As `raylet_shapes_occlude_f32`, in the tier Plain.
+ */
+raylet_status raylet_shapes_occlude_plain_f32(const raylet_shapes_f32 *shapes,
+                                              const raylet_ray_f32 *ray);
+
+/**
+ * As `raylet_shapes_occlude_f32`, in the tier Fast.
+ */
+raylet_status raylet_shapes_occlude_fast_f32(const raylet_shapes_f32 *shapes,
+                                             const raylet_ray_f32 *ray);
+
+/**
+ * As `raylet_shapes_occlude_f32`, in the tier Exact.
+ */
+raylet_status raylet_shapes_occlude_exact_f32(const raylet_shapes_f32 *shapes,
+                                              const raylet_ray_f32 *ray);
+
+/**
+ * Calls `each` with every shape that a ray hits or starts inside of, in no order; the number of calls. The hits are
+ * there until it returns.
+ */
+raylet_status raylet_shapes_hits_f32(const raylet_shapes_f32 *shapes,
+                                     const raylet_ray_f32 *ray,
+                                     void (*each)(void *context,
+                                                  uint32_t shape,
+                                                  const raylet_hits_f32 *hits),
+                                     void *context);
+
+/**
+ * As `raylet_shapes_hits_f32`, in the tier Plain.
+ */
+raylet_status raylet_shapes_hits_plain_f32(const raylet_shapes_f32 *shapes,
+                                           const raylet_ray_f32 *ray,
+                                           void (*each)(void *context,
+                                                        uint32_t shape,
+                                                        const raylet_hits_f32 *hits),
+                                           void *context);
+
+/**
+ * As `raylet_shapes_hits_f32`, in the tier Fast.
+ */
+raylet_status raylet_shapes_hits_fast_f32(const raylet_shapes_f32 *shapes,
+                                          const raylet_ray_f32 *ray,
+                                          void (*each)(void *context,
+                                                       uint32_t shape,
+                                                       const raylet_hits_f32 *hits),
+                                          void *context);
+
+/**
+ * As `raylet_shapes_hits_f32`, in the tier Exact.
+ */
+raylet_status raylet_shapes_hits_exact_f32(const raylet_shapes_f32 *shapes,
+                                           const raylet_ray_f32 *ray,
+                                           void (*each)(void *context,
+                                                        uint32_t shape,
+                                                        const raylet_hits_f32 *hits),
+                                           void *context);
+
+/**
+ * All crossings of a ray with up to `RAYLET_MOST_SOLIDS` solids, in order, and which solids it is inside of between
+ * them: their number, up to `capacity` and `RAYLET_MOST_CROSSINGS`. Where solids touch, the order is that of one
+ * solid after the other; see the documentation of `raylet::solids`.
+ */
+raylet_status raylet_crossings_f32(const raylet_shape_f32 *list,
+                                   size_t count,
+                                   const raylet_ray_f32 *ray,
+                                   raylet_crossing_f32 *crossings,
+                                   size_t capacity);
+
+/**
+ * As `raylet_crossings_f32`, in the tier Plain.
+ */
+raylet_status raylet_crossings_plain_f32(const raylet_shape_f32 *list,
+                                         size_t count,
+                                         const raylet_ray_f32 *ray,
+                                         raylet_crossing_f32 *crossings,
+                                         size_t capacity);
+
+/**
+ * As `raylet_crossings_f32`, in the tier Fast.
+ */
+raylet_status raylet_crossings_fast_f32(const raylet_shape_f32 *list,
+                                        size_t count,
+                                        const raylet_ray_f32 *ray,
+                                        raylet_crossing_f32 *crossings,
+                                        size_t capacity);
+
+/**
+ * As `raylet_crossings_f32`, in the tier Exact.
+ */
+raylet_status raylet_crossings_exact_f32(const raylet_shape_f32 *list,
+                                         size_t count,
+                                         const raylet_ray_f32 *ray,
+                                         raylet_crossing_f32 *crossings,
+                                         size_t capacity);
 
 /**
  * Places a shape by a frame, instead of what placed it before.
@@ -1068,566 +1151,552 @@ raylet_status raylet_ray_at_f32(const raylet_ray_f32 *ray, float t, raylet_vec3_
 raylet_status raylet_ray_direction_f32(const raylet_ray_f32 *ray, raylet_vec3_f32 *direction);
 
 /**
- * The nearest visible hit within the range of a ray: 1 and the hit, or 0. In the tier Stable, as all queries whose
- * names name no tier.
- */
-raylet_status raylet_nearest_f32(const raylet_shape_f32 *shape,
-                                 const raylet_ray_f32 *ray,
-                                 raylet_hit_f32 *hit);
-
-/**
- * As `raylet_nearest_f32`, in the tier Plain.
- */
-raylet_status raylet_nearest_plain_f32(const raylet_shape_f32 *shape,
-                                       const raylet_ray_f32 *ray,
-                                       raylet_hit_f32 *hit);
-
-/**
- * As `raylet_nearest_f32`, in the tier Fast.
- */
-raylet_status raylet_nearest_fast_f32(const raylet_shape_f32 *shape,
-                                      const raylet_ray_f32 *ray,
-                                      raylet_hit_f32 *hit);
-
-/**
- * As `raylet_nearest_f32`, in the tier Exact.
- */
-raylet_status raylet_nearest_exact_f32(const raylet_shape_f32 *shape,
-                                       const raylet_ray_f32 *ray,
-                                       raylet_hit_f32 *hit);
-
-/**
- * The nearest hit by the first numbers of the tier Stable alone: 1 and the hit, 0, or `RAYLET_ERROR_UNDECIDED`. For
- * the least flash, and the least time of the slowest ray.
- */
-raylet_status raylet_try_nearest_f32(const raylet_shape_f32 *shape,
-                                     const raylet_ray_f32 *ray,
-                                     raylet_hit_f32 *hit);
-
-/**
- * As `raylet_try_nearest_f32`, in the tier Plain.
- */
-raylet_status raylet_try_nearest_plain_f32(const raylet_shape_f32 *shape,
-                                           const raylet_ray_f32 *ray,
-                                           raylet_hit_f32 *hit);
-
-/**
- * As `raylet_try_nearest_f32`, in the tier Fast.
- */
-raylet_status raylet_try_nearest_fast_f32(const raylet_shape_f32 *shape,
-                                          const raylet_ray_f32 *ray,
-                                          raylet_hit_f32 *hit);
-
-/**
- * 1 if a ray hits the shape within its range, or 0.
- */
-raylet_status raylet_occludes_f32(const raylet_shape_f32 *shape, const raylet_ray_f32 *ray);
-
-/**
- * As `raylet_occludes_f32`, in the tier Plain.
- */
-raylet_status raylet_occludes_plain_f32(const raylet_shape_f32 *shape, const raylet_ray_f32 *ray);
-
-/**
- * As `raylet_occludes_f32`, in the tier Fast.
- */
-raylet_status raylet_occludes_fast_f32(const raylet_shape_f32 *shape, const raylet_ray_f32 *ray);
-
-/**
- * As `raylet_occludes_f32`, in the tier Exact.
- */
-raylet_status raylet_occludes_exact_f32(const raylet_shape_f32 *shape, const raylet_ray_f32 *ray);
-
-/**
- * 1 if a point is in the closed solid, or 0; 0 of an open surface.
- */
-raylet_status raylet_contains_f32(const raylet_shape_f32 *shape, raylet_vec3_f32 point);
-
-/**
- * As `raylet_contains_f32`, in the tier Plain.
- */
-raylet_status raylet_contains_plain_f32(const raylet_shape_f32 *shape, raylet_vec3_f32 point);
-
-/**
- * As `raylet_contains_f32`, in the tier Fast.
- */
-raylet_status raylet_contains_fast_f32(const raylet_shape_f32 *shape, raylet_vec3_f32 point);
-
-/**
- * As `raylet_contains_f32`, in the tier Exact.
- */
-raylet_status raylet_contains_exact_f32(const raylet_shape_f32 *shape, raylet_vec3_f32 point);
-
-/**
- * All visible hits within the range of a ray, sorted by `t`: their number, up to `RAYLET_MOST_HITS`.
- */
-raylet_status raylet_all_hits_f32(const raylet_shape_f32 *shape,
-                                  const raylet_ray_f32 *ray,
-                                  raylet_hits_f32 *hits);
-
-/**
- * As `raylet_all_hits_f32`, in the tier Plain.
- */
-raylet_status raylet_all_hits_plain_f32(const raylet_shape_f32 *shape,
-                                        const raylet_ray_f32 *ray,
-                                        raylet_hits_f32 *hits);
-
-/**
- * As `raylet_all_hits_f32`, in the tier Fast.
- */
-raylet_status raylet_all_hits_fast_f32(const raylet_shape_f32 *shape,
-                                       const raylet_ray_f32 *ray,
-                                       raylet_hits_f32 *hits);
-
-/**
- * As `raylet_all_hits_f32`, in the tier Exact.
- */
-raylet_status raylet_all_hits_exact_f32(const raylet_shape_f32 *shape,
-                                        const raylet_ray_f32 *ray,
-                                        raylet_hits_f32 *hits);
-
-/**
- * The surface of a shape at a hit of a ray with it.
- */
-raylet_status raylet_surface_at_f32(raylet_surface_f32 *surface,
-                                    const raylet_shape_f32 *shape,
-                                    const raylet_ray_f32 *ray,
-                                    const raylet_hit_f32 *hit);
-
-/**
- * The point of the hit.
- */
-raylet_status raylet_surface_point_f32(const raylet_surface_f32 *surface, raylet_vec3_f32 *point);
-
-/**
- * The outward normal, of length 1, in the unit of directions.
- */
-raylet_status raylet_surface_normal_f32(const raylet_surface_f32 *surface, raylet_vec3_f32 *normal);
-
-/**
- * The normal on the side that the ray comes from.
- */
-raylet_status raylet_surface_normal_towards_ray_f32(const raylet_surface_f32 *surface,
-                                                    raylet_vec3_f32 *normal);
-
-/**
- * The cosine of the angle between the ray and the normal, as a number: positive where the ray meets the outside.
- */
-raylet_status raylet_surface_cosine_f32(const raylet_surface_f32 *surface,
-                                        float *cosine);
-
-/**
- * Surface coordinates, each from 0 to 1, in the unit of directions.
- */
-raylet_status raylet_surface_uv_f32(const raylet_surface_f32 *surface, float (*uv)[2]);
-
-/**
- * Where the hit lies in the bounding box of the solid along its axes, each from 0 to 1, in the unit of directions.
- */
-raylet_status raylet_surface_uvw_f32(const raylet_surface_f32 *surface,
-                                     float (*uvw)[3]);
-
-/**
- * The directions in the world in which u and v grow, of length 1, in the unit of directions.
- */
-raylet_status raylet_surface_tangents_f32(const raylet_surface_f32 *surface,
-                                          raylet_vec3_f32 *along_u,
-                                          raylet_vec3_f32 *along_v);
-
-/**
- * Makes a hierarchy of a list of shapes in the given nodes: `RAYLET_NODES(count)` of them. List and nodes must stay
- * where they are, unchanged, as long as it is used. To move a shape, change the list and build it again.
- */
-raylet_status raylet_shapes_build_f32(raylet_shapes_f32 *shapes,
-                                      const raylet_shape_f32 *list,
-                                      size_t count,
-                                      raylet_node_f32 *nodes,
-                                      size_t node_count);
-
-/**
- * The nearest hit of a ray with any of the shapes: 1, the index of its shape and the hit; or 0.
- */
-raylet_status raylet_shapes_nearest_f32(const raylet_shapes_f32 *shapes,
-                                        const raylet_ray_f32 *ray,
-                                        uint32_t *shape,
-                                        raylet_hit_f32 *hit);
-
-/**
- * As `raylet_shapes_nearest_f32`, in the tier Plain.
- */
-raylet_status raylet_shapes_nearest_plain_f32(const raylet_shapes_f32 *shapes,
-                                              const raylet_ray_f32 *ray,
-                                              uint32_t *shape,
-                                              raylet_hit_f32 *hit);
-
-/**
- * As `raylet_shapes_nearest_f32`, in the tier Fast.
- */
-raylet_status raylet_shapes_nearest_fast_f32(const raylet_shapes_f32 *shapes,
-                                             const raylet_ray_f32 *ray,
-                                             uint32_t *shape,
-                                             raylet_hit_f32 *hit);
-
-/**
- * As `raylet_shapes_nearest_f32`, in the tier Exact.
- */
-raylet_status raylet_shapes_nearest_exact_f32(const raylet_shapes_f32 *shapes,
-                                              const raylet_ray_f32 *ray,
-                                              uint32_t *shape,
-                                              raylet_hit_f32 *hit);
-
-/**
- * 1 if a ray hits any of the shapes within its range, or 0.
- */
-raylet_status raylet_shapes_occlude_f32(const raylet_shapes_f32 *shapes, const raylet_ray_f32 *ray);
-
-/**
- * As `raylet_shapes_occlude_f32`, in the tier Plain.
- */
-raylet_status raylet_shapes_occlude_plain_f32(const raylet_shapes_f32 *shapes,
-                                              const raylet_ray_f32 *ray);
-
-/**
- * As `raylet_shapes_occlude_f32`, in the tier Fast.
- */
-raylet_status raylet_shapes_occlude_fast_f32(const raylet_shapes_f32 *shapes,
-                                             const raylet_ray_f32 *ray);
-
-/**
- * As `raylet_shapes_occlude_f32`, in the tier Exact.
- */
-raylet_status raylet_shapes_occlude_exact_f32(const raylet_shapes_f32 *shapes,
-                                              const raylet_ray_f32 *ray);
-
-/**
- * Calls `each` with every shape that a ray hits, in no order; the number of calls. The hits are there until it
- * returns.
- */
-raylet_status raylet_shapes_hits_f32(const raylet_shapes_f32 *shapes,
-                                     const raylet_ray_f32 *ray,
-                                     void (*each)(void *context,
-                                                  uint32_t shape,
-                                                  const raylet_hits_f32 *hits),
-                                     void *context);
-
-/**
- * As `raylet_shapes_hits_f32`, in the tier Plain.
- */
-raylet_status raylet_shapes_hits_plain_f32(const raylet_shapes_f32 *shapes,
-                                           const raylet_ray_f32 *ray,
-                                           void (*each)(void *context,
-                                                        uint32_t shape,
-                                                        const raylet_hits_f32 *hits),
-                                           void *context);
-
-/**
- * As `raylet_shapes_hits_f32`, in the tier Fast.
- */
-raylet_status raylet_shapes_hits_fast_f32(const raylet_shapes_f32 *shapes,
-                                          const raylet_ray_f32 *ray,
-                                          void (*each)(void *context,
-                                                       uint32_t shape,
-                                                       const raylet_hits_f32 *hits),
-                                          void *context);
-
-/**
- * As `raylet_shapes_hits_f32`, in the tier Exact.
- */
-raylet_status raylet_shapes_hits_exact_f32(const raylet_shapes_f32 *shapes,
-                                           const raylet_ray_f32 *ray,
-                                           void (*each)(void *context,
-                                                        uint32_t shape,
-                                                        const raylet_hits_f32 *hits),
-                                           void *context);
-
-/**
- * All crossings of a ray with up to `RAYLET_MOST_SOLIDS` solids, in order, and which solids it is inside of between
- * them: their number, up to `capacity` and `RAYLET_MOST_CROSSINGS`. Where solids touch, the order is that of one
- * solid after the other; see the documentation of `raylet::solids`.
- */
-raylet_status raylet_crossings_f32(const raylet_shape_f32 *list,
-                                   size_t count,
-                                   const raylet_ray_f32 *ray,
-                                   raylet_crossing_f32 *crossings,
-                                   size_t capacity);
-
-/**
- * As `raylet_crossings_f32`, in the tier Plain.
- */
-raylet_status raylet_crossings_plain_f32(const raylet_shape_f32 *list,
-                                         size_t count,
-                                         const raylet_ray_f32 *ray,
-                                         raylet_crossing_f32 *crossings,
-                                         size_t capacity);
-
-/**
- * As `raylet_crossings_f32`, in the tier Fast.
- */
-raylet_status raylet_crossings_fast_f32(const raylet_shape_f32 *list,
-                                        size_t count,
-                                        const raylet_ray_f32 *ray,
-                                        raylet_crossing_f32 *crossings,
-                                        size_t capacity);
-
-/**
- * As `raylet_crossings_f32`, in the tier Exact.
- */
-raylet_status raylet_crossings_exact_f32(const raylet_shape_f32 *list,
-                                         size_t count,
-                                         const raylet_ray_f32 *ray,
-                                         raylet_crossing_f32 *crossings,
-                                         size_t capacity);
-
-/**
  * The plane y = 0, with its normal along +y.
  */
-raylet_status raylet_plane_i16f16(raylet_shape_i16f16 *shape);
+raylet_status raylet_plane_f32(raylet_shape_f32 *shape);
 
 /**
  * A ball about the origin.
  */
-raylet_status raylet_sphere_i16f16(raylet_shape_i16f16 *shape, raylet_i16f16 radius);
+raylet_status raylet_sphere_f32(raylet_shape_f32 *shape, float radius);
 
 /**
  * A solid cylinder without ends about the y axis.
  */
-raylet_status raylet_cylinder_infinite_i16f16(raylet_shape_i16f16 *shape, raylet_i16f16 radius);
+raylet_status raylet_cylinder_infinite_f32(raylet_shape_f32 *shape, float radius);
 
 /**
  * The side of a cylinder about the y axis, from y = 0 up: an open surface.
  */
-raylet_status raylet_cylinder_open_i16f16(raylet_shape_i16f16 *shape,
-                                          raylet_i16f16 radius,
-                                          raylet_i16f16 height);
+raylet_status raylet_cylinder_open_f32(raylet_shape_f32 *shape, float radius, float height);
 
 /**
  * A solid cylinder about the y axis, from y = 0 up.
  */
-raylet_status raylet_cylinder_capped_i16f16(raylet_shape_i16f16 *shape,
-                                            raylet_i16f16 radius,
-                                            raylet_i16f16 height);
+raylet_status raylet_cylinder_capped_f32(raylet_shape_f32 *shape, float radius, float height);
 
 /**
  * A solid double cone without ends about the y axis, with its apex at the origin. `slope` is radius over height.
  */
-raylet_status raylet_cone_double_i16f16(raylet_shape_i16f16 *shape,
-                                        raylet_i16f16 slope);
+raylet_status raylet_cone_double_f32(raylet_shape_f32 *shape,
+                                     float slope);
 
 /**
  * The upper half of a double cone.
  */
-raylet_status raylet_cone_nappe_i16f16(raylet_shape_i16f16 *shape, raylet_i16f16 slope);
+raylet_status raylet_cone_nappe_f32(raylet_shape_f32 *shape, float slope);
 
 /**
  * The side of a cone from its apex at the origin up: an open surface.
  */
-raylet_status raylet_cone_open_i16f16(raylet_shape_i16f16 *shape,
-                                      raylet_i16f16 slope,
-                                      raylet_i16f16 height);
+raylet_status raylet_cone_open_f32(raylet_shape_f32 *shape, float slope, float height);
 
 /**
  * A solid cone from its apex at the origin up.
  */
-raylet_status raylet_cone_capped_i16f16(raylet_shape_i16f16 *shape,
-                                        raylet_i16f16 slope,
-                                        raylet_i16f16 height);
+raylet_status raylet_cone_capped_f32(raylet_shape_f32 *shape, float slope, float height);
 
 /**
  * The side of a truncated cone from y = 0 up: an open surface.
  */
-raylet_status raylet_frustum_open_i16f16(raylet_shape_i16f16 *shape,
-                                         raylet_i16f16 base_radius,
-                                         raylet_i16f16 top_radius,
-                                         raylet_i16f16 height);
+raylet_status raylet_frustum_open_f32(raylet_shape_f32 *shape,
+                                      float base_radius,
+                                      float top_radius,
+                                      float height);
 
 /**
  * A solid truncated cone from y = 0 up.
  */
-raylet_status raylet_frustum_i16f16(raylet_shape_i16f16 *shape,
-                                    raylet_i16f16 base_radius,
-                                    raylet_i16f16 top_radius,
-                                    raylet_i16f16 height);
+raylet_status raylet_frustum_f32(raylet_shape_f32 *shape,
+                                 float base_radius,
+                                 float top_radius,
+                                 float height);
 
 /**
  * A cylinder from y = 0 to `height` with half balls at its ends, which `height` excludes.
  */
-raylet_status raylet_capsule_i16f16(raylet_shape_i16f16 *shape,
-                                    raylet_i16f16 radius,
-                                    raylet_i16f16 height);
+raylet_status raylet_capsule_f32(raylet_shape_f32 *shape, float radius, float height);
 
 /**
  * The hull of two balls: about the origin, and about (0, height, 0).
  */
-raylet_status raylet_round_cone_i16f16(raylet_shape_i16f16 *shape,
-                                       raylet_i16f16 base_radius,
-                                       raylet_i16f16 top_radius,
-                                       raylet_i16f16 height);
+raylet_status raylet_round_cone_f32(raylet_shape_f32 *shape,
+                                    float base_radius,
+                                    float top_radius,
+                                    float height);
 
 /**
  * A box about the origin, by half of its extents.
  */
-raylet_status raylet_cuboid_i16f16(raylet_shape_i16f16 *shape,
-                                   raylet_i16f16 half_x,
-                                   raylet_i16f16 half_y,
-                                   raylet_i16f16 half_z);
+raylet_status raylet_cuboid_f32(raylet_shape_f32 *shape, float half_x, float half_y, float half_z);
 
 /**
  * All points no farther than `radius` from a box about the origin, which is given by half of its extents.
  */
-raylet_status raylet_rounded_cuboid_i16f16(raylet_shape_i16f16 *shape,
-                                           raylet_i16f16 half_x,
-                                           raylet_i16f16 half_y,
-                                           raylet_i16f16 half_z,
-                                           raylet_i16f16 radius);
+raylet_status raylet_rounded_cuboid_f32(raylet_shape_f32 *shape,
+                                        float half_x,
+                                        float half_y,
+                                        float half_z,
+                                        float radius);
 
 /**
  * A solid tube about the y axis, from y = 0 up.
  */
-raylet_status raylet_tube_i16f16(raylet_shape_i16f16 *shape,
-                                 raylet_i16f16 inner_radius,
-                                 raylet_i16f16 outer_radius,
-                                 raylet_i16f16 height);
+raylet_status raylet_tube_f32(raylet_shape_f32 *shape,
+                              float inner_radius,
+                              float outer_radius,
+                              float height);
 
 /**
  * A torus about the y axis, in the plane y = 0.
  */
-raylet_status raylet_torus_i16f16(raylet_shape_i16f16 *shape,
-                                  raylet_i16f16 major_radius,
-                                  raylet_i16f16 minor_radius);
+raylet_status raylet_torus_f32(raylet_shape_f32 *shape, float major_radius, float minor_radius);
 
 /**
  * A disc about the origin in the plane y = 0.
  */
-raylet_status raylet_disc_i16f16(raylet_shape_i16f16 *shape, raylet_i16f16 radius);
+raylet_status raylet_disc_f32(raylet_shape_f32 *shape, float radius);
 
 /**
  * A disc with a round hole.
  */
-raylet_status raylet_annulus_i16f16(raylet_shape_i16f16 *shape,
-                                    raylet_i16f16 inner_radius,
-                                    raylet_i16f16 outer_radius);
+raylet_status raylet_annulus_f32(raylet_shape_f32 *shape, float inner_radius, float outer_radius);
 
 /**
  * A rectangle about the origin in the plane y = 0, by half of its extents.
  */
-raylet_status raylet_rectangle_i16f16(raylet_shape_i16f16 *shape,
-                                      raylet_i16f16 half_x,
-                                      raylet_i16f16 half_z);
+raylet_status raylet_rectangle_f32(raylet_shape_f32 *shape, float half_x, float half_z);
 
 /**
  * A triangle, anticlockwise as seen from its front.
  */
-raylet_status raylet_triangle_i16f16(raylet_shape_i16f16 *shape,
-                                     raylet_vec3_i16f16 a,
-                                     raylet_vec3_i16f16 b,
-                                     raylet_vec3_i16f16 c);
+raylet_status raylet_triangle_f32(raylet_shape_f32 *shape,
+                                  raylet_vec3_f32 a,
+                                  raylet_vec3_f32 b,
+                                  raylet_vec3_f32 c);
 
 /**
- * The quadric of revolution x^2 + z^2 = radius^2 + 2 a y + b y^2, between two heights; `is_open` leaves out its
- * caps.
+ * The quadric of revolution x^2 + z^2 = a y^2 + 2 b y + radius^2, between two heights; `is_open` leaves out its caps.
  */
-raylet_status raylet_revolved_i16f16(raylet_shape_i16f16 *shape,
-                                     raylet_i16f16 a,
-                                     raylet_i16f16 b,
-                                     raylet_i16f16 radius,
-                                     raylet_i16f16 low,
-                                     raylet_i16f16 high,
-                                     bool is_open);
+raylet_status raylet_revolved_f32(raylet_shape_f32 *shape,
+                                  float a,
+                                  float b,
+                                  float radius,
+                                  float low,
+                                  float high,
+                                  bool is_open);
 
 /**
  * A bowl from its vertex at the origin up, full.
  */
-raylet_status raylet_paraboloid_i16f16(raylet_shape_i16f16 *shape,
-                                       raylet_i16f16 focal_length,
-                                       raylet_i16f16 height);
+raylet_status raylet_paraboloid_f32(raylet_shape_f32 *shape, float focal_length, float height);
 
 /**
  * An ellipsoid of revolution about the origin, between two heights.
  */
-raylet_status raylet_spheroid_i16f16(raylet_shape_i16f16 *shape,
-                                     raylet_i16f16 radius,
-                                     raylet_i16f16 half_height,
-                                     raylet_i16f16 low,
-                                     raylet_i16f16 high);
+raylet_status raylet_spheroid_f32(raylet_shape_f32 *shape,
+                                  float radius,
+                                  float half_height,
+                                  float low,
+                                  float high);
 
 /**
  * A ball about the origin between two heights.
  */
-raylet_status raylet_ball_zone_i16f16(raylet_shape_i16f16 *shape,
-                                      raylet_i16f16 radius,
-                                      raylet_i16f16 low,
-                                      raylet_i16f16 high);
+raylet_status raylet_ball_zone_f32(raylet_shape_f32 *shape, float radius, float low, float high);
 
 /**
  * A hyperboloid of one sheet with its waist at the origin, between two heights.
  */
-raylet_status raylet_hyperboloid_i16f16(raylet_shape_i16f16 *shape,
-                                        raylet_i16f16 waist,
-                                        raylet_i16f16 slope,
-                                        raylet_i16f16 low,
-                                        raylet_i16f16 high);
+raylet_status raylet_hyperboloid_f32(raylet_shape_f32 *shape,
+                                     float waist,
+                                     float slope,
+                                     float low,
+                                     float high);
 
 /**
- * A tower that is narrowest between its ends.
+ * A hyperboloid of one sheet by its radii at both ends, its smaller waist, which is at y = 0, and its height.
  */
-raylet_status raylet_tower_i16f16(raylet_shape_i16f16 *shape,
-                                  raylet_i16f16 base_radius,
-                                  raylet_i16f16 waist,
-                                  raylet_i16f16 top_radius,
-                                  raylet_i16f16 height);
+raylet_status raylet_tower_f32(raylet_shape_f32 *shape,
+                               float base_radius,
+                               float waist,
+                               float top_radius,
+                               float height);
 
 /**
  * A prism over a convex polygon with 3 to 16 corners, from y = 0 up. `corners` are `count` pairs of x and z,
  * counter-clockwise as seen from +y. They must stay where they are, unchanged, as long as the shape is used: they may
  * lie in flash.
  */
-raylet_status raylet_prism_i16f16(raylet_shape_i16f16 *shape,
-                                  const raylet_i16f16 *corners,
-                                  size_t count,
-                                  raylet_i16f16 height);
+raylet_status raylet_prism_f32(raylet_shape_f32 *shape,
+                               const float *corners,
+                               size_t count,
+                               float height);
 
 /**
  * The half-space on the side of a plane that `normal` points away from. `point` is on the plane; `normal` has any
  * length.
  */
-raylet_status raylet_half_space_through_i16f16(raylet_half_space_i16f16 *half_space,
-                                               raylet_vec3_i16f16 point,
-                                               raylet_vec3_i16f16 normal);
+raylet_status raylet_half_space_through_f32(raylet_half_space_f32 *half_space,
+                                            raylet_vec3_f32 point,
+                                            raylet_vec3_f32 normal);
 
 /**
  * What 1 to 16 half-spaces have in common, which must be bounded. They must stay where they are, unchanged, as long
  * as the shape is used.
  */
-raylet_status raylet_polyhedron_i16f16(raylet_shape_i16f16 *shape,
-                                       const raylet_half_space_i16f16 *faces,
-                                       size_t count);
+raylet_status raylet_polyhedron_f32(raylet_shape_f32 *shape,
+                                    const raylet_half_space_f32 *faces,
+                                    size_t count);
 
 /**
  * What a box, from its lowest to its highest corner, has in common with up to 16 half-spaces, which must stay where
  * they are, unchanged, as long as the shape is used.
  */
-raylet_status raylet_polyhedron_within_i16f16(raylet_shape_i16f16 *shape,
-                                              raylet_vec3_i16f16 low,
-                                              raylet_vec3_i16f16 high,
-                                              const raylet_half_space_i16f16 *faces,
-                                              size_t count);
+raylet_status raylet_polyhedron_within_f32(raylet_shape_f32 *shape,
+                                           raylet_vec3_f32 low,
+                                           raylet_vec3_f32 high,
+                                           const raylet_half_space_f32 *faces,
+                                           size_t count);
 
 /**
- * An ellipsoid about the origin, which places it already: `raylet_ellipsoid_in_frame_i16f16` turns and moves it.
+ * An ellipsoid about the origin, which places it already: `raylet_ellipsoid_in_frame_f32` turns and moves it.
  */
-raylet_status raylet_ellipsoid_i16f16(raylet_shape_i16f16 *shape,
-                                      raylet_i16f16 radius_x,
-                                      raylet_i16f16 radius_y,
-                                      raylet_i16f16 radius_z);
+raylet_status raylet_ellipsoid_f32(raylet_shape_f32 *shape,
+                                   float radius_x,
+                                   float radius_y,
+                                   float radius_z);
 
 /**
  * An ellipsoid about the origin of a frame, along its axes.
  */
-raylet_status raylet_ellipsoid_in_frame_i16f16(raylet_shape_i16f16 *shape,
-                                               raylet_i16f16 radius_x,
-                                               raylet_i16f16 radius_y,
-                                               raylet_i16f16 radius_z,
-                                               const raylet_frame_i16f16 *frame);
+raylet_status raylet_ellipsoid_in_frame_f32(raylet_shape_f32 *shape,
+                                            float radius_x,
+                                            float radius_y,
+                                            float radius_z,
+                                            const raylet_frame_f32 *frame);
+
+/**
+ * The nearest visible hit within the range of a ray: 1 and the hit, or 0. In the tier Stable, as all queries whose
+ * names name no tier.
+ */
+raylet_status raylet_nearest_i16f16(const raylet_shape_i16f16 *shape,
+                                    const raylet_ray_i16f16 *ray,
+                                    raylet_hit_i16f16 *hit);
+
+/**
+ * As `raylet_nearest_i16f16`, in the tier Plain.
+ */
+raylet_status raylet_nearest_plain_i16f16(const raylet_shape_i16f16 *shape,
+                                          const raylet_ray_i16f16 *ray,
+                                          raylet_hit_i16f16 *hit);
+
+/**
+ * As `raylet_nearest_i16f16`, in the tier Fast.
+ */
+raylet_status raylet_nearest_fast_i16f16(const raylet_shape_i16f16 *shape,
+                                         const raylet_ray_i16f16 *ray,
+                                         raylet_hit_i16f16 *hit);
+
+/**
+ * As `raylet_nearest_i16f16`, in the tier Exact.
+ */
+raylet_status raylet_nearest_exact_i16f16(const raylet_shape_i16f16 *shape,
+                                          const raylet_ray_i16f16 *ray,
+                                          raylet_hit_i16f16 *hit);
+
+/**
+ * The nearest hit by the first numbers of the tier Stable alone: 1 and the hit, 0, or `RAYLET_ERROR_UNDECIDED`. For
+ * the least flash, and the least time of the slowest ray.
+ */
+raylet_status raylet_try_nearest_i16f16(const raylet_shape_i16f16 *shape,
+                                        const raylet_ray_i16f16 *ray,
+                                        raylet_hit_i16f16 *hit);
+
+/**
+ * As `raylet_try_nearest_i16f16`, in the tier Plain.
+ */
+raylet_status raylet_try_nearest_plain_i16f16(const raylet_shape_i16f16 *shape,
+                                              const raylet_ray_i16f16 *ray,
+                                              raylet_hit_i16f16 *hit);
+
+/**
+ * As `raylet_try_nearest_i16f16`, in the tier Fast.
+ */
+raylet_status raylet_try_nearest_fast_i16f16(const raylet_shape_i16f16 *shape,
+                                             const raylet_ray_i16f16 *ray,
+                                             raylet_hit_i16f16 *hit);
+
+/**
+ * 1 if a ray hits the shape within its range, or 0.
+ */
+raylet_status raylet_occludes_i16f16(const raylet_shape_i16f16 *shape,
+                                     const raylet_ray_i16f16 *ray);
+
+/**
+ * As `raylet_occludes_i16f16`, in the tier Plain.
+ */
+raylet_status raylet_occludes_plain_i16f16(const raylet_shape_i16f16 *shape,
+                                           const raylet_ray_i16f16 *ray);
+
+/**
+ * As `raylet_occludes_i16f16`, in the tier Fast.
+ */
+raylet_status raylet_occludes_fast_i16f16(const raylet_shape_i16f16 *shape,
+                                          const raylet_ray_i16f16 *ray);
+
+/**
+ * As `raylet_occludes_i16f16`, in the tier Exact.
+ */
+raylet_status raylet_occludes_exact_i16f16(const raylet_shape_i16f16 *shape,
+                                           const raylet_ray_i16f16 *ray);
+
+/**
+ * 1 if a point is in the closed solid, or 0; 0 of an open surface.
+ */
+raylet_status raylet_contains_i16f16(const raylet_shape_i16f16 *shape, raylet_vec3_i16f16 point);
+
+/**
+ * As `raylet_contains_i16f16`, in the tier Plain.
+ */
+raylet_status raylet_contains_plain_i16f16(const raylet_shape_i16f16 *shape,
+                                           raylet_vec3_i16f16 point);
+
+/**
+ * As `raylet_contains_i16f16`, in the tier Fast.
+ */
+raylet_status raylet_contains_fast_i16f16(const raylet_shape_i16f16 *shape,
+                                          raylet_vec3_i16f16 point);
+
+/**
+ * As `raylet_contains_i16f16`, in the tier Exact.
+ */
+raylet_status raylet_contains_exact_i16f16(const raylet_shape_i16f16 *shape,
+                                           raylet_vec3_i16f16 point);
+
+/**
+ * All visible hits within the range of a ray, sorted by `t`: their number, up to `RAYLET_MOST_HITS`.
+ */
+raylet_status raylet_all_hits_i16f16(const raylet_shape_i16f16 *shape,
+                                     const raylet_ray_i16f16 *ray,
+                                     raylet_hits_i16f16 *hits);
+
+/**
+ * As `raylet_all_hits_i16f16`, in the tier Plain.
+ */
+raylet_status raylet_all_hits_plain_i16f16(const raylet_shape_i16f16 *shape,
+                                           const raylet_ray_i16f16 *ray,
+                                           raylet_hits_i16f16 *hits);
+
+/**
+ * As `raylet_all_hits_i16f16`, in the tier Fast.
+ */
+raylet_status raylet_all_hits_fast_i16f16(const raylet_shape_i16f16 *shape,
+                                          const raylet_ray_i16f16 *ray,
+                                          raylet_hits_i16f16 *hits);
+
+/**
+ * As `raylet_all_hits_i16f16`, in the tier Exact.
+ */
+raylet_status raylet_all_hits_exact_i16f16(const raylet_shape_i16f16 *shape,
+                                           const raylet_ray_i16f16 *ray,
+                                           raylet_hits_i16f16 *hits);
+
+/**
+ * The surface of a shape at a hit of a ray with it.
+ */
+raylet_status raylet_surface_at_i16f16(raylet_surface_i16f16 *surface,
+                                       const raylet_shape_i16f16 *shape,
+                                       const raylet_ray_i16f16 *ray,
+                                       const raylet_hit_i16f16 *hit);
+
+/**
+ * The point of the hit.
+ */
+raylet_status raylet_surface_point_i16f16(const raylet_surface_i16f16 *surface,
+                                          raylet_vec3_i16f16 *point);
+
+/**
+ * The outward normal, of length 1, in the unit of directions.
+ */
+raylet_status raylet_surface_normal_i16f16(const raylet_surface_i16f16 *surface,
+                                           raylet_vec3_i16f16 *normal);
+
+/**
+ * The normal on the side that the ray comes from.
+ */
+raylet_status raylet_surface_normal_towards_ray_i16f16(const raylet_surface_i16f16 *surface,
+                                                       raylet_vec3_i16f16 *normal);
+
+/**
+ * The cosine of the angle between the line of the ray and the normal, from 0 to 1, as a number.
+ */
+raylet_status raylet_surface_cosine_i16f16(const raylet_surface_i16f16 *surface,
+                                           raylet_i16f16 *cosine);
+
+/**
+ * Surface coordinates, each from 0 to 1, in the unit of directions.
+ */
+raylet_status raylet_surface_uv_i16f16(const raylet_surface_i16f16 *surface,
+                                       raylet_i16f16 (*uv)[2]);
+
+/**
+ * Where the hit lies in the bounding box of the solid along its axes, each from 0 to 1, in the unit of directions.
+ */
+raylet_status raylet_surface_uvw_i16f16(const raylet_surface_i16f16 *surface,
+                                        raylet_i16f16 (*uvw)[3]);
+
+/**
+ * The directions in the world in which u and v grow, of length 1, in the unit of directions.
+ */
+raylet_status raylet_surface_tangents_i16f16(const raylet_surface_i16f16 *surface,
+                                             raylet_vec3_i16f16 *along_u,
+                                             raylet_vec3_i16f16 *along_v);
+
+/**
+ * Makes a hierarchy of a list of shapes in the given nodes: `RAYLET_NODES(count)` of them. List and nodes must stay
+ * where they are, unchanged, as long as it is used. To move a shape, change the list and build it again.
+ */
+raylet_status raylet_shapes_build_i16f16(raylet_shapes_i16f16 *shapes,
+                                         const raylet_shape_i16f16 *list,
+                                         size_t count,
+                                         raylet_node_i16f16 *nodes,
+                                         size_t node_count);
+
+/**
+ * The nearest hit of a ray with any of the shapes: 1, the index of its shape and the hit; or 0.
+ */
+raylet_status raylet_shapes_nearest_i16f16(const raylet_shapes_i16f16 *shapes,
+                                           const raylet_ray_i16f16 *ray,
+                                           uint32_t *shape,
+                                           raylet_hit_i16f16 *hit);
+
+/**
+ * As `raylet_shapes_nearest_i16f16`, in the tier Plain.
+ */
+raylet_status raylet_shapes_nearest_plain_i16f16(const raylet_shapes_i16f16 *shapes,
+                                                 const raylet_ray_i16f16 *ray,
+                                                 uint32_t *shape,
+                                                 raylet_hit_i16f16 *hit);
+
+/**
+ * As `raylet_shapes_nearest_i16f16`, in the tier Fast.
+ */
+raylet_status raylet_shapes_nearest_fast_i16f16(const raylet_shapes_i16f16 *shapes,
+                                                const raylet_ray_i16f16 *ray,
+                                                uint32_t *shape,
+                                                raylet_hit_i16f16 *hit);
+
+/**
+ * As `raylet_shapes_nearest_i16f16`, in the tier Exact.
+ */
+raylet_status raylet_shapes_nearest_exact_i16f16(const raylet_shapes_i16f16 *shapes,
+                                                 const raylet_ray_i16f16 *ray,
+                                                 uint32_t *shape,
+                                                 raylet_hit_i16f16 *hit);
+
+/**
+ * 1 if a ray hits any of the shapes within its range, or 0.
+ */
+raylet_status raylet_shapes_occlude_i16f16(const raylet_shapes_i16f16 *shapes,
+                                           const raylet_ray_i16f16 *ray);
+
+/**
+ * As `raylet_shapes_occlude_i16f16`, in the tier Plain.
+ */
+raylet_status raylet_shapes_occlude_plain_i16f16(const raylet_shapes_i16f16 *shapes,
+                                                 const raylet_ray_i16f16 *ray);
+
+/**
+ * As `raylet_shapes_occlude_i16f16`, in the tier Fast.
+ */
+raylet_status raylet_shapes_occlude_fast_i16f16(const raylet_shapes_i16f16 *shapes,
+                                                const raylet_ray_i16f16 *ray);
+
+/**
+ * As `raylet_shapes_occlude_i16f16`, in the tier Exact.
+ */
+raylet_status raylet_shapes_occlude_exact_i16f16(const raylet_shapes_i16f16 *shapes,
+                                                 const raylet_ray_i16f16 *ray);
+
+/**
+ * Calls `each` with every shape that a ray hits or starts inside of, in no order; the number of calls. The hits are
+ * there until it returns.
+ */
+raylet_status raylet_shapes_hits_i16f16(const raylet_shapes_i16f16 *shapes,
+                                        const raylet_ray_i16f16 *ray,
+                                        void (*each)(void *context,
+                                                     uint32_t shape,
+                                                     const raylet_hits_i16f16 *hits),
+                                        void *context);
+
+/**
+ * As `raylet_shapes_hits_i16f16`, in the tier Plain.
+ */
+raylet_status raylet_shapes_hits_plain_i16f16(const raylet_shapes_i16f16 *shapes,
+                                              const raylet_ray_i16f16 *ray,
+                                              void (*each)(void *context,
+                                                           uint32_t shape,
+                                                           const raylet_hits_i16f16 *hits),
+                                              void *context);
+
+/**
+ * As `raylet_shapes_hits_i16f16`, in the tier Fast.
+ */
+raylet_status raylet_shapes_hits_fast_i16f16(const raylet_shapes_i16f16 *shapes,
+                                             const raylet_ray_i16f16 *ray,
+                                             void (*each)(void *context,
+                                                          uint32_t shape,
+                                                          const raylet_hits_i16f16 *hits),
+                                             void *context);
+
+/**
+ * As `raylet_shapes_hits_i16f16`, in the tier Exact.
+ */
+raylet_status raylet_shapes_hits_exact_i16f16(const raylet_shapes_i16f16 *shapes,
+                                              const raylet_ray_i16f16 *ray,
+                                              void (*each)(void *context,
+                                                           uint32_t shape,
+                                                           const raylet_hits_i16f16 *hits),
+                                              void *context);
+
+/**
+ * All crossings of a ray with up to `RAYLET_MOST_SOLIDS` solids, in order, and which solids it is inside of between
+ * them: their number, up to `capacity` and `RAYLET_MOST_CROSSINGS`. Where solids touch, the order is that of one
+ * solid after the other; see the documentation of `raylet::solids`.
+ */
+raylet_status raylet_crossings_i16f16(const raylet_shape_i16f16 *list,
+                                      size_t count,
+                                      const raylet_ray_i16f16 *ray,
+                                      raylet_crossing_i16f16 *crossings,
+                                      size_t capacity);
+
+/**
+ * As `raylet_crossings_i16f16`, in the tier Plain.
+ */
+raylet_status raylet_crossings_plain_i16f16(const raylet_shape_i16f16 *list,
+                                            size_t count,
+                                            const raylet_ray_i16f16 *ray,
+                                            raylet_crossing_i16f16 *crossings,
+                                            size_t capacity);
+
+/**
+ * As `raylet_crossings_i16f16`, in the tier Fast.
+ */
+raylet_status raylet_crossings_fast_i16f16(const raylet_shape_i16f16 *list,
+                                           size_t count,
+                                           const raylet_ray_i16f16 *ray,
+                                           raylet_crossing_i16f16 *crossings,
+                                           size_t capacity);
+
+/**
+ * As `raylet_crossings_i16f16`, in the tier Exact.
+ */
+raylet_status raylet_crossings_exact_i16f16(const raylet_shape_i16f16 *list,
+                                            size_t count,
+                                            const raylet_ray_i16f16 *ray,
+                                            raylet_crossing_i16f16 *crossings,
+                                            size_t capacity);
 
 /**
  * Places a shape by a frame, instead of what placed it before.
@@ -1814,326 +1883,254 @@ raylet_status raylet_ray_direction_i16f16(const raylet_ray_i16f16 *ray,
                                           raylet_vec3_i16f16 *direction);
 
 /**
- * The nearest visible hit within the range of a ray: 1 and the hit, or 0. In the tier Stable, as all queries whose
- * names name no tier.
+ * The plane y = 0, with its normal along +y.
  */
-raylet_status raylet_nearest_i16f16(const raylet_shape_i16f16 *shape,
-                                    const raylet_ray_i16f16 *ray,
-                                    raylet_hit_i16f16 *hit);
+raylet_status raylet_plane_i16f16(raylet_shape_i16f16 *shape);
 
 /**
- * As `raylet_nearest_i16f16`, in the tier Plain.
+ * A ball about the origin.
  */
-raylet_status raylet_nearest_plain_i16f16(const raylet_shape_i16f16 *shape,
-                                          const raylet_ray_i16f16 *ray,
-                                          raylet_hit_i16f16 *hit);
+raylet_status raylet_sphere_i16f16(raylet_shape_i16f16 *shape, raylet_i16f16 radius);
 
 /**
- * As `raylet_nearest_i16f16`, in the tier Fast.
+ * A solid cylinder without ends about the y axis.
  */
-raylet_status raylet_nearest_fast_i16f16(const raylet_shape_i16f16 *shape,
-                                         const raylet_ray_i16f16 *ray,
-                                         raylet_hit_i16f16 *hit);
+raylet_status raylet_cylinder_infinite_i16f16(raylet_shape_i16f16 *shape, raylet_i16f16 radius);
 
 /**
- * As `raylet_nearest_i16f16`, in the tier Exact.
+ * The side of a cylinder about the y axis, from y = 0 up: an open surface.
  */
-raylet_status raylet_nearest_exact_i16f16(const raylet_shape_i16f16 *shape,
-                                          const raylet_ray_i16f16 *ray,
-                                          raylet_hit_i16f16 *hit);
+raylet_status raylet_cylinder_open_i16f16(raylet_shape_i16f16 *shape,
+                                          raylet_i16f16 radius,
+                                          raylet_i16f16 height);
 
 /**
- * The nearest hit by the first numbers of the tier Stable alone: 1 and the hit, 0, or `RAYLET_ERROR_UNDECIDED`. For
- * the least flash, and the least time of the slowest ray.
+ * A solid cylinder about the y axis, from y = 0 up.
  */
-raylet_status raylet_try_nearest_i16f16(const raylet_shape_i16f16 *shape,
-                                        const raylet_ray_i16f16 *ray,
-                                        raylet_hit_i16f16 *hit);
+raylet_status raylet_cylinder_capped_i16f16(raylet_shape_i16f16 *shape,
+                                            raylet_i16f16 radius,
+                                            raylet_i16f16 height);
 
 /**
- * As `raylet_try_nearest_i16f16`, in the tier Plain.
+ * A solid double cone without ends about the y axis, with its apex at the origin. `slope` is radius over height.
  */
-raylet_status raylet_try_nearest_plain_i16f16(const raylet_shape_i16f16 *shape,
-                                              const raylet_ray_i16f16 *ray,
-                                              raylet_hit_i16f16 *hit);
+raylet_status raylet_cone_double_i16f16(raylet_shape_i16f16 *shape,
+                                        raylet_i16f16 slope);
 
 /**
- * As `raylet_try_nearest_i16f16`, in the tier Fast.
+ * The upper half of a double cone.
  */
-raylet_status raylet_try_nearest_fast_i16f16(const raylet_shape_i16f16 *shape,
-                                             const raylet_ray_i16f16 *ray,
-                                             raylet_hit_i16f16 *hit);
+raylet_status raylet_cone_nappe_i16f16(raylet_shape_i16f16 *shape, raylet_i16f16 slope);
 
 /**
- * 1 if a ray hits the shape within its range, or 0.
+ * The side of a cone from its apex at the origin up: an open surface.
  */
-raylet_status raylet_occludes_i16f16(const raylet_shape_i16f16 *shape,
-                                     const raylet_ray_i16f16 *ray);
+raylet_status raylet_cone_open_i16f16(raylet_shape_i16f16 *shape,
+                                      raylet_i16f16 slope,
+                                      raylet_i16f16 height);
 
 /**
- * As `raylet_occludes_i16f16`, in the tier Plain.
+ * A solid cone from its apex at the origin up.
  */
-raylet_status raylet_occludes_plain_i16f16(const raylet_shape_i16f16 *shape,
-                                           const raylet_ray_i16f16 *ray);
+raylet_status raylet_cone_capped_i16f16(raylet_shape_i16f16 *shape,
+                                        raylet_i16f16 slope,
+                                        raylet_i16f16 height);
 
 /**
- * As `raylet_occludes_i16f16`, in the tier Fast.
+ * The side of a truncated cone from y = 0 up: an open surface.
  */
-raylet_status raylet_occludes_fast_i16f16(const raylet_shape_i16f16 *shape,
-                                          const raylet_ray_i16f16 *ray);
+raylet_status raylet_frustum_open_i16f16(raylet_shape_i16f16 *shape,
+                                         raylet_i16f16 base_radius,
+                                         raylet_i16f16 top_radius,
+                                         raylet_i16f16 height);
 
 /**
- * As `raylet_occludes_i16f16`, in the tier Exact.
+ * A solid truncated cone from y = 0 up.
  */
-raylet_status raylet_occludes_exact_i16f16(const raylet_shape_i16f16 *shape,
-                                           const raylet_ray_i16f16 *ray);
+raylet_status raylet_frustum_i16f16(raylet_shape_i16f16 *shape,
+                                    raylet_i16f16 base_radius,
+                                    raylet_i16f16 top_radius,
+                                    raylet_i16f16 height);
 
 /**
- * 1 if a point is in the closed solid, or 0; 0 of an open surface.
+ * A cylinder from y = 0 to `height` with half balls at its ends, which `height` excludes.
  */
-raylet_status raylet_contains_i16f16(const raylet_shape_i16f16 *shape, raylet_vec3_i16f16 point);
+raylet_status raylet_capsule_i16f16(raylet_shape_i16f16 *shape,
+                                    raylet_i16f16 radius,
+                                    raylet_i16f16 height);
 
 /**
- * As `raylet_contains_i16f16`, in the tier Plain.
+ * The hull of two balls: about the origin, and about (0, height, 0).
  */
-raylet_status raylet_contains_plain_i16f16(const raylet_shape_i16f16 *shape,
-                                           raylet_vec3_i16f16 point);
+raylet_status raylet_round_cone_i16f16(raylet_shape_i16f16 *shape,
+                                       raylet_i16f16 base_radius,
+                                       raylet_i16f16 top_radius,
+                                       raylet_i16f16 height);
 
 /**
- * As `raylet_contains_i16f16`, in the tier Fast.
+ * A box about the origin, by half of its extents.
  */
-raylet_status raylet_contains_fast_i16f16(const raylet_shape_i16f16 *shape,
-                                          raylet_vec3_i16f16 point);
+raylet_status raylet_cuboid_i16f16(raylet_shape_i16f16 *shape,
+                                   raylet_i16f16 half_x,
+                                   raylet_i16f16 half_y,
+                                   raylet_i16f16 half_z);
 
 /**
- * As `raylet_contains_i16f16`, in the tier Exact.
+ * All points no farther than `radius` from a box about the origin, which is given by half of its extents.
  */
-raylet_status raylet_contains_exact_i16f16(const raylet_shape_i16f16 *shape,
-                                           raylet_vec3_i16f16 point);
+raylet_status raylet_rounded_cuboid_i16f16(raylet_shape_i16f16 *shape,
+                                           raylet_i16f16 half_x,
+                                           raylet_i16f16 half_y,
+                                           raylet_i16f16 half_z,
+                                           raylet_i16f16 radius);
 
 /**
- * All visible hits within the range of a ray, sorted by `t`: their number, up to `RAYLET_MOST_HITS`.
+ * A solid tube about the y axis, from y = 0 up.
  */
-raylet_status raylet_all_hits_i16f16(const raylet_shape_i16f16 *shape,
-                                     const raylet_ray_i16f16 *ray,
-                                     raylet_hits_i16f16 *hits);
+raylet_status raylet_tube_i16f16(raylet_shape_i16f16 *shape,
+                                 raylet_i16f16 inner_radius,
+                                 raylet_i16f16 outer_radius,
+                                 raylet_i16f16 height);
 
 /**
- * As `raylet_all_hits_i16f16`, in the tier Plain.
+ * A torus about the y axis, in the plane y = 0.
  */
-raylet_status raylet_all_hits_plain_i16f16(const raylet_shape_i16f16 *shape,
-                                           const raylet_ray_i16f16 *ray,
-                                           raylet_hits_i16f16 *hits);
+raylet_status raylet_torus_i16f16(raylet_shape_i16f16 *shape,
+                                  raylet_i16f16 major_radius,
+                                  raylet_i16f16 minor_radius);
 
 /**
- * As `raylet_all_hits_i16f16`, in the tier Fast.
+ * A disc about the origin in the plane y = 0.
  */
-raylet_status raylet_all_hits_fast_i16f16(const raylet_shape_i16f16 *shape,
-                                          const raylet_ray_i16f16 *ray,
-                                          raylet_hits_i16f16 *hits);
+raylet_status raylet_disc_i16f16(raylet_shape_i16f16 *shape, raylet_i16f16 radius);
 
 /**
- * As `raylet_all_hits_i16f16`, in the tier Exact.
+ * A disc with a round hole.
  */
-raylet_status raylet_all_hits_exact_i16f16(const raylet_shape_i16f16 *shape,
-                                           const raylet_ray_i16f16 *ray,
-                                           raylet_hits_i16f16 *hits);
+raylet_status raylet_annulus_i16f16(raylet_shape_i16f16 *shape,
+                                    raylet_i16f16 inner_radius,
+                                    raylet_i16f16 outer_radius);
 
 /**
- * The surface of a shape at a hit of a ray with it.
+ * A rectangle about the origin in the plane y = 0, by half of its extents.
  */
-raylet_status raylet_surface_at_i16f16(raylet_surface_i16f16 *surface,
-                                       const raylet_shape_i16f16 *shape,
-                                       const raylet_ray_i16f16 *ray,
-                                       const raylet_hit_i16f16 *hit);
+raylet_status raylet_rectangle_i16f16(raylet_shape_i16f16 *shape,
+                                      raylet_i16f16 half_x,
+                                      raylet_i16f16 half_z);
 
 /**
- * The point of the hit.
+ * A triangle, anticlockwise as seen from its front.
  */
-raylet_status raylet_surface_point_i16f16(const raylet_surface_i16f16 *surface,
-                                          raylet_vec3_i16f16 *point);
+raylet_status raylet_triangle_i16f16(raylet_shape_i16f16 *shape,
+                                     raylet_vec3_i16f16 a,
+                                     raylet_vec3_i16f16 b,
+                                     raylet_vec3_i16f16 c);
 
 /**
- * The outward normal, of length 1, in the unit of directions.
+ * The quadric of revolution x^2 + z^2 = a y^2 + 2 b y + radius^2, between two heights; `is_open` leaves out its caps.
  */
-raylet_status raylet_surface_normal_i16f16(const raylet_surface_i16f16 *surface,
-                                           raylet_vec3_i16f16 *normal);
+raylet_status raylet_revolved_i16f16(raylet_shape_i16f16 *shape,
+                                     raylet_i16f16 a,
+                                     raylet_i16f16 b,
+                                     raylet_i16f16 radius,
+                                     raylet_i16f16 low,
+                                     raylet_i16f16 high,
+                                     bool is_open);
 
 /**
- * The normal on the side that the ray comes from.
+ * A bowl from its vertex at the origin up, full.
  */
-raylet_status raylet_surface_normal_towards_ray_i16f16(const raylet_surface_i16f16 *surface,
-                                                       raylet_vec3_i16f16 *normal);
+raylet_status raylet_paraboloid_i16f16(raylet_shape_i16f16 *shape,
+                                       raylet_i16f16 focal_length,
+                                       raylet_i16f16 height);
 
 /**
- * The cosine of the angle between the ray and the normal, as a number: positive where the ray meets the outside.
+ * An ellipsoid of revolution about the origin, between two heights.
  */
-raylet_status raylet_surface_cosine_i16f16(const raylet_surface_i16f16 *surface,
-                                           raylet_i16f16 *cosine);
+raylet_status raylet_spheroid_i16f16(raylet_shape_i16f16 *shape,
+                                     raylet_i16f16 radius,
+                                     raylet_i16f16 half_height,
+                                     raylet_i16f16 low,
+                                     raylet_i16f16 high);
 
 /**
- * Surface coordinates, each from 0 to 1, in the unit of directions.
+ * A ball about the origin between two heights.
  */
-raylet_status raylet_surface_uv_i16f16(const raylet_surface_i16f16 *surface,
-                                       raylet_i16f16 (*uv)[2]);
+raylet_status raylet_ball_zone_i16f16(raylet_shape_i16f16 *shape,
+                                      raylet_i16f16 radius,
+                                      raylet_i16f16 low,
+                                      raylet_i16f16 high);
 
 /**
- * Where the hit lies in the bounding box of the solid along its axes, each from 0 to 1, in the unit of directions.
+ * A hyperboloid of one sheet with its waist at the origin, between two heights.
  */
-raylet_status raylet_surface_uvw_i16f16(const raylet_surface_i16f16 *surface,
-                                        raylet_i16f16 (*uvw)[3]);
+raylet_status raylet_hyperboloid_i16f16(raylet_shape_i16f16 *shape,
+                                        raylet_i16f16 waist,
+                                        raylet_i16f16 slope,
+                                        raylet_i16f16 low,
+                                        raylet_i16f16 high);
 
 /**
- * The directions in the world in which u and v grow, of length 1, in the unit of directions.
+ * A hyperboloid of one sheet by its radii at both ends, its smaller waist, which is at y = 0, and its height.
  */
-raylet_status raylet_surface_tangents_i16f16(const raylet_surface_i16f16 *surface,
-                                             raylet_vec3_i16f16 *along_u,
-                                             raylet_vec3_i16f16 *along_v);
+raylet_status raylet_tower_i16f16(raylet_shape_i16f16 *shape,
+                                  raylet_i16f16 base_radius,
+                                  raylet_i16f16 waist,
+                                  raylet_i16f16 top_radius,
+                                  raylet_i16f16 height);
 
 /**
- * Makes a hierarchy of a list of shapes in the given nodes: `RAYLET_NODES(count)` of them. List and nodes must stay
- * where they are, unchanged, as long as it is used. To move a shape, change the list and build it again.
+ * A prism over a convex polygon with 3 to 16 corners, from y = 0 up. `corners` are `count` pairs of x and z,
+ * counter-clockwise as seen from +y. They must stay where they are, unchanged, as long as the shape is used: they may
+ * lie in flash.
  */
-raylet_status raylet_shapes_build_i16f16(raylet_shapes_i16f16 *shapes,
-                                         const raylet_shape_i16f16 *list,
-                                         size_t count,
-                                         raylet_node_i16f16 *nodes,
-                                         size_t node_count);
+raylet_status raylet_prism_i16f16(raylet_shape_i16f16 *shape,
+                                  const raylet_i16f16 *corners,
+                                  size_t count,
+                                  raylet_i16f16 height);
 
 /**
- * The nearest hit of a ray with any of the shapes: 1, the index of its shape and the hit; or 0.
+ * The half-space on the side of a plane that `normal` points away from. `point` is on the plane; `normal` has any
+ * length.
  */
-raylet_status raylet_shapes_nearest_i16f16(const raylet_shapes_i16f16 *shapes,
-                                           const raylet_ray_i16f16 *ray,
-                                           uint32_t *shape,
-                                           raylet_hit_i16f16 *hit);
+raylet_status raylet_half_space_through_i16f16(raylet_half_space_i16f16 *half_space,
+                                               raylet_vec3_i16f16 point,
+                                               raylet_vec3_i16f16 normal);
 
 /**
- * As `raylet_shapes_nearest_i16f16`, in the tier Plain.
+ * What 1 to 16 half-spaces have in common, which must be bounded. They must stay where they are, unchanged, as long
+ * as the shape is used.
  */
-raylet_status raylet_shapes_nearest_plain_i16f16(const raylet_shapes_i16f16 *shapes,
-                                                 const raylet_ray_i16f16 *ray,
-                                                 uint32_t *shape,
-                                                 raylet_hit_i16f16 *hit);
+raylet_status raylet_polyhedron_i16f16(raylet_shape_i16f16 *shape,
+                                       const raylet_half_space_i16f16 *faces,
+                                       size_t count);
 
 /**
- * As `raylet_shapes_nearest_i16f16`, in the tier Fast.
+ * What a box, from its lowest to its highest corner, has in common with up to 16 half-spaces, which must stay where
+ * they are, unchanged, as long as the shape is used.
  */
-raylet_status raylet_shapes_nearest_fast_i16f16(const raylet_shapes_i16f16 *shapes,
-                                                const raylet_ray_i16f16 *ray,
-                                                uint32_t *shape,
-                                                raylet_hit_i16f16 *hit);
+raylet_status raylet_polyhedron_within_i16f16(raylet_shape_i16f16 *shape,
+                                              raylet_vec3_i16f16 low,
+                                              raylet_vec3_i16f16 high,
+                                              const raylet_half_space_i16f16 *faces,
+                                              size_t count);
 
 /**
- * As `raylet_shapes_nearest_i16f16`, in the tier Exact.
+ * An ellipsoid about the origin, which places it already: `raylet_ellipsoid_in_frame_i16f16` turns and moves it.
  */
-raylet_status raylet_shapes_nearest_exact_i16f16(const raylet_shapes_i16f16 *shapes,
-                                                 const raylet_ray_i16f16 *ray,
-                                                 uint32_t *shape,
-                                                 raylet_hit_i16f16 *hit);
+raylet_status raylet_ellipsoid_i16f16(raylet_shape_i16f16 *shape,
+                                      raylet_i16f16 radius_x,
+                                      raylet_i16f16 radius_y,
+                                      raylet_i16f16 radius_z);
 
 /**
- * 1 if a ray hits any of the shapes within its range, or 0.
+ * An ellipsoid about the origin of a frame, along its axes.
  */
-raylet_status raylet_shapes_occlude_i16f16(const raylet_shapes_i16f16 *shapes,
-                                           const raylet_ray_i16f16 *ray);
-
-/**
- * As `raylet_shapes_occlude_i16f16`, in the tier Plain.
- */
-raylet_status raylet_shapes_occlude_plain_i16f16(const raylet_shapes_i16f16 *shapes,
-                                                 const raylet_ray_i16f16 *ray);
-
-/**
- * As `raylet_shapes_occlude_i16f16`, in the tier Fast.
- */
-raylet_status raylet_shapes_occlude_fast_i16f16(const raylet_shapes_i16f16 *shapes,
-                                                const raylet_ray_i16f16 *ray);
-
-/**
- * As `raylet_shapes_occlude_i16f16`, in the tier Exact.
- */
-raylet_status raylet_shapes_occlude_exact_i16f16(const raylet_shapes_i16f16 *shapes,
-                                                 const raylet_ray_i16f16 *ray);
-
-/**
- * Calls `each` with every shape that a ray hits, in no order; the number of calls. The hits are there until it
- * returns.
- */
-raylet_status raylet_shapes_hits_i16f16(const raylet_shapes_i16f16 *shapes,
-                                        const raylet_ray_i16f16 *ray,
-                                        void (*each)(void *context,
-                                                     uint32_t shape,
-                                                     const raylet_hits_i16f16 *hits),
-                                        void *context);
-
-/**
- * As `raylet_shapes_hits_i16f16`, in the tier Plain.
- */
-raylet_status raylet_shapes_hits_plain_i16f16(const raylet_shapes_i16f16 *shapes,
-                                              const raylet_ray_i16f16 *ray,
-                                              void (*each)(void *context,
-                                                           uint32_t shape,
-                                                           const raylet_hits_i16f16 *hits),
-                                              void *context);
-
-/**
- * As `raylet_shapes_hits_i16f16`, in the tier Fast.
- */
-raylet_status raylet_shapes_hits_fast_i16f16(const raylet_shapes_i16f16 *shapes,
-                                             const raylet_ray_i16f16 *ray,
-                                             void (*each)(void *context,
-                                                          uint32_t shape,
-                                                          const raylet_hits_i16f16 *hits),
-                                             void *context);
-
-/**
- * As `raylet_shapes_hits_i16f16`, in the tier Exact.
- */
-raylet_status raylet_shapes_hits_exact_i16f16(const raylet_shapes_i16f16 *shapes,
-                                              const raylet_ray_i16f16 *ray,
-                                              void (*each)(void *context,
-                                                           uint32_t shape,
-                                                           const raylet_hits_i16f16 *hits),
-                                              void *context);
-
-/**
- * All crossings of a ray with up to `RAYLET_MOST_SOLIDS` solids, in order, and which solids it is inside of between
- * them: their number, up to `capacity` and `RAYLET_MOST_CROSSINGS`. Where solids touch, the order is that of one
- * solid after the other; see the documentation of `raylet::solids`.
- */
-raylet_status raylet_crossings_i16f16(const raylet_shape_i16f16 *list,
-                                      size_t count,
-                                      const raylet_ray_i16f16 *ray,
-                                      raylet_crossing_i16f16 *crossings,
-                                      size_t capacity);
-
-/**
- * As `raylet_crossings_i16f16`, in the tier Plain.
- */
-raylet_status raylet_crossings_plain_i16f16(const raylet_shape_i16f16 *list,
-                                            size_t count,
-                                            const raylet_ray_i16f16 *ray,
-                                            raylet_crossing_i16f16 *crossings,
-                                            size_t capacity);
-
-/**
- * As `raylet_crossings_i16f16`, in the tier Fast.
- */
-raylet_status raylet_crossings_fast_i16f16(const raylet_shape_i16f16 *list,
-                                           size_t count,
-                                           const raylet_ray_i16f16 *ray,
-                                           raylet_crossing_i16f16 *crossings,
-                                           size_t capacity);
-
-/**
- * As `raylet_crossings_i16f16`, in the tier Exact.
- */
-raylet_status raylet_crossings_exact_i16f16(const raylet_shape_i16f16 *list,
-                                            size_t count,
-                                            const raylet_ray_i16f16 *ray,
-                                            raylet_crossing_i16f16 *crossings,
-                                            size_t capacity);
+raylet_status raylet_ellipsoid_in_frame_i16f16(raylet_shape_i16f16 *shape,
+                                               raylet_i16f16 radius_x,
+                                               raylet_i16f16 radius_y,
+                                               raylet_i16f16 radius_z,
+                                               const raylet_frame_i16f16 *frame);
 
 uint32_t raylet_measured_f32(const raylet_shape_f32 *shape,
                              const raylet_ray_f32 *ray,

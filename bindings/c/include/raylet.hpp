@@ -301,7 +301,9 @@ template <class Number> class Shape {
     static Made cone_nappe(Number slope) { return make(C::cone_nappe, slope); }
     static Made cone_open(Number slope, Number height) { return make(C::cone_open, slope, height); }
     static Made cone(Number slope, Number height) { return make(C::cone_capped, slope, height); }
-    static Made frustum_open(Number base, Number top, Number height) { return make(C::frustum_open, base, top, height); }
+    static Made frustum_open(Number base, Number top, Number height) {
+        return make(C::frustum_open, base, top, height);
+    }
     static Made frustum(Number base, Number top, Number height) { return make(C::frustum, base, top, height); }
     static Made capsule(Number radius, Number height) { return make(C::capsule, radius, height); }
     static Made round_cone(Number base, Number top, Number height) { return make(C::round_cone, base, top, height); }

@@ -10,17 +10,20 @@
 //! | `in_f32` | their names in `f32`, with the documentation that the header has |
 //! | `in_i16f16` | the same in `I16F16`: written by `bindings/c/generate` from `in_f32` |
 #![cfg_attr(target_os = "none", no_std)]
-#![deny(missing_docs)]
-// Names are those of C.
-#![allow(non_camel_case_types)]
+#![deny(missing_docs, unsafe_code)]
+#![expect(non_camel_case_types, reason = "names are those of C")]
 
 mod ask;
+#[expect(unsafe_code, reason = "exported names")]
 mod in_f32;
+#[expect(unsafe_code, reason = "exported names")]
 mod in_i16f16;
 mod make;
 #[cfg(feature = "measure")]
+#[expect(unsafe_code, reason = "exported names")]
 mod measure;
 mod number;
+#[expect(unsafe_code, reason = "an exported name")]
 mod status;
 mod storage;
 mod value;

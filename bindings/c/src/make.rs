@@ -2,7 +2,7 @@
 
 use crate::number::{Number, Of};
 use crate::status::{Failed, Outcome, raylet_error};
-use crate::storage::{Chosen, get, null, put, raylet_frame, raylet_ray, raylet_shape, write};
+use crate::storage::{Chosen, get, maybe, null, put, raylet_frame, raylet_ray, raylet_shape, write};
 use crate::value::raylet_vec3;
 use core::mem::MaybeUninit;
 use raylet::{
@@ -49,13 +49,6 @@ fn changed<N: Number>(
     let shape = shape.ok_or_else(null)?;
     let old = *get(Some(&*shape))?;
     put(Some(maybe(shape)), || change(old))
-}
-
-/// Storage that is initialised, as storage that may not be.
-#[allow(unsafe_code)]
-fn maybe<T>(storage: &mut T) -> &mut MaybeUninit<T> {
-    // SAFETY: both have one layout, and whoever writes through it writes a value.
-    unsafe { &mut *core::ptr::from_mut(storage).cast() }
 }
 
 pub fn in_frame<N: Number>(shape: Option<&mut raylet_shape<N>>, frame: Option<&raylet_frame<N>>) -> Outcome {

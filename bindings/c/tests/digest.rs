@@ -1,11 +1,13 @@
 //! The digests that the tests in C print, by the library itself: the same rays at the same solids.
 
 use fixed::types::I16F16;
+use raylet::hierarchy::{Hierarchy, Node};
 use raylet::scalar::UnitScalar;
+use raylet::solids::{Crossings, SolidCrossing, SolidSet, Start};
 use raylet::{
     Affine, Annulus, Capsule, Cone, Cuboid, Cylinder, Disc, Ellipsoid, Exact, ExactScalar, Fast, Frame, HalfSpace,
-    Plain, Plane, Polyhedron, Prism, Ray, Rectangle, Revolved, RoundCone, RoundedCuboid, Scalar, Shape, Sphere, Stable,
-    Tier, Torus, Triangle, Tube, UnitVec3, Vec3,
+    Plain, Plane, Polyhedron, Prism, Ray, Rectangle, Revolved, RoundCone, RoundedCuboid, Scalar, Shape, Shapes, Sphere,
+    Stable, Tier, Torus, Triangle, Tube, UnitVec3, Vec3,
 };
 use std::fmt::Write as _;
 use std::path::Path;
@@ -92,12 +94,62 @@ fn of_hits<S: Bits, T: Tier<S>>(mut digest: u32, shape: &Shape<S>, ray: &Ray<S>)
     digest
 }
 
-fn digest<S: Bits>(rays: u32) -> Result<u32, raylet::Error>
+/// The queries of a tier about a shape and about all shapes, but for all hits of a shape.
+fn of_queries<S: Bits, T: Tier<S>>(
+    mut digest: u32,
+    shape: &Shape<S>,
+    all: &Shapes<'_, S>,
+    ray: &Ray<S>,
+    point: Vec3<S>,
+) -> u32 {
+    let mut words: Vec<u32> = vec![];
+    let hit = shape.nearest_at::<T>(ray);
+    words.push(hit.is_some().into());
+    words.extend(hit.map(|hit| hit.t.bits()));
+    words.extend([shape.occludes_at::<T>(ray), shape.contains_at::<T>(point)].map(u32::from));
+    let nearest = all.nearest_at::<T>(ray);
+    words.push(nearest.is_some().into());
+    words.extend(nearest.into_iter().flat_map(|(index, hit)| [index, hit.t.bits()]));
+    words.push(all.occludes_at::<T>(ray).into());
+    let mut count = 0;
+    all.hits_at::<T>(ray, |index, hits| {
+        count += 1;
+        words.extend([index, hits.len() as u32]);
+    });
+    words.push(count);
+    match Crossings::<S, 32>::with_start::<T>(all.list(), ray, &Start::new()) {
+        Ok(crossings) => {
+            words.push(crossings.len() as u32);
+            let bits = |set: SolidSet| set.iter().fold(0, |bits, solid| bits | 1 << solid);
+            for SolidCrossing { hit, solid, before, after } in &crossings {
+                words.extend([hit.t.bits(), solid, bits(before), bits(after)]);
+            }
+        }
+        Err(_) => words.push(0xffff),
+    }
+    for word in words {
+        digest = add(digest, word);
+    }
+    digest
+}
+
+fn of_first_numbers<S: Bits, T: Tier<S>>(digest: u32, shape: &Shape<S>, ray: &Ray<S>) -> u32 {
+    match shape.try_nearest_at::<T>(ray) {
+        Ok(None) => add(digest, 0),
+        Ok(Some(hit)) => add(add(digest, 1), hit.t.bits()),
+        Err(_) => add(digest, 0xffff),
+    }
+}
+
+/// Of all hits with their surfaces, and of all other queries.
+fn digests<S: Bits>(rays: u32) -> Result<[u32; 2], raylet::Error>
 where
     Exact: Tier<S>,
 {
     let shapes = shapes::<S>()?;
-    let (mut digest, mut state) = (2_166_136_261_u32, 1_u32);
+    let mut nodes = [Node::EMPTY; Hierarchy::<f32>::nodes_for(24)];
+    let all = Shapes::new(&shapes, &mut nodes)?;
+    let (mut digest, mut queries, mut state) = (2_166_136_261_u32, 2_166_136_261_u32, 1_u32);
     for i in 0..rays {
         let numbers: [f64; 12] = core::array::from_fn(|k| {
             state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
@@ -113,20 +165,32 @@ where
             2 => shape = shape.placed(Affine::stretched(frame, v(0.5, 1.0, 2.0))?),
             _ => {}
         }
+        let to = point(3);
+        queries = of_queries::<S, Plain>(queries, &shape, &all, &ray, to);
+        queries = of_queries::<S, Fast>(queries, &shape, &all, &ray, to);
+        queries = of_queries::<S, Stable>(queries, &shape, &all, &ray, to);
+        queries = of_queries::<S, Exact>(queries, &shape, &all, &ray, to);
+        queries = of_first_numbers::<S, Plain>(queries, &shape, &ray);
+        queries = of_first_numbers::<S, Fast>(queries, &shape, &ray);
+        queries = of_first_numbers::<S, Stable>(queries, &shape, &ray);
         digest = of_hits::<S, Plain>(digest, &shape, &ray);
         digest = of_hits::<S, Fast>(digest, &shape, &ray);
         digest = of_hits::<S, Stable>(digest, &shape, &ray);
         digest = of_hits::<S, Exact>(digest, &shape, &ray);
     }
-    Ok(digest)
+    Ok([digest, queries])
 }
 
 /// What the tests in C must print, on the host and on every chip. `RAYLET_WRITE_EXPECTED=1` renews it.
 #[test]
 fn the_digests_are_stored() {
     let mut text = String::new();
-    let digests = (digest::<f32>(480).expect("all are made"), digest::<I16F16>(480).expect("all are made"));
-    writeln!(text, "digest of f32: {}\ndigest of i16f16: {}", digests.0, digests.1).expect("a string has room");
+    for (name, [of_hits, of_queries]) in [("f32", digests::<f32>(480)), ("i16f16", digests::<I16F16>(480))]
+        .map(|(name, digests)| (name, digests.expect("all are made")))
+    {
+        writeln!(text, "digest of {name}: {of_hits}\ndigest of queries in {name}: {of_queries}")
+            .expect("there is room");
+    }
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/expected.txt");
     if std::env::var_os("RAYLET_WRITE_EXPECTED").is_some() {
         std::fs::write(&path, &text).expect("the file can be written");

@@ -50,6 +50,7 @@ static uint32_t bits_of_float(float number) {
 #define RAW(k) ((float)(k) / 65536.0f)
 #define VALUE(x) ((double)(x))
 #define BITS(x) bits_of_float(x)
+#define UNIT(x) ((float)(x))
 #include "cases.inc"
 #undef NUMBER
 #undef NUM
@@ -57,6 +58,7 @@ static uint32_t bits_of_float(float number) {
 #undef RAW
 #undef VALUE
 #undef BITS
+#undef UNIT
 #endif
 
 #ifndef WITHOUT_I16F16
@@ -66,6 +68,7 @@ static uint32_t bits_of_float(float number) {
 #define RAW(k) (k)
 #define VALUE(x) ((double)(x) / 65536.0)
 #define BITS(x) ((uint32_t)(x))
+#define UNIT(x) ((raylet_i16f16)((x)*1073741824.0))
 #include "cases.inc"
 #endif
 
@@ -120,20 +123,31 @@ static void costs(void) {
 #endif
 
 int main(void) {
+    uint32_t of_queries;
     start_machine();
 #ifndef WITHOUT_F32
     test_make_f32();
     test_smoke_f32();
     test_refusals_f32();
     test_many_f32();
-    report("digest of f32: ", test_digest_f32(RAYS));
+    of_queries = 2166136261u;
+    report("digest of f32: ", test_digest_f32(RAYS, &of_queries));
+#ifndef CHIP
+    test_rest_f32();
+    report("digest of queries in f32: ", of_queries);
+#endif
 #endif
 #ifndef WITHOUT_I16F16
     test_make_i16f16();
     test_smoke_i16f16();
     test_refusals_i16f16();
     test_many_i16f16();
-    report("digest of i16f16: ", test_digest_i16f16(RAYS));
+    of_queries = 2166136261u;
+    report("digest of i16f16: ", test_digest_i16f16(RAYS, &of_queries));
+#ifndef CHIP
+    test_rest_i16f16();
+    report("digest of queries in i16f16: ", of_queries);
+#endif
 #endif
 #ifdef CHIP
     costs();

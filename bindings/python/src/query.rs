@@ -51,6 +51,9 @@ struct Share<'a, N> {
     normal: &'a mut [N],
 }
 
+/// More than any machine has cores that gain by it.
+const MOST_THREADS: usize = 256;
+
 /// The nearest hits of rays from points along vectors of any length, three numbers each. Fails with the number of the
 /// first ray of a core's share that cannot be made.
 pub fn nearest<N: Number>(
@@ -69,7 +72,7 @@ pub fn nearest<N: Number>(
         crossing: vec![-1; count],
         normal: vec![N::default(); normals],
     };
-    let each = count.div_ceil(threads.max(1)).max(1);
+    let each = count.div_ceil(threads.clamp(1, MOST_THREADS)).max(1);
     let mut normal = found.normal.chunks_mut(3 * each);
     let shares = from.chunks(3 * each).zip(along.chunks(3 * each)).enumerate();
     let outputs = found.t.chunks_mut(each).zip(found.part.chunks_mut(each)).zip(found.crossing.chunks_mut(each));

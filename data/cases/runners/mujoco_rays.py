@@ -30,7 +30,8 @@ for line in sys.stdin:
         case "cylinder":
             kind, at, size = GEOM.mjGEOM_CYLINDER, middle, [solid["radius"], height / 2, 0]
         case "box":
-            kind, at, size, turn = GEOM.mjGEOM_BOX, base, [solid["half_x"], solid["half_y"], solid["half_z"]], numpy.eye(3)
+            kind, at, turn = GEOM.mjGEOM_BOX, base, numpy.eye(3)
+            size = [solid["half_x"], solid["half_y"], solid["half_z"]]
         case "plane" if numpy.dot(along, case["direction"]) <= 0:
             kind, at, size = GEOM.mjGEOM_PLANE, base, [0, 0, 1]
         case _:
@@ -39,5 +40,6 @@ for line in sys.stdin:
     # The largest first, so that squares do not overflow.
     direction /= numpy.abs(direction).max()
     direction /= numpy.linalg.norm(direction)
-    t = mujoco.mju_rayGeom(at, turn.flatten(), numpy.array(size, float), numpy.array(case["origin"], float), direction, kind, None)
+    origin = numpy.array(case["origin"], float)
+    t = mujoco.mju_rayGeom(at, turn.flatten(), numpy.array(size, float), origin, direction, kind, None)
     print(case["name"], "none" if t < 0 else repr(float(t)), sep="\t")

@@ -4,6 +4,7 @@ All cases are one scene without a picture: its function `trace` gives the point 
 Cases of solids that it does not have are left out.
 """
 import json, math, subprocess, sys, tempfile
+from fractions import Fraction
 from pathlib import Path
 
 vector = lambda v: "<" + ", ".join(f"{x:.17g}" for x in v) + ">"
@@ -15,7 +16,7 @@ def solid(case):
     height = math.hypot(*along) if isinstance(axis, dict) else solid.get("height", 0.0)
     top = axis["to"] if isinstance(axis, dict) else [b + height * a for b, a in zip(base, along)]
     r, m, kind = solid.get("radius"), solid.get("slope"), solid["kind"]
-    m = eval(m) if isinstance(m, str) else m
+    m = float(Fraction(m)) if isinstance(m, str) else m
     hollow = " open" if kind.startswith("open") else ""
     if kind == "sphere":
         return f"sphere {{ {vector(base)}, {r:.17g} }}"
@@ -24,7 +25,8 @@ def solid(case):
     if kind in ("cone", "open cone"):
         return f"cone {{ {vector(base)}, 0, {vector(top)}, {m * height:.17g}{hollow} }}"
     if kind in ("frustum", "open frustum"):
-        return f"cone {{ {vector(base)}, {solid['base_radius']:.17g}, {vector(top)}, {solid['top_radius']:.17g}{hollow} }}"
+        low, high = solid["base_radius"], solid["top_radius"]
+        return f"cone {{ {vector(base)}, {low:.17g}, {vector(top)}, {high:.17g}{hollow} }}"
     if kind == "plane":
         return f"plane {{ {vector(along)}, {sum(b * a for b, a in zip(base, along)):.17g} }}"
     if kind == "disc":
@@ -44,7 +46,8 @@ def traced(cases):
         scene.append(f"#declare S = {made} #declare N = <0, 0, 0>; #declare O = {vector(case['origin'])};\n"
                      f"#declare P = trace(S, O, {vector(case['direction'])}, N);\n"
                      '#if (vlength(N) = 0) #write(Out, "none\\n") #else'
-                     ' #write(Out, str(P.x - O.x, 0, 17), " ", str(P.y - O.y, 0, 17), " ", str(P.z - O.z, 0, 17), "\\n") #end')
+                     ' #write(Out, str(P.x - O.x, 0, 17), " ", str(P.y - O.y, 0, 17), " ",'
+                     ' str(P.z - O.z, 0, 17), "\\n") #end')
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "scene.pov").write_text("\n".join(scene + ["#fclose Out"]) + "\n")
         command = ["povray", "+Iscene.pov", "-D", "-F", "+W1", "+H1", "-V"]

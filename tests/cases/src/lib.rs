@@ -81,7 +81,8 @@ fn line(class: &str, case: &Case) -> String {
     let end = |end: Option<&str>| end.map_or("null".to_string(), |end| format!("\"{end}\""));
     let lies = case.lies.map_or("null".to_string(), |ends| list(ends.map(end)));
     format!(
-        "{{\"name\": \"{}\", \"class\": \"{class}\", \"why\": \"{}\", \"source\": \"tests/support/src/hard_case/{class}.rs\", \
+        "{{\"name\": \"{}\", \"class\": \"{class}\", \"why\": \"{}\", \
+         \"source\": \"tests/support/src/hard_case/{class}.rs\", \
          \"solid\": {}, \"base\": {}, \"axis\": {axis}, \"origin\": {}, \"direction\": {}, \"hits\": {}, \
          \"starts_inside\": {}, \"lies_in_it\": {lies}",
         case.name,

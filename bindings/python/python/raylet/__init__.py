@@ -99,7 +99,7 @@ def sphere(radius):
 
 
 def cylinder(radius, height=None, open=False):
-    """A cylinder about the y axis, from y = 0 up; without ends if there is no height, and without caps if it is open."""
+    """A cylinder about the y axis, from y = 0 up; without ends if it has no height, without caps if it is open."""
     if height is None:
         return _shape("infinite cylinder", radius)
     return _shape("open cylinder" if open else "cylinder", radius, height)

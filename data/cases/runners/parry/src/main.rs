@@ -62,7 +62,10 @@ macro_rules! runner {
                     }
                     "capsule" => cast(&Capsule::new(Vector::ZERO, Vector::Y * height()?, sized("radius")?), &pose),
                     "plane" => cast(&HalfSpace::new(Vector::Y), &pose),
-                    "box" => cast(&Cuboid::new(Vector::new(sized("half_x")?, sized("half_y")?, sized("half_z")?)), &pose),
+                    "box" => {
+                        let half = Vector::new(sized("half_x")?, sized("half_y")?, sized("half_z")?);
+                        cast(&Cuboid::new(half), &pose)
+                    }
                     "triangle" => {
                         let corner = |i: usize| three(&solid["vertices"][i]).map(vector);
                         cast(&Triangle::new(corner(0)?, corner(1)?, corner(2)?), &pose)
