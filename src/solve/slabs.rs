@@ -89,7 +89,8 @@ impl<N: Number> Clipped<N> {
             Ordering::Greater => ((low, -h), (high, h)),
             Ordering::Less => ((high, h), (low, -h)),
             Ordering::Equal => {
-                self.along = self.along.or(lies_between(line, rank, [o, h])?);
+                let along = lies_between(line, [low, high], [o, h])?;
+                self.along = self.along.or(along.map(|part| (rank, part)));
                 return Ok(());
             }
         };
@@ -172,10 +173,9 @@ impl<N: Number> Clipped<N> {
 /// A line parallel to a slab: the face whose plane it lies in; a miss if it lies outside.
 #[cold]
 #[inline(never)]
-fn lies_between<N: Number>(line: &LocalRay<N>, rank: usize, [o, h]: [N; 2]) -> Attempt<Option<(usize, Part)>> {
-    let [low, high] = FACES[rank];
-    let departed = FACES[rank].into_iter().find(|part| line.departs_from(*part));
-    let along = match departed {
+fn lies_between<N: Number>(line: &LocalRay<N>, [low, high]: [Part; 2], [o, h]: [N; 2]) -> Attempt<Option<Part>> {
+    let departed = [low, high].into_iter().find(|part| line.departs_from(*part));
+    Ok(match departed {
         None => match (known((o + h).sign())?, known((o - h).sign())?) {
             (Ordering::Less, _) | (_, Ordering::Greater) if !line.departs() => return Err(Stop::Miss),
             (Ordering::Equal, _) => Some(low),
@@ -183,8 +183,7 @@ fn lies_between<N: Number>(line: &LocalRay<N>, rank: usize, [o, h]: [N; 2]) -> A
             _ => None,
         },
         own => own,
-    };
-    Ok(along.map(|part| (rank, part)))
+    })
 }
 
 /// `new` if it compares with `own` as `counts` says, otherwise `own`.
