@@ -1,18 +1,32 @@
 // The C++ interface, in both number types: what is made, what is refused, what is found.
 
 #include "raylet.hpp"
-#include <cstdio>
-#include <cstring>
+
+extern "C" {
+#include "machine.h"
+}
 
 static int failures;
 
-#define CHECK(condition)                                            \
-    do {                                                            \
-        if (!(condition)) {                                         \
-            failures++;                                             \
-            std::printf("line %d: %s\n", __LINE__, #condition);     \
-        }                                                           \
-    } while (0)
+static void check(bool holds, const char *what, unsigned line) {
+    if (!holds) {
+        failures++;
+        print_text("line ");
+        print_number(line);
+        print_text(": ");
+        print_text(what);
+        print_text("\n");
+    }
+}
+
+#define CHECK(condition) check(static_cast<bool>(condition), #condition, __LINE__)
+
+static bool same(const char *a, const char *b) {
+    while (*a && *a == *b) {
+        a++, b++;
+    }
+    return *a == *b;
+}
 
 template <class Number> Number n(double value) {
     if constexpr (std::is_same_v<Number, float>) {
@@ -26,7 +40,7 @@ template <class Number> raylet::Vec3<Number> v(double x, double y, double z) {
     return {n<Number>(x), n<Number>(y), n<Number>(z)};
 }
 
-template <class Number> void check() {
+template <class Number> void test() {
     using Shape = raylet::Shape<Number>;
     using Frame = raylet::Frame<Number>;
     using Ray = raylet::Ray<Number>;
@@ -52,7 +66,7 @@ template <class Number> void check() {
     CHECK(placed->seen_from(RAYLET_INSIDE)->nearest(*ray)->crossing == RAYLET_EXIT);
 
     const auto refused = Shape::sphere(n<Number>(-1));
-    CHECK(!refused && std::strcmp(refused.error().text(), "the radius is negative") == 0);
+    CHECK(!refused && same(refused.error().text(), "the radius is negative"));
 
     raylet::Shapes<Number, 2> shapes;
     CHECK(!shapes.nearest(*ray));
@@ -68,8 +82,11 @@ template <class Number> void check() {
 }
 
 int main() {
-    check<float>();
-    check<raylet::I16F16>();
-    std::printf("%d failures in C++\n", failures);
+    start_machine();
+    test<float>();
+    test<raylet::I16F16>();
+    print_number(static_cast<std::uint32_t>(failures));
+    print_text(" failures in C++\n");
+    stop_machine(failures != 0);
     return failures != 0;
 }

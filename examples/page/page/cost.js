@@ -27,19 +27,19 @@ function raysAbout(state) {
 async function judge(state, number, isWanted) {
     const rays = raysAbout(state), exact = [];
     // Each time anew: between two of them the page may have used the number type for something else.
-    const begun = () => {
+    const newWorld = () => {
         const world = library.world(number, [solidOf(state)]);
         rays.forEach(([origin, direction]) => world.aim(origin, direction));
         return world;
     };
-    const world = begun(), solid = world.solid(0), stored = rays.map((_, i) => world.ray(i));
+    const world = newWorld(), solid = world.solid(0), stored = rays.map((_, i) => world.ray(i));
     for (const [i, ray] of stored.entries()) {
         exact.push(exactCrossings(solid, ray));
         if (i % 50 === 0) await pause();
         if (!isWanted()) return [];
     }
     return tiersOf(number).map((tier) => {
-        const world = begun(), errors = [];
+        const world = newWorld(), errors = [];
         let wrong = 0;
         exact.forEach((crossings, i) => {
             const hits = world.hits(tier, 0, i);
@@ -48,11 +48,13 @@ async function judge(state, number, isWanted) {
         });
         errors.sort((a, b) => a - b);
         const error = errors.length ? errors[Math.floor(0.99 * (errors.length - 1))] : NaN;
-        return { number, tier, error, wrong, nanoseconds: Infinity, time: () => begun().cost(tier) };
+        return { number, tier, error, wrong, nanoseconds: Infinity, time: () => newWorld().cost(tier) };
     });
 }
 
-/** Times all answers in turn, for some seconds and until none becomes faster: a browser compiles what runs often anew. */
+/**
+ * Times all answers in turn, for some seconds and until none becomes faster: a browser compiles what runs often anew.
+ */
 async function time(answers, isWanted, tell) {
     const start = performance.now();
     for (let round = 0, calm = 0; performance.now() - start < 3000 || (calm < 5 && round < 200); round++, calm++) {
@@ -92,9 +94,11 @@ function label(text, [x, y], taken) {
 }
 
 function plot(answers) {
-    const shown = answers.filter(({ error }) => error > 0), marks = [];
+    const isKnown = ({ error, nanoseconds }) => error > 0 && Number.isFinite(nanoseconds);
+    const shown = answers.filter(isKnown), marks = [];
     if (shown.length) {
-        const across = scaled(shown.map(({ nanoseconds }) => nanoseconds)), up = scaled(shown.map(({ error }) => error));
+        const across = scaled(shown.map(({ nanoseconds }) => nanoseconds));
+        const up = scaled(shown.map(({ error }) => error));
         const [x, y] = [(value) => 12 + 80 * across.of(value), (value) => 50 - 46 * up.of(value)];
         for (let power = across.low; power <= across.high; power++) {
             const at = x(10 ** power);
@@ -110,8 +114,9 @@ function plot(answers) {
         for (const { number, tier, error, nanoseconds, wrong } of shown) {
             const at = [x(nanoseconds), y(error)];
             const title = `${number} ${tier}: error ${brief(error)}, ${nanoseconds.toFixed(0)} ns, ${wrong} rays wrong`;
-            marks.push(element("g", { class: number }, element("title", {}, title),
-                element("path", { d: SYMBOLS[number], transform: `translate(${at})` }), label(`${number} ${tier}`, at, taken)));
+            const symbol = element("path", { d: SYMBOLS[number], transform: `translate(${at})` });
+            const name = label(`${number} ${tier}`, at, taken);
+            marks.push(element("g", { class: number }, element("title", {}, title), symbol, name));
         }
     }
     find("plot").replaceChildren(...marks);
@@ -119,9 +124,14 @@ function plot(answers) {
 
 let measurement = 0;
 
+/** What is measured or shown is of an earlier state. */
+function forgetCost() {
+    measurement++;
+    find("costs").setAttribute("aria-busy", "true");
+}
+
 async function showCost(state) {
     const own = ++measurement, isWanted = () => own === measurement, answers = [], refused = [];
-    find("costs").setAttribute("aria-busy", "true");
     for (const number of NUMBERS) {
         find("measured").textContent = `Measuring ${number} …`;
         try {
@@ -139,7 +149,8 @@ async function showCost(state) {
         }));
         plot(answers);
     };
-    await time(answers, isWanted, tell);
+    if (answers.length) await time(answers, isWanted, tell);
+    else tell();
     if (!isWanted()) return;
     find("measured").textContent = [`${RAYS} rays about this one.`, ...refused].join(" ");
     find("costs").removeAttribute("aria-busy");

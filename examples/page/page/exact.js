@@ -37,8 +37,8 @@ function signAt([A, B, C], { a, b, D, q }) {
     return signOfSurd(A * (a * a + b * b * D) + B * a * q + C * q * q, 2n * A * a * b + B * b * q, D);
 }
 
-/** Its sign at the dyadic number x / 2^PLACES. */
-const signNear = ([A, B, C], x) => signOf(((A * x + (B << PLACES)) * x) + (C << (2n * PLACES)));
+/** Its sign at the dyadic number x / 2^places. */
+const signNear = ([A, B, C], x, places) => signOf((A * x + (B << places)) * x + (C << (2n * places)));
 
 function roots([A, B, C]) {
     if (A === 0n) {
@@ -51,7 +51,10 @@ function roots([A, B, C]) {
     return (D ? [-1n, 1n] : [0n]).map((b) => ({ a: -B, b, D, q: 2n * A }));
 }
 
-/** Roots are told apart by so many binary places; nearer ones, in all but contrived cases equal, are taken as one. */
+/**
+ * Roots have so many binary places, and more where u is smaller than t. Those nearer than 2^-400, in all but contrived
+ * cases equal, are taken as one.
+ */
 const PLACES = 512n, APART = 1n << 112n;
 
 function squareRoot(x) {
@@ -64,8 +67,8 @@ function squareRoot(x) {
     }
 }
 
-/** The root times 2^PLACES. */
-const near = ({ a, b, D, q }) => ((a << PLACES) + b * squareRoot(D << (2n * PLACES))) / q;
+/** The root times 2^places. */
+const near = ({ a, b, D, q }, places) => ((a << places) + b * squareRoot(D << (2n * places))) / q;
 
 /** The pieces of a solid along the line o + u d; of an open surface the first polynomial is its side. */
 function pieces(solid, [a, b, c], slope, o, d) {
@@ -102,7 +105,8 @@ function exactCrossings({ name, sizes, position, axes }, { origin, direction }) 
     const scaled = size.map((x) => x << BigInt(-rows.exponent));
     const union = pieces(name, scaled, [slope.values[0], 1n << BigInt(-2 * slope.exponent)], o, d);
 
-    const exponent = lengths.exponent - along.exponent - Number(PLACES);
+    const scale = lengths.exponent - along.exponent, places = PLACES + BigInt(Math.max(0, scale));
+    const exponent = scale - Number(places);
     const found = [], add = (root, x, crossing) => {
         if (signAt([0n, 1n, 0n], root) >= 0) found.push({ crossing, x, exponent });
     };
@@ -110,18 +114,18 @@ function exactCrossings({ name, sizes, position, axes }, { origin, direction }) 
         const [side, ...slab] = union[0];
         for (const root of roots(side)) {
             if (slab.some((plane) => signAt(plane, root) > 0)) continue;
-            add(root, near(root), root.b < 0n ? 0 : root.b > 0n ? 1 : 2);
+            add(root, near(root, places), root.b < 0n ? 0 : root.b > 0n ? 1 : 2);
         }
         return found;
     }
-    const places = union.flat().flatMap(roots).map((root) => ({ root, x: near(root) }));
-    places.sort((one, other) => signOf(one.x - other.x));
-    const isApart = ({ x }, i) => i === 0 || x - places[i - 1].x > APART, apart = places.filter(isApart);
+    const all = union.flat().flatMap(roots).map((root) => ({ root, x: near(root, places) }));
+    all.sort((one, other) => signOf(one.x - other.x));
+    const isApart = ({ x }, i) => i === 0 || x - all[i - 1].x > APART, apart = all.filter(isApart);
     const isInside = (sign) => union.some((piece) => piece.every((polynomial) => sign(polynomial) <= 0));
-    const inside = (x) => isInside((polynomial) => signNear(polynomial, x));
-    let before = apart.length > 0 && inside(apart[0].x - (1n << PLACES));
+    const inside = (x) => isInside((polynomial) => signNear(polynomial, x, places));
+    let before = apart.length > 0 && inside(apart[0].x - (1n << places));
     apart.forEach(({ root, x }, i) => {
-        const after = inside(i + 1 < apart.length ? (x + apart[i + 1].x) >> 1n : x + (1n << PLACES));
+        const after = inside(i + 1 < apart.length ? (x + apart[i + 1].x) >> 1n : x + (1n << places));
         if (before !== after) add(root, x, before ? 1 : 0);
         else if (!before && isInside((polynomial) => signAt(polynomial, root))) add(root, x, 2);
         before = after;

@@ -44,7 +44,7 @@ class Library {
         list().set(numbers);
         const count = this.exports[name](...rest);
         if (count >= 0) return list().slice(0, count);
-        const [place, length] = [this.exports.told(), this.exports.told_length()];
+        const [place, length] = [this.exports.reason(), this.exports.reason_length()];
         throw new Error(new TextDecoder().decode(new Uint8Array(this.exports.memory.buffer, place, length)));
     }
 

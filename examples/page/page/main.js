@@ -2,18 +2,26 @@
 
 let library, state;
 
-/** Milliseconds without a change after which errors and times are measured. */
-const CALM = 300;
+/** Milliseconds without a change after which the link is written, and errors and times are measured. */
+const DELAY = 300;
 let waiting;
+
+/** Safari refuses a page that writes its link with every move of a pointer. */
+function writeLink() {
+    const link = linkOf(state);
+    if (link !== (location.hash || "#")) history.replaceState(null, "", link);
+}
 
 /** Shows what changed at once, and what takes long a moment later. */
 function show() {
     fillControls();
     showSolid(state);
-    const link = linkOf(state);
-    if (link !== (location.hash || "#")) history.replaceState(null, "", link);
+    forgetCost();
     clearTimeout(waiting);
-    waiting = setTimeout(() => showCost(structuredClone(state)), CALM);
+    waiting = setTimeout(() => {
+        writeLink();
+        showCost(structuredClone(state));
+    }, DELAY);
 }
 
 /** The example that is none. */
@@ -48,19 +56,19 @@ function choices(id, names, chosen, edit) {
     const select = find(id);
     select.replaceChildren(...names.map((name) => element("option", {}, name)));
     select.value = chosen;
-    select.onchange = () => change((state) => edit(state, select.value));
+    select.onchange = () => edit(select.value);
 }
 
 function fillControls() {
-    choices("solid", Object.keys(SOLIDS), state.solid, (state, name) => {
+    choices("solid", Object.keys(SOLIDS), state.solid, (name) => change((state) => {
         state.solid = name;
         state.sizes = [...Object.values(SOLIDS[name]), 0, 0, 0].slice(0, 3);
-    });
-    choices("number", NUMBERS, state.number, (state, number) => {
+    }));
+    choices("number", NUMBERS, state.number, (number) => change((state) => {
         state.number = number;
         if (!tiersOf(number).includes(state.tier)) state.tier = "Stable";
-    });
-    choices("tier", tiersOf(state.number), state.tier, (state, tier) => (state.tier = tier));
+    }));
+    choices("tier", tiersOf(state.number), state.tier, (tier) => change((state) => (state.tier = tier)));
     // What is being typed into is not replaced.
     if (!find("sizes").contains(document.activeElement)) {
         find("sizes").replaceChildren(...Object.keys(SOLIDS[state.solid]).map((label, i) => {
@@ -90,12 +98,14 @@ function listen() {
     find("back").addEventListener("input", () => change((state) => (state.back = Number(find("back").value))));
     listenToHandles(change);
     for (const [id, names] of [["scene", Object.keys(SCENES)], ["type", NUMBERS]]) {
-        choices(id, names, state[id], (state, chosen) => {
+        choices(id, names, state[id], (chosen) => {
             state[id] = chosen;
+            writeLink();
             showScene(structuredClone(state));
         });
     }
     find("copy").addEventListener("click", async () => {
+        writeLink();
         try {
             await navigator.clipboard.writeText(location.href);
             find("copied").textContent = "Copied.";
@@ -105,6 +115,7 @@ function listen() {
     });
     addEventListener("hashchange", () => {
         state = stateOf(location.hash);
+        document.activeElement.blur();
         find("scene").value = state.scene;
         find("type").value = state.type;
         show();
@@ -120,6 +131,7 @@ async function start() {
         return;
     }
     state = stateOf(location.hash);
+    document.querySelector(".legend").style.background = `linear-gradient(90deg, ${COLORS.map((c) => `rgb(${c})`)})`;
     listen();
     show();
     showScene(structuredClone(state));

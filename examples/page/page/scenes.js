@@ -49,10 +49,13 @@ const SCENES = {
 /** For each pixel the nearest solid and its crossing; for the sky nothing. */
 async function exactPicture(world, isWanted, tell) {
     const [columns, rows] = SCENE_SIZE, exact = [], solids = world.solids.map((_, i) => world.solid(i));
-    const rays = Array.from({ length: columns * rows }, (_, i) => world.rayOfPixel(i % columns, Math.floor(i / columns)));
+    const rayOf = (i) => world.rayOfPixel(i % columns, Math.floor(i / columns));
+    const rays = Array.from({ length: columns * rows }, (_, i) => rayOf(i));
     for (const [i, ray] of rays.entries()) {
         if (i % columns === 0) {
-            tell(`Computing exactly: row ${i / columns + 1} of ${rows} …`);
+            const row = i / columns;
+            // Not each row: a screen reader says them.
+            if (row % 30 === 0) tell(`Computing exactly: ${Math.round((100 * row) / rows)} % …`);
             await pause();
             if (!isWanted()) return null;
         }
@@ -69,11 +72,14 @@ async function exactPicture(world, isWanted, tell) {
     return exact;
 }
 
-/** The color of an error of a distance: black below 1e-6, then blue, green, yellow and white at 1. */
+/** The colors of errors from 1e-6 to 1, evenly in their logarithm. */
+const COLORS = [[0, 0, 0], [0, 40, 220], [0, 160, 255], [120, 230, 160], [255, 230, 60], [255, 255, 255]];
+
+/** The color of an error of a distance. */
 function colorOf(error) {
-    const heat = Math.max(0, Math.min(1, (Math.log10(error) + 6) / 6));
-    const channel = (from, to) => Math.round(255 * Math.max(0, Math.min(1, (heat - from) / (to - from))));
-    return [channel(0.4, 0.7), channel(0.2, 0.6), heat < 0.6 ? channel(0, 0.2) : channel(0.7, 1), 255];
+    const place = Math.max(0, Math.min(1, (Math.log10(error) + 6) / 6)) * (COLORS.length - 1);
+    const first = Math.min(Math.floor(place), COLORS.length - 2), [a, b] = COLORS.slice(first, first + 2);
+    return [...a.map((channel, i) => Math.round(channel + (b[i] - channel) * (place - first))), 255];
 }
 
 /** Of another solid than the exact one. */
@@ -124,15 +130,15 @@ async function showScene(state) {
     find("tiles").setAttribute("aria-busy", "true");
     find("why").textContent = scene.why;
     // Each time anew: between two of them the page may have used the number type for something else.
-    const begun = () => {
+    const newWorld = () => {
         const world = library.world(state.type, scene.solids);
         world.look(scene.view, SCENE_SIZE);
         return world;
     };
     try {
-        const exact = await exactPicture(begun(), isWanted, tell);
+        const exact = await exactPicture(newWorld(), isWanted, tell);
         if (!exact) return;
-        for (const tier of tiersOf(state.type)) tiles.push(tile(tier, pictures(scene, begun(), tier, exact)));
+        for (const tier of tiersOf(state.type)) tiles.push(tile(tier, pictures(scene, newWorld(), tier, exact)));
         tell(`Rendered in ${state.type}.`);
     } catch (error) {
         tell(`${state.type}: ${error.message}`);

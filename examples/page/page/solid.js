@@ -5,7 +5,7 @@ const PICTURE = [240, 180], SHOWN = 5, AWAY = 40;
 
 /** The view's axes: to the right, upwards, towards the viewer. */
 function axesOfView({ turned, tilted }) {
-    const [a, b] = [turned, tilted].map((degrees) => (degrees * Math.PI) / 180);
+    const steep = Math.max(-85, Math.min(85, tilted)), [a, b] = [turned, steep].map((angle) => (angle * Math.PI) / 180);
     const towards = [Math.sin(a) * Math.cos(b), Math.sin(b), Math.cos(a) * Math.cos(b)];
     const right = unit(cross([0, 1, 0], towards));
     return { right, up: cross(towards, right), towards };
@@ -34,7 +34,8 @@ function draw(state) {
         const row = world.row(state.tier, y);
         for (let x = 0; x < columns; x++) {
             const [index, , cosine] = row.slice(3 * x, 3 * x + 3), shade = 0.25 + 0.75 * Math.abs(cosine);
-            image.data.set(index < 0 ? [0, 0, 0, 0] : [96 * shade, 160 * shade, 230 * shade, 255], 4 * (y * columns + x));
+            const color = index < 0 ? [0, 0, 0, 0] : [...times([96, 160, 230], shade), 255];
+            image.data.set(color, 4 * (y * columns + x));
         }
     }
     context.putImageData(image, 0, 0);
@@ -57,8 +58,13 @@ function drawRay(state, hits) {
         marks.push(element("circle", { cx, cy, r: 0.05, class: CROSSINGS[crossing] }, title));
     }
     find("marks").replaceChildren(...marks);
+    placeHandles(state);
+}
+
+function placeHandles(state) {
+    const { right, up } = axesOfView(state);
     for (const handle of document.querySelectorAll(".handle")) {
-        const [x, y] = place(state[handle.dataset.moves]);
+        const [x, y] = [inner(state[handle.dataset.moves], right), -inner(state[handle.dataset.moves], up)];
         handle.style.left = `${50 + (100 * x * 3) / (4 * SHOWN)}%`;
         handle.style.top = `${50 + (100 * y) / SHOWN}%`;
     }
@@ -100,7 +106,10 @@ function showSolid(state) {
         drawRay(state, hits);
         tabulate(state, hits, exact);
     } catch (error) {
-        drawRay(state, []);
+        const canvas = find("picture");
+        canvas.getContext("2d").clearRect(0, 0, canvas.width, canvas.height);
+        find("marks").replaceChildren();
+        placeHandles(state);
         find("hits").tBodies[0].replaceChildren();
         find("said").textContent = `${state.number}: ${error.message}`;
     }
@@ -114,21 +123,26 @@ function move(state, point, [dx, dy]) {
 
 /** Calls back with how far a pointer is dragged, in the units of the picture. */
 function dragged(target, moved) {
-    let last = null;
+    let last = null, pointer;
     target.addEventListener("pointerdown", (event) => {
-        last = [event.clientX, event.clientY];
+        if (last) return;
+        [last, pointer] = [[event.clientX, event.clientY], event.pointerId];
         target.setPointerCapture(event.pointerId);
         event.preventDefault();
         event.stopPropagation();
-        target.focus();
+        target.focus({ preventScroll: true });
     });
     target.addEventListener("pointermove", (event) => {
-        if (!last) return;
+        if (!last || event.pointerId !== pointer) return;
         const scale = SHOWN / find("stage").clientHeight, now = [event.clientX, event.clientY];
         moved([(now[0] - last[0]) * scale, (last[1] - now[1]) * scale]);
         last = now;
     });
-    for (const end of ["pointerup", "pointercancel"]) target.addEventListener(end, () => (last = null));
+    for (const end of ["pointerup", "pointercancel"]) {
+        target.addEventListener(end, (event) => {
+            if (event.pointerId === pointer) last = null;
+        });
+    }
 }
 
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
@@ -136,8 +150,9 @@ const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowD
 /** Makes handles move points, and the picture turn. */
 function listenToHandles(change) {
     const turn = (state, [dx, dy]) => {
-        state.turned = Math.round(state.turned - 40 * dx);
-        state.tilted = Math.round(Math.max(-85, Math.min(85, state.tilted - 40 * dy)));
+        const hundredths = (angle) => Math.round(100 * angle) / 100;
+        state.turned = hundredths(state.turned - 40 * dx);
+        state.tilted = hundredths(Math.max(-85, Math.min(85, state.tilted - 40 * dy)));
     };
     const moving = [...document.querySelectorAll(".handle")].map((handle) => [handle, (state, by) => {
         move(state, handle.dataset.moves, by);
@@ -146,7 +161,7 @@ function listenToHandles(change) {
         dragged(target, (by) => change((state) => act(state, by)));
         target.addEventListener("keydown", (event) => {
             const arrow = ARROWS[event.key];
-            if (!arrow || event.target !== target) return;
+            if (!arrow || event.target !== target || event.altKey || event.ctrlKey || event.metaKey) return;
             event.preventDefault();
             change((state) => act(state, times(arrow, event.shiftKey ? 0.01 : 0.1)));
         });

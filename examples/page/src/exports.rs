@@ -1,9 +1,9 @@
 //! The functions that JavaScript calls. Vectors go through one list of numbers: JavaScript writes arguments to its
 //! start, and reads answers from there. Functions that can fail give the number of numbers that they answer with, or
-//! -1; then [`told`] has the reason.
+//! -1; then [`reason`] has the reason.
 
 use crate::number::Number;
-use crate::world::Told;
+use crate::world::Answer;
 use core::cell::RefCell;
 use fixed::types::I16F16;
 use raylet::Size;
@@ -24,13 +24,13 @@ pub extern "C" fn numbers() -> usize {
 
 /// Where the text of the last failure is.
 #[unsafe(no_mangle)]
-pub extern "C" fn told() -> usize {
+pub extern "C" fn reason() -> usize {
     REASON.with_borrow(|reason| reason.as_ptr() as usize)
 }
 
 /// The length of that text.
 #[unsafe(no_mangle)]
-pub extern "C" fn told_length() -> usize {
+pub extern "C" fn reason_length() -> usize {
     REASON.with_borrow(String::len)
 }
 
@@ -39,7 +39,7 @@ fn vectors<const N: usize>() -> [[f64; 3]; N] {
     NUMBERS.with_borrow(|numbers| core::array::from_fn(|i| [3 * i, 3 * i + 1, 3 * i + 2].map(|j| numbers[j])))
 }
 
-fn answered(answer: Option<Told>) -> i32 {
+fn answered(answer: Option<Answer>) -> i32 {
     let Some(answer) = answer.filter(|answer| answer.len() <= MOST) else {
         REASON.replace("there is no such solid, ray or view".into());
         return -1;

@@ -31,14 +31,14 @@ impl<S: Scalar> Default for World<S> {
     }
 }
 
-/// Numbers of an answer.
-pub type Told = Vec<f64>;
+/// The numbers of an answer.
+pub type Answer = Vec<f64>;
 
-fn all<const N: usize>(parts: [[f64; 3]; N]) -> Told {
+fn all<const N: usize>(parts: [[f64; 3]; N]) -> Answer {
     parts.concat()
 }
 
-fn told<S: Scalar>(ray: &Ray<S>) -> Told {
+fn of_ray<S: Scalar>(ray: &Ray<S>) -> Answer {
     all([ray.origin().to_f64(), ray.direction().to_f64()])
 }
 
@@ -82,7 +82,7 @@ impl<S: Number> World<S> {
         Ok(())
     }
 
-    /// A view from a position to a target with +y up: by an angle in degrees, or of this height and without perspective.
+    /// A view from a position to a target with +y up: by an angle in degrees, or of a height and without perspective.
     ///
     /// # Errors
     ///
@@ -106,7 +106,7 @@ impl<S: Number> World<S> {
     }
 
     /// The sizes of a solid, its position and its three axes, as they are stored.
-    pub fn solid(&self, index: usize) -> Option<Told> {
+    pub fn solid(&self, index: usize) -> Option<Answer> {
         let Placed { sizes, frame, .. } = self.solids.get(index)?;
         let [x, y, z] = frame.axes().map(UnitVec3::to_f64);
         Some(all([sizes.map(S::to_f64), frame.position().to_f64(), x, y, z]))
@@ -118,18 +118,18 @@ impl<S: Number> World<S> {
     }
 
     /// The origin and the direction of a ray, as they are stored.
-    pub fn ray(&self, ray: usize) -> Option<Told> {
-        self.rays.get(ray).map(told)
+    pub fn ray(&self, ray: usize) -> Option<Answer> {
+        self.rays.get(ray).map(of_ray)
     }
 
     /// The same of the ray through a pixel.
-    pub fn ray_of_pixel(&self, pixel: [u16; 2]) -> Option<Told> {
+    pub fn ray_of_pixel(&self, pixel: [u16; 2]) -> Option<Answer> {
         let View { camera, size } = self.view.as_ref()?;
-        camera.raster(*size).ray(pixel, [0, 0]).as_ref().map(told)
+        camera.raster(*size).ray(pixel, [0, 0]).as_ref().map(of_ray)
     }
 
     /// All hits of a ray with a solid: of each `t`, part, crossing, point, normal.
-    pub fn hits(&self, tier: u32, solid: usize, ray: usize) -> Option<Told> {
+    pub fn hits(&self, tier: u32, solid: usize, ray: usize) -> Option<Answer> {
         let (Placed { shape, .. }, ray) = (self.solids.get(solid)?, self.rays.get(ray)?);
         let of_hit = |hit: &Hit<S>| {
             let surface = shape.surface(ray, hit);
@@ -142,13 +142,13 @@ impl<S: Number> World<S> {
     /// All rays at the first solid, so many times: how many hits there are.
     pub fn repeated(&self, tier: u32, times: u32) -> usize {
         let Some(Placed { shape, .. }) = self.solids.first() else { return 0 };
-        let of_ray = |ray| S::hits(black_box(shape), black_box(ray), tier).len();
-        (0..times).flat_map(|_| self.rays.iter().map(of_ray)).sum()
+        let hits_of = |ray| S::hits(black_box(shape), black_box(ray), tier).len();
+        (0..times).flat_map(|_| self.rays.iter().map(hits_of)).sum()
     }
 
     /// A row of the picture: for each pixel the nearest solid or -1, `t`, and the cosine between its normal and the
     /// ray.
-    pub fn row(&self, tier: u32, y: u16) -> Option<Told> {
+    pub fn row(&self, tier: u32, y: u16) -> Option<Answer> {
         let View { camera, size } = self.view.as_ref()?;
         let raster = camera.raster(*size);
         let nearest = |ray: &Ray<S>| {

@@ -21,7 +21,8 @@ DONE = "!document.querySelector('[aria-busy]')"
 def browser():
     """A browser without a window."""
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=os.environ.get("CHROMIUM", "/usr/bin/chromium"), args=["--no-sandbox"])
+        chromium = os.environ.get("CHROMIUM", "/usr/bin/chromium")
+        browser = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
         yield browser
         browser.close()
 
@@ -104,8 +105,8 @@ def test_keys_move_what_is_dragged(opened):
     after = page.evaluate("state.base")
     assert after[1] > before[1]
     page.get_by_role("group", name="Picture").focus()
-    page.keyboard.press("ArrowLeft")
-    page.wait_for_function("location.hash.includes('turned=')")
+    page.keyboard.press("Shift+ArrowLeft")
+    page.wait_for_function("location.hash.includes('turned=30.4')")
     page.get_by_role("slider", name="Start moved back").focus()
     page.keyboard.press("ArrowRight")
     page.wait_for_function("location.hash.includes('back=1')")
@@ -136,9 +137,12 @@ def test_every_example_answers(opened):
             assert "crossing" in said and int(said.split("exactly ")[1][:-1]) > 0, (name, number, said)
 
 
-@pytest.mark.parametrize("link", ["#solid=nothing&sizes=1,2&start=x,y,z&back=&tier=Best", "#%E0%A4%A", "#f64"])
+@pytest.mark.parametrize("link", ["#solid=nothing&sizes=1,2&start=x,y,z&back=&tier=Best", "#%E0%A4%A", "#f64", "#back=400",
+                                  "#back=2.5", "#sizes=1,,2"])
 def test_a_link_that_means_nothing_is_the_first_state(opened, link):
-    assert len(crossings(opened(link))) == 2
+    page = opened(link)
+    assert len(crossings(page)) == 2
+    assert page.evaluate("String(Object.values(state)) === String(Object.values(INITIAL))")
 
 
 def test_the_library_says_what_is_refused(opened):
@@ -147,6 +151,9 @@ def test_the_library_says_what_is_refused(opened):
     page.get_by_role("spinbutton", name="radius").press("Enter")
     page.wait_for_function("document.querySelector('#said').textContent.includes('radius')")
     assert "f32: the radius" in page.locator("#said").inner_text()
+    page.wait_for_function(DONE)
+    assert "f64: the radius" in page.locator("#measured").inner_text()
+    assert not page.get_by_role("table", name="Error and time").get_by_role("cell").all()
     page.get_by_role("spinbutton", name="radius").fill("0.5")
     page.get_by_role("spinbutton", name="radius").press("Enter")
     page.wait_for_function("document.querySelector('#said').textContent.includes('exactly 2')")
