@@ -51,9 +51,9 @@ function drawRay(state, hits) {
     const direction = unit(minus(state.target, state.start)), far = times(direction, 12);
     const from = state.back > 0 ? minus(state.start, far) : state.start;
     const marks = [line(from, plus(state.target, far), "ray")];
-    for (const { t, normal, crossing, part } of hits) {
-        const at = plus(originOf(state), times(direction, t)), [cx, cy] = place(at);
-        marks.push(line(at, plus(at, times(normal, 0.6)), "normal"));
+    for (const { point, normal, crossing, part } of hits) {
+        const [cx, cy] = place(point);
+        marks.push(line(point, plus(point, times(normal, 0.6)), "normal"));
         const title = element("title", {}, `${CROSSINGS[crossing]} at the ${PARTS[part]}`);
         marks.push(element("circle", { cx, cy, r: 0.05, class: CROSSINGS[crossing] }, title));
     }

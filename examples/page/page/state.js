@@ -44,7 +44,8 @@ function stateOf(link) {
             if (allowed[key].includes(text)) state[key] = text;
         } else if (Array.isArray(value)) {
             const parts = text.split(","), list = parts.map(Number);
-            if (list.length === 3 && parts.every((part) => part.trim()) && list.every(Number.isFinite)) state[key] = list;
+            const isList = list.length === 3 && parts.every((part) => part.trim()) && list.every(Number.isFinite);
+            if (isList) state[key] = list;
         } else if (key === "back") {
             if (/^[0-4]$/.test(text)) state[key] = Number(text);
         } else if (text.trim() && Number.isFinite(Number(text))) {

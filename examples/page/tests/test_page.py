@@ -137,8 +137,10 @@ def test_every_example_answers(opened):
             assert "crossing" in said and int(said.split("exactly ")[1][:-1]) > 0, (name, number, said)
 
 
-@pytest.mark.parametrize("link", ["#solid=nothing&sizes=1,2&start=x,y,z&back=&tier=Best", "#%E0%A4%A", "#f64", "#back=400",
-                                  "#back=2.5", "#sizes=1,,2"])
+@pytest.mark.parametrize("link", [
+    "#solid=nothing&sizes=1,2&start=x,y,z&back=&tier=Best", "#%E0%A4%A", "#f64", "#back=400", "#back=2.5",
+    "#sizes=1,,2",
+])
 def test_a_link_that_means_nothing_is_the_first_state(opened, link):
     page = opened(link)
     assert len(crossings(page)) == 2
