@@ -33,9 +33,9 @@ int main(void) {
     TRY(raylet_shapes_build_f32(&shapes, list, 2, nodes, RAYLET_NODES(2)));
 
     TRY(raylet_ray_along_f32(&ray, eye, ahead));
-    if (raylet_shapes_nearest_f32(&shapes, &ray, &which, &hit) > 0) {
+    if (raylet_shapes_nearest_f32(&which, &hit, &shapes, &ray) > 0) {
         TRY(raylet_surface_at_f32(&surface, &list[which], &ray, &hit));
-        TRY(raylet_surface_normal_f32(&surface, &normal));
+        TRY(raylet_surface_normal_f32(&normal, &surface));
         printf("shape %u, %.2f m away, its normal (%.2f, %.2f, %.2f)\n", (unsigned)which, (double)hit.t,
                (double)normal.x, (double)normal.y, (double)normal.z);
     } else {

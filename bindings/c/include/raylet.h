@@ -338,6 +338,24 @@ typedef enum {
 typedef int32_t raylet_status;
 
 /**
+ * A hit: where a ray meets a surface.
+ */
+typedef struct {
+  /**
+   * The distance along the ray.
+   */
+  float t;
+  /**
+   * A `raylet_part`.
+   */
+  uint8_t part;
+  /**
+   * A `raylet_crossing_kind`.
+   */
+  uint8_t crossing;
+} raylet_hit_f32;
+
+/**
  * A solid or an open surface, placed in the world. It is a value: it may be copied, and needs no release.
  */
 typedef struct {
@@ -356,24 +374,6 @@ typedef struct {
    */
   uint64_t opaque[5];
 } raylet_ray_f32;
-
-/**
- * A hit: where a ray meets a surface.
- */
-typedef struct {
-  /**
-   * The distance along the ray.
-   */
-  float t;
-  /**
-   * A `raylet_part`.
-   */
-  uint8_t part;
-  /**
-   * A `raylet_crossing_kind`.
-   */
-  uint8_t crossing;
-} raylet_hit_f32;
 
 /**
  * A point, a vector of any length, or, with components in the number type's unit, a direction.
@@ -493,26 +493,6 @@ typedef struct {
 } raylet_half_space_f32;
 
 /**
- * A solid or an open surface, placed in the world. It is a value: it may be copied, and needs no release.
- */
-typedef struct {
-  /**
-   * Not to be read or written.
-   */
-  uint64_t opaque[16];
-} raylet_shape_i16f16;
-
-/**
- * A ray: an origin, a direction, a range of `t`, and the surface that it departs from, if any.
- */
-typedef struct {
-  /**
-   * Not to be read or written.
-   */
-  uint64_t opaque[5];
-} raylet_ray_i16f16;
-
-/**
  * A fixed-point number: an integer in units of 2^-16 (`I16F16`). The unit of directions is 2^-30: components of
  * directions and normals, and surface coordinates, are in that. (In `float` both are 1.)
  */
@@ -535,6 +515,26 @@ typedef struct {
    */
   uint8_t crossing;
 } raylet_hit_i16f16;
+
+/**
+ * A solid or an open surface, placed in the world. It is a value: it may be copied, and needs no release.
+ */
+typedef struct {
+  /**
+   * Not to be read or written.
+   */
+  uint64_t opaque[16];
+} raylet_shape_i16f16;
+
+/**
+ * A ray: an origin, a direction, a range of `t`, and the surface that it departs from, if any.
+ */
+typedef struct {
+  /**
+   * Not to be read or written.
+   */
+  uint64_t opaque[5];
+} raylet_ray_i16f16;
 
 /**
  * A point, a vector of any length, or, with components in the number type's unit, a direction.
@@ -666,52 +666,52 @@ extern "C" {
  * The nearest visible hit within the range of a ray: 1 and the hit, or 0. In the tier Stable, as all queries whose
  * names name no tier.
  */
-raylet_status raylet_nearest_f32(const raylet_shape_f32 *shape,
-                                 const raylet_ray_f32 *ray,
-                                 raylet_hit_f32 *hit);
+raylet_status raylet_nearest_f32(raylet_hit_f32 *hit,
+                                 const raylet_shape_f32 *shape,
+                                 const raylet_ray_f32 *ray);
 
 /**
  * As `raylet_nearest_f32`, in the tier Plain.
  */
-raylet_status raylet_nearest_plain_f32(const raylet_shape_f32 *shape,
-                                       const raylet_ray_f32 *ray,
-                                       raylet_hit_f32 *hit);
+raylet_status raylet_nearest_plain_f32(raylet_hit_f32 *hit,
+                                       const raylet_shape_f32 *shape,
+                                       const raylet_ray_f32 *ray);
 
 /**
  * As `raylet_nearest_f32`, in the tier Fast.
  */
-raylet_status raylet_nearest_fast_f32(const raylet_shape_f32 *shape,
-                                      const raylet_ray_f32 *ray,
-                                      raylet_hit_f32 *hit);
+raylet_status raylet_nearest_fast_f32(raylet_hit_f32 *hit,
+                                      const raylet_shape_f32 *shape,
+                                      const raylet_ray_f32 *ray);
 
 /**
  * As `raylet_nearest_f32`, in the tier Exact.
  */
-raylet_status raylet_nearest_exact_f32(const raylet_shape_f32 *shape,
-                                       const raylet_ray_f32 *ray,
-                                       raylet_hit_f32 *hit);
+raylet_status raylet_nearest_exact_f32(raylet_hit_f32 *hit,
+                                       const raylet_shape_f32 *shape,
+                                       const raylet_ray_f32 *ray);
 
 /**
  * The nearest hit by the first numbers of the tier Stable alone: 1 and the hit, 0, or `RAYLET_ERROR_UNDECIDED`. For
  * the least flash, and the least time of the slowest ray.
  */
-raylet_status raylet_try_nearest_f32(const raylet_shape_f32 *shape,
-                                     const raylet_ray_f32 *ray,
-                                     raylet_hit_f32 *hit);
+raylet_status raylet_try_nearest_f32(raylet_hit_f32 *hit,
+                                     const raylet_shape_f32 *shape,
+                                     const raylet_ray_f32 *ray);
 
 /**
  * As `raylet_try_nearest_f32`, in the tier Plain.
  */
-raylet_status raylet_try_nearest_plain_f32(const raylet_shape_f32 *shape,
-                                           const raylet_ray_f32 *ray,
-                                           raylet_hit_f32 *hit);
+raylet_status raylet_try_nearest_plain_f32(raylet_hit_f32 *hit,
+                                           const raylet_shape_f32 *shape,
+                                           const raylet_ray_f32 *ray);
 
 /**
  * As `raylet_try_nearest_f32`, in the tier Fast.
  */
-raylet_status raylet_try_nearest_fast_f32(const raylet_shape_f32 *shape,
-                                          const raylet_ray_f32 *ray,
-                                          raylet_hit_f32 *hit);
+raylet_status raylet_try_nearest_fast_f32(raylet_hit_f32 *hit,
+                                          const raylet_shape_f32 *shape,
+                                          const raylet_ray_f32 *ray);
 
 /**
  * 1 if a ray hits the shape within its range, or 0.
@@ -756,30 +756,30 @@ raylet_status raylet_contains_exact_f32(const raylet_shape_f32 *shape, raylet_ve
 /**
  * All visible hits within the range of a ray, sorted by `t`: their number, up to `RAYLET_MOST_HITS`.
  */
-raylet_status raylet_all_hits_f32(const raylet_shape_f32 *shape,
-                                  const raylet_ray_f32 *ray,
-                                  raylet_hits_f32 *hits);
+raylet_status raylet_all_hits_f32(raylet_hits_f32 *hits,
+                                  const raylet_shape_f32 *shape,
+                                  const raylet_ray_f32 *ray);
 
 /**
  * As `raylet_all_hits_f32`, in the tier Plain.
  */
-raylet_status raylet_all_hits_plain_f32(const raylet_shape_f32 *shape,
-                                        const raylet_ray_f32 *ray,
-                                        raylet_hits_f32 *hits);
+raylet_status raylet_all_hits_plain_f32(raylet_hits_f32 *hits,
+                                        const raylet_shape_f32 *shape,
+                                        const raylet_ray_f32 *ray);
 
 /**
  * As `raylet_all_hits_f32`, in the tier Fast.
  */
-raylet_status raylet_all_hits_fast_f32(const raylet_shape_f32 *shape,
-                                       const raylet_ray_f32 *ray,
-                                       raylet_hits_f32 *hits);
+raylet_status raylet_all_hits_fast_f32(raylet_hits_f32 *hits,
+                                       const raylet_shape_f32 *shape,
+                                       const raylet_ray_f32 *ray);
 
 /**
  * As `raylet_all_hits_f32`, in the tier Exact.
  */
-raylet_status raylet_all_hits_exact_f32(const raylet_shape_f32 *shape,
-                                        const raylet_ray_f32 *ray,
-                                        raylet_hits_f32 *hits);
+raylet_status raylet_all_hits_exact_f32(raylet_hits_f32 *hits,
+                                        const raylet_shape_f32 *shape,
+                                        const raylet_ray_f32 *ray);
 
 /**
  * The surface of a shape at a hit of a ray with it.
@@ -792,41 +792,41 @@ raylet_status raylet_surface_at_f32(raylet_surface_f32 *surface,
 /**
  * The point of the hit.
  */
-raylet_status raylet_surface_point_f32(const raylet_surface_f32 *surface, raylet_vec3_f32 *point);
+raylet_status raylet_surface_point_f32(raylet_vec3_f32 *point, const raylet_surface_f32 *surface);
 
 /**
  * The outward normal, of length 1, in the unit of directions.
  */
-raylet_status raylet_surface_normal_f32(const raylet_surface_f32 *surface, raylet_vec3_f32 *normal);
+raylet_status raylet_surface_normal_f32(raylet_vec3_f32 *normal, const raylet_surface_f32 *surface);
 
 /**
  * The normal on the side that the ray comes from.
  */
-raylet_status raylet_surface_normal_towards_ray_f32(const raylet_surface_f32 *surface,
-                                                    raylet_vec3_f32 *normal);
+raylet_status raylet_surface_normal_towards_ray_f32(raylet_vec3_f32 *normal,
+                                                    const raylet_surface_f32 *surface);
 
 /**
  * The cosine of the angle between the line of the ray and the normal, from 0 to 1, as a number.
  */
-raylet_status raylet_surface_cosine_f32(const raylet_surface_f32 *surface, float *cosine);
+raylet_status raylet_surface_cosine_f32(float *cosine, const raylet_surface_f32 *surface);
 
 /**
  * Surface coordinates, each from 0 to 1, in the unit of directions.
  */
-raylet_status raylet_surface_uv_f32(const raylet_surface_f32 *surface, float (*uv)[2]);
+raylet_status raylet_surface_uv_f32(float (*uv)[2], const raylet_surface_f32 *surface);
 
 /**
  * Where the hit lies in the bounding box of the solid along its axes, each from 0 to 1, in the unit of directions.
  */
-raylet_status raylet_surface_uvw_f32(const raylet_surface_f32 *surface,
-                                     float (*uvw)[3]);
+raylet_status raylet_surface_uvw_f32(float (*uvw)[3],
+                                     const raylet_surface_f32 *surface);
 
 /**
  * The directions in the world in which u and v grow, of length 1, in the unit of directions.
  */
-raylet_status raylet_surface_tangents_f32(const raylet_surface_f32 *surface,
-                                          raylet_vec3_f32 *along_u,
-                                          raylet_vec3_f32 *along_v);
+raylet_status raylet_surface_tangents_f32(raylet_vec3_f32 *along_u,
+                                          raylet_vec3_f32 *along_v,
+                                          const raylet_surface_f32 *surface);
 
 /**
  * Makes a hierarchy of a list of shapes in the given nodes: `RAYLET_NODES(count)` of them. List and nodes must stay
@@ -841,34 +841,34 @@ raylet_status raylet_shapes_build_f32(raylet_shapes_f32 *shapes,
 /**
  * The nearest hit of a ray with any of the shapes: 1, the index of its shape and the hit; or 0.
  */
-raylet_status raylet_shapes_nearest_f32(const raylet_shapes_f32 *shapes,
-                                        const raylet_ray_f32 *ray,
-                                        uint32_t *shape,
-                                        raylet_hit_f32 *hit);
+raylet_status raylet_shapes_nearest_f32(uint32_t *shape,
+                                        raylet_hit_f32 *hit,
+                                        const raylet_shapes_f32 *shapes,
+                                        const raylet_ray_f32 *ray);
 
 /**
  * As `raylet_shapes_nearest_f32`, in the tier Plain.
  */
-raylet_status raylet_shapes_nearest_plain_f32(const raylet_shapes_f32 *shapes,
-                                              const raylet_ray_f32 *ray,
-                                              uint32_t *shape,
-                                              raylet_hit_f32 *hit);
+raylet_status raylet_shapes_nearest_plain_f32(uint32_t *shape,
+                                              raylet_hit_f32 *hit,
+                                              const raylet_shapes_f32 *shapes,
+                                              const raylet_ray_f32 *ray);
 
 /**
  * As `raylet_shapes_nearest_f32`, in the tier Fast.
  */
-raylet_status raylet_shapes_nearest_fast_f32(const raylet_shapes_f32 *shapes,
-                                             const raylet_ray_f32 *ray,
-                                             uint32_t *shape,
-                                             raylet_hit_f32 *hit);
+raylet_status raylet_shapes_nearest_fast_f32(uint32_t *shape,
+                                             raylet_hit_f32 *hit,
+                                             const raylet_shapes_f32 *shapes,
+                                             const raylet_ray_f32 *ray);
 
 /**
  * As `raylet_shapes_nearest_f32`, in the tier Exact.
  */
-raylet_status raylet_shapes_nearest_exact_f32(const raylet_shapes_f32 *shapes,
-                                              const raylet_ray_f32 *ray,
-                                              uint32_t *shape,
-                                              raylet_hit_f32 *hit);
+raylet_status raylet_shapes_nearest_exact_f32(uint32_t *shape,
+                                              raylet_hit_f32 *hit,
+                                              const raylet_shapes_f32 *shapes,
+                                              const raylet_ray_f32 *ray);
 
 /**
  * 1 if a ray hits any of the shapes within its range, or 0.
@@ -939,38 +939,38 @@ raylet_status raylet_shapes_hits_exact_f32(const raylet_shapes_f32 *shapes,
  * them: their number, up to `capacity` and `RAYLET_MOST_CROSSINGS`. Where solids touch, the order is that of one
  * solid after the other; see the documentation of `raylet::solids`.
  */
-raylet_status raylet_crossings_f32(const raylet_shape_f32 *list,
+raylet_status raylet_crossings_f32(raylet_crossing_f32 *crossings,
+                                   size_t capacity,
+                                   const raylet_shape_f32 *list,
                                    size_t count,
-                                   const raylet_ray_f32 *ray,
-                                   raylet_crossing_f32 *crossings,
-                                   size_t capacity);
+                                   const raylet_ray_f32 *ray);
 
 /**
  * As `raylet_crossings_f32`, in the tier Plain.
  */
-raylet_status raylet_crossings_plain_f32(const raylet_shape_f32 *list,
+raylet_status raylet_crossings_plain_f32(raylet_crossing_f32 *crossings,
+                                         size_t capacity,
+                                         const raylet_shape_f32 *list,
                                          size_t count,
-                                         const raylet_ray_f32 *ray,
-                                         raylet_crossing_f32 *crossings,
-                                         size_t capacity);
+                                         const raylet_ray_f32 *ray);
 
 /**
  * As `raylet_crossings_f32`, in the tier Fast.
  */
-raylet_status raylet_crossings_fast_f32(const raylet_shape_f32 *list,
+raylet_status raylet_crossings_fast_f32(raylet_crossing_f32 *crossings,
+                                        size_t capacity,
+                                        const raylet_shape_f32 *list,
                                         size_t count,
-                                        const raylet_ray_f32 *ray,
-                                        raylet_crossing_f32 *crossings,
-                                        size_t capacity);
+                                        const raylet_ray_f32 *ray);
 
 /**
  * As `raylet_crossings_f32`, in the tier Exact.
  */
-raylet_status raylet_crossings_exact_f32(const raylet_shape_f32 *list,
+raylet_status raylet_crossings_exact_f32(raylet_crossing_f32 *crossings,
+                                         size_t capacity,
+                                         const raylet_shape_f32 *list,
                                          size_t count,
-                                         const raylet_ray_f32 *ray,
-                                         raylet_crossing_f32 *crossings,
-                                         size_t capacity);
+                                         const raylet_ray_f32 *ray);
 
 /**
  * Places a shape by a frame, instead of what placed it before.
@@ -1006,9 +1006,9 @@ raylet_status raylet_shape_seen_from_f32(raylet_shape_f32 *shape, uint8_t visibl
 /**
  * The box around a shape along the axes of the world; an infinite shape has the largest or infinite numbers.
  */
-raylet_status raylet_shape_bounds_f32(const raylet_shape_f32 *shape,
-                                      raylet_vec3_f32 *low,
-                                      raylet_vec3_f32 *high);
+raylet_status raylet_shape_bounds_f32(raylet_vec3_f32 *low,
+                                      raylet_vec3_f32 *high,
+                                      const raylet_shape_f32 *shape);
 
 /**
  * A frame along the axes of the world.
@@ -1054,9 +1054,9 @@ raylet_status raylet_frame_from_quaternion_f32(raylet_frame_f32 *frame,
  * from one to the other.
  */
 raylet_status raylet_frame_between_f32(raylet_frame_f32 *frame,
+                                       float *height,
                                        raylet_vec3_f32 from,
-                                       raylet_vec3_f32 to,
-                                       float *height);
+                                       raylet_vec3_f32 to);
 
 /**
  * A frame with its z axis along `forward`, and `up` towards its y axis; both of any length.
@@ -1085,16 +1085,16 @@ raylet_status raylet_frame_to_world_f32(raylet_frame_f32 *frame,
 /**
  * A point of the world in the coordinates of a frame.
  */
-raylet_status raylet_frame_point_to_local_f32(const raylet_frame_f32 *frame,
-                                              raylet_vec3_f32 point,
-                                              raylet_vec3_f32 *out);
+raylet_status raylet_frame_point_to_local_f32(raylet_vec3_f32 *out,
+                                              const raylet_frame_f32 *frame,
+                                              raylet_vec3_f32 point);
 
 /**
  * A point in the coordinates of a frame in those of the world.
  */
-raylet_status raylet_frame_point_to_world_f32(const raylet_frame_f32 *frame,
-                                              raylet_vec3_f32 point,
-                                              raylet_vec3_f32 *out);
+raylet_status raylet_frame_point_to_world_f32(raylet_vec3_f32 *out,
+                                              const raylet_frame_f32 *frame,
+                                              raylet_vec3_f32 point);
 
 /**
  * A ray from a point towards a vector of any length. `t` is distance.
@@ -1143,12 +1143,12 @@ raylet_status raylet_ray_departing_f32(raylet_ray_f32 *ray,
 /**
  * The point at `t`.
  */
-raylet_status raylet_ray_at_f32(const raylet_ray_f32 *ray, float t, raylet_vec3_f32 *point);
+raylet_status raylet_ray_at_f32(raylet_vec3_f32 *point, const raylet_ray_f32 *ray, float t);
 
 /**
  * The direction of length 1, in the unit of directions.
  */
-raylet_status raylet_ray_direction_f32(const raylet_ray_f32 *ray, raylet_vec3_f32 *direction);
+raylet_status raylet_ray_direction_f32(raylet_vec3_f32 *direction, const raylet_ray_f32 *ray);
 
 /**
  * The plane y = 0, with its normal along +y.
@@ -1380,52 +1380,52 @@ raylet_status raylet_ellipsoid_in_frame_f32(raylet_shape_f32 *shape,
  * The nearest visible hit within the range of a ray: 1 and the hit, or 0. In the tier Stable, as all queries whose
  * names name no tier.
  */
-raylet_status raylet_nearest_i16f16(const raylet_shape_i16f16 *shape,
-                                    const raylet_ray_i16f16 *ray,
-                                    raylet_hit_i16f16 *hit);
+raylet_status raylet_nearest_i16f16(raylet_hit_i16f16 *hit,
+                                    const raylet_shape_i16f16 *shape,
+                                    const raylet_ray_i16f16 *ray);
 
 /**
  * As `raylet_nearest_i16f16`, in the tier Plain.
  */
-raylet_status raylet_nearest_plain_i16f16(const raylet_shape_i16f16 *shape,
-                                          const raylet_ray_i16f16 *ray,
-                                          raylet_hit_i16f16 *hit);
+raylet_status raylet_nearest_plain_i16f16(raylet_hit_i16f16 *hit,
+                                          const raylet_shape_i16f16 *shape,
+                                          const raylet_ray_i16f16 *ray);
 
 /**
  * As `raylet_nearest_i16f16`, in the tier Fast.
  */
-raylet_status raylet_nearest_fast_i16f16(const raylet_shape_i16f16 *shape,
-                                         const raylet_ray_i16f16 *ray,
-                                         raylet_hit_i16f16 *hit);
+raylet_status raylet_nearest_fast_i16f16(raylet_hit_i16f16 *hit,
+                                         const raylet_shape_i16f16 *shape,
+                                         const raylet_ray_i16f16 *ray);
 
 /**
  * As `raylet_nearest_i16f16`, in the tier Exact.
  */
-raylet_status raylet_nearest_exact_i16f16(const raylet_shape_i16f16 *shape,
-                                          const raylet_ray_i16f16 *ray,
-                                          raylet_hit_i16f16 *hit);
+raylet_status raylet_nearest_exact_i16f16(raylet_hit_i16f16 *hit,
+                                          const raylet_shape_i16f16 *shape,
+                                          const raylet_ray_i16f16 *ray);
 
 /**
  * The nearest hit by the first numbers of the tier Stable alone: 1 and the hit, 0, or `RAYLET_ERROR_UNDECIDED`. For
  * the least flash, and the least time of the slowest ray.
  */
-raylet_status raylet_try_nearest_i16f16(const raylet_shape_i16f16 *shape,
-                                        const raylet_ray_i16f16 *ray,
-                                        raylet_hit_i16f16 *hit);
+raylet_status raylet_try_nearest_i16f16(raylet_hit_i16f16 *hit,
+                                        const raylet_shape_i16f16 *shape,
+                                        const raylet_ray_i16f16 *ray);
 
 /**
  * As `raylet_try_nearest_i16f16`, in the tier Plain.
  */
-raylet_status raylet_try_nearest_plain_i16f16(const raylet_shape_i16f16 *shape,
-                                              const raylet_ray_i16f16 *ray,
-                                              raylet_hit_i16f16 *hit);
+raylet_status raylet_try_nearest_plain_i16f16(raylet_hit_i16f16 *hit,
+                                              const raylet_shape_i16f16 *shape,
+                                              const raylet_ray_i16f16 *ray);
 
 /**
  * As `raylet_try_nearest_i16f16`, in the tier Fast.
  */
-raylet_status raylet_try_nearest_fast_i16f16(const raylet_shape_i16f16 *shape,
-                                             const raylet_ray_i16f16 *ray,
-                                             raylet_hit_i16f16 *hit);
+raylet_status raylet_try_nearest_fast_i16f16(raylet_hit_i16f16 *hit,
+                                             const raylet_shape_i16f16 *shape,
+                                             const raylet_ray_i16f16 *ray);
 
 /**
  * 1 if a ray hits the shape within its range, or 0.
@@ -1477,30 +1477,30 @@ raylet_status raylet_contains_exact_i16f16(const raylet_shape_i16f16 *shape,
 /**
  * All visible hits within the range of a ray, sorted by `t`: their number, up to `RAYLET_MOST_HITS`.
  */
-raylet_status raylet_all_hits_i16f16(const raylet_shape_i16f16 *shape,
-                                     const raylet_ray_i16f16 *ray,
-                                     raylet_hits_i16f16 *hits);
+raylet_status raylet_all_hits_i16f16(raylet_hits_i16f16 *hits,
+                                     const raylet_shape_i16f16 *shape,
+                                     const raylet_ray_i16f16 *ray);
 
 /**
  * As `raylet_all_hits_i16f16`, in the tier Plain.
  */
-raylet_status raylet_all_hits_plain_i16f16(const raylet_shape_i16f16 *shape,
-                                           const raylet_ray_i16f16 *ray,
-                                           raylet_hits_i16f16 *hits);
+raylet_status raylet_all_hits_plain_i16f16(raylet_hits_i16f16 *hits,
+                                           const raylet_shape_i16f16 *shape,
+                                           const raylet_ray_i16f16 *ray);
 
 /**
  * As `raylet_all_hits_i16f16`, in the tier Fast.
  */
-raylet_status raylet_all_hits_fast_i16f16(const raylet_shape_i16f16 *shape,
-                                          const raylet_ray_i16f16 *ray,
-                                          raylet_hits_i16f16 *hits);
+raylet_status raylet_all_hits_fast_i16f16(raylet_hits_i16f16 *hits,
+                                          const raylet_shape_i16f16 *shape,
+                                          const raylet_ray_i16f16 *ray);
 
 /**
  * As `raylet_all_hits_i16f16`, in the tier Exact.
  */
-raylet_status raylet_all_hits_exact_i16f16(const raylet_shape_i16f16 *shape,
-                                           const raylet_ray_i16f16 *ray,
-                                           raylet_hits_i16f16 *hits);
+raylet_status raylet_all_hits_exact_i16f16(raylet_hits_i16f16 *hits,
+                                           const raylet_shape_i16f16 *shape,
+                                           const raylet_ray_i16f16 *ray);
 
 /**
  * The surface of a shape at a hit of a ray with it.
@@ -1513,45 +1513,45 @@ raylet_status raylet_surface_at_i16f16(raylet_surface_i16f16 *surface,
 /**
  * The point of the hit.
  */
-raylet_status raylet_surface_point_i16f16(const raylet_surface_i16f16 *surface,
-                                          raylet_vec3_i16f16 *point);
+raylet_status raylet_surface_point_i16f16(raylet_vec3_i16f16 *point,
+                                          const raylet_surface_i16f16 *surface);
 
 /**
  * The outward normal, of length 1, in the unit of directions.
  */
-raylet_status raylet_surface_normal_i16f16(const raylet_surface_i16f16 *surface,
-                                           raylet_vec3_i16f16 *normal);
+raylet_status raylet_surface_normal_i16f16(raylet_vec3_i16f16 *normal,
+                                           const raylet_surface_i16f16 *surface);
 
 /**
  * The normal on the side that the ray comes from.
  */
-raylet_status raylet_surface_normal_towards_ray_i16f16(const raylet_surface_i16f16 *surface,
-                                                       raylet_vec3_i16f16 *normal);
+raylet_status raylet_surface_normal_towards_ray_i16f16(raylet_vec3_i16f16 *normal,
+                                                       const raylet_surface_i16f16 *surface);
 
 /**
  * The cosine of the angle between the line of the ray and the normal, from 0 to 1, as a number.
  */
-raylet_status raylet_surface_cosine_i16f16(const raylet_surface_i16f16 *surface,
-                                           raylet_i16f16 *cosine);
+raylet_status raylet_surface_cosine_i16f16(raylet_i16f16 *cosine,
+                                           const raylet_surface_i16f16 *surface);
 
 /**
  * Surface coordinates, each from 0 to 1, in the unit of directions.
  */
-raylet_status raylet_surface_uv_i16f16(const raylet_surface_i16f16 *surface,
-                                       raylet_i16f16 (*uv)[2]);
+raylet_status raylet_surface_uv_i16f16(raylet_i16f16 (*uv)[2],
+                                       const raylet_surface_i16f16 *surface);
 
 /**
  * Where the hit lies in the bounding box of the solid along its axes, each from 0 to 1, in the unit of directions.
  */
-raylet_status raylet_surface_uvw_i16f16(const raylet_surface_i16f16 *surface,
-                                        raylet_i16f16 (*uvw)[3]);
+raylet_status raylet_surface_uvw_i16f16(raylet_i16f16 (*uvw)[3],
+                                        const raylet_surface_i16f16 *surface);
 
 /**
  * The directions in the world in which u and v grow, of length 1, in the unit of directions.
  */
-raylet_status raylet_surface_tangents_i16f16(const raylet_surface_i16f16 *surface,
-                                             raylet_vec3_i16f16 *along_u,
-                                             raylet_vec3_i16f16 *along_v);
+raylet_status raylet_surface_tangents_i16f16(raylet_vec3_i16f16 *along_u,
+                                             raylet_vec3_i16f16 *along_v,
+                                             const raylet_surface_i16f16 *surface);
 
 /**
  * Makes a hierarchy of a list of shapes in the given nodes: `RAYLET_NODES(count)` of them. List and nodes must stay
@@ -1566,34 +1566,34 @@ raylet_status raylet_shapes_build_i16f16(raylet_shapes_i16f16 *shapes,
 /**
  * The nearest hit of a ray with any of the shapes: 1, the index of its shape and the hit; or 0.
  */
-raylet_status raylet_shapes_nearest_i16f16(const raylet_shapes_i16f16 *shapes,
-                                           const raylet_ray_i16f16 *ray,
-                                           uint32_t *shape,
-                                           raylet_hit_i16f16 *hit);
+raylet_status raylet_shapes_nearest_i16f16(uint32_t *shape,
+                                           raylet_hit_i16f16 *hit,
+                                           const raylet_shapes_i16f16 *shapes,
+                                           const raylet_ray_i16f16 *ray);
 
 /**
  * As `raylet_shapes_nearest_i16f16`, in the tier Plain.
  */
-raylet_status raylet_shapes_nearest_plain_i16f16(const raylet_shapes_i16f16 *shapes,
-                                                 const raylet_ray_i16f16 *ray,
-                                                 uint32_t *shape,
-                                                 raylet_hit_i16f16 *hit);
+raylet_status raylet_shapes_nearest_plain_i16f16(uint32_t *shape,
+                                                 raylet_hit_i16f16 *hit,
+                                                 const raylet_shapes_i16f16 *shapes,
+                                                 const raylet_ray_i16f16 *ray);
 
 /**
  * As `raylet_shapes_nearest_i16f16`, in the tier Fast.
  */
-raylet_status raylet_shapes_nearest_fast_i16f16(const raylet_shapes_i16f16 *shapes,
-                                                const raylet_ray_i16f16 *ray,
-                                                uint32_t *shape,
-                                                raylet_hit_i16f16 *hit);
+raylet_status raylet_shapes_nearest_fast_i16f16(uint32_t *shape,
+                                                raylet_hit_i16f16 *hit,
+                                                const raylet_shapes_i16f16 *shapes,
+                                                const raylet_ray_i16f16 *ray);
 
 /**
  * As `raylet_shapes_nearest_i16f16`, in the tier Exact.
  */
-raylet_status raylet_shapes_nearest_exact_i16f16(const raylet_shapes_i16f16 *shapes,
-                                                 const raylet_ray_i16f16 *ray,
-                                                 uint32_t *shape,
-                                                 raylet_hit_i16f16 *hit);
+raylet_status raylet_shapes_nearest_exact_i16f16(uint32_t *shape,
+                                                 raylet_hit_i16f16 *hit,
+                                                 const raylet_shapes_i16f16 *shapes,
+                                                 const raylet_ray_i16f16 *ray);
 
 /**
  * 1 if a ray hits any of the shapes within its range, or 0.
@@ -1665,38 +1665,38 @@ raylet_status raylet_shapes_hits_exact_i16f16(const raylet_shapes_i16f16 *shapes
  * them: their number, up to `capacity` and `RAYLET_MOST_CROSSINGS`. Where solids touch, the order is that of one
  * solid after the other; see the documentation of `raylet::solids`.
  */
-raylet_status raylet_crossings_i16f16(const raylet_shape_i16f16 *list,
+raylet_status raylet_crossings_i16f16(raylet_crossing_i16f16 *crossings,
+                                      size_t capacity,
+                                      const raylet_shape_i16f16 *list,
                                       size_t count,
-                                      const raylet_ray_i16f16 *ray,
-                                      raylet_crossing_i16f16 *crossings,
-                                      size_t capacity);
+                                      const raylet_ray_i16f16 *ray);
 
 /**
  * As `raylet_crossings_i16f16`, in the tier Plain.
  */
-raylet_status raylet_crossings_plain_i16f16(const raylet_shape_i16f16 *list,
+raylet_status raylet_crossings_plain_i16f16(raylet_crossing_i16f16 *crossings,
+                                            size_t capacity,
+                                            const raylet_shape_i16f16 *list,
                                             size_t count,
-                                            const raylet_ray_i16f16 *ray,
-                                            raylet_crossing_i16f16 *crossings,
-                                            size_t capacity);
+                                            const raylet_ray_i16f16 *ray);
 
 /**
  * As `raylet_crossings_i16f16`, in the tier Fast.
  */
-raylet_status raylet_crossings_fast_i16f16(const raylet_shape_i16f16 *list,
+raylet_status raylet_crossings_fast_i16f16(raylet_crossing_i16f16 *crossings,
+                                           size_t capacity,
+                                           const raylet_shape_i16f16 *list,
                                            size_t count,
-                                           const raylet_ray_i16f16 *ray,
-                                           raylet_crossing_i16f16 *crossings,
-                                           size_t capacity);
+                                           const raylet_ray_i16f16 *ray);
 
 /**
  * As `raylet_crossings_i16f16`, in the tier Exact.
  */
-raylet_status raylet_crossings_exact_i16f16(const raylet_shape_i16f16 *list,
+raylet_status raylet_crossings_exact_i16f16(raylet_crossing_i16f16 *crossings,
+                                            size_t capacity,
+                                            const raylet_shape_i16f16 *list,
                                             size_t count,
-                                            const raylet_ray_i16f16 *ray,
-                                            raylet_crossing_i16f16 *crossings,
-                                            size_t capacity);
+                                            const raylet_ray_i16f16 *ray);
 
 /**
  * Places a shape by a frame, instead of what placed it before.
@@ -1733,9 +1733,9 @@ raylet_status raylet_shape_seen_from_i16f16(raylet_shape_i16f16 *shape, uint8_t 
 /**
  * The box around a shape along the axes of the world; an infinite shape has the largest or infinite numbers.
  */
-raylet_status raylet_shape_bounds_i16f16(const raylet_shape_i16f16 *shape,
-                                         raylet_vec3_i16f16 *low,
-                                         raylet_vec3_i16f16 *high);
+raylet_status raylet_shape_bounds_i16f16(raylet_vec3_i16f16 *low,
+                                         raylet_vec3_i16f16 *high,
+                                         const raylet_shape_i16f16 *shape);
 
 /**
  * A frame along the axes of the world.
@@ -1781,9 +1781,9 @@ raylet_status raylet_frame_from_quaternion_i16f16(raylet_frame_i16f16 *frame,
  * from one to the other.
  */
 raylet_status raylet_frame_between_i16f16(raylet_frame_i16f16 *frame,
+                                          raylet_i16f16 *height,
                                           raylet_vec3_i16f16 from,
-                                          raylet_vec3_i16f16 to,
-                                          raylet_i16f16 *height);
+                                          raylet_vec3_i16f16 to);
 
 /**
  * A frame with its z axis along `forward`, and `up` towards its y axis; both of any length.
@@ -1812,16 +1812,16 @@ raylet_status raylet_frame_to_world_i16f16(raylet_frame_i16f16 *frame,
 /**
  * A point of the world in the coordinates of a frame.
  */
-raylet_status raylet_frame_point_to_local_i16f16(const raylet_frame_i16f16 *frame,
-                                                 raylet_vec3_i16f16 point,
-                                                 raylet_vec3_i16f16 *out);
+raylet_status raylet_frame_point_to_local_i16f16(raylet_vec3_i16f16 *out,
+                                                 const raylet_frame_i16f16 *frame,
+                                                 raylet_vec3_i16f16 point);
 
 /**
  * A point in the coordinates of a frame in those of the world.
  */
-raylet_status raylet_frame_point_to_world_i16f16(const raylet_frame_i16f16 *frame,
-                                                 raylet_vec3_i16f16 point,
-                                                 raylet_vec3_i16f16 *out);
+raylet_status raylet_frame_point_to_world_i16f16(raylet_vec3_i16f16 *out,
+                                                 const raylet_frame_i16f16 *frame,
+                                                 raylet_vec3_i16f16 point);
 
 /**
  * A ray from a point towards a vector of any length. `t` is distance.
@@ -1872,15 +1872,15 @@ raylet_status raylet_ray_departing_i16f16(raylet_ray_i16f16 *ray,
 /**
  * The point at `t`.
  */
-raylet_status raylet_ray_at_i16f16(const raylet_ray_i16f16 *ray,
-                                   raylet_i16f16 t,
-                                   raylet_vec3_i16f16 *point);
+raylet_status raylet_ray_at_i16f16(raylet_vec3_i16f16 *point,
+                                   const raylet_ray_i16f16 *ray,
+                                   raylet_i16f16 t);
 
 /**
  * The direction of length 1, in the unit of directions.
  */
-raylet_status raylet_ray_direction_i16f16(const raylet_ray_i16f16 *ray,
-                                          raylet_vec3_i16f16 *direction);
+raylet_status raylet_ray_direction_i16f16(raylet_vec3_i16f16 *direction,
+                                          const raylet_ray_i16f16 *ray);
 
 /**
  * The plane y = 0, with its normal along +y.

@@ -210,7 +210,7 @@ template <class Number> class Ray {
     }
     Vec at(Number t) const {
         typename Api<Number>::Vec3 point;
-        Api<Number>::ray_at(&raw_, detail::raw(t), &point);
+        Api<Number>::ray_at(&point, &raw_, detail::raw(t));
         return Vec::of(point);
     }
 
@@ -270,13 +270,13 @@ template <class Number> class Surface {
 
     Vec3<Number> point() const {
         typename Api<Number>::Vec3 point;
-        Api<Number>::surface_point(&raw_, &point);
+        Api<Number>::surface_point(&point, &raw_);
         return Vec3<Number>::of(point);
     }
     /// The outward normal, with components in the unit of directions.
     typename Api<Number>::Vec3 normal() const {
         typename Api<Number>::Vec3 normal;
-        Api<Number>::surface_normal(&raw_, &normal);
+        Api<Number>::surface_normal(&normal, &raw_);
         return normal;
     }
 
@@ -344,14 +344,14 @@ template <class Number> class Shape {
 
     template <Tier tier = Tier::stable> std::optional<Hit<Number>> nearest(const Ray<Number> &ray) const {
         typename C::Hit hit;
-        if (C::template nearest<tier>(&raw_, &ray.raw(), &hit) > 0) {
+        if (C::template nearest<tier>(&hit, &raw_, &ray.raw()) > 0) {
             return Hit<Number>(hit);
         }
         return std::nullopt;
     }
     template <Tier tier = Tier::stable> Hits<Number> hits(const Ray<Number> &ray) const {
         typename C::Hits hits;
-        C::template all_hits<tier>(&raw_, &ray.raw(), &hits);
+        C::template all_hits<tier>(&hits, &raw_, &ray.raw());
         return Hits<Number>(hits);
     }
     template <Tier tier = Tier::stable> bool occludes(const Ray<Number> &ray) const {
@@ -415,7 +415,7 @@ template <class Number, std::size_t N> class Shapes {
     template <Tier tier = Tier::stable> std::optional<Nearest> nearest(const Ray<Number> &ray) const {
         std::uint32_t shape;
         typename C::Hit hit;
-        if (count_ > 0 && C::template shapes_nearest<tier>(&shapes_, &ray.raw(), &shape, &hit) > 0) {
+        if (count_ > 0 && C::template shapes_nearest<tier>(&shape, &hit, &shapes_, &ray.raw()) > 0) {
             return Nearest{shape, Hit<Number>(hit)};
         }
         return std::nullopt;

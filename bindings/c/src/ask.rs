@@ -1,4 +1,4 @@
-//! Asks shapes about rays, for C.
+//! Asks shapes about rays, for C. As in its header, what is written comes first.
 
 use crate::make::Out;
 use crate::number::{Number, Of};
@@ -19,9 +19,9 @@ type Ray<'a, N> = Option<&'a raylet_ray<N>>;
 
 #[inline(always)]
 pub fn nearest<N: Number, T: Tier<Of<N>>>(
+    hit: Out<'_, raylet_hit<N>>,
     shape: Shape<'_, N>,
     ray: Ray<'_, N>,
-    hit: Out<'_, raylet_hit<N>>,
 ) -> Outcome {
     let (shape, ray, hit) = (get(shape)?, get(ray)?, hit.ok_or_else(null)?);
     Ok(put_hit(hit, || shape.nearest_at::<T>(ray)))
@@ -29,9 +29,9 @@ pub fn nearest<N: Number, T: Tier<Of<N>>>(
 
 #[inline(always)]
 pub fn try_nearest<N: Number, T: Tier<Of<N>>>(
+    hit: Out<'_, raylet_hit<N>>,
     shape: Shape<'_, N>,
     ray: Ray<'_, N>,
-    hit: Out<'_, raylet_hit<N>>,
 ) -> Outcome {
     let found = get(shape)?.try_nearest_at::<T>(get(ray)?).map_err(Error::from)?;
     Ok(put_hit(hit.ok_or_else(null)?, || found))
@@ -65,7 +65,7 @@ fn all_of<N: Number>(hits: &Hits<Of<N>>) -> raylet_hits<N> {
 
 /// Their number.
 #[inline(always)]
-pub fn hits<N: Number, T: Tier<Of<N>>>(shape: Shape<'_, N>, ray: Ray<'_, N>, out: Out<'_, raylet_hits<N>>) -> Outcome {
+pub fn hits<N: Number, T: Tier<Of<N>>>(out: Out<'_, raylet_hits<N>>, shape: Shape<'_, N>, ray: Ray<'_, N>) -> Outcome {
     let hits = get(shape)?.hits_at::<T>(get(ray)?);
     write(out, || Ok(all_of(&hits)))?;
     Ok(hits.len() as i32)
@@ -82,8 +82,8 @@ pub fn surface<N: Number>(
 
 /// What a surface is asked for.
 pub fn of_surface<N: Number, A>(
-    surface: Option<&raylet_surface<N>>,
     out: Out<'_, A>,
+    surface: Option<&raylet_surface<N>>,
     what: impl FnOnce(&Surface<Of<N>, Chosen>) -> A,
 ) -> Outcome {
     write(out, || Ok(what(get(surface)?)))
@@ -103,10 +103,10 @@ type Many<'a, N> = Option<&'a raylet_shapes<N>>;
 
 #[inline(always)]
 pub fn nearest_of<N: Number, T: Tier<Of<N>>>(
-    shapes: Many<'_, N>,
-    ray: Ray<'_, N>,
     shape: Out<'_, u32>,
     hit: Out<'_, raylet_hit<N>>,
+    shapes: Many<'_, N>,
+    ray: Ray<'_, N>,
 ) -> Outcome {
     match get(shapes)?.nearest_at::<T>(get(ray)?) {
         Some((index, found)) => {
@@ -145,11 +145,11 @@ pub fn hits_of<N: Number, T: Tier<Of<N>>>(
 /// The crossings in `out`, as many as there is room for; their number.
 #[inline(always)]
 pub fn crossings<N: Number, T: Tier<Of<N>>>(
+    out: *mut raylet_crossing<N>,
+    capacity: usize,
     shapes: *const raylet_shape<N>,
     count: usize,
     ray: Ray<'_, N>,
-    out: *mut raylet_crossing<N>,
-    capacity: usize,
 ) -> Outcome {
     let room: &mut [MaybeUninit<_>] = room(out, capacity)?;
     let shapes = list(shapes, count)?;
@@ -166,16 +166,16 @@ pub fn crossings<N: Number, T: Tier<Of<N>>>(
     Ok(all.len() as i32)
 }
 
-pub fn bounds<N: Number>(shape: Shape<'_, N>, low: Out<'_, raylet_vec3<N>>, high: Out<'_, raylet_vec3<N>>) -> Outcome {
+pub fn bounds<N: Number>(low: Out<'_, raylet_vec3<N>>, high: Out<'_, raylet_vec3<N>>, shape: Shape<'_, N>) -> Outcome {
     let bounds = get(shape)?.bounds();
     write(low, || Ok(raylet_vec3::of(bounds.low)))?;
     write(high, || Ok(raylet_vec3::of(bounds.high)))
 }
 
 pub fn tangents<N: Number>(
-    surface: Option<&raylet_surface<N>>,
     along_u: Out<'_, raylet_vec3<N>>,
     along_v: Out<'_, raylet_vec3<N>>,
+    surface: Option<&raylet_surface<N>>,
 ) -> Outcome {
     let (u, v) = get(surface)?.tangents();
     write(along_u, || Ok(raylet_vec3::of_direction(u)))?;

@@ -92,7 +92,7 @@ enum { TIMES = 4000 };
         uint32_t start, in_c, in_rust, i, found = 0;                        \
         start = instructions();                                             \
         for (i = 0; i < TIMES; i++) {                                       \
-            found += (uint32_t)raylet_nearest_##NUMBER(shape, ray, &hit);   \
+            found += (uint32_t)raylet_nearest_##NUMBER(&hit, shape, ray);   \
         }                                                                   \
         in_c = instructions() - start;                                      \
         start = instructions();                                             \

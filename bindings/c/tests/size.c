@@ -15,7 +15,7 @@ int main(void) {
     print_number(raylet_measured_i16f16(&shape, &ray, 1));
 #elif !defined(NOTHING)
     raylet_hit_i16f16 hit;
-    print_number((uint32_t)raylet_nearest_i16f16(&shape, &ray, &hit));
+    print_number((uint32_t)raylet_nearest_i16f16(&hit, &shape, &ray));
 #endif
     (void)shape, (void)ray;
     stop_machine(0);

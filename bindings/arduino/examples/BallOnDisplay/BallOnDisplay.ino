@@ -24,7 +24,7 @@ static int nearest(const raylet_ray_f32 *ray, raylet_hit_f32 *hit) {
   int found = -1;
   for (int i = 0; i < 2; i++) {
     raylet_hit_f32 other;
-    if (raylet_nearest_f32(&shapes[i], ray, &other) > 0 && (found < 0 || other.t < hit->t)) {
+    if (raylet_nearest_f32(&other, &shapes[i], ray) > 0 && (found < 0 || other.t < hit->t)) {
       found = i;
       *hit = other;
     }
@@ -44,8 +44,8 @@ static uint16_t color(int x, int y) {
   raylet_surface_f32 surface;
   raylet_vec3_f32 normal, point;
   must(raylet_surface_at_f32(&surface, &shapes[which], &ray, &hit));
-  must(raylet_surface_normal_f32(&surface, &normal));
-  must(raylet_surface_point_f32(&surface, &point));
+  must(raylet_surface_normal_f32(&normal, &surface));
+  must(raylet_surface_point_f32(&point, &surface));
   float shade = normal.x * light.x + normal.y * light.y + normal.z * light.z;
   if (which == 1) {
     // Only the ball can throw a shadow on the floor.

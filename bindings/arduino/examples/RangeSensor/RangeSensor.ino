@@ -26,11 +26,11 @@ void setup() {
   raylet_frame_i16f16 frame;
   raylet_i16f16 length;
   // A rail of radius 0.5 m, 4 m ahead.
-  must(raylet_frame_between_i16f16(&frame, point(-2, 0, 4), point(2, 0, 4), &length));
+  must(raylet_frame_between_i16f16(&frame, &length, point(-2, 0, 4), point(2, 0, 4)));
   must(raylet_cylinder_capped_i16f16(&obstacles[0], metres(0.5), length));
   must(raylet_shape_in_frame_i16f16(&obstacles[0], &frame));
   // A post at the left: the sensor looks along z, and x points to its left.
-  must(raylet_frame_between_i16f16(&frame, point(2, -1, 3), point(2, 2, 3), &length));
+  must(raylet_frame_between_i16f16(&frame, &length, point(2, -1, 3), point(2, 2, 3)));
   must(raylet_capsule_i16f16(&obstacles[1], metres(0.25), length));
   must(raylet_shape_in_frame_i16f16(&obstacles[1], &frame));
   // The floor, 1 m below the sensor.
@@ -46,7 +46,7 @@ static long range(double x, double y, double z) {
   for (int i = 0; i < OBSTACLES; i++) {
     raylet_hit_i16f16 hit;
     // 1 if it is hit, 0 if not.
-    raylet_status found = raylet_nearest_i16f16(&obstacles[i], &ray, &hit);
+    raylet_status found = raylet_nearest_i16f16(&hit, &obstacles[i], &ray);
     must(found);
     if (found > 0 && hit.t < nearest) nearest = hit.t;
   }

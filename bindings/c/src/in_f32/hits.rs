@@ -12,72 +12,72 @@ use raylet::{Exact, Fast, Plain, Stable};
 /// names name no tier.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_nearest_f32(
+    hit: Option<&mut MaybeUninit<raylet_hit<f32>>>,
     shape: Option<&raylet_shape<f32>>,
     ray: Option<&raylet_ray<f32>>,
-    hit: Option<&mut MaybeUninit<raylet_hit<f32>>>,
 ) -> raylet_status {
-    code(ask::nearest::<_, Stable>(shape, ray, hit))
+    code(ask::nearest::<_, Stable>(hit, shape, ray))
 }
 
 /// As `raylet_nearest_f32`, in the tier Plain.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_nearest_plain_f32(
+    hit: Option<&mut MaybeUninit<raylet_hit<f32>>>,
     shape: Option<&raylet_shape<f32>>,
     ray: Option<&raylet_ray<f32>>,
-    hit: Option<&mut MaybeUninit<raylet_hit<f32>>>,
 ) -> raylet_status {
-    code(ask::nearest::<_, Plain>(shape, ray, hit))
+    code(ask::nearest::<_, Plain>(hit, shape, ray))
 }
 
 /// As `raylet_nearest_f32`, in the tier Fast.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_nearest_fast_f32(
+    hit: Option<&mut MaybeUninit<raylet_hit<f32>>>,
     shape: Option<&raylet_shape<f32>>,
     ray: Option<&raylet_ray<f32>>,
-    hit: Option<&mut MaybeUninit<raylet_hit<f32>>>,
 ) -> raylet_status {
-    code(ask::nearest::<_, Fast>(shape, ray, hit))
+    code(ask::nearest::<_, Fast>(hit, shape, ray))
 }
 
 /// As `raylet_nearest_f32`, in the tier Exact.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_nearest_exact_f32(
+    hit: Option<&mut MaybeUninit<raylet_hit<f32>>>,
     shape: Option<&raylet_shape<f32>>,
     ray: Option<&raylet_ray<f32>>,
-    hit: Option<&mut MaybeUninit<raylet_hit<f32>>>,
 ) -> raylet_status {
-    code(ask::nearest::<_, Exact>(shape, ray, hit))
+    code(ask::nearest::<_, Exact>(hit, shape, ray))
 }
 
 /// The nearest hit by the first numbers of the tier Stable alone: 1 and the hit, 0, or `RAYLET_ERROR_UNDECIDED`. For
 /// the least flash, and the least time of the slowest ray.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_try_nearest_f32(
+    hit: Option<&mut MaybeUninit<raylet_hit<f32>>>,
     shape: Option<&raylet_shape<f32>>,
     ray: Option<&raylet_ray<f32>>,
-    hit: Option<&mut MaybeUninit<raylet_hit<f32>>>,
 ) -> raylet_status {
-    code(ask::try_nearest::<_, Stable>(shape, ray, hit))
+    code(ask::try_nearest::<_, Stable>(hit, shape, ray))
 }
 
 /// As `raylet_try_nearest_f32`, in the tier Plain.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_try_nearest_plain_f32(
+    hit: Option<&mut MaybeUninit<raylet_hit<f32>>>,
     shape: Option<&raylet_shape<f32>>,
     ray: Option<&raylet_ray<f32>>,
-    hit: Option<&mut MaybeUninit<raylet_hit<f32>>>,
 ) -> raylet_status {
-    code(ask::try_nearest::<_, Plain>(shape, ray, hit))
+    code(ask::try_nearest::<_, Plain>(hit, shape, ray))
 }
 
 /// As `raylet_try_nearest_f32`, in the tier Fast.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_try_nearest_fast_f32(
+    hit: Option<&mut MaybeUninit<raylet_hit<f32>>>,
     shape: Option<&raylet_shape<f32>>,
     ray: Option<&raylet_ray<f32>>,
-    hit: Option<&mut MaybeUninit<raylet_hit<f32>>>,
 ) -> raylet_status {
-    code(ask::try_nearest::<_, Fast>(shape, ray, hit))
+    code(ask::try_nearest::<_, Fast>(hit, shape, ray))
 }
 
 /// 1 if a ray hits the shape within its range, or 0.
@@ -152,41 +152,41 @@ pub extern "C" fn raylet_contains_exact_f32(
 /// All visible hits within the range of a ray, sorted by `t`: their number, up to `RAYLET_MOST_HITS`.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_all_hits_f32(
+    hits: Option<&mut MaybeUninit<raylet_hits<f32>>>,
     shape: Option<&raylet_shape<f32>>,
     ray: Option<&raylet_ray<f32>>,
-    hits: Option<&mut MaybeUninit<raylet_hits<f32>>>,
 ) -> raylet_status {
-    code(ask::hits::<_, Stable>(shape, ray, hits))
+    code(ask::hits::<_, Stable>(hits, shape, ray))
 }
 
 /// As `raylet_all_hits_f32`, in the tier Plain.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_all_hits_plain_f32(
+    hits: Option<&mut MaybeUninit<raylet_hits<f32>>>,
     shape: Option<&raylet_shape<f32>>,
     ray: Option<&raylet_ray<f32>>,
-    hits: Option<&mut MaybeUninit<raylet_hits<f32>>>,
 ) -> raylet_status {
-    code(ask::hits::<_, Plain>(shape, ray, hits))
+    code(ask::hits::<_, Plain>(hits, shape, ray))
 }
 
 /// As `raylet_all_hits_f32`, in the tier Fast.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_all_hits_fast_f32(
+    hits: Option<&mut MaybeUninit<raylet_hits<f32>>>,
     shape: Option<&raylet_shape<f32>>,
     ray: Option<&raylet_ray<f32>>,
-    hits: Option<&mut MaybeUninit<raylet_hits<f32>>>,
 ) -> raylet_status {
-    code(ask::hits::<_, Fast>(shape, ray, hits))
+    code(ask::hits::<_, Fast>(hits, shape, ray))
 }
 
 /// As `raylet_all_hits_f32`, in the tier Exact.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_all_hits_exact_f32(
+    hits: Option<&mut MaybeUninit<raylet_hits<f32>>>,
     shape: Option<&raylet_shape<f32>>,
     ray: Option<&raylet_ray<f32>>,
-    hits: Option<&mut MaybeUninit<raylet_hits<f32>>>,
 ) -> raylet_status {
-    code(ask::hits::<_, Exact>(shape, ray, hits))
+    code(ask::hits::<_, Exact>(hits, shape, ray))
 }
 
 /// The surface of a shape at a hit of a ray with it.
@@ -203,46 +203,46 @@ pub extern "C" fn raylet_surface_at_f32(
 /// The point of the hit.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_surface_point_f32(
-    surface: Option<&raylet_surface<f32>>,
     point: Option<&mut MaybeUninit<raylet_vec3<f32>>>,
+    surface: Option<&raylet_surface<f32>>,
 ) -> raylet_status {
-    code(ask::of_surface(surface, point, |surface| raylet_vec3::of(surface.point())))
+    code(ask::of_surface(point, surface, |surface| raylet_vec3::of(surface.point())))
 }
 
 /// The outward normal, of length 1, in the unit of directions.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_surface_normal_f32(
-    surface: Option<&raylet_surface<f32>>,
     normal: Option<&mut MaybeUninit<raylet_vec3<f32>>>,
+    surface: Option<&raylet_surface<f32>>,
 ) -> raylet_status {
-    code(ask::of_surface(surface, normal, |surface| raylet_vec3::of_direction(surface.normal())))
+    code(ask::of_surface(normal, surface, |surface| raylet_vec3::of_direction(surface.normal())))
 }
 
 /// The normal on the side that the ray comes from.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_surface_normal_towards_ray_f32(
-    surface: Option<&raylet_surface<f32>>,
     normal: Option<&mut MaybeUninit<raylet_vec3<f32>>>,
+    surface: Option<&raylet_surface<f32>>,
 ) -> raylet_status {
-    code(ask::of_surface(surface, normal, |surface| raylet_vec3::of_direction(surface.normal_towards_ray())))
+    code(ask::of_surface(normal, surface, |surface| raylet_vec3::of_direction(surface.normal_towards_ray())))
 }
 
 /// The cosine of the angle between the line of the ray and the normal, from 0 to 1, as a number.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_surface_cosine_f32(
-    surface: Option<&raylet_surface<f32>>,
     cosine: Option<&mut MaybeUninit<f32>>,
+    surface: Option<&raylet_surface<f32>>,
 ) -> raylet_status {
-    code(ask::of_surface(surface, cosine, |surface| Number::from_scalar(surface.cosine())))
+    code(ask::of_surface(cosine, surface, |surface| Number::from_scalar(surface.cosine())))
 }
 
 /// Surface coordinates, each from 0 to 1, in the unit of directions.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_surface_uv_f32(
-    surface: Option<&raylet_surface<f32>>,
     uv: Option<&mut MaybeUninit<[f32; 2]>>,
+    surface: Option<&raylet_surface<f32>>,
 ) -> raylet_status {
-    code(ask::of_surface(surface, uv, |surface| {
+    code(ask::of_surface(uv, surface, |surface| {
         let (u, v) = surface.uv();
         [u, v].map(Number::from_unit)
     }))
@@ -251,18 +251,18 @@ pub extern "C" fn raylet_surface_uv_f32(
 /// Where the hit lies in the bounding box of the solid along its axes, each from 0 to 1, in the unit of directions.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_surface_uvw_f32(
-    surface: Option<&raylet_surface<f32>>,
     uvw: Option<&mut MaybeUninit<[f32; 3]>>,
+    surface: Option<&raylet_surface<f32>>,
 ) -> raylet_status {
-    code(ask::of_surface(surface, uvw, |surface| surface.uvw().map(Number::from_unit)))
+    code(ask::of_surface(uvw, surface, |surface| surface.uvw().map(Number::from_unit)))
 }
 
 /// The directions in the world in which u and v grow, of length 1, in the unit of directions.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_surface_tangents_f32(
-    surface: Option<&raylet_surface<f32>>,
     along_u: Option<&mut MaybeUninit<raylet_vec3<f32>>>,
     along_v: Option<&mut MaybeUninit<raylet_vec3<f32>>>,
+    surface: Option<&raylet_surface<f32>>,
 ) -> raylet_status {
-    code(ask::tangents(surface, along_u, along_v))
+    code(ask::tangents(along_u, along_v, surface))
 }

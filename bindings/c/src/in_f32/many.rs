@@ -24,45 +24,45 @@ pub extern "C" fn raylet_shapes_build_f32(
 /// The nearest hit of a ray with any of the shapes: 1, the index of its shape and the hit; or 0.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_shapes_nearest_f32(
-    shapes: Option<&raylet_shapes<f32>>,
-    ray: Option<&raylet_ray<f32>>,
     shape: Option<&mut MaybeUninit<u32>>,
     hit: Option<&mut MaybeUninit<raylet_hit<f32>>>,
+    shapes: Option<&raylet_shapes<f32>>,
+    ray: Option<&raylet_ray<f32>>,
 ) -> raylet_status {
-    code(ask::nearest_of::<_, Stable>(shapes, ray, shape, hit))
+    code(ask::nearest_of::<_, Stable>(shape, hit, shapes, ray))
 }
 
 /// As `raylet_shapes_nearest_f32`, in the tier Plain.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_shapes_nearest_plain_f32(
-    shapes: Option<&raylet_shapes<f32>>,
-    ray: Option<&raylet_ray<f32>>,
     shape: Option<&mut MaybeUninit<u32>>,
     hit: Option<&mut MaybeUninit<raylet_hit<f32>>>,
+    shapes: Option<&raylet_shapes<f32>>,
+    ray: Option<&raylet_ray<f32>>,
 ) -> raylet_status {
-    code(ask::nearest_of::<_, Plain>(shapes, ray, shape, hit))
+    code(ask::nearest_of::<_, Plain>(shape, hit, shapes, ray))
 }
 
 /// As `raylet_shapes_nearest_f32`, in the tier Fast.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_shapes_nearest_fast_f32(
-    shapes: Option<&raylet_shapes<f32>>,
-    ray: Option<&raylet_ray<f32>>,
     shape: Option<&mut MaybeUninit<u32>>,
     hit: Option<&mut MaybeUninit<raylet_hit<f32>>>,
+    shapes: Option<&raylet_shapes<f32>>,
+    ray: Option<&raylet_ray<f32>>,
 ) -> raylet_status {
-    code(ask::nearest_of::<_, Fast>(shapes, ray, shape, hit))
+    code(ask::nearest_of::<_, Fast>(shape, hit, shapes, ray))
 }
 
 /// As `raylet_shapes_nearest_f32`, in the tier Exact.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_shapes_nearest_exact_f32(
-    shapes: Option<&raylet_shapes<f32>>,
-    ray: Option<&raylet_ray<f32>>,
     shape: Option<&mut MaybeUninit<u32>>,
     hit: Option<&mut MaybeUninit<raylet_hit<f32>>>,
+    shapes: Option<&raylet_shapes<f32>>,
+    ray: Option<&raylet_ray<f32>>,
 ) -> raylet_status {
-    code(ask::nearest_of::<_, Exact>(shapes, ray, shape, hit))
+    code(ask::nearest_of::<_, Exact>(shape, hit, shapes, ray))
 }
 
 /// 1 if a ray hits any of the shapes within its range, or 0.
@@ -151,47 +151,47 @@ pub extern "C" fn raylet_shapes_hits_exact_f32(
 /// solid after the other; see the documentation of `raylet::solids`.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_crossings_f32(
+    crossings: *mut raylet_crossing<f32>,
+    capacity: usize,
     list: *const raylet_shape<f32>,
     count: usize,
     ray: Option<&raylet_ray<f32>>,
-    crossings: *mut raylet_crossing<f32>,
-    capacity: usize,
 ) -> raylet_status {
-    code(ask::crossings::<_, Stable>(list, count, ray, crossings, capacity))
+    code(ask::crossings::<_, Stable>(crossings, capacity, list, count, ray))
 }
 
 /// As `raylet_crossings_f32`, in the tier Plain.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_crossings_plain_f32(
+    crossings: *mut raylet_crossing<f32>,
+    capacity: usize,
     list: *const raylet_shape<f32>,
     count: usize,
     ray: Option<&raylet_ray<f32>>,
-    crossings: *mut raylet_crossing<f32>,
-    capacity: usize,
 ) -> raylet_status {
-    code(ask::crossings::<_, Plain>(list, count, ray, crossings, capacity))
+    code(ask::crossings::<_, Plain>(crossings, capacity, list, count, ray))
 }
 
 /// As `raylet_crossings_f32`, in the tier Fast.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_crossings_fast_f32(
+    crossings: *mut raylet_crossing<f32>,
+    capacity: usize,
     list: *const raylet_shape<f32>,
     count: usize,
     ray: Option<&raylet_ray<f32>>,
-    crossings: *mut raylet_crossing<f32>,
-    capacity: usize,
 ) -> raylet_status {
-    code(ask::crossings::<_, Fast>(list, count, ray, crossings, capacity))
+    code(ask::crossings::<_, Fast>(crossings, capacity, list, count, ray))
 }
 
 /// As `raylet_crossings_f32`, in the tier Exact.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_crossings_exact_f32(
+    crossings: *mut raylet_crossing<f32>,
+    capacity: usize,
     list: *const raylet_shape<f32>,
     count: usize,
     ray: Option<&raylet_ray<f32>>,
-    crossings: *mut raylet_crossing<f32>,
-    capacity: usize,
 ) -> raylet_status {
-    code(ask::crossings::<_, Exact>(list, count, ray, crossings, capacity))
+    code(ask::crossings::<_, Exact>(crossings, capacity, list, count, ray))
 }

@@ -58,11 +58,11 @@ pub extern "C" fn raylet_shape_seen_from_f32(shape: Option<&mut raylet_shape<f32
 /// The box around a shape along the axes of the world; an infinite shape has the largest or infinite numbers.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_shape_bounds_f32(
-    shape: Option<&raylet_shape<f32>>,
     low: Option<&mut MaybeUninit<raylet_vec3<f32>>>,
     high: Option<&mut MaybeUninit<raylet_vec3<f32>>>,
+    shape: Option<&raylet_shape<f32>>,
 ) -> raylet_status {
-    code(ask::bounds(shape, low, high))
+    code(ask::bounds(low, high, shape))
 }
 
 /// A frame along the axes of the world.
@@ -127,9 +127,9 @@ pub extern "C" fn raylet_frame_from_quaternion_f32(
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_frame_between_f32(
     frame: Option<&mut MaybeUninit<raylet_frame<f32>>>,
+    height: Option<&mut MaybeUninit<f32>>,
     from: raylet_vec3<f32>,
     to: raylet_vec3<f32>,
-    height: Option<&mut MaybeUninit<f32>>,
 ) -> raylet_status {
     code(make::between(frame, from, to, height))
 }
@@ -173,9 +173,9 @@ pub extern "C" fn raylet_frame_to_world_f32(
 /// A point of the world in the coordinates of a frame.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_frame_point_to_local_f32(
+    out: Option<&mut MaybeUninit<raylet_vec3<f32>>>,
     frame: Option<&raylet_frame<f32>>,
     point: raylet_vec3<f32>,
-    out: Option<&mut MaybeUninit<raylet_vec3<f32>>>,
 ) -> raylet_status {
     code(write(out, || Ok(raylet_vec3::of(get(frame)?.point_to_local(point.vector())))))
 }
@@ -183,9 +183,9 @@ pub extern "C" fn raylet_frame_point_to_local_f32(
 /// A point in the coordinates of a frame in those of the world.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_frame_point_to_world_f32(
+    out: Option<&mut MaybeUninit<raylet_vec3<f32>>>,
     frame: Option<&raylet_frame<f32>>,
     point: raylet_vec3<f32>,
-    out: Option<&mut MaybeUninit<raylet_vec3<f32>>>,
 ) -> raylet_status {
     code(write(out, || Ok(raylet_vec3::of(get(frame)?.point_to_world(point.vector())))))
 }

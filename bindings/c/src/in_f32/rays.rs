@@ -71,9 +71,9 @@ pub extern "C" fn raylet_ray_departing_f32(
 /// The point at `t`.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_ray_at_f32(
+    point: Option<&mut MaybeUninit<raylet_vec3<f32>>>,
     ray: Option<&raylet_ray<f32>>,
     t: f32,
-    point: Option<&mut MaybeUninit<raylet_vec3<f32>>>,
 ) -> raylet_status {
     code(write(point, || Ok(raylet_vec3::of(get(ray)?.at(t.scalar())))))
 }
@@ -81,8 +81,8 @@ pub extern "C" fn raylet_ray_at_f32(
 /// The direction of length 1, in the unit of directions.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_ray_direction_f32(
-    ray: Option<&raylet_ray<f32>>,
     direction: Option<&mut MaybeUninit<raylet_vec3<f32>>>,
+    ray: Option<&raylet_ray<f32>>,
 ) -> raylet_status {
     code(write(direction, || Ok(raylet_vec3::of_direction(get(ray)?.direction()))))
 }

@@ -25,45 +25,45 @@ pub extern "C" fn raylet_shapes_build_i16f16(
 /// The nearest hit of a ray with any of the shapes: 1, the index of its shape and the hit; or 0.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_shapes_nearest_i16f16(
-    shapes: Option<&raylet_shapes<i16f16>>,
-    ray: Option<&raylet_ray<i16f16>>,
     shape: Option<&mut MaybeUninit<u32>>,
     hit: Option<&mut MaybeUninit<raylet_hit<i16f16>>>,
+    shapes: Option<&raylet_shapes<i16f16>>,
+    ray: Option<&raylet_ray<i16f16>>,
 ) -> raylet_status {
-    code(ask::nearest_of::<_, Stable>(shapes, ray, shape, hit))
+    code(ask::nearest_of::<_, Stable>(shape, hit, shapes, ray))
 }
 
 /// As `raylet_shapes_nearest_i16f16`, in the tier Plain.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_shapes_nearest_plain_i16f16(
-    shapes: Option<&raylet_shapes<i16f16>>,
-    ray: Option<&raylet_ray<i16f16>>,
     shape: Option<&mut MaybeUninit<u32>>,
     hit: Option<&mut MaybeUninit<raylet_hit<i16f16>>>,
+    shapes: Option<&raylet_shapes<i16f16>>,
+    ray: Option<&raylet_ray<i16f16>>,
 ) -> raylet_status {
-    code(ask::nearest_of::<_, Plain>(shapes, ray, shape, hit))
+    code(ask::nearest_of::<_, Plain>(shape, hit, shapes, ray))
 }
 
 /// As `raylet_shapes_nearest_i16f16`, in the tier Fast.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_shapes_nearest_fast_i16f16(
-    shapes: Option<&raylet_shapes<i16f16>>,
-    ray: Option<&raylet_ray<i16f16>>,
     shape: Option<&mut MaybeUninit<u32>>,
     hit: Option<&mut MaybeUninit<raylet_hit<i16f16>>>,
+    shapes: Option<&raylet_shapes<i16f16>>,
+    ray: Option<&raylet_ray<i16f16>>,
 ) -> raylet_status {
-    code(ask::nearest_of::<_, Fast>(shapes, ray, shape, hit))
+    code(ask::nearest_of::<_, Fast>(shape, hit, shapes, ray))
 }
 
 /// As `raylet_shapes_nearest_i16f16`, in the tier Exact.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_shapes_nearest_exact_i16f16(
-    shapes: Option<&raylet_shapes<i16f16>>,
-    ray: Option<&raylet_ray<i16f16>>,
     shape: Option<&mut MaybeUninit<u32>>,
     hit: Option<&mut MaybeUninit<raylet_hit<i16f16>>>,
+    shapes: Option<&raylet_shapes<i16f16>>,
+    ray: Option<&raylet_ray<i16f16>>,
 ) -> raylet_status {
-    code(ask::nearest_of::<_, Exact>(shapes, ray, shape, hit))
+    code(ask::nearest_of::<_, Exact>(shape, hit, shapes, ray))
 }
 
 /// 1 if a ray hits any of the shapes within its range, or 0.
@@ -152,47 +152,47 @@ pub extern "C" fn raylet_shapes_hits_exact_i16f16(
 /// solid after the other; see the documentation of `raylet::solids`.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_crossings_i16f16(
+    crossings: *mut raylet_crossing<i16f16>,
+    capacity: usize,
     list: *const raylet_shape<i16f16>,
     count: usize,
     ray: Option<&raylet_ray<i16f16>>,
-    crossings: *mut raylet_crossing<i16f16>,
-    capacity: usize,
 ) -> raylet_status {
-    code(ask::crossings::<_, Stable>(list, count, ray, crossings, capacity))
+    code(ask::crossings::<_, Stable>(crossings, capacity, list, count, ray))
 }
 
 /// As `raylet_crossings_i16f16`, in the tier Plain.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_crossings_plain_i16f16(
+    crossings: *mut raylet_crossing<i16f16>,
+    capacity: usize,
     list: *const raylet_shape<i16f16>,
     count: usize,
     ray: Option<&raylet_ray<i16f16>>,
-    crossings: *mut raylet_crossing<i16f16>,
-    capacity: usize,
 ) -> raylet_status {
-    code(ask::crossings::<_, Plain>(list, count, ray, crossings, capacity))
+    code(ask::crossings::<_, Plain>(crossings, capacity, list, count, ray))
 }
 
 /// As `raylet_crossings_i16f16`, in the tier Fast.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_crossings_fast_i16f16(
+    crossings: *mut raylet_crossing<i16f16>,
+    capacity: usize,
     list: *const raylet_shape<i16f16>,
     count: usize,
     ray: Option<&raylet_ray<i16f16>>,
-    crossings: *mut raylet_crossing<i16f16>,
-    capacity: usize,
 ) -> raylet_status {
-    code(ask::crossings::<_, Fast>(list, count, ray, crossings, capacity))
+    code(ask::crossings::<_, Fast>(crossings, capacity, list, count, ray))
 }
 
 /// As `raylet_crossings_i16f16`, in the tier Exact.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_crossings_exact_i16f16(
+    crossings: *mut raylet_crossing<i16f16>,
+    capacity: usize,
     list: *const raylet_shape<i16f16>,
     count: usize,
     ray: Option<&raylet_ray<i16f16>>,
-    crossings: *mut raylet_crossing<i16f16>,
-    capacity: usize,
 ) -> raylet_status {
-    code(ask::crossings::<_, Exact>(list, count, ray, crossings, capacity))
+    code(ask::crossings::<_, Exact>(crossings, capacity, list, count, ray))
 }

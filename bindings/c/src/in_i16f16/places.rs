@@ -62,11 +62,11 @@ pub extern "C" fn raylet_shape_seen_from_i16f16(
 /// The box around a shape along the axes of the world; an infinite shape has the largest or infinite numbers.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_shape_bounds_i16f16(
-    shape: Option<&raylet_shape<i16f16>>,
     low: Option<&mut MaybeUninit<raylet_vec3<i16f16>>>,
     high: Option<&mut MaybeUninit<raylet_vec3<i16f16>>>,
+    shape: Option<&raylet_shape<i16f16>>,
 ) -> raylet_status {
-    code(ask::bounds(shape, low, high))
+    code(ask::bounds(low, high, shape))
 }
 
 /// A frame along the axes of the world.
@@ -131,9 +131,9 @@ pub extern "C" fn raylet_frame_from_quaternion_i16f16(
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_frame_between_i16f16(
     frame: Option<&mut MaybeUninit<raylet_frame<i16f16>>>,
+    height: Option<&mut MaybeUninit<i16f16>>,
     from: raylet_vec3<i16f16>,
     to: raylet_vec3<i16f16>,
-    height: Option<&mut MaybeUninit<i16f16>>,
 ) -> raylet_status {
     code(make::between(frame, from, to, height))
 }
@@ -177,9 +177,9 @@ pub extern "C" fn raylet_frame_to_world_i16f16(
 /// A point of the world in the coordinates of a frame.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_frame_point_to_local_i16f16(
+    out: Option<&mut MaybeUninit<raylet_vec3<i16f16>>>,
     frame: Option<&raylet_frame<i16f16>>,
     point: raylet_vec3<i16f16>,
-    out: Option<&mut MaybeUninit<raylet_vec3<i16f16>>>,
 ) -> raylet_status {
     code(write(out, || Ok(raylet_vec3::of(get(frame)?.point_to_local(point.vector())))))
 }
@@ -187,9 +187,9 @@ pub extern "C" fn raylet_frame_point_to_local_i16f16(
 /// A point in the coordinates of a frame in those of the world.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_frame_point_to_world_i16f16(
+    out: Option<&mut MaybeUninit<raylet_vec3<i16f16>>>,
     frame: Option<&raylet_frame<i16f16>>,
     point: raylet_vec3<i16f16>,
-    out: Option<&mut MaybeUninit<raylet_vec3<i16f16>>>,
 ) -> raylet_status {
     code(write(out, || Ok(raylet_vec3::of(get(frame)?.point_to_world(point.vector())))))
 }

@@ -76,9 +76,9 @@ pub extern "C" fn raylet_ray_departing_i16f16(
 /// The point at `t`.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_ray_at_i16f16(
+    point: Option<&mut MaybeUninit<raylet_vec3<i16f16>>>,
     ray: Option<&raylet_ray<i16f16>>,
     t: i16f16,
-    point: Option<&mut MaybeUninit<raylet_vec3<i16f16>>>,
 ) -> raylet_status {
     code(write(point, || Ok(raylet_vec3::of(get(ray)?.at(t.scalar())))))
 }
@@ -86,8 +86,8 @@ pub extern "C" fn raylet_ray_at_i16f16(
 /// The direction of length 1, in the unit of directions.
 #[unsafe(no_mangle)]
 pub extern "C" fn raylet_ray_direction_i16f16(
-    ray: Option<&raylet_ray<i16f16>>,
     direction: Option<&mut MaybeUninit<raylet_vec3<i16f16>>>,
+    ray: Option<&raylet_ray<i16f16>>,
 ) -> raylet_status {
     code(write(direction, || Ok(raylet_vec3::of_direction(get(ray)?.direction()))))
 }
