@@ -92,14 +92,13 @@ impl<S: Scalar, K: Kinds> Surface<S, K> {
             }
             _ => self.local_point_near(rough),
         });
-        // Close to the world's origin floats have smaller units than close to the primitive's origin.
-        let twice = self.hit.t.plus(self.hit.t);
+        // Close to the world's origin floats have smaller units than close to the primitive's origin, and than `t`.
         let is_fine = |point: &Vec3<S>| {
-            if S::RELATIVE {
-                S::resolves(twice, largest([point.x, point.y, point.z]))
-            } else {
-                !self.is_far_from_frame(rough)
+            if !S::RELATIVE {
+                return !self.is_far_from_frame(rough);
             }
+            let size = largest([point.x, point.y, point.z]);
+            [self.hit.t, largest([rough.x, rough.y, rough.z])].into_iter().all(|c| S::resolves(c.plus(c), size))
         };
         let point = if let Some(point) = resolved.filter(is_fine) {
             point
