@@ -121,13 +121,14 @@ function move(state, point, [dx, dy]) {
     state[point] = plus(state[point], plus(times(right, dx), times(up, dy))).map((x) => Math.round(x * 1000) / 1000);
 }
 
-/** Calls back with how far a pointer is dragged, in the units of the picture. */
+/** Calls back with how far a pointer is dragged, in the units of the picture. What is said is read out when it ends. */
 function dragged(target, moved) {
     let last = null, pointer;
     target.addEventListener("pointerdown", (event) => {
         if (last) return;
         [last, pointer] = [[event.clientX, event.clientY], event.pointerId];
         target.setPointerCapture(event.pointerId);
+        find("said").ariaBusy = "true";
         event.preventDefault();
         event.stopPropagation();
         target.focus({ preventScroll: true });
@@ -140,7 +141,9 @@ function dragged(target, moved) {
     });
     for (const end of ["pointerup", "pointercancel"]) {
         target.addEventListener(end, (event) => {
-            if (event.pointerId === pointer) last = null;
+            if (event.pointerId !== pointer) return;
+            last = null;
+            find("said").ariaBusy = "false";
         });
     }
 }

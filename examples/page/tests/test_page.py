@@ -84,7 +84,10 @@ def test_an_end_of_the_ray_is_dragged(opened):
     page.mouse.move(x, y)
     page.mouse.down()
     page.mouse.move(x + 15, y + 40, steps=4)
+    # Nothing is read out for each step of it.
+    assert page.locator("#said").get_attribute("aria-busy") == "true"
     page.mouse.up()
+    assert page.locator("#said").get_attribute("aria-busy") == "false"
     page.wait_for_function("location.hash.includes('start=')")
     assert crossings(page) != before
     # What is shown is what the host says of the same numbers.
