@@ -43,6 +43,10 @@ pub enum Part {
     Effects,
     /// Instructions a pixel, and rays, for each picture of the gallery; not of every chip.
     Gallery,
+    /// Instructions a pixel of a display.
+    Display,
+    /// Rows and instructions of the frames of an animation.
+    Frames,
     /// Modelled cycles of a query, with the least of each range; only of chips whose manuals give ranges.
     LeastCost,
 }
@@ -55,6 +59,8 @@ impl Part {
             Self::Size => "size",
             Self::Effects => "effects",
             Self::Gallery => "gallery",
+            Self::Display => "display",
+            Self::Frames => "frames",
             Self::LeastCost => "cost at least",
         }
     }
@@ -66,6 +72,8 @@ impl Part {
             Self::Size => "bytes",
             Self::Effects => "instructions and bytes of stack",
             Self::Gallery => "instructions and rays",
+            Self::Display => "instructions a pixel",
+            Self::Frames => "rows and instructions",
             Self::LeastCost => "modelled cycles",
         }
     }

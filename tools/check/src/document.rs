@@ -1,10 +1,10 @@
-//! The baselines of the chips as tables: those of `docs/microcontrollers.md` and `docs/gallery.md`, and all others to
-//! be printed. Also the tables of `docs/errors.md`.
+//! The baselines of the chips as tables: those of `docs/microcontrollers.md`, `docs/gallery.md` and `docs/displays.md`,
+//! and all others to be printed. Also the tables of `docs/errors.md`.
 
 use crate::chip::{self, Part};
 use crate::effects::{GALLERY_FIGURES, key};
 use crate::sets::{NUMBERS, SETS, SHAPE, USES};
-use crate::{cost, kinds, size};
+use crate::{cost, frames, kinds, size};
 use raylet_tables::markdown::{NONE, Table};
 use raylet_tables::{Baseline, CHIPS, Cell, Figures, Outcome, SUBJECTS, grouped, in_repository, joined, page, pivot};
 use raylet_tables::{Place, mean_and_worst, together};
@@ -127,6 +127,23 @@ fn cycles(chips: &[Measured]) -> String {
     table.done()
 }
 
+/// The frames of the animation: how many rows each draws, and instructions on each chip.
+fn frames(chips: &[Measured]) -> String {
+    let titles = ["frame", "rows"].into_iter().chain(chips.iter().map(|of| of.name)).collect::<Vec<_>>();
+    let mut table = Table::new(&titles, 1);
+    let figure = |of: &Measured, frame, what| {
+        let figure = Part::Frames.figure(&of.counted, &frames::key(frame, what));
+        figure.map_or(NONE.into(), grouped)
+    };
+    let Some(first) = chips.first() else { return table.done() };
+    for frame in frames::known(Part::Frames.figures(&first.counted)) {
+        let instructions = chips.iter().map(|of| figure(of, frame, "instructions"));
+        let start = [frame.to_string(), figure(first, frame, "rows")];
+        table.row(&start.into_iter().chain(instructions).collect::<Vec<_>>());
+    }
+    table.done()
+}
+
 /// A picture of the gallery: its command, what that said, and the cost of a pixel.
 fn picture(chips: &[Measured], name: &str) -> Outcome<String> {
     let text = std::fs::read_to_string(in_repository(&format!("docs/gallery/{name}.txt")))
@@ -164,15 +181,15 @@ fn errors(scene: &str) -> Outcome<String> {
 fn table(chips: &[Measured], name: &str, about: &str) -> Outcome<String> {
     Ok(match name {
         "uses" => uses(chips),
+        "frames" => frames(chips),
         "cycles" => cycles(chips),
         "picture" => picture(chips, about)?,
         "errors" => errors(about)?,
         "textbook" => compared(chips, Part::Cost, &["solid", "number", "tier"], place_of_solid, hit_and_miss),
         "users" => compared(chips, Part::Workload, &["rays"], place_of_user, mean_and_worst),
         "flash" => compared(chips, Part::Size, &["solid", "tier"], place_of_size, |cell| joined(cell, &["bytes"])),
-        "pixels" => compared(chips, Part::Effects, &["effects", "number", "tier"], place_of_pixel, |cell| {
-            joined(cell, &["instructions"])
-        }),
+        "pixels" => pixels(chips, Part::Effects),
+        "display" => pixels(chips, Part::Display),
         _ => return Err(format!("there is no table `{name}`").into()),
     })
 }
@@ -203,11 +220,16 @@ fn place_of_size<'a>(parts: &[&'a str]) -> Option<Place<'a>> {
     Some((vec![solid, tier], vec![chip, number], "bytes"))
 }
 
-/// The nearest hit, light, and shadows in pictures of every tier.
+/// Instructions a pixel.
+fn pixels(chips: &[Measured], part: Part) -> String {
+    compared(chips, part, &["effects", "number", "tier"], place_of_pixel, |cell| joined(cell, &["instructions"]))
+}
+
+/// The nearest hit, light, and shadows in pictures of every tier; and a scene of the gallery.
 fn place_of_pixel<'a>(parts: &[&'a str]) -> Option<Place<'a>> {
     let [chip, of, number, "instructions"] = *parts else { return None };
     let (set, tier) = of.split_once("; ").unwrap_or((of, "Stable"));
-    let is_shown = matches!(set, "none" | "diffuse" | "diffuse, specular, shadows");
+    let is_shown = matches!(set, "none" | "diffuse" | "diffuse, specular, shadows" | "still-life");
     is_shown.then(|| (vec![set, number, tier], vec![chip], "instructions"))
 }
 
@@ -273,7 +295,7 @@ pub fn printed(chip: &str) -> Outcome<String> {
 /// Writes the tables of the pages, or says whether they are as they should be.
 pub fn write(verify: bool) -> Outcome {
     let chips = chips()?;
-    for path in ["docs/microcontrollers.md", "docs/gallery.md", "docs/errors.md"] {
+    for path in ["docs/microcontrollers.md", "docs/gallery.md", "docs/errors.md", "docs/displays.md"] {
         let text = page::renewed(path, |name, about, _| table(&chips, name, about))?;
         page::put(path, &text, verify, ".ci/measure --document")?;
     }

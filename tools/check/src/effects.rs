@@ -42,8 +42,8 @@ pub fn key(set: &str, number: &str, figure: &str) -> String {
 }
 
 /// The name of a set in another tier than `Stable`.
-pub fn in_tier(set: &str, tier: &str) -> String {
-    format!("{set}; {tier}")
+fn in_tier(set: &str, tier: &str) -> String {
+    if tier == "Stable" { set.into() } else { format!("{set}; {tier}") }
 }
 
 #[derive(Deserialize)]
@@ -59,6 +59,8 @@ struct Row {
     set: String,
     tier: String,
     number: String,
+    /// A scene of the gallery; empty for the four objects that all sets are measured by.
+    scene: String,
     alone: Measured,
     /// Not in every tier.
     among_all: Option<Measured>,
@@ -69,8 +71,8 @@ struct Row {
 /// An error if an effect that is compiled in and not called for changes a picture, or casts a ray.
 pub fn read(path: &Path) -> Outcome<Figures> {
     let mut figures = Figures::new();
-    for Row { set, tier, number, alone, among_all } in rows(path)? {
-        let row = if tier == "Stable" { set } else { in_tier(&set, &tier) };
+    for Row { set, tier, number, alone, among_all, .. } in rows(path)? {
+        let row = in_tier(&set, &tier);
         figures.insert(key(&row, &number, "instructions"), alone.instructions);
         figures.insert(key(&row, &number, "stack"), alone.stack);
         let Some(among_all) = among_all else { continue };
@@ -86,6 +88,17 @@ pub fn read(path: &Path) -> Outcome<Figures> {
         }
     }
     Ok(figures)
+}
+
+/// What the program `on_display` printed.
+pub fn read_on_display(path: &Path) -> Outcome<Figures> {
+    let row = |Row { set, tier, number, alone, scene, .. }: Row| {
+        (
+            key(&in_tier(if scene.is_empty() { &set } else { &scene }, &tier), &number, "instructions"),
+            alone.instructions,
+        )
+    };
+    Ok(rows(path)?.into_iter().map(row).collect())
 }
 
 #[derive(Deserialize)]

@@ -20,6 +20,7 @@ mod effects;
 mod elf;
 mod faults;
 mod forbidden;
+mod frames;
 mod kinds;
 mod printed;
 mod programs;
@@ -90,12 +91,26 @@ enum Command {
         /// What the program `gallery` printed.
         output: PathBuf,
     },
+    /// Compares what pixels of a display cost with the baseline.
+    Display {
+        #[command(flatten)]
+        chip: Chip,
+        /// What the program `on_display` printed.
+        output: PathBuf,
+    },
+    /// Compares what the frames of the animation `bounce` take with the baseline.
+    Frames {
+        #[command(flatten)]
+        chip: Chip,
+        /// What the program `bounce` printed.
+        output: PathBuf,
+    },
     /// Prints every table of a chip.
     Page {
         /// Its name or its target: Cortex-M0+, Cortex-M3, Cortex-M4F, RV32IMC.
         chip: String,
     },
-    /// Writes the tables of `docs/microcontrollers.md` and `docs/gallery.md` from the baselines.
+    /// Writes the tables of the pages from the baselines.
     Document {
         /// Only say whether it is as it should be.
         #[arg(long)]
@@ -117,6 +132,8 @@ fn run(command: &Command) -> Outcome {
         }
         Command::Effects { chip, output } => chip::check(chip, Part::Effects, effects::read(output)?),
         Command::Gallery { chip, output } => chip::check(chip, Part::Gallery, effects::read_gallery(output)?),
+        Command::Display { chip, output } => chip::check(chip, Part::Display, effects::read_on_display(output)?),
+        Command::Frames { chip, output } => chip::check(chip, Part::Frames, frames::read(output)?),
         Command::Page { chip } => raylet_tables::print(&document::printed(chip)?),
         Command::Document { verify } => document::write(*verify),
     }

@@ -9,19 +9,25 @@
 mod measure;
 mod stage;
 
+use crate::shown::with_built_in;
 use core::fmt::{self, Display};
 use fixed::types::I16F16;
-pub use measure::{Measured, picture};
+pub use measure::{Measured, every, picture};
 use raylet::effect::{
     All, Ambient, Antialiasing, Bump, Diffuse, EffectSet, Effects, Fog, Outline, Reflection, Refraction, Shadows,
     Specular, Texture,
 };
-use raylet::tier::{Fast, Plain, Tier};
+use raylet::gallery::BuiltIn;
+use raylet::tier::{Fast, Plain, Stable, Tier};
 use raylet::{Picture, Scalar, Size};
 use stage::Stage;
 
 /// Columns and rows of the pictures that are measured.
 const SIZE: Size = Size::new(16, 12);
+
+/// Those of a display, of which one row in [`ROWS`] is measured.
+const DISPLAY: Size = Size::new(240, 240);
+const ROWS: u16 = 24;
 
 /// What was measured of one set of effects.
 #[derive(Clone, Copy, Debug)]
@@ -32,6 +38,10 @@ pub struct Row {
     pub tier: &'static str,
     /// The number type.
     pub number: &'static str,
+    /// Pixels in a row.
+    pub columns: u16,
+    /// The scene of the gallery; empty for that of this module.
+    pub scene: &'static str,
     /// With just this set compiled in.
     pub alone: Measured,
     /// The same scene with every effect compiled in; measured only in `Stable`.
@@ -41,13 +51,26 @@ pub struct Row {
 impl Display for Row {
     /// A line of JSON.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { set, tier, number, alone, among_all } = self;
-        write!(f, r#"{{"set":"{set}","tier":"{tier}","number":"{number}","alone":{alone},"among_all":"#)?;
+        let Self { set, tier, number, columns, scene, alone, among_all } = self;
+        write!(f, r#"{{"set":"{set}","tier":"{tier}","number":"{number}","columns":{columns},"scene":"{scene}","#)?;
+        write!(f, r#""alone":{alone},"among_all":"#)?;
         match among_all {
             Some(measured) => write!(f, "{measured}}}"),
             None => f.write_str("null}"),
         }
     }
+}
+
+/// Measures a nearest hit, light and shadows on a display, in two number types.
+pub fn on_displays(give: &mut impl FnMut(Row)) {
+    on_display_in::<I16F16>("I16F16", give);
+    on_display_in::<f32>("f32", give);
+}
+
+fn on_display_in<S: Scalar>(number: &'static str, give: &mut impl FnMut(Row)) {
+    on_display::<S, Plain>("Plain", number, give);
+    on_display::<S, Fast>("Fast", number, give);
+    on_display::<S, Stable>("Stable", number, give);
 }
 
 /// Measures every set in two number types, and gives each row to `give`.
@@ -77,17 +100,39 @@ fn every_set<S: Scalar>(number: &'static str, give: &mut impl FnMut(Row)) {
 
 /// What a nearest hit, a light and two shadows take.
 fn in_tier<S: Scalar, T: Tier<S>>(tier: &'static str, number: &'static str, give: &mut impl FnMut(Row)) {
-    give(row_in_tier::<S, (), T>(tier, number));
-    give(row_in_tier::<S, (Diffuse,), T>(tier, number));
-    give(row_in_tier::<S, (Diffuse, Specular, Shadows), T>(tier, number));
+    give(row_in_tier::<S, (), T>(tier, number, SIZE));
+    give(row_in_tier::<S, (Diffuse,), T>(tier, number, SIZE));
+    give(row_in_tier::<S, (Diffuse, Specular, Shadows), T>(tier, number, SIZE));
+}
+
+/// The same on a display, whose rows are longer, and a scene of more objects.
+fn on_display<S: Scalar, T: Tier<S>>(tier: &'static str, number: &'static str, give: &mut impl FnMut(Row)) {
+    give(row_in_tier::<S, (), T>(tier, number, DISPLAY));
+    give(row_in_tier::<S, (Diffuse,), T>(tier, number, DISPLAY));
+    give(row_in_tier::<S, (Diffuse, Specular, Shadows), T>(tier, number, DISPLAY));
+    give(still_life::<S, T>(tier, number));
+}
+
+/// The scene of the gallery, of fourteen objects, with a hierarchy.
+#[inline(never)]
+fn still_life<S: Scalar, T: Tier<S>>(tier: &'static str, number: &'static str) -> Row {
+    type Lit = (Diffuse, Specular, Shadows);
+    let (columns, scene) = (DISPLAY.width, BuiltIn::StillLife.name());
+    let mut alone = None;
+    with_built_in::<S>(BuiltIn::StillLife, |scene| {
+        alone = Some(every(ROWS, &Picture::<S, Lit, T>::leaving_out(&scene.at_tier::<T>(), DISPLAY)));
+    });
+    let alone = alone.expect("the scene was measured");
+    Row { set: Lit::SET, tier, number, columns, scene, alone, among_all: None }
 }
 
 #[inline(never)]
-fn row_in_tier<S: Scalar, E: Effects, T: Tier<S>>(tier: &'static str, number: &'static str) -> Row {
+fn row_in_tier<S: Scalar, E: Effects, T: Tier<S>>(tier: &'static str, number: &'static str, size: Size) -> Row {
     let stage = Stage::<S>::calling_for(E::SET).expect("the stage's numbers fit every type");
     let scene = stage.scene().expect("the stage's lists fit together").at_tier::<T>();
-    let alone = picture(&Picture::<S, E, T>::leaving_out(&scene, SIZE));
-    Row { set: E::SET, tier, number, alone, among_all: None }
+    let picture = Picture::<S, E, T>::leaving_out(&scene, size);
+    let alone = every(if size == DISPLAY { ROWS } else { 1 }, &picture);
+    Row { set: E::SET, tier, number, columns: size.width, scene: "", alone, among_all: None }
 }
 
 /// Its own frame, so that nothing of another set is counted.
@@ -101,6 +146,8 @@ fn row<S: Scalar, E: Effects>(number: &'static str) -> Row {
         set: E::SET,
         tier: "Stable",
         number,
+        columns: size.width,
+        scene: "",
         alone: picture(&Picture::<S, E>::leaving_out(&scene, size)),
         among_all: Some(picture(&Picture::<S, All>::new(&scene, size).only(E::SET))),
     }
