@@ -93,10 +93,8 @@ pub fn read(path: &Path) -> Outcome<Figures> {
 /// What the program `on_display` printed.
 pub fn read_on_display(path: &Path) -> Outcome<Figures> {
     let row = |Row { set, tier, number, alone, scene, .. }: Row| {
-        (
-            key(&in_tier(if scene.is_empty() { &set } else { &scene }, &tier), &number, "instructions"),
-            alone.instructions,
-        )
+        let of = if scene.is_empty() { set } else { scene };
+        (key(&in_tier(&of, &tier), &number, "instructions"), alone.instructions)
     };
     Ok(rows(path)?.into_iter().map(row).collect())
 }

@@ -38,8 +38,6 @@ pub struct Row {
     pub tier: &'static str,
     /// The number type.
     pub number: &'static str,
-    /// Pixels in a row.
-    pub columns: u16,
     /// The scene of the gallery; empty for that of this module.
     pub scene: &'static str,
     /// With just this set compiled in.
@@ -51,9 +49,9 @@ pub struct Row {
 impl Display for Row {
     /// A line of JSON.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { set, tier, number, columns, scene, alone, among_all } = self;
-        write!(f, r#"{{"set":"{set}","tier":"{tier}","number":"{number}","columns":{columns},"scene":"{scene}","#)?;
-        write!(f, r#""alone":{alone},"among_all":"#)?;
+        let Self { set, tier, number, scene, alone, among_all } = self;
+        write!(f, r#"{{"set":"{set}","tier":"{tier}","number":"{number}","scene":"{scene}","alone":{alone},"#)?;
+        f.write_str(r#""among_all":"#)?;
         match among_all {
             Some(measured) => write!(f, "{measured}}}"),
             None => f.write_str("null}"),
@@ -117,13 +115,12 @@ fn on_display<S: Scalar, T: Tier<S>>(tier: &'static str, number: &'static str, g
 #[inline(never)]
 fn still_life<S: Scalar, T: Tier<S>>(tier: &'static str, number: &'static str) -> Row {
     type Lit = (Diffuse, Specular, Shadows);
-    let (columns, scene) = (DISPLAY.width, BuiltIn::StillLife.name());
     let mut alone = None;
     with_built_in::<S>(BuiltIn::StillLife, |scene| {
         alone = Some(every(ROWS, &Picture::<S, Lit, T>::leaving_out(&scene.at_tier::<T>(), DISPLAY)));
     });
     let alone = alone.expect("the scene was measured");
-    Row { set: Lit::SET, tier, number, columns, scene, alone, among_all: None }
+    Row { set: Lit::SET, tier, number, scene: BuiltIn::StillLife.name(), alone, among_all: None }
 }
 
 #[inline(never)]
@@ -132,7 +129,7 @@ fn row_in_tier<S: Scalar, E: Effects, T: Tier<S>>(tier: &'static str, number: &'
     let scene = stage.scene().expect("the stage's lists fit together").at_tier::<T>();
     let picture = Picture::<S, E, T>::leaving_out(&scene, size);
     let alone = every(if size == DISPLAY { ROWS } else { 1 }, &picture);
-    Row { set: E::SET, tier, number, columns: size.width, scene: "", alone, among_all: None }
+    Row { set: E::SET, tier, number, scene: "", alone, among_all: None }
 }
 
 /// Its own frame, so that nothing of another set is counted.
@@ -146,7 +143,6 @@ fn row<S: Scalar, E: Effects>(number: &'static str) -> Row {
         set: E::SET,
         tier: "Stable",
         number,
-        columns: size.width,
         scene: "",
         alone: picture(&Picture::<S, E>::leaving_out(&scene, size)),
         among_all: Some(picture(&Picture::<S, All>::new(&scene, size).only(E::SET))),
