@@ -1,4 +1,4 @@
-//! Asks shapes about rays, for C. As in its header, what is written comes first.
+//! Asks shapes about rays, for C. As in its header, places for results come first.
 
 use crate::make::Out;
 use crate::number::{Number, Of};

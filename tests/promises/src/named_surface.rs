@@ -187,9 +187,8 @@ fn normals_and_points_are_those_of_the_exact_hit<S: Number, T: Tier<S>>(_: f64) 
 /// A sea of radius 8,000 below the world's origin was met 931 units off the hit: the point was the image of the local
 /// one, whose unit is that of 8,000. Here the frame's position takes a hit of the solid next to the world's origin.
 fn points_near_the_worlds_origin_have_its_small_units<S: Number, T: Tier<S>>(_: f64) {
-    let mut seen = 0;
     for name in JUDGED {
-        let (subject, mut random) = (Subject::<S>::new(name), Random(21));
+        let (subject, mut random, mut seen) = (Subject::<S>::new(name), Random(21), 0);
         for _ in 0..times(200) {
             let Some(local) = Workload::Benign.ray(&subject, &mut random) else { continue };
             let Some(hit) = subject.shape.nearest(&local) else { continue };
@@ -205,8 +204,8 @@ fn points_near_the_worlds_origin_have_its_small_units<S: Number, T: Tier<S>>(_: 
             // points that are far from the world's origin 4.1.
             seen += judged::<S, T>(&subject, Some(frame), &ray, [10.0, 5.0]);
         }
+        assert!(seen > 40, "{name}: {seen} hits");
     }
-    assert!(seen > 300, "{seen} hits");
 }
 
 /// x was .3000249: the hit on a ball sheared flat was projected along its surface. With u = 1000 y the ball is
