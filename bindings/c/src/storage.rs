@@ -190,7 +190,7 @@ pub fn put_hit<N: Number>(
     // SAFETY: the place has the size and the alignment of the value, which has been written when its crossing is read.
     unsafe {
         place.cast::<Option<Hit<Of<N>>>>().write(nearest());
-        // Read again: otherwise the compiler cuts it out of the copied words, by 2 (RV32IMC) to 4 (M0+) instructions.
+        // Read again: otherwise the compiler cuts it out of the copied words, which takes up to 4 instructions (M0+).
         let crossing = (&raw const (*place).crossing).read_volatile();
         // That of no hit is the largest. On an RV32IMC this takes an instruction less than whether it is another one.
         (crossing < const { crossing_of_none::<Of<N>, N>() }).into()

@@ -45,7 +45,7 @@ pub enum Part {
     Gallery,
     /// Instructions a pixel of a display.
     Display,
-    /// Rows and instructions of the frames of an animation.
+    /// Instructions of the frames of an animation.
     Frames,
     /// Modelled cycles of a query, with the least of each range; only of chips whose manuals give ranges.
     LeastCost,
@@ -73,7 +73,7 @@ impl Part {
             Self::Effects => "instructions and bytes of stack",
             Self::Gallery => "instructions and rays",
             Self::Display => "instructions a pixel",
-            Self::Frames => "rows and instructions",
+            Self::Frames => "instructions a frame",
             Self::LeastCost => "modelled cycles",
         }
     }

@@ -128,20 +128,16 @@ fn cycles(chips: &[Measured]) -> String {
 }
 
 /// The frames of the animation: how many rows each draws, and instructions on each chip.
-fn frames(chips: &[Measured]) -> String {
+fn frames(chips: &[Measured]) -> Outcome<String> {
     let titles = ["frame", "rows"].into_iter().chain(chips.iter().map(|of| of.name)).collect::<Vec<_>>();
     let mut table = Table::new(&titles, 1);
-    let figure = |of: &Measured, frame, what| {
-        let figure = Part::Frames.figure(&of.counted, &frames::key(frame, what));
-        figure.map_or(NONE.into(), grouped)
-    };
-    let Some(first) = chips.first() else { return table.done() };
-    for frame in frames::known(Part::Frames.figures(&first.counted)) {
-        let instructions = chips.iter().map(|of| figure(of, frame, "instructions"));
-        let start = [frame.to_string(), figure(first, frame, "rows")];
-        table.row(&start.into_iter().chain(instructions).collect::<Vec<_>>());
+    for (frame, rows) in frames::rows()?.into_iter().enumerate() {
+        let instructions =
+            |of: &Measured| Part::Frames.figure(&of.counted, &frames::key(frame)).map_or(NONE.into(), grouped);
+        let start = [frame.to_string(), rows.to_string()];
+        table.row(&start.into_iter().chain(chips.iter().map(instructions)).collect::<Vec<_>>());
     }
-    table.done()
+    Ok(table.done())
 }
 
 /// A picture of the gallery: its command, what that said, and the cost of a pixel.
@@ -181,7 +177,7 @@ fn errors(scene: &str) -> Outcome<String> {
 fn table(chips: &[Measured], name: &str, about: &str) -> Outcome<String> {
     Ok(match name {
         "uses" => uses(chips),
-        "frames" => frames(chips),
+        "frames" => frames(chips)?,
         "cycles" => cycles(chips),
         "picture" => picture(chips, about)?,
         "errors" => errors(about)?,

@@ -1,5 +1,5 @@
 //! What effects cost on a chip: instructions and stack of a pixel, with each set of effects compiled in, and with all
-//! of them; and some sets in the other tiers.
+//! of them; some sets in the other tiers, and on a display.
 //!
 //! | module | what it holds |
 //! |---|---|
