@@ -43,12 +43,43 @@ pub(crate) fn nearest_of_255(linear: u32) -> u32 {
     level + u32::from(2 * above >= whole)
 }
 
+/// The fields of channels: narrow ones for dark channels, which have more levels.
+const fn field(linear: u32) -> usize {
+    (match linear {
+        0..0x400 => linear >> 4,
+        0x400..0x2000 => 64 + (linear >> 7),
+        _ => 128 + (linear >> 10),
+    }) as usize
+}
+
+/// The last level that is not brighter than any channel of a field. The search from there takes half as long as one
+/// among all levels.
+static FIRST: [u8; field(65536) + 1] = {
+    let (mut first, mut level, mut linear) = ([0; field(65536) + 1], 0, 0);
+    while linear <= 65536 {
+        while level < 254 && LINEAR[level + 1] as u32 <= linear {
+            level += 1;
+        }
+        if linear == 0 || field(linear) > field(linear - 1) {
+            first[field(linear)] = level as u8;
+        }
+        linear += 1;
+    }
+    first
+};
+
 /// The brightest level that is not brighter, how much brighter the channel is, and how much the next level.
 fn between(linear: u32) -> (u32, [u32; 2]) {
-    let brightness = |level: usize| LINEAR.get(level).map_or(65536, |brightness| u32::from(*brightness));
-    let level = LINEAR.partition_point(|brightness| u32::from(*brightness) <= linear).saturating_sub(1);
-    let low = brightness(level);
-    (level as u32, [linear.saturating_sub(low), brightness(level + 1) - low])
+    let first = FIRST.get(field(linear)).map_or(254, |first| usize::from(*first));
+    let (mut level, mut low) = (first, LINEAR.get(first).map_or(0, |brightness| u32::from(*brightness)));
+    for brightness in LINEAR.get(first + 1..).unwrap_or_default() {
+        let high = u32::from(*brightness);
+        if high > linear {
+            return (level as u32, [linear - low, high - low]);
+        }
+        (level, low) = (level + 1, high);
+    }
+    (level as u32, [linear.saturating_sub(low), 65536 - low])
 }
 
 #[cfg(units)]
