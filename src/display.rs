@@ -34,7 +34,7 @@
 //! ```
 
 use crate::effect::{Effects, TraceContext};
-use crate::render::Picture;
+use crate::render::{InSpans, Picture, Pixel};
 use crate::scalar::{Scalar, UnitScalar};
 use crate::scene::{Color, Counters, Observer, encoded, nearest};
 use crate::shape::kinds::Kinds;
@@ -133,6 +133,90 @@ mod sealed {
     pub trait Sealed {}
 }
 
+/// Calls `draw` with the first column, the row and the area of each of some rows, as far as they are on the display.
+fn each_row<D: DrawTarget>(
+    size: crate::Size,
+    rows: Range<u16>,
+    corner: Point,
+    display: &mut D,
+    mut draw: impl FnMut([u16; 2], &Rectangle, &mut D) -> Result<(), D::Error>,
+) -> Result<(), D::Error> {
+    let screen = display.bounding_box();
+    for y in rows.start..rows.end.min(size.height) {
+        let below = Point::new(corner.x, corner.y.saturating_add(i32::from(y)));
+        let area = Rectangle::new(below, Size::new(u32::from(size.width), 1)).intersection(&screen);
+        if !area.is_zero_sized() {
+            // From 0 to the picture's width, since the area is a part of the row.
+            let x = area.top_left.x.saturating_sub(corner.x) as u16;
+            draw([x, y], &area, display)?;
+        }
+    }
+    Ok(())
+}
+
+/// Draws pixels of a row from a column on.
+fn draw_pixels<S: Scalar, D: DrawTarget<Color: DisplayColor>>(
+    (x, y): (u16, u16),
+    area: &Rectangle,
+    display: &mut D,
+    pixels: impl Iterator<Item = Pixel<S>>,
+) -> Result<(), D::Error> {
+    let columns = (x..=u16::MAX).take(area.size.width as usize);
+    display.fill_contiguous(area, columns.zip(pixels).map(|(x, pixel)| D::Color::shown(pixel.color, x, y)))
+}
+
+impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> InSpans<'_, S, E, T, K> {
+    /// Draws the picture, as [`Picture::draw`].
+    ///
+    /// ```
+    /// use embedded_graphics::{geometry::Point, mock_display::MockDisplay, pixelcolor::Rgb565};
+    /// # use raylet::{Camera, Color, Light, Material, Object, Picture, Scene, Shape, Size, Sphere, Vec3};
+    /// # let y = Vec3::new(0.0_f32, 1.0, 0.0);
+    /// # let camera = Camera::new(Vec3::new(0.0, 0.0, 5.0), Vec3::ZERO, y, 40.0)?;
+    /// # let objects = [Object::new(Shape::new(Sphere::new(1.0_f32)?), 0)];
+    /// # let materials = [Material::matte(Color::WHITE)];
+    /// # let scene = Scene::new(&objects, &materials, &[], camera)?.with_ambient(Color::WHITE);
+    /// let picture = Picture::new(&scene, Size::new(64, 64));
+    /// let [mut display, mut other] = [(); 2].map(|()| MockDisplay::<Rgb565>::new());
+    /// let counters = picture.in_spans().draw(Point::zero(), &mut display)?;
+    /// picture.draw(Point::zero(), &mut other)?;
+    /// assert_eq!(display, other);
+    /// assert!(counters.primary_rays < 64 * 64 / 8);
+    /// # Ok::<(), raylet::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// The first error of the display. Rows before it are drawn.
+    pub fn draw<D: DrawTarget<Color: DisplayColor>>(
+        &self,
+        corner: Point,
+        display: &mut D,
+    ) -> Result<Counters, D::Error> {
+        let mut context = TraceContext::new(());
+        self.draw_rows(0..self.size().height, corner, display, &mut context)?;
+        Ok(context.counters)
+    }
+
+    /// Draws some rows of the picture, as [`Picture::draw_rows`].
+    ///
+    /// # Errors
+    ///
+    /// The first error of the display. Rows before it are drawn.
+    pub fn draw_rows<D: DrawTarget<Color: DisplayColor>, O: Observer>(
+        &self,
+        rows: Range<u16>,
+        corner: Point,
+        display: &mut D,
+        context: &mut TraceContext<O>,
+    ) -> Result<(), D::Error> {
+        let finely = self.picture().finely();
+        each_row(self.size(), rows, corner, display, |[x, y], area, display| {
+            draw_pixels((x, y), area, display, self.row_of(&finely, [x, y], context))
+        })
+    }
+}
+
 impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'_, S, E, T, K> {
     /// Draws the picture with its upper left corner at `corner`, and returns the counters of rays and tests. It needs
     /// no buffer for the frame or for a row: each pixel is sent as it is traced. Pixels off the display are not traced.
@@ -166,21 +250,10 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'_, S, E, T, K> {
         display: &mut D,
         context: &mut TraceContext<O>,
     ) -> Result<(), D::Error> {
-        let (size, finely, screen) = (self.size(), self.finely(), display.bounding_box());
-        for y in rows.start..rows.end.min(size.height) {
-            let below = Point::new(corner.x, corner.y.saturating_add(i32::from(y)));
-            let area = Rectangle::new(below, Size::new(u32::from(size.width), 1)).intersection(&screen);
-            if area.is_zero_sized() {
-                continue;
-            }
-            // From 0 to the picture's width, since the area is a part of the row.
-            let first = area.top_left.x.saturating_sub(corner.x) as u16;
-            let columns = (first..=u16::MAX).take(area.size.width as usize);
-            let colors =
-                columns.zip(finely.row_from(first, y, context)).map(|(x, pixel)| D::Color::shown(pixel.color, x, y));
-            display.fill_contiguous(&area, colors)?;
-        }
-        Ok(())
+        let finely = self.finely();
+        each_row(self.size(), rows, corner, display, |[x, y], area, display| {
+            draw_pixels((x, y), area, display, finely.row_from(x, y, context))
+        })
     }
 
     /// Traces row `y` into a buffer, for instance to send it to a display by DMA while the next row is traced into

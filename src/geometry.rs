@@ -221,3 +221,15 @@ pub struct Bounds<S> {
     /// The corner with the largest coordinates.
     pub high: Vec3<S>,
 }
+
+impl<S: Scalar> Bounds<S> {
+    /// The ball through the corners but for rounding, as [`Hull::ball`]; `None` of a box that is infinite.
+    pub(crate) fn ball(&self) -> Option<(Vec3<S>, [S; 3])> {
+        let (low, high) = (self.low.to_array(), self.high.to_array());
+        let whole = pairs(low, high).map(|(low, high)| high.minus(low));
+        let halves = whole.map(|whole| whole.scaled(-1));
+        // Of fixed point a difference beyond the type is infinite, and its half is not.
+        let is_finite = [low, high, whole].as_flattened().iter().all(|c| c.is_finite());
+        is_finite.then(|| (self.low + Vec3::from(halves), halves))
+    }
+}

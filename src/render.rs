@@ -5,6 +5,9 @@
 //! other.
 
 mod changes;
+mod spans;
+
+pub use spans::{InSpans, RowInSpans};
 
 use crate::effect::{All, Effect, EffectError, EffectSet, Effects, Sample, TraceContext, Tracer, differ};
 use crate::part::Part;

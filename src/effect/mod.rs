@@ -90,6 +90,7 @@ pub use compiled::{
 };
 pub use cutoff::DEPTH;
 pub use set::{Effect, EffectSet, Iter};
+pub(crate) use shading::Course;
 pub use trace_context::TraceContext;
 pub use tracer::Tracer;
 

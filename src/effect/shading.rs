@@ -10,9 +10,10 @@ use super::trace_context::TraceContext;
 use super::tracer::Tracer;
 use super::{ambient, bump, diffuse, fog, reflection, refraction, shadow, specular, texture};
 use crate::hit::Crossing;
+use crate::part::Part;
 use crate::ray::{Range, Ray};
 use crate::scalar::{Ring, Scalar, UnitScalar};
-use crate::scene::{Candidates, Color, Material, Observer, Waves};
+use crate::scene::{Candidates, Color, Material, Observer, SceneHit, Waves};
 use crate::shape::Surface;
 use crate::shape::kinds::Kinds;
 use crate::tier::Tier;
@@ -20,6 +21,19 @@ use crate::vector::Vec3;
 
 /// The most surfaces between equal media that a ray passes; the next one is seen.
 const MOST_PASSED: u32 = 256;
+
+/// How light changes along a row.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Course<S> {
+    /// Not at all.
+    Same,
+    /// Smoothly, but for shadows.
+    Smooth,
+    /// The same, and with highlights of this exponent, which are narrow where the surface is curved.
+    Glossy(S),
+    /// In any way.
+    Any,
+}
 
 impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
     /// Casts a ray, which meets no other objects than these, gathers the light at the first interface, and returns the
@@ -78,6 +92,36 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
             return self.onward(&segment, material, &site, &place, media, weight);
         }
         [None, None]
+    }
+
+    /// The first hit of a ray among these objects, of which none refracts: what a picture sees.
+    pub(crate) fn first<O: Observer>(
+        &self,
+        ray: &Ray<S>,
+        candidates: Candidates,
+        context: &mut TraceContext<O>,
+    ) -> Option<SceneHit<S>> {
+        let (mut segment, mut place) = (Segment::from_eye(*ray), Place::new());
+        self.meet_place(&mut segment, candidates, &mut place, context).map(|_| place.seen)
+    }
+
+    /// How the light changes over the columns of a row that see a part of an object, or the background.
+    pub(crate) fn course(&self, seen: Option<(u32, Part)>) -> Course<S> {
+        let material = seen.and_then(|(index, part)| self.scene.material_of(self.scene.object(index)?, part));
+        let Some(material) = material else { return Course::Same };
+        let is_used = |effect, share| self.uses(effect) && share > S::ZERO;
+        let is_shown = self.shows_surfaces() && self.is_seen(material);
+        let is_textured = self.uses(Effect::Texture) && material.texture.is_some();
+        let is_bent = self.uses(Effect::Bump) && material.bump.is_some();
+        if is_shown && (is_textured || is_bent) || is_used(Effect::Reflection, material.mirror) {
+            Course::Any
+        } else if is_used(Effect::Specular, material.specular) {
+            Course::Glossy(material.shine)
+        } else if is_shown && is_used(Effect::Diffuse, material.diffuse) || self.uses(Effect::Fog) {
+            Course::Smooth
+        } else {
+            Course::Same
+        }
     }
 
     /// Finds the first place where a ray meets surfaces, and returns the media on its sides, and whether they differ.

@@ -138,6 +138,16 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         E::SET.contains(effect) && self.active.contains(effect)
     }
 
+    /// True if rays may start at surfaces.
+    pub(crate) fn sends_rays(&self) -> bool {
+        [Effect::Shadows, Effect::Reflection, Effect::Refraction].into_iter().any(|effect| self.uses(effect))
+    }
+
+    /// True if no light may shine on a surface beside a pixel of it, but not on that pixel.
+    pub(crate) fn is_lit_by_all(&self, lit_by: u32) -> bool {
+        lit_by.count_ones() as usize == self.scene.lights().len()
+    }
+
     /// What a ray sees: the radiance from the nearest surface, with reflection and refraction, or that of the
     /// background.
     ///

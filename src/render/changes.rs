@@ -4,7 +4,7 @@ use super::{Picture, Pixel};
 use crate::effect::{Effect, Effects, TraceContext};
 use crate::part::Part;
 use crate::scalar::Scalar;
-use crate::scene::{Counters, Directions, Object, View};
+use crate::scene::{Counters, Directions, Object, View, around};
 use crate::shape::kinds::Kinds;
 use crate::tier::Tier;
 
@@ -106,7 +106,8 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'_, S, E, T, K> {
         let lights = if self.tracer.uses(Effect::Shadows) { self.tracer.scene().lights() } else { &[] };
         lights.iter().any(|light| {
             let may_meet = |other: Option<&Object<S, K>>| {
-                let shadow = view.shadow(&object.shape, light.position, other.map(|other| &other.shape));
+                let ball = around(&object.shape);
+                let shadow = ball.and_then(|ball| view.shadow(ball, light, other.map(|other| &other.shape)));
                 shadow.is_none_or(|shadow| row.may_meet_shadow(&shadow))
             };
             let planes = others.clone().filter(|other| other.shape.plane().is_some());

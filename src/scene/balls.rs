@@ -11,7 +11,7 @@ use super::Scene;
 use crate::number::Parts;
 use crate::number::machine::leading_zeros_of_64;
 use crate::ray::Ray;
-use crate::scalar::{Real, Scalar, largest};
+use crate::scalar::{Real, Ring, Scalar, largest};
 use crate::shape::Shape;
 use crate::shape::kinds::Kinds;
 use crate::vector::{Vec3, pairs};
@@ -29,7 +29,7 @@ const DIRECTION: u32 = 15;
 const ORIGIN: i32 = 30;
 
 /// A set of objects of a scene, among which all are that a ray may meet.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Candidates {
     /// Bit `i` is object `i`.
     first: u16,
@@ -38,11 +38,45 @@ pub(crate) struct Candidates {
 impl Candidates {
     /// All objects.
     pub(crate) const ALL: Self = Self { first: u16::MAX };
+    /// No object, of at most [`MOST`].
+    pub(crate) const NONE: Self = Self { first: 0 };
 
     /// True if the ray may meet the object of this index.
     #[inline(always)]
     pub(crate) fn contain(self, object: u32) -> bool {
         object >= MOST as u32 || self.first & (1 << object) != 0
+    }
+
+    /// With one of the first [`MOST`] objects.
+    #[must_use]
+    pub(crate) fn with(self, object: u32) -> Self {
+        Self { first: self.first | 1 << (object % MOST as u32) }
+    }
+
+    /// These and those.
+    #[must_use]
+    pub(crate) const fn or(self, other: Self) -> Self {
+        Self { first: self.first | other.first }
+    }
+
+    /// True if those are among these.
+    pub(crate) const fn include(self, those: Self) -> bool {
+        those.first & !self.first == 0
+    }
+
+    /// True if there are none.
+    pub(crate) const fn are_none(self) -> bool {
+        self.first == 0
+    }
+
+    /// The first one of the first [`MOST`] objects.
+    pub(crate) const fn first(self) -> Option<u32> {
+        if self.are_none() { None } else { Some(self.first.trailing_zeros()) }
+    }
+
+    /// The only one of the first [`MOST`] objects.
+    pub(crate) const fn only(self) -> Option<u32> {
+        if self.first.is_power_of_two() { Some(self.first.trailing_zeros()) } else { None }
     }
 
     /// Removes one of the first [`MOST`] objects.
@@ -61,8 +95,8 @@ pub(crate) struct Ball {
 
 impl Ball {
     /// That of a shape as seen from this place; `None` if none is known.
-    pub(super) fn around<S: Scalar, K: Kinds>(shape: &Shape<S, K>, eye: Vec3<S>) -> Option<Self> {
-        Self::seen(around(shape)?, eye)
+    pub(crate) fn around<S: Scalar, K: Kinds>(shape: &Shape<S, K>, eye: Vec3<S>) -> Option<Self> {
+        Self::seen(around_box(shape)?, eye)
     }
 
     /// A ball in the world as seen from this place; `None` if that is beyond the type.
@@ -223,6 +257,16 @@ impl Balls {
     }
 }
 
+/// True if two balls have no point in common.
+pub(crate) fn are_apart<S: Scalar>((a, r): BallInWorld<S>, (b, s): BallInWorld<S>) -> bool {
+    let square = |legs: [S::Real; 3]| legs.into_iter().fold(S::Real::ZERO, |sum, leg| sum + leg * leg);
+    let [r, s] = [r, s].map(|legs| square(legs.map(S::real)));
+    // |a - b|^2 > (r + s)^2 without roots, and more than rounding may matter.
+    let apart = square(pairs(a.real(), b.real()).map(|(a, b)| a - b));
+    let rest = apart - r - s;
+    rest > S::Real::ZERO && rest * rest > (r * s).scaled(2) + (rest * rest).scaled(-8)
+}
+
 /// A point from the eye; infinite beyond the type.
 fn from<S: Scalar>(eye: Vec3<S>, point: Vec3<S>) -> [S; 3] {
     pairs(point.to_array(), eye.to_array()).map(|(point, eye)| point.minus(eye))
@@ -231,8 +275,13 @@ fn from<S: Scalar>(eye: Vec3<S>, point: Vec3<S>) -> [S; 3] {
 /// A centre, and lengths whose squares add up to that of a radius.
 pub(crate) type BallInWorld<S> = (Vec3<S>, [S; 3]);
 
+/// The same of a combination and of a shape that a matrix places, too: around its box.
+pub(crate) fn around_box<S: Scalar, K: Kinds>(shape: &Shape<S, K>) -> Option<BallInWorld<S>> {
+    shape.ball_or_box().map(enlarged)
+}
+
 /// A ball that holds the shape, whatever the rounding of its centre.
-pub(super) fn around<S: Scalar, K: Kinds>(shape: &Shape<S, K>) -> Option<BallInWorld<S>> {
+pub(crate) fn around<S: Scalar, K: Kinds>(shape: &Shape<S, K>) -> Option<BallInWorld<S>> {
     shape.ball().map(enlarged)
 }
 

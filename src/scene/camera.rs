@@ -274,7 +274,7 @@ impl<S: Scalar> Raster<S> {
     }
 
     /// Half of the side of a pixel, one unit in front of the eye. `None` of an orthographic camera.
-    pub(super) fn half_a_pixel(&self) -> Option<S::Real> {
+    pub(crate) fn half_a_pixel(&self) -> Option<S::Real> {
         let samples = S::Real::from_int(i32::from(self.size.samples.max(1)));
         (!self.camera.is_orthographic).then(|| self.pitch * samples)
     }
@@ -301,6 +301,34 @@ impl<S: Scalar> Raster<S> {
     /// picture's lower right corner.
     pub(crate) fn corner(&self, corner: [u32; 2]) -> [i32; 2] {
         corner.map(|pixels| pixels as i32 * self.pixel())
+    }
+
+    /// The column and the row whose ray is nearest to a point, which may be beyond the picture; of a pinhole camera
+    /// with one sample a pixel. `None` if the point is not in front of the eye, or very far aside.
+    pub(crate) fn pixel_of(&self, point: Vec3<S>) -> Option<[i32; 2]> {
+        let (Camera { position, forward, right, up, .. }, Size { width, height, .. }) = (self.camera, self.size);
+        let from_eye = difference(point, position);
+        let along =
+            |axis: UnitVec3<S>| pairs(from_eye, axis.real()).into_iter().fold(S::Real::ZERO, |sum, (a, b)| sum + a * b);
+        let ahead = along(forward);
+        if ahead <= S::Real::ZERO {
+            return None;
+        }
+        let half_samples = |across: S::Real| {
+            // A picture has less than 2^17.
+            let share = (across / (ahead * self.pitch)).scaled(-18);
+            let is_near = share.abs() < S::Real::ONE;
+            is_near.then(|| super::truncated(S::unit_parts(S::unit_round(share)), 18))
+        };
+        let [beside, above] = [half_samples(along(right))?, half_samples(along(up))?];
+        Some([(beside + self.middle(width)) >> 1, (self.middle(height) - above) >> 1])
+    }
+
+    /// A normal of the plane of the rays in a row, of about the length 1, if it has any; of a pinhole camera.
+    pub(crate) fn normal_of_row(&self, row: &RaysOfRow<'_, S>) -> Option<[S::Real; 3]> {
+        // That ray is perpendicular to the row.
+        let middle = row.through(self.middle(self.size.width))?;
+        Some(self.camera.right.cross(middle.direction()))
     }
 
     /// The side of a pixel in half samples.

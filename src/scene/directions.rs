@@ -12,13 +12,14 @@
 //! differences), and the columns with `q >= 0` follow each other. The plane of the row has the normal `n = (0, f, -v)`:
 //! there may be no point of the ball within it.
 //!
-//! In the light at `l` its shadow is the balls about `c + m (c - l)` with the radii `(1 + m) r`, for `m >= 0`.
+//! In the light at `l` its shadow is the balls about `c + m (c - l)` with the radii `(1 + m) r`, for `m >= 0`; in a
+//! distant light towards `l` it is those about `c - m l` with the radius `r`.
 //!
 //! All lengths are rounded to [`BITS`] bits, so that products of four are below `2^62`, and the ball is larger by as
 //! much as that may change; all else is exact in 64 bits.
 
-use super::balls::{BITS, Ball, around, radius, truncated, truncated_all};
-use super::{Raster, Size};
+use super::balls::{BITS, Ball, BallInWorld, around, radius, truncated, truncated_all};
+use super::{Light, Raster, Size};
 use crate::scalar::{Ring, Scalar};
 use crate::shape::Shape;
 use crate::shape::kinds::Kinds;
@@ -61,7 +62,7 @@ impl<S: Scalar> View<S> {
 
     /// A ball that surely holds the shape; `None` if none is known.
     pub(crate) fn ball<K: Kinds>(&self, shape: &Shape<S, K>) -> Option<SeenBall> {
-        Some(self.seen(&Ball::around(shape, self.eye)?))
+        Some(self.seen(&Ball::seen(around(shape)?, self.eye)?))
     }
 
     /// A ball in these coordinates, with [`BITS`] bits: its centre is off by less than 7 of its units.
@@ -70,25 +71,42 @@ impl<S: Scalar> View<S> {
         SeenBall { c: self.turn.map(|[a, b, c]| i64::from((x * a + y * b + z * c) >> AXIS)), r: i64::from(*radius) }
     }
 
-    /// The shadow of such a ball in this light, and the part of it that another shape may throw, too; `None` if no ball
-    /// is known.
+    /// The shadow of a ball in this light, and the part of it that another shape may throw, too; `None` if the ball is
+    /// beyond the type.
     pub(crate) fn shadow<K: Kinds>(
         &self,
-        shape: &Shape<S, K>,
-        light: Vec3<S>,
+        (centre, legs): BallInWorld<S>,
+        light: &Light<S>,
         other: Option<&Shape<S, K>>,
     ) -> Option<Shadow> {
-        let (centre, legs) = around(shape)?;
-        let ([x, y, z], [a, b, c], [lx, ly, lz]) = (self.coordinates(centre), legs, self.coordinates(light));
+        let ([x, y, z], [a, b, c]) = (self.coordinates(centre), legs);
         let plane = other.and_then(Shape::plane);
         let above = |point: Vec3<S>| plane.map_or(S::ZERO, |(on, normal)| S::round((point - on).dot(normal)));
-        let lengths = [x, y, z, a, b, c, lx, ly, lz, above(centre), above(light)];
+        if light.distant {
+            let ([x, y, z, a, b, c, height], _) = truncated_all([x, y, z, a, b, c, above(centre)], BITS)?;
+            // Of a length of its own, which does not matter.
+            let towards = UnitVec3::<S>::from_real(light.position.real())?;
+            let along =
+                |axis: UnitVec3<S>| i64::from(truncated(S::unit_parts(S::unit_round(towards.dot(axis))), BITS - 1));
+            let rise = plane.map_or(0, |(_, normal)| along(normal));
+            let side = rise.signum();
+            return Some(Shadow {
+                ball: SeenBall { c: [x, y, z].map(i64::from), r: i64::from(radius([a, b, c])) },
+                from_light: self.axes.map(|axis| -along(axis)),
+                growth: 0,
+                heights: [side * i64::from(height), -side * rise],
+            });
+        }
+        let [lx, ly, lz] = self.coordinates(light.position);
+        let lengths = [x, y, z, a, b, c, lx, ly, lz, above(centre), above(light.position)];
         let ([x, y, z, a, b, c, lx, ly, lz, height, of_light], _) = truncated_all(lengths, BITS)?;
         let (centre, side) = ([x, y, z].map(i64::from), i64::from(of_light.signum()));
         let [lx, ly, lz, height, of_light] = [lx, ly, lz, height, of_light].map(i64::from);
+        let r = i64::from(radius([a, b, c]));
         Some(Shadow {
-            ball: SeenBall { c: centre, r: i64::from(radius([a, b, c])) },
+            ball: SeenBall { c: centre, r },
             from_light: pairs(centre, [lx, ly, lz]).map(|(c, l)| c - l),
+            growth: r,
             heights: [side * height, side * (height - of_light)],
         })
     }
@@ -123,14 +141,26 @@ pub(crate) struct SeenBall {
     pub(crate) r: i64,
 }
 
-/// The shadow of a ball in the same coordinates: the balls about `c + m (c - l)` with the radii `(1 + m) r`.
+/// The shadow of a ball in the same coordinates: the balls about `c + m (c - l)` with the radii `(1 + m) r`; of a
+/// distant light about `c - m l` with the radius `r`, and then `l` may have any length.
 pub(crate) struct Shadow {
     ball: SeenBall,
-    /// `c - l`
+    /// `c - l`, or `-l`.
     from_light: [i64; 3],
+    /// `r`, or 0.
+    growth: i64,
     /// How far these centres are on the light's side of a plane, which shades all that is on the other side: for
     /// `m = 0`, and the growth. Zero without a plane.
     heights: [i64; 2],
+}
+
+impl Shadow {
+    /// The same with the first two coordinates exchanged.
+    fn turned(&self) -> Self {
+        let turned = |[x, y, z]: [i64; 3]| [y, x, z];
+        let SeenBall { c, r } = self.ball;
+        Self { ball: SeenBall { c: turned(c), r }, from_light: turned(self.from_light), ..*self }
+    }
 }
 
 /// The directions of the rays of a row, in the coordinates of a pinhole camera.
@@ -153,6 +183,17 @@ impl Directions {
     /// bits.
     pub(crate) fn of_row<S: Scalar>(raster: &Raster<S>, y: u32) -> Option<Self> {
         let Size { width, height, samples } = raster.size();
+        Self::across(raster, [width, height], i64::from(height) - 2 * i64::from(y) - 1, samples)
+    }
+
+    /// Those of column `x`, with the first two coordinates exchanged.
+    fn of_column<S: Scalar>(raster: &Raster<S>, x: u32) -> Option<Self> {
+        let Size { width, height, samples } = raster.size();
+        Self::across(raster, [height, width], 2 * i64::from(x) + 1 - i64::from(width), samples)
+    }
+
+    /// Those of a row of so many pixels, of so many rows, that is so many half pixels from the middle.
+    fn across<S: Scalar>(raster: &Raster<S>, [width, height]: [u16; 2], from_middle: i64, samples: u8) -> Option<Self> {
         let [pixels, rows] = [width, height].map(i64::from);
         let mut shift = BITS - (u64::BITS - pixels.max(rows).leading_zeros()) as i32;
         // How far in front of the eye half a pixel is a unit wide, as a share of 2^BITS.
@@ -164,8 +205,7 @@ impl Directions {
             return None;
         }
         let f = i64::from(truncated(S::unit_parts(S::unit_round(far)), BITS));
-        let from_middle = |pixel: i64, pixels: i64| (2 * pixel + 1 - pixels) << shift;
-        let (u, v) = (from_middle(0, pixels), -from_middle(i64::from(y), rows));
+        let (u, v) = ((1 - pixels) << shift, from_middle << shift);
         // So that the error of `f` is a small angle; and room for rows below the picture.
         if f < 1 << 6 || v.abs() >= 1 << (BITS + 1) {
             return None;
@@ -200,21 +240,21 @@ impl Directions {
     }
 
     /// True if a ray of the row may meet the shadow on the light's side of the plane.
-    pub(crate) fn may_meet_shadow(&self, Shadow { ball, from_light, heights }: &Shadow) -> bool {
+    pub(crate) fn may_meet_shadow(&self, Shadow { ball, from_light, growth, heights }: &Shadow) -> bool {
         // How far a ball of the shadow is off the plane of the row, how far it may be, and how far its nearest point is
         // in front of the eye: of each the value for m = 0, and the growth. The distance from the light is off by less
         // than 4.
-        let radius = self.enlarged(ball.r + 4);
-        let [reach, more] = [self.reach(ball.c, ball.r), self.reach(*from_light, ball.r + 4)];
+        let radii = [ball.r, *growth].map(|r| self.enlarged(r + 4));
+        let [reach, more] = [self.reach(ball.c, ball.r), self.reach(*from_light, growth + 4)];
         let [off, farther] = [ball.c, *from_light].map(|point| self.off_plane(point));
-        let ahead = [ball.c[2] + radius, from_light[2] + radius];
-        let lit = heights.map(|height| height + radius);
+        let ahead = [ball.c[2] + radii[0], from_light[2] + radii[1]];
+        let lit = [heights[0] + radii[0], heights[1] + radii[1]];
         are_positive([[reach + off, more + farther], [reach - off, more - farther], ahead, lit])
     }
 
     /// The first column in which a ray may meet the ball, and the one after the last; all columns if there is no ball.
     /// For rays through the middle of pixels.
-    pub(super) fn columns(&self, ball: Option<SeenBall>) -> [u16; 2] {
+    pub(crate) fn columns(&self, ball: Option<SeenBall>) -> [u16; 2] {
         let all = [0, self.width];
         let Some(ball) = ball else { return all };
         let Self { u: [u, step], v, f, .. } = *self;
@@ -244,4 +284,39 @@ impl Directions {
         }
         first.map_or([0; 2], |first| [first, self.width])
     }
+}
+
+/// The rows and the columns of a picture in which a shadow may be seen: of each the first one, and the one after the
+/// last. `point` is the centre of the ball.
+pub(crate) fn shaded<S: Scalar>(raster: &Raster<S>, shadow: &Shadow, point: Vec3<S>) -> [[u16; 2]; 2] {
+    let Size { width, height, .. } = raster.size();
+    let turned = shadow.turned();
+    let row = |y| Directions::of_row(raster, y).is_none_or(|row| row.may_meet_shadow(shadow));
+    let column = |x| Directions::of_column(raster, x).is_none_or(|column| column.may_meet_shadow(&turned));
+    match raster.pixel_of(point) {
+        Some([x, y]) if shadow.heights[0] >= 0 => [range(height, y, row), range(width, x, column)],
+        _ => [[0, height], [0, width]],
+    }
+}
+
+/// The indices from 0 to before an end for which something is true, if it is true for `within`, which may be beyond,
+/// and for all up to others.
+fn range(end: u16, within: i32, is_true: impl Fn(u32) -> bool) -> [u16; 2] {
+    if end == 0 {
+        return [0; 2];
+    }
+    let after = i32::from(end);
+    let nearest = within.clamp(0, after - 1);
+    if !is_true(nearest.unsigned_abs()) {
+        // A point within is far from rounding, unless its ball is small.
+        return if nearest == within { [0, end] } else { [0; 2] };
+    }
+    let until = |mut outside: i32, mut inside: i32| {
+        while (inside - outside).abs() > 1 {
+            let middle = i32::midpoint(inside, outside);
+            if is_true(middle.unsigned_abs()) { inside = middle } else { outside = middle }
+        }
+        inside as u16
+    };
+    [until(-1, nearest), until(after, nearest) + 1]
 }

@@ -8,7 +8,7 @@
 //! | `texture`, `fog`, `outline` | patterns on surfaces; fog; lines around what is seen |
 //! | `camera` | the primary ray of each pixel sample |
 //! | `balls` | balls around the objects, in integers, and those that a ray may meet |
-//! | `directions`, `candidates` | the rays of a row and the balls that they may meet; so, the objects in each column |
+//! | `directions`, `candidates` | the rays of a row, and balls and shadows that they may meet; objects in each column |
 //! | `queries` | the nearest hit of a ray, occlusion, and which hits have one place |
 //! | `storage` | lists that a reader fills |
 //! | `stored`, `logged` | how parts that check what they hold are stored, for `serde`; how parts are logged, for `defmt` |
@@ -41,13 +41,13 @@ mod stored;
 mod texture;
 
 pub use crate::hierarchy::{Hierarchy, HierarchyError, Node};
-pub(crate) use balls::{Ball, BallInWorld, Balls, Candidates, MOST, ends, truncated};
+pub(crate) use balls::{Ball, BallInWorld, Balls, Candidates, MOST, are_apart, around, around_box, ends, truncated};
 pub use camera::{Camera, CameraError, Raster, Size};
 pub(crate) use camera::{RaysOfRow, tangent_of_half};
 pub(crate) use candidates::CandidatesOfRow;
 pub use color::Color;
 pub use counters::Counters;
-pub(crate) use directions::{Directions, View};
+pub(crate) use directions::{Directions, View, shaded};
 pub use fog::Fog;
 pub(crate) use levels::Levels;
 #[cfg(feature = "embedded-graphics")]

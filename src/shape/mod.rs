@@ -22,9 +22,11 @@ mod kind;
 pub mod kinds;
 pub(crate) mod known;
 pub(crate) mod order;
+mod outlined;
 mod placement;
 mod primitive;
 mod queries;
+mod section;
 mod shaped;
 #[cfg(any(feature = "serde", feature = "defmt"))]
 mod stored;
@@ -33,8 +35,10 @@ mod visible;
 
 pub(crate) use combined::{Leaf, OnLeaf};
 pub use ellipsoid::Ellipsoid;
+pub(crate) use outlined::Outlined;
 pub use placement::Placement;
 pub use primitive::Primitive;
+pub(crate) use section::Section;
 pub use shaped::{HitsOf, Shaped};
 pub use surface::Surface;
 pub use visible::Visible;
@@ -486,6 +490,14 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
         self.in_world([self.member.hull().ball()]).map(|[ball]| ball)
     }
 
+    /// The same, and of a combination or a shape that a matrix places the one around its box, which takes much longer.
+    pub(crate) fn ball_or_box(&self) -> Option<(Vec3<S>, [S; 3])> {
+        match self.ball() {
+            None if K::SET.contains(Kind::Affine) || self.combined.parts().is_some() => self.bounds().ball(),
+            ball => ball,
+        }
+    }
+
     /// Two balls whose convex hull holds the shape, as [`Hull::ends`](crate::geometry::Hull::ends).
     pub(crate) fn ends(&self) -> Option<[(Vec3<S>, [S; 3]); 2]> {
         self.in_world(self.member.hull().ends())
@@ -513,6 +525,10 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
         match &self.placement {
             Placement::World if is_plane => Some((Vec3::ZERO, UnitVec3::Y)),
             Placement::Frame(frame) if is_plane => Some((frame.position(), frame.up())),
+            Placement::Affine(affine) if is_plane && K::SET.contains(Kind::Affine) => {
+                let [_, (up, _), _] = affine.inverse();
+                Some((affine.position(), UnitVec3::from_real(up.map(S::unit_real))?))
+            }
             _ => None,
         }
     }

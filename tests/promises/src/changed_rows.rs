@@ -68,7 +68,11 @@ fn check<S: Scalar, T: Tier<S>>(seed: u64, away: f64, samples: u8, outline: bool
         let far = |random: &mut Random, distance: f64| point(random.direction().map(|c| c * distance));
         let lights = [0; 2].map(|_| {
             let distance = random.pick(&[2.0, 9.0, 40.0]);
-            Light::new(away + far(&mut random, distance), number(0.5))
+            match random.below(3) {
+                // A vector of any length points to it.
+                0 => Light { distant: true, ..Light::new(far(&mut random, distance), number(0.5)) },
+                _ => Light::new(away + far(&mut random, distance), number(0.5)),
+            }
         });
         let angle = number(random.between(20.0, 90.0));
         let eye = away + far(&mut random, 8.0);
@@ -114,7 +118,8 @@ fn rows_that_are_not_drawn_again_are_the_same_to_the_bit() {
     ];
     for [all, drawn, differing] in checked {
         println!("{all} rows, {drawn} drawn again, {differing} differ");
-        assert!(drawn < all && differing > drawn / 5);
+        // The shadows of distant lights have no end.
+        assert!(drawn < all && differing > drawn / 8);
     }
 }
 
@@ -165,4 +170,34 @@ fn few_rows_change_if_a_ball_moves_and_all_if_anything_else_does() {
     assert_eq!(picture_of(&now).changed_rows(&picture_of(&before).uncut()).count(), 48);
     let sunk = [Object::new(Shape::new(Plane::new()).placed(Frame::at(-up).unwrap()), 0), first[1]];
     assert!(all(&scene(&sunk)));
+}
+
+/// The rows that change as a ball moves before its shadow in a distant light, to which a vector of this length points.
+fn changed_in_distant_light<S: Scalar>(length: f64) -> Vec<usize> {
+    let up = point([0.0, 1.0, 0.0]);
+    let camera = Camera::new(point([0.0, 3.0, 9.0]), up, up, number::<S>(60.0)).unwrap();
+    let (materials, size) = ([Material::default()], Size::new(64, 48));
+    let lights = [Light { distant: true, ..Light::new(point([0.0, 0.8 * length, -0.6 * length]), number(0.9)) }];
+    let ball = |x: f64| {
+        let place = Frame::at(point([x, 1.0, 0.0])).unwrap();
+        let ball = Shape::new(Sphere::new(number(0.5)).unwrap()).placed(place);
+        [Object::new(Shape::new(Plane::new()), 0), Object::new(ball, 0)]
+    };
+    let (first, second) = (ball(-2.0), ball(-1.75));
+    let scene = |objects| Scene::new(objects, &materials, &lights, camera).unwrap();
+    let [before, now] = [scene(&first), scene(&second)];
+    let [before, now] = [&before, &now].map(|scene| Picture::new(scene, size));
+    let (was, is) = (rows(&before), rows(&now));
+    let changed: Vec<_> = now.changed_rows(&before).map(usize::from).collect();
+    assert!((0..48).all(|y| was[y] == is[y] || changed.contains(&y)), "{length}: other rows than {changed:?}");
+    changed
+}
+
+#[test]
+fn a_distant_light_shades_in_its_direction_whatever_the_length_of_its_vector() {
+    let long = changed_in_distant_light::<f32>(1_000.0);
+    assert!(long.len() < 24 && long == changed_in_distant_light::<f32>(0.01), "{long:?}");
+    assert_eq!(changed_in_distant_light::<I16F16>(100.0), long);
+    // So short that it points elsewhere.
+    changed_in_distant_light::<I16F16>(0.001);
 }

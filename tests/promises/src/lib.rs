@@ -62,6 +62,8 @@ mod random_sizes;
 mod rays;
 mod reintersection;
 mod shapes;
+mod spans;
+mod spans_exact;
 mod surface;
 mod watertight;
 mod wider;

@@ -181,12 +181,16 @@ impl<S: Exact> Placed<S> {
 
     /// The ray's line in the primitive's frame, exactly.
     pub fn line(&self, ray: &Ray<S>) -> oracle::Line {
+        self.line_along(&ray.origin().to_array().map(S::exact), &ray.direction().to_array().map(S::exact_unit))
+    }
+
+    /// The line from a point in a direction of any length, in the primitive's frame, exactly.
+    pub fn line_along(&self, o: &[Dyadic; 3], d: &[Dyadic; 3]) -> oracle::Line {
         let dot = |a: &[Dyadic; 3], b: &[Dyadic; 3]| &(&(&a[0] * &b[0]) + &(&a[1] * &b[1])) + &(&a[2] * &b[2]);
-        let (o, d) = (ray.origin().to_array().map(S::exact), ray.direction().to_array().map(S::exact_unit));
         let from_position = [0, 1, 2].map(|i| &o[i] - &self.exact_position[i]);
         oracle::Line::new(
             self.rows.each_ref().map(|row| dot(row, &from_position)),
-            self.rows.each_ref().map(|row| dot(row, &d)),
+            self.rows.each_ref().map(|row| dot(row, d)),
         )
     }
 }

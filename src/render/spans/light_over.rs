@@ -1,0 +1,65 @@
+//! A light over a plane, and shadows on that plane.
+
+use crate::scalar::{Real, Ring, Scalar};
+use crate::scene::Light;
+use crate::vector::{UnitVec3, Vec3, cross, pairs};
+
+/// A light over a plane.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LightOver<S: Scalar> {
+    /// A point of the plane, and its normal.
+    on: Vec3<S>,
+    normal: [S::Real; 3],
+    /// From that point to the light; of a distant light towards it, at any distance.
+    light: [S::Real; 3],
+    is_distant: bool,
+}
+
+impl<S: Scalar> LightOver<S> {
+    /// Over the plane through a point with this normal.
+    pub(super) fn new(light: &Light<S>, (on, normal): (Vec3<S>, UnitVec3<S>)) -> Self {
+        let from = if light.distant { Vec3::ZERO } else { on };
+        let towards = pairs(light.position.real(), from.real()).map(|(a, b)| a - b);
+        Self { on, normal: normal.real(), light: towards, is_distant: light.distant }
+    }
+
+    /// The plane through the light and the line in which a plane through the eye meets this plane: a point and the
+    /// normal, of about the length 1. `None` if the planes are parallel, or the light is on that line.
+    pub(super) fn plane_through(&self, eye: Vec3<S>, row: [S::Real; 3]) -> Option<(Vec3<S>, [S::Real; 3])> {
+        let along = cross(row, self.normal);
+        // In the plane of the row, perpendicular to the line: towards it from the eye.
+        let down = cross(along, row);
+        let from_eye = pairs(self.on.real(), eye.real()).map(|(on, eye)| on - eye);
+        let fall = dot::<S>(down, self.normal);
+        if fall.is_zero() {
+            return None;
+        }
+        let t = dot::<S>(from_eye, self.normal) / fall;
+        let point = Vec3::<S>::round(pairs(eye.real(), down).map(|(eye, down)| eye + down * t));
+        let to_light = if self.is_distant {
+            self.light
+        } else {
+            let from_on = pairs(point.real(), self.on.real()).map(|(point, on)| point - on);
+            pairs(self.light, from_on).map(|(light, point)| light - point)
+        };
+        let normal = UnitVec3::<S>::from_real(cross(along, to_light))?;
+        point.is_within_budget().then(|| (point, normal.real()))
+    }
+
+    /// The shadow of a point on the plane; `None` if it has none, or that is too far away.
+    pub(super) fn shadow_of(&self, point: Vec3<S>) -> Option<Vec3<S>> {
+        let from_on = pairs(point.real(), self.on.real()).map(|(point, on)| point - on);
+        let to_light = if self.is_distant { self.light } else { pairs(self.light, from_on).map(|(l, p)| l - p) };
+        let (height, rise) = (dot::<S>(from_on, self.normal), dot::<S>(to_light, self.normal));
+        if rise.is_zero() || !height.is_zero() && rise.is_negative() != height.is_negative() {
+            return None;
+        }
+        let t = height / rise;
+        let shadow = Vec3::<S>::round(pairs(point.real(), to_light).map(|(point, to_light)| point - to_light * t));
+        shadow.is_within_budget().then_some(shadow)
+    }
+}
+
+fn dot<S: Scalar>(a: [S::Real; 3], b: [S::Real; 3]) -> S::Real {
+    pairs(a, b).into_iter().fold(S::Real::ZERO, |sum, (a, b)| sum + a * b)
+}

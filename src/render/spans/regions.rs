@@ -1,0 +1,177 @@
+//! The columns of a row in which objects and shadows are seen.
+
+use super::known::{Known, KnownShadow, SHADOWS};
+use super::search::{Found, Search};
+use super::{Picture, curve};
+use crate::effect::{Effects, TraceContext};
+use crate::part::Part;
+use crate::scalar::Scalar;
+use crate::scene::{Ball, Candidates, Directions, MOST, Observer, RaysOfRow, View};
+use crate::shape::Outlined;
+use crate::shape::kinds::Kinds;
+use crate::tier::Tier;
+
+/// The columns in which an object, its cap or its shadow is seen.
+#[derive(Clone, Copy, Debug)]
+struct Region {
+    /// One of [`MOST`].
+    object: u8,
+    is_cap: bool,
+    /// False if it is seen in some of these columns only.
+    is_certain: bool,
+    /// The first one, and the one after the last.
+    columns: [u16; 2],
+}
+
+impl Region {
+    fn new(object: u32, is_cap: bool, found: Found) -> Option<Self> {
+        let (columns, is_certain) = match found {
+            Found::Nowhere => return None,
+            Found::Exactly(columns) => (columns, true),
+            Found::Within(columns) => (columns, false),
+        };
+        Some(Self { object: object as u8, is_cap, is_certain, columns })
+    }
+}
+
+/// The regions of a row.
+#[derive(Clone, Debug)]
+pub(super) struct Regions {
+    /// Of the only plane, and of all other objects before any plane.
+    seen: heapless::Vec<Region, { 2 * MOST }>,
+    /// Of the shadows of these objects on the only plane; `None` if they are not known.
+    shadows: Option<heapless::Vec<Region, SHADOWS>>,
+}
+
+/// What is seen from a column on.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Seen {
+    /// The objects that are seen before any plane.
+    pub(super) objects: Candidates,
+    /// Those of them whose cap is seen.
+    pub(super) caps: Candidates,
+    /// The objects that may be seen in some columns.
+    pub(super) doubtful: Candidates,
+    /// True if the only plane is seen.
+    pub(super) plane: bool,
+    /// The column in which this may change.
+    pub(super) until: u16,
+}
+
+impl Regions {
+    /// Those of row `y`; `None` if its rays are parallel, or have no room in integers.
+    #[inline(never)]
+    pub(super) fn find<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds>(
+        known: &Known,
+        picture: &Picture<'_, S, E, T, K>,
+        (y, rays): (u16, &RaysOfRow<'_, S>),
+        context: &mut TraceContext<O>,
+    ) -> Option<Self> {
+        let row = Directions::of_row(&picture.raster, u32::from(y))?;
+        let view = View::of(&picture.raster);
+        let columns = |ball: Option<&Ball>| row.columns(ball.map(|ball| view.seen(ball)));
+        let mut regions = Self { seen: heapless::Vec::new(), shadows: None };
+        let mut search = Search { picture, rays, known, context };
+        if let Some(plane) = known.planes.only() {
+            let found = search.half_plane(plane);
+            regions.add(plane, false, found);
+            if let Found::Exactly(columns) = found {
+                regions.shadows = shadows_on(plane, (y, columns), &mut search);
+            }
+        }
+        for (object, of) in (0_u32..).zip(&known.objects) {
+            let [first, end] = columns(of.ball.as_ref());
+            if of.outlined == Outlined::Plane || first == end {
+                continue;
+            }
+            let found = search.convex((object, of), None, [first, end]);
+            regions.add(object, false, found);
+            if let (Found::Exactly(whole), Outlined::Cap(part)) = (found, of.outlined) {
+                let [first, end] = columns(of.cap.as_ref());
+                let within = [first.max(whole[0]), end.min(whole[1])];
+                if within[0] < within[1] {
+                    regions.add(object, true, search.convex((object, of), Some(part), within));
+                }
+            }
+        }
+        Some(regions)
+    }
+
+    fn add(&mut self, object: u32, is_cap: bool, found: Found) {
+        // There is room for two of each.
+        let _ = Region::new(object, is_cap, found).map(|region| self.seen.push(region));
+    }
+
+    /// What is seen from a column on, of a row of this width.
+    pub(super) fn from(&self, x: u16, width: u16, planes: Candidates) -> Seen {
+        let none = Candidates::NONE;
+        let mut seen = Seen { objects: none, caps: none, doubtful: none, plane: false, until: width };
+        for Region { object, is_cap, is_certain, columns: [first, end] } in self.seen.iter().copied() {
+            if x < end {
+                seen.until = seen.until.min(if x < first { first } else { end });
+            }
+            if x < first || x >= end {
+                continue;
+            }
+            let object = u32::from(object);
+            if !is_certain {
+                seen.doubtful = seen.doubtful.with(object);
+            } else if is_cap {
+                seen.caps = seen.caps.with(object);
+            } else if planes.contain(object) {
+                seen.plane = true;
+            } else {
+                seen.objects = seen.objects.with(object);
+            }
+        }
+        seen
+    }
+
+    /// True if no shadow of another object begins or ends on an object from a column of row `y` on; and the column, up
+    /// to an end, in which that may change.
+    pub(super) fn is_unshaded(&self, known: &Known, object: u32, [x, y]: [u16; 2], end: u16) -> (bool, u16) {
+        let (mut is_unshaded, mut until) = (true, end);
+        let mut take = |[first, end]: [u16; 2], is_certain: bool| {
+            if x < end {
+                until = until.min(if x < first { first } else { end });
+                is_unshaded &= x < first || is_certain;
+            }
+        };
+        match (&self.shadows, &known.shadows) {
+            (Some(shadows), _) if known.planes.contain(object) => {
+                shadows.iter().for_each(|shadow| take(shadow.columns, shadow.is_certain));
+            }
+            (_, Some(shadows)) => {
+                let others = shadows.iter().filter(|shadow| shadow.object != object);
+                let here = others.filter(|shadow| (shadow.rows[0]..shadow.rows[1]).contains(&y));
+                here.for_each(|shadow| take(shadow.columns, false));
+            }
+            (_, None) => is_unshaded = false,
+        }
+        (is_unshaded, until)
+    }
+}
+
+/// The shadows on the only plane, in these columns of row `y`: those that a convex solid throws on a plane lie within
+/// one angle, too. `None` if they are of no use.
+fn shadows_on<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds>(
+    plane: u32,
+    (y, seen): (u16, [u16; 2]),
+    search: &mut Search<'_, '_, '_, S, E, O, T, K>,
+) -> Option<heapless::Vec<Region, SHADOWS>> {
+    let known = search.known;
+    if known.longest(search.picture, (plane, Part::Side)) < curve::SHORTEST {
+        return None;
+    }
+    let on = search.picture.tracer.scene().object(plane)?.shape.plane()?;
+    let mut shadows = heapless::Vec::new();
+    for KnownShadow { object, light, rows, columns } in known.shadows.as_ref()?.iter().copied() {
+        let within = [columns[0].max(seen[0]), columns[1].min(seen[1])];
+        if (rows[0]..rows[1]).contains(&y) && within[0] < within[1] {
+            let found = search.shadow([object, light], (plane, on), within);
+            // There is room for all.
+            let _ = Region::new(object, false, found).map(|region| shadows.push(region));
+        }
+    }
+    Some(shadows)
+}
