@@ -345,7 +345,7 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> RowInSpans<'_, '_
         let most = if tracer.is_lit_by_all(pixel.lit_by) { longest } else { curve::SHORTEST };
         let left = self.span.until - 1 - x;
         if self.ahead.is_empty() && left >= curve::SHORTEST {
-            self.trace_ahead(x + (1 << left.min(most).ilog2()), among);
+            self.trace_ahead(x + (1 << left.min(most).checked_ilog2().unwrap_or(0)), among);
         }
         let mut curve = None;
         while let Some((end, last)) = self.ahead.last().copied()

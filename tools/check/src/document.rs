@@ -226,6 +226,7 @@ fn place_of_pixel<'a>(parts: &[&'a str]) -> Option<Place<'a>> {
     let [chip, of, number, "instructions"] = *parts else { return None };
     let (set, tier) = of.split_once("; ").unwrap_or((of, "Stable"));
     let is_shown = matches!(set, "none" | "diffuse" | "diffuse, specular, shadows" | "still-life");
+    let is_shown = is_shown || set.ends_with(", by spans");
     is_shown.then(|| (vec![set, number, tier], vec![chip], "instructions"))
 }
 

@@ -51,6 +51,7 @@ pub fn pictures<S: Any>(camera: Camera<S>) -> Option<()> {
     give(picture.render(|x, y, pixel| give((x, y, pixel.color.to_srgb888(), pixel.seen, pixel.lit_by))));
     let earlier = Scene::new(any_list(&objects), &materials, &lights, camera).ok()?;
     give(picture.render_changed(&Picture::new(&earlier, size), |x, y, pixel| give((x, y, pixel.seen))));
+    give(picture.in_spans().render(|x, y, pixel| give((x, y, pixel.seen))));
     give((any_color::<S>().plus(any_color()), any_color::<S>().times(any_color())));
     Some(())
 }

@@ -5,7 +5,8 @@ use core::fmt::{self, Display};
 use core::hint::black_box;
 use raylet::effect::Effects;
 use raylet::tier::Tier;
-use raylet::{Counters, Picture, Scalar, TraceContext};
+use raylet::render::InSpans;
+use raylet::{Counters, Picture, Pixel, Scalar, Size, TraceContext};
 use raylet_firmware::clock;
 
 /// What a picture took.
@@ -36,12 +37,27 @@ pub fn picture<S: Scalar, E: Effects, T: Tier<S>>(picture: &Picture<'_, S, E, T>
 
 /// Measures one of so many rows of a picture, from the middle of the first ones on.
 pub fn every<S: Scalar, E: Effects, T: Tier<S>>(rows: u16, picture: &Picture<'_, S, E, T>) -> Measured {
+    measure(rows, picture.size(), |y, context, levels| row(black_box(picture), y, context, levels))
+}
+
+/// The same by spans.
+pub fn every_in_spans<S: Scalar, E: Effects, T: Tier<S>>(rows: u16, picture: &Picture<'_, S, E, T>) -> Measured {
+    let (start, taken, size) = (depth(), clock::instructions(), picture.size());
+    let spans = black_box(picture).in_spans();
+    let once = clock::instructions() - taken;
+    let stack = used_since(start);
+    let mut measured = measure(rows, size, |y, context, levels| row_in_spans(black_box(&spans), y, context, levels));
+    measured.instructions += once / (u64::from(size.width) * u64::from(size.height));
+    measured.stack = stack.max(measured.stack + size_of_val(&spans));
+    measured
+}
+
+fn measure(rows: u16, size: Size, mut row: impl FnMut(u16, &mut TraceContext, u32) -> u32) -> Measured {
     let mut measured = Measured { instructions: 0, stack: 0, rays: 0, levels: 0 };
     let (mut context, mut instructions, mut pixels) = (TraceContext::new(()), 0, 0);
-    let size = picture.size();
     for y in (rows / 2..size.height).step_by(rows.into()) {
         let (start, taken) = (depth(), clock::instructions());
-        measured.levels = row(black_box(picture), y, &mut context, measured.levels);
+        measured.levels = row(y, &mut context, measured.levels);
         instructions += clock::instructions() - taken;
         pixels += u64::from(size.width);
         measured.stack = measured.stack.max(used_since(start));
@@ -59,6 +75,22 @@ fn row<S: Scalar, E: Effects, T: Tier<S>>(
     context: &mut TraceContext,
     levels: u32,
 ) -> u32 {
+    picture.row(y, context).fold(levels, mixed)
+}
+
+/// The same by spans.
+#[inline(never)]
+fn row_in_spans<S: Scalar, E: Effects, T: Tier<S>>(
+    picture: &InSpans<'_, S, E, T>,
+    y: u16,
+    context: &mut TraceContext,
+    levels: u32,
+) -> u32 {
+    picture.row(y, context).fold(levels, mixed)
+}
+
+/// A sum with the levels of a pixel.
+fn mixed<S: Scalar>(sum: u32, pixel: Pixel<S>) -> u32 {
     let mix = |sum: u32, level: u8| (sum ^ u32::from(level)).wrapping_mul(0x0100_0193);
-    picture.row(y, context).fold(levels, |sum, pixel| pixel.color.to_srgb888().into_iter().fold(sum, mix))
+    pixel.color.to_srgb888().into_iter().fold(sum, mix)
 }

@@ -12,7 +12,7 @@ mod stage;
 use crate::shown::with_built_in;
 use core::fmt::{self, Display};
 use fixed::types::I16F16;
-pub use measure::{Measured, every, picture};
+pub use measure::{Measured, every, every_in_spans, picture};
 use raylet::effect::{
     All, Ambient, Antialiasing, Bump, Diffuse, EffectSet, Effects, Fog, Outline, Reflection, Refraction, Shadows,
     Specular, Texture,
@@ -38,7 +38,8 @@ pub struct Row {
     pub tier: &'static str,
     /// The number type.
     pub number: &'static str,
-    /// The scene of the gallery; empty for that of this module.
+    /// What else is told by its name: a scene of the gallery, or the scene of this module by spans; empty for that scene
+    /// pixel by pixel.
     pub scene: &'static str,
     /// With just this set compiled in.
     pub alone: Measured,
@@ -68,6 +69,7 @@ pub fn on_displays(give: &mut impl FnMut(Row)) {
 fn on_display_in<S: Scalar>(number: &'static str, give: &mut impl FnMut(Row)) {
     on_display::<S, Plain>("Plain", number, give);
     on_display::<S, Fast>("Fast", number, give);
+    by_spans::<S, Fast>("Fast", number, give);
     on_display::<S, Stable>("Stable", number, give);
 }
 
@@ -109,6 +111,25 @@ fn on_display<S: Scalar, T: Tier<S>>(tier: &'static str, number: &'static str, g
     give(row_in_tier::<S, (Diffuse,), T>(tier, number, DISPLAY));
     give(row_in_tier::<S, (Diffuse, Specular, Shadows), T>(tier, number, DISPLAY));
     give(still_life::<S, T>(tier, number));
+}
+
+/// The same by spans.
+fn by_spans<S: Scalar, T: Tier<S>>(tier: &'static str, number: &'static str, give: &mut impl FnMut(Row)) {
+    give(row_by_spans::<S, (), T>("none, by spans", tier, number));
+    give(row_by_spans::<S, (Diffuse,), T>("diffuse, by spans", tier, number));
+    give(row_by_spans::<S, (Diffuse, Specular, Shadows), T>("diffuse, specular, shadows, by spans", tier, number));
+}
+
+#[inline(never)]
+fn row_by_spans<S: Scalar, E: Effects, T: Tier<S>>(
+    scene: &'static str,
+    tier: &'static str,
+    number: &'static str,
+) -> Row {
+    let stage = Stage::<S>::calling_for(E::SET).expect("the stage's numbers fit every type");
+    let of = stage.scene().expect("the stage's lists fit together").at_tier::<T>();
+    let alone = every_in_spans(ROWS, &Picture::<S, E, T>::leaving_out(&of, DISPLAY));
+    Row { set: E::SET, tier, number, scene, alone, among_all: None }
 }
 
 /// The scene of the gallery, of fourteen objects, with a hierarchy.
