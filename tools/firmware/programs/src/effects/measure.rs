@@ -4,8 +4,8 @@ use crate::stack::{depth, used_since};
 use core::fmt::{self, Display};
 use core::hint::black_box;
 use raylet::effect::Effects;
-use raylet::tier::Tier;
 use raylet::render::InSpans;
+use raylet::tier::Tier;
 use raylet::{Counters, Picture, Pixel, Scalar, Size, TraceContext};
 use raylet_firmware::clock;
 
