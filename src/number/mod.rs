@@ -267,6 +267,24 @@ pub struct Parts {
     pub negative: bool,
 }
 
+impl Parts {
+    /// The integer below the magnitude of the number times a power of two, with its sign. It must be below 2^31.
+    #[inline(always)]
+    pub(crate) fn truncated(self, scale: i32) -> i32 {
+        let Self { mantissa, exponent, negative } = self;
+        let (left, right) = (exponent + scale, (-exponent - scale).max(0).unsigned_abs());
+        // Of most types the mantissa is a word.
+        let magnitude = if let Ok(mantissa) = u32::try_from(mantissa) {
+            if left >= 0 { mantissa.checked_shl(left as u32) } else { mantissa.checked_shr(right) }
+        } else {
+            // To the left a product with zero bits would leave the word.
+            mantissa.checked_shr(right).map(|magnitude| magnitude as u32)
+        };
+        let magnitude = magnitude.unwrap_or(0) as i32;
+        if negative { -magnitude } else { magnitude }
+    }
+}
+
 /// `a . b`, with an error bound of each term: [`Ring::scalar_product`] is cheaper, this bound is tighter.
 #[inline]
 pub(crate) fn dot<N: Ring>(a: [N; 3], b: [N; 3]) -> N {

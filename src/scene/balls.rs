@@ -165,7 +165,7 @@ impl Line {
     /// `None` if the point is beyond the type.
     #[inline(always)]
     fn new<S: Scalar>(p: [S; 3], d: [S::Unit; 3]) -> Option<Self> {
-        let d = d.map(|c| truncated(S::unit_parts(c), DIRECTION as i32));
+        let d = d.map(|c| S::unit_parts(c).truncated(DIRECTION as i32));
         if p == [S::ZERO; 3] {
             return Some(Self { p: [0; 3], exponent: i32::from(i16::MIN), d });
         }
@@ -305,21 +305,6 @@ pub(super) fn radius(legs: [i32; 3]) -> i32 {
     square.unsigned_abs().isqrt() as i32 + 1
 }
 
-/// The integer below the magnitude of a number times a power of two, with its sign. It must be below 2^31.
-#[inline(always)]
-pub(crate) fn truncated(Parts { mantissa, exponent, negative }: Parts, scale: i32) -> i32 {
-    let (left, right) = (exponent + scale, (-exponent - scale).max(0).unsigned_abs());
-    // Of most types the mantissa is a word.
-    let magnitude = if let Ok(mantissa) = u32::try_from(mantissa) {
-        if left >= 0 { mantissa.checked_shl(left as u32) } else { mantissa.checked_shr(right) }
-    } else {
-        // To the left a product with zero bits would leave the word.
-        mantissa.checked_shr(right).map(|magnitude| magnitude as u32)
-    };
-    let magnitude = magnitude.unwrap_or(0) as i32;
-    if negative { -magnitude } else { magnitude }
-}
-
 /// Lengths in units of `2^exponent`, in which the largest has so many bits, rounded towards zero, and that exponent;
 /// `None` if one is infinite, or all are zero.
 #[inline(always)]
@@ -336,5 +321,5 @@ pub(super) fn truncated_all<S: Scalar, const N: usize>(lengths: [S; N], bits: i3
         return None;
     }
     let top = exponent + (u64::BITS - leading_zeros_of_64(all)) as i32;
-    Some((lengths.map(|length| truncated(length, bits - top)), top - bits))
+    Some((lengths.map(|length| length.truncated(bits - top)), top - bits))
 }

@@ -5,6 +5,7 @@ mod constant;
 use crate::frame::Frame;
 #[cfg(feature = "serde")]
 use crate::frame::FrameError;
+use crate::number::dot;
 use crate::ray::Ray;
 use crate::scalar::{Real, Ring, Scalar, Scanline};
 use crate::vector::{UnitVec3, Vec3, pairs};
@@ -308,8 +309,7 @@ impl<S: Scalar> Raster<S> {
     pub(crate) fn pixel_of(&self, point: Vec3<S>) -> Option<[i32; 2]> {
         let (Camera { position, forward, right, up, .. }, Size { width, height, .. }) = (self.camera, self.size);
         let from_eye = difference(point, position);
-        let along =
-            |axis: UnitVec3<S>| pairs(from_eye, axis.real()).into_iter().fold(S::Real::ZERO, |sum, (a, b)| sum + a * b);
+        let along = |axis: UnitVec3<S>| dot(from_eye, axis.real());
         let ahead = along(forward);
         if ahead <= S::Real::ZERO {
             return None;
@@ -318,7 +318,7 @@ impl<S: Scalar> Raster<S> {
             // A picture has less than 2^17.
             let share = (across / (ahead * self.pitch)).scaled(-18);
             let is_near = share.abs() < S::Real::ONE;
-            is_near.then(|| super::truncated(S::unit_parts(S::unit_round(share)), 18))
+            is_near.then(|| S::unit_parts(S::unit_round(share)).truncated(18))
         };
         let [beside, above] = [half_samples(along(right))?, half_samples(along(up))?];
         Some([(beside + self.middle(width)) >> 1, (self.middle(height) - above) >> 1])

@@ -18,7 +18,7 @@
 //! All lengths are rounded to [`BITS`] bits, so that products of four are below `2^62`, and the ball is larger by as
 //! much as that may change; all else is exact in 64 bits.
 
-use super::balls::{BITS, Ball, BallInWorld, around, radius, truncated, truncated_all};
+use super::balls::{BITS, Ball, BallInWorld, around, radius, truncated_all};
 use super::{Light, Raster, Size};
 use crate::scalar::{Ring, Scalar};
 use crate::shape::Shape;
@@ -46,7 +46,7 @@ impl<S: Scalar> View<S> {
 
     /// From an eye, to the right, upwards and forwards.
     pub(crate) fn new(eye: Vec3<S>, axes: [UnitVec3<S>; 3]) -> Self {
-        let turn = axes.map(|axis| axis.to_array().map(|c| truncated(S::unit_parts(c), AXIS as i32)));
+        let turn = axes.map(|axis| axis.to_array().map(|c| S::unit_parts(c).truncated(AXIS as i32)));
         Self { eye, axes, turn }
     }
 
@@ -87,7 +87,7 @@ impl<S: Scalar> View<S> {
             // Of a length of its own, which does not matter.
             let towards = UnitVec3::<S>::from_real(light.position.real())?;
             let along =
-                |axis: UnitVec3<S>| i64::from(truncated(S::unit_parts(S::unit_round(towards.dot(axis))), BITS - 1));
+                |axis: UnitVec3<S>| i64::from(S::unit_parts(S::unit_round(towards.dot(axis))).truncated(BITS - 1));
             let rise = plane.map_or(0, |(_, normal)| along(normal));
             let side = rise.signum();
             return Some(Shadow {
@@ -204,7 +204,7 @@ impl Directions {
         if far >= S::Real::ONE || shift < 0 {
             return None;
         }
-        let f = i64::from(truncated(S::unit_parts(S::unit_round(far)), BITS));
+        let f = i64::from(S::unit_parts(S::unit_round(far)).truncated(BITS));
         let (u, v) = ((1 - pixels) << shift, from_middle << shift);
         // So that the error of `f` is a small angle; and room for rows below the picture.
         if f < 1 << 6 || v.abs() >= 1 << (BITS + 1) {

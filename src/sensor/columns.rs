@@ -10,7 +10,6 @@
 
 use crate::number::machine::leading_zeros;
 use crate::scalar::{Ring, Scalar};
-use crate::scene::truncated;
 
 /// A ball in the coordinates of a sensor.
 pub(super) struct End {
@@ -44,7 +43,7 @@ pub(super) fn each_column<S: Scalar>(
     mut covers: impl FnMut(u8, u8),
 ) {
     // The tangent as a fraction whose larger part is 2^WIDE.
-    let part = |share: S::Real| truncated(S::unit_parts(S::unit_round(share.scaled(-1))), WIDE + 1);
+    let part = |share: S::Real| S::unit_parts(S::unit_round(share.scaled(-1))).truncated(WIDE + 1);
     let is_wide = tangent > S::Real::ONE;
     let (edge, far) = if is_wide { (1 << WIDE, part(S::Real::ONE / tangent)) } else { (part(tangent), 1 << WIDE) };
     // The planes of a wider field of view would be off by more.

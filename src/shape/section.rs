@@ -5,24 +5,36 @@ use super::kind::Kind;
 use super::kinds::Kinds;
 use super::placement::Placement;
 use crate::geometry::{Geometry, Hull};
+use crate::number::dot;
 use crate::part::Part;
 use crate::scalar::{Real, Ring, Scalar, largest};
 use crate::vector::{Vec3, pairs};
 
 /// A plane and a shape.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Section<S> {
+pub(crate) enum Section<P> {
     /// The plane does not meet the shape.
     Missed,
     /// It may meet the shape at this point: one of what is around it, but for rounding.
-    At(Vec3<S>),
+    At(P),
     /// It is not known.
     Unknown,
 }
 
+impl<P> Section<P> {
+    /// The same with what this makes of the point; unknown if it makes nothing of it.
+    pub(crate) fn and_then<Q>(self, of_point: impl FnOnce(P) -> Option<Q>) -> Section<Q> {
+        match self {
+            Self::Missed => Section::Missed,
+            Self::At(point) => of_point(point).map_or(Section::Unknown, Section::At),
+            Self::Unknown => Section::Unknown,
+        }
+    }
+}
+
 impl<S: Scalar, K: Kinds> Shape<S, K> {
     /// Where the plane through a point, whose normal has about the length 1, meets the shape, or a cap of it.
-    pub(crate) fn section(&self, point: Vec3<S>, normal: [S::Real; 3], cap: Option<Part>) -> Section<S> {
+    pub(crate) fn section(&self, point: Vec3<S>, normal: [S::Real; 3], cap: Option<Part>) -> Section<Vec3<S>> {
         if self.combined().is_some() {
             return Section::Unknown;
         }
@@ -33,19 +45,13 @@ impl<S: Scalar, K: Kinds> Shape<S, K> {
         match self.own().1 {
             Placement::World => hull.section(point, normal, rounding),
             Placement::Frame(frame) if K::SET.contains(Kind::Frame) => {
-                let turned = frame.axes().map(|axis| dot::<S>(axis.real(), normal));
-                match hull.section(frame.point_to_local(point), turned, rounding) {
-                    Section::At(point) => Section::At(frame.point_to_world(point)),
-                    other => other,
-                }
+                let turned = frame.axes().map(|axis| dot(axis.real(), normal));
+                let section = hull.section(frame.point_to_local(point), turned, rounding);
+                section.and_then(|point| Some(frame.point_to_world(point)))
             }
             _ => Section::Unknown,
         }
     }
-}
-
-fn dot<S: Scalar>(a: [S::Real; 3], b: [S::Real; 3]) -> S::Real {
-    pairs(a, b).into_iter().fold(S::Real::ZERO, |sum, (a, b)| sum + a * b)
 }
 
 impl<S: Scalar> Hull<S> {
@@ -61,11 +67,11 @@ impl<S: Scalar> Hull<S> {
         }
     }
 
-    fn section(&self, point: Vec3<S>, normal: [S::Real; 3], rounding: S::Real) -> Section<S> {
+    fn section(&self, point: Vec3<S>, normal: [S::Real; 3], rounding: S::Real) -> Section<Vec3<S>> {
         let ends = [normal, normal.map(|c| -c)].map(|direction| self.farthest(direction));
         let [Some(above), Some(below)] = ends else { return Section::Unknown };
-        let offset = dot::<S>(point.real(), normal);
-        let [high, low] = [above, below].map(|end| dot::<S>(end, normal) - offset);
+        let offset = dot(point.real(), normal);
+        let [high, low] = [above, below].map(|end| dot(end, normal) - offset);
         // The coordinates of the point are rounded, and so are the sums.
         let most = [above, below, point.real()].into_iter().flatten().fold(S::Real::ZERO, |most, c| most + c.abs());
         let doubt = most.scaled(-16) + S::ZERO.next_up().real().scaled(3) + rounding;
@@ -92,7 +98,7 @@ impl<S: Scalar> Hull<S> {
             [x * share, height.real(), z * share]
         };
         let farther = |[a, b]: [[S::Real; 3]; 2]| {
-            if dot::<S>(a, direction) < dot::<S>(b, direction) { b } else { a }
+            if dot(a, direction) < dot(b, direction) { b } else { a }
         };
         let towards = |half: S, c: S::Real| if c.is_negative() { -half.real() } else { half.real() };
         let corner = |half: [S; 3]| pairs(half, direction).map(|(half, c)| towards(half, c));

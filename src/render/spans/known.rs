@@ -1,8 +1,10 @@
 //! What is known of the objects of a picture in every row: what they look like, and where their shadows may be.
 
-use super::{Picture, curve};
+use super::curve;
 use crate::effect::{Course, Effect, Effects};
+use crate::number::dot;
 use crate::part::Part;
+use crate::render::Picture;
 use crate::scalar::{Real, Ring, Scalar};
 use crate::scene::{Ball, BallInWorld, Candidates, MOST, Raster, Size, View, are_apart, around_box, ends, shaded};
 use crate::shape::kinds::Kinds;
@@ -36,7 +38,7 @@ pub(super) struct KnownObject {
     /// The objects that have no point in common with it.
     apart: Candidates,
     /// The most columns between pixels that are traced where its light changes smoothly.
-    pub(super) longest: u16,
+    longest: u16,
 }
 
 /// Where the shadow of an object in a light may be seen.
@@ -70,7 +72,7 @@ impl Known {
             let others = (0_u32..).zip(&balls).filter(|(_, other)| is_apart(other));
             let apart = others.map(|(other, _)| other).fold(Candidates::NONE, Candidates::with);
             let (is_solid, ball) = (shape.is_solid(), own.and_then(|own| Ball::seen(own, eye)));
-            let longest = longest(picture, shape);
+            let longest = longest(picture, shape, *own);
             known.objects.push(KnownObject { outlined, is_solid, ball, cap, apart, longest }).ok()?;
             if outlined == Outlined::Plane {
                 known.planes = known.planes.with(index);
@@ -141,20 +143,24 @@ impl Known {
 }
 
 /// The most columns of a curve on a shape: as many as the nearest light is above it, as seen from the eye at the point
-/// below the light, since what that light brightens by Lambert's law is about as wide. 0 if that is not known.
-fn longest<S: Scalar, E: Effects, T: Tier<S>, K: Kinds>(picture: &Picture<'_, S, E, T, K>, shape: &Shape<S, K>) -> u16 {
+/// below the light, since what that light brightens by Lambert's law is about as wide. 0 if no ball is known.
+fn longest<S: Scalar, E: Effects, T: Tier<S>, K: Kinds>(
+    picture: &Picture<'_, S, E, T, K>,
+    shape: &Shape<S, K>,
+    ball: Option<BallInWorld<S>>,
+) -> u16 {
     let (scene, raster) = (picture.tracer.scene(), &picture.raster);
     let (Some(half), eye) = (raster.half_a_pixel(), raster.camera().position().real()) else { return 0 };
     let from = |a: [S::Real; 3], b: [S::Real; 3]| pairs(a, b).map(|(a, b)| a - b);
-    let length = |v: [S::Real; 3]| v.into_iter().fold(S::Real::ZERO, |sum, c| sum + c * c).sqrt();
+    let length = |v: [S::Real; 3]| dot(v, v).sqrt();
     let mut longest = curve::longest::<S>();
     for light in scene.lights().iter().filter(|light| !light.distant) {
         let lamp = light.position.real();
         let (height, distance) = if let Some((on, normal)) = shape.plane() {
-            let height = S::Real::sum_of_products(pairs(from(lamp, on.real()), normal.real()).map(|(a, b)| [a, b]));
+            let height = dot(from(lamp, on.real()), normal.real());
             let below = pairs(lamp, normal.real()).map(|(lamp, normal)| lamp - normal * height);
             (height.abs(), length(from(below, eye)))
-        } else if let Some((centre, legs)) = shape.ball() {
+        } else if let Some((centre, legs)) = ball {
             let radius = length(legs.map(S::real));
             (length(from(lamp, centre.real())) - radius, length(from(centre.real(), eye)) + radius)
         } else {

@@ -1,5 +1,6 @@
 //! A light over a plane, and shadows on that plane.
 
+use crate::number::dot;
 use crate::scalar::{Real, Ring, Scalar};
 use crate::scene::Light;
 use crate::vector::{UnitVec3, Vec3, cross, pairs};
@@ -24,17 +25,21 @@ impl<S: Scalar> LightOver<S> {
     }
 
     /// The plane through the light and the line in which a plane through the eye meets this plane: a point and the
-    /// normal, of about the length 1. `None` if the planes are parallel, or the light is on that line.
+    /// normal, of about the length 1. `None` if the planes are nearly parallel, or the light is close to that line.
     pub(super) fn plane_through(&self, eye: Vec3<S>, row: [S::Real; 3]) -> Option<(Vec3<S>, [S::Real; 3])> {
         let along = cross(row, self.normal);
+        // Of nearly parallel planes the line is not well known.
+        if dot(along, along) < S::Real::ONE.scaled(-8) {
+            return None;
+        }
         // In the plane of the row, perpendicular to the line: towards it from the eye.
         let down = cross(along, row);
         let from_eye = pairs(self.on.real(), eye.real()).map(|(on, eye)| on - eye);
-        let fall = dot::<S>(down, self.normal);
+        let fall = dot(down, self.normal);
         if fall.is_zero() {
             return None;
         }
-        let t = dot::<S>(from_eye, self.normal) / fall;
+        let t = dot(from_eye, self.normal) / fall;
         let point = Vec3::<S>::round(pairs(eye.real(), down).map(|(eye, down)| eye + down * t));
         let to_light = if self.is_distant {
             self.light
@@ -42,7 +47,12 @@ impl<S: Scalar> LightOver<S> {
             let from_on = pairs(point.real(), self.on.real()).map(|(point, on)| point - on);
             pairs(self.light, from_on).map(|(light, point)| light - point)
         };
-        let normal = UnitVec3::<S>::from_real(cross(along, to_light))?;
+        let normal = cross(along, to_light);
+        // So is the plane, of a light close to the line.
+        if dot(normal, normal) < dot(to_light, to_light).scaled(-16) {
+            return None;
+        }
+        let normal = UnitVec3::<S>::from_real(normal)?;
         point.is_within_budget().then(|| (point, normal.real()))
     }
 
@@ -50,7 +60,7 @@ impl<S: Scalar> LightOver<S> {
     pub(super) fn shadow_of(&self, point: Vec3<S>) -> Option<Vec3<S>> {
         let from_on = pairs(point.real(), self.on.real()).map(|(point, on)| point - on);
         let to_light = if self.is_distant { self.light } else { pairs(self.light, from_on).map(|(l, p)| l - p) };
-        let (height, rise) = (dot::<S>(from_on, self.normal), dot::<S>(to_light, self.normal));
+        let (height, rise) = (dot(from_on, self.normal), dot(to_light, self.normal));
         if rise.is_zero() || !height.is_zero() && rise.is_negative() != height.is_negative() {
             return None;
         }
@@ -58,8 +68,4 @@ impl<S: Scalar> LightOver<S> {
         let shadow = Vec3::<S>::round(pairs(point.real(), to_light).map(|(point, to_light)| point - to_light * t));
         shadow.is_within_budget().then_some(shadow)
     }
-}
-
-fn dot<S: Scalar>(a: [S::Real; 3], b: [S::Real; 3]) -> S::Real {
-    pairs(a, b).into_iter().fold(S::Real::ZERO, |sum, (a, b)| sum + a * b)
 }

@@ -2,8 +2,8 @@
 //!
 //! Spans are as old as pictures of solids: Wylie, Romney, Evans and Erdahl, *Half-tone perspective drawings by
 //! computer* (1967), and Watkins, *A real time visible surface algorithm* (1970), find their ends by the edges of
-//! polygons. Here rays find them, so that all solids have spans, and the ends are where a picture that is traced pixel
-//! by pixel has them.
+//! polygons. Here rays find them, so that curved solids have spans too, and the ends are where a picture that is traced
+//! pixel by pixel has them.
 //!
 //! | module | what it holds |
 //! |---|---|
@@ -22,9 +22,8 @@ mod search;
 use super::{Picture, Pixel, Row};
 use crate::effect::{All, Course, Effect, Effects, TraceContext};
 use crate::part::Part;
-use crate::ray::Ray;
 use crate::scalar::Scalar;
-use crate::scene::{Candidates, Counters, Observer, RaysOfRow, SceneHit, Size};
+use crate::scene::{Candidates, Counters, Observer, Size};
 use crate::shape::Outlined;
 use crate::shape::kinds::{self, Kinds};
 use crate::tier::{Stable, Tier};
@@ -52,10 +51,11 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
     ///
     /// | what | is found by spans |
     /// |---|---|
-    /// | planes, spheres, cuboids, prisms, polyhedra, discs, rectangles, triangles | yes, from both sides or one |
+    /// | spheres, cuboids, prisms, polyhedra, discs, rectangles, triangles | yes |
     /// | capped or infinite cylinders and cones, surfaces of revolution with caps and without a waist | yes |
+    /// | planes that are seen from both sides | yes |
     /// | capsules, round cones, rounded cuboids | their ends; each pixel between them is traced |
-    /// | all others; solids around the eye; planes seen from one side; what may touch where it overlaps | no |
+    /// | all others; what is seen from inside only; solids around the eye; what may touch where it overlaps | no |
     ///
     /// Light is interpolated where only Lambert's law, ambient light and fog make it, with highlights on flat parts
     /// alone; and not where a shadow may begin or end, but for shadows of convex solids on the only plane of a scene,
@@ -65,7 +65,8 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
     /// outline, if a pixel has several samples, or if the camera is orthographic. With more than 32 pairs of objects
     /// and lights no shadow's place is known.
     ///
-    /// The value takes some kilobytes, as it holds what is known of all objects.
+    /// In 32-bit fixed point the value takes up to 1,500 bytes, as it holds what is known of all objects, and the
+    /// iterator of a row up to 1,100. Where a row begins may change interpolated light.
     ///
     /// ```
     /// # use raylet::{Camera, Color, Frame, Light, Material, Object, Picture, Plane, Scene, Shape, Size, Sphere, Vec3};
@@ -92,20 +93,6 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
         let is_traced = is_traced || self.is_antialiased() || width == 0 || height == 0;
         let known = if is_traced { None } else { Known::of(self) };
         InSpans { picture: *self, known }
-    }
-
-    /// The ray through a column, and its first hit among these objects.
-    fn first<O: Observer>(
-        &self,
-        rays: &RaysOfRow<'_, S>,
-        x: u16,
-        among: Candidates,
-        context: &mut TraceContext<O>,
-    ) -> Option<(Ray<S>, SceneHit<S>)> {
-        let [right, _] = self.raster.place([x, 0], [0, 0]);
-        let ray = rays.through(right)?;
-        context.counters.primary_rays += 1;
-        self.tracer.first(&ray, among, context).map(|on| (ray, on))
     }
 }
 

@@ -1,10 +1,11 @@
 //! The columns of a row in which objects and shadows are seen.
 
+use super::curve;
 use super::known::{Known, KnownShadow, SHADOWS};
 use super::search::{Found, Search};
-use super::{Picture, curve};
 use crate::effect::{Effects, TraceContext};
 use crate::part::Part;
+use crate::render::Picture;
 use crate::scalar::Scalar;
 use crate::scene::{Ball, Candidates, Directions, MOST, Observer, RaysOfRow, View};
 use crate::shape::Outlined;

@@ -4,14 +4,15 @@
 //! so do those that see a flat part of the solid, or its shadow on a plane. If one of these rays is known, bisection
 //! finds the first and the last column, and no ray between them is cast.
 
-use super::Picture;
 use super::known::{Known, KnownObject};
 use super::light_over::LightOver;
 use crate::effect::{Effects, TraceContext};
 use crate::hit::Crossing;
 use crate::part::Part;
+use crate::ray::Ray;
+use crate::render::Picture;
 use crate::scalar::Scalar;
-use crate::scene::{Candidates, Observer, RaysOfRow};
+use crate::scene::{Candidates, Observer, RaysOfRow, SceneHit};
 use crate::shape::kinds::Kinds;
 use crate::shape::{Outlined, Section, Shape, Visible};
 use crate::tier::Tier;
@@ -26,6 +27,22 @@ pub(super) enum Found {
     Exactly([u16; 2]),
     /// In some columns between them, or in none.
     Within([u16; 2]),
+}
+
+impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'_, S, E, T, K> {
+    /// The ray through a column, and its first hit among these objects.
+    pub(super) fn first<O: Observer>(
+        &self,
+        rays: &RaysOfRow<'_, S>,
+        x: u16,
+        among: Candidates,
+        context: &mut TraceContext<O>,
+    ) -> Option<(Ray<S>, SceneHit<S>)> {
+        let [right, _] = self.raster.place([x, 0], [0, 0]);
+        let ray = rays.through(right)?;
+        context.counters.primary_rays += 1;
+        self.tracer.first(&ray, among, context).map(|on| (ray, on))
+    }
 }
 
 /// Casts rays of a row.
@@ -71,12 +88,9 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> Search<'_, '_, '_
             })
         };
         between(columns, sees, || {
-            let normal = raster.normal_of_row(self.rays)?;
-            match of.shape.section(raster.camera().position(), normal, cap) {
-                Section::At(point) => Some(raster.pixel_of(point)?[0]),
-                Section::Missed => Some(MISSED),
-                Section::Unknown => None,
-            }
+            let Some(normal) = raster.normal_of_row(self.rays) else { return Section::Unknown };
+            let section = of.shape.section(raster.camera().position(), normal, cap);
+            section.and_then(|point| Some(raster.pixel_of(point)?[0]))
         })
     }
 
@@ -104,31 +118,27 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> Search<'_, '_, '_
         };
         between(columns, is_shaded, || {
             let over = LightOver::new(lamp, on);
-            let (point, normal) = over.plane_through(raster.camera().position(), raster.normal_of_row(self.rays)?)?;
-            match of.shape.section(point, normal, None) {
-                Section::At(point) => Some(raster.pixel_of(over.shadow_of(point)?)?[0]),
-                Section::Missed => Some(MISSED),
-                Section::Unknown => None,
-            }
+            let row = raster.normal_of_row(self.rays);
+            let through = row.and_then(|row| over.plane_through(raster.camera().position(), row));
+            let Some((point, normal)) = through else { return Section::Unknown };
+            let section = of.shape.section(point, normal, None);
+            section.and_then(|point| Some(raster.pixel_of(over.shadow_of(point)?)?[0]))
         })
     }
 }
 
-/// Stands for no column: those of points are nearer.
-const MISSED: i32 = i32::MIN;
-
 /// Where something is seen from the first of these columns to before the last, if all columns in which it is follow
 /// each other. If the middle is not one of them, `other` may know one, or that there is none.
-fn between(columns: [u16; 2], mut sees: impl FnMut(u16) -> bool, other: impl FnOnce() -> Option<i32>) -> Found {
+fn between(columns: [u16; 2], mut sees: impl FnMut(u16) -> bool, other: impl FnOnce() -> Section<i32>) -> Found {
     let mut sees = |x: i32| sees(x as u16);
     let [first, end] = columns.map(i32::from);
     let middle = first + (end - first) / 2;
     let mut inside = middle;
     if !sees(middle) {
         inside = match other() {
-            Some(MISSED) => return Found::Nowhere,
-            Some(column) if column >= first && column < end && sees(column) => column,
-            _ => return Found::Within(columns),
+            Section::Missed => return Found::Nowhere,
+            Section::At(column) if column >= first && column < end && sees(column) => column,
+            Section::At(_) | Section::Unknown => return Found::Within(columns),
         };
     }
     let leftmost = outermost(first - 1, inside, &mut sees);

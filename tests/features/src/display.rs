@@ -168,6 +168,29 @@ fn the_corner_moves_the_picture_off_the_display_too() {
     });
 }
 
+#[test]
+fn a_picture_by_spans_may_lie_partly_off_the_display() {
+    with_picture::<f32, _>(|picture| {
+        let spans = picture.in_spans();
+        for corner in [Point::zero(), Point::new(-5, -3), Point::new(9, 4), Point::new(i32::from(WIDTH), 0)] {
+            let (mut one, mut other) = (Screen::<Rgb888>::new(), Screen::<Rgb888>::new());
+            let whole = picture.draw(corner, &mut one).unwrap();
+            let part = spans.draw(corner, &mut other).unwrap();
+            for (x, y) in (0..HEIGHT).flat_map(|y| (0..WIDTH).map(move |x| (x, y))) {
+                let is_same = match (one.at(x, y), other.at(x, y)) {
+                    (Some(a), Some(b)) => {
+                        let off = |a: u8, b: u8| a.abs_diff(b);
+                        off(a.r(), b.r()).max(off(a.g(), b.g())).max(off(a.b(), b.b())) <= 1
+                    }
+                    (a, b) => a.is_none() && b.is_none(),
+                };
+                assert!(is_same, "{corner}: {x}, {y}");
+            }
+            assert!(part.rays() <= whole.rays(), "{corner}: {part:?}");
+        }
+    });
+}
+
 /// A row that begins in the middle has the corners on the left of its first pixel.
 #[test]
 fn an_antialiased_picture_may_lie_partly_off_the_display() {

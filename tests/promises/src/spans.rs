@@ -3,34 +3,29 @@
 use fixed::types::{I16F16, I32F32};
 use raylet::effect::{All, Ambient, Diffuse, EffectSet, Effects, Shadows, Specular};
 use raylet::gallery::BuiltIn;
+use raylet::scalar::UnitScalar;
 use raylet::scene::Texture;
 use raylet::tier::{Exact, Fast, Plain, Stable, Tier};
 use raylet::{
     Affine, Camera, Capsule, Color, Cone, Cuboid, Cylinder, Disc, Fog, Frame, Light, Material, Object, Picture, Pixel,
-    Plane, Rectangle, Revolved, RoundCone, RoundedCuboid, Scalar, Scene, Shape, Size, Sphere, Torus, Triangle, Tube,
-    UnitVec3, Vec3, Visible,
+    Plane, Rectangle, Revolved, RoundCone, RoundedCuboid, Scene, Shape, Size, Sphere, Torus, Triangle, Tube, UnitVec3,
+    Vec3, Visible,
 };
 use support::amount::amount;
+use support::cases::{n as number, v as point};
+use support::exact_types::Exact as Number;
 use support::random::Random;
 
-fn number<S: Scalar>(value: f64) -> S {
-    S::from_f64(value).unwrap()
-}
-
-fn point<S: Scalar>(v: [f64; 3]) -> Vec3<S> {
-    Vec3::from_f64(v).unwrap()
-}
-
-fn anywhere<S: Scalar>(random: &mut Random, most: f64) -> Vec3<S> {
+fn anywhere<S: Number>(random: &mut Random, most: f64) -> Vec3<S> {
     point([0; 3].map(|_| random.between(-most, most)))
 }
 
-fn direction<S: Scalar>(random: &mut Random) -> UnitVec3<S> {
+fn direction<S: Number>(random: &mut Random) -> UnitVec3<S> {
     UnitVec3::new(point(random.direction())).unwrap()
 }
 
 /// A solid or a surface of about this size.
-fn shape<S: Scalar>(random: &mut Random, size: f64) -> Shape<S> {
+fn shape<S: Number>(random: &mut Random, size: f64) -> Shape<S> {
     let [large, middle, small] = [1.0, 0.6, 0.3].map(|share| number::<S>(share * size));
     let corner = |random: &mut Random| anywhere::<S>(random, size);
     match random.below(24) {
@@ -61,9 +56,9 @@ fn shape<S: Scalar>(random: &mut Random, size: f64) -> Shape<S> {
 }
 
 /// A floor, or none, or two, and shapes that stand on it, hang over it, are sunk into it, or are placed by a matrix.
-fn objects<S: Scalar>(random: &mut Random) -> Vec<Object<S>> {
+fn objects<S: Number>(random: &mut Random, away: Vec3<S>) -> Vec<Object<S>> {
     let mut objects = vec![];
-    let below = point([0.0, -2.0, 0.0]);
+    let below = away + point([0.0, -2.0, 0.0]);
     for _ in 0..random.pick(&[0, 1, 1, 1, 1, 2]) {
         let floor = Shape::new(Plane::new());
         let frame =
@@ -74,7 +69,7 @@ fn objects<S: Scalar>(random: &mut Random) -> Vec<Object<S>> {
     for _ in 0..=random.below(6) {
         let size = random.between(0.1, 1.3);
         let shape = shape::<S>(random, size);
-        let base = anywhere::<S>(random, 2.5);
+        let base = away + anywhere::<S>(random, 2.5);
         let on_floor = Vec3::new(base.x, below.y, base.z);
         let placed = match random.below(6) {
             0..2 => shape.placed(Frame::at(on_floor).unwrap()),
@@ -90,20 +85,20 @@ fn objects<S: Scalar>(random: &mut Random) -> Vec<Object<S>> {
     objects
 }
 
-fn materials<S: Scalar>() -> [Material<S>; 4] {
+fn materials<S: Number>() -> [Material<S>; 4] {
     let matte = Material::matte(Color::from_f64([0.9, 0.6, 0.3]));
     let glossy = matte.with_highlight(number(0.3), number(20.0));
     [matte, glossy, matte.with_mirror(number(0.5)), matte.with_texture(0)]
 }
 
-fn lights<S: Scalar>(random: &mut Random) -> Vec<Light<S>> {
+fn lights<S: Number>(random: &mut Random, away: Vec3<S>) -> Vec<Light<S>> {
     let light = |random: &mut Random| {
         let far = random.pick(&[3.0, 9.0, 40.0]);
         let at = point(random.direction().map(|c| c * far));
         if random.below(3) == 0 {
             Light { distant: true, ..Light::new(at, number(0.6)) }
         } else {
-            Light::new(at, number(0.6))
+            Light::new(away + at, number(0.6))
         }
     };
     (0..random.below(3)).map(|_| light(random)).collect()
@@ -125,7 +120,7 @@ struct Differing {
 }
 
 impl Differing {
-    fn of<S: Scalar, E: Effects, T: Tier<S>>(picture: &Picture<'_, S, E, T>) -> Self {
+    fn of<S: Number, E: Effects, T: Tier<S>>(picture: &Picture<'_, S, E, T>) -> Self {
         let (mut one, mut other) = (vec![], vec![]);
         let counters = picture.render(|_, _, pixel| one.push(pixel));
         let fewer = picture.in_spans().render(|_, _, pixel| other.push(pixel));
@@ -160,30 +155,32 @@ impl Differing {
     }
 }
 
-fn levels<S: Scalar>(pixel: &Pixel<S>) -> [u8; 3] {
+fn levels<S: Number>(pixel: &Pixel<S>) -> [u8; 3] {
     pixel.color.to_srgb888()
 }
 
-/// Pictures of random scenes.
-fn random<S: Scalar, T: Tier<S>>(seed: u64, size: Size) -> Differing {
-    let (mut random, mut all) = (Random(seed), Differing::default());
+/// Pictures of random scenes, this far from the origin.
+fn random<S: Number, T: Tier<S>>(seed: u64, away: f64) -> Differing {
+    let (mut random, mut all, size) = (Random(seed), Differing::default(), Size::new(64, 48));
+    let away: Vec3<S> = point([away, -0.5 * away, 0.8 * away]);
     let materials = materials::<S>();
     let [light, dark] = [0.9, 0.2].map(|share| Color::from_f64([share; 3]));
     let textures = [Texture::Checker { columns: 4, rows: 4, colors: [light, dark] }];
     for _ in 0..amount(60, 2_000) {
-        let (objects, lights) = (objects::<S>(&mut random), lights::<S>(&mut random));
+        let (objects, lights) = (objects::<S>(&mut random, away), lights::<S>(&mut random, away));
         let near = random.below(8) == 0;
         let distance = if near { random.between(0.1, 2.0) } else { random.between(2.0, 8.0) };
-        let eye = point(random.direction().map(|c| c * distance));
+        let eye: Vec3<S> = point(random.direction().map(|c| c * distance));
         let angle = number(random.between(15.0, 90.0));
-        let Ok(camera) = Camera::new(eye, anywhere(&mut random, 1.0), anywhere(&mut random, 1.0), angle) else {
+        let Ok(camera) = Camera::new(away + eye, away + anywhere(&mut random, 1.0), anywhere(&mut random, 1.0), angle)
+        else {
             continue;
         };
         let scene = Scene::new(&objects, &materials, &lights, camera).unwrap().at_tier::<T>();
         let scene = scene.with_textures(&textures).unwrap().with_background(Color::from_f64([0.2, 0.3, 0.5]));
         let scene = match random.below(3) {
             0 => scene.with_ambient(Color::from_f64([0.1; 3])),
-            1 => scene.with_fog(Fog::new(light, S::unit_of(0.95))),
+            1 => scene.with_fog(Fog::new(light, S::Unit::from_f64(0.95))),
             _ => scene,
         };
         let of = match random.below(4) {
@@ -198,27 +195,19 @@ fn random<S: Scalar, T: Tier<S>>(seed: u64, size: Size) -> Differing {
     all
 }
 
-/// So that a component of a direction can be written down.
-trait UnitOf: Scalar {
-    fn unit_of(value: f64) -> Self::Unit {
-        use raylet::scalar::UnitScalar;
-        Self::Unit::from_f64(value)
-    }
-}
-
-impl<S: Scalar> UnitOf for S {}
-
 #[test]
 fn pictures_of_random_scenes_are_the_same_by_spans() {
-    let size = Size::new(64, 48);
     for all in [
-        random::<f32, Stable>(1, size),
-        random::<f64, Stable>(2, size),
-        random::<I16F16, Stable>(3, size),
-        random::<I32F32, Stable>(4, size),
-        random::<f32, Exact>(5, size),
-        random::<f32, Fast>(6, size),
-        random::<I16F16, Plain>(7, size),
+        random::<f32, Stable>(1, 0.0),
+        random::<f64, Stable>(2, 0.0),
+        random::<I16F16, Stable>(3, 0.0),
+        random::<I32F32, Stable>(4, 0.0),
+        random::<f32, Exact>(5, 0.0),
+        random::<f32, Fast>(6, 0.0),
+        random::<I16F16, Plain>(7, 0.0),
+        random::<f32, Stable>(8, 1e4),
+        random::<f64, Fast>(9, 1e6),
+        random::<I16F16, Stable>(10, 8_000.0),
     ] {
         assert!(all.seen == 0 && all.lit * 50_000 <= all.pixels, "{all:?}");
         assert!(all.levels[1] * 2_000 <= all.pixels && all.most <= amount(9, 30), "{all:?}");
@@ -226,7 +215,7 @@ fn pictures_of_random_scenes_are_the_same_by_spans() {
     }
 }
 
-fn built_in<S: Scalar, T: Tier<S>>(size: Size) {
+fn built_in<S: Number, T: Tier<S>>(size: Size) {
     for built_in in BuiltIn::EVERY {
         let stage = built_in.build::<S>().unwrap();
         let scene = stage.scene().unwrap().at_tier::<T>();
@@ -249,7 +238,7 @@ fn built_in_scenes_are_the_same_by_spans_in_every_tier() {
 }
 
 /// A floor, and what stands over it, in a light.
-fn on_floor<S: Scalar>(shapes: &[Shape<S>], eye: Vec3<S>, light: Light<S>, size: Size) -> Differing {
+fn on_floor<S: Number>(shapes: &[Shape<S>], eye: Vec3<S>, light: Light<S>, size: Size) -> Differing {
     let floor = Object::new(Shape::new(Plane::new()), 0);
     let objects: Vec<_> = [floor].into_iter().chain(shapes.iter().map(|shape| Object::new(*shape, 0))).collect();
     let (materials, up) = ([Material::default()], point([0.0, 1.0, 0.0]));
@@ -410,12 +399,21 @@ fn long_shapes_placed_by_a_matrix_are_seen_whole_in_fixed_point() {
     let wide = Affine::stretched(Frame::at(Vec3::ZERO).unwrap(), point([2.0, 1.0, 1.0])).unwrap();
     let objects = [Object::new(long.placed(wide), 0)];
     let materials = [Material::default()];
-    let (up, eye) = (point([0.0, 1.0, 0.0]), point([0.0, 0.0, 9_000.0]));
-    let camera = Camera::new(eye, Vec3::ZERO, up, number(100.0)).unwrap();
+    // From outside of a ball about the middle of half of that range.
+    let (up, eye) = (point([0.0, 1.0, 0.0]), point([0.0, 0.0, 16_000.0]));
+    let camera = Camera::new(eye, Vec3::ZERO, up, number(72.0)).unwrap();
     let scene = Scene::new(&objects, &materials, &[], camera).unwrap();
     let picture = Picture::new(&scene, Size::new(64, 47));
     let mut middle = 0;
     picture.render(|_, y, pixel| middle += u32::from(y == 23 && pixel.seen.is_some()));
     let all = Differing::of(&picture);
     assert!(all.seen == 0 && middle == 64, "{middle} {all:?}");
+}
+
+#[test]
+fn what_is_known_of_a_picture_and_of_a_row_takes_as_much_memory_as_its_documentation_says() {
+    type Spans = raylet::render::InSpans<'static, I16F16>;
+    type Row = raylet::render::RowInSpans<'static, 'static, I16F16, All, ()>;
+    // On a machine with addresses of 64 bits.
+    assert!(size_of::<Spans>() <= 1_500 && size_of::<Row>() <= 1_100, "{} {}", size_of::<Spans>(), size_of::<Row>());
 }

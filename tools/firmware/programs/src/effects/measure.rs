@@ -4,7 +4,6 @@ use crate::stack::{depth, used_since};
 use core::fmt::{self, Display};
 use core::hint::black_box;
 use raylet::effect::Effects;
-use raylet::render::InSpans;
 use raylet::tier::Tier;
 use raylet::{Counters, Picture, Pixel, Scalar, Size, TraceContext};
 use raylet_firmware::clock;
@@ -37,7 +36,7 @@ pub fn picture<S: Scalar, E: Effects, T: Tier<S>>(picture: &Picture<'_, S, E, T>
 
 /// Measures one of so many rows of a picture, from the middle of the first ones on.
 pub fn every<S: Scalar, E: Effects, T: Tier<S>>(rows: u16, picture: &Picture<'_, S, E, T>) -> Measured {
-    measure(rows, picture.size(), |y, context, levels| row(black_box(picture), y, context, levels))
+    measure(rows, picture.size(), |y, context, sum| levels(black_box(picture).row(y, context), sum))
 }
 
 /// The same by spans.
@@ -46,12 +45,13 @@ pub fn every_in_spans<S: Scalar, E: Effects, T: Tier<S>>(rows: u16, picture: &Pi
     let spans = black_box(picture).in_spans();
     let once = clock::instructions() - taken;
     let stack = used_since(start);
-    let mut measured = measure(rows, size, |y, context, levels| row_in_spans(black_box(&spans), y, context, levels));
+    let mut measured = measure(rows, size, |y, context, sum| levels(black_box(&spans).row(y, context), sum));
     measured.instructions += once / (u64::from(size.width) * u64::from(size.height));
     measured.stack = stack.max(measured.stack + size_of_val(&spans));
     measured
 }
 
+/// One of so many rows: `row` traces it, and makes a sum with its levels.
 fn measure(rows: u16, size: Size, mut row: impl FnMut(u16, &mut TraceContext, u32) -> u32) -> Measured {
     let mut measured = Measured { instructions: 0, stack: 0, rays: 0, levels: 0 };
     let (mut context, mut instructions, mut pixels) = (TraceContext::new(()), 0, 0);
@@ -67,30 +67,9 @@ fn measure(rows: u16, size: Size, mut row: impl FnMut(u16, &mut TraceContext, u3
     measured
 }
 
-/// Traces a row, to eight bits a channel.
+/// A sum with the levels of all pixels of a row, of eight bits a channel.
 #[inline(never)]
-fn row<S: Scalar, E: Effects, T: Tier<S>>(
-    picture: &Picture<'_, S, E, T>,
-    y: u16,
-    context: &mut TraceContext,
-    levels: u32,
-) -> u32 {
-    picture.row(y, context).fold(levels, mixed)
-}
-
-/// The same by spans.
-#[inline(never)]
-fn row_in_spans<S: Scalar, E: Effects, T: Tier<S>>(
-    picture: &InSpans<'_, S, E, T>,
-    y: u16,
-    context: &mut TraceContext,
-    levels: u32,
-) -> u32 {
-    picture.row(y, context).fold(levels, mixed)
-}
-
-/// A sum with the levels of a pixel.
-fn mixed<S: Scalar>(sum: u32, pixel: Pixel<S>) -> u32 {
+fn levels<S: Scalar>(row: impl Iterator<Item = Pixel<S>>, sum: u32) -> u32 {
     let mix = |sum: u32, level: u8| (sum ^ u32::from(level)).wrapping_mul(0x0100_0193);
-    pixel.color.to_srgb888().into_iter().fold(sum, mix)
+    row.fold(sum, |sum, pixel| pixel.color.to_srgb888().into_iter().fold(sum, mix))
 }

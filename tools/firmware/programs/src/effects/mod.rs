@@ -38,8 +38,7 @@ pub struct Row {
     pub tier: &'static str,
     /// The number type.
     pub number: &'static str,
-    /// What else is told by its name: a scene of the gallery, or the scene of this module by spans; empty for that scene
-    /// pixel by pixel.
+    /// A scene of the gallery, or how that of this module is made if not pixel by pixel; else empty.
     pub scene: &'static str,
     /// With just this set compiled in.
     pub alone: Measured,
