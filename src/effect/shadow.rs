@@ -27,16 +27,19 @@ pub(super) fn is_shadowed<S: Scalar, E: Effects, T: Tier<S>, O: Observer, K: Kin
     towards: &Towards<S>,
     context: &mut TraceContext<O>,
 ) -> bool {
-    let (scene, refracts) = (tracer.scene(), tracer.uses(Effect::Refraction));
+    let (scene, refracts, may_shade) = (tracer.scene(), tracer.uses(Effect::Refraction), context.may_shade);
+    if may_shade.are_none() {
+        return false;
+    }
     let Some(ray) = ray_to_light(site, towards) else { return false };
     context.counters.shadow_rays += 1;
     let along = Along::<'_, S, T, K, E>::new(scene, &ray, &site.near, refracts);
-    if let Some(last) = context.last_occluder(light)
+    if let Some(last) = context.last_occluder(light).filter(|last| may_shade.contain(*last))
         && scene.is_hit_known(last, &ray, &along, &mut context.counters, &mut context.observer)
     {
         return true;
     }
-    let along = along.among(tracer.candidates(&ray));
+    let along = along.among(tracer.candidates(&ray).and(may_shade));
     let occluder = scene.occluder_known(&ray, &along, &mut context.counters, &mut context.observer);
     context.remember_occluder(light, occluder);
     occluder.is_some()

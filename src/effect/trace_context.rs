@@ -1,6 +1,6 @@
 //! Trace context: counters, observer and shadow cache.
 
-use crate::scene::{Counters, Observer};
+use crate::scene::{Candidates, Counters, Observer};
 
 /// The number of lights in the shadow cache.
 const REMEMBERED: usize = 8;
@@ -20,12 +20,15 @@ pub struct TraceContext<O = ()> {
     /// Called after every intersection test.
     pub observer: O,
     occluders: [u32; REMEMBERED],
+    /// The objects that may throw a shadow on what is traced.
+    pub(crate) may_shade: Candidates,
 }
 
 impl<O: Observer> TraceContext<O> {
     /// A context with all counters at zero and an empty cache.
     pub fn new(observer: O) -> Self {
-        Self { counters: Counters::default(), observer, occluders: [NOBODY; REMEMBERED] }
+        let occluders = [NOBODY; REMEMBERED];
+        Self { counters: Counters::default(), observer, occluders, may_shade: Candidates::ALL }
     }
 
     /// Clears the shadow cache, as at the start of a row.

@@ -7,14 +7,14 @@
 //! Lengths are rounded to [`BITS`] bits, and the ball is larger by as much as that may change. All else is exact in 32
 //! bits: a test takes some 50 instructions on a chip without any but short products, and needs no root.
 
-use super::Scene;
-use crate::number::Parts;
+use super::{Light, Scene};
 use crate::number::machine::leading_zeros_of_64;
+use crate::number::{Parts, dot};
 use crate::ray::Ray;
 use crate::scalar::{Real, Ring, Scalar, largest};
 use crate::shape::Shape;
 use crate::shape::kinds::Kinds;
-use crate::vector::{Vec3, pairs};
+use crate::vector::{UnitVec3, Vec3, cross, pairs};
 
 /// The most objects that have a ball; all others may be met by any ray. A picture of more needs a hierarchy.
 pub(crate) const MOST: usize = 16;
@@ -57,6 +57,12 @@ impl Candidates {
     #[must_use]
     pub(crate) const fn or(self, other: Self) -> Self {
         Self { first: self.first | other.first }
+    }
+
+    /// Those that are among these, too.
+    #[must_use]
+    pub(crate) const fn and(self, those: Self) -> Self {
+        Self { first: self.first & those.first }
     }
 
     /// True if those are among these.
@@ -267,6 +273,30 @@ pub(crate) fn are_apart<S: Scalar>((a, r): BallInWorld<S>, (b, s): BallInWorld<S
     rest > S::Real::ZERO && rest * rest > (r * s).scaled(2) + (rest * rest).scaled(-8)
 }
 
+/// True if a shadow of the first ball may fall on the second in this light: if it comes as close to the way from the
+/// centre of the second to the light as the radius of that is.
+pub(crate) fn may_shade<S: Scalar>((a, r): BallInWorld<S>, (b, s): BallInWorld<S>, light: &Light<S>) -> bool {
+    let length = |legs: [S; 3]| dot(legs.map(S::real), legs.map(S::real)).sqrt();
+    let close = length(r) + length(s);
+    let square = close * close + (close * close).scaled(-8);
+    let from = |p: [S::Real; 3], q: [S::Real; 3]| pairs(p, q).map(|(p, q)| p - q);
+    let is_close = |v: [S::Real; 3]| dot(v, v) <= square;
+    let (occluder, lamp) = (from(a.real(), b.real()), light.position.real());
+    let way = if light.distant { lamp } else { from(lamp, b.real()) };
+    let Some(towards) = UnitVec3::<S>::from_real(way).map(UnitVec3::real) else { return true };
+    let (along, whole) = (dot(occluder, towards), dot(way, towards));
+    if along <= S::Real::ZERO {
+        is_close(occluder)
+    } else if !light.distant && along > whole {
+        is_close(from(occluder, way))
+    } else {
+        let beside = cross(occluder, towards);
+        // The direction is rounded.
+        let doubt = dot(occluder, occluder).scaled(-20);
+        dot(beside, beside) <= square + doubt
+    }
+}
+
 /// A point from the eye; infinite beyond the type.
 fn from<S: Scalar>(eye: Vec3<S>, point: Vec3<S>) -> [S; 3] {
     pairs(point.to_array(), eye.to_array()).map(|(point, eye)| point.minus(eye))
@@ -323,3 +353,8 @@ pub(super) fn truncated_all<S: Scalar, const N: usize>(lengths: [S; N], bits: i3
     let top = exponent + (u64::BITS - leading_zeros_of_64(all)) as i32;
     Some((lengths.map(|length| length.truncated(bits - top)), top - bits))
 }
+
+#[cfg(all(units, feature = "fixed"))]
+#[expect(clippy::expect_used, reason = "a test may panic")]
+#[path = "../../tests/units/scene/balls.rs"]
+mod tests;

@@ -272,17 +272,18 @@ impl Directions {
         let mut q = (a * u + 2 * b) * u + k * k - (v * v + f * f) * e;
         let mut growth = (a * (2 * u + step) + 2 * b) * step;
         let bend = 2 * a * step * step;
-        let mut ahead = cx * u + k;
-        let mut first = None;
-        for column in 0..self.width {
-            match (q >= 0 && ahead > 0, first) {
-                (true, None) => first = Some(column),
-                (false, Some(first)) => return [first, column],
-                _ => {}
+        let mut column = 0;
+        while column < self.width {
+            // Rays with q >= 0 meet the ball, or the ray backwards does: all of those that follow each other the same.
+            let (first, is_met) = (column, q >= 0);
+            while (q >= 0) == is_met && column < self.width {
+                (q, growth, column) = (q + growth, growth + bend, column + 1);
             }
-            (q, growth, ahead) = (q + growth, growth + bend, ahead + cx * step);
+            if is_met && cx * (u + step * i64::from(first)) + k > 0 {
+                return [first, column];
+            }
         }
-        first.map_or([0; 2], |first| [first, self.width])
+        [0; 2]
     }
 }
 

@@ -41,7 +41,7 @@ mod stored;
 mod texture;
 
 pub use crate::hierarchy::{Hierarchy, HierarchyError, Node};
-pub(crate) use balls::{Ball, BallInWorld, Balls, Candidates, MOST, are_apart, around, around_box, ends};
+pub(crate) use balls::{Ball, BallInWorld, Balls, Candidates, MOST, are_apart, around, around_box, ends, may_shade};
 pub use camera::{Camera, CameraError, Raster, Size};
 pub(crate) use camera::{RaysOfRow, tangent_of_half};
 pub(crate) use candidates::CandidatesOfRow;

@@ -33,6 +33,15 @@ pub(crate) enum Outlined {
 }
 
 impl<S: Scalar, K: Kinds> Shape<S, K> {
+    /// True if, over the columns of a row that see it, its side turns away from the eye as a ball does.
+    pub(crate) fn is_round(&self) -> bool {
+        let is_round = matches!(
+            self.member.equations(),
+            Equations::Ball { .. } | Equations::Cylinder { .. } | Equations::Cone { .. }
+        );
+        is_round && self.combined().is_none() && !matches!(self.own().1, Placement::Affine(_))
+    }
+
     /// What it looks like from this point.
     pub(crate) fn outlined_from(&self, eye: Vec3<S>) -> Outlined {
         if self.combined().is_some() || self.visible() == Visible::Inside {

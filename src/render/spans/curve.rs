@@ -4,20 +4,41 @@
 //! far it is from a straight line; a parabola is much closer, as long as it is not far from that line.
 
 use crate::render::Pixel;
-use crate::scalar::{Ring, Scalar, UnitScalar};
+use crate::scalar::{Real, Ring, Scalar, UnitScalar};
 use crate::scene::Color;
 use crate::vector::pairs;
 
 /// The most levels of sRGB that the middle may be off the mean of the ends.
-const OFF: u8 = 2;
+const OFF: u8 = 1;
 
 /// The fewest columns from the first pixel to the last: of fewer, all are traced.
 pub(super) const SHORTEST: u16 = 4;
 
-/// The most columns from the first pixel to the last; few where the growth has few digits.
+/// The most columns from the first pixel to the last, if the growth has digits enough.
+const LONGEST: u16 = 64;
+
+/// The same for this type.
 pub(super) fn longest<S: Scalar>() -> u16 {
     let has_digits = S::unit_round(S::Real::ONE.scaled(-28)) > S::Unit::ZERO;
-    if has_digits { 32 } else { SHORTEST }
+    if has_digits { LONGEST } else { SHORTEST }
+}
+
+/// `1 / n` for all numbers of columns from 1 on, at the index `n`.
+#[derive(Clone, Debug)]
+pub(super) struct Parts<S: Scalar>([S::Unit; LONGEST as usize + 1]);
+
+impl<S: Scalar> Parts<S> {
+    pub(super) fn new() -> Self {
+        let mut parts = [S::Unit::ONE; LONGEST as usize + 1];
+        for (columns, part) in (0..).zip(&mut parts).skip(1) {
+            *part = S::unit_round(S::Real::ONE / S::Real::from_int(columns));
+        }
+        Self(parts)
+    }
+
+    fn of(&self, columns: u16) -> S::Unit {
+        self.0.get(usize::from(columns)).copied().unwrap_or(S::Unit::ZERO)
+    }
 }
 
 /// The pixels between two that were traced.
@@ -33,28 +54,39 @@ pub(super) struct Curve<S: Scalar> {
 }
 
 impl<S: Scalar> Curve<S> {
-    /// Through the first, the middle and the last of pixels that are so many columns apart, a power of two of at least
-    /// [`SHORTEST`]. `None` if they see different things, are lit by different lights, or are too far from a straight
-    /// line.
-    pub(super) fn through([first, middle, last]: [&Pixel<S>; 3], columns: u16) -> Option<Self> {
-        let is_same = |pixel: &Pixel<S>| pixel.seen == first.seen && pixel.lit_by == first.lit_by;
+    /// Through the first, the middle and the last of pixels that are so many columns apart, from [`SHORTEST`] to
+    /// [`longest`]; half of them, rounded down, are before the middle. `None` if they see different things, are lit by
+    /// different lights, or are too far from a straight line.
+    pub(super) fn through([first, middle, last]: [&Pixel<S>; 3], columns: u16, parts: &Parts<S>) -> Option<Self> {
+        // Where light is as bright as a pixel can be, it has an edge.
+        let are_full = |pixel: &Pixel<S>| pixel.color.to_array().map(|channel| channel >= S::Unit::ONE);
+        let full = are_full(first);
+        let is_same =
+            |pixel: &Pixel<S>| pixel.seen == first.seen && pixel.lit_by == first.lit_by && are_full(pixel) == full;
         if !is_same(middle) || !is_same(last) {
             return None;
         }
-        let power = columns.trailing_zeros() as i32;
-        let [half, nth, four_nths] = [1, power, power - 2].map(|power| S::unit_round(S::Real::ONE.scaled(-power)));
+        let half = S::unit_round(S::Real::ONE.scaled(-1));
+        let [before, after, nth] = [columns / 2, columns.div_ceil(2), columns].map(|columns| parts.of(columns));
+        // The middle is at `n / 2`, or `(n - 1) / 2`: the part of a difference up to there.
+        let up_to_middle = |difference: S::Unit| {
+            let rest = if columns.is_multiple_of(2) { S::Unit::ZERO } else { difference.times(nth) };
+            difference.minus(rest).times(half)
+        };
         let ends = pairs(first.color.to_array(), last.color.to_array());
-        let mean = Color::<S>::from(ends.map(|(first, last)| first.times(half).plus(last.times(half))));
-        let levels = pairs(mean.to_srgb888(), middle.color.to_srgb888());
-        if levels.into_iter().any(|(mean, middle)| mean.abs_diff(middle) > OFF) {
+        let chord = Color::<S>::from(ends.map(|(l, r)| l.plus(up_to_middle(r.minus(l)))));
+        let levels = pairs(chord.to_srgb888(), middle.color.to_srgb888());
+        if levels.into_iter().any(|(chord, middle)| chord.abs_diff(middle) > OFF) {
             return None;
         }
         let is_clamped = levels.into_iter().any(|(_, middle)| !(16..240).contains(&middle));
-        // l + (4 m - 3 l - r) (k / n) + 2 (l - 2 m + r) (k / n)^2, with a = (m - l) / n and b = (r - m) / n.
+        // Newton's form through l, m and r at 0, h and n: l + a k + c k (k - h), with a = (m - l) / h,
+        // b = (r - m) / (n - h) and c = (b - a) / n.
         let slopes = pairs(ends, middle.color.to_array()).map(|((l, r), m)| {
-            let (a, b) = (m.minus(l).times(nth), r.minus(m).times(nth));
-            let growth = b.minus(a).times(four_nths);
-            (a.plus(a).plus(a).minus(b).plus(growth.times(half)), growth)
+            let (a, b) = (m.minus(l).times(before), r.minus(m).times(after));
+            let bend = b.minus(a);
+            let c = bend.times(nth);
+            (a.plus(c).minus(up_to_middle(bend)), c.plus(c))
         });
         let (step, growth) = (slopes.map(|(step, _)| step), slopes.map(|(_, growth)| growth));
         Some(Self { pixel: *first, step, growth, is_clamped })
@@ -69,3 +101,8 @@ impl<S: Scalar> Curve<S> {
         Pixel { color: if self.is_clamped { color.clamped() } else { color }, seen, lit_by }
     }
 }
+
+#[cfg(all(units, feature = "fixed"))]
+#[expect(clippy::expect_used, reason = "a test may panic")]
+#[path = "../../../tests/units/render/curve.rs"]
+mod tests;

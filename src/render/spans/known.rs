@@ -6,14 +6,16 @@ use crate::number::dot;
 use crate::part::Part;
 use crate::render::Picture;
 use crate::scalar::{Real, Ring, Scalar};
-use crate::scene::{Ball, BallInWorld, Candidates, MOST, Raster, Size, View, are_apart, around_box, ends, shaded};
+use crate::scene::{
+    Ball, BallInWorld, Candidates, Light, MOST, Raster, Size, View, are_apart, around_box, ends, may_shade, shaded,
+};
 use crate::shape::kinds::Kinds;
 use crate::shape::{Outlined, Shape};
 use crate::tier::Tier;
-use crate::vector::pairs;
+use crate::vector::{Vec3, pairs};
 
 /// The most shadows; in pictures of more none is known.
-pub(super) const SHADOWS: usize = 2 * MOST;
+pub(super) const SHADOWS: usize = u32::BITS as usize;
 
 /// What is known of the objects of a picture.
 #[derive(Clone, Debug)]
@@ -25,6 +27,10 @@ pub(super) struct Known {
     /// on this side nothing.
     pub(super) shadows: Option<heapless::Vec<KnownShadow, SHADOWS>>,
     pub(super) planes: Candidates,
+    /// The planes that may throw a shadow on what is seen: those with a light that is not surely on the eye's side.
+    ///
+    /// What surely has spans throws none on itself: a convex solid hides no light that its normal faces.
+    pub(super) shading: Candidates,
 }
 
 /// What is known of an object.
@@ -35,8 +41,12 @@ pub(super) struct KnownObject {
     pub(super) ball: Option<Ball>,
     /// A ball around the cap that is seen, if one is.
     pub(super) cap: Option<Ball>,
+    /// True if it turns away from the eye as a ball does.
+    is_round: bool,
     /// The objects that have no point in common with it.
     apart: Candidates,
+    /// The shadows that may fall on it: bit `i` is the `i`-th one known.
+    shaded_by: u32,
     /// The most columns between pixels that are traced where its light changes smoothly.
     longest: u16,
 }
@@ -54,8 +64,10 @@ pub(super) struct KnownShadow {
 impl Known {
     /// That of the objects of a picture; `None` if there are more than [`MOST`].
     pub(super) fn of<S: Scalar, E: Effects, T: Tier<S>, K: Kinds>(picture: &Picture<'_, S, E, T, K>) -> Option<Self> {
-        let (objects, eye) = (picture.tracer.scene().objects(), picture.raster.camera().position());
-        let mut known = Self { objects: heapless::Vec::new(), shadows: None, planes: Candidates::NONE };
+        let (scene, eye) = (picture.tracer.scene(), picture.raster.camera().position());
+        let objects = scene.objects();
+        let mut known =
+            Self { objects: heapless::Vec::new(), shadows: None, planes: Candidates::NONE, shading: Candidates::NONE };
         let mut balls = heapless::Vec::<_, MOST>::new();
         for object in objects {
             balls.push(around_box(&object.shape)).ok()?;
@@ -72,39 +84,50 @@ impl Known {
             let others = (0_u32..).zip(&balls).filter(|(_, other)| is_apart(other));
             let apart = others.map(|(other, _)| other).fold(Candidates::NONE, Candidates::with);
             let (is_solid, ball) = (shape.is_solid(), own.and_then(|own| Ball::seen(own, eye)));
-            let longest = longest(picture, shape, *own);
-            known.objects.push(KnownObject { outlined, is_solid, ball, cap, apart, longest }).ok()?;
+            let (longest, is_round) = (longest(picture, shape, *own), shape.is_round());
+            let object = KnownObject { outlined, is_solid, ball, cap, is_round, apart, shaded_by: 0, longest };
+            known.objects.push(object).ok()?;
             if outlined == Outlined::Plane {
                 known.planes = known.planes.with(index);
-            }
-        }
-        known.shadows = known.shadows_of(picture, &balls);
-        Some(known)
-    }
-
-    fn shadows_of<S: Scalar, E: Effects, T: Tier<S>, K: Kinds>(
-        &self,
-        picture: &Picture<'_, S, E, T, K>,
-        balls: &[Option<BallInWorld<S>>],
-    ) -> Option<heapless::Vec<KnownShadow, SHADOWS>> {
-        let mut shadows = heapless::Vec::new();
-        let (scene, raster) = (picture.tracer.scene(), &picture.raster);
-        if !picture.tracer.uses(Effect::Shadows) {
-            return Some(shadows);
-        }
-        let (view, Size { width, height, .. }) = (View::of(raster), raster.size());
-        let floor = self.planes.first().and_then(|plane| scene.object(plane)).map(|object| &object.shape);
-        for (object, ball) in (0_u32..).zip(balls).filter(|(object, _)| !self.planes.contain(*object)) {
-            for (light, lamp) in (0_u32..).zip(scene.lights()) {
-                let shadow = ball.and_then(|ball| Some((ball, view.shadow(ball, lamp, floor)?)));
-                let all = [[0, height], [0, width]];
-                let [rows, columns] = shadow.map_or(all, |((centre, _), shadow)| shaded(raster, &shadow, centre));
-                if rows[0] < rows[1] && columns[0] < columns[1] {
-                    shadows.push(KnownShadow { object, light, rows, columns }).ok()?;
+                if !scene.lights().iter().all(|light| is_on_side_of(eye, light, shape)) {
+                    known.shading = known.shading.with(index);
                 }
             }
         }
-        Some(shadows)
+        let _ = known.find_shadows(picture, &balls);
+        Some(known)
+    }
+
+    /// Finds the shadows of all objects but planes, and what they may fall on.
+    fn find_shadows<S: Scalar, E: Effects, T: Tier<S>, K: Kinds>(
+        &mut self,
+        picture: &Picture<'_, S, E, T, K>,
+        balls: &[Option<BallInWorld<S>>],
+    ) -> Option<()> {
+        let mut shadows = heapless::Vec::new();
+        let (scene, raster) = (picture.tracer.scene(), &picture.raster);
+        let lights = if picture.tracer.uses(Effect::Shadows) { scene.lights() } else { &[] };
+        let (view, Size { width, height, .. }) = (View::of(raster), raster.size());
+        let floor = self.planes.first().and_then(|plane| scene.object(plane)).map(|object| &object.shape);
+        for (object, ball) in (0_u32..).zip(balls).filter(|(object, _)| !self.planes.contain(*object)) {
+            for (light, lamp) in (0_u32..).zip(lights) {
+                let shadow = ball.and_then(|ball| Some((ball, view.shadow(ball, lamp, floor)?)));
+                let all = [[0, height], [0, width]];
+                let [rows, columns] = shadow.map_or(all, |((centre, _), shadow)| shaded(raster, &shadow, centre));
+                if rows[0] >= rows[1] || columns[0] >= columns[1] {
+                    continue;
+                }
+                for ((index, on), other) in (0..).zip(&mut self.objects).zip(balls) {
+                    let both = ball.zip(*other);
+                    if index != object && both.is_none_or(|(ball, other)| may_shade(ball, other, lamp)) {
+                        on.shaded_by |= 1_u32.checked_shl(shadows.len() as u32).unwrap_or(0);
+                    }
+                }
+                shadows.push(KnownShadow { object, light, rows, columns }).ok()?;
+            }
+        }
+        self.shadows = Some(shadows);
+        Some(())
     }
 
     /// What an object looks like.
@@ -112,24 +135,57 @@ impl Known {
         self.objects.get(object as usize).map_or(Outlined::Other, |known| known.outlined)
     }
 
+    /// The shadows that may fall on an object in this row; `None` if they are not known.
+    pub(super) fn shadows_on(&self, object: u32, y: u16) -> Option<impl Iterator<Item = &KnownShadow>> {
+        let by = self.objects.get(object as usize)?.shaded_by;
+        let shadows = (0_u32..).zip(self.shadows.as_ref()?);
+        let on_it = shadows.filter(move |(index, _)| by & (1 << (index % u32::BITS)) != 0).map(|(_, shadow)| shadow);
+        Some(on_it.filter(move |shadow| (shadow.rows[0]..shadow.rows[1]).contains(&y)))
+    }
+
     /// True if none of these objects has a point in common with this one.
     pub(super) fn is_apart(&self, object: u32, others: Candidates) -> bool {
         self.objects.get(object as usize).is_some_and(|known| known.apart.with(object).include(others))
     }
 
-    /// The most columns from a pixel to the next that is traced, on this part of an object; 0 if its light may change
-    /// in any way.
+    /// The most columns of a curve on this part of an object, which is seen in so many columns, where all lights reach
+    /// it, and where they do not; 0 if its light may change in any way.
     pub(super) fn longest<S: Scalar, E: Effects, T: Tier<S>, K: Kinds>(
         &self,
         picture: &Picture<'_, S, E, T, K>,
         on: (u32, Part),
-    ) -> u16 {
+        width: u16,
+    ) -> [u16; 2] {
         let most = self.objects.get(on.0 as usize).map_or(0, |known| known.longest);
-        match picture.tracer.course(Some(on)) {
+        let longest = match picture.tracer.course(Some(on)) {
             Course::Smooth => most,
-            Course::Glossy(shine) if self.is_flat(on) => longest_of_highlights(most, shine, &picture.raster),
-            Course::Same | Course::Glossy(_) | Course::Any => 0,
+            Course::Glossy(shine) => {
+                let turn = self.turn(on, width, &picture.raster);
+                turn.map_or(0, |turn| longest_of_highlights(most, shine, turn))
+            }
+            Course::Same | Course::Any => 0,
+        };
+        if self.is_flat(on) {
+            return [longest; 2];
         }
+        // Between pixels that a light does not reach there may be some that it does, at a grazing angle. Between those
+        // that are `n / 2` apart its cosine is at most (n / width)^2 / 8 on a ball: less than 1 / 1024.
+        let beyond = if self.is_round(on) { (width / 12).max(curve::SHORTEST) } else { curve::SHORTEST };
+        [longest, longest.min(beyond)]
+    }
+
+    /// By about what angle the direction to the eye, mirrored in a part of an object, turns from a column to the next,
+    /// if the object is seen in so many columns; `None` if that may be any.
+    fn turn<S: Scalar>(&self, on: (u32, Part), width: u16, raster: &Raster<S>) -> Option<S::Real> {
+        if self.is_flat(on) {
+            return Some(raster.half_a_pixel()?.scaled(1));
+        }
+        // In the middle of them the normal of a ball turns by 2 / width, and what it mirrors by twice that.
+        (width > 0 && self.is_round(on)).then(|| S::Real::from_int(4) / S::Real::from_int(width.into()))
+    }
+
+    fn is_round(&self, (object, _): (u32, Part)) -> bool {
+        self.objects.get(object as usize).is_some_and(|known| known.is_round)
     }
 
     /// True if the part of an object is certainly flat.
@@ -140,6 +196,20 @@ impl Known {
             _ => false,
         }
     }
+}
+
+/// True if a light is surely on the same side of a plane as the eye.
+fn is_on_side_of<S: Scalar, K: Kinds>(eye: Vec3<S>, light: &Light<S>, plane: &Shape<S, K>) -> bool {
+    let Some((on, normal)) = plane.plane() else { return false };
+    // The height, if it surely has that sign.
+    let height = |from: [S::Real; 3]| {
+        let (height, doubt) = (dot(from, normal.real()), from.map(S::Real::abs));
+        let doubt = doubt.into_iter().fold(S::Real::ZERO, |sum, c| sum + c).scaled(-8);
+        (height.abs() > doubt).then_some(height)
+    };
+    let from_on = |point: Vec3<S>| pairs(point.real(), on.real()).map(|(point, on)| point - on);
+    let lamp = if light.distant { light.position.real() } else { from_on(light.position) };
+    height(from_on(eye)).zip(height(lamp)).is_some_and(|(eye, lamp)| eye.is_negative() == lamp.is_negative())
 }
 
 /// The most columns of a curve on a shape: as many as the nearest light is above it, as seen from the eye at the point
@@ -174,14 +244,14 @@ fn longest<S: Scalar, E: Effects, T: Tier<S>, K: Kinds>(
     longest
 }
 
-/// The most columns of a curve, of so many at most, over highlights of this exponent on a flat part. A highlight is
-/// `2.4 / sqrt(e)` wide at half of its height: a curve is no longer than a quarter of that, for the eye.
-fn longest_of_highlights<S: Scalar>(most: u16, exponent: S, raster: &Raster<S>) -> u16 {
-    let Some(half) = raster.half_a_pixel() else { return 0 };
+/// The most columns of a curve, of so many at most, over highlights of this exponent, if the mirrored direction turns by
+/// this angle a column. A highlight is `2.4 / sqrt(e)` wide at half of its height: a curve is no longer than half of
+/// that, for the eye.
+fn longest_of_highlights<S: Scalar>(most: u16, exponent: S, turn: S::Real) -> u16 {
     let mut longest = most;
     while longest >= curve::SHORTEST {
-        let wide = half.scaled(1) * S::Real::from_int(longest.into());
-        if wide * wide * exponent.real() <= S::Real::from_int(3).scaled(-3) {
+        let angle = turn * S::Real::from_int(longest.into());
+        if angle * angle * exponent.real() <= S::Real::from_int(3).scaled(-1) {
             return longest;
         }
         longest /= 2;

@@ -27,7 +27,7 @@ use crate::scene::{Candidates, Counters, Observer, Size};
 use crate::shape::Outlined;
 use crate::shape::kinds::{self, Kinds};
 use crate::tier::{Stable, Tier};
-use curve::Curve;
+use curve::{Curve, Parts};
 use known::Known;
 use regions::{Regions, Seen};
 
@@ -35,8 +35,8 @@ use regions::{Regions, Seen};
 #[derive(Clone, Debug)]
 pub struct InSpans<'a, S: Scalar, E = All, T = Stable, K: Kinds = kinds::All> {
     picture: Picture<'a, S, E, T, K>,
-    /// `None` if each pixel is traced by itself.
-    known: Option<Known>,
+    /// What is known of the objects; `None` if each pixel is traced by itself.
+    known: Option<(Known, Parts<S>)>,
 }
 
 impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
@@ -57,15 +57,15 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
     /// | capsules, round cones, rounded cuboids | their ends; each pixel between them is traced |
     /// | all others; what is seen from inside only; solids around the eye; what may touch where it overlaps | no |
     ///
-    /// Light is interpolated where only Lambert's law, ambient light and fog make it, with highlights on flat parts
-    /// alone; and not where a shadow may begin or end, but for shadows of convex solids on the only plane of a scene,
+    /// Light is interpolated where only Lambert's law, ambient light and fog make it, and highlights on flat parts,
+    /// spheres, cylinders and cones; and not where a shadow may begin or end, but for shadows of convex solids on the only plane of a scene,
     /// whose ends rays find, too.
     ///
     /// Every pixel is traced by itself if the scene has more than 16 objects, if something in it refracts, if it has an
     /// outline, if a pixel has several samples, or if the camera is orthographic. With more than 32 pairs of objects
     /// and lights no shadow's place is known.
     ///
-    /// In 32-bit fixed point the value takes up to 1,500 bytes, as it holds what is known of all objects, and the
+    /// In 32-bit fixed point the value takes up to 1,800 bytes, as it holds what is known of all objects, and the
     /// iterator of a row up to 1,100. Where a row begins may change interpolated light.
     ///
     /// ```
@@ -91,7 +91,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
         let is_traced = self.tracer.uses(Effect::Refraction) || self.tracer.uses(Effect::Outline);
         let Size { width, height, .. } = self.size();
         let is_traced = is_traced || self.is_antialiased() || width == 0 || height == 0;
-        let known = if is_traced { None } else { Known::of(self) };
+        let known = if is_traced { None } else { Known::of(self).map(|known| (known, Parts::new())) };
         InSpans { picture: *self, known }
     }
 }
@@ -120,9 +120,9 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> InSpans<'a, S, E, T, K> {
     ) -> RowInSpans<'w, 'a, S, E, O, T, K> {
         let [_, down] = picture.raster.place([0, y], [0, 0]);
         let rays = picture.raster.row(down);
-        let found = self.known.as_ref().and_then(|known| {
+        let found = self.known.as_ref().and_then(|(known, parts)| {
             context.forget();
-            Some((known, Regions::find(known, picture, (y, &rays), context)?))
+            Some((known, parts, Regions::find(known, picture, (y, &rays), context)?))
         });
         let row = if found.is_some() {
             Row { picture, context, next: x.into(), y, left: None, rays, candidates: None }
@@ -130,7 +130,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> InSpans<'a, S, E, T, K> {
             picture.row_from(x, y, context)
         };
         let span = Span { until: 0, fill: Fill::Traced(Candidates::NONE) };
-        RowInSpans { row, found, span, ahead: heapless::Vec::new() }
+        RowInSpans { row, found, span, may_shade: Candidates::ALL, ahead: heapless::Vec::new() }
     }
 
     /// Traces every pixel, as [`Picture::render`], and returns the counters of rays and tests.
@@ -156,8 +156,10 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> InSpans<'a, S, E, T, K> {
 pub struct RowInSpans<'w, 'a, S: Scalar, E, O, T = Stable, K: Kinds = kinds::All> {
     row: Row<'w, 'a, S, E, O, T, K>,
     /// What is known of the objects, and where they are seen; `None` if each pixel is traced by itself.
-    found: Option<(&'w Known, Regions)>,
+    found: Option<(&'w Known, &'w Parts<S>, Regions)>,
     span: Span<S>,
+    /// The objects that may throw a shadow on what is seen in the span.
+    may_shade: Candidates,
     /// Pixels of the span that were traced ahead of those before them, with their columns: the last is the nearest.
     ahead: heapless::Vec<(u16, Pixel<S>), 8>,
 }
@@ -177,9 +179,9 @@ enum Fill<S: Scalar> {
     Same(Pixel<S>),
     /// Each is traced: they see one of these objects, or the background.
     Traced(Candidates),
-    /// The same, but their light changes smoothly over so many columns at most; from the last one traced to before a
-    /// column they lie on a curve.
-    Smooth(Candidates, u16, Option<(u16, Curve<S>)>),
+    /// The same, but their light changes smoothly over so many columns at most, or over so many where a light does not
+    /// reach them; from the last one traced to before a column they lie on a curve.
+    Smooth(Candidates, [u16; 2], Option<(u16, Curve<S>)>),
 }
 
 impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> Iterator for RowInSpans<'_, '_, S, E, O, T, K> {
@@ -234,16 +236,20 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> RowInSpans<'_, '_
     #[inline(never)]
     fn traced(&mut self, x: u16, among: Candidates) -> Pixel<S> {
         let [right, _] = self.row.picture.raster.place([x, 0], [0, 0]);
-        self.row.picture.pixel_of_one(&self.row.rays, right, Some(among), self.row.context)
+        self.row.context.may_shade = self.may_shade;
+        let pixel = self.row.picture.pixel_of_one(&self.row.rays, right, Some(among), self.row.context);
+        self.row.context.may_shade = Candidates::ALL;
+        pixel
     }
 
     /// The span that starts in a column.
     #[inline(never)]
     fn span_from(&mut self, x: u16) -> Span<S> {
-        let Some((known, regions)) = &self.found else {
+        let Some((known, _, regions)) = &self.found else {
             return Span { until: x + 1, fill: Fill::Traced(Candidates::ALL) };
         };
         let known = *known;
+        self.may_shade = Candidates::ALL;
         let seen = regions.from(x, self.row.picture.size().width, known.planes);
         let any = seen.objects.or(seen.doubtful).or(known.planes);
         let Some((on, until)) = self.seen_until(x, known, &seen) else {
@@ -251,19 +257,26 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> RowInSpans<'_, '_
         };
         let tracer = &self.row.picture.tracer;
         // What else is at the same place matters for the rays from there.
-        let among = match on {
-            Some((object, _)) if !tracer.sends_rays() => Candidates::NONE.with(object),
+        let among_alone = |sends_rays: bool| match on {
+            Some((object, _)) if !sends_rays => Candidates::NONE.with(object),
             _ => any,
         };
         if tracer.course(on) == Course::Same {
-            return Span { until, fill: Fill::Same(self.traced(x, among)) };
+            return Span { until, fill: Fill::Same(self.traced(x, among_alone(tracer.sends_rays()))) };
         }
-        let longest = on.map_or(0, |on| known.longest(self.row.picture, on));
-        let (Some((object, _)), Some((_, regions))) = (on.filter(|_| longest >= curve::SHORTEST), &self.found) else {
-            return Span { until, fill: Fill::Traced(among) };
+        let (Some((object, part)), Some((_, _, regions))) = (on, &self.found) else {
+            return Span { until, fill: Fill::Traced(any) };
         };
-        let (is_unshaded, until) = regions.is_unshaded(known, object, [x, self.row.y], until);
-        Span { until, fill: if is_unshaded { Fill::Smooth(among, longest, None) } else { Fill::Traced(among) } }
+        let shade = regions.shade(known, object, [x, self.row.y], until);
+        let reflects = tracer.uses(Effect::Reflection);
+        if !reflects {
+            self.may_shade = shade.thrown_by;
+        }
+        let among = among_alone(reflects || tracer.uses(Effect::Shadows) && !shade.thrown_by.are_none());
+        let longest = known.longest(self.row.picture, (object, part), regions.width_of(object));
+        let is_smooth = shade.is_even && longest[0] >= curve::SHORTEST;
+        let fill = if is_smooth { Fill::Smooth(among, longest, None) } else { Fill::Traced(among) };
+        Span { until: shade.until, fill }
     }
 
     /// The object and the part that all pixels from a column to before another see; `None` if that is not certain.
@@ -319,7 +332,7 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> RowInSpans<'_, '_
 
     /// The pixel in a column of a smooth span, and a curve through those after it.
     #[inline(never)]
-    fn curved(&mut self, x: u16, among: Candidates, longest: u16) -> Pixel<S> {
+    fn curved(&mut self, x: u16, among: Candidates, longest: [u16; 2]) -> Pixel<S> {
         let pixel = match self.ahead.last().copied() {
             Some((column, pixel)) if column == x => {
                 let _ = self.ahead.pop();
@@ -327,21 +340,20 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> RowInSpans<'_, '_
             }
             _ => self.traced(x, among),
         };
-        // Next to a pixel that a light does not reach there may be others that it does, at a grazing angle.
-        let tracer = &self.row.picture.tracer;
-        let most = if tracer.is_lit_by_all(pixel.lit_by) { longest } else { curve::SHORTEST };
+        let most = longest[usize::from(!self.row.picture.tracer.is_lit_by_all(pixel.lit_by))];
         let left = self.span.until - 1 - x;
         if self.ahead.is_empty() && left >= curve::SHORTEST {
-            self.trace_ahead(x + (1 << left.min(most).checked_ilog2().unwrap_or(0)), among);
+            // As many curves as there must be, of about the same length.
+            self.trace_ahead(x + left.div_ceil(left.div_ceil(most.max(1)).max(1)), among);
         }
-        let mut curve = None;
-        while let Some((end, last)) = self.ahead.last().copied()
+        let (mut curve, parts) = (None, self.found.as_ref().map(|(_, parts, _)| *parts));
+        while let (Some((end, last)), Some(parts)) = (self.ahead.last().copied(), parts)
             && end - x >= curve::SHORTEST
         {
             let middle = x + (end - x) / 2;
             let sample = self.trace_ahead(middle, among);
             if end - x <= most
-                && let Some(through) = Curve::through([&pixel, &sample, &last], end - x)
+                && let Some(through) = Curve::through([&pixel, &sample, &last], end - x, parts)
             {
                 let _ = self.ahead.pop();
                 curve = Some((end, through));

@@ -128,28 +128,49 @@ impl Regions {
         seen
     }
 
-    /// True if no shadow of another object begins or ends on an object from a column of row `y` on; and the column, up
-    /// to an end, in which that may change.
-    pub(super) fn is_unshaded(&self, known: &Known, object: u32, [x, y]: [u16; 2], end: u16) -> (bool, u16) {
-        let (mut is_unshaded, mut until) = (true, end);
-        let mut take = |[first, end]: [u16; 2], is_certain: bool| {
-            if x < end {
-                until = until.min(if x < first { first } else { end });
-                is_unshaded &= x < first || is_certain;
+    /// The shadows on an object from a column of row `y` on.
+    pub(super) fn shade(&self, known: &Known, object: u32, [x, y]: [u16; 2], end: u16) -> Shade {
+        let mut shade = Shade { thrown_by: known.shading, is_even: true, until: end };
+        if let Some(shadows) = self.shadows.as_ref().filter(|_| known.planes.contain(object)) {
+            for Region { object, is_certain, columns, .. } in shadows.iter().copied() {
+                shade.add(object.into(), x, columns, is_certain);
             }
-        };
-        match (&self.shadows, &known.shadows) {
-            (Some(shadows), _) if known.planes.contain(object) => {
-                shadows.iter().for_each(|shadow| take(shadow.columns, shadow.is_certain));
-            }
-            (_, Some(shadows)) => {
-                let others = shadows.iter().filter(|shadow| shadow.object != object);
-                let here = others.filter(|shadow| (shadow.rows[0]..shadow.rows[1]).contains(&y));
-                here.for_each(|shadow| take(shadow.columns, false));
-            }
-            (_, None) => is_unshaded = false,
+        } else if let Some(shadows) = known.shadows_on(object, y) {
+            shadows.for_each(|shadow| shade.add(shadow.object, x, shadow.columns, false));
+        } else {
+            return Shade { thrown_by: Candidates::ALL, is_even: false, until: end };
         }
-        (is_unshaded, until)
+        shade
+    }
+
+    /// The columns in which an object is seen; none if that is not certain.
+    pub(super) fn width_of(&self, object: u32) -> u16 {
+        let whole = self.seen.iter().find(|region| u32::from(region.object) == object && region.is_certain);
+        whole.map_or(0, |region| region.columns[1] - region.columns[0])
+    }
+}
+
+/// The shadows on an object from a column on.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shade {
+    /// The objects whose shadows may be there.
+    pub(super) thrown_by: Candidates,
+    /// True if none of them begins or ends there.
+    pub(super) is_even: bool,
+    /// The column in which that may change.
+    pub(super) until: u16,
+}
+
+impl Shade {
+    /// The shadow of an object in these columns, or in some of them.
+    fn add(&mut self, object: u32, x: u16, [first, end]: [u16; 2], is_certain: bool) {
+        if x < end {
+            self.until = self.until.min(if x < first { first } else { end });
+        }
+        if (first..end).contains(&x) {
+            self.thrown_by = self.thrown_by.with(object);
+            self.is_even &= is_certain;
+        }
     }
 }
 
@@ -161,7 +182,7 @@ fn shadows_on<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds>(
     search: &mut Search<'_, '_, '_, S, E, O, T, K>,
 ) -> Option<heapless::Vec<Region, SHADOWS>> {
     let known = search.known;
-    if known.longest(search.picture, (plane, Part::Side)) < curve::SHORTEST {
+    if known.longest(search.picture, (plane, Part::Side), 0)[0] < curve::SHORTEST {
         return None;
     }
     let on = search.picture.tracer.scene().object(plane)?.shape.plane()?;

@@ -1,0 +1,46 @@
+//! A curve is a parabola through three pixels, however many columns they are apart.
+
+use super::*;
+use fixed::types::I16F16;
+
+fn pixel<S: Scalar>(channels: [f64; 3]) -> Pixel<S> {
+    Pixel { color: Color::from_f64(channels), seen: None, lit_by: 0 }
+}
+
+fn check<S: Scalar>(most: f64) {
+    let parts = Parts::<S>::new();
+    for columns in SHORTEST..=longest::<S>() {
+        // Parabolas that are close to straight lines; one that is straight.
+        let n = f64::from(columns);
+        let channels = |x: f64| [0.3 + 0.3 * x, 0.5 - 0.1 * x + 0.01 * x * x, 0.4 + 0.02 * x - 0.02 * x * x];
+        let at = |column: u16| pixel::<S>(channels(f64::from(column) / n));
+        let (first, last) = (at(0), at(columns));
+        let mut curve = Curve::through([&first, &at(columns / 2), &last], columns, &parts).expect("a curve");
+        for column in 1..columns {
+            let (made, right) = (curve.next().color.to_array(), channels(f64::from(column) / n));
+            for (made, right) in pairs(made, right) {
+                assert!((made.to_f64() - right).abs() <= most, "{column} of {columns}: {made:?} {right}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_curve_is_a_parabola_of_any_length() {
+    check::<f32>(3e-6);
+    check::<f64>(1e-13);
+    check::<I16F16>(3e-6);
+}
+
+#[test]
+fn what_is_bent_or_sees_other_things_is_no_curve() {
+    let parts = Parts::<f32>::new();
+    let [dark, light] = [0.3, 0.5].map(|share| pixel::<f32>([share; 3]));
+    for columns in SHORTEST..=LONGEST {
+        assert!(Curve::through([&dark, &light, &dark], columns, &parts).is_none());
+        assert!(Curve::through([&dark; 3], columns, &parts).is_some());
+        let other = Pixel { lit_by: 1, ..dark };
+        assert!(Curve::through([&dark, &other, &dark], columns, &parts).is_none());
+        assert!(Curve::through([&dark, &dark, &other], columns, &parts).is_none());
+    }
+}
