@@ -138,6 +138,12 @@ pub(crate) struct Options {
     #[arg(long)]
     pub(crate) uncut: bool,
 
+    /// Find the spans of pixels that see the same part of the same object with few rays, as a microcontroller may
+    ///
+    /// The picture shows the same objects. Light that changes smoothly is interpolated, and may be a level or two off.
+    #[arg(long)]
+    pub(crate) spans: bool,
+
     /// Threads to trace with, 1 to 256; by default one for each processor. The picture is the same with any number of
     /// them
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = parse_threads)]

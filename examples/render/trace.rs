@@ -104,6 +104,7 @@ pub(crate) fn trace<S: Scalar, T: Tier<S> + Send + Sync>(
     let picture = called_for.only(effects);
     let picture = if options.uncut { picture.uncut() } else { picture };
     let picture = if options.linear { picture.in_linear_levels() } else { picture };
+    let spans = options.spans.then(|| picture.in_spans());
     let listened_to = if options.report { scene.objects().len() } else { 0 };
     let compared = !options.compare.is_empty();
 
@@ -120,7 +121,10 @@ pub(crate) fn trace<S: Scalar, T: Tier<S> + Send + Sync>(
             && y < height
         {
             row.clear();
-            row.extend(picture.row(y, &mut context));
+            match &spans {
+                Some(spans) => row.extend(spans.row(y, &mut context)),
+                None => row.extend(picture.row(y, &mut context)),
+            }
             let mut canvas = canvas.lock().unwrap_or_else(PoisonError::into_inner);
             let (image, sightings) = &mut *canvas;
             let from = usize::from(y) * usize::from(width);

@@ -279,6 +279,10 @@ pub(crate) fn may_shade<S: Scalar>((a, r): BallInWorld<S>, (b, s): BallInWorld<S
     let length = |legs: [S; 3]| dot(legs.map(S::real), legs.map(S::real)).sqrt();
     let close = length(r) + length(s);
     let square = close * close + (close * close).scaled(-8);
+    // The squares of floats so small have no digits.
+    if square <= S::Real::SMALLEST.scaled(24) {
+        return true;
+    }
     let from = |p: [S::Real; 3], q: [S::Real; 3]| pairs(p, q).map(|(p, q)| p - q);
     let is_close = |v: [S::Real; 3]| dot(v, v) <= square;
     let (occluder, lamp) = (from(a.real(), b.real()), light.position.real());
@@ -307,7 +311,8 @@ pub(crate) type BallInWorld<S> = (Vec3<S>, [S; 3]);
 
 /// The same of a combination and of a shape that a matrix places, too: around its box.
 pub(crate) fn around_box<S: Scalar, K: Kinds>(shape: &Shape<S, K>) -> Option<BallInWorld<S>> {
-    shape.ball_or_box().map(enlarged)
+    // Of an infinite shape it is not known.
+    shape.ball_or_box().map(enlarged).filter(|(_, legs)| legs.iter().all(|leg| leg.is_finite()))
 }
 
 /// A ball that holds the shape, whatever the rounding of its centre.

@@ -274,12 +274,14 @@ impl Directions {
         let bend = 2 * a * step * step;
         let mut column = 0;
         while column < self.width {
-            // Rays with q >= 0 meet the ball, or the ray backwards does: all of those that follow each other the same.
+            // Where q >= 0, the ray or the one backwards meets the ball. Columns of both kinds may follow each other,
+            // if the eye is close to the ball: then one of the ends is of the first kind.
             let (first, is_met) = (column, q >= 0);
             while (q >= 0) == is_met && column < self.width {
                 (q, growth, column) = (q + growth, growth + bend, column + 1);
             }
-            if is_met && cx * (u + step * i64::from(first)) + k > 0 {
+            let is_ahead = |column: u16| cx * (u + step * i64::from(column)) + k > 0;
+            if is_met && (is_ahead(first) || is_ahead(column - 1)) {
                 return [first, column];
             }
         }

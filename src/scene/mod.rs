@@ -11,7 +11,7 @@
 //! | `directions`, `candidates` | the rays of a row, and balls and shadows that they may meet; objects in each column |
 //! | `queries` | the nearest hit of a ray, occlusion, and which hits have one place |
 //! | `storage` | lists that a reader fills |
-//! | `stored`, `logged` | how parts that check what they hold are stored, for `serde`; how parts are logged, for `defmt` |
+//! | `stored`, `logged` | how checked parts are stored, for `serde`; how parts are logged, for `defmt` |
 //! | `counters`, `observer` | counters of rays and tests; a callback for each test |
 //! | [`nff`] | the reader of the Neutral File Format |
 //!

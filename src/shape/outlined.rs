@@ -33,12 +33,10 @@ pub(crate) enum Outlined {
 }
 
 impl<S: Scalar, K: Kinds> Shape<S, K> {
-    /// True if, over the columns of a row that see it, its side turns away from the eye as a ball does.
+    /// True if its side is that of a ball or of a cylinder. Seen from far away, the sine of the angle between the
+    /// normal and the direction to the eye then changes by the same amount from each column of a row to the next.
     pub(crate) fn is_round(&self) -> bool {
-        let is_round = matches!(
-            self.member.equations(),
-            Equations::Ball { .. } | Equations::Cylinder { .. } | Equations::Cone { .. }
-        );
+        let is_round = matches!(self.member.equations(), Equations::Ball { .. } | Equations::Cylinder { .. });
         is_round && self.combined().is_none() && !matches!(self.own().1, Placement::Affine(_))
     }
 

@@ -8,20 +8,14 @@ use crate::scalar::{Real, Ring, Scalar, UnitScalar};
 use crate::scene::Color;
 use crate::vector::pairs;
 
-/// The most levels of sRGB that the middle may be off the mean of the ends.
+/// The most levels of sRGB that the middle may be off the straight line between the ends.
 const OFF: u8 = 1;
 
 /// The fewest columns from the first pixel to the last: of fewer, all are traced.
 pub(super) const SHORTEST: u16 = 4;
 
-/// The most columns from the first pixel to the last, if the growth has digits enough.
-const LONGEST: u16 = 64;
-
-/// The same for this type.
-pub(super) fn longest<S: Scalar>() -> u16 {
-    let has_digits = S::unit_round(S::Real::ONE.scaled(-28)) > S::Unit::ZERO;
-    if has_digits { LONGEST } else { SHORTEST }
-}
+/// The most columns from the first pixel to the last.
+pub(super) const LONGEST: u16 = 64;
 
 /// `1 / n` for all numbers of columns from 1 on, at the index `n`.
 #[derive(Clone, Debug)]
@@ -55,7 +49,7 @@ pub(super) struct Curve<S: Scalar> {
 
 impl<S: Scalar> Curve<S> {
     /// Through the first, the middle and the last of pixels that are so many columns apart, from [`SHORTEST`] to
-    /// [`longest`]; half of them, rounded down, are before the middle. `None` if they see different things, are lit by
+    /// [`LONGEST`]; half of them, rounded down, are before the middle. `None` if they see different things, are lit by
     /// different lights, or are too far from a straight line.
     pub(super) fn through([first, middle, last]: [&Pixel<S>; 3], columns: u16, parts: &Parts<S>) -> Option<Self> {
         // Where light is as bright as a pixel can be, it has an edge.

@@ -7,12 +7,12 @@ use crate::part::Part;
 use crate::render::Picture;
 use crate::scalar::{Real, Ring, Scalar};
 use crate::scene::{
-    Ball, BallInWorld, Candidates, Light, MOST, Raster, Size, View, are_apart, around_box, ends, may_shade, shaded,
+    Ball, BallInWorld, Candidates, Light, MOST, Size, View, are_apart, around_box, ends, may_shade, shaded,
 };
 use crate::shape::kinds::Kinds;
 use crate::shape::{Outlined, Shape};
 use crate::tier::Tier;
-use crate::vector::{Vec3, pairs};
+use crate::vector::{UnitVec3, Vec3, pairs};
 
 /// The most shadows; in pictures of more none is known.
 pub(super) const SHADOWS: usize = u32::BITS as usize;
@@ -29,7 +29,7 @@ pub(super) struct Known {
     pub(super) planes: Candidates,
     /// The planes that may throw a shadow on what is seen: those with a light that is not surely on the eye's side.
     ///
-    /// What surely has spans throws none on itself: a convex solid hides no light that its normal faces.
+    /// An object with certain spans is convex, and throws no shadow on itself.
     pub(super) shading: Candidates,
 }
 
@@ -41,7 +41,7 @@ pub(super) struct KnownObject {
     pub(super) ball: Option<Ball>,
     /// A ball around the cap that is seen, if one is.
     pub(super) cap: Option<Ball>,
-    /// True if it turns away from the eye as a ball does.
+    /// True if its normals turn over the columns of a row as those of a ball do.
     is_round: bool,
     /// The objects that have no point in common with it.
     apart: Candidates,
@@ -84,7 +84,8 @@ impl Known {
             let others = (0_u32..).zip(&balls).filter(|(_, other)| is_apart(other));
             let apart = others.map(|(other, _)| other).fold(Candidates::NONE, Candidates::with);
             let (is_solid, ball) = (shape.is_solid(), own.and_then(|own| Ball::seen(own, eye)));
-            let (longest, is_round) = (longest(picture, shape, *own), shape.is_round());
+            let longest = longest(picture, shape, *own);
+            let is_round = shape.is_round() && own.is_some_and(|own| is_far_from(eye, own));
             let object = KnownObject { outlined, is_solid, ball, cap, is_round, apart, shaded_by: 0, longest };
             known.objects.push(object).ok()?;
             if outlined == Outlined::Plane {
@@ -94,7 +95,7 @@ impl Known {
                 }
             }
         }
-        let _ = known.find_shadows(picture, &balls);
+        known.shadows = known.find_shadows(picture, &balls);
         Some(known)
     }
 
@@ -103,7 +104,7 @@ impl Known {
         &mut self,
         picture: &Picture<'_, S, E, T, K>,
         balls: &[Option<BallInWorld<S>>],
-    ) -> Option<()> {
+    ) -> Option<heapless::Vec<KnownShadow, SHADOWS>> {
         let mut shadows = heapless::Vec::new();
         let (scene, raster) = (picture.tracer.scene(), &picture.raster);
         let lights = if picture.tracer.uses(Effect::Shadows) { scene.lights() } else { &[] };
@@ -117,17 +118,17 @@ impl Known {
                 if rows[0] >= rows[1] || columns[0] >= columns[1] {
                     continue;
                 }
+                let bit = bit(shadows.len() as u32);
+                shadows.push(KnownShadow { object, light, rows, columns }).ok()?;
                 for ((index, on), other) in (0..).zip(&mut self.objects).zip(balls) {
                     let both = ball.zip(*other);
                     if index != object && both.is_none_or(|(ball, other)| may_shade(ball, other, lamp)) {
-                        on.shaded_by |= 1_u32.checked_shl(shadows.len() as u32).unwrap_or(0);
+                        on.shaded_by |= bit;
                     }
                 }
-                shadows.push(KnownShadow { object, light, rows, columns }).ok()?;
             }
         }
-        self.shadows = Some(shadows);
-        Some(())
+        Some(shadows)
     }
 
     /// What an object looks like.
@@ -139,7 +140,7 @@ impl Known {
     pub(super) fn shadows_on(&self, object: u32, y: u16) -> Option<impl Iterator<Item = &KnownShadow>> {
         let by = self.objects.get(object as usize)?.shaded_by;
         let shadows = (0_u32..).zip(self.shadows.as_ref()?);
-        let on_it = shadows.filter(move |(index, _)| by & (1 << (index % u32::BITS)) != 0).map(|(_, shadow)| shadow);
+        let on_it = shadows.filter(move |(index, _)| by & bit(*index) != 0).map(|(_, shadow)| shadow);
         Some(on_it.filter(move |shadow| (shadow.rows[0]..shadow.rows[1]).contains(&y)))
     }
 
@@ -148,40 +149,36 @@ impl Known {
         self.objects.get(object as usize).is_some_and(|known| known.apart.with(object).include(others))
     }
 
-    /// The most columns of a curve on this part of an object, which is seen in so many columns, where all lights reach
-    /// it, and where they do not; 0 if its light may change in any way.
+    /// The most columns of a curve on this part of an object where all lights reach it, and where they do not; 0 if its
+    /// light may change in any way. The object is seen in so many columns; `is_middle` is false next to their ends.
     pub(super) fn longest<S: Scalar, E: Effects, T: Tier<S>, K: Kinds>(
         &self,
         picture: &Picture<'_, S, E, T, K>,
         on: (u32, Part),
-        width: u16,
+        (width, is_middle): (u16, bool),
     ) -> [u16; 2] {
         let most = self.objects.get(on.0 as usize).map_or(0, |known| known.longest);
+        let is_round = is_middle && self.is_round(on);
+        let turn = if self.is_flat(on) {
+            picture.raster.half_a_pixel().map(|half| half.scaled(1))
+        } else {
+            // In the middle the normal of a ball turns by 2 / width a column, and what it mirrors by twice that.
+            is_round.then(|| S::Real::from_int(4) / S::Real::from_int(width.max(1).into()))
+        };
         let longest = match picture.tracer.course(Some(on)) {
-            Course::Smooth => most,
-            Course::Glossy(shine) => {
-                let turn = self.turn(on, width, &picture.raster);
-                turn.map_or(0, |turn| longest_of_highlights(most, shine, turn))
-            }
+            Course::Smooth if self.is_flat(on) || self.is_round(on) => most,
+            // Next to the apex of a cone, say, light changes within few columns.
+            Course::Smooth => most.min(8),
+            Course::Glossy(shine) => turn.map_or(0, |turn| longest_of_highlights(most, shine, turn)),
             Course::Same | Course::Any => 0,
         };
         if self.is_flat(on) {
             return [longest; 2];
         }
-        // Between pixels that a light does not reach there may be some that it does, at a grazing angle. Between those
-        // that are `n / 2` apart its cosine is at most (n / width)^2 / 8 on a ball: less than 1 / 1024.
-        let beyond = if self.is_round(on) { (width / 12).max(curve::SHORTEST) } else { curve::SHORTEST };
+        // Between pixels that a light does not reach there may be some that it does, at a grazing angle. In the middle
+        // of a ball the cosine between two that are `n / 2` apart is at most about (n / width)^2 / 8: 1 / 1024.
+        let beyond = if is_round { (width / 12).max(curve::SHORTEST) } else { curve::SHORTEST };
         [longest, longest.min(beyond)]
-    }
-
-    /// By about what angle the direction to the eye, mirrored in a part of an object, turns from a column to the next,
-    /// if the object is seen in so many columns; `None` if that may be any.
-    fn turn<S: Scalar>(&self, on: (u32, Part), width: u16, raster: &Raster<S>) -> Option<S::Real> {
-        if self.is_flat(on) {
-            return Some(raster.half_a_pixel()?.scaled(1));
-        }
-        // In the middle of them the normal of a ball turns by 2 / width, and what it mirrors by twice that.
-        (width > 0 && self.is_round(on)).then(|| S::Real::from_int(4) / S::Real::from_int(width.into()))
     }
 
     fn is_round(&self, (object, _): (u32, Part)) -> bool {
@@ -198,6 +195,18 @@ impl Known {
     }
 }
 
+/// That of the `index`-th shadow.
+const fn bit(index: u32) -> u32 {
+    1 << (index % u32::BITS)
+}
+
+/// True if the eye is three radii or more from the centre of a ball: then the columns of what is inside of it are about
+/// as wide on its near side as on its far one.
+fn is_far_from<S: Scalar>(eye: Vec3<S>, (centre, legs): BallInWorld<S>) -> bool {
+    let (from_eye, legs) = (pairs(centre.real(), eye.real()).map(|(c, e)| c - e), legs.map(S::real));
+    dot(from_eye, from_eye) >= S::Real::from_int(9) * dot(legs, legs)
+}
+
 /// True if a light is surely on the same side of a plane as the eye.
 fn is_on_side_of<S: Scalar, K: Kinds>(eye: Vec3<S>, light: &Light<S>, plane: &Shape<S, K>) -> bool {
     let Some((on, normal)) = plane.plane() else { return false };
@@ -208,8 +217,12 @@ fn is_on_side_of<S: Scalar, K: Kinds>(eye: Vec3<S>, light: &Light<S>, plane: &Sh
         (height.abs() > doubt).then_some(height)
     };
     let from_on = |point: Vec3<S>| pairs(point.real(), on.real()).map(|(point, on)| point - on);
-    let lamp = if light.distant { light.position.real() } else { from_on(light.position) };
-    height(from_on(eye)).zip(height(lamp)).is_some_and(|(eye, lamp)| eye.is_negative() == lamp.is_negative())
+    let lamp = if light.distant {
+        UnitVec3::<S>::from_real(light.position.real()).map(UnitVec3::real)
+    } else {
+        Some(from_on(light.position))
+    };
+    height(from_on(eye)).zip(lamp.and_then(height)).is_some_and(|(eye, lamp)| eye.is_negative() == lamp.is_negative())
 }
 
 /// The most columns of a curve on a shape: as many as the nearest light is above it, as seen from the eye at the point
@@ -223,7 +236,7 @@ fn longest<S: Scalar, E: Effects, T: Tier<S>, K: Kinds>(
     let (Some(half), eye) = (raster.half_a_pixel(), raster.camera().position().real()) else { return 0 };
     let from = |a: [S::Real; 3], b: [S::Real; 3]| pairs(a, b).map(|(a, b)| a - b);
     let length = |v: [S::Real; 3]| dot(v, v).sqrt();
-    let mut longest = curve::longest::<S>();
+    let mut longest = curve::LONGEST;
     for light in scene.lights().iter().filter(|light| !light.distant) {
         let lamp = light.position.real();
         let (height, distance) = if let Some((on, normal)) = shape.plane() {
@@ -244,9 +257,8 @@ fn longest<S: Scalar, E: Effects, T: Tier<S>, K: Kinds>(
     longest
 }
 
-/// The most columns of a curve, of so many at most, over highlights of this exponent, if the mirrored direction turns by
-/// this angle a column. A highlight is `2.4 / sqrt(e)` wide at half of its height: a curve is no longer than half of
-/// that, for the eye.
+/// The most columns of a curve, of so many at most, over highlights of this exponent, if the mirrored direction turns
+/// by this angle a column. A highlight is `2.4 / sqrt(e)` wide at half of its height: a curve is about half as long.
 fn longest_of_highlights<S: Scalar>(most: u16, exponent: S, turn: S::Real) -> u16 {
     let mut longest = most;
     while longest >= curve::SHORTEST {

@@ -57,9 +57,9 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
     /// | capsules, round cones, rounded cuboids | their ends; each pixel between them is traced |
     /// | all others; what is seen from inside only; solids around the eye; what may touch where it overlaps | no |
     ///
-    /// Light is interpolated where only Lambert's law, ambient light and fog make it, and highlights on flat parts,
-    /// spheres, cylinders and cones; and not where a shadow may begin or end, but for shadows of convex solids on the only plane of a scene,
-    /// whose ends rays find, too.
+    /// Light is interpolated where only Lambert's law, ambient light and fog make it, with highlights on flat parts,
+    /// spheres and cylinders alone; and not where a shadow may begin or end, but for shadows of convex solids on the
+    /// only plane of a scene, whose ends rays find, too. Rays are cast to lights only where a shadow may fall.
     ///
     /// Every pixel is traced by itself if the scene has more than 16 objects, if something in it refracts, if it has an
     /// outline, if a pixel has several samples, or if the camera is orthographic. With more than 32 pairs of objects
@@ -268,15 +268,16 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> RowInSpans<'_, '_
             return Span { until, fill: Fill::Traced(any) };
         };
         let shade = regions.shade(known, object, [x, self.row.y], until);
-        let reflects = tracer.uses(Effect::Reflection);
+        let reflects = tracer.uses(Effect::Reflection) && tracer.course(on) == Course::Any;
         if !reflects {
             self.may_shade = shade.thrown_by;
         }
         let among = among_alone(reflects || tracer.uses(Effect::Shadows) && !shade.thrown_by.are_none());
-        let longest = known.longest(self.row.picture, (object, part), regions.width_of(object));
+        let (width, until) = regions.middle(object, x, shade.until);
+        let longest = known.longest(self.row.picture, (object, part), width);
         let is_smooth = shade.is_even && longest[0] >= curve::SHORTEST;
         let fill = if is_smooth { Fill::Smooth(among, longest, None) } else { Fill::Traced(among) };
-        Span { until: shade.until, fill }
+        Span { until, fill }
     }
 
     /// The object and the part that all pixels from a column to before another see; `None` if that is not certain.
@@ -346,8 +347,9 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> RowInSpans<'_, '_
             // As many curves as there must be, of about the same length.
             self.trace_ahead(x + left.div_ceil(left.div_ceil(most.max(1)).max(1)), among);
         }
-        let (mut curve, parts) = (None, self.found.as_ref().map(|(_, parts, _)| *parts));
-        while let (Some((end, last)), Some(parts)) = (self.ahead.last().copied(), parts)
+        let Some((_, parts, _)) = self.found else { return pixel };
+        let mut curve = None;
+        while let Some((end, last)) = self.ahead.last().copied()
             && end - x >= curve::SHORTEST
         {
             let middle = x + (end - x) / 2;

@@ -132,9 +132,7 @@ impl Regions {
     pub(super) fn shade(&self, known: &Known, object: u32, [x, y]: [u16; 2], end: u16) -> Shade {
         let mut shade = Shade { thrown_by: known.shading, is_even: true, until: end };
         if let Some(shadows) = self.shadows.as_ref().filter(|_| known.planes.contain(object)) {
-            for Region { object, is_certain, columns, .. } in shadows.iter().copied() {
-                shade.add(object.into(), x, columns, is_certain);
-            }
+            shadows.iter().for_each(|of| shade.add(of.object.into(), x, of.columns, of.is_certain));
         } else if let Some(shadows) = known.shadows_on(object, y) {
             shadows.for_each(|shadow| shade.add(shadow.object, x, shadow.columns, false));
         } else {
@@ -143,10 +141,21 @@ impl Regions {
         shade
     }
 
-    /// The columns in which an object is seen; none if that is not certain.
-    pub(super) fn width_of(&self, object: u32) -> u16 {
+    /// In how many columns an object is seen, if that is certain; false if a column is next to their ends, where its
+    /// surface turns away; and the column, up to an end, in which that may change.
+    pub(super) fn middle(&self, object: u32, x: u16, until: u16) -> ((u16, bool), u16) {
         let whole = self.seen.iter().find(|region| u32::from(region.object) == object && region.is_certain);
-        whole.map_or(0, |region| region.columns[1] - region.columns[0])
+        let Some(Region { columns: [first, end], .. }) = whole.copied() else { return ((0, false), until) };
+        let width = end - first;
+        let [from, to] = [first + width / 8, end - width / 8];
+        let next = if x < from {
+            from
+        } else if x < to {
+            to
+        } else {
+            end
+        };
+        ((width, (from..to).contains(&x)), until.min(next.max(x + 1)))
     }
 }
 
@@ -182,7 +191,7 @@ fn shadows_on<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds>(
     search: &mut Search<'_, '_, '_, S, E, O, T, K>,
 ) -> Option<heapless::Vec<Region, SHADOWS>> {
     let known = search.known;
-    if known.longest(search.picture, (plane, Part::Side), 0)[0] < curve::SHORTEST {
+    if known.longest(search.picture, (plane, Part::Side), (0, false))[0] < curve::SHORTEST {
         return None;
     }
     let on = search.picture.tracer.scene().object(plane)?.shape.plane()?;

@@ -63,8 +63,8 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> Search<'_, '_, '_
         match [sees(left), sees(right)] {
             [false, false] => Found::Nowhere,
             [true, true] => Found::Exactly([0, width]),
-            [true, false] => Found::Exactly([0, outermost(right, left, &mut sees) as u16 + 1]),
-            [false, true] => Found::Exactly([outermost(left, right, &mut sees) as u16, width]),
+            [true, false] => Found::Exactly([0, outermost(right, left, FAR, &mut sees) as u16 + 1]),
+            [false, true] => Found::Exactly([outermost(left, right, FAR, &mut sees) as u16, width]),
         }
     }
 
@@ -87,7 +87,7 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> Search<'_, '_, '_
                 on.object == object && is_entered && cap.is_none_or(|cap| on.hit.part == cap)
             })
         };
-        between(columns, sees, || {
+        between(columns, CLOSE, sees, || {
             let Some(normal) = raster.normal_of_row(self.rays) else { return Section::Unknown };
             let section = of.shape.section(raster.camera().position(), normal, cap);
             section.and_then(|point| Some(raster.pixel_of(point)?[0]))
@@ -116,7 +116,8 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> Search<'_, '_, '_
             let first = self.picture.first(self.rays, x, Candidates::NONE.with(plane), self.context);
             first.is_some_and(|(ray, on)| self.picture.tracer.is_shadowed_by(object, light, (&ray, on), self.context))
         };
-        between(columns, is_shaded, || {
+        // They are those of the whole shadow.
+        between(columns, FAR, is_shaded, || {
             let over = LightOver::new(lamp, on);
             let row = raster.normal_of_row(self.rays);
             let through = row.and_then(|row| over.plane_through(raster.camera().position(), row));
@@ -128,8 +129,14 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> Search<'_, '_, '_
 }
 
 /// Where something is seen from the first of these columns to before the last, if all columns in which it is follow
-/// each other. If the middle is not one of them, `other` may know one, or that there is none.
-fn between(columns: [u16; 2], mut sees: impl FnMut(u16) -> bool, other: impl FnOnce() -> Section<i32>) -> Found {
+/// each other, by a search of this first step. If the middle is not one of them, `other` may know one, or that there is
+/// none.
+fn between(
+    columns: [u16; 2],
+    step: i32,
+    mut sees: impl FnMut(u16) -> bool,
+    other: impl FnOnce() -> Section<i32>,
+) -> Found {
     let mut sees = |x: i32| sees(x as u16);
     let [first, end] = columns.map(i32::from);
     let middle = first + (end - first) / 2;
@@ -141,23 +148,26 @@ fn between(columns: [u16; 2], mut sees: impl FnMut(u16) -> bool, other: impl FnO
             Section::At(_) | Section::Unknown => return Found::Within(columns),
         };
     }
-    let leftmost = outermost(first - 1, inside, &mut sees);
-    Found::Exactly([leftmost as u16, outermost(end, inside, &mut sees) as u16 + 1])
+    let leftmost = outermost(first - 1, inside, step, &mut sees);
+    Found::Exactly([leftmost as u16, outermost(end, inside, step, &mut sees) as u16 + 1])
 }
+
+/// The first step of a search for an end that is close to the column outside, and of one that halves all columns.
+const CLOSE: i32 = 1;
+const FAR: i32 = u16::MAX as i32;
 
 /// The column nearest to `outside` in which something is seen, if it is seen in `inside` and not in `outside`.
 ///
-/// Most are close to `outside`: steps grow from there until one is found, and are halved from then on.
-fn outermost(mut outside: i32, mut inside: i32, sees: &mut impl FnMut(i32) -> bool) -> i32 {
-    let mut step = 1;
+/// Steps from there grow from the first one on until one is found, and are halved from then on.
+fn outermost(mut outside: i32, mut inside: i32, mut step: i32, sees: &mut impl FnMut(i32) -> bool) -> i32 {
     while (inside - outside).abs() > 1 {
         let between = inside - outside;
         let is_near = step < between.abs() / 2;
         let probe = outside + if is_near { step * between.signum() } else { between / 2 };
         if sees(probe) {
-            (inside, step) = (probe, i32::from(u16::MAX));
+            (inside, step) = (probe, FAR);
         } else {
-            (outside, step) = (probe, 2 * step.min(i32::from(u16::MAX)));
+            (outside, step) = (probe, 2 * step.min(FAR));
         }
     }
     inside

@@ -333,41 +333,79 @@ fn highlights_are_not_missed() {
     }
 }
 
+/// A picture of one white shape in one light.
+fn white<S: Number, E: Effects>(shape: Shape<S>, eye: [f64; 3], angle: f64, light: Light<S>, size: Size) -> Differing {
+    let (objects, up) = ([Object::new(shape, 0)], point([0.0, 1.0, 0.0]));
+    let camera = Camera::new(point(eye), Vec3::ZERO, up, number(angle)).unwrap();
+    let materials = [Material::matte(Color::from_f64([1.0; 3])).with_highlight(number(0.5), number(60.0))];
+    let lights = [light];
+    let scene = Scene::new(&objects, &materials, &lights, camera).unwrap();
+    Differing::of(&Picture::<S, E>::leaving_out(&scene, size))
+}
+
 #[test]
 fn a_light_that_grazes_a_ball_is_not_missed() {
     // Between two columns that it does not reach there may be a sliver that it does.
-    let ball = [Object::new(Shape::new(Sphere::new(1.0_f32).unwrap()), 0)];
-    let (eye, up) = (Vec3::new(0.0, 0.0, 6.0), Vec3::new(0.0, 1.0, 0.0));
-    let camera = Camera::new(eye, Vec3::ZERO, up, 22.0).unwrap();
-    let materials = [Material::matte(Color::from_f64([0.8; 3]))];
+    let ball = Shape::new(Sphere::new(1.0_f32).unwrap());
     let mut random = Random(31);
-    let mut all = Differing::default();
+    let check = |towards: &mut dyn FnMut() -> UnitVec3<f32>, lights: usize, angle: f64, size: Size| {
+        let mut all = Differing::default();
+        for _ in 0..lights {
+            let light = Light::distant(towards(), 1.0);
+            all = all.and(white::<f32, (Diffuse,)>(ball, [0.0, 0.0, 6.0], angle, light, size));
+        }
+        let few = all.pixels / 300_000;
+        assert!(all.seen == 0 && all.lit <= few && all.levels[1] <= few, "{all:?}");
+        assert!(3 * all.rays[1] < all.rays[0], "{all:?}");
+    };
+    check(&mut || direction(&mut random), amount(40, 1_000), 22.0, Size::new(160, 120));
+    // Next to the outline, where the surface turns away in few columns.
+    let mut random = Random(32);
+    let mut beside = || UnitVec3::new(point([0.59 + random.between(-0.03, 0.03), -0.8, 0.13])).unwrap();
+    check(&mut beside, amount(6, 60), 18.2, Size::new(520, 480));
+}
+
+#[test]
+fn light_on_lying_cones_and_receding_pipes_is_not_missed() {
+    // Their normals turn in few columns: next to the apex, and far away.
+    let lying = |base: [f64; 3], axis: [f64; 3]| {
+        Frame::from_base_and_axis(point(base), UnitVec3::new(point(axis)).unwrap()).unwrap()
+    };
+    let cone = Shape::new(Cone::capped(0.5_f32, 4.0).unwrap()).placed(lying([2.0, 0.0, 0.0], [-1.0, 0.0, 0.0]));
+    let pipe = Shape::new(Cylinder::capped(0.3_f32, 40.0).unwrap()).placed(lying([-1.0, -0.5, 5.0], [0.2, 0.0, -1.0]));
+    let (mut random, size) = (Random(33), Size::new(240, 120));
+    let [mut grazing, mut all] = [Differing::default(); 2];
     for _ in 0..amount(40, 1_000) {
-        let towards = direction(&mut random);
-        let lights = [Light::distant(towards, 1.0)];
-        let scene = Scene::new(&ball, &materials, &lights, camera).unwrap();
-        all = all.and(Differing::of(&Picture::<f32, (Diffuse,)>::leaving_out(&scene, Size::new(160, 120))));
+        let [x, y, z] = random.direction().map(|c| 0.03 * c);
+        let light = Light::distant(UnitVec3::new(point([0.89 + x, 0.349 + y, 0.292 + z])).unwrap(), 1.0);
+        grazing = grazing.and(white::<f32, (Diffuse,)>(cone, [0.0, 0.0, 30.0], 3.8, light, size));
+        let light = Light::distant(direction(&mut random), 1.0);
+        for (shape, eye, angle) in [(cone, [0.0, 0.0, 30.0], 3.8), (pipe, [0.0, 0.3, 7.0], 20.0)] {
+            all = all.and(white::<f32, (Specular,)>(shape, eye, angle, light, size));
+        }
     }
-    let few = all.pixels / 500_000;
-    assert!(all.seen == 0 && all.lit <= few && all.levels[1] <= few, "{all:?}");
-    assert!(3 * all.rays[1] < all.rays[0], "{all:?}");
+    assert!(grazing.seen == 0 && grazing.lit == 0 && 50_000 * grazing.levels[1] <= grazing.pixels, "{grazing:?}");
+    assert!(all.seen == 0 && all.lit == 0 && 100_000 * all.levels[1] <= all.pixels, "{all:?}");
 }
 
 #[test]
 fn no_ray_is_cast_to_lights_where_no_shadow_may_fall() {
-    let ball = |x: f64| {
+    let objects = [-3.0, 0.0, 3.0].map(|x| {
         let frame = Frame::at(point([x, 0.8, 0.0])).unwrap();
-        Shape::new(Sphere::new(number::<I16F16>(0.8)).unwrap()).placed(frame)
-    };
-    let balls = [ball(-3.0), ball(0.0), ball(3.0)];
-    let (light, eye) = (Light::new(point([0.0, 9.0, 3.0]), number(0.9)), point([0.0, 3.0, 9.0]));
-    let apart = on_floor(&balls, eye, light, Size::new(160, 120));
-    assert!(apart.seen == 0 && apart.lit == 0 && apart.levels[1] == 0, "{apart:?}");
-    assert!(4 * apart.rays[1] < apart.rays[0], "{apart:?}");
-    // From the side each shades the next one.
-    let side = Light::new(point([30.0, 2.0, 1.0]), number(0.9));
-    let all = on_floor(&balls, eye, side, Size::new(160, 120));
-    assert!(all.seen == 0 && all.lit == 0 && all.levels[1] == 0, "{all:?}");
+        Object::new(Shape::new(Sphere::new(number::<I16F16>(0.8)).unwrap()).placed(frame), 0)
+    });
+    let (eye, up, materials) = (point([0.0, 3.0, 9.0]), point([0.0, 1.0, 0.0]), [Material::default()]);
+    let camera = Camera::new(eye, Vec3::ZERO, up, number(50.0)).unwrap();
+    // From above none is in the shadow of another; from the side two may be.
+    for (light, is_shaded) in [([0.0, 9.0, 3.0], false), ([30.0, 2.0, 1.0], true)] {
+        let lights = [Light::new(point(light), number(0.9))];
+        let scene = Scene::new(&objects, &materials, &lights, camera).unwrap();
+        let picture = Picture::<_, (Diffuse, Shadows)>::leaving_out(&scene, Size::new(160, 120));
+        let all = Differing::of(&picture);
+        assert!(all.seen == 0 && all.lit == 0 && all.levels[1] == 0, "{all:?}");
+        let rays = picture.in_spans().render(|_, _, _| ()).shadow_rays;
+        assert_eq!(rays > 0, is_shaded, "{rays}");
+    }
 }
 
 #[test]

@@ -9,7 +9,7 @@ fn pixel<S: Scalar>(channels: [f64; 3]) -> Pixel<S> {
 
 fn check<S: Scalar>(most: f64) {
     let parts = Parts::<S>::new();
-    for columns in SHORTEST..=longest::<S>() {
+    for columns in SHORTEST..=LONGEST {
         // Parabolas that are close to straight lines; one that is straight.
         let n = f64::from(columns);
         let channels = |x: f64| [0.3 + 0.3 * x, 0.5 - 0.1 * x + 0.01 * x * x, 0.4 + 0.02 * x - 0.02 * x * x];
@@ -43,4 +43,19 @@ fn what_is_bent_or_sees_other_things_is_no_curve() {
         assert!(Curve::through([&dark, &other, &dark], columns, &parts).is_none());
         assert!(Curve::through([&dark, &dark, &other], columns, &parts).is_none());
     }
+}
+
+#[test]
+fn the_middle_is_at_most_a_level_off_a_straight_line() {
+    let parts = Parts::<f32>::new();
+    let gray = |level: f64| pixel::<f32>([((level / 255.0 + 0.055) / 1.055).powf(2.4); 3]);
+    for (level, is_curve) in [(99.0, true), (100.0, true), (101.0, true), (98.0, false), (102.0, false)] {
+        let curve = Curve::through([&gray(100.0), &gray(level), &gray(100.0)], 8, &parts);
+        assert_eq!(curve.is_some(), is_curve, "{level}");
+    }
+    // Where light is as bright as a pixel can be, it has an edge.
+    let [white, less] = [1.0, 0.998].map(|share| pixel::<f32>([share; 3]));
+    assert!(Curve::through([&less, &white, &white], 8, &parts).is_none());
+    assert!(Curve::through([&white, &white, &less], 8, &parts).is_none());
+    assert!(Curve::through([&white; 3], 8, &parts).is_some());
 }

@@ -161,6 +161,40 @@ fn a_ray_from_anywhere_that_meets_an_object_has_it_among_its_candidates_in_fixed
     }
 }
 
+/// In few columns the rays that meet a ball may follow those that would meet it backwards.
+#[test]
+fn a_ball_next_to_the_eye_is_among_the_candidates_of_few_columns() {
+    let (mut random, mut hits) = (Random(12), 0);
+    for _ in 0..6_000 {
+        let number = |random: &mut Random| random.between(-1.0, 1.0) as f32;
+        let angle = random.between(0.0, core::f64::consts::TAU) as f32;
+        let height = 1.0 + (0.1_f32).powf(random.between(0.5, 4.5) as f32);
+        let (sin, cos) = (angle.sin(), angle.cos());
+        let eye = Vec3::new(height * cos, height * sin, 0.1 * number(&mut random));
+        // Along the surface, with the ball on either side.
+        let side = if random.unit() < 0.5 { 1.0 } else { -1.0 };
+        let along = Vec3::new(-side * sin, side * cos, 0.3 * number(&mut random));
+        let forward = along + eye * (0.2 * number(&mut random));
+        let up = Vec3::new(0.3 * number(&mut random), 0.3 * number(&mut random), 1.0);
+        let Ok(camera) = Camera::new(eye, eye + forward, up, random.between(30.0, 110.0) as f32) else { continue };
+        let [width, height] = [2 + (random.next() % 12) as u16, 1 + (random.next() % 3) as u16];
+        let raster = camera.raster(Size::new(width, height));
+        let shape = Shape::new(Sphere::new(1.0_f32).expect("a size"));
+        let balls = balls_of(shape, camera);
+        for y in 0..height {
+            let mut row = CandidatesOfRow::new(&balls, &raster, y);
+            for x in 0..width {
+                let ray = raster.ray([x, y], [0, 0]).expect("a ray of a pinhole camera");
+                let hit: Option<Hit<f32>> = shape.nearest(&ray);
+                let is_candidate = row.as_mut().is_none_or(|row| row.of(x).contain(0));
+                assert!(is_candidate || hit.is_none(), "at {x}, {y} of {width} x {height}: {ray:?}");
+                hits += u32::from(hit.is_some());
+            }
+        }
+    }
+    assert!(hits > 10_000, "{hits}");
+}
+
 /// Whether a ball of this radius at the origin is a candidate of a ray along x from here, as seen from this far: in
 /// integers and in numbers.
 fn may_meet(radius: f32, from: [f32; 3], eye: f32) -> [bool; 2] {

@@ -233,6 +233,7 @@ fn help_names_every_option_and_place() {
         "standard output",
         "--scale",
         "--report",
+        "--spans",
         "glass",
         "exit status",
     ] {

@@ -173,3 +173,21 @@ fn an_outline_is_a_black_line_around_the_ball() {
         assert!(folder.pixels("off.ppm") == without, "{number}: it is left off");
     }
 }
+
+#[test]
+fn spans_take_fewer_rays_for_the_same_picture() {
+    let folder = Folder::new();
+    let rays = |options: &str| {
+        let said = folder.run(&format!("--scene still-life --size 120x90 {options}")).succeeds_silently();
+        let (_, rest) = said.output.split_once(": ").unwrap();
+        let (rays, _) = rest.split_once(" rays (").unwrap();
+        rays.parse::<u64>().unwrap()
+    };
+    for number in ["f32", "i16f16"] {
+        let [all, few] = ["-o all.ppm", "--spans -o few.ppm"].map(|options| rays(&format!("-n {number} {options}")));
+        assert!(few < all, "{number}: {few} {all}");
+        let pairs = folder.pixels("all.ppm").into_iter().zip(folder.pixels("few.ppm"));
+        let off = pairs.flat_map(|(a, b)| [0, 1, 2].map(|channel| a[channel].abs_diff(b[channel]))).max();
+        assert!(off <= Some(2), "{number}: {off:?}");
+    }
+}
