@@ -273,8 +273,8 @@ pub(crate) fn are_apart<S: Scalar>((a, r): BallInWorld<S>, (b, s): BallInWorld<S
     rest > S::Real::ZERO && rest * rest > (r * s).scaled(2) + (rest * rest).scaled(-8)
 }
 
-/// True if a shadow of the first ball may fall on the second in this light: if it comes as close to the way from the
-/// centre of the second to the light as the radius of that is.
+/// True if a shadow of the first ball may fall on the second in this light: if its centre is no farther from the line
+/// between the centre of the second and the light than the sum of both radii.
 pub(crate) fn may_shade<S: Scalar>((a, r): BallInWorld<S>, (b, s): BallInWorld<S>, light: &Light<S>) -> bool {
     let length = |legs: [S; 3]| dot(legs.map(S::real), legs.map(S::real)).sqrt();
     let close = length(r) + length(s);

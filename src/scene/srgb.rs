@@ -39,7 +39,7 @@ pub(crate) fn encoded(linear: u32) -> u32 {
 
 /// The nearest of the levels 0 to 255 to a channel in 65536ths of the brightest.
 pub(crate) fn nearest_of_255(linear: u32) -> u32 {
-    // Black is frequent, and needs no search: it takes a third of the time.
+    // Black is frequent, and needs no search.
     if linear == 0 {
         return 0;
     }

@@ -19,15 +19,15 @@ pub(super) const LONGEST: u16 = 64;
 
 /// `1 / n` for all numbers of columns from 1 on, at the index `n`.
 #[derive(Clone, Debug)]
-pub(super) struct Parts<S: Scalar>([S::Unit; LONGEST as usize + 1]);
+pub(super) struct Reciprocals<S: Scalar>([S::Unit; LONGEST as usize + 1]);
 
-impl<S: Scalar> Parts<S> {
+impl<S: Scalar> Reciprocals<S> {
     pub(super) fn new() -> Self {
-        let mut parts = [S::Unit::ONE; LONGEST as usize + 1];
-        for (columns, part) in (0..).zip(&mut parts).skip(1) {
-            *part = S::unit_round(S::Real::ONE / S::Real::from_int(columns));
+        let mut reciprocals = [S::Unit::ONE; LONGEST as usize + 1];
+        for (columns, reciprocal) in (0..).zip(&mut reciprocals).skip(1) {
+            *reciprocal = S::unit_round(S::Real::ONE / S::Real::from_int(columns));
         }
-        Self(parts)
+        Self(reciprocals)
     }
 
     fn of(&self, columns: u16) -> S::Unit {
@@ -51,7 +51,11 @@ impl<S: Scalar> Curve<S> {
     /// Through the first, the middle and the last of pixels that are so many columns apart, from [`SHORTEST`] to
     /// [`LONGEST`]; half of them, rounded down, are before the middle. `None` if they see different things, are lit by
     /// different lights, or are too far from a straight line.
-    pub(super) fn through([first, middle, last]: [&Pixel<S>; 3], columns: u16, parts: &Parts<S>) -> Option<Self> {
+    pub(super) fn through(
+        [first, middle, last]: [&Pixel<S>; 3],
+        columns: u16,
+        one_by: &Reciprocals<S>,
+    ) -> Option<Self> {
         // Where light is as bright as a pixel can be, it has an edge.
         let are_full = |pixel: &Pixel<S>| pixel.color.to_array().map(|channel| channel >= S::Unit::ONE);
         let full = are_full(first);
@@ -61,7 +65,7 @@ impl<S: Scalar> Curve<S> {
             return None;
         }
         let half = S::unit_round(S::Real::ONE.scaled(-1));
-        let [before, after, nth] = [columns / 2, columns.div_ceil(2), columns].map(|columns| parts.of(columns));
+        let [before, after, nth] = [columns / 2, columns.div_ceil(2), columns].map(|columns| one_by.of(columns));
         // The middle is at `n / 2`, or `(n - 1) / 2`: the part of a difference up to there.
         let up_to_middle = |difference: S::Unit| {
             let rest = if columns.is_multiple_of(2) { S::Unit::ZERO } else { difference.times(nth) };

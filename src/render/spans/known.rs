@@ -150,38 +150,39 @@ impl Known {
     }
 
     /// The most columns of a curve on this part of an object where all lights reach it, and where they do not; 0 if its
-    /// light may change in any way. The object is seen in so many columns; `is_middle` is false next to their ends.
+    /// light may change in any way. `middle` is the number of columns in which a round object is seen, if the curve is
+    /// in the middle of them.
     pub(super) fn longest<S: Scalar, E: Effects, T: Tier<S>, K: Kinds>(
         &self,
         picture: &Picture<'_, S, E, T, K>,
         on: (u32, Part),
-        (width, is_middle): (u16, bool),
+        middle: Option<u16>,
     ) -> [u16; 2] {
         let most = self.objects.get(on.0 as usize).map_or(0, |known| known.longest);
-        let is_round = is_middle && self.is_round(on);
-        let turn = if self.is_flat(on) {
-            picture.raster.half_a_pixel().map(|half| half.scaled(1))
-        } else {
-            // In the middle the normal of a ball turns by 2 / width a column, and what it mirrors by twice that.
-            is_round.then(|| S::Real::from_int(4) / S::Real::from_int(width.max(1).into()))
-        };
+        // In the middle the normal of a ball turns by 2 / width a column, and what it mirrors by twice that.
+        let turn_of_ball = |width: u16| S::Real::from_int(4) / S::Real::from_int(width.max(1).into());
+        let is_flat = self.is_flat(on);
+        let turn =
+            if is_flat { picture.raster.half_a_pixel().map(|half| half.scaled(1)) } else { middle.map(turn_of_ball) };
         let longest = match picture.tracer.course(Some(on)) {
-            Course::Smooth if self.is_flat(on) || self.is_round(on) => most,
+            Course::Smooth if is_flat || self.is_round(on.0) => most,
             // Next to the apex of a cone, say, light changes within few columns.
             Course::Smooth => most.min(8),
             Course::Glossy(shine) => turn.map_or(0, |turn| longest_of_highlights(most, shine, turn)),
             Course::Same | Course::Any => 0,
         };
-        if self.is_flat(on) {
+        if is_flat {
             return [longest; 2];
         }
         // Between pixels that a light does not reach there may be some that it does, at a grazing angle. In the middle
-        // of a ball the cosine between two that are `n / 2` apart is at most about (n / width)^2 / 8: 1 / 1024.
-        let beyond = if is_round { (width / 12).max(curve::SHORTEST) } else { curve::SHORTEST };
+        // of a ball the cosine between two that are `n / 2` apart is at most about (n / width)^2 / 8: 1 / 1024 for long
+        // curves. On small balls, and elsewhere, curves are as short as they can be.
+        let beyond = middle.map_or(0, |width| width / 12).max(curve::SHORTEST);
         [longest, longest.min(beyond)]
     }
 
-    fn is_round(&self, (object, _): (u32, Part)) -> bool {
+    /// True if the normals of an object turn over the columns of a row as those of a ball do.
+    pub(super) fn is_round(&self, object: u32) -> bool {
         self.objects.get(object as usize).is_some_and(|known| known.is_round)
     }
 

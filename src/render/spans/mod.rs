@@ -27,7 +27,7 @@ use crate::scene::{Candidates, Counters, Observer, Size};
 use crate::shape::Outlined;
 use crate::shape::kinds::{self, Kinds};
 use crate::tier::{Stable, Tier};
-use curve::{Curve, Parts};
+use curve::{Curve, Reciprocals};
 use known::Known;
 use regions::{Regions, Seen};
 
@@ -36,7 +36,7 @@ use regions::{Regions, Seen};
 pub struct InSpans<'a, S: Scalar, E = All, T = Stable, K: Kinds = kinds::All> {
     picture: Picture<'a, S, E, T, K>,
     /// What is known of the objects; `None` if each pixel is traced by itself.
-    known: Option<(Known, Parts<S>)>,
+    known: Option<(Known, Reciprocals<S>)>,
 }
 
 impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
@@ -91,7 +91,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
         let is_traced = self.tracer.uses(Effect::Refraction) || self.tracer.uses(Effect::Outline);
         let Size { width, height, .. } = self.size();
         let is_traced = is_traced || self.is_antialiased() || width == 0 || height == 0;
-        let known = if is_traced { None } else { Known::of(self).map(|known| (known, Parts::new())) };
+        let known = if is_traced { None } else { Known::of(self).map(|known| (known, Reciprocals::new())) };
         InSpans { picture: *self, known }
     }
 }
@@ -120,9 +120,9 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> InSpans<'a, S, E, T, K> {
     ) -> RowInSpans<'w, 'a, S, E, O, T, K> {
         let [_, down] = picture.raster.place([0, y], [0, 0]);
         let rays = picture.raster.row(down);
-        let found = self.known.as_ref().and_then(|(known, parts)| {
+        let found = self.known.as_ref().and_then(|(known, reciprocals)| {
             context.forget();
-            Some((known, parts, Regions::find(known, picture, (y, &rays), context)?))
+            Some((known, reciprocals, Regions::find(known, picture, (y, &rays), context)?))
         });
         let row = if found.is_some() {
             Row { picture, context, next: x.into(), y, left: None, rays, candidates: None }
@@ -156,7 +156,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> InSpans<'a, S, E, T, K> {
 pub struct RowInSpans<'w, 'a, S: Scalar, E, O, T = Stable, K: Kinds = kinds::All> {
     row: Row<'w, 'a, S, E, O, T, K>,
     /// What is known of the objects, and where they are seen; `None` if each pixel is traced by itself.
-    found: Option<(&'w Known, &'w Parts<S>, Regions)>,
+    found: Option<(&'w Known, &'w Reciprocals<S>, Regions)>,
     span: Span<S>,
     /// The objects that may throw a shadow on what is seen in the span.
     may_shade: Candidates,
@@ -273,8 +273,9 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> RowInSpans<'_, '_
             self.may_shade = shade.thrown_by;
         }
         let among = among_alone(reflects || tracer.uses(Effect::Shadows) && !shade.thrown_by.are_none());
-        let (width, until) = regions.middle(object, x, shade.until);
-        let longest = known.longest(self.row.picture, (object, part), width);
+        let is_round = known.is_round(object);
+        let (middle, until) = if is_round { regions.middle(object, x, shade.until) } else { (None, shade.until) };
+        let longest = known.longest(self.row.picture, (object, part), middle);
         let is_smooth = shade.is_even && longest[0] >= curve::SHORTEST;
         let fill = if is_smooth { Fill::Smooth(among, longest, None) } else { Fill::Traced(among) };
         Span { until, fill }
@@ -347,7 +348,7 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> RowInSpans<'_, '_
             // As many curves as there must be, of about the same length.
             self.trace_ahead(x + left.div_ceil(left.div_ceil(most.max(1)).max(1)), among);
         }
-        let Some((_, parts, _)) = self.found else { return pixel };
+        let Some((_, reciprocals, _)) = self.found else { return pixel };
         let mut curve = None;
         while let Some((end, last)) = self.ahead.last().copied()
             && end - x >= curve::SHORTEST
@@ -355,7 +356,7 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> RowInSpans<'_, '_
             let middle = x + (end - x) / 2;
             let sample = self.trace_ahead(middle, among);
             if end - x <= most
-                && let Some(through) = Curve::through([&pixel, &sample, &last], end - x, parts)
+                && let Some(through) = Curve::through([&pixel, &sample, &last], end - x, reciprocals)
             {
                 let _ = self.ahead.pop();
                 curve = Some((end, through));

@@ -141,21 +141,20 @@ impl Regions {
         shade
     }
 
-    /// In how many columns an object is seen, if that is certain; false if a column is next to their ends, where its
-    /// surface turns away; and the column, up to an end, in which that may change.
-    pub(super) fn middle(&self, object: u32, x: u16, until: u16) -> ((u16, bool), u16) {
+    /// The number of columns in which an object is seen, if a column is not next to their ends, where the surface of a
+    /// round one turns away; and the column, up to an end, in which that may change.
+    pub(super) fn middle(&self, object: u32, x: u16, until: u16) -> (Option<u16>, u16) {
         let whole = self.seen.iter().find(|region| u32::from(region.object) == object && region.is_certain);
-        let Some(Region { columns: [first, end], .. }) = whole.copied() else { return ((0, false), until) };
+        let Some(Region { columns: [first, end], .. }) = whole.copied() else { return (None, until) };
         let width = end - first;
-        let [from, to] = [first + width / 8, end - width / 8];
-        let next = if x < from {
-            from
-        } else if x < to {
-            to
+        let middle = first + width / 8..end - width / 8;
+        if x < middle.start {
+            (None, until.min(middle.start))
+        } else if x < middle.end {
+            (Some(width), until.min(middle.end))
         } else {
-            end
-        };
-        ((width, (from..to).contains(&x)), until.min(next.max(x + 1)))
+            (None, until)
+        }
     }
 }
 
@@ -191,7 +190,7 @@ fn shadows_on<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds>(
     search: &mut Search<'_, '_, '_, S, E, O, T, K>,
 ) -> Option<heapless::Vec<Region, SHADOWS>> {
     let known = search.known;
-    if known.longest(search.picture, (plane, Part::Side), (0, false))[0] < curve::SHORTEST {
+    if known.longest(search.picture, (plane, Part::Side), None)[0] < curve::SHORTEST {
         return None;
     }
     let on = search.picture.tracer.scene().object(plane)?.shape.plane()?;

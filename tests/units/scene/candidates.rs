@@ -52,6 +52,23 @@ fn balls_of<S: Scalar>(shape: Shape<S>, camera: Camera<S>) -> Balls {
     Balls::of(&Scene::new(&objects, &materials, &[], camera).expect("a scene"))
 }
 
+/// Every ray of a picture of one shape; counts the rays, those that may meet it, and those that do.
+fn check_picture<S: Scalar>(shape: &Shape<S>, balls: &Balls, raster: &Raster<S>, counts: &mut [u32; 3]) {
+    let Size { width, height, .. } = raster.size();
+    for y in 0..height {
+        let mut row = CandidatesOfRow::new(balls, raster, y);
+        for x in 0..width {
+            let ray = raster.ray([x, y], [0, 0]).expect("a ray of a pinhole camera");
+            let hit: Option<Hit<S>> = shape.nearest(&ray);
+            let is_candidate = row.as_mut().is_none_or(|row| row.of(x).contain(0));
+            assert!(is_candidate || hit.is_none(), "{shape:?} at {x}, {y} of {width} x {height}: {ray:?}");
+            counts[0] += 1;
+            counts[1] += u32::from(is_candidate);
+            counts[2] += u32::from(hit.is_some());
+        }
+    }
+}
+
 /// Every ray of pictures of one solid in a scene of this scale, this far from the origin; returns the rays, those that
 /// may meet it, and those that do.
 fn check<S: Scalar>(seed: u64, scale: f64, away: f64) -> [u32; 3] {
@@ -67,18 +84,7 @@ fn check<S: Scalar>(seed: u64, scale: f64, away: f64) -> [u32; 3] {
         for solid in solids::<S>(size) {
             let place = away + vector(&mut random, 5.0 * scale);
             let (shape, balls) = placed(&mut random, solid, place, camera);
-            for y in 0..height {
-                let mut row = CandidatesOfRow::new(&balls, &raster, y);
-                for x in 0..width {
-                    let ray = raster.ray([x, y], [0, 0]).expect("a ray of a pinhole camera");
-                    let hit: Option<Hit<S>> = shape.nearest(&ray);
-                    let is_candidate = row.as_mut().is_none_or(|row| row.of(x).contain(0));
-                    assert!(is_candidate || hit.is_none(), "{shape:?} at {x}, {y} of {width} x {height}: {ray:?}");
-                    counts[0] += 1;
-                    counts[1] += u32::from(is_candidate);
-                    counts[2] += u32::from(hit.is_some());
-                }
-            }
+            check_picture(&shape, &balls, &raster, &mut counts);
         }
     }
     counts
@@ -164,7 +170,7 @@ fn a_ray_from_anywhere_that_meets_an_object_has_it_among_its_candidates_in_fixed
 /// In few columns the rays that meet a ball may follow those that would meet it backwards.
 #[test]
 fn a_ball_next_to_the_eye_is_among_the_candidates_of_few_columns() {
-    let (mut random, mut hits) = (Random(12), 0);
+    let (mut random, mut counts) = (Random(12), [0; 3]);
     for _ in 0..6_000 {
         let number = |random: &mut Random| random.between(-1.0, 1.0) as f32;
         let angle = random.between(0.0, core::f64::consts::TAU) as f32;
@@ -181,18 +187,9 @@ fn a_ball_next_to_the_eye_is_among_the_candidates_of_few_columns() {
         let raster = camera.raster(Size::new(width, height));
         let shape = Shape::new(Sphere::new(1.0_f32).expect("a size"));
         let balls = balls_of(shape, camera);
-        for y in 0..height {
-            let mut row = CandidatesOfRow::new(&balls, &raster, y);
-            for x in 0..width {
-                let ray = raster.ray([x, y], [0, 0]).expect("a ray of a pinhole camera");
-                let hit: Option<Hit<f32>> = shape.nearest(&ray);
-                let is_candidate = row.as_mut().is_none_or(|row| row.of(x).contain(0));
-                assert!(is_candidate || hit.is_none(), "at {x}, {y} of {width} x {height}: {ray:?}");
-                hits += u32::from(hit.is_some());
-            }
-        }
+        check_picture(&shape, &balls, &raster, &mut counts);
     }
-    assert!(hits > 10_000, "{hits}");
+    assert!(counts[2] > 10_000, "{counts:?}");
 }
 
 /// Whether a ball of this radius at the origin is a candidate of a ray along x from here, as seen from this far: in
