@@ -90,7 +90,7 @@ pub fn read(path: &Path) -> Outcome<Figures> {
     Ok(figures)
 }
 
-/// What the program `on_display` printed.
+/// What the programs `on_display_i16f16` and `on_display_f32` printed.
 pub fn read_on_display(path: &Path) -> Outcome<Figures> {
     let row = |Row { set, tier, number, alone, scene, .. }: Row| {
         let of = if scene.is_empty() { set } else { scene };

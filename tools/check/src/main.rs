@@ -95,7 +95,7 @@ enum Command {
     Display {
         #[command(flatten)]
         chip: Chip,
-        /// What the program `on_display` printed.
+        /// What the programs `on_display_i16f16` and `on_display_f32` printed.
         output: PathBuf,
     },
     /// Compares what the frames of the animation `bounce` take with the baseline.

@@ -59,13 +59,8 @@ impl Display for Row {
     }
 }
 
-/// Measures a nearest hit, light and shadows on a display, in two number types.
-pub fn on_displays(give: &mut impl FnMut(Row)) {
-    on_display_in::<I16F16>("I16F16", give);
-    on_display_in::<f32>("f32", give);
-}
-
-fn on_display_in<S: Scalar>(number: &'static str, give: &mut impl FnMut(Row)) {
+/// Measures a nearest hit, light and shadows on a display in a number type.
+pub fn on_displays<S: Scalar>(number: &'static str, give: &mut impl FnMut(Row)) {
     on_display::<S, Plain>("Plain", number, give);
     on_display::<S, Fast>("Fast", number, give);
     by_spans::<S, Fast>("Fast", number, give);
