@@ -269,7 +269,7 @@ impl<S: Scalar> Raster<S> {
     }
 
     /// The directions to the right, upwards and forwards.
-    pub(super) const fn axes(&self) -> [UnitVec3<S>; 3] {
+    pub(crate) const fn axes(&self) -> [UnitVec3<S>; 3] {
         let Camera { forward, right, up, .. } = self.camera;
         [right, up, forward]
     }

@@ -1,6 +1,7 @@
 //! What is known of the objects of a picture in every row: what they look like, and where their shadows may be.
 
 use super::curve;
+use super::light_over::LightOver;
 use crate::effect::{Course, Effect, Effects};
 use crate::number::dot;
 use crate::part::Part;
@@ -226,8 +227,9 @@ fn is_on_side_of<S: Scalar, K: Kinds>(eye: Vec3<S>, light: &Light<S>, plane: &Sh
     height(from_on(eye)).zip(lamp.and_then(height)).is_some_and(|(eye, lamp)| eye.is_negative() == lamp.is_negative())
 }
 
-/// The most columns of a curve on a shape: as many as the nearest light is above it, as seen from the eye at the point
-/// below the light, since what that light brightens by Lambert's law is about as wide. 0 if no ball is known.
+/// The most columns of a curve on a shape: as many as what the nearest light brightens by Lambert's law is wide. For
+/// other shapes than planes that is the height of the light over the ball around it, as seen from the ball's far side.
+/// 0 if no ball is known.
 fn longest<S: Scalar, E: Effects, T: Tier<S>, K: Kinds>(
     picture: &Picture<'_, S, E, T, K>,
     shape: &Shape<S, K>,
@@ -239,19 +241,17 @@ fn longest<S: Scalar, E: Effects, T: Tier<S>, K: Kinds>(
     let length = |v: [S::Real; 3]| dot(v, v).sqrt();
     let mut longest = curve::LONGEST;
     for light in scene.lights().iter().filter(|light| !light.distant) {
-        let lamp = light.position.real();
-        let (height, distance) = if let Some((on, normal)) = shape.plane() {
-            let height = dot(from(lamp, on.real()), normal.real());
-            let below = pairs(lamp, normal.real()).map(|(lamp, normal)| lamp - normal * height);
-            (height.abs(), length(from(below, eye)))
+        let [width, unit] = if let Some(plane) = shape.plane() {
+            LightOver::new(light, plane).width(raster)
         } else if let Some((centre, legs)) = ball {
             let radius = length(legs.map(S::real));
-            (length(from(lamp, centre.real())) - radius, length(from(centre.real(), eye)) + radius)
+            let height = length(from(light.position.real(), centre.real())) - radius;
+            [height, length(from(centre.real(), eye)) + radius]
         } else {
             return 0;
         };
-        let column = distance * half.scaled(1);
-        while longest >= curve::SHORTEST && height < column * S::Real::from_int(longest.into()) {
+        let column = unit * half.scaled(1);
+        while longest >= curve::SHORTEST && width < column * S::Real::from_int(longest.into()) {
             longest /= 2;
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::number::dot;
 use crate::scalar::{Real, Ring, Scalar};
-use crate::scene::Light;
+use crate::scene::{Light, Raster};
 use crate::vector::{UnitVec3, Vec3, cross, pairs};
 
 /// A light over a plane.
@@ -67,5 +67,25 @@ impl<S: Scalar> LightOver<S> {
         let t = height / rise;
         let shadow = Vec3::<S>::round(pairs(point.real(), to_light).map(|(point, to_light)| point - to_light * t));
         shadow.is_within_budget().then_some(shadow)
+    }
+
+    /// The least width, over all rows of a picture, of what the light brightens by Lambert's law: half of the width at
+    /// `1 / sqrt(2)` of its height, as a fraction, in lengths one unit in front of the eye.
+    ///
+    /// From the eye, the plane is `k` away along its normal `n`, and the light `l` is `h` above it. The ray along `r`
+    /// meets the plane at `r k / (n . r)`, so that the cosine is `h (n . r)` by the length of `r k - l (n . r)`. That
+    /// vector is linear in `r`: over a row it goes along a line, by `k b - l (n . b)` for each step `b` to the right.
+    /// Those of all rows are a plane with the normal `n (l . f) - f h`, where `f` is the direction forwards. The width
+    /// is the distance of that plane from the origin by the length of a step.
+    pub(super) fn width(&self, raster: &Raster<S>) -> [S::Real; 2] {
+        let ([right, _, forward], n) = (raster.axes().map(UnitVec3::real), self.normal);
+        let length = |v: [S::Real; 3]| dot(v, v).sqrt();
+        let from_eye = pairs(self.on.real(), raster.camera().position().real()).map(|(on, eye)| on - eye);
+        let lamp = pairs(from_eye, self.light).map(|(on, light)| on + light);
+        let (k, h) = (dot(n, from_eye), dot(n, self.light));
+        let (ahead, beside) = (dot(lamp, forward), dot(n, right));
+        let normal = pairs(n, forward).map(|(n, f)| n * ahead - f * h);
+        let step = pairs(right, lamp).map(|(b, l)| b * k - l * beside);
+        [(k * h).abs(), length(normal) * length(step)]
     }
 }

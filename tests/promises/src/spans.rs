@@ -344,6 +344,28 @@ fn white<S: Number, E: Effects>(shape: Shape<S>, eye: [f64; 3], angle: f64, ligh
 }
 
 #[test]
+fn a_light_next_to_a_receding_wall_is_not_missed() {
+    // What it brightens is narrow where the wall is seen at a grazing angle, and wide on a floor.
+    let mut all = Differing::default();
+    for turned in [UnitVec3::X, direction(&mut Random(34)), UnitVec3::Y] {
+        let wall = Shape::new(Plane::new()).placed(Frame::from_base_and_axis(Vec3::ZERO, turned).unwrap());
+        for height in [0.2, 0.5, 1.0, 2.0, 5.0] {
+            let lamp = turned.to_array().map(|axis| f64::from(axis) * height);
+            let lights = [[0.3, 0.1, 0.0], [0.0, 0.5, 2.0], [0.2, 0.0, -3.0]].map(|along| {
+                let [x, y, z] = std::array::from_fn(|axis| lamp[axis] + along[axis]);
+                Light::new(point::<f32>([x, y, z]), 0.9)
+            });
+            for (light, eye) in
+                lights.iter().flat_map(|light| [([1.0, 0.8, 6.0]), ([0.3, 0.5, 9.0])].map(|e| (light, e)))
+            {
+                all = all.and(white::<f32, (Diffuse,)>(wall, eye, 40.0, *light, Size::new(160, 120)));
+            }
+        }
+    }
+    assert!(all.seen == 0 && all.lit == 0 && all.levels[1] == 0 && 2 * all.rays[1] < all.rays[0], "{all:?}");
+}
+
+#[test]
 fn a_light_that_grazes_a_ball_is_not_missed() {
     // Between two columns that it does not reach there may be a sliver that it does.
     let ball = Shape::new(Sphere::new(1.0_f32).unwrap());
