@@ -8,7 +8,7 @@ use crate::line::{Needs, Place};
 use crate::part::Part;
 use crate::polygon::Polygon;
 use crate::ray::Ray;
-use crate::scalar::{Attempt, GridScalar, Including, LocalLine, Scalar, found};
+use crate::scalar::{Attempt, GridScalar, Including, LocalLine, Real, Ring, Scalar, found};
 use crate::solve::{self, Goal, LocalRay, Of};
 use crate::vector::{UnitVec3, Vec3, pairs};
 
@@ -150,13 +150,33 @@ impl<S: Scalar> Hull<S> {
             let half = whole.scaled(-1);
             (low.plus(half), half)
         });
+        let is_finite = x.1.is_finite() && y.1.is_finite();
         let legs = match self {
             Self::Ball(_) | Self::Balls(_) => [y.1, S::ZERO, S::ZERO],
             Self::Torus(_) => [x.1, S::ZERO, S::ZERO],
+            Self::Discs([below, above]) if is_finite => return Self::ball_around([*below, *above]),
+            Self::Cone { height, .. } if is_finite => return Self::ball_around([[S::ZERO; 2], [*height, x.1]]),
             Self::Discs(_) | Self::Cone { .. } => [x.1, y.1, S::ZERO],
             _ => [x.1, y.1, z.1],
         };
         (Vec3::new(x.0, y.0, z.0), legs)
+    }
+
+    /// The smallest ball around two discs, the heights and radii of which are finite.
+    fn ball_around([below, above]: [[S; 2]; 2]) -> (Vec3<S>, [S; 3]) {
+        let ([from, large], [to, small]) = if above[1] > below[1] { (above, below) } else { (below, above) };
+        let (apart, [large_real, small_real]) = (to.real() - from.real(), [large, small].map(S::real));
+        // The edges of both discs are on it: c^2 + large^2 = (apart - c)^2 + small^2; or that of the large one, about
+        // its centre.
+        let taper = if large == small {
+            S::Real::ZERO
+        } else {
+            (large_real + small_real) * ((large_real - small_real) / apart.abs())
+        };
+        let rise = apart.abs() - taper;
+        let c = if rise > S::Real::ZERO { S::round(rise.scaled(-1)) } else { S::ZERO };
+        let centre = if apart.is_negative() { from.minus(c) } else { from.plus(c) };
+        (Vec3::new(S::ZERO, centre, S::ZERO), [large, c, S::ZERO])
     }
 
     /// Two balls whose convex hull holds the primitive but for rounding, each as [`Hull::ball`] has it. Those of a post
