@@ -20,10 +20,11 @@ impl CandidatesOfRow {
     /// no room.
     pub(crate) fn new<S: Scalar>(balls: &Balls, raster: &Raster<S>, y: u16) -> Option<Self> {
         let row = if balls.are_none() { None } else { Directions::of_row(raster, u32::from(y)) }?;
-        let (view, mut columns) = (View::of(raster), heapless::Vec::new());
+        let (view, all, mut columns) = (View::of(raster), [0, raster.size().width], heapless::Vec::new());
         for ball in balls.iter() {
             // There is room for MOST.
-            let _ = columns.push(row.columns(ball.as_ref().map(|ball| view.seen(ball))));
+            let of_ball = |ball| row.columns(&view.seen(ball), all);
+            let _ = columns.push(ball.as_ref().map_or(all, of_ball));
         }
         Some(Self { columns, until: 0, these: Candidates::ALL })
     }

@@ -20,7 +20,8 @@
 
 use super::balls::{BITS, Ball, BallInWorld, around, radius, truncated_all};
 use super::{Light, Raster, Size};
-use crate::scalar::{Ring, Scalar};
+use crate::number::dot;
+use crate::scalar::{Real, Ring, Scalar};
 use crate::shape::Shape;
 use crate::shape::kinds::Kinds;
 use crate::vector::{UnitVec3, Vec3, pairs};
@@ -37,6 +38,9 @@ pub(crate) struct View<S: Scalar> {
 
 /// The fraction bits of an axis.
 const AXIS: u32 = 15;
+
+/// Rays whose cosine with a normal is less than `2^-GRAZING` may miss the plane.
+const GRAZING: i32 = 6;
 
 impl<S: Scalar> View<S> {
     /// That of a picture.
@@ -69,6 +73,21 @@ impl<S: Scalar> View<S> {
     pub(crate) fn seen(&self, Ball { centre, radius, .. }: &Ball) -> SeenBall {
         let [x, y, z] = centre.map(i32::from);
         SeenBall { c: self.turn.map(|[a, b, c]| i64::from((x * a + y * b + z * c) >> AXIS)), r: i64::from(*radius) }
+    }
+
+    /// The normal of a plane, away from the eye, in units of `2^-AXIS`: rays that surely go along it meet the plane within
+    /// the budget, as [`Directions::go_along`] has it. `None` if the eye is next to the plane, or too far away.
+    pub(crate) fn beyond(&self, (on, normal): (Vec3<S>, UnitVec3<S>)) -> Option<[i64; 3]> {
+        let from_eye = pairs(on.real(), self.eye.real()).map(|(on, eye)| on - eye);
+        let height = dot(from_eye, normal.real());
+        let doubt = from_eye.into_iter().fold(S::Real::ZERO, |sum, c| sum + c.abs()).scaled(-8);
+        let most = S::BUDGET.coordinate.real().scaled(-GRAZING - 1);
+        if height.abs() <= doubt || height.abs() > most {
+            return None;
+        }
+        let along =
+            |axis: UnitVec3<S>| i64::from(S::unit_parts(S::unit_round(axis.dot(normal))).truncated(AXIS as i32));
+        Some(self.axes.map(|axis| if height.is_negative() { -along(axis) } else { along(axis) }))
     }
 
     /// The shadow of a ball in this light, and the part of it that another shape may throw, too; `None` if the ball is
@@ -114,7 +133,8 @@ impl<S: Scalar> View<S> {
 
 /// A number no less than the square root.
 fn root(square: i64) -> i64 {
-    square.unsigned_abs().isqrt() as i64 + 1
+    // In 32 bits if there is room, in which a root takes a third of the instructions of a chip with such words.
+    u32::try_from(square).map_or_else(|_| square.unsigned_abs().isqrt() as i64, |square| square.isqrt().into()) + 1
 }
 
 /// True if there is an `m >= 0` for which every `a + b m` of these is no less than zero.
@@ -154,16 +174,8 @@ pub(crate) struct Shadow {
     heights: [i64; 2],
 }
 
-impl Shadow {
-    /// The same with the first two coordinates exchanged.
-    fn turned(&self) -> Self {
-        let turned = |[x, y, z]: [i64; 3]| [y, x, z];
-        let SeenBall { c, r } = self.ball;
-        Self { ball: SeenBall { c: turned(c), r }, from_light: turned(self.from_light), ..*self }
-    }
-}
-
 /// The directions of the rays of a row, in the coordinates of a pinhole camera.
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Directions {
     /// `u` of the first column, and by how much it grows.
     u: [i64; 2],
@@ -184,12 +196,6 @@ impl Directions {
     pub(crate) fn of_row<S: Scalar>(raster: &Raster<S>, y: u32) -> Option<Self> {
         let Size { width, height, samples } = raster.size();
         Self::across(raster, [width, height], i64::from(height) - 2 * i64::from(y) - 1, samples)
-    }
-
-    /// Those of column `x`, with the first two coordinates exchanged.
-    fn of_column<S: Scalar>(raster: &Raster<S>, x: u32) -> Option<Self> {
-        let Size { width, height, samples } = raster.size();
-        Self::across(raster, [height, width], 2 * i64::from(x) + 1 - i64::from(width), samples)
     }
 
     /// Those of a row of so many pixels, of so many rows, that is so many half pixels from the middle.
@@ -216,6 +222,12 @@ impl Directions {
         // That `f` is off by less than 1 turns a ray by less than 1 / 2 f; a centre is nearer than 2^(BITS + 1).
         let turned = (1_i64 << BITS).checked_div(f)?;
         Some(Self { u: [u, 2 << shift], v, f, width, height, length, turned })
+    }
+
+    /// Those of row `y` of so many, if these are of any other, for rays through the middle of pixels.
+    pub(crate) fn in_row(&self, y: u16, rows: u16) -> Self {
+        let v = (i64::from(rows) - 2 * i64::from(y) - 1) * (self.u[1] / 2);
+        Self { v, length: root(self.f * self.f + v * v), ..*self }
     }
 
     /// The radius of a ball, and as much as rounding may matter.
@@ -252,32 +264,49 @@ impl Directions {
         are_positive([[reach + off, more + farther], [reach - off, more - farther], ahead, lit])
     }
 
-    /// The first column in which a ray may meet the ball, and the one after the last; all columns if there is no ball.
-    /// For rays through the middle of pixels.
-    pub(crate) fn columns(&self, ball: Option<SeenBall>) -> [u16; 2] {
-        let all = [0, self.width];
-        let Some(ball) = ball else { return all };
+    /// True if all rays of the row go along a normal ([`View::beyond`]), and false if all go against it; `None` if that
+    /// is not certain.
+    pub(crate) fn go_along(&self, [x, y, z]: [i64; 3]) -> Option<bool> {
+        let Self { u: [first, step], v, f, .. } = *self;
+        let ends = [first, first + step * i64::from(self.width.saturating_sub(1))];
+        // No less than the length of a direction.
+        let [near, far] = ends.map(i64::abs);
+        let least = (near.max(far) + v.abs() + f) << (AXIS as i32 - GRAZING);
+        let [first, last] = ends.map(|u| x * u + y * v + z * f);
+        if first >= least && last >= least {
+            Some(true)
+        } else if first <= -least && last <= -least {
+            Some(false)
+        } else {
+            None
+        }
+    }
+
+    /// The first of these columns in which a ray may meet the ball, and the one after the last. For rays through the
+    /// middle of pixels.
+    pub(crate) fn columns(&self, ball: &SeenBall, all: [u16; 2]) -> [u16; 2] {
         let Self { u: [u, step], v, f, .. } = *self;
         let ([cx, cy, cz], r) = (ball.c, self.enlarged(ball.r));
         let e = cx * cx + cy * cy + cz * cz - r * r;
         if e <= 0 {
             return all;
         }
-        if !self.may_meet(&ball) {
+        if !self.may_meet(ball) {
             return [0; 2];
         }
+        let [mut column, end] = all;
         // q = a u^2 + 2 b u + (k^2 - (v^2 + f^2) e)
         let k = cy * v + cz * f;
         let (a, b) = (cx * cx - e, cx * k);
-        let mut q = (a * u + 2 * b) * u + k * k - (v * v + f * f) * e;
-        let mut growth = (a * (2 * u + step) + 2 * b) * step;
+        let left = u + step * i64::from(column);
+        let mut q = (a * left + 2 * b) * left + k * k - (v * v + f * f) * e;
+        let mut growth = (a * (2 * left + step) + 2 * b) * step;
         let bend = 2 * a * step * step;
-        let mut column = 0;
-        while column < self.width {
+        while column < end {
             // Where q >= 0, the ray or the one backwards meets the ball. Columns of both kinds may follow each other,
             // if the eye is close to the ball: then one of the ends is of the first kind.
             let (first, is_met) = (column, q >= 0);
-            while (q >= 0) == is_met && column < self.width {
+            while (q >= 0) == is_met && column < end {
                 (q, growth, column) = (q + growth, growth + bend, column + 1);
             }
             let is_ahead = |column: u16| cx * (u + step * i64::from(column)) + k > 0;
@@ -287,39 +316,4 @@ impl Directions {
         }
         [0; 2]
     }
-}
-
-/// The rows and the columns of a picture in which a shadow may be seen: of each the first one, and the one after the
-/// last. `point` is the centre of the ball.
-pub(crate) fn shaded<S: Scalar>(raster: &Raster<S>, shadow: &Shadow, point: Vec3<S>) -> [[u16; 2]; 2] {
-    let Size { width, height, .. } = raster.size();
-    let turned = shadow.turned();
-    let row = |y| Directions::of_row(raster, y).is_none_or(|row| row.may_meet_shadow(shadow));
-    let column = |x| Directions::of_column(raster, x).is_none_or(|column| column.may_meet_shadow(&turned));
-    match raster.pixel_of(point) {
-        Some([x, y]) if shadow.heights[0] >= 0 => [range(height, y, row), range(width, x, column)],
-        _ => [[0, height], [0, width]],
-    }
-}
-
-/// The indices from 0 to before an end for which something is true, if it is true for `within`, which may be beyond,
-/// and for all up to others.
-fn range(end: u16, within: i32, is_true: impl Fn(u32) -> bool) -> [u16; 2] {
-    if end == 0 {
-        return [0; 2];
-    }
-    let after = i32::from(end);
-    let nearest = within.clamp(0, after - 1);
-    if !is_true(nearest.unsigned_abs()) {
-        // A point within is far from rounding, unless its ball is small.
-        return if nearest == within { [0, end] } else { [0; 2] };
-    }
-    let until = |mut outside: i32, mut inside: i32| {
-        while (inside - outside).abs() > 1 {
-            let middle = i32::midpoint(inside, outside);
-            if is_true(middle.unsigned_abs()) { inside = middle } else { outside = middle }
-        }
-        inside as u16
-    };
-    [until(-1, nearest), until(after, nearest) + 1]
 }

@@ -47,7 +47,7 @@ pub(crate) use camera::{RaysOfRow, tangent_of_half};
 pub(crate) use candidates::CandidatesOfRow;
 pub use color::Color;
 pub use counters::Counters;
-pub(crate) use directions::{Directions, View, shaded};
+pub(crate) use directions::{Directions, View};
 pub use fog::Fog;
 pub(crate) use levels::Levels;
 #[cfg(feature = "embedded-graphics")]

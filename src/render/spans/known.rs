@@ -2,36 +2,44 @@
 
 use super::curve;
 use super::light_over::LightOver;
+use super::place::Place;
 use crate::effect::{Course, Effect, Effects};
 use crate::number::dot;
 use crate::part::Part;
 use crate::render::Picture;
 use crate::scalar::{Real, Ring, Scalar};
 use crate::scene::{
-    Ball, BallInWorld, Candidates, Light, MOST, Size, View, are_apart, around_box, ends, may_shade, shaded,
+    Ball, BallInWorld, Candidates, Directions, Light, MOST, View, are_apart, around_box, ends, may_shade,
 };
 use crate::shape::kinds::Kinds;
 use crate::shape::{Outlined, Shape};
 use crate::tier::Tier;
 use crate::vector::{UnitVec3, Vec3, pairs};
 
-/// The most shadows; in pictures of more none is known.
-pub(super) const SHADOWS: usize = u32::BITS as usize;
+/// The most shadows on planes, and on all else; in pictures of more not all are known.
+pub(super) const SHADOWS: usize = 32;
 
 /// What is known of the objects of a picture.
 #[derive(Clone, Debug)]
 pub(super) struct Known {
+    /// Those of the first row.
+    pub(super) directions: Directions,
     pub(super) objects: heapless::Vec<KnownObject, MOST>,
-    /// Where shadows may be seen of all objects but planes; `None` if that is not known.
+    /// Where shadows may be seen on planes, of all other objects; `None` if that is not known.
     ///
     /// A plane throws none on what is seen before it: in a light on its other side it shades all that, and in a light
     /// on this side nothing.
     pub(super) shadows: Option<heapless::Vec<KnownShadow, SHADOWS>>,
+    /// Those on all other objects.
+    shadows_on: heapless::Vec<ShadowOn, SHADOWS>,
     pub(super) planes: Candidates,
     /// The planes that may throw a shadow on what is seen: those with a light that is not surely on the eye's side.
     ///
     /// An object with certain spans is convex, and throws no shadow on itself.
     pub(super) shading: Candidates,
+    /// The normal of the only plane, away from the eye, in the coordinates of the camera; `None` if there are others, or
+    /// the eye is next to it.
+    pub(super) beyond: Option<[i64; 3]>,
 }
 
 /// What is known of an object.
@@ -40,40 +48,56 @@ pub(super) struct KnownObject {
     pub(super) outlined: Outlined,
     pub(super) is_solid: bool,
     pub(super) ball: Option<Ball>,
+    /// The first column that may see it, and the one after the last.
+    pub(super) columns: [u16; 2],
     /// A ball around the cap that is seen, if one is.
     pub(super) cap: Option<Ball>,
     /// True if its normals turn over the columns of a row as those of a ball do.
     is_round: bool,
     /// The objects that have no point in common with it.
     apart: Candidates,
-    /// The shadows that may fall on it: bit `i` is the `i`-th one known.
-    shaded_by: u32,
+    /// The objects whose shadows may fall on it anywhere.
+    shaded_by: Candidates,
     /// The most columns between pixels that are traced where its light changes smoothly.
     longest: u16,
 }
 
-/// Where the shadow of an object in a light may be seen.
+/// Where the shadow of an object in a light may be seen on planes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct KnownShadow {
     pub(super) object: u32,
     pub(super) light: u32,
-    /// The first row and the one after the last, and so the columns.
-    pub(super) rows: [u16; 2],
-    pub(super) columns: [u16; 2],
+    pub(super) place: Place,
+}
+
+/// Where the shadow of an object may be seen on another one.
+#[derive(Clone, Copy, Debug)]
+struct ShadowOn {
+    object: u8,
+    on: u8,
+    place: Place,
 }
 
 impl Known {
-    /// That of the objects of a picture; `None` if there are more than [`MOST`].
+    /// That of the objects of a picture; `None` if there are more than [`MOST`], or its rays are parallel or have no room
+    /// in integers.
     pub(super) fn of<S: Scalar, E: Effects, T: Tier<S>, K: Kinds>(picture: &Picture<'_, S, E, T, K>) -> Option<Self> {
         let (scene, eye) = (picture.tracer.scene(), picture.raster.camera().position());
-        let objects = scene.objects();
-        let mut known =
-            Self { objects: heapless::Vec::new(), shadows: None, planes: Candidates::NONE, shading: Candidates::NONE };
+        let width = picture.size().width;
+        let mut known = Self {
+            directions: Directions::of_row(&picture.raster, 0)?,
+            objects: heapless::Vec::new(),
+            shadows: None,
+            shadows_on: heapless::Vec::new(),
+            planes: Candidates::NONE,
+            shading: Candidates::NONE,
+            beyond: None,
+        };
         let mut balls = heapless::Vec::<_, MOST>::new();
-        for object in objects {
+        for object in scene.objects() {
             balls.push(around_box(&object.shape)).ok()?;
         }
-        for ((index, object), own) in (0_u32..).zip(objects).zip(&balls) {
+        for ((index, object), own) in (0_u32..).zip(scene.objects()).zip(&balls) {
             let shape = &object.shape;
             let outlined = shape.outlined_from(eye);
             let cap = match (outlined, ends(shape)) {
@@ -87,7 +111,9 @@ impl Known {
             let (is_solid, ball) = (shape.is_solid(), own.and_then(|own| Ball::seen(own, eye)));
             let longest = longest(picture, shape, *own);
             let is_round = shape.is_round() && own.is_some_and(|own| is_far_from(eye, own));
-            let object = KnownObject { outlined, is_solid, ball, cap, is_round, apart, shaded_by: 0, longest };
+            let columns = own.map_or([0, width], |own| Place::columns_of(&picture.raster, own));
+            let shaded_by = Candidates::NONE;
+            let object = KnownObject { outlined, is_solid, ball, columns, cap, is_round, apart, shaded_by, longest };
             known.objects.push(object).ok()?;
             if outlined == Outlined::Plane {
                 known.planes = known.planes.with(index);
@@ -96,7 +122,9 @@ impl Known {
                 }
             }
         }
-        known.shadows = known.find_shadows(picture, &balls);
+        let only = known.planes.only().and_then(|plane| scene.object(plane)).and_then(|object| object.shape.plane());
+        known.beyond = only.and_then(|plane| View::of(&picture.raster).beyond(plane));
+        known.find_shadows(picture, &balls);
         Some(known)
     }
 
@@ -105,31 +133,41 @@ impl Known {
         &mut self,
         picture: &Picture<'_, S, E, T, K>,
         balls: &[Option<BallInWorld<S>>],
-    ) -> Option<heapless::Vec<KnownShadow, SHADOWS>> {
-        let mut shadows = heapless::Vec::new();
+    ) {
         let (scene, raster) = (picture.tracer.scene(), &picture.raster);
         let lights = if picture.tracer.uses(Effect::Shadows) { scene.lights() } else { &[] };
-        let (view, Size { width, height, .. }) = (View::of(raster), raster.size());
-        let floor = self.planes.first().and_then(|plane| scene.object(plane)).map(|object| &object.shape);
+        let floor = self.planes.first().and_then(|plane| scene.object(plane)).and_then(|object| object.shape.plane());
+        let mut shadows = Some(heapless::Vec::new());
         for (object, ball) in (0_u32..).zip(balls).filter(|(object, _)| !self.planes.contain(*object)) {
             for (light, lamp) in (0_u32..).zip(lights) {
-                let shadow = ball.and_then(|ball| Some((ball, view.shadow(ball, lamp, floor)?)));
-                let all = [[0, height], [0, width]];
-                let [rows, columns] = shadow.map_or(all, |((centre, _), shadow)| shaded(raster, &shadow, centre));
-                if rows[0] >= rows[1] || columns[0] >= columns[1] {
-                    continue;
+                if floor.is_some() {
+                    let place = ball.map(|ball| Place::of(raster, ball, lamp, None, floor));
+                    let place = place.unwrap_or(Place::all(raster.size()));
+                    let shadow = KnownShadow { object, light, place };
+                    if !place.is_nowhere() && shadows.as_mut().is_some_and(|known| known.push(shadow).is_err()) {
+                        shadows = None;
+                    }
                 }
-                let bit = bit(shadows.len() as u32);
-                shadows.push(KnownShadow { object, light, rows, columns }).ok()?;
-                for ((index, on), other) in (0..).zip(&mut self.objects).zip(balls) {
-                    let both = ball.zip(*other);
-                    if index != object && both.is_none_or(|(ball, other)| may_shade(ball, other, lamp)) {
-                        on.shaded_by |= bit;
+                for ((index, on), other) in (0_u32..).zip(&mut self.objects).zip(balls) {
+                    if index == object || on.outlined == Outlined::Plane {
+                        continue;
+                    }
+                    let Some((ball, other)) = ball.zip(*other) else {
+                        on.shaded_by = on.shaded_by.with(object);
+                        continue;
+                    };
+                    if !may_shade(ball, other, lamp) {
+                        continue;
+                    }
+                    let place = Place::of(raster, ball, lamp, Some(other), floor);
+                    let shadow = ShadowOn { object: object as u8, on: index as u8, place };
+                    if !place.is_nowhere() && self.shadows_on.push(shadow).is_err() {
+                        on.shaded_by = on.shaded_by.with(object);
                     }
                 }
             }
         }
-        Some(shadows)
+        self.shadows = shadows;
     }
 
     /// What an object looks like.
@@ -137,12 +175,16 @@ impl Known {
         self.objects.get(object as usize).map_or(Outlined::Other, |known| known.outlined)
     }
 
-    /// The shadows that may fall on an object in this row; `None` if they are not known.
-    pub(super) fn shadows_on(&self, object: u32, y: u16) -> Option<impl Iterator<Item = &KnownShadow>> {
-        let by = self.objects.get(object as usize)?.shaded_by;
-        let shadows = (0_u32..).zip(self.shadows.as_ref()?);
-        let on_it = shadows.filter(move |(index, _)| by & bit(*index) != 0).map(|(_, shadow)| shadow);
-        Some(on_it.filter(move |shadow| (shadow.rows[0]..shadow.rows[1]).contains(&y)))
+    /// The shadows that may fall on an object in this row: what throws each, and the first column that may see it and
+    /// the one after the last.
+    pub(super) fn shadows_on(&self, object: u32, y: u16) -> impl Iterator<Item = (u32, [u16; 2])> {
+        let on_it = self.shadows_on.iter().filter(move |shadow| u32::from(shadow.on) == object);
+        on_it.filter_map(move |shadow| Some((shadow.object.into(), shadow.place.columns(y)?)))
+    }
+
+    /// The objects whose shadows may fall on this one anywhere.
+    pub(super) fn shaded_by(&self, object: u32) -> Candidates {
+        self.objects.get(object as usize).map_or(Candidates::ALL, |known| known.shaded_by)
     }
 
     /// True if none of these objects has a point in common with this one.
@@ -197,11 +239,6 @@ impl Known {
     }
 }
 
-/// That of the `index`-th shadow.
-const fn bit(index: u32) -> u32 {
-    1 << (index % u32::BITS)
-}
-
 /// True if the eye is three radii or more from the centre of a ball: then the columns of what is inside of it are about
 /// as wide on its near side as on its far one.
 fn is_far_from<S: Scalar>(eye: Vec3<S>, (centre, legs): BallInWorld<S>) -> bool {
@@ -227,33 +264,46 @@ fn is_on_side_of<S: Scalar, K: Kinds>(eye: Vec3<S>, light: &Light<S>, plane: &Sh
     height(from_on(eye)).zip(lamp.and_then(height)).is_some_and(|(eye, lamp)| eye.is_negative() == lamp.is_negative())
 }
 
-/// The most columns of a curve on a shape: as many as what the nearest light brightens by Lambert's law is wide. For
-/// other shapes than planes that is the height of the light over the ball around it, as seen from the ball's far side.
-/// 0 if no ball is known.
+/// The most columns of a curve on a shape: as many as what the nearest light brightens by Lambert's law is wide, and
+/// fewer than a plane takes to vanish in fog. For other shapes than planes that is the height of the light over the
+/// ball around it, as seen from the ball's far side. 0 if no ball is known.
 fn longest<S: Scalar, E: Effects, T: Tier<S>, K: Kinds>(
     picture: &Picture<'_, S, E, T, K>,
     shape: &Shape<S, K>,
     ball: Option<BallInWorld<S>>,
 ) -> u16 {
-    let (scene, raster) = (picture.tracer.scene(), &picture.raster);
+    let (scene, raster, plane) = (picture.tracer.scene(), &picture.raster, shape.plane());
     let (Some(half), eye) = (raster.half_a_pixel(), raster.camera().position().real()) else { return 0 };
+    if plane.is_none() && ball.is_none() {
+        return 0;
+    }
     let from = |a: [S::Real; 3], b: [S::Real; 3]| pairs(a, b).map(|(a, b)| a - b);
     let length = |v: [S::Real; 3]| dot(v, v).sqrt();
     let mut longest = curve::LONGEST;
-    for light in scene.lights().iter().filter(|light| !light.distant) {
-        let [width, unit] = if let Some(plane) = shape.plane() {
-            LightOver::new(light, plane).width(raster)
-        } else if let Some((centre, legs)) = ball {
-            let radius = length(legs.map(S::real));
-            let height = length(from(light.position.real(), centre.real())) - radius;
-            [height, length(from(centre.real(), eye)) + radius]
-        } else {
-            return 0;
-        };
+    // The width as a fraction, one unit in front of the eye.
+    let mut shorten = |[width, unit]: [S::Real; 2]| {
         let column = unit * half.scaled(1);
         while longest >= curve::SHORTEST && width < column * S::Real::from_int(longest.into()) {
             longest /= 2;
         }
+    };
+    for light in scene.lights().iter().filter(|light| !light.distant) {
+        if let Some(plane) = plane {
+            shorten(LightOver::new(light, plane).width(raster));
+        } else if let Some((centre, legs)) = ball {
+            let radius = length(legs.map(S::real));
+            let height = length(from(light.position.real(), centre.real())) - radius;
+            shorten([height, length(from(centre.real(), eye)) + radius]);
+        }
+    }
+    let fog = scene.fog().filter(|_| picture.tracer.uses(Effect::Fog));
+    if let Some((fog, (on, normal))) = fog.zip(plane) {
+        // A plane that is `k` away is seen through `exp(-s k / z)`, where `z = n . r` is linear in the column. Its third
+        // derivative is less than `31 / (s k)^3`: over a quarter of `s k` the parabola is off by less than 1 / 250.
+        let [right, ..] = raster.axes();
+        let density = S::Real::ONE - S::unit_real(fog.clarity());
+        let distance = dot(from(on.real(), eye), normal.real()).abs();
+        shorten([density * distance, right.dot(normal).abs().scaled(2)]);
     }
     longest
 }

@@ -10,12 +10,14 @@
 //! | `known` | what is known of the objects in every row |
 //! | `search` | rays that find the first and the last column in which something is seen |
 //! | `regions` | those columns, for all objects and shadows of a row |
+//! | `place` | where in a picture balls and their shadows may be seen |
 //! | `light_over` | a light over a plane |
 //! | `curve` | light between pixels that were traced |
 
 mod curve;
 mod known;
 mod light_over;
+mod place;
 mod regions;
 mod search;
 
@@ -30,6 +32,9 @@ use crate::tier::{Stable, Tier};
 use curve::{Curve, Reciprocals};
 use known::Known;
 use regions::{Regions, Seen};
+
+/// The most pixels that are traced ahead: the last one of a curve, and the middles of its halves.
+const AHEAD: usize = curve::LONGEST.ilog2() as usize;
 
 /// A picture that is traced by spans: see [`Picture::in_spans`].
 #[derive(Clone, Debug)]
@@ -65,7 +70,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Picture<'a, S, E, T, K> {
     /// outline, if a pixel has several samples, or if the camera is orthographic. With more than 32 pairs of objects
     /// and lights no shadow's place is known.
     ///
-    /// In 32-bit fixed point the value takes up to 1,800 bytes, as it holds what is known of all objects, and the
+    /// In 32-bit fixed point the value takes up to 2,800 bytes, as it holds what is known of all objects, and the
     /// iterator of a row up to 1,100. Where a row begins may change interpolated light.
     ///
     /// ```
@@ -120,9 +125,9 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> InSpans<'a, S, E, T, K> {
     ) -> RowInSpans<'w, 'a, S, E, O, T, K> {
         let [_, down] = picture.raster.place([0, y], [0, 0]);
         let rays = picture.raster.row(down);
-        let found = self.known.as_ref().and_then(|(known, reciprocals)| {
+        let found = self.known.as_ref().map(|(known, reciprocals)| {
             context.forget();
-            Some((known, reciprocals, Regions::find(known, picture, (y, &rays), context)?))
+            (known, reciprocals, Regions::find(known, picture, (y, &rays), context))
         });
         let row = if found.is_some() {
             Row { picture, context, next: x.into(), y, left: None, rays, candidates: None }
@@ -161,7 +166,7 @@ pub struct RowInSpans<'w, 'a, S: Scalar, E, O, T = Stable, K: Kinds = kinds::All
     /// The objects that may throw a shadow on what is seen in the span.
     may_shade: Candidates,
     /// Pixels of the span that were traced ahead of those before them, with their columns: the last is the nearest.
-    ahead: heapless::Vec<(u16, Pixel<S>), 8>,
+    ahead: heapless::Vec<(u16, Pixel<S>), AHEAD>,
 }
 
 /// Pixels that follow each other.
@@ -189,26 +194,15 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> Iterator for RowI
 
     #[inline]
     fn next(&mut self) -> Option<Pixel<S>> {
-        if self.found.is_none() {
-            return self.row.next();
-        }
-        let x = u16::try_from(self.row.next).ok().filter(|x| *x < self.row.picture.size().width)?;
+        // Most pixels are of these two kinds.
+        let x = self.row.next;
+        let pixel = match &mut self.span.fill {
+            Fill::Same(pixel) if x < u32::from(self.span.until) => *pixel,
+            Fill::Smooth(_, _, Some((until, curve))) if x < u32::from(*until) => curve.next(),
+            _ => return self.next_of_others(),
+        };
         self.row.next += 1;
-        if x >= self.span.until {
-            self.span = self.span_from(x);
-        }
-        Some(match &mut self.span.fill {
-            Fill::Same(pixel) => *pixel,
-            Fill::Smooth(_, _, Some((until, curve))) if x < *until => curve.next(),
-            Fill::Smooth(among, longest, _) => {
-                let (among, longest) = (*among, *longest);
-                self.curved(x, among, longest)
-            }
-            Fill::Traced(among) => {
-                let among = *among;
-                self.traced(x, among)
-            }
-        })
+        Some(pixel)
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {
@@ -232,6 +226,24 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> core::iter::Fused
 }
 
 impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> RowInSpans<'_, '_, S, E, O, T, K> {
+    /// The next pixel, which may be the first of a span.
+    #[inline(never)]
+    fn next_of_others(&mut self) -> Option<Pixel<S>> {
+        if self.found.is_none() {
+            return self.row.next();
+        }
+        let x = u16::try_from(self.row.next).ok().filter(|x| *x < self.row.picture.size().width)?;
+        self.row.next += 1;
+        if x >= self.span.until {
+            self.span = self.span_from(x);
+        }
+        Some(match self.span.fill {
+            Fill::Same(pixel) => pixel,
+            Fill::Smooth(among, longest, _) => self.curved(x, among, longest),
+            Fill::Traced(among) => self.traced(x, among),
+        })
+    }
+
     /// The pixel in a column, whose ray meets no other objects than these.
     #[inline(never)]
     fn traced(&mut self, x: u16, among: Candidates) -> Pixel<S> {
@@ -370,7 +382,7 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> RowInSpans<'_, '_
     /// Traces the pixel in a column to the right, and keeps it.
     fn trace_ahead(&mut self, x: u16, among: Candidates) -> Pixel<S> {
         let pixel = self.traced(x, among);
-        // There is room for all halves of the longest curve.
+        // There is room.
         let _ = self.ahead.push((x, pixel));
         pixel
     }

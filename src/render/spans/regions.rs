@@ -7,7 +7,7 @@ use crate::effect::{Effects, TraceContext};
 use crate::part::Part;
 use crate::render::Picture;
 use crate::scalar::Scalar;
-use crate::scene::{Ball, Candidates, Directions, MOST, Observer, RaysOfRow, View};
+use crate::scene::{Ball, Candidates, MOST, Observer, RaysOfRow, View};
 use crate::shape::Outlined;
 use crate::shape::kinds::Kinds;
 use crate::tier::Tier;
@@ -60,42 +60,45 @@ pub(super) struct Seen {
 }
 
 impl Regions {
-    /// Those of row `y`; `None` if its rays are parallel, or have no room in integers.
+    /// Those of row `y`.
     #[inline(never)]
     pub(super) fn find<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds>(
         known: &Known,
         picture: &Picture<'_, S, E, T, K>,
         (y, rays): (u16, &RaysOfRow<'_, S>),
         context: &mut TraceContext<O>,
-    ) -> Option<Self> {
-        let row = Directions::of_row(&picture.raster, u32::from(y))?;
+    ) -> Self {
+        let row = known.directions.in_row(y, picture.size().height);
         let view = View::of(&picture.raster);
-        let columns = |ball: Option<&Ball>| row.columns(ball.map(|ball| view.seen(ball)));
+        let columns = |ball: &Ball, within: [u16; 2]| row.columns(&view.seen(ball), within);
         let mut regions = Self { seen: heapless::Vec::new(), shadows: None };
         let mut search = Search { picture, rays, known, context };
         if let Some(plane) = known.planes.only() {
-            let found = search.half_plane(plane);
+            let found = match known.beyond.and_then(|normal| row.go_along(normal)) {
+                Some(true) => Found::Exactly([0, picture.size().width]),
+                Some(false) => Found::Nowhere,
+                None => search.half_plane(plane),
+            };
             regions.add(plane, false, found);
             if let Found::Exactly(columns) = found {
                 regions.shadows = shadows_on(plane, (y, columns), &mut search);
             }
         }
         for (object, of) in (0_u32..).zip(&known.objects) {
-            let [first, end] = columns(of.ball.as_ref());
+            let [first, end] = of.ball.as_ref().map_or(of.columns, |ball| columns(ball, of.columns));
             if of.outlined == Outlined::Plane || first == end {
                 continue;
             }
             let found = search.convex((object, of), None, [first, end]);
             regions.add(object, false, found);
             if let (Found::Exactly(whole), Outlined::Cap(part)) = (found, of.outlined) {
-                let [first, end] = columns(of.cap.as_ref());
-                let within = [first.max(whole[0]), end.min(whole[1])];
+                let within = of.cap.as_ref().map_or(whole, |cap| columns(cap, whole));
                 if within[0] < within[1] {
                     regions.add(object, true, search.convex((object, of), Some(part), within));
                 }
             }
         }
-        Some(regions)
+        regions
     }
 
     fn add(&mut self, object: u32, is_cap: bool, found: Found) {
@@ -133,8 +136,15 @@ impl Regions {
         let mut shade = Shade { thrown_by: known.shading, is_even: true, until: end };
         if let Some(shadows) = self.shadows.as_ref().filter(|_| known.planes.contain(object)) {
             shadows.iter().for_each(|of| shade.add(of.object.into(), x, of.columns, of.is_certain));
-        } else if let Some(shadows) = known.shadows_on(object, y) {
-            shadows.for_each(|shadow| shade.add(shadow.object, x, shadow.columns, false));
+        } else if known.planes.contain(object)
+            && let Some(shadows) = &known.shadows
+        {
+            let seen = shadows.iter().filter_map(|shadow| Some((shadow.object, shadow.place.columns(y)?)));
+            seen.for_each(|(object, columns)| shade.add(object, x, columns, false));
+        } else if !known.planes.contain(object) {
+            let anywhere = known.shaded_by(object);
+            (shade.thrown_by, shade.is_even) = (shade.thrown_by.or(anywhere), anywhere.are_none());
+            known.shadows_on(object, y).for_each(|(object, columns)| shade.add(object, x, columns, false));
         } else {
             return Shade { thrown_by: Candidates::ALL, is_even: false, until: end };
         }
@@ -195,9 +205,10 @@ fn shadows_on<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds>(
     }
     let on = search.picture.tracer.scene().object(plane)?.shape.plane()?;
     let mut shadows = heapless::Vec::new();
-    for KnownShadow { object, light, rows, columns } in known.shadows.as_ref()?.iter().copied() {
+    for KnownShadow { object, light, place } in known.shadows.as_ref()?.iter().copied() {
+        let Some(columns) = place.columns(y) else { continue };
         let within = [columns[0].max(seen[0]), columns[1].min(seen[1])];
-        if (rows[0]..rows[1]).contains(&y) && within[0] < within[1] {
+        if within[0] < within[1] {
             let found = search.shadow([object, light], (plane, on), within);
             // There is room for all.
             let _ = Region::new(object, false, found).map(|region| shadows.push(region));

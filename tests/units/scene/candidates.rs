@@ -275,7 +275,8 @@ fn columns_from(eye: Vec3<f32>, distance: f32, radius: f32, size: Size, y: u16) 
     let raster = camera.raster(size);
     let ball = View::of(&raster).ball(&Shape::<f32>::new(Sphere::new(radius).expect("a radius")));
     // Pixels of a picture of one row are as wide as the view.
-    Directions::of_row(&raster, u32::from(y)).map_or([0, size.width], |row| row.columns(ball))
+    let all = [0, size.width];
+    Directions::of_row(&raster, u32::from(y)).zip(ball).map_or(all, |(row, ball)| row.columns(&ball, all))
 }
 
 #[test]

@@ -18,8 +18,9 @@ use raylet::effect::{
     Specular, Texture,
 };
 use raylet::gallery::BuiltIn;
+use raylet::scene::SceneError;
 use raylet::tier::{Fast, Plain, Stable, Tier};
-use raylet::{Picture, Scalar, Size};
+use raylet::{Picture, Scalar, Scene, Size};
 use stage::Stage;
 
 /// Columns and rows of the pictures that are measured.
@@ -107,11 +108,15 @@ fn on_display<S: Scalar, T: Tier<S>>(tier: &'static str, number: &'static str, g
     give(still_life::<S, T>(tier, number));
 }
 
-/// The same by spans.
+/// The same by spans, and in one light.
 fn by_spans<S: Scalar, T: Tier<S>>(tier: &'static str, number: &'static str, give: &mut impl FnMut(Row)) {
-    give(row_by_spans::<S, (), T>("none, by spans", tier, number));
-    give(row_by_spans::<S, (Diffuse,), T>("diffuse, by spans", tier, number));
-    give(row_by_spans::<S, (Diffuse, Specular, Shadows), T>("diffuse, specular, shadows, by spans", tier, number));
+    give(row_by_spans::<S, (), T>("none, by spans", tier, number, Stage::scene));
+    give(row_by_spans::<S, (Diffuse,), T>("diffuse, by spans", tier, number, Stage::scene));
+    give(row_by_spans::<S, (Diffuse,), T>("diffuse, one light, by spans", tier, number, Stage::in_one_light));
+    let scene = "diffuse, shadows, one light, by spans";
+    give(row_by_spans::<S, (Diffuse, Shadows), T>(scene, tier, number, Stage::in_one_light));
+    let scene = "diffuse, specular, shadows, by spans";
+    give(row_by_spans::<S, (Diffuse, Specular, Shadows), T>(scene, tier, number, Stage::scene));
 }
 
 #[inline(never)]
@@ -119,9 +124,10 @@ fn row_by_spans<S: Scalar, E: Effects, T: Tier<S>>(
     scene: &'static str,
     tier: &'static str,
     number: &'static str,
+    of: impl Fn(&Stage<S>) -> Result<Scene<'_, S>, SceneError>,
 ) -> Row {
     let stage = Stage::<S>::calling_for(E::SET).expect("the stage's numbers fit every type");
-    let of = stage.scene().expect("the stage's lists fit together").at_tier::<T>();
+    let of = of(&stage).expect("the stage's lists fit together").at_tier::<T>();
     let alone = every_in_spans(ROWS, &Picture::<S, E, T>::leaving_out(&of, DISPLAY));
     Row { set: E::SET, tier, number, scene, alone, among_all: None }
 }

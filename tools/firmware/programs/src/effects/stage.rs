@@ -72,13 +72,26 @@ impl<S: Scalar> Stage<S> {
         })
     }
 
-    /// The scene.
+    /// The scene in its two lights.
     ///
     /// # Errors
     ///
     /// [`SceneError`] if the lists do not fit together.
     pub fn scene(&self) -> Result<Scene<'_, S>, SceneError> {
-        let scene = Scene::new(&self.objects, &self.materials, &self.lights, self.camera)?;
+        self.in_lights(&self.lights)
+    }
+
+    /// The scene in the first light.
+    ///
+    /// # Errors
+    ///
+    /// As of [`Stage::scene`].
+    pub fn in_one_light(&self) -> Result<Scene<'_, S>, SceneError> {
+        self.in_lights(self.lights.split_at(1).0)
+    }
+
+    fn in_lights<'a>(&'a self, lights: &'a [Light<S>]) -> Result<Scene<'a, S>, SceneError> {
+        let scene = Scene::new(&self.objects, &self.materials, lights, self.camera)?;
         let scene = scene.with_background(Color::from_f64([0.2, 0.3, 0.5])).with_textures(&self.textures)?;
         let ambient = if self.effects.contains(Effect::Ambient) { Color::from_f64([0.1; 3]) } else { Color::BLACK };
         let scene = scene.with_ambient(ambient);
