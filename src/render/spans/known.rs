@@ -22,7 +22,7 @@ pub(super) const SHADOWS: usize = 32;
 /// What is known of the objects of a picture.
 #[derive(Clone, Debug)]
 pub(super) struct Known {
-    /// Those of the first row.
+    /// The rays of the first row.
     pub(super) directions: Directions,
     pub(super) objects: heapless::Vec<KnownObject, MOST>,
     /// Where shadows may be seen on planes, of all other objects; `None` if that is not known.
