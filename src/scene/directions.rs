@@ -75,8 +75,8 @@ impl<S: Scalar> View<S> {
         SeenBall { c: self.turn.map(|[a, b, c]| i64::from((x * a + y * b + z * c) >> AXIS)), r: i64::from(*radius) }
     }
 
-    /// The normal of a plane, away from the eye, in units of `2^-AXIS`: rays that surely go along it meet the plane within
-    /// the budget, as [`Directions::go_along`] has it. `None` if the eye is next to the plane, or too far away.
+    /// The normal of a plane, away from the eye, in units of `2^-AXIS`: rays that surely go along it meet the plane
+    /// within the budget, as [`Directions::go_along`] has it. `None` if the eye is next to the plane, or too far away.
     pub(crate) fn beyond(&self, (on, normal): (Vec3<S>, UnitVec3<S>)) -> Option<[i64; 3]> {
         let from_eye = pairs(on.real(), self.eye.real()).map(|(on, eye)| on - eye);
         let height = dot(from_eye, normal.real());

@@ -37,8 +37,8 @@ pub(super) struct Known {
     ///
     /// An object with certain spans is convex, and throws no shadow on itself.
     pub(super) shading: Candidates,
-    /// The normal of the only plane, away from the eye, in the coordinates of the camera; `None` if there are others, or
-    /// the eye is next to it.
+    /// The normal of the only plane, away from the eye, in the coordinates of the camera; `None` if there are others,
+    /// or the eye is next to it.
     pub(super) beyond: Option<[i64; 3]>,
 }
 
@@ -79,8 +79,8 @@ struct ShadowOn {
 }
 
 impl Known {
-    /// That of the objects of a picture; `None` if there are more than [`MOST`], or its rays are parallel or have no room
-    /// in integers.
+    /// That of the objects of a picture; `None` if there are more than [`MOST`], or its rays are parallel or have no
+    /// room in integers.
     pub(super) fn of<S: Scalar, E: Effects, T: Tier<S>, K: Kinds>(picture: &Picture<'_, S, E, T, K>) -> Option<Self> {
         let (scene, eye) = (picture.tracer.scene(), picture.raster.camera().position());
         let width = picture.size().width;
@@ -298,8 +298,8 @@ fn longest<S: Scalar, E: Effects, T: Tier<S>, K: Kinds>(
     }
     let fog = scene.fog().filter(|_| picture.tracer.uses(Effect::Fog));
     if let Some((fog, (on, normal))) = fog.zip(plane) {
-        // A plane that is `k` away is seen through `exp(-s k / z)`, where `z = n . r` is linear in the column. Its third
-        // derivative is less than `31 / (s k)^3`: over a quarter of `s k` the parabola is off by less than 1 / 250.
+        // A plane that is `k` away is seen through `exp(-s k / z)`, where `z = n . r` is linear in the column. Its
+        // third derivative is less than `31 / (s k)^3`: over a quarter of `s k` the parabola is off by less than 1 / 250.
         let [right, ..] = raster.axes();
         let density = S::Real::ONE - S::unit_real(fog.clarity());
         let distance = dot(from(on.real(), eye), normal.real()).abs();

@@ -187,8 +187,8 @@ fn sphere<S: Scalar>(raster: &Raster<S>, (centre, legs): BallInWorld<S>) -> Opti
     (square > S::Real::SMALLEST.scaled(24)).then(|| (seen_from_eye(raster, centre), radius + radius.scaled(-8)))
 }
 
-/// The normals of the two planes through the eye that touch both balls, if the angle between these is not too small, and
-/// neither is seen within the other.
+/// The normals of the two planes through the eye that touch both balls, if the angle between these is not too small,
+/// and neither is seen within the other.
 fn tangents<S: Scalar>(ends: &[End<S>; 2]) -> Option<[[S::Real; 3]; 2]> {
     let one = S::Real::ONE;
     let [(a, r), (b, s)] = ends.map(|End { centre, radius }| {
