@@ -299,7 +299,7 @@ fn longest<S: Scalar, E: Effects, T: Tier<S>, K: Kinds>(
     let fog = scene.fog().filter(|_| picture.tracer.uses(Effect::Fog));
     if let Some((fog, (on, normal))) = fog.zip(plane) {
         // A plane that is `k` away is seen through `exp(-s k / z)`, where `z = n . r` is linear in the column. Its
-        // third derivative is less than `31 / (s k)^3`: over a quarter of `s k` the parabola is off by less than 1 / 250.
+        // third derivative is less than `31 / (s k)^3`: over a quarter of `s k` a parabola is off by less than 1 / 250.
         let [right, ..] = raster.axes();
         let density = S::Real::ONE - S::unit_real(fog.clarity());
         let distance = dot(from(on.real(), eye), normal.real()).abs();
