@@ -297,13 +297,20 @@ fn longest<S: Scalar, E: Effects, T: Tier<S>, K: Kinds>(
         }
     }
     let fog = scene.fog().filter(|_| picture.tracer.uses(Effect::Fog));
-    if let Some((fog, (on, normal))) = fog.zip(plane) {
+    let density = fog.map_or(S::Real::ZERO, |fog| S::Real::ONE - S::unit_real(fog.clarity()));
+    if let Some((on, normal)) = plane {
         // A plane that is `k` away is seen through `exp(-s k / z)`, where `z = n . r` is linear in the column. Its
         // third derivative is less than `31 / (s k)^3`: over a quarter of `s k` a parabola is off by less than 1 / 250.
         let [right, ..] = raster.axes();
-        let density = S::Real::ONE - S::unit_real(fog.clarity());
         let distance = dot(from(on.real(), eye), normal.real()).abs();
-        shorten([density * distance, right.dot(normal).abs().scaled(2)]);
+        if !density.is_zero() {
+            shorten([density * distance, right.dot(normal).abs().scaled(2)]);
+        }
+    } else if let Some((_, legs)) = ball
+        && density * length(legs.map(S::real)) > S::Real::ONE.scaled(-5)
+    {
+        // A long one may recede within few columns.
+        longest = longest.min(curve::SHORTEST);
     }
     longest
 }

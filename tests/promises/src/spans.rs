@@ -366,6 +366,37 @@ fn a_light_next_to_a_receding_wall_is_not_missed() {
 }
 
 #[test]
+fn fog_over_what_recedes_is_not_missed() {
+    // What is long, or goes on to the horizon, vanishes within few columns.
+    let turned =
+        |axis: [f64; 3]| Frame::from_base_and_axis(Vec3::ZERO, UnitVec3::new(point::<f32>(axis)).unwrap()).unwrap();
+    let [plane, floor] = [Shape::new(Plane::new()), Shape::new(Rectangle::new(40.0, 40.0).unwrap())];
+    let slab = Shape::new(Cuboid::new(0.1, 10.0, 40.0).unwrap());
+    let pipe = Shape::new(Cylinder::capped(0.5, 40.0).unwrap());
+    let (materials, lights) = ([Material::default()], [Light::distant(UnitVec3::Y, 0.8)]);
+    let mut all = Differing::default();
+    for shape in [
+        plane,
+        plane.placed(turned([1.0, 0.3, 0.2])),
+        floor.placed(turned([0.1, 1.0, 0.0])),
+        floor.placed(turned([1.0, 0.2, 0.1])),
+        slab.placed(Frame::at(point([0.0, 0.0, -30.0])).unwrap()),
+        pipe.placed(turned([0.3, 0.1, -1.0])),
+    ] {
+        let objects = [Object::new(shape, 0)];
+        for (clarity, eye) in
+            [0.95, 0.8, 0.5].into_iter().flat_map(|c| [[0.6, 1.0, 6.0], [0.3, 0.2, 3.0]].map(|e| (c, e)))
+        {
+            let camera = Camera::new(point(eye), Vec3::ZERO, point([0.0, 1.0, 0.0]), 50.0).unwrap();
+            let scene = Scene::new(&objects, &materials, &lights, camera).unwrap();
+            let scene = scene.with_fog(Fog::new(Color::from_f64([0.7; 3]), clarity));
+            all = all.and(Differing::of(&Picture::new(&scene, Size::new(160, 120))));
+        }
+    }
+    assert!(all.seen == 0 && all.lit == 0 && all.most <= 2 && 2 * all.rays[1] < all.rays[0], "{all:?}");
+}
+
+#[test]
 fn a_light_that_grazes_a_ball_is_not_missed() {
     // Between two columns that it does not reach there may be a sliver that it does.
     let ball = Shape::new(Sphere::new(1.0_f32).unwrap());
