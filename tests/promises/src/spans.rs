@@ -442,6 +442,27 @@ fn light_on_lying_cones_and_receding_pipes_is_not_missed() {
 }
 
 #[test]
+fn more_shadows_than_there_is_room_for_are_not_missed() {
+    // Fifteen balls, close to each other, in one light and in four: 15 shadows on the floor, and 60; on balls more.
+    let at = |index: u16| {
+        let (x, z) = (f32::from(index % 5) - 2.0, f32::from(index / 5) - 1.0);
+        Frame::at(Vec3::new(1.1 * x, 0.4 + 0.3 * z.abs(), 1.1 * z)).unwrap()
+    };
+    let ball = Shape::new(Sphere::new(0.4_f32).unwrap());
+    let balls = (0..15).map(|index| Object::new(ball.placed(at(index)), 0));
+    let objects: Vec<_> = [Object::new(Shape::new(Plane::new()), 0)].into_iter().chain(balls).collect();
+    let lights = [[6.0, 1.5, 0.5], [-5.0, 2.0, 3.0], [0.5, 2.0, 7.0], [2.0, 3.0, -6.0]];
+    let lights = lights.map(|position| Light::new(point(position), 0.4));
+    let (materials, up) = ([Material::default()], point([0.0, 1.0, 0.0]));
+    let camera = Camera::new(point([0.0, 3.0, 8.0]), Vec3::ZERO, up, 40.0).unwrap();
+    for lights in [&lights[..1], &lights] {
+        let scene = Scene::new(&objects, &materials, lights, camera).unwrap();
+        let all = Differing::of(&Picture::<f32, (Diffuse, Shadows)>::leaving_out(&scene, Size::new(160, 120)));
+        assert!(all.seen == 0 && all.lit == 0 && all.levels[1] == 0, "{} lights: {all:?}", lights.len());
+    }
+}
+
+#[test]
 fn no_ray_is_cast_to_lights_where_no_shadow_may_fall() {
     let objects = [-3.0, 0.0, 3.0].map(|x| {
         let frame = Frame::at(point([x, 0.8, 0.0])).unwrap();
