@@ -35,7 +35,7 @@ impl<S: Scalar> HalfSpace<S> {
 
     /// The outward unit normal.
     pub fn unit_normal(&self) -> UnitVec3<S> {
-        UnitVec3::new(self.normal).unwrap_or(UnitVec3::Y)
+        UnitVec3::new_or(self.normal, UnitVec3::Y)
     }
 
     #[inline(always)]

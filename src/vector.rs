@@ -175,14 +175,25 @@ impl<S: Scalar> UnitVec3<S> {
     #[inline]
     fn of(v: Vec3<S>) -> Option<Self> {
         match S::direction_of(v.to_array()) {
-            Attempt::Hit(components) => return Some(Self { components }),
-            Attempt::Miss => return None,
-            Attempt::Unsure => {}
+            Attempt::Hit(components) => Some(Self { components }),
+            Attempt::Miss => None,
+            Attempt::Unsure => Self::of_finite(v),
         }
-        if !v.to_array().iter().all(|c| c.is_finite()) {
-            return None;
+    }
+
+    /// The direction of a vector, or another one where it has none. Not by [`UnitVec3::of`]: LLVM copies the option
+    /// twice on its way out, by calls on a Cortex-M0+.
+    #[inline]
+    pub(crate) fn new_or(v: Vec3<S>, otherwise: Self) -> Self {
+        match S::direction_of(v.to_array()) {
+            Attempt::Hit(components) => Self { components },
+            Attempt::Miss => otherwise,
+            Attempt::Unsure => Self::of_finite(v).unwrap_or(otherwise),
         }
-        Self::from_real(v.real())
+    }
+
+    fn of_finite(v: Vec3<S>) -> Option<Self> {
+        if v.to_array().iter().all(|c| c.is_finite()) { Self::from_real(v.real()) } else { None }
     }
 
     /// The direction of a vector of `f64` components of any length, each component within half a unit of its last place

@@ -12,11 +12,11 @@
 use super::compiled::Effects;
 use super::set::Effect;
 use crate::hierarchy::search::Known;
-use crate::hit::{Crossing, Hit};
+use crate::hit::Crossing;
 use crate::part::Part;
 use crate::ray::{Departure, Leaving, Ray};
 use crate::scalar::Scalar;
-use crate::scene::{Candidates, MOST_AT_ONE_PLACE, Material, Scene, SceneHit, near};
+use crate::scene::{Candidates, Material, Scene, SceneHit, near};
 use crate::shape::Visible;
 use crate::shape::kinds::Kinds;
 use crate::shape::known::stays;
@@ -39,8 +39,9 @@ struct Relation {
 /// What a path knows of the objects around the start of its next ray.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Passage {
-    /// Those that are known come first.
-    known: [Option<Relation>; MOST],
+    known: [Relation; MOST],
+    /// How many of them are known.
+    count: u8,
     /// False for a ray that begins a path, whose coordinates decide what it is inside of.
     continues: bool,
     /// There was no room for an object.
@@ -50,7 +51,8 @@ pub(super) struct Passage {
 impl Passage {
     /// That of a ray that begins a path.
     pub(super) const fn new() -> Self {
-        Self { known: [None; MOST], continues: false, is_full: false }
+        let unknown = Relation { object: 0, is_inside: false, departs: None };
+        Self { known: [unknown; MOST], count: 0, continues: false, is_full: false }
     }
 
     /// Notes that the path is inside of a solid.
@@ -59,14 +61,14 @@ impl Passage {
     }
 
     fn note(&mut self, relation: Relation) {
-        match self.known.iter_mut().find(|known| known.is_none()) {
-            Some(free) => *free = Some(relation),
+        match self.known.get_mut(usize::from(self.count)) {
+            Some(free) => (*free, self.count) = (relation, self.count + 1),
             None => self.is_full = true,
         }
     }
 
     fn relations(&self) -> impl Iterator<Item = &Relation> + Clone {
-        self.known.iter().map_while(Option::as_ref)
+        self.known.iter().take(self.count.into())
     }
 
     /// True for a ray that begins a path.
@@ -87,13 +89,13 @@ impl Passage {
     /// before it if not.
     pub(super) fn at<S: Scalar, K: Kinds>(
         &self,
-        place: &Place<S>,
+        place: &Place<'_, S>,
         crosses: bool,
         ray: &Ray<S>,
         scene: &Scene<'_, S, impl Tier<S>, K>,
     ) -> Self {
-        let mut next = Self { known: [None; MOST], continues: true, is_full: self.is_full };
-        for on in &place.met {
+        let mut next = Self { continues: true, is_full: self.is_full, ..Self::new() };
+        for on in place.met {
             let leaving = match on.hit.crossing {
                 Crossing::Enter if crosses => Leaving::Inwards,
                 Crossing::Exit if !crosses => Leaving::Inwards,
@@ -191,10 +193,10 @@ impl<S: Scalar, T: Tier<S>, K: Kinds, E: Effects> Known<S> for Along<'_, S, T, K
 }
 
 /// A place on a ray where it meets one surface, or several that the number type cannot tell apart.
-#[derive(Clone, Debug)]
-pub(super) struct Place<S: Scalar> {
-    /// The first hit of each object there.
-    met: heapless::Vec<SceneHit<S>, MOST_AT_ONE_PLACE>,
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place<'m, S: Scalar> {
+    /// The first hit of each object there. Mostly it is one, for which no list is made: it would be copied.
+    met: &'m [SceneHit<S>],
     /// The one whose material and normal are seen.
     pub(super) seen: SceneHit<S>,
 }
@@ -221,25 +223,11 @@ impl<S: Scalar> Media<'_, S> {
 /// A transparent object that a point lies in, and the index of its material there.
 type Owner = (u32, u32);
 
-impl<S: Scalar> Place<S> {
-    /// None yet.
-    pub(super) const fn new() -> Self {
-        let hit = Hit { t: S::ZERO, part: Part::Side, crossing: Crossing::Touch };
-        Self { met: heapless::Vec::new(), seen: SceneHit { object: 0, hit } }
-    }
-
-    /// That of one surface, in place of any other.
-    pub(super) fn begin(&mut self, seen: SceneHit<S>) {
-        self.met.clear();
-        self.seen = seen;
-        self.add(seen);
-    }
-
-    /// Adds a surface. Beyond the first [`MOST_AT_ONE_PLACE`] there is no room.
-    pub(super) fn add(&mut self, on: SceneHit<S>) {
-        if !self.meets(on.object) {
-            let _ = self.met.push(on);
-        }
+impl<'m, S: Scalar> Place<'m, S> {
+    /// That of the hits of a ray, of which the first is `nearest`.
+    #[inline(always)]
+    pub(super) const fn of(met: &'m [SceneHit<S>], nearest: SceneHit<S>) -> Self {
+        Self { met, seen: nearest }
     }
 
     fn meets(&self, object: u32) -> bool {

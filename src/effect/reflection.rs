@@ -25,7 +25,7 @@ pub(super) fn part<S: Scalar>(weight: S) -> S::Real {
 /// The direction of the mirrored ray: `2 (N . V) N - V`.
 ///
 /// With a perturbed normal it may point into the surface; then the true normal is used.
-pub(super) fn direction<S: Scalar>(site: &ShadingPoint<S>) -> UnitVec3<S> {
+pub(super) fn direction<S: Scalar>(site: &ShadingPoint<'_, S>) -> UnitVec3<S> {
     let about = |normal: UnitVec3<S>| {
         let cosine = normal.dot(site.to_viewer);
         let twice = cosine + cosine;

@@ -36,7 +36,7 @@ pub(super) fn transmittance<S: Scalar>(material: &Material<S>) -> S::Real {
 /// How light is divided at a shading point.
 pub(super) fn split<S: Scalar>(
     material: &Material<S>,
-    site: &ShadingPoint<S>,
+    site: &ShadingPoint<'_, S>,
     crossing: Crossing,
     media: Media<'_, S>,
 ) -> Split<S> {
@@ -76,7 +76,7 @@ fn index<S: Scalar>(medium: Option<&Material<S>>) -> S::Real {
 }
 
 /// The refracted direction, and the fraction that is reflected; `None` at total reflection.
-fn bend<S: Scalar>(site: &ShadingPoint<S>, normal: UnitVec3<S>, denser: S::Real) -> Option<(UnitVec3<S>, S::Real)> {
+fn bend<S: Scalar>(site: &ShadingPoint<'_, S>, normal: UnitVec3<S>, denser: S::Real) -> Option<(UnitVec3<S>, S::Real)> {
     let (zero, one) = (S::Real::ZERO, S::Real::ONE);
     let cosine = normal.dot(site.to_viewer);
     // For a grazing ray the cosine with a rounded normal may be negative.

@@ -13,7 +13,7 @@ use crate::hit::Crossing;
 use crate::part::Part;
 use crate::ray::{Range, Ray};
 use crate::scalar::{Ring, Scalar, UnitScalar};
-use crate::scene::{Candidates, Color, Material, Observer, SceneHit, Waves};
+use crate::scene::{Candidates, Color, MOST_AT_ONE_PLACE, Material, Observer, SceneHit, Waves};
 use crate::shape::Surface;
 use crate::shape::kinds::Kinds;
 use crate::tier::Tier;
@@ -51,20 +51,29 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
             None => {}
         }
         let mut weight = segment.weight;
-        let mut place = Place::new();
         for passed in 0..=MOST_PASSED {
-            let met = self.meet_place(&mut segment, candidates, &mut place, context);
-            let seen = met.is_some().then_some(place.seen);
-            if segment.cause.is_none() {
-                gathered.first = seen;
-            }
-            if self.uses(Effect::Fog) && !segment.enclosed {
-                weight = self.through_fog(weight, seen.map(|on| on.hit.t), gathered, context);
-            }
-            let (Some((media, is_interface)), Some(on)) = (met, seen) else {
+            let Some((nearest, is_alone)) = self.nearest(&segment, candidates, context) else {
+                if segment.cause.is_none() {
+                    gathered.first = None;
+                }
+                let weight = self.through_fog(&segment, weight, None, gathered, context);
                 gathered.add(self.scene.background(), weight);
                 return [None, None];
             };
+            let several;
+            let met = if is_alone {
+                core::slice::from_ref(&nearest)
+            } else {
+                several = self.at_one_place(&segment, candidates, nearest, context);
+                &several
+            };
+            let mut place = Place::of(met, nearest);
+            let (media, is_interface) = self.sides(&mut segment, &mut place, is_alone);
+            let on = place.seen;
+            if segment.cause.is_none() {
+                gathered.first = Some(on);
+            }
+            weight = self.through_fog(&segment, weight, Some(on.hit.t), gathered, context);
             if !self.shows_surfaces() {
                 return [None, None];
             }
@@ -83,7 +92,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
             }
             context.counters.hits_refined += 1;
             let near = segment.passage.at(&place, false, &segment.ray, self.scene);
-            let mut site = ShadingPoint::new(self.scene, object, &surface, &segment.ray, &on, near);
+            let mut site = ShadingPoint::new(self.scene, object, &surface, &segment.ray, &on, &near);
             let color = self.dress(material, &surface, &mut site, context);
             let lit_by = self.shade(material, color, &site, weight, gathered, context);
             if segment.cause.is_none() {
@@ -101,8 +110,15 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         candidates: Candidates,
         context: &mut TraceContext<O>,
     ) -> Option<SceneHit<S>> {
-        let (mut segment, mut place) = (Segment::from_eye(*ray), Place::new());
-        self.meet_place(&mut segment, candidates, &mut place, context).map(|_| place.seen)
+        let segment = Segment::from_eye(*ray);
+        let (nearest, is_alone) = self.nearest(&segment, candidates, context)?;
+        if is_alone {
+            return Some(nearest);
+        }
+        let met = self.at_one_place(&segment, candidates, nearest, context);
+        let mut place = Place::of(&met, nearest);
+        place.see_last(self.scene);
+        Some(place.seen)
     }
 
     /// How the light changes over the columns of a row that see a part of an object, or the background.
@@ -124,25 +140,49 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         }
     }
 
-    /// Finds the first place where a ray meets surfaces, and returns the media on its sides, and whether they differ.
-    fn meet_place<O: Observer>(
+    /// The nearest hit of a ray, and whether it is certain that nothing else is hit at the same place.
+    #[inline(always)]
+    fn nearest<O: Observer>(
         &self,
-        segment: &mut Segment<S>,
+        segment: &Segment<S>,
         candidates: Candidates,
-        place: &mut Place<S>,
         context: &mut TraceContext<O>,
-    ) -> Option<(Media<'a, S>, bool)> {
-        let (counters, observer, ray) = (&mut context.counters, &mut context.observer, &segment.ray);
-        let along = Along::<'_, S, T, K, E>::new(self.scene, ray, &segment.passage, self.uses(Effect::Refraction))
-            .among(candidates);
-        let (nearest, is_alone) = self.scene.nearest_known(ray, &along, counters, observer)?;
-        place.begin(nearest);
-        if !is_alone {
-            self.scene.at_one_place(ray, &along, nearest.hit.t, counters, observer, |on| place.add(on));
-        }
+    ) -> Option<(SceneHit<S>, bool)> {
+        let along = self.along(segment).among(candidates);
+        self.scene.nearest_known(&segment.ray, &along, &mut context.counters, &mut context.observer)
+    }
+
+    #[inline(always)]
+    fn along<'s>(&'s self, segment: &'s Segment<S>) -> Along<'s, S, T, K, E> {
+        Along::new(self.scene, &segment.ray, &segment.passage, self.uses(Effect::Refraction))
+    }
+
+    /// The nearest hit of a ray, and those of other objects at the same place, as far as there is room.
+    #[cold]
+    #[inline(never)]
+    fn at_one_place<O: Observer>(
+        &self,
+        segment: &Segment<S>,
+        candidates: Candidates,
+        nearest: SceneHit<S>,
+        context: &mut TraceContext<O>,
+    ) -> heapless::Vec<SceneHit<S>, MOST_AT_ONE_PLACE> {
+        let (mut met, along) = (heapless::Vec::from_array([nearest]), self.along(segment).among(candidates));
+        let (counters, observer) = (&mut context.counters, &mut context.observer);
+        self.scene.at_one_place(&segment.ray, &along, nearest.hit.t, counters, observer, |on| {
+            if !met.iter().any(|other| other.object == on.object) {
+                let _ = met.push(on);
+            }
+        });
+        met
+    }
+
+    /// Decides what is seen of a place, and returns the media on its sides, and whether they differ.
+    #[inline(always)]
+    fn sides(&self, segment: &mut Segment<S>, place: &mut Place<'_, S>, is_alone: bool) -> (Media<'a, S>, bool) {
         let is_opaque = !is_alone && place.see_last(self.scene);
         if is_opaque || !self.uses(Effect::Refraction) || !self.scene.transmits(&place.seen) {
-            return Some((Media::none(), true));
+            return (Media::none(), true);
         }
         if segment.passage.begins() {
             segment.passage = if segment.ray.origin() == self.scene.camera().position() {
@@ -151,7 +191,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
                 self.around(&segment.ray)
             };
         }
-        Some(place.separate(self.scene, &segment.passage))
+        place.separate(self.scene, &segment.passage)
     }
 
     /// True if any effect is in use that makes surfaces other than black.
@@ -169,15 +209,19 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
             || self.uses(Effect::Refraction) && material.transmits()
     }
 
-    /// Adds the light of the fog along a ray, and returns the weight of what is behind it.
+    /// Adds the light of the fog along a ray, if there is any, and returns the weight of what is behind it.
+    #[inline(always)]
     fn through_fog<O: Observer>(
         &self,
+        segment: &Segment<S>,
         weight: S::Unit,
         t: Option<S>,
         gathered: &mut Gathered<S>,
         context: &mut TraceContext<O>,
     ) -> S::Unit {
-        let Some(haze) = self.scene.fog() else { return weight };
+        let Some(haze) = self.scene.fog().filter(|_| self.uses(Effect::Fog) && !segment.enclosed) else {
+            return weight;
+        };
         context.counters.fogged_rays += 1;
         let visible = weight.times(fog::visibility(haze, t));
         gathered.add(haze.color(), weight.minus(visible));
@@ -190,7 +234,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         &self,
         material: &Material<S>,
         surface: &Surface<S, K>,
-        site: &mut ShadingPoint<S>,
+        site: &mut ShadingPoint<'_, S>,
         context: &mut TraceContext<O>,
     ) -> Color<S> {
         let pattern = if self.uses(Effect::Texture) { self.scene.texture(material) } else { None };
@@ -217,7 +261,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         &self,
         material: &Material<S>,
         color: Color<S>,
-        site: &ShadingPoint<S>,
+        site: &ShadingPoint<'_, S>,
         weight: S::Unit,
         gathered: &mut Gathered<S>,
         context: &mut TraceContext<O>,
@@ -260,8 +304,8 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         &self,
         segment: &Segment<S>,
         material: &Material<S>,
-        site: &ShadingPoint<S>,
-        place: &Place<S>,
+        site: &ShadingPoint<'_, S>,
+        place: &Place<'_, S>,
         media: Media<'_, S>,
         weight: S::Unit,
     ) -> [Option<Segment<S>>; 2] {
@@ -300,7 +344,7 @@ impl<'a, S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'a, S, E, T, K> {
         {
             *mirrored = site.ray(reflection::direction(site)).map(|ray| Segment {
                 ray,
-                passage: site.near,
+                passage: *site.near,
                 weight,
                 depth: segment.depth + 1,
                 cause: Some(cause),

@@ -12,9 +12,9 @@ use crate::vector::{UnitVec3, Vec3};
 
 /// A shading point.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct ShadingPoint<S: Scalar> {
+pub(super) struct ShadingPoint<'p, S: Scalar> {
     /// What is known of a ray that starts there, to the viewer's side.
-    pub(super) near: Passage,
+    pub(super) near: &'p Passage,
     /// The point.
     pub(super) point: Vec3<S>,
     /// The geometric normal, on the side that the ray comes from. It decides on which side of the surface a direction
@@ -40,7 +40,7 @@ pub(super) struct Towards<S: Scalar> {
     pub(super) cosine: S::Unit,
 }
 
-impl<S: Scalar> ShadingPoint<S> {
+impl<'p, S: Scalar> ShadingPoint<'p, S> {
     /// The shading point of a hit, before bump mapping.
     pub(super) fn new<K: Kinds, T: Tier<S>>(
         scene: &Scene<'_, S, T, K>,
@@ -48,7 +48,7 @@ impl<S: Scalar> ShadingPoint<S> {
         surface: &Surface<S, K>,
         ray: &Ray<S>,
         on: &SceneHit<S>,
-        near: Passage,
+        near: &'p Passage,
     ) -> Self {
         let to_viewer = -ray.direction();
         let from_outside = on.hit.crossing != Crossing::Exit;

@@ -22,7 +22,7 @@ use crate::tier::Tier;
 /// not in shadow.
 pub(super) fn is_shadowed<S: Scalar, E: Effects, T: Tier<S>, O: Observer, K: Kinds>(
     tracer: &Tracer<'_, S, E, T, K>,
-    site: &ShadingPoint<S>,
+    site: &ShadingPoint<'_, S>,
     light: u32,
     towards: &Towards<S>,
     context: &mut TraceContext<O>,
@@ -33,7 +33,7 @@ pub(super) fn is_shadowed<S: Scalar, E: Effects, T: Tier<S>, O: Observer, K: Kin
     }
     let Some(ray) = ray_to_light(site, towards) else { return false };
     context.counters.shadow_rays += 1;
-    let along = Along::<'_, S, T, K, E>::new(scene, &ray, &site.near, refracts);
+    let along = Along::<'_, S, T, K, E>::new(scene, &ray, site.near, refracts);
     if let Some(last) = context.last_occluder(light).filter(|last| may_shade.contain(*last))
         && scene.is_hit_known(last, &ray, &along, &mut context.counters, &mut context.observer)
     {
@@ -46,7 +46,7 @@ pub(super) fn is_shadowed<S: Scalar, E: Effects, T: Tier<S>, O: Observer, K: Kin
 }
 
 /// The ray from a shading point to a light; `None` beyond the number type's budget.
-fn ray_to_light<S: Scalar>(site: &ShadingPoint<S>, towards: &Towards<S>) -> Option<Ray<S>> {
+fn ray_to_light<S: Scalar>(site: &ShadingPoint<'_, S>, towards: &Towards<S>) -> Option<Ray<S>> {
     let ray = site.ray(towards.direction)?;
     Some(match Range::new(S::ZERO, towards.distance) {
         Ok(range) => ray.with_range(range),
@@ -67,14 +67,12 @@ impl<S: Scalar, E: Effects, T: Tier<S>, K: Kinds> Tracer<'_, S, E, T, K> {
         else {
             return false;
         };
-        let mut place = Place::new();
-        place.begin(on);
-        let near = Passage::new().at(&place, false, ray, self.scene);
+        let near = Passage::new().at(&Place::of(&[on], on), false, ray, self.scene);
         let surface = object.shape.surface(ray, &on.hit);
-        let site = ShadingPoint::new(self.scene, object, &surface, ray, &on, near);
+        let site = ShadingPoint::new(self.scene, object, &surface, ray, &on, &near);
         let Some(ray) = site.towards(light).and_then(|towards| ray_to_light(&site, &towards)) else { return false };
         context.counters.shadow_rays += 1;
-        let along = Along::<'_, S, T, K, E>::new(self.scene, &ray, &site.near, self.uses(Effect::Refraction));
+        let along = Along::<'_, S, T, K, E>::new(self.scene, &ray, site.near, self.uses(Effect::Refraction));
         self.scene.is_hit_known(occluder, &ray, &along, &mut context.counters, &mut context.observer)
     }
 }

@@ -7,7 +7,7 @@ use crate::scene::Material;
 /// `Ks (R . V)^shine`, with the light's direction mirrored in the normal: `R = 2 (N . L) N - L`.
 ///
 /// A highlight has the colour of the light. It is zero where the mirrored direction points away from the viewer.
-pub(super) fn weight<S: Scalar>(material: &Material<S>, site: &ShadingPoint<S>, towards: &Towards<S>) -> S::Unit {
+pub(super) fn weight<S: Scalar>(material: &Material<S>, site: &ShadingPoint<'_, S>, towards: &Towards<S>) -> S::Unit {
     if material.specular <= S::ZERO {
         return S::Unit::ZERO;
     }

@@ -166,8 +166,8 @@ impl<S: Scalar> Geometry<S> for Capsule<S> {
 
     fn normal(&self, point: Vec3<S>, part: Part) -> UnitVec3<S> {
         match part {
-            Part::Base => UnitVec3::new(point).unwrap_or(-UnitVec3::Y),
-            Part::Top => UnitVec3::new(point - self.centre(part)).unwrap_or(UnitVec3::Y),
+            Part::Base => UnitVec3::new_or(point, -UnitVec3::Y),
+            Part::Top => UnitVec3::new_or(point - self.centre(part), UnitVec3::Y),
             _ => coordinates::outwards(point),
         }
     }

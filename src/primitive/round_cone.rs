@@ -237,8 +237,8 @@ impl<S: Scalar> Geometry<S> for RoundCone<S> {
             return capsule.normal(point, part);
         }
         match part {
-            Part::Base => UnitVec3::new(point).unwrap_or(-UnitVec3::Y),
-            Part::Top => UnitVec3::new(point - self.ball(part).1).unwrap_or(UnitVec3::Y),
+            Part::Base => UnitVec3::new_or(point, -UnitVec3::Y),
+            Part::Top => UnitVec3::new_or(point - self.ball(part).1, UnitVec3::Y),
             _ => {
                 let (Side { k, length, .. }, _) = self.side();
                 let [x, _, z] = coordinates::outwards(point).real();

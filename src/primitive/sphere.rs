@@ -134,7 +134,7 @@ impl<S: Scalar> Geometry<S> for Sphere<S> {
     }
 
     fn normal(&self, point: Vec3<S>, _: Part) -> UnitVec3<S> {
-        UnitVec3::new(point).unwrap_or(UnitVec3::Y)
+        UnitVec3::new_or(point, UnitVec3::Y)
     }
 
     fn bend(&self, _: Vec3<S>, _: Part) -> S {

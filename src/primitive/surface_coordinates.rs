@@ -70,12 +70,12 @@ pub(super) fn tangents_around<S: Scalar>(point: Vec3<S>, normal: UnitVec3<S>) ->
 
 /// The direction around the y axis, counter-clockwise as seen from +y; -z for a point on the axis.
 pub(super) fn around<S: Scalar>(point: Vec3<S>) -> UnitVec3<S> {
-    UnitVec3::new(Vec3::new(point.z, S::ZERO, S::ZERO.minus(point.x))).unwrap_or(-UnitVec3::Z)
+    UnitVec3::new_or(Vec3::new(point.z, S::ZERO, S::ZERO.minus(point.x)), -UnitVec3::Z)
 }
 
 /// The direction away from the y axis; +x for a point on the axis.
 pub(super) fn outwards<S: Scalar>(point: Vec3<S>) -> UnitVec3<S> {
-    UnitVec3::new(Vec3 { y: S::ZERO, ..point }).unwrap_or(UnitVec3::X)
+    UnitVec3::new_or(Vec3 { y: S::ZERO, ..point }, UnitVec3::X)
 }
 
 /// The point with its height clamped to `[0, height]`, since rounding may have moved it beyond a rim.

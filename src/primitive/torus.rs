@@ -140,12 +140,12 @@ impl<S: Scalar> Geometry<S> for Torus<S> {
 
     fn on_surface(&self, point: Vec3<S>, _: Part) -> Vec3<S> {
         let (middle, minor) = (self.middle(point), self.minor_radius());
-        let out = UnitVec3::new(self.offset(point)).unwrap_or(UnitVec3::Y);
+        let out = UnitVec3::new_or(self.offset(point), UnitVec3::Y);
         Vec3 { x: middle.x.plus(minor.along(out.x())), y: minor.along(out.y()), z: middle.z.plus(minor.along(out.z())) }
     }
 
     fn normal(&self, point: Vec3<S>, _: Part) -> UnitVec3<S> {
-        UnitVec3::new(self.offset(point)).unwrap_or(UnitVec3::Y)
+        UnitVec3::new_or(self.offset(point), UnitVec3::Y)
     }
 
     fn bend(&self, _: Vec3<S>, _: Part) -> S {

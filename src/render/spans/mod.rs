@@ -166,7 +166,8 @@ pub struct RowInSpans<'w, 'a, S: Scalar, E, O, T = Stable, K: Kinds = kinds::All
     /// The objects that may throw a shadow on what is seen in the span.
     may_shade: Candidates,
     /// Pixels of the span that were traced ahead of those before them, with their columns: the last is the nearest.
-    ahead: heapless::Vec<(u16, Pixel<S>), AHEAD>,
+    /// (Columns have 32 bits here: behind 16, LLVM copies pixels by half words.)
+    ahead: heapless::Vec<(u32, Pixel<S>), AHEAD>,
 }
 
 /// Pixels that follow each other.
@@ -186,7 +187,7 @@ enum Fill<S: Scalar> {
     Traced(Candidates),
     /// The same, but their light changes smoothly over so many columns at most, or over so many where a light does not
     /// reach them; from the last one traced to before a column they lie on a curve.
-    Smooth(Candidates, [u16; 2], Option<(u16, Curve<S>)>),
+    Smooth(Candidates, [u16; 2], Option<(u32, Curve<S>)>),
 }
 
 impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> Iterator for RowInSpans<'_, '_, S, E, O, T, K> {
@@ -198,7 +199,7 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> Iterator for RowI
         let x = self.row.next;
         let pixel = match &mut self.span.fill {
             Fill::Same(pixel) if x < u32::from(self.span.until) => *pixel,
-            Fill::Smooth(_, _, Some((until, curve))) if x < u32::from(*until) => curve.next(),
+            Fill::Smooth(_, _, Some((until, curve))) if x < *until => curve.next(),
             _ => return self.next_of_others(),
         };
         self.row.next += 1;
@@ -347,9 +348,9 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> RowInSpans<'_, '_
     /// The pixel in a column of a smooth span, and a curve through those after it.
     #[inline(never)]
     fn curved(&mut self, x: u16, among: Candidates, longest: [u16; 2]) -> Pixel<S> {
-        let pixel = match self.ahead.last().copied() {
-            Some((column, pixel)) if column == x => {
-                let _ = self.ahead.pop();
+        let pixel = match self.ahead.last() {
+            Some(&(column, pixel)) if column == u32::from(x) => {
+                self.ahead.truncate(self.ahead.len() - 1);
                 pixel
             }
             _ => self.traced(x, among),
@@ -362,15 +363,17 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> RowInSpans<'_, '_
         }
         let Some((_, reciprocals, _)) = self.found else { return pixel };
         let mut curve = None;
-        while let Some((end, last)) = self.ahead.last().copied()
-            && end - x >= curve::SHORTEST
-        {
-            let middle = x + (end - x) / 2;
-            let sample = self.trace_ahead(middle, among);
-            if end - x <= most
-                && let Some(through) = Curve::through([&pixel, &sample, &last], end - x, reciprocals)
+        while let Some(end) = self.ahead.last().map(|(end, _)| *end) {
+            let columns = end as u16 - x;
+            if columns < curve::SHORTEST {
+                break;
+            }
+            self.trace_ahead(x + columns / 2, among);
+            if columns <= most
+                && let [.., (_, last), (_, middle)] = self.ahead.as_slice()
+                && let Some(through) = Curve::through([&pixel, middle, last], columns, reciprocals)
             {
-                let _ = self.ahead.pop();
+                self.ahead.truncate(self.ahead.len() - 1);
                 curve = Some((end, through));
                 break;
             }
@@ -380,10 +383,9 @@ impl<S: Scalar, E: Effects, O: Observer, T: Tier<S>, K: Kinds> RowInSpans<'_, '_
     }
 
     /// Traces the pixel in a column to the right, and keeps it.
-    fn trace_ahead(&mut self, x: u16, among: Candidates) -> Pixel<S> {
+    fn trace_ahead(&mut self, x: u16, among: Candidates) {
         let pixel = self.traced(x, among);
         // There is room.
-        let _ = self.ahead.push((x, pixel));
-        pixel
+        let _ = self.ahead.push((x.into(), pixel));
     }
 }
