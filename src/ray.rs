@@ -148,8 +148,13 @@ impl<S: Scalar> Ray<S> {
     /// ```
     #[inline]
     pub fn new(origin: Vec3<S>, direction: UnitVec3<S>) -> Result<Self, RayError> {
-        let origin = origin.checked().map_err(RayError::Origin)?;
-        Ok(Self { origin, direction, range: Range::FORWARD, departure: None })
+        Ok(Self::from_within(origin.checked().map_err(RayError::Origin)?, direction))
+    }
+
+    /// The ray from an origin that is known to be within the budget.
+    #[inline(always)]
+    pub(crate) const fn from_within(origin: Vec3<S>, direction: UnitVec3<S>) -> Self {
+        Self { origin, direction, range: Range::FORWARD, departure: None }
     }
 
     /// The ray from `origin` towards the point `target`.

@@ -388,7 +388,10 @@ impl<S: Scalar> RaysOfRow<'_, S> {
     pub(crate) fn through(&self, right: i32) -> Option<Ray<S>> {
         let beside = right - self.raster.middle(self.raster.size.width);
         match &self.line {
-            Some(line) => Ray::new(self.raster.camera.position, UnitVec3::rotated(line.direction(beside)?)).ok(),
+            Some(line) => {
+                let direction = UnitVec3::rotated(line.direction(beside)?);
+                Some(Ray::from_within(self.raster.camera.position, direction))
+            }
             None => self.raster.parallel([beside, self.raster.above(self.down)]),
         }
     }
