@@ -64,6 +64,8 @@ mod reintersection;
 mod shapes;
 mod spans;
 mod spans_exact;
+mod spans_light;
+mod spans_shadows;
 mod surface;
 mod watertight;
 mod wider;
