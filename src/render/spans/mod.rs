@@ -166,7 +166,8 @@ pub struct RowInSpans<'w, 'a, S: Scalar, E, O, T = Stable, K: Kinds = kinds::All
     /// The objects that may throw a shadow on what is seen in the span.
     may_shade: Candidates,
     /// Pixels of the span that were traced ahead of those before them, with their columns: the last is the nearest.
-    /// (Columns have 32 bits here: behind 16, LLVM copies pixels by half words.)
+    /// (Columns have 32 bits here: behind 16, LLVM copies pixels by half words, which takes 80 instructions a pixel of
+    /// a lit picture on a Cortex-M0+.)
     ahead: heapless::Vec<(u32, Pixel<S>), AHEAD>,
 }
 
