@@ -182,7 +182,7 @@ impl<S: Scalar> UnitVec3<S> {
     }
 
     /// The direction of a vector, or another one where it has none. Not by [`UnitVec3::of`]: LLVM copies the option
-    /// twice on its way out, by calls on a Cortex-M0+, where a pixel of a lit plane takes 30 instructions more with it.
+    /// twice on its way out, by calls on a Cortex-M0+: a lit picture takes 30 instructions a pixel more with it.
     #[inline]
     pub(crate) fn new_or(v: Vec3<S>, otherwise: Self) -> Self {
         match S::direction_of(v.to_array()) {
