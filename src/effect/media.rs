@@ -195,8 +195,8 @@ impl<S: Scalar, T: Tier<S>, K: Kinds, E: Effects> Known<S> for Along<'_, S, T, K
 /// A place on a ray where it meets one surface, or several that the number type cannot tell apart.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place<'m, S: Scalar> {
-    /// The first hit of each object there. Mostly it is one, for which no list is made: LLVM copies all of a list, and a
-    /// lit picture takes 140 instructions a pixel more on a Cortex-M0+.
+    /// The first hit of each object there. Mostly it is one, for which no list is made: LLVM copies all of a list, and
+    /// a lit picture takes 140 instructions a pixel more on a Cortex-M0+.
     met: &'m [SceneHit<S>],
     /// The one whose material and normal are seen.
     pub(super) seen: SceneHit<S>,
